@@ -1,0 +1,32 @@
+// The number of a finding, written FMnnnn. Numbers are never reused.
+#pragma once
+
+#include <cstdint>
+
+namespace finemote::gen {
+
+struct Code {
+  std::uint16_t number = 0;
+  friend constexpr bool operator==(Code, Code) = default;
+};
+
+/// Every number in use, by range: 0xxx command line and files, 1xxx XML and xacro, 2xxx URDF, 3xxx device model,
+/// descriptor and board, 4xxx timing, 5xxx output and check, 6xxx emulator, 9xxx internal.
+/// Each has a page docs/diagnostics/FMnnnn.md, which `finemote explain` prints.
+namespace code {
+
+// 0xxx: command line and files
+inline constexpr Code usage{1};              // a word of the command line is wrong
+inline constexpr Code unreadable_file{2};    // missing, a folder, or no permission
+inline constexpr Code empty_file{3};
+inline constexpr Code not_utf8{4};
+inline constexpr Code file_too_large{5};
+inline constexpr Code missing_tool{6};       // a compiler or emulator that `run` needs
+inline constexpr Code data_not_found{7};     // schemas, templates, runtime
+
+// 1xxx: XML and xacro
+inline constexpr Code malformed_xml{1001};
+inline constexpr Code xacro_in_urdf{1002};   // a xacro: tag in a file that is read as plain URDF
+
+}  // namespace code
+}  // namespace finemote::gen

@@ -1,0 +1,104 @@
+#include "generator/diagnostic/render.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace finemote::gen {
+namespace {
+
+/// ANSI sequences, or nothing.
+struct Palette {
+  const char* bold = "";
+  const char* red = "";
+  const char* yellow = "";
+  const char* cyan = "";
+  const char* reset = "";
+};
+
+constexpr Palette kPlain;
+constexpr Palette kColor{"\033[1m", "\033[1;31m", "\033[1;33m", "\033[36m", "\033[0m"};
+
+std::string place(const Position& at) {
+  if (at.file == nullptr) return "finemote";
+  std::string text = at.file->name;
+  if (at.line > 0) text += fmt::format(":{}", at.line);
+  if (at.line > 0 && at.column > 0) text += fmt::format(":{}", at.column);
+  return text;
+}
+
+/// The source line and a caret line below it; nothing when the place has no line.
+std::string excerpt(const Diagnostic& finding, const Palette& paint) {
+  const Position& at = finding.at;
+  if (at.file == nullptr || at.line == 0) return {};
+  const std::string_view line = at.file->line(at.line);
+  constexpr std::size_t kWidest = 200;
+  if (line.empty() || line.size() > kWidest) return {};
+
+  const std::string margin = fmt::format("{:>5} | ", at.line);
+  std::string text = margin + std::string(line) + "\n";
+  if (at.column == 0 || at.column > line.size() + 1) return text;
+
+  std::string blanks(margin.size() - 2, ' ');
+  blanks += "| ";
+  for (std::size_t i = 0; i + 1 < at.column; ++i) blanks += line[i] == '\t' ? '\t' : ' ';
+  const std::size_t rest = line.size() - std::min<std::size_t>(line.size(), at.column - 1);
+  const std::size_t tail = std::min(finding.length, std::max<std::size_t>(rest, 1)) - 1;
+  return text + blanks + paint.red + "^" + std::string(tail, '~') + paint.reset + "\n";
+}
+
+std::string describe(const Expansion& step) {
+  const char* verb = step.kind == Expansion::Kind::macro ? "expanded from macro" : "included as";
+  return fmt::format("{} '{}' at {}", verb, step.name, place(step.at));
+}
+
+std::string render_one(const Diagnostic& finding, const Palette& paint) {
+  const bool is_error = finding.severity == Severity::error;
+  std::string text = fmt::format("{}{}:{} {}{}[{}]{}: {}\n", paint.bold, place(finding.at), paint.reset,
+                                 is_error ? paint.red : paint.yellow, is_error ? "error" : "warning",
+                                 code_name(finding.code), paint.reset, finding.message);
+  text += excerpt(finding, paint);
+  for (const Expansion* step = finding.at.via; step != nullptr; step = step->at.via) {
+    text += fmt::format("  {}note:{} {}\n", paint.cyan, paint.reset, describe(*step));
+  }
+  for (const Note& note : finding.notes) {
+    const std::string where = note.at.file ? fmt::format(" ({})", place(note.at)) : "";
+    text += fmt::format("  {}note:{} {}{}\n", paint.cyan, paint.reset, note.message, where);
+  }
+  for (const std::string& hint : finding.hints) {
+    text += fmt::format("  {}hint:{} {}\n", paint.cyan, paint.reset, hint);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string code_name(Code code) { return fmt::format("FM{:04}", code.number); }
+
+std::string render_text(const Diagnostics& diagnostics, bool color) {
+  std::string text;
+  for (const Diagnostic& finding : diagnostics.in_file_order()) text += render_one(finding, color ? kColor : kPlain);
+  return text;
+}
+
+nlohmann::ordered_json render_json(const Diagnostics& diagnostics) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const Diagnostic& finding : diagnostics.in_file_order()) {
+    Json notes = Json::array();
+    for (const Expansion* step = finding.at.via; step != nullptr; step = step->at.via) notes.push_back(describe(*step));
+    for (const Note& note : finding.notes) notes.push_back(note.message);
+    const Position& at = finding.at;
+    list.push_back({{"severity", finding.severity == Severity::error ? "error" : "warning"},
+                    {"code", code_name(finding.code)},
+                    {"message", finding.message},
+                    {"file", at.file ? Json(at.file->name) : Json(nullptr)},
+                    {"line", at.line > 0 ? Json(at.line) : Json(nullptr)},
+                    {"column", at.column > 0 ? Json(at.column) : Json(nullptr)},
+                    {"notes", notes},
+                    {"hints", finding.hints}});
+  }
+  return list;
+}
+
+}  // namespace finemote::gen

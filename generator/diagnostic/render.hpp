@@ -1,0 +1,20 @@
+// Turns findings into the text people read, and into the forms editors and CI read.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "generator/diagnostic/diagnostics.hpp"
+
+namespace finemote::gen {
+
+/// `file:line:col: error[FMnnnn]: message`, excerpt with caret, notes and hints; colours when `color`.
+std::string render_text(const Diagnostics& diagnostics, bool color);
+
+/// The `diagnostics` array of every JSON document: [{severity, code, message, file, line, column, notes, hints}].
+nlohmann::ordered_json render_json(const Diagnostics& diagnostics);
+
+/// `FM0042`.
+std::string code_name(Code code);
+
+}  // namespace finemote::gen

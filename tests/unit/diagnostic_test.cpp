@@ -1,0 +1,40 @@
+#include "catch.hpp"
+#include "generator/diagnostic/render.hpp"
+#include "generator/diagnostic/suggest.hpp"
+
+using namespace finemote::gen;
+
+TEST_CASE("a message names place, excerpt, caret, notes and hints") {
+  Sources sources;
+  const SourceFile* file = sources.add(SourceFile{"robot.urdf", "", "<robot>\n  <bus port=\"i2c9\"/>\n"});
+  Diagnostics diagnostics;
+  diagnostics.error(Code{3012}, {file, 2, 14}, "board 'x' has no port 'i2c9'").underline(4).hint("did you mean 'i2c2'?");
+  CHECK(render_text(diagnostics, false) ==
+        "robot.urdf:2:14: error[FM3012]: board 'x' has no port 'i2c9'\n"
+        "    2 |   <bus port=\"i2c9\"/>\n"
+        "      |              ^~~~\n"
+        "  hint: did you mean 'i2c2'?\n");
+}
+
+TEST_CASE("findings are reported in file order, an expansion where its call stands") {
+  Sources sources;
+  const SourceFile* main = sources.add(SourceFile{"a.xacro", "", ""});
+  const SourceFile* part = sources.add(SourceFile{"z.xacro", "", ""});
+  const Expansion* call = sources.add(Expansion{Expansion::Kind::macro, "thruster", {main, 3, 1}});
+  Diagnostics diagnostics;
+  diagnostics.error(Code{1}, {main, 9, 1}, "last");
+  diagnostics.error(Code{1}, {part, 1, 1, call}, "middle");
+  diagnostics.error(Code{1}, {main, 2, 1}, "first");
+  const auto sorted = diagnostics.in_file_order();
+  CHECK(sorted[0].message == "first");
+  CHECK(sorted[1].message == "middle");
+  CHECK(sorted[2].message == "last");
+  CHECK(render_text(diagnostics, false).find("note: expanded from macro 'thruster' at a.xacro:3:1") != std::string::npos);
+}
+
+TEST_CASE("the nearest names come first") {
+  CHECK(did_you_mean("i2c9", {"usart1", "i2c2", "i2c3"}) == "did you mean 'i2c2' or 'i2c3'?");
+  CHECK(did_you_mean("Baud", {"clock", "baud"}) == "did you mean 'baud'?");
+  CHECK(did_you_mean("zzzzzz", {"a", "b"}) == "valid here: 'a', 'b'");
+  CHECK(did_you_mean("x", {}).empty());
+}
