@@ -1,0 +1,99 @@
+// What a device type is, as its JSON descriptor says (`schemas/devices/<type>.json`).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "generator/diagnostic/source.hpp"
+
+namespace finemote::gen {
+
+/// The kinds of bus of the extension, in the order of its reference.
+enum class BusKind { uart, rs485, i2c, spi, can, pwm, gpio, virtual_bus };
+
+/// A C++ tag struct naming a State and, for actuators, a Command type; `any` stands for every interface.
+struct Interface {
+  std::string name;              ///< as in the descriptor: `Thruster`, `my::Gripper`, `any`
+  std::string cpp;               ///< qualified: `finemote::Thruster`
+  bool has_command = false;
+  std::string state = "state";      ///< data member of the device holding the State
+  std::string command = "command";  ///< and the Command
+};
+
+struct RoleSpec {
+  std::string name;
+  std::string interface;  ///< Interface::name, or `any`
+  std::uint32_t min = 0;
+  std::optional<std::uint32_t> max;  ///< none: unbounded
+};
+
+/// Base units of params: everything is stored exactly in the base unit.
+enum class Unit { none, time_ns, frequency_hz, bit_rate, bits, percent };
+
+enum class ParamKind { integer, real, boolean, text, enumeration };
+
+/// A checked value in its base unit. Enumerations hold their spelling.
+using ParamValue = std::variant<std::int64_t, double, bool, std::string>;
+
+struct ParamSpec {
+  std::string name;
+  ParamKind kind = ParamKind::integer;
+  Unit unit = Unit::none;
+  std::string unit_text;                     ///< for kinds without conversion (`deg`, `mm`): documentation only
+  std::optional<double> min, max;            ///< inclusive, base unit
+  std::vector<std::string> values;           ///< allowed spellings of an enumeration, or of an integer given as a list
+  std::map<std::string, std::string> enumerators;  ///< spelling -> C++ enumerator
+  std::optional<ParamValue> fallback;        ///< the default; none: the param is required
+  std::string summary;
+};
+
+/// Further hardware of a device, named by `<use role=...>`.
+struct UseSpec {
+  std::string role;
+  std::vector<BusKind> buses;
+  bool required = false;
+};
+
+/// What of the URDF the device needs; the emitter knows kinds, never robots.
+struct GeometrySpec {
+  std::string kind;  ///< `allocation`
+  std::string role;  ///< whose children it speaks of
+};
+
+struct WcetDefault {
+  std::int64_t update_ns = 0;
+  std::int64_t handle_ns = 0;
+};
+
+struct DeviceType {
+  std::string name;     ///< the `type` attribute: `ms5837`
+  std::string summary;
+  std::string cpp_class;  ///< `finemote::Ms5837`
+  std::string include;    ///< as generated code includes it: `finemote/devices/ms5837.hpp`, `my_sensor.hpp`
+  std::string include_dir;  ///< folder to add to the include path for a user's type; empty for shipped types
+  std::string display_path; ///< `builtin:devices/ms5837.json`, or relative to the input
+  bool builtin = true;
+  std::vector<BusKind> buses;  ///< kinds of bus it can sit on; empty: composite or virtual
+  bool bus_required = false;
+  bool needs_address = false, needs_channel = false, needs_id = false;
+  std::optional<std::uint32_t> default_address;
+  std::vector<std::uint32_t> addresses;  ///< allowed ones; empty: any
+  std::optional<std::uint32_t> id_min, id_max;
+  std::vector<Interface> provides;  ///< first one is the default
+  std::vector<RoleSpec> roles;      ///< constructor order
+  std::vector<UseSpec> uses;
+  std::vector<ParamSpec> params;    ///< Config order
+  std::vector<GeometrySpec> geometry;
+  bool actuator = false;
+  bool constant_init = true;
+  std::optional<WcetDefault> wcet;
+  std::string raw_json;  ///< the whole descriptor: acquisition, interrupts and frames for the timing stage
+
+  [[nodiscard]] bool has_command() const { return !provides.empty() && provides.front().has_command; }
+};
+
+}  // namespace finemote::gen
