@@ -27,6 +27,7 @@ inline constexpr Code data_not_found{7};     // schemas, templates, runtime
 // 1xxx: XML and xacro
 inline constexpr Code malformed_xml{1001};
 inline constexpr Code xacro_in_urdf{1002};   // a xacro: tag in a file that is read as plain URDF
+inline constexpr Code nested_too_deeply{1003};  // elements inside elements beyond the limit
 
 }  // namespace code
 }  // namespace finemote::gen

@@ -1,0 +1,182 @@
+#include "generator/xml/read_source.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "generator/xml/locate.hpp"
+
+namespace finemote::gen::xml {
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const {
+    if (file != stdin) std::fclose(file);
+  }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+/// Length of the UTF-8 sequence a byte begins, or 0.
+std::size_t sequence_length(unsigned char lead) {
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead <= 0xDF) return 2;
+  if (lead >= 0xE0 && lead <= 0xEF) return 3;
+  if (lead >= 0xF0 && lead <= 0xF4) return 4;
+  return 0;
+}
+
+/// Table 3-7 of the Unicode standard: what the second byte may be, given the first.
+bool is_valid_second(unsigned char lead, unsigned char second) {
+  switch (lead) {
+    case 0xE0:
+      return second >= 0xA0 && second <= 0xBF;
+    case 0xED:
+      return second >= 0x80 && second <= 0x9F;
+    case 0xF0:
+      return second >= 0x90 && second <= 0xBF;
+    case 0xF4:
+      return second >= 0x80 && second <= 0x8F;
+    default:
+      return second >= 0x80 && second <= 0xBF;
+  }
+}
+
+bool is_valid_sequence(std::string_view bytes, std::size_t length) {
+  if (length == 0 || bytes.size() < length) return false;
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+  if (length > 1 && !is_valid_second(byte(0), byte(1))) return false;
+  for (std::size_t i = 2; i < length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return false;
+  }
+  return true;
+}
+
+/// The name in `<?xml ... encoding="NAME"?>`, in lower case.
+std::string declared_encoding(std::string_view text) {
+  if (!text.starts_with("<?xml")) return {};
+  const std::string_view declaration = text.substr(0, text.find("?>"));
+  auto at = declaration.find("encoding");
+  if (at == std::string_view::npos) return {};
+  at = declaration.find_first_of("\"'", at);
+  if (at == std::string_view::npos) return {};
+  std::string name(declaration.substr(at + 1, declaration.find(declaration[at], at + 1) - at - 1));
+  std::transform(name.begin(), name.end(), name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
+  return name;
+}
+
+bool is_latin1(std::string_view encoding) {
+  return encoding == "iso-8859-1" || encoding == "latin-1" || encoding == "latin1";
+}
+
+std::string latin1_to_utf8(std::string_view text) {
+  std::string out;
+  out.reserve(text.size() + text.size() / 8);
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      out += c;
+    } else {
+      out += static_cast<char>(0xC0 | (byte >> 6));
+      out += static_cast<char>(0x80 | (byte & 0x3F));
+    }
+  }
+  return out;
+}
+
+/// One read with everything its errors need.
+struct Request {
+  const std::string& path;
+  std::string name;
+  Position at;
+  Sources& sources;
+  Diagnostics& diagnostics;
+
+  /// Reports at the one who asked, else at the file as a whole.
+  void fail(Code code, const std::string& message) const {
+    Position where = at;
+    if (where.file == nullptr) where.file = sources.add(SourceFile{name, path, {}});
+    diagnostics.error(code, where, message);
+  }
+};
+
+File open_file(const Request& request) {
+  if (request.path == "-") return File(stdin);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(request.path, ignored)) {
+    request.fail(code::unreadable_file, fmt::format("cannot read '{}': it is a folder", request.name));
+    return nullptr;
+  }
+  File file(std::fopen(request.path.c_str(), "rb"));
+  if (!file) {
+    std::string reason = std::strerror(errno);
+    reason[0] = static_cast<char>(reason[0] | 0x20);
+    request.fail(code::unreadable_file, fmt::format("cannot read '{}': {}", request.name, reason));
+  }
+  return file;
+}
+
+std::optional<std::string> read_all(std::FILE* file, const Request& request) {
+  std::string text;
+  std::size_t size = 0;
+  do {
+    text.resize(std::max<std::size_t>(size * 2, 1 << 16));
+    size += std::fread(text.data() + size, 1, text.size() - size, file);
+    if (size > kMaxFileSize) {
+      request.fail(code::file_too_large, fmt::format("'{}' is larger than {} MiB", request.name, kMaxFileSize >> 20));
+      return std::nullopt;
+    }
+  } while (size == text.size());
+  if (std::ferror(file) != 0) {
+    request.fail(code::unreadable_file, fmt::format("cannot read '{}': {}", request.name, std::strerror(errno)));
+    return std::nullopt;
+  }
+  text.resize(size);
+  return text;
+}
+
+}  // namespace
+
+std::size_t find_invalid_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = sequence_length(static_cast<unsigned char>(text[i]));
+    if (!is_valid_sequence(text.substr(i, 4), length)) return i;
+    i += length;
+  }
+  return std::string_view::npos;
+}
+
+const SourceFile* read_source(const std::string& path, Sources& sources, Diagnostics& diagnostics,
+                              std::string_view name, Position at) {
+  std::string shown(name.empty() ? std::string_view(path) : name);
+  if (path == "-" && name.empty()) shown = "<stdin>";
+  const Request request{path, std::move(shown), at, sources, diagnostics};
+
+  const File file = open_file(request);
+  if (!file) return nullptr;
+  auto text = read_all(file.get(), request);
+  if (!text) return nullptr;
+  if (text->starts_with("\xEF\xBB\xBF")) text->erase(0, 3);
+  if (text->empty()) {
+    request.fail(code::empty_file, fmt::format("'{}' is empty", request.name));
+    return nullptr;
+  }
+  if (is_latin1(declared_encoding(*text))) text = latin1_to_utf8(*text);
+
+  const SourceFile* source = sources.add(SourceFile{request.name, path == "-" ? "" : path, std::move(*text)});
+  const std::size_t wrong = find_invalid_utf8(source->text);
+  if (wrong == std::string_view::npos) return source;
+  diagnostics
+      .error(code::not_utf8, Locator(*source).at(wrong),
+             fmt::format("'{}' is not UTF-8: byte 0x{:02x}", request.name,
+                         static_cast<unsigned char>(source->text[wrong])))
+      .hint("save the file as UTF-8");
+  return nullptr;
+}
+
+}  // namespace finemote::gen::xml
