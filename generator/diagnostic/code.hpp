@@ -29,5 +29,9 @@ inline constexpr Code malformed_xml{1001};
 inline constexpr Code xacro_in_urdf{1002};   // a xacro: tag in a file that is read as plain URDF
 inline constexpr Code nested_too_deeply{1003};  // elements inside elements beyond the limit
 
+// 32xx: schedule
+inline constexpr Code too_many_buckets{3201};      // more periods than interrupt lines or priority levels
+inline constexpr Code generated_name_clash{3202};  // two names of generated code are the same
+
 }  // namespace code
 }  // namespace finemote::gen
