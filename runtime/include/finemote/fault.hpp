@@ -1,0 +1,67 @@
+// Counts what went wrong as (module, number), and stops the robot safely when it cannot go on.
+#pragma once
+
+#include <cstdint>
+
+namespace finemote {
+
+/// Who reports a fault. Numbers inside a module are the module's own.
+enum class Module : std::uint8_t {
+  core = 1,  ///< processor faults, unexpected interrupts, stack guard: see CoreFault
+  schedule,  ///< the schedule cannot run on this board, or overran
+  order,     ///< a parent was constructed before its child; number: index of the check
+  uart,
+  i2c,
+  spi,
+  can,
+  pwm,
+  rs485,
+  gpio,
+  device,
+  board,
+};
+
+enum class CoreFault : std::uint8_t {
+  hard = 1,
+  memory,
+  bus,
+  usage,
+  nmi,
+  stack,                 ///< the stack guard was touched
+  unexpected_interrupt,  ///< a line without a routine
+};
+
+enum class ScheduleFault : std::uint8_t {
+  empty = 1,      ///< no buckets
+  bad_tick,       ///< the tick is no whole number of core cycles, or longer than the release timer
+  bad_period,     ///< a period is not a multiple of the tick
+  bad_lines,      ///< the lines are not all in one word of the interrupt controller
+  too_many,       ///< more buckets than the scheduler has room for
+  not_monotonic,  ///< a longer period has the more urgent priority
+  overrun,        ///< a bucket was released while pending or running (counted)
+};
+
+struct FaultRecord {
+  Module module;
+  std::uint8_t number;
+  std::uint16_t count;  ///< sticks at 65535
+};
+
+/// Number of different (module, number) pairs that are kept; further ones only raise faults_lost().
+inline constexpr unsigned kFaultRecords = 16;
+
+/// Counts a fault the caller has survived. Bounded; from everywhere, interrupts included.
+void count_fault(Module module, std::uint8_t number);
+
+/// How often this fault was counted.
+std::uint16_t fault_count(Module module, std::uint8_t number);
+
+/// Record `index` < kFaultRecords; count 0 when there is none.
+FaultRecord fault_record(unsigned index);
+std::uint32_t faults_lost();
+
+/// Counts the fault, brings every actuator to its safe output and does not return: the buses and the watchdog live on.
+/// `text` explains it to whoever listens (semihosting, host); may be null.
+[[noreturn]] void stop_safely(Module module, std::uint8_t number, const char* text = nullptr);
+
+}  // namespace finemote

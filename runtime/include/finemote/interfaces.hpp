@@ -1,0 +1,8 @@
+// Every interface a device can offer or ask for.
+#pragma once
+
+#include "finemote/interfaces/any.hpp"
+#include "finemote/interfaces/imu.hpp"
+#include "finemote/interfaces/motor.hpp"
+#include "finemote/interfaces/pressure.hpp"
+#include "finemote/interfaces/thruster.hpp"

@@ -1,0 +1,25 @@
+// A rotating motor with feedback.
+#pragma once
+
+#include "finemote/contract.hpp"
+
+namespace finemote {
+
+struct MotorState : Stamp {
+  float angle = 0;        ///< rad at the output shaft, continuous
+  float speed = 0;        ///< rad/s at the output shaft
+  float torque = 0;       ///< N m at the output shaft
+  float temperature = 0;  ///< degrees Celsius
+  bool unreachable = false;
+};
+
+struct MotorCommand : Stamp {
+  float torque = 0;  ///< N m at the output shaft
+};
+
+struct Motor {
+  using State = MotorState;
+  using Command = MotorCommand;
+};
+
+}  // namespace finemote

@@ -1,0 +1,22 @@
+// A thruster: a propeller with its speed controller.
+#pragma once
+
+#include "finemote/contract.hpp"
+
+namespace finemote {
+
+struct ThrusterState : Stamp {
+  float effort = 0;          ///< what is driven now, -1..1
+  bool unreachable = false;  ///< its bus fails: the output is unknown
+};
+
+struct ThrusterCommand : Stamp {
+  float effort = 0;  ///< fraction of full drive, -1..1; positive pushes along the thruster's axis
+};
+
+struct Thruster {
+  using State = ThrusterState;
+  using Command = ThrusterCommand;
+};
+
+}  // namespace finemote

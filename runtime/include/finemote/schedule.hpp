@@ -1,0 +1,55 @@
+// What the generated schedule tells the runtime: the buckets, and how to start and stop the robot.
+#pragma once
+
+#include <cstdint>
+
+#include "finemote/contract.hpp"
+#include "finemote/order.hpp"
+#include "finemote/time.hpp"
+
+namespace finemote {
+
+/// All devices of one period.
+struct Bucket {
+  void (*entry)();        ///< the interrupt routine of `line`: runs the bucket, then calls complete()
+  Duration period;        ///< a multiple of the schedule's tick
+  std::uint8_t line;      ///< spare interrupt line it is pended on
+  std::uint8_t priority;  ///< interrupt priority level, 0 most urgent; rate monotonic
+  std::uint8_t watchdog;  ///< starving: this many own periods in a row without a completed job
+};
+
+/// What to do when a bucket is released while its last job is still pending or running.
+enum class Overrun : std::uint8_t {
+  skip,       ///< count it, call the hook, leave the running job alone
+  safe_stop,  ///< additionally bring every actuator to its safe output and run no bucket any more
+};
+
+struct Schedule {
+  const char* robot;
+  Duration tick;         ///< all periods are multiples of it
+  View<Bucket> buckets;  ///< shortest period first; at most kMaxBuckets
+  Overrun overrun;
+  void (*start_buses)();   ///< once, before the first release
+  void (*safe_outputs)();  ///< may interrupt every stage; called again and again once stopped
+  View<OrderCheck> order;  ///< verified before start_buses()
+};
+
+inline constexpr unsigned kMaxBuckets = 11;
+
+namespace detail {
+extern volatile std::uint8_t completed[kMaxBuckets];
+}
+
+/// Says that a job of this bucket (index in Schedule::buckets) has run to its end; the watchdog wants to know.
+inline void complete(unsigned bucket) { detail::completed[bucket] = 1; }
+
+/// How often the bucket overran.
+std::uint32_t overruns(unsigned bucket);
+
+}  // namespace finemote
+
+/// Defined by the generated schedule.cpp, read by the runtime's main.
+extern "C" const finemote::Schedule finemote_schedule;
+
+/// May be defined by the user: called from the release interrupt after an overrun was counted. Bounded and short.
+extern "C" void finemote_overrun_hook(unsigned bucket);
