@@ -1,0 +1,17 @@
+// What a bus has done and suffered, as numbers anybody may read.
+#pragma once
+
+#include <cstdint>
+
+namespace finemote {
+
+/// Counts since start; each wraps. Written by the bus alone, read anywhere (each is one word).
+struct BusCounters {
+  std::uint32_t transfers = 0;   ///< ended, well or not
+  std::uint32_t errors = 0;      ///< of these: not acknowledged, failed or overdue; for a uart: line errors seen
+  std::uint32_t overdue = 0;     ///< of these: ended by their deadline
+  std::uint32_t recoveries = 0;  ///< bus recoveries begun
+  std::uint32_t lost = 0;        ///< received bytes or frames nobody read in time; requests refused
+};
+
+}  // namespace finemote

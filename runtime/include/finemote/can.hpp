@@ -1,0 +1,101 @@
+// Turns the frames of several devices into one CAN bus: latest received frame per device, grouped commands, priorities.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "finemote/bus_counters.hpp"
+#include "finemote/ports.hpp"
+#include "finemote/single_core.hpp"
+#include "finemote/time.hpp"
+
+namespace finemote {
+
+class CanBus;
+
+/// One device on a CAN bus: the last frame with its receive identifier, and one frame to send.
+class CanSlot {
+ public:
+  /// @param id        the device's `id` in the URDF
+  /// @param receives  identifier of the frames it sends to us
+  /// @param priority  1 is the most urgent
+  constexpr CanSlot(CanBus& bus, std::uint16_t id, std::uint16_t receives, std::uint8_t priority)
+      : bus_(&bus), id_(id), receives_(receives), priority_(priority) {}
+
+  struct Received {
+    CanFrame frame;
+    Time at = 0;
+    std::uint32_t count = 0;  ///< frames so far, modulo 2^32; 0: none yet
+  };
+  /// The last frame received, whole. Context: the device's bucket.
+  [[nodiscard]] Received received() const;
+
+  /// Sends one frame; false while the one before still waits. Context: the device's bucket.
+  bool send(const CanFrame& frame);
+
+  [[nodiscard]] std::uint16_t id() const { return id_; }
+  [[nodiscard]] CanBus& bus() const { return *bus_; }
+
+ private:
+  friend class CanBus;
+  CanBus* bus_;
+  std::uint16_t id_, receives_;
+  std::uint8_t priority_;
+  Shared<bool> waiting_{false};
+  CanFrame out_;
+  Shared<std::uint32_t> count_{0};
+  CanFrame in_;
+  Time at_ = 0;
+};
+
+/// One CAN bus.
+class CanBus {
+ public:
+  template <std::size_t N>
+  constexpr CanBus(CanPort& port, std::int64_t bitrate, CanSlot* const (&slots)[N])
+      : port_(&port), slots_(slots), count_(N), bitrate_(bitrate) {
+    static_assert(N <= kMaxSlots, "too many devices on one CAN bus");
+  }
+  constexpr CanBus(CanPort& port, std::int64_t bitrate) : port_(&port), slots_(nullptr), count_(0), bitrate_(bitrate) {}
+  static constexpr std::size_t kMaxSlots = 32;
+
+  /// Context: init.
+  void start();
+  /// Brings a controller that went off the bus back, with groups set to zero first. Context: fastest bucket.
+  void supervise();
+  /// Context: interrupt.
+  void on_frame(const CanFrame& frame, Time at);
+  void on_interrupt();
+
+  /// Sets one of the four big-endian words of the shared command frame `id` (DJI ESCs take one frame for four motors).
+  /// Sent by the next flush(). False when all groups are taken by other identifiers. Context: any bucket.
+  bool set_group(std::uint16_t id, unsigned index, std::int16_t value);
+  /// Sends every group that was set since the last flush, once. Context: end of any bucket that drives it.
+  void flush();
+
+  /// Context: any.
+  [[nodiscard]] bool unreachable() const { return port_->bus_off(); }
+  [[nodiscard]] const BusCounters& counters() const { return counters_; }
+
+ private:
+  friend class CanSlot;
+  static constexpr std::size_t kGroups = 5;
+  struct Group {
+    Shared<std::uint16_t> id{0};  ///< 0: free
+    Shared<std::uint16_t> words[4];
+    Shared<bool> changed{false}, waiting{false};
+  };
+
+  void request() { port_->pend(); }
+  bool send_group(Group& group);
+
+  CanPort* port_;
+  CanSlot* const* slots_;
+  std::uint8_t count_;
+  std::int64_t bitrate_;
+  bool recovering_ = false;
+  Group groups_[kGroups];
+  BusCounters counters_;
+};
+
+}  // namespace finemote

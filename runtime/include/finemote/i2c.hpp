@@ -1,0 +1,164 @@
+// Turns the transfers of several devices into one I2C bus's exchanges: by priority, with deadlines, and with recovery.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "finemote/bus_counters.hpp"
+#include "finemote/ports.hpp"
+#include "finemote/single_core.hpp"
+#include "finemote/time.hpp"
+
+namespace finemote {
+
+class I2cBus;
+
+/// The way through a TCA9548A to a device: which channels to connect before its transfer. `MuxRoute{}`: no mux.
+struct MuxRoute {
+  std::uint8_t address = 0;   ///< of the mux, 7 bit; 0: none
+  std::uint8_t channels = 0;  ///< its control byte: bit n connects channel n (TCA9548A datasheet SCPS207, 8.6.2)
+
+  friend constexpr bool operator==(const MuxRoute& a, const MuxRoute& b) {
+    return a.address == b.address && a.channels == b.channels;
+  }
+};
+
+/// What became of a slot's last transfer.
+enum class SlotState : std::uint8_t {
+  kIdle,    ///< nothing asked yet
+  kQueued,  ///< waiting for the bus
+  kActive,  ///< on the wire, mux selection included
+  kDone,    ///< ended well; read bytes are valid
+  kNack,    ///< device or mux did not acknowledge
+  kFailed,  ///< bus error, overdue, or refused because the bus is being recovered
+};
+
+/// One device's place on an I2C bus: at most one transfer at a time, mux selection and transfer being one unit.
+///
+/// The bytes stay with the device and must not change while busy(). All members are called by the owning device in its
+/// bucket, if not said otherwise.
+class I2cSlot {
+ public:
+  /// @param address   of the device, 7 bit
+  /// @param route     how to reach it
+  /// @param priority  1 is the most urgent; the bus's table is sorted by it
+  constexpr I2cSlot(I2cBus& bus, std::uint8_t address, MuxRoute route, std::uint8_t priority)
+      : bus_(&bus), address_(address), priority_(priority), route_(route) {}
+
+  /// Asks for a transfer: `write_size` bytes out, then, after a repeated START, `read_size` bytes in; either may be 0.
+  /// False, and nothing is changed, while busy(). While the bus is being recovered it returns true and fails at once.
+  bool start(const std::uint8_t* write, std::size_t write_size, std::uint8_t* read = nullptr,
+             std::size_t read_size = 0);
+
+  [[nodiscard]] SlotState state() const { return state_.load(); }
+  [[nodiscard]] bool busy() const { return state() == SlotState::kQueued || state() == SlotState::kActive; }
+  [[nodiscard]] bool done() const { return state() == SlotState::kDone; }
+
+  /// True after kUnreachableAfter transfers in a row have failed, until one ends well.
+  [[nodiscard]] bool unreachable() const { return failures_.load() >= kUnreachableAfter; }
+  static constexpr std::uint8_t kUnreachableAfter = 3;
+
+  /// The write that makes this device's outputs safe. From now on it is what the bus sends first after start() and
+  /// after every recovery, before any other transfer. The bytes are read when it is sent; size 0 takes it back.
+  void set_safe(const std::uint8_t* write, std::size_t size);
+
+  /// Times the safe write has been sent and acknowledged; wraps.
+  [[nodiscard]] std::uint32_t safe_writes() const { return safe_writes_.load(); }
+
+  [[nodiscard]] std::uint8_t address() const { return address_; }
+  [[nodiscard]] const MuxRoute& route() const { return route_; }
+  [[nodiscard]] I2cBus& bus() const { return *bus_; }
+
+ private:
+  friend class I2cBus;
+  void end(SlotState result);
+
+  I2cBus* bus_;
+  const std::uint8_t* write_ = nullptr;
+  std::uint8_t* read_ = nullptr;
+  const std::uint8_t* safe_ = nullptr;
+  std::uint16_t write_size_ = 0, read_size_ = 0;
+  Shared<std::uint16_t> safe_size_{0};
+  std::uint8_t address_, priority_;
+  MuxRoute route_;
+  Shared<SlotState> state_{SlotState::kIdle};
+  Shared<std::uint8_t> failures_{0};  ///< in a row, saturating
+  Shared<std::uint32_t> safe_writes_{0};
+};
+
+/// One I2C bus: a queue without a lock.
+///
+/// Whoever asks for a transfer only marks its slot and pends the bus's interrupt. The interrupt alone begins and ends
+/// transfers; when the bus is free it takes the first queued slot of the table. So no bucket ever waits or masks
+/// anything, and the order on the wire is the one the analysis assumes: by priority, not preemptive.
+class I2cBus {
+ public:
+  /// @param clock_hz  bus clock, 10 kHz..1 MHz
+  /// @param slots     every slot of this bus, most urgent first; also behind muxes
+  template <std::size_t N>
+  constexpr I2cBus(I2cPort& port, std::int64_t clock_hz, I2cSlot* const (&slots)[N])
+      : I2cBus(port, clock_hz, slots, N) {}
+  constexpr I2cBus(I2cPort& port, std::int64_t clock_hz) : I2cBus(port, clock_hz, nullptr, 0) {}
+
+  /// Sets the port up. Nothing is known of the muxes, and safe writes go first. Context: init.
+  void start();
+
+  /// Ends an overdue transfer and carries recovery on, at most one port step per call. Context: fastest bucket, once
+  /// per period.
+  void supervise();
+
+  /// An interrupt of the port, or a pended one. Context: interrupt.
+  void on_interrupt(I2cEvent event);
+
+  /// True while the bus works; false from a bus error or an overdue transfer to the end of its recovery. Context: any.
+  [[nodiscard]] bool ready() const { return mode_.load() == Mode::kReady; }
+
+  [[nodiscard]] const BusCounters& counters() const { return counters_; }
+
+ private:
+  friend class I2cSlot;
+
+  enum class Mode : std::uint8_t { kOff, kReady, kRecover, kStuck };
+  enum class Phase : std::uint8_t { kNothing, kDeselect, kSelect, kTransfer };
+
+  constexpr I2cBus(I2cPort& port, std::int64_t clock_hz, I2cSlot* const* slots, std::size_t count)
+      : port_(&port),
+        slots_(slots),
+        count_(static_cast<std::uint8_t>(count)),
+        clock_hz_(clock_hz),
+        byte_time_(9 * 1000000000LL / clock_hz) {}
+
+  void request() { port_->pend(); }
+  void pick();
+  void begin_unit(I2cSlot& slot, bool safe);
+  void next_phase();
+  bool begin_deselect();
+  void begin_exchange(Phase phase, const I2cMessage& message);
+  void finish_unit(SlotState result);
+  void enter_recovery();
+  void carry_recovery_on();
+
+  I2cPort* port_;
+  I2cSlot* const* slots_;
+  std::uint8_t count_;
+  std::int64_t clock_hz_;
+  Duration byte_time_;  ///< wire time of a byte and its acknowledge, rounded down
+
+  I2cSlot* active_ = nullptr;  ///< only the interrupt writes what follows, while the mode is kReady
+  Phase phase_ = Phase::kNothing;
+  bool safe_unit_ = false;        ///< the active unit is the slot's safe write
+  std::uint8_t safe_cursor_ = 0;  ///< slots whose safe write has still to be sent begin here
+  std::uint8_t deselect_cursor_ = 0;
+  bool mux_known_ = false;  ///< no mux but selected_ connects anything
+  MuxRoute selected_{};     ///< the mux channels connected now
+  std::uint8_t mux_byte_ = 0;
+  Time deadline_ = 0;
+  Shared<std::uint32_t> unit_{0};     ///< number of the unit on the wire; odd while one is under way
+  Shared<std::uint32_t> overdue_{0};  ///< the unit supervise() wants ended
+  Shared<Mode> mode_{Mode::kOff};
+  std::uint8_t recovery_step_ = 0;  ///< only supervise() writes it
+  std::uint8_t retry_wait_ = 0;     ///< calls of supervise() until a stuck bus is tried again
+  BusCounters counters_;
+};
+
+}  // namespace finemote

@@ -1,0 +1,101 @@
+// Turns the pulse widths of sixteen channels into bursts over I2C to a PCA9685 PWM controller.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "finemote/i2c.hpp"
+#include "finemote/pwm.hpp"
+#include "finemote/single_core.hpp"
+#include "finemote/time.hpp"
+
+namespace finemote {
+
+/// NXP PCA9685 (datasheet rev. 4): 16 channels of 12 bits, one common repetition frequency.
+///
+/// flush() never waits. It starts at most one transfer: the next step of the bring-up, or one auto-increment burst from
+/// the first to the last changed channel, or nothing when nothing changed. Every `refresh` flushes it reads MODE1 back;
+/// a part that was reset in flight (its power, not ours) is found asleep and brought up again, safe pulses first.
+class Pca9685 : public PwmOutput {
+ public:
+  static constexpr std::uint8_t kChannels = 16;
+
+  struct Config {
+    std::int64_t frequency = 50;         ///< repetition frequency [Hz], 24..1526
+    std::int64_t oscillator = 25000000;  ///< clock of the part [Hz]: 25 MHz inside, +-3 % from part to part
+    std::int32_t refresh = 50;           ///< flushes between two read-backs, 1..65535
+  };
+
+  constexpr Pca9685(I2cSlot& slot, const Config& config)
+      : PwmOutput(channel_, kChannels),
+        slot_(&slot),
+        prescale_(prescale(config)),
+        counts_per_ns_(counts_per_ns(config)),
+        refresh_(static_cast<std::uint16_t>(config.refresh)) {}
+  constexpr explicit Pca9685(I2cSlot& slot) : Pca9685(slot, Config{}) {}
+
+  /// One step, see above. Called by several buckets it does the work once; a call that preempts another leaves its
+  /// changes to it. Context: end of any bucket that drives it.
+  void flush();
+
+  /// True when the outputs follow set(): bring-up is over and the last transfer went well.
+  [[nodiscard]] bool running() const { return step_ == Step::kRun && !unreachable(); }
+
+  /// PRESCALE for a frequency: round(oscillator / (4096 * frequency)) - 1 (7.3.5), 3..255.
+  static constexpr std::uint8_t prescale(const Config& config) {
+    const std::int64_t steps = 4096 * config.frequency;
+    const std::int64_t value = (config.oscillator + steps / 2) / steps - 1;
+    return static_cast<std::uint8_t>(value < 3 ? 3 : value > 255 ? 255 : value);
+  }
+  /// Counter ticks per ns, as a fraction of 2^32: oscillator / (prescale + 1).
+  static constexpr std::uint32_t counts_per_ns(const Config& config) {
+    const std::int64_t ns = (prescale(config) + 1) * 1000000000LL;
+    return static_cast<std::uint32_t>(((config.oscillator << 32) + ns / 2) / ns);
+  }
+  /// OFF count of a pulse [ns], rounded to nearest, at most 4095.
+  [[nodiscard]] std::uint16_t counts(std::uint32_t pulse) const;
+
+ private:
+  /// Bring-up in this order; the first is the safe write, so that a part that outlived our reset goes safe at once.
+  enum class Step : std::uint8_t {
+    kSafe,
+    kReadMode,
+    kReadPrescale,
+    kSleep,
+    kPrescale,
+    kWake,
+    kOscillator,
+    kRestart,
+    kSafeAgain,
+    kRun,
+    kCheckMode
+  };
+  static constexpr std::size_t kImage = 1 + 4 * kChannels;
+
+  void build_safe();
+  void take_result();
+  void begin_step();
+  void begin_burst();
+  void write_register(std::uint8_t address, std::uint8_t value);
+  void read_register(std::uint8_t address);
+  void restart();
+  void put(std::uint8_t* image, unsigned first, unsigned channel, std::uint32_t pulse) const;
+
+  I2cSlot* slot_;
+  std::uint8_t prescale_;
+  std::uint32_t counts_per_ns_;
+  std::uint16_t refresh_, until_refresh_ = 0;
+  Step step_ = Step::kSafe;
+  bool started_ = false;           ///< the step's transfer is under way or has ended
+  std::uint32_t safe_writes_ = 0;  ///< of the slot, as of the last flush
+  std::uint32_t in_burst_ = 0;     ///< channels of the burst under way
+  Time awake_ = 0;
+  std::uint8_t read_back_ = 0;
+  Shared<bool> busy_{false};   ///< a flush is being worked on
+  Shared<bool> again_{false};  ///< and another one was asked for meanwhile
+  std::uint8_t burst_[kImage]{};
+  std::uint8_t safe_image_[kImage]{};
+  Channel channel_[kChannels];
+};
+
+}  // namespace finemote

@@ -1,0 +1,274 @@
+// Names what a board can do on its pins: one class per kind of port, implemented by the linked board.
+//
+// The classes are declared here and defined by the board (`runtime/boards/<board>/`), without virtual functions:
+// exactly one board is linked. A port object holds a reference to a structure only its board knows, so that it is
+// constant initialised and the same generated code compiles for every board.
+//
+// Calling contexts. *init*: before the first release, interrupts off or harmless. *bucket*: any update() or handle().
+// *fastest bucket*: supervise() alone. *interrupt*: the bus's own interrupt priority, which lies above every bucket;
+// the lines of one bus share one priority, so its routines never preempt each other. *any*: all of them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "finemote/time.hpp"
+
+namespace finemote {
+
+class I2cBus;
+class SpiBus;
+class CanBus;
+
+struct UartHardware;  ///< defined by the board
+struct I2cHardware;   ///< defined by the board
+struct SpiHardware;   ///< defined by the board
+struct CanHardware;   ///< defined by the board
+struct PwmHardware;   ///< defined by the board
+struct GpioHardware;  ///< defined by the board
+
+// ---------------------------------------------------------------------------------------------------------------- UART
+
+/// Data bits, parity and stop bits on the wire.
+enum class UartFormat : std::uint8_t {
+  k8N1,          ///< 8 data bits, no parity, 1 stop bit
+  k8E1,          ///< 8 data bits, even parity, 1 stop bit
+  k8E2,          ///< 8 data bits, even parity, 2 stop bits
+  k8E1Inverted,  ///< k8E1 with inverted line levels (DBUS); a board with an on-board inverter ignores the inversion
+  k8E2Inverted,  ///< k8E2 with inverted line levels (SBUS)
+};
+
+/// Line errors since start; each counter wraps.
+struct UartErrors {
+  std::uint32_t framing = 0, noise = 0, parity = 0, overrun = 0;
+};
+
+/// The receive ring the hardware fills without help, for ever. `size` is a power of two.
+struct UartRing {
+  const std::uint8_t* bytes;
+  std::uint32_t size;
+};
+
+/// The last time the line fell silent: how many bytes had arrived by then, and when.
+struct UartIdle {
+  std::uint32_t received = 0;
+  Time at = 0;
+};
+
+/// A serial port that receives into a ring by DMA and sends one block at a time by DMA.
+class UartPort {
+ public:
+  constexpr explicit UartPort(UartHardware& hardware) : hardware_(&hardware) {}
+
+  /// Clocks, pins, baud rate [bit/s], receiving DMA and interrupts. Context: init.
+  void start(std::int64_t baud, UartFormat format);
+
+  /// The receive ring; constant from start() on, in memory the DMA reaches. Context: any.
+  [[nodiscard]] UartRing ring() const;
+
+  /// Bytes received since start, modulo 2^32; byte number n lies at ring().bytes[n % size]. Monotonic: the count of
+  /// completed laps and the DMA's position are read so that a lap in between is never missed. Context: any.
+  [[nodiscard]] std::uint32_t received() const;
+
+  /// The last idle-line event, both members of one event. Context: bucket.
+  [[nodiscard]] UartIdle idle() const;
+
+  /// Context: bucket.
+  [[nodiscard]] UartErrors errors() const;
+
+  /// True after a DMA error stopped reception; received() stands still. Context: bucket.
+  [[nodiscard]] bool receive_halted() const;
+  /// Restarts reception. received() keeps counting from a multiple of the ring size that is >= its last value, so that
+  /// no old byte is read as new. Context: bucket.
+  void restart_receive();
+
+  /// Where transmit() takes its bytes from; in memory the DMA reaches. Write it only while !transmitting(). Context:
+  /// bucket.
+  [[nodiscard]] std::uint8_t* transmit_buffer();
+  /// Its size, at least 64. Context: any.
+  [[nodiscard]] std::size_t transmit_capacity() const;
+  /// True from transmit() until the last stop bit has left, or abort_transmit(). Context: bucket.
+  [[nodiscard]] bool transmitting() const;
+  /// Sends the first `size` bytes of the buffer, 1..transmit_capacity(). On a port with direction control the driver is
+  /// on from here to the last stop bit. Context: bucket, while !transmitting().
+  void transmit(std::size_t size);
+  /// Stops sending at once. Context: bucket.
+  void abort_transmit();
+
+ private:
+  UartHardware* hardware_;
+};
+
+// ----------------------------------------------------------------------------------------------------------------- I2C
+
+/// One addressed exchange: START, write phase (if any), repeated START, read phase (if any), STOP.
+/// With both sizes 0 the address alone is sent. The buffers may lie in any RAM and stay untouched until the exchange
+/// has ended; a board whose DMA cannot reach them copies.
+struct I2cMessage {
+  std::uint8_t address;  ///< 7 bit
+  const std::uint8_t* write;
+  std::uint16_t write_size;
+  std::uint8_t* read;
+  std::uint16_t read_size;
+};
+
+/// How an exchange ended, or that an interrupt brought no end.
+enum class I2cEvent : std::uint8_t {
+  kNone,   ///< the interrupt was pended by software, or the exchange goes on
+  kDone,   ///< all bytes moved, STOP sent
+  kNack,   ///< address or data byte not acknowledged, STOP sent
+  kError,  ///< bus error, arbitration lost or DMA error: the bus needs recovery
+};
+
+/// An I2C master that carries out one exchange at a time.
+class I2cPort {
+ public:
+  constexpr explicit I2cPort(I2cHardware& hardware) : hardware_(&hardware) {}
+
+  /// Clocks, pins and bus clock [Hz], interrupts. From here on every interrupt of the port ends in
+  /// `bus.on_interrupt(event)`, exactly once per interrupt. Context: init.
+  void configure(std::int64_t clock_hz, I2cBus& bus);
+
+  /// Makes the bus's interrupt run `bus.on_interrupt(I2cEvent::kNone)` soon (sets its line pending in the NVIC, PM0214
+  /// 4.3.4). Never blocks. Context: any.
+  void pend();
+
+  /// Begins an exchange and returns; its end arrives as an event in a later interrupt, never from inside this call.
+  /// Only called while no exchange is under way. `message` is copied; a board that must wait for the STOP of the
+  /// exchange before has at most 20 us for it. Context: interrupt.
+  void begin(const I2cMessage& message);
+
+  /// Ends the exchange at once without waiting, peripheral and DMA off; no event follows it. Context: interrupt.
+  void abort();
+
+  /// One bounded step of bus recovery: clocks SCL by hand until SDA is released (nine clocks in all at most, I2C-bus
+  /// specification UM10204 3.1.16), sends a STOP, and sets the peripheral up again as configure() did. `step` counts 0,
+  /// 1, 2, ... within one recovery. Takes at most 40 us each, and is over after at most kMaxRecoverySteps steps.
+  /// Context: fastest bucket, between abort() and the next begin().
+  enum class Recovery : std::uint8_t {
+    kBusy,   ///< call again with the next step
+    kFree,   ///< SDA and SCL are high, the peripheral is ready for begin()
+    kStuck,  ///< a line is still held low; the peripheral is off
+  };
+  static constexpr unsigned kMaxRecoverySteps = 6;
+  [[nodiscard]] Recovery recover(unsigned step);
+
+ private:
+  I2cHardware* hardware_;
+};
+
+// ----------------------------------------------------------------------------------------------------------------- SPI
+
+/// One exchange with a chip select: `size` bytes out and in at the same time. `write` null sends 0xFF, `read` null
+/// drops what comes back. Buffers as in I2cMessage.
+struct SpiMessage {
+  std::uint8_t select;  ///< chip select, in the order of the board file
+  std::uint8_t mode;    ///< 0..3: CPOL * 2 + CPHA
+  const std::uint8_t* write;
+  std::uint8_t* read;
+  std::uint16_t size;  ///< >= 1
+};
+
+enum class SpiEvent : std::uint8_t {
+  kNone,   ///< pended by software, or the exchange goes on
+  kDone,   ///< all bytes moved, chip select high again
+  kError,  ///< overrun or DMA error, chip select high again
+};
+
+/// An SPI master with its chip selects.
+class SpiPort {
+ public:
+  constexpr explicit SpiPort(SpiHardware& hardware) : hardware_(&hardware) {}
+
+  /// As I2cPort::configure(); takes the highest clock not above `clock_hz`. Context: init.
+  void configure(std::int64_t clock_hz, SpiBus& bus);
+  /// As I2cPort::pend(). Context: any.
+  void pend();
+  /// As I2cPort::begin(). Context: interrupt.
+  void begin(const SpiMessage& message);
+  /// As I2cPort::abort(); every chip select is high afterwards. Context: interrupt.
+  void abort();
+
+ private:
+  SpiHardware* hardware_;
+};
+
+// ----------------------------------------------------------------------------------------------------------------- CAN
+
+/// A classic CAN data frame with a standard identifier.
+struct CanFrame {
+  std::uint16_t id = 0;   ///< 11 bit
+  std::uint8_t size = 0;  ///< 0..8
+  std::uint8_t data[8]{};
+};
+
+/// A CAN controller that filters by identifier.
+class CanPort {
+ public:
+  constexpr explicit CanPort(CanHardware& hardware) : hardware_(&hardware) {}
+
+  /// Clocks, pins, bit timing for `bitrate` [bit/s], acceptance of exactly the `count` identifiers in `ids` (a superset
+  /// where the hardware has too few filters), interrupts for reception, sending and errors. Every interrupt hands each
+  /// received frame to `bus.on_frame(frame, now())` and then calls `bus.on_interrupt()` once. Context: init.
+  void configure(std::int64_t bitrate, CanBus& bus, const std::uint16_t* ids, std::size_t count);
+  /// As I2cPort::pend(). Context: any.
+  void pend();
+  /// Puts a frame into a free mailbox; the mailboxes are sent by identifier. False: none is free. Context: interrupt.
+  [[nodiscard]] bool send(const CanFrame& frame);
+  /// Empties the mailboxes. Context: interrupt.
+  void abort();
+  /// True while the controller is off the bus. Context: any.
+  [[nodiscard]] bool bus_off() const;
+  /// Starts the return to the bus (128 x 11 recessive bits, ISO 11898-1); bus_off() tells when it is done.
+  /// Context: fastest bucket.
+  void recover();
+  /// Transmit and receive error counters, low and high byte. Context: any.
+  [[nodiscard]] std::uint16_t error_counters() const;
+
+ private:
+  CanHardware* hardware_;
+};
+
+// ----------------------------------------------------------------------------------------------------------- PWM, GPIO
+
+/// One timer channel that repeats a pulse.
+class PwmPort {
+ public:
+  constexpr explicit PwmPort(PwmHardware& hardware) : hardware_(&hardware) {}
+
+  /// Clock, pin and repetition period [ns]; the output stays low until the first write(). Context: init.
+  void start(Duration period);
+  /// Pulse width [ns] from the next repetition on; 0 keeps the output low. Context: bucket.
+  void write(std::uint32_t pulse);
+
+ private:
+  PwmHardware* hardware_;
+};
+
+/// The board's single pins (LEDs, keys), numbered by the board file.
+class GpioPort {
+ public:
+  constexpr explicit GpioPort(GpioHardware& hardware) : hardware_(&hardware) {}
+
+  /// Clock, direction and idle level of every pin the board file lists. Context: init.
+  void start();
+  /// Sets an output pin. Context: any.
+  void write(std::uint8_t pin, bool high);
+  /// Level of a pin. Context: any.
+  [[nodiscard]] bool read(std::uint8_t pin) const;
+
+ private:
+  GpioHardware* hardware_;
+};
+
+/// The ports of the vocabulary, by chip name. The linked board defines those it has.
+namespace ports {
+extern UartPort usart1, usart3, usart6;
+extern CanPort can1, can2;
+extern I2cPort i2c2, i2c3;
+extern SpiPort spi1, spi2;
+extern PwmPort pwm1, pwm2, pwm3, pwm4, pwm5, pwm6, pwm7;
+extern GpioPort gpio;
+}  // namespace ports
+
+}  // namespace finemote

@@ -1,0 +1,86 @@
+// Turns the requests of several devices into question and answer on one half-duplex RS-485 line.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "finemote/bus_counters.hpp"
+#include "finemote/i2c.hpp"
+#include "finemote/ports.hpp"
+#include "finemote/single_core.hpp"
+#include "finemote/time.hpp"
+
+namespace finemote {
+
+class Rs485;
+
+/// One device on the line: at most one question at a time.
+class Rs485Slot {
+ public:
+  static constexpr std::size_t kMaxReply = 32;
+
+  /// @param id        the device's `id` in the URDF
+  /// @param priority  1 is the most urgent
+  constexpr Rs485Slot(Rs485& bus, std::uint8_t id, std::uint8_t priority) : bus_(&bus), id_(id), priority_(priority) {}
+
+  /// Asks: sends `size` bytes, then takes `reply_size` <= kMaxReply bytes. The bytes must not change while busy().
+  /// False, and nothing is changed, while busy(). Context: the device's bucket.
+  bool start(const std::uint8_t* bytes, std::size_t size, std::size_t reply_size);
+
+  /// Also carries the bus on. Context: the device's bucket.
+  [[nodiscard]] SlotState state();
+  [[nodiscard]] bool busy() {
+    const SlotState s = state();
+    return s == SlotState::kQueued || s == SlotState::kActive;
+  }
+  [[nodiscard]] const std::uint8_t* reply() const { return reply_; }
+  [[nodiscard]] bool unreachable() const { return failures_ >= I2cSlot::kUnreachableAfter; }
+  [[nodiscard]] std::uint8_t id() const { return id_; }
+
+ private:
+  friend class Rs485;
+  Rs485* bus_;
+  const std::uint8_t* bytes_ = nullptr;
+  std::uint16_t size_ = 0, reply_size_ = 0;
+  std::uint8_t id_, priority_, failures_ = 0;
+  Shared<SlotState> state_{SlotState::kIdle};
+  std::uint8_t reply_[kMaxReply]{};
+};
+
+/// One RS-485 line. It has no interrupt of its own: whoever looks at a slot, or supervise(), carries it on; a caller
+/// that preempts another leaves the work to it.
+class Rs485 {
+ public:
+  template <std::size_t N>
+  constexpr Rs485(UartPort& port, std::int64_t baud, Rs485Slot* const (&slots)[N])
+      : port_(&port), slots_(slots), count_(N), baud_(baud), byte_time_(10 * 1000000000LL / baud) {}
+  constexpr Rs485(UartPort& port, std::int64_t baud)
+      : port_(&port), slots_(nullptr), count_(0), baud_(baud), byte_time_(10 * 1000000000LL / baud) {}
+
+  /// Context: init.
+  void start();
+  /// Context: fastest bucket.
+  void supervise() { carry_on(); }
+
+  [[nodiscard]] const BusCounters& counters() const { return counters_; }
+
+ private:
+  friend class Rs485Slot;
+  void carry_on();
+  void take_reply();
+  void pick();
+  void finish(SlotState result);
+
+  UartPort* port_;
+  Rs485Slot* const* slots_;
+  std::uint8_t count_;
+  std::int64_t baud_;
+  Duration byte_time_;
+  Shared<bool> busy_{false};
+  Rs485Slot* active_ = nullptr;
+  std::uint32_t reply_from_ = 0;
+  Time deadline_ = 0;
+  BusCounters counters_;
+};
+
+}  // namespace finemote

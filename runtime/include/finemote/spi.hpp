@@ -1,0 +1,80 @@
+// Turns the transfers of several chips into one SPI bus's exchanges: by priority and with deadlines.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "finemote/bus_counters.hpp"
+#include "finemote/i2c.hpp"
+#include "finemote/ports.hpp"
+#include "finemote/single_core.hpp"
+#include "finemote/time.hpp"
+
+namespace finemote {
+
+class SpiBus;
+
+/// One chip select on an SPI bus: at most one transfer at a time. As I2cSlot; an SPI chip cannot refuse, so a missing
+/// one shows only in what it sends.
+class SpiSlot {
+ public:
+  /// @param select    chip select of the port, in the order of the board file
+  /// @param priority  1 is the most urgent
+  constexpr SpiSlot(SpiBus& bus, std::uint8_t select, std::uint8_t priority, std::uint8_t mode = 3)
+      : bus_(&bus), select_(select), priority_(priority), mode_(mode) {}
+
+  /// Asks for an exchange of `size` >= 1 bytes, both ways at once. False, and nothing is changed, while busy().
+  bool start(const std::uint8_t* write, std::uint8_t* read, std::size_t size);
+
+  [[nodiscard]] SlotState state() const { return state_.load(); }
+  [[nodiscard]] bool busy() const { return state() == SlotState::kQueued || state() == SlotState::kActive; }
+  [[nodiscard]] bool done() const { return state() == SlotState::kDone; }
+
+ private:
+  friend class SpiBus;
+
+  SpiBus* bus_;
+  const std::uint8_t* write_ = nullptr;
+  std::uint8_t* read_ = nullptr;
+  std::uint16_t size_ = 0;
+  std::uint8_t select_, priority_, mode_;
+  Shared<SlotState> state_{SlotState::kIdle};
+};
+
+/// One SPI bus; its queue works as that of I2cBus.
+class SpiBus {
+ public:
+  template <std::size_t N>
+  constexpr SpiBus(SpiPort& port, std::int64_t clock_hz, SpiSlot* const (&slots)[N])
+      : port_(&port), slots_(slots), count_(N), clock_hz_(clock_hz), byte_time_(8 * 1000000000LL / clock_hz) {}
+  constexpr SpiBus(SpiPort& port, std::int64_t clock_hz)
+      : port_(&port), slots_(nullptr), count_(0), clock_hz_(clock_hz), byte_time_(8 * 1000000000LL / clock_hz) {}
+
+  /// Context: init.
+  void start();
+  /// Ends an overdue exchange. Context: fastest bucket.
+  void supervise();
+  /// Context: interrupt.
+  void on_interrupt(SpiEvent event);
+
+  [[nodiscard]] const BusCounters& counters() const { return counters_; }
+
+ private:
+  friend class SpiSlot;
+  void request() { port_->pend(); }
+  void pick();
+  void finish(SlotState result);
+
+  SpiPort* port_;
+  SpiSlot* const* slots_;
+  std::uint8_t count_;
+  std::int64_t clock_hz_;
+  Duration byte_time_;
+  SpiSlot* active_ = nullptr;
+  Time deadline_ = 0;
+  Shared<std::uint32_t> unit_{0};  ///< as I2cBus
+  Shared<std::uint32_t> overdue_{0};
+  BusCounters counters_;
+};
+
+}  // namespace finemote

@@ -1,0 +1,59 @@
+// Turns a serial port's endless receive ring and block sender into read() and write() for the one device on the line.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "finemote/bus_counters.hpp"
+#include "finemote/ports.hpp"
+#include "finemote/time.hpp"
+
+namespace finemote {
+
+/// One serial line. Reception needs no call at all; the hardware fills the ring. One device reads and writes it, from
+/// one bucket.
+class Uart {
+ public:
+  /// @param baud  bit rate [bit/s]
+  constexpr Uart(UartPort& port, std::int64_t baud, UartFormat format = UartFormat::k8N1)
+      : port_(&port), baud_(baud), bit_time_(1000000000LL / baud), format_(format) {}
+
+  /// Context: init.
+  void start();
+
+  /// Copies the bytes received since the last call, oldest first, at most `capacity`, and returns how many. Bytes the
+  /// ring has lost (nobody read for a whole ring) or overwrote during the copy are dropped and counted, never returned.
+  /// After a DMA error it restarts reception. Context: the device's bucket.
+  std::size_t read(std::uint8_t* out, std::size_t capacity);
+
+  /// Sends a block; false, and nothing is sent, while the last one is still under way or `size` is above capacity(). A
+  /// block that has not left within twice its wire time is aborted and counted. Context: the device's bucket.
+  bool write(const std::uint8_t* bytes, std::size_t size);
+  [[nodiscard]] std::size_t capacity() const { return port_->transmit_capacity(); }
+
+  /// True when the line has been silent since the last byte read() returned: a message without terminator is complete.
+  [[nodiscard]] bool idle() const;
+
+  /// When the last byte that read() returned had arrived at the latest: the idle event behind it if there was one, else
+  /// the time of the read() before, after which it arrived; so never later than the truth is old.
+  [[nodiscard]] Time arrival() const { return arrival_; }
+
+  /// Wire time of `bytes` bytes (start, 8 data, parity, stop bits), rounded down.
+  [[nodiscard]] Duration wire_time(std::size_t bytes) const;
+
+  [[nodiscard]] const BusCounters& counters() const { return counters_; }
+
+ private:
+  void count_line_errors();
+
+  UartPort* port_;
+  std::int64_t baud_;
+  Duration bit_time_;
+  UartFormat format_;
+  std::uint32_t read_ = 0;         ///< bytes taken since start, modulo 2^32
+  std::uint32_t line_errors_ = 0;  ///< seen so far
+  Time last_read_ = 0, arrival_ = 0, send_deadline_ = 0;
+  BusCounters counters_;
+};
+
+}  // namespace finemote
