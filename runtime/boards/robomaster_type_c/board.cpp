@@ -1,10 +1,10 @@
 // The Type C board as the runtime sees it: hardware start, cycle counter, text.
 #include "finemote/board.hpp"
 
-#include "clock.hpp"
-#include "cortex_m4/core.hpp"
-#include "pin.hpp"
-#include "registers/clock.hpp"
+#include "runtime/boards/cortex_m4/core.hpp"
+#include "runtime/boards/robomaster_type_c/clock.hpp"
+#include "runtime/boards/robomaster_type_c/pin.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
 
 namespace finemote {
 namespace {

@@ -1,9 +1,9 @@
-#include "clock.hpp"
+#include "runtime/boards/robomaster_type_c/clock.hpp"
 
-#include "board_fault.hpp"
 #include "finemote/fault.hpp"
-#include "registers/clock.hpp"
-#include "wait.hpp"
+#include "runtime/boards/robomaster_type_c/board_fault.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
+#include "runtime/boards/robomaster_type_c/wait.hpp"
 
 namespace finemote::robomaster_type_c {
 namespace {

@@ -1,6 +1,6 @@
-#include "pin.hpp"
+#include "runtime/boards/robomaster_type_c/pin.hpp"
 
-#include "registers/clock.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
 
 namespace finemote::robomaster_type_c {
 namespace {

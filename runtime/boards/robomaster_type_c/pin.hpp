@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "registers/gpio.hpp"
+#include "runtime/boards/robomaster_type_c/registers/gpio.hpp"
 
 namespace finemote::robomaster_type_c {
 

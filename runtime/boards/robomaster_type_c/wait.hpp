@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "registers/register.hpp"
+#include "runtime/boards/robomaster_type_c/registers/register.hpp"
 
 namespace finemote::robomaster_type_c {
 

@@ -1,9 +1,9 @@
 // The independent watchdog: its own 32 kHz RC clock resets the board when the schedule stops.
-#include "registers/watchdog.hpp"
-#include "board_fault.hpp"
+#include "runtime/boards/robomaster_type_c/registers/watchdog.hpp"
 #include "finemote/board.hpp"
-#include "registers/clock.hpp"
-#include "wait.hpp"
+#include "runtime/boards/robomaster_type_c/board_fault.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
+#include "runtime/boards/robomaster_type_c/wait.hpp"
 
 namespace finemote::board {
 namespace {

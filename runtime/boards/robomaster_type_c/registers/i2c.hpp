@@ -1,7 +1,7 @@
 // Registers of an I2C peripheral.
 #pragma once
 
-#include "register.hpp"
+#include "runtime/boards/robomaster_type_c/registers/register.hpp"
 
 namespace finemote::stm32f407 {
 

@@ -1,7 +1,7 @@
 // Registers of the independent watchdog.
 #pragma once
 
-#include "register.hpp"
+#include "runtime/boards/robomaster_type_c/registers/register.hpp"
 
 namespace finemote::stm32f407 {
 

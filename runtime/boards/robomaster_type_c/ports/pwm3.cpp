@@ -1,6 +1,6 @@
 // PWM header 3: TIM1 channel 3 at PE13.
-#include "pwm_hardware.hpp"
-#include "registers/clock.hpp"
+#include "runtime/boards/robomaster_type_c/ports/pwm_hardware.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
 
 namespace finemote {
 namespace {

@@ -1,6 +1,6 @@
 // I2C3 on the board, to the IST8310 magnetometer: SCL PA8, SDA PC9.
-#include "i2c_hardware.hpp"
-#include "registers/clock.hpp"
+#include "runtime/boards/robomaster_type_c/ports/i2c_hardware.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
 
 namespace finemote {
 namespace {

@@ -3,13 +3,13 @@
 // The closing of a read follows the variant of the manual that holds the clock (byte transfer finished) rather than the
 // one that must be in time: a routine that comes late only slows the bus down.
 #include "finemote/i2c.hpp"
-#include "clock.hpp"
-#include "cortex_m4/core.hpp"
 #include "finemote/fault.hpp"
-#include "i2c_hardware.hpp"
-#include "interrupt.hpp"
-#include "registers/clock.hpp"
-#include "wait.hpp"
+#include "runtime/boards/cortex_m4/core.hpp"
+#include "runtime/boards/robomaster_type_c/clock.hpp"
+#include "runtime/boards/robomaster_type_c/interrupt.hpp"
+#include "runtime/boards/robomaster_type_c/ports/i2c_hardware.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
+#include "runtime/boards/robomaster_type_c/wait.hpp"
 
 namespace finemote {
 namespace {

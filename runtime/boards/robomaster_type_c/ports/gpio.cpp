@@ -1,7 +1,7 @@
 // GpioPort on the board's single pins, in the order of the `pins` list of the board file.
 #include "finemote/ports.hpp"
-#include "pin.hpp"
-#include "registers/clock.hpp"
+#include "runtime/boards/robomaster_type_c/pin.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
 
 namespace finemote {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "finemote/ports.hpp"
-#include "pin.hpp"
-#include "registers/timer.hpp"
+#include "runtime/boards/robomaster_type_c/pin.hpp"
+#include "runtime/boards/robomaster_type_c/registers/timer.hpp"
 
 namespace finemote {
 namespace robomaster_type_c {

@@ -1,8 +1,8 @@
 // USART6 at the 3-pin UART connector (printed UART1): TX PG14, RX PG9; DMA2 streams 1 and 6, channel 5.
-#include "clock.hpp"
 #include "finemote/sections.hpp"
-#include "registers/clock.hpp"
-#include "uart_hardware.hpp"
+#include "runtime/boards/robomaster_type_c/clock.hpp"
+#include "runtime/boards/robomaster_type_c/ports/uart_hardware.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
 
 namespace finemote {
 namespace {

@@ -1,10 +1,10 @@
 // UartPort on a USART with two DMA streams. Procedures: RM0090 30.3.13 (continuous communication by DMA), 10.3.17.
-#include "cortex_m4/core.hpp"
 #include "finemote/fault.hpp"
-#include "interrupt.hpp"
-#include "registers/clock.hpp"
-#include "uart_hardware.hpp"
-#include "wait.hpp"
+#include "runtime/boards/cortex_m4/core.hpp"
+#include "runtime/boards/robomaster_type_c/interrupt.hpp"
+#include "runtime/boards/robomaster_type_c/ports/uart_hardware.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
+#include "runtime/boards/robomaster_type_c/wait.hpp"
 
 namespace finemote {
 namespace {

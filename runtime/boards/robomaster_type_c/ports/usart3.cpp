@@ -1,8 +1,8 @@
 // USART3 at the 3-pin DBUS connector, behind the board's inverter: RX PC11; DMA1 streams 1 and 3, channel 4.
-#include "clock.hpp"
 #include "finemote/sections.hpp"
-#include "registers/clock.hpp"
-#include "uart_hardware.hpp"
+#include "runtime/boards/robomaster_type_c/clock.hpp"
+#include "runtime/boards/robomaster_type_c/ports/uart_hardware.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
 
 namespace finemote {
 namespace {

@@ -1,6 +1,6 @@
 // PWM header 6: TIM8 channel 2 at PI6.
-#include "pwm_hardware.hpp"
-#include "registers/clock.hpp"
+#include "runtime/boards/robomaster_type_c/ports/pwm_hardware.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
 
 namespace finemote {
 namespace {

@@ -1,8 +1,8 @@
 // USART1 at the 4-pin UART connector (printed UART2): TX PA9, RX PB7; DMA2 streams 5 and 7, channel 4.
-#include "clock.hpp"
 #include "finemote/sections.hpp"
-#include "registers/clock.hpp"
-#include "uart_hardware.hpp"
+#include "runtime/boards/robomaster_type_c/clock.hpp"
+#include "runtime/boards/robomaster_type_c/ports/uart_hardware.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
 
 namespace finemote {
 namespace {

@@ -1,6 +1,6 @@
 // I2C2 at the 8-pin user connector: SDA PF0, SCL PF1.
-#include "i2c_hardware.hpp"
-#include "registers/clock.hpp"
+#include "runtime/boards/robomaster_type_c/ports/i2c_hardware.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
 
 namespace finemote {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "finemote/ports.hpp"
 #include "finemote/single_core.hpp"
-#include "pin.hpp"
-#include "registers/dma.hpp"
-#include "registers/usart.hpp"
+#include "runtime/boards/robomaster_type_c/pin.hpp"
+#include "runtime/boards/robomaster_type_c/registers/dma.hpp"
+#include "runtime/boards/robomaster_type_c/registers/usart.hpp"
 
 namespace finemote {
 namespace robomaster_type_c {

@@ -1,8 +1,8 @@
 // PwmPort on TIM1 and TIM8: edge-aligned PWM mode 1 with preload, RM0090 17.3.10.
-#include "clock.hpp"
 #include "finemote/fault.hpp"
-#include "pwm_hardware.hpp"
-#include "registers/clock.hpp"
+#include "runtime/boards/robomaster_type_c/clock.hpp"
+#include "runtime/boards/robomaster_type_c/ports/pwm_hardware.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
 
 namespace finemote {
 namespace {
