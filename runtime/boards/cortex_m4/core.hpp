@@ -15,8 +15,8 @@ inline constexpr std::uint8_t kReleasePriority = 3;
 /// Free-running count of core cycles, 32 bits. From everywhere. Defined by the board.
 std::uint32_t cycles();
 
-/// Starts the count; called once, before the release timer. Defined by the board.
-void start_cycles();
+/// Starts the count at `value`; called once, just before the release timer. Defined by the board.
+void start_cycles(std::uint32_t value);
 
 /// Sets priority (level 0..15) of an interrupt line and enables it. For bus drivers, at start.
 void enable_line(unsigned line, std::uint8_t level);

@@ -1,0 +1,9 @@
+# Cross-compiles for a Cortex-M4 with single-precision FPU, with newlib-nano.
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR cortex-m4)
+set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+set(CMAKE_CXX_FLAGS_INIT
+    "-mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -ffreestanding --specs=nano.specs")
+# The options above decide what is built; a build type would only add to them.
+set(CMAKE_BUILD_TYPE "" CACHE STRING "")

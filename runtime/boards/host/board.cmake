@@ -1,0 +1,1 @@
+set(FINEMOTE_BOARD_FAMILY host)

@@ -1,0 +1,64 @@
+#include "start.hpp"
+
+#include "finemote/board.hpp"
+#include "finemote/fault.hpp"
+
+namespace finemote::detail {
+namespace {
+
+bool started = false;
+
+[[noreturn]] void refuse(ScheduleFault fault, const char* text) {
+  stop_safely(Module::schedule, static_cast<std::uint8_t>(fault), text);
+}
+
+void check_order(View<OrderCheck> checks) {
+  const std::size_t bad = first_order_violation(checks);
+  if (bad == checks.size()) return;
+  board::say("order: '");
+  board::say(checks[bad].parent_name);
+  board::say("' was constructed before its child '");
+  board::say(checks[bad].child_name);
+  board::say("'\n");
+  stop_safely(Module::order, static_cast<std::uint8_t>(bad), "make the child an inline variable defined before it");
+}
+
+void check_tick(const Schedule& schedule, const ReleaseTimer& timer) {
+  if (schedule.tick <= 0 || schedule.tick > timer.longest_tick || schedule.tick % timer.tick_unit_ns != 0) {
+    refuse(ScheduleFault::bad_tick, "schedule: this board cannot count the tick");
+  }
+}
+
+void check_buckets(const Schedule& schedule, const ReleaseTimer& timer) {
+  if (schedule.buckets.empty()) refuse(ScheduleFault::empty, "schedule: no buckets");
+  if (schedule.buckets.size() > kMaxBuckets) refuse(ScheduleFault::too_many, "schedule: too many buckets");
+  const Bucket* before = nullptr;
+  for (const Bucket& bucket : schedule.buckets) {
+    if (bucket.period < schedule.tick || bucket.period % schedule.tick != 0 ||
+        bucket.period / schedule.tick > 0x7FFF'FFFF) {
+      refuse(ScheduleFault::bad_period, "schedule: a period is no multiple of the tick");
+    }
+    if (timer.one_word && bucket.line / 32 != schedule.buckets[0].line / 32) {
+      refuse(ScheduleFault::bad_lines, "schedule: the lines are not all in one word of the interrupt controller");
+    }
+    if (before != nullptr && (bucket.period <= before->period || bucket.priority <= before->priority)) {
+      refuse(ScheduleFault::not_monotonic, "schedule: a shorter period must come first and be more urgent");
+    }
+    before = &bucket;
+  }
+}
+
+}  // namespace
+
+void start_robot(const Schedule& schedule, const ReleaseTimer& timer) {
+  check_order(schedule.order);
+  check_tick(schedule, timer);
+  check_buckets(schedule, timer);
+  schedule.start_buses();
+  started = true;
+  schedule.safe_outputs();
+}
+
+bool outputs_started() { return started; }
+
+}  // namespace finemote::detail
