@@ -33,5 +33,10 @@ inline constexpr Code nested_too_deeply{1003};  // elements inside elements beyo
 inline constexpr Code too_many_buckets{3201};      // more periods than interrupt lines or priority levels
 inline constexpr Code generated_name_clash{3202};  // two names of generated code are the same
 
+// 5xxx: output and check
+inline constexpr Code broken_manifest{5001};          // finemote.manifest.json cannot be used
+inline constexpr Code output_not_writable{5002};      // a link, no folder, no permission, disk full
+inline constexpr Code folder_of_another_robot{5003};  // two robots into one folder
+
 }  // namespace code
 }  // namespace finemote::gen

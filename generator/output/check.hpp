@@ -1,0 +1,34 @@
+// Compares an output folder with what a fresh run would write, and says of each file what is wrong with it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/diagnostic/diagnostics.hpp"
+#include "generator/output/folder.hpp"
+
+namespace finemote::gen {
+
+struct Finding {
+  enum class State { missing, hand_edited, line_endings, stale, orphan };
+  State state = State::stale;
+  std::string file;    ///< below the folder
+  std::string reason;  ///< one line
+};
+
+struct CheckResult {
+  std::vector<Finding> findings;  ///< in manifest order, then orphans by name; empty: fresh
+  bool tool_changed = false;      ///< the folder was written by another version of the tool, with the same bytes
+  std::string previous_tool;
+};
+
+/// Reports what open_folder reports; the folder is only read.
+CheckResult check_output(const std::string& folder, const Output& output, Diagnostics& diagnostics);
+
+/// `hand-edited`, `line-endings`, ...
+const char* state_name(Finding::State state);
+
+/// Unified diff from the files on disk to those a fresh run would write, for the findings.
+std::string unified_diff(const std::string& folder, const Output& output, const CheckResult& result);
+
+}  // namespace finemote::gen
