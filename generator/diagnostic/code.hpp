@@ -32,6 +32,8 @@ inline constexpr Code nested_too_deeply{1003};  // elements inside elements beyo
 // 32xx: schedule
 inline constexpr Code too_many_buckets{3201};      // more periods than interrupt lines or priority levels
 inline constexpr Code generated_name_clash{3202};  // two names of generated code are the same
+inline constexpr Code geometry_without_joint{3203};  // a device type computes from a joint the device does not name
+inline constexpr Code unknown_geometry{3204};        // a descriptor asks for a geometry kind we do not know
 
 // 5xxx: output and check
 inline constexpr Code broken_manifest{5001};          // finemote.manifest.json cannot be used

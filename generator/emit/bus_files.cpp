@@ -1,0 +1,196 @@
+#include "generator/emit/bus_files.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/emit/device_definition.hpp"
+
+namespace finemote::gen {
+namespace {
+
+/// What each kind of bus is called in the runtime.
+struct KindNames {
+  const char* bus;
+  const char* slot;     ///< null: devices use the bus itself
+  const char* include;
+  const char* rate_unit;  ///< null: has no rate
+  bool starts;
+  bool supervised;
+};
+
+const KindNames* kind_names(BusKind kind) {
+  static constexpr KindNames kUart{"Uart", nullptr, "<finemote/uart.hpp>", "baud", true, false};
+  static constexpr KindNames kRs485{"Rs485", "Rs485Slot", "<finemote/rs485.hpp>", "baud", true, true};
+  static constexpr KindNames kI2c{"I2cBus", "I2cSlot", "<finemote/i2c.hpp>", "Hz", true, true};
+  static constexpr KindNames kSpi{"SpiBus", "SpiSlot", "<finemote/spi.hpp>", "Hz", true, true};
+  static constexpr KindNames kCan{"CanBus", "CanSlot", "<finemote/can.hpp>", "bit/s", true, true};
+  static constexpr KindNames kPwm{"PwmBus", nullptr, "<finemote/pwm.hpp>", nullptr, true, false};
+  static constexpr KindNames kGpio{"GpioBus", nullptr, "<finemote/gpio.hpp>", nullptr, true, false};
+  switch (kind) {
+    case BusKind::uart: return &kUart;
+    case BusKind::rs485: return &kRs485;
+    case BusKind::i2c: return &kI2c;
+    case BusKind::spi: return &kSpi;
+    case BusKind::can: return &kCan;
+    case BusKind::pwm: return &kPwm;
+    case BusKind::gpio: return &kGpio;
+    case BusKind::virtual_bus: break;
+  }
+  return nullptr;
+}
+
+std::string bus_comment(const Bus& bus) {
+  const KindNames& names = *kind_names(bus.kind);
+  std::string text = fmt::format("port {}", bus.port);
+  if (names.rate_unit != nullptr && bus.rate > 0) text += fmt::format(", {} {}", bus.rate, names.rate_unit);
+  return text;
+}
+
+std::string expander_comment(const Plan& plan, const Expander& expander) {
+  return fmt::format("pca9685 on '{}' at {:#04x}", plan.robot.segments[expander.segment].name.text, expander.address);
+}
+
+std::vector<const Slot*> slots_of(const Plan& plan, std::size_t bus) {
+  std::vector<const Slot*> slots;
+  for (const Slot& slot : plan.schedule.slots) {
+    if (plan.robot.segments[slot.segment].bus == bus) slots.push_back(&slot);
+  }
+  return slots;
+}
+
+const KindNames& slot_names(const Plan& plan, const Slot& slot) {
+  return *kind_names(plan.robot.segments[slot.segment].bus_kind);
+}
+
+/// `finemote::MuxRoute{0x70, 0x04}`: channel 2 of the mux at 0x70; empty braces: no mux.
+std::string mux_route(const Plan& plan, const Segment& segment) {
+  if (segment.kind != Segment::Kind::mux_channel) return "finemote::MuxRoute{}";
+  const Expander& mux = plan.robot.expanders[*segment.expander];
+  return fmt::format("finemote::MuxRoute{{{:#04x}, {:#04x}}}", mux.address, 1u << segment.channel);
+}
+
+std::string slot_definition(const Plan& plan, const Slot& slot) {
+  const Segment& segment = plan.robot.segments[slot.segment];
+  const std::string bus = bus_reference(plan, plan.robot.buses[segment.bus].name.cpp);
+  std::string arguments = fmt::format("{}, {:#04x}", bus, slot.address);
+  if (segment.bus_kind == BusKind::i2c) arguments += ", " + mux_route(plan, segment);
+  arguments += fmt::format(", /*priority*/ {}", slot.priority);
+  return fmt::format("FINEMOTE_CONSTINIT finemote::{} {}{{{}}};", slot_names(plan, slot).slot, slot.name, arguments);
+}
+
+Data slot_list(const Plan& plan) {
+  Data list(Data::type::list);
+  for (const Slot& slot : plan.schedule.slots) {
+    Data entry;
+    entry.set("declaration", fmt::format("extern finemote::{} {};", slot_names(plan, slot).slot, slot.name));
+    entry.set("definition", slot_definition(plan, slot));
+    list.push_back(entry);
+  }
+  return list;
+}
+
+std::string routes_name(const Bus& bus) { return bus.name.cpp + "_slots"; }
+
+std::vector<std::string> route_lines(const Plan& plan) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < plan.robot.buses.size(); ++i) {
+    const std::vector<const Slot*> slots = slots_of(plan, i);
+    if (slots.empty()) continue;
+    lines.push_back(fmt::format("constexpr finemote::{}* {}[] = {{", slot_names(plan, *slots.front()).slot,
+                                routes_name(plan.robot.buses[i])));
+    for (const Slot* slot : slots) lines.push_back(fmt::format("    &slots::{},", slot->name));
+    lines.push_back("};");
+  }
+  return lines;
+}
+
+/// The line format the device on a uart needs, as its descriptor or the bus param `format` says; 8N1 by default.
+std::string uart_format(const Bus& bus) {
+  for (const Param& param : bus.params) {
+    if (param.spec->name == "format") return "finemote::UartFormat::k" + std::get<std::string>(param.value);
+  }
+  return {};
+}
+
+std::string bus_definition(const Plan& plan, std::size_t index) {
+  const Bus& bus = plan.robot.buses[index];
+  const KindNames& names = *kind_names(bus.kind);
+  std::string arguments = "finemote::ports::" + bus.port;
+  if (names.rate_unit != nullptr) arguments += fmt::format(", {} /* {} */", bus.rate, names.rate_unit);
+  if (!slots_of(plan, index).empty()) arguments += ", " + routes_name(bus);
+  const std::string format = uart_format(bus);
+  if (bus.kind == BusKind::uart && !format.empty()) arguments += ", " + format;
+  return fmt::format("FINEMOTE_CONSTINIT finemote::{} {}{{{}}};", names.bus, bus.name.cpp, arguments);
+}
+
+std::string expander_definition(const Plan& plan, const Expander& expander) {
+  std::string arguments = bus_reference(plan, "slots::" + expander.name.cpp);
+  std::string fields;
+  for (const Param& param : expander.params) fields += (fields.empty() ? "" : ", ") + param_literal(param);
+  if (!fields.empty()) arguments += fmt::format(", finemote::Pca9685::Config{{{}}}", fields);
+  return fmt::format("FINEMOTE_CONSTINIT finemote::Pca9685 {}{{{}}};", expander.name.cpp, arguments);
+}
+
+bool is_object(const Expander& expander) { return expander.model == Expander::Model::pca9685; }
+
+Data bus_list(const Plan& plan) {
+  Data list(Data::type::list);
+  const auto add = [&](const std::string& type, const std::string& name, const std::string& comment,
+                       const std::string& definition) {
+    Data entry;
+    entry.set("declaration", fmt::format("extern finemote::{} {};  // {}", type, name, comment));
+    entry.set("definition", definition);
+    list.push_back(entry);
+  };
+  for (std::size_t i = 0; i < plan.robot.buses.size(); ++i) {
+    const Bus& bus = plan.robot.buses[i];
+    if (const KindNames* names = kind_names(bus.kind)) add(names->bus, bus.name.cpp, bus_comment(bus), bus_definition(plan, i));
+  }
+  for (const Expander& expander : plan.robot.expanders) {
+    if (is_object(expander)) {
+      add("Pca9685", expander.name.cpp, expander_comment(plan, expander), expander_definition(plan, expander));
+    }
+  }
+  return list;
+}
+
+std::vector<std::string> call_lines(const Plan& plan, bool KindNames::* wanted, const char* call) {
+  std::vector<std::string> lines;
+  for (const Bus& bus : plan.robot.buses) {
+    const KindNames* names = kind_names(bus.kind);
+    if (names != nullptr && names->*wanted) lines.push_back(fmt::format("{}.{}();", bus.name.cpp, call));
+  }
+  return lines;
+}
+
+}  // namespace
+
+Data bus_header(const Plan& plan) {
+  Data data = common_data(plan);
+  std::vector<std::string> includes;
+  for (const Bus& bus : plan.robot.buses) {
+    if (const KindNames* names = kind_names(bus.kind)) includes.emplace_back(names->include);
+  }
+  for (const Expander& expander : plan.robot.expanders) {
+    if (is_object(expander)) includes.emplace_back("<finemote/pca9685.hpp>");
+  }
+  data.set("includes", include_list(std::move(includes)));
+  data.set("buses", bus_list(plan));
+  data.set("has_slots", !plan.schedule.slots.empty());
+  data.set("slots", slot_list(plan));
+  return data;
+}
+
+Data bus_source(const Plan& plan) {
+  Data data = common_data(plan);
+  data.set("buses", bus_list(plan));
+  data.set("has_slots", !plan.schedule.slots.empty());
+  data.set("slots", slot_list(plan));
+  const std::vector<std::string> routes = route_lines(plan);
+  data.set("has_routes", !routes.empty());
+  data.set("routes", text_list(routes));
+  data.set("start_lines", text_list(call_lines(plan, &KindNames::starts, "start")));
+  data.set("supervise_lines", text_list(call_lines(plan, &KindNames::supervised, "supervise")));
+  return data;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,206 @@
+#include "generator/emit/device_definition.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/emit/number.hpp"
+#include "generator/schedule/period.hpp"
+
+namespace finemote::gen {
+namespace {
+
+constexpr std::size_t kWidest = 118;
+
+std::string join(const std::vector<std::string>& parts, const std::string& separator) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) text += (i > 0 ? separator : "") + parts[i];
+  return text;
+}
+
+std::string quoted(const std::string& text) {
+  std::string literal = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      literal += std::string("\\") + c;
+    } else if (byte < 0x20 || byte == 0x7f) {
+      literal += fmt::format("\\{:03o}", byte);
+    } else {
+      literal += c;
+    }
+  }
+  return literal + "\"";
+}
+
+const char* unit_comment(const ParamSpec& spec) {
+  switch (spec.unit) {
+    case Unit::time_ns: return " [ns]";
+    case Unit::frequency_hz: return " [Hz]";
+    case Unit::bit_rate: return " [bit/s]";
+    case Unit::bits: return " [bit]";
+    case Unit::percent: return " [%]";
+    case Unit::none: break;
+  }
+  return "";
+}
+
+std::string enumerator(const ParamSpec& spec, const std::string& value) {
+  const auto found = spec.enumerators.find(value);
+  return found == spec.enumerators.end() ? quoted(value) : found->second;
+}
+
+std::string value_literal(const Param& param) {
+  struct {
+    const ParamSpec& spec;
+    std::string operator()(std::int64_t value) const {
+      return spec.kind == ParamKind::real ? float_literal(static_cast<double>(value)) : std::to_string(value);
+    }
+    std::string operator()(double value) const { return float_literal(value); }
+    std::string operator()(bool value) const { return value ? "true" : "false"; }
+    std::string operator()(const std::string& value) const {
+      return spec.kind == ParamKind::enumeration ? enumerator(spec, value) : quoted(value);
+    }
+  } visitor{*param.spec};
+  return std::visit(visitor, param.value);
+}
+
+std::string config(const Device& device) {
+  std::vector<std::string> fields;
+  for (const Param& param : device.params) fields.push_back(param_literal(param));
+  std::string text = fmt::format("{}::Config{{{}}}", device.type->cpp_class, join(fields, ", "));
+  if (text.size() + 4 <= kWidest) return text;
+  return fmt::format("{}::Config{{\n        {}}}", device.type->cpp_class, join(fields, ",\n        "));
+}
+
+/// How a device reaches a bus or a channel of it.
+std::string endpoint(const Plan& plan, const Segment& segment, const std::string& slot, std::uint32_t channel) {
+  const std::string bus = bus_reference(plan, segment.name.cpp);
+  switch (segment.bus_kind) {
+    case BusKind::uart: return bus;
+    case BusKind::pwm: return fmt::format("finemote::PwmChannel{{{}, {}}}", bus, channel);
+    case BusKind::gpio: return fmt::format("finemote::GpioPin{{{}, {}}}", bus, channel);
+    case BusKind::virtual_bus: return {};
+    case BusKind::rs485:
+    case BusKind::i2c:
+    case BusKind::spi:
+    case BusKind::can: break;
+  }
+  return bus_reference(plan, "slots::" + slot);
+}
+
+void add_endpoints(const Plan& plan, const Device& device, std::vector<std::string>& arguments) {
+  const auto add = [&](std::string text) {
+    if (!text.empty()) arguments.push_back(std::move(text));
+  };
+  if (device.segment) {
+    add(endpoint(plan, plan.robot.segments[*device.segment], device.name.cpp, device.channel.value_or(0)));
+  }
+  for (const UseSpec& spec : device.type->uses) {
+    const auto use = std::find_if(device.uses.begin(), device.uses.end(),
+                                  [&](const Use& candidate) { return candidate.spec == &spec; });
+    if (use == device.uses.end() || !use->segment) {
+      arguments.push_back(fmt::format("/*{}*/ nullptr", spec.role));
+      continue;
+    }
+    const std::string slot = device.name.cpp + "_" + spec.role;
+    const std::string text = endpoint(plan, plan.robot.segments[*use->segment], slot, use->channel.value_or(0));
+    add(fmt::format("/*{}*/ {}{}", spec.role, spec.required ? "" : "&", text));
+  }
+}
+
+std::string port(const Plan& plan, std::size_t owner, const RoleBinding& role, const Binding& binding, bool inside_ports) {
+  const std::string ports = inside_ports ? "" : "ports::";
+  const std::string target = device_reference(plan, owner, binding.device);
+  const std::string state = binding.state_crossing ? ports + plan.schedule.crossings[*binding.state_crossing].name
+                                                   : target + "." + binding.state_member;
+  std::string text = state;
+  if (binding.has_command) {
+    std::string command = target + "." + binding.command_member;
+    if (binding.sink) command = ports + binding.sink_name;
+    if (binding.command_crossing) command = ports + plan.schedule.crossings[*binding.command_crossing].name;
+    text += ", " + command;
+  }
+  return fmt::format("finemote::Port<{}>{{{}}}", role.interface, text);
+}
+
+std::string period_of(const Plan& plan, std::size_t device) {
+  return period_text(plan.robot.devices[device].period_ns);
+}
+
+std::string crossing_comment(const Plan& plan, const Crossing& crossing) {
+  const auto& devices = plan.robot.devices;
+  return fmt::format("// {}: {} ({}) -> {} ({})", crossing.direction == Crossing::Direction::state ? "state" : "command",
+                     devices[crossing.producer].name.text, period_of(plan, crossing.producer),
+                     devices[crossing.consumer].name.text, period_of(plan, crossing.consumer));
+}
+
+void add_crossings(const Plan& plan, std::size_t device, std::vector<std::string>& lines) {
+  for (const Crossing& crossing : plan.schedule.crossings) {
+    if (crossing.home != device) continue;
+    lines.push_back(crossing_comment(plan, crossing));
+    if (crossing.kind != Crossing::Kind::copy) {
+      const char* latch = crossing.kind == Crossing::Kind::to_slow ? "LatchToSlow" : "LatchToFast";
+      lines.push_back(
+          fmt::format("FINEMOTE_CONSTINIT inline finemote::{}<{}> {}_latch{{}};", latch, crossing.type, crossing.name));
+    }
+    lines.push_back(fmt::format("FINEMOTE_CONSTINIT inline {} {}{{}};", crossing.type, crossing.name));
+  }
+}
+
+void add_sinks(const RoleBinding& role, std::vector<std::string>& lines) {
+  for (const Binding& binding : role.bindings) {
+    if (!binding.sink) continue;
+    lines.push_back(fmt::format("FINEMOTE_CONSTINIT inline {}::Command {}{{}};  // goes nowhere", role.interface,
+                                binding.sink_name));
+  }
+}
+
+void add_array(const Plan& plan, std::size_t device, const RoleBinding& role, std::vector<std::string>& lines) {
+  if (role.array.empty()) return;
+  lines.push_back(fmt::format("inline constexpr finemote::Port<{}> {}[] = {{", role.interface, role.array));
+  for (const Binding& binding : role.bindings) lines.push_back("    " + port(plan, device, role, binding, true) + ",");
+  lines.push_back("};");
+}
+
+}  // namespace
+
+std::string param_literal(const Param& param) {
+  return fmt::format("/*{}{}*/ {}", param.spec->name, unit_comment(*param.spec), value_literal(param));
+}
+
+std::vector<std::string> port_lines(const Plan& plan, std::size_t device) {
+  std::vector<std::string> lines;
+  add_crossings(plan, device, lines);
+  for (const RoleBinding& role : plan.schedule.roles[device]) {
+    add_sinks(role, lines);
+    add_array(plan, device, role, lines);
+  }
+  return lines;
+}
+
+std::string device_definition(const Plan& plan, std::size_t index, const std::vector<Constant>& constants) {
+  const Device& device = plan.robot.devices[index];
+  std::vector<std::string> arguments;
+  if (!device.params.empty()) arguments.push_back(config(device));
+  for (const Constant& constant : constants) {
+    if (constant.device == index) arguments.push_back(bus_reference(plan, "constants::" + constant.name));
+  }
+  add_endpoints(plan, device, arguments);
+  for (const RoleBinding& role : plan.schedule.roles[index]) {
+    if (role.single && !role.bindings.empty()) {
+      arguments.push_back(port(plan, index, role, role.bindings.front(), false));
+    } else {
+      arguments.push_back(role.array.empty() ? fmt::format("finemote::Ports<{}>{{}}", role.interface)
+                                             : "ports::" + role.array);
+    }
+  }
+  const std::string type = device.type->constant_init ? device.type->cpp_class
+                                                      : fmt::format("finemote::Ordered<{}>", device.type->cpp_class);
+  const char* qualifier = device.type->constant_init ? "FINEMOTE_CONSTINIT inline" : "inline";
+  const std::string line = fmt::format("{} {} {}{{{}}};", qualifier, type, device.name.cpp, join(arguments, ", "));
+  if (line.size() <= kWidest && line.find('\n') == std::string::npos) return line;
+  return fmt::format("{} {} {}{{\n    {}}};", qualifier, type, device.name.cpp, join(arguments, ",\n    "));
+}
+
+}  // namespace finemote::gen

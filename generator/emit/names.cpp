@@ -1,0 +1,65 @@
+#include "generator/emit/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace finemote::gen {
+namespace {
+
+std::string tree_space(const Plan& plan, std::size_t device) {
+  const Tree& tree = plan.forest.trees[plan.forest.tree_of[device]];
+  return fmt::format("::{}::{}", plan.robot.name.cpp, tree.space);
+}
+
+bool same_tree(const Plan& plan, std::size_t a, std::size_t b) {
+  return plan.forest.tree_of[a] == plan.forest.tree_of[b];
+}
+
+}  // namespace
+
+std::string bus_reference(const Plan& plan, const std::string& cpp_name) {
+  return fmt::format("::{}::{}", plan.robot.name.cpp, cpp_name);
+}
+
+std::string ports_prefix(const Plan& plan, std::size_t from, std::size_t home) {
+  return same_tree(plan, from, home) ? "ports::" : tree_space(plan, home) + "::ports::";
+}
+
+std::string device_reference(const Plan& plan, std::size_t from, std::size_t device) {
+  const std::string& name = plan.robot.devices[device].name.cpp;
+  return same_tree(plan, from, device) ? name : tree_space(plan, device) + "::" + name;
+}
+
+std::string device_comment(const Plan& plan, std::size_t device) {
+  const Device& d = plan.robot.devices[device];
+  if (!d.segment) return d.type->name;
+  const Segment& segment = plan.robot.segments[*d.segment];
+  std::string text = fmt::format("{} on '{}'", d.type->name, segment.name.text);
+  if (d.address) text += fmt::format(" at {:#04x}", *d.address);
+  if (d.channel) text += fmt::format(" channel {}", *d.channel);
+  if (d.id) text += fmt::format(" id {}", *d.id);
+  return text;
+}
+
+Data common_data(const Plan& plan) {
+  Data data;
+  data.set("source", plan.robot.source);
+  data.set("robot", plan.robot.name.text);
+  data.set("robot_space", plan.robot.name.cpp);
+  return data;
+}
+
+Data include_list(std::vector<std::string> includes) {
+  std::sort(includes.begin(), includes.end(), [](const std::string& a, const std::string& b) {
+    const bool a_system = a.front() == '<';
+    const bool b_system = b.front() == '<';
+    return a_system != b_system ? a_system : a < b;
+  });
+  includes.erase(std::unique(includes.begin(), includes.end()), includes.end());
+  Data list(Data::type::list);
+  for (const std::string& include : includes) list.push_back(Data("include", include));
+  return list;
+}
+
+}  // namespace finemote::gen

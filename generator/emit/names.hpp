@@ -1,0 +1,37 @@
+// The names and comments that several generated files share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/emit/template.hpp"
+#include "generator/schedule/schedule.hpp"
+
+namespace finemote::gen {
+
+/// Everything an emitter reads. Plain references: nothing is changed.
+struct Plan {
+  const Robot& robot;
+  const Forest& forest;
+  const Schedule& schedule;
+};
+
+/// `::FinsROV::i2c`: found from inside any tree, whatever its devices are called.
+std::string bus_reference(const Plan& plan, const std::string& cpp_name);
+
+/// `ports::` from inside the tree of `from`, `::FinsROV::arm::ports::` from any other; for the tree of `home`.
+std::string ports_prefix(const Plan& plan, std::size_t from, std::size_t home);
+
+/// `imu` inside its own tree, `::FinsROV::rov::imu` from another.
+std::string device_reference(const Plan& plan, std::size_t from, std::size_t device);
+
+/// `ms5837 on 'seg1'`, `group`.
+std::string device_comment(const Plan& plan, std::size_t device);
+
+/// What every template begins with: source, robot, robot_space.
+Data common_data(const Plan& plan);
+
+/// `<finemote/stage.hpp>` or `"buses.hpp"` lines as template data; sorted, without repetition.
+Data include_list(std::vector<std::string> includes);
+
+}  // namespace finemote::gen

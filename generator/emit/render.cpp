@@ -1,0 +1,48 @@
+#include "generator/emit/render.hpp"
+
+#include "generator/emit/bus_files.hpp"
+#include "generator/emit/constants.hpp"
+#include "generator/emit/schedule_files.hpp"
+#include "generator/emit/tree.hpp"
+
+namespace finemote::gen {
+namespace {
+
+Data constants_data(const Plan& plan, const std::vector<Constant>& constants) {
+  Data data = common_data(plan);
+  std::vector<std::string> texts;
+  for (const Constant& constant : constants) texts.push_back(constant.text);
+  data.set("constants", text_list(texts));
+  return data;
+}
+
+}  // namespace
+
+std::vector<OutputFile> render_files(const Plan& plan, const std::string& templates, Diagnostics& diagnostics) {
+  const std::vector<Constant> constants = make_constants(plan, diagnostics);
+  std::vector<OutputFile> files;
+  const auto add = [&](const std::string& name, const std::string& template_name, const Data& data) {
+    files.push_back({name, fill_template(templates, template_name, data)});
+  };
+  add("schedule.hpp", "schedule.hpp.mustache", schedule_header(plan));
+  add("schedule.cpp", "schedule.cpp.mustache", schedule_source(plan));
+  add("buses.hpp", "buses.hpp.mustache", bus_header(plan));
+  add("buses.cpp", "buses.cpp.mustache", bus_source(plan));
+  add("constants.hpp", "constants.hpp.mustache", constants_data(plan, constants));
+  for (const Tree& tree : plan.forest.trees) {
+    add("trees/" + tree.space + ".hpp", "tree.hpp.mustache", tree_header(plan, tree, constants));
+    add("trees/" + tree.space + ".cpp", "tree.cpp.mustache", tree_source(plan, tree));
+  }
+  return files;
+}
+
+std::vector<std::string> output_names(const Forest& forest) {
+  std::vector<std::string> names{"schedule.hpp", "schedule.cpp", "buses.hpp", "buses.cpp", "constants.hpp"};
+  for (const Tree& tree : forest.trees) {
+    names.push_back("trees/" + tree.space + ".hpp");
+    names.push_back("trees/" + tree.space + ".cpp");
+  }
+  return names;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,68 @@
+// The Type C board as the runtime sees it: hardware start, cycle counter, text.
+#include "finemote/board.hpp"
+
+#include "runtime/boards/cortex_m4/core.hpp"
+#include "runtime/boards/robomaster_type_c/clock.hpp"
+#include "runtime/boards/robomaster_type_c/pin.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
+
+namespace finemote {
+namespace {
+
+using robomaster_type_c::Pin;
+using robomaster_type_c::PinMode;
+using robomaster_type_c::PinSetup;
+
+/// Data watchpoint and trace unit: Armv7-M Architecture Reference Manual C1.8.7, C1.8.8, C1.6.5.
+constexpr stm32f407::Register kDwtControl{0xE0001000}, kDwtCycles{0xE0001004}, kDemcr{0xE000EDFC};
+constexpr std::uint32_t kTraceEnable = stm32f407::bit(24), kCountEnable = stm32f407::bit(0);
+
+/// On-board parts nobody may use: chip selects high, magnetometer out of reset, heater and switched 5 V off.
+struct Rest {
+  Pin pin;
+  bool high;
+};
+constexpr Rest kRest[] = {
+    {{'A', 4}, true},                                            // BMI088 accelerometer chip select
+    {{'B', 0}, true},                                            // BMI088 gyroscope chip select
+    {{'G', 6}, true},                                            // IST8310 reset, active low
+    {{'F', 6}, false},                                           // IMU heater
+    {{'C', 8}, false},                                           // switched 5 V
+    {{'H', 10}, false}, {{'H', 11}, false}, {{'H', 12}, false},  // RGB LED
+};
+
+void rest_onboard_parts() {
+  for (const Rest& rest : kRest) {
+    stm32f407::rcc::enable(stm32f407::rcc::ahb1enr, stm32f407::bit(static_cast<unsigned>(rest.pin.port - 'A')));
+    rest.pin.set(rest.high);  // the level first, so that the pin never shows the other one
+    robomaster_type_c::configure(rest.pin, PinSetup{PinMode::output});
+  }
+}
+
+}  // namespace
+
+namespace board {
+
+void start_hardware() {
+  robomaster_type_c::start_clock();
+  rest_onboard_parts();
+}
+
+void say(const char*) {}  // nobody listens: a debugger reads the fault records
+
+void stopped() {}
+
+}  // namespace board
+
+namespace cortex_m4 {
+
+std::uint32_t cycles() { return kDwtCycles.read(); }
+
+void start_cycles() {
+  kDemcr.set(kTraceEnable);
+  kDwtCycles.write(0);
+  kDwtControl.set(kCountEnable);
+}
+
+}  // namespace cortex_m4
+}  // namespace finemote

@@ -1,0 +1,29 @@
+#include "runtime/boards/robomaster_type_c/pin.hpp"
+
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
+
+namespace finemote::robomaster_type_c {
+namespace {
+
+constexpr std::uint32_t kSpeedHigh = 2;  // OSPEEDR, RM0090 8.4.3
+
+/// Replaces field `index` of `width` bits.
+void write_field(const stm32f407::Register& target, std::uint32_t index, std::uint32_t width, std::uint32_t value) {
+  const std::uint32_t shift = index * width;
+  target.modify(((std::uint32_t{1} << width) - 1) << shift, value << shift);
+}
+
+}  // namespace
+
+void configure(Pin pin, const PinSetup& setup) {
+  namespace rcc = stm32f407::rcc;
+  rcc::enable(rcc::ahb1enr, stm32f407::bit(static_cast<unsigned>(pin.port - 'A')));
+  const stm32f407::GpioRegisters gpio = pin.registers();
+  write_field(gpio.ospeedr(), pin.number, 2, kSpeedHigh);
+  write_field(gpio.otyper(), pin.number, 1, setup.open_drain ? 1 : 0);
+  write_field(gpio.pupdr(), pin.number, 2, static_cast<std::uint32_t>(setup.pull));
+  write_field(gpio.afr(pin.number / 8U), pin.number % 8U, 4, setup.function);
+  write_field(gpio.moder(), pin.number, 2, static_cast<std::uint32_t>(setup.mode));
+}
+
+}  // namespace finemote::robomaster_type_c

@@ -1,0 +1,74 @@
+// PwmPort on TIM1 and TIM8: edge-aligned PWM mode 1 with preload, RM0090 17.3.10.
+#include "finemote/fault.hpp"
+#include "runtime/boards/robomaster_type_c/clock.hpp"
+#include "runtime/boards/robomaster_type_c/ports/pwm_hardware.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
+
+namespace finemote {
+namespace {
+
+namespace rcc = stm32f407::rcc;
+namespace timer = stm32f407::timer;
+using robomaster_type_c::PwmSetup;
+
+enum class PwmFault : std::uint8_t {
+  period = 1,   ///< out of 1 us .. 400 ms
+  two_periods,  ///< outputs of one timer share its period: the later one is refused
+};
+
+constexpr std::uint32_t kShortest = 1'000, kLongest = 400'000'000;
+
+// 168 MHz are 21 counts in 125 ns, so that 32 bits are enough: 400 ms are 67,200,000 counts.
+constexpr std::uint32_t kCounts = 21, kNanoseconds = 125;
+static_assert(std::uint64_t{robomaster_type_c::kApb2TimerHz} * kNanoseconds == std::uint64_t{kCounts} * 1'000'000'000);
+
+std::uint32_t counts(std::uint32_t ns) {
+  return ns / kNanoseconds * kCounts + ns % kNanoseconds * kCounts / kNanoseconds;
+}
+
+/// A channel has a byte of CCMR and a nibble of CCER, whose lowest bit turns the output on: RM0090 17.4.7, 17.4.9.
+void turn_on(const PwmSetup& setup) {
+  const std::uint32_t index = setup.channel - 1, shift = index % 2 * 8;
+  setup.timer.ccmr(index / 2).modify(0xFFU << shift, timer::kPwmMode1 << shift);
+  setup.timer.ccer().modify(0xFU << (index * 4), 1U << (index * 4));
+}
+
+}  // namespace
+
+void PwmPort::start(Duration period) {
+  const PwmSetup& setup = hardware_->setup;
+  if (period < kShortest || period > kLongest) {
+    stop_safely(Module::pwm, static_cast<std::uint8_t>(PwmFault::period), "a PWM period is out of range");
+  }
+  const std::uint32_t total = counts(static_cast<std::uint32_t>(period));
+  const std::uint32_t divider = (total - 1) / 0x10000 + 1;  // the smallest with which the period fits 16 bits
+  const std::uint32_t top = total / divider;
+
+  rcc::enable(rcc::apb2enr, setup.clock_bit);
+  const bool running = setup.timer.cr1().any(timer::kCr1Enable);
+  if (running && (setup.timer.psc().read() != divider - 1 || setup.timer.arr().read() != top - 1)) {
+    stop_safely(Module::pwm, static_cast<std::uint8_t>(PwmFault::two_periods), "one timer, two PWM periods");
+  }
+  setup.timer.psc().write(divider - 1);
+  setup.timer.arr().write(top - 1);
+  setup.timer.ccr(setup.channel).write(0);
+  turn_on(setup);
+  if (!running) {
+    setup.timer.bdtr().write(timer::kBdtrMainOutput);
+    setup.timer.egr().write(timer::kEgrUpdate);  // loads prescaler and preloads
+    setup.timer.cr1().write(timer::kCr1PreloadArr | timer::kCr1Enable);
+  }
+  hardware_->top = top;
+  hardware_->scale = static_cast<std::uint32_t>((std::uint64_t{kCounts} << 32) / kNanoseconds / divider);
+  configure(setup.pin, robomaster_type_c::PinSetup{robomaster_type_c::PinMode::alternate,
+                                                   robomaster_type_c::PinPull::down, false, setup.function});
+}
+
+void PwmPort::write(std::uint32_t pulse) {
+  const auto wanted = static_cast<std::uint32_t>((std::uint64_t{pulse} * hardware_->scale + (1U << 31)) >> 32);
+  const std::uint32_t top = hardware_->top;
+  hardware_->setup.timer.ccr(hardware_->setup.channel)
+      .write(wanted < top ? wanted : top);  // preloaded: next repetition
+}
+
+}  // namespace finemote

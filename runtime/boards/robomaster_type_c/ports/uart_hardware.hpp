@@ -1,0 +1,50 @@
+// A serial port of the chip: its peripheral, pins and DMA streams, its buffers, and what its interrupts note down.
+#pragma once
+
+#include <cstdint>
+
+#include "finemote/ports.hpp"
+#include "finemote/single_core.hpp"
+#include "runtime/boards/robomaster_type_c/pin.hpp"
+#include "runtime/boards/robomaster_type_c/registers/dma.hpp"
+#include "runtime/boards/robomaster_type_c/registers/usart.hpp"
+
+namespace finemote {
+namespace robomaster_type_c {
+
+inline constexpr std::uint32_t kUartRing = 256, kUartTransmit = 128;
+
+/// Facts of one port; in flash.
+struct UartSetup {
+  stm32f407::UsartRegisters usart;
+  stm32f407::Register clock_enable;
+  std::uint32_t clock_bit;
+  std::uint32_t clock_hz;
+  Pin tx, rx;
+  std::uint8_t function;
+  stm32f407::DmaStream receive, transmit;
+  std::uint8_t channel;  ///< DMA request channel of both streams: RM0090 10.3.3, tables 43 and 44
+  std::uint8_t usart_line, receive_line;
+  bool inverter;  ///< the board inverts the receive line
+};
+
+}  // namespace robomaster_type_c
+
+struct UartHardware {
+  const robomaster_type_c::UartSetup& setup;
+  std::uint8_t* ring;      ///< kUartRing bytes the DMA reaches
+  std::uint8_t* transmit;  ///< kUartTransmit bytes the DMA reaches
+
+  Shared<std::uint32_t> laps{0};  ///< times the ring was filled
+  Shared<std::uint32_t> idle_count{0};
+  UartIdle idle{};
+  UartErrors errors{};
+  Shared<bool> halted{false};
+  Shared<bool> sending{false};
+
+  /// The routines of its lines. Context: interrupt.
+  void on_usart();
+  void on_receive_dma();
+};
+
+}  // namespace finemote
