@@ -1,0 +1,180 @@
+#include "generator/timing/json.hpp"
+
+#include <algorithm>
+
+namespace finemote::gen::timing {
+namespace {
+
+Json number(const std::optional<Ns>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json name_of(const Model& model, std::optional<std::size_t> device) {
+  return device ? Json(model.devices[*device].name) : Json(nullptr);
+}
+
+std::string_view class_name(TreeResult::Class kind) {
+  switch (kind) {
+    case TreeResult::Class::same_period:
+      return "same-period";
+    case TreeResult::Class::harmonic:
+      return "harmonic";
+    case TreeResult::Class::general:
+      return "general";
+  }
+  return "";
+}
+
+std::string_view after_name(Transfer::After after) {
+  switch (after) {
+    case Transfer::After::update:
+      return "update";
+    case Transfer::After::handle:
+      return "handle";
+    case Transfer::After::bucket:
+      return "bucket";
+  }
+  return "";
+}
+
+void add_if(Json& out, const char* key, Ns value) {
+  if (value != 0) out[key] = value;
+}
+
+Json source_json(const Model& model, const InterruptSource& source) {
+  Json out{{"name", source.name}, {"wcet_ns", source.wcet_ns}, {"min_interval_ns", source.min_interval_ns}};
+  for (const FrameBudget& b : source.budgets) {
+    out["budgets"].push_back(Json{{"device", model.devices[b.device].name}, {"count", b.count}});
+  }
+  return out;
+}
+
+Json bus_json(const Model& model, const Bus& bus) {
+  Json out{
+      {"name", bus.name}, {"baud_bps", bus.baud_bps}, {"min_frame_bits", bus.min_frame_bits}, {"wcet_ns", bus.wcet_ns}};
+  if (bus.sources) {
+    Json& list = out["sources"] = Json::array();
+    for (const InterruptSource& s : *bus.sources) list.push_back(source_json(model, s));
+  }
+  return out;
+}
+
+Json transfer_json(const Model& model, const Transfer& t) {
+  Json out{{"bus", model.buses[t.bus].name}, {"wire_ns", t.wire_ns}, {"after", after_name(t.after)}};
+  if (t.command) out["command"] = true;
+  return out;
+}
+
+Json device_json(const Model& model, const Device& d) {
+  Json out{{"name", d.name},
+           {"parent", name_of(model, d.parent)},
+           {"period_ns", d.period_ns},
+           {"update_wcet_ns", d.update_wcet_ns},
+           {"handle_wcet_ns", d.handle_wcet_ns}};
+  add_if(out, "update_bcet_ns", d.update_bcet_ns);
+  add_if(out, "handle_bcet_ns", d.handle_bcet_ns);
+  add_if(out, "update_extra_ns", d.update_extra_ns);
+  add_if(out, "handle_extra_ns", d.handle_extra_ns);
+  if (!d.takes_command) out["takes_command"] = false;
+  for (const std::size_t r : d.reads) out["reads"].push_back(model.devices[r].name);
+  if (d.acquisition) {
+    Json& a = out["acquisition"] = Json{{"fixed_ns", d.acquisition->fixed_ns}};
+    add_if(a, "interval_ns", d.acquisition->interval_ns);
+    add_if(a, "periods", d.acquisition->periods);
+    if (d.acquisition->assumed) a["assumed"] = true;
+  }
+  for (const Transfer& t : d.transfers) out["transfers"].push_back(transfer_json(model, t));
+  return out;
+}
+
+Json bucket_json(const Model& model, const BucketResult& bucket) {
+  Json devices = Json::array();
+  for (const std::size_t d : bucket.devices) devices.push_back(model.devices[d].name);
+  return {{"period_ns", bucket.period_ns},
+          {"wcet_ns", bucket.wcet_ns},
+          {"devices", std::move(devices)},
+          {"response_ns", number(bucket.response_ns)},
+          {"ok", bucket.ok}};
+}
+
+Json device_result_json(const Device& device, const DeviceResult& r, Profile profile) {
+  Json out{{"name", device.name},
+           {"b_plus_ns", r.b_plus_ns},
+           {"b_minus_ns", r.b_minus_ns},
+           {"r_plus_ns", number(r.r_plus_ns)},
+           {"r_minus_ns", number(r.r_minus_ns)}};
+  if (profile != Profile::paper) out["window_ns"] = number(r.window_ns);
+  return out;
+}
+
+Json path_json(const Model& model, const PathResult& path) {
+  Json out{{"leaf", model.devices[path.leaf].name},
+           {"latency_ns", number(path.latency_ns)},
+           {"release_ns", number(path.release_ns)},
+           {"source_release_ns", number(path.source_release_ns)}};
+  if (path.closed_form) out["closed_form"] = true;
+  return out;
+}
+
+Json tree_json(const Model& model, const TreeResult& tree, Profile profile) {
+  Json out{{"root", model.devices[tree.root].name},
+           {"class", class_name(tree.kind)},
+           {"latency_ns", number(tree.latency_ns)},
+           {"worst_leaf", name_of(model, tree.worst_leaf)},
+           {"worst_release_ns", number(tree.worst_release_ns)},
+           {"source_release_ns", number(tree.source_release_ns)}};
+  if (profile == Profile::paper) {
+    out["corollary_ns"] = number(tree.corollary_ns);
+    out["cross_latency_ns"] = number(tree.cross_latency_ns);
+  }
+  Json& paths = out["paths"] = Json::array();
+  for (const PathResult& p : tree.paths) paths.push_back(path_json(model, p));
+  return out;
+}
+
+}  // namespace
+
+Json model_json(const Model& model) {
+  Json out{{"tick_ns", model.tick_ns}, {"buses", Json::array()}, {"devices", Json::array()}};
+  for (const Bus& bus : model.buses) out["buses"].push_back(bus_json(model, bus));
+  for (const Device& d : model.devices) out["devices"].push_back(device_json(model, d));
+  Json costs = Json::object();
+  add_if(costs, "release_ns", model.costs.release_ns);
+  add_if(costs, "release_per_bucket_ns", model.costs.release_per_bucket_ns);
+  add_if(costs, "interrupt_ns", model.costs.interrupt_ns);
+  add_if(costs, "job_ns", model.costs.job_ns);
+  add_if(costs, "stage_ns", model.costs.stage_ns);
+  add_if(costs, "masked_ns", model.costs.masked_ns);
+  if (!costs.empty()) out["costs"] = std::move(costs);
+  for (const Flush& f : model.flushes) {
+    out["flushes"].push_back(Json{{"period_ns", f.period_ns}, {"wcet_ns", f.wcet_ns}});
+  }
+  return out;
+}
+
+void add_utilization(const Model& model, const UtilizationTests& tests, Json& out) {
+  out["utilization"] = {
+      {"exact", tests.utilization.exact}, {"value", tests.utilization.value}, {"overload", tests.utilization.overload}};
+  out["liu_layland"] = {{"n", tests.liu_layland.n}, {"bound", tests.liu_layland.bound}, {"ok", tests.liu_layland.ok}};
+  out["hyperbolic_ok"] = tests.hyperbolic_ok;
+  Json& buses = out["buses"] = Json::array();
+  for (const Bus& bus : model.buses) {
+    buses.push_back(Json{{"name", bus.name},
+                         {"frame_ns", bus.frame_ns},
+                         {"period_ns", std::min(bus.frame_ns, model.tick_ns)},
+                         {"wcet_ns", bus.wcet_ns}});
+  }
+}
+
+Json profile_json(const Model& model, const ProfileResult& result) {
+  Json out{{"schedulable", result.schedulable}};
+  Json& buckets = out["buckets"] = Json::array();
+  for (const BucketResult& b : result.buckets) buckets.push_back(bucket_json(model, b));
+  Json& devices = out["devices"] = Json::array();
+  for (std::size_t d = 0; d < result.devices.size(); ++d) {
+    devices.push_back(device_result_json(model.devices[d], result.devices[d], result.profile));
+  }
+  Json& trees = out["trees"] = Json::array();
+  for (const TreeResult& t : result.trees) trees.push_back(tree_json(model, t, result.profile));
+  return out;
+}
+
+}  // namespace finemote::gen::timing

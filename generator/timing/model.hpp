@@ -1,0 +1,102 @@
+// What the timing analysis knows about a robot: tick, buses and devices in registration order, as plain integers.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/diagnostic/source.hpp"
+#include "generator/timing/integer.hpp"
+
+namespace finemote::gen::timing {
+
+/// At most `count` interrupts of a source in every period of `device`; the driver counts and refuses more.
+struct FrameBudget {
+  std::size_t device = 0;  ///< index into Model::devices
+  Ns count = 0;
+};
+
+/// One interrupt of a bus (receive, transmit complete, ...). Only profile `target` tells sources apart.
+struct InterruptSource {
+  std::string name;
+  Ns wcet_ns = 0;                    ///< one run of its service routine
+  Ns min_interval_ns = 0;            ///< >= 1; two interrupts are never closer
+  std::vector<FrameBudget> budgets;  ///< empty: only the interval bounds it
+};
+
+struct Bus {
+  std::string name;
+  Ns baud_bps = 1;
+  Ns min_frame_bits = 1;
+  Ns wcet_ns = 0;                                       ///< one run of the service routine
+  Ns frame_ns = 1;                                      ///< floor(min_frame_bits * 1e9 / baud_bps), >= 1
+  std::optional<std::vector<InterruptSource>> sources;  ///< target; none: one source of frame_ns and wcet_ns
+  Position at;
+};
+
+/// Use of a bus once per period of the device, from its slot (non-preemptive, most urgent slot first).
+struct Transfer {
+  enum class After { update, handle, bucket };  ///< which end of work hands it to the bus
+  std::size_t bus = 0;                          ///< index into Model::buses
+  Ns wire_ns = 0;                               ///< first to last bit of the whole unit, mux selection included
+  After after = After::handle;
+  bool command = false;  ///< carries the device's command: its last bit is the end of a chain
+};
+
+/// How old a sample can be when update() reads it: fixed + interval + periods * T + R+ when periods > 0.
+struct Acquisition {
+  Ns fixed_ns = 0;           ///< conversion, filter and transport delay
+  Ns interval_ns = 0;        ///< an autonomous sensor's largest distance between samples
+  std::int64_t periods = 0;  ///< own periods from the request of a sample to the update that uses it
+  bool assumed = true;       ///< not from a data sheet or a measurement
+};
+
+enum class WcetSource { unknown, assumed, budget, measured, static_analysis };
+
+struct Device {
+  std::string name;
+  std::optional<std::size_t> parent;  ///< index into Model::devices, larger than the device's own
+  Ns period_ns = 1;
+  Ns update_wcet_ns = 0;
+  Ns handle_wcet_ns = 0;
+  // what follows belongs to profile `target` and to chains
+  Ns update_bcet_ns = 0;
+  Ns handle_bcet_ns = 0;
+  Ns update_extra_ns = 0;  ///< snapshots and publishing the schedule adds around update()
+  Ns handle_extra_ns = 0;  ///< the same around handle()
+  bool takes_command = true;
+  std::vector<std::size_t> reads;  ///< observed devices outside the own subtree
+  std::optional<Acquisition> acquisition;
+  std::vector<Transfer> transfers;
+  WcetSource source = WcetSource::unknown;
+  Position at;
+};
+
+/// What the processor and the scheduler cost (profile `target`); zero where not given.
+struct Costs {
+  Ns release_ns = 0;             ///< one release interrupt, entry and exit included
+  Ns release_per_bucket_ns = 0;  ///< for every bucket due
+  Ns interrupt_ns = 0;           ///< exception entry and exit, added to every bus interrupt
+  Ns job_ns = 0;                 ///< exception entry and exit and bookkeeping of one job of a bucket
+  Ns stage_ns = 0;               ///< dispatch of one update or handle
+  Ns masked_ns = 0;              ///< longest time with interrupts masked
+};
+
+/// Work at the end of every job of one bucket: the writes of shared outputs.
+struct Flush {
+  Ns period_ns = 1;
+  Ns wcet_ns = 0;
+};
+
+struct Model {
+  Ns tick_ns = 1;
+  std::vector<Bus> buses;
+  std::vector<Device> devices;  ///< registration order: every child before its parent
+  // profile `target`
+  Costs costs;
+  std::vector<Flush> flushes;
+  bool has_target = false;  ///< some field beyond the plain case format was given
+};
+
+}  // namespace finemote::gen::timing

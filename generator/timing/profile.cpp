@@ -1,0 +1,52 @@
+#include "generator/timing/profile.hpp"
+
+#include "generator/timing/latency.hpp"
+
+namespace finemote::gen::timing {
+namespace {
+
+std::optional<Ns> known(Ns value) { return value == kNone ? std::nullopt : std::optional<Ns>(value); }
+
+void summarise(const TaskSet& set, const Responses& responses, const ReleaseTable& table, ProfileResult& result) {
+  result.schedulable = true;
+  for (std::size_t w = 0; w < set.buckets.size(); ++w) {
+    const TaskBucket& bucket = set.buckets[w];
+    result.schedulable &= responses.ok(w);
+    result.buckets.push_back({bucket.period, bucket.cost, bucket.devices, known(responses.bucket[w]), responses.ok(w)});
+  }
+  for (std::size_t d = 0; d < set.update.size(); ++d) {
+    DeviceResult device{responses.b_plus[d], responses.b_minus[d], known(responses.r_plus[d]),
+                        known(responses.r_minus[d]), std::nullopt};
+    if (result.profile != Profile::paper) device.window_ns = known(table.window(d));
+    result.devices.push_back(device);
+  }
+}
+
+}  // namespace
+
+std::string_view profile_name(Profile profile) {
+  switch (profile) {
+    case Profile::paper:
+      return "paper";
+    case Profile::tight:
+      return "tight";
+    case Profile::target:
+      return "target";
+  }
+  return "";
+}
+
+ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Profile profile) {
+  Effort effort;
+  TaskSet set = make_task_set(model, profile);
+  Responses responses = bound_responses(set, effort);
+  ReleaseTable table =
+      profile == Profile::paper ? ReleaseTable(set, responses) : ReleaseTable::refined(set, responses, effort);
+  ProfileResult result;
+  result.profile = profile;
+  summarise(set, responses, table, result);
+  result.trees = bound_latencies(model, topology, set, responses, table, profile == Profile::paper, effort);
+  return {std::move(result), std::move(set), std::move(responses), std::move(table)};
+}
+
+}  // namespace finemote::gen::timing

@@ -1,0 +1,20 @@
+// Model to the results of one profile.
+#pragma once
+
+#include "generator/timing/releases.hpp"
+#include "generator/timing/topology.hpp"
+
+namespace finemote::gen::timing {
+
+/// Everything one profile computed, kept for the questions that follow (chains, windows of pairs).
+struct ProfileAnalysis {
+  ProfileResult result;
+  TaskSet set;
+  Responses responses;
+  ReleaseTable table;
+};
+
+/// Requires a model that read_model accepts. Throws Overflow, TooLong.
+ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Profile profile);
+
+}  // namespace finemote::gen::timing

@@ -1,0 +1,230 @@
+#include "generator/timing/releases.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace finemote::gen::timing {
+namespace {
+
+constexpr Ns kMostReleases = 1'000'000;       ///< of one bucket in its least common multiple
+constexpr std::size_t kMostCells = 1U << 23;  ///< of one bucket: 200 MB
+
+/// What surrounds a release: for each instant t0 from which more urgent work may be pending (the release itself comes
+/// last), its distance and the first release of every more urgent bucket from it on.
+struct Surroundings {
+  struct Start {
+    Ns distance = 0;         ///< t - t0
+    std::vector<Ns> firsts;  ///< per more urgent bucket: first release at or after t0, less t0
+    friend auto operator<=>(const Start&, const Start&) = default;
+  };
+  std::vector<Start> starts;
+  friend auto operator<=>(const Surroundings&, const Surroundings&) = default;
+};
+
+}  // namespace
+
+ReleaseTable::ReleaseTable(const TaskSet& set, const Responses& responses)
+    : bucket_of_(set.bucket_of), place_(set.bucket_of.size()), worst_window_(responses.r_minus) {
+  for (const TaskBucket& bucket : set.buckets) {
+    Bucket table;
+    table.period = bucket.period;
+    std::vector<Cell> row;
+    for (const std::size_t d : bucket.devices) {
+      place_[d] = row.size();
+      row.push_back({responses.r_plus[d], responses.r_minus[d], responses.r_minus[d]});
+    }
+    table.rows.push_back(std::move(row));
+    buckets_.push_back(std::move(table));
+  }
+}
+
+std::size_t ReleaseTable::row(std::size_t device, Ns release) const {
+  const Bucket& bucket = buckets_[bucket_of_[device]];
+  if (bucket.row_of.empty()) return 0;
+  const auto count = static_cast<Ns>(bucket.row_of.size());
+  const Ns index = release / bucket.period % count;
+  return bucket.row_of[static_cast<std::size_t>(index < 0 ? index + count : index)];
+}
+
+const ReleaseTable::Cell& ReleaseTable::cell(std::size_t device, Ns release) const {
+  return buckets_[bucket_of_[device]].rows[row(device, release)][place_[device]];
+}
+
+Ns ReleaseTable::repeat(std::size_t device) const {
+  const Bucket& bucket = buckets_[bucket_of_[device]];
+  return bucket.row_of.empty() ? bucket.period : multiply(bucket.period, static_cast<Ns>(bucket.row_of.size()));
+}
+
+/// Fills the rows of one bucket.
+class ReleaseTable::Builder {
+ public:
+  Builder(const TaskSet& set, const Responses& responses, std::size_t w, Effort& effort)
+      : set_(set), responses_(responses), bucket_(set.buckets[w]), w_(w), effort_(effort), demand_(effort) {
+    for (std::size_t v = 0; v < w; ++v) {
+      if (set.buckets[v].cost > 0) urgent_.push_back({set.buckets[v].period, set.buckets[v].cost});
+    }
+    demand_.add_streams(set.streams);
+  }
+
+  void fill(Bucket& table) {
+    Ns common = bucket_.period;
+    for (std::size_t v = 0; v < w_; ++v) common = lcm(common, set_.buckets[v].period);
+    const Ns count = common / bucket_.period;
+    find_longest_busy();
+    table.rows.clear();
+    if (count > kMostReleases) return fill_general(table);
+    std::map<Surroundings, std::uint32_t> known;
+    for (Ns i = 0; i < count; ++i) {
+      const Surroundings around = surroundings(i * bucket_.period);
+      const auto [entry, fresh] = known.emplace(around, static_cast<std::uint32_t>(table.rows.size()));
+      if (fresh) {
+        if ((table.rows.size() + 1) * bucket_.devices.size() > kMostCells) return fill_general(table);
+        table.rows.push_back(row(around));
+      }
+      table.row_of.push_back(entry->second);
+      effort_.spend(16);
+    }
+    if (table.rows.size() == 1) table.row_of.clear();
+  }
+
+ private:
+  struct Urgent {
+    Ns period = 1;
+    Ns cost = 0;
+  };
+
+  /// R of all releases, and windows with as many more urgent activations as any release can see.
+  void fill_general(Bucket& table) {
+    table.general = true;
+    table.row_of.clear();
+    std::vector<Cell> row;
+    for (const std::size_t d : bucket_.devices) row.push_back({responses_.r_plus[d], responses_.r_minus[d], kNone});
+    Surroundings worst;
+    worst.starts.push_back({0, std::vector<Ns>(urgent_.size(), 1)});
+    set_windows(worst.starts.back().firsts, row);
+    table.rows.assign(1, std::move(row));
+  }
+
+  /// No more urgent work of buckets and streams stays pending for longer than this.
+  void find_longest_busy() {
+    demand_.clear_terms();
+    for (const Urgent& u : urgent_) demand_.add({0, u.period, u.cost});
+    longest_busy_ = urgent_.empty() ? 0 : least_fit(demand_, set_.blocking, 1, kNever - 1);
+  }
+
+  Surroundings::Start start_at(Ns t0, Ns t) const {
+    Surroundings::Start start{t - t0, {}};
+    const Ns horizon = add(add(t - t0, responses_.bucket[w_]), 2);  // later releases cannot matter
+    for (const Urgent& u : urgent_) start.firsts.push_back(std::min(round_up(t0, u.period) - t0, horizon));
+    return start;
+  }
+
+  void use(const Surroundings::Start& start) {
+    demand_.clear_terms();
+    for (std::size_t i = 0; i < urgent_.size(); ++i) demand_.add({start.firsts[i], urgent_[i].period, urgent_[i].cost});
+  }
+
+  /// Whether more urgent work released from t0 on keeps the processor busy beyond t.
+  bool stays_busy(const Surroundings::Start& start) {
+    use(start);
+    return least_fit(demand_, set_.blocking, 1, start.distance) == kNever;
+  }
+
+  Surroundings surroundings(Ns t) {
+    Surroundings around;
+    for (const Urgent& u : urgent_) {
+      if (std::gcd(u.period, bucket_.period) >= longest_busy_) continue;  // none is that near
+      for (Ns t0 = round_down(t - 1, u.period); t - t0 < longest_busy_; t0 -= u.period) {
+        Surroundings::Start start = start_at(t0, t);
+        if (stays_busy(start)) around.starts.push_back(std::move(start));
+      }
+    }
+    std::sort(around.starts.begin(), around.starts.end(), std::greater<>());
+    around.starts.erase(std::unique(around.starts.begin(), around.starts.end()), around.starts.end());
+    around.starts.push_back(start_at(t, t));
+    return around;
+  }
+
+  std::vector<Cell> row(const Surroundings& around) {
+    std::vector<Cell> cells(bucket_.devices.size());
+    for (const Surroundings::Start& start : around.starts) sweep(start, cells);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::size_t d = bucket_.devices[i];
+      cells[i].r_plus = std::min(cells[i].r_plus, responses_.r_plus[d]);
+      cells[i].r_minus = std::min(cells[i].r_minus, responses_.r_minus[d]);
+    }
+    set_windows(around.starts.back().firsts, cells);
+    return cells;
+  }
+
+  /// Raises every R of the row to what a busy interval from one start gives.
+  void sweep(const Surroundings::Start& start, std::vector<Cell>& cells) {
+    use(start);
+    Ns x = start.distance + 1;
+    const auto end_of = [&](Ns work, bool empty) {
+      const Ns extra = empty ? 1 : 0;
+      const Ns base = add(work, extra);
+      x = least_fit(demand_, base, std::max(x, base), kNever - 1);
+      return x - extra - start.distance;
+    };
+    Ns work = add(set_.blocking, bucket_.before);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const Ns cost = set_.update[bucket_.devices[i]];
+      work = add(work, cost);
+      cells[i].r_plus = std::max(cells[i].r_plus, end_of(work, cost == 0));
+    }
+    for (std::size_t i = cells.size(); i-- > 0;) {
+      const Ns cost = set_.handle[bucket_.devices[i]];
+      work = add(work, cost);
+      cells[i].r_minus = std::max(cells[i].r_minus, end_of(work, cost == 0));
+    }
+  }
+
+  /// Releases of `u` strictly inside (t, t + length] when its first one at or after t is `first` later.
+  static Ns releases_inside(const Urgent& u, Ns first, Ns length) {
+    if (first == 0) return length / u.period;
+    return length < first ? 0 : (length - first) / u.period + 1;
+  }
+
+  /// Windows from R-(t), from the last device (the shortest window) to the first.
+  void set_windows(const std::vector<Ns>& firsts, std::vector<Cell>& cells) {
+    demand_.clear_terms();
+    for (const Urgent& u : urgent_) demand_.add({0, u.period, u.cost, 0});
+    Ns work = 0, x = 1;
+    for (std::size_t i = cells.size(); i-- > 0;) {
+      const std::size_t d = bucket_.devices[i];
+      const Ns extra = set_.handle[d] == 0 ? 1 : 0;
+      work = add(work, add(set_.update[d], set_.handle[d]));
+      for (std::size_t u = 0; u < urgent_.size(); ++u) {
+        demand_.allow(u, releases_inside(urgent_[u], firsts[u], cells[i].r_minus - 1 + extra));
+      }
+      const Ns base = add(work, extra);
+      x = least_fit(demand_, base, std::max(x, base), kNever - 1);
+      cells[i].window = std::min(x - extra, cells[i].r_minus);
+    }
+  }
+
+  const TaskSet& set_;
+  const Responses& responses_;
+  const TaskBucket& bucket_;
+  std::size_t w_;
+  Effort& effort_;
+  Demand demand_;
+  std::vector<Urgent> urgent_;  ///< shorter periods of nonzero cost
+  Ns longest_busy_ = 0;
+};
+
+ReleaseTable ReleaseTable::refined(const TaskSet& set, const Responses& responses, Effort& effort) {
+  ReleaseTable table(set, responses);
+  for (std::size_t w = 0; w < set.buckets.size(); ++w) {
+    if (!responses.ok(w)) continue;
+    Builder(set, responses, w, effort).fill(table.buckets_[w]);
+    for (const std::size_t d : set.buckets[w].devices) {
+      Ns& worst = table.worst_window_[d] = 0;
+      for (const auto& row : table.buckets_[w].rows) worst = std::max(worst, row[table.place_[d]].window);
+    }
+  }
+  return table;
+}
+
+}  // namespace finemote::gen::timing

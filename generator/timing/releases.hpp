@@ -1,0 +1,57 @@
+// Response times and windows of every release: what the known phases of the buckets make of the general bounds.
+#pragma once
+
+#include "generator/timing/response.hpp"
+
+namespace finemote::gen::timing {
+
+/// Bounds per device and release. Releases with the same arrivals around them share one row.
+class ReleaseTable {
+ public:
+  /// R and W that hold for every release alone (profile paper has no windows: they equal R).
+  ReleaseTable(const TaskSet& set, const Responses& responses);
+
+  /// R(t) and W(t) of analysis-cases/README.md, profile `tight`. Buckets with too many releases in the least common
+  /// multiple of their periods keep general bounds and are listed by `is_general`. Throws Overflow, TooLong.
+  static ReleaseTable refined(const TaskSet& set, const Responses& responses, Effort& effort);
+
+  [[nodiscard]] Ns r_plus(std::size_t device, Ns release) const { return cell(device, release).r_plus; }
+  [[nodiscard]] Ns r_minus(std::size_t device, Ns release) const { return cell(device, release).r_minus; }
+  [[nodiscard]] Ns window(std::size_t device, Ns release) const { return cell(device, release).window; }
+  /// Worst window over all releases; kNone when the bucket is not ok.
+  [[nodiscard]] Ns window(std::size_t device) const { return worst_window_[device]; }
+
+  /// Rows of a device's bucket, and which one a release has.
+  [[nodiscard]] std::size_t rows(std::size_t device) const { return buckets_[bucket_of_[device]].rows.size(); }
+  [[nodiscard]] std::size_t row(std::size_t device, Ns release) const;
+  [[nodiscard]] Ns r_plus_in_row(std::size_t device, std::size_t row) const {
+    return buckets_[bucket_of_[device]].rows[row][place_[device]].r_plus;
+  }
+  [[nodiscard]] Ns r_minus_in_row(std::size_t device, std::size_t row) const {
+    return buckets_[bucket_of_[device]].rows[row][place_[device]].r_minus;
+  }
+
+  /// After how many nanoseconds the rows of a device's bucket repeat: its period when all releases are alike.
+  [[nodiscard]] Ns repeat(std::size_t device) const;
+  [[nodiscard]] bool is_general(std::size_t bucket) const { return buckets_[bucket].general; }
+
+ private:
+  struct Cell {
+    Ns r_plus = kNone, r_minus = kNone, window = kNone;
+  };
+  struct Bucket {
+    Ns period = 1;
+    std::vector<std::uint32_t> row_of;  ///< per release in one repetition; empty: row 0 always
+    std::vector<std::vector<Cell>> rows;
+    bool general = false;
+  };
+  class Builder;
+
+  [[nodiscard]] const Cell& cell(std::size_t device, Ns release) const;
+
+  std::vector<Bucket> buckets_;
+  std::vector<std::size_t> bucket_of_, place_;  ///< of a device: its bucket and its place in it
+  std::vector<Ns> worst_window_;
+};
+
+}  // namespace finemote::gen::timing

@@ -1,0 +1,72 @@
+// The answers of the timing analysis, in the shape of `finemote.timing/1`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/timing/model.hpp"
+
+namespace finemote::gen::timing {
+
+/// `paper`: the published analysis, corrected. `tight`: true bus separation, release-specific responses, windows.
+/// `target`: `tight` with the costs of the processor and the scheduler.
+enum class Profile { paper, tight, target };
+
+std::string_view profile_name(Profile profile);
+
+struct Utilization {
+  std::string exact;  ///< reduced fraction `p/q`
+  double value = 0;
+  bool overload = false;  ///< p > q
+};
+
+struct LiuLayland {
+  std::size_t n = 0;  ///< buses + buckets
+  double bound = 0;   ///< n (2^(1/n) - 1)
+  bool ok = false;    ///< decided exactly
+};
+
+struct BucketResult {
+  Ns period_ns = 0;
+  Ns wcet_ns = 0;
+  std::vector<std::size_t> devices;  ///< registration order
+  std::optional<Ns> response_ns;     ///< end of the last stage (profile target: of the whole job)
+  bool ok = false;
+};
+
+/// Bounds of one device; null where its bucket is not schedulable.
+struct DeviceResult {
+  Ns b_plus_ns = 0, b_minus_ns = 0;
+  std::optional<Ns> r_plus_ns, r_minus_ns;
+  std::optional<Ns> window_ns;  ///< start of update to end of handle; profiles tight and target
+};
+
+struct PathResult {
+  std::size_t leaf = 0;
+  std::optional<Ns> latency_ns;
+  std::optional<Ns> release_ns, source_release_ns;  ///< null with `closed_form`
+  bool closed_form = false;  ///< a safe bound instead of the maximum: an lcm is too large to walk
+};
+
+struct TreeResult {
+  enum class Class { same_period, harmonic, general };
+  std::size_t root = 0;
+  Class kind = Class::general;
+  std::optional<Ns> latency_ns;
+  std::optional<std::size_t> worst_leaf;
+  std::optional<Ns> worst_release_ns, source_release_ns;
+  std::optional<Ns> corollary_ns;      ///< profile paper
+  std::optional<Ns> cross_latency_ns;  ///< profile paper
+  std::vector<PathResult> paths;       ///< leaves in registration order
+};
+
+struct ProfileResult {
+  Profile profile = Profile::paper;
+  bool schedulable = false;
+  std::vector<BucketResult> buckets;  ///< ascending period
+  std::vector<DeviceResult> devices;  ///< registration order
+  std::vector<TreeResult> trees;      ///< order of their roots
+};
+
+}  // namespace finemote::gen::timing

@@ -1,0 +1,84 @@
+#include "generator/timing/task_set.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace finemote::gen::timing {
+namespace {
+
+void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
+  const Ns entry = profile == Profile::target ? model.costs.interrupt_ns : 0;
+  for (const Bus& bus : model.buses) {
+    if (profile != Profile::target || !bus.sources) {
+      const Ns separation = profile == Profile::paper ? std::min(bus.frame_ns, model.tick_ns) : bus.frame_ns;
+      set.streams.push_back({separation, bus.wcet_ns > 0 ? add(bus.wcet_ns, entry) : 0, {}});
+      continue;
+    }
+    for (const InterruptSource& source : *bus.sources) {
+      Stream stream{source.min_interval_ns, add(source.wcet_ns, entry), {}};
+      for (const FrameBudget& b : source.budgets) {
+        stream.budgets.push_back({b.count, model.devices[b.device].period_ns, 1});
+      }
+      set.streams.push_back(std::move(stream));
+    }
+  }
+}
+
+/// The release interrupt runs at the releases of the buckets and nowhere else: in any window of length L at most
+/// ceil(L/gcd of the periods) times, and at most sum ceil(L/period) times. It costs more for every bucket due.
+void add_release_streams(const Model& model, TaskSet& set) {
+  Ns distance = 0;
+  Stream release{1, model.costs.release_ns, {}};
+  for (const TaskBucket& bucket : set.buckets) {
+    distance = std::gcd(distance, bucket.period);
+    release.budgets.push_back({1, bucket.period, 0});
+    set.streams.push_back({bucket.period, model.costs.release_per_bucket_ns, {}});
+  }
+  release.separation = distance;
+  if (distance == set.buckets.front().period) release.budgets.clear();
+  set.streams.push_back(std::move(release));
+}
+
+void add_buckets(const Model& model, Profile profile, TaskSet& set) {
+  std::map<Ns, std::vector<std::size_t>> by_period;
+  for (std::size_t d = 0; d < model.devices.size(); ++d) by_period[model.devices[d].period_ns].push_back(d);
+  set.bucket_of.resize(model.devices.size());
+  for (auto& [period, devices] : by_period) {
+    TaskBucket bucket;
+    bucket.period = period;
+    for (const std::size_t d : devices) {
+      set.bucket_of[d] = set.buckets.size();
+      bucket.cost = add(bucket.cost, add(set.update[d], set.handle[d]));
+    }
+    if (profile == Profile::target) {
+      bucket.before = model.costs.job_ns;
+      for (const Flush& f : model.flushes) bucket.after = add(bucket.after, f.period_ns == period ? f.wcet_ns : 0);
+      bucket.cost = add(bucket.cost, add(bucket.before, bucket.after));
+    }
+    bucket.devices = std::move(devices);
+    set.buckets.push_back(std::move(bucket));
+  }
+}
+
+}  // namespace
+
+TaskSet make_task_set(const Model& model, Profile profile) {
+  TaskSet set;
+  const bool target = profile == Profile::target;
+  for (const Device& d : model.devices) {
+    set.update.push_back(target ? add(d.update_wcet_ns, add(d.update_extra_ns, model.costs.stage_ns))
+                                : d.update_wcet_ns);
+    set.handle.push_back(target ? add(d.handle_wcet_ns, add(d.handle_extra_ns, model.costs.stage_ns))
+                                : d.handle_wcet_ns);
+  }
+  add_buckets(model, profile, set);
+  add_bus_streams(model, profile, set);
+  if (target) {
+    add_release_streams(model, set);
+    set.blocking = model.costs.masked_ns;
+  }
+  std::erase_if(set.streams, [](const Stream& s) { return s.cost == 0; });
+  return set;
+}
+
+}  // namespace finemote::gen::timing

@@ -1,0 +1,111 @@
+#include "generator/timing/utilization.hpp"
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <map>
+
+namespace finemote::gen::timing {
+namespace {
+
+using Big = boost::multiprecision::cpp_int;
+
+/// A decision in long double is trusted when it is further than this from equality; rounding stays below 1e-15 for up
+/// to ten thousand terms. Nearer ones are decided in integers.
+constexpr long double kGuard = 1e-12L;
+
+struct Share {
+  Ns cost = 0;
+  Ns period = 1;
+};
+
+/// A sum of fractions over one growing common denominator; reduced only when asked.
+class Fraction {
+ public:
+  void add(const Share& s) {
+    const Big period = s.period;
+    const Big factor = period / boost::multiprecision::gcd(denominator_, period);
+    numerator_ *= factor;
+    denominator_ *= factor;
+    numerator_ += denominator_ / period * s.cost;
+    approximate_ += static_cast<long double>(s.cost) / static_cast<long double>(s.period);
+  }
+  [[nodiscard]] const Big& numerator() const { return numerator_; }
+  [[nodiscard]] const Big& denominator() const { return denominator_; }
+  [[nodiscard]] long double approximate() const { return approximate_; }
+  [[nodiscard]] std::string text() const {
+    const Big divisor = boost::multiprecision::gcd(numerator_, denominator_);
+    return Big(numerator_ / divisor).str() + "/" + Big(denominator_ / divisor).str();
+  }
+
+ private:
+  Big numerator_ = 0, denominator_ = 1;
+  long double approximate_ = 0;
+};
+
+std::vector<Share> shares(const Model& model) {
+  std::vector<Share> list;
+  for (const Bus& bus : model.buses) list.push_back({bus.wcet_ns, std::min(bus.frame_ns, model.tick_ns)});
+  for (const TaskBucket& bucket : make_task_set(model, Profile::paper).buckets) {
+    list.push_back({bucket.cost, bucket.period});
+  }
+  return list;
+}
+
+bool liu_layland_holds(const Fraction& u, std::size_t n) {
+  const long double distance = n * std::log1p(u.approximate() / n) - std::log(2.0L);
+  if (std::fabs(distance) > kGuard) return distance < 0;
+  const Big scaled = u.denominator() * n;
+  const Big left = boost::multiprecision::pow(Big(scaled + u.numerator()), static_cast<unsigned>(n));
+  return left <= 2 * boost::multiprecision::pow(scaled, static_cast<unsigned>(n));
+}
+
+bool hyperbolic_holds(const std::vector<Share>& list) {
+  long double distance = -std::log(2.0L);
+  for (const Share& s : list) {
+    distance += std::log1p(static_cast<long double>(s.cost) / static_cast<long double>(s.period));
+  }
+  if (std::fabs(distance) > kGuard) return distance < 0;
+  Big left = 1, right = 2;
+  for (const Share& s : list) {
+    left *= Big(s.period) + s.cost;
+    right *= s.period;
+  }
+  return left <= right;
+}
+
+/// Adds the long-run rate of a stream: of its separation, or of its budgets where they are slower.
+void add_rate(const Stream& stream, Fraction& total) {
+  Fraction budgets;
+  for (const Stream::Budget& b : stream.budgets) budgets.add({multiply(b.count, stream.cost), b.period});
+  const Share separation{stream.cost, stream.separation};
+  const bool slower =
+      !stream.budgets.empty() && budgets.numerator() * separation.period < budgets.denominator() * separation.cost;
+  if (!slower) return total.add(separation);
+  for (const Stream::Budget& b : stream.budgets) total.add({multiply(b.count, stream.cost), b.period});
+}
+
+}  // namespace
+
+UtilizationTests test_utilization(const Model& model) {
+  const std::vector<Share> list = shares(model);
+  Fraction total;
+  for (const Share& s : list) total.add(s);
+  const std::size_t n = list.size();
+  UtilizationTests result;
+  result.utilization = {total.text(), static_cast<double>(total.approximate()),
+                        total.numerator() > total.denominator()};
+  result.liu_layland = {n, static_cast<double>(n) * std::expm1(std::log(2.0) / static_cast<double>(n)),
+                        liu_layland_holds(total, n)};
+  result.hyperbolic_ok = hyperbolic_holds(list);
+  return result;
+}
+
+bool is_saturated(const TaskSet& set, std::size_t bucket) {
+  Fraction total;
+  for (const Stream& s : set.streams) add_rate(s, total);
+  for (std::size_t w = 0; w < bucket; ++w) total.add({set.buckets[w].cost, set.buckets[w].period});
+  if (total.approximate() < 1 - kGuard) return false;
+  return total.numerator() >= total.denominator();
+}
+
+}  // namespace finemote::gen::timing

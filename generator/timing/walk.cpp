@@ -1,0 +1,197 @@
+#include "generator/timing/walk.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace finemote::gen::timing {
+namespace {
+
+constexpr Ns kMostEntries = 1'000'000;        ///< of one hand-over
+constexpr Ns kMostLiveEntries = Ns{1} << 24;  ///< of all hand-overs alive at one time
+
+/// How long after its release a slower producer's data is there for sure, per row of its release table, in whole
+/// multiples of the common divisor of both periods (releases of both only differ by such). Empty: at once, because the
+/// producer is not slower.
+using Lags = std::vector<Ns>;
+
+bool is_constant(const Lags& lags) {
+  return std::all_of(lags.begin(), lags.end(), [&](Ns lag) { return lag == lags.front(); });
+}
+
+/// Counts the entries of living hand-overs.
+struct Ledger {
+  Ns live = 0;
+};
+
+class Walker {
+ public:
+  Walker(const Model& model, const Topology& topology, const Responses& responses, const TaskSet& set,
+         const ReleaseTable& table, Effort& effort)
+      : model_(model), topology_(topology), responses_(responses), set_(set), table_(table), effort_(effort) {}
+
+  void walk(std::size_t root, const std::function<void(const HandOverGroup&)>& visit) {
+    if (!responses_.ok(set_.bucket_of[root])) return;
+    root_period_ = model_.devices[root].period_ns;
+    HandOver start;
+    start.length = root_period_;
+    start.next = {root_period_};
+    start.source = {0};
+    std::vector<Pending> stack;
+    stack.push_back({{root_period_, {root}, keep(std::move(start))}, {}, {}, 0, 0});
+    while (!stack.empty()) {
+      Pending pending = std::move(stack.back());
+      stack.pop_back();
+      const HandOverGroup group = finish(std::move(pending));
+      visit(group);
+      push_children(group, stack);
+    }
+  }
+
+ private:
+  /// A group whose hand-over is still that of its parent's group.
+  struct Pending {
+    HandOverGroup group;
+    Lags down, up;           ///< of the parent's handle, and of the group's update
+    std::size_t parent = 0;  ///< one of the parents: they share period and row layout
+    Ns parent_period = 0;    ///< 0: the root itself
+  };
+
+  std::shared_ptr<const HandOver> keep(HandOver value) {
+    const auto entries = static_cast<Ns>(value.next.size());
+    ledger_->live += entries;
+    return {new HandOver(std::move(value)), [ledger = ledger_, entries](const HandOver* h) {
+              ledger->live -= entries;
+              delete h;
+            }};
+  }
+
+  template <typename InRow>
+  Lags lags(std::size_t producer, Ns consumer_period, InRow in_row) const {
+    const Ns step = std::gcd(model_.devices[producer].period_ns, consumer_period);
+    Lags result;
+    for (std::size_t row = 0; row < table_.rows(producer); ++row) {
+      result.push_back(round_up(in_row(producer, row), step));
+    }
+    if (is_constant(result)) result.resize(1);
+    return result;
+  }
+
+  void push_children(const HandOverGroup& group, std::vector<Pending>& stack) const {
+    std::map<std::tuple<Ns, Lags, Lags>, Pending> parts;
+    for (const std::size_t parent : group.devices) {
+      std::map<Ns, Lags> down_lags;  // per period of the child
+      for (const std::size_t child : topology_.children[parent]) {
+        if (!responses_.ok(set_.bucket_of[child])) continue;
+        const Ns period = model_.devices[child].period_ns;
+        Lags down, up;
+        if (period < group.period) {
+          auto& known = down_lags[period];
+          if (known.empty()) {
+            known = lags(parent, period, [&](std::size_t d, std::size_t row) { return table_.r_minus_in_row(d, row); });
+          }
+          down = known;
+        } else if (period > group.period) {
+          up = lags(child, group.period, [&](std::size_t d, std::size_t row) { return table_.r_plus_in_row(d, row); });
+        }
+        auto [entry, fresh] = parts.try_emplace({period, down, up});
+        if (fresh) {
+          entry->second = {{period, {}, group.exact, group.age, group.down, group.up}, down, up, parent, group.period};
+        }
+        entry->second.group.devices.push_back(child);
+      }
+    }
+    for (auto& [key, part] : parts) stack.push_back(std::move(part));
+  }
+
+  HandOverGroup finish(Pending pending) {
+    HandOverGroup& group = pending.group;
+    if (pending.parent_period == 0 || pending.parent_period == group.period) return std::move(group);
+    if (group.exact != nullptr) {
+      Ns length = lcm(group.exact->length, group.period);
+      if (pending.down.size() > 1) length = lcm(length, table_.repeat(pending.parent));
+      if (pending.up.size() > 1) length = lcm(length, table_.repeat(group.devices.front()));
+      const Ns entries = length / root_period_;
+      if (entries <= kMostEntries && ledger_->live + entries <= kMostLiveEntries) {
+        group.exact = keep(step(pending, length));
+        return std::move(group);
+      }
+      give_up(pending);
+    }
+    close(pending);
+    return std::move(group);
+  }
+
+  HandOver step(const Pending& pending, Ns length) {
+    const HandOver& from = *pending.group.exact;
+    const Ns period = pending.group.period;
+    const std::size_t device = pending.group.devices.front();
+    HandOver to;
+    to.length = length;
+    const auto entries = static_cast<std::size_t>(length / root_period_);
+    to.next.reserve(entries);
+    to.source.reserve(entries);
+    effort_.spend(static_cast<std::int64_t>(4 * entries));
+    for (Ns shift = 0; shift < length; shift += from.length) {
+      for (std::size_t i = 0; i < from.next.size(); ++i) {
+        const Ns decision = from.next[i] + shift;
+        to.next.push_back(round_up(decision + lag(pending.down, pending.parent, decision), period));
+        const Ns use = from.source[i] + shift;
+        Ns source = round_down(use, period);
+        if (source + lag(pending.up, device, source) > use) source -= period;
+        to.source.push_back(source);
+      }
+    }
+    return to;
+  }
+
+  [[nodiscard]] Ns lag(const Lags& lags, std::size_t producer, Ns release) const {
+    if (lags.size() <= 1) return lags.empty() ? 0 : lags.front();
+    return lags[table_.row(producer, release)];
+  }
+
+  /// From exact entries to the bounds a closed form continues from.
+  void give_up(Pending& pending) const {
+    HandOverGroup& group = pending.group;
+    group.age = group.down = group.up = 0;
+    for (std::size_t i = 0; i < group.exact->next.size(); ++i) {
+      const Ns x = static_cast<Ns>(i) * root_period_;
+      const Ns last = group.exact->next[i] - pending.parent_period;
+      group.age = std::max(group.age, last - group.exact->source[i]);
+      group.down = std::max(group.down, last - x);
+      group.up = std::max(group.up, x - group.exact->source[i]);
+    }
+    group.exact = nullptr;
+  }
+
+  /// One edge further: data handed over is at most T_producer - g + lag old at the consumer's release.
+  static void close(Pending& pending) {
+    HandOverGroup& group = pending.group;
+    const Ns step = std::gcd(group.period, pending.parent_period);
+    const auto worst = [](const Lags& lags) { return lags.empty() ? 0 : *std::max_element(lags.begin(), lags.end()); };
+    const Ns down = add(pending.parent_period - step, worst(pending.down));
+    const Ns up = add(group.period - step, worst(pending.up));
+    group.down = add(group.down, down);
+    group.up = add(group.up, up);
+    group.age = add(group.age, add(down, up));
+  }
+
+  const Model& model_;
+  const Topology& topology_;
+  const Responses& responses_;
+  const TaskSet& set_;
+  const ReleaseTable& table_;
+  Effort& effort_;
+  Ns root_period_ = 1;
+  std::shared_ptr<Ledger> ledger_ = std::make_shared<Ledger>();
+};
+
+}  // namespace
+
+void walk_tree(const Model& model, const Topology& topology, const Responses& responses, const TaskSet& set,
+               const ReleaseTable& table, std::size_t root, Effort& effort,
+               const std::function<void(const HandOverGroup&)>& visit) {
+  Walker(model, topology, responses, set, table, effort).walk(root, visit);
+}
+
+}  // namespace finemote::gen::timing
