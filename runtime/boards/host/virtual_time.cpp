@@ -99,7 +99,9 @@ unsigned most_urgent(const Machine& m) {
 void admit(Machine& m) {
   if (m.in_interrupt) return;
   take_interrupts(m);
-  for (unsigned i = most_urgent(m); m.pending != 0 && i < finemote_schedule.buckets.size(); i = most_urgent(m)) {
+  while (m.now < m.end) {
+    const unsigned i = most_urgent(m);
+    if (i == finemote_schedule.buckets.size()) return;
     const Bucket& bucket = finemote_schedule.buckets[i];
     const unsigned interrupted = m.level;
     m.pending &= ~(1U << i);

@@ -1,0 +1,58 @@
+// The release plan against arithmetic: bucket i is due exactly at the multiples of its period.
+#include <vector>
+
+#include "catch.hpp"
+#include "runtime/src/release.hpp"
+
+namespace {
+
+using namespace finemote;
+
+void nothing() {}
+constexpr Bucket any_bucket[] = {{nothing, 1'000'000, 48, 4, 3}};
+
+std::vector<Bucket> buckets_of(const std::vector<int>& periods_ms) {
+  std::vector<Bucket> buckets;
+  for (int period : periods_ms) buckets.push_back({nothing, period * kMillisecond, 48, 4, 3});
+  return buckets;
+}
+
+void check_against_arithmetic(const std::vector<int>& periods_ms, std::uint32_t longest_step, unsigned instants) {
+  const auto buckets = buckets_of(periods_ms);
+  const Schedule schedule{"x", kMillisecond, {buckets.data(), buckets.size()}, Overrun::skip, nothing, nothing, {}};
+  std::uint32_t bits[kMaxBuckets];
+  for (unsigned i = 0; i < kMaxBuckets; ++i) bits[i] = 1U << (31 - i);
+  detail::ReleasePlan plan;
+  plan.start(schedule, bits, longest_step);
+  std::uint64_t tick = 0;
+  for (unsigned n = 0; n < instants; ++n) {
+    const detail::Release release = plan.next();
+    std::uint32_t due = 0;
+    std::uint64_t nearest = tick + longest_step;
+    for (unsigned i = 0; i < buckets.size(); ++i) {
+      const auto period = static_cast<std::uint64_t>(periods_ms[i]);
+      if (tick % period == 0) due |= bits[i];
+      nearest = std::min(nearest, (tick / period + 1) * period);
+    }
+    REQUIRE(release.due == due);
+    REQUIRE(tick + release.ticks == nearest);
+    tick += release.ticks;
+  }
+}
+
+}  // namespace
+
+extern "C" const Schedule finemote_schedule{"x", 1'000'000, any_bucket, Overrun::skip, nothing, nothing, nullptr};
+
+TEST_CASE("releases fall on the multiples of each period") {
+  check_against_arithmetic({5, 10}, 99, 1000);
+  check_against_arithmetic({7}, 99, 1000);
+  check_against_arithmetic({4, 6, 10}, 99, 1000);
+  check_against_arithmetic({1, 2, 3, 5, 7, 11, 13, 17, 19, 23, 29}, 99, 100'000);
+}
+
+TEST_CASE("a long way is gone in steps the timer can count, on which nothing is due") {
+  check_against_arithmetic({1000}, 99, 1000);
+  check_against_arithmetic({150, 1000}, 99, 10'000);
+  check_against_arithmetic({99, 100}, 99, 10'000);
+}
