@@ -26,7 +26,7 @@ class ReleasePlan {
   Release next() {
     Release release;
     std::uint32_t nearest = longest_step_;
-    for (Entry* entry = entries_; entry != end_; ++entry) {
+    for (Entry* entry = entries_; entry < end_; ++entry) {
       entry->left -= step_;
       if (entry->left == 0) {
         entry->left = entry->period;
@@ -65,7 +65,7 @@ class ReleasePlan {
   void miss(Entry& entry);
 
   Entry entries_[kMaxBuckets]{};
-  Entry* end_ = entries_;
+  Entry* end_ = nullptr;
   std::uint32_t step_ = 0;
   std::uint32_t longest_step_ = 0;
   std::uint32_t starving_ = 0;

@@ -1,0 +1,12 @@
+// Writes what happened as text lines: the run protocol of the host board, by semihosting.
+#pragma once
+
+namespace finemote::qemu_f405 {
+
+/// `E <ns> <stage> B|E` for every event in the ring. Called from the idle loop, so that the ring does not fill.
+void report_events();
+
+/// The remaining events, then `O <bucket> <overruns>`, `F <module> <number> <count>`, `L <lost events>` if any.
+void report_run();
+
+}  // namespace finemote::qemu_f405
