@@ -46,9 +46,10 @@ class I2cSlot {
       : bus_(&bus), address_(address), priority_(priority), route_(route) {}
 
   /// Asks for a transfer: `write_size` bytes out, then, after a repeated START, `read_size` bytes in; either may be 0.
+  /// Then, in the same unit, a second exchange of `then_size` bytes out, if not 0.
   /// False, and nothing is changed, while busy(). While the bus is being recovered it returns true and fails at once.
-  bool start(const std::uint8_t* write, std::size_t write_size, std::uint8_t* read = nullptr,
-             std::size_t read_size = 0);
+  bool start(const std::uint8_t* write, std::size_t write_size, std::uint8_t* read = nullptr, std::size_t read_size = 0,
+             const std::uint8_t* then = nullptr, std::size_t then_size = 0);
 
   [[nodiscard]] SlotState state() const { return state_.load(); }
   [[nodiscard]] bool busy() const { return state() == SlotState::kQueued || state() == SlotState::kActive; }
@@ -72,12 +73,14 @@ class I2cSlot {
  private:
   friend class I2cBus;
   void end(SlotState result);
+  void count_failure(bool failed);
 
   I2cBus* bus_;
   const std::uint8_t* write_ = nullptr;
   std::uint8_t* read_ = nullptr;
+  const std::uint8_t* then_ = nullptr;
   const std::uint8_t* safe_ = nullptr;
-  std::uint16_t write_size_ = 0, read_size_ = 0;
+  std::uint16_t write_size_ = 0, read_size_ = 0, then_size_ = 0;
   Shared<std::uint16_t> safe_size_{0};
   std::uint8_t address_, priority_;
   MuxRoute route_;
@@ -119,7 +122,7 @@ class I2cBus {
   friend class I2cSlot;
 
   enum class Mode : std::uint8_t { kOff, kReady, kRecover, kStuck };
-  enum class Phase : std::uint8_t { kNothing, kDeselect, kSelect, kTransfer };
+  enum class Phase : std::uint8_t { kDeselect, kSelect, kTransfer, kThen };
 
   constexpr I2cBus(I2cPort& port, std::int64_t clock_hz, I2cSlot* const* slots, std::size_t count)
       : port_(&port),
@@ -131,9 +134,11 @@ class I2cBus {
   void request() { port_->pend(); }
   void pick();
   void begin_unit(I2cSlot& slot, bool safe);
-  void next_phase();
-  bool begin_deselect();
-  void begin_exchange(Phase phase, const I2cMessage& message);
+  [[nodiscard]] Duration unit_time(const I2cSlot& slot) const;
+  void begin_phase(Phase phase);
+  [[nodiscard]] bool begin_deselect();
+  void begin_write(std::uint8_t address, const std::uint8_t* bytes, std::uint16_t size);
+  void phase_done();
   void finish_unit(SlotState result);
   void enter_recovery();
   void carry_recovery_on();
@@ -145,7 +150,7 @@ class I2cBus {
   Duration byte_time_;  ///< wire time of a byte and its acknowledge, rounded down
 
   I2cSlot* active_ = nullptr;  ///< only the interrupt writes what follows, while the mode is kReady
-  Phase phase_ = Phase::kNothing;
+  Phase phase_ = Phase::kTransfer;
   bool safe_unit_ = false;        ///< the active unit is the slot's safe write
   std::uint8_t safe_cursor_ = 0;  ///< slots whose safe write has still to be sent begin here
   std::uint8_t deselect_cursor_ = 0;
@@ -153,7 +158,7 @@ class I2cBus {
   MuxRoute selected_{};     ///< the mux channels connected now
   std::uint8_t mux_byte_ = 0;
   Time deadline_ = 0;
-  Shared<std::uint32_t> unit_{0};     ///< number of the unit on the wire; odd while one is under way
+  Shared<std::uint32_t> unit_{0};     ///< begins and ends of units: odd while one is on the wire
   Shared<std::uint32_t> overdue_{0};  ///< the unit supervise() wants ended
   Shared<Mode> mode_{Mode::kOff};
   std::uint8_t recovery_step_ = 0;  ///< only supervise() writes it

@@ -67,32 +67,36 @@ class Pca9685 : public PwmOutput {
     kOscillator,
     kRestart,
     kSafeAgain,
-    kRun,
-    kCheckMode
+    kRun
   };
   static constexpr std::size_t kImage = 1 + 4 * kChannels;
 
-  void build_safe();
+  void work();
   void take_result();
+  void take_step_result();
   void begin_step();
-  void begin_burst();
+  void begin_run();
   void write_register(std::uint8_t address, std::uint8_t value);
   void read_register(std::uint8_t address);
-  void restart();
-  void put(std::uint8_t* image, unsigned first, unsigned channel, std::uint32_t pulse) const;
+  void build_safe();
+  [[nodiscard]] std::size_t build_burst();
+  void put(std::uint8_t* at, std::uint32_t pulse) const;
 
   I2cSlot* slot_;
   std::uint8_t prescale_;
   std::uint32_t counts_per_ns_;
-  std::uint16_t refresh_, until_refresh_ = 0;
+  std::uint16_t refresh_, since_check_ = 0;
   Step step_ = Step::kSafe;
-  bool started_ = false;           ///< the step's transfer is under way or has ended
-  std::uint32_t safe_writes_ = 0;  ///< of the slot, as of the last flush
+  bool started_ = false;   ///< the step's transfer is under way, or has ended and was not looked at
+  bool checking_ = false;  ///< the transfer under way reads MODE1 back
+  std::uint8_t command_[2]{};
+  std::uint8_t read_back_ = 0, mode_ = 0;
+  std::uint32_t safe_writes_ = 0;  ///< of the slot, as last seen
   std::uint32_t in_burst_ = 0;     ///< channels of the burst under way
   Time awake_ = 0;
-  std::uint8_t read_back_ = 0;
-  Shared<bool> busy_{false};   ///< a flush is being worked on
-  Shared<bool> again_{false};  ///< and another one was asked for meanwhile
+  Shared<std::uint32_t> used_{0};  ///< channels that were ever sent
+  Shared<bool> busy_{false};       ///< a flush is being worked on
+  std::uint8_t safe_size_ = 0;
   std::uint8_t burst_[kImage]{};
   std::uint8_t safe_image_[kImage]{};
   Channel channel_[kChannels];

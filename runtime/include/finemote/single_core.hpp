@@ -31,6 +31,13 @@ class Shared {
     fence();
     return old;
   }
+  /// Stores `value` if the present one is `expected`; true if so.
+  bool replace(T expected, T value) {
+    fence();
+    const bool replaced = value_.compare_exchange_strong(expected, value, std::memory_order_relaxed);
+    fence();
+    return replaced;
+  }
   T set_bits(T bits) { return value_.fetch_or(bits, std::memory_order_relaxed); }
   T clear_bits(T bits) { return value_.fetch_and(static_cast<T>(~bits), std::memory_order_relaxed); }
 

@@ -6,6 +6,7 @@
 
 #include "finemote/bus_counters.hpp"
 #include "finemote/ports.hpp"
+#include "finemote/single_core.hpp"
 #include "finemote/time.hpp"
 
 namespace finemote {
@@ -45,6 +46,7 @@ class Uart {
 
  private:
   void count_line_errors();
+  void lose(std::uint32_t bytes);
 
   UartPort* port_;
   std::int64_t baud_;

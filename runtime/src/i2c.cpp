@@ -1,0 +1,247 @@
+#include "finemote/i2c.hpp"
+
+#include "finemote/fault.hpp"
+
+namespace finemote {
+
+namespace {
+
+/// Of module i2c.
+enum I2cFault : std::uint8_t { kBusError = 1, kOverdue, kStuckBus };
+
+constexpr std::uint8_t kNoChannels = 0;
+
+/// Slack of a deadline beyond twice the wire time: start-up of the unit and interrupts of the same priority.
+constexpr Duration kDeadlineSlack = 300 * kMicrosecond;
+
+/// Calls of supervise() between two attempts on a bus that stays stuck.
+constexpr std::uint8_t kRetryAfter = 20;
+
+}  // namespace
+
+// ---------------------------------------------------------------------------------------------------------------- slot
+
+bool I2cSlot::start(const std::uint8_t* write, std::size_t write_size, std::uint8_t* read, std::size_t read_size,
+                    const std::uint8_t* then, std::size_t then_size) {
+  if (busy()) return false;
+  write_ = write;
+  write_size_ = static_cast<std::uint16_t>(write_size);
+  read_ = read;
+  read_size_ = static_cast<std::uint16_t>(read_size);
+  then_ = then;
+  then_size_ = static_cast<std::uint16_t>(then_size);
+  state_.store(SlotState::kQueued);
+  // Recovery fails what is queued when it begins; a request made during it fails here, so that no output computed
+  // before or during the trouble is sent after the safe writes.
+  if (!bus_->ready() && state_.replace(SlotState::kQueued, SlotState::kFailed)) {
+    end(SlotState::kFailed);
+    return true;
+  }
+  bus_->request();
+  return true;
+}
+
+void I2cSlot::set_safe(const std::uint8_t* write, std::size_t size) {
+  safe_ = write;
+  safe_size_.store(static_cast<std::uint16_t>(size));
+}
+
+void I2cSlot::end(SlotState result) {
+  count_failure(result != SlotState::kDone);
+  state_.store(result);
+}
+
+void I2cSlot::count_failure(bool failed) {
+  const std::uint8_t before = failures_.load();
+  failures_.store(static_cast<std::uint8_t>(!failed ? 0 : before == 255 ? 255 : before + 1));
+}
+
+// ----------------------------------------------------------------------------------------------------------------- bus
+
+void I2cBus::start() {
+  mode_.store(Mode::kReady);
+  port_->configure(clock_hz_, *this);
+}
+
+void I2cBus::on_interrupt(I2cEvent event) {
+  if (mode_.load() != Mode::kReady) return;
+  if (active_ != nullptr) {
+    switch (event) {
+      case I2cEvent::kNone:
+        if (overdue_.load() != unit_.load()) return;
+        ++counters_.overdue;
+        count_fault(Module::i2c, kOverdue);
+        enter_recovery();
+        return;
+      case I2cEvent::kError:
+        count_fault(Module::i2c, kBusError);
+        enter_recovery();
+        return;
+      case I2cEvent::kNack:
+        if (phase_ != Phase::kDeselect) {
+          finish_unit(SlotState::kNack);
+          break;
+        }
+        [[fallthrough]];  // a mux that does not answer connects nothing
+      case I2cEvent::kDone:
+        phase_done();
+        break;
+    }
+  }
+  if (active_ == nullptr) pick();
+}
+
+void I2cBus::pick() {
+  while (safe_cursor_ < count_) {
+    I2cSlot& slot = *slots_[safe_cursor_++];
+    if (slot.safe_size_.load() != 0) return begin_unit(slot, true);
+  }
+  for (std::uint8_t i = 0; i < count_; ++i) {
+    if (slots_[i]->state() == SlotState::kQueued) return begin_unit(*slots_[i], false);
+  }
+}
+
+void I2cBus::begin_unit(I2cSlot& slot, bool safe) {
+  active_ = &slot;
+  safe_unit_ = safe;
+  if (!safe) slot.state_.store(SlotState::kActive);
+  deadline_ = now() + 2 * unit_time(slot) + kDeadlineSlack;
+  unit_.store(unit_.load() + 1);
+  const bool connected = slot.route_.address == 0 || (mux_known_ && selected_ == slot.route_);
+  deselect_cursor_ = 0;
+  begin_phase(connected ? Phase::kTransfer : Phase::kDeselect);
+}
+
+/// Wire time of the longest form of the unit: every slot's mux switched off, two address bytes per exchange.
+Duration I2cBus::unit_time(const I2cSlot& slot) const {
+  const int muxes = slot.route_.address == 0 ? 0 : count_ + 1;
+  const int bytes = safe_unit_ ? 1 + slot.safe_size_.load() : 4 + slot.write_size_ + slot.read_size_ + slot.then_size_;
+  return (3 * muxes + bytes + 1) * byte_time_;
+}
+
+void I2cBus::begin_phase(Phase phase) {
+  I2cSlot& slot = *active_;
+  if (phase == Phase::kDeselect && !begin_deselect()) phase = Phase::kSelect;
+  phase_ = phase;
+  switch (phase) {
+    case Phase::kDeselect:
+      break;
+    case Phase::kSelect:
+      mux_known_ = false;
+      mux_byte_ = slot.route_.channels;
+      begin_write(slot.route_.address, &mux_byte_, 1);
+      break;
+    case Phase::kTransfer:
+      if (safe_unit_) {
+        begin_write(slot.address_, slot.safe_, slot.safe_size_.load());
+      } else {
+        port_->begin({slot.address_, slot.write_, slot.write_size_, slot.read_, slot.read_size_});
+      }
+      break;
+    case Phase::kThen:
+      begin_write(slot.address_, slot.then_, slot.then_size_);
+      break;
+  }
+}
+
+/// Switches the next other mux off that may connect something; false when there is none left.
+bool I2cBus::begin_deselect() {
+  const std::uint8_t target = active_->route_.address;
+  for (; deselect_cursor_ < count_; ++deselect_cursor_) {
+    const std::uint8_t mux = slots_[deselect_cursor_]->route_.address;
+    if (mux == 0 || mux == target) continue;
+    if (mux_known_ && mux != selected_.address) continue;
+    bool seen = false;
+    for (std::uint8_t i = 0; i < deselect_cursor_; ++i) seen = seen || slots_[i]->route_.address == mux;
+    if (seen) continue;
+    ++deselect_cursor_;
+    begin_write(mux, &kNoChannels, 1);
+    return true;
+  }
+  return false;
+}
+
+void I2cBus::begin_write(std::uint8_t address, const std::uint8_t* bytes, std::uint16_t size) {
+  port_->begin({address, bytes, size, nullptr, 0});
+}
+
+void I2cBus::phase_done() {
+  switch (phase_) {
+    case Phase::kDeselect:
+      return begin_phase(Phase::kDeselect);
+    case Phase::kSelect:
+      selected_ = active_->route_;
+      mux_known_ = true;
+      return begin_phase(Phase::kTransfer);
+    case Phase::kTransfer:
+      if (!safe_unit_ && active_->then_size_ != 0) return begin_phase(Phase::kThen);
+      break;
+    case Phase::kThen:
+      break;
+  }
+  finish_unit(SlotState::kDone);
+}
+
+void I2cBus::finish_unit(SlotState result) {
+  I2cSlot& slot = *active_;
+  active_ = nullptr;
+  unit_.store(unit_.load() + 1);
+  ++counters_.transfers;
+  if (result != SlotState::kDone) ++counters_.errors;
+  if (!safe_unit_) return slot.end(result);
+  slot.count_failure(result != SlotState::kDone);
+  if (result == SlotState::kDone) slot.safe_writes_.store(slot.safe_writes_.load() + 1);
+}
+
+// ------------------------------------------------------------------------------------------------------------ recovery
+
+void I2cBus::enter_recovery() {
+  port_->abort();
+  mode_.store(Mode::kRecover);
+  finish_unit(SlotState::kFailed);
+  for (std::uint8_t i = 0; i < count_; ++i) {
+    if (slots_[i]->state() == SlotState::kQueued) slots_[i]->end(SlotState::kFailed);
+  }
+  mux_known_ = false;
+  ++counters_.recoveries;
+  recovery_step_ = 0;
+}
+
+void I2cBus::supervise() {
+  switch (mode_.load()) {
+    case Mode::kOff:
+      return;
+    case Mode::kReady: {
+      const std::uint32_t unit = unit_.load();
+      const Time deadline = deadline_;
+      Shared<std::uint32_t>::fence();
+      // An odd number that has not changed: the deadline read is this unit's, and whole.
+      if (unit % 2 == 0 || unit_.load() != unit || now() <= deadline) return;
+      overdue_.store(unit);
+      port_->pend();
+      return;
+    }
+    case Mode::kRecover:
+      return carry_recovery_on();
+    case Mode::kStuck:
+      if (--retry_wait_ != 0) return;
+      recovery_step_ = 0;
+      mode_.store(Mode::kRecover);
+      return;
+  }
+}
+
+void I2cBus::carry_recovery_on() {
+  const I2cPort::Recovery result = port_->recover(recovery_step_++);
+  if (result == I2cPort::Recovery::kFree) {
+    safe_cursor_ = 0;
+    mode_.store(Mode::kReady);
+    port_->pend();
+  } else if (result == I2cPort::Recovery::kStuck || recovery_step_ >= I2cPort::kMaxRecoverySteps) {
+    count_fault(Module::i2c, kStuckBus);
+    retry_wait_ = kRetryAfter;
+    mode_.store(Mode::kStuck);
+  }
+}
+
+}  // namespace finemote

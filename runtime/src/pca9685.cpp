@@ -1,0 +1,201 @@
+#include "finemote/pca9685.hpp"
+
+namespace finemote {
+
+namespace {
+
+// Registers, data sheet table 4.
+constexpr std::uint8_t kMode1 = 0x00;
+constexpr std::uint8_t kLed0 = 0x06;  ///< ON_L, ON_H, OFF_L, OFF_H of channel 0; the next channel follows
+constexpr std::uint8_t kPrescale = 0xFE;
+
+// MODE1, table 5. ALLCALL stays off: its address, 0x70, is that of a TCA9548A.
+constexpr std::uint8_t kRestart = 0x80;
+constexpr std::uint8_t kAutoIncrement = 0x20;
+constexpr std::uint8_t kSleep = 0x10;
+
+constexpr std::uint8_t kFullOff = 0x10;  ///< bit 4 of OFF_H: the output stays low, table 7
+
+constexpr Duration kOscillatorStart = 500 * kMicrosecond;  ///< section 7.3.1.1
+
+constexpr bool runs(std::uint8_t mode) { return (mode & (kSleep | kAutoIncrement)) == kAutoIncrement; }
+
+/// Index of the lowest and of the highest bit of a mask that is not 0.
+unsigned lowest(std::uint32_t mask) { return static_cast<unsigned>(__builtin_ctz(mask)); }
+unsigned highest(std::uint32_t mask) { return 31U - static_cast<unsigned>(__builtin_clz(mask)); }
+
+}  // namespace
+
+std::uint16_t Pca9685::counts(std::uint32_t pulse) const {
+  const std::uint64_t ticks = (std::uint64_t{pulse} * counts_per_ns_ + (std::uint64_t{1} << 31)) >> 32;
+  return static_cast<std::uint16_t>(ticks > 4095 ? 4095 : ticks);
+}
+
+void Pca9685::flush() {
+  if (busy_.exchange(true)) return;  // we preempt a flush: it takes our changes along, or the next one does
+  work();
+  busy_.store(false);
+}
+
+void Pca9685::work() {
+  if (safe_changed_.exchange(false)) build_safe();
+  if (slot_->busy()) return;
+  take_result();
+  unreachable_.store(slot_->unreachable() || !slot_->bus().ready());
+  begin_step();
+}
+
+// --------------------------------------------------------------------------------------------------------------
+// results
+
+void Pca9685::take_result() {
+  const std::uint32_t safe_writes = slot_->safe_writes();
+  if (safe_writes != safe_writes_) {  // the bus was recovered: the part shows the safe pulses
+    safe_writes_ = safe_writes;
+    changed_.set_bits(used_.load());
+  }
+  if (!started_) return;
+  started_ = false;
+  if (slot_->done()) return take_step_result();
+  changed_.set_bits(in_burst_);
+  if (slot_->unreachable()) step_ = Step::kSafe;  // it may have lost its power
+}
+
+void Pca9685::take_step_result() {
+  switch (step_) {
+    case Step::kSafe:
+      step_ = Step::kReadMode;
+      break;
+    case Step::kReadMode:
+      mode_ = read_back_;
+      step_ = Step::kReadPrescale;
+      break;
+    case Step::kReadPrescale:
+      step_ = runs(mode_) && read_back_ == prescale_ ? Step::kRun : Step::kSleep;
+      break;
+    case Step::kSleep:
+      step_ = Step::kPrescale;
+      break;
+    case Step::kPrescale:
+      step_ = Step::kWake;
+      break;
+    case Step::kWake:
+      awake_ = now();
+      step_ = Step::kOscillator;
+      break;
+    case Step::kOscillator:
+      break;
+    case Step::kRestart:
+      step_ = Step::kSafeAgain;
+      break;
+    case Step::kSafeAgain:
+      changed_.set_bits(used_.load());
+      step_ = Step::kRun;
+      break;
+    case Step::kRun:
+      if (checking_ && !runs(read_back_)) step_ = Step::kSafe;
+      break;
+  }
+}
+
+// ----------------------------------------------------------------------------------------------------------------
+// steps
+
+void Pca9685::begin_step() {
+  in_burst_ = 0;
+  checking_ = false;
+  if (step_ == Step::kSafe && safe_size_ == 0) step_ = Step::kReadMode;
+  if (step_ == Step::kOscillator && now() - awake_ >= kOscillatorStart) step_ = Step::kRestart;
+  if (step_ == Step::kSafeAgain && safe_size_ == 0) step_ = Step::kRun;
+  switch (step_) {
+    case Step::kSafe:
+    case Step::kSafeAgain:
+      started_ = slot_->start(safe_image_, safe_size_);
+      return;
+    case Step::kReadMode:
+      return read_register(kMode1);
+    case Step::kReadPrescale:
+      return read_register(kPrescale);
+    case Step::kSleep:
+      return write_register(kMode1, kSleep | kAutoIncrement);
+    case Step::kPrescale:
+      return write_register(kPrescale, prescale_);
+    case Step::kWake:
+      return write_register(kMode1, kAutoIncrement);
+    case Step::kOscillator:
+      return;
+    case Step::kRestart:
+      return write_register(kMode1, kRestart | kAutoIncrement);
+    case Step::kRun:
+      return begin_run();
+  }
+}
+
+void Pca9685::begin_run() {
+  if (++since_check_ >= refresh_) {
+    since_check_ = 0;
+    checking_ = true;
+    changed_.set_bits(used_.load());
+  }
+  const std::size_t size = build_burst();
+  if (checking_) {
+    command_[0] = kMode1;
+    started_ = slot_->start(command_, 1, &read_back_, 1, burst_, size);
+  } else if (size != 0) {
+    started_ = slot_->start(burst_, size);
+  }
+}
+
+void Pca9685::write_register(std::uint8_t address, std::uint8_t value) {
+  command_[0] = address;
+  command_[1] = value;
+  started_ = slot_->start(command_, 2);
+}
+
+void Pca9685::read_register(std::uint8_t address) {
+  command_[0] = address;
+  started_ = slot_->start(command_, 1, &read_back_, 1);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// images
+
+/// Writes the four registers of one channel.
+void Pca9685::put(std::uint8_t* at, std::uint32_t pulse) const {
+  const std::uint16_t off = counts(pulse);
+  at[0] = 0;
+  at[1] = 0;
+  at[2] = static_cast<std::uint8_t>(off & 0xFF);
+  at[3] = pulse == 0 ? kFullOff : static_cast<std::uint8_t>(off >> 8);
+}
+
+void Pca9685::build_safe() {
+  const std::uint32_t known = safe_known_.load();
+  const unsigned first = lowest(known), last = highest(known);
+  safe_image_[0] = static_cast<std::uint8_t>(kLed0 + 4 * first);
+  for (unsigned n = first; n <= last; ++n) {
+    const bool safe = ((known >> n) & 1U) != 0;
+    put(safe_image_ + 1 + 4 * (n - first), (safe ? channel_[n].safe : channel_[n].pulse).load());
+  }
+  safe_size_ = static_cast<std::uint8_t>(1 + 4 * (last - first + 1));
+  slot_->set_safe(safe_image_, safe_size_);
+}
+
+/// One burst from the first to the last changed channel; its size, 0 when nothing has changed. Channels another bucket
+/// sets meanwhile are taken along.
+std::size_t Pca9685::build_burst() {
+  std::size_t size = 0;
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    const std::uint32_t changed = changed_.exchange(0);
+    if (changed == 0) break;
+    in_burst_ |= changed;
+    used_.set_bits(changed);
+    const unsigned first = lowest(in_burst_), last = highest(in_burst_);
+    burst_[0] = static_cast<std::uint8_t>(kLed0 + 4 * first);
+    for (unsigned n = first; n <= last; ++n) put(burst_ + 1 + 4 * (n - first), channel_[n].pulse.load());
+    size = 1 + 4 * (last - first + 1);
+  }
+  return size;
+}
+
+}  // namespace finemote

@@ -1,0 +1,100 @@
+#include "finemote/uart.hpp"
+
+#include "finemote/fault.hpp"
+
+namespace finemote {
+
+namespace {
+
+/// Of module uart.
+enum UartFault : std::uint8_t { kReceiveHalted = 1, kBytesLost, kSendOverdue };
+
+constexpr Duration kSendSlack = 1 * kMillisecond;
+
+/// Start bit, data, parity, stop bits.
+constexpr int bits_per_byte(UartFormat format) {
+  switch (format) {
+    case UartFormat::k8N1:
+      return 10;
+    case UartFormat::k8E1:
+    case UartFormat::k8E1Inverted:
+      return 11;
+    case UartFormat::k8E2:
+    case UartFormat::k8E2Inverted:
+      return 12;
+  }
+  return 12;
+}
+
+}  // namespace
+
+void Uart::start() { port_->start(baud_, format_); }
+
+std::size_t Uart::read(std::uint8_t* out, std::size_t capacity) {
+  const Time at = now();
+  count_line_errors();
+  if (port_->receive_halted()) {
+    count_fault(Module::uart, kReceiveHalted);
+    ++counters_.recoveries;
+    port_->restart_receive();
+  }
+
+  const UartRing ring = port_->ring();
+  std::uint32_t available = port_->received() - read_;
+  if (available > ring.size) {  // lapped: what is left is overwritten from its old end on, keep the newer half
+    lose(available - ring.size / 2);
+    available = ring.size / 2;
+  }
+  const auto size = static_cast<std::uint32_t>(available < capacity ? available : capacity);
+  for (std::uint32_t i = 0; i < size; ++i) out[i] = ring.bytes[(read_ + i) & (ring.size - 1)];
+  Shared<std::uint32_t>::fence();
+  if (port_->received() - read_ > ring.size) {  // lapped during the copy
+    lose(size);
+    return 0;
+  }
+  read_ += size;
+  counters_.transfers += size != 0 ? 1 : 0;
+
+  const UartIdle idle = port_->idle();
+  if (size != 0) arrival_ = idle.received == read_ ? idle.at - wire_time(1) : last_read_;
+  if (size == available) last_read_ = at;
+  return size;
+}
+
+void Uart::lose(std::uint32_t bytes) {
+  read_ += bytes;
+  counters_.lost += bytes;
+  count_fault(Module::uart, kBytesLost);
+}
+
+bool Uart::write(const std::uint8_t* bytes, std::size_t size) {
+  if (size == 0 || size > capacity()) return false;
+  if (port_->transmitting()) {
+    if (now() <= send_deadline_) return false;
+    count_fault(Module::uart, kSendOverdue);
+    ++counters_.overdue;
+    ++counters_.errors;
+    port_->abort_transmit();
+  }
+  std::uint8_t* buffer = port_->transmit_buffer();
+  for (std::size_t i = 0; i < size; ++i) buffer[i] = bytes[i];
+  send_deadline_ = now() + 2 * wire_time(size) + kSendSlack;
+  port_->transmit(size);
+  ++counters_.transfers;
+  return true;
+}
+
+bool Uart::idle() const { return port_->idle().received == read_ && port_->received() == read_; }
+
+Duration Uart::wire_time(std::size_t bytes) const {
+  return static_cast<Duration>(bytes) * bits_per_byte(format_) * bit_time_;
+}
+
+void Uart::count_line_errors() {
+  const UartErrors errors = port_->errors();
+  const std::uint32_t sum = errors.framing + errors.noise + errors.parity + errors.overrun;
+  counters_.errors += sum - line_errors_;
+  line_errors_ = sum;
+}
+
+}  // namespace finemote
