@@ -48,6 +48,7 @@ void I2cSlot::set_safe(const std::uint8_t* write, std::size_t size) {
 
 void I2cSlot::end(SlotState result) {
   count_failure(result != SlotState::kDone);
+  ended_ = now();
   state_.store(result);
 }
 

@@ -34,6 +34,7 @@ class CanSlot {
   bool send(const CanFrame& frame);
 
   [[nodiscard]] std::uint16_t id() const { return id_; }
+  [[nodiscard]] std::uint8_t priority() const { return priority_; }
   [[nodiscard]] CanBus& bus() const { return *bus_; }
 
  private:

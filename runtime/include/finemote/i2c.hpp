@@ -55,6 +55,9 @@ class I2cSlot {
   [[nodiscard]] bool busy() const { return state() == SlotState::kQueued || state() == SlotState::kActive; }
   [[nodiscard]] bool done() const { return state() == SlotState::kDone; }
 
+  /// When the last transfer ended: STOP or failure. Only while !busy() and not in kIdle.
+  [[nodiscard]] Time ended() const { return ended_; }
+
   /// True after kUnreachableAfter transfers in a row have failed, until one ends well.
   [[nodiscard]] bool unreachable() const { return failures_.load() >= kUnreachableAfter; }
   static constexpr std::uint8_t kUnreachableAfter = 3;
@@ -67,6 +70,7 @@ class I2cSlot {
   [[nodiscard]] std::uint32_t safe_writes() const { return safe_writes_.load(); }
 
   [[nodiscard]] std::uint8_t address() const { return address_; }
+  [[nodiscard]] std::uint8_t priority() const { return priority_; }
   [[nodiscard]] const MuxRoute& route() const { return route_; }
   [[nodiscard]] I2cBus& bus() const { return *bus_; }
 
@@ -84,6 +88,7 @@ class I2cSlot {
   Shared<std::uint16_t> safe_size_{0};
   std::uint8_t address_, priority_;
   MuxRoute route_;
+  Time ended_ = 0;
   Shared<SlotState> state_{SlotState::kIdle};
   Shared<std::uint8_t> failures_{0};  ///< in a row, saturating
   Shared<std::uint32_t> safe_writes_{0};

@@ -36,6 +36,7 @@ class Rs485Slot {
   [[nodiscard]] const std::uint8_t* reply() const { return reply_; }
   [[nodiscard]] bool unreachable() const { return failures_ >= I2cSlot::kUnreachableAfter; }
   [[nodiscard]] std::uint8_t id() const { return id_; }
+  [[nodiscard]] std::uint8_t priority() const { return priority_; }
 
  private:
   friend class Rs485;

@@ -29,6 +29,7 @@ class SpiSlot {
   [[nodiscard]] SlotState state() const { return state_.load(); }
   [[nodiscard]] bool busy() const { return state() == SlotState::kQueued || state() == SlotState::kActive; }
   [[nodiscard]] bool done() const { return state() == SlotState::kDone; }
+  [[nodiscard]] std::uint8_t priority() const { return priority_; }
 
  private:
   friend class SpiBus;

@@ -1,0 +1,132 @@
+#include "finemote/devices/h30_imu.hpp"
+
+#include <cstring>
+
+namespace finemote {
+
+namespace {
+
+constexpr std::uint8_t kHead0 = 0x59, kHead1 = 0x53;
+constexpr std::size_t kNumberAt = 2, kLengthAt = 4;
+
+// Record types and what they must hold.
+constexpr std::uint8_t kAcceleration = 0x10, kRates = 0x20, kAngles = 0x40;
+constexpr std::size_t kVector = 12;
+
+constexpr float kMicro = 1e-6F;
+constexpr float kMicroDegree = 1.745329252e-8F;  ///< rad
+
+// Ranges of the part: 16 g, 2000 deg/s, one turn; in the units of the wire.
+constexpr std::int32_t kMaxAcceleration = 160000000;
+constexpr std::int32_t kMaxRate = 2000000000;
+constexpr std::int32_t kMaxAngle = 180000000, kMaxPitch = 90000000;
+
+std::int32_t int32_at(const std::uint8_t* bytes) {
+  return static_cast<std::int32_t>(std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8 |
+                                   std::uint32_t{bytes[2]} << 16 | std::uint32_t{bytes[3]} << 24);
+}
+
+bool within(std::int32_t value, std::int32_t limit) { return value >= -limit && value <= limit; }
+
+bool vector_at(const std::uint8_t* bytes, std::int32_t limit, float unit, float (&out)[3]) {
+  for (int i = 0; i < 3; ++i) {
+    const std::int32_t value = int32_at(bytes + 4 * i);
+    if (!within(value, limit)) return false;
+    out[i] = static_cast<float>(value) * unit;
+  }
+  return true;
+}
+
+}  // namespace
+
+void H30Imu::update() {
+  std::uint8_t bytes[64];
+  std::size_t size = sizeof bytes;
+  for (std::size_t done = 0; size == sizeof bytes && done < kMaxRead; done += size) {
+    size = uart_->read(bytes, sizeof bytes);
+    take(bytes, size);
+  }
+  if (!is_fresh(state, now(), kMaxAge)) state.valid = false;
+}
+
+void H30Imu::take(const std::uint8_t* bytes, std::size_t size) {
+  for (std::size_t i = 0; i < size; ++i) {
+    frame_[filled_++] = bytes[i];
+    while (filled_ != 0 && !frame_may_go_on()) resynchronise();
+  }
+}
+
+/// Looks at what there is of a frame; a whole one is decoded. False when this is no frame.
+bool H30Imu::frame_may_go_on() {
+  if (frame_[0] != kHead0 || (filled_ > 1 && frame_[1] != kHead1)) return false;
+  if (filled_ < kHeader) return true;
+  const std::size_t payload = frame_[kLengthAt];
+  const std::size_t whole = kHeader + payload + kSums;
+  if (payload > kMaxPayload) return false;
+  if (filled_ < whole) return true;
+
+  ImuState decoded;
+  if (!sums_agree(payload) || !decode(payload, decoded)) {
+    ++bad_frames_;
+    return false;
+  }
+  ++frames_;
+  decoded.origin = uart_->arrival() - uart_->wire_time(whole);
+  decoded.valid = true;
+  state = decoded;
+  filled_ -= whole;
+  std::memmove(frame_, frame_ + whole, filled_);
+  return true;
+}
+
+/// Drops the first byte and everything before the next one that may begin a frame.
+void H30Imu::resynchronise() {
+  std::size_t from = 1;
+  while (from < filled_ && frame_[from] != kHead0) ++from;
+  filled_ -= from;
+  std::memmove(frame_, frame_ + from, filled_);
+}
+
+bool H30Imu::sums_agree(std::size_t payload) const {
+  std::uint8_t sum1 = 0, sum2 = 0;
+  const std::size_t end = kHeader + payload;
+  for (std::size_t i = kNumberAt; i < end; ++i) {
+    sum1 = static_cast<std::uint8_t>(sum1 + frame_[i]);
+    sum2 = static_cast<std::uint8_t>(sum2 + sum1);
+  }
+  return frame_[end] == sum1 && frame_[end + 1] == sum2;
+}
+
+bool H30Imu::decode(std::size_t payload, ImuState& out) const {
+  bool acceleration = false, rates = false, angles = false;
+  const std::size_t end = kHeader + payload;
+  std::size_t at = kHeader;
+  while (at + 2 <= end) {
+    const std::uint8_t type = frame_[at];
+    const std::size_t length = frame_[at + 1];
+    const std::uint8_t* data = frame_ + at + 2;
+    at += 2 + length;
+    if (at > end) return false;
+    const bool known = type == kAcceleration || type == kRates || type == kAngles;
+    if (!known) continue;
+    if (length != kVector) return false;
+    float pitch_roll_yaw[3];
+    switch (type) {
+      case kAcceleration:
+        acceleration = vector_at(data, kMaxAcceleration, kMicro, out.acceleration);
+        break;
+      case kRates:
+        rates = vector_at(data, kMaxRate, kMicroDegree, out.rate);
+        break;
+      default:
+        angles = vector_at(data, kMaxAngle, kMicroDegree, pitch_roll_yaw) && within(int32_at(data), kMaxPitch);
+        out.pitch = pitch_roll_yaw[0];
+        out.roll = pitch_roll_yaw[1];
+        out.yaw = pitch_roll_yaw[2];
+        break;
+    }
+  }
+  return at == end && acceleration && rates && angles;
+}
+
+}  // namespace finemote

@@ -1,0 +1,36 @@
+// Turns an error into a bounded correction: proportional, integral with anti-windup, derivative of the measurement.
+#pragma once
+
+namespace finemote {
+
+/// Gains in real units: what they multiply is an error, its integral over seconds, and the measurement's rate per
+/// second.
+struct PidGains {
+  float kp = 0, ki = 0, kd = 0;
+  float limit = 0;  ///< of the output, both ways; > 0
+};
+
+/// output = kp * error + integral - kd * rate, clamped to +-limit.
+///
+/// The integral is never larger than the limit, and stands still while the output is clamped and the error would drive
+/// it further out. So it needs no unwinding, whatever the gains. A step with an error that is not finite does nothing.
+class Pid {
+ public:
+  /// @param rate  how fast the measurement (not the error) changes, per second
+  /// @param dt    time since the last step [s], >= 0
+  float step(const PidGains& gains, float error, float rate, float dt);
+
+  void reset() { integral_ = 0; }
+  [[nodiscard]] float integral() const { return integral_; }
+
+ private:
+  float integral_ = 0;
+};
+
+/// The value, or the bound it is beyond.
+constexpr float clamp(float value, float low, float high) { return value < low ? low : value > high ? high : value; }
+
+/// The same angle in (-pi, pi]; bounded for every finite input, 0 for others.
+float wrap_angle(float angle);
+
+}  // namespace finemote

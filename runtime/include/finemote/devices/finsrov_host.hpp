@@ -1,0 +1,69 @@
+// Turns the operator's text commands into values the vehicle acts on.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "finemote/uart.hpp"
+
+namespace finemote {
+
+/// One command of the FinsROV host program. Commands are ASCII without a terminator; the silence of the line ends a
+/// message, which may hold several.
+struct FinsRovOrder {
+  enum class Verb : std::uint8_t {
+    kOn,          ///< `ON`: hold depth and attitude
+    kOff,         ///< `OFF`: thrusters to neutral
+    kUp,          ///< `UP`: 1 cm less deep
+    kDown,        ///< `DN`: 1 cm deeper
+    kDepth,       ///< `H:n`: depth of n mm
+    kForward,     ///< `W`
+    kBack,        ///< `S`
+    kLeft,        ///< `A`
+    kRight,       ///< `D`
+    kTurnLeft,    ///< `Q`
+    kTurnRight,   ///< `E`
+    kStop,        ///< `Z`: no horizontal motion
+    kHeadingOn,   ///< `ACL:ON`
+    kHeadingOff,  ///< `ACL:OF`
+    kHeading,     ///< `ANG:deg`
+    kReportOn,    ///< `RPY:ON`: send attitude and depth, ten times a second
+    kReportOff,   ///< `RPY:OFF`
+    kTest,        ///< `TES:p0,...,p7`: pulses [us], only while off
+    kServos,      ///< `MOT:a,b,c,d`: accepted; the vehicle's servos are devices of their own
+    kCalibrate,   ///< `CA`: take the present pressure as that of the surface
+    kValues,      ///< `VA`: send the four pressures once
+    kNothing,     ///< `BEG`, `END`, `IVA`: marks of the host program without effect
+  };
+  Verb verb = Verb::kNothing;
+  std::int32_t value[8] = {};
+};
+
+/// Collects a message and takes it apart. A message counts whole or not at all: text that is no command, a number that
+/// is out of int16, more than kMaxMessage bytes or a line error (parity, framing, noise) drop all of it.
+class FinsRovHost {
+ public:
+  static constexpr std::size_t kMaxMessage = 100;
+
+  /// Takes what has arrived. True when a message has come to its end and is good: next() then gives its orders.
+  bool receive(Uart& uart);
+  /// The next order of that message; false after the last one.
+  bool next(FinsRovOrder& order);
+
+  [[nodiscard]] std::uint32_t bad_messages() const { return bad_messages_; }
+
+ private:
+  bool parse(std::size_t& at, FinsRovOrder& order) const;
+  bool parse_numbers(std::size_t& at, unsigned count, FinsRovOrder& order) const;
+  bool message_is_good();
+
+  char text_[kMaxMessage]{};
+  std::size_t size_ = 0;
+  std::size_t at_ = 0;
+  bool too_long_ = false;
+  bool complete_ = false;
+  std::uint32_t line_errors_ = 0;
+  std::uint32_t bad_messages_ = 0;
+};
+
+}  // namespace finemote

@@ -1,0 +1,56 @@
+// Turns the byte stream of a Yesense H30 attitude sensor into attitude, rates and acceleration.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "finemote/contract.hpp"
+#include "finemote/interfaces/imu.hpp"
+#include "finemote/uart.hpp"
+
+namespace finemote {
+
+/// The sensor sends frames by itself. Wire format:
+///
+///     0x59 0x53 | number (2, little-endian) | length (1) | length bytes of records | sum 1 | sum 2
+///     record: type (1) | length (1) | payload, little-endian
+///
+/// Sum 1 is the sum of all bytes from the number to the last record byte, sum 2 the sum of all values sum 1 took on the
+/// way, both modulo 256. Records used: 0x10 acceleration (3 x int32, 1e-6 m/s^2), 0x20 rates (3 x int32, 1e-6 deg/s),
+/// 0x40 pitch, roll, yaw (3 x int32, 1e-6 deg); others are passed over.
+///
+/// A frame counts when both sums agree, its records fill it exactly, all three records above are there, and every value
+/// is in range. The state is valid until kMaxAge after the last one; its origin is when the frame began to arrive.
+class H30Imu {
+ public:
+  static constexpr Duration kMaxAge = 50 * kMillisecond;
+
+  constexpr explicit H30Imu(Uart& uart) : uart_(&uart) {}
+
+  void update();
+  void handle() {}
+
+  ImuState state;
+
+  /// Frames that counted, and those dropped for a wrong sum or content. Both wrap.
+  [[nodiscard]] std::uint32_t frames() const { return frames_; }
+  [[nodiscard]] std::uint32_t bad_frames() const { return bad_frames_; }
+
+ private:
+  static constexpr std::size_t kHeader = 5, kSums = 2, kMaxPayload = 0x60;
+  static constexpr std::size_t kMaxFrame = kHeader + kMaxPayload + kSums;
+  static constexpr std::size_t kMaxRead = 512;  ///< bytes looked at per update()
+
+  void take(const std::uint8_t* bytes, std::size_t size);
+  void resynchronise();
+  bool frame_may_go_on();
+  bool sums_agree(std::size_t payload) const;
+  bool decode(std::size_t payload, ImuState& out) const;
+
+  Uart* uart_;
+  std::uint8_t frame_[kMaxFrame]{};
+  std::size_t filled_ = 0;
+  std::uint32_t frames_ = 0, bad_frames_ = 0;
+};
+
+}  // namespace finemote
