@@ -39,13 +39,14 @@ function(finemote_add_firmware target)
   set(family ${FINEMOTE_BOARD_FAMILY})
 
   file(GLOB_RECURSE generated CONFIGURE_DEPENDS ${arg_GENERATED}/*.cpp)
-  file(GLOB common CONFIGURE_DEPENDS ${runtime}/src/*.cpp ${runtime}/devices/*.cpp)
+  file(GLOB common CONFIGURE_DEPENDS ${runtime}/src/*.cpp ${runtime}/devices/*.cpp
+       ${board}/ports/*.cpp)
   file(GLOB board_sources CONFIGURE_DEPENDS ${board}/*.cpp)
   if(NOT family STREQUAL arg_BOARD)
     file(GLOB family_sources CONFIGURE_DEPENDS ${runtime}/boards/${family}/*.cpp)
   endif()
 
-  # Devices the robot does not use stay out of the image: the linker takes from this library what it needs.
+  # Devices and ports the robot does not use stay out of the image: the linker takes from this library what it needs.
   add_library(${target}_runtime STATIC ${common})
   add_executable(${target} ${generated} ${arg_SOURCES} ${board_sources} ${family_sources})
   target_link_libraries(${target} PRIVATE ${target}_runtime)

@@ -18,7 +18,8 @@ inline constexpr std::uint8_t kReleasePriority = 3;
 /// 38.16.3). From everywhere. Defined by the board.
 std::uint32_t cycles();
 
-/// Starts the count at `value`; called once, just before the release timer. Defined by the board.
+/// Starts the count at `value`: once before the buses start, and again just before the release timer. Defined by the
+/// board.
 void start_cycles(std::uint32_t value);
 
 /// Sets priority (level 0..15) of an interrupt line and enables it. For bus drivers, at start.

@@ -17,6 +17,10 @@ using robomaster_type_c::PinSetup;
 constexpr stm32f407::Register kDwtControl{0xE0001000}, kDwtCycles{0xE0001004}, kDemcr{0xE000EDFC};
 constexpr std::uint32_t kTraceEnable = stm32f407::bit(24), kCountEnable = stm32f407::bit(0);
 
+/// Debug support: RM0090 38.16.3.
+constexpr stm32f407::Register kDebugControl{0xE0042004};
+constexpr std::uint32_t kDebugSleep = stm32f407::bit(0);
+
 /// On-board parts nobody may use: chip selects high, magnetometer out of reset, heater and switched 5 V off.
 struct Rest {
   Pin pin;
@@ -58,11 +62,23 @@ namespace cortex_m4 {
 
 std::uint32_t cycles() { return kDwtCycles.read(); }
 
-void start_cycles() {
+// The count stops with HCLK when the core sleeps, unless DBG_SLEEP keeps HCLK on: RM0090 38.16.3.
+void start_cycles(std::uint32_t value) {
+  kDebugControl.set(kDebugSleep);
   kDemcr.set(kTraceEnable);
-  kDwtCycles.write(0);
+  kDwtCycles.write(value);
   kDwtControl.set(kCountEnable);
 }
 
 }  // namespace cortex_m4
+
+// A turn of the loop is taken as 3 cycles (subtract 1, taken branch 2), 56 turns in 1 us; flash waits are not counted.
+void busy(Duration work) {
+  constexpr std::uint32_t kTurnsPerUs = 56;
+  for (; work >= kSecond; work -= kSecond) cortex_m4::spin(1'000'000 * kTurnsPerUs);
+  if (work <= 0) return;
+  const auto ns = static_cast<std::uint32_t>(work);
+  cortex_m4::spin(ns / 1000 * kTurnsPerUs + ns % 1000 * kTurnsPerUs / 1000);
+}
+
 }  // namespace finemote
