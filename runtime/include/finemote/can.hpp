@@ -25,7 +25,7 @@ class CanSlot {
   struct Received {
     CanFrame frame;
     Time at = 0;
-    std::uint32_t count = 0;  ///< frames so far, modulo 2^32; 0: none yet
+    std::uint32_t count = 0;  ///< frames so far, modulo 2^31; 0: none yet
   };
   /// The last frame received, whole. Context: the device's bucket.
   [[nodiscard]] Received received() const;
@@ -44,7 +44,7 @@ class CanSlot {
   std::uint8_t priority_;
   Shared<bool> waiting_{false};
   CanFrame out_;
-  Shared<std::uint32_t> count_{0};
+  Shared<std::uint32_t> changes_{0};  ///< twice the frames so far; odd while one is being stored
   CanFrame in_;
   Time at_ = 0;
 };

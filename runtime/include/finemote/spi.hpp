@@ -29,6 +29,8 @@ class SpiSlot {
   [[nodiscard]] SlotState state() const { return state_.load(); }
   [[nodiscard]] bool busy() const { return state() == SlotState::kQueued || state() == SlotState::kActive; }
   [[nodiscard]] bool done() const { return state() == SlotState::kDone; }
+  /// When the last transfer ended. Only while !busy() and not in kIdle.
+  [[nodiscard]] Time ended() const { return ended_; }
   [[nodiscard]] std::uint8_t priority() const { return priority_; }
 
  private:
@@ -39,6 +41,7 @@ class SpiSlot {
   std::uint8_t* read_ = nullptr;
   std::uint16_t size_ = 0;
   std::uint8_t select_, priority_, mode_;
+  Time ended_ = 0;
   Shared<SlotState> state_{SlotState::kIdle};
 };
 

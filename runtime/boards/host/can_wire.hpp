@@ -1,0 +1,35 @@
+// The bus of a CAN port on the host: what the robot sent, what others send, and bus-off.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "finemote/ports.hpp"
+
+namespace finemote {
+
+struct CanHardware {
+  struct Sent {
+    Time at;
+    CanFrame frame;
+  };
+  /// A frame from another node at `at`; filtered as the controller does.
+  void feed(Time at, const CanFrame& frame);
+  /// Called for each frame the robot has sent, at its end.
+  std::function<void(const CanFrame&)> listener;
+  std::vector<Sent> sent;
+  bool off = false;  ///< the controller has left the bus
+
+  std::vector<std::uint16_t> accepted;
+  std::vector<CanFrame> mailboxes;  ///< at most three
+  std::int64_t bitrate = 0;
+  CanBus* bus = nullptr;
+  bool sending = false;
+};
+
+}  // namespace finemote
+
+namespace finemote::host {
+extern CanHardware can1, can2;
+}

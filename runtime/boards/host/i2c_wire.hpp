@@ -1,0 +1,75 @@
+// The two wires of an I2C port on the host: parts hang on them, bytes take time, and faults can be scripted.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "finemote/ports.hpp"
+
+namespace finemote::host {
+
+/// A part on an I2C wire. Each call is one phase of an exchange the part acknowledged.
+class I2cPart {
+ public:
+  virtual ~I2cPart() = default;
+  /// Bytes written to it. False: it does not acknowledge them.
+  virtual bool write(const std::vector<std::uint8_t>& bytes) = 0;
+  /// Bytes it puts on the wire; false: it does not acknowledge its address.
+  virtual bool read(std::size_t size, std::vector<std::uint8_t>& bytes) = 0;
+  /// Its power fails for an instant.
+  virtual void reset() {}
+  /// Parts behind this one that answer to `address` now (a mux); none for ordinary parts.
+  virtual I2cPart* behind(std::uint8_t) { return nullptr; }
+};
+
+/// One exchange as a logic analyser shows it.
+struct I2cExchange {
+  Time begin, end;
+  std::uint8_t address;
+  std::vector<std::uint8_t> written, read;
+  I2cEvent event;  ///< kNone: it was aborted
+};
+
+}  // namespace finemote::host
+
+namespace finemote {
+
+/// The host's wire, and the hardware behind I2cPort.
+struct I2cHardware {
+  // ---- for tests
+  void connect(std::uint8_t address, host::I2cPart& part) { parts[address] = &part; }
+  void disconnect(std::uint8_t address) { parts.erase(address); }
+  /// SDA is held low from now on, until `clocks` clocks of a recovery have gone by; negative: for ever.
+  void hold_sda(int clocks);
+  void release_sda() { held = 0; }
+  /// The next `count` exchanges are not acknowledged / end in a bus error.
+  void refuse(int count) { refusals = count; }
+  void disturb(int count) { disturbances = count; }
+  /// No parts, no faults, nothing recorded.
+  void reset();
+
+  std::vector<host::I2cExchange> exchanges;
+  unsigned recovery_clocks = 0;  ///< clocks sent by recoveries so far
+
+  // ---- for the port
+  I2cEvent perform(const I2cMessage& message, host::I2cExchange& record);
+  host::I2cPart* find(std::uint8_t address);
+
+  std::map<std::uint8_t, host::I2cPart*> parts;
+  int held = 0;  ///< clocks until SDA is released; negative: never
+  int refusals = 0, disturbances = 0;
+  std::int64_t clock_hz = 0;
+  I2cBus* bus = nullptr;
+  std::uint64_t exchange = 0;  ///< number of the exchange under way; changes when it ends or is aborted
+  bool under_way = false;
+  I2cMessage message{};
+};
+
+}  // namespace finemote
+
+namespace finemote::host {
+extern I2cHardware i2c2, i2c3;
+}

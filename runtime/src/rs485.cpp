@@ -1,0 +1,95 @@
+#include "finemote/rs485.hpp"
+
+#include "finemote/fault.hpp"
+
+namespace finemote {
+
+namespace {
+
+/// Of module rs485.
+enum Rs485Fault : std::uint8_t { kNoReply = 1, kReceiveHalted };
+
+/// Beyond the wire time of question and answer: how long a part may think.
+constexpr Duration kReplySlack = 2 * kMillisecond;
+
+}  // namespace
+
+bool Rs485Slot::start(const std::uint8_t* bytes, std::size_t size, std::size_t reply_size) {
+  if (busy() || size == 0 || size > bus_->port_->transmit_capacity() || reply_size > kMaxReply) return false;
+  bytes_ = bytes;
+  size_ = static_cast<std::uint16_t>(size);
+  reply_size_ = static_cast<std::uint16_t>(reply_size);
+  state_.store(SlotState::kQueued);
+  bus_->carry_on();
+  return true;
+}
+
+SlotState Rs485Slot::state() {
+  const SlotState now_ = state_.load();
+  if (now_ == SlotState::kQueued || now_ == SlotState::kActive) bus_->carry_on();
+  return state_.load();
+}
+
+void Rs485::start() { port_->start(baud_, UartFormat::k8N1); }
+
+void Rs485::carry_on() {
+  if (busy_.exchange(true)) return;
+  if (active_ != nullptr) take_reply();
+  if (active_ == nullptr) pick();
+  busy_.store(false);
+}
+
+void Rs485::take_reply() {
+  if (port_->transmitting()) {
+    if (now() > deadline_) {
+      port_->abort_transmit();
+      finish(SlotState::kFailed);
+    }
+    return;
+  }
+  Rs485Slot& slot = *active_;
+  if (port_->received() - reply_from_ >= slot.reply_size_) {
+    const UartRing ring = port_->ring();
+    for (std::uint32_t i = 0; i < slot.reply_size_; ++i) {
+      slot.reply_[i] = ring.bytes[(reply_from_ + i) & (ring.size - 1)];
+    }
+    return finish(SlotState::kDone);
+  }
+  if (now() <= deadline_) return;
+  ++counters_.overdue;
+  count_fault(Module::rs485, kNoReply);
+  finish(SlotState::kNack);
+}
+
+void Rs485::pick() {
+  if (port_->receive_halted()) {
+    count_fault(Module::rs485, kReceiveHalted);
+    ++counters_.recoveries;
+    port_->restart_receive();
+  }
+  for (std::uint8_t i = 0; i < count_; ++i) {
+    Rs485Slot& slot = *slots_[i];
+    if (slot.state_.load() != SlotState::kQueued) continue;
+    active_ = &slot;
+    slot.state_.store(SlotState::kActive);
+    std::uint8_t* buffer = port_->transmit_buffer();
+    for (std::uint16_t k = 0; k < slot.size_; ++k) buffer[k] = slot.bytes_[k];
+    reply_from_ = port_->received();
+    deadline_ = now() + 2 * (slot.size_ + slot.reply_size_) * byte_time_ + kReplySlack;
+    port_->transmit(slot.size_);
+    return;
+  }
+}
+
+void Rs485::finish(SlotState result) {
+  ++counters_.transfers;
+  const bool failed = result != SlotState::kDone;
+  if (failed) ++counters_.errors;
+  active_->failures_ = static_cast<std::uint8_t>(!failed                     ? 0
+                                                 : active_->failures_ == 255 ? 255
+                                                                             : active_->failures_ + 1);
+  active_->state_.store(result);
+  active_ = nullptr;
+}
+
+}  // namespace finemote
