@@ -1,4 +1,4 @@
-#include "runtime/boards/host/can_wire.hpp"
+#include "runtime/boards/host/ports/can_wire.hpp"
 
 #include <algorithm>
 
@@ -6,6 +6,14 @@
 #include "finemote/host.hpp"
 
 namespace finemote {
+
+namespace host {
+CanHardware can1, can2;
+}  // namespace host
+
+namespace ports {
+CanPort can1{host::can1}, can2{host::can2};
+}  // namespace ports
 
 namespace {
 

@@ -1,8 +1,16 @@
-#include "runtime/boards/host/uart_wire.hpp"
+#include "runtime/boards/host/ports/uart_wire.hpp"
 
 #include <algorithm>
 
 namespace finemote {
+
+namespace host {
+UartHardware usart1, usart3, usart6;
+}  // namespace host
+
+namespace ports {
+UartPort usart1{host::usart1}, usart3{host::usart3}, usart6{host::usart6};
+}  // namespace ports
 
 namespace {
 

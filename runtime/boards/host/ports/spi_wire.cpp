@@ -1,9 +1,17 @@
-#include "runtime/boards/host/spi_wire.hpp"
+#include "runtime/boards/host/ports/spi_wire.hpp"
 
 #include "finemote/host.hpp"
 #include "finemote/spi.hpp"
 
 namespace finemote {
+
+namespace host {
+SpiHardware spi1, spi2;
+}  // namespace host
+
+namespace ports {
+SpiPort spi1{host::spi1}, spi2{host::spi2};
+}  // namespace ports
 
 namespace {
 

@@ -1,9 +1,17 @@
-#include "runtime/boards/host/i2c_wire.hpp"
+#include "runtime/boards/host/ports/i2c_wire.hpp"
 
 #include "finemote/host.hpp"
 #include "finemote/i2c.hpp"
 
 namespace finemote {
+
+namespace host {
+I2cHardware i2c2, i2c3;
+}  // namespace host
+
+namespace ports {
+I2cPort i2c2{host::i2c2}, i2c3{host::i2c3};
+}  // namespace ports
 
 namespace {
 
