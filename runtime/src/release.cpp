@@ -8,37 +8,48 @@ extern "C" __attribute__((weak)) void finemote_overrun_hook(unsigned) {}
 namespace finemote {
 namespace detail {
 
-volatile std::uint8_t completed[kMaxBuckets];
-
 namespace {
 std::uint32_t overrun_counts[kMaxBuckets];
-// Up to three releases are planned before the first job of a bucket can have run.
-constexpr std::int16_t kHeadStart = -3;
 }  // namespace
 
 void ReleasePlan::start(const Schedule& schedule, const std::uint32_t* bits, std::uint32_t longest_step) {
-  end_ = entries_;
+  count_ = 0;
   for (const Bucket& bucket : schedule.buckets) {
-    const auto index = static_cast<unsigned>(end_ - entries_);
-    *end_++ = Entry{0,           static_cast<std::uint32_t>(bucket.period / schedule.tick),
-                    bits[index], &completed[index],
-                    kHeadStart,  bucket.watchdog};
-    completed[index] = 0;
-    overrun_counts[index] = 0;
+    entries_[count_] = {0, static_cast<std::uint32_t>(bucket.period / schedule.tick), bits[count_]};
+    overrun_counts[count_++] = 0;
   }
   step_ = 0;
   longest_step_ = longest_step;
-  starving_ = 0;
 }
 
-void ReleasePlan::recover(Entry& entry) {
-  entry.missed = 0;
-  starving_ &= ~entry.bit;
+Release ReleasePlan::next() {
+  Release release{0, longest_step_};
+  for (unsigned i = 0; i < count_; ++i) {
+    Entry& entry = entries_[i];
+    entry.left -= step_;
+    if (entry.left == 0) {
+      entry.left = entry.period;
+      release.due |= entry.bit;
+    }
+    if (entry.left < release.ticks) release.ticks = entry.left;
+  }
+  step_ = release.ticks;
+  return release;
 }
 
-void ReleasePlan::miss(Entry& entry) {
-  if (entry.missed < entry.limit) ++entry.missed;
-  if (entry.missed >= entry.limit) starving_ |= entry.bit;
+void StarvationWatch::note(const Schedule& schedule, const std::uint32_t* bits, std::uint32_t due, std::uint32_t late) {
+  for (unsigned i = 0; i < schedule.buckets.size(); ++i) {
+    if ((due & bits[i]) == 0) continue;
+    if ((late & bits[i]) == 0) {
+      missed_[i] = 0;
+      late_ &= ~bits[i];
+      starving_ &= ~bits[i];
+      continue;
+    }
+    late_ |= bits[i];
+    if (missed_[i] < schedule.buckets[i].watchdog) ++missed_[i];
+    if (missed_[i] >= schedule.buckets[i].watchdog) starving_ |= bits[i];
+  }
 }
 
 void report_overruns(std::uint32_t late, const std::uint32_t* bits) {

@@ -14,7 +14,6 @@ struct Release {
 };
 
 /// Counts every bucket down in ticks. The first instant releases all buckets.
-/// The cost of one next() is one short pass over the buckets; the release interrupt calls it once.
 class ReleasePlan {
  public:
   constexpr ReleasePlan() = default;
@@ -22,52 +21,42 @@ class ReleasePlan {
   /// `bits[i]` stands for bucket i in Release::due. Instants are at most `longest_step` ticks apart.
   void start(const Schedule& schedule, const std::uint32_t* bits, std::uint32_t longest_step);
 
-  /// The next instant; also takes stock of which buckets have completed a job since they were last planned.
-  Release next() {
-    Release release;
-    std::uint32_t nearest = longest_step_;
-    for (Entry* entry = entries_; entry < end_; ++entry) {
-      entry->left -= step_;
-      if (entry->left == 0) {
-        entry->left = entry->period;
-        release.due |= entry->bit;
-        watch(*entry);
-      }
-      if (entry->left < nearest) nearest = entry->left;
-    }
-    step_ = nearest;
-    release.ticks = nearest;
-    return release;
-  }
-
-  /// True while some bucket has not completed a job for its `watchdog` number of periods: the watchdog must starve too.
-  [[nodiscard]] bool starving() const { return starving_ != 0; }
+  /// The next instant: one short pass over the buckets.
+  Release next();
 
  private:
   struct Entry {
     std::uint32_t left;
     std::uint32_t period;
     std::uint32_t bit;
-    volatile std::uint8_t* completed;
-    std::int16_t missed;
-    std::int16_t limit;
   };
 
-  void watch(Entry& entry) {
-    if (*entry.completed != 0) {
-      *entry.completed = 0;
-      if (entry.missed != 0) recover(entry);
-    } else {
-      miss(entry);
-    }
-  }
-  void recover(Entry& entry);
-  void miss(Entry& entry);
-
   Entry entries_[kMaxBuckets]{};
-  Entry* end_ = nullptr;
+  unsigned count_ = 0;
   std::uint32_t step_ = 0;
   std::uint32_t longest_step_ = 0;
+};
+
+/// The watchdog's rule: which buckets complete no jobs any more.
+///
+/// A bucket that is neither pending nor running when it is released has completed every job before; one that is found
+/// so (late) is not released again, so being late `watchdog` times in a row is that many periods without a completed
+/// job.
+class StarvationWatch {
+ public:
+  constexpr StarvationWatch() = default;
+
+  /// Takes note of one instant; `bits` as in ReleasePlan::start. May be left out while nothing is late and quiet().
+  void note(const Schedule& schedule, const std::uint32_t* bits, std::uint32_t due, std::uint32_t late);
+
+  /// True while every bucket was on time when last released.
+  [[nodiscard]] bool quiet() const { return late_ == 0; }
+  /// True while some bucket completes no jobs: the watchdog must not be fed.
+  [[nodiscard]] bool starving() const { return starving_ != 0; }
+
+ private:
+  std::uint8_t missed_[kMaxBuckets]{};
+  std::uint32_t late_ = 0;
   std::uint32_t starving_ = 0;
 };
 

@@ -4,6 +4,8 @@
 // release earlier: there is no drift, and the interrupt's own latency does not matter.
 #include "release.hpp"
 
+#include <atomic>
+
 #include "finemote/board.hpp"
 #include "finemote/schedule.hpp"
 #include "runtime/boards/cortex_m4/core.hpp"
@@ -23,53 +25,67 @@ constexpr std::uint32_t kCyclesPerUnit = 21;  // 168 MHz: 21 cycles are 125 ns
 constexpr std::uint32_t kNsPerUnit = 125;
 static_assert(kCoreHz == 168'000'000);
 
-/// A point in time and the cycle count at it.
-struct Base {
-  Time at = 0;
-  std::uint32_t stamp = 0;
+constexpr unsigned kSlots = 17;
+
+/// One release instant, in a ring of those to come.
+struct Instant {
+  std::uint32_t due;     ///< lines due, as bits of their controller word
+  std::uint32_t reload;  ///< what the reload register gets here: the interval after the one that begins here
+  std::uint32_t stamp;   ///< cycle count
+  Instant* next;
+  Time at;
 };
 
-/// Between two release interrupts: what the next of them, at the coming instant, works with.
+/// The ring turns for ever when the instants of a hyperperiod fit into it: each slot then only moves on by a turn.
+/// Otherwise every slot is planned anew once it has been left.
 struct Releases {
-  std::uint32_t due = 0;        ///< due at the coming instant, as bits of the lines' controller word
-  std::uint32_t leading = 0;    ///< ticks of the interval that ends there
-  std::uint32_t following = 0;  ///< ticks of the interval that begins there; already in the reload register
-  detail::Release next;         ///< the instant after the coming one
+  Instant* volatile present = nullptr;        ///< the last instant that has passed; changed by one store
+  volatile std::uint32_t* pending = nullptr;  ///< the word in the set-pending registers
+  std::uint32_t turn_ns = 0;                  ///< 0: slots are planned anew
+  std::uint32_t turn_cycles = 0;
+  detail::StarvationWatch watch;
+  Instant ring[kSlots]{};
+  std::uint32_t bits[kMaxBuckets]{};
+  // What planning needs.
+  detail::ReleasePlan plan;
+  detail::Release ahead;  ///< the instant to be planned next
+  Time ahead_at = 0;
+  std::uint32_t ahead_stamp = 0;
   std::uint32_t cycles_per_tick = 0;
   std::uint32_t tick_ns = 0;
-  volatile std::uint32_t* pending = nullptr;  ///< the word in the set-pending registers
-  volatile std::uint32_t* active = nullptr;
-  // The release writes the base nobody reads; `count` of releases tells which is which.
-  volatile std::uint32_t count = 0;
-  Base bases[2];
-  detail::ReleasePlan plan;
-  std::uint32_t bits[kMaxBuckets]{};
 };
 
 Releases releases;
 
-// Time reaches the instant. An interrupt that reads the time meanwhile still finds the base before, which is as true.
-inline void advance_time(Releases& r) {
-  const std::uint32_t count = r.count;
-  const Base& before = r.bases[count & 1U];
-  Base& after = r.bases[~count & 1U];
-  after.at = before.at + static_cast<Time>(std::uint64_t{r.leading} * r.tick_ns);
-  after.stamp = before.stamp + r.leading * r.cycles_per_tick;
-  r.count = count + 1;
+constexpr unsigned kActiveFromPending = (0xE000E300 - 0xE000E200) / 4;  // active bits, PM0214 4.3
+
+__attribute__((noinline)) void plan(Releases& r, Instant& slot) {
+  slot.due = r.ahead.due;
+  slot.at = r.ahead_at;
+  slot.stamp = r.ahead_stamp;
+  const std::uint32_t ticks = r.ahead.ticks;
+  r.ahead_at += static_cast<Time>(std::uint64_t{ticks} * r.tick_ns);
+  r.ahead_stamp += ticks * r.cycles_per_tick;
+  r.ahead = r.plan.next();
+  slot.reload = r.ahead.ticks * r.cycles_per_tick - 1;
 }
 
-// The timer gets the interval after the one it has begun to count, and everything moves on by one instant.
-inline void plan_ahead(Releases& r) {
-  systick::Reload::write(r.next.ticks * r.cycles_per_tick - 1);
-  r.leading = r.following;
-  r.following = r.next.ticks;
-  r.due = r.next.due;
-  r.next = r.plan.next();
+// Time reaches `coming`. An interrupt that reads the time meanwhile finds the instant before, which is as true.
+inline void move_to(Releases& r, Instant& left, Instant& coming) {
+  systick::Reload::write(coming.reload);
+  r.present = &coming;
+  std::atomic_signal_fence(std::memory_order_seq_cst);
+  if (r.turn_ns != 0) {
+    left.at += r.turn_ns;
+    left.stamp += r.turn_cycles;
+  } else {
+    plan(r, left);
+  }
 }
 
-void end_run_in_time(const Releases& r) {
+void end_run_in_time(const Instant& instant) {
   if constexpr (FINEMOTE_RUN_DURATION_NS > 0) {
-    if (r.bases[r.count & 1U].at >= FINEMOTE_RUN_DURATION_NS) run_ended();
+    if (instant.at >= FINEMOTE_RUN_DURATION_NS) run_ended();
   }
 }
 
@@ -78,63 +94,85 @@ Duration longest_gap(const Schedule& schedule, std::uint32_t longest_step) {
   return schedule.buckets[0].period < step ? schedule.buckets[0].period : step;
 }
 
-void start_lines(const Schedule& schedule) {
-  for (const Bucket& bucket : schedule.buckets) enable_line(bucket.line, bucket.priority);
+// Plans the slots from instant 0 on and makes a ring of them; the present is then the slot before instant 0. A ring of
+// whole hyperperiods ends in the slot that will stand for its last instant, one turn early.
+void fill(Releases& r, std::uint32_t all) {
+  unsigned whole = 0;  // slots that whole hyperperiods take
+  r.ahead = r.plan.next();
+  for (unsigned i = 0; i < kSlots - 1; ++i) {
+    plan(r, r.ring[i]);
+    r.ring[i].next = &r.ring[i + 1];
+    if (r.ahead.due != all) continue;
+    whole = i + 1;
+    r.turn_ns = static_cast<std::uint32_t>(r.ahead_at);
+    r.turn_cycles = r.ahead_stamp;
+  }
+  Instant& last = r.ring[whole != 0 ? whole - 1 : kSlots - 1];
+  last.next = &r.ring[0];
+  if (whole != 0) {
+    last.at -= r.turn_ns;
+    last.stamp -= r.turn_cycles;
+  } else {
+    last.at = -static_cast<Time>(r.tick_ns);
+    last.stamp = 0U - r.cycles_per_tick;
+  }
+  r.present = &last;
 }
 
-void prepare(const Schedule& schedule) {
-  Releases& r = releases;
-  const unsigned word = schedule.buckets[0].line / 32U;
-  r.pending = &nvic::set_pending(word);
-  r.active = &nvic::active(word);
-  for (unsigned i = 0; i < schedule.buckets.size(); ++i) r.bits[i] = bit(schedule.buckets[i].line % 32U);
+std::uint32_t prepare(Releases& r, const Schedule& schedule) {
+  r.pending = &nvic::set_pending(schedule.buckets[0].line / 32U);
+  std::uint32_t all = 0;
+  for (unsigned i = 0; i < schedule.buckets.size(); ++i) all |= r.bits[i] = bit(schedule.buckets[i].line % 32U);
   r.tick_ns = static_cast<std::uint32_t>(schedule.tick);
   r.cycles_per_tick = r.tick_ns / kNsPerUnit * kCyclesPerUnit;
   r.plan.start(schedule, r.bits, systick::kMaxInterval / r.cycles_per_tick);
+  return all;
+}
+
+// Some bucket is late, or was: counts, and lets the watchdog starve when it has to. Out of the interrupt's short way.
+__attribute__((noinline)) void take_late(Releases& r, std::uint32_t due, std::uint32_t late) {
+  r.watch.note(finemote_schedule, r.bits, due, late);
+  if (!r.watch.starving()) board::feed_watchdog();
+  if (late != 0) detail::report_overruns(late, r.bits);
 }
 
 }  // namespace
 
 void start_releases(const Schedule& schedule) {
   Releases& r = releases;
-  prepare(schedule);
+  fill(r, prepare(r, schedule));
   scb::set_priority(15, kReleasePriority);
   board::start_watchdog(longest_gap(schedule, systick::kMaxInterval / r.cycles_per_tick));
-  // One tick from here to instant 0, which is time 0 and cycle count 0.
-  r.leading = 1;
-  r.bases[0] = {-schedule.tick, 0U - r.cycles_per_tick};
-  start_cycles(r.bases[0].stamp);
-  systick::Reload::write(r.cycles_per_tick - 1);
+  const Instant& before = *r.present;
+  start_cycles(before.stamp);
+  systick::Reload::write(0U - before.stamp - 1);
   systick::Value::write(0);
   systick::Control::write(systick::kEnable | systick::kInterrupt | systick::kCoreClock);
   while (systick::Value::read() == 0) {  // a few cycles: the count takes its first reload value
   }
-  const detail::Release first = r.plan.next();
-  systick::Reload::write(first.ticks * r.cycles_per_tick - 1);
-  r.due = first.due;
-  r.following = first.ticks;
-  r.next = r.plan.next();
-  start_lines(schedule);
+  systick::Reload::write(r.ring[1].stamp - r.ring[0].stamp - 1);
+  for (const Bucket& bucket : schedule.buckets) enable_line(bucket.line, bucket.priority);
 }
 
 bool pass_instant() {
   if ((scb::InterruptControl::read() & scb::kSysTickPending) == 0) return false;
   scb::InterruptControl::write(scb::kClearSysTick);
-  advance_time(releases);
-  end_run_in_time(releases);
-  plan_ahead(releases);
+  Releases& r = releases;
+  Instant& left = *r.present;
+  move_to(r, left, *left.next);
+  end_run_in_time(*r.present);
   board::feed_watchdog();
   return true;
 }
 
-bool releases_started() { return releases.leading != 0; }
-
 Interval release_interval() {
   const Releases& r = releases;
   for (;;) {  // ends: one more turn at most per release, and releases are at least a tick apart
-    const std::uint32_t count = r.count;
-    const Interval interval{r.bases[count & 1U].stamp, r.leading * r.cycles_per_tick};
-    if (r.count == count) return interval;
+    const Instant* const present = r.present;
+    if (present == nullptr) return {0, 1};
+    const Interval interval{present->stamp, present->next->stamp - present->stamp};
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+    if (r.present == present && present->stamp == interval.begin) return interval;
   }
 }
 
@@ -150,12 +188,16 @@ __attribute__((weak)) void run_ended() {}
 Time now() {
   const cortex_m4::Releases& r = cortex_m4::releases;
   for (;;) {  // ends: as in release_interval()
-    const std::uint32_t count = r.count;
-    if (count == 0) return 0;
-    const cortex_m4::Base base = r.bases[count & 1U];
+    const cortex_m4::Instant* const present = r.present;
+    if (present == nullptr) return 0;
+    const Time at = present->at;
+    const std::uint32_t stamp = present->stamp;
     // Instants are less than 100 ms apart: the product fits 32 bits up to 204 ms.
-    const std::uint32_t since = (cortex_m4::cycles() - base.stamp) * cortex_m4::kNsPerUnit / cortex_m4::kCyclesPerUnit;
-    if (r.count == count) return base.at + since;
+    const std::uint32_t since = (cortex_m4::cycles() - stamp) * cortex_m4::kNsPerUnit / cortex_m4::kCyclesPerUnit;
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+    if (r.present != present || present->stamp != stamp) continue;  // interrupted by a release
+    const Time time = at + since;
+    return time < 0 ? 0 : time;
   }
 }
 
@@ -163,13 +205,15 @@ Time now() {
 
 /// SysTick. More urgent than every bucket, so that all due buckets are pended before any of them runs.
 extern "C" void finemote_release() {
-  using namespace finemote;
-  cortex_m4::Releases& r = cortex_m4::releases;
-  const std::uint32_t late = r.due & (*r.pending | *r.active);
-  cortex_m4::advance_time(r);
-  cortex_m4::end_run_in_time(r);
-  *r.pending = r.due & ~late;
-  cortex_m4::plan_ahead(r);
-  if (!r.plan.starving()) board::feed_watchdog();
-  if (late != 0) detail::report_overruns(late, r.bits);
+  using namespace finemote::cortex_m4;
+  Releases& r = releases;
+  Instant& left = *r.present;
+  Instant& coming = *left.next;
+  const std::uint32_t due = coming.due;
+  const std::uint32_t late = due & (r.pending[0] | r.pending[kActiveFromPending]);
+  end_run_in_time(coming);
+  r.pending[0] = due & ~late;
+  move_to(r, left, coming);
+  if (late == 0 && r.watch.quiet()) return finemote::board::feed_watchdog();
+  take_late(r, due, late);
 }

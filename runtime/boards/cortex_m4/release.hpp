@@ -5,9 +5,9 @@
 
 namespace finemote::cortex_m4 {
 
-/// Programs the release timer and enables the buckets' lines; instant 0 is one tick later. The schedule is verified.
+/// Programs the release timer and enables the buckets' lines; instant 0 is at most 100 ms later. `schedule` is
+/// verified.
 void start_releases(const Schedule& schedule);
-bool releases_started();
 
 /// In place of the release interrupt, once nothing is released any more: true when an instant has passed; keeps time
 /// and watchdog going.

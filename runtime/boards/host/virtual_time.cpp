@@ -38,6 +38,7 @@ struct Machine {
   Time end = kNever;  // nothing is released or recorded from here on
   Time next_release = kNever;
   detail::ReleasePlan plan;
+  detail::StarvationWatch watch;
   detail::Release next;       // what happens at next_release
   std::uint32_t pending = 0;  // bit i: bucket i
   std::uint32_t active = 0;
@@ -65,10 +66,11 @@ Time next_happening(const Machine& m) {
 void release(Machine& m) {
   const std::uint32_t late = m.next.due & (m.pending | m.active);
   m.pending |= m.next.due & ~late;
+  m.watch.note(finemote_schedule, bits, m.next.due, late);
   m.next_release += m.next.ticks * finemote_schedule.tick;
   m.next = m.plan.next();
   if (m.next_release >= m.end) m.next_release = kNever;
-  m.fed = !m.plan.starving();
+  m.fed = !m.watch.starving();
   if (late != 0) detail::report_overruns(late, bits);
 }
 

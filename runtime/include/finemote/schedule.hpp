@@ -11,7 +11,7 @@ namespace finemote {
 
 /// All devices of one period.
 struct Bucket {
-  void (*entry)();        ///< the interrupt routine of `line`: runs the bucket, then calls complete()
+  void (*entry)();        ///< the interrupt routine of `line`: runs the bucket
   Duration period;        ///< a multiple of the schedule's tick
   std::uint8_t line;      ///< spare interrupt line it is pended on
   std::uint8_t priority;  ///< interrupt priority level, 0 most urgent; rate monotonic
@@ -36,12 +36,9 @@ struct Schedule {
 
 inline constexpr unsigned kMaxBuckets = 11;
 
-namespace detail {
-extern volatile std::uint8_t completed[kMaxBuckets];
-}
-
-/// Says that a job of this bucket (index in Schedule::buckets) has run to its end; the watchdog wants to know.
-inline void complete(unsigned bucket) { detail::completed[bucket] = 1; }
+/// The end of a job of this bucket (index in Schedule::buckets). Costs nothing: the interrupt controller knows which
+/// buckets are pending or running, and the release interrupt asks it.
+constexpr void complete(unsigned) {}
 
 /// How often the bucket overran.
 std::uint32_t overruns(unsigned bucket);
