@@ -6,6 +6,9 @@
 namespace finemote::gen::timing {
 namespace {
 
+/// Below every age, also below the negative ones of root releases no terminal uses; two of them add without overflow.
+constexpr Ns kLowest = std::numeric_limits<Ns>::min() / 2;
+
 /// The worst terminal release found so far; of equally bad ones the first in [0, repetition).
 struct Worst {
   Ns value = kNone;
@@ -77,8 +80,8 @@ class CrossBound {
     }
     const std::size_t n = group.exact->next.size();
     auto& [down, up] = ages_[n];
-    down.resize(n, kNone);
-    up.resize(n, kNone);
+    down.resize(n, kLowest);
+    up.resize(n, kLowest);
     for (std::size_t i = 0; i < n; ++i) {
       const Ns x = static_cast<Ns>(i) * root_period;
       down[i] = std::max(down[i], add(group.exact->next[i] - group.period - x, most_response));
@@ -106,7 +109,7 @@ class CrossBound {
   }
 
   static std::vector<Ns> fold(const std::vector<Ns>& ages, std::size_t common) {
-    std::vector<Ns> folded(common, kNone);
+    std::vector<Ns> folded(common, kLowest);
     for (std::size_t i = 0; i < ages.size(); ++i) folded[i % common] = std::max(folded[i % common], ages[i]);
     return folded;
   }

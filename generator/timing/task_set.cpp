@@ -73,11 +73,15 @@ TaskSet make_task_set(const Model& model, Profile profile) {
   }
   add_buckets(model, profile, set);
   add_bus_streams(model, profile, set);
+  const auto is_free = [](const Stream& s) { return s.cost == 0; };
+  std::erase_if(set.streams, is_free);
+  set.bus_streams = set.streams.size();
   if (target) {
     add_release_streams(model, set);
     set.blocking = model.costs.masked_ns;
+    set.least_lag = 1;
   }
-  std::erase_if(set.streams, [](const Stream& s) { return s.cost == 0; });
+  std::erase_if(set.streams, is_free);
   return set;
 }
 

@@ -31,11 +31,16 @@ struct TaskBucket {
 
 /// Streams run above all buckets, shorter periods above longer ones.
 struct TaskSet {
-  std::vector<Stream> streams;         ///< of nonzero cost
+  std::vector<Stream> streams;         ///< of nonzero cost: those of buses first, then of the release interrupt
+  std::size_t bus_streams = 0;         ///< how many are of buses
   std::vector<TaskBucket> buckets;     ///< ascending period
   std::vector<std::size_t> bucket_of;  ///< per device
   std::vector<Ns> update, handle;      ///< per device: one run of the stage with everything around it
-  Ns blocking = 0;                     ///< longest masked section: delays every busy window once
+  /// A slower producer's data counts as there no sooner than this after its release. The rule of the cases lets an
+  /// empty stage below buckets that are all empty end at its release itself, ahead of a faster consumer that runs
+  /// first; with one nanosecond the bound holds there too (docs/timing.md, "Empty buckets").
+  Ns least_lag = 0;
+  Ns blocking = 0;  ///< longest masked section: delays every busy window once
 };
 
 /// Requires a model that read_model accepts. May throw Overflow.

@@ -71,7 +71,7 @@ class Walker {
     const Ns step = std::gcd(model_.devices[producer].period_ns, consumer_period);
     Lags result;
     for (std::size_t row = 0; row < table_.rows(producer); ++row) {
-      result.push_back(round_up(in_row(producer, row), step));
+      result.push_back(round_up(std::max(in_row(producer, row), set_.least_lag), step));
     }
     if (is_constant(result)) result.resize(1);
     return result;

@@ -1,0 +1,280 @@
+#include "generator/simulate/simulate.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <limits>
+
+#include "generator/simulate/data_flow.hpp"
+#include "generator/simulate/streams.hpp"
+#include "generator/timing/task_set.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using timing::Ns;
+constexpr Ns kNever = std::numeric_limits<Ns>::max();
+
+/// How long stages take for a while.
+enum class Manner { worst, best, uniform, extreme, mostly_worst };
+
+/// A piece of interrupt work; the release interrupt makes its buckets ready at its end.
+struct Interrupt {
+  std::size_t stream = 0;
+  Ns left = 0;
+  Ns begin = -1;
+  std::vector<std::size_t> due;  ///< buckets, for a release
+  Ns released = 0;
+};
+
+/// The job of one bucket: entry, updates forward, handles backward, flush.
+struct JobState {
+  bool active = false;
+  Ns release = 0;
+  Ns begin = -1;
+  std::size_t piece = 0;  ///< 0 entry, 1..n updates, n+1..2n handles, 2n+1 flush
+  bool piece_begun = false;
+  Ns piece_begin = 0;
+  Ns left = 0;
+};
+
+class Simulator {
+ public:
+  Simulator(const timing::Model& model, const SimulationOptions& options, SimulationObserver* observer)
+      : model_(model),
+        options_(options),
+        observer_(observer),
+        topology_(timing::make_topology(model)),
+        set_(timing::make_task_set(model, options.profile)),
+        random_(options.seed),
+        flow_(model, topology_, options.chains),
+        jobs_(set_.buckets.size()),
+        next_release_(set_.buckets.size(), 0),
+        update_begin_(model.devices.size(), 0) {
+    result_.devices.resize(model.devices.size());
+    for (const ChainEnds& ends : options.chains) result_.chains.push_back({ends, -1});
+    for (std::size_t s = 0; s < set_.bus_streams; ++s) {
+      arrivals_.emplace_back(set_.streams[s], set_.buckets.back().period, random_);
+    }
+  }
+
+  Simulation run() {
+    while (now_ < options_.duration_ns) {
+      const Ns event = next_event();
+      if (event <= now_) {
+        admit();
+        continue;
+      }
+      if (!interrupts_.empty()) {
+        run_interrupt(event);
+      } else if (const std::size_t w = most_urgent(); w < jobs_.size()) {
+        run_job(w, event);
+      } else {
+        now_ = event;
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] Ns next_event() const {
+    Ns event = kNever;
+    for (const Ns release : next_release_) event = std::min(event, release);
+    for (const ArrivalGenerator& a : arrivals_) event = std::min(event, a.next());
+    return std::max(event, masked_until_);
+  }
+
+  [[nodiscard]] std::size_t most_urgent() const {
+    std::size_t w = 0;
+    while (w < jobs_.size() && !jobs_[w].active) ++w;
+    return w;
+  }
+
+  /// Between nothing and `most`, in the manner of the moment.
+  Ns length(Ns least, Ns most) {
+    if (--manner_left_ <= 0) {
+      manner_ = static_cast<Manner>(random_.between(0, 4));
+      manner_left_ = random_.between(1, 60);
+    }
+    switch (manner_) {
+      case Manner::worst:
+        return most;
+      case Manner::best:
+        return least;
+      case Manner::uniform:
+        return random_.between(least, most);
+      case Manner::extreme:
+        return random_.one_in(2) ? least : most;
+      case Manner::mostly_worst:
+        return random_.one_in(8) ? random_.between(least, most) : most;
+    }
+    return most;
+  }
+
+  void admit() {
+    masked_until_ = 0;
+    for (std::size_t s = 0; s < arrivals_.size(); ++s) {
+      while (arrivals_[s].next() <= now_) {
+        interrupts_.push_back({s, length(0, set_.streams[s].cost), -1, {}, 0});
+        const auto w = static_cast<std::size_t>(random_.between(0, static_cast<Ns>(jobs_.size()) - 1));
+        arrivals_[s].advance(next_release_[w]);
+      }
+    }
+    std::vector<std::size_t> due;
+    Ns released = 0;
+    for (std::size_t w = 0; w < jobs_.size(); ++w) {
+      if (next_release_[w] > now_) continue;
+      due.push_back(w);
+      released = next_release_[w];
+      next_release_[w] += set_.buckets[w].period;
+    }
+    if (due.empty()) return;
+    if (options_.profile != timing::Profile::target) return make_ready(due, released);
+    const Ns most = model_.costs.release_ns + static_cast<Ns>(due.size()) * model_.costs.release_per_bucket_ns;
+    Interrupt release{set_.bus_streams, length(0, most), -1, std::move(due), released};
+    if (random_.one_in(2)) {
+      interrupts_.push_back(std::move(release));
+    } else {
+      interrupts_.push_front(std::move(release));
+    }
+  }
+
+  void make_ready(const std::vector<std::size_t>& due, Ns released) {
+    for (const std::size_t w : due) {
+      if (jobs_[w].active) {
+        ++result_.misses;
+        continue;
+      }
+      jobs_[w] = JobState{};
+      jobs_[w].active = true;
+      jobs_[w].release = released;
+    }
+  }
+
+  void run_interrupt(Ns event) {
+    Interrupt& front = interrupts_.front();
+    if (front.begin < 0) front.begin = now_;
+    const Ns end = now_ + front.left;
+    if (end > event) {
+      front.left = end - event;
+      now_ = event;
+      return;
+    }
+    now_ = end;
+    const Interrupt done = std::move(front);
+    interrupts_.pop_front();
+    if (observer_ != nullptr) observer_->interrupt(done.stream, done.begin, now_);
+    make_ready(done.due, done.released);
+  }
+
+  void run_job(std::size_t w, Ns event) {
+    JobState& job = jobs_[w];
+    if (!job.piece_begun) begin_piece(w, job);
+    const Ns end = now_ + job.left;
+    if (end <= event) {
+      now_ = end;
+      end_piece(w, job);
+      return;
+    }
+    job.left = end - event;
+    now_ = event;
+    // The code at work may have interrupts masked just now.
+    if (set_.blocking > 0 && masked_until_ == 0 && random_.one_in(2)) {
+      masked_until_ = now_ + std::min(random_.between(0, set_.blocking), job.left);
+    }
+  }
+
+  /// The device of a piece; pieces 1..n are updates, n+1..2n handles in reverse order.
+  [[nodiscard]] std::size_t device_of(std::size_t w, std::size_t piece) const {
+    const auto& devices = set_.buckets[w].devices;
+    return piece <= devices.size() ? devices[piece - 1] : devices[2 * devices.size() - piece];
+  }
+
+  void begin_piece(std::size_t w, JobState& job) {
+    const std::size_t n = set_.buckets[w].devices.size();
+    job.piece_begun = true;
+    job.piece_begin = now_;
+    if (job.begin < 0) job.begin = now_;
+    if (job.piece == 0 || job.piece > 2 * n) {
+      job.left = length(0, job.piece == 0 ? set_.buckets[w].before : set_.buckets[w].after);
+      return;
+    }
+    const std::size_t d = device_of(w, job.piece);
+    const bool is_update = job.piece <= n;
+    const timing::Device& device = model_.devices[d];
+    const bool target = options_.profile == timing::Profile::target;
+    job.left = is_update ? length(target ? device.update_bcet_ns : 0, set_.update[d])
+                         : length(target ? device.handle_bcet_ns : 0, set_.handle[d]);
+    if (is_update) {
+      update_begin_[d] = now_;
+      flow_.begin_update(d, now_);
+    } else {
+      flow_.begin_handle(d, now_);
+    }
+    if (observer_ != nullptr) report_inputs(d, is_update);
+  }
+
+  void report_inputs(std::size_t d, bool is_update) {
+    using Stage = SimulationObserver::Stage;
+    const auto report = [&](std::size_t producer, Ns published, Stage stage) {
+      if (published >= 0) observer_->hand_over(producer, d, stage, published, now_);
+    };
+    if (!is_update) {
+      if (const auto parent = model_.devices[d].parent) report(*parent, flow_.command_time(*parent), Stage::handle);
+      return;
+    }
+    for (const std::size_t child : topology_.children[d]) report(child, flow_.state_time(child), Stage::update);
+    for (const std::size_t read : model_.devices[d].reads) report(read, flow_.state_time(read), Stage::update);
+  }
+
+  void end_piece(std::size_t w, JobState& job) {
+    const std::size_t n = set_.buckets[w].devices.size();
+    if (job.piece >= 1 && job.piece <= 2 * n) end_stage(device_of(w, job.piece), job.piece <= n, job);
+    job.piece_begun = false;
+    const std::size_t last = set_.buckets[w].after > 0 ? 2 * n + 1 : 2 * n;
+    if (job.piece++ < last) return;
+    if (now_ - job.release > set_.buckets[w].period) ++result_.misses;
+    if (observer_ != nullptr) observer_->job(w, job.begin, now_);
+    job.active = false;
+  }
+
+  void end_stage(std::size_t d, bool is_update, const JobState& job) {
+    Simulation::DeviceWorst& worst = result_.devices[d];
+    if (is_update) {
+      flow_.end_update(d, now_);
+      worst.update_response = std::max(worst.update_response, now_ - job.release);
+    } else {
+      flow_.end_handle(d, now_, result_.chains);
+      worst.response = std::max(worst.response, now_ - job.release);
+      worst.window = std::max(worst.window, now_ - update_begin_[d]);
+    }
+    if (observer_ == nullptr) return;
+    observer_->stage(d, is_update ? SimulationObserver::Stage::update : SimulationObserver::Stage::handle,
+                     job.piece_begin, now_);
+  }
+
+  const timing::Model& model_;
+  const SimulationOptions& options_;
+  SimulationObserver* observer_;
+  timing::Topology topology_;
+  timing::TaskSet set_;
+  Random random_;
+  DataFlow flow_;
+  std::vector<ArrivalGenerator> arrivals_;
+  std::deque<Interrupt> interrupts_;
+  std::vector<JobState> jobs_;
+  std::vector<Ns> next_release_;
+  std::vector<Ns> update_begin_;
+  Ns now_ = 0;
+  Ns masked_until_ = 0;
+  Manner manner_ = Manner::worst;
+  Ns manner_left_ = 0;
+  Simulation result_;
+};
+
+}  // namespace
+
+Simulation simulate(const timing::Model& model, const SimulationOptions& options, SimulationObserver* observer) {
+  return Simulator(model, options, observer).run();
+}
+
+}  // namespace finemote::gen

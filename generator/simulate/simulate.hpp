@@ -1,0 +1,57 @@
+// Runs the schedule of a model event by event with random execution times and interrupts, and keeps the worst it saw.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "generator/timing/result.hpp"
+
+namespace finemote::gen {
+
+struct ChainEnds {
+  std::size_t from = 0, to = 0;  ///< indices into Model::devices
+};
+
+struct SimulationOptions {
+  std::uint64_t seed = 1;
+  timing::Ns duration_ns = 1'000'000'000;
+  timing::Profile profile = timing::Profile::tight;  ///< which costs and interrupts are simulated
+  std::vector<ChainEnds> chains;
+};
+
+/// What a run reports while it goes on; for traces.
+class SimulationObserver {
+ public:
+  virtual ~SimulationObserver() = default;
+  enum class Stage { update, handle };
+  virtual void job(std::size_t bucket, timing::Ns begin, timing::Ns end) = 0;
+  virtual void stage(std::size_t device, Stage stage, timing::Ns begin, timing::Ns end) = 0;
+  virtual void interrupt(std::size_t stream, timing::Ns begin, timing::Ns end) = 0;
+  /// Data published by a stage of `producer` that ended at `published`, read by a stage that began at `used`.
+  virtual void hand_over(std::size_t producer, std::size_t consumer, Stage stage, timing::Ns published,
+                         timing::Ns used) = 0;
+};
+
+struct Simulation {
+  struct DeviceWorst {
+    timing::Ns update_response = timing::Ns{-1};  ///< release to end of update(); -1: never ran
+    timing::Ns response = timing::Ns{-1};         ///< release to end of handle()
+    timing::Ns window = timing::Ns{-1};           ///< start of update() to end of handle()
+  };
+  struct ChainWorst {
+    ChainEnds ends;
+    timing::Ns latency = timing::Ns{-1};  ///< start of the source's update() to end of the terminal's handle()
+  };
+  std::vector<DeviceWorst> devices;
+  std::vector<ChainWorst> chains;
+  std::int64_t misses = 0;  ///< releases that found their bucket unfinished, and were skipped
+};
+
+/// At one instant, ended stages publish, then releases and interrupts are admitted, then the most urgent work runs.
+/// Stages read at their start and publish at their end. Execution times and arrivals change their manner now and then:
+/// all worst, all best, uniform, either extreme; interrupts as fast as allowed, in bursts at releases, at random.
+/// The same seed gives the same run on every machine. Requires a model that read_model accepts.
+Simulation simulate(const timing::Model& model, const SimulationOptions& options,
+                    SimulationObserver* observer = nullptr);
+
+}  // namespace finemote::gen

@@ -1,0 +1,92 @@
+// Interrupts of one source: legal arrival sequences, as hostile as its separation and budgets allow.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "generator/simulate/random.hpp"
+#include "generator/timing/task_set.hpp"
+
+namespace finemote::gen {
+
+class ArrivalGenerator {
+ public:
+  ArrivalGenerator(const timing::Stream& stream, timing::Ns largest_period, Random& random)
+      : stream_(stream), largest_period_(largest_period), random_(random) {
+    next_ = random_.one_in(2) ? 0 : random_.between(0, largest_period);
+    used_.assign(stream.budgets.size(), {kNoPeriod, 0});
+    settle();
+  }
+
+  [[nodiscard]] timing::Ns next() const { return next_; }
+
+  /// Called when `next()` has arrived; `release` is an instant at which some bucket is released later.
+  void advance(timing::Ns release) {
+    if (--left_ <= 0) choose();
+    const timing::Ns earliest = next_ + stream_.separation;
+    switch (manner_) {
+      case Manner::fastest:
+        next_ = earliest;
+        break;
+      case Manner::sparse:
+        next_ = earliest + random_.between(0, 3 * stream_.separation);
+        break;
+      case Manner::at_release:
+        next_ = std::max(earliest, release), manner_ = Manner::fastest;
+        break;
+      case Manner::pause:
+        next_ = earliest + random_.between(0, largest_period_), manner_ = Manner::fastest;
+        break;
+    }
+    settle();
+  }
+
+ private:
+  enum class Manner { fastest, sparse, at_release, pause };
+  static constexpr timing::Ns kNoPeriod = -1;
+
+  void choose() {
+    manner_ = static_cast<Manner>(random_.between(0, 3));
+    left_ = random_.between(1, 40);
+  }
+
+  /// Moves the next arrival to where some budget still has room, and takes it.
+  void settle() {
+    if (stream_.budgets.empty()) return;
+    for (;;) {
+      timing::Ns soonest = -1;
+      for (std::size_t i = 0; i < used_.size(); ++i) {
+        const timing::Stream::Budget& b = stream_.budgets[i];
+        const timing::Ns period = next_ / b.period;
+        const timing::Ns count = used_[i].period == period ? used_[i].count : 0;
+        if (count < b.count) {
+          used_[i] = {period, count + 1};
+          return;
+        }
+        const timing::Ns later = (period + 1) * b.period;
+        if (b.count > 0 && (soonest < 0 || later < soonest)) soonest = later;
+      }
+      if (soonest < 0) {
+        next_ = std::numeric_limits<timing::Ns>::max() / 4;
+        return;
+      }
+      next_ = soonest;
+    }
+  }
+
+  struct Used {
+    timing::Ns period = kNoPeriod;
+    timing::Ns count = 0;
+  };
+
+  const timing::Stream& stream_;
+  timing::Ns largest_period_;
+  Random& random_;
+  timing::Ns next_ = 0;
+  Manner manner_ = Manner::fastest;
+  timing::Ns left_ = 8;
+  std::vector<Used> used_;
+};
+
+}  // namespace finemote::gen

@@ -1,0 +1,205 @@
+// The analysis against its definitions and against simulations, over random forests.
+// FINEMOTE_FORESTS sets how many forests of each class are tried.
+#include <cstdlib>
+
+#include "catch.hpp"
+#include "generator/simulate/simulate.hpp"
+#include "generator/timing/json.hpp"
+#include "generator/timing/profile.hpp"
+#include "timing_random.hpp"
+#include "timing_reference.hpp"
+
+using namespace finemote::gen;
+using namespace finemote::gen::timing;
+
+namespace {
+
+int forests(int fallback) {
+  const char* text = std::getenv("FINEMOTE_FORESTS");
+  return text != nullptr ? std::atoi(text) : fallback;
+}
+
+std::uint64_t seed_of(ForestClass kind, int i) {
+  return static_cast<std::uint64_t>(i) * 4 + static_cast<std::uint64_t>(kind) + 1;
+}
+
+std::vector<ChainEnds> leaf_paths(const Topology& topology) {
+  std::vector<ChainEnds> chains;
+  for (const auto& leaves : topology.leaves) {
+    for (const std::size_t leaf : leaves) chains.push_back({leaf, leaf});
+  }
+  return chains;
+}
+
+std::vector<ChainEnds> leaf_pairs(const Topology& topology) {
+  std::vector<ChainEnds> chains;
+  for (const auto& leaves : topology.leaves) {
+    for (const std::size_t a : leaves) {
+      for (const std::size_t b : leaves) chains.push_back({a, b});
+    }
+  }
+  return chains;
+}
+
+Ns run_length(const Model& model) {
+  Ns common = 1;
+  for (const Device& d : model.devices) common = timing::lcm(common, d.period_ns);
+  return 4 * common;
+}
+
+/// Empty when nothing that was simulated is above its bound.
+std::string violation(const Model& model, const ProfileResult& bounds, const Simulation& run) {
+  for (std::size_t d = 0; d < model.devices.size(); ++d) {
+    const DeviceResult& b = bounds.devices[d];
+    const Simulation::DeviceWorst& w = run.devices[d];
+    if (!b.r_minus_ns) continue;
+    if (w.update_response > *b.r_plus_ns) return "R+ of " + model.devices[d].name;
+    if (w.response > *b.r_minus_ns) return "R- of " + model.devices[d].name;
+    if (b.window_ns && w.window > *b.window_ns) return "window of " + model.devices[d].name;
+  }
+  std::size_t chain = 0;
+  for (const TreeResult& tree : bounds.trees) {
+    for (const PathResult& path : tree.paths) {
+      const Ns seen = run.chains[chain++].latency;
+      if (path.latency_ns && seen > *path.latency_ns) return "latency of " + model.devices[path.leaf].name;
+    }
+  }
+  return {};
+}
+
+void check_path(const PathResult& found, std::optional<Reference::Path> expected) {
+  REQUIRE(found.latency_ns.has_value() == expected.has_value());
+  if (!expected) return;
+  CHECK(*found.latency_ns == expected->value);
+  CHECK(*found.release_ns == expected->release);
+  CHECK(*found.source_release_ns == expected->source);
+}
+
+void check_profile(const Model& model, Profile profile) {
+  const Topology topology = make_topology(model);
+  const ProfileResult found = analyse_profile(model, topology, profile).result;
+  Reference reference(model, profile == Profile::tight);
+  for (std::size_t d = 0; d < model.devices.size(); ++d) {
+    CHECK(found.devices[d].r_plus_ns == reference.r(d, false));
+    CHECK(found.devices[d].r_minus_ns == reference.r(d, true));
+    if (profile == Profile::tight) CHECK(found.devices[d].window_ns == reference.window(d));
+  }
+  for (const TreeResult& tree : found.trees) {
+    Ns cross = 0;
+    for (const PathResult& path : tree.paths) {
+      check_path(path, reference.path(path.leaf, path.leaf));
+      for (const PathResult& other : tree.paths) {
+        if (!tree.cross_latency_ns) break;
+        cross = std::max(cross, reference.path(other.leaf, path.leaf)->value);
+      }
+    }
+    if (tree.cross_latency_ns) CHECK(*tree.cross_latency_ns == cross);
+    if (tree.corollary_ns) CHECK(*tree.corollary_ns == *tree.latency_ns);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the algorithms give what the definitions say") {
+  for (const ForestClass kind : kForestClasses) {
+    for (int i = 0; i < forests(60); ++i) {
+      const Model model = RandomForest(seed_of(kind, i)).make(kind);
+      INFO("seed " << seed_of(kind, i) << " " << model_json(model).dump());
+      check_profile(model, Profile::paper);
+      check_profile(model, Profile::tight);
+    }
+  }
+}
+
+TEST_CASE("no simulated value is above its bound") {
+  int schedulable = 0;
+  for (const ForestClass kind : kForestClasses) {
+    for (int i = 0; i < forests(1000); ++i) {
+      const std::uint64_t seed = seed_of(kind, i) + 1'000'000;
+      RandomForest source(seed);
+      Model model = source.make(kind);
+      const Topology topology = make_topology(model);
+      const auto check = [&](Profile profile, Profile simulated, std::uint64_t run_seed) {
+        const ProfileResult bounds = analyse_profile(model, topology, profile).result;
+        const Simulation run = simulate(model, {run_seed, run_length(model), simulated, leaf_paths(topology)});
+        INFO("seed " << seed << " run " << run_seed << " " << model_json(model).dump());
+        CHECK(violation(model, bounds, run) == "");
+        if (bounds.schedulable) CHECK(run.misses == 0);
+        schedulable += bounds.schedulable ? 1 : 0;
+      };
+      check(Profile::paper, Profile::paper, seed);
+      check(Profile::tight, Profile::tight, seed + 1);
+      source.extend(model);
+      check(Profile::target, Profile::target, seed + 2);
+    }
+  }
+  CHECK(schedulable > 4 * forests(1000));
+}
+
+TEST_CASE("no simulated pair of leaves is above the cross latency") {
+  for (const ForestClass kind : kForestClasses) {
+    for (int i = 0; i < forests(200); ++i) {
+      const Model model = RandomForest(seed_of(kind, i) + 2'000'000).make(kind);
+      const Topology topology = make_topology(model);
+      const ProfileResult bounds = analyse_profile(model, topology, Profile::paper).result;
+      const Simulation run = simulate(model, {7, run_length(model), Profile::paper, leaf_pairs(topology)});
+      std::size_t chain = 0;
+      for (const TreeResult& tree : bounds.trees) {
+        for (std::size_t pair = 0; pair < tree.paths.size() * tree.paths.size(); ++pair) {
+          const Ns seen = run.chains[chain++].latency;
+          if (tree.cross_latency_ns) CHECK(seen <= *tree.cross_latency_ns);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("every classic mistake is caught by the same property") {
+  const auto caught = [](Mistakes mistakes) {
+    int count = 0;
+    for (const ForestClass kind : kForestClasses) {
+      for (int i = 0; i < 300; ++i) {
+        const Model model = RandomForest(seed_of(kind, i) + 3'000'000).make(kind);
+        const Topology topology = make_topology(model);
+        const ProfileAnalysis real = analyse_profile(model, topology, Profile::paper);
+        if (!real.result.schedulable) continue;
+        Reference wrong(model, false, mistakes);
+        ProfileResult bounds = real.result;
+        for (std::size_t d = 0; d < model.devices.size(); ++d) {
+          bounds.devices[d].r_plus_ns = wrong.r(d, false);
+          bounds.devices[d].r_minus_ns = wrong.r(d, true);
+        }
+        for (TreeResult& tree : bounds.trees) {
+          for (PathResult& path : tree.paths) path.latency_ns = wrong.path(path.leaf, path.leaf)->value;
+        }
+        const Simulation run = simulate(model, {11, run_length(model), Profile::tight, leaf_paths(topology)});
+        count += violation(model, bounds, run).empty() ? 0 : 1;
+      }
+    }
+    return count;
+  };
+  CHECK(caught({}) == 0);
+  CHECK(caught({true, false, false}) > 0);
+  CHECK(caught({false, true, false}) > 0);
+  CHECK(caught({false, false, true}) > 0);
+}
+
+TEST_CASE("below an empty bucket the rule of the cases is kept, and profile target is safe") {
+  Model model;
+  model.tick_ns = 10;
+  model.devices.resize(2);
+  model.devices[0].name = "slow";
+  model.devices[0].parent = 1;
+  model.devices[0].period_ns = 40;
+  model.devices[0].handle_wcet_ns = 1;
+  model.devices[1].name = "fast";
+  model.devices[1].period_ns = 10;
+  const Topology topology = make_topology(model);
+  const auto bound = [&](Profile profile) {
+    return *analyse_profile(model, topology, profile).result.trees.front().latency_ns;
+  };
+  const Simulation run = simulate(model, {1, 400, Profile::tight, {{0, 0}}});
+  CHECK(bound(Profile::tight) == 1);
+  CHECK(run.chains.front().latency == 41);
+  CHECK(bound(Profile::target) == 41);
+}

@@ -1,0 +1,128 @@
+// Random forests for properties of the timing analysis: small periods, so that every phase is met soon.
+#pragma once
+
+#include <string>
+
+#include "generator/simulate/random.hpp"
+#include "generator/timing/model.hpp"
+
+namespace finemote::gen::timing {
+
+enum class ForestClass { same_period, parent_slower, parent_faster, non_harmonic };
+inline constexpr ForestClass kForestClasses[] = {ForestClass::same_period, ForestClass::parent_slower,
+                                                 ForestClass::parent_faster, ForestClass::non_harmonic};
+
+class RandomForest {
+ public:
+  explicit RandomForest(std::uint64_t seed) : random_(seed) {}
+
+  Model make(ForestClass kind) {
+    Model model;
+    model.tick_ns = kTick;
+    periods_ = periods(kind);
+    zero_one_in_ = random_.one_in(2) ? 3 : 1'000'000;
+    const Ns trees = random_.between(1, 3);
+    for (Ns tree = 0; tree < trees; ++tree) grow(model, kind, random_.between(1, 6));
+    scale_costs(model);
+    fill_empty_buckets(model);
+    add_buses(model);
+    return model;
+  }
+
+  /// Costs, interrupt sources with budgets, copies and flushes on top.
+  void extend(Model& model) {
+    model.has_target = true;
+    model.costs = {random_.between(0, 3), random_.between(0, 2), random_.between(0, 1),
+                   random_.between(0, 4), random_.between(0, 1), random_.between(0, 4)};
+    for (Device& d : model.devices) {
+      d.update_bcet_ns = random_.between(0, d.update_wcet_ns);
+      d.update_extra_ns = random_.between(0, 2);
+      d.handle_extra_ns = random_.between(0, 2);
+    }
+    if (random_.one_in(2)) model.flushes.push_back({model.devices.front().period_ns, random_.between(0, 6)});
+    for (Bus& bus : model.buses) {
+      if (random_.one_in(3)) continue;
+      bus.sources.emplace();
+      for (Ns i = random_.between(1, 2); i > 0; --i) {
+        InterruptSource source{"source", random_.between(0, 4), random_.between(5, 80), {}};
+        if (random_.one_in(2)) {
+          const auto device = static_cast<std::size_t>(random_.between(0, static_cast<Ns>(model.devices.size()) - 1));
+          source.budgets.push_back({device, random_.between(0, 3)});
+        }
+        bus.sources->push_back(source);
+      }
+    }
+  }
+
+ private:
+  static constexpr Ns kTick = 20;
+
+  std::vector<Ns> periods(ForestClass kind) {
+    static const std::vector<std::vector<Ns>> kHarmonic{{5, 10, 20}, {4, 8, 16}, {3, 6, 12}, {2, 10, 20}};
+    static const std::vector<std::vector<Ns>> kOther{{4, 6, 10}, {2, 3, 5},  {3, 5, 7},
+                                                     {4, 6, 9},  {5, 7, 10}, {6, 7, 8}};
+    if (kind == ForestClass::same_period) return {random_.between(4, 20)};
+    const auto& sets = kind == ForestClass::non_harmonic ? kOther : kHarmonic;
+    return sets[static_cast<std::size_t>(random_.between(0, static_cast<Ns>(sets.size()) - 1))];
+  }
+
+  /// One tree in registration order: a random parent for every device but the last.
+  void grow(Model& model, ForestClass kind, Ns count) {
+    const std::size_t begin = model.devices.size(), end = begin + static_cast<std::size_t>(count);
+    std::vector<std::size_t> rank(end, 0);  // index into periods_
+    for (std::size_t d = end; d-- > begin;) {
+      Device device;
+      device.name = "d" + std::to_string(d);
+      Ns low = 0, high = static_cast<Ns>(periods_.size()) - 1;
+      if (d + 1 < end) {
+        const auto parent = static_cast<std::size_t>(random_.between(static_cast<Ns>(d) + 1, static_cast<Ns>(end) - 1));
+        device.parent = parent;
+        const auto limit = static_cast<Ns>(rank[parent]);
+        if (kind == ForestClass::parent_slower) high = limit;
+        if (kind == ForestClass::parent_faster) low = limit;
+      }
+      rank[d] = static_cast<std::size_t>(random_.between(low, high));
+      device.period_ns = periods_[rank[d]] * kTick;
+      model.devices.insert(model.devices.begin() + static_cast<std::ptrdiff_t>(begin), device);
+    }
+  }
+
+  void scale_costs(Model& model) {
+    const Ns load = random_.between(10, 90);  // percent of the processor, roughly
+    const auto count = static_cast<Ns>(model.devices.size());
+    for (Device& d : model.devices) {
+      const Ns share = std::max<Ns>(1, d.period_ns * load / 100 / count);
+      d.update_wcet_ns = random_.one_in(zero_one_in_) ? 0 : random_.between(0, share);
+      d.handle_wcet_ns = random_.one_in(zero_one_in_) ? 0 : random_.between(0, share);
+      if (zero_one_in_ > 3) d.update_wcet_ns += d.update_wcet_ns == 0, d.handle_wcet_ns += d.handle_wcet_ns == 0;
+    }
+  }
+
+  /// The rule of the cases is not safe below buckets that are empty as a whole; see the test of that name.
+  static void fill_empty_buckets(Model& model) {
+    for (Device& d : model.devices) {
+      Ns cost = 0;
+      for (const Device& o : model.devices)
+        cost += o.period_ns == d.period_ns ? o.update_wcet_ns + o.handle_wcet_ns : 0;
+      if (cost == 0) d.handle_wcet_ns = 1;
+    }
+  }
+
+  void add_buses(Model& model) {
+    for (Ns i = random_.between(0, 3); i > 0; --i) {
+      Bus bus;
+      bus.name = "b" + std::to_string(i);
+      bus.baud_bps = 300'000'000;  // one bit is 10/3 ns: frame times are fractions
+      bus.min_frame_bits = random_.between(3, 40);
+      bus.frame_ns = bus.min_frame_bits * 1'000'000'000 / bus.baud_bps;
+      bus.wcet_ns = random_.between(0, std::max<Ns>(1, bus.frame_ns / 5));
+      model.buses.push_back(bus);
+    }
+  }
+
+  Random random_;
+  std::vector<Ns> periods_;
+  Ns zero_one_in_ = 3;
+};
+
+}  // namespace finemote::gen::timing
