@@ -1,0 +1,3 @@
+#include "tree.hpp"
+
+int total_in_first() { return order::body.total(); }

@@ -1,0 +1,7 @@
+#include "trap.hpp"
+
+namespace order {
+
+finemote::Ordered<Part> motor{1};
+
+}  // namespace order
