@@ -1,0 +1,282 @@
+#include "generator/units/units.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <limits>
+#include <span>
+
+namespace finemote::gen::units {
+namespace {
+
+/// A unit and the power of ten that leads to the base unit.
+struct UnitName {
+  std::string_view text;
+  int exponent;
+};
+
+/// One kind of quantity: its units, and what messages call it.
+struct Kind {
+  std::string_view article_name;  // "a duration"
+  std::span<const UnitName> units;
+  std::string_view base;
+  std::string_view example_unit;
+};
+
+constexpr std::array<UnitName, 4> kTime{{{"ns", 0}, {"us", 3}, {"ms", 6}, {"s", 9}}};
+constexpr std::array<UnitName, 3> kFrequency{{{"Hz", 0}, {"kHz", 3}, {"MHz", 6}}};
+constexpr std::array<UnitName, 4> kBitrate{{{"bit/s", 0}, {"kbit/s", 3}, {"Mbit/s", 6}, {"baud", 0}}};
+constexpr std::array<UnitName, 1> kBits{{{"bit", 0}}};
+constexpr std::array<UnitName, 1> kPercent{{{"%", 0}}};
+
+constexpr Kind kDurationKind{"a duration", kTime, "ns", "ms"};
+constexpr Kind kFrequencyKind{"a frequency", kFrequency, "Hz", "kHz"};
+constexpr Kind kBitrateKind{"a bit rate", kBitrate, "bit/s", "baud"};
+constexpr Kind kBitsKind{"a number of bits", kBits, "bit", "bit"};
+constexpr Kind kPercentKind{"a percentage", kPercent, "%", "%"};
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::size_t count_digits(std::string_view text) {
+  std::size_t n = 0;
+  while (n < text.size() && is_digit(text[n])) ++n;
+  return n;
+}
+
+/// Length of `[0-9]+(\.[0-9]+)?` at the begin of the text; 0 when there is none.
+std::size_t number_length(std::string_view text) {
+  const std::size_t whole = count_digits(text);
+  if (whole == 0 || whole == text.size() || text[whole] != '.') return whole;
+  const std::size_t fraction = count_digits(text.substr(whole + 1));
+  return fraction == 0 ? whole : whole + 1 + fraction;
+}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  if (text.size() <= kLongest) return std::string(text);
+  return std::string(text.substr(0, kLongest)) + "...";
+}
+
+std::string unit_list(const Kind& kind) {
+  std::string list;
+  for (const UnitName& unit : kind.units) {
+    if (!list.empty()) list += ", ";
+    list += unit.text;
+  }
+  return list;
+}
+
+Fault malformed(std::string_view text, const Kind& kind) {
+  const std::string example = fmt::format("write a number and a unit, for example '10{}'", kind.example_unit);
+  if (text.empty())
+    return {code::quantity_malformed, fmt::format("empty value, expected {}", kind.article_name), example};
+  if (text.front() == '-') {
+    return {code::quantity_malformed, fmt::format("'{}' is negative, expected {}", shown(text), kind.article_name),
+            example};
+  }
+  return {code::quantity_malformed, fmt::format("'{}' is not {}", shown(text), kind.article_name), example};
+}
+
+Fault no_unit(std::string_view text, const Kind& kind) {
+  const auto hint = kind.units.size() == 1
+                        ? fmt::format("write '{}{}'", shown(text), kind.base)
+                        : fmt::format("write '{}{}'; units are {}", shown(text), kind.example_unit, unit_list(kind));
+  return {code::unit_missing, fmt::format("'{}' has no unit, expected {}", shown(text), kind.article_name), hint};
+}
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool equal_ignoring_case(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (lower(a[i]) != lower(b[i])) return false;
+  }
+  return true;
+}
+
+Fault other_unit(std::string_view number, std::string_view unit, const Kind& kind) {
+  std::string hint = fmt::format("units are {}", unit_list(kind));
+  for (const UnitName& candidate : kind.units) {
+    if (equal_ignoring_case(unit, candidate.text))
+      hint = fmt::format("units are case-sensitive: write '{}{}'", number, candidate.text);
+  }
+  return {code::unit_wrong, fmt::format("'{}' is not a unit of {}", shown(unit), kind.article_name), hint};
+}
+
+/// A number and its unit, separated.
+struct Parts {
+  std::string_view number;
+  int exponent = 0;
+  std::string_view unit;
+};
+
+Result<Parts> split(std::string_view text, const Kind& kind) {
+  const std::size_t length = number_length(text);
+  if (length == 0) return malformed(text, kind);
+  const std::string_view number = text.substr(0, length);
+  std::string_view rest = text.substr(length);
+  if (rest.empty()) return no_unit(text, kind);
+  if (rest.front() == ' ') rest.remove_prefix(1);
+  if (rest.empty() || rest.front() == ' ' || rest.front() == '.' || rest.front() == '\t' || rest.front() == '\n')
+    return malformed(text, kind);
+  for (const UnitName& unit : kind.units) {
+    if (rest == unit.text) return Parts{number, unit.exponent, rest};
+  }
+  if (rest.find(' ') != std::string_view::npos || is_digit(rest.front())) return malformed(text, kind);
+  return other_unit(number, rest, kind);
+}
+
+Fault too_large(std::string_view text) {
+  return {code::quantity_overflow, fmt::format("'{}' is too large", shown(text)), {}};
+}
+
+/// Adds decimal digits to `value`; false when it leaves 63 bits.
+bool append_digits(std::int64_t& value, std::string_view digits) {
+  for (const char c : digits) {
+    if (__builtin_mul_overflow(value, std::int64_t{10}, &value)) return false;
+    if (__builtin_add_overflow(value, std::int64_t{c - '0'}, &value)) return false;
+  }
+  return true;
+}
+
+Result<std::int64_t> exact(std::string_view text, const Kind& kind) {
+  const Result<Parts> parts = split(text, kind);
+  if (!parts) return parts.fault();
+  const std::string_view number = (*parts).number;
+  const std::size_t point = number.find('.');
+  std::string_view fraction = point == std::string_view::npos ? std::string_view() : number.substr(point + 1);
+  while (!fraction.empty() && fraction.back() == '0') fraction.remove_suffix(1);
+  const int zeros = (*parts).exponent - static_cast<int>(fraction.size() > 99 ? 99 : fraction.size());
+  if (zeros < 0) {
+    return Fault{code::quantity_inexact, fmt::format("'{}' is not a whole number of {}", shown(text), kind.base), {}};
+  }
+  std::int64_t value = 0;
+  const bool fits = append_digits(value, number.substr(0, point)) && append_digits(value, fraction) &&
+                    append_digits(value, std::string(static_cast<std::size_t>(zeros), '0'));
+  if (!fits) return too_large(text);
+  return value;
+}
+
+}  // namespace
+
+Result<std::int64_t> parse_duration(std::string_view text) { return exact(text, kDurationKind); }
+Result<std::int64_t> parse_frequency(std::string_view text) { return exact(text, kFrequencyKind); }
+Result<std::int64_t> parse_bitrate(std::string_view text) { return exact(text, kBitrateKind); }
+Result<std::int64_t> parse_bits(std::string_view text) { return exact(text, kBitsKind); }
+
+Result<double> parse_percent(std::string_view text) {
+  const Result<Parts> parts = split(text, kPercentKind);
+  if (!parts) return parts.fault();
+  const std::string scaled = std::string((*parts).number) + "e-2";
+  double value = 0;
+  const auto [end, error] = std::from_chars(scaled.data(), scaled.data() + scaled.size(), value);
+  if (error != std::errc() || end != scaled.data() + scaled.size()) return too_large(text);
+  return value;
+}
+
+Result<std::uint32_t> parse_bare(std::string_view text) {
+  const bool hex = text.size() > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
+  const std::string_view digits = hex ? text.substr(2) : text;
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, hex ? 16 : 10);
+  if (error == std::errc::result_out_of_range) return too_large(text);
+  if (error != std::errc() || end != digits.data() + digits.size()) {
+    return Fault{code::bare_integer, fmt::format("'{}' is not a whole number", shown(text)),
+                 "write a decimal or 0x number without unit"};
+  }
+  return value;
+}
+
+namespace {
+
+/// Length of a signed integer (decimal or 0x), or of a signed real; 0 when there is none.
+std::size_t integer_length(std::string_view text) {
+  const std::size_t sign = !text.empty() && (text.front() == '-' || text.front() == '+') ? 1 : 0;
+  if (text.substr(sign, 2) == "0x" || text.substr(sign, 2) == "0X") {
+    std::size_t end = sign + 2;
+    while (end < text.size() && std::string_view("0123456789abcdefABCDEF").find(text[end]) != std::string_view::npos)
+      ++end;
+    return end > sign + 2 ? end : 0;
+  }
+  const std::size_t digits = count_digits(text.substr(sign));
+  return digits == 0 ? 0 : sign + digits;
+}
+
+std::size_t real_length(std::string_view text) {
+  const std::size_t sign = !text.empty() && (text.front() == '-' || text.front() == '+') ? 1 : 0;
+  const std::size_t number = number_length(text.substr(sign));
+  if (number == 0) return 0;
+  std::size_t end = sign + number;
+  if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
+    std::size_t exponent = end + 1;
+    if (exponent < text.size() && (text[exponent] == '-' || text[exponent] == '+')) ++exponent;
+    const std::size_t digits = count_digits(text.substr(exponent));
+    if (digits > 0) end = exponent + digits;
+  }
+  return end;
+}
+
+/// Nothing when `rest`, which follows a number, is the unit; else the fault.
+std::optional<Fault> check_unit(std::string_view text, std::string_view rest, std::string_view unit,
+                                std::string_view noun) {
+  if (rest == unit) return {};
+  if (!unit.empty() && rest.empty()) {
+    return Fault{code::unit_missing, fmt::format("'{}' has no unit", shown(text)),
+                 fmt::format("write '{}{}'", shown(text), unit)};
+  }
+  if (!unit.empty() && rest.front() == ' ' && rest.substr(1) == unit) return {};
+  if (unit.empty()) return Fault{code::quantity_malformed, fmt::format("'{}' is not {}", shown(text), noun), {}};
+  const std::string number(text.substr(0, text.size() - rest.size()));
+  return Fault{code::unit_wrong, fmt::format("'{}' does not end in the unit '{}'", shown(text), unit),
+               fmt::format("write '{}{}'", number, unit)};
+}
+
+Fault not_a(std::string_view text, std::string_view noun) {
+  return {
+      code::quantity_malformed,
+      text.empty() ? fmt::format("empty value, expected {}", noun) : fmt::format("'{}' is not {}", shown(text), noun),
+      {}};
+}
+
+}  // namespace
+
+Result<std::int64_t> parse_integer(std::string_view text, std::string_view unit) {
+  constexpr std::string_view kNoun = "a whole number";
+  const std::size_t length = integer_length(text);
+  if (length == 0) return not_a(text, kNoun);
+  if (auto fault = check_unit(text, text.substr(length), unit, kNoun)) return *fault;
+  std::string_view digits = text.substr(0, length);
+  const bool negative = digits.front() == '-';
+  if (negative || digits.front() == '+') digits.remove_prefix(1);
+  const bool hex = digits.size() > 2 && (digits[1] == 'x' || digits[1] == 'X');
+  if (hex) digits.remove_prefix(2);
+  std::uint64_t magnitude = 0;
+  const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), magnitude, hex ? 16 : 10);
+  constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (parsed.ec != std::errc() || magnitude > kMost) return too_large(text);
+  const auto value = static_cast<std::int64_t>(magnitude);
+  return negative ? -value : value;
+}
+
+Result<double> parse_real(std::string_view text, std::string_view unit) {
+  constexpr std::string_view kNoun = "a number";
+  const std::size_t length = real_length(text);
+  if (length == 0) return not_a(text, kNoun);
+  if (auto fault = check_unit(text, text.substr(length), unit, kNoun)) return *fault;
+  std::string_view number = text.substr(0, length);
+  if (number.front() == '+') number.remove_prefix(1);
+  double value = 0;
+  const auto parsed = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (parsed.ec != std::errc()) return too_large(text);
+  return value;
+}
+
+std::string format_duration(std::int64_t nanoseconds) {
+  if (nanoseconds % 1'000'000'000 == 0) return fmt::format("{}s", nanoseconds / 1'000'000'000);
+  if (nanoseconds % 1'000'000 == 0) return fmt::format("{}ms", nanoseconds / 1'000'000);
+  if (nanoseconds % 1'000 == 0) return fmt::format("{}us", nanoseconds / 1'000);
+  return fmt::format("{}ns", nanoseconds);
+}
+
+}  // namespace finemote::gen::units

@@ -1,0 +1,120 @@
+#include "generator/units/units.hpp"
+
+#include <clocale>
+#include <limits>
+
+#include "catch.hpp"
+
+using namespace finemote::gen;
+using namespace finemote::gen::units;
+
+namespace {
+
+template <typename T>
+void accepts(const Result<T>& result, T value) {
+  REQUIRE(static_cast<bool>(result));
+  CHECK(*result == value);
+}
+
+template <typename T>
+void refuses(const Result<T>& result, Code code, const std::string& message, const std::string& hint) {
+  REQUIRE_FALSE(static_cast<bool>(result));
+  CHECK(result.fault().code.number == code.number);
+  CHECK(result.fault().message == message);
+  CHECK(result.fault().hint == hint);
+}
+
+}  // namespace
+
+TEST_CASE("quantities are exact in the base unit") {
+  accepts(parse_duration("5ms"), std::int64_t{5'000'000});
+  accepts(parse_duration("5 ms"), std::int64_t{5'000'000});
+  accepts(parse_duration("2.5us"), std::int64_t{2'500});
+  accepts(parse_duration("0.10 us"), std::int64_t{100});
+  accepts(parse_duration("0.000000001s"), std::int64_t{1});
+  accepts(parse_duration("1.000ns"), std::int64_t{1});
+  accepts(parse_duration("007ms"), std::int64_t{7'000'000});
+  accepts(parse_duration("9223372036854775807ns"), std::numeric_limits<std::int64_t>::max());
+  accepts(parse_frequency("400kHz"), std::int64_t{400'000});
+  accepts(parse_frequency("10.5MHz"), std::int64_t{10'500'000});
+  accepts(parse_bitrate("921600baud"), std::int64_t{921'600});
+  accepts(parse_bitrate("1Mbit/s"), std::int64_t{1'000'000});
+  accepts(parse_bits("20bit"), std::int64_t{20});
+  accepts(parse_percent("40%"), 0.4);
+  accepts(parse_percent("33.3 %"), 0.333);
+}
+
+TEST_CASE("a quantity without unit, or with another one, says what to write") {
+  refuses(parse_duration("5"), code::unit_missing, "'5' has no unit, expected a duration",
+          "write '5ms'; units are ns, us, ms, s");
+  refuses(parse_bits("20"), code::unit_missing, "'20' has no unit, expected a number of bits", "write '20bit'");
+  refuses(parse_duration("5Ms"), code::unit_wrong, "'Ms' is not a unit of a duration",
+          "units are case-sensitive: write '5ms'");
+  refuses(parse_duration("5min"), code::unit_wrong, "'min' is not a unit of a duration", "units are ns, us, ms, s");
+  refuses(parse_frequency("400khz"), code::unit_wrong, "'khz' is not a unit of a frequency",
+          "units are case-sensitive: write '400kHz'");
+  refuses(parse_duration("400kHz"), code::unit_wrong, "'kHz' is not a unit of a duration", "units are ns, us, ms, s");
+}
+
+TEST_CASE("what is no quantity at all") {
+  const std::string hint = "write a number and a unit, for example '10ms'";
+  refuses(parse_duration(""), code::quantity_malformed, "empty value, expected a duration", hint);
+  refuses(parse_duration("-5ms"), code::quantity_malformed, "'-5ms' is negative, expected a duration", hint);
+  for (const std::string text : {"ms", "5  ms", " 5ms", "5ms ", "5.ms", ".5ms", "5,5ms", "1e3ms", "+5ms", "5\tms",
+                                 "5 6ms", "0x5ms", "5.5.5ms", "5 "}) {
+    INFO(text);
+    const auto result = parse_duration(text);
+    REQUIRE_FALSE(static_cast<bool>(result));
+    const std::uint16_t number = result.fault().code.number;
+    CHECK((number == code::quantity_malformed.number || number == code::unit_wrong.number));
+  }
+}
+
+TEST_CASE("values that are not whole or do not fit are errors, never rounded") {
+  refuses(parse_duration("0.5ns"), code::quantity_inexact, "'0.5ns' is not a whole number of ns", "");
+  refuses(parse_frequency("0.0001kHz"), code::quantity_inexact, "'0.0001kHz' is not a whole number of Hz", "");
+  refuses(parse_duration("9223372036854775808ns"), code::quantity_overflow, "'9223372036854775808ns' is too large", "");
+  refuses(parse_duration("9223372037s"), code::quantity_overflow, "'9223372037s' is too large", "");
+  const std::string many(200, '9');
+  CHECK(parse_duration(many + "s").fault().code == code::quantity_overflow);
+  CHECK(parse_duration("0." + many + "s").fault().code == code::quantity_inexact);
+}
+
+TEST_CASE("bare integers are decimal or hexadecimal") {
+  accepts(parse_bare("118"), std::uint32_t{118});
+  accepts(parse_bare("0x76"), std::uint32_t{0x76});
+  accepts(parse_bare("0X7f"), std::uint32_t{0x7f});
+  accepts(parse_bare("010"), std::uint32_t{10});
+  for (const std::string text : {"", "0x", "-1", "+1", " 1", "1 ", "0x7g", "1.0", "five", "76h"}) {
+    INFO(text);
+    CHECK(parse_bare(text).fault().code == code::bare_integer);
+  }
+  CHECK(parse_bare("4294967296").fault().code == code::quantity_overflow);
+}
+
+TEST_CASE("numbers of params without conversion") {
+  accepts(parse_integer("-5"), std::int64_t{-5});
+  accepts(parse_integer("0x10"), std::int64_t{16});
+  accepts(parse_real("-1.5e-3"), -1.5e-3);
+  accepts(parse_real("+2"), 2.0);
+  CHECK(parse_integer("1.5").fault().code == code::quantity_malformed);
+  CHECK(parse_real("nan").fault().code == code::quantity_malformed);
+  CHECK(parse_real("inf").fault().code == code::quantity_malformed);
+  CHECK(parse_real("1e999").fault().code == code::quantity_overflow);
+}
+
+TEST_CASE("no locale is consulted") {
+  // whether or not this locale is installed, the result is the same
+  std::setlocale(LC_ALL, "de_DE.UTF-8");
+  accepts(parse_real("1.5"), 1.5);
+  accepts(parse_percent("2.5%"), 0.025);
+  std::setlocale(LC_ALL, "C");
+}
+
+TEST_CASE("durations are written in the largest unit that divides them") {
+  CHECK(format_duration(10'000'000) == "10ms");
+  CHECK(format_duration(2'500'000) == "2500us");
+  CHECK(format_duration(2'000'000'000) == "2s");
+  CHECK(format_duration(17) == "17ns");
+  CHECK(format_duration(0) == "0s");
+}
