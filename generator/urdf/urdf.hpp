@@ -1,0 +1,29 @@
+// XML to links and joints: what later stages need of the URDF itself, checked by us for place and by urdfdom for sense.
+#pragma once
+
+#include <vector>
+
+#include "generator/diagnostic/diagnostics.hpp"
+#include "generator/model/robot.hpp"
+#include "generator/xml/node.hpp"
+
+namespace finemote::gen {
+
+/// Links and joints in document order.
+struct Kinematics {
+  std::vector<Link> links;
+  std::vector<Joint> joints;
+
+  [[nodiscard]] const Link* link(std::string_view name) const;
+  [[nodiscard]] const Joint* joint(std::string_view name) const;
+};
+
+/// Reads the `<link>` and `<joint>` elements of a `<robot>`.
+///
+/// Lengths in m, angles in rad, whatever the locale. Reports FM2002 (a joint names a link that does not exist), FM2007
+/// (a name used twice), FM2008 (malformed numbers), FM2009 (unknown joint type), FM2010 (a link with two parents),
+/// FM3010 (a missing name, type, parent or child) and, when all that is right, FM2001 with urdfdom's own words.
+/// A robot without links is accepted: it has firmware only.
+Kinematics read_urdf(const xml::Node& robot, Diagnostics& diagnostics);
+
+}  // namespace finemote::gen
