@@ -4,22 +4,43 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "generator/descriptor/device_type.hpp"
 
 namespace finemote::gen {
 
+/// What a port occupies on the chip: two ports that share one cannot be used together.
+struct Resource {
+  std::string kind;  ///< `pin`, `DMA stream`, `timer channel`, `interrupt`
+  std::string name;  ///< `PA9`, `DMA2 stream 5`
+};
+
 struct Port {
-  std::string name;                    ///< chip name: `usart1`
-  std::vector<std::string> silkscreen; ///< what the board or its users call it; an error whose hint names both
-  std::string connector;               ///< for people
-  std::vector<BusKind> kinds;          ///< what it can serve
+  std::string name;                     ///< chip name: `usart1`
+  std::vector<std::string> silkscreen;  ///< what the board or its users call it; an error whose hint names both
+  std::string connector;                ///< for people
+  std::vector<BusKind> kinds;           ///< what it can serve
   std::vector<std::string> pins;
   std::vector<std::string> dma;
   std::vector<std::string> interrupts;
-  std::optional<std::int64_t> clock_hz;     ///< kernel clock the rate is divided from
-  std::optional<std::int64_t> max_rate;     ///< of baud, clock or bitrate
+  std::vector<Resource> resources;       ///< pins, DMA streams, timer channel and interrupt lines together
+  std::uint32_t channels = 0;            ///< PWM outputs; 0: not a PWM port
+  std::optional<std::int64_t> clock_hz;  ///< kernel clock the rate is divided from
+  std::optional<std::int64_t> min_rate;  ///< of baud, clock or bitrate
+  std::optional<std::int64_t> max_rate;
+  std::vector<std::int64_t> rates;           ///< the only ones, where not every one in range can be made
+  std::int64_t max_rate_error_ppm = 20'000;  ///< how far the rate made may be from the rate asked for
+};
+
+/// A pin of the board with a name, for `<use pin=...>`.
+struct NamedPin {
+  std::string name;                    ///< `key`
+  std::string pin;                     ///< `PA0`
+  std::vector<std::string> functions;  ///< input, output, interrupt, pwm, analog
+  bool active_low = false;
+  std::string summary;
 };
 
 /// An interrupt line no used peripheral needs; a period bucket may run in it.
@@ -33,15 +54,23 @@ struct Board {
   std::string summary;
   std::string display_path;
   std::int64_t cpu_hz = 0;
+  std::int64_t default_tick_ns = 1'000'000, min_tick_ns = 1, max_tick_ns = 1'000'000'000;
   std::vector<Port> ports;
-  std::vector<SpareLine> lines;       ///< in order of use
+  std::vector<NamedPin> pins;
+  std::vector<SpareLine> lines;                                 ///< in order of use
   std::uint32_t first_bucket_level = 0, last_bucket_level = 0;  ///< NVIC priority levels for buckets, inclusive
-  std::vector<ParamSpec> params;      ///< of the `<board>` element
-  std::string raw_json;               ///< the whole file: costs, driver data, watchdog, errata
+  std::vector<ParamSpec> params;                                ///< of the `<board>` element
+  std::string raw_json;  ///< the whole file, with the board it extends: costs, driver data, watchdog, errata
 
   [[nodiscard]] const Port* port(std::string_view port_name) const {
     for (const Port& p : ports) {
       if (p.name == port_name) return &p;
+    }
+    return nullptr;
+  }
+  [[nodiscard]] const NamedPin* named_pin(std::string_view pin_name) const {
+    for (const NamedPin& p : pins) {
+      if (p.name == pin_name || p.pin == pin_name) return &p;
     }
     return nullptr;
   }

@@ -17,8 +17,8 @@ enum class BusKind { uart, rs485, i2c, spi, can, pwm, gpio, virtual_bus };
 
 /// A C++ tag struct naming a State and, for actuators, a Command type; `any` stands for every interface.
 struct Interface {
-  std::string name;              ///< as in the descriptor: `Thruster`, `my::Gripper`, `any`
-  std::string cpp;               ///< qualified: `finemote::Thruster`
+  std::string name;  ///< as in the descriptor: `Thruster`, `my::Gripper`, `any`
+  std::string cpp;   ///< qualified: `finemote::Thruster`
   bool has_command = false;
   std::string state = "state";      ///< data member of the device holding the State
   std::string command = "command";  ///< and the Command
@@ -43,11 +43,11 @@ struct ParamSpec {
   std::string name;
   ParamKind kind = ParamKind::integer;
   Unit unit = Unit::none;
-  std::string unit_text;                     ///< for kinds without conversion (`deg`, `mm`): documentation only
-  std::optional<double> min, max;            ///< inclusive, base unit
-  std::vector<std::string> values;           ///< allowed spellings of an enumeration, or of an integer given as a list
+  std::string unit_text;            ///< for kinds without conversion (`deg`, `mm`): documentation only
+  std::optional<double> min, max;   ///< inclusive, base unit
+  std::vector<std::string> values;  ///< allowed spellings of an enumeration, or of an integer given as a list
   std::map<std::string, std::string> enumerators;  ///< spelling -> C++ enumerator
-  std::optional<ParamValue> fallback;        ///< the default; none: the param is required
+  std::optional<ParamValue> fallback;              ///< the default; none: the param is required
   std::string summary;
 };
 
@@ -56,6 +56,7 @@ struct UseSpec {
   std::string role;
   std::vector<BusKind> buses;
   bool required = false;
+  std::string format = "8N1";  ///< uart
 };
 
 /// What of the URDF the device needs; the emitter knows kinds, never robots.
@@ -64,18 +65,27 @@ struct GeometrySpec {
   std::string role;  ///< whose children it speaks of
 };
 
+/// Assumed execution time of a device without `<wcet>`: fixed part, values of params, and a part per child.
 struct WcetDefault {
   std::int64_t update_ns = 0;
   std::int64_t handle_ns = 0;
+  std::vector<std::string> update_params, handle_params;  ///< names of params of unit time
+  std::int64_t per_child_ns = 0;
+};
+
+/// A CAN frame that several devices fill together, for devices with an id in the range.
+struct SharedFrame {
+  std::uint32_t identifier = 0;
+  std::uint32_t id_min = 0, id_max = 0;
 };
 
 struct DeviceType {
-  std::string name;     ///< the `type` attribute: `ms5837`
+  std::string name;  ///< the `type` attribute: `ms5837`
   std::string summary;
-  std::string cpp_class;  ///< `finemote::Ms5837`
-  std::string include;    ///< as generated code includes it: `finemote/devices/ms5837.hpp`, `my_sensor.hpp`
-  std::string include_dir;  ///< folder to add to the include path for a user's type; empty for shipped types
-  std::string display_path; ///< `builtin:devices/ms5837.json`, or relative to the input
+  std::string cpp_class;     ///< `finemote::Ms5837`
+  std::string include;       ///< as generated code includes it: `finemote/devices/ms5837.hpp`, `my_sensor.hpp`
+  std::string include_dir;   ///< folder to add to the include path for a user's type; empty for shipped types
+  std::string display_path;  ///< `builtin:devices/ms5837.json`, or relative to the input
   bool builtin = true;
   std::vector<BusKind> buses;  ///< kinds of bus it can sit on; empty: composite or virtual
   bool bus_required = false;
@@ -83,10 +93,17 @@ struct DeviceType {
   std::optional<std::uint32_t> default_address;
   std::vector<std::uint32_t> addresses;  ///< allowed ones; empty: any
   std::optional<std::uint32_t> id_min, id_max;
+  std::optional<std::uint32_t> channel_min, channel_max;
+  std::optional<std::uint32_t> receives_base;  ///< can: identifier of its own frames is this plus id
+  std::vector<SharedFrame> shared_frames;      ///< can
+  std::string format = "8N1";                  ///< uart
+  std::vector<std::int64_t> rates;             ///< uart, rs485, can: what the part can be set to; empty: any
+  std::optional<std::int64_t> max_clock_hz;    ///< i2c, spi
+  std::optional<std::uint32_t> spi_mode;
   std::vector<Interface> provides;  ///< first one is the default
   std::vector<RoleSpec> roles;      ///< constructor order
   std::vector<UseSpec> uses;
-  std::vector<ParamSpec> params;    ///< Config order
+  std::vector<ParamSpec> params;  ///< Config order
   std::vector<GeometrySpec> geometry;
   bool actuator = false;
   bool constant_init = true;
@@ -94,6 +111,22 @@ struct DeviceType {
   std::string raw_json;  ///< the whole descriptor: acquisition, interrupts and frames for the timing stage
 
   [[nodiscard]] bool has_command() const { return !provides.empty() && provides.front().has_command; }
+};
+
+/// A part that provides buses and is no device (`schemas/expanders/<model>.json`).
+struct ExpanderType {
+  std::string name;  ///< the `model` attribute: `tca9548a`
+  std::string summary;
+  std::string cpp_class;  ///< empty: no object of its own
+  std::string include;
+  std::string display_path;
+  std::vector<std::uint32_t> addresses;  ///< allowed ones; empty: any
+  std::optional<std::int64_t> max_clock_hz;
+  BusKind provides = BusKind::i2c;
+  std::uint32_t channels = 0;
+  bool named_channels = false;  ///< each `<channel>` is a bus; otherwise the part itself is
+  std::vector<ParamSpec> params;
+  std::string raw_json;
 };
 
 }  // namespace finemote::gen

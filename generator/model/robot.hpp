@@ -35,7 +35,7 @@ struct Pose {
 /// A joint of the URDF, as urdfdom accepted it.
 struct Joint {
   std::string name;
-  std::string type;   ///< revolute, continuous, prismatic, fixed, floating, planar
+  std::string type;  ///< revolute, continuous, prismatic, fixed, floating, planar
   std::string parent_link, child_link;
   Pose origin;
   std::array<double, 3> axis{1, 0, 0};
@@ -52,9 +52,9 @@ struct Link {
 struct Bus {
   Name name;
   BusKind kind = BusKind::uart;
-  std::string port;          ///< chip name; empty for virtual
-  std::int64_t rate = 0;     ///< baud [bit/s], clock [Hz] or bitrate [bit/s]; 0 where the kind has none
-  std::optional<std::int64_t> isr_wcet_ns;   ///< as given
+  std::string port;                         ///< chip name; empty for virtual
+  std::int64_t rate = 0;                    ///< baud [bit/s], clock [Hz] or bitrate [bit/s]; 0 where the kind has none
+  std::optional<std::int64_t> isr_wcet_ns;  ///< as given
   std::optional<std::int64_t> min_frame_bits;
   std::vector<Param> params;
   Position at;
@@ -70,6 +70,7 @@ struct Expander {
   };
   Name name;
   Model model = Model::tca9548a;
+  const ExpanderType* type = nullptr;
   std::size_t segment = 0;  ///< the bus it sits on, as an index into Robot::segments
   std::uint32_t address = 0;
   std::vector<Channel> channels;  ///< tca9548a
@@ -82,8 +83,8 @@ struct Segment {
   enum class Kind { bus, mux_channel, pwm_expander };
   Kind kind = Kind::bus;
   Name name;
-  BusKind bus_kind = BusKind::uart;  ///< what a device sees
-  std::size_t bus = 0;               ///< the physical bus: index into Robot::buses
+  BusKind bus_kind = BusKind::uart;     ///< what a device sees
+  std::size_t bus = 0;                  ///< the physical bus: index into Robot::buses
   std::optional<std::size_t> expander;  ///< index into Robot::expanders, for the two other kinds
   std::uint32_t channel = 0;            ///< of the mux
 };
@@ -123,34 +124,48 @@ struct Device {
   std::optional<std::size_t> parent;  ///< index into Robot::devices; none: a root
   std::optional<std::size_t> role;    ///< index into the parent's roles
   std::int64_t period_ns = 0;
-  std::optional<std::size_t> segment; ///< index into Robot::segments; none: composite or virtual
+  std::optional<std::size_t> segment;  ///< index into Robot::segments; none: composite or virtual
   std::optional<std::uint32_t> address, channel, id;
-  std::string link, joint;            ///< empty: none
-  std::vector<Param> params;          ///< in DeviceType::params order, complete
+  std::string link, joint;    ///< empty: none
+  std::vector<Param> params;  ///< in DeviceType::params order, complete
   std::vector<Use> uses;
   std::vector<Read> reads;            ///< document order
   std::vector<std::size_t> children;  ///< indices, in document order of start tags (nested and `parent=` together)
   Wcet wcet;
-  Position at;                        ///< start tag
+  Position at;  ///< start tag
   Position period_at;
 };
 
 struct Requirement {
   enum class Kind { latency_end_to_end, latency_decision, utilization, jitter };
   Kind kind = Kind::latency_end_to_end;
-  std::string text;                ///< the operand as written: `imu -> thrusters`
+  std::string text;                   ///< the operand as written: `imu -> thrusters`
   std::vector<std::size_t> from, to;  ///< latency: devices (a role names several); jitter: `to` holds one
-  std::optional<std::size_t> bus;  ///< utilization of a physical bus; none: the cpu
-  std::int64_t max_ns = 0;         ///< latency, jitter
-  double max_fraction = 0;         ///< utilization, 0..1
-  std::string max_text;            ///< as written
+  std::optional<std::size_t> bus;     ///< utilization of a physical bus; none: the cpu
+  std::int64_t max_ns = 0;            ///< latency, jitter
+  double max_fraction = 0;            ///< utilization, 0..1
+  std::string max_text;               ///< as written
   Position at;
 };
 
-/// Descriptors and board files that were loaded; owns what the robot points at.
+/// A descriptor or board file that was found, and is read when something names it.
+struct LibraryFile {
+  std::string name;     ///< its name without `.json`: the type or board it has to describe
+  std::string path;     ///< to open it
+  std::string display;  ///< `builtin:devices/ms5837.json`, or relative to the input
+  bool builtin = true;
+  bool failed = false;  ///< it was read and is wrong, which was reported
+};
+
+/// Descriptors and board files that were found and, of these, loaded; owns what the robot points at.
 struct Library {
+  std::vector<LibraryFile> device_files;  ///< sorted by name
+  std::vector<LibraryFile> board_files;
+  std::vector<LibraryFile> expander_files;
+  std::string schema_dir;  ///< where the JSON Schemas are
   std::vector<std::unique_ptr<DeviceType>> device_types;
   std::vector<std::unique_ptr<Board>> boards;
+  std::vector<std::unique_ptr<ExpanderType>> expander_types;
 
   [[nodiscard]] const DeviceType* device_type(std::string_view name) const {
     for (const auto& t : device_types) {
@@ -173,14 +188,14 @@ struct Robot {
   std::int64_t tick_ns = 1'000'000;
   std::vector<Link> links;
   std::vector<Joint> joints;
-  std::vector<Bus> buses;            ///< document order
-  std::vector<Expander> expanders;   ///< document order
-  std::vector<Segment> segments;     ///< buses first, then channels and PWM expanders in document order
-  std::vector<Device> devices;       ///< document order of start tags
+  std::vector<Bus> buses;           ///< document order
+  std::vector<Expander> expanders;  ///< document order
+  std::vector<Segment> segments;    ///< buses first, then channels and PWM expanders in document order
+  std::vector<Device> devices;      ///< document order of start tags
   std::vector<Requirement> requirements;
-  std::vector<std::string> inputs;   ///< display names of every file read: input, includes, descriptors, board
+  std::vector<std::string> inputs;       ///< display names of every file read: input, includes, descriptors, board
   std::vector<std::string> input_paths;  ///< the same files as opened, for hashes and depfiles
-  std::string source;                ///< display name of IN
+  std::string source;                    ///< display name of IN
 };
 
 }  // namespace finemote::gen

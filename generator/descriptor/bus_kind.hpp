@@ -1,0 +1,21 @@
+// Bus kinds by the names the extension and the descriptors give them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/descriptor/device_type.hpp"
+
+namespace finemote::gen {
+
+/// `uart` -> BusKind::uart; `virtual` -> BusKind::virtual_bus; none when there is no such kind.
+std::optional<BusKind> bus_kind(std::string_view name);
+
+std::string bus_kind_name(BusKind kind);
+
+/// All names, in the order of the reference.
+std::vector<std::string> bus_kind_names();
+
+}  // namespace finemote::gen

@@ -1,0 +1,204 @@
+#include "generator/descriptor/json_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace finemote::gen {
+namespace {
+
+/// Walks over a text that is known to be JSON.
+class Scanner {
+ public:
+  explicit Scanner(std::string_view text) : text_(text) { skip_blanks(); }
+
+  [[nodiscard]] std::size_t offset() const { return at_; }
+  [[nodiscard]] char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+
+  void skip_blanks() {
+    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n' || text_[at_] == '\r'))
+      ++at_;
+  }
+  void take(char c) {
+    if (peek() == c) ++at_;
+    skip_blanks();
+  }
+  /// Reads a string; returns it decoded.
+  std::string take_string() {
+    const std::size_t begin = at_;
+    skip_string();
+    const Json decoded = Json::parse(text_.substr(begin, at_ - begin), nullptr, false);
+    skip_blanks();
+    return decoded.is_string() ? decoded.get<std::string>() : std::string();
+  }
+  /// Goes behind the value that begins here, without recursion.
+  void skip_value() {
+    std::size_t depth = 0;
+    do {
+      const char c = peek();
+      if (c == '"') {
+        skip_string();
+      } else {
+        if (c == '{' || c == '[') ++depth;
+        if (c == '}' || c == ']') --depth;
+        ++at_;
+        if (depth == 0 && c != '}' && c != ']') skip_scalar();
+      }
+    } while (depth > 0 && at_ < text_.size());
+    skip_blanks();
+  }
+
+ private:
+  void skip_string() {
+    for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_) {
+      if (text_[at_] == '\\') ++at_;
+    }
+    at_ = std::min(at_ + 1, text_.size());
+  }
+  void skip_scalar() {
+    while (at_ < text_.size() && std::string_view(",]} \t\r\n").find(text_[at_]) == std::string_view::npos) ++at_;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+/// Offsets of a member: its key (the value where it has none) and its value.
+struct Member {
+  std::size_t key = 0;
+  std::size_t value = 0;
+};
+
+/// The member `token` of the object or array that begins at the scanner; the scanner is left at its value.
+std::optional<Member> enter(Scanner& scan, const std::string& token) {
+  const bool is_object = scan.peek() == '{';
+  if (!is_object && scan.peek() != '[') return {};
+  const char close = is_object ? '}' : ']';
+  scan.take(scan.peek());
+  for (std::size_t index = 0; scan.peek() != close && scan.peek() != '\0'; ++index) {
+    const std::size_t key_offset = scan.offset();
+    std::string key = std::to_string(index);
+    if (is_object) {
+      key = scan.take_string();
+      scan.take(':');
+    }
+    if (key == token) return Member{key_offset, scan.offset()};
+    scan.skip_value();
+    scan.take(',');
+  }
+  return {};
+}
+
+std::size_t value_end(std::string_view text, std::size_t offset) {
+  const std::string_view rest = text.substr(offset);
+  if (rest.empty() || rest.front() != '"') return offset + std::min(rest.find_first_of(",]} \t\r\n"), rest.size());
+  std::size_t end = 1;
+  while (end < rest.size() && rest[end] != '"') end += rest[end] == '\\' ? 2 : 1;
+  return offset + std::min(end + 1, rest.size());
+}
+
+/// Notes every key an object has twice.
+class DuplicateKeys {
+ public:
+  DuplicateKeys(const SourceFile& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
+
+  void run() {
+    Scanner scan(source_.text);
+    std::vector<std::set<std::string>> objects;  // keys of the objects around; arrays have an empty set
+    std::string open;                            // their brackets
+    while (scan.peek() != '\0') {
+      const char c = scan.peek();
+      if (c == '{' || c == '[') {
+        open += c;
+        objects.emplace_back();
+        scan.take(c);
+        expect_key_ = c == '{';
+      } else if (c == '}' || c == ']') {
+        open.pop_back();
+        objects.pop_back();
+        scan.take(c);
+        expect_key_ = false;
+      } else if (c == ',') {
+        scan.take(c);
+        expect_key_ = !open.empty() && open.back() == '{';
+      } else if (expect_key_ && c == '"') {
+        take_key(scan, objects.back());
+      } else {
+        scan.skip_value();
+      }
+    }
+  }
+  [[nodiscard]] bool found() const { return found_; }
+
+ private:
+  void take_key(Scanner& scan, std::set<std::string>& keys) {
+    const std::size_t offset = scan.offset();
+    const std::string key = scan.take_string();
+    scan.take(':');
+    expect_key_ = false;
+    if (keys.insert(key).second) return;
+    found_ = true;
+    diagnostics_.error(code::descriptor_contradiction, position_at(source_, offset), fmt::format("'{}' is given twice", key))
+        .underline(key.size() + 2);
+  }
+
+  const SourceFile& source_;
+  Diagnostics& diagnostics_;
+  bool expect_key_ = false;
+  bool found_ = false;
+};
+
+/// nlohmann's words without its prefix: `[json.exception.parse_error.101] parse error at line 1, column 2: syntax error
+/// ...`
+std::string words_of(const Json::parse_error& problem) {
+  std::string words = problem.what();
+  const std::size_t colon = words.find(": ");
+  if (colon != std::string::npos) words.erase(0, colon + 2);
+  std::replace(words.begin(), words.end(), '\n', ' ');
+  return words;
+}
+
+}  // namespace
+
+Position position_at(const SourceFile& source, std::size_t offset) {
+  const std::string_view before = std::string_view(source.text).substr(0, offset);
+  const auto line = static_cast<std::uint32_t>(std::count(before.begin(), before.end(), '\n')) + 1;
+  const std::size_t begin = before.rfind('\n');
+  const std::size_t column = begin == std::string_view::npos ? before.size() : before.size() - begin - 1;
+  return {&source, line, static_cast<std::uint32_t>(column) + 1, nullptr};
+}
+
+std::optional<JsonFile> parse_json(const SourceFile& source, Diagnostics& diagnostics) {
+  JsonFile file{&source, {}};
+  try {
+    file.value = Json::parse(source.text);
+  } catch (const Json::parse_error& problem) {
+    const std::size_t offset = problem.byte > 0 ? problem.byte - 1 : 0;
+    diagnostics
+        .error(code::descriptor_malformed, position_at(source, std::min(offset, source.text.size())), "this is not JSON")
+        .note(words_of(problem));
+    return {};
+  }
+  DuplicateKeys duplicates(source, diagnostics);
+  duplicates.run();
+  if (duplicates.found()) return {};
+  return file;
+}
+
+Extent find_value(const SourceFile& source, const JsonPath& path) {
+  Scanner scan(source.text);
+  Member found{scan.offset(), scan.offset()};
+  for (const std::string& token : path) {
+    const auto member = enter(scan, token);
+    if (!member) break;
+    found = *member;
+  }
+  const char first = found.value < source.text.size() ? source.text[found.value] : '\0';
+  const bool is_container = first == '{' || first == '[';
+  const std::size_t begin = is_container ? found.key : found.value;
+  const bool is_bare_container = is_container && begin == found.value;
+  return {position_at(source, begin), is_bare_container ? 1 : value_end(source.text, begin) - begin};
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,41 @@
+// A JSON text to a value whose every member can be found again as line and column.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/diagnostic/diagnostics.hpp"
+
+namespace finemote::gen {
+
+using Json = nlohmann::ordered_json;
+
+/// The way to a member: keys, and indices as decimal numbers.
+using JsonPath = std::vector<std::string>;
+
+struct JsonFile {
+  const SourceFile* source = nullptr;
+  Json value;
+};
+
+/// A stretch of a source text.
+struct Extent {
+  Position at;
+  std::size_t length = 1;
+};
+
+/// Parses a text. Reports FM3101 at the wrong byte, and FM3103 where an object has one key twice; then there is no
+/// value.
+std::optional<JsonFile> parse_json(const SourceFile& source, Diagnostics& diagnostics);
+
+/// Where the value at `path` stands, or its nearest ancestor that exists; a container is shown by its key.
+/// Looked up in the text when asked, so a text without mistakes costs nothing.
+Extent find_value(const SourceFile& source, const JsonPath& path);
+
+/// The place of a byte of a text.
+Position position_at(const SourceFile& source, std::size_t offset);
+
+}  // namespace finemote::gen

@@ -1,0 +1,322 @@
+#include "generator/descriptor/library.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "generator/descriptor/json_file.hpp"
+#include "generator/descriptor/read_board.hpp"
+#include "generator/descriptor/read_device_type.hpp"
+#include "generator/descriptor/schema_check.hpp"
+#include "generator/xml/read_source.hpp"
+
+namespace finemote::gen {
+namespace fs = std::filesystem;
+namespace {
+
+/// Every `*.json` of a folder, by name; a folder that does not exist has none.
+std::vector<LibraryFile> list_folder(const fs::path& folder, const std::string& display, bool builtin) {
+  std::vector<LibraryFile> files;
+  std::error_code problem;
+  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
+    if (entry->path().extension() != ".json") continue;
+    files.push_back({entry->path().stem().string(), entry->path().string(), display + entry->path().filename().string(),
+                     builtin, false});
+  }
+  std::sort(files.begin(), files.end(), [](const LibraryFile& a, const LibraryFile& b) { return a.name < b.name; });
+  return files;
+}
+
+/// How messages and outputs name a folder: relative to the input, with `/` at its end.
+std::string display_folder(const fs::path& folder, const std::string& input_dir) {
+  std::error_code problem;
+  const fs::path base = fs::weakly_canonical(input_dir.empty() ? fs::path(".") : fs::path(input_dir), problem);
+  const fs::path relative = fs::weakly_canonical(folder, problem).lexically_relative(base);
+  return relative.empty() ? folder.filename().generic_string() + "/" : relative.generic_string() + "/";
+}
+
+/// Adds a user's folder; a name that is already there is an error at the later file.
+void add_user_folder(Library& library, const fs::path& folder, const std::string& input_dir, Sources& sources,
+                     Diagnostics& diagnostics) {
+  for (LibraryFile& file : list_folder(folder, display_folder(folder, input_dir), false)) {
+    const auto same = std::find_if(library.device_files.begin(), library.device_files.end(),
+                                   [&](const LibraryFile& other) { return other.name == file.name; });
+    if (same == library.device_files.end()) {
+      library.device_files.push_back(std::move(file));
+      continue;
+    }
+    std::error_code problem;
+    if (fs::equivalent(same->path, file.path, problem)) continue;
+    const SourceFile* source = sources.add(SourceFile{file.display, file.path, {}});
+    diagnostics
+        .error(code::type_twice, {source, 0, 0, nullptr}, fmt::format("device type '{}' exists already", file.name))
+        .note(same->builtin ? "it is one of the types that come with FineMote"
+                            : fmt::format("also in {}", same->display))
+        .hint("give this type another name: the file and its \"type\"");
+  }
+}
+
+std::string read_text(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// What the three kinds of descriptor have in common: opening, schema version, JSON Schema, the name inside.
+class FileReader {
+ public:
+  FileReader(const Library& library, Sources& sources, Diagnostics& diagnostics, bool always_validate = false)
+      : library_(library), sources_(sources), diagnostics_(diagnostics), always_validate_(always_validate) {}
+
+  struct Format {
+    std::string_view version;      ///< value of "schema"
+    std::string_view schema_file;  ///< in the schema folder
+    const char* name_key;
+  };
+
+  std::optional<JsonFile> read(const LibraryFile& file, const Format& format) {
+    const SourceFile* source = xml::read_source(file.path, sources_, diagnostics_, file.display);
+    if (source == nullptr) return {};
+    std::optional<JsonFile> json = parse_json(*source, diagnostics_);
+    if (!json || !has_version(*json, format)) return {};
+    return json;
+  }
+  bool is_valid(const JsonFile& json, const LibraryFile& file, const Format& format) {
+    if (file.builtin && !always_validate_) return true;
+    const std::string schema = read_text(fs::path(library_.schema_dir) / format.schema_file);
+    return check_schema(json.value, schema, *json.source, diagnostics_);
+  }
+  bool has_name(const JsonFile& json, const LibraryFile& file, const Format& format) {
+    const auto name = json.value.find(format.name_key);
+    if (name == json.value.end() || !name->is_string() || *name == file.name) return true;
+    const Extent extent = find_value(*json.source, {format.name_key});
+    diagnostics_
+        .error(code::descriptor_name, extent.at,
+               fmt::format("\"{}\" is '{}' in a file named '{}.json'", format.name_key, name->get<std::string>(),
+                           file.name))
+        .underline(extent.length)
+        .hint(fmt::format("write \"{}\": \"{}\", or rename the file", format.name_key, file.name));
+    return false;
+  }
+
+ private:
+  bool has_version(const JsonFile& json, const Format& format) {
+    const auto version = json.value.is_object() ? json.value.find("schema") : json.value.end();
+    const bool is_known = json.value.is_object() && version != json.value.end() && *version == format.version;
+    if (is_known) return true;
+    const Extent extent = find_value(*json.source, {"schema"});
+    const std::string found =
+        json.value.is_object() && version != json.value.end() ? version->dump() : std::string("none");
+    diagnostics_
+        .error(code::descriptor_version, extent.at,
+               fmt::format("this tool reads \"schema\": \"{}\", not {}", format.version, found))
+        .underline(extent.length)
+        .hint(fmt::format("\"schema\": \"{}\"", format.version));
+    return false;
+  }
+
+  const Library& library_;
+  Sources& sources_;
+  Diagnostics& diagnostics_;
+  bool always_validate_;
+};
+
+constexpr FileReader::Format kDeviceFormat{"finemote.device/1", "device.schema.json", "type"};
+constexpr FileReader::Format kExpanderFormat{"finemote.expander/1", "expander.schema.json", "model"};
+constexpr FileReader::Format kBoardFormat{"finemote.board/1", "board.schema.json", "name"};
+
+LibraryFile* find_file(std::vector<LibraryFile>& files, std::string_view name) {
+  const auto found =
+      std::find_if(files.begin(), files.end(), [&](const LibraryFile& file) { return file.name == name; });
+  return found == files.end() ? nullptr : &*found;
+}
+
+/// A shipped file is read without its schema; should it be damaged, that ends as a message too.
+template <typename Read>
+bool guarded(const JsonFile& json, Diagnostics& diagnostics, Read read) {
+  try {
+    read();
+    return true;
+  } catch (const Json::exception& problem) {
+    diagnostics.error(code::descriptor_schema, {json.source, 0, 0, nullptr}, "a member is missing or of another type")
+        .note(problem.what());
+    return false;
+  }
+}
+
+/// The header of a user's type has to be there; shipped ones are part of the runtime.
+bool check_header(const JsonFile& json, const LibraryFile& file, DeviceType& type, Diagnostics& diagnostics) {
+  type.builtin = file.builtin;
+  type.display_path = file.display;
+  if (file.builtin) return true;
+  const auto header = json.value.at("header").get<std::string>();
+  const fs::path path = fs::path(file.path).parent_path() / header;
+  if (header.find("runtime/include/") == std::string::npos)
+    type.include_dir = path.parent_path().lexically_normal().generic_string();
+  std::error_code problem;
+  if (fs::is_regular_file(path, problem)) return true;
+  const Extent extent = find_value(*json.source, {"header"});
+  diagnostics.error(code::header_missing, extent.at, fmt::format("there is no header '{}' beside this file", header))
+      .underline(extent.length)
+      .note("the path is relative to the descriptor");
+  return false;
+}
+
+bool read_device(Library& library, LibraryFile& file, Sources& sources, Diagnostics& diagnostics,
+                 bool always_validate) {
+  FileReader reader(library, sources, diagnostics, always_validate);
+  const std::size_t findings = diagnostics.size();
+  const auto json = reader.read(file, kDeviceFormat);
+  if (!json || !reader.is_valid(*json, file, kDeviceFormat) || !reader.has_name(*json, file, kDeviceFormat))
+    return false;
+  auto type = std::make_unique<DeviceType>();
+  const bool complete = guarded(*json, diagnostics, [&] {
+    *type = read_device_type(json->value, *json->source, diagnostics);
+    check_header(*json, file, *type, diagnostics);
+  });
+  if (!complete || diagnostics.size() != findings) return false;
+  library.device_types.push_back(std::move(type));
+  return true;
+}
+
+bool read_expander(Library& library, LibraryFile& file, Sources& sources, Diagnostics& diagnostics,
+                   bool always_validate) {
+  FileReader reader(library, sources, diagnostics, always_validate);
+  const std::size_t findings = diagnostics.size();
+  const auto json = reader.read(file, kExpanderFormat);
+  if (!json || !reader.is_valid(*json, file, kExpanderFormat) || !reader.has_name(*json, file, kExpanderFormat))
+    return false;
+  auto type = std::make_unique<ExpanderType>();
+  const bool complete =
+      guarded(*json, diagnostics, [&] { *type = read_expander_type(json->value, *json->source, diagnostics); });
+  type->display_path = file.display;
+  if (!complete || diagnostics.size() != findings) return false;
+  library.expander_types.push_back(std::move(type));
+  return true;
+}
+
+/// Lays a board that extends another over it; none when the other one is wrong or the chain has no end.
+std::optional<Json> merge_board(Library& library, const JsonFile& json, FileReader& reader, Diagnostics& diagnostics,
+                                int depth) {
+  const auto base_name = json.value.find("extends");
+  if (base_name == json.value.end()) return json.value;
+  constexpr int kDeepest = 8;
+  const LibraryFile* base =
+      base_name->is_string() ? find_file(library.board_files, base_name->get<std::string>()) : nullptr;
+  if (base == nullptr || depth >= kDeepest) {
+    const Extent extent = find_value(*json.source, {"extends"});
+    diagnostics
+        .error(code::descriptor_contradiction, extent.at,
+               base == nullptr ? "there is no such board" : "this board extends itself")
+        .underline(extent.length);
+    return {};
+  }
+  const auto base_json = reader.read(*base, kBoardFormat);
+  if (!base_json) return {};
+  auto merged = merge_board(library, *base_json, reader, diagnostics, depth + 1);
+  if (!merged) return {};
+  merged->merge_patch(json.value);
+  merged->erase("extends");
+  return merged;
+}
+
+bool load_board(Library& library, LibraryFile& file, Sources& sources, Diagnostics& diagnostics, bool always_validate) {
+  FileReader reader(library, sources, diagnostics, always_validate);
+  const std::size_t findings = diagnostics.size();
+  auto json = reader.read(file, kBoardFormat);
+  if (!json) return false;
+  auto merged = merge_board(library, *json, reader, diagnostics, 0);
+  if (!merged) return false;
+  json->value = std::move(*merged);
+  if (!reader.is_valid(*json, file, kBoardFormat) || !reader.has_name(*json, file, kBoardFormat)) return false;
+  auto board = std::make_unique<Board>();
+  const bool complete =
+      guarded(*json, diagnostics, [&] { *board = read_board(json->value, *json->source, diagnostics); });
+  board->display_path = file.display;
+  board->raw_json = json->value.dump();
+  if (!complete || diagnostics.size() != findings) return false;
+  library.boards.push_back(std::move(board));
+  return true;
+}
+
+template <typename T, typename Load>
+const T* find_or_load(const std::vector<std::unique_ptr<T>>& loaded, std::vector<LibraryFile>& files,
+                      std::string_view name, Load load) {
+  for (const auto& entry : loaded) {
+    if (entry->name == name) return entry.get();
+  }
+  LibraryFile* file = find_file(files, name);
+  if (file == nullptr || file->failed) return nullptr;
+  file->failed = !load(*file);
+  return file->failed ? nullptr : loaded.back().get();
+}
+
+std::vector<std::string> names_of(const std::vector<LibraryFile>& files) {
+  std::vector<std::string> names;
+  for (const LibraryFile& file : files) names.push_back(file.name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+std::optional<Library> load_library(const LibraryOptions& options, Sources& sources, Diagnostics& diagnostics) {
+  Library library;
+  const fs::path schemas = fs::path(options.data_dir) / "schemas";
+  library.schema_dir = schemas.string();
+  library.device_files = list_folder(schemas / "devices", "builtin:devices/", true);
+  library.board_files = list_folder(schemas / "boards", "builtin:boards/", true);
+  library.expander_files = list_folder(schemas / "expanders", "builtin:expanders/", true);
+  if (library.board_files.empty()) {
+    diagnostics
+        .error(code::data_not_found, {}, fmt::format("no board files in '{}'", (schemas / "boards").generic_string()))
+        .hint("point --data-dir or FINEMOTE_DATA at FineMote's share folder");
+    return {};
+  }
+  if (!options.input_dir.empty())
+    add_user_folder(library, fs::path(options.input_dir) / "devices", options.input_dir, sources, diagnostics);
+  for (const std::string& folder : options.device_paths) {
+    std::error_code problem;
+    if (fs::is_directory(folder, problem)) {
+      add_user_folder(library, folder, options.input_dir, sources, diagnostics);
+    } else {
+      diagnostics.error(code::unreadable_file, {}, fmt::format("device path '{}' is not a folder", folder));
+    }
+  }
+  return library;
+}
+
+const DeviceType* find_device_type(Library& library, std::string_view name, Sources& sources,
+                                   Diagnostics& diagnostics) {
+  return find_or_load(library.device_types, library.device_files, name,
+                      [&](LibraryFile& file) { return read_device(library, file, sources, diagnostics, false); });
+}
+
+const ExpanderType* find_expander_type(Library& library, std::string_view name, Sources& sources,
+                                       Diagnostics& diagnostics) {
+  return find_or_load(library.expander_types, library.expander_files, name,
+                      [&](LibraryFile& file) { return read_expander(library, file, sources, diagnostics, false); });
+}
+
+const Board* find_board(Library& library, std::string_view name, Sources& sources, Diagnostics& diagnostics) {
+  return find_or_load(library.boards, library.board_files, name,
+                      [&](LibraryFile& file) { return load_board(library, file, sources, diagnostics, false); });
+}
+
+std::vector<std::string> device_type_names(const Library& library) { return names_of(library.device_files); }
+std::vector<std::string> board_names(const Library& library) { return names_of(library.board_files); }
+std::vector<std::string> expander_type_names(const Library& library) { return names_of(library.expander_files); }
+
+void check_whole_library(Library& library, Sources& sources, Diagnostics& diagnostics) {
+  for (LibraryFile& file : library.board_files) file.failed = !load_board(library, file, sources, diagnostics, true);
+  for (LibraryFile& file : library.expander_files)
+    file.failed = !read_expander(library, file, sources, diagnostics, true);
+  for (LibraryFile& file : library.device_files) file.failed = !read_device(library, file, sources, diagnostics, true);
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,167 @@
+#include "generator/descriptor/read_board.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+
+#include "generator/descriptor/bus_kind.hpp"
+#include "generator/descriptor/read_param.hpp"
+
+namespace finemote::gen {
+namespace {
+
+/// Optional members are absent or null (a merge patch removes with null).
+template <typename T>
+std::optional<T> optional_member(const Json& value, const char* key) {
+  const auto found = value.find(key);
+  if (found == value.end() || found->is_null()) return {};
+  return found->get<T>();
+}
+
+const Json& array_member(const Json& value, const char* key) {
+  static const Json none = Json::array();
+  const auto found = value.find(key);
+  return found == value.end() || !found->is_array() ? none : *found;
+}
+
+std::string upper(std::string text) {
+  for (char& c : text) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return text;
+}
+
+void read_resources(const Json& value, Port& port) {
+  for (const Json& pin : array_member(value, "pins")) port.pins.push_back(pin.at("pin").get<std::string>());
+  for (const Json& dma : array_member(value, "dma")) {
+    port.dma.push_back(
+        fmt::format("{} stream {}", upper(dma.at("controller").get<std::string>()), dma.at("stream").get<int>()));
+  }
+  for (const Json& interrupt : array_member(value, "interrupts")) {
+    port.interrupts.push_back(
+        fmt::format("{} (line {})", interrupt.at("name").get<std::string>(), interrupt.at("line").get<int>()));
+  }
+  for (const std::string& pin : port.pins) port.resources.push_back({"pin", pin});
+  for (const std::string& stream : port.dma) port.resources.push_back({"DMA stream", stream});
+  const auto timer = value.find("timer");
+  if (timer != value.end() && timer->is_object()) {
+    port.resources.push_back({"timer channel", fmt::format("{} channel {}", upper(timer->at("name").get<std::string>()),
+                                                           timer->at("channel").get<int>())});
+  }
+  for (const std::string& interrupt : port.interrupts) port.resources.push_back({"interrupt", interrupt});
+}
+
+Port read_port(const Json& value) {
+  Port port;
+  port.name = value.at("name").get<std::string>();
+  for (const Json& label : array_member(value, "silkscreen")) port.silkscreen.push_back(label.get<std::string>());
+  port.connector = optional_member<std::string>(value, "connector").value_or("");
+  for (const Json& name : value.at("buses")) {
+    if (const auto kind = bus_kind(name.get<std::string>())) port.kinds.push_back(*kind);
+  }
+  read_resources(value, port);
+  port.channels = optional_member<std::uint32_t>(value, "channels").value_or(0);
+  port.clock_hz = optional_member<std::int64_t>(value, "clock_hz");
+  port.min_rate = optional_member<std::int64_t>(value, "min_rate");
+  port.max_rate = optional_member<std::int64_t>(value, "max_rate");
+  for (const Json& rate : array_member(value, "rates")) port.rates.push_back(rate.get<std::int64_t>());
+  port.max_rate_error_ppm =
+      optional_member<std::int64_t>(value, "max_rate_error_ppm").value_or(port.max_rate_error_ppm);
+  return port;
+}
+
+NamedPin read_pin(const Json& value) {
+  NamedPin pin{value.at("name").get<std::string>(), value.at("pin").get<std::string>(), {}, false, {}};
+  for (const Json& function : value.at("functions")) pin.functions.push_back(function.get<std::string>());
+  pin.active_low = value.at("active").get<std::string>() == "low";
+  pin.summary = optional_member<std::string>(value, "summary").value_or("");
+  return pin;
+}
+
+/// Reports what no schema can see.
+class BoardCheck {
+ public:
+  BoardCheck(const SourceFile& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
+
+  void check(const Json& value, const Board& board) {
+    check_port_names(board);
+    check_rates(board);
+    check_lines(value, board);
+    check_levels(board);
+  }
+
+ private:
+  void contradiction(const JsonPath& path, std::string message) {
+    const Extent extent = find_value(source_, path);
+    diagnostics_.error(code::descriptor_contradiction, extent.at, std::move(message)).underline(extent.length);
+  }
+  void check_port_names(const Board& board) {
+    std::set<std::string> seen;
+    for (std::size_t i = 0; i < board.ports.size(); ++i) {
+      const std::string& name = board.ports[i].name;
+      if (!seen.insert(name).second)
+        contradiction({"ports", std::to_string(i), "name"}, fmt::format("there are two ports '{}'", name));
+    }
+  }
+  void check_rates(const Board& board) {
+    for (std::size_t i = 0; i < board.ports.size(); ++i) {
+      const Port& port = board.ports[i];
+      if (port.min_rate.value_or(0) > port.max_rate.value_or(INT64_MAX)) {
+        contradiction({"ports", std::to_string(i), "max_rate"},
+                      fmt::format("port '{}': max_rate is below min_rate", port.name));
+      }
+    }
+  }
+  /// A line buckets may use can be neither forbidden nor an interrupt of a port.
+  void check_lines(const Json& value, const Board& board) {
+    std::map<int, std::string> taken;
+    for (const Json& line : array_member(value, "forbidden_lines"))
+      taken[line.at("line").get<int>()] = "is forbidden: " + line.at("why").get<std::string>();
+    for (const Json& port : value.at("ports")) {
+      for (const Json& interrupt : array_member(port, "interrupts")) {
+        taken[interrupt.at("line").get<int>()] = "is the interrupt " + interrupt.at("name").get<std::string>() +
+                                                 " of port '" + port.at("name").get<std::string>() + "'";
+      }
+    }
+    for (std::size_t i = 0; i < board.lines.size(); ++i) {
+      const int number = static_cast<int>(board.lines[i].number);
+      const auto found = taken.find(number);
+      if (found != taken.end())
+        contradiction({"spare_lines", std::to_string(i), "line"}, fmt::format("line {} {}", number, found->second));
+      taken[number] = "is listed twice";
+    }
+  }
+  void check_levels(const Board& board) {
+    if (board.first_bucket_level > board.last_bucket_level)
+      contradiction({"priorities", "buckets"}, "the last level for buckets is below the first");
+  }
+
+  const SourceFile& source_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+Board read_board(const Json& value, const SourceFile& source, Diagnostics& diagnostics) {
+  Board board;
+  board.name = value.at("name").get<std::string>();
+  board.summary = value.at("summary").get<std::string>();
+  board.cpu_hz = value.at("cpu").at("clock_hz").get<std::int64_t>();
+  const Json& tick = value.at("tick");
+  board.default_tick_ns = tick.at("default_ns").get<std::int64_t>();
+  board.min_tick_ns = tick.at("min_ns").get<std::int64_t>();
+  board.max_tick_ns = tick.at("max_ns").get<std::int64_t>();
+  for (const Json& port : value.at("ports")) board.ports.push_back(read_port(port));
+  for (const Json& pin : array_member(value, "pins")) board.pins.push_back(read_pin(pin));
+  for (const Json& line : value.at("spare_lines"))
+    board.lines.push_back({line.at("line").get<std::uint32_t>(), line.at("name").get<std::string>()});
+  const Json& levels = value.at("priorities").at("buckets");
+  board.first_bucket_level = levels.at(0).get<std::uint32_t>();
+  board.last_bucket_level = levels.at(1).get<std::uint32_t>();
+  board.params = read_params(value, source, diagnostics);
+  BoardCheck(source, diagnostics).check(value, board);
+  return board;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,255 @@
+#include "generator/descriptor/read_device_type.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "generator/descriptor/bus_kind.hpp"
+#include "generator/descriptor/read_param.hpp"
+#include "generator/units/units.hpp"
+
+namespace finemote::gen {
+namespace {
+
+template <typename T>
+std::optional<T> optional_member(const Json& value, const char* key) {
+  const auto found = value.find(key);
+  if (found == value.end() || found->is_null()) return {};
+  return found->get<T>();
+}
+
+std::vector<BusKind> read_kinds(const Json& names) {
+  std::vector<BusKind> kinds;
+  for (const Json& name : names) {
+    if (const auto kind = bus_kind(name.get<std::string>())) kinds.push_back(*kind);
+  }
+  return kinds;
+}
+
+Interface read_interface(const Json& value) {
+  Interface interface;
+  interface.name = value.at("interface").get<std::string>();
+  interface.cpp = interface.name.find("::") == std::string::npos ? "finemote::" + interface.name : interface.name;
+  interface.has_command = value.value("command", false);
+  interface.state = value.value("state_member", "state");
+  interface.command = value.value("command_member", "command");
+  return interface;
+}
+
+RoleSpec read_role(const Json& value) {
+  return {value.at("name").get<std::string>(), value.at("interface").get<std::string>(), value.value("min", 0U),
+          optional_member<std::uint32_t>(value, "max")};
+}
+
+UseSpec read_use(const Json& value) {
+  return {value.at("name").get<std::string>(), read_kinds(value.at("types")), value.value("min", 0) > 0,
+          value.value("format", "8N1")};
+}
+
+std::vector<std::uint32_t> read_addresses(const Json& address) {
+  std::vector<std::uint32_t> allowed;
+  const auto list = address.find("allowed");
+  if (list == address.end()) return allowed;
+  for (const Json& entry : *list) allowed.push_back(parse_hex(entry.get<std::string>()));
+  return allowed;
+}
+
+void read_bus(const Json& bus, DeviceType& type) {
+  type.buses = read_kinds(bus.at("types"));
+  type.bus_required = bus.value("required", true);
+  if (const auto address = bus.find("address"); address != bus.end()) {
+    type.needs_address = true;
+    if (const auto fallback = optional_member<std::string>(*address, "default"))
+      type.default_address = parse_hex(*fallback);
+    type.addresses = read_addresses(*address);
+  }
+  if (const auto channel = bus.find("channel"); channel != bus.end()) {
+    type.needs_channel = true;
+    type.channel_min = optional_member<std::uint32_t>(*channel, "min");
+    type.channel_max = optional_member<std::uint32_t>(*channel, "max");
+  }
+  if (const auto id = bus.find("id"); id != bus.end()) {
+    type.needs_id = true;
+    type.id_min = optional_member<std::uint32_t>(*id, "min");
+    type.id_max = optional_member<std::uint32_t>(*id, "max");
+  }
+  if (const auto receives = bus.find("receives"); receives != bus.end())
+    type.receives_base = receives->at("base").get<std::uint32_t>();
+  type.format = bus.value("format", "8N1");
+  if (const auto rates = bus.find("rates"); rates != bus.end()) type.rates = rates->get<std::vector<std::int64_t>>();
+  type.max_clock_hz = optional_member<std::int64_t>(bus, "max_clock_hz");
+  type.spi_mode = optional_member<std::uint32_t>(bus, "mode");
+}
+
+void read_shared_frames(const Json& value, DeviceType& type) {
+  const auto frames = value.find("frames");
+  if (frames == value.end()) return;
+  for (const Json& frame : *frames) {
+    const auto identifier = optional_member<std::uint32_t>(frame, "identifier");
+    if (!identifier) continue;
+    SharedFrame shared{*identifier, 0, UINT32_MAX};
+    if (const auto ids = frame.find("ids"); ids != frame.end()) {
+      shared.id_min = ids->at(0).get<std::uint32_t>();
+      shared.id_max = ids->at(1).get<std::uint32_t>();
+    }
+    type.shared_frames.push_back(shared);
+  }
+}
+
+std::optional<WcetDefault> read_wcet(const Json& value) {
+  const auto wcet = value.find("wcet");
+  if (wcet == value.end()) return {};
+  WcetDefault result;
+  result.update_ns = wcet->at("update_ns").get<std::int64_t>();
+  result.handle_ns = wcet->at("handle_ns").get<std::int64_t>();
+  if (const auto params = wcet->find("update_params"); params != wcet->end())
+    result.update_params = params->get<std::vector<std::string>>();
+  if (const auto params = wcet->find("handle_params"); params != wcet->end())
+    result.handle_params = params->get<std::vector<std::string>>();
+  result.per_child_ns = wcet->value("per_child_ns", std::int64_t{0});
+  return result;
+}
+
+/// Reports what no schema can see.
+class DescriptorCheck {
+ public:
+  DescriptorCheck(const SourceFile& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
+
+  void check(const Json& value, const DeviceType& type) {
+    check_names(value, "roles", "name", "role");
+    check_names(value, "uses", "name", "use");
+    check_names(value, "provides", "interface", "interface");
+    for (std::size_t i = 0; i < type.roles.size(); ++i) check_arity(type.roles[i], i);
+    for (std::size_t i = 0; i < type.geometry.size(); ++i) check_geometry(type, i);
+    if (type.wcet) check_wcet(type);
+    check_bus(value, type);
+  }
+
+ private:
+  void contradiction(const JsonPath& path, std::string message) {
+    const Extent extent = find_value(source_, path);
+    diagnostics_.error(code::descriptor_contradiction, extent.at, std::move(message)).underline(extent.length);
+  }
+  void check_names(const Json& value, const std::string& list, const char* key, const char* what) {
+    const auto entries = value.find(list);
+    if (entries == value.end()) return;
+    std::set<std::string> seen;
+    for (std::size_t i = 0; i < entries->size(); ++i) {
+      const auto name = entries->at(i).at(key).get<std::string>();
+      if (!seen.insert(name).second)
+        contradiction({list, std::to_string(i), key}, fmt::format("there are two {}s '{}'", what, name));
+    }
+  }
+  void check_arity(const RoleSpec& role, std::size_t index) {
+    if (role.max && *role.max < role.min) {
+      contradiction({"roles", std::to_string(index), "max"},
+                    fmt::format("role '{}': max {} is below min {}", role.name, *role.max, role.min));
+    }
+  }
+  void check_geometry(const DeviceType& type, std::size_t index) {
+    const std::string& name = type.geometry[index].role;
+    const bool exists =
+        std::any_of(type.roles.begin(), type.roles.end(), [&](const RoleSpec& role) { return role.name == name; });
+    if (!exists) contradiction({"geometry", std::to_string(index), "role"}, fmt::format("there is no role '{}'", name));
+  }
+  void check_wcet_params(const DeviceType& type, const std::vector<std::string>& names, const std::string& member) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const bool fits = std::any_of(type.params.begin(), type.params.end(), [&](const ParamSpec& spec) {
+        return spec.name == names[i] && spec.kind == ParamKind::integer && spec.unit == Unit::time_ns;
+      });
+      if (!fits)
+        contradiction({"wcet", member, std::to_string(i)}, fmt::format("there is no param '{}' of unit ns", names[i]));
+    }
+  }
+  void check_wcet(const DeviceType& type) {
+    check_wcet_params(type, type.wcet->update_params, "update_params");
+    check_wcet_params(type, type.wcet->handle_params, "handle_params");
+  }
+  void check_range(const std::optional<std::uint32_t>& low, const std::optional<std::uint32_t>& high,
+                   const std::string& member) {
+    if (low && high && *low > *high)
+      contradiction({"bus", member, "max"}, fmt::format("{}: max {} is below min {}", member, *high, *low));
+  }
+  void check_bus(const Json& value, const DeviceType& type) {
+    check_range(type.id_min, type.id_max, "id");
+    check_range(type.channel_min, type.channel_max, "channel");
+    const auto& allowed = type.addresses;
+    if (!type.default_address || allowed.empty() ||
+        std::find(allowed.begin(), allowed.end(), *type.default_address) != allowed.end())
+      return;
+    contradiction({"bus", "address", "default"}, fmt::format("the default address {} is not allowed",
+                                                             value.at("bus").at("address").at("default").dump()));
+  }
+
+  const SourceFile& source_;
+  Diagnostics& diagnostics_;
+};
+
+template <typename T, typename Read>
+std::vector<T> read_list(const Json& value, const char* key, Read read) {
+  std::vector<T> list;
+  const auto entries = value.find(key);
+  if (entries == value.end()) return list;
+  for (const Json& entry : *entries) list.push_back(read(entry));
+  return list;
+}
+
+/// What stands behind `runtime/include/`, else the file's name.
+std::string include_name(const std::string& header) {
+  constexpr std::string_view kShipped = "runtime/include/";
+  const std::size_t at = header.rfind(kShipped);
+  if (at != std::string::npos) return header.substr(at + kShipped.size());
+  const std::size_t slash = header.rfind('/');
+  return slash == std::string::npos ? header : header.substr(slash + 1);
+}
+
+}  // namespace
+
+std::uint32_t parse_hex(const std::string& text) {
+  const auto parsed = units::parse_bare(text);
+  return parsed ? *parsed : 0;
+}
+
+DeviceType read_device_type(const Json& value, const SourceFile& source, Diagnostics& diagnostics) {
+  DeviceType type;
+  type.name = value.at("type").get<std::string>();
+  type.summary = value.at("summary").get<std::string>();
+  type.cpp_class = value.at("class").get<std::string>();
+  type.include = include_name(value.at("header").get<std::string>());
+  if (const auto bus = value.find("bus"); bus != value.end()) read_bus(*bus, type);
+  type.provides = read_list<Interface>(value, "provides", read_interface);
+  type.roles = read_list<RoleSpec>(value, "roles", read_role);
+  type.uses = read_list<UseSpec>(value, "uses", read_use);
+  type.params = read_params(value, source, diagnostics);
+  type.geometry = read_list<GeometrySpec>(value, "geometry", [](const Json& entry) {
+    return GeometrySpec{entry.at("kind").get<std::string>(), entry.at("role").get<std::string>()};
+  });
+  type.actuator = value.value("actuator", false);
+  type.constant_init = value.value("constant_init", true);
+  type.wcet = read_wcet(value);
+  read_shared_frames(value, type);
+  type.raw_json = source.text;
+  DescriptorCheck(source, diagnostics).check(value, type);
+  return type;
+}
+
+ExpanderType read_expander_type(const Json& value, const SourceFile& source, Diagnostics& diagnostics) {
+  ExpanderType type;
+  type.name = value.at("model").get<std::string>();
+  type.summary = value.at("summary").get<std::string>();
+  type.cpp_class = value.value("class", "");
+  type.include = value.contains("header") ? include_name(value.at("header").get<std::string>()) : "";
+  const Json& bus = value.at("bus");
+  type.addresses = read_addresses(bus.at("address"));
+  type.max_clock_hz = optional_member<std::int64_t>(bus, "max_clock_hz");
+  const Json& provides = value.at("provides");
+  type.provides = bus_kind(provides.at("bus").get<std::string>()).value_or(BusKind::i2c);
+  type.channels = provides.at("channels").get<std::uint32_t>();
+  type.named_channels = provides.at("named").get<bool>();
+  type.params = read_params(value, source, diagnostics);
+  type.raw_json = source.text;
+  return type;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,17 @@
+// A device or expander descriptor to what the generator needs of it.
+#pragma once
+
+#include "generator/descriptor/device_type.hpp"
+#include "generator/descriptor/json_file.hpp"
+
+namespace finemote::gen {
+
+/// Reads a descriptor that its schema accepts. Reports FM3103 for what contradicts itself: a role or use twice, max
+/// below min, geometry of a role that does not exist, a WCET param that does not exist, and what read_params() finds.
+DeviceType read_device_type(const Json& value, const SourceFile& source, Diagnostics& diagnostics);
+ExpanderType read_expander_type(const Json& value, const SourceFile& source, Diagnostics& diagnostics);
+
+/// The 7-bit address a descriptor writes as `0x76`.
+std::uint32_t parse_hex(const std::string& text);
+
+}  // namespace finemote::gen

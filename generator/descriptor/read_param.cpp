@@ -1,0 +1,234 @@
+#include "generator/descriptor/read_param.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "generator/diagnostic/suggest.hpp"
+#include "generator/units/units.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Parsed = std::variant<ParamValue, ParamFault>;
+
+Unit exact_unit(std::string_view text) {
+  if (text == "ns") return Unit::time_ns;
+  if (text == "Hz") return Unit::frequency_hz;
+  if (text == "bit/s") return Unit::bit_rate;
+  if (text == "bit") return Unit::bits;
+  if (text == "%") return Unit::percent;
+  return Unit::none;
+}
+
+template <typename T>
+Parsed wrap(const units::Result<T>& result) {
+  if (result) return ParamValue(*result);
+  const units::Fault& fault = result.fault();
+  const bool is_type_error = fault.code == code::quantity_malformed;
+  return ParamFault{is_type_error ? code::param_type : fault.code, fault.message, fault.hint};
+}
+
+/// A number whose unit is documentation: the unit may follow, it need not.
+Parsed parse_documented(const ParamSpec& spec, std::string_view text) {
+  const bool has_unit = !spec.unit_text.empty() && text.size() > spec.unit_text.size() &&
+                        text.substr(text.size() - spec.unit_text.size()) == spec.unit_text;
+  const std::string_view number = has_unit ? text.substr(0, text.size() - spec.unit_text.size()) : text;
+  const std::string_view bare =
+      has_unit && !number.empty() && number.back() == ' ' ? number.substr(0, number.size() - 1) : number;
+  const auto parse = [&](std::string_view part) {
+    return spec.kind == ParamKind::integer ? wrap(units::parse_integer(part)) : wrap(units::parse_real(part));
+  };
+  Parsed whole = parse(text);
+  if (!has_unit || whole.index() == 0) return whole;  // a unit of digits ("1") is never written
+  return parse(bare);
+}
+
+Parsed parse_number(const ParamSpec& spec, std::string_view text) {
+  switch (spec.unit) {
+    case Unit::time_ns:
+      return wrap(units::parse_duration(text));
+    case Unit::frequency_hz:
+      return wrap(units::parse_frequency(text));
+    case Unit::bit_rate:
+      return wrap(units::parse_bitrate(text));
+    case Unit::bits:
+      return wrap(units::parse_bits(text));
+    case Unit::percent:
+      return wrap(units::parse_percent(text));
+    case Unit::none:
+      break;
+  }
+  return parse_documented(spec, text);
+}
+
+Parsed parse_boolean(std::string_view text) {
+  if (text == "true" || text == "false") return ParamValue(text == "true");
+  return ParamFault{code::param_type, fmt::format("'{}' is neither 'true' nor 'false'", text), {}};
+}
+
+Parsed parse_enumeration(const ParamSpec& spec, std::string_view text) {
+  if (std::find(spec.values.begin(), spec.values.end(), text) != spec.values.end())
+    return ParamValue(std::string(text));
+  return ParamFault{code::param_range, fmt::format("'{}' is not one of its values", text),
+                    did_you_mean(text, spec.values)};
+}
+
+double as_number(const ParamValue& value) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
+  if (const auto* real = std::get_if<double>(&value)) return *real;
+  return 0;
+}
+
+std::string in_unit(const ParamSpec& spec, double value) {
+  if (spec.unit == Unit::time_ns) return units::format_duration(static_cast<std::int64_t>(value));
+  if (spec.unit == Unit::percent) return fmt::format("{}%", value * 100);
+  const std::string unit = spec.unit == Unit::none ? "" : spec.unit_text;
+  return fmt::format("{}{}", value, unit);
+}
+
+std::optional<ParamFault> check_range(const ParamSpec& spec, const ParamValue& value, std::string_view text) {
+  const double number = as_number(value);
+  const bool low = spec.min && number < *spec.min;
+  const bool high = spec.max && number > *spec.max;
+  if (low || high) {
+    const std::string range = spec.min && spec.max ? fmt::format("write a value from {} to {}",
+                                                                 in_unit(spec, *spec.min), in_unit(spec, *spec.max))
+                              : spec.min           ? fmt::format("the least is {}", in_unit(spec, *spec.min))
+                                                   : fmt::format("the most is {}", in_unit(spec, *spec.max));
+    return ParamFault{code::param_range, fmt::format("'{}' is out of range", text), range};
+  }
+  const auto* integer = std::get_if<std::int64_t>(&value);
+  const bool is_plain = spec.kind == ParamKind::integer && spec.unit == Unit::none;
+  const bool fits = integer == nullptr || (*integer >= std::numeric_limits<std::int32_t>::min() &&
+                                           *integer <= std::numeric_limits<std::int32_t>::max());
+  if (is_plain && !fits) return ParamFault{code::param_range, fmt::format("'{}' does not fit 32 bits", text), {}};
+  return {};
+}
+
+/// An integer or real given as a list of values: the value has to be one of them, however it is spelt.
+std::optional<ParamFault> check_values(const ParamSpec& spec, const ParamValue& value, std::string_view text) {
+  if (spec.values.empty()) return {};
+  for (const std::string& allowed : spec.values) {
+    const Parsed parsed = parse_number(spec, allowed);
+    if (parsed.index() == 0 && std::get<0>(parsed) == value) return {};
+  }
+  return ParamFault{code::param_range, fmt::format("'{}' is not one of its values", text),
+                    did_you_mean(text, spec.values)};
+}
+
+ParamKind kind_named(std::string_view type) {
+  if (type == "float") return ParamKind::real;
+  if (type == "bool") return ParamKind::boolean;
+  if (type == "string") return ParamKind::text;
+  if (type == "enum") return ParamKind::enumeration;
+  return ParamKind::integer;
+}
+
+/// A value of a descriptor as the URDF would write it.
+std::string as_text(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+/// Reads one entry of `params`; what is wrong is shown at its member.
+class SpecReader {
+ public:
+  SpecReader(const Json& value, std::size_t index, const SourceFile& source, Diagnostics& diagnostics)
+      : value_(value), index_(index), source_(source), diagnostics_(diagnostics) {}
+
+  ParamSpec read() {
+    spec_.name = value_.at("name").get<std::string>();
+    spec_.kind = kind_named(value_.at("type").get<std::string>());
+    spec_.unit_text = value_.value("unit", "");
+    spec_.unit = exact_unit(spec_.unit_text);
+    spec_.summary = value_.value("summary", "");
+    read_values();
+    read_range();
+    read_default();
+    return std::move(spec_);
+  }
+
+ private:
+  void complain(const std::string& member, Code code, const std::string& message) {
+    const Extent extent = find_value(source_, {"params", std::to_string(index_), member});
+    diagnostics_.error(code, extent.at, fmt::format("param '{}': {}", spec_.name, message)).underline(extent.length);
+  }
+  void read_values() {
+    if (const auto values = value_.find("values"); values != value_.end()) {
+      for (const Json& entry : *values) spec_.values.push_back(as_text(entry));
+    }
+    const auto enumerators = value_.find("enumerators");
+    if (enumerators == value_.end()) return;
+    for (const auto& [spelling, enumerator] : enumerators->items())
+      spec_.enumerators[spelling] = enumerator.get<std::string>();
+    for (const std::string& spelling : spec_.values) {
+      if (spec_.enumerators.count(spelling) == 0)
+        complain("enumerators", code::descriptor_contradiction, fmt::format("the value '{}' has no enumerator", spelling));
+    }
+  }
+  /// A range goes by `range`, or by `min` and `max` apart.
+  void read_range() {
+    const auto range = value_.find("range");
+    if (range != value_.end()) {
+      spec_.min = read_bound(range->at(0), "range");
+      spec_.max = read_bound(range->at(1), "range");
+    }
+    if (const auto low = value_.find("min"); low != value_.end()) spec_.min = read_bound(*low, "min");
+    if (const auto high = value_.find("max"); high != value_.end()) spec_.max = read_bound(*high, "max");
+    if (spec_.min && spec_.max && *spec_.min > *spec_.max)
+      complain(range != value_.end() ? "range" : "max", code::descriptor_contradiction,
+               "the lowest value is above the highest");
+  }
+  std::optional<double> read_bound(const Json& bound, const std::string& member) {
+    const Parsed parsed = parse_number(spec_, as_text(bound));
+    if (parsed.index() == 0) return as_number(std::get<0>(parsed));
+    complain(member, std::get<1>(parsed).code, std::get<1>(parsed).message);
+    return {};
+  }
+  void read_default() {
+    const auto fallback = value_.find("default");
+    if (fallback == value_.end()) return;
+    const Parsed parsed = parse_param(spec_, as_text(*fallback));
+    if (parsed.index() == 0) {
+      spec_.fallback = std::get<0>(parsed);
+    } else {
+      complain("default", code::descriptor_contradiction, "the default " + std::get<1>(parsed).message);
+    }
+  }
+
+  const Json& value_;
+  std::size_t index_;
+  const SourceFile& source_;
+  Diagnostics& diagnostics_;
+  ParamSpec spec_;
+};
+
+}  // namespace
+
+std::variant<ParamValue, ParamFault> parse_param(const ParamSpec& spec, std::string_view text) {
+  if (spec.kind == ParamKind::text) return ParamValue(std::string(text));
+  if (spec.kind == ParamKind::boolean) return parse_boolean(text);
+  if (spec.kind == ParamKind::enumeration) return parse_enumeration(spec, text);
+  Parsed parsed = parse_number(spec, text);
+  if (parsed.index() != 0) return parsed;
+  if (auto fault = check_values(spec, std::get<0>(parsed), text)) return *fault;
+  if (auto fault = check_range(spec, std::get<0>(parsed), text)) return *fault;
+  return parsed;
+}
+
+std::vector<ParamSpec> read_params(const Json& owner, const SourceFile& source, Diagnostics& diagnostics) {
+  std::vector<ParamSpec> specs;
+  const auto params = owner.find("params");
+  if (params == owner.end() || params->is_null()) return specs;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < params->size(); ++i) {
+    specs.push_back(SpecReader(params->at(i), i, source, diagnostics).read());
+    if (names.insert(specs.back().name).second) continue;
+    const Extent extent = find_value(source, {"params", std::to_string(i), "name"});
+    diagnostics.error(code::descriptor_contradiction, extent.at, fmt::format("there are two params '{}'", specs.back().name))
+        .underline(extent.length);
+  }
+  return specs;
+}
+
+}  // namespace finemote::gen

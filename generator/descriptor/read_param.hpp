@@ -1,0 +1,23 @@
+// The `params` of a descriptor or board file to ParamSpecs.
+#pragma once
+
+#include <vector>
+
+#include "generator/descriptor/device_type.hpp"
+#include "generator/descriptor/json_file.hpp"
+
+namespace finemote::gen {
+
+/// Reads the array `params` of `owner` (none: no params). Reports FM3103: a name twice, max below min, a default that
+/// is out of range, of another type or no value of the enumeration, and FM3030 to FM3034 for a quantity that is wrong.
+std::vector<ParamSpec> read_params(const Json& owner, const SourceFile& source, Diagnostics& diagnostics);
+
+/// A text to a value as `spec` wants it, or the fault; ranges are checked too (FM3025, FM3026, FM3030 to FM3034).
+struct ParamFault {
+  Code code;
+  std::string message;
+  std::string hint;
+};
+std::variant<ParamValue, ParamFault> parse_param(const ParamSpec& spec, std::string_view text);
+
+}  // namespace finemote::gen
