@@ -1,0 +1,165 @@
+#include "generator/model/build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/model/attributes.hpp"
+#include "generator/model/names.hpp"
+#include "generator/model/reading.hpp"
+
+namespace finemote::gen {
+
+std::optional<std::size_t> Reading::device_named(std::string_view name) const {
+  const auto& list = robot.devices;
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const Device& device) { return device.name.text == name; });
+  if (found == list.end()) return {};
+  return static_cast<std::size_t>(found - list.begin());
+}
+
+std::optional<std::size_t> Reading::segment_named(std::string_view name) const {
+  const auto& list = robot.segments;
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const Segment& segment) { return segment.name.text == name; });
+  if (found == list.end()) return {};
+  return static_cast<std::size_t>(found - list.begin());
+}
+
+std::vector<std::string> Reading::device_names() const {
+  std::vector<std::string> names;
+  for (const Device& device : robot.devices) names.push_back(device.name.text);
+  return names;
+}
+
+std::vector<std::string> Reading::segment_names() const {
+  std::vector<std::string> names;
+  for (const Segment& segment : robot.segments) names.push_back(segment.name.text);
+  return names;
+}
+
+namespace {
+
+constexpr std::string_view kVersion = "1";
+
+bool check_root(const xml::Node& root, Diagnostics& diagnostics) {
+  if (!root.is_element("robot")) {
+    at_tag(diagnostics, code::not_a_robot, root, fmt::format("the root element is <{}>, not <robot>", root.name))
+        .hint("a URDF begins <robot name=\"...\">");
+    return false;
+  }
+  if (root.attribute("name") != nullptr) return true;
+  at_tag(diagnostics, code::not_a_robot, root, "the robot has no 'name'")
+      .hint("write <robot name=\"...\">: generated code stands in a namespace of that name");
+  return false;
+}
+
+/// The version has to be said once at least, and to be one this tool reads; otherwise nothing below can be judged.
+bool check_version(const Tags& tags, const xml::Node& root, Diagnostics& diagnostics) {
+  if (tags.blocks.empty()) {
+    at_tag(diagnostics, code::no_extension, root, "the robot has no <finemote> element")
+        .note("it says which board, buses and devices the robot has; ROS tools pass over it")
+        .hint("add <finemote version=\"1\"> ... </finemote> inside <robot>");
+    return false;
+  }
+  bool is_given = false;
+  bool is_known = true;
+  for (const xml::Node* block : tags.blocks) {
+    const xml::Attribute* version = block->attribute("version");
+    if (version == nullptr) continue;
+    is_given = true;
+    if (version->value == kVersion) continue;
+    is_known = false;
+    at_value(diagnostics, code::version_unknown, *version,
+             fmt::format("version '{}' of the extension is unknown", version->value))
+        .note(fmt::format("this tool reads version {}", kVersion))
+        .hint(fmt::format("write version=\"{}\"", kVersion));
+  }
+  if (is_given) return is_known;
+  at_tag(diagnostics, code::version_missing, *tags.blocks.front(), "no <finemote> says its version")
+      .hint(fmt::format("write <finemote version=\"{}\">", kVersion));
+  return true;
+}
+
+std::int64_t value_of_param(const Device& device, const std::string& name) {
+  for (const Param& param : device.params) {
+    const auto* value = std::get_if<std::int64_t>(&param.value);
+    if (param.spec->name == name && value != nullptr) return *value;
+  }
+  return 0;
+}
+
+/// Saturates: such a time fails every analysis, which says so.
+std::int64_t add_times(std::int64_t a, std::int64_t b) {
+  std::int64_t sum = 0;
+  return __builtin_add_overflow(a, b, &sum) ? INT64_MAX : sum;
+}
+
+/// What a device without <wcet> is assumed to need: its type's default, or the tool's.
+void assume_wcet(Device& device, std::int64_t otherwise_ns) {
+  if (device.wcet.source != Wcet::Source::assumed) return;
+  device.wcet.update_ns = device.wcet.handle_ns = otherwise_ns;
+  if (device.type == nullptr || !device.type->wcet) return;
+  const WcetDefault& wcet = *device.type->wcet;
+  const auto children = static_cast<std::int64_t>(device.children.size() + device.reads.size());
+  device.wcet.update_ns = add_times(wcet.update_ns, wcet.per_child_ns * children);
+  device.wcet.handle_ns = add_times(wcet.handle_ns, wcet.per_child_ns * children);
+  for (const std::string& param : wcet.update_params)
+    device.wcet.update_ns = add_times(device.wcet.update_ns, value_of_param(device, param));
+  for (const std::string& param : wcet.handle_params)
+    device.wcet.handle_ns = add_times(device.wcet.handle_ns, value_of_param(device, param));
+}
+
+void list_inputs(Robot& robot, const Sources& sources) {
+  for (const SourceFile& file : sources.files()) {
+    if (std::find(robot.inputs.begin(), robot.inputs.end(), file.name) != robot.inputs.end()) continue;
+    robot.inputs.push_back(file.name);
+    robot.input_paths.push_back(file.path);
+  }
+}
+
+void read_all(Reading& reading) {
+  read_board_tag(reading);
+  read_buses(reading);
+  read_expanders(reading);
+  read_devices(reading);
+  check_names(reading);
+  resolve_parents(reading);
+  resolve_roles(reading);
+  resolve_places(reading);
+  check_resources(reading);
+  check_joints(reading);
+  read_requirements(reading);
+}
+
+}  // namespace
+
+std::optional<Robot> build_model(const xml::Document& document, Library& library, const ModelOptions& options,
+                                 Sources& sources, Diagnostics& diagnostics) {
+  const std::size_t findings = diagnostics.size();
+  const xml::Node& root = document.root;
+  if (!check_root(root, diagnostics)) return {};
+  Reading reading{root,
+                  library,
+                  options,
+                  sources,
+                  diagnostics,
+                  read_tags(root, options.from_xacro, diagnostics),
+                  read_urdf(root, diagnostics),
+                  {},
+                  false,
+                  {},
+                  {}};
+  if (!check_version(reading.tags, root, diagnostics)) return {};
+  reading.robot.name = make_name(value_of(root, "name"));
+  if (root.at.file != nullptr) reading.robot.source = root.at.file->name;
+  read_all(reading);
+  if (diagnostics.size() != findings || reading.robot.board == nullptr) return {};
+  reading.robot.links = reading.kinematics.links;
+  reading.robot.joints = reading.kinematics.joints;
+  for (Device& device : reading.robot.devices) assume_wcet(device, options.assumed_wcet_ns);
+  list_inputs(reading.robot, sources);
+  return std::move(reading.robot);
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,257 @@
+// The <bus> elements: kinds, ports and rates. FM3011 to FM3014, FM3017, FM3018, FM3010 for what the kind asks for.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "generator/descriptor/bus_kind.hpp"
+#include "generator/diagnostic/suggest.hpp"
+#include "generator/model/attributes.hpp"
+#include "generator/model/names.hpp"
+#include "generator/model/reading.hpp"
+#include "generator/units/units.hpp"
+
+namespace finemote::gen {
+namespace {
+
+bool serves(const Port& port, BusKind kind) {
+  return std::find(port.kinds.begin(), port.kinds.end(), kind) != port.kinds.end();
+}
+
+std::string kinds_text(const std::vector<BusKind>& kinds) {
+  std::string text;
+  for (const BusKind kind : kinds) text += (text.empty() ? "" : ", ") + bus_kind_name(kind);
+  return text;
+}
+
+/// Ports that can serve the kind; all ports when the kind is not known.
+std::vector<std::string> ports_for(const Board& board, std::optional<BusKind> kind) {
+  std::vector<std::string> names;
+  for (const Port& port : board.ports) {
+    if (!kind || serves(port, *kind)) names.push_back(port.name);
+  }
+  return names;
+}
+
+/// Finds the port a bus names and says what is wrong with the name.
+class PortFinder {
+ public:
+  PortFinder(Reading& reading, const xml::Node& tag, std::optional<BusKind> kind)
+      : reading_(reading), tag_(tag), kind_(kind) {}
+
+  const Port* find() {
+    const xml::Attribute* name = tag_.attribute("port");
+    if (kind_ == BusKind::virtual_bus) return refuse(name);
+    const Board* board = reading_.robot.board;
+    const bool has_ports = board == nullptr || !kind_ || !ports_for(*board, kind_).empty();
+    if (name == nullptr) {
+      if (kind_ && (has_ports || kind_ != BusKind::gpio)) report_missing();
+      return nullptr;
+    }
+    return board == nullptr ? nullptr : look_up(*board, *name);
+  }
+
+ private:
+  const Port* refuse(const xml::Attribute* name) {
+    if (name != nullptr) {
+      at_value(reading_.diagnostics, code::attribute_unused, *name, "a virtual bus has no port")
+          .hint("remove port=\"" + name->value + "\"");
+    }
+    return nullptr;
+  }
+  void report_missing() {
+    const Board* board = reading_.robot.board;
+    const auto names = board != nullptr ? ports_for(*board, kind_) : std::vector<std::string>{};
+    const std::string example = names.empty() ? "usart1" : names.front();
+    at_tag(reading_.diagnostics, code::attribute_missing, tag_,
+           fmt::format("bus '{}' has no 'port'", value_of(tag_, "name")))
+        .hint(fmt::format("add for example port=\"{}\"", example));
+  }
+  const Port* look_up(const Board& board, const xml::Attribute& name) {
+    const Port* port = board.port(name.value);
+    if (port == nullptr) {
+      if (!is_label(board, name)) report_unknown(board, name);
+      return nullptr;
+    }
+    if (!kind_ || serves(*port, *kind_)) return port;
+    auto& finding =
+        at_value(reading_.diagnostics, code::port_kind, name,
+                 fmt::format("port '{}' cannot serve a bus of type '{}'", port->name, bus_kind_name(*kind_)));
+    finding.note(fmt::format("it can serve: {}", kinds_text(port->kinds)));
+    const std::vector<std::string> able = ports_for(board, kind_);
+    if (!able.empty()) finding.hint(did_you_mean(port->name, able));
+    return nullptr;
+  }
+  /// A name printed on the board: the message names both.
+  bool is_label(const Board& board, const xml::Attribute& name) {
+    const std::string label = fold_case(name.value);
+    for (const Port& port : board.ports) {
+      if (std::find(port.silkscreen.begin(), port.silkscreen.end(), label) == port.silkscreen.end()) continue;
+      at_value(reading_.diagnostics, code::silkscreen_port, name,
+               fmt::format("'{}' is a label of the board, not a port", name.value))
+          .note(fmt::format("the port behind '{}' is '{}': {}", name.value, port.name, port.connector))
+          .hint(fmt::format("write port=\"{}\"", port.name));
+      return true;
+    }
+    return false;
+  }
+  void report_unknown(const Board& board, const xml::Attribute& name) {
+    auto& finding = at_value(reading_.diagnostics, code::unknown_port, name,
+                             fmt::format("board '{}' has no port '{}'", board.name, name.value));
+    const auto fitting = ports_for(board, kind_);
+    const auto all = ports_for(board, {});
+    suggest(finding, name.value,
+            nearest_names(name.value, fitting).empty() && !nearest_names(name.value, all).empty() ? all : fitting);
+  }
+
+  Reading& reading_;
+  const xml::Node& tag_;
+  std::optional<BusKind> kind_;
+};
+
+/// The attribute that holds the rate of a kind of bus; empty when the kind has none.
+std::string_view rate_attribute(BusKind kind) {
+  switch (kind) {
+    case BusKind::uart:
+    case BusKind::rs485:
+      return "baud";
+    case BusKind::i2c:
+    case BusKind::spi:
+      return "clock";
+    case BusKind::can:
+      return "bitrate";
+    default:
+      return {};
+  }
+}
+
+std::string_view rate_unit(BusKind kind) {
+  const std::string_view attribute = rate_attribute(kind);
+  return attribute == "clock" ? "Hz" : attribute == "baud" ? "baud" : "bit/s";
+}
+
+/// The rate nearest to the one asked for that the port can make. UART: the clock over a whole divider >= 16 (RM0090
+/// 30.3.4); I2C: over 3 times (above 100 kHz) or 2 times a whole divider (27.6.8); SPI: over 2 to 256, powers of two
+/// (28.5.1); CAN: one of the port's list.
+double nearest_rate(const Port& port, BusKind kind, double wanted) {
+  if (!port.rates.empty()) {
+    const auto nearer = [&](std::int64_t a, std::int64_t b) {
+      return std::abs(static_cast<double>(a) - wanted) < std::abs(static_cast<double>(b) - wanted);
+    };
+    return static_cast<double>(*std::min_element(port.rates.begin(), port.rates.end(), nearer));
+  }
+  if (!port.clock_hz) return wanted;
+  const auto clock = static_cast<double>(*port.clock_hz);
+  if (kind == BusKind::spi) {
+    double best = clock / 2;
+    for (double divider = 4; divider <= 256; divider *= 2) {
+      if (std::abs(clock / divider - wanted) < std::abs(best - wanted)) best = clock / divider;
+    }
+    return best;
+  }
+  if (kind == BusKind::i2c) {
+    const double step = wanted > 100'000 ? 3 : 2;
+    return clock / (step * std::max(1.0, std::round(clock / (step * wanted))));
+  }
+  return clock / std::max(16.0, std::round(clock / wanted));
+}
+
+void check_rate(Reading& reading, const xml::Attribute& attribute, const Port& port, const Bus& bus) {
+  const std::string_view unit = rate_unit(bus.kind);
+  const auto report = [&](std::string message) -> Diagnostic& {
+    return at_value(reading.diagnostics, code::rate_unreachable, attribute, std::move(message));
+  };
+  if (bus.rate < port.min_rate.value_or(1) || bus.rate > port.max_rate.value_or(INT64_MAX)) {
+    report(fmt::format("port '{}' cannot make {}", port.name, attribute.value))
+        .hint(fmt::format("write a value from {}{} to {}{}", port.min_rate.value_or(1), unit,
+                          port.max_rate.value_or(bus.rate), unit));
+    return;
+  }
+  const auto wanted = static_cast<double>(bus.rate);
+  const double made = nearest_rate(port, bus.kind, wanted);
+  const double error = std::abs(made - wanted) / wanted;
+  if (error * 1e6 <= static_cast<double>(port.max_rate_error_ppm)) return;
+  report(fmt::format("port '{}' cannot make {}", port.name, attribute.value))
+      .note(fmt::format("the nearest rate is {:.0f}{}, {:.1f} % away; {:.1f} % is the limit", made, unit, error * 100,
+                        static_cast<double>(port.max_rate_error_ppm) / 1e4))
+      .hint(fmt::format("write {}=\"{:.0f}{}\"", attribute.name, made, unit));
+}
+
+/// The rate of kinds that run at one usual speed may be left out: the fastest the port makes.
+bool has_usual_rate(BusKind kind) { return kind == BusKind::i2c || kind == BusKind::can; }
+
+void read_rate(Reading& reading, const xml::Node& tag, Bus& bus, Reading::BusState& state) {
+  const std::string_view wanted = rate_attribute(bus.kind);
+  for (const std::string_view name :
+       {std::string_view("baud"), std::string_view("clock"), std::string_view("bitrate")}) {
+    const xml::Attribute* attribute = tag.attribute(name);
+    if (attribute == nullptr || name == wanted) continue;
+    auto& finding =
+        reading.diagnostics.error(code::attribute_unused, attribute->at,
+                                  fmt::format("a bus of type '{}' has no '{}'", bus_kind_name(bus.kind), name));
+    finding.underline(name.size());
+    finding.hint(wanted.empty() ? fmt::format("remove {}=\"{}\"", name, attribute->value)
+                                : fmt::format("its rate is written {}=\"...\"", wanted));
+    if (!wanted.empty() && tag.attribute(wanted) == nullptr) return;  // the rate is there, under another name
+  }
+  if (wanted.empty()) return;
+  const xml::Attribute* attribute = tag.attribute(wanted);
+  if (attribute == nullptr) {
+    const bool has_default = has_usual_rate(bus.kind);
+    if (has_default && state.port != nullptr) {
+      bus.rate = state.port->max_rate.value_or(0);
+      state.rate_is_known = true;
+    } else if (!has_default) {
+      at_tag(reading.diagnostics, code::attribute_missing, tag,
+             fmt::format("bus '{}' has no '{}'", bus.name.text, wanted))
+          .hint(fmt::format("add for example {}=\"{}\"", wanted, bus.kind == BusKind::spi ? "5250kHz" : "115200baud"));
+    }
+    return;
+  }
+  const auto parse = wanted == "clock" ? units::parse_frequency : units::parse_bitrate;
+  const auto rate = read_quantity(tag, wanted, parse, reading.diagnostics);
+  if (!rate) return;
+  if (*rate == 0) {
+    at_value(reading.diagnostics, code::rate_unreachable, *attribute, fmt::format("'{}' of a bus is zero", wanted));
+    return;
+  }
+  bus.rate = *rate;
+  state.rate_is_known = true;
+  if (state.port != nullptr) check_rate(reading, *attribute, *state.port, bus);
+}
+
+void read_bus(Reading& reading, const xml::Node& tag) {
+  Bus bus;
+  bus.name = make_name(value_of(tag, "name"));
+  bus.at = tag.at;
+  Reading::BusState state;
+  const auto kind_name = read_choice(tag, "type", bus_kind_names(), reading.diagnostics);
+  const auto kind = kind_name ? bus_kind(*kind_name) : std::nullopt;
+  state.kind_is_known = kind.has_value();
+  bus.kind = kind.value_or(BusKind::uart);
+  state.port = PortFinder(reading, tag, kind).find();
+  if (state.port != nullptr) bus.port = state.port->name;
+  if (kind) read_rate(reading, tag, bus, state);
+  bus.isr_wcet_ns = read_quantity(tag, "isr_wcet", units::parse_duration, reading.diagnostics);
+  bus.min_frame_bits = read_quantity(tag, "min_frame", units::parse_bits, reading.diagnostics);
+  if (bus.min_frame_bits == 0) {
+    at_value(reading.diagnostics, code::param_range, *tag.attribute("min_frame"),
+             "min_frame: a frame has at least one bit")
+        .hint("write for example min_frame=\"20bit\"");
+  }
+  bus.params = read_param_tags(reading, tag, {}, fmt::format("bus '{}'", bus.name.text));
+  reading.robot.buses.push_back(std::move(bus));
+  reading.buses.push_back(state);
+}
+
+}  // namespace
+
+void read_buses(Reading& reading) {
+  for (const xml::Node* tag : reading.tags.buses) read_bus(reading, *tag);
+  for (std::size_t i = 0; i < reading.robot.buses.size(); ++i) {
+    const Bus& bus = reading.robot.buses[i];
+    reading.robot.segments.push_back({Segment::Kind::bus, bus.name, bus.kind, i, {}, 0});
+  }
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,301 @@
+// The <device> elements, each by itself: type, bus, period as written, params, wcet, uses. FM3019 to FM3022, FM3036,
+// FM3037, FM3070 to FM3073, FM3075.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "generator/descriptor/bus_kind.hpp"
+#include "generator/descriptor/library.hpp"
+#include "generator/model/attributes.hpp"
+#include "generator/model/names.hpp"
+#include "generator/model/reading.hpp"
+#include "generator/units/units.hpp"
+
+namespace finemote::gen {
+namespace {
+
+bool contains(const std::vector<BusKind>& kinds, BusKind kind) {
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+std::string kinds_text(const std::vector<BusKind>& kinds) {
+  std::string text;
+  for (const BusKind kind : kinds) text += (text.empty() ? "" : " or ") + bus_kind_name(kind);
+  return text;
+}
+
+std::vector<std::string> names_of(const std::vector<UseSpec>& uses) {
+  std::vector<std::string> names;
+  for (const UseSpec& use : uses) names.push_back(use.role);
+  return names;
+}
+
+/// Names of the buses of certain kinds, for hints.
+std::vector<std::string> segments_of(const Reading& reading, const std::vector<BusKind>& kinds) {
+  std::vector<std::string> names;
+  for (const Segment& segment : reading.robot.segments) {
+    if (contains(kinds, segment.bus_kind)) names.push_back(segment.name.text);
+  }
+  return names;
+}
+
+bool kind_is_known(const Reading& reading, const Segment& segment) {
+  return segment.kind != Segment::Kind::bus || reading.buses[segment.bus].kind_is_known;
+}
+
+class DeviceReader {
+ public:
+  DeviceReader(Reading& reading, const xml::Node& tag)
+      : reading_(reading), diagnostics_(reading.diagnostics), tag_(tag) {}
+
+  void read() {
+    device_.name = make_name(value_of(tag_, "name"));
+    device_.at = device_.period_at = tag_.at;
+    owner_ = fmt::format("device '{}'", device_.name.text);
+    read_type();
+    read_bus();
+    read_period();
+    device_.link = value_of(tag_, "link");
+    device_.joint = value_of(tag_, "joint");
+    if (device_.type != nullptr) {
+      device_.params = read_param_tags(reading_, tag_, device_.type->params, owner_);
+      read_uses();
+    }
+    read_wcet();
+    reading_.robot.devices.push_back(std::move(device_));
+    reading_.devices.push_back(state_);
+  }
+
+ private:
+  void read_type() {
+    const xml::Attribute* type = tag_.attribute("type");
+    if (type == nullptr) return;
+    const std::vector<std::string> known = device_type_names(reading_.library);
+    if (std::find(known.begin(), known.end(), type->value) == known.end()) {
+      auto& finding = at_value(diagnostics_, code::unknown_device_type, *type,
+                               fmt::format("there is no device type '{}'", type->value));
+      suggest(finding, type->value, known);
+      finding.note(
+          "types of your own are descriptors in a folder 'devices' beside the input, or in one given by --device-path");
+      return;
+    }
+    device_.type = find_device_type(reading_.library, type->value, reading_.sources, diagnostics_);
+  }
+
+  void read_bus() {
+    const xml::Attribute* bus = tag_.attribute("bus");
+    if (bus == nullptr) {
+      if (device_.type != nullptr && device_.type->bus_required && !device_.type->buses.empty()) report_no_bus();
+      return;
+    }
+    const auto segment = reading_.segment_named(bus->value);
+    state_.bus_is_wrong = true;
+    if (!segment) {
+      suggest(at_value(diagnostics_, code::unknown_bus, *bus, fmt::format("there is no bus '{}'", bus->value)),
+              bus->value, reading_.segment_names());
+      return;
+    }
+    if (device_.type == nullptr || !sits_on(*bus, reading_.robot.segments[*segment])) return;
+    state_.bus_is_wrong = false;
+    device_.segment = segment;
+    check_bus_speed(*bus, reading_.robot.segments[*segment]);
+  }
+  void report_no_bus() {
+    state_.bus_is_wrong = true;
+    auto& finding = at_tag(diagnostics_, code::bus_needed, tag_,
+                           fmt::format("{} of type '{}' needs a bus", owner_, device_.type->name));
+    finding.note(fmt::format("it sits on {}", kinds_text(device_.type->buses)));
+    const auto candidates = segments_of(reading_, device_.type->buses);
+    if (!candidates.empty()) finding.hint(fmt::format("add for example bus=\"{}\"", candidates.front()));
+  }
+  bool sits_on(const xml::Attribute& bus, const Segment& segment) {
+    const DeviceType& type = *device_.type;
+    if (type.buses.empty()) {
+      at_value(diagnostics_, code::bus_kind, bus, fmt::format("a {} sits on no bus", type.name))
+          .hint("remove bus=\"" + bus.value + "\"");
+      return false;
+    }
+    if (!kind_is_known(reading_, segment) || contains(type.buses, segment.bus_kind))
+      return kind_is_known(reading_, segment);
+    auto& finding = at_value(diagnostics_, code::bus_kind, bus,
+                             fmt::format("a {} sits on {}; bus '{}' is of type '{}'", type.name, kinds_text(type.buses),
+                                         bus.value, bus_kind_name(segment.bus_kind)));
+    const auto candidates = segments_of(reading_, type.buses);
+    if (!candidates.empty()) suggest(finding, bus.value, candidates);
+    return false;
+  }
+  /// The bus may not be faster than the part, and a serial line has to run at one of its rates.
+  void check_bus_speed(const xml::Attribute& bus, const Segment& segment) {
+    if (segment.kind == Segment::Kind::pwm_expander || !reading_.buses[segment.bus].rate_is_known) return;
+    const Bus& physical = reading_.robot.buses[segment.bus];
+    const DeviceType& type = *device_.type;
+    if (type.max_clock_hz && physical.rate > *type.max_clock_hz) {
+      at_value(diagnostics_, code::rate_unreachable, bus,
+               fmt::format("bus '{}' runs at {} Hz, a {} at most at {} Hz", physical.name.text, physical.rate,
+                           type.name, *type.max_clock_hz))
+          .note("the bus stands here", physical.at)
+          .hint(fmt::format("write clock=\"{}Hz\" at the bus", *type.max_clock_hz));
+    }
+    if (type.rates.empty() || std::find(type.rates.begin(), type.rates.end(), physical.rate) != type.rates.end())
+      return;
+    std::string rates;
+    for (const std::int64_t rate : type.rates) rates += fmt::format("{}{}", rates.empty() ? "" : ", ", rate);
+    at_value(diagnostics_, code::rate_unreachable, bus,
+             fmt::format("bus '{}' runs at {} bit/s, which a {} cannot", physical.name.text, physical.rate, type.name))
+        .note("the bus stands here", physical.at)
+        .hint(fmt::format("it can {} bit/s", rates));
+  }
+
+  void read_period() {
+    const xml::Attribute* attribute = tag_.attribute("period");
+    if (attribute == nullptr) return;
+    device_.period_at = attribute->value_at;
+    state_.period_is_wrong = true;
+    const auto period = read_quantity(tag_, "period", units::parse_duration, diagnostics_);
+    if (!period) return;
+    if (*period == 0) {
+      at_value(diagnostics_, code::period_zero, *attribute, fmt::format("the period of {} is zero", owner_))
+          .hint("write for example period=\"10ms\"");
+      return;
+    }
+    device_.period_ns = *period;
+    state_.period_is_wrong = false;
+    check_tick(*attribute, *period);
+  }
+  void check_tick(const xml::Attribute& attribute, std::int64_t period) {
+    const std::int64_t tick = reading_.robot.tick_ns;
+    if (!reading_.tick_is_known || period % tick == 0) return;
+    const std::int64_t below = period / tick * tick;
+    const std::string above = period > INT64_MAX - tick ? "" : units::format_duration(below + tick);
+    at_value(diagnostics_, code::period_tick, attribute,
+             fmt::format("the period of {} is no multiple of the tick of {}", owner_, units::format_duration(tick)))
+        .hint(below > 0 ? fmt::format("write period=\"{}\" or period=\"{}\"", units::format_duration(below), above)
+                        : fmt::format("write period=\"{}\"", above));
+  }
+
+  void read_uses() {
+    std::set<std::string> given;
+    for (const xml::Node& child : tag_.children) {
+      if (!child.is_element("use")) continue;
+      const xml::Attribute* role = child.attribute("role");
+      if (role != nullptr) read_use(child, *role, given);
+    }
+    for (const UseSpec& spec : device_.type->uses) {
+      if (!spec.required || given.count(spec.role) > 0) continue;
+      at_tag(diagnostics_, code::use_missing, tag_, fmt::format("{} needs <use role=\"{}\">", owner_, spec.role))
+          .note(fmt::format("a {}", kinds_text(spec.buses)))
+          .hint(fmt::format("add <use role=\"{}\" {}=\"...\"/>", spec.role,
+                            contains(spec.buses, BusKind::gpio) ? "pin" : "bus"));
+    }
+  }
+  void read_use(const xml::Node& child, const xml::Attribute& role, std::set<std::string>& given) {
+    const auto& specs = device_.type->uses;
+    const auto spec = std::find_if(specs.begin(), specs.end(),
+                                   [&](const UseSpec& candidate) { return candidate.role == role.value; });
+    if (spec == specs.end()) {
+      auto& finding = at_value(diagnostics_, code::unknown_use, role,
+                               fmt::format("a {} uses no '{}'", device_.type->name, role.value));
+      suggest(finding, role.value, names_of(specs));
+      return;
+    }
+    if (!given.insert(role.value).second) {
+      at_value(diagnostics_, code::element_twice, role,
+               fmt::format("{} has two <use role=\"{}\">", owner_, role.value));
+      return;
+    }
+    Use use;
+    use.spec = &*spec;
+    use.at = child.at;
+    use.channel = read_quantity(child, "channel", units::parse_bare, diagnostics_);
+    if (read_endpoint(child, use)) device_.uses.push_back(std::move(use));
+  }
+  bool read_endpoint(const xml::Node& child, Use& use) {
+    const xml::Attribute* bus = child.attribute("bus");
+    const xml::Attribute* pin = child.attribute("pin");
+    const bool wants_pin = contains(use.spec->buses, BusKind::gpio);
+    const bool wants_bus = use.spec->buses.size() > (wants_pin ? 1U : 0U);
+    if ((bus != nullptr) == (pin != nullptr)) {
+      const std::string what = wants_pin && wants_bus ? "either 'bus' or 'pin'" : wants_pin ? "a 'pin'" : "a 'bus'";
+      at_tag(diagnostics_, code::use_endpoint, child,
+             fmt::format("<use role=\"{}\"> has to name {}", use.spec->role, what))
+          .hint(fmt::format("write <use role=\"{}\" {}/>", use.spec->role, wants_bus ? "bus=\"...\"" : "pin=\"PA4\""));
+      return false;
+    }
+    if (pin != nullptr) return read_pin(*pin, use, wants_pin);
+    return read_use_bus(*bus, use);
+  }
+  bool read_pin(const xml::Attribute& pin, Use& use, bool wants_pin) {
+    if (!wants_pin) {
+      at_value(diagnostics_, code::use_endpoint, pin,
+               fmt::format("<use role=\"{}\"> takes a {}, not a pin", use.spec->role, kinds_text(use.spec->buses)));
+      return false;
+    }
+    const NamedPin* known = reading_.robot.board != nullptr ? reading_.robot.board->named_pin(pin.value) : nullptr;
+    use.pin = known != nullptr ? known->pin : pin.value;
+    if (known != nullptr || is_pin_name(pin.value)) return true;
+    auto& finding = at_value(diagnostics_, code::pin_invalid, pin, fmt::format("'{}' is no pin", pin.value));
+    std::vector<std::string> names;
+    if (reading_.robot.board != nullptr) {
+      for (const NamedPin& candidate : reading_.robot.board->pins) names.push_back(candidate.name);
+    }
+    suggest(finding, pin.value, names);
+    finding.hint("or write a pin of the chip, PA0 to PI15");
+    return false;
+  }
+  static bool is_pin_name(const std::string& name) {
+    if (name.size() < 3 || name.size() > 4 || name[0] != 'P' || name[1] < 'A' || name[1] > 'I') return false;
+    const auto number = units::parse_bare(name.substr(2));
+    return number && *number <= 15 && name == fmt::format("P{}{}", name[1], *number);
+  }
+  bool read_use_bus(const xml::Attribute& bus, Use& use) {
+    use.segment = reading_.segment_named(bus.value);
+    if (!use.segment) {
+      suggest(at_value(diagnostics_, code::unknown_bus, bus, fmt::format("there is no bus '{}'", bus.value)), bus.value,
+              reading_.segment_names());
+      return false;
+    }
+    const Segment& segment = reading_.robot.segments[*use.segment];
+    if (!kind_is_known(reading_, segment)) return false;
+    if (contains(use.spec->buses, segment.bus_kind)) return true;
+    at_value(diagnostics_, code::bus_kind, bus,
+             fmt::format("<use role=\"{}\"> takes {}; bus '{}' is of type '{}'", use.spec->role,
+                         kinds_text(use.spec->buses), bus.value, bus_kind_name(segment.bus_kind)));
+    return false;
+  }
+
+  void read_wcet() {
+    const xml::Node* wcet = nullptr;
+    for (const xml::Node& child : tag_.children) {
+      if (!child.is_element("wcet")) continue;
+      if (wcet != nullptr) {
+        at_tag(diagnostics_, code::element_twice, child, fmt::format("{} has two <wcet>", owner_))
+            .note("the first one stands here", wcet->at);
+      } else {
+        wcet = &child;
+      }
+    }
+    if (wcet == nullptr) return;
+    device_.wcet.update_ns = read_quantity(*wcet, "update", units::parse_duration, diagnostics_).value_or(0);
+    device_.wcet.handle_ns = read_quantity(*wcet, "handle", units::parse_duration, diagnostics_).value_or(0);
+    const auto source = read_choice(*wcet, "source", {"budget", "measured", "static"}, diagnostics_).value_or("budget");
+    device_.wcet.source = source == "measured" ? Wcet::Source::measured
+                          : source == "static" ? Wcet::Source::static_analysis
+                                               : Wcet::Source::budget;
+  }
+
+  Reading& reading_;
+  Diagnostics& diagnostics_;
+  const xml::Node& tag_;
+  std::string owner_;
+  Device device_;
+  Reading::DeviceState state_;
+};
+
+}  // namespace
+
+void read_devices(Reading& reading) {
+  for (const DeviceTag& tag : reading.tags.devices) DeviceReader(reading, *tag.node).read();
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,159 @@
+// The <expander> elements: FM3011, FM3019, FM3020, FM3061, FM3062, FM3064, FM3065, FM3074, FM3018.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "generator/descriptor/bus_kind.hpp"
+#include "generator/descriptor/library.hpp"
+#include "generator/model/address.hpp"
+#include "generator/model/attributes.hpp"
+#include "generator/model/names.hpp"
+#include "generator/model/reading.hpp"
+#include "generator/units/units.hpp"
+
+namespace finemote::gen {
+namespace {
+
+constexpr std::size_t kNoSegment = static_cast<std::size_t>(-1);
+
+class ExpanderReader {
+ public:
+  ExpanderReader(Reading& reading, const xml::Node& tag)
+      : reading_(reading), diagnostics_(reading.diagnostics), tag_(tag) {}
+
+  void read() {
+    expander_.name = make_name(value_of(tag_, "name"));
+    expander_.at = tag_.at;
+    expander_.segment = kNoSegment;
+    read_model();
+    if (expander_.type != nullptr) {
+      read_own_address();
+      expander_.params =
+          read_param_tags(reading_, tag_, expander_.type->params, fmt::format("expander '{}'", expander_.name.text));
+    }
+    read_channels();
+    add_segments();
+    reading_.robot.expanders.push_back(std::move(expander_));
+  }
+
+ private:
+  void read_model() {
+    const auto model = read_choice(tag_, "model", expander_type_names(reading_.library), diagnostics_);
+    if (!model) return;
+    expander_.type = find_expander_type(reading_.library, *model, reading_.sources, diagnostics_);
+    if (expander_.type != nullptr)
+      expander_.model = expander_.type->named_channels ? Expander::Model::tca9548a : Expander::Model::pca9685;
+  }
+  void read_own_address() {
+    const xml::Attribute* attribute = tag_.attribute("address");
+    if (attribute == nullptr) return;
+    const auto address = read_quantity(tag_, "address", units::parse_bare, diagnostics_);
+    if (address && check_address(diagnostics_, *attribute, *address, expander_.type->addresses, expander_.type->name))
+      expander_.address = *address;
+  }
+  void read_channels() {
+    std::map<std::uint32_t, const xml::Node*> used;
+    for (const xml::Node& child : tag_.children) {
+      if (!child.is_element("channel")) continue;
+      if (expander_.type != nullptr && !expander_.type->named_channels) {
+        at_tag(diagnostics_, code::attribute_unused, child,
+               fmt::format("the channels of a {} are not named", expander_.type->name))
+            .hint(fmt::format("remove the <channel>; a device says bus=\"{}\" channel=\"0\"", expander_.name.text));
+        continue;
+      }
+      read_channel(child, used);
+    }
+  }
+  void read_channel(const xml::Node& child, std::map<std::uint32_t, const xml::Node*>& used) {
+    Expander::Channel channel;
+    channel.name = make_name(value_of(child, "name"));
+    channel.at = child.at;
+    const auto index = read_quantity(child, "index", units::parse_bare, diagnostics_);
+    if (index) check_index(child, *index, used);
+    channel.index = index.value_or(0);
+    expander_.channels.push_back(std::move(channel));
+  }
+  void check_index(const xml::Node& child, std::uint32_t index, std::map<std::uint32_t, const xml::Node*>& used) {
+    const xml::Attribute& attribute = *child.attribute("index");
+    if (expander_.type != nullptr && index >= expander_.type->channels) {
+      at_value(diagnostics_, code::channel_range, attribute,
+               fmt::format("a {} has no channel {}", expander_.type->name, index))
+          .hint(fmt::format("its channels are 0 to {}", expander_.type->channels - 1));
+      return;
+    }
+    const auto [first, is_fresh] = used.emplace(index, &child);
+    if (is_fresh) return;
+    at_value(diagnostics_, code::channel_twice, attribute,
+             fmt::format("channel {} of expander '{}' is used twice", index, expander_.name.text))
+        .note("the first time here", first->second->at);
+  }
+  void add_segments() {
+    auto& segments = reading_.robot.segments;
+    const std::size_t self = reading_.robot.expanders.size();
+    if (expander_.type != nullptr && !expander_.type->named_channels) {
+      segments.push_back({Segment::Kind::pwm_expander, expander_.name, expander_.type->provides, 0, self, 0});
+    }
+    for (const Expander::Channel& channel : expander_.channels) {
+      segments.push_back({Segment::Kind::mux_channel, channel.name, BusKind::i2c, 0, self, channel.index});
+    }
+  }
+
+  Reading& reading_;
+  Diagnostics& diagnostics_;
+  const xml::Node& tag_;
+  Expander expander_;
+};
+
+/// Finds the bus an expander sits on; all names are known now, so it may stand further down.
+void attach(Reading& reading, std::size_t index) {
+  Expander& expander = reading.robot.expanders[index];
+  const xml::Attribute* bus = reading.tags.expanders[index]->attribute("bus");
+  if (bus == nullptr) return;
+  const auto segment = reading.segment_named(bus->value);
+  if (!segment) {
+    suggest(at_value(reading.diagnostics, code::unknown_bus, *bus, fmt::format("there is no bus '{}'", bus->value)),
+            bus->value, reading.segment_names());
+    return;
+  }
+  const Segment& target = reading.robot.segments[*segment];
+  const bool kind_is_known = target.kind != Segment::Kind::bus || reading.buses[target.bus].kind_is_known;
+  if (kind_is_known && target.bus_kind != BusKind::i2c) {
+    at_value(reading.diagnostics, code::bus_kind, *bus,
+             fmt::format("expander '{}' needs an i2c bus; '{}' is of type '{}'", expander.name.text, bus->value,
+                         bus_kind_name(target.bus_kind)));
+    return;
+  }
+  if (target.kind == Segment::Kind::mux_channel && expander.type != nullptr && expander.type->named_channels) {
+    at_value(reading.diagnostics, code::mux_nested, *bus,
+             fmt::format("expander '{}' is a mux behind a mux", expander.name.text))
+        .note(fmt::format("'{}' is a channel of expander '{}'", bus->value,
+                          reading.robot.expanders[*target.expander].name.text))
+        .hint("put it on the bus itself, with an address of its own");
+    return;
+  }
+  expander.segment = *segment;
+}
+
+/// The physical bus of what an expander provides; a PWM expander may sit behind a mux.
+void find_physical_bus(Robot& robot, Segment& segment) {
+  const Expander& expander = robot.expanders[*segment.expander];
+  if (expander.segment == kNoSegment) return;
+  const Segment& below = robot.segments[expander.segment];
+  if (below.kind == Segment::Kind::bus) {
+    segment.bus = below.bus;
+  } else if (below.expander && robot.expanders[*below.expander].segment != kNoSegment) {
+    segment.bus = robot.segments[robot.expanders[*below.expander].segment].bus;
+  }
+}
+
+}  // namespace
+
+void read_expanders(Reading& reading) {
+  for (const xml::Node* tag : reading.tags.expanders) ExpanderReader(reading, *tag).read();
+  for (std::size_t i = 0; i < reading.robot.expanders.size(); ++i) attach(reading, i);
+  for (Segment& segment : reading.robot.segments) {
+    if (segment.expander) find_physical_bus(reading.robot, segment);
+  }
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,127 @@
+// Names of the robot, its buses, expanders and devices: FM3046 to FM3049.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "generator/model/attributes.hpp"
+#include "generator/model/names.hpp"
+#include "generator/model/reading.hpp"
+
+namespace finemote::gen {
+namespace {
+
+/// One name and what has it.
+struct Named {
+  const Name* name;
+  const xml::Node* tag;
+  std::string what;  ///< "bus 'imu'"
+};
+
+/// Finds clashes among names that share a place.
+class NameTable {
+ public:
+  explicit NameTable(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  /// Adds the name, or reports what has it already.
+  bool add(const Named& entry) {
+    const auto [first, is_fresh] = seen_.emplace(fold_case(entry.name->cpp), entry);
+    if (!is_fresh) report(entry, first->second);
+    return is_fresh;
+  }
+  /// Reports what has the name already; does not add it.
+  void compare(const Named& entry) {
+    const auto found = seen_.find(fold_case(entry.name->cpp));
+    if (found != seen_.end()) report(entry, found->second);
+  }
+
+ private:
+  void report(const Named& entry, const Named& first) {
+    const xml::Attribute* attribute = entry.tag->attribute("name");
+    if (entry.name->text == first.name->text) {
+      at_value(diagnostics_, code::duplicate_name, *attribute,
+               fmt::format("the name '{}' is used twice", entry.name->text))
+          .note(fmt::format("{} has it already", first.what), first.tag->at);
+      return;
+    }
+    auto& finding = at_value(diagnostics_, code::name_clash, *attribute,
+                             fmt::format("'{}' and '{}' would be one name in C++", entry.name->text, first.name->text));
+    const bool same = entry.name->cpp == first.name->cpp;
+    finding.note(same ? fmt::format("both become '{}'", entry.name->cpp)
+                      : fmt::format("'{}' and '{}' differ by letter case only", entry.name->cpp, first.name->cpp));
+    finding.note(fmt::format("{} stands here", first.what), first.tag->at);
+  }
+
+  Diagnostics& diagnostics_;
+  std::map<std::string, Named> seen_;
+};
+
+/// Whether the name can be used at all.
+bool check_one(Diagnostics& diagnostics, const Named& entry, NameScope scope, const std::string& robot) {
+  const xml::Attribute* attribute = entry.tag->attribute("name");
+  if (attribute == nullptr) return false;
+  const std::string& cpp = entry.name->cpp;
+  const std::string becomes = cpp == entry.name->text ? "it" : fmt::format("its C++ name '{}'", cpp);
+  if (const auto reason = invalid_name(cpp)) {
+    at_value(diagnostics, code::name_invalid, *attribute, fmt::format("'{}' cannot be a name", entry.name->text))
+        .note(fmt::format("{} {}", becomes, *reason));
+    return false;
+  }
+  if (const auto reason = reserved_name(cpp, scope)) {
+    at_value(diagnostics, code::name_reserved, *attribute, fmt::format("the name '{}' is taken", entry.name->text))
+        .note(fmt::format("{} {}", becomes, *reason));
+    return false;
+  }
+  if (scope != NameScope::robot && cpp == robot) {
+    at_value(diagnostics, code::name_reserved, *attribute, fmt::format("the name '{}' is taken", entry.name->text))
+        .note("the robot is called so; its namespace would be hidden");
+    return false;
+  }
+  return true;
+}
+
+std::string described(const char* what, const Name& name) { return fmt::format("{} '{}'", what, name.text); }
+
+}  // namespace
+
+void check_names(Reading& reading) {
+  Diagnostics& diagnostics = reading.diagnostics;
+  const Robot& robot = reading.robot;
+  const std::string& robot_cpp = robot.name.cpp;
+  check_one(diagnostics, {&robot.name, &reading.root, "robot"}, NameScope::robot, robot_cpp);
+
+  NameTable buses(diagnostics);    // what `bus=` can name, and names beside the tree namespaces
+  NameTable devices(diagnostics);  // what `parent=` and `device=` can name
+  NameTable slots(diagnostics);    // transfer slots of expanders stand beside those of devices
+  for (std::size_t i = 0; i < robot.buses.size(); ++i) {
+    const Named entry{&robot.buses[i].name, reading.tags.buses[i], described("bus", robot.buses[i].name)};
+    if (check_one(diagnostics, entry, NameScope::in_robot, robot_cpp)) buses.add(entry);
+  }
+  for (std::size_t i = 0; i < robot.expanders.size(); ++i) {
+    const Expander& expander = robot.expanders[i];
+    const Named entry{&expander.name, reading.tags.expanders[i], described("expander", expander.name)};
+    if (!check_one(diagnostics, entry, NameScope::in_robot, robot_cpp)) continue;
+    buses.add(entry);
+    slots.add(entry);
+    std::size_t channel = 0;
+    for (const xml::Node& child : reading.tags.expanders[i]->children) {
+      if (!child.is_element("channel") || channel >= expander.channels.size()) continue;
+      const Name& name = expander.channels[channel++].name;
+      const Named inner{&name, &child, described("channel", name)};
+      if (check_one(diagnostics, inner, NameScope::in_robot, robot_cpp)) buses.add(inner);
+    }
+  }
+  for (std::size_t i = 0; i < robot.devices.size(); ++i) {
+    const Named entry{&robot.devices[i].name, &reading.device_tag(i), described("device", robot.devices[i].name)};
+    if (!check_one(diagnostics, entry, NameScope::in_tree, robot_cpp)) continue;
+    const bool is_fresh = devices.add(entry);
+    const bool is_root = !reading.tags.devices[i].nested_in && reading.device_tag(i).attribute("parent") == nullptr;
+    if (!is_fresh) continue;
+    if (!is_root) {
+      slots.compare(entry);
+    } else if (check_one(diagnostics, entry, NameScope::in_robot, robot_cpp)) {
+      buses.add(entry);  // its tree's namespace stands beside them
+    }
+  }
+}
+
+}  // namespace finemote::gen

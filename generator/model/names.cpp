@@ -1,0 +1,111 @@
+#include "generator/model/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace finemote::gen {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// C++17 keywords, alternative tokens and what later standards add (generated code should compile as those too).
+constexpr std::array kKeywords{
+    "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
+    "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
+    "char32_t",    "char8_t",  "class",      "co_await",  "co_return", "co_yield",     "compl",
+    "concept",     "const",    "const_cast", "consteval", "constexpr", "constinit",    "continue",
+    "decltype",    "default",  "delete",     "do",        "double",    "dynamic_cast", "else",
+    "enum",        "explicit", "export",     "extern",    "false",     "float",        "for",
+    "friend",      "goto",     "if",         "inline",    "int",       "long",         "mutable",
+    "namespace",   "new",      "noexcept",   "not",       "not_eq",    "nullptr",      "operator",
+    "or",          "or_eq",    "private",    "protected", "public",    "register",     "reinterpret_cast",
+    "requires",    "return",   "short",      "signed",    "sizeof",    "static",       "static_assert",
+    "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
+    "true",        "try",      "typedef",    "typeid",    "typename",  "union",        "unsigned",
+    "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
+    "xor_eq"};
+
+/// Macros of the C library and of compilers in their GNU modes.
+constexpr std::array kMacros{"NULL",       "EOF",    "assert",  "errno", "stdin",    "stdout",   "stderr",
+                             "offsetof",   "setjmp", "signbit", "isnan", "isinf",    "isfinite", "isnormal",
+                             "fpclassify", "unix",   "linux",   "i386",  "INFINITY", "NAN",      "HUGE_VAL"};
+
+/// Names the C library declares beside a robot's namespace.
+constexpr std::array kLibrary{
+    "abort",  "abs",     "acos",    "acosh",     "asin",      "asinh",  "atan",   "atan2",   "atanh",    "atexit",
+    "atof",   "atoi",    "atol",    "bsearch",   "calloc",    "cbrt",   "ceil",   "clock",   "copysign", "cos",
+    "cosh",   "ctime",   "div",     "div_t",     "erf",       "exit",   "exp",    "exp2",    "expm1",    "fabs",
+    "fdim",   "ffs",     "floor",   "fma",       "fmax",      "fmin",   "fmod",   "fopen",   "free",     "frexp",
+    "gamma",  "getenv",  "hypot",   "ilogb",     "index",     "j0",     "j1",     "jn",      "labs",     "ldexp",
+    "ldiv",   "log",     "log10",   "log2",      "logb",      "lrint",  "lround", "malloc",  "memchr",   "memcmp",
+    "memcpy", "memmove", "memset",  "modf",      "nearbyint", "pow",    "printf", "puts",    "qsort",    "raise",
+    "rand",   "random",  "realloc", "remainder", "remove",    "remquo", "rename", "rindex",  "rint",     "round",
+    "scalb",  "scalbln", "select",  "signal",    "sin",       "sinh",   "size_t", "sprintf", "sqrt",     "srand",
+    "strcat", "strchr",  "strcmp",  "strcpy",    "strlen",    "strtod", "strtol", "system",  "tan",      "tanh",
+    "tgamma", "time",    "time_t",  "trunc",     "y0",        "y1",     "yn"};
+
+template <typename List>
+bool contains(const List& list, std::string_view name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+/// `run_5ms` for prefix `run_`: a number and a unit of time follow.
+bool is_period_name(std::string_view name, std::string_view prefix) {
+  if (name.substr(0, prefix.size()) != prefix) return false;
+  name.remove_prefix(prefix.size());
+  const std::size_t digits =
+      static_cast<std::size_t>(std::find_if_not(name.begin(), name.end(), is_digit) - name.begin());
+  constexpr std::array kUnits{"s", "ms", "us", "ns"};
+  return digits > 0 && contains(kUnits, name.substr(digits));
+}
+
+}  // namespace
+
+std::string cpp_name(std::string_view text) {
+  std::string name = !text.empty() && is_digit(text.front()) ? "n_" : "";
+  for (const char c : text) name += is_digit(c) || is_letter(c) ? c : '_';
+  return name;
+}
+
+std::optional<std::string> invalid_name(std::string_view cpp) {
+  if (cpp.empty()) return "is empty";
+  if (contains(kKeywords, cpp)) return "is a keyword of C++";
+  if (cpp == "main") return "is where a C++ program begins";
+  if (contains(kMacros, cpp)) return "is a macro of the C library or of a compiler";
+  if (cpp.find("__") != std::string_view::npos) return "has two underscores in a row, which C++ keeps for itself";
+  if (cpp.size() > 1 && cpp[0] == '_' && cpp[1] >= 'A' && cpp[1] <= 'Z')
+    return "begins with an underscore and a capital, which C++ keeps for itself";
+  if (std::none_of(cpp.begin(), cpp.end(), [](char c) { return is_letter(c) || is_digit(c); }))
+    return "has neither letter nor digit";
+  if (cpp.substr(0, 9) == "FINEMOTE_") return "begins as the macros of FineMote do";
+  return {};
+}
+
+std::optional<std::string> reserved_name(std::string_view cpp, NameScope scope) {
+  constexpr std::array kOutermost{"finemote", "std"};
+  constexpr std::array kInRobot{"slots", "constants", "start_buses", "supervise_buses", "safe_outputs", "buckets"};
+  constexpr std::array kInTree{"ports", "slots", "constants", "Stage"};
+  if (contains(kOutermost, cpp)) return "is a namespace generated code uses";
+  if (cpp.substr(0, 9) == "finemote_") return "begins as names of the runtime do";
+  if (scope == NameScope::robot && cpp.front() == '_')
+    return "begins with an underscore, which C++ keeps for itself in the outermost namespace";
+  if (scope == NameScope::robot && contains(kLibrary, cpp)) return "is a name of the C library";
+  const bool taken = (scope == NameScope::in_robot && (contains(kInRobot, cpp) || is_period_name(cpp, "run_"))) ||
+                     (scope == NameScope::in_tree &&
+                      (contains(kInTree, cpp) || is_period_name(cpp, "update_") || is_period_name(cpp, "handle_")));
+  if (taken) return "is a name of generated code";
+  return {};
+}
+
+std::string fold_case(std::string_view text) {
+  std::string folded(text);
+  for (char& c : folded) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return folded;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,101 @@
+// The <param> elements of one tag: FM3023 to FM3027, and FM3030 to FM3034 for quantities.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "generator/descriptor/read_param.hpp"
+#include "generator/model/attributes.hpp"
+#include "generator/model/reading.hpp"
+
+namespace finemote::gen {
+namespace {
+
+const ParamSpec* find_spec(const std::vector<ParamSpec>& specs, std::string_view name) {
+  for (const ParamSpec& spec : specs) {
+    if (spec.name == name) return &spec;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> names_of(const std::vector<ParamSpec>& specs) {
+  std::vector<std::string> names;
+  for (const ParamSpec& spec : specs) names.push_back(spec.name);
+  return names;
+}
+
+std::optional<ParamValue> read_value(Diagnostics& diagnostics, const xml::Node& tag, const ParamSpec& spec,
+                                     const std::string& owner) {
+  const TextAt text = element_text(tag);
+  auto parsed = parse_param(spec, text.text);
+  if (parsed.index() == 0) return std::get<0>(parsed);
+  const ParamFault& fault = std::get<1>(parsed);
+  auto& finding =
+      diagnostics.error(fault.code, text.at, fmt::format("param '{}' of {}: {}", spec.name, owner, fault.message));
+  finding.underline(text.text.empty() ? tag.name.size() + 1 : text.text.size());
+  if (!spec.summary.empty()) finding.note(fmt::format("{}: {}", spec.name, spec.summary));
+  if (!fault.hint.empty()) finding.hint(fault.hint);
+  return {};
+}
+
+std::string example_of(const ParamSpec& spec) {
+  switch (spec.kind) {
+    case ParamKind::boolean:
+      return "true";
+    case ParamKind::enumeration:
+      return spec.values.empty() ? "..." : spec.values.front();
+    case ParamKind::text:
+      return "...";
+    default:
+      break;
+  }
+  if (!spec.values.empty()) return spec.values.front();
+  return spec.unit == Unit::time_ns        ? "10ms"
+         : spec.unit == Unit::frequency_hz ? "50Hz"
+         : spec.unit == Unit::bit_rate     ? "115200baud"
+                                           : "1";
+}
+
+}  // namespace
+
+std::vector<Param> read_param_tags(Reading& reading, const xml::Node& tag, const std::vector<ParamSpec>& specs,
+                                   const std::string& owner) {
+  Diagnostics& diagnostics = reading.diagnostics;
+  std::map<std::string, const xml::Node*> given;
+  std::map<std::string, ParamValue> values;
+  for (const xml::Node& child : tag.children) {
+    if (!child.is_element("param")) continue;
+    const xml::Attribute* name = child.attribute("name");
+    if (name == nullptr) continue;
+    const ParamSpec* spec = find_spec(specs, name->value);
+    if (spec == nullptr) {
+      auto& finding =
+          at_value(diagnostics, code::unknown_param, *name, fmt::format("{} has no param '{}'", owner, name->value));
+      suggest(finding, name->value, names_of(specs));
+      continue;
+    }
+    const auto [first, is_fresh] = given.emplace(name->value, &child);
+    if (!is_fresh) {
+      at_value(diagnostics, code::param_twice, *name,
+               fmt::format("param '{}' of {} is given twice", name->value, owner))
+          .note("the first time here", first->second->at);
+      continue;
+    }
+    if (auto value = read_value(diagnostics, child, *spec, owner)) values.emplace(name->value, *value);
+  }
+  std::vector<Param> params;
+  for (const ParamSpec& spec : specs) {
+    const auto found = values.find(spec.name);
+    if (found != values.end()) {
+      params.push_back({&spec, found->second, true});
+    } else {
+      params.push_back({&spec, spec.fallback.value_or(ParamValue(std::int64_t{0})), false});
+      if (spec.fallback || given.count(spec.name) > 0) continue;
+      at_tag(diagnostics, code::param_missing, tag, fmt::format("{} needs the param '{}'", owner, spec.name))
+          .note(spec.summary.empty() ? "it has no default" : spec.summary)
+          .hint(fmt::format("add for example <param name=\"{}\">{}</param>", spec.name, example_of(spec)));
+    }
+  }
+  return params;
+}
+
+}  // namespace finemote::gen

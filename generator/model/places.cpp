@@ -1,0 +1,321 @@
+// Where each device sits on its bus: address, channel, id. FM3010, FM3018, FM3061 to FM3069.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "generator/model/address.hpp"
+#include "generator/model/attributes.hpp"
+#include "generator/model/reading.hpp"
+#include "generator/units/units.hpp"
+
+namespace finemote::gen {
+namespace {
+
+/// Reads the attributes of one device that say its place.
+class PlaceReader {
+ public:
+  PlaceReader(Reading& reading, std::size_t index)
+      : reading_(reading),
+        diagnostics_(reading.diagnostics),
+        device_(reading.robot.devices[index]),
+        type_(*device_.type),
+        tag_(reading.device_tag(index)),
+        bus_is_wrong_(reading.devices[index].bus_is_wrong) {}
+
+  void read() {
+    read_address();
+    read_channel();
+    read_id();
+  }
+
+ private:
+  /// True when the attribute may stand here; reports it otherwise.
+  bool applies(const char* name, bool is_needed) {
+    const xml::Attribute* attribute = tag_.attribute(name);
+    if (is_needed || attribute == nullptr) return is_needed;
+    diagnostics_.error(code::attribute_unused, attribute->at, fmt::format("a {} has no '{}'", type_.name, name))
+        .underline(attribute->name.size())
+        .hint(fmt::format("remove {}=\"{}\"", name, attribute->value));
+    return false;
+  }
+  void report_missing(const char* name, const std::string& example) {
+    if (bus_is_wrong_ || !device_.segment) return;
+    at_tag(diagnostics_, code::attribute_missing, tag_, fmt::format("device '{}' has no '{}'", device_.name.text, name))
+        .hint(fmt::format("add for example {}=\"{}\"", name, example));
+  }
+  void read_address() {
+    if (!applies("address", type_.needs_address)) return;
+    const xml::Attribute* attribute = tag_.attribute("address");
+    if (attribute == nullptr) {
+      device_.address = type_.default_address;
+      if (!device_.address)
+        report_missing("address", type_.addresses.empty() ? "0x76" : fmt::format("0x{:02x}", type_.addresses.front()));
+      return;
+    }
+    const auto address = read_quantity(tag_, "address", units::parse_bare, diagnostics_);
+    if (address && check_address(diagnostics_, *attribute, *address, type_.addresses, type_.name))
+      device_.address = *address;
+  }
+  /// Channels of what the device sits on: an expander's, or those of a PWM port.
+  [[nodiscard]] std::uint32_t channels() const {
+    const Segment& segment = reading_.robot.segments[*device_.segment];
+    if (segment.kind == Segment::Kind::pwm_expander) return reading_.robot.expanders[*segment.expander].type->channels;
+    const Port* port = reading_.buses[segment.bus].port;
+    return port != nullptr ? std::max(1U, port->channels) : 0;
+  }
+  void read_channel() {
+    if (!applies("channel", type_.needs_channel)) return;
+    const xml::Attribute* attribute = tag_.attribute("channel");
+    const bool has_place = device_.segment.has_value() && !bus_is_wrong_;
+    const std::uint32_t count = has_place ? channels() : 0;
+    if (attribute == nullptr) {
+      if (count == 1) device_.channel = 0;
+      if (count > 1) report_missing("channel", "0");
+      return;
+    }
+    const auto channel = read_quantity(tag_, "channel", units::parse_bare, diagnostics_);
+    if (!channel) return;
+    const std::uint32_t least = type_.channel_min.value_or(0);
+    const std::uint32_t most = std::min(type_.channel_max.value_or(UINT32_MAX), count > 0 ? count - 1 : UINT32_MAX);
+    if (*channel >= least && *channel <= most) {
+      device_.channel = *channel;
+      return;
+    }
+    at_value(diagnostics_, code::channel_range, *attribute,
+             fmt::format("bus '{}' has no channel {}", value_of(tag_, "bus"), *channel))
+        .hint(least == most ? fmt::format("its only channel is {}", most)
+                            : fmt::format("its channels are {} to {}", least, most));
+  }
+  void read_id() {
+    if (!applies("id", type_.needs_id)) return;
+    const xml::Attribute* attribute = tag_.attribute("id");
+    const std::uint32_t least = type_.id_min.value_or(0);
+    const std::uint32_t most = type_.id_max.value_or(UINT32_MAX);
+    if (attribute == nullptr) return report_missing("id", std::to_string(least));
+    const auto id = read_quantity(tag_, "id", units::parse_bare, diagnostics_);
+    if (!id) return;
+    if (*id >= least && *id <= most) {
+      device_.id = *id;
+      return;
+    }
+    at_value(diagnostics_, code::id_range, *attribute, fmt::format("a {} cannot have the id {}", type_.name, *id))
+        .hint(fmt::format("its ids are {} to {}", least, most));
+  }
+
+  Reading& reading_;
+  Diagnostics& diagnostics_;
+  Device& device_;
+  const DeviceType& type_;
+  const xml::Node& tag_;
+  bool bus_is_wrong_;
+};
+
+/// Something that sits somewhere, for messages.
+struct Occupant {
+  std::string what;  ///< `device 'baro_1'`
+  const xml::Node* tag;
+};
+
+/// An error at the attribute of the tag, or at the tag when the value was a default.
+Diagnostic& at_place(Diagnostics& diagnostics, Code code, const Occupant& occupant, std::string_view attribute,
+                     std::string message) {
+  const xml::Attribute* found = occupant.tag->attribute(attribute);
+  return found != nullptr ? at_value(diagnostics, code, *found, std::move(message))
+                          : at_tag(diagnostics, code, *occupant.tag, std::move(message));
+}
+
+/// Addresses on one physical bus. A mux channel is a segment of its own, but what sits on the bus itself is seen
+/// through every channel.
+class AddressTable {
+ public:
+  explicit AddressTable(Reading& reading) : reading_(reading) {}
+
+  void add(std::size_t segment_index, std::uint32_t address, const Occupant& occupant) {
+    const Segment& segment = reading_.robot.segments[segment_index];
+    const bool is_upstream = segment.kind == Segment::Kind::bus;
+    for (const Entry& entry : entries_) {
+      const bool same_bus = entry.bus == segment.bus && entry.address == address;
+      if (!same_bus || (!is_upstream && !entry.is_upstream && entry.segment != segment_index)) continue;
+      report(occupant, entry, address, segment, entry.segment == segment_index);
+      break;
+    }
+    entries_.push_back({segment.bus, segment_index, address, is_upstream, occupant});
+  }
+
+ private:
+  struct Entry {
+    std::size_t bus, segment;
+    std::uint32_t address;
+    bool is_upstream;
+    Occupant occupant;
+  };
+  void report(const Occupant& occupant, const Entry& other, std::uint32_t address, const Segment& segment,
+              bool same_segment) {
+    auto& finding =
+        at_place(reading_.diagnostics, code::address_conflict, occupant, "address",
+                 fmt::format("{} and {} both answer to 0x{:02x}", occupant.what, other.occupant.what, address));
+    finding.note(fmt::format("{} stands here", other.occupant.what), other.occupant.tag->at);
+    const Name& bus = reading_.robot.buses[segment.bus].name;
+    finding.note(same_segment ? fmt::format("both sit on '{}'", segment.name.text)
+                              : fmt::format("what sits on '{}' itself is seen through every mux channel", bus.text));
+    finding.hint("give one another address, or put them on different channels of a tca9548a");
+  }
+
+  Reading& reading_;
+  std::vector<Entry> entries_;
+};
+
+Occupant describe(const Reading& reading, std::size_t device) {
+  return {fmt::format("device '{}'", reading.robot.devices[device].name.text), &reading.device_tag(device)};
+}
+
+bool expander_is_placed(const Reading& reading, std::size_t index) {
+  return reading.robot.expanders[index].segment < reading.robot.segments.size();
+}
+
+/// Whether the chain from the segment down to the physical bus is known.
+bool is_attached(const Reading& reading, const Segment& segment) {
+  if (!segment.expander) return true;
+  if (!expander_is_placed(reading, *segment.expander)) return false;
+  const Segment& below = reading.robot.segments[reading.robot.expanders[*segment.expander].segment];
+  return !below.expander || expander_is_placed(reading, *below.expander);
+}
+
+void check_addresses(Reading& reading) {
+  AddressTable table(reading);
+  for (std::size_t i = 0; i < reading.robot.expanders.size(); ++i) {
+    const Expander& expander = reading.robot.expanders[i];
+    if (expander.address == 0 || !expander_is_placed(reading, i) ||
+        !is_attached(reading, reading.robot.segments[expander.segment]))
+      continue;
+    table.add(expander.segment, expander.address,
+              {fmt::format("expander '{}'", expander.name.text), reading.tags.expanders[i]});
+  }
+  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+    const Device& device = reading.robot.devices[i];
+    if (!device.segment || !device.address || reading.robot.segments[*device.segment].bus_kind != BusKind::i2c)
+      continue;
+    if (is_attached(reading, reading.robot.segments[*device.segment]))
+      table.add(*device.segment, *device.address, describe(reading, i));
+  }
+}
+
+/// A serial line carries one device; `use` counts.
+void check_exclusive(Reading& reading) {
+  std::map<std::size_t, Occupant> users;
+  const auto take = [&](std::size_t segment, const Occupant& occupant) {
+    if (reading.robot.segments[segment].bus_kind != BusKind::uart) return;
+    const auto [first, is_fresh] = users.emplace(segment, occupant);
+    if (is_fresh) return;
+    at_place(reading.diagnostics, code::bus_shared, occupant, "bus",
+             fmt::format("uart bus '{}' has two devices", reading.robot.segments[segment].name.text))
+        .note(fmt::format("{} uses it already", first->second.what), first->second.tag->at)
+        .hint(
+            "a uart connects two ends: give each device a bus of its own, or use type=\"rs485\" for parts that share a "
+            "line");
+  };
+  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+    const Device& device = reading.robot.devices[i];
+    const Occupant self = describe(reading, i);
+    if (device.segment) take(*device.segment, self);
+    std::size_t use = 0;
+    for (const xml::Node& child : self.tag->children) {
+      const bool is_this = use < device.uses.size() && child.is_element("use") &&
+                           child.at.line == device.uses[use].at.line && child.at.column == device.uses[use].at.column;
+      if (!is_this) continue;
+      if (device.uses[use].segment) take(*device.uses[use].segment, {self.what, &child});
+      ++use;
+    }
+  }
+}
+
+void check_channels(Reading& reading) {
+  std::map<std::pair<std::size_t, std::uint32_t>, Occupant> users;
+  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+    const Device& device = reading.robot.devices[i];
+    if (!device.segment || !device.channel) continue;
+    const Occupant self = describe(reading, i);
+    const auto [first, is_fresh] = users.emplace(std::make_pair(*device.segment, *device.channel), self);
+    if (is_fresh) continue;
+    at_place(reading.diagnostics, code::channel_twice, self, "channel",
+             fmt::format("channel {} of '{}' is used twice", *device.channel,
+                         reading.robot.segments[*device.segment].name.text))
+        .note(fmt::format("{} uses it already", first->second.what), first->second.tag->at);
+  }
+}
+
+/// Ids on one bus: the same id of one type, and frames of different types that would carry one identifier.
+void check_ids(Reading& reading) {
+  struct User {
+    std::size_t bus;
+    std::uint32_t id;
+    const DeviceType* type;
+    Occupant occupant;
+  };
+  std::vector<User> users;
+  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+    const Device& device = reading.robot.devices[i];
+    if (!device.segment || !device.id) continue;
+    const User self{reading.robot.segments[*device.segment].bus, *device.id, device.type, describe(reading, i)};
+    for (const User& other : users) {
+      if (other.bus != self.bus) continue;
+      const bool both_receive = self.type->receives_base && other.type->receives_base;
+      const bool same_frame =
+          both_receive && *self.type->receives_base + self.id == *other.type->receives_base + other.id;
+      const bool same_id = !both_receive && self.type == other.type && self.id == other.id;
+      if (!same_frame && !same_id) continue;
+      auto& finding =
+          at_place(reading.diagnostics, code::id_conflict, self.occupant, "id",
+                   fmt::format("{} and {} cannot be told apart on one bus", self.occupant.what, other.occupant.what));
+      if (same_frame)
+        finding.note(fmt::format("both send frames with the identifier 0x{:03X}", *self.type->receives_base + self.id));
+      finding.note(fmt::format("{} stands here", other.occupant.what), other.occupant.tag->at)
+          .hint("set another id at one of them, here and in the part");
+      break;
+    }
+    users.push_back(self);
+  }
+}
+
+/// Devices that fill one frame have to run in one bucket: the frame is sent once per period.
+void check_shared_frames(Reading& reading) {
+  struct Filler {
+    std::int64_t period_ns;
+    Occupant occupant;
+  };
+  std::map<std::pair<std::size_t, std::uint32_t>, Filler> first;
+  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+    const Device& device = reading.robot.devices[i];
+    if (!device.segment || !device.id || reading.devices[i].period_is_wrong || device.period_ns == 0) continue;
+    for (const SharedFrame& frame : device.type->shared_frames) {
+      if (*device.id < frame.id_min || *device.id > frame.id_max) continue;
+      const auto key = std::make_pair(reading.robot.segments[*device.segment].bus, frame.identifier);
+      const auto [known, is_fresh] = first.emplace(key, Filler{device.period_ns, describe(reading, i)});
+      if (is_fresh || known->second.period_ns == device.period_ns) continue;
+      at_place(reading.diagnostics, code::frame_split, describe(reading, i), "period",
+               fmt::format("device '{}' shares a CAN frame with {} but not its period", device.name.text,
+                           known->second.occupant.what))
+          .note(fmt::format("frame 0x{:03X} carries the commands of both; one runs every {}, the other every {}",
+                            frame.identifier, units::format_duration(known->second.period_ns),
+                            units::format_duration(device.period_ns)))
+          .note(fmt::format("{} stands here", known->second.occupant.what), known->second.occupant.tag->at)
+          .hint("give both one period, or one of them an id of another frame");
+    }
+  }
+}
+
+}  // namespace
+
+void resolve_places(Reading& reading) {
+  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+    if (reading.robot.devices[i].type != nullptr) PlaceReader(reading, i).read();
+  }
+  check_addresses(reading);
+  check_exclusive(reading);
+  check_channels(reading);
+  check_ids(reading);
+  check_shared_frames(reading);
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,73 @@
+// What every part of the model reader works on: the tags, what they were resolved to so far, and where to complain.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "generator/diagnostic/diagnostics.hpp"
+#include "generator/model/build.hpp"
+#include "generator/model/robot.hpp"
+#include "generator/model/tags.hpp"
+#include "generator/urdf/urdf.hpp"
+
+namespace finemote::gen {
+
+/// The robot being built, with the tag of each part. The parts run in the order of build.cpp; each may rely on what
+/// earlier ones resolved, and skips what they could not (that was reported).
+struct Reading {
+  const xml::Node& root;
+  Library& library;
+  const ModelOptions& options;
+  Sources& sources;
+  Diagnostics& diagnostics;
+
+  Tags tags;
+  Kinematics kinematics;
+  Robot robot;
+
+  bool tick_is_known = false;
+
+  /// Beside Robot::buses, Robot::expanders and Robot::devices, with the same indices as the lists of tags.
+  struct BusState {
+    bool kind_is_known = false;
+    const Port* port = nullptr;  ///< null: none, or a mistake
+    bool rate_is_known = false;
+  };
+  std::vector<BusState> buses;
+
+  struct DeviceState {
+    bool parent_is_wrong = false;  ///< a mistake in `parent`: neither root nor child
+    bool role_is_wrong = false;
+    bool bus_is_wrong = false;
+    bool period_is_wrong = false;  ///< a mistake in `period`, here or where it is inherited from
+    bool in_cycle = false;
+    bool is_incomplete = false;  ///< a child is of unknown type or role: counting its children says nothing
+  };
+  std::vector<DeviceState> devices;
+
+  [[nodiscard]] std::optional<std::size_t> device_named(std::string_view name) const;
+  [[nodiscard]] std::optional<std::size_t> segment_named(std::string_view name) const;
+  [[nodiscard]] std::vector<std::string> device_names() const;
+  [[nodiscard]] std::vector<std::string> segment_names() const;
+  [[nodiscard]] const xml::Node& device_tag(std::size_t index) const { return *tags.devices[index].node; }
+};
+
+// The parts, in order. Each header comment of the .cpp of the same name says what it reports.
+void read_board_tag(Reading& reading);     // board_tag.cpp
+void read_buses(Reading& reading);         // buses.cpp
+void read_expanders(Reading& reading);     // expanders.cpp
+void read_devices(Reading& reading);       // devices.cpp: what each device says of itself
+void check_names(Reading& reading);        // name_check.cpp
+void resolve_parents(Reading& reading);    // parents.cpp: the forest and inherited periods
+void resolve_roles(Reading& reading);      // roles.cpp: children and reads to roles
+void resolve_places(Reading& reading);     // places.cpp: addresses, channels, ids
+void check_resources(Reading& reading);    // resources.cpp: ports, pins, DMA streams
+void check_joints(Reading& reading);       // joints.cpp
+void read_requirements(Reading& reading);  // requirements.cpp
+
+/// Reads the `<param>` children of a tag by their specs; the result is complete, in the order of the specs. `owner`
+/// is how messages call it: `device 'imu'`.
+std::vector<Param> read_param_tags(Reading& reading, const xml::Node& tag, const std::vector<ParamSpec>& specs,
+                                   const std::string& owner);  // param_tags.cpp
+
+}  // namespace finemote::gen

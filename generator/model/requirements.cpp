@@ -1,0 +1,171 @@
+// The <require> elements: FM3081 (an operand that names nothing) and FM3082 (not exactly one question).
+#include <fmt/format.h>
+
+#include "generator/model/attributes.hpp"
+#include "generator/model/reading.hpp"
+#include "generator/units/units.hpp"
+
+namespace finemote::gen {
+namespace {
+
+/// A part of an attribute's value, with its place.
+struct Operand {
+  std::string_view text;
+  Position at;
+};
+
+Operand operand_at(const xml::Attribute& attribute, std::string_view part) {
+  const std::string_view inner = trim(part);
+  Position at = attribute.value_at;
+  if (at.column > 0 && !inner.empty()) at.column += static_cast<std::uint32_t>(inner.data() - attribute.value.data());
+  return {inner, at};
+}
+
+class RequirementReader {
+ public:
+  RequirementReader(Reading& reading, const xml::Node& tag)
+      : reading_(reading), diagnostics_(reading.diagnostics), tag_(tag) {}
+
+  void read() {
+    requirement_.at = tag_.at;
+    const xml::Attribute* latency = tag_.attribute("latency");
+    const xml::Attribute* utilization = tag_.attribute("utilization");
+    const xml::Attribute* jitter = tag_.attribute("jitter");
+    const int questions = (latency != nullptr) + (utilization != nullptr) + (jitter != nullptr);
+    if (questions != 1) {
+      at_tag(diagnostics_, code::require_shape, tag_, "<require> asks one thing: latency, utilization or jitter")
+          .note(fmt::format("it has {} of them", questions))
+          .hint("for example <require latency=\"imu -> thruster_1\" max=\"20ms\"/>");
+      return;
+    }
+    if (latency == nullptr) refuse_of();
+    const std::size_t findings = diagnostics_.size();
+    if (latency != nullptr) read_latency(*latency);
+    if (utilization != nullptr) read_utilization(*utilization);
+    if (jitter != nullptr) read_jitter(*jitter);
+    if (diagnostics_.size() == findings) reading_.robot.requirements.push_back(std::move(requirement_));
+  }
+
+ private:
+  void refuse_of() {
+    const xml::Attribute* of = tag_.attribute("of");
+    if (of == nullptr) return;
+    diagnostics_.error(code::attribute_unused, of->at, "'of' belongs to latency only")
+        .underline(2)
+        .hint(fmt::format("remove of=\"{}\"", of->value));
+  }
+  void read_latency(const xml::Attribute& attribute) {
+    requirement_.text = attribute.value;
+    const auto of = read_choice(tag_, "of", {"end-to-end", "decision"}, diagnostics_);
+    requirement_.kind = of == "decision" ? Requirement::Kind::latency_decision : Requirement::Kind::latency_end_to_end;
+    const std::string_view text = attribute.value;
+    const std::size_t arrow = text.find("->");
+    if (arrow == std::string_view::npos) {
+      at_value(diagnostics_, code::require_operand, attribute, "latency wants two devices")
+          .hint("write latency=\"a -> b\"");
+    } else {
+      requirement_.from = read_devices(operand_at(attribute, text.substr(0, arrow)), attribute);
+      requirement_.to = read_devices(operand_at(attribute, text.substr(arrow + 2)), attribute);
+    }
+    read_max_time();
+  }
+  void read_jitter(const xml::Attribute& attribute) {
+    requirement_.kind = Requirement::Kind::jitter;
+    requirement_.text = attribute.value;
+    const auto device = find_device(operand_at(attribute, attribute.value), attribute);
+    if (device) requirement_.to = {*device};
+    read_max_time();
+  }
+  void read_utilization(const xml::Attribute& attribute) {
+    requirement_.kind = Requirement::Kind::utilization;
+    requirement_.text = attribute.value;
+    if (attribute.value != "cpu") requirement_.bus = find_bus(attribute);
+    requirement_.max_text = value_of(tag_, "max");
+    requirement_.max_fraction = read_quantity(tag_, "max", units::parse_percent, diagnostics_).value_or(0);
+  }
+  void read_max_time() {
+    requirement_.max_text = value_of(tag_, "max");
+    requirement_.max_ns = read_quantity(tag_, "max", units::parse_duration, diagnostics_).value_or(0);
+  }
+
+  std::optional<std::size_t> find_bus(const xml::Attribute& attribute) {
+    std::vector<std::string> names{"cpu"};
+    for (std::size_t i = 0; i < reading_.robot.buses.size(); ++i) {
+      if (reading_.robot.buses[i].name.text == attribute.value) return i;
+      names.push_back(reading_.robot.buses[i].name.text);
+    }
+    auto& finding =
+        at_value(diagnostics_, code::require_operand, attribute, fmt::format("there is no bus '{}'", attribute.value));
+    const auto segment = reading_.segment_named(attribute.value);
+    if (segment) {
+      finding.message = fmt::format("'{}' is not a bus of the board", attribute.value);
+      finding.hint(fmt::format("its transfers run on '{}'",
+                               reading_.robot.buses[reading_.robot.segments[*segment].bus].name.text));
+    } else {
+      suggest(finding, attribute.value, names);
+    }
+    return {};
+  }
+  Diagnostic& at_operand(const Operand& operand, const xml::Attribute& attribute, std::string message) {
+    if (operand.text.empty()) return at_value(diagnostics_, code::require_operand, attribute, std::move(message));
+    return diagnostics_.error(code::require_operand, operand.at, std::move(message)).underline(operand.text.size());
+  }
+  std::optional<std::size_t> find_device(const Operand& operand, const xml::Attribute& attribute) {
+    if (operand.text.empty()) {
+      at_operand(operand, attribute, "a device is missing").hint("write latency=\"a -> b\"");
+      return {};
+    }
+    const auto device = reading_.device_named(operand.text);
+    if (!device)
+      suggest(at_operand(operand, attribute, fmt::format("there is no device '{}'", operand.text)), operand.text,
+              reading_.device_names());
+    return device;
+  }
+  /// A device, or `root.role`: all children in that role. A device's own name may hold a dot.
+  std::vector<std::size_t> read_devices(const Operand& operand, const xml::Attribute& attribute) {
+    const std::size_t dot = operand.text.rfind('.');
+    if (dot == std::string_view::npos || reading_.device_named(operand.text)) {
+      const auto device = find_device(operand, attribute);
+      return device ? std::vector<std::size_t>{*device} : std::vector<std::size_t>{};
+    }
+    const Operand owner{operand.text.substr(0, dot), operand.at};
+    const auto device = find_device(owner, attribute);
+    if (!device || reading_.robot.devices[*device].type == nullptr) return {};
+    return children_in(*device, operand.text.substr(dot + 1), operand, attribute);
+  }
+  std::vector<std::size_t> children_in(std::size_t owner, std::string_view role, const Operand& operand,
+                                       const xml::Attribute& attribute) {
+    const Device& device = reading_.robot.devices[owner];
+    std::vector<std::string> roles;
+    std::vector<std::size_t> children;
+    bool exists = false;
+    for (std::size_t i = 0; i < device.type->roles.size(); ++i) {
+      roles.push_back(device.type->roles[i].name);
+      if (roles.back() != role) continue;
+      exists = true;
+      for (const std::size_t child : device.children) {
+        if (reading_.robot.devices[child].role == i) children.push_back(child);
+      }
+    }
+    if (!exists) {
+      suggest(at_operand(operand, attribute, fmt::format("device '{}' has no role '{}'", device.name.text, role)), role,
+              roles);
+    } else if (children.empty() && !reading_.devices[owner].is_incomplete) {
+      at_operand(operand, attribute, fmt::format("device '{}' has no child in the role '{}'", device.name.text, role));
+    }
+    return children;
+  }
+
+  Reading& reading_;
+  Diagnostics& diagnostics_;
+  const xml::Node& tag_;
+  Requirement requirement_;
+};
+
+}  // namespace
+
+void read_requirements(Reading& reading) {
+  for (const xml::Node* tag : reading.tags.requirements) RequirementReader(reading, *tag).read();
+}
+
+}  // namespace finemote::gen

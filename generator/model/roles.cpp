@@ -1,0 +1,267 @@
+// Children and `reads` to the roles of their parent and reader: FM3043 to FM3045, FM3051 to FM3057.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/model/attributes.hpp"
+#include "generator/model/reading.hpp"
+
+namespace finemote::gen {
+namespace {
+
+bool satisfies(const DeviceType& child, const RoleSpec& role) {
+  if (role.interface == "any") return true;
+  return std::any_of(child.provides.begin(), child.provides.end(),
+                     [&](const Interface& provided) { return provided.name == role.interface; });
+}
+
+std::vector<std::string> names_of(const std::vector<RoleSpec>& roles) {
+  std::vector<std::string> names;
+  for (const RoleSpec& role : roles) names.push_back(role.name);
+  return names;
+}
+
+std::optional<std::size_t> role_named(const DeviceType& type, std::string_view name) {
+  for (std::size_t i = 0; i < type.roles.size(); ++i) {
+    if (type.roles[i].name == name) return i;
+  }
+  return {};
+}
+
+std::string provided_by(const DeviceType& type) {
+  std::string text;
+  for (const Interface& provided : type.provides) text += (text.empty() ? "'" : ", '") + provided.name + "'";
+  return text.empty() ? "nothing" : text;
+}
+
+/// A role given by name has to exist and to take the child's type. `where` is how messages call the parent.
+std::optional<std::size_t> named_role(Reading& reading, const xml::Attribute& attribute, const DeviceType& parent,
+                                      const DeviceType* child, const std::string& where) {
+  const auto role = role_named(parent, attribute.value);
+  if (!role) {
+    auto& finding = at_value(reading.diagnostics, code::unknown_role, attribute,
+                             fmt::format("{} has no role '{}'", where, attribute.value));
+    if (parent.roles.empty()) {
+      finding.note(fmt::format("a {} takes no children", parent.name));
+    } else {
+      suggest(finding, attribute.value, names_of(parent.roles));
+    }
+    return {};
+  }
+  if (child == nullptr || satisfies(*child, parent.roles[*role])) return role;
+  at_value(reading.diagnostics, code::role_interface, attribute,
+           fmt::format("a {} cannot take the role '{}' of {}", child->name, attribute.value, where))
+      .note(fmt::format("the role wants '{}'; a {} provides {}", parent.roles[*role].interface, child->name,
+                        provided_by(*child)));
+  return {};
+}
+
+/// Without `role`, the only one the child's type satisfies.
+std::optional<std::size_t> only_role(Reading& reading, std::size_t index, const DeviceType& parent,
+                                     const DeviceType& child, const std::string& where) {
+  std::vector<std::size_t> fitting;
+  for (std::size_t i = 0; i < parent.roles.size(); ++i) {
+    if (satisfies(child, parent.roles[i])) fitting.push_back(i);
+  }
+  if (fitting.size() == 1) return fitting.front();
+  const Device& device = reading.robot.devices[index];
+  const xml::Node& tag = reading.device_tag(index);
+  if (fitting.empty()) {
+    auto& finding = at_tag(reading.diagnostics, code::role_no_fit, tag,
+                           fmt::format("{} has no role for device '{}'", where, device.name.text));
+    finding.note(fmt::format("a {} provides {}", child.name, provided_by(child)));
+    if (parent.roles.empty()) finding.note(fmt::format("a {} takes no children", parent.name));
+    for (const RoleSpec& role : parent.roles)
+      finding.note(fmt::format("role '{}' wants '{}'", role.name, role.interface));
+    return {};
+  }
+  std::string choices;
+  for (const std::size_t i : fitting)
+    choices += fmt::format("{}role=\"{}\"", choices.empty() ? "" : " or ", parent.roles[i].name);
+  at_tag(reading.diagnostics, code::role_ambiguous, tag,
+         fmt::format("device '{}' could take more than one role of {}", device.name.text, where))
+      .hint("add " + choices);
+  return {};
+}
+
+void resolve_child(Reading& reading, std::size_t index) {
+  Device& device = reading.robot.devices[index];
+  Reading::DeviceState& state = reading.devices[index];
+  const xml::Attribute* role = reading.device_tag(index).attribute("role");
+  if (!device.parent) {
+    if (role == nullptr || state.parent_is_wrong) return;
+    at_value(reading.diagnostics, code::role_without_parent, *role,
+             fmt::format("device '{}' has a role, but no parent", device.name.text))
+        .hint("nest it in its parent, or add parent=\"...\"");
+    return;
+  }
+  const Device& parent = reading.robot.devices[*device.parent];
+  if (parent.type == nullptr) return;
+  const std::string where = fmt::format("device '{}'", parent.name.text);
+  if (role != nullptr) {
+    device.role = named_role(reading, *role, *parent.type, device.type, where);
+  } else if (device.type != nullptr) {
+    device.role = only_role(reading, index, *parent.type, *device.type, where);
+  }
+  if (!device.role) reading.devices[*device.parent].is_incomplete = true;
+}
+
+bool is_descendant(const Robot& robot, std::size_t device, std::size_t of) {
+  std::size_t steps = 0;
+  for (auto at = std::optional<std::size_t>(device); at && steps <= robot.devices.size();
+       at = robot.devices[*at].parent, ++steps) {
+    if (*at == of) return true;
+  }
+  return false;
+}
+
+void read_reads(Reading& reading, std::size_t index, const xml::Node& tag) {
+  Device& reader = reading.robot.devices[index];
+  const xml::Attribute* name = tag.attribute("device");
+  const xml::Attribute* role = tag.attribute("role");
+  const auto target = name != nullptr ? reading.device_named(name->value) : std::nullopt;
+  if (!target && name != nullptr) {
+    suggest(
+        at_value(reading.diagnostics, code::unknown_device, *name, fmt::format("there is no device '{}'", name->value)),
+        name->value, reading.device_names());
+  }
+  const bool is_own = target && is_descendant(reading.robot, *target, index);
+  if (is_own) {
+    at_value(reading.diagnostics, code::reads_own_subtree, *name,
+             fmt::format("device '{}' reads its own {}", reader.name.text, *target == index ? "state" : "descendant"))
+        .note("children reach their parent by role; <reads> is for devices elsewhere")
+        .hint("remove the <reads>");
+  }
+  std::optional<std::size_t> found;
+  if (reader.type != nullptr && role != nullptr) {
+    const DeviceType* target_type = target ? reading.robot.devices[*target].type : nullptr;
+    found = named_role(reading, *role, *reader.type, target_type, fmt::format("device '{}'", reader.name.text));
+  }
+  if (!target || !found || is_own) {
+    reading.devices[index].is_incomplete = true;
+    return;
+  }
+  reader.reads.push_back({*target, *found, tag.at});
+}
+
+void read_all_reads(Reading& reading, std::size_t index) {
+  for (const xml::Node& child : reading.device_tag(index).children) {
+    if (child.is_element("reads")) read_reads(reading, index, child);
+  }
+}
+
+/// Children and reads of one role, counted against its bounds.
+void check_arity(Reading& reading, std::size_t index) {
+  const Device& device = reading.robot.devices[index];
+  if (device.type == nullptr) return;
+  for (std::size_t role = 0; role < device.type->roles.size(); ++role) {
+    const RoleSpec& spec = device.type->roles[role];
+    std::vector<Position> members;
+    for (const std::size_t child : device.children) {
+      if (reading.robot.devices[child].role == role) members.push_back(reading.robot.devices[child].at);
+    }
+    for (const Read& read : device.reads) {
+      if (read.role == role) members.push_back(read.at);
+    }
+    if (spec.max && members.size() > *spec.max) {
+      reading.diagnostics
+          .error(code::role_too_many, members[*spec.max],
+                 fmt::format("device '{}' takes {} in the role '{}', this is number {}", device.name.text, *spec.max,
+                             spec.name, *spec.max + 1))
+          .underline(7)
+          .note(fmt::format("{} are given", members.size()));
+    }
+    if (members.size() >= spec.min || reading.devices[index].is_incomplete) continue;
+    at_tag(reading.diagnostics, code::role_too_few, reading.device_tag(index),
+           fmt::format("device '{}' needs {} in the role '{}' and has {}", device.name.text, spec.min, spec.name,
+                       members.size()))
+        .hint(fmt::format("nest a device that provides '{}' in it: <device name=\"...\" type=\"...\" role=\"{}\"/>",
+                          spec.interface, spec.name));
+  }
+}
+
+/// Looks for a way from a device back to itself over data that goes up: child to parent, and read device to reader.
+class DataCycles {
+ public:
+  explicit DataCycles(Reading& reading)
+      : reading_(reading), state_(reading.robot.devices.size(), State::fresh), edges_(reading.robot.devices.size()) {
+    const auto& devices = reading.robot.devices;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+      for (const std::size_t child : devices[i].children) edges_[i].push_back({child, nullptr});
+      for (const Read& read : devices[i].reads) edges_[i].push_back({read.device, &read});
+    }
+  }
+  void run() {
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      if (state_[i] == State::fresh && !reading_.devices[i].in_cycle) visit(i);
+    }
+  }
+
+ private:
+  enum class State { fresh, open, done };
+  struct Edge {
+    std::size_t to;
+    const Read* read;  ///< null: a child
+  };
+  struct Step {
+    std::size_t device;
+    std::size_t next_edge = 0;
+  };
+
+  /// Depth first without recursion; a read that leads to an open device closes a cycle.
+  void visit(std::size_t start) {
+    std::vector<Step> way{{start}};
+    state_[start] = State::open;
+    while (!way.empty()) {
+      Step& step = way.back();
+      if (step.next_edge == edges_[step.device].size()) {
+        state_[step.device] = State::done;
+        way.pop_back();
+        continue;
+      }
+      const Edge edge = edges_[step.device][step.next_edge++];
+      if (state_[edge.to] == State::open) {
+        report(way, edge);
+      } else if (state_[edge.to] == State::fresh && !reading_.devices[edge.to].in_cycle) {
+        state_[edge.to] = State::open;
+        way.push_back({edge.to});
+      }
+    }
+  }
+  void report(const std::vector<Step>& way, const Edge& closing) {
+    const auto& devices = reading_.robot.devices;
+    const auto begin =
+        std::find_if(way.begin(), way.end(), [&](const Step& step) { return step.device == closing.to; });
+    const Read* shown = closing.read;
+    std::string text;
+    for (auto step = begin; step != way.end(); ++step) {
+      text += fmt::format("'{}' <- ", devices[step->device].name.text);
+      const Edge& taken = edges_[step->device][step->next_edge - 1];
+      if (shown == nullptr) shown = taken.read;
+    }
+    text += fmt::format("'{}'", devices[closing.to].name.text);
+    if (shown == nullptr) return;
+    reading_.diagnostics.error(code::reads_cycle, shown->at, "this <reads> closes a circle of data")
+        .underline(6)
+        .note("each takes data of the next: " + text)
+        .hint("remove one of the <reads>");
+  }
+
+  Reading& reading_;
+  std::vector<State> state_;
+  std::vector<std::vector<Edge>> edges_;
+};
+
+}  // namespace
+
+void resolve_roles(Reading& reading) {
+  const std::size_t count = reading.robot.devices.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!reading.devices[i].in_cycle) resolve_child(reading, i);
+  }
+  for (std::size_t i = 0; i < count; ++i) read_all_reads(reading, i);
+  for (std::size_t i = 0; i < count; ++i) check_arity(reading, i);
+  DataCycles(reading).run();
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,173 @@
+#include "generator/model/tags.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/diagnostic/suggest.hpp"
+#include "generator/model/attributes.hpp"
+#include "generator/model/grammar.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using grammar::AttributeRule;
+using grammar::ElementRule;
+
+bool starts_with(std::string_view text, std::string_view prefix) { return text.substr(0, prefix.size()) == prefix; }
+
+class TagReader {
+ public:
+  TagReader(bool from_xacro, Diagnostics& diagnostics) : from_xacro_(from_xacro), diagnostics_(diagnostics) {}
+
+  Tags read(const xml::Node& robot) {
+    find_xacro(robot);
+    for (const xml::Node& child : robot.children) {
+      if (child.is_element("finemote"))
+        read_block(child);
+      else if (child.is_element())
+        find_misspelt_block(child);
+    }
+    return std::move(tags_);
+  }
+
+ private:
+  /// `Finemote`, `fine_mote`: ROS tools ignore such an element silently, so nobody else would say it.
+  void find_misspelt_block(const xml::Node& node) {
+    const std::vector<std::string> known{"finemote"};
+    if (starts_with(node.name, "xacro:") || nearest_names(node.name, known).empty()) return;
+    at_tag(diagnostics_, code::unknown_element, node, fmt::format("unknown element <{}>", node.name))
+        .hint("did you mean <finemote>?");
+  }
+
+  /// One message for the first xacro tag: the rest follows from it.
+  bool find_xacro(const xml::Node& node) {
+    if (starts_with(node.name, "xacro:")) {
+      if (node.name != "xacro:deprecated") report_xacro(node);
+      return true;
+    }
+    return std::any_of(node.children.begin(), node.children.end(),
+                       [&](const xml::Node& child) { return child.is_element() && find_xacro(child); });
+  }
+  void report_xacro(const xml::Node& node) {
+    auto& finding = at_tag(diagnostics_, code::xacro_in_urdf, node,
+                           fmt::format("<{}> in a file that is read as plain URDF", node.name));
+    if (from_xacro_) {
+      finding.message = fmt::format("xacro did not know <{}>", node.name);
+    } else {
+      finding.hint("rename the file to end in .urdf.xacro, or expand it first with 'finemote xacro'");
+    }
+  }
+
+  void read_block(const xml::Node& block) {
+    tags_.blocks.push_back(&block);
+    check(block);
+    for (const xml::Node& child : block.children) {
+      if (child.is_element("board")) take(child, tags_.boards);
+      if (child.is_element("bus")) take(child, tags_.buses);
+      if (child.is_element("expander")) take(child, tags_.expanders);
+      if (child.is_element("require")) take(child, tags_.requirements);
+      if (child.is_element("device")) take_device(child, {});
+    }
+  }
+  void take(const xml::Node& node, std::vector<const xml::Node*>& list) {
+    list.push_back(&node);
+    check(node);
+    for (const xml::Node& child : node.children) {
+      if (child.is_element() && grammar::rule(child.name) != nullptr) check(child);
+    }
+  }
+  void take_device(const xml::Node& node, std::optional<std::size_t> nested_in) {
+    const std::size_t index = tags_.devices.size();
+    tags_.devices.push_back({&node, nested_in});
+    check(node);
+    for (const xml::Node& child : node.children) {
+      if (child.is_element("device"))
+        take_device(child, index);
+      else if (child.is_element() && allows_child(*grammar::rule("device"), child.name))
+        check(child);
+    }
+  }
+
+  static bool allows_child(const ElementRule& rule, std::string_view name) {
+    return std::find(rule.children.begin(), rule.children.end(), name) != rule.children.end();
+  }
+
+  void check(const xml::Node& node) {
+    const ElementRule& rule = *grammar::rule(node.name);
+    check_attributes(node, rule);
+    for (const xml::Node& child : node.children) check_child(node, child, rule);
+  }
+  void check_attributes(const xml::Node& node, const ElementRule& rule) {
+    std::vector<std::string> names;
+    for (const AttributeRule& known : rule.attributes) names.emplace_back(known.name);
+    std::vector<std::string> meant;  // by misspelt ones: they are not missing as well
+    for (const xml::Attribute& attribute : node.attributes) {
+      if (attribute.name == "xmlns" || starts_with(attribute.name, "xmlns:")) continue;
+      if (std::find(names.begin(), names.end(), attribute.name) != names.end()) continue;
+      for (std::string& near : nearest_names(attribute.name, names)) meant.push_back(std::move(near));
+      report_unknown_attribute(node, attribute, names);
+    }
+    for (const AttributeRule& known : rule.attributes) {
+      const bool is_missing = known.required && node.attribute(known.name) == nullptr;
+      if (is_missing && std::find(meant.begin(), meant.end(), known.name) == meant.end())
+        report_missing_attribute(node, known);
+    }
+  }
+  void report_unknown_attribute(const xml::Node& node, const xml::Attribute& attribute,
+                                const std::vector<std::string>& names) {
+    auto& finding = diagnostics_.error(code::unknown_attribute, attribute.at,
+                                       fmt::format("<{}> has no attribute '{}'", node.name, attribute.name));
+    finding.underline(attribute.name.size());
+    if (starts_with(attribute.name, "xacro:") && !from_xacro_) {
+      finding.code = code::xacro_in_urdf;
+      finding.message = fmt::format("'{}' in a file that is read as plain URDF", attribute.name);
+      finding.hint("rename the file to end in .urdf.xacro, or expand it first with 'finemote xacro'");
+    } else if (node.is_element("device") && attribute.name == "class") {
+      finding.hint("a device says type=\"...\"; the class stands in the type's descriptor");
+    } else {
+      const std::string hint = did_you_mean(attribute.name, names);
+      if (!hint.empty()) finding.hint(hint);
+    }
+  }
+  void report_missing_attribute(const xml::Node& node, const AttributeRule& known) {
+    const xml::Attribute* name = node.attribute("name");
+    const std::string which = name != nullptr && known.name != "name" ? fmt::format("{} '{}'", node.name, name->value)
+                                                                      : fmt::format("<{}>", node.name);
+    at_tag(diagnostics_, code::attribute_missing, node, fmt::format("{} has no '{}'", which, known.name))
+        .hint(fmt::format("add for example {}=\"{}\"", known.name, known.example));
+  }
+
+  void check_child(const xml::Node& node, const xml::Node& child, const ElementRule& rule) {
+    const bool is_text = child.kind == xml::Node::Kind::text || child.kind == xml::Node::Kind::cdata;
+    if (is_text && !rule.has_text && !trim(child.text).empty()) report_text(node, child);
+    if (!child.is_element() || allows_child(rule, child.name)) return;
+    if (starts_with(child.name, "xacro:")) return;  // said by find_xacro
+    auto& finding = at_tag(diagnostics_, code::unknown_element, child,
+                           fmt::format("<{}> cannot stand in <{}>", child.name, node.name));
+    if (child.name == "import") {
+      finding.hint("version 1 of this tool cannot import <ros2_control>; write the devices as <device> elements");
+    } else if (child.name == "mux") {
+      finding.hint("write <expander name=\"...\" model=\"tca9548a\" bus=\"...\" address=\"0x70\"> beside the <bus>");
+    } else if (!rule.children.empty()) {
+      finding.hint(did_you_mean(child.name, {rule.children.begin(), rule.children.end()}));
+    }
+  }
+  void report_text(const xml::Node& node, const xml::Node& text) {
+    const TextAt inner = trimmed_text(text);
+    diagnostics_.error(code::unexpected_text, inner.at, fmt::format("text in <{}>", node.name))
+        .underline(inner.text.size());
+  }
+
+  bool from_xacro_;
+  Diagnostics& diagnostics_;
+  Tags tags_;
+};
+
+}  // namespace
+
+Tags read_tags(const xml::Node& robot, bool from_xacro, Diagnostics& diagnostics) {
+  return TagReader(from_xacro, diagnostics).read(robot);
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,31 @@
+// The `<finemote>` blocks of a robot as flat lists of tags that hold only what version 1 knows.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "generator/diagnostic/diagnostics.hpp"
+#include "generator/xml/node.hpp"
+
+namespace finemote::gen {
+
+struct DeviceTag {
+  const xml::Node* node = nullptr;
+  std::optional<std::size_t> nested_in;  ///< index of the device around it
+};
+
+/// All blocks merged, in document order.
+struct Tags {
+  std::vector<const xml::Node*> blocks;
+  std::vector<const xml::Node*> boards;
+  std::vector<const xml::Node*> buses;
+  std::vector<const xml::Node*> expanders;
+  std::vector<const xml::Node*> requirements;
+  std::vector<DeviceTag> devices;  ///< by start tag
+};
+
+/// Collects the tags below `<robot>`, which has to outlive them. Reports FM3008 (unknown elements), FM3009 and FM3010
+/// (unknown and missing attributes), FM3028 (text where none belongs), FM1002 (xacro left over).
+Tags read_tags(const xml::Node& robot, bool from_xacro, Diagnostics& diagnostics);
+
+}  // namespace finemote::gen
