@@ -16,9 +16,14 @@ constexpr Duration kResetTime = 20 * kMillisecond;
 
 // Operating ranges: -20..85 degrees Celsius; 0..2 bar in 0.01 mbar, 0..30 bar in 0.1 mbar.
 constexpr std::int32_t kColdest = -2000, kHottest = 8500;
+constexpr float kLargestJump = 50000;  ///< Pa between two values: 5 m of water in some 10 ms
 constexpr std::int32_t kHighest02 = 200000, kHighest30 = 300000;
 
 constexpr std::int64_t power(int exponent) { return std::int64_t{1} << exponent; }
+/// x / 2^exponent rounded down, as the data sheets' worked examples are: an arithmetic shift with every compiler we
+/// use.
+constexpr std::int64_t over_power(std::int64_t x, int exponent) { return x >> exponent; }
+static_assert(over_power(-3, 1) == -2, "needs an arithmetic shift");
 constexpr std::int64_t square(std::int64_t x) { return x * x; }
 
 /// Second-order corrections, to be subtracted.
@@ -29,13 +34,13 @@ struct Correction {
 Correction correction_02(std::int64_t dt, std::int64_t temperature) {
   if (temperature >= 2000) return {};
   const std::int64_t cold = square(temperature - 2000);
-  return {11 * square(dt) / power(35), 31 * cold / power(3), 63 * cold / power(5)};
+  return {over_power(11 * square(dt), 35), over_power(31 * cold, 3), over_power(63 * cold, 5)};
 }
 
 Correction correction_30(std::int64_t dt, std::int64_t temperature) {
   const std::int64_t away = square(temperature - 2000);
-  if (temperature >= 2000) return {2 * square(dt) / power(37), away / power(4), 0};
-  Correction c{3 * square(dt) / power(33), 3 * away / 2, 5 * away / power(3)};
+  if (temperature >= 2000) return {over_power(2 * square(dt), 37), over_power(away, 4), 0};
+  Correction c{over_power(3 * square(dt), 33), over_power(3 * away, 1), over_power(5 * away, 3)};
   if (temperature < -1500) {
     const std::int64_t very_cold = square(temperature + 1500);
     c.offset += 7 * very_cold;
@@ -51,16 +56,16 @@ Ms5837::Compensated Ms5837::compensate(Variant variant, const Calibration& calib
                                        std::uint32_t d2) {
   const auto& c = calibration.c;
   const bool wide = variant == Variant::k30BA;
-  const std::int64_t dt = std::int64_t{d2} - std::int64_t{c[5]} * power(8);
-  const std::int64_t temperature = 2000 + dt * c[6] / power(23);
-  const std::int64_t offset = wide ? std::int64_t{c[2]} * power(16) + c[4] * dt / power(7)
-                                   : std::int64_t{c[2]} * power(17) + c[4] * dt / power(6);
-  const std::int64_t sensitivity = wide ? std::int64_t{c[1]} * power(15) + c[3] * dt / power(8)
-                                        : std::int64_t{c[1]} * power(16) + c[3] * dt / power(7);
+  const std::int64_t dt = std::int64_t{d2} - c[5] * power(8);
+  const std::int64_t temperature = 2000 + over_power(dt * c[6], 23);
+  const std::int64_t offset =
+      wide ? c[2] * power(16) + over_power(c[4] * dt, 7) : c[2] * power(17) + over_power(c[4] * dt, 6);
+  const std::int64_t sensitivity =
+      wide ? c[1] * power(15) + over_power(c[3] * dt, 8) : c[1] * power(16) + over_power(c[3] * dt, 7);
   const Correction second = wide ? correction_30(dt, temperature) : correction_02(dt, temperature);
-  const std::int64_t scaled = std::int64_t{d1} * (sensitivity - second.sensitivity) / power(21);
+  const std::int64_t scaled = over_power(d1 * (sensitivity - second.sensitivity), 21);
   return {static_cast<std::int32_t>(temperature - second.temperature),
-          static_cast<std::int32_t>((scaled - (offset - second.offset)) / power(wide ? 13 : 15))};
+          static_cast<std::int32_t>(over_power(scaled - (offset - second.offset), wide ? 13 : 15))};
 }
 
 // Polynomial 0x3000 over the 16 bytes of eight words, the eighth being 0 (application note AN520).
@@ -93,7 +98,10 @@ void Ms5837::take_result() {
   if (!slot_->done()) {
     state.valid = false;
     if (step_ == Step::kConvert) step_ = Step::kFirst;  // whether the next conversion was commanded is unknown
-    if (slot_->unreachable()) step_ = Step::kReset;
+    if (slot_->unreachable()) {
+      known_ = false;
+      step_ = Step::kReset;
+    }
     return;
   }
   switch (step_) {
@@ -149,13 +157,17 @@ void Ms5837::conversion_begun(Kind kind) {
 void Ms5837::publish() {
   const Compensated value = compensate(variant_, calibration_, d1_, d2_);
   const bool wide = variant_ == Variant::k30BA;
-  const bool plausible = value.temperature >= kColdest && value.temperature <= kHottest && value.pressure > 0 &&
-                         value.pressure <= (wide ? kHighest30 : kHighest02);
+  const float pressure = static_cast<float>(value.pressure) * (wide ? 10.0F : 1.0F);  // 0.1 mbar = 10 Pa
+  const float jump = pressure - state.pressure;
+  const bool continuous = !known_ || (jump <= kLargestJump && jump >= -kLargestJump);
+  const bool plausible = continuous && value.temperature >= kColdest && value.temperature <= kHottest &&
+                         value.pressure > 0 && value.pressure <= (wide ? kHighest30 : kHighest02);
   if (!plausible) return bad_value();
   bad_values_ = 0;
+  known_ = true;
   state.origin = taken_;
   state.valid = true;
-  state.pressure = static_cast<float>(value.pressure) * (wide ? 10.0F : 1.0F);  // 0.1 mbar = 10 Pa
+  state.pressure = pressure;
   state.temperature = static_cast<float>(value.temperature) * 0.01F;
 }
 
@@ -163,6 +175,7 @@ void Ms5837::bad_value() {
   state.valid = false;
   if (++bad_values_ < kBadValues) return;
   bad_values_ = 0;
+  known_ = false;
   step_ = Step::kReset;
 }
 

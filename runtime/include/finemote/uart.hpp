@@ -17,7 +17,7 @@ class Uart {
  public:
   /// @param baud  bit rate [bit/s]
   constexpr Uart(UartPort& port, std::int64_t baud, UartFormat format = UartFormat::k8N1)
-      : port_(&port), baud_(baud), bit_time_(1000000000LL / baud), format_(format) {}
+      : port_(&port), baud_(baud), bit_time_((1000000000LL + baud - 1) / baud), format_(format) {}
 
   /// Context: init.
   void start();
@@ -39,7 +39,7 @@ class Uart {
   /// the time of the read() before, after which it arrived; so never later than the truth is old.
   [[nodiscard]] Time arrival() const { return arrival_; }
 
-  /// Wire time of `bytes` bytes (start, 8 data, parity, stop bits), rounded down.
+  /// Wire time of `bytes` bytes (start, 8 data, parity, stop bits), rounded up.
   [[nodiscard]] Duration wire_time(std::size_t bytes) const;
 
   [[nodiscard]] const BusCounters& counters() const { return counters_; }

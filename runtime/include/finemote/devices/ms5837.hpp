@@ -14,8 +14,8 @@ namespace finemote {
 /// Nothing waits: every update() looks at the transfer of the one before and starts the next, which reads the result of
 /// one conversion and commands the next one as one unit on the bus. Every kTemperatureEvery-th conversion is one of the
 /// temperature, all others of the pressure, and every pressure is published. Bring-up (reset, 20 ms, seven words of
-/// PROM, CRC) is the same machine with `valid = false`; a part that stops answering or gives values out of range three
-/// times in a row begins again with it.
+/// PROM, CRC) is the same machine with `valid = false`; a part that stops answering, or three
+/// times in a row gives values out of range or far from the last good one, begins again with it.
 ///
 /// `state.origin` is when the pressure conversion began. The state is invalid from a failure to the next good pressure.
 class Ms5837 {
@@ -100,6 +100,7 @@ class Ms5837 {
   Duration conversion_;
   Step step_ = Step::kReset;
   bool started_ = false;
+  bool known_ = false;  ///< there was a good value since the bring-up; the next one must follow it
   Kind running_ = Kind::kTemperature, next_ = Kind::kPressure;
   std::uint8_t word_ = 0;
   std::uint8_t pressures_ = 0;   ///< since the last temperature

@@ -1,0 +1,224 @@
+// PCA9685: bytes of the bring-up and of every burst, and what the part shows.
+#include "finemote/pca9685.hpp"
+
+#include "bench.hpp"
+#include "catch.hpp"
+#include "finemote/devices/pwm_esc.hpp"
+#include "runtime/boards/host/ports/i2c_parts.hpp"
+
+namespace {
+
+using namespace finemote;
+using Bytes = std::vector<std::uint8_t>;
+
+struct Fixture {
+  Fixture() {
+    bench::reset();
+    host::i2c2.connect(0x40, part);
+    bench::robot().start = [this] { bus.start(); };
+    bench::robot().fast = [this] { bus.supervise(); };
+    bench::robot().slow = [this] { pwm.flush(); };
+  }
+  /// Everything written since the last call, addresses left out.
+  std::vector<Bytes> written() {
+    std::vector<Bytes> all;
+    for (; seen < host::i2c2.exchanges.size(); ++seen) all.push_back(host::i2c2.exchanges[seen].written);
+    return all;
+  }
+  void safe(std::initializer_list<unsigned> channels) {
+    for (const unsigned n : channels) {
+      pwm.set_safe(static_cast<std::uint8_t>(n), 1500000);
+      pwm.set(static_cast<std::uint8_t>(n), 1500000);
+    }
+  }
+  void pass(Duration duration) { host::advance(duration); }
+
+  host::Pca9685Part part;
+  I2cSlot slot{bus, 0x40, {}, 1};
+  I2cSlot* const table[1] = {&slot};
+  I2cBus bus{ports::i2c2, 400000, table};
+  Pca9685 pwm{slot, {50, 25000000, 50}};
+  std::size_t seen = 0;
+};
+
+}  // namespace
+
+TEST_CASE("prescale and counts follow the data sheet") {
+  CHECK(Pca9685::prescale({50, 25000000, 50}) == 121);
+  CHECK(Pca9685::prescale({200, 25000000, 50}) == 30);
+  CHECK(Pca9685::prescale({1526, 25000000, 50}) == 3);
+  CHECK(Pca9685::prescale({24, 25000000, 50}) == 253);
+  I2cBus bus{ports::i2c2, 400000};
+  I2cSlot slot{bus, 0x40, {}, 1};
+  const Pca9685 pwm{slot};
+  // One count is (121 + 1) / 25 MHz = 4880 ns.
+  CHECK(pwm.counts(1500000) == 307);  // 307.38
+  CHECK(pwm.counts(1100000) == 225);  // 225.41
+  CHECK(pwm.counts(1900000) == 389);  // 389.34
+  CHECK(pwm.counts(4880 * 1000) == 1000);
+  CHECK(pwm.counts(25000000) == 4095);
+}
+
+TEST_CASE_METHOD(Fixture, "bring-up: safe pulses first, then mode, prescale, wake, restart, safe pulses again") {
+  bench::robot().safe = [&] {
+    safe({0, 1});
+    pwm.flush();
+  };
+  bench::run(200 * kMillisecond);
+  const Bytes neutral{0x06, 0, 0, 0x33, 0x01, 0, 0, 0x33, 0x01};  // OFF = 307
+  CHECK(written() ==
+        std::vector<Bytes>{
+            neutral, {0x00}, {0xFE}, {0x00, 0x30}, {0xFE, 0x79}, {0x00, 0x20}, {0x00, 0xA0}, neutral, neutral});
+  CHECK(part.pulse(0) == 307 * 4880);
+  CHECK(part.pulse(1) == 307 * 4880);
+  CHECK(part.pulse(2) == 0);
+  CHECK(part.reg(0xFE) == 121);
+  CHECK(pwm.running());
+}
+
+TEST_CASE_METHOD(Fixture, "a part that runs with the right prescale is not put to sleep") {
+  part.write({0x00, 0x20});
+  part.write({0x00, 0x30});
+  part.write({0xFE, 121});
+  part.write({0x00, 0x20});
+  part.write({0x06, 0, 0, 0x85, 0x01});  // full ahead, left over from before our reset
+  bench::robot().safe = [&] {
+    safe({0});
+    pwm.flush();
+  };
+  const std::size_t before = part.changes.size();
+  bench::run(100 * kMillisecond);
+  CHECK(written() == std::vector<Bytes>{
+                         {0x06, 0, 0, 0x33, 0x01}, {0x06, 0, 0, 0x33, 0x01}, {0x00}, {0xFE}, {0x06, 0, 0, 0x33, 0x01}});
+  CHECK(part.changes[before].pulses[0] == 307 * 4880);  // the very first write stops it
+  CHECK(part.changes[before].at < 1 * kMillisecond);
+}
+
+TEST_CASE_METHOD(Fixture, "one burst from the first to the last changed channel; nothing when nothing changed") {
+  bench::robot().safe = [&] {
+    safe({0, 1, 2, 3, 4, 5, 6, 7});
+    pwm.flush();
+  };
+  bench::run(200 * kMillisecond);
+  written();
+
+  bench::robot().slow = nullptr;
+  pwm.flush();
+  pass(5 * kMillisecond);
+  CHECK(written().empty());
+
+  pwm.set(2, 1100000);
+  pwm.set(4, 1900000);
+  pwm.flush();
+  pass(5 * kMillisecond);
+  CHECK(written() == std::vector<Bytes>{{0x0E, 0, 0, 0xE1, 0x00, 0, 0, 0x33, 0x01, 0, 0, 0x85, 0x01}});
+
+  pwm.set(2, 1100000);  // the same again
+  pwm.flush();
+  pass(5 * kMillisecond);
+  CHECK(written().empty());
+
+  for (std::uint8_t n = 0; n < 8; ++n) pwm.set(n, 1200000U + n);
+  pwm.flush();
+  pass(5 * kMillisecond);
+  const auto burst = written();
+  REQUIRE(burst.size() == 1);
+  CHECK(burst[0].size() == 33);
+
+  pwm.set(15, 0);
+  pwm.set(0, 0);  // no pulse: full off
+  pwm.flush();
+  pass(5 * kMillisecond);
+  CHECK(written() == std::vector<Bytes>{{0x06, 0, 0, 0, 0x10}});
+  CHECK(part.pulse(0) == 0);
+}
+
+TEST_CASE_METHOD(Fixture, "a change while a burst is under way waits for the next flush and is not lost") {
+  bench::robot().safe = [&] { safe({0}); };
+  bench::run(200 * kMillisecond);
+  written();
+  bench::robot().slow = nullptr;
+  pwm.set(0, 1100000);
+  pwm.flush();
+  pwm.set(0, 1900000);
+  pwm.flush();
+  pass(2 * kMillisecond);
+  CHECK(part.pulse(0) == 225 * 4880);
+  pwm.flush();
+  pass(2 * kMillisecond);
+  CHECK(part.pulse(0) == 389 * 4880);
+}
+
+TEST_CASE_METHOD(Fixture, "every refresh reads MODE1 back and writes all used channels, in one unit") {
+  bench::robot().safe = [&] { safe({3}); };
+  bench::run(200 * kMillisecond);
+  written();
+  bench::robot().slow = nullptr;
+  std::vector<Bytes> all;
+  for (int i = 0; i < 50; ++i) {
+    pwm.flush();
+    pass(2 * kMillisecond);
+    for (const Bytes& bytes : written()) all.push_back(bytes);
+  }
+  CHECK(all == std::vector<Bytes>{{0x00}, {0x12, 0, 0, 0x33, 0x01}});
+}
+
+TEST_CASE_METHOD(Fixture, "a part whose power failed is brought up again, safe pulses first") {
+  bench::robot().safe = [&] { safe({0}); };
+  bench::at(300 * kMillisecond, [&] { pwm.set(0, 1900000); });
+  std::size_t before = 0;
+  bench::at(400 * kMillisecond, [&] {
+    CHECK(part.pulse(0) == 389 * 4880);
+    part.reset();
+    before = part.changes.size();
+  });
+  bench::run(1500 * kMillisecond);
+  CHECK(part.pulse(0) == 389 * 4880);  // still wanted
+  CHECK(part.reg(0xFE) == 121);
+  bool neutral_seen = false;
+  for (std::size_t i = before; i < part.changes.size(); ++i) {
+    const std::uint32_t pulse = part.changes[i].pulses[0];
+    if (pulse == 307 * 4880) neutral_seen = true;
+    if (pulse != 0 && !neutral_seen) CHECK(pulse == 307 * 4880);
+  }
+  CHECK(neutral_seen);
+}
+
+TEST_CASE_METHOD(Fixture, "a part that does not answer is unreachable, and comes back by the whole bring-up") {
+  bench::robot().safe = [&] { safe({0}); };
+  bench::at(200 * kMillisecond, [&] { part.silent = true; });
+  bench::at(400 * kMillisecond, [&] {
+    pwm.set(0, 1900000);
+    part.reset();
+  });
+  bench::at(500 * kMillisecond, [&] {
+    CHECK(pwm.unreachable());
+    CHECK_FALSE(pwm.running());
+    part.silent = false;
+  });
+  bench::run(1 * kSecond);
+  CHECK_FALSE(pwm.unreachable());
+  CHECK(pwm.running());
+  CHECK(part.pulse(0) == 389 * 4880);
+}
+
+TEST_CASE_METHOD(Fixture, "after a stuck bus the first bytes are the safe pulses, then what is wanted") {
+  bench::robot().safe = [&] { safe({0, 1}); };
+  bench::at(200 * kMillisecond, [&] {
+    pwm.set(0, 1900000);
+    pwm.set(1, 1900000);
+  });
+  bench::at(301 * kMillisecond, [&] {
+    host::i2c2.hold_sda(5);
+    pwm.set(0, 1100000);
+  });
+  std::size_t before = 0;
+  bench::at(302 * kMillisecond, [&] { before = part.changes.size(); });
+  bench::run(600 * kMillisecond);
+  REQUIRE(part.changes.size() > before + 1);
+  CHECK(part.changes[before].pulses[0] == 307 * 4880);
+  CHECK(part.changes[before].pulses[1] == 307 * 4880);
+  CHECK(part.changes[before].at < 350 * kMillisecond);
+  CHECK(part.pulse(0) == 225 * 4880);
+  CHECK(part.pulse(1) == 389 * 4880);
+}

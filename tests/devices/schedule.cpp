@@ -1,0 +1,47 @@
+#include "finemote/schedule.hpp"
+
+#include "bench.hpp"
+
+namespace bench {
+
+Robot& robot() {
+  static Robot the_robot;
+  return the_robot;
+}
+
+void reset() {
+  using namespace finemote;
+  host::reset();
+  for (I2cHardware* wire : {&host::i2c2, &host::i2c3}) wire->reset();
+  for (UartHardware* line : {&host::usart1, &host::usart3, &host::usart6}) line->reset();
+  for (SpiHardware* wire : {&host::spi1, &host::spi2}) *wire = {};
+  for (CanHardware* wire : {&host::can1, &host::can2}) *wire = {};
+  host::pwm1 = {};
+  host::gpio = {};
+  robot() = {};
+}
+
+namespace {
+
+void call(const std::function<void()>& function) {
+  if (function) function();
+}
+
+void start() { call(robot().start); }
+void safe() { call(robot().safe); }
+void fast() {
+  call(robot().fast);
+  finemote::complete(0);
+}
+void slow() {
+  call(robot().slow);
+  finemote::complete(1);
+}
+
+constexpr finemote::Bucket buckets[] = {{fast, 5'000'000, 48, 4, 3}, {slow, 10'000'000, 49, 5, 3}};
+
+}  // namespace
+}  // namespace bench
+
+extern "C" const finemote::Schedule finemote_schedule{
+    "Bench", 1'000'000, bench::buckets, finemote::Overrun::skip, bench::start, bench::safe, nullptr};

@@ -1,0 +1,131 @@
+// Serial line: nothing lost, nothing torn, and what is lost is counted.
+#include "finemote/uart.hpp"
+
+#include <numeric>
+
+#include "bench.hpp"
+#include "catch.hpp"
+
+namespace {
+
+using namespace finemote;
+using Bytes = std::vector<std::uint8_t>;
+
+struct Fixture {
+  Fixture() {
+    bench::reset();
+    uart.start();
+  }
+  Bytes read(std::size_t capacity = 600) {
+    Bytes bytes(capacity);
+    bytes.resize(uart.read(bytes.data(), capacity));
+    return bytes;
+  }
+  static Bytes count(std::size_t size, std::uint8_t first = 0) {
+    Bytes bytes(size);
+    std::iota(bytes.begin(), bytes.end(), first);
+    return bytes;
+  }
+
+  UartHardware& line = host::usart1;
+  Uart uart{ports::usart1, 115200, UartFormat::k8N1};
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(Fixture, "bytes come in order over many laps of the ring") {
+  Bytes all, sent;
+  for (int block = 0; block < 40; ++block) {
+    const Bytes bytes = count(73, static_cast<std::uint8_t>(block * 5));
+    sent.insert(sent.end(), bytes.begin(), bytes.end());
+    line.feed(now(), bytes);
+    host::advance(7 * kMillisecond);
+    const Bytes part = read();
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  CHECK(all == sent);
+  CHECK(uart.counters().lost == 0);
+}
+
+TEST_CASE_METHOD(Fixture, "a read in the middle of a frame gives the part that has arrived") {
+  line.feed(0, count(10));
+  host::advance(5 * uart.wire_time(1) + 100 * kMicrosecond);
+  CHECK(read() == count(6));
+  CHECK_FALSE(uart.idle());
+  host::advance(10 * kMillisecond);
+  CHECK(read() == count(4, 6));
+  CHECK(uart.idle());
+}
+
+TEST_CASE_METHOD(Fixture, "a reader that comes too late loses old bytes, counted, and reads whole new ones") {
+  line.feed(0, count(256));
+  line.feed(0, count(100));
+  host::advance(40 * kMillisecond);
+  const Bytes bytes = read();
+  CHECK(bytes.size() == 128);
+  CHECK(bytes.back() == 99);
+  CHECK(bytes.front() == 228);
+  CHECK(uart.counters().lost == 356 - 128);
+}
+
+TEST_CASE_METHOD(Fixture, "a small buffer leaves the rest for the next read") {
+  line.feed(0, count(10));
+  host::advance(5 * kMillisecond);
+  CHECK(read(4) == count(4));
+  CHECK(read(4) == count(4, 4));
+  CHECK(read(4) == count(2, 8));
+}
+
+TEST_CASE_METHOD(Fixture, "arrival is never later than the bytes arrived") {
+  line.feed(2 * kMillisecond, count(10));
+  host::advance(1 * kMillisecond);
+  CHECK(read().empty());
+  const Duration byte = 10 * kSecond / 115200;
+  host::advance(1 * kMillisecond + 10 * byte + byte / 2);  // the line is not yet seen idle
+  REQUIRE(read().size() == 10);
+  CHECK(uart.arrival() == 1 * kMillisecond);  // the read before
+  line.feed(now(), count(10));
+  const Time sent = now() + 10 * byte;
+  host::advance(20 * kMillisecond);
+  REQUIRE(read().size() == 10);
+  CHECK(uart.arrival() <= sent);
+  CHECK(uart.arrival() > sent - byte);
+}
+
+TEST_CASE_METHOD(Fixture, "reception that stopped is started again and old bytes are not read as new") {
+  line.feed(0, count(10));
+  host::advance(2 * kMillisecond);
+  CHECK(read() == count(10));
+  line.halt_reception();
+  line.feed(now(), count(20, 50));
+  host::advance(5 * kMillisecond);
+  read();
+  CHECK(uart.counters().recoveries == 1);
+  line.feed(now(), count(3, 100));
+  host::advance(5 * kMillisecond);
+  Bytes bytes = read();
+  REQUIRE(bytes.size() >= 3);
+  CHECK(Bytes(bytes.end() - 3, bytes.end()) == count(3, 100));
+}
+
+TEST_CASE_METHOD(Fixture, "one block is sent at a time; one that never leaves is given up") {
+  const Bytes block = count(20);
+  CHECK(uart.write(block.data(), block.size()));
+  CHECK_FALSE(uart.write(block.data(), block.size()));
+  host::advance(2 * kMillisecond);
+  CHECK(uart.write(block.data(), 5));
+  REQUIRE(line.sent.size() == 2);
+  CHECK(line.sent[0].bytes == block);
+  host::advance(2 * kMillisecond);
+  CHECK_FALSE(uart.write(block.data(), uart.capacity() + 1));
+  CHECK_FALSE(uart.write(block.data(), 0));
+
+  line.block_sending(true);
+  CHECK(uart.write(block.data(), block.size()));
+  host::advance(3 * kMillisecond);
+  CHECK_FALSE(uart.write(block.data(), block.size()));
+  host::advance(3 * kMillisecond);
+  line.block_sending(false);
+  CHECK(uart.write(block.data(), block.size()));
+  CHECK(uart.counters().overdue == 1);
+}
