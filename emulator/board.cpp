@@ -1,0 +1,54 @@
+#include "emulator/board.hpp"
+
+#include <cstring>
+#include <stdexcept>
+
+namespace finemote::emulator {
+
+Board::Board(const BoardOptions& options) : chip_(world_) {
+  cpu_ = std::make_unique<Cpu>(world_.queue(), world_.reports(), world_.system(), chip_, options.cost, options.flash);
+  world_.connect(*cpu_);
+  chip_.iwdg.lsi_hz = options.lsi_hz;
+  chip_.iwdg.on_timeout = [this] { restart(Rcc::kWatchdogReset); };
+  cpu_->on_reset_request = [this] { restart(Rcc::kSoftwareReset); };
+}
+
+void Board::load(const Image& image) {
+  image_ = image;
+  cpu_->load(image);
+  trace_ = std::make_unique<TraceReader>(world_, image);
+  chip_.rcc.note_reset(Rcc::kPowerReset | Rcc::kPinReset);
+  cpu_->reset();
+}
+
+void Board::restart(std::uint32_t cause) {
+  ++resets_;
+  chip_.reset();
+  chip_.rcc.note_reset(cause | Rcc::kPinReset);
+  cpu_->reset();
+}
+
+Stop Board::run_for(std::uint64_t ns) { return cpu_->run_until(cpu_->now() + from_ns(ns)); }
+
+const std::vector<StageEvent>& Board::stages() {
+  static const std::vector<StageEvent> none;
+  if (!trace_) return none;
+  trace_->drain();
+  return trace_->events();
+}
+
+BusStatistics Board::bus(const std::string& port) {
+  if (const Usart* usart = chip_.usart(port)) return usart->statistics();
+  if (const I2c* i2c = chip_.i2c(port)) return i2c->statistics();
+  return {};
+}
+
+std::uint32_t Board::word(const std::string& symbol, std::uint32_t offset) {
+  const auto found = image_.symbol(symbol);
+  if (!found) throw std::runtime_error("the image has no symbol '" + symbol + "'");
+  std::uint32_t value = 0;
+  if (const std::uint8_t* p = cpu_->memory(found->address + offset, 4)) std::memcpy(&value, p, 4);
+  return value;
+}
+
+}  // namespace finemote::emulator

@@ -1,0 +1,58 @@
+// The RoboMaster Type C board in software: load an image, attach parts, run, and look at what happened.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "emulator/chip/chip.hpp"
+#include "emulator/image.hpp"
+#include "emulator/trace_reader.hpp"
+
+namespace finemote::emulator {
+
+struct BoardOptions {
+  CostModel cost = CostModel::cortex_m4;
+  FlashModel flash = FlashModel::hit;
+  std::uint32_t lsi_hz = 32'000;
+};
+
+/// One emulated board. Two runs of the same image with the same parts and events are equal in every event.
+class Board {
+ public:
+  explicit Board(const BoardOptions& options = {});
+
+  /// Puts the image into flash and resets. @throws std::runtime_error when it does not fit the board
+  void load(const Image& image);
+  /// Runs on for this long, or until the image ends itself, locks up, or sleeps for ever.
+  Stop run_for(std::uint64_t ns);
+
+  [[nodiscard]] std::uint64_t now_ns() const { return to_ns(cpu_->now()); }
+  Chip& chip() { return chip_; }
+  Cpu& cpu() { return *cpu_; }
+  World& world() { return world_; }
+  [[nodiscard]] const std::vector<Report>& reports() const { return world_.reports().all(); }
+  [[nodiscard]] unsigned resets() const { return resets_; }
+
+  /// Stages as the firmware traced them; empty without the trace option.
+  [[nodiscard]] const std::vector<StageEvent>& stages();
+  [[nodiscard]] std::uint32_t lost_stage_events() const { return trace_ ? trace_->lost() : 0; }
+
+  /// Statistics of the bus at a port (`usart6`, `i2c2`); all zero for one that is not a bus.
+  [[nodiscard]] BusStatistics bus(const std::string& port);
+
+  /// A word of RAM by symbol name. @throws std::runtime_error when the image has no such symbol
+  [[nodiscard]] std::uint32_t word(const std::string& symbol, std::uint32_t offset = 0);
+
+ private:
+  void restart(std::uint32_t cause);
+
+  World world_;
+  Chip chip_;
+  std::unique_ptr<Cpu> cpu_;
+  Image image_;
+  std::unique_ptr<TraceReader> trace_;
+  unsigned resets_ = 0;
+};
+
+}  // namespace finemote::emulator

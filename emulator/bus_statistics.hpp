@@ -1,0 +1,17 @@
+// What a bus has carried, for the run's report.
+#pragma once
+
+#include <cstdint>
+
+#include "emulator/time.hpp"
+
+namespace finemote::emulator {
+
+struct BusStatistics {
+  std::uint64_t transfers = 0;  ///< I2C: START to STOP; UART: bursts both ways; CAN: frames; SPI: exchanges
+  std::uint64_t bytes = 0;
+  std::uint64_t errors = 0;
+  Time busy = 0;  ///< time the wire was in use; UART: of the busier direction
+};
+
+}  // namespace finemote::emulator

@@ -1,0 +1,85 @@
+// The STM32F407 as far as the Type C board uses it: which peripheral answers where, and what connects them.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "emulator/chip/dma.hpp"
+#include "emulator/chip/exti.hpp"
+#include "emulator/chip/flash.hpp"
+#include "emulator/chip/gpio.hpp"
+#include "emulator/chip/i2c.hpp"
+#include "emulator/chip/iwdg.hpp"
+#include "emulator/chip/rcc.hpp"
+#include "emulator/chip/timer.hpp"
+#include "emulator/chip/usart.hpp"
+
+namespace finemote::emulator {
+
+class Chip : public PeripheralBus {
+ public:
+  explicit Chip(World& world);
+
+  // As the processor sees them: with clock gating, bus waits and the check for late flags.
+  std::uint32_t read(std::uint32_t address, unsigned bytes) override;
+  void write(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
+  void returning(int exception) override;
+
+  /// Everything but the clock controller's memory of why.
+  void reset();
+
+  Gpio& gpio(char port) { return *gpios_[static_cast<std::size_t>(port - 'A')]; }
+  /// By port name: `usart6`, `i2c2`; null when there is none.
+  Usart* usart(const std::string& name);
+  I2c* i2c(const std::string& name);
+  /// Timer and channel of a PWM header `pwm1`..`pwm7`.
+  std::pair<Timer*, unsigned> pwm(const std::string& name);
+
+  Rcc rcc;
+  Flash flash;
+  Pwr pwr;
+  Exti exti;
+  Syscfg syscfg;
+  Iwdg iwdg;
+
+ private:
+  struct Slot {
+    std::uint32_t base = 0, bytes = 0;
+    Peripheral* peripheral = nullptr;
+    ClockBus bus = ClockBus::always;
+    unsigned bit = 0;
+  };
+  /// What DMA uses: the same registers without the processor's side.
+  class DmaSide : public PeripheralBus {
+   public:
+    explicit DmaSide(Chip& chip) : chip_(chip) {}
+    std::uint32_t read(std::uint32_t address, unsigned bytes) override { return chip_.access(address, bytes, nullptr); }
+    void write(std::uint32_t address, unsigned bytes, std::uint32_t value) override {
+      chip_.access(address, bytes, &value);
+    }
+
+   private:
+    Chip& chip_;
+  };
+
+  void place(std::uint32_t base, Peripheral& peripheral, ClockBus bus, unsigned bit, std::uint32_t bytes = 0x400);
+  [[nodiscard]] const Slot* find(std::uint32_t address) const;
+  std::uint32_t access(std::uint32_t address, unsigned bytes, const std::uint32_t* value);
+  void connect_wires(I2c& i2c, char port, unsigned scl, char sda_port, unsigned sda);
+  bool serve_dma(DmaRequest request) { return dma1_->serve(request) || dma2_->serve(request); }
+
+  World& world_;
+  DmaSide dma_side_;
+  std::vector<std::unique_ptr<Gpio>> gpios_;
+  std::unique_ptr<Dma> dma1_, dma2_;
+  std::unique_ptr<Usart> usart1_, usart3_, usart6_;
+  std::unique_ptr<I2c> i2c2_, i2c3_;
+  std::vector<std::unique_ptr<Timer>> timers_;
+  std::vector<Slot> slots_;
+  Time lowered_at_ = 0;
+  int lowered_line_ = -1;
+};
+
+}  // namespace finemote::emulator

@@ -1,0 +1,196 @@
+#include "emulator/chip/dma.hpp"
+
+#include <cstring>
+#include <iterator>
+
+namespace finemote::emulator {
+namespace {
+
+constexpr std::uint32_t kEnable = 1, kErrorInterrupt = 4, kHalfInterrupt = 8, kCompleteInterrupt = 16,
+                        kFromMemory = 1U << 6, kFromMemoryToMemory = 2U << 6, kDirection = 3U << 6, kCircular = 1U << 8,
+                        kPeripheralIncrement = 1U << 9, kMemoryIncrement = 1U << 10;
+constexpr std::uint32_t kFlagError = 8, kFlagHalf = 16, kFlagComplete = 32;
+
+struct Route {
+  DmaRequest request;
+  unsigned controller, stream, channel;
+};
+constexpr Route kRoutes[] = {
+    {DmaRequest::usart1_rx, 2, 2, 4}, {DmaRequest::usart1_rx, 2, 5, 4}, {DmaRequest::usart1_tx, 2, 7, 4},
+    {DmaRequest::usart3_rx, 1, 1, 4}, {DmaRequest::usart3_tx, 1, 3, 4}, {DmaRequest::usart3_tx, 1, 4, 7},
+    {DmaRequest::usart6_rx, 2, 1, 5}, {DmaRequest::usart6_rx, 2, 2, 5}, {DmaRequest::usart6_tx, 2, 6, 5},
+    {DmaRequest::usart6_tx, 2, 7, 5}, {DmaRequest::spi1_rx, 2, 0, 3},   {DmaRequest::spi1_rx, 2, 2, 3},
+    {DmaRequest::spi1_tx, 2, 3, 3},   {DmaRequest::spi1_tx, 2, 5, 3},   {DmaRequest::spi2_rx, 1, 3, 0},
+    {DmaRequest::spi2_tx, 1, 4, 0},   {DmaRequest::i2c2_rx, 1, 2, 7},   {DmaRequest::i2c2_rx, 1, 3, 7},
+    {DmaRequest::i2c2_tx, 1, 7, 7},   {DmaRequest::i2c3_rx, 1, 2, 3},   {DmaRequest::i2c3_tx, 1, 4, 3},
+};
+
+constexpr int kLines[2][8] = {{11, 12, 13, 14, 15, 16, 17, 47}, {56, 57, 58, 59, 60, 68, 69, 70}};
+
+unsigned shift_of(unsigned stream) { return stream % 4 / 2 * 16 + stream % 2 * 6; }
+
+}  // namespace
+
+void Dma::reset() {
+  streams_ = {};
+  flags_ = {};
+  for (unsigned i = 0; i < 8; ++i) update_line(i);
+}
+
+void Dma::update_line(unsigned index) {
+  const std::uint32_t c = streams_[index].control;
+  const std::uint32_t enabled = ((c & kErrorInterrupt) != 0 ? kFlagError : 0) |
+                                ((c & kHalfInterrupt) != 0 ? kFlagHalf : 0) |
+                                ((c & kCompleteInterrupt) != 0 ? kFlagComplete : 0);
+  world_.set_line(kLines[number_ - 1][index], (flags_[index] & enabled) != 0);
+}
+
+void Dma::raise(unsigned index, std::uint32_t flags) {
+  flags_[index] |= flags;
+  update_line(index);
+}
+
+std::uint32_t Dma::read(std::uint32_t offset) {
+  if (offset < 8) {
+    std::uint32_t bits = 0;
+    for (unsigned i = 0; i < 4; ++i) bits |= flags_[offset + i] << shift_of(i);
+    return bits;
+  }
+  if (offset < 0x10) return 0;
+  const unsigned index = (offset - 0x10) / 0x18;
+  if (index > 7) return unmodelled_read(offset);
+  const Stream& s = streams_[index];
+  switch ((offset - 0x10) % 0x18) {
+    case 0x00:
+      return s.control;
+    case 0x04:
+      return (s.control & kEnable) != 0 ? s.left : s.count;
+    case 0x08:
+      return s.peripheral;
+    case 0x0C:
+      return s.memory0;
+    case 0x10:
+      return s.memory1;
+    default:
+      return s.fifo;
+  }
+}
+
+void Dma::write(std::uint32_t offset, std::uint32_t value) {
+  if (offset == 8 || offset == 0xC) {
+    const unsigned first = offset == 8 ? 0 : 4;
+    for (unsigned i = 0; i < 4; ++i) {
+      flags_[first + i] &= ~(value >> shift_of(i) & 0x3D);
+      update_line(first + i);
+    }
+    return;
+  }
+  const unsigned index = offset < 0x10 ? 8 : (offset - 0x10) / 0x18;
+  if (index > 7) return unmodelled_write(offset, value);
+  Stream& s = streams_[index];
+  const unsigned field = (offset - 0x10) % 0x18;
+  if (field == 0) return write_control(index, value);
+  if ((s.control & kEnable) != 0)
+    world_.report(Misuse::protocol, name() + " stream " + std::to_string(index) + " is set up while it is on");
+  switch (field) {
+    case 0x04:
+      s.count = value & 0xFFFF;
+      return;
+    case 0x08:
+      s.peripheral = value;
+      return;
+    case 0x0C:
+      s.memory0 = value;
+      return;
+    case 0x10:
+      s.memory1 = value;
+      return;
+    default:
+      s.fifo = value;
+      return;
+  }
+}
+
+void Dma::write_control(unsigned index, std::uint32_t value) {
+  Stream& s = streams_[index];
+  const bool was = (s.control & kEnable) != 0, on = (value & kEnable) != 0;
+  only(value, 0x0E070000U | 0x7FFF, "SxCR");  // single bursts, one buffer
+  if (was && !on) s.count = s.left;           // RM0090 10.3.17: NDTR keeps what is left
+  s.control = value;
+  if (on && !was) {
+    if ((flags_[index] & 0x3D) != 0)
+      world_.report(Misuse::protocol,
+                    name() + " stream " + std::to_string(index) + " is turned on with flags of its last transfer set");
+    if (number_ == 1 && (value & kDirection) == kFromMemoryToMemory)
+      world_.report(Misuse::protocol, "dma1 cannot move memory to memory");
+    s.left = s.count;
+    s.position = 0;
+    if (s.left == 0) s.control &= ~kEnable;
+    if (on_enable) on_enable();
+  }
+  update_line(index);
+}
+
+bool Dma::serve(DmaRequest request) {
+  for (const Route& route : kRoutes) {
+    const Stream& s = streams_[route.stream];
+    if (route.request != request || route.controller != number_) continue;
+    if ((s.control & kEnable) == 0 || (s.control >> 25 & 7) != route.channel) continue;
+    move(route.stream);
+    return true;
+  }
+  return false;
+}
+
+/// Between the peripheral and `memory`; false: the memory cannot be reached.
+bool Dma::transfer(Stream& s, std::uint32_t memory) {
+  const unsigned bytes = 1U << (s.control >> 13 & 3);
+  const std::uint32_t peripheral = s.peripheral + ((s.control & kPeripheralIncrement) != 0 ? s.position * bytes : 0);
+  std::uint8_t* p = Cpu::dma_reaches(memory) ? world_.cpu().memory(memory, bytes) : nullptr;
+  const bool flash = memory >= 0x08000000 && memory < 0x10000000;
+  if (p == nullptr || (flash && (s.control & kFromMemory) == 0)) {
+    world_.report(Misuse::dma_unreachable, name() + " cannot reach " + hex(memory));
+    return false;
+  }
+  if ((s.control & kFromMemory) != 0) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, p, bytes);
+    bus_.write(peripheral, bytes, value);
+  } else {
+    const std::uint32_t value = bus_.read(peripheral, bytes);
+    std::memcpy(p, &value, bytes);
+  }
+  return true;
+}
+
+void Dma::move(unsigned index) {
+  Stream& s = streams_[index];
+  const unsigned bytes = 1U << (s.control >> 13 & 3);
+  const std::uint32_t memory = s.memory0 + ((s.control & kMemoryIncrement) != 0 ? s.position * bytes : 0);
+  // The count goes first: what the peripheral does with the item may ask for the next one at once.
+  ++s.position;
+  --s.left;
+  const std::uint32_t left = s.left;
+  --s.position;
+  const bool done = transfer(s, memory);
+  ++s.position;
+  if (!done) {
+    s.control &= ~kEnable;
+    raise(index, kFlagError);
+    return;
+  }
+  std::uint32_t flags = left == s.count / 2 ? kFlagHalf : 0;
+  if (left == 0) {
+    flags |= kFlagComplete;
+    s.position = 0;
+    if ((s.control & kCircular) != 0) {
+      s.left = s.count;
+    } else {
+      s.control &= ~kEnable;
+      s.count = 0;
+    }
+  }
+  if (flags != 0) raise(index, flags);
+}
+
+}  // namespace finemote::emulator

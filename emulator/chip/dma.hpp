@@ -1,0 +1,61 @@
+// The two DMA controllers: moves one item per request of a peripheral. RM0090 10.
+#pragma once
+
+#include <array>
+#include <functional>
+
+#include "emulator/chip/peripheral.hpp"
+
+namespace finemote::emulator {
+
+/// What a peripheral can ask for: RM0090 10.3.3, tables 43 and 44.
+enum class DmaRequest {
+  usart1_rx,
+  usart1_tx,
+  usart3_rx,
+  usart3_tx,
+  usart6_rx,
+  usart6_tx,
+  spi1_rx,
+  spi1_tx,
+  spi2_rx,
+  spi2_tx,
+  i2c2_rx,
+  i2c2_tx,
+  i2c3_rx,
+  i2c3_tx
+};
+
+class Dma : public Peripheral {
+ public:
+  Dma(World& world, unsigned number, PeripheralBus& bus)
+      : Peripheral(world, "dma" + std::to_string(number)), number_(number), bus_(bus) {}
+
+  std::uint32_t read(std::uint32_t offset) override;
+  void write(std::uint32_t offset, std::uint32_t value) override;
+  void reset() override;
+
+  /// One item for this request, if a stream that serves it is on. @return whether it was moved
+  bool serve(DmaRequest request);
+  /// Called when a stream is turned on.
+  std::function<void()> on_enable;
+
+ private:
+  struct Stream {
+    std::uint32_t control = 0, count = 0, peripheral = 0, memory0 = 0, memory1 = 0, fifo = 0x21;
+    std::uint32_t left = 0;      ///< items still to move
+    std::uint32_t position = 0;  ///< items moved in this lap
+  };
+  void write_control(unsigned index, std::uint32_t value);
+  void move(unsigned index);
+  void raise(unsigned index, std::uint32_t flags);
+  void update_line(unsigned index);
+  bool transfer(Stream& stream, std::uint32_t memory);
+
+  unsigned number_;
+  PeripheralBus& bus_;
+  std::array<Stream, 8> streams_{};
+  std::array<std::uint32_t, 8> flags_{};  ///< in the order of LISR
+};
+
+}  // namespace finemote::emulator

@@ -1,0 +1,68 @@
+// External interrupts: from a pin's edge to an interrupt line. RM0090 12.3, SYSCFG RM0090 9.2.
+#pragma once
+
+#include <array>
+
+#include "emulator/chip/peripheral.hpp"
+
+namespace finemote::emulator {
+
+class Exti : public Peripheral {
+ public:
+  explicit Exti(World& world) : Peripheral(world, "exti") {}
+  std::uint32_t read(std::uint32_t offset) override {
+    if (offset > 0x14) return unmodelled_read(offset);
+    return offset == 0x14 ? pending_ : registers_[offset / 4];
+  }
+  void write(std::uint32_t offset, std::uint32_t value) override {
+    if (offset > 0x14) return unmodelled_write(offset, value);
+    if (offset == 0x14) {
+      pending_ &= ~value;
+    } else {
+      if (offset == 0x10) pending_ |= value & registers_[0];
+      registers_[offset / 4] = value;
+    }
+    update();
+  }
+  void reset() override {
+    registers_ = {};
+    pending_ = 0;
+    update();
+  }
+  /// An edge on line 0..15 of the port SYSCFG chose.
+  void edge(unsigned line, bool rising) {
+    if ((registers_[rising ? 2 : 3] >> line & 1) == 0) return;
+    pending_ |= 1U << line;
+    update();
+  }
+
+ private:
+  void update() {
+    const std::uint32_t active = pending_ & registers_[0];
+    for (int line = 0; line < 5; ++line) world_.set_line(6 + line, (active >> line & 1) != 0);
+    world_.set_line(23, (active & 0x03E0) != 0);
+    world_.set_line(40, (active & 0xFC00) != 0);
+  }
+  std::array<std::uint32_t, 5> registers_{};  // IMR, EMR, RTSR, FTSR, SWIER
+  std::uint32_t pending_ = 0;
+};
+
+class Syscfg : public Peripheral {
+ public:
+  explicit Syscfg(World& world) : Peripheral(world, "syscfg") {}
+  std::uint32_t read(std::uint32_t offset) override {
+    return offset <= 0x20 ? registers_[offset / 4] : unmodelled_read(offset);
+  }
+  void write(std::uint32_t offset, std::uint32_t value) override {
+    if (offset > 0x20) return unmodelled_write(offset, value);
+    registers_[offset / 4] = value;
+  }
+  void reset() override { registers_ = {}; }
+  /// Port (0 = A) whose pin `line` is the source of EXTI `line`.
+  [[nodiscard]] unsigned source(unsigned line) const { return registers_[2 + line / 4] >> (4 * (line % 4)) & 0xF; }
+
+ private:
+  std::array<std::uint32_t, 9> registers_{};
+};
+
+}  // namespace finemote::emulator

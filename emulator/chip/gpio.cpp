@@ -1,0 +1,109 @@
+#include "emulator/chip/gpio.hpp"
+
+namespace finemote::emulator {
+
+void Gpio::reset() {  // RM0090 8.4: ports A and B hold the debug pins
+  moder_ = port_ == 'A' ? 0xA8000000U : port_ == 'B' ? 0x280U : 0;
+  ospeedr_ = port_ == 'B' ? 0xC0U : 0;
+  pupdr_ = port_ == 'A' ? 0x64000000U : port_ == 'B' ? 0x100U : 0;
+  otyper_ = odr_ = 0;
+  afr_ = {};
+  outside_.fill(-1);
+  last_levels_ = last_drive_ = 0;
+}
+
+bool Gpio::level(unsigned pin) const {
+  const bool output = mode(pin) == 1, open_drain = (otyper_ >> pin & 1) != 0, high = (odr_ >> pin & 1) != 0;
+  if (output && !open_drain) return high;
+  bool result = (pupdr_ >> (2 * pin) & 3) == 1;
+  if (outside_[pin] >= 0) result = outside_[pin] != 0;
+  if (wire[pin]) result = wire[pin]();
+  return result && !(output && !high);
+}
+
+void Gpio::drive(unsigned pin, int level) {
+  outside_[pin] = level;
+  changed();
+}
+
+void Gpio::changed() {
+  std::uint32_t drive = 0;
+  for (unsigned pin = 0; pin < 16; ++pin) {
+    const bool output = mode(pin) == 1, high = (odr_ >> pin & 1) != 0;
+    const std::uint32_t now = (output ? 2U : 0U) | (high ? 1U : 0U);
+    drive |= now << (2 * pin);
+    if (watcher[pin] && (last_drive_ >> (2 * pin) & 3) != now) watcher[pin](output, high);
+  }
+  last_drive_ = drive;
+  std::uint32_t levels = 0;
+  for (unsigned pin = 0; pin < 16; ++pin) levels |= level(pin) ? 1U << pin : 0;
+  const std::uint32_t different = levels ^ last_levels_;
+  last_levels_ = levels;
+  for (unsigned pin = 0; pin < 16 && on_level; ++pin) {
+    if ((different >> pin & 1) != 0) on_level(pin, (levels >> pin & 1) != 0);
+  }
+}
+
+std::uint32_t Gpio::read(std::uint32_t offset) {
+  switch (offset) {
+    case 0x00:
+      return moder_;
+    case 0x04:
+      return otyper_;
+    case 0x08:
+      return ospeedr_;
+    case 0x0C:
+      return pupdr_;
+    case 0x10: {
+      std::uint32_t levels = 0;
+      for (unsigned pin = 0; pin < 16; ++pin) levels |= level(pin) ? 1U << pin : 0;
+      return levels;
+    }
+    case 0x14:
+      return odr_;
+    case 0x18:
+      return 0;
+    case 0x1C:
+      return 0;
+    case 0x20:
+      return afr_[0];
+    case 0x24:
+      return afr_[1];
+    default:
+      return unmodelled_read(offset);
+  }
+}
+
+void Gpio::write(std::uint32_t offset, std::uint32_t value) {
+  switch (offset) {
+    case 0x00:
+      moder_ = value;
+      break;
+    case 0x04:
+      otyper_ = value & 0xFFFF;
+      break;
+    case 0x08:
+      ospeedr_ = value;
+      return;
+    case 0x0C:
+      pupdr_ = value;
+      break;
+    case 0x14:
+      odr_ = value & 0xFFFF;
+      break;
+    case 0x18:
+      odr_ = (odr_ & ~(value >> 16)) | (value & 0xFFFF);
+      break;  // set wins: RM0090 8.4.7
+    case 0x20:
+      afr_[0] = value;
+      return;
+    case 0x24:
+      afr_[1] = value;
+      return;
+    default:
+      return unmodelled_write(offset, value);
+  }
+  changed();
+}
+
+}  // namespace finemote::emulator

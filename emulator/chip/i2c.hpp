@@ -1,0 +1,80 @@
+// An I2C peripheral as master: START, bytes and STOP take their bits' time, and the clock is held where the manual says
+// it is. RM0090 27. As slave it is not modelled.
+#pragma once
+
+#include <functional>
+
+#include "emulator/bus_statistics.hpp"
+#include "emulator/chip/i2c_line.hpp"
+#include "emulator/chip/peripheral.hpp"
+
+namespace finemote::emulator {
+
+class I2c : public Peripheral {
+ public:
+  I2c(World& world, std::string name, int event_line, int error_line, std::function<std::uint32_t()> clock_hz)
+      : Peripheral(world, std::move(name)),
+        event_line_(event_line),
+        error_line_(error_line),
+        clock_hz_(std::move(clock_hz)) {}
+
+  std::uint32_t read(std::uint32_t offset) override;
+  void write(std::uint32_t offset, std::uint32_t value) override;
+  void reset() override;
+
+  I2cLine line;
+  [[nodiscard]] BusStatistics statistics() const;
+  /// Bus clock that CCR gives [Hz].
+  [[nodiscard]] std::uint32_t bus_hz() const;
+  /// The next START is seen misplaced: BERR, as a disturbed wire causes it.
+  unsigned disturbed_starts = 0;
+
+ private:
+  enum class State {
+    idle,
+    starting,
+    started,
+    addressing,
+    addressed,
+    sending,
+    send_wait,
+    receiving,
+    receive_wait,
+    stopping
+  };
+
+  [[nodiscard]] Time bits(unsigned count) const { return count * period_of(bus_hz()); }
+  void later(Time delay, void (I2c::*what)());
+  void go(State state) { state_ = state; }
+  void write_cr1(std::uint32_t value);
+  void request_start();
+  void start_done();
+  void address_done();
+  void leave_addressed();
+  void begin_send();
+  void byte_sent();
+  void begin_receive();
+  void byte_received();
+  void read_data();
+  void request_stop();
+  void begin_stop();
+  void stop_done();
+  void fail(std::uint32_t error);
+  void update();
+  [[nodiscard]] bool on() const { return (cr1_ & 1) != 0; }
+
+  int event_line_, error_line_;
+  std::function<std::uint32_t()> clock_hz_;
+  std::uint32_t cr1_ = 0, cr2_ = 0, oar1_ = 0, oar2_ = 0, sr1_ = 0, sr2_ = 0, ccr_ = 0, trise_ = 2, fltr_ = 0;
+  State state_ = State::idle;
+  std::uint64_t token_ = 0;
+  std::uint8_t data_ = 0, shift_ = 0;
+  bool data_full_ = false;   ///< transmit: a byte waits in DR
+  bool shift_full_ = false;  ///< receive: a byte waits in the shift register
+  bool last_acknowledged_ = true, reading_ = false, addr_seen_ = false, sb_seen_ = false;
+  unsigned byte_index_ = 0;
+  BusStatistics statistics_;
+  Time busy_since_ = 0;
+};
+
+}  // namespace finemote::emulator

@@ -1,0 +1,182 @@
+#include "emulator/chip/rcc.hpp"
+
+namespace finemote::emulator {
+namespace {
+constexpr std::uint32_t kHsiOn = 1, kHsiReady = 2, kHseOn = 1U << 16, kHseReady = 1U << 17, kPllOn = 1U << 24,
+                        kPllReady = 1U << 25;
+// Typical start-up times: DS8626 5.3.8 (crystal), 5.3.10 (PLL), 5.3.9 (LSI).
+constexpr Time kCrystalStart = from_ns(2'000'000), kPllLock = from_ns(200'000), kLsiStart = from_ns(15'000);
+}  // namespace
+
+void Rcc::reset() {  // RM0090 7.3, reset values
+  cr_ = 0x83;
+  pllcfgr_ = 0x24003010;
+  cfgr_ = 0;
+  csr_ = 0x0E000000;
+  ahb1_ = 0x00100000;
+  ahb2_ = apb1_ = apb2_ = 0;
+  ahb1_reset_ = ahb2_reset_ = apb1_reset_ = apb2_reset_ = 0;
+  world_.system().change_clock(world_.now(), period_of(16'000'000));
+}
+
+std::uint32_t Rcc::pll_hz() const {
+  const std::uint32_t m = pllcfgr_ & 0x3F, n = pllcfgr_ >> 6 & 0x1FF, p = ((pllcfgr_ >> 16 & 3) + 1) * 2;
+  const std::uint32_t source = (pllcfgr_ >> 22 & 1) != 0 ? crystal_hz : 16'000'000;
+  return m == 0 ? 0 : static_cast<std::uint32_t>(std::uint64_t{source} * n / m / p);
+}
+
+std::uint32_t Rcc::core_hz() const {
+  const std::uint32_t status = cfgr_ >> 2 & 3;
+  const std::uint32_t source = status == 0 ? 16'000'000 : status == 1 ? crystal_hz : pll_hz();
+  const std::uint32_t field = cfgr_ >> 4 & 0xF;
+  constexpr std::uint32_t kDividers[] = {2, 4, 8, 16, 64, 128, 256, 512};
+  return field < 8 ? source : source / kDividers[field - 8];
+}
+
+std::uint32_t Rcc::timer_hz(ClockBus bus) const {
+  const std::uint32_t hz = bus == ClockBus::apb1 ? apb1_hz() : apb2_hz();
+  return hz == core_hz() ? hz : 2 * hz;
+}
+
+bool Rcc::clocked(ClockBus bus, unsigned bit) const {
+  switch (bus) {
+    case ClockBus::always:
+      return true;
+    case ClockBus::ahb1:
+      return (ahb1_ >> bit & 1) != 0;
+    case ClockBus::ahb2:
+      return (ahb2_ >> bit & 1) != 0;
+    case ClockBus::apb1:
+      return (apb1_ >> bit & 1) != 0;
+    case ClockBus::apb2:
+      return (apb2_ >> bit & 1) != 0;
+  }
+  return false;
+}
+
+void Rcc::start(std::uint32_t ready_bit, Time delay) {
+  world_.after(delay, [this, ready_bit] {
+    if ((cr_ & ready_bit >> 1) != 0) cr_ |= ready_bit;
+  });
+}
+
+void Rcc::write_cr(std::uint32_t value) {
+  const std::uint32_t rising = value & ~cr_;
+  cr_ = (cr_ & (kHsiReady | kHseReady | kPllReady | 0xFF00)) | (value & (kHsiOn | 0xF8 | kHseOn | 0x000C0000 | kPllOn));
+  only(value, 0xFFFF | kHseOn | kHseReady | 0x000C0000 | kPllOn | kPllReady, "CR");
+  if ((rising & kHseOn) != 0 && !dead_crystal) start(kHseReady, kCrystalStart);
+  if ((rising & kPllOn) != 0) {
+    const bool from_crystal = (pllcfgr_ >> 22 & 1) != 0;
+    if (from_crystal && (cr_ & kHseReady) == 0)
+      world_.report(Misuse::clock, "the PLL is turned on before its source is ready");
+    start(kPllReady, kPllLock);
+  }
+  if ((cr_ & kHseOn) == 0) cr_ &= ~kHseReady;
+  if ((cr_ & kPllOn) == 0) cr_ &= ~kPllReady;
+}
+
+void Rcc::write_cfgr(std::uint32_t value) {
+  cfgr_ = (cfgr_ & 0xC) | (value & ~0xCU);
+  const std::uint32_t wanted = value & 3;
+  const bool ready = wanted == 0 || (wanted == 1 && (cr_ & kHseReady) != 0) || (wanted == 2 && (cr_ & kPllReady) != 0);
+  if (ready && wanted != (cfgr_ >> 2 & 3)) cfgr_ = (cfgr_ & ~0xCU) | wanted << 2;
+  apply();
+}
+
+/// Checks limits (RM0090 7.2, table 10; DS8626 5.3.1) and changes the core clock.
+void Rcc::apply() {
+  const std::uint32_t hz = core_hz();
+  if (hz == 0) return world_.report(Misuse::clock, "the core clock would stop");
+  if (hz > 168'000'000) world_.report(Misuse::clock, "the core runs above 168 MHz");
+  if (apb1_hz() > 42'000'000) world_.report(Misuse::clock, "APB1 runs above 42 MHz");
+  if (apb2_hz() > 84'000'000) world_.report(Misuse::clock, "APB2 runs above 84 MHz");
+  const unsigned needed = (hz - 1) / 30'000'000;
+  if (wait_states && wait_states() < needed)
+    world_.report(Misuse::clock, "too few flash wait states for " + std::to_string(hz) + " Hz");
+  world_.system().change_clock(world_.now(), period_of(hz));
+}
+
+void Rcc::write_reset(ClockBus bus, std::uint32_t& field, std::uint32_t value) {
+  const std::uint32_t rising = value & ~field;
+  field = value;
+  for (unsigned bit = 0; bit < 32; ++bit) {
+    if ((rising >> bit & 1) != 0 && reset_peripheral) reset_peripheral(bus, bit);
+  }
+}
+
+std::uint32_t Rcc::read(std::uint32_t offset) {
+  switch (offset) {
+    case 0x00:
+      return cr_;
+    case 0x04:
+      return pllcfgr_;
+    case 0x08:
+      return cfgr_;
+    case 0x0C:
+      return 0;
+    case 0x10:
+      return ahb1_reset_;
+    case 0x14:
+      return ahb2_reset_;
+    case 0x20:
+      return apb1_reset_;
+    case 0x24:
+      return apb2_reset_;
+    case 0x30:
+      return ahb1_;
+    case 0x34:
+      return ahb2_;
+    case 0x40:
+      return apb1_;
+    case 0x44:
+      return apb2_;
+    case 0x74:
+      return csr_;
+    default:
+      return unmodelled_read(offset);
+  }
+}
+
+void Rcc::write(std::uint32_t offset, std::uint32_t value) {
+  switch (offset) {
+    case 0x00:
+      return write_cr(value);
+    case 0x04:
+      if ((cr_ & kPllOn) != 0) world_.report(Misuse::clock, "PLLCFGR is written while the PLL is on");
+      pllcfgr_ = value;
+      return;
+    case 0x08:
+      return write_cfgr(value);
+    case 0x0C:
+      return;  // interrupts of the clock controller are not modelled as such; clearing them does no harm
+    case 0x10:
+      return write_reset(ClockBus::ahb1, ahb1_reset_, value);
+    case 0x14:
+      return write_reset(ClockBus::ahb2, ahb2_reset_, value);
+    case 0x20:
+      return write_reset(ClockBus::apb1, apb1_reset_, value);
+    case 0x24:
+      return write_reset(ClockBus::apb2, apb2_reset_, value);
+    case 0x30:
+      ahb1_ = value;
+      return;
+    case 0x34:
+      ahb2_ = value;
+      return;
+    case 0x40:
+      apb1_ = value;
+      return;
+    case 0x44:
+      apb2_ = value;
+      return;
+    case 0x74:
+      if ((value & 1) != 0 && (csr_ & 1) == 0) world_.after(kLsiStart, [this] { csr_ |= 2; });
+      csr_ = (csr_ & ~1U) | (value & 1);
+      if ((value >> 24 & 1) != 0) csr_ &= 0x3;  // RMVF
+      return;
+    default:
+      return unmodelled_write(offset, value);
+  }
+}
+
+}  // namespace finemote::emulator

@@ -1,0 +1,53 @@
+// Reset and clock control: from register writes to the clocks everything else runs on. RM0090 7.
+#pragma once
+
+#include <functional>
+
+#include "emulator/chip/peripheral.hpp"
+
+namespace finemote::emulator {
+
+enum class ClockBus { always, ahb1, ahb2, apb1, apb2 };
+
+class Rcc : public Peripheral {
+ public:
+  explicit Rcc(World& world) : Peripheral(world, "rcc") { reset(); }
+
+  std::uint32_t read(std::uint32_t offset) override;
+  void write(std::uint32_t offset, std::uint32_t value) override;
+  void reset() override;
+
+  [[nodiscard]] bool clocked(ClockBus bus, unsigned bit) const;
+  [[nodiscard]] std::uint32_t core_hz() const;
+  [[nodiscard]] std::uint32_t apb1_hz() const { return core_hz() / divider(cfgr_ >> 10 & 7); }
+  [[nodiscard]] std::uint32_t apb2_hz() const { return core_hz() / divider(cfgr_ >> 13 & 7); }
+  /// Timers run at twice the bus clock when that is divided: RM0090 7.2.
+  [[nodiscard]] std::uint32_t timer_hz(ClockBus bus) const;
+
+  /// Why the chip was reset, as RCC_CSR shows it (bits 24..31).
+  void note_reset(std::uint32_t cause) { csr_ = (csr_ & 0x03) | cause; }
+  static constexpr std::uint32_t kPinReset = 1U << 26, kPowerReset = 1U << 27, kSoftwareReset = 1U << 28,
+                                 kWatchdogReset = 1U << 29;
+
+  /// The crystal never starts: a scenario's fault.
+  bool dead_crystal = false;
+  std::uint32_t crystal_hz = 12'000'000;
+  /// Asked for the flash's wait states when the clock changes; called with a peripheral's reset bits.
+  std::function<unsigned()> wait_states;
+  std::function<void(ClockBus, unsigned)> reset_peripheral;
+
+ private:
+  static std::uint32_t divider(std::uint32_t field) { return field < 4 ? 1 : 2U << (field - 4); }
+  [[nodiscard]] std::uint32_t pll_hz() const;
+  void start(std::uint32_t ready_bit, Time delay);
+  void write_cr(std::uint32_t value);
+  void write_cfgr(std::uint32_t value);
+  void apply();
+  void write_reset(ClockBus bus, std::uint32_t& field, std::uint32_t value);
+
+  std::uint32_t cr_ = 0, pllcfgr_ = 0, cfgr_ = 0, csr_ = 0;
+  std::uint32_t ahb1_ = 0, ahb2_ = 0, apb1_ = 0, apb2_ = 0;
+  std::uint32_t ahb1_reset_ = 0, ahb2_reset_ = 0, apb1_reset_ = 0, apb2_reset_ = 0;
+};
+
+}  // namespace finemote::emulator

@@ -1,0 +1,195 @@
+#include "emulator/chip/usart.hpp"
+
+#include <cmath>
+
+namespace finemote::emulator {
+namespace {
+constexpr std::uint32_t kParity = 1, kFraming = 2, kNoise = 4, kOverrun = 8, kIdle = 16, kReceived = 32, kComplete = 64,
+                        kEmpty = 128;
+constexpr std::uint32_t kReceiver = 4, kTransmitter = 8, kIdleInterrupt = 16, kReceivedInterrupt = 32,
+                        kCompleteInterrupt = 64, kEmptyInterrupt = 128, kParityInterrupt = 256;
+constexpr std::uint32_t kErrorInterrupt = 1, kDmaReceive = 64, kDmaTransmit = 128;
+constexpr double kTolerance = 0.03;  // RM0090 30.3.5: receiver tolerance about 3 to 4 %
+}  // namespace
+
+void Usart::reset() {
+  sr_ = 0xC0;
+  brr_ = cr1_ = cr2_ = cr3_ = gtpr_ = 0;
+  data_full_ = shifting_ = status_read_ = false;
+  ++idle_token_;
+  update();
+}
+
+SerialFormat Usart::format() const {
+  SerialFormat format;
+  format.baud = brr_ == 0 ? 1 : wiring_.clock_hz() / brr_;
+  format.even_parity = (cr1_ >> 10 & 1) != 0;
+  format.stop_bits = (cr2_ >> 12 & 3) == 2 ? 2 : 1;
+  return format;
+}
+
+BusStatistics Usart::statistics() const {
+  return BusStatistics{bursts_, in_bytes_ + out_bytes_, errors_, in_busy_ > out_busy_ ? in_busy_ : out_busy_};
+}
+
+void Usart::update() {
+  bool high = ((cr1_ & kIdleInterrupt) != 0 && (sr_ & kIdle) != 0) ||
+              ((cr1_ & kReceivedInterrupt) != 0 && (sr_ & (kReceived | kOverrun)) != 0) ||
+              ((cr1_ & kCompleteInterrupt) != 0 && (sr_ & kComplete) != 0);
+  high = high || ((cr1_ & kEmptyInterrupt) != 0 && (sr_ & kEmpty) != 0) ||
+         ((cr1_ & kParityInterrupt) != 0 && (sr_ & kParity) != 0);
+  high = high ||
+         ((cr3_ & kErrorInterrupt) != 0 && (cr3_ & kDmaReceive) != 0 && (sr_ & (kFraming | kNoise | kOverrun)) != 0);
+  world_.set_line(wiring_.line, high && on());
+}
+
+void Usart::ask_dma() {
+  if ((cr3_ & kDmaReceive) != 0 && (sr_ & kReceived) != 0) wiring_.dma(wiring_.rx);
+  while (on() && (cr1_ & kTransmitter) != 0 && (cr3_ & kDmaTransmit) != 0 && (sr_ & kEmpty) != 0) {
+    if (!wiring_.dma(wiring_.tx)) break;
+  }
+}
+
+void Usart::send_in(const std::vector<std::uint8_t>& bytes, const SerialFormat& sender) {
+  Time at = in_free_at_ > world_.now() ? in_free_at_ : world_.now();
+  if (at == world_.now() || in_free_at_ < world_.now()) ++bursts_;
+  for (const std::uint8_t byte : bytes) {
+    at += sender.byte_time();
+    world_.at(at, [this, byte, sender] { arrive(byte, sender); });
+  }
+  in_busy_ += bytes.size() * sender.byte_time();
+  in_free_at_ = at;
+}
+
+void Usart::arrive(std::uint8_t byte, const SerialFormat& sender) {
+  if (silent) return;
+  ++in_bytes_;
+  if (!on() || (cr1_ & kReceiver) == 0) return;
+  const SerialFormat mine = format();
+  const bool rate_wrong = std::abs(double(sender.baud) / mine.baud - 1) > kTolerance;
+  if (rate_wrong || sender.even_parity != mine.even_parity)
+    world_.report(Misuse::wire, name() + " listens in another rate or format than is sent");
+  std::uint32_t errors = rate_wrong ? kFraming | kNoise : sender.even_parity != mine.even_parity ? kParity : 0;
+  if (noisy_bytes != 0) {
+    --noisy_bytes;
+    errors |= kNoise | kFraming;
+    byte ^= 0x55;
+  }
+  if (errors != 0) ++errors_;
+  if ((sr_ & kReceived) != 0) {
+    sr_ |= kOverrun;
+    ++errors_;
+  } else {
+    received_ = byte;
+    sr_ |= kReceived;
+  }
+  sr_ |= errors;
+  if ((cr3_ & kDmaReceive) != 0) wiring_.dma(wiring_.rx);
+  // An idle frame after the last stop bit: RM0090 30.3.3.
+  ++idle_token_;
+  world_.after(mine.bits() * period_of(mine.baud), [this, token = idle_token_] { line_idle(token); });
+  update();
+}
+
+void Usart::line_idle(std::uint64_t token) {
+  if (token != idle_token_ || in_free_at_ > world_.now()) return;
+  sr_ |= kIdle;
+  update();
+}
+
+std::uint32_t Usart::read(std::uint32_t offset) {
+  switch (offset) {
+    case 0x00:
+      status_read_ = true;
+      return sr_;
+    case 0x04:
+      if (status_read_) sr_ &= ~(kParity | kFraming | kNoise | kOverrun | kIdle);
+      status_read_ = false;
+      sr_ &= ~kReceived;
+      update();
+      return received_;
+    case 0x08:
+      return brr_;
+    case 0x0C:
+      return cr1_;
+    case 0x10:
+      return cr2_;
+    case 0x14:
+      return cr3_;
+    case 0x18:
+      return gtpr_;
+    default:
+      return unmodelled_read(offset);
+  }
+}
+
+void Usart::write(std::uint32_t offset, std::uint32_t value) {
+  switch (offset) {
+    case 0x00:
+      sr_ &= value | ~(kComplete | kReceived);
+      break;  // rc_w0 bits
+    case 0x04:
+      if (!on() || (cr1_ & kTransmitter) == 0) {
+        world_.report(Misuse::protocol, name() + " is given a byte while its transmitter is off");
+        return;
+      }
+      if (status_read_) sr_ &= ~kComplete;
+      if (data_full_) world_.report(Misuse::protocol, name() + " is given a byte before the last one left");
+      to_send_ = static_cast<std::uint8_t>(value);
+      data_full_ = true;
+      sr_ &= ~kEmpty;
+      if (!shifting_) start_shift();
+      break;
+    case 0x08:
+      brr_ = value & 0xFFFF;
+      break;
+    case 0x0C:
+      only(value, 0xF7FF, "CR1");
+      if ((value >> 15 & 1) != 0) world_.report(Misuse::unmodelled, name() + " oversampling by 8");
+      cr1_ = value;
+      break;
+    case 0x10:
+      cr2_ = value;
+      break;
+    case 0x14:
+      cr3_ = value;
+      break;
+    case 0x18:
+      gtpr_ = value;
+      break;
+    default:
+      return unmodelled_write(offset, value);
+  }
+  update();
+  if (offset == 0x0C || offset == 0x14) ask_dma();
+  update();
+}
+
+void Usart::start_shift() {
+  const Time duration = format().byte_time();
+  shifting_ = true;
+  data_full_ = false;
+  sr_ &= ~kComplete;
+  sr_ |= kEmpty;
+  if (out_last_ != world_.now()) ++bursts_;
+  out_busy_ += duration;
+  world_.after(duration, [this, byte = to_send_] { shifted(byte); });
+}
+
+void Usart::shifted(std::uint8_t byte) {
+  if (!shifting_) return;  // reset meanwhile
+  shifting_ = false;
+  out_last_ = world_.now();
+  ++out_bytes_;
+  if (data_full_) {
+    start_shift();
+  } else {
+    if ((cr3_ & kDmaTransmit) != 0) ask_dma();
+    if (!shifting_) sr_ |= kComplete;
+  }
+  if (on_sent) on_sent(byte);
+  if ((cr3_ & kDmaTransmit) != 0) ask_dma();
+  update();
+}
+
+}  // namespace finemote::emulator

@@ -1,0 +1,69 @@
+// A USART: bytes on the wire take their bits' time. RM0090 30.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "emulator/bus_statistics.hpp"
+#include "emulator/chip/dma.hpp"
+#include "emulator/chip/peripheral.hpp"
+
+namespace finemote::emulator {
+
+/// How one end talks on a serial line.
+struct SerialFormat {
+  std::uint32_t baud = 115200;
+  bool even_parity = false;
+  unsigned stop_bits = 1;
+  [[nodiscard]] unsigned bits() const { return 1 + 8 + (even_parity ? 1 : 0) + stop_bits; }
+  [[nodiscard]] Time byte_time() const { return bits() * period_of(baud); }
+};
+
+class Usart : public Peripheral {
+ public:
+  struct Wiring {
+    int line;
+    DmaRequest rx, tx;
+    std::function<std::uint32_t()> clock_hz;
+    std::function<bool(DmaRequest)> dma;
+  };
+  Usart(World& world, std::string name, Wiring wiring)
+      : Peripheral(world, std::move(name)), wiring_(std::move(wiring)) {}
+
+  std::uint32_t read(std::uint32_t offset) override;
+  void write(std::uint32_t offset, std::uint32_t value) override;
+  void reset() override;
+  void poll_dma() override { ask_dma(); }
+
+  /// Bytes arrive from outside, one after another from now on (after those already on their way).
+  void send_in(const std::vector<std::uint8_t>& bytes, const SerialFormat& format);
+  /// A byte has left the chip; the time is that of its last stop bit.
+  std::function<void(std::uint8_t)> on_sent;
+
+  [[nodiscard]] SerialFormat format() const;
+  [[nodiscard]] BusStatistics statistics() const;
+
+  // Faults of the line: while set, arriving bytes are lost, or come with a framing error.
+  bool silent = false;
+  unsigned noisy_bytes = 0;
+
+ private:
+  void arrive(std::uint8_t byte, const SerialFormat& sender);
+  void line_idle(std::uint64_t token);
+  void start_shift();
+  void shifted(std::uint8_t byte);
+  void ask_dma();
+  void update();
+  [[nodiscard]] bool on() const { return (cr1_ >> 13 & 1) != 0; }
+
+  Wiring wiring_;
+  std::uint32_t sr_ = 0xC0, brr_ = 0, cr1_ = 0, cr2_ = 0, cr3_ = 0, gtpr_ = 0;
+  std::uint8_t received_ = 0, to_send_ = 0;
+  bool data_full_ = false, shifting_ = false, status_read_ = false;
+  Time in_free_at_ = 0;
+  std::uint64_t idle_token_ = 0;
+  std::uint64_t in_bytes_ = 0, out_bytes_ = 0, bursts_ = 0, errors_ = 0;
+  Time in_busy_ = 0, out_busy_ = 0, out_last_ = 0;
+};
+
+}  // namespace finemote::emulator

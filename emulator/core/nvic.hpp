@@ -1,0 +1,82 @@
+// The interrupt controller: which exceptions are pending, enabled and active, and which one comes next.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace finemote::emulator {
+
+/// Exception numbers 0..97: 16 of the core, then 82 lines of the STM32F407 (RM0090 12.1.1, table 62).
+inline constexpr int kExceptions = 16 + 82;
+
+enum Exception : int {
+  kReset = 1,
+  kNmi = 2,
+  kHardFault = 3,
+  kMemManage = 4,
+  kBusFault = 5,
+  kUsageFault = 6,
+  kSvCall = 11,
+  kPendSv = 14,
+  kSysTick = 15
+};
+
+/// ARMv7-M Architecture Reference Manual B1.5 and B3.4; PM0214 4.3. Four priority bits.
+class Nvic {
+ public:
+  void reset() { *this = Nvic{}; }
+
+  /// A peripheral's line changes its level. A rise pends; a level still high when its routine returns pends again.
+  void set_line(int line, bool high);
+  void pend(int exception);
+  void unpend(int exception);
+  void enable(int exception, bool on);
+  void set_priority(int exception, std::uint8_t register_value) {
+    priority_[index(exception)] = register_value & 0xF0;
+    changed_ = true;
+  }
+
+  [[nodiscard]] bool is_pending(int exception) const { return pending_[index(exception)]; }
+  [[nodiscard]] bool is_enabled(int exception) const { return enabled_[index(exception)]; }
+  [[nodiscard]] bool is_active(int exception) const { return active_[index(exception)]; }
+  [[nodiscard]] std::uint8_t priority_register(int exception) const { return priority_[index(exception)]; }
+
+  /// Effective priority, smaller is more urgent; -3..-1 are reset, NMI and hard fault.
+  [[nodiscard]] int priority(int exception) const;
+  /// Of what runs now; 256 in thread mode. Masking registers not included.
+  [[nodiscard]] int active_priority() const;
+  /// The most urgent pending and enabled exception; 0 when there is none. Equal priorities: the lowest number.
+  [[nodiscard]] int most_urgent() const;
+
+  void enter(int exception);
+  void leave(int exception);
+
+  /// True once after something that may let an exception in.
+  [[nodiscard]] bool take_change() {
+    const bool changed = changed_;
+    changed_ = false;
+    return changed;
+  }
+  /// The line whose level fell last, -1 when none did since the last call.
+  [[nodiscard]] int take_lowered() {
+    const int line = lowered_;
+    lowered_ = -1;
+    return line;
+  }
+  [[nodiscard]] bool changed() const { return changed_; }
+  [[nodiscard]] unsigned times_entered(int exception) const { return entered_[index(exception)]; }
+
+ private:
+  static std::size_t index(int exception) { return static_cast<std::size_t>(exception); }
+
+  template <class T>
+  using Table = std::array<T, kExceptions>;
+  Table<bool> pending_{}, enabled_{}, active_{}, level_{};
+  Table<std::uint8_t> priority_{};
+  Table<unsigned> entered_{};
+  int pending_count_ = 0;
+  int lowered_ = -1;
+  bool changed_ = false;
+};
+
+}  // namespace finemote::emulator

@@ -1,0 +1,42 @@
+// Reads the firmware's trace ring while it runs, as a debug probe does: without costing the processor anything.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "emulator/chip/peripheral.hpp"
+#include "emulator/image.hpp"
+
+namespace finemote::emulator {
+
+/// Begin or end of a stage: the runtime's trace event with its time unwrapped.
+struct StageEvent {
+  std::int64_t t_ns;    ///< since the first release
+  std::uint32_t stage;  ///< 2 * device in schedule order + (0 update, 1 handle)
+  bool begin;
+};
+
+class TraceReader {
+ public:
+  /// @param image  has the symbol `_SEGGER_RTT` when the trace was built in
+  TraceReader(World& world, const Image& image);
+
+  [[nodiscard]] bool present() const { return control_.has_value(); }
+  /// Takes what is in the ring now; called regularly by itself, and once more before looking at the result.
+  void drain();
+  [[nodiscard]] const std::vector<StageEvent>& events() const { return events_; }
+  /// Events the firmware had no room for.
+  [[nodiscard]] std::uint32_t lost() const;
+
+ private:
+  void poll();
+  [[nodiscard]] std::uint32_t word(std::uint32_t address) const;
+
+  World& world_;
+  std::optional<std::uint32_t> control_;
+  std::vector<StageEvent> events_;
+  std::int64_t cycles_ = 0;  ///< of the last event, unwrapped
+};
+
+}  // namespace finemote::emulator
