@@ -5,9 +5,11 @@
 
 namespace finemote::emulator {
 
-Board::Board(const BoardOptions& options) : chip_(world_) {
+Board::Board(const BoardOptions& options) : chip_(world_), options_(options) {
   cpu_ = std::make_unique<Cpu>(world_.queue(), world_.reports(), world_.system(), chip_, options.cost, options.flash);
   world_.connect(*cpu_);
+  if (options.cost == CostModel::qemu) chip_.rcc.fixed_hz = 168'000'000;
+  chip_.reset();
   chip_.iwdg.lsi_hz = options.lsi_hz;
   chip_.iwdg.on_timeout = [this] { restart(Rcc::kWatchdogReset); };
   cpu_->on_reset_request = [this] { restart(Rcc::kSoftwareReset); };
@@ -16,7 +18,7 @@ Board::Board(const BoardOptions& options) : chip_(world_) {
 void Board::load(const Image& image) {
   image_ = image;
   cpu_->load(image);
-  trace_ = std::make_unique<TraceReader>(world_, image);
+  if (options_.probe) trace_ = std::make_unique<TraceReader>(world_, image);
   chip_.rcc.note_reset(Rcc::kPowerReset | Rcc::kPinReset);
   cpu_->reset();
 }

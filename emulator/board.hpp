@@ -15,6 +15,7 @@ struct BoardOptions {
   CostModel cost = CostModel::cortex_m4;
   FlashModel flash = FlashModel::hit;
   std::uint32_t lsi_hz = 32'000;
+  bool probe = true;  ///< reads the trace ring; false leaves it to the firmware
 };
 
 /// One emulated board. Two runs of the same image with the same parts and events are equal in every event.
@@ -49,6 +50,7 @@ class Board {
 
   World world_;
   Chip chip_;
+  BoardOptions options_;
   std::unique_ptr<Cpu> cpu_;
   Image image_;
   std::unique_ptr<TraceReader> trace_;

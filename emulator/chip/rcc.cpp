@@ -16,7 +16,7 @@ void Rcc::reset() {  // RM0090 7.3, reset values
   ahb1_ = 0x00100000;
   ahb2_ = apb1_ = apb2_ = 0;
   ahb1_reset_ = ahb2_reset_ = apb1_reset_ = apb2_reset_ = 0;
-  world_.system().change_clock(world_.now(), period_of(16'000'000));
+  world_.system().change_clock(world_.now(), period_of(core_hz()));
 }
 
 std::uint32_t Rcc::pll_hz() const {
@@ -26,6 +26,7 @@ std::uint32_t Rcc::pll_hz() const {
 }
 
 std::uint32_t Rcc::core_hz() const {
+  if (fixed_hz != 0) return fixed_hz;
   const std::uint32_t status = cfgr_ >> 2 & 3;
   const std::uint32_t source = status == 0 ? 16'000'000 : status == 1 ? crystal_hz : pll_hz();
   const std::uint32_t field = cfgr_ >> 4 & 0xF;

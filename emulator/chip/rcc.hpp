@@ -29,6 +29,8 @@ class Rcc : public Peripheral {
   static constexpr std::uint32_t kPinReset = 1U << 26, kPowerReset = 1U << 27, kSoftwareReset = 1U << 28,
                                  kWatchdogReset = 1U << 29;
 
+  /// QEMU's board: 168 MHz from the first cycle, whatever is written. 0: the chip's own clocks.
+  std::uint32_t fixed_hz = 0;
   /// The crystal never starts: a scenario's fault.
   bool dead_crystal = false;
   std::uint32_t crystal_hz = 12'000'000;

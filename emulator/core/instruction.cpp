@@ -68,7 +68,7 @@ Info decode32(unsigned first, unsigned second) {
     const bool push = first == 0xF84D && (second & 0x0F00) == 0x0D00;  // STR Rt, [SP, #-4]!
     return info(2, push ? Info::kMovesStack : 0U, 4);
   }
-  if ((first & 0xFFB0) == 0xFB90) return info(12, 0, 4);                                   // SDIV, UDIV: 2 to 12
+  if ((first & 0xFFD0) == 0xFB90) return info(12, 0, 4);                                   // SDIV, UDIV: 2 to 12
   if ((first & 0xFFF0) == 0xFB00) return info((second & 0xF000) == 0xF000 ? 1 : 2, 0, 4);  // MUL, MLA
   if ((first & 0xFFE0) == 0xF380 && (second & 0xD000) == 0x8000) return info(2, Info::kMasks, 4);  // MSR
   if ((first & 0xFFF0) == 0xF3B0) return info(1, Info::kBarrier, 4);                               // barriers

@@ -1,0 +1,133 @@
+// The board's drivers against models of the parts: what arrives, and what happens when a part or a wire fails.
+#include "catch.hpp"
+#include "tests/emulator/fixture.hpp"
+
+using namespace finemote::emulator;
+
+namespace {
+
+constexpr std::uint64_t kMs = 1'000'000;
+enum Observed : unsigned { kImuValid, kRoll, kPressureValid, kPascal, kImuFrames, kImuBad, kRecoveries, kI2cErrors };
+
+}  // namespace
+
+TEST_CASE("sensors arrive, outputs leave, and nothing is used wrongly") {
+  MiniBoard mini;
+  mini.board.run_for(500 * kMs);
+  CHECK(mini.observed(kImuValid) == 1);
+  CHECK(static_cast<int>(mini.observed(kRoll)) == Approx(-12.25e6 * 3.14159265 / 180).epsilon(1e-5));
+  CHECK(mini.observed(kPressureValid) == 1);
+  CHECK(mini.observed(kPascal) == Approx(250'000).margin(10));
+  CHECK(mini.imu.frames() - mini.observed(kImuFrames) <= 2);
+  CHECK(mini.observed(kImuBad) == 0);
+  CHECK(mini.sensor.early_reads() == 0);
+  CHECK(mini.pwm.pulse_ns(3) == Approx(1'600'000).margin(3'000));
+  const auto [timer, channel] = mini.board.chip().pwm("pwm1");
+  CHECK(timer->pulse(channel).width_ns == Approx(1'700'000).margin(500));
+  CHECK(timer->pulse(channel).period_ns == Approx(20'000'000).margin(500));
+  CHECK(mini.board.resets() == 0);
+  for (const Report& report : mini.board.reports()) {
+    INFO(name_of(report.misuse) << ": " << report.text);
+    CHECK(false);
+  }
+}
+
+TEST_CASE("bytes take their time on the wire") {
+  MiniBoard mini;
+  mini.board.run_for(100 * kMs);
+  mini.host.send("0123456789");
+  mini.board.run_for(100 * kMs);
+  REQUIRE(mini.host.text() == "0123456789");
+  // 8E1 at 115200: eleven bits, 95.5 us a byte; BRR 729 makes 115226.
+  for (std::size_t i = 1; i < 10; ++i)
+    CHECK(to_ns(mini.host.heard()[i].at - mini.host.heard()[i - 1].at) == Approx(11e9 / 115226).margin(20));
+}
+
+TEST_CASE("a silent unit makes its state invalid and the output neutral") {
+  MiniBoard mini;
+  mini.board.run_for(300 * kMs);
+  REQUIRE(mini.pwm.pulse_ns(3) > 1'590'000);
+  mini.imu.silent = true;
+  mini.board.run_for(100 * kMs);
+  CHECK(mini.observed(kImuValid) == 0);
+  CHECK(mini.pwm.pulse_ns(3) == Approx(1'500'000).margin(3'000));
+  mini.imu.silent = false;
+  mini.board.run_for(50 * kMs);
+  CHECK(mini.observed(kImuValid) == 1);
+}
+
+TEST_CASE("damaged and noisy frames are dropped and counted, the next good one counts") {
+  MiniBoard mini;
+  mini.board.run_for(100 * kMs);
+  mini.imu.damaged_frames = 1;
+  mini.board.run_for(20 * kMs);
+  CHECK(mini.observed(kImuBad) == 1);
+  mini.board.chip().usart("usart1")->noisy_bytes = 5;
+  mini.board.run_for(30 * kMs);
+  CHECK(mini.board.bus("usart1").errors == 5);
+  CHECK(mini.observed(kImuValid) == 1);
+}
+
+TEST_CASE("a part that does not acknowledge costs its own transfer only") {
+  MiniBoard mini;
+  mini.board.run_for(300 * kMs);
+  const auto before = mini.observed(kI2cErrors);
+  mini.board.chip().i2c("i2c2")->line.nack(0x76, 3);
+  mini.board.run_for(200 * kMs);
+  CHECK(mini.observed(kI2cErrors) == before + 3);
+  CHECK(mini.observed(kRecoveries) == 0);
+  CHECK(mini.observed(kPressureValid) == 1);
+}
+
+TEST_CASE("a held data line is clocked free within nine pulses, and the bus works again") {
+  for (const unsigned clocks : {1U, 5U, 9U}) {
+    MiniBoard mini;
+    mini.board.run_for(300 * kMs);
+    I2cLine& line = mini.board.chip().i2c("i2c2")->line;
+    line.hold_sda(clocks);
+    mini.board.run_for(200 * kMs);
+    INFO(clocks << " clocks");
+    CHECK(!line.sda_held());
+    CHECK(line.clocks_by_hand() <= 10);  // nine pulses and the rise before the STOP
+    CHECK(mini.observed(kRecoveries) == 1);
+    CHECK(mini.observed(kPressureValid) == 1);
+    const unsigned conversions = mini.sensor.conversions();
+    mini.board.run_for(100 * kMs);
+    CHECK(mini.sensor.conversions() > conversions);
+  }
+}
+
+TEST_CASE("a line held for ever stops nothing but its own bus") {
+  MiniBoard mini;
+  mini.board.run_for(300 * kMs);
+  I2cLine& line = mini.board.chip().i2c("i2c2")->line;
+  line.hold_sda(I2cLine::kForever);
+  const unsigned frames = mini.observed(kImuFrames);
+  mini.board.run_for(1000 * kMs);
+  CHECK(mini.observed(kPressureValid) == 0);
+  CHECK(mini.observed(kImuFrames) >= frames + 199);  // every 5 ms job ran
+  CHECK(mini.board.resets() == 0);
+  line.hold_sda(0);
+  mini.board.run_for(300 * kMs);
+  CHECK(mini.observed(kPressureValid) == 1);
+}
+
+TEST_CASE("a spurious bus error in master mode does not end the exchange (ES0182)") {
+  MiniBoard mini;
+  mini.board.run_for(300 * kMs);
+  const auto before = mini.observed(kI2cErrors);
+  mini.board.chip().i2c("i2c2")->disturbed_starts = 3;
+  mini.board.run_for(200 * kMs);
+  CHECK(mini.board.chip().i2c("i2c2")->disturbed_starts == 0);
+  CHECK(mini.observed(kI2cErrors) == before);
+  CHECK(mini.observed(kPressureValid) == 1);
+}
+
+TEST_CASE("a mux that lost its setting is set again after the failure it causes") {
+  MiniBoard mini;
+  mini.board.run_for(300 * kMs);
+  mini.mux.power_cycle();
+  mini.board.run_for(300 * kMs);
+  CHECK(mini.observed(kPressureValid) == 1);
+  CHECK(mini.pwm.pulse_ns(3) == Approx(1'600'000).margin(3'000));
+}
