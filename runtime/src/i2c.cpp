@@ -189,6 +189,8 @@ void I2cBus::finish_unit(SlotState result) {
   unit_.store(unit_.load() + 1);
   ++counters_.transfers;
   if (result != SlotState::kDone) ++counters_.errors;
+  // A mux that lost its setting, as after a drop of its supply, shows as a device that does not answer: set it anew.
+  if (result != SlotState::kDone && slot.route_.address != 0) mux_known_ = false;
   if (!safe_unit_) return slot.end(result);
   slot.count_failure(result != SlotState::kDone);
   if (result == SlotState::kDone) slot.safe_writes_.store(slot.safe_writes_.load() + 1);
