@@ -1,0 +1,80 @@
+#include "finemote/devices/dji_motor.hpp"
+
+#include <cmath>
+
+#include "finemote/control/pid.hpp"
+
+namespace finemote {
+
+namespace {
+
+constexpr std::int32_t kTurn = 8192;  ///< steps of the rotor's angle
+constexpr float kRadPerStep = 6.28318530718F / kTurn;
+constexpr float kRadPerSecond = 6.28318530718F / 60;  ///< per rpm
+constexpr float kStepsPerNs = kTurn / 60e9F;          ///< per rpm
+constexpr float kMaxRpm = 32000;
+constexpr Duration kLongestGap = 1 * kSecond;  ///< beyond it the turns between two frames are not guessed
+
+std::int16_t word_at(const CanFrame& frame, unsigned at) {
+  return static_cast<std::int16_t>(frame.data[at] << 8 | frame.data[at + 1]);
+}
+
+}  // namespace
+
+void DjiMotor::update() {
+  const CanSlot::Received received = slot_->received();
+  if (received.count != seen_) {
+    seen_ = received.count;
+    take(received);
+  }
+  if (!is_fresh(state, now(), kFeedbackMaxAge)) state.valid = false;
+  state.unreachable = !state.valid || slot_->bus().unreachable();
+}
+
+void DjiMotor::take(const CanSlot::Received& received) {
+  const CanFrame& frame = received.frame;
+  const std::int32_t angle = static_cast<std::uint16_t>(word_at(frame, 0));
+  const auto rpm = static_cast<float>(word_at(frame, 2));
+  if (frame.size != 8 || angle >= kTurn || rpm > kMaxRpm || rpm < -kMaxRpm) return;
+
+  count_turns(angle, rpm, received.at);
+  const float current = static_cast<float>(word_at(frame, 4)) * kind_->full_current / static_cast<float>(kind_->full);
+  state.angle = static_cast<float>(position_) * kRadPerStep / gear_;
+  state.speed = rpm * kRadPerSecond / gear_;
+  state.torque = current * kind_->torque_per_ampere * gear_;
+  state.temperature = frame.data[6];
+  state.origin = received.at;
+  state.valid = true;
+}
+
+void DjiMotor::count_turns(std::int32_t angle, float rpm, Time at) {
+  std::int32_t step = angle - last_angle_;
+  if (!counting_) {
+    step = angle;
+  } else {
+    const Duration gap = at - last_at_;
+    const float expected = gap <= kLongestGap ? rpm * static_cast<float>(gap) * kStepsPerNs : 0;
+    step += kTurn * static_cast<std::int32_t>(std::lround((expected - static_cast<float>(step)) / kTurn));
+  }
+  counting_ = true;
+  position_ += step;
+  last_angle_ = angle;
+  last_at_ = at;
+}
+
+void DjiMotor::handle() {
+  const bool usable = is_fresh(command, now(), max_age_) && std::isfinite(command.torque);
+  if (!usable) return drive(0);
+  const auto full = static_cast<float>(kind_->full);
+  const float word = command.torque / (gear_ * kind_->torque_per_ampere * kind_->full_current) * full;
+  drive(static_cast<std::int16_t>(std::lround(clamp(word, -full, full))));
+}
+
+void DjiMotor::safe() { drive(0); }
+
+void DjiMotor::drive(std::int16_t word) {
+  const unsigned index = slot_->id() - 1U;
+  slot_->bus().set_group(index < 4 ? kind_->low_group : kind_->high_group, index % 4, word);
+}
+
+}  // namespace finemote

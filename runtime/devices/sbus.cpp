@@ -1,0 +1,73 @@
+#include "finemote/devices/sbus.hpp"
+
+#include <cstring>
+
+#include "finemote/control/pid.hpp"
+
+namespace finemote {
+
+namespace {
+
+constexpr std::uint8_t kHead = 0x0F, kTail = 0x00;
+constexpr std::size_t kFlagsAt = 23;
+constexpr std::uint8_t kFrameLost = 0x04, kFailsafe = 0x08;
+constexpr int kCentre = 992;
+constexpr float kScale = 1.0F / 820;  ///< 172..1811 is -1..1
+
+int channel_at(const std::uint8_t* frame, unsigned number) {
+  const unsigned at = 8 + 11 * (number - 1);
+  const std::uint8_t* byte = frame + at / 8;
+  const std::uint32_t bits = byte[0] | std::uint32_t{byte[1]} << 8 | std::uint32_t{byte[2]} << 16;
+  return static_cast<int>(bits >> at % 8 & 0x7FFU);
+}
+
+float scaled(int channel) { return clamp(static_cast<float>(channel - kCentre) * kScale, -1, 1); }
+
+RemoteSwitch switch_of(int channel) {
+  if (channel < kCentre - 400) return RemoteSwitch::kUp;
+  return channel > kCentre + 400 ? RemoteSwitch::kDown : RemoteSwitch::kMiddle;
+}
+
+}  // namespace
+
+void Sbus::update() {
+  std::uint8_t bytes[32];
+  for (std::size_t size = sizeof bytes, turns = 0; size == sizeof bytes && turns < 8; ++turns) {
+    size = uart_->read(bytes, sizeof bytes);
+    for (std::size_t i = 0; i < size; ++i) take(bytes[i]);
+  }
+  if (!is_fresh(state, now(), kMaxAge)) state.valid = false;
+}
+
+void Sbus::take(std::uint8_t byte) {
+  frame_[size_++] = byte;
+  while (size_ != 0 && (frame_[0] != kHead || (size_ == kFrame && frame_[kFrame - 1] != kTail))) resynchronise();
+  if (size_ < kFrame) return;
+  decode();
+  size_ = 0;
+}
+
+void Sbus::resynchronise() {
+  bad_frames_ += size_ == kFrame ? 1 : 0;
+  std::size_t from = 1;
+  while (from < size_ && frame_[from] != kHead) ++from;
+  size_ -= from;
+  std::memmove(frame_, frame_ + from, size_);
+}
+
+void Sbus::decode() {
+  const std::uint8_t flags = frame_[kFlagsAt];
+  failsafe_ = (flags & kFailsafe) != 0;
+  if ((flags & (kFrameLost | kFailsafe)) != 0) return;
+  state.right_x = scaled(channel_at(frame_, 1));
+  state.right_y = scaled(channel_at(frame_, 2));
+  state.left_y = scaled(channel_at(frame_, 3));
+  state.left_x = scaled(channel_at(frame_, 4));
+  state.left_switch = switch_of(channel_at(frame_, 5));
+  state.right_switch = switch_of(channel_at(frame_, 6));
+  state.wheel = scaled(channel_at(frame_, 7));
+  state.origin = uart_->arrival() - uart_->wire_time(kFrame);
+  state.valid = true;
+}
+
+}  // namespace finemote

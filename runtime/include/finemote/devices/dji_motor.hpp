@@ -1,0 +1,67 @@
+// Turns torque into the current word of a DJI speed controller, and its feedback frames into a continuous angle.
+#pragma once
+
+#include <cstdint>
+
+#include "finemote/can.hpp"
+#include "finemote/contract.hpp"
+#include "finemote/interfaces/motor.hpp"
+
+namespace finemote {
+
+/// What sets one kind of DJI motor with its controller apart.
+struct DjiMotorKind {
+  std::uint16_t low_group;   ///< identifier of the command frame for ids 1..4
+  std::uint16_t high_group;  ///< and for ids 5..8
+  std::int16_t full;         ///< command word for `full_current`
+  float full_current;        ///< A
+  float torque_per_ampere;   ///< N m at the rotor's side of the gear
+};
+
+/// Common to all kinds; use DjiM3508, DjiM2006 or DjiGm6020.
+///
+/// Feedback comes by itself, 1000 times a second: rotor angle 0..8191, speed [rpm], current, temperature. The state's
+/// origin is when the last frame arrived; 20 ms without one, or with impossible values, make it invalid and the motor
+/// unreachable. The angle counts turns, helped by the speed where more than half a turn passes between two updates.
+///
+/// Drives while its command is valid, a number, and made from data not older than `max_age`; otherwise no current. Four
+/// motors share one frame: handle() sets a word, the bus sends the frame once at the end of the bucket.
+class DjiMotor {
+ public:
+  static constexpr Duration kFeedbackMaxAge = 20 * kMillisecond;
+
+  void update();
+  void handle();
+  /// No current at the next flush. May interrupt update() and handle().
+  void safe();
+
+  MotorState state;
+  MotorCommand command;
+
+ protected:
+  constexpr DjiMotor(const DjiMotorKind& kind, float gear, Duration max_age, CanSlot& slot)
+      : kind_(&kind), slot_(&slot), gear_(gear), max_age_(max_age) {}
+
+ private:
+  void take(const CanSlot::Received& received);
+  void count_turns(std::int32_t angle, float rpm, Time at);
+  void drive(std::int16_t word);
+
+  const DjiMotorKind* kind_;
+  CanSlot* slot_;
+  float gear_;
+  Duration max_age_;
+  std::uint32_t seen_ = 0;
+  std::int32_t last_angle_ = 0;
+  Time last_at_ = 0;
+  bool counting_ = false;
+  std::int64_t position_ = 0;  ///< rotor, 8192 per turn
+};
+
+namespace detail {
+inline constexpr DjiMotorKind kC620{0x200, 0x1FF, 16384, 20, 0.3F * 187 / 3591};
+inline constexpr DjiMotorKind kC610{0x200, 0x1FF, 10000, 10, 0.18F / 36};
+inline constexpr DjiMotorKind kGm6020{0x1FE, 0x2FE, 16384, 3, 0.741F};
+}  // namespace detail
+
+}  // namespace finemote

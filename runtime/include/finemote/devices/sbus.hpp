@@ -1,0 +1,45 @@
+// Turns SBUS frames of a model-making receiver into sticks and switches.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "finemote/contract.hpp"
+#include "finemote/interfaces/remote.hpp"
+#include "finemote/uart.hpp"
+
+namespace finemote {
+
+/// 25 bytes every 7 or 14 ms, 100 kbit/s 8E2 inverted: 0x0F, sixteen channels of 11 bits, flags, 0x00. A frame counts
+/// if both ends are right and the receiver reports neither a lost frame nor failsafe. Channels 1..4 are the right stick
+/// (x, y) and the left stick (y, x) as most transmitters order them (AETR), 5 and 6 the left and right switch, 7 the
+/// wheel. The state is valid until kMaxAge after the last frame; its origin is when the frame began to arrive.
+class Sbus {
+ public:
+  static constexpr Duration kMaxAge = 100 * kMillisecond;
+  static constexpr std::size_t kFrame = 25;
+
+  constexpr explicit Sbus(Uart& uart) : uart_(&uart) {}
+
+  void update();
+  void handle() {}
+
+  RemoteState state;
+
+  [[nodiscard]] std::uint32_t bad_frames() const { return bad_frames_; }
+  /// The receiver has lost its transmitter and says so.
+  [[nodiscard]] bool failsafe() const { return failsafe_; }
+
+ private:
+  void take(std::uint8_t byte);
+  void decode();
+  void resynchronise();
+
+  Uart* uart_;
+  std::uint8_t frame_[kFrame]{};
+  std::size_t size_ = 0;
+  bool failsafe_ = false;
+  std::uint32_t bad_frames_ = 0;
+};
+
+}  // namespace finemote

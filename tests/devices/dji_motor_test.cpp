@@ -1,0 +1,160 @@
+// DJI motors: bytes both ways, turns, silence, and current only from fresh data.
+#include "finemote/devices/dji_gm6020.hpp"
+#include "finemote/devices/dji_m2006.hpp"
+#include "finemote/devices/dji_m3508.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench.hpp"
+#include "catch.hpp"
+
+namespace {
+
+using namespace finemote;
+
+struct Fixture {
+  Fixture() {
+    bench::reset();
+    bus.start();
+  }
+  static CanFrame feedback(std::uint16_t id, int angle, int rpm, int current, int temperature) {
+    const auto high = [](int x) { return static_cast<std::uint8_t>((x >> 8) & 0xFF); };
+    const auto low = [](int x) { return static_cast<std::uint8_t>(x & 0xFF); };
+    return {id, 8, {high(angle), low(angle), high(rpm), low(rpm), high(current), low(current), low(temperature), 0}};
+  }
+  void receive(const CanFrame& frame, Duration after = kMillisecond) {
+    host::can1.feed(now() + after, frame);
+    host::advance(after + 1);
+    for (DjiMotor* motor :
+         {static_cast<DjiMotor*>(&wheel), static_cast<DjiMotor*>(&fifth), static_cast<DjiMotor*>(&yaw)}) {
+      motor->update();
+    }
+  }
+  void command(DjiMotor& motor, float torque, Duration age = 0) {
+    motor.command.torque = torque;
+    motor.command.origin = now() - age;
+    motor.command.valid = true;
+    motor.handle();
+  }
+  /// What the bus sends at a flush: identifier and four words each.
+  std::vector<std::vector<int>> flush() {
+    host::can1.sent.clear();
+    bus.flush();
+    host::advance(2 * kMillisecond);
+    std::vector<std::vector<int>> all;
+    for (const CanHardware::Sent& sent : host::can1.sent) {
+      std::vector<int> words{sent.frame.id};
+      for (int i = 0; i < 4; ++i) {
+        words.push_back(static_cast<std::int16_t>(sent.frame.data[2 * i] << 8 | sent.frame.data[2 * i + 1]));
+      }
+      all.push_back(words);
+    }
+    std::sort(all.begin(), all.end());  // which leaves first is the mailboxes' affair
+    return all;
+  }
+
+  CanSlot wheel_slot{bus, 2, 0x202, 1}, fifth_slot{bus, 5, 0x205, 1}, yaw_slot{bus, 3, 0x207, 1};
+  CanSlot* const table[3] = {&wheel_slot, &fifth_slot, &yaw_slot};
+  CanBus bus{ports::can1, 1000000, table};
+  DjiM3508 wheel{{}, wheel_slot};
+  DjiM2006 fifth{{}, fifth_slot};
+  DjiGm6020 yaw{{}, yaw_slot};
+};
+
+constexpr double kPi = 3.14159265358979;
+
+}  // namespace
+
+TEST_CASE_METHOD(Fixture, "feedback becomes angle, speed and torque at the output shaft") {
+  receive(feedback(0x202, 4096, 1920, 8192, 45));
+  CHECK(wheel.state.valid);
+  CHECK(wheel.state.angle == Approx(kPi / 19.2032).epsilon(1e-4));
+  CHECK(wheel.state.speed == Approx(1920 * 2 * kPi / 60 / 19.2032).epsilon(1e-4));
+  CHECK(wheel.state.torque == Approx(3.0).epsilon(1e-4));  // 10 A at 0.3 N m/A
+  CHECK(wheel.state.temperature == 45);
+  CHECK(wheel.state.origin == 1 * kMillisecond);
+  CHECK_FALSE(wheel.state.unreachable);
+  CHECK_FALSE(fifth.state.valid);
+  receive(feedback(0x207, 2048, -60, -8192, 30));
+  CHECK(yaw.state.angle == Approx(kPi / 2).epsilon(1e-4));
+  CHECK(yaw.state.speed == Approx(-2 * kPi).epsilon(1e-4));
+  CHECK(yaw.state.torque == Approx(-1.5 * 0.741).epsilon(1e-4));
+}
+
+TEST_CASE_METHOD(Fixture, "turns are counted both ways, and at more than half a turn per update") {
+  receive(feedback(0x207, 8000, 0, 0, 30));
+  receive(feedback(0x207, 100, 10, 0, 30));
+  CHECK(yaw.state.angle == Approx(2 * kPi * (8192 + 100) / 8192).epsilon(1e-5));
+  receive(feedback(0x207, 8000, -10, 0, 30));
+  CHECK(yaw.state.angle == Approx(2 * kPi * 8000 / 8192).epsilon(1e-5));
+  // 9000 rpm, seen every 10 ms: one and a half turns in between.
+  double turns = 0;
+  receive(feedback(0x202, 0, 9000, 0, 30));
+  for (int i = 0; i < 50; ++i) {
+    turns += 9000.0 / 60 * 0.010;
+    receive(feedback(0x202, static_cast<int>(std::fmod(turns, 1) * 8192), 9000, 0, 30), 10 * kMillisecond - 1);
+  }
+  CHECK(wheel.state.angle == Approx(turns * 2 * kPi / 19.2032).epsilon(1e-3));
+}
+
+TEST_CASE_METHOD(Fixture, "four motors share a frame; the word is at the place of the id") {
+  command(wheel, 3);      // 10 A
+  command(fifth, -0.9F);  // -5 A
+  command(yaw, 0.741F);   // 1 A
+  CHECK(flush() ==
+        std::vector<std::vector<int>>{{0x1FE, 0, 0, 5461, 0}, {0x1FF, -5000, 0, 0, 0}, {0x200, 0, 8192, 0, 0}});
+  CHECK(flush().empty());
+}
+
+TEST_CASE_METHOD(Fixture, "torque beyond the controller's range is cut") {
+  command(wheel, 1000);
+  command(fifth, -1000);
+  CHECK(flush() == std::vector<std::vector<int>>{{0x1FF, -10000, 0, 0, 0}, {0x200, 0, 16384, 0, 0}});
+}
+
+TEST_CASE_METHOD(Fixture, "old, invalid and impossible commands give no current; safe() too") {
+  host::advance(1 * kSecond);
+  const auto driven = [&] { return flush().at(0).at(2); };
+  command(wheel, 3);
+  CHECK(driven() == 8192);
+  command(wheel, 3, 100 * kMillisecond + 1);
+  CHECK(driven() == 0);
+  command(wheel, 3);
+  CHECK(driven() == 8192);
+  command(wheel, NAN);
+  CHECK(driven() == 0);
+  command(wheel, 3);
+  wheel.safe();
+  CHECK(driven() == 0);
+  command(wheel, 3);
+  wheel.command.valid = false;
+  wheel.handle();
+  CHECK(driven() == 0);
+}
+
+TEST_CASE_METHOD(Fixture, "a motor that falls silent is invalid and unreachable after 20 ms, and stays so") {
+  receive(feedback(0x202, 100, 0, 0, 30));
+  host::advance(19 * kMillisecond);
+  wheel.update();
+  CHECK(wheel.state.valid);
+  host::advance(2 * kMillisecond);
+  wheel.update();
+  CHECK_FALSE(wheel.state.valid);
+  CHECK(wheel.state.unreachable);
+  host::advance(60 * kSecond);
+  wheel.update();
+  CHECK_FALSE(wheel.state.valid);
+  CHECK(wheel.state.origin == 1 * kMillisecond);
+  receive(feedback(0x202, 100, 0, 0, 30));
+  CHECK(wheel.state.valid);
+}
+
+TEST_CASE_METHOD(Fixture, "impossible feedback is not taken") {
+  receive(feedback(0x202, 8192, 0, 0, 30));
+  CHECK_FALSE(wheel.state.valid);
+  CanFrame brief = feedback(0x202, 100, 0, 0, 30);
+  brief.size = 6;
+  receive(brief);
+  CHECK_FALSE(wheel.state.valid);
+}
