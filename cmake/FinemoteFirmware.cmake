@@ -11,8 +11,7 @@
 # DURATION    a number and s, ms, us or ns: the run ends by itself (boards qemu_f405 and host); without it: forever
 # INCLUDES    folders of the user's own device headers; SOURCES: their sources, if any
 #
-# For a Cortex-M4 board configure with cmake/toolchain-arm-none-eabi.cmake. The linker map is TARGET.map; stack usage and
-# call graphs (.su, .ci) lie beside the objects.
+# For a Cortex-M4 board configure with cmake/toolchain-arm-none-eabi.cmake; the linker map is TARGET.map.
 get_filename_component(FINEMOTE_ROOT "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 
 # "40ms" -> 40000000
@@ -28,6 +27,32 @@ function(finemote_nanoseconds text result)
   set(${result} ${value} PARENT_SCOPE)
 endfunction()
 
+# What does not depend on the robot: compiled once per board and optimisation level of a project. Devices and ports the
+# robot does not use stay out of the image: the linker takes from this library what it needs.
+function(finemote_runtime_library name board optimize)
+  if(TARGET ${name})
+    return()
+  endif()
+  set(runtime ${FINEMOTE_ROOT}/runtime)
+  file(GLOB sources CONFIGURE_DEPENDS ${runtime}/src/*.cpp ${runtime}/devices/*.cpp
+       ${runtime}/boards/${board}/ports/*.cpp)
+  add_library(${name} STATIC ${sources})
+  finemote_target_options(${name} ${board} ${optimize})
+endfunction()
+
+function(finemote_target_options target board optimize)
+  set_target_properties(${target} PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
+  target_include_directories(${target} PRIVATE ${FINEMOTE_ROOT}/runtime/include ${FINEMOTE_ROOT})
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Werror -g)
+  if(board STREQUAL "host")
+    target_compile_definitions(${target} PRIVATE FINEMOTE_TRACE)
+  else()
+    target_compile_options(${target} PRIVATE ${optimize} -fno-exceptions -fno-rtti -fno-threadsafe-statics
+                           -fno-use-cxa-atexit -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections
+                           -fdata-sections)
+  endif()
+endfunction()
+
 function(finemote_add_firmware target)
   cmake_parse_arguments(arg "TRACE" "GENERATED;BOARD;DURATION;OPTIMIZE" "DEFINITIONS;INCLUDES;SOURCES" ${ARGN})
   set(runtime ${FINEMOTE_ROOT}/runtime)
@@ -37,42 +62,30 @@ function(finemote_add_firmware target)
   endif()
   include(${board}/board.cmake)  # sets FINEMOTE_BOARD_FAMILY: host or cortex_m4
   set(family ${FINEMOTE_BOARD_FAMILY})
+  if(NOT arg_OPTIMIZE)
+    set(arg_OPTIMIZE -O2)
+  endif()
 
   file(GLOB_RECURSE generated CONFIGURE_DEPENDS ${arg_GENERATED}/*.cpp)
-  file(GLOB common CONFIGURE_DEPENDS ${runtime}/src/*.cpp ${runtime}/devices/*.cpp
-       ${board}/ports/*.cpp)
   file(GLOB board_sources CONFIGURE_DEPENDS ${board}/*.cpp)
   if(NOT family STREQUAL arg_BOARD)
     file(GLOB family_sources CONFIGURE_DEPENDS ${runtime}/boards/${family}/*.cpp)
   endif()
+  set(library finemote_runtime_${arg_BOARD}${arg_OPTIMIZE})
+  finemote_runtime_library(${library} ${arg_BOARD} ${arg_OPTIMIZE})
 
-  # Devices and ports the robot does not use stay out of the image: the linker takes from this library what it needs.
-  add_library(${target}_runtime STATIC ${common})
   add_executable(${target} ${generated} ${arg_SOURCES} ${board_sources} ${family_sources})
-  target_link_libraries(${target} PRIVATE ${target}_runtime)
-
+  finemote_target_options(${target} ${arg_BOARD} ${arg_OPTIMIZE})
+  target_include_directories(${target} PRIVATE ${arg_GENERATED} ${arg_INCLUDES})
+  target_compile_definitions(${target} PRIVATE ${arg_DEFINITIONS})
+  target_link_libraries(${target} PRIVATE ${library})
   if(arg_DURATION)
     finemote_nanoseconds("${arg_DURATION}" duration)
-    list(APPEND arg_DEFINITIONS FINEMOTE_RUN_DURATION_NS=${duration})
+    target_compile_definitions(${target} PRIVATE FINEMOTE_RUN_DURATION_NS=${duration})
   endif()
-  if(arg_TRACE OR family STREQUAL "host")
-    list(APPEND arg_DEFINITIONS FINEMOTE_TRACE)
+  if(arg_TRACE)
+    target_compile_definitions(${target} PRIVATE FINEMOTE_TRACE)
   endif()
-  if(NOT arg_OPTIMIZE)
-    set(arg_OPTIMIZE -O2)
-  endif()
-  foreach(part ${target} ${target}_runtime)
-    set_target_properties(${part} PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
-    target_include_directories(${part} PRIVATE ${arg_GENERATED} ${runtime}/include ${FINEMOTE_ROOT} ${arg_INCLUDES})
-    target_compile_definitions(${part} PRIVATE ${arg_DEFINITIONS})
-    target_compile_options(${part} PRIVATE -Wall -Wextra -Wpedantic -Werror -g)
-    if(NOT family STREQUAL "host")
-      target_compile_options(
-        ${part} PRIVATE ${arg_OPTIMIZE} -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-use-cxa-atexit
-                        -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections -fdata-sections
-                        -fstack-usage -fcallgraph-info=su)
-    endif()
-  endforeach()
   if(NOT family STREQUAL "host")
     set_target_properties(${target} PROPERTIES SUFFIX .elf LINK_DEPENDS
                           "${board}/board.ld;${runtime}/boards/${family}/sections.ld")

@@ -163,5 +163,14 @@ inline constexpr Code header_missing{3105};    // the C++ header a descriptor na
 inline constexpr Code type_twice{3106};        // two descriptors of one name, or one that hides a shipped type
 inline constexpr Code descriptor_name{3107};         // the file's name and the name inside differ
 
+// 61xx: the linked image
+inline constexpr Code bad_image{6101};         // not a linked Arm image, or not readable
+inline constexpr Code forbidden_symbol{6102};  // heap, exceptions, type information or the like was linked
+inline constexpr Code code_before_main{6103};  // constructors although every object should be constant-initialised
+inline constexpr Code recursion{6104};         // the stack has no bound
+inline constexpr Code indirect_call{6105};     // a call through a pointer outside the runtime's tables
+inline constexpr Code unbounded_stack{6106};   // a function's own use of the stack is not known
+inline constexpr Code stack_too_small{6107};   // the worst case does not fit what is reserved
+
 }  // namespace code
 }  // namespace finemote::gen

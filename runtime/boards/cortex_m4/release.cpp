@@ -5,6 +5,7 @@
 #include "release.hpp"
 
 #include <atomic>
+#include <cstddef>
 
 #include "finemote/board.hpp"
 #include "finemote/schedule.hpp"
@@ -24,6 +25,10 @@ namespace {
 constexpr std::uint32_t kCyclesPerUnit = 21;  // 168 MHz: 21 cycles are 125 ns
 constexpr std::uint32_t kNsPerUnit = 125;
 static_assert(kCoreHz == 168'000'000);
+
+// The image check (generator/image/stack.cpp) reads the schedule out of the linked image.
+static_assert(offsetof(Schedule, buckets) == 16 && offsetof(Schedule, start_buses) == 28 &&
+              offsetof(Schedule, safe_outputs) == 32 && sizeof(Bucket) == 24 && offsetof(Bucket, line) == 16);
 
 constexpr unsigned kSlots = 17;
 

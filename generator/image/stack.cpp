@@ -1,0 +1,190 @@
+#include "generator/image/stack.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "generator/image/flow.hpp"
+
+namespace finemote::gen {
+namespace {
+
+// Layout of finemote::Schedule and finemote::Bucket on the target; runtime/include/finemote/schedule.hpp asserts it.
+constexpr std::uint32_t kBucketsAt = 16, kBucketCountAt = 20, kStartBusesAt = 28, kSafeOutputsAt = 32;
+constexpr std::uint32_t kBucketSize = 24, kLineAt = 16;
+constexpr std::uint32_t kFirstLine = 16, kSysTick = 15, kMaxLines = 240;
+
+struct Deepest {
+  std::uint32_t bytes = 0;
+  std::vector<std::string> path;
+};
+
+class Analysis {
+ public:
+  Analysis(const Image& image, Diagnostics& diagnostics) : image_(image), diagnostics_(diagnostics) {
+    for (const ImageSymbol& symbol : image.symbols) {
+      if (symbol.kind == ImageSymbol::Kind::function && symbol.section != 0)
+        functions_.try_emplace(symbol.address, &symbol);
+    }
+    read_schedule();
+  }
+
+  StackBound bound() {
+    StackBound bound;
+    add(bound, "thread", vector(1), 0);
+    for (const auto& [line, entry] : buckets_) {
+      add(bound, fmt::format("bucket on line {}", line), vector(kFirstLine + line).value_or(entry), kExceptionFrame);
+    }
+    add(bound, "release", vector(kSysTick), kExceptionFrame);
+    for (StackLevel& level : bus_levels()) push(bound, std::move(level));
+    bound.known = !failed_;
+    return bound;
+  }
+
+ private:
+  // ---- what the image says about its interrupts
+
+  [[nodiscard]] std::optional<std::uint32_t> vector(std::uint32_t number) const {
+    const ImageSymbol* table = image_.find("finemote_vectors");
+    if (table == nullptr || number * 4 >= table->size) return std::nullopt;
+    const auto entry = image_.word(table->address + 4 * number);
+    if (!entry || *entry == 0) return std::nullopt;
+    return *entry & ~1U;
+  }
+
+  void read_schedule() {
+    const ImageSymbol* schedule = image_.find("finemote_schedule");
+    if (schedule == nullptr) return;
+    const auto word = [&](std::uint32_t at) { return image_.word(schedule->address + at).value_or(0); };
+    for (const std::uint32_t at : {kStartBusesAt, kSafeOutputsAt}) table_.push_back(word(at) & ~1U);
+    const std::uint32_t count = std::min<std::uint32_t>(word(kBucketCountAt), 16);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::uint32_t bucket = word(kBucketsAt) + i * kBucketSize;
+      const std::uint32_t line = image_.word(bucket + kLineAt).value_or(0) & 0xFFU;
+      buckets_.push_back({line, image_.word(bucket).value_or(0) & ~1U});
+    }
+    std::reverse(buckets_.begin(), buckets_.end());  // least urgent first
+  }
+
+  // Every line with a routine that is no bucket's: of these the two deepest can be nested, one per level.
+  std::vector<StackLevel> bus_levels() {
+    const ImageSymbol* unexpected = image_.find("finemote_unexpected_line");
+    const ImageSymbol* table = image_.find("finemote_vectors");
+    std::vector<StackLevel> levels;
+    for (std::uint32_t line = 0; table != nullptr && line < kMaxLines; ++line) {
+      const auto entry = vector(kFirstLine + line);
+      const bool bucket = std::any_of(buckets_.begin(), buckets_.end(), [&](const auto& b) { return b.first == line; });
+      if (!entry || bucket || unexpected == nullptr || *entry == unexpected->address) continue;
+      const Deepest deepest = deepest_from(*entry);
+      levels.push_back({fmt::format("bus interrupt on line {}", line), deepest.bytes, kExceptionFrame, deepest.path});
+    }
+    std::stable_sort(levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.bytes > b.bytes; });
+    if (levels.size() > 2) levels.resize(2);
+    return levels;
+  }
+
+  // ---- the call graph
+
+  void add(StackBound& bound, std::string name, std::optional<std::uint32_t> entry, std::uint32_t frame) {
+    if (!entry) {
+      fail(code::unbounded_stack, fmt::format("no entry for the {} in the vector table", name));
+      return;
+    }
+    const Deepest deepest = deepest_from(*entry);
+    push(bound, {std::move(name), deepest.bytes, frame, deepest.path});
+  }
+
+  static void push(StackBound& bound, StackLevel level) {
+    bound.bytes += level.bytes + level.frame;
+    bound.levels.push_back(std::move(level));
+  }
+
+  Deepest deepest_from(std::uint32_t address) {
+    const auto known = done_.find(address);
+    if (known != done_.end()) return known->second;
+    const auto function = functions_.find(address);
+    if (function == functions_.end()) {
+      fail(code::unbounded_stack, fmt::format("no function at the called address 0x{:08x}", address));
+      return {};
+    }
+    const std::string name = readable_name(function->second->name);
+    if (!open_.insert(address).second) {
+      fail(code::recursion, fmt::format("'{}' calls itself, directly or through others", name))
+          .hint("the stack of recursive code has no bound: write a loop");
+      return {};
+    }
+    trail_.push_back(name);
+    Deepest deepest = deepest_of(follow(image_, *function->second), name);
+    trail_.pop_back();
+    open_.erase(address);
+    deepest.path.insert(deepest.path.begin(), name);
+    return done_[address] = deepest;
+  }
+
+  Deepest deepest_of(const FunctionFlow& flow, const std::string& name) {
+    if (!flow.problem.empty()) fail(code::unbounded_stack, fmt::format("in '{}': {}", name, flow.problem));
+    Deepest deepest{flow.depth, {}};
+    for (const Call& call : flow.calls) {
+      for (const std::uint32_t target : targets_of(call, name)) {
+        const Deepest callee = deepest_from(target);
+        if (call.depth + callee.bytes > deepest.bytes ||
+            (deepest.path.empty() && call.depth + callee.bytes == deepest.bytes)) {
+          deepest = {call.depth + callee.bytes, callee.path};
+        }
+      }
+    }
+    return deepest;
+  }
+
+  std::vector<std::uint32_t> targets_of(const Call& call, const std::string& caller) {
+    if (call.target) return {*call.target};
+    if (caller == "finemote_reset") return constructors();
+    constexpr std::array allowed{"main", "finemote::stop_safely(", "finemote::detail::start_robot("};
+    for (const char* name : allowed) {
+      if (caller.rfind(name, 0) == 0) return table_;
+    }
+    fail(code::indirect_call, fmt::format("'{}' calls through a pointer at 0x{:08x}", caller, call.at))
+        .hint("the stack of an unknown function has no bound: call it directly");
+    return {};
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> constructors() const {
+    std::vector<std::uint32_t> targets;
+    for (const ImageSection& section : image_.sections) {
+      if (section.name != ".init_array") continue;
+      for (std::uint32_t at = 0; at + 4 <= section.bytes.size(); at += 4) {
+        targets.push_back(image_.word(section.address + at).value_or(0) & ~1U);
+      }
+    }
+    return targets;
+  }
+
+  Diagnostic& fail(Code code, const std::string& message) {
+    failed_ = true;
+    Diagnostic& diagnostic = diagnostics_.error(code, {}, message);
+    if (trail_.size() > 1) diagnostic.note(fmt::format("called by {}", fmt::join(trail_, " -> ")));
+    return diagnostic;
+  }
+
+  const Image& image_;
+  Diagnostics& diagnostics_;
+  std::map<std::uint32_t, const ImageSymbol*> functions_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> buckets_;  // line, entry
+  std::vector<std::uint32_t> table_;                              // functions the runtime calls through the schedule
+  std::map<std::uint32_t, Deepest> done_;
+  std::set<std::uint32_t> open_;
+  std::vector<std::string> trail_;
+  bool failed_ = false;
+};
+
+}  // namespace
+
+StackBound worst_case_stack(const Image& image, Diagnostics& diagnostics) {
+  return Analysis(image, diagnostics).bound();
+}
+
+}  // namespace finemote::gen
