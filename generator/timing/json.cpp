@@ -31,6 +31,8 @@ std::string_view after_name(Transfer::After after) {
       return "handle";
     case Transfer::After::bucket:
       return "bucket";
+    case Transfer::After::autonomous:
+      return "autonomous";
   }
   return "";
 }
@@ -59,7 +61,10 @@ Json bus_json(const Model& model, const Bus& bus) {
 
 Json transfer_json(const Model& model, const Transfer& t) {
   Json out{{"bus", model.buses[t.bus].name}, {"wire_ns", t.wire_ns}, {"after", after_name(t.after)}};
+  add_if(out, "min_interval_ns", t.min_interval_ns);
+  if (t.interrupts != 1) out["interrupts"] = t.interrupts;
   if (t.command) out["command"] = true;
+  if (t.receive) out["receive"] = true;
   return out;
 }
 
@@ -73,15 +78,27 @@ Json device_json(const Model& model, const Device& d) {
   add_if(out, "handle_bcet_ns", d.handle_bcet_ns);
   add_if(out, "update_extra_ns", d.update_extra_ns);
   add_if(out, "handle_extra_ns", d.handle_extra_ns);
+  add_if(out, "output_ns", d.output_ns);
   if (!d.takes_command) out["takes_command"] = false;
   for (const std::size_t r : d.reads) out["reads"].push_back(model.devices[r].name);
   if (d.acquisition) {
     Json& a = out["acquisition"] = Json{{"fixed_ns", d.acquisition->fixed_ns}};
     add_if(a, "interval_ns", d.acquisition->interval_ns);
     add_if(a, "periods", d.acquisition->periods);
+    if (d.acquisition->every != 1) a["every"] = d.acquisition->every;
+    add_if(a, "conversion_ns", d.acquisition->conversion_ns);
     if (d.acquisition->assumed) a["assumed"] = true;
   }
   for (const Transfer& t : d.transfers) out["transfers"].push_back(transfer_json(model, t));
+  return out;
+}
+
+Json flush_json(const Model& model, const Flush& f) {
+  Json out{{"period_ns", f.period_ns}, {"wcet_ns", f.wcet_ns}};
+  if (f.bus) out["bus"] = model.buses[*f.bus].name;
+  add_if(out, "wire_ns", f.wire_ns);
+  if (f.interrupts != 1) out["interrupts"] = f.interrupts;
+  for (const std::size_t d : f.devices) out["devices"].push_back(model.devices[d].name);
   return out;
 }
 
@@ -130,6 +147,45 @@ Json tree_json(const Model& model, const TreeResult& tree, Profile profile) {
   return out;
 }
 
+Json chain_json(const Model& model, const ChainResult& c) {
+  Json out{{"from", model.devices[c.from].name},
+           {"to", model.devices[c.to].name},
+           {"decide_ns", number(c.decide_ns)},
+           {"acquire_ns", number(c.acquire_ns)},
+           {"wire_ns", number(c.wire_ns)},
+           {"end_to_end_ns", number(c.end_to_end_ns)},
+           {"assumed", c.assumed}};
+  if (c.through_reads) out["through_reads"] = true;
+  if (c.closed_form) out["closed_form"] = true;
+  return out;
+}
+
+std::string_view kind_name(Requirement::Kind kind) {
+  switch (kind) {
+    case Requirement::Kind::latency_end_to_end:
+    case Requirement::Kind::latency_decision:
+      return "latency";
+    case Requirement::Kind::utilization:
+      return "utilization";
+    case Requirement::Kind::jitter:
+      return "jitter";
+  }
+  return "";
+}
+
+Json requirement_json(const RequirementResult& r) {
+  const Requirement& wanted = r.requirement;
+  const bool share = wanted.kind == Requirement::Kind::utilization;
+  Json out{{"kind", kind_name(wanted.kind)}, {"text", wanted.text}};
+  if (wanted.kind == Requirement::Kind::latency_decision) out["of"] = "decision";
+  out["max"] = share ? Json(wanted.max_fraction) : Json(wanted.max_ns);
+  out["value"] = share ? Json(*r.fraction) : number(r.value_ns);
+  out["ok"] = r.ok;
+  out["where"] =
+      wanted.at.file != nullptr ? Json(wanted.at.file->name + ":" + std::to_string(wanted.at.line)) : Json(nullptr);
+  return out;
+}
+
 }  // namespace
 
 Json model_json(const Model& model) {
@@ -145,7 +201,7 @@ Json model_json(const Model& model) {
   add_if(costs, "masked_ns", model.costs.masked_ns);
   if (!costs.empty()) out["costs"] = std::move(costs);
   for (const Flush& f : model.flushes) {
-    out["flushes"].push_back(Json{{"period_ns", f.period_ns}, {"wcet_ns", f.wcet_ns}});
+    out["flushes"].push_back(flush_json(model, f));
   }
   return out;
 }
@@ -174,6 +230,28 @@ Json profile_json(const Model& model, const ProfileResult& result) {
   }
   Json& trees = out["trees"] = Json::array();
   for (const TreeResult& t : result.trees) trees.push_back(tree_json(model, t, result.profile));
+  return out;
+}
+
+Json timing_json(const Timing& timing) {
+  const Model& model = timing.model;
+  Json out{{"schema", "finemote.timing/1"}, {"model", model_json(model)}, {"profile", profile_name(timing.asked)}};
+  add_utilization(model, timing.utilization, out);
+  out["paper"] = profile_json(model, timing.paper);
+  out["tight"] = profile_json(model, timing.tight);
+  out["target"] = timing.target ? profile_json(model, *timing.target) : Json(nullptr);
+  Json& chains = out["chains"] = Json::array();
+  for (const ChainResult& c : timing.chains) chains.push_back(chain_json(model, c));
+  Json& requirements = out["requirements"] = Json::array();
+  for (const RequirementResult& r : timing.requirements) requirements.push_back(requirement_json(r));
+  Json& loads = out["bus_load"] = Json::array();
+  for (std::size_t b = 0; b < timing.bus_loads.size(); ++b) {
+    loads.push_back(Json{{"name", model.buses[b].name},
+                         {"wire_ns_per_s", timing.bus_loads[b].wire_ns_per_s},
+                         {"utilization", timing.bus_loads[b].utilization}});
+  }
+  Json& assumed = out["assumed_wcet"] = Json::array();
+  for (const std::size_t d : timing.assumed) assumed.push_back(model.devices[d].name);
   return out;
 }
 

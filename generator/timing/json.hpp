@@ -3,9 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "generator/timing/model.hpp"
-#include "generator/timing/result.hpp"
-#include "generator/timing/utilization.hpp"
+#include "generator/timing/analyse.hpp"
 
 namespace finemote::gen::timing {
 
@@ -16,6 +14,9 @@ Json model_json(const Model& model);
 
 /// `utilization`, `liu_layland`, `hyperbolic_ok` and `buses`, added to `out`.
 void add_utilization(const Model& model, const UtilizationTests& tests, Json& out);
+
+/// The whole document `finemote.timing/1`, without `diagnostics`.
+Json timing_json(const Timing& timing);
 
 /// One profile: `schedulable`, `buckets`, `devices`, `trees`.
 Json profile_json(const Model& model, const ProfileResult& result);

@@ -35,21 +35,30 @@ struct Bus {
   Position at;
 };
 
-/// Use of a bus once per period of the device, from its slot (non-preemptive, most urgent slot first).
+/// Use of a bus once per period of the device (or, sent by the part itself, once per interval). Everything that waits
+/// for a bus is taken in rate-monotonic order, a begun transfer runs to its end.
 struct Transfer {
-  enum class After { update, handle, bucket };  ///< which end of work hands it to the bus
-  std::size_t bus = 0;                          ///< index into Model::buses
-  Ns wire_ns = 0;                               ///< first to last bit of the whole unit, mux selection included
+  enum class After { update, handle, bucket, autonomous };  ///< what hands it to the bus
+  std::size_t bus = 0;                                      ///< index into Model::buses
+  Ns wire_ns = 0;  ///< first to last bit of the whole unit, mux selection included
   After after = After::handle;
-  bool command = false;  ///< carries the device's command: its last bit is the end of a chain
+  Ns min_interval_ns = 0;  ///< autonomous: between two of them; 0: the device's period
+  Ns interrupts = 1;       ///< service routines on its way that the wire waits for
+  bool command = false;    ///< carries the device's command: its last bit is the end of a chain
+  bool receive = false;    ///< on the receive line of a bus with two lines: meets nothing that is sent
 };
 
-/// How old a sample can be when update() reads it: fixed + interval + periods * T + R+ when periods > 0.
+/// How old a sample can be when update() reads it.
+///
+/// The part sends by itself (periods = 0): fixed + interval. The device asks for it: fixed + (periods + extra) T +
+/// (every - 1)(1 + extra) T + R+, with as many extra periods as the conversion does not fit into.
 struct Acquisition {
-  Ns fixed_ns = 0;           ///< conversion, filter and transport delay
-  Ns interval_ns = 0;        ///< an autonomous sensor's largest distance between samples
-  std::int64_t periods = 0;  ///< own periods from the request of a sample to the update that uses it
-  bool assumed = true;       ///< not from a data sheet or a measurement
+  Ns fixed_ns = 0;           ///< filter and transport delay
+  Ns interval_ns = 0;        ///< an autonomous part's largest distance between samples
+  std::int64_t periods = 0;  ///< own periods from the begin of a measurement to the update that publishes it
+  std::int64_t every = 1;    ///< one in this many measurements is published at least
+  Ns conversion_ns = 0;      ///< longest conversion
+  bool assumed = false;      ///< not from a data sheet or a measurement
 };
 
 enum class WcetSource { unknown, assumed, budget, measured, static_analysis };
@@ -65,6 +74,7 @@ struct Device {
   Ns handle_bcet_ns = 0;
   Ns update_extra_ns = 0;  ///< snapshots and publishing the schedule adds around update()
   Ns handle_extra_ns = 0;  ///< the same around handle()
+  Ns output_ns = 0;        ///< end of handle() to the output where no bus is in between (a timer's next period)
   bool takes_command = true;
   std::vector<std::size_t> reads;  ///< observed devices outside the own subtree
   std::optional<Acquisition> acquisition;
@@ -83,10 +93,14 @@ struct Costs {
   Ns masked_ns = 0;              ///< longest time with interrupts masked
 };
 
-/// Work at the end of every job of one bucket: the writes of shared outputs.
+/// Work at the end of every job of one bucket: one shared output is written, once for all devices on it.
 struct Flush {
   Ns period_ns = 1;
   Ns wcet_ns = 0;
+  std::optional<std::size_t> bus;  ///< where its transfer goes; none: no transfer
+  Ns wire_ns = 0;
+  Ns interrupts = 1;
+  std::vector<std::size_t> devices;  ///< whose commands it carries
 };
 
 struct Model {

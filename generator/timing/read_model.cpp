@@ -211,7 +211,7 @@ class Reader {
     check_members(
         v, "a device",
         {"name", "parent", "period_ns", "update_wcet_ns", "handle_wcet_ns", "update_bcet_ns", "handle_bcet_ns",
-         "update_extra_ns", "handle_extra_ns", "takes_command", "reads", "acquisition", "transfers"});
+         "update_extra_ns", "handle_extra_ns", "output_ns", "takes_command", "reads", "acquisition", "transfers"});
     Device& d = model_.devices[index];
     d.at = v.at;
     d.name = name(v, "device", device_names_, index);
@@ -276,6 +276,7 @@ class Reader {
     check_best_case(d.handle_bcet_ns, d.handle_wcet_ns, "handle_bcet_ns", v);
     d.update_extra_ns = extension(v, "update_extra_ns");
     d.handle_extra_ns = extension(v, "handle_extra_ns");
+    d.output_ns = extension(v, "output_ns");
     d.takes_command = flag(v, "takes_command", true);
     if (const Value* reads = optional_array(v, "reads")) {
       for (const Value& r : reads->items) read_observed(index, r);
@@ -304,25 +305,27 @@ class Reader {
     const Value* a = v.find("acquisition");
     if (a == nullptr || !check_object(*a, "'acquisition'")) return;
     model_.has_target = true;
-    check_members(*a, "an acquisition", {"fixed_ns", "interval_ns", "periods", "assumed"});
-    d.acquisition = Acquisition{extension(*a, "fixed_ns"), extension(*a, "interval_ns"), extension(*a, "periods"),
-                                flag(*a, "assumed", false)};
+    check_members(*a, "an acquisition", {"fixed_ns", "interval_ns", "periods", "every", "conversion_ns", "assumed"});
+    d.acquisition =
+        Acquisition{extension(*a, "fixed_ns"),    extension(*a, "interval_ns"),   extension(*a, "periods"),
+                    extension(*a, "every", 1, 1), extension(*a, "conversion_ns"), flag(*a, "assumed", false)};
   }
 
   void read_transfer(std::size_t index, const Value& v) {
     if (!check_object(v, "a transfer")) return;
-    check_members(v, "a transfer", {"bus", "wire_ns", "after", "command"});
+    check_members(v, "a transfer", {"bus", "wire_ns", "after", "min_interval_ns", "interrupts", "command", "receive"});
     Transfer t;
     const std::string bus = text(v, "a transfer", "bus");
     t.wire_ns = required(v, "a transfer", "wire_ns", 0);
+    t.min_interval_ns = extension(v, "min_interval_ns");
+    t.interrupts = extension(v, "interrupts", 1);
     t.command = flag(v, "command", false);
+    t.receive = flag(v, "receive", false);
     read_after(t, v);
-    const auto found = bus_names_.find(bus);
-    if (found != bus_names_.end()) {
-      t.bus = found->second;
+    if (bus.empty()) return;
+    if (const auto found = find_bus(bus, *v.find("bus"))) {
+      t.bus = *found;
       model_.devices[index].transfers.push_back(t);
-    } else if (!bus.empty()) {
-      error(code::timing_parent, *v.find("bus"), fmt::format("there is no bus '{}'", bus));
     }
   }
 
@@ -333,8 +336,11 @@ class Reader {
       t.after = Transfer::After::update;
     } else if (after == "bucket") {
       t.after = Transfer::After::bucket;
+    } else if (after == "autonomous") {
+      t.after = Transfer::After::autonomous;
     } else if (after != "handle" && !after.empty()) {
-      error(code::json_type, *v.find("after"), fmt::format("'after' is '{}', not update, handle or bucket", after));
+      error(code::json_type, *v.find("after"),
+            fmt::format("'after' is '{}', not update, handle, bucket or autonomous", after));
     }
   }
 
@@ -354,13 +360,37 @@ class Reader {
     if (list == nullptr) return;
     for (const Value& v : list->items) {
       if (!check_object(v, "a flush")) continue;
-      check_members(v, "a flush", {"period_ns", "wcet_ns"});
-      const Flush flush{required(v, "a flush", "period_ns", 1), required(v, "a flush", "wcet_ns", 0)};
-      const bool known = std::any_of(model_.devices.begin(), model_.devices.end(),
-                                     [&](const Device& d) { return d.period_ns == flush.period_ns; });
-      if (!known) error(code::timing_period, v, "no device has the period of this flush");
-      model_.flushes.push_back(flush);
+      read_flush(v);
     }
+  }
+
+  void read_flush(const Value& v) {
+    check_members(v, "a flush", {"period_ns", "wcet_ns", "bus", "wire_ns", "interrupts", "devices"});
+    const std::size_t index = model_.flushes.size();
+    model_.flushes.emplace_back();
+    Flush& flush = model_.flushes.back();
+    flush.period_ns = required(v, "a flush", "period_ns", 1);
+    flush.wcet_ns = required(v, "a flush", "wcet_ns", 0);
+    flush.wire_ns = extension(v, "wire_ns");
+    flush.interrupts = extension(v, "interrupts", 1);
+    const bool known = std::any_of(model_.devices.begin(), model_.devices.end(),
+                                   [&](const Device& d) { return d.period_ns == flush.period_ns; });
+    if (!known) error(code::timing_period, v, "no device has the period of this flush");
+    if (v.find("bus") != nullptr) flush.bus = find_bus(text(v, "a flush", "bus"), *v.find("bus"));
+    if (const Value* devices = optional_array(v, "devices")) {
+      for (const Value& d : devices->items) {
+        later_.emplace_back([this, index, &d] {
+          if (const auto found = find_device(d.text, d)) model_.flushes[index].devices.push_back(*found);
+        });
+      }
+    }
+  }
+
+  std::optional<std::size_t> find_bus(const std::string& bus, const Value& where) {
+    const auto found = bus_names_.find(bus);
+    if (found != bus_names_.end()) return found->second;
+    if (!bus.empty()) error(code::timing_parent, where, fmt::format("there is no bus '{}'", bus));
+    return std::nullopt;
   }
 
   void resolve_later() {

@@ -11,11 +11,11 @@ void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
   for (const Bus& bus : model.buses) {
     if (profile != Profile::target || !bus.sources) {
       const Ns separation = profile == Profile::paper ? std::min(bus.frame_ns, model.tick_ns) : bus.frame_ns;
-      set.streams.push_back({separation, bus.wcet_ns > 0 ? add(bus.wcet_ns, entry) : 0, {}});
+      set.streams.push_back({separation, bus.wcet_ns > 0 ? add(bus.wcet_ns, entry) : 0, {}, bus.name});
       continue;
     }
     for (const InterruptSource& source : *bus.sources) {
-      Stream stream{source.min_interval_ns, add(source.wcet_ns, entry), {}};
+      Stream stream{source.min_interval_ns, add(source.wcet_ns, entry), {}, bus.name + "." + source.name};
       for (const FrameBudget& b : source.budgets) {
         stream.budgets.push_back({b.count, model.devices[b.device].period_ns, 1});
       }
@@ -28,11 +28,11 @@ void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
 /// ceil(L/gcd of the periods) times, and at most sum ceil(L/period) times. It costs more for every bucket due.
 void add_release_streams(const Model& model, TaskSet& set) {
   Ns distance = 0;
-  Stream release{1, model.costs.release_ns, {}};
+  Stream release{1, model.costs.release_ns, {}, "release"};
   for (const TaskBucket& bucket : set.buckets) {
     distance = std::gcd(distance, bucket.period);
     release.budgets.push_back({1, bucket.period, 0});
-    set.streams.push_back({bucket.period, model.costs.release_per_bucket_ns, {}});
+    set.streams.push_back({bucket.period, model.costs.release_per_bucket_ns, {}, "release"});
   }
   release.separation = distance;
   if (distance == set.buckets.front().period) release.budgets.clear();

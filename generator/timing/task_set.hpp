@@ -1,6 +1,7 @@
 // Model and profile to what the fixed points work on: interrupt streams, buckets and stage costs.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "generator/timing/model.hpp"
@@ -19,6 +20,7 @@ struct Stream {
   Ns separation = 1;
   Ns cost = 0;
   std::vector<Budget> budgets;
+  std::string name;  ///< of the bus, with its source where it has several; for people
 };
 
 struct TaskBucket {

@@ -4,8 +4,8 @@
 
 #include "catch.hpp"
 #include "generator/simulate/simulate.hpp"
+#include "generator/timing/analyse.hpp"
 #include "generator/timing/json.hpp"
-#include "generator/timing/profile.hpp"
 #include "timing_random.hpp"
 #include "timing_reference.hpp"
 
@@ -67,6 +67,13 @@ std::string violation(const Model& model, const ProfileResult& bounds, const Sim
   return {};
 }
 
+/// An empty last stage may be dispatched at the very end of the period, where the simulation finds its bucket
+/// unfinished.
+bool ends_before_period(const ProfileResult& bounds) {
+  return std::all_of(bounds.buckets.begin(), bounds.buckets.end(),
+                     [](const BucketResult& b) { return *b.response_ns < b.period_ns; });
+}
+
 void check_path(const PathResult& found, std::optional<Reference::Path> expected) {
   REQUIRE(found.latency_ns.has_value() == expected.has_value());
   if (!expected) return;
@@ -124,7 +131,7 @@ TEST_CASE("no simulated value is above its bound") {
         const Simulation run = simulate(model, {run_seed, run_length(model), simulated, leaf_paths(topology)});
         INFO("seed " << seed << " run " << run_seed << " " << model_json(model).dump());
         CHECK(violation(model, bounds, run) == "");
-        if (bounds.schedulable) CHECK(run.misses == 0);
+        if (bounds.schedulable && ends_before_period(bounds)) CHECK(run.misses == 0);
         schedulable += bounds.schedulable ? 1 : 0;
       };
       check(Profile::paper, Profile::paper, seed);
@@ -149,6 +156,73 @@ TEST_CASE("no simulated pair of leaves is above the cross latency") {
           const Ns seen = run.chains[chain++].latency;
           if (tree.cross_latency_ns) CHECK(seen <= *tree.cross_latency_ns);
         }
+      }
+    }
+  }
+}
+
+TEST_CASE("no simulated chain is above its decision bound, through reads or not") {
+  int compared = 0, through_reads = 0;
+  for (const ForestClass kind : kForestClasses) {
+    for (int i = 0; i < forests(300); ++i) {
+      const std::uint64_t seed = seed_of(kind, i) + 4'000'000;
+      RandomForest source(seed);
+      Model model = source.make(kind);
+      source.extend(model);
+      source.observe(model);
+      const Topology topology = make_topology(model);
+      for (const Profile profile : {Profile::tight, Profile::target}) {
+        const ProfileAnalysis analysis = analyse_profile(model, topology, profile);
+        Effort effort;
+        const WireAnalysis wire(model, analysis, effort);
+        const ChainAnalysis chains(model, topology, analysis, wire, effort);
+        std::vector<ChainEnds> ends;
+        for (std::size_t a = 0; a < model.devices.size(); ++a) {
+          for (std::size_t b = 0; b < model.devices.size(); ++b) {
+            if (chains.connected(a, b)) ends.push_back({a, b});
+          }
+        }
+        const Simulation run = simulate(model, {seed, run_length(model), profile, ends});
+        for (const Simulation::ChainWorst& seen : run.chains) {
+          const ChainResult bound = chains.bound(seen.ends.from, seen.ends.to);
+          if (!bound.decide_ns) continue;
+          INFO("seed " << seed << " " << seen.ends.from << "->" << seen.ends.to << " " << model_json(model).dump());
+          CHECK(seen.latency <= *bound.decide_ns);
+          ++compared;
+          through_reads += bound.through_reads ? 1 : 0;
+        }
+        for (const TreeResult& tree : analysis.result.trees) {
+          for (const PathResult& path : tree.paths) {
+            if (!model.devices[path.leaf].reads.empty() || !path.latency_ns) continue;
+            CHECK(*chains.bound(path.leaf, path.leaf).decide_ns >= *path.latency_ns);
+          }
+        }
+      }
+    }
+  }
+  CHECK(compared > 20 * forests(300));
+  CHECK(through_reads > forests(300));
+}
+
+TEST_CASE("the default chains of a large tree are at least those of every pair") {
+  for (const ForestClass kind : kForestClasses) {
+    for (int i = 0; i < forests(60); ++i) {
+      RandomForest source(seed_of(kind, i) + 5'000'000);
+      Model model = source.make(kind);
+      const Topology topology = make_topology(model);
+      const ProfileAnalysis analysis = analyse_profile(model, topology, Profile::tight);
+      Effort effort;
+      const WireAnalysis wire(model, analysis, effort);
+      const ChainAnalysis pairs(model, topology, analysis, wire, effort);
+      const ChainAnalysis groups(model, topology, analysis, wire, effort, 0);
+      const auto exact = pairs.defaults(), quick = groups.defaults();
+      REQUIRE(exact.size() == quick.size());
+      for (std::size_t c = 0; c < exact.size(); ++c) {
+        REQUIRE(exact[c].to == quick[c].to);
+        REQUIRE(exact[c].decide_ns.has_value() == quick[c].decide_ns.has_value());
+        if (!exact[c].decide_ns) continue;
+        CHECK(*quick[c].decide_ns >= *exact[c].decide_ns);
+        CHECK(*quick[c].decide_ns >= *pairs.bound(quick[c].from, quick[c].to).decide_ns);
       }
     }
   }

@@ -39,7 +39,8 @@ class RandomForest {
       d.update_extra_ns = random_.between(0, 2);
       d.handle_extra_ns = random_.between(0, 2);
     }
-    if (random_.one_in(2)) model.flushes.push_back({model.devices.front().period_ns, random_.between(0, 6)});
+    if (random_.one_in(2))
+      model.flushes.push_back({model.devices.front().period_ns, random_.between(0, 6), {}, 0, 1, {}});
     for (Bus& bus : model.buses) {
       if (random_.one_in(3)) continue;
       bus.sources.emplace();
@@ -50,6 +51,26 @@ class RandomForest {
           source.budgets.push_back({device, random_.between(0, 3)});
         }
         bus.sources->push_back(source);
+      }
+    }
+  }
+
+  /// Lets some devices read devices of other trees, without cycles: readers are in later trees than what they read, or
+  /// in earlier ones, but not both.
+  void observe(Model& model) {
+    std::vector<Ns> tree(model.devices.size());
+    Ns trees = 0;
+    for (std::size_t d = 0; d < tree.size(); ++d) {
+      tree[d] = trees;
+      if (!model.devices[d].parent) ++trees;
+    }
+    const bool forward = random_.one_in(2);
+    const auto last = static_cast<Ns>(model.devices.size()) - 1;
+    for (Ns i = random_.between(1, 3); i > 0; --i) {
+      const auto reader = static_cast<std::size_t>(random_.between(0, last));
+      const auto observed = static_cast<std::size_t>(random_.between(0, last));
+      if (forward ? tree[observed] < tree[reader] : tree[reader] < tree[observed]) {
+        model.devices[reader].reads.push_back(observed);
       }
     }
   }

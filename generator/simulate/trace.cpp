@@ -1,0 +1,81 @@
+#include "generator/simulate/trace.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "generator/timing/table.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using timing::Ns;
+
+std::string quoted(const std::string& text) { return nlohmann::ordered_json(text).dump(); }
+
+/// Microseconds, exactly.
+std::string stamp(Ns ns) { return fmt::format("{}.{:03}", ns / 1000, ns % 1000); }
+
+}  // namespace
+
+TraceWriter::TraceWriter(const timing::Model& model, timing::Profile profile, std::ostream& out)
+    : model_(model), set_(timing::make_task_set(model, profile)), out_(out) {
+  out_ << "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n";
+  name_tracks();
+}
+
+void TraceWriter::close() { out_ << "\n]}\n"; }
+
+void TraceWriter::name_tracks() {
+  const auto name = [&](std::size_t track, const std::string& text) {
+    line(
+        fmt::format(R"({{"ph":"M","pid":1,"tid":{},"name":"thread_name","args":{{"name":{}}}}})", track, quoted(text)));
+    line(fmt::format(R"({{"ph":"M","pid":1,"tid":{},"name":"thread_sort_index","args":{{"sort_index":{}}}}})", track,
+                     track));
+  };
+  for (std::size_t s = 0; s <= set_.bus_streams; ++s) {
+    name(s + 1, s < set_.bus_streams ? "interrupt " + set_.streams[s].name : "interrupt release");
+  }
+  for (std::size_t w = 0; w < set_.buckets.size(); ++w) {
+    name(set_.bus_streams + 2 + w, "every " + timing::duration_text(set_.buckets[w].period));
+  }
+}
+
+void TraceWriter::line(const std::string& event) {
+  if (!first_) out_ << ",\n";
+  first_ = false;
+  out_ << event;
+}
+
+void TraceWriter::slice(std::size_t track, const std::string& name, Ns begin, Ns end) {
+  line(fmt::format(R"({{"ph":"X","pid":1,"tid":{},"ts":{},"dur":{},"name":{}}})", track, stamp(begin),
+                   stamp(end - begin), quoted(name)));
+}
+
+std::size_t TraceWriter::bucket_track(std::size_t device) const {
+  return set_.bus_streams + 2 + set_.bucket_of[device];
+}
+
+void TraceWriter::job(std::size_t bucket, Ns begin, Ns end) { slice(set_.bus_streams + 2 + bucket, "job", begin, end); }
+
+void TraceWriter::stage(std::size_t device, Stage stage, Ns begin, Ns end) {
+  slice(bucket_track(device), model_.devices[device].name + (stage == Stage::update ? ".update" : ".handle"), begin,
+        end);
+}
+
+void TraceWriter::interrupt(std::size_t stream, Ns begin, Ns end) {
+  slice(stream + 1, stream < set_.bus_streams ? set_.streams[stream].name : "release", begin, end);
+}
+
+/// The arrow leaves one nanosecond before the producer's end, inside its slice.
+void TraceWriter::hand_over(std::size_t producer, std::size_t consumer, Stage stage, Ns published, Ns used) {
+  const std::string name = quoted(stage == Stage::update ? "state" : "command");
+  ++flow_;
+  line(fmt::format(R"({{"ph":"s","pid":1,"tid":{},"ts":{},"id":{},"cat":"data","name":{}}})", bucket_track(producer),
+                   stamp(published > 0 ? published - 1 : 0), flow_, name));
+  line(fmt::format(R"({{"ph":"f","bp":"e","pid":1,"tid":{},"ts":{},"id":{},"cat":"data","name":{}}})",
+                   bucket_track(consumer), stamp(used), flow_, name));
+}
+
+}  // namespace finemote::gen

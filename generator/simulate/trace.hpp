@@ -1,0 +1,39 @@
+// A simulated run to a Chrome trace, which Perfetto and chrome://tracing open.
+#pragma once
+
+#include <iosfwd>
+#include <vector>
+
+#include "generator/simulate/simulate.hpp"
+#include "generator/timing/task_set.hpp"
+
+namespace finemote::gen {
+
+/// Writes the trace event format (JSON object form) as the run goes on: one track per bucket with the job as a slice
+/// and its stages nested in it, one track per interrupt source, and a flow arrow for every hand-over of data.
+/// Timestamps are microseconds with three decimals. The document is complete after close().
+class TraceWriter : public SimulationObserver {
+ public:
+  TraceWriter(const timing::Model& model, timing::Profile profile, std::ostream& out);
+  void close();
+
+  void job(std::size_t bucket, timing::Ns begin, timing::Ns end) override;
+  void stage(std::size_t device, Stage stage, timing::Ns begin, timing::Ns end) override;
+  void interrupt(std::size_t stream, timing::Ns begin, timing::Ns end) override;
+  void hand_over(std::size_t producer, std::size_t consumer, Stage stage, timing::Ns published,
+                 timing::Ns used) override;
+
+ private:
+  void name_tracks();
+  void line(const std::string& event);
+  void slice(std::size_t track, const std::string& name, timing::Ns begin, timing::Ns end);
+  [[nodiscard]] std::size_t bucket_track(std::size_t device) const;
+
+  const timing::Model& model_;
+  timing::TaskSet set_;
+  std::ostream& out_;
+  bool first_ = true;
+  std::uint64_t flow_ = 0;
+};
+
+}  // namespace finemote::gen

@@ -1,0 +1,208 @@
+#include "generator/timing/analyse.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace finemote::gen::timing {
+namespace {
+
+/// Share of the processor all streams and buckets take in the long run.
+double processor_share(const TaskSet& set) {
+  long double share = 0;
+  for (const Stream& s : set.streams) {
+    long double rate = 1.0L / static_cast<long double>(s.separation), budget = 0;
+    for (const Stream::Budget& b : s.budgets)
+      budget += static_cast<long double>(b.count) / static_cast<long double>(b.period);
+    if (!s.budgets.empty()) rate = std::min(rate, budget);
+    share += rate * static_cast<long double>(s.cost);
+  }
+  for (const TaskBucket& b : set.buckets)
+    share += static_cast<long double>(b.cost) / static_cast<long double>(b.period);
+  return static_cast<double>(share);
+}
+
+/// Worst response of handle() less the least time its job needs to get there.
+std::optional<Ns> jitter(const Model& model, const ProfileAnalysis& profile, std::size_t device) {
+  const TaskSet& set = profile.set;
+  const std::size_t w = set.bucket_of[device];
+  if (!profile.responses.ok(w)) return std::nullopt;
+  Ns least = 0;
+  for (const std::size_t d : set.buckets[w].devices) {
+    least = add(least, model.devices[d].update_bcet_ns);
+    if (d >= device) least = add(least, model.devices[d].handle_bcet_ns);
+  }
+  return profile.responses.r_minus[device] - least;
+}
+
+class Evaluation {
+ public:
+  Evaluation(const Model& model, const ProfileAnalysis& profile, const ChainAnalysis& chains,
+             const std::vector<BusLoad>& loads)
+      : model_(model), profile_(profile), chains_(chains), loads_(loads) {}
+
+  RequirementResult evaluate(const Requirement& r) const {
+    RequirementResult result{r, {}, {}, false};
+    if (r.kind == Requirement::Kind::utilization) {
+      result.fraction = r.bus ? loads_[*r.bus].utilization : processor_share(profile_.set);
+      result.ok = *result.fraction <= r.max_fraction;
+      return result;
+    }
+    result.value_ns = r.kind == Requirement::Kind::jitter ? jitter(model_, profile_, r.to.front()) : latency(r);
+    result.ok = result.value_ns && *result.value_ns <= r.max_ns;
+    return result;
+  }
+
+ private:
+  std::optional<Ns> latency(const Requirement& r) const {
+    Ns worst = 0;
+    for (const std::size_t from : r.from) {
+      for (const std::size_t to : r.to) {
+        if (!chains_.connected(from, to)) return std::nullopt;
+        const ChainResult chain = chains_.bound(from, to);
+        const auto value = r.kind == Requirement::Kind::latency_decision ? chain.decide_ns : chain.end_to_end_ns;
+        if (!value) return std::nullopt;
+        worst = std::max(worst, *value);
+      }
+    }
+    return worst;
+  }
+
+  const Model& model_;
+  const ProfileAnalysis& profile_;
+  const ChainAnalysis& chains_;
+  const std::vector<BusLoad>& loads_;
+};
+
+std::string milliseconds(Ns ns) { return fmt::format("{:.6g} ms", static_cast<double>(ns) / 1e6); }
+
+void report_buckets(const Timing& timing, const ProfileAnalysis& asked, Diagnostics& diagnostics) {
+  const Model& model = timing.model;
+  for (std::size_t w = 0; w < asked.set.buckets.size(); ++w) {
+    if (asked.responses.ok(w)) continue;
+    const TaskBucket& bucket = asked.set.buckets[w];
+    auto& d = diagnostics.error(code::timing_unschedulable, model.devices[bucket.devices.front()].at,
+                                fmt::format("the devices with period {} may not be ready when they are due again",
+                                            milliseconds(bucket.period)));
+    long double urgent = 0;
+    for (std::size_t v = 0; v < w; ++v) {
+      urgent +=
+          static_cast<long double>(asked.set.buckets[v].cost) / static_cast<long double>(asked.set.buckets[v].period);
+    }
+    long double own = static_cast<long double>(bucket.cost) / static_cast<long double>(bucket.period);
+    long double buses = processor_share(asked.set);
+    for (const TaskBucket& b : asked.set.buckets) {
+      buses -= static_cast<long double>(b.cost) / static_cast<long double>(b.period);
+    }
+    d.note(fmt::format("they need {:.1f} % of the processor, faster periods {:.1f} %, interrupts {:.1f} % (profile {})",
+                       static_cast<double>(own * 100), static_cast<double>(urgent * 100),
+                       static_cast<double>(std::max(buses, 0.0L) * 100), profile_name(asked.result.profile)));
+    d.hint("give these devices a longer period, or shorten the work of this and of faster periods");
+  }
+}
+
+void report_requirements(const Timing& timing, Diagnostics& diagnostics) {
+  for (const RequirementResult& r : timing.requirements) {
+    if (r.ok) continue;
+    const std::string limit =
+        r.fraction ? fmt::format("{:.4g} %", r.requirement.max_fraction * 100) : milliseconds(r.requirement.max_ns);
+    const std::string value = r.fraction   ? fmt::format("{:.4g} %", *r.fraction * 100)
+                              : r.value_ns ? milliseconds(*r.value_ns)
+                                           : std::string("unbounded");
+    diagnostics.error(code::timing_requirement, r.requirement.at,
+                      fmt::format("'{}' is {}, required are at most {}", r.requirement.text, value, limit));
+  }
+}
+
+void report_remarks(const Timing& timing, Diagnostics& diagnostics) {
+  const auto list = [&](const std::vector<std::size_t>& devices) {
+    std::string text;
+    for (std::size_t i = 0; i < devices.size() && i < 6; ++i) {
+      text += (i > 0 ? ", '" : "'") + timing.model.devices[devices[i]].name + "'";
+    }
+    return text + (devices.size() > 6 ? fmt::format(" and {} more", devices.size() - 6) : "");
+  };
+  std::vector<std::size_t> closed;
+  for (const TreeResult& tree : timing.verdict().trees) {
+    for (const PathResult& path : tree.paths) {
+      if (path.closed_form) closed.push_back(path.leaf);
+    }
+  }
+  if (!closed.empty()) {
+    diagnostics
+        .warning(code::timing_closed_form, timing.model.devices[closed.front()].at,
+                 "the periods repeat too late to look at every release: some latencies are safe closed forms")
+        .note("paths of " + list(closed));
+  }
+  if (!timing.assumed.empty()) {
+    diagnostics
+        .warning(code::timing_assumed, timing.model.devices[timing.assumed.front()].at,
+                 fmt::format("execution times of {} are assumed",
+                             timing.assumed.size() == 1 ? std::string("one device")
+                                                        : fmt::format("{} devices", timing.assumed.size())))
+        .note(list(timing.assumed))
+        .hint("<wcet update=\"20us\" handle=\"5us\" source=\"measured\"/>");
+  }
+}
+
+Timing analyse_all(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics) {
+  const Topology topology = make_topology(model);
+  Timing timing;
+  timing.model = model;
+  timing.utilization = test_utilization(model);
+  ProfileAnalysis paper = analyse_profile(model, topology, Profile::paper);
+  ProfileAnalysis tight = analyse_profile(model, topology, Profile::tight);
+  std::optional<ProfileAnalysis> target;
+  if (model.has_target) target = analyse_profile(model, topology, Profile::target);
+  const ProfileAnalysis& best = target ? *target : tight;
+  Effort effort;
+  const WireAnalysis wire(model, best, effort);
+  const ChainAnalysis chains(model, topology, best, wire, effort);
+  timing.chains = chains.defaults();
+  for (const ChainRequest& c : request.chains) timing.chains.push_back(chains.bound(c.from, c.to));
+  const Evaluation evaluation(model, best, chains, wire.loads());
+  for (const Requirement& r : request.requirements) timing.requirements.push_back(evaluation.evaluate(r));
+  timing.bus_loads = wire.loads();
+  for (std::size_t d = 0; d < model.devices.size(); ++d) {
+    if (model.devices[d].source == WcetSource::assumed) timing.assumed.push_back(d);
+  }
+  timing.asked = request.profile.value_or(target ? Profile::target : Profile::tight);
+  timing.paper = std::move(paper.result);
+  timing.tight = std::move(tight.result);
+  if (target) timing.target = std::move(target->result);
+  timing.schedulable = timing.verdict().schedulable;
+  report_buckets(timing,
+                 timing.asked == Profile::paper   ? paper
+                 : timing.asked == Profile::tight ? tight
+                                                  : *target,
+                 diagnostics);
+  report_requirements(timing, diagnostics);
+  report_remarks(timing, diagnostics);
+  return timing;
+}
+
+}  // namespace
+
+bool Timing::requirements_hold() const {
+  return std::all_of(requirements.begin(), requirements.end(), [](const RequirementResult& r) { return r.ok; });
+}
+
+std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics) {
+  if (request.profile == Profile::target && !model.has_target) {
+    diagnostics.error(code::timing_profile, {}, "profile 'target' needs costs, and this model has none")
+        .hint("add 'costs' to the model, or ask for profile tight");
+    return std::nullopt;
+  }
+  try {
+    return analyse_all(model, request, diagnostics);
+  } catch (const Overflow& overflow) {
+    diagnostics.error(code::timing_overflow, {}, fmt::format("{} does not fit signed 64 bits", overflow.what()))
+        .note("times are integer nanoseconds, at most 292 years");
+  } catch (const TooLong& reason) {
+    diagnostics.error(code::timing_too_long, {}, reason.what())
+        .hint("periods with small common multiples, or a processor that is less full, are quick to analyse");
+  }
+  return std::nullopt;
+}
+
+}  // namespace finemote::gen::timing

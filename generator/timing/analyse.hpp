@@ -1,0 +1,75 @@
+// Model to timing: every profile, chains, bus loads and requirements in one value.
+#pragma once
+
+#include "generator/diagnostic/diagnostics.hpp"
+#include "generator/timing/chains.hpp"
+#include "generator/timing/utilization.hpp"
+
+namespace finemote::gen::timing {
+
+/// `<require>`, in terms of the model.
+struct Requirement {
+  enum class Kind { latency_end_to_end, latency_decision, utilization, jitter };
+  Kind kind = Kind::latency_end_to_end;
+  std::string text;                   ///< the operand as written
+  std::vector<std::size_t> from, to;  ///< latency: the maximum over all pairs; jitter: `to` holds one device
+  std::optional<std::size_t> bus;     ///< utilization; none: the processor
+  Ns max_ns = 0;
+  double max_fraction = 0;
+  Position at;
+};
+
+struct RequirementResult {
+  Requirement requirement;
+  std::optional<Ns> value_ns;      ///< latency, jitter
+  std::optional<double> fraction;  ///< utilization
+  bool ok = false;
+};
+
+struct ChainRequest {
+  std::size_t from = 0, to = 0;
+};
+
+struct AnalysisRequest {
+  std::optional<Profile> profile;    ///< whose verdict counts; none: target where the model has one, else tight
+  std::vector<ChainRequest> chains;  ///< beyond the default ones
+  std::vector<Requirement> requirements;
+};
+
+struct Timing {
+  Model model;
+  UtilizationTests utilization;
+  ProfileResult paper, tight;
+  std::optional<ProfileResult> target;
+  Profile asked = Profile::tight;   ///< of the verdict
+  std::vector<ChainResult> chains;  ///< of `target` where there is one, else `tight`
+  std::vector<RequirementResult> requirements;
+  std::vector<BusLoad> bus_loads;    ///< per Model::buses
+  std::vector<std::size_t> assumed;  ///< devices whose execution times are assumed
+  bool schedulable = false;          ///< in the asked profile
+
+  [[nodiscard]] const ProfileResult& verdict() const {
+    return asked == Profile::paper ? paper : asked == Profile::target && target ? *target : tight;
+  }
+  [[nodiscard]] bool requirements_hold() const;
+};
+
+/// Analyses a model that read_model accepts. Reports FM4010 and FM4011 (no result), FM4015 (a bucket of the asked
+/// profile may overrun), FM4016 (a requirement fails), FM4019 (target asked of a plain model; no result), and as
+/// warnings FM4017 (closed forms) and FM4020 (assumed execution times).
+std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics);
+
+/// Largest factor, in thousandths, all execution times of devices (`only`: of one) can be multiplied with such that
+/// every bucket of the profile still ends in its period; 0 when it does not even at 0; `kMostSlack` when nothing limits
+/// it.
+inline constexpr Ns kMostSlack = 1'000'000;
+Ns slack_permille(const Model& model, Profile profile, std::optional<std::size_t> only = std::nullopt);
+
+/// An order of the same devices (siblings and roots exchanged, children before parents) with smaller latencies of
+/// trees; indices into Model::devices. The order as it is when no better one was found within the budget of trials.
+std::vector<std::size_t> suggest_order(const Model& model, Profile profile);
+
+/// The model with its devices registered in another order.
+Model reorder(const Model& model, const std::vector<std::size_t>& order);
+
+}  // namespace finemote::gen::timing

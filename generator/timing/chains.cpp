@@ -1,0 +1,359 @@
+#include "generator/timing/chains.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "generator/timing/walk.hpp"
+
+namespace finemote::gen::timing {
+namespace {
+
+constexpr Ns kMostEntries = 1'000'000;
+constexpr Ns kMostPairEntries = 4096;  ///< root releases looked at for every pair of leaves
+
+std::optional<Ns> sum(std::optional<Ns> a, std::optional<Ns> b) {
+  return a && b ? std::optional<Ns>(add(*a, *b)) : std::nullopt;
+}
+
+/// Orders bounds, unbounded last.
+bool less(std::optional<Ns> a, std::optional<Ns> b) { return a && (!b || *a < *b); }
+
+}  // namespace
+
+/// The devices of a chain: down from the root to the terminal, and everything between the source and the root.
+struct ChainAnalysis::Route {
+  std::size_t from = 0, to = 0;
+  std::vector<std::size_t> down;                    ///< root first, terminal last
+  std::vector<std::size_t> up;                      ///< root first, source last; every producer after its consumers
+  std::vector<std::vector<std::size_t>> consumers;  ///< per entry of `up`: places in `up`
+  bool through_reads = false;
+};
+
+ChainAnalysis::ChainAnalysis(const Model& model, const Topology& topology, const ProfileAnalysis& profile,
+                             const WireAnalysis& wire, Effort& effort, std::size_t most_pairs)
+    : model_(model),
+      topology_(topology),
+      profile_(profile),
+      wire_(wire),
+      effort_(effort),
+      most_pairs_(most_pairs),
+      consumers_(model.devices.size()) {
+  for (std::size_t d = 0; d < model.devices.size(); ++d) {
+    const Device& device = model.devices[d];
+    if (device.parent) consumers_[d].push_back(*device.parent);
+    for (const std::size_t observed : device.reads) consumers_[observed].push_back(d);
+    if (device.source == WcetSource::assumed) assumed_from_ = std::min(assumed_from_, device.period_ns);
+    acquire_.push_back(wire.acquisition(d));
+  }
+}
+
+bool ChainAnalysis::connected(std::size_t from, std::size_t to) const {
+  const std::size_t goal = topology_.root_of[to];
+  std::vector<std::size_t> stack{from};
+  std::set<std::size_t> seen{from};
+  while (!stack.empty()) {
+    const std::size_t device = stack.back();
+    stack.pop_back();
+    if (device == goal) return true;
+    for (const std::size_t consumer : consumers_[device]) {
+      if (seen.insert(consumer).second) stack.push_back(consumer);
+    }
+  }
+  return false;
+}
+
+ChainAnalysis::Route ChainAnalysis::route(std::size_t from, std::size_t to) const {
+  Route r{from, to, {to}, {}, {}, false};
+  while (model_.devices[r.down.back()].parent) r.down.push_back(*model_.devices[r.down.back()].parent);
+  std::reverse(r.down.begin(), r.down.end());
+  const std::size_t root = r.down.front();
+  // Depth first from the source; a device is finished after all its consumers, and kept when the root is above it.
+  std::map<std::size_t, bool> reaches;
+  std::vector<std::pair<std::size_t, std::size_t>> stack{{from, 0}};
+  while (!stack.empty()) {
+    auto& [device, next] = stack.back();
+    if (device == root || next == consumers_[device].size()) {
+      bool good = device == root;
+      for (const std::size_t c : consumers_[device]) good |= device != root && reaches[c];
+      reaches[device] = good;
+      if (good) r.up.push_back(device);
+      stack.pop_back();
+      continue;
+    }
+    const std::size_t consumer = consumers_[device][next++];
+    if (!reaches.contains(consumer)) stack.emplace_back(consumer, 0);
+  }
+  std::map<std::size_t, std::size_t> place;
+  for (const std::size_t device : r.up) {
+    auto& list = r.consumers.emplace_back();
+    for (const std::size_t c : consumers_[device]) {
+      if (device == root || !place.contains(c)) continue;
+      list.push_back(place[c]);
+      r.through_reads |= model_.devices[device].parent != c;
+    }
+    place[device] = r.consumers.size() - 1;
+  }
+  return r;
+}
+
+/// First release of `consumer` whose handle() sees what the release of `producer` decided.
+Ns ChainAnalysis::hand_down(Ns release, std::size_t producer, std::size_t consumer) const {
+  const Ns period = model_.devices[consumer].period_ns;
+  Ns ready = release;
+  if (model_.devices[producer].period_ns > period) {
+    ready = add(ready, std::max(profile_.table.r_minus(producer, release), profile_.set.least_lag));
+  }
+  return round_up(ready, period);
+}
+
+/// Release of `producer` whose state the release of `consumer` uses at `use`, or an older one.
+Ns ChainAnalysis::used(Ns use, std::size_t producer, std::size_t consumer) const {
+  const Ns period = model_.devices[producer].period_ns;
+  const Ns release = round_down(use, period);
+  if (period == model_.devices[consumer].period_ns) return producer < consumer ? release : release - period;
+  if (period < model_.devices[consumer].period_ns) return release;
+  const Ns ready = add(release, std::max(profile_.table.r_plus(producer, release), profile_.set.least_lag));
+  return ready > use ? release - period : release;
+}
+
+/// Begin of update(from) to end of handle(to) in one job: W of analysis-cases/README.md for two devices of a bucket.
+Ns ChainAnalysis::pair_window(std::size_t from, std::size_t to, Ns release) const {
+  const TaskSet& set = profile_.set;
+  const std::size_t w = set.bucket_of[to];
+  const Ns response = profile_.table.r_minus(to, release);
+  const Ns extra = set.handle[to] == 0 ? 1 : 0;
+  Ns work = extra;
+  for (const std::size_t d : set.buckets[w].devices) {
+    if (d >= from) work = add(work, set.update[d]);
+    if (d >= to) work = add(work, set.handle[d]);
+  }
+  Demand demand(effort_);
+  demand.add_streams(set.streams);
+  for (std::size_t v = 0; v < w; ++v) {
+    const Ns period = set.buckets[v].period;
+    const Ns inside = floor_div(release + response - 1 + extra, period) - floor_div(release, period);
+    demand.add({0, period, set.buckets[v].cost, inside});
+  }
+  return std::min(least_fit(demand, work, std::max<Ns>(work, 1), kNever - 1) - extra, response);
+}
+
+/// Exact maximum over the root's releases in one repetition of everything on the route.
+Ns ChainAnalysis::walk(const Route& r, Ns entries) const {
+  const Ns step = model_.devices[r.down.front()].period_ns;
+  const Ns period = model_.devices[r.to].period_ns;
+  const bool one_bucket = profile_.set.bucket_of[r.from] == profile_.set.bucket_of[r.to];
+  const Ns most = profile_.responses.r_minus[r.to];
+  std::vector<Ns> use(r.up.size());
+  Ns worst = 0;
+  effort_.spend(entries * static_cast<Ns>(r.up.size() + r.down.size()) * 2);
+  for (Ns i = 0; i < entries; ++i) {
+    const Ns x = i * step;
+    Ns later = x + step;
+    for (std::size_t k = 1; k < r.down.size(); ++k) later = hand_down(later, r.down[k - 1], r.down[k]);
+    const Ns t = later - period;
+    use[0] = x;
+    for (std::size_t k = 1; k < r.up.size(); ++k) {
+      use[k] = kNever;
+      for (const std::size_t c : r.consumers[k]) use[k] = std::min(use[k], used(use[c], r.up[k], r.up[c]));
+    }
+    const Ns age = t - use.back();
+    if (add(age, most) <= worst) continue;
+    const Ns response = profile_.table.r_minus(r.to, t);
+    worst = std::max(worst, age == 0 && one_bucket ? pair_window(r.from, r.to, t) : add(age, response));
+  }
+  return worst;
+}
+
+/// Per edge the largest age data can have, T_producer - g + g ceil(r/g); over several routes the largest sum.
+Ns ChainAnalysis::closed_form(const Route& r) const {
+  const auto hop = [&](std::size_t producer, std::size_t consumer, Ns response) {
+    const Ns from = model_.devices[producer].period_ns, to = model_.devices[consumer].period_ns;
+    if (from == to) return producer < consumer || response == kNone ? Ns{0} : from;
+    const Ns common = std::gcd(from, to);
+    const Ns lag = from > to ? round_up(std::max(response, profile_.set.least_lag), common) : 0;
+    return add(from - common, lag);
+  };
+  Ns age = 0;
+  for (std::size_t k = 1; k < r.down.size(); ++k) {
+    const std::size_t producer = r.down[k - 1];
+    const bool same = model_.devices[producer].period_ns == model_.devices[r.down[k]].period_ns;
+    if (!same) age = add(age, hop(producer, r.down[k], profile_.responses.r_minus[producer]));
+  }
+  std::vector<Ns> oldest(r.up.size(), 0);
+  for (std::size_t k = 1; k < r.up.size(); ++k) {
+    for (const std::size_t c : r.consumers[k]) {
+      oldest[k] = std::max(oldest[k], add(oldest[c], hop(r.up[k], r.up[c], profile_.responses.r_plus[r.up[k]])));
+    }
+  }
+  return add(add(age, oldest.back()), profile_.responses.r_minus[r.to]);
+}
+
+ChainAnalysis::Decision ChainAnalysis::decide(std::size_t from, std::size_t to) const {
+  const Route r = route(from, to);
+  Decision result;
+  result.through_reads = r.through_reads;
+  Ns common = 1;
+  for (const auto* devices : {&r.down, &r.up}) {
+    for (const std::size_t d : *devices) {
+      if (!profile_.responses.ok(profile_.set.bucket_of[d])) return result;
+      common = lcm(common, profile_.table.repeat(d));
+    }
+  }
+  const Ns entries = common / model_.devices[r.down.front()].period_ns;
+  result.closed_form = entries > kMostEntries;
+  result.ns = result.closed_form ? closed_form(r) : walk(r, entries);
+  return result;
+}
+
+bool ChainAnalysis::is_assumed(std::size_t from, std::size_t to) const {
+  const auto& acquisition = model_.devices[from].acquisition;
+  if (acquisition && acquisition->assumed) return true;
+  Ns slowest = model_.devices[from].period_ns;
+  for (std::size_t d : {from, to}) {
+    for (; model_.devices[d].parent; d = *model_.devices[d].parent)
+      slowest = std::max(slowest, model_.devices[d].period_ns);
+    slowest = std::max(slowest, model_.devices[d].period_ns);
+  }
+  return assumed_from_ <= slowest;
+}
+
+ChainResult ChainAnalysis::complete(std::size_t from, std::size_t to, const Decision& decision) const {
+  ChainResult result{from,
+                     to,
+                     acquire_[from],
+                     decision.ns,
+                     wire_.command(to),
+                     {},
+                     is_assumed(from, to),
+                     decision.through_reads,
+                     decision.closed_form};
+  result.end_to_end_ns = sum(sum(result.acquire_ns, result.decide_ns), result.wire_ns);
+  return result;
+}
+
+ChainResult ChainAnalysis::bound(std::size_t from, std::size_t to) const {
+  return complete(from, to, decide(from, to));
+}
+
+std::vector<ChainResult> ChainAnalysis::worst_of_pairs(const std::vector<std::size_t>& sources,
+                                                       const std::vector<std::size_t>& terminals) const {
+  std::vector<ChainResult> results;
+  for (const std::size_t to : terminals) {
+    ChainResult worst = bound(sources.front(), to);
+    for (std::size_t s = 1; s < sources.size(); ++s) {
+      ChainResult other = bound(sources[s], to);
+      if (less(sum(worst.acquire_ns, worst.decide_ns), sum(other.acquire_ns, other.decide_ns))) worst = other;
+    }
+    results.push_back(worst);
+  }
+  return results;
+}
+
+/// The same for large trees: per root release the oldest sample of any source, then per terminal its latest use. Two
+/// repetitions of different length meet modulo their common divisor. Windows within one job are not used.
+std::vector<ChainResult> ChainAnalysis::worst_of_groups(std::size_t tree,
+                                                        const std::vector<std::size_t>& terminals) const {
+  struct Oldest {
+    Ns age = std::numeric_limits<Ns>::min() / 2;  ///< root release less source release, plus acquisition
+    std::size_t source = 0;
+    void offer(Ns new_age, std::size_t new_source) {
+      if (new_age > age || (new_age == age && new_source < source)) age = new_age, source = new_source;
+    }
+  };
+  const std::size_t root = topology_.roots[tree];
+  const Ns root_period = model_.devices[root].period_ns;
+  const auto walk_groups = [&](const std::function<void(const HandOverGroup&)>& visit) {
+    walk_tree(model_, topology_, profile_.responses, profile_.set, profile_.table, root, effort_, visit);
+  };
+  std::map<std::size_t, std::vector<Oldest>> by_length;
+  Oldest closed;
+  bool complete_tree = true;
+  for (const std::size_t leaf : topology_.leaves[tree]) {
+    complete_tree &= profile_.responses.ok(profile_.set.bucket_of[leaf]) && acquire_[leaf].has_value();
+  }
+  walk_groups([&](const HandOverGroup& group) {
+    Oldest best;
+    for (const std::size_t d : group.devices) {
+      if (topology_.children[d].empty() && acquire_[d]) best.offer(*acquire_[d], d);
+    }
+    if (best.age < 0) return;
+    if (group.exact == nullptr) return closed.offer(add(group.up, best.age), best.source);
+    auto& list = by_length[group.exact->source.size()];
+    list.resize(group.exact->source.size());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      list[i].offer(static_cast<Ns>(i) * root_period - group.exact->source[i] + best.age, best.source);
+    }
+  });
+  // Per number of terminal entries: the oldest of all sources at every entry.
+  std::map<std::size_t, std::vector<Oldest>> by_entries;
+  const auto oldest_at = [&](std::size_t n) -> const std::vector<Oldest>& {
+    auto& combined = by_entries[n];
+    if (!combined.empty()) return combined;
+    combined.resize(n, closed);
+    for (const auto& [m, list] : by_length) {
+      const std::size_t common = std::gcd(n, m);
+      std::vector<Oldest> folded(common);
+      for (std::size_t i = 0; i < m; ++i) folded[i % common].offer(list[i].age, list[i].source);
+      for (std::size_t i = 0; i < n; ++i) combined[i].offer(folded[i % common].age, folded[i % common].source);
+    }
+    return combined;
+  };
+  std::map<std::size_t, ChainResult> found;
+  walk_groups([&](const HandOverGroup& group) {
+    const std::size_t n = group.exact ? group.exact->next.size() : 1;
+    const std::vector<Oldest>& oldest = oldest_at(n);
+    Oldest worst;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Ns down = group.exact ? group.exact->next[i] - group.period - static_cast<Ns>(i) * root_period : group.down;
+      worst.offer(down + oldest[i].age, oldest[i].source);
+    }
+    effort_.spend(static_cast<Ns>(n));
+    if (worst.age < 0) return;
+    for (const std::size_t d : group.devices) {
+      const Ns decide = worst.age - *acquire_[worst.source] + profile_.responses.r_minus[d];
+      found.emplace(d, complete(worst.source, d, {decide, group.exact == nullptr || closed.age >= 0, false}));
+    }
+  });
+  std::vector<ChainResult> results;
+  for (const std::size_t to : terminals) {
+    const auto entry = found.find(to);
+    const std::size_t any = topology_.leaves[tree].front();
+    results.push_back(entry != found.end() && complete_tree ? entry->second : complete(any, to, {}));
+  }
+  return results;
+}
+
+/// Root releases until everything in the tree repeats; kNever when that leaves the range of numbers.
+Ns ChainAnalysis::entries(std::size_t tree) const {
+  const std::size_t root = topology_.roots[tree];
+  try {
+    Ns common = 1;
+    for (std::size_t d = 0; d < model_.devices.size(); ++d) {
+      if (topology_.root_of[d] == root) common = lcm(common, profile_.table.repeat(d));
+    }
+    return common / model_.devices[root].period_ns;
+  } catch (const Overflow&) {
+    return kNever;
+  }
+}
+
+std::vector<ChainResult> ChainAnalysis::defaults() const {
+  std::vector<ChainResult> results;
+  for (std::size_t tree = 0; tree < topology_.roots.size(); ++tree) {
+    const auto& sources = topology_.leaves[tree];
+    std::vector<std::size_t> terminals;
+    for (const std::size_t leaf : sources) {
+      if (model_.devices[leaf].takes_command) terminals.push_back(leaf);
+    }
+    if (terminals.empty()) terminals.push_back(topology_.roots[tree]);
+    const bool small = sources.size() * terminals.size() <= most_pairs_ && entries(tree) <= kMostPairEntries;
+    for (ChainResult& r : small ? worst_of_pairs(sources, terminals) : worst_of_groups(tree, terminals)) {
+      results.push_back(r);
+    }
+  }
+  return results;
+}
+
+}  // namespace finemote::gen::timing

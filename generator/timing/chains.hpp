@@ -1,0 +1,73 @@
+// End-to-end age of a command: acquire + decide + wire along any chain from one device to another.
+#pragma once
+
+#include "generator/timing/wire.hpp"
+
+namespace finemote::gen::timing {
+
+/// A chain `from -> to`: the sample `from` reads, up to the root of the tree of `to`, and down to the output of `to`.
+struct ChainResult {
+  std::size_t from = 0, to = 0;
+  std::optional<Ns> acquire_ns;  ///< sample to begin of update(from)
+  std::optional<Ns> decide_ns;   ///< begin of update(from) to end of handle(to)
+  std::optional<Ns> wire_ns;     ///< end of handle(to) to the last bit
+  std::optional<Ns> end_to_end_ns;
+  bool assumed = false;        ///< some execution time or acquisition behind it is an assumption
+  bool through_reads = false;  ///< passes a `reads` edge: outside Theorem 3
+  bool closed_form = false;
+};
+
+class ChainAnalysis {
+ public:
+  static constexpr std::size_t kMostPairs = 1024;
+
+  /// @param most_pairs  up to so many pairs of leaves of one tree `defaults()` looks at each; beyond, at groups of
+  /// them.
+  ChainAnalysis(const Model& model, const Topology& topology, const ProfileAnalysis& profile, const WireAnalysis& wire,
+                Effort& effort, std::size_t most_pairs = kMostPairs);
+
+  /// Whether data of `from` reaches commands of `to`.
+  [[nodiscard]] bool connected(std::size_t from, std::size_t to) const;
+
+  /// Requires connected(from, to). Throws Overflow, TooLong.
+  [[nodiscard]] ChainResult bound(std::size_t from, std::size_t to) const;
+
+  /// For every leaf that takes a command (every root where its tree has none): the source leaf of its tree with the
+  /// largest bound. Throws Overflow, TooLong.
+  [[nodiscard]] std::vector<ChainResult> defaults() const;
+
+ private:
+  struct Route;
+  struct Decision {
+    std::optional<Ns> ns;
+    bool closed_form = false;
+    bool through_reads = false;
+  };
+
+  [[nodiscard]] Route route(std::size_t from, std::size_t to) const;
+  [[nodiscard]] Decision decide(std::size_t from, std::size_t to) const;
+  [[nodiscard]] Ns walk(const Route& route, Ns entries) const;
+  [[nodiscard]] Ns closed_form(const Route& route) const;
+  [[nodiscard]] Ns hand_down(Ns release, std::size_t producer, std::size_t consumer) const;
+  [[nodiscard]] Ns used(Ns use, std::size_t producer, std::size_t consumer) const;
+  [[nodiscard]] Ns pair_window(std::size_t from, std::size_t to, Ns release) const;
+  [[nodiscard]] ChainResult complete(std::size_t from, std::size_t to, const Decision& decision) const;
+  [[nodiscard]] std::vector<ChainResult> worst_of_pairs(const std::vector<std::size_t>& sources,
+                                                        const std::vector<std::size_t>& terminals) const;
+  [[nodiscard]] std::vector<ChainResult> worst_of_groups(std::size_t tree,
+                                                         const std::vector<std::size_t>& terminals) const;
+  [[nodiscard]] Ns entries(std::size_t tree) const;
+  [[nodiscard]] bool is_assumed(std::size_t from, std::size_t to) const;
+
+  const Model& model_;
+  const Topology& topology_;
+  const ProfileAnalysis& profile_;
+  const WireAnalysis& wire_;
+  Effort& effort_;
+  std::size_t most_pairs_;
+  std::vector<std::vector<std::size_t>> consumers_;  ///< per device: its parent, and who reads it
+  std::vector<std::optional<Ns>> acquire_;           ///< per device
+  Ns assumed_from_ = kNever;                         ///< shortest period of a device whose execution times are assumed
+};
+
+}  // namespace finemote::gen::timing

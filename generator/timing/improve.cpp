@@ -1,0 +1,151 @@
+// How far a model is from its limits, and how another registration order would do.
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+#include "generator/timing/analyse.hpp"
+
+namespace finemote::gen::timing {
+namespace {
+
+bool is_schedulable(const Model& model, Profile profile) {
+  try {
+    Effort effort;
+    const TaskSet set = make_task_set(model, profile);
+    const Responses responses = bound_responses(set, effort);
+    return std::none_of(responses.bucket.begin(), responses.bucket.end(), [](Ns r) { return r == kNone; });
+  } catch (const Overflow&) {
+    return false;
+  }
+}
+
+/// Rounded up: a time that still fits fits exactly.
+Ns scaled(Ns time, Ns permille) { return ceil_div(multiply(time, permille), 1000); }
+
+bool survives(const Model& model, Profile profile, std::optional<std::size_t> only, Ns permille) {
+  Model trial = model;
+  try {
+    for (std::size_t d = 0; d < trial.devices.size(); ++d) {
+      if (only && *only != d) continue;
+      Device& device = trial.devices[d];
+      device.update_wcet_ns = scaled(device.update_wcet_ns, permille);
+      device.handle_wcet_ns = scaled(device.handle_wcet_ns, permille);
+    }
+  } catch (const Overflow&) {
+    return false;
+  }
+  return is_schedulable(trial, profile);
+}
+
+/// Orders are judged by the worst tree latency first, then by the sum over all paths; unbounded is worst.
+struct Score {
+  Ns worst = 0;
+  long double total = 0;
+  friend bool operator<(const Score& a, const Score& b) {
+    return a.worst != b.worst ? a.worst < b.worst : a.total < b.total;
+  }
+};
+
+Score score(const Model& model, Profile profile) {
+  const ProfileAnalysis analysis = analyse_profile(model, make_topology(model), profile);
+  Score s;
+  for (const TreeResult& tree : analysis.result.trees) {
+    s.worst = std::max(s.worst, tree.latency_ns.value_or(kNever));
+    for (const PathResult& path : tree.paths) s.total += static_cast<long double>(path.latency_ns.value_or(kNever));
+  }
+  return s;
+}
+
+/// A forest as nested lists of siblings; the order of registration is depth first, parents last.
+struct Siblings {
+  std::vector<std::vector<std::size_t>> lists;  ///< children of every device, and the roots as the last list
+};
+
+std::vector<std::size_t> registration(const Siblings& siblings) {
+  std::vector<std::size_t> order, stack(siblings.lists.back().begin(), siblings.lists.back().end());
+  while (!stack.empty()) {  // parents first and from behind, then the whole sequence reversed
+    const std::size_t device = stack.back();
+    stack.pop_back();
+    order.push_back(device);
+    for (const std::size_t child : siblings.lists[device]) stack.push_back(child);
+  }
+  std::reverse(order.begin(), order.end());
+  return order;
+}
+
+constexpr int kMostTrials = 400;
+
+}  // namespace
+
+Ns slack_permille(const Model& model, Profile profile, std::optional<std::size_t> only) {
+  if (!survives(model, profile, only, 0)) return 0;
+  Ns good = 0, bad = 1000;
+  while (bad < kMostSlack && survives(model, profile, only, bad)) good = bad, bad *= 2;
+  if (bad >= kMostSlack) return kMostSlack;
+  while (bad - good > 1) {
+    const Ns middle = good + (bad - good) / 2;
+    (survives(model, profile, only, middle) ? good : bad) = middle;
+  }
+  return good;
+}
+
+Model reorder(const Model& model, const std::vector<std::size_t>& order) {
+  std::vector<std::size_t> place(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+  Model result = model;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    Device& d = result.devices[i] = model.devices[order[i]];
+    if (d.parent) d.parent = place[*d.parent];
+    for (std::size_t& read : d.reads) read = place[read];
+  }
+  for (Bus& bus : result.buses) {
+    if (!bus.sources) continue;
+    for (InterruptSource& source : *bus.sources) {
+      for (FrameBudget& b : source.budgets) b.device = place[b.device];
+    }
+  }
+  for (Flush& flush : result.flushes) {
+    for (std::size_t& d : flush.devices) d = place[d];
+  }
+  return result;
+}
+
+std::vector<std::size_t> suggest_order(const Model& model, Profile profile) {
+  Siblings siblings;
+  siblings.lists.resize(model.devices.size() + 1);
+  for (std::size_t d = 0; d < model.devices.size(); ++d) {
+    siblings.lists[model.devices[d].parent.value_or(model.devices.size())].push_back(d);
+  }
+  std::vector<std::size_t> best(model.devices.size());
+  std::iota(best.begin(), best.end(), std::size_t{0});
+  Score best_score = score(model, profile);
+  int trials = 0;
+  const auto try_order = [&] {
+    ++trials;
+    std::vector<std::size_t> order = registration(siblings);
+    const Score s = score(reorder(model, order), profile);
+    if (!(s < best_score)) return false;
+    best_score = s;
+    best = std::move(order);
+    return true;
+  };
+  for (bool better = true; better && trials < kMostTrials;) {
+    better = false;
+    for (auto& list : siblings.lists) {
+      for (std::size_t i = 0; i + 1 < list.size() && trials < kMostTrials; ++i) {
+        // A device registered later starts later and ends earlier: move one behind its siblings at a time.
+        const auto before = list;
+        std::rotate(list.begin() + static_cast<std::ptrdiff_t>(i), list.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                    list.end());
+        if (try_order()) {
+          better = true;
+        } else {
+          list = before;
+        }
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace finemote::gen::timing

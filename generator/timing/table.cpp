@@ -1,0 +1,160 @@
+#include "generator/timing/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace finemote::gen::timing {
+namespace {
+
+std::string percent(double fraction) { return fmt::format("{:.1f} %", fraction * 100); }
+
+std::string_view source_text(WcetSource source) {
+  switch (source) {
+    case WcetSource::unknown:
+      return "given";
+    case WcetSource::assumed:
+      return "assumed";
+    case WcetSource::budget:
+      return "budget";
+    case WcetSource::measured:
+      return "measured";
+    case WcetSource::static_analysis:
+      return "static";
+  }
+  return "";
+}
+
+std::string verdict(const Timing& timing) {
+  const UtilizationTests& u = timing.utilization;
+  std::string text =
+      fmt::format("schedulable: {} (profile {})\n", timing.schedulable ? "yes" : "no", profile_name(timing.asked));
+  text += fmt::format("utilisation: {} of the processor with buses at tick rate; Liu-Layland {} at {}, hyperbolic {}\n",
+                      percent(u.utilization.value), u.liu_layland.ok ? "holds" : "fails", percent(u.liu_layland.bound),
+                      u.hyperbolic_ok ? "holds" : "fails");
+  return text;
+}
+
+std::string buckets(const Timing& timing) {
+  Table table({"period", "devices", "work", "response", "of period", ""});
+  for (const BucketResult& b : timing.verdict().buckets) {
+    const double share = static_cast<double>(b.response_ns.value_or(0)) / static_cast<double>(b.period_ns);
+    table.row({duration_text(b.period_ns), std::to_string(b.devices.size()), duration_text(b.wcet_ns),
+               duration_text(b.response_ns), b.ok ? percent(share) : "-", b.ok ? "ok" : "may overrun"});
+  }
+  return "\nbuckets\n" + table.text();
+}
+
+std::string devices(const Timing& timing) {
+  const bool windows = timing.asked != Profile::paper;
+  std::vector<std::string> head{"device", "period", "update", "handle", "R+", "R-"};
+  if (windows) head.emplace_back("window");
+  head.emplace_back("wcet");
+  Table table(head);
+  for (std::size_t d = 0; d < timing.model.devices.size(); ++d) {
+    const Device& device = timing.model.devices[d];
+    const DeviceResult& r = timing.verdict().devices[d];
+    std::vector<std::string> cells{device.name,
+                                   duration_text(device.period_ns),
+                                   duration_text(device.update_wcet_ns),
+                                   duration_text(device.handle_wcet_ns),
+                                   duration_text(r.r_plus_ns),
+                                   duration_text(r.r_minus_ns)};
+    if (windows) cells.push_back(duration_text(r.window_ns));
+    cells.emplace_back(source_text(device.source));
+    table.row(cells);
+  }
+  return "\ndevices (R+, R-: release to end of update and handle; window: begin of update to end of handle)\n" +
+         table.text();
+}
+
+std::string trees(const Timing& timing) {
+  static constexpr std::string_view kClass[] = {"same period", "harmonic", "general"};
+  Table table({"tree", "class", "latency", "worst leaf"});
+  for (const TreeResult& t : timing.verdict().trees) {
+    table.row({timing.model.devices[t.root].name, std::string(kClass[static_cast<int>(t.kind)]),
+               duration_text(t.latency_ns), t.worst_leaf ? timing.model.devices[*t.worst_leaf].name : "-"});
+  }
+  return "\ntrees (latency: begin of a leaf's update to the end of its handle that uses it)\n" + table.text();
+}
+
+std::string chains(const Timing& timing) {
+  Table table({"chain", "acquire", "decide", "wire", "end to end", ""});
+  for (const ChainResult& c : timing.chains) {
+    std::string remark = c.assumed ? "assumed" : "";
+    if (c.through_reads) remark += remark.empty() ? "through reads" : ", through reads";
+    if (c.closed_form) remark += remark.empty() ? "closed form" : ", closed form";
+    table.row({timing.model.devices[c.from].name + " -> " + timing.model.devices[c.to].name,
+               duration_text(c.acquire_ns), duration_text(c.decide_ns), duration_text(c.wire_ns),
+               duration_text(c.end_to_end_ns), remark});
+  }
+  return fmt::format("\nchains (profile {})\n", timing.target ? "target" : "tight") + table.text();
+}
+
+std::string buses(const Timing& timing) {
+  if (timing.model.buses.empty()) return {};
+  Table table({"bus", "interrupt", "at least every", "wire load"});
+  for (std::size_t b = 0; b < timing.model.buses.size(); ++b) {
+    const Bus& bus = timing.model.buses[b];
+    table.row(
+        {bus.name, duration_text(bus.wcet_ns), duration_text(bus.frame_ns), percent(timing.bus_loads[b].utilization)});
+  }
+  return "\nbuses\n" + table.text();
+}
+
+std::string requirements(const Timing& timing) {
+  if (timing.requirements.empty()) return {};
+  Table table({"requirement", "at most", "bound", ""});
+  for (const RequirementResult& r : timing.requirements) {
+    const bool share = r.fraction.has_value();
+    table.row({r.requirement.text, share ? percent(r.requirement.max_fraction) : duration_text(r.requirement.max_ns),
+               share ? percent(*r.fraction) : duration_text(r.value_ns), r.ok ? "holds" : "fails"});
+  }
+  return "\nrequirements\n" + table.text();
+}
+
+}  // namespace
+
+std::string duration_text(Ns ns) {
+  struct Scale {
+    Ns size;
+    std::string_view unit;
+  };
+  static constexpr Scale kScales[] = {{1'000'000'000, "s"}, {1'000'000, "ms"}, {1'000, "us"}};
+  for (const Scale& s : kScales) {
+    if (ns < s.size) continue;
+    const Ns thousandths = ns / s.size * 1000 + (ns % s.size * 1000 + s.size - 1) / s.size;
+    std::string digits = fmt::format("{}.{:03}", thousandths / 1000, thousandths % 1000);
+    digits.erase(digits.find_last_not_of('0') + 1);
+    if (digits.back() == '.') digits.pop_back();
+    return fmt::format("{} {}", digits, s.unit);
+  }
+  return fmt::format("{} ns", ns);
+}
+
+std::string duration_text(std::optional<Ns> ns) { return ns ? duration_text(*ns) : "-"; }
+
+std::string Table::text() const {
+  std::vector<std::size_t> widths(rows_.front().size(), 0);
+  for (const auto& row : rows_) {
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+  }
+  std::string text;
+  for (const auto& row : rows_) {
+    std::string line = fmt::format("  {:<{}}", row.front(), widths.front());
+    for (std::size_t c = 1; c < row.size(); ++c) {
+      const bool remark = c + 1 == row.size() && rows_.front()[c].empty();
+      line += remark ? "  " + row[c] : fmt::format("  {:>{}}", row[c], widths[c]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string timing_table(const Timing& timing) {
+  return verdict(timing) + buckets(timing) + devices(timing) + trees(timing) + chains(timing) + buses(timing) +
+         requirements(timing);
+}
+
+}  // namespace finemote::gen::timing

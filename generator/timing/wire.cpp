@@ -1,0 +1,172 @@
+#include "generator/timing/wire.hpp"
+
+#include <algorithm>
+
+#include "generator/timing/utilization.hpp"
+
+namespace finemote::gen::timing {
+
+WireAnalysis::WireAnalysis(const Model& model, const ProfileAnalysis& profile, Effort& effort)
+    : model_(model), profile_(profile), effort_(effort) {
+  collect();
+  add_load();
+}
+
+/// An interrupt waits for a masked section and for all other interrupt work there can be until it is served.
+Ns WireAnalysis::interrupt_delay() {
+  const TaskSet& set = profile_.set;
+  if (profile_.result.profile != Profile::target || is_saturated(set, 0)) return 0;
+  Demand demand(effort_);
+  demand.add_streams(set.streams);
+  return least_fit(demand, set.blocking, 1, kNever - 1);
+}
+
+void WireAnalysis::collect() {
+  const Ns delay = interrupt_delay();
+  const Responses& r = profile_.responses;
+  item_of_.resize(model_.devices.size());
+  const auto add_item = [&](Item item, Ns interrupts) {
+    item.pure = item.wire;
+    item.wire = add(item.wire, multiply(interrupts, delay));
+    items_.push_back(item);
+    return items_.size() - 1;
+  };
+  for (std::size_t d = 0; d < model_.devices.size(); ++d) {
+    const std::size_t w = profile_.set.bucket_of[d];
+    for (const Transfer& t : model_.devices[d].transfers) {
+      Item item{t.bus, t.receive, t.after == Transfer::After::autonomous, model_.devices[d].period_ns, 0, t.wire_ns, 0,
+                w + 1, r.ok(w)};
+      if (t.after == Transfer::After::update) item.jitter = r.r_plus[d];
+      if (t.after == Transfer::After::handle) item.jitter = r.r_minus[d];
+      if (t.after == Transfer::After::bucket) item.jitter = r.bucket[w];
+      if (item.autonomous) {
+        item.rank = 0;
+        item.bounded = true;
+        if (t.min_interval_ns > 0) item.period = t.min_interval_ns;
+      }
+      item_of_[d].push_back(add_item(item, t.interrupts));
+    }
+  }
+  for (const Flush& f : model_.flushes) {
+    flush_item_.emplace_back();
+    if (!f.bus) continue;
+    std::size_t w = 0;
+    while (profile_.set.buckets[w].period != f.period_ns) ++w;
+    flush_item_.back() =
+        add_item({*f.bus, false, false, f.period_ns, r.bucket[w], f.wire_ns, 0, w + 1, r.ok(w)}, f.interrupts);
+  }
+}
+
+void WireAnalysis::add_load() {
+  loads_.resize(model_.buses.size());
+  for (std::size_t b = 0; b < loads_.size(); ++b) {
+    long double lines[2] = {0, 0};
+    for (const Item& i : items_) {
+      if (i.bus == b) lines[i.receive ? 1 : 0] += static_cast<long double>(i.pure) / static_cast<long double>(i.period);
+    }
+    const long double load = std::max(lines[0], lines[1]);
+    loads_[b] = {static_cast<Ns>(load * 1e9L + 0.5L), static_cast<double>(load)};
+  }
+}
+
+std::optional<Ns> WireAnalysis::bound(std::size_t index) const {
+  const Item& own = items_[index];
+  if (!own.bounded) return std::nullopt;
+  const auto competes = [&](const Item& i) { return i.bus == own.bus && i.receive == own.receive; };
+  Ns blocking = own.wire;
+  for (const Item& i : items_) {
+    if (competes(i) && i.rank >= own.rank) blocking = std::max(blocking, i.wire);
+  }
+  Ns wait = blocking;
+  for (bool stable = false; !stable;) {
+    Ns need = blocking;
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      const Item& other = items_[i];
+      // Of equal rank the order of the slots decides; counting both ways is safe.
+      if (i == index || !competes(other) || other.rank > own.rank) continue;
+      if (!other.bounded) return std::nullopt;
+      need = add(need, multiply(add(wait, other.jitter) / other.period + 1, other.wire));
+    }
+    effort_.spend(static_cast<std::int64_t>(items_.size()));
+    if (need > own.period) return std::nullopt;
+    stable = need <= wait;
+    wait = std::max(wait, need);
+  }
+  const Ns total = add(wait, own.wire);
+  // The slot must be free again before it is filled the next time.
+  if (add(total, own.jitter) > own.period) return std::nullopt;
+  return total;
+}
+
+std::optional<Ns> WireAnalysis::response(std::size_t device, std::size_t transfer) const {
+  return bound(item_of_[device][transfer]);
+}
+
+std::optional<Ns> WireAnalysis::flush_response(std::size_t flush) const {
+  return flush_item_[flush] ? bound(*flush_item_[flush]) : std::optional<Ns>(0);
+}
+
+/// From the end of handle(device) to the end of the job: nothing more urgent is pending when a stage ends, so only
+/// later arrivals and the rest of the job count.
+std::optional<Ns> WireAnalysis::rest_of_job(std::size_t device) const {
+  const TaskSet& set = profile_.set;
+  const std::size_t w = set.bucket_of[device];
+  if (!profile_.responses.ok(w)) return std::nullopt;
+  Ns work = add(set.buckets[w].after, set.blocking);
+  for (const std::size_t d : set.buckets[w].devices) {
+    if (d < device) work = add(work, set.handle[d]);
+  }
+  if (work == 0) return 0;
+  Demand demand(effort_);
+  demand.add_streams(set.streams);
+  for (std::size_t v = 0; v < w; ++v) demand.add({0, set.buckets[v].period, set.buckets[v].cost});
+  return std::min(least_fit(demand, work, work, kNever - 1), profile_.responses.bucket[w]);
+}
+
+std::optional<Ns> WireAnalysis::command(std::size_t to) const {
+  std::optional<Ns> worst = model_.devices[to].output_ns;
+  const auto raise = [&](std::optional<Ns> value) {
+    worst = worst && value ? std::optional<Ns>(std::max(*worst, *value)) : std::nullopt;
+  };
+  const auto after_job = [&](std::optional<Ns> value) {
+    const auto rest = rest_of_job(to);
+    raise(rest && value ? std::optional<Ns>(add(*rest, *value)) : std::nullopt);
+  };
+  for (std::size_t t = 0; t < model_.devices[to].transfers.size(); ++t) {
+    const Transfer& transfer = model_.devices[to].transfers[t];
+    if (!transfer.command) continue;
+    if (transfer.after == Transfer::After::bucket) {
+      after_job(response(to, t));
+    } else {
+      raise(response(to, t));
+    }
+  }
+  for (std::size_t f = 0; f < model_.flushes.size(); ++f) {
+    const auto& devices = model_.flushes[f].devices;
+    if (std::find(devices.begin(), devices.end(), to) != devices.end()) after_job(flush_response(f));
+  }
+  return worst;
+}
+
+std::optional<Ns> WireAnalysis::acquisition(std::size_t from) const {
+  const Device& device = model_.devices[from];
+  if (!device.acquisition) return 0;
+  const Acquisition& a = *device.acquisition;
+  if (a.periods == 0) return add(a.fixed_ns, a.interval_ns);
+  const std::size_t w = profile_.set.bucket_of[from];
+  if (!profile_.responses.ok(w)) return std::nullopt;
+  Ns wire = 0;
+  for (std::size_t t = 0; t < device.transfers.size(); ++t) {
+    if (device.transfers[t].after == Transfer::After::autonomous || device.transfers[t].command) continue;
+    const auto bound = response(from, t);
+    if (!bound) return std::nullopt;
+    wire = std::max(wire, *bound);
+  }
+  const Ns response = profile_.responses.r_plus[from];
+  const Ns busy = add(add(response, wire), a.conversion_ns);
+  const Ns extra = a.conversion_ns == 0 ? 0 : std::max<Ns>(ceil_div(busy, device.period_ns) - 1, 0);
+  const Ns periods = add(add(a.periods, extra), multiply(a.every - 1, extra + 1));
+  return add(add(a.fixed_ns, response), multiply(periods, device.period_ns));
+}
+
+}  // namespace finemote::gen::timing

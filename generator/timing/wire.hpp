@@ -1,0 +1,63 @@
+// When a transfer's last bit is on the wire, and how busy every bus is.
+#pragma once
+
+#include "generator/timing/profile.hpp"
+
+namespace finemote::gen::timing {
+
+struct BusLoad {
+  Ns wire_ns_per_s = 0;  ///< of the busier line where a bus has two
+  double utilization = 0;
+};
+
+/// Everything that goes over the buses, with its worst wait. A bus takes what is queued in rate-monotonic order, as the
+/// runtime's interrupt does, and finishes what it began. Frames a part sends by itself count as more urgent than
+/// anything: on CAN the identifier decides, which is not known here.
+///
+/// Source: non-preemptive fixed priorities with release jitter, sufficient form (Davis, Burns, Bril and Lukkien,
+/// Real-Time Systems 35(3), 2007, section 3.4): the longest transfer of lower or own urgency blocks once.
+class WireAnalysis {
+ public:
+  WireAnalysis(const Model& model, const ProfileAnalysis& profile, Effort& effort);
+
+  /// Hand-over to last bit of a transfer; none where one may still be queued when the next is handed over.
+  [[nodiscard]] std::optional<Ns> response(std::size_t device, std::size_t transfer) const;
+  [[nodiscard]] std::optional<Ns> flush_response(std::size_t flush) const;
+
+  /// End of handle(to) to the last bit of its command; 0 where no bus carries one; none where unbounded.
+  [[nodiscard]] std::optional<Ns> command(std::size_t to) const;
+
+  /// Age of a sample when update(from) begins; 0 without acquisition data; none where unbounded.
+  [[nodiscard]] std::optional<Ns> acquisition(std::size_t from) const;
+
+  [[nodiscard]] const std::vector<BusLoad>& loads() const { return loads_; }
+
+ private:
+  struct Item {
+    std::size_t bus = 0;
+    bool receive = false;
+    bool autonomous = false;
+    Ns period = 1;
+    Ns jitter = 0;         ///< release to hand-over
+    Ns wire = 0;           ///< occupation of the bus, service routines included
+    Ns pure = 0;           ///< the same without them
+    std::size_t rank = 0;  ///< 0 is the most urgent
+    bool bounded = true;   ///< its bucket is ok
+  };
+
+  void collect();
+  void add_load();
+  Ns interrupt_delay();
+  [[nodiscard]] std::optional<Ns> bound(std::size_t item) const;
+  [[nodiscard]] std::optional<Ns> rest_of_job(std::size_t device) const;
+
+  const Model& model_;
+  const ProfileAnalysis& profile_;
+  Effort& effort_;
+  std::vector<Item> items_;
+  std::vector<std::vector<std::size_t>> item_of_;  ///< per device and transfer
+  std::vector<std::optional<std::size_t>> flush_item_;
+  std::vector<BusLoad> loads_;
+};
+
+}  // namespace finemote::gen::timing
