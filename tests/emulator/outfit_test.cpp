@@ -1,0 +1,94 @@
+// Parts and events from a JSON document, on the `mini` image; and chains measured on its trace.
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "catch.hpp"
+#include "emulator/chain.hpp"
+#include "emulator/outfit.hpp"
+
+using namespace finemote::emulator;
+
+namespace {
+
+const char* const kParts = R"({
+  "schema": "finemote.scenario/1",
+  "parts": [
+    {"type": "h30_imu", "name": "imu", "port": "usart1", "baud": 460800, "period_ns": 5000000, "phase_ns": 1000000},
+    {"type": "host_terminal", "name": "host", "port": "usart6", "baud": 115200, "even_parity": true},
+    {"type": "tca9548a", "name": "mux", "port": "i2c2", "address": 112},
+    {"type": "ms5837", "name": "baro", "mux": "mux", "channel": 0, "variant": "30BA"},
+    {"type": "pca9685", "name": "pwm", "mux": "mux", "channel": 4, "address": 64}
+  ],
+  "events": [
+    {"t_ns": 300000000, "part": "imu", "do": "silent"},
+    {"t_ns": 450000000, "part": "imu", "do": "silent", "on": false},
+    {"t_ns": 500000000, "part": "baro", "do": "move", "pressure": 200000},
+    {"t_ns": 600000000, "part": "host", "do": "send", "text": "ping"},
+    {"t_ns": 700000000, "port": "i2c2", "do": "hold_sda", "clocks": 4}
+  ]
+})";
+
+Image mini_image() { return load_image(std::string(FINEMOTE_IMAGES) + "/mini.elf"); }
+
+}  // namespace
+
+TEST_CASE("a scenario's parts answer and its events happen when they say") {
+  Board board;
+  board.load(mini_image());
+  Outfit outfit(board);
+  outfit.add(nlohmann::ordered_json::parse(kParts));
+  board.run_for(290'000'000);
+  CHECK(board.word("observed", 0) == 1);
+  CHECK(outfit.pca9685("pwm")->pulse_ns(3) == Approx(1'600'000).margin(3'000));
+  board.run_for(110'000'000);  // 400 ms
+  CHECK(board.word("observed", 0) == 0);
+  CHECK(outfit.pca9685("pwm")->pulse_ns(3) == Approx(1'500'000).margin(3'000));
+  board.run_for(290'000'000);  // 690 ms
+  CHECK(board.word("observed", 0) == 1);
+  CHECK(board.word("observed", 12) == Approx(200'000).margin(10));
+  CHECK(outfit.terminal("host")->text() == "ping");
+  board.run_for(200'000'000);              // 890 ms
+  CHECK(board.word("observed", 24) == 1);  // one recovery
+  // The silence ended in neutral, and the end of it in the old pulse: three changes of channel 3.
+  std::vector<std::uint64_t> pulses;
+  for (const PartEvent& event : outfit.events()) {
+    if (event.kind == PartEvent::Kind::output && event.channel == 3) pulses.push_back(event.value / 10'000);
+  }
+  CHECK(pulses.size() >= 3);
+}
+
+TEST_CASE("a scenario with a mistake is refused with the entry") {
+  Board board;
+  Outfit outfit(board);
+  const auto add = [&](const char* text) { outfit.add(nlohmann::ordered_json::parse(text)); };
+  CHECK_THROWS_AS(add(R"({"parts": []})"), std::invalid_argument);
+  CHECK_THROWS_AS(add(R"({"schema": "finemote.scenario/1", "part": []})"), std::invalid_argument);
+  CHECK_THROWS_AS(add(R"({"schema": "finemote.scenario/1", "parts": [{"type": "sonar", "name": "s"}]})"),
+                  std::invalid_argument);
+  CHECK_THROWS_AS(
+      add(R"({"schema": "finemote.scenario/1", "parts": [{"type": "h30_imu", "name": "s", "port": "usart9", "baud": 9600}]})"),
+      std::invalid_argument);
+  CHECK_THROWS_AS(add(R"({"schema": "finemote.scenario/1", "events": [{"t_ns": 1, "do": "silent"}]})"),
+                  std::invalid_argument);
+  CHECK_THROWS_AS(
+      add(R"({"schema": "finemote.scenario/1", "events": [{"t_ns": "1ms", "port": "i2c2", "do": "nack"}]})"),
+      std::invalid_argument);
+}
+
+TEST_CASE("a chain is followed back through latest finished stages") {
+  // Devices: 0 sensor (5 ms), 1 actuator (10 ms), 2 root (10 ms).
+  const std::vector<StageEvent> events = {
+      {0, 0, true},   {10, 0, false},                                   // sensor 0
+      {20, 2, true},  {30, 2, false},  {30, 4, true},  {40, 4, false},  // actuator and root update
+      {45, 0, true},  {50, 0, false},                                   // sensor again: too late for the root
+      {60, 5, true},  {70, 5, false},  {70, 3, true},  {80, 3, false},  // root and actuator handle
+      {100, 2, true}, {110, 2, false}, {110, 4, true}, {120, 4, false},
+      {120, 5, true}, {130, 5, false}, {130, 3, true}, {145, 3, false},
+  };
+  const auto samples = chain_samples(stage_runs(events), {0, 2}, {2, 1});
+  REQUIRE(samples.size() == 2);
+  CHECK(samples[0].update_begin_ns == 0);
+  CHECK(samples[0].handle_end_ns == 80);
+  CHECK(samples[1].update_begin_ns == 45);
+  CHECK(samples[1].handle_end_ns == 145);
+}
