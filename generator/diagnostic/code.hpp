@@ -16,18 +16,44 @@ struct Code {
 namespace code {
 
 // 0xxx: command line and files
-inline constexpr Code usage{1};              // a word of the command line is wrong
-inline constexpr Code unreadable_file{2};    // missing, a folder, or no permission
+inline constexpr Code usage{1};            // a word of the command line is wrong
+inline constexpr Code unreadable_file{2};  // missing, a folder, or no permission
 inline constexpr Code empty_file{3};
 inline constexpr Code not_utf8{4};
 inline constexpr Code file_too_large{5};
-inline constexpr Code missing_tool{6};       // a compiler or emulator that `run` needs
-inline constexpr Code data_not_found{7};     // schemas, templates, runtime
+inline constexpr Code missing_tool{6};    // a compiler or emulator that `run` needs
+inline constexpr Code data_not_found{7};  // schemas, templates, runtime
 
 // 1xxx: XML and xacro
 inline constexpr Code malformed_xml{1001};
-inline constexpr Code xacro_in_urdf{1002};   // a xacro: tag in a file that is read as plain URDF
-inline constexpr Code nested_too_deeply{1003};  // elements inside elements beyond the limit
+inline constexpr Code xacro_in_urdf{1002};       // a xacro: tag in a file that is read as plain URDF
+inline constexpr Code nested_too_deeply{1003};   // elements inside elements beyond the limit
+inline constexpr Code xacro_expression{1010};    // ${...} that cannot be parsed or evaluated
+inline constexpr Code xacro_limit{1011};         // recursion, work or output beyond the bounds
+inline constexpr Code xacro_fatal{1012};         // the file itself called xacro.fatal()
+inline constexpr Code xacro_text{1013};          // ${ or $( without end, $$ before anything else
+inline constexpr Code xacro_substitution{1014};  // $(...) of an unknown kind or with wrong words
+inline constexpr Code xacro_argument{1015};      // $(arg x) without a value
+inline constexpr Code xacro_package{1016};       // $(find x): there is no such package
+inline constexpr Code xacro_attribute{1020};     // an attribute of a xacro tag is missing
+inline constexpr Code xacro_property{1021};      // a property's name or options are wrong
+inline constexpr Code xacro_macro{1022};         // a macro's name or parameters are wrong
+inline constexpr Code xacro_unknown_macro{1023};
+inline constexpr Code xacro_call{1024};               // arguments or blocks of a macro call are missing or too many
+inline constexpr Code xacro_block{1025};              // insert_block of a name that is no block
+inline constexpr Code xacro_condition{1026};          // if or unless with a value that is no boolean
+inline constexpr Code xacro_include{1027};            // an included file cannot be read
+inline constexpr Code xacro_yaml{1028};               // a YAML file cannot be read or parsed
+inline constexpr Code xacro_output{1029};             // the expanded file cannot be written
+inline constexpr Code xacro_unknown_attribute{1050};  // warning: a xacro tag does not know the attribute
+inline constexpr Code xacro_redefined_symbol{1051};   // warning: a property hides a built-in
+inline constexpr Code xacro_deprecated{1052};         // warning: a function has moved into a namespace
+inline constexpr Code xacro_no_match{1053};           // warning: a wild card matches no file
+inline constexpr Code xacro_namespace{1054};          // warning: two files declare one xmlns prefix differently
+inline constexpr Code xacro_ignored{1055};            // warning: part of the input has no effect
+inline constexpr Code xacro_message{1056};  // warning: the file itself called xacro.warning() or xacro.error()
+inline constexpr Code xacro_duplicate_package{1057};  // warning: a package is found in two places
+inline constexpr Code xacro_macro_prefix{1058};       // warning: a macro's name begins with xacro:
 
 // 32xx: schedule
 inline constexpr Code too_many_buckets{3201};      // more periods than interrupt lines or priority levels

@@ -1,0 +1,50 @@
+// The bounds of one expansion: generous for robots, and reached within a second by an input that never ends.
+#pragma once
+
+#include <cstddef>
+
+#include "generator/xacro/failure.hpp"
+
+namespace finemote::gen::xacro {
+
+inline constexpr std::size_t kMaxSteps = 20'000'000;               ///< operations inside one expression
+inline constexpr std::size_t kMaxText = std::size_t{64} << 20;     ///< bytes of one text value
+inline constexpr std::size_t kMaxItems = 4'000'000;                ///< items of one list, range or repetition
+inline constexpr std::size_t kMaxCalls = 1'000'000;                ///< macro calls of one expansion
+inline constexpr std::size_t kMaxNestedCalls = 2'000;              ///< macro calls inside macro calls
+inline constexpr std::size_t kMaxOutput = std::size_t{512} << 20;  ///< bytes of names, values and texts of the result
+inline constexpr std::size_t kMaxOutputDepth = 2'000;              ///< elements inside elements of the result
+inline constexpr std::size_t kMaxIncludes = 200;                   ///< files inside files
+inline constexpr std::size_t kMaxExpressionDepth = 200;            ///< brackets inside brackets of one expression
+
+inline constexpr std::size_t kMaxEvalDepth = 10'000;  ///< expressions inside expressions, through properties
+
+/// Counts the work of one expression.
+class Budget {
+ public:
+  void begin_expression() { steps_ = 0; }
+  void spend(std::size_t steps) {
+    steps_ += steps;
+    if (steps_ > kMaxSteps) fail_limit("the expression needs too many operations");
+  }
+
+ private:
+  std::size_t steps_ = 0;
+};
+
+/// One level of recursion, as long as it lives.
+class Level {
+ public:
+  Level(std::size_t& depth, std::size_t limit, const char* message) : depth_(depth) {
+    if (depth_ >= limit) fail_limit(message);
+    ++depth_;
+  }
+  ~Level() { --depth_; }
+  Level(const Level&) = delete;
+  Level& operator=(const Level&) = delete;
+
+ private:
+  std::size_t& depth_;
+};
+
+}  // namespace finemote::gen::xacro

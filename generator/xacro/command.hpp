@@ -1,0 +1,32 @@
+// `finemote xacro`: the drop-in for ROS xacro's command.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "generator/xacro/expand.hpp"
+
+namespace finemote::gen::xacro {
+
+struct XacroOptions {
+  std::string input;  ///< a path, or "-" for standard input
+  Arguments arguments;
+  std::string output;              ///< `-o`: the file to write, with its folders; standard output when empty
+  bool only_dependencies = false;  ///< `--deps`: names of all files read besides the input, with blanks between them
+  bool in_order = false;           ///< `-i`, `--inorder`: accepted, a remark only
+  int verbosity = 1;               ///< `-q` is 0: no warnings
+  std::vector<std::pair<std::string, std::string>> packages;  ///< `--package name=folder`
+  bool color = false;
+};
+
+/// Takes `name:=value` into `arguments` as ROS does: blanks around both are dropped, an empty value is ignored, and so
+/// is a name like `_x`. Returns false when the word is none.
+bool add_argument(std::string_view word, Arguments& arguments);
+
+/// Expands and writes. Returns 0, or 2 after an error; then nothing is written to `out` or the output file.
+int run_xacro(const XacroOptions& options, std::ostream& out, std::ostream& err);
+
+}  // namespace finemote::gen::xacro

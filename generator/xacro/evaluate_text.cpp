@@ -1,0 +1,129 @@
+// Texts with ${} and $() to values.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/xacro/evaluate.hpp"
+#include "generator/xacro/expander.hpp"
+#include "generator/xacro/number.hpp"
+#include "generator/xacro/print.hpp"
+
+namespace finemote::gen::xacro {
+
+std::string Expander::text_of(const std::string& text, const Position& at, Scope& scope) {
+  if (text.find('$') == std::string::npos) return text;
+  return to_text(runtime_, value_of(text, at, scope));
+}
+
+Value Expander::value_of(const std::string& text, const Position& at, Scope& scope) {
+  if (text.find('$') == std::string::npos) return text;
+  auto& cut = texts_[text];
+  if (!cut) cut = std::make_unique<const Text>(cut_text(text));
+  if (evaluation_depth_ == 0) runtime_.budget.begin_expression();
+  return evaluate_pieces(*cut, at, text, scope);
+}
+
+Value Expander::evaluate_pieces(const Text& text, const Position& at, const std::string& whole, Scope& scope) {
+  const auto check = [&](std::size_t i) {
+    if (i >= text.pieces.size() || text.pieces[i].kind != Piece::Kind::malformed) return;
+    const Piece& piece = text.pieces[i];
+    throw Failure{code::xacro_text, "invalid expression: " + piece.text, inside(at, whole, piece.offset)};
+  };
+  check(0);
+  std::string joined;
+  for (std::size_t i = 0; i < text.pieces.size(); ++i) {
+    check(i + 1);  // before this piece is evaluated, as ROS xacro reads one piece ahead
+    Value value = evaluate_piece(text.pieces[i], at, whole, scope);
+    if (text.pieces.size() == 1) return value;
+    joined += to_text(runtime_, value);
+    if (joined.size() > kMaxText) fail_limit("the text is too long");
+  }
+  runtime_.budget.spend(joined.size() / 16);
+  return joined;
+}
+
+Value Expander::evaluate_piece(const Piece& piece, const Position& at, const std::string& whole, Scope& scope) {
+  if (piece.kind == Piece::Kind::plain) return piece.text;
+  const Level level(evaluation_depth_, kMaxNestedCalls, "maximum recursion depth exceeded in expressions");
+  const Position outer = current_;
+  current_ = at;
+  const bool is_expression = piece.kind == Piece::Kind::expression;
+  try {
+    const std::string source =
+        piece.inner ? to_text(runtime_, evaluate_pieces(*piece.inner, at, whole, scope)) : piece.text;
+    Value value = is_expression ? evaluate_source(source, scope) : Value(substitute(*this, source));
+    current_ = outer;
+    return value;
+  } catch (Failure& failure) {
+    if (is_expression) failure.message += fmt::format(" when evaluating expression '{}'", piece.text);
+    const bool is_elsewhere = failure.at.file != nullptr && (failure.at.file != at.file || failure.at.line != at.line);
+    constexpr std::size_t most_notes = 8;
+    if (failure.at.file == nullptr) {
+      failure.at = inside(at, whole, piece.offset);
+    } else if (is_elsewhere && failure.notes.size() < most_notes) {
+      failure.notes.push_back({fmt::format("needed for '{}'", piece.text), inside(at, whole, piece.offset)});
+    }
+    throw;
+  }
+}
+
+Value Expander::evaluate_source(const std::string& source, Scope& scope) {
+  auto& expression = expressions_[source];
+  if (!expression) expression = parse_expression(stripped(source));
+  const auto held = expression;  // evaluation may add others
+  return xacro::evaluate(runtime_, *held, scope);
+}
+
+Value Expander::property_value(const Scope::Found& found, const std::string& name) {
+  Property& property = *found.property;
+  if (!property.is_unevaluated) return property.value;
+  auto& open = found.scope->evaluating;
+  if (std::find(open.begin(), open.end(), name) != open.end()) {
+    fail_eval(
+        fmt::format("circular variable definition: {} -> {} Consider disabling lazy evaluation via lazy_eval=\"false\"",
+                    fmt::join(open, " -> "), name));
+  }
+  open.push_back(name);
+  const std::string text = *property.value.text();
+  Value value = literal_of(value_of(text, property.at, *found.scope));
+  open.pop_back();
+  property.value = value;
+  property.is_unevaluated = false;
+  return value;
+}
+
+bool Expander::boolean_of(const Value& value, const std::string& condition, const Position& at) {
+  const std::string* text = value.text();
+  if (text == nullptr) return is_true(value);
+  if (*text == "true" || *text == "True") return true;
+  if (*text == "false" || *text == "False") return false;
+  if (const auto i = parse_integer(*text)) return !i->is_zero();
+  throw Failure{
+      code::xacro_condition,
+      fmt::format("Xacro conditional \"{}\" evaluated to \"{}\", which is not a boolean expression.", condition, *text),
+      at};
+}
+
+/// The place `offset` bytes into a text that begins at `at`; its beginning where entities or line breaks in attributes
+/// make the source differ from the text.
+Position Expander::inside(Position at, const std::string& whole, std::size_t offset) {
+  if (at.file == nullptr || at.line == 0 || at.column == 0) return at;
+  std::string_view line = at.file->line(at.line);
+  if (at.column > line.size() + 1) return at;
+  line.remove_prefix(at.column - 1);
+  Position moved = at;
+  for (std::size_t i = 0; i < offset; ++i) {
+    if (whole[i] == '\n' && line.empty()) {
+      line = at.file->line(++moved.line);
+      moved.column = 1;
+    } else if (!line.empty() && line[0] == whole[i]) {
+      line.remove_prefix(1);
+      ++moved.column;
+    } else {
+      return at;
+    }
+  }
+  return moved;
+}
+
+}  // namespace finemote::gen::xacro

@@ -1,0 +1,153 @@
+// The expansion of one document: walks the source once, in document order, and builds the output.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "generator/xacro/comments.hpp"
+#include "generator/xacro/expand.hpp"
+#include "generator/xacro/macro.hpp"
+#include "generator/xacro/runtime.hpp"
+#include "generator/xacro/scope.hpp"
+#include "generator/xacro/substitution.hpp"
+#include "generator/xacro/text.hpp"
+
+namespace finemote::gen::xacro {
+
+/// What surrounds a piece of source: the names it sees and the way it was reached.
+struct Context {
+  Scope* scope = nullptr;
+  MacroScope* macros = nullptr;
+  const Expansion* via = nullptr;
+  bool is_placed = false;  ///< the nodes carry their own way already: a block that was evaluated by its caller
+};
+
+class Expander : private Host, private SubstitutionHost {
+ public:
+  Expander(const SourceFile& entry, const Arguments& arguments, const PackagePath& packages, Sources& sources,
+           Diagnostics& diagnostics, Dependencies& dependencies, std::ostream* messages);
+
+  /// Throws Failure.
+  xml::Document run();
+
+  /// The file, macro and include the expansion stands in, as ROS xacro lists them; one line each.
+  [[nodiscard]] std::vector<std::string> location() const;
+
+ private:
+  using Node = xml::Node;
+
+  // ---- walking: expander.cpp ----
+  void expand_children(const Node& source, const Context& context, Node& out);
+  void expand_element(const Node& source, const Context& context, Node& out, bool has_next);
+  void expand_plain_element(const Node& source, const Context& context, Node& out);
+  void expand_text(const Node& source, const Context& context, Node& out);
+  void expand_comment(const Node& source, const Context& context, Node& out, bool& is_evaluated);
+  void expand_condition(const Node& source, const Context& context, Node& out, bool has_next);
+  void expand_renamed(const Node& source, const Context& context, Node& out, bool has_next);
+  void expand_attribute(const Node& source, const Context& context, Node& out);
+  void expand_attributes(const Node& source, const Context& context, Node& out);
+  void expand_argument(const Node& source, const Context& context, Node& out, bool has_next);
+  void expand_block(const Node& source, const Context& context, Node& out);
+  void emit(Node node, Node& parent);
+  void move_children(Node& from, Node& to);
+  void lift_namespaces(const Node& from, Node& to, Position at);
+
+  // ---- properties: expand_property.cpp ----
+  void define_property(const Node& source, const Context& context, Node& out, bool has_next);
+  void store_property(const Node& source, const Context& context, const std::string& name);
+  void check_property_name(const std::string& name, const Position& at) const;
+  void set_property(Scope& scope, const std::string& name, Value value, bool is_unevaluated, Position at);
+
+  // ---- macros: expand_macro.cpp ----
+  struct Call {
+    std::shared_ptr<const Macro> macro;
+    Context arguments;  ///< where arguments and blocks are evaluated
+    Context body;       ///< what encloses the scope of the body
+  };
+  void define_macro(const Node& source, const Context& context, Node& out, bool has_next);
+  void call_by_name(const Node& source, const Context& context, Node& out, bool has_next);
+  void call_macro(const Node& source, const std::string& name, const Context& context, Node& out, bool has_next);
+  void run_macro(const Node& source, const Call& call, Node& out);
+  void bind_arguments(const Node& source, const Call& call, Scope& scope, std::vector<Parameter>& open);
+  void bind_blocks(const Node& source, const Call& call, Scope& scope, std::vector<Parameter>& open);
+  void bind_defaults(const Node& source, const Call& call, Scope& scope, std::vector<Parameter>& open);
+  Value default_of(const Parameter& parameter, const Call& call, const Position& at);
+  void release(std::unique_ptr<Scope> scope, std::unique_ptr<MacroScope> macros);
+
+  // ---- includes: expand_include.cpp ----
+  void expand_include(const Node& source, const Context& context, Node& out, bool has_next);
+  void include_file(const Node& source, const std::string& file, bool is_optional, const Context& context,
+                    Node& content, Node& out);
+  std::vector<std::string> files_of(const std::string& specification, const Position& at);
+  Context inside_of(const std::string& name_space, const Context& context);
+  const xml::Document* read_document(const std::string& file, const Position& at);
+  void add_dependency(const std::string& file);
+
+  // ---- texts: evaluate_text.cpp ----
+  std::string text_of(const std::string& text, const Position& at, Scope& scope);
+  Value value_of(const std::string& text, const Position& at, Scope& scope);
+  Value evaluate_pieces(const Text& text, const Position& at, const std::string& whole, Scope& scope);
+  Value evaluate_piece(const Piece& piece, const Position& at, const std::string& whole, Scope& scope);
+  Value evaluate_source(const std::string& source, Scope& scope);
+  Value property_value(const Scope::Found& found, const std::string& name);
+  bool boolean_of(const Value& value, const std::string& condition, const Position& at);
+  static Position inside(Position at, const std::string& whole, std::size_t offset);
+
+  // ---- Host and SubstitutionHost: host.cpp ----
+  Value load_yaml(const std::string& file) override;
+  std::string absolute_name(const std::string& file) override;
+  const std::string* argument(const std::string& name) override;
+  void say(MessageKind kind, const std::string& text, bool with_location) override;
+  void deprecated(std::string_view name, std::string_view name_space) override;
+  std::optional<Value> look_up(Scope& scope, const std::string& name) override;
+  void keep(Scope& scope) override;
+  std::string package_folder(const std::string& name) override;
+  std::string evaluate(const std::string& expression) override;
+  void define_builtins();
+  void define_name_space(const char* name, std::vector<std::pair<std::string, Value>> symbols);
+
+  // ---- attributes of xacro tags ----
+  [[nodiscard]] static Position place(Position at, const Context& context);
+  const xml::Attribute& required(const Node& source, std::string_view name, const Context& context) const;
+  void check_attributes(const Node& source, std::initializer_list<std::string_view> known, const Context& context);
+  Diagnostic* warn(Code code, const Position& at, const std::string& message);
+
+  const SourceFile& entry_;
+  const PackagePath& packages_;
+  Sources& sources_;
+  Diagnostics& diagnostics_;
+  Dependencies& dependencies_;
+  std::ostream* messages_;
+  Arguments arguments_;
+  Runtime runtime_;
+
+  // Scopes that outlive their macro call, first in, last out.
+  std::deque<std::unique_ptr<Scope>> kept_scopes_;
+  std::deque<std::unique_ptr<MacroScope>> kept_macros_;
+  Scope builtins_{Scope::Kind::builtins, nullptr};
+  Scope top_{Scope::Kind::local, &builtins_};
+  MacroScope top_macros_;
+
+  std::unordered_map<std::string, std::unique_ptr<const xml::Document>> documents_;  // by path
+  std::deque<Node> renamed_;                                                         // sources made by xacro:element
+  std::unordered_map<std::string, std::unique_ptr<const Text>> texts_;
+  std::unordered_map<std::string, std::shared_ptr<const Expression>> expressions_;
+
+  CommentMark mark_;
+  std::vector<std::string> files_;        // the file being processed, last
+  std::vector<const Macro*> calls_open_;  // the macro being expanded, last
+  Position current_;                      // of the text being evaluated
+  std::size_t calls_ = 0;
+  std::size_t output_size_ = 0;
+  std::size_t output_depth_ = 0;
+  std::size_t evaluation_depth_ = 0;
+  std::set<std::tuple<const SourceFile*, std::uint32_t, std::uint32_t, std::string>> warned_;
+};
+
+}  // namespace finemote::gen::xacro

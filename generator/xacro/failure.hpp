@@ -1,0 +1,32 @@
+// Why an expansion cannot go on: thrown where it is found, reported once by expand().
+//
+// The first mistake ends an expansion, as in ROS xacro: what follows depends on it. An exception keeps the interpreter
+// readable; it never leaves this module.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/diagnostic/diagnostics.hpp"
+
+namespace finemote::gen::xacro {
+
+struct Failure {
+  Code code;
+  std::string message;
+  Position at = {};  ///< the innermost text that is to blame, once somebody who knows it has seen the failure
+  std::vector<Note> notes = {};
+  std::vector<std::string> hints = {};
+};
+
+/// Throws; the message is in the words of ROS xacro (that is, of Python) where that has words for it.
+[[noreturn]] inline void fail(Code code, std::string message) { throw Failure{code, std::move(message)}; }
+
+/// A mistake inside an expression.
+[[noreturn]] inline void fail_eval(std::string message) { fail(code::xacro_expression, std::move(message)); }
+
+/// A limit of this tool was reached.
+[[noreturn]] inline void fail_limit(std::string message) { fail(code::xacro_limit, std::move(message)); }
+
+}  // namespace finemote::gen::xacro

@@ -1,0 +1,139 @@
+// What expressions and substitutions may ask of the expansion around them.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <ostream>
+
+#include "generator/xacro/builtins.hpp"
+#include "generator/xacro/evaluate.hpp"
+#include "generator/xacro/expander.hpp"
+#include "generator/xacro/number.hpp"
+#include "generator/xacro/print.hpp"
+#include "generator/xacro/source_failure.hpp"
+#include "generator/xacro/yaml.hpp"
+
+namespace finemote::gen::xacro {
+
+void Expander::define_builtins() {
+  for (auto& [name, value] : global_symbols()) builtins_.set(name, {std::move(value), false, {}});
+  define_name_space("python", python_symbols());
+  define_name_space("math", math_symbols());
+  define_name_space("xacro", xacro_symbols());
+}
+
+void Expander::define_name_space(const char* name, Symbols symbols) {
+  auto scope = std::make_unique<Scope>(Scope::Kind::name_space, nullptr);
+  for (auto& [symbol, value] : symbols) scope->set(symbol, {std::move(value), false, {}});
+  builtins_.set(name, {NamespaceRef{scope.get()}, false, {}});
+  kept_scopes_.push_back(std::move(scope));
+}
+
+Value Expander::load_yaml(const std::string& name) {
+  const std::string file = absolute_name(name);
+  add_dependency(file);
+  const SystemError missing = why_unreadable(file);
+  if (missing.number != 0) {
+    fail(code::xacro_yaml, fmt::format("[Errno {}] {}: '{}'", missing.number, missing.text, file));
+  }
+  std::error_code ignored;
+  if (std::filesystem::file_size(file, ignored) == 0) return {};
+  const SourceFile* source = read_text(file, sources_, current_);
+  return read_yaml(runtime_, *source, [&](const std::string& text) { return evaluate_source(text, builtins_); });
+}
+
+std::string Expander::absolute_name(const std::string& file) {
+  if (file.starts_with('/')) return file;
+  const std::string& current = files_.back();
+  const auto slash = current.rfind('/');
+  return slash == std::string::npos ? file : current.substr(0, slash + 1) + file;
+}
+
+const std::string* Expander::argument(const std::string& name) {
+  const auto found = arguments_.find(name);
+  return found != arguments_.end() ? &found->second : nullptr;
+}
+
+void Expander::say(MessageKind kind, const std::string& text, bool with_location) {
+  if (kind != MessageKind::message) {
+    warn(code::xacro_message, current_, kind == MessageKind::error ? "error: " + text : text);
+    return;
+  }
+  if (messages_ == nullptr) return;
+  if (!text.empty() || !with_location) *messages_ << text << '\n';
+  if (!with_location) return;
+  for (const std::string& line : location()) *messages_ << line << '\n';
+}
+
+void Expander::deprecated(std::string_view name, std::string_view name_space) {
+  warn(code::xacro_deprecated, current_,
+       fmt::format("Using {0}() directly is deprecated. Use {1}.{0}() instead.", name, name_space));
+}
+
+std::optional<Value> Expander::look_up(Scope& scope, const std::string& name) {
+  const auto found = scope.find(name);
+  if (!found) return std::nullopt;
+  return property_value(found, name);
+}
+
+void Expander::keep(Scope& scope) {
+  for (Scope* s = &scope; s != nullptr && !s->is_kept; s = s->parent()) s->is_kept = true;
+}
+
+std::string Expander::package_folder(const std::string& name) {
+  const auto found = packages_.find(name);
+  if (!found) {
+    Failure failure{code::xacro_package, fmt::format("package '{}' not found", name)};
+    const auto places = packages_.places();
+    failure.hints.push_back(
+        places.empty()
+            ? fmt::format("say where it is: --package {}=FOLDER, or set ROS_PACKAGE_PATH", name)
+            : fmt::format("searched: {}; say where it is: --package {}=FOLDER", fmt::join(places, ", "), name));
+    throw failure;
+  }
+  if (!found->others.empty()) {
+    Diagnostic* warning = warn(code::xacro_duplicate_package, current_,
+                               fmt::format("package '{}' is in {} places", name, found->others.size() + 1));
+    if (warning != nullptr) {
+      warning->note(fmt::format("used: {}", found->folder));
+      for (const std::string& other : found->others) warning->note(fmt::format("ignored: {}", other));
+    }
+  }
+  return found->folder;
+}
+
+namespace {
+
+/// An argument as $(eval) sees it: a number or boolean where its text is one.
+Value typed_argument(const std::string& text) {
+  if (text.find('.') != std::string::npos) {
+    if (const auto d = parse_real(text)) return *d;
+  } else if (const auto i = parse_integer(text)) {
+    return *i;
+  }
+  std::string lower = text;
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  if (lower == "true") return true;
+  if (lower == "false") return false;
+  return text;
+}
+
+}  // namespace
+
+std::string Expander::evaluate(const std::string& expression) {
+  if (expression.find("__") != std::string::npos) {
+    fail(code::xacro_substitution, "$(eval ...) may not contain double underscore expressions");
+  }
+  Scope scope(Scope::Kind::builtins, nullptr);
+  for (const auto& [name, value] : arguments_) scope.set(name, {typed_argument(value), false, {}});
+  for (auto& [name, value] : math_symbols()) scope.set(name, {std::move(value), false, {}});
+  for (const auto& [name, type] :
+       {std::pair("list", Type::list), std::pair("dict", Type::dict), std::pair("map", Type::map),
+        std::pair("str", Type::text), std::pair("float", Type::real), std::pair("int", Type::integer)}) {
+    scope.set(name, {type, false, {}});
+  }
+  scope.set("true", {true, false, {}});
+  scope.set("false", {false, false, {}});
+  return to_text(runtime_, evaluate_source(expression, scope));
+}
+
+}  // namespace finemote::gen::xacro

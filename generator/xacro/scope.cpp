@@ -1,0 +1,56 @@
+#include "generator/xacro/scope.hpp"
+
+#include "generator/xacro/number.hpp"
+
+namespace finemote::gen::xacro {
+
+Scope::Found Scope::find(std::string_view name) {
+  for (Scope* scope = this; scope != nullptr; scope = scope->parent_) {
+    if (scope->kind_ == Kind::builtins && fallback_ != nullptr) return fallback_->find(name);
+    const auto found = scope->properties_.find(name);
+    if (found != scope->properties_.end()) return {scope, &found->second};
+  }
+  return {};
+}
+
+void Scope::set(std::string_view name, Property property) {
+  const auto found = properties_.find(name);
+  if (found != properties_.end()) {
+    found->second = std::move(property);
+  } else {
+    properties_.emplace(std::string(name), std::move(property));
+  }
+}
+
+void Scope::remove(std::string_view name) {
+  for (Scope* scope = this; scope->kind_ != Kind::builtins; scope = scope->parent_) {
+    const auto found = scope->properties_.find(name);
+    if (found != scope->properties_.end()) scope->properties_.erase(found);
+  }
+}
+
+Scope& Scope::top() {
+  Scope* scope = this;
+  while (scope->parent_->kind_ != Kind::builtins) scope = scope->parent_;
+  return *scope;
+}
+
+bool Scope::is_builtin(std::string_view name) {
+  Scope* scope = this;
+  while (scope->parent_ != nullptr) scope = scope->parent_;
+  return scope->properties_.find(name) != scope->properties_.end();
+}
+
+Value literal_of(Value value) {
+  const std::string* text = value.text();
+  if (text == nullptr) return value;
+  if (text->size() >= 2 && text->front() == '\'' && text->back() == '\'') return text->substr(1, text->size() - 2);
+  if (text->find('_') != std::string::npos) return value;
+  if (const auto i = parse_integer(*text)) return *i;
+  if (const auto d = parse_real(*text)) return *d;
+  if (*text == "true" || *text == "True") return true;
+  if (*text == "false" || *text == "False") return false;
+  return value;
+}
+
+}  // namespace finemote::gen::xacro

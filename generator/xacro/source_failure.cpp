@@ -1,0 +1,46 @@
+#include "generator/xacro/source_failure.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "generator/xml/read_source.hpp"
+
+namespace finemote::gen::xacro {
+
+SystemError why_unreadable(const std::string& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) return {EISDIR, std::strerror(EISDIR)};
+  std::FILE* opened = std::fopen(file.c_str(), "rb");
+  if (opened == nullptr) return {errno, std::strerror(errno)};
+  std::fclose(opened);
+  return {};
+}
+
+const SourceFile* read_text(const std::string& file, Sources& sources, const Position& at) {
+  Diagnostics found;
+  const SourceFile* source = xml::read_source(file, sources, found, file, at);
+  if (source != nullptr) return source;
+  const Diagnostic reason = found.in_file_order().front();
+  throw Failure{reason.code, reason.message, reason.at, reason.notes, reason.hints};
+}
+
+Failure failure_of(const xml::Malformed& malformed, const Expansion* via) {
+  Position at = malformed.at;
+  at.via = via;
+  Failure failure{malformed.code, malformed.words, at};
+  if (malformed.code == code::malformed_xml) {
+    failure.message =
+        fmt::format("XML parsing error: {}: line {}, column {}", malformed.words, malformed.line, malformed.column);
+  }
+  if (malformed.words == "unbound prefix") {
+    failure.hints.push_back(
+        "declare the prefix in the root element, for example xmlns:xacro=\"http://www.ros.org/wiki/xacro\"");
+  }
+  return failure;
+}
+
+}  // namespace finemote::gen::xacro

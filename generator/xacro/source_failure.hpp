@@ -1,0 +1,27 @@
+// Files that cannot be read, as failures of an expansion.
+#pragma once
+
+#include <string>
+
+#include "generator/xacro/failure.hpp"
+#include "generator/xml/parse.hpp"
+
+namespace finemote::gen::xacro {
+
+struct SystemError {
+  int number = 0;    ///< errno; 0 for none
+  std::string text;  ///< "No such file or directory"
+};
+
+/// Why a file cannot be opened.
+SystemError why_unreadable(const std::string& file);
+
+/// The checked text of a file; fails as xml::read_source() reports.
+/// @param at  who asked for it
+const SourceFile* read_text(const std::string& file, Sources& sources, const Position& at);
+
+/// A text that is no XML, in the words of ROS xacro.
+/// @param via  how the file was reached; null for the entry
+Failure failure_of(const xml::Malformed& malformed, const Expansion* via);
+
+}  // namespace finemote::gen::xacro

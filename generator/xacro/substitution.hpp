@@ -1,0 +1,21 @@
+// $(find p), $(arg a), $(env V), $(optenv V default), $(eval e), $(cwd): the words between the brackets to a text.
+#pragma once
+
+#include <string>
+
+namespace finemote::gen::xacro {
+
+/// What the substitutions ask for.
+class SubstitutionHost {
+ public:
+  virtual ~SubstitutionHost() = default;
+  virtual const std::string* argument(const std::string& name) = 0;  ///< null when it has no value
+  virtual std::string package_folder(const std::string& name) = 0;   ///< fails when there is none
+  virtual std::string evaluate(const std::string& expression) = 0;   ///< the result of $(eval) as a text
+};
+
+/// @param inside  the text between `$(` and `)`
+/// Fails with the words of ROS on unknown commands and wrong numbers of words.
+std::string substitute(SubstitutionHost& host, const std::string& inside);
+
+}  // namespace finemote::gen::xacro
