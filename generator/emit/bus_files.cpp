@@ -73,6 +73,10 @@ std::string slot_definition(const Plan& plan, const Slot& slot) {
   const std::string bus = bus_reference(plan, plan.robot.buses[segment.bus].name.cpp);
   std::string arguments = fmt::format("{}, {:#04x}", bus, slot.address);
   if (segment.bus_kind == BusKind::i2c) arguments += ", " + mux_route(plan, segment);
+  if (segment.bus_kind == BusKind::can) {
+    const std::uint32_t base = plan.robot.devices[*slot.device].type->receives_base.value_or(0);
+    arguments += fmt::format(", /*receives*/ {:#05x}", base + slot.address);
+  }
   arguments += fmt::format(", /*priority*/ {}", slot.priority);
   return fmt::format("FINEMOTE_CONSTINIT finemote::{} {}{{{}}};", slot_names(plan, slot).slot, slot.name, arguments);
 }

@@ -51,11 +51,14 @@ void assign_lines(const Robot& robot, std::vector<Bucket>& buckets, Diagnostics&
   }
 }
 
-/// Shared outputs of a bucket: PWM segments its devices write, in document order.
+/// Shared outputs of a bucket: pulse outputs and CAN buses (motors share command frames) its devices write, in document
+/// order.
 std::vector<std::size_t> shared_outputs(const Robot& robot, const Bucket& bucket) {
   std::set<std::size_t> segments;
   const auto note = [&](std::optional<std::size_t> segment) {
-    if (segment && robot.segments[*segment].bus_kind == BusKind::pwm) segments.insert(*segment);
+    if (!segment) return;
+    const BusKind kind = robot.segments[*segment].bus_kind;
+    if (kind == BusKind::pwm || kind == BusKind::can) segments.insert(*segment);
   };
   for (std::size_t device : bucket.devices) {
     note(robot.devices[device].segment);
