@@ -4,7 +4,7 @@
 #
 #   finemote_add_firmware(TARGET GENERATED dir BOARD board
 #                         [TRACE] [DURATION 40ms] [DEFINITIONS NAME=value ...] [INCLUDES dir ...] [SOURCES file ...]
-#                         [OPTIMIZE -O2|-Os])
+#                         [OPTIMIZE -Os|-O2])
 #
 # GENERATED   folder that `finemote generate` wrote; every .cpp in it is compiled
 # TRACE       records begin and end of every stage (always on for the host)
@@ -63,7 +63,7 @@ function(finemote_add_firmware target)
   include(${board}/board.cmake)  # sets FINEMOTE_BOARD_FAMILY: host or cortex_m4
   set(family ${FINEMOTE_BOARD_FAMILY})
   if(NOT arg_OPTIMIZE)
-    set(arg_OPTIMIZE -O2)
+    set(arg_OPTIMIZE -Os)
   endif()
 
   file(GLOB_RECURSE generated CONFIGURE_DEPENDS ${arg_GENERATED}/*.cpp)

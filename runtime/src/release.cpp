@@ -12,10 +12,23 @@ namespace {
 std::uint32_t overrun_counts[kMaxBuckets];
 }  // namespace
 
+Ticks ticks_in(Duration period, std::uint32_t tick_ns) {
+  std::uint64_t quotient = 0;
+  std::uint64_t rest = 0;
+  for (unsigned bit = 63; bit-- > 0;) {
+    rest = rest << 1 | (static_cast<std::uint64_t>(period) >> bit & 1U);
+    quotient <<= 1;
+    if (rest < tick_ns) continue;
+    rest -= tick_ns;
+    quotient |= 1;
+  }
+  return {quotient > UINT32_MAX ? UINT32_MAX : static_cast<std::uint32_t>(quotient), rest == 0};
+}
+
 void ReleasePlan::start(const Schedule& schedule, const std::uint32_t* bits, std::uint32_t longest_step) {
   count_ = 0;
   for (const Bucket& bucket : schedule.buckets) {
-    entries_[count_] = {0, static_cast<std::uint32_t>(bucket.period / schedule.tick), bits[count_]};
+    entries_[count_] = {0, ticks_in(bucket.period, static_cast<std::uint32_t>(schedule.tick)).count, bits[count_]};
     overrun_counts[count_++] = 0;
   }
   step_ = 0;

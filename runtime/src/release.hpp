@@ -13,6 +13,14 @@ struct Release {
   std::uint32_t ticks = 0;  ///< from this instant to the next, >= 1
 };
 
+/// A period in ticks.
+struct Ticks {
+  std::uint32_t count;  ///< whole ticks, sticks at 2^32 - 1
+  bool exact;           ///< no part of a tick is left over
+};
+/// Long division, bit by bit: the library's 64-bit division would cost an image 800 bytes for a use at start.
+Ticks ticks_in(Duration period, std::uint32_t tick_ns);
+
 /// Counts every bucket down in ticks. The first instant releases all buckets.
 class ReleasePlan {
  public:

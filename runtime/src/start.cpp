@@ -2,6 +2,7 @@
 
 #include "finemote/board.hpp"
 #include "finemote/fault.hpp"
+#include "release.hpp"
 
 namespace finemote::detail {
 namespace {
@@ -24,7 +25,8 @@ void check_order(View<OrderCheck> checks) {
 }
 
 void check_tick(const Schedule& schedule, const ReleaseTimer& timer) {
-  if (schedule.tick <= 0 || schedule.tick > timer.longest_tick || schedule.tick % timer.tick_unit_ns != 0) {
+  if (schedule.tick <= 0 || schedule.tick > timer.longest_tick ||
+      static_cast<std::uint32_t>(schedule.tick) % timer.tick_unit_ns != 0) {
     refuse(ScheduleFault::bad_tick, "schedule: this board cannot count the tick");
   }
 }
@@ -34,8 +36,8 @@ void check_buckets(const Schedule& schedule, const ReleaseTimer& timer) {
   if (schedule.buckets.size() > kMaxBuckets) refuse(ScheduleFault::too_many, "schedule: too many buckets");
   const Bucket* before = nullptr;
   for (const Bucket& bucket : schedule.buckets) {
-    if (bucket.period < schedule.tick || bucket.period % schedule.tick != 0 ||
-        bucket.period / schedule.tick > 0x7FFF'FFFF) {
+    const Ticks ticks = ticks_in(bucket.period, static_cast<std::uint32_t>(schedule.tick));
+    if (bucket.period <= 0 || !ticks.exact || ticks.count > 0x7FFF'FFFF) {
       refuse(ScheduleFault::bad_period, "schedule: a period is no multiple of the tick");
     }
     if (timer.one_word && bucket.line / 32 != schedule.buckets[0].line / 32) {

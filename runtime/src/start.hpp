@@ -9,7 +9,7 @@ namespace finemote::detail {
 
 /// What a board's release timer can do.
 struct ReleaseTimer {
-  Duration longest_tick;       ///< longest time between two releases
+  Duration longest_tick;       ///< longest time between two releases; below 4 s
   std::uint32_t tick_unit_ns;  ///< a tick is a whole number of these
   bool one_word;               ///< all lines must share an interrupt controller word of 32
 };

@@ -1,4 +1,5 @@
 // The release plan against arithmetic: bucket i is due exactly at the multiples of its period.
+#include <algorithm>
 #include <vector>
 
 #include "catch.hpp"
@@ -55,4 +56,15 @@ TEST_CASE("a long way is gone in steps the timer can count, on which nothing is 
   check_against_arithmetic({1000}, 99, 1000);
   check_against_arithmetic({150, 1000}, 99, 10'000);
   check_against_arithmetic({99, 100}, 99, 10'000);
+}
+
+TEST_CASE("periods are divided by ticks exactly") {
+  for (const Duration period : std::initializer_list<Duration>{1LL, 999'999LL, 1'000'000LL, 1'000'001LL, 5'000'000LL,
+                                                               123'456'789'012LL, INT64_MAX}) {
+    for (const std::uint32_t tick : {1U, 125U, 1'000'000U, 99'864'375U, UINT32_MAX}) {
+      const detail::Ticks ticks = detail::ticks_in(period, tick);
+      CHECK(ticks.exact == (period % tick == 0));
+      CHECK(ticks.count == std::min<Duration>(period / tick, UINT32_MAX));
+    }
+  }
 }

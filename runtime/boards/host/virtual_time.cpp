@@ -19,7 +19,7 @@ namespace {
 
 constexpr Time kNever = INT64_MAX;
 constexpr unsigned kThread = 255;  // less urgent than every bucket
-constexpr detail::ReleaseTimer kTimer{kSecond * 3600, 1, false};
+constexpr detail::ReleaseTimer kTimer{4 * kSecond, 1, false};
 
 struct Interrupt {
   Time at;
