@@ -139,7 +139,8 @@ class DuplicateKeys {
     expect_key_ = false;
     if (keys.insert(key).second) return;
     found_ = true;
-    diagnostics_.error(code::descriptor_contradiction, position_at(source_, offset), fmt::format("'{}' is given twice", key))
+    diagnostics_
+        .error(code::descriptor_contradiction, position_at(source_, offset), fmt::format("'{}' is given twice", key))
         .underline(key.size() + 2);
   }
 
@@ -176,7 +177,8 @@ std::optional<JsonFile> parse_json(const SourceFile& source, Diagnostics& diagno
   } catch (const Json::parse_error& problem) {
     const std::size_t offset = problem.byte > 0 ? problem.byte - 1 : 0;
     diagnostics
-        .error(code::descriptor_malformed, position_at(source, std::min(offset, source.text.size())), "this is not JSON")
+        .error(code::descriptor_malformed, position_at(source, std::min(offset, source.text.size())),
+               "this is not JSON")
         .note(words_of(problem));
     return {};
   }

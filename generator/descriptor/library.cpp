@@ -39,24 +39,43 @@ std::string display_folder(const fs::path& folder, const std::string& input_dir)
   return relative.empty() ? folder.filename().generic_string() + "/" : relative.generic_string() + "/";
 }
 
+/// What a user's folder adds to a list: `device type` or `board`.
+struct UserFolder {
+  fs::path folder;
+  const char* what;
+  std::vector<LibraryFile>& files;
+};
+
 /// Adds a user's folder; a name that is already there is an error at the later file.
-void add_user_folder(Library& library, const fs::path& folder, const std::string& input_dir, Sources& sources,
+void add_user_folder(const UserFolder& added, const std::string& input_dir, Sources& sources,
                      Diagnostics& diagnostics) {
-  for (LibraryFile& file : list_folder(folder, display_folder(folder, input_dir), false)) {
-    const auto same = std::find_if(library.device_files.begin(), library.device_files.end(),
+  for (LibraryFile& file : list_folder(added.folder, display_folder(added.folder, input_dir), false)) {
+    const auto same = std::find_if(added.files.begin(), added.files.end(),
                                    [&](const LibraryFile& other) { return other.name == file.name; });
-    if (same == library.device_files.end()) {
-      library.device_files.push_back(std::move(file));
+    if (same == added.files.end()) {
+      added.files.push_back(std::move(file));
       continue;
     }
     std::error_code problem;
     if (fs::equivalent(same->path, file.path, problem)) continue;
     const SourceFile* source = sources.add(SourceFile{file.display, file.path, {}});
     diagnostics
-        .error(code::type_twice, {source, 0, 0, nullptr}, fmt::format("device type '{}' exists already", file.name))
-        .note(same->builtin ? "it is one of the types that come with FineMote"
-                            : fmt::format("also in {}", same->display))
-        .hint("give this type another name: the file and its \"type\"");
+        .error(code::type_twice, {source, 0, 0, nullptr}, fmt::format("{} '{}' exists already", added.what, file.name))
+        .note(same->builtin ? "it is one of those that come with FineMote" : fmt::format("also in {}", same->display))
+        .hint("give this one another name, in the file and of the file");
+  }
+}
+
+/// Folders as on the command line: they have to exist.
+void add_user_folders(const std::vector<std::string>& folders, const char* what, std::vector<LibraryFile>& files,
+                      const std::string& input_dir, Sources& sources, Diagnostics& diagnostics) {
+  for (const std::string& folder : folders) {
+    std::error_code problem;
+    if (fs::is_directory(folder, problem)) {
+      add_user_folder({folder, what, files}, input_dir, sources, diagnostics);
+    } else {
+      diagnostics.error(code::unreadable_file, {}, fmt::format("{} path '{}' is not a folder", what, folder));
+    }
   }
 }
 
@@ -278,16 +297,12 @@ std::optional<Library> load_library(const LibraryOptions& options, Sources& sour
         .hint("point --data-dir or FINEMOTE_DATA at FineMote's share folder");
     return {};
   }
-  if (!options.input_dir.empty())
-    add_user_folder(library, fs::path(options.input_dir) / "devices", options.input_dir, sources, diagnostics);
-  for (const std::string& folder : options.device_paths) {
-    std::error_code problem;
-    if (fs::is_directory(folder, problem)) {
-      add_user_folder(library, folder, options.input_dir, sources, diagnostics);
-    } else {
-      diagnostics.error(code::unreadable_file, {}, fmt::format("device path '{}' is not a folder", folder));
-    }
+  if (!options.input_dir.empty()) {
+    const fs::path beside = fs::path(options.input_dir) / "devices";
+    add_user_folder({beside, "device type", library.device_files}, options.input_dir, sources, diagnostics);
   }
+  add_user_folders(options.device_paths, "device type", library.device_files, options.input_dir, sources, diagnostics);
+  add_user_folders(options.board_paths, "board", library.board_files, options.input_dir, sources, diagnostics);
   return library;
 }
 

@@ -163,7 +163,8 @@ class SpecReader {
       spec_.enumerators[spelling] = enumerator.get<std::string>();
     for (const std::string& spelling : spec_.values) {
       if (spec_.enumerators.count(spelling) == 0)
-        complain("enumerators", code::descriptor_contradiction, fmt::format("the value '{}' has no enumerator", spelling));
+        complain("enumerators", code::descriptor_contradiction,
+                 fmt::format("the value '{}' has no enumerator", spelling));
     }
   }
   /// A range goes by `range`, or by `min` and `max` apart.
@@ -225,7 +226,8 @@ std::vector<ParamSpec> read_params(const Json& owner, const SourceFile& source, 
     specs.push_back(SpecReader(params->at(i), i, source, diagnostics).read());
     if (names.insert(specs.back().name).second) continue;
     const Extent extent = find_value(source, {"params", std::to_string(i), "name"});
-    diagnostics.error(code::descriptor_contradiction, extent.at, fmt::format("there are two params '{}'", specs.back().name))
+    diagnostics
+        .error(code::descriptor_contradiction, extent.at, fmt::format("there are two params '{}'", specs.back().name))
         .underline(extent.length);
   }
   return specs;

@@ -1,6 +1,8 @@
 #include "generator/descriptor/schema_check.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <optional>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -26,30 +28,52 @@ JsonPath to_path(const std::vector<std::string>& context) {
   return path;
 }
 
-bool is_ancestor(const JsonPath& above, const JsonPath& below) {
-  return above.size() < below.size() && std::equal(above.begin(), above.end(), below.begin());
+bool starts_with(const std::string& text, std::string_view prefix) {
+  return text.compare(0, prefix.size(), prefix) == 0;
 }
 
-/// Lower case at the begin, no full stop at the end.
-std::string tidy(std::string words) {
-  if (!words.empty() && words[0] >= 'A' && words[0] <= 'Z') words[0] = static_cast<char>(words[0] - 'A' + 'a');
-  while (!words.empty() && words.back() == '.') words.pop_back();
-  return words;
+/// What stands between the last pair of quotes, as a member's name.
+std::string last_quoted(const std::string& words) {
+  const std::size_t end = words.rfind('\'');
+  const std::size_t begin = end == std::string::npos || end == 0 ? std::string::npos : words.rfind('\'', end - 1);
+  return begin == std::string::npos ? std::string() : words.substr(begin + 1, end - begin - 1);
+}
+
+/// valijson's words to ours; a violation that only says that something below is wrong has none.
+std::optional<Violation> reword(const valijson::ValidationResults::Error& error) {
+  Violation violation{to_path(error.context), error.description};
+  const std::string& words = error.description;
+  if (starts_with(words, "Failed to validate")) return {};
+  if (starts_with(words, "Missing required property")) {
+    violation.words = "the member '" + last_quoted(words) + "' is missing";
+  } else if (starts_with(words, "Object contains a property")) {
+    violation.path.push_back(last_quoted(words));
+    violation.words = "there is no member of this name";
+  } else if (starts_with(words, "Value type")) {
+    violation.words = "the value is of another type";
+  } else if (starts_with(words, "Failed to match regex")) {
+    violation.words = "the text is not of the right form";
+  } else if (starts_with(words, "Failed to match against any enum")) {
+    violation.words = "the value is not one of those possible";
+  } else {
+    violation.words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(violation.words[0])));
+    while (violation.words.back() == '.') violation.words.pop_back();
+  }
+  return violation;
 }
 
 std::vector<Violation> collect(valijson::ValidationResults& results) {
   std::vector<Violation> all;
   valijson::ValidationResults::Error error;
-  while (results.popError(error)) all.push_back({to_path(error.context), tidy(error.description)});
-  std::vector<Violation> precise;
-  for (const Violation& candidate : all) {
-    const bool is_vague = std::any_of(all.begin(), all.end(),
-                                      [&](const Violation& other) { return is_ancestor(candidate.path, other.path); });
-    const bool is_known = std::any_of(precise.begin(), precise.end(),
-                                      [&](const Violation& other) { return other.path == candidate.path; });
-    if (!is_vague && !is_known) precise.push_back(candidate);
+  while (results.popError(error)) {
+    auto violation = reword(error);
+    const bool is_known = violation && std::any_of(all.begin(), all.end(), [&](const Violation& other) {
+                            return other.path == violation->path && other.words == violation->words;
+                          });
+    if (violation && !is_known) all.push_back(std::move(*violation));
   }
-  return precise;
+  if (all.empty()) all.push_back({{}, "it is not of the form the schema describes"});
+  return all;
 }
 
 std::string shown(const JsonPath& path) {
@@ -71,12 +95,10 @@ bool check_schema(const Json& value, const std::string& schema_text, const Sourc
   valijson::Validator validator;
   valijson::ValidationResults results;
   if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(plain), &results)) return true;
-  const std::string title = schema_json.value("title", "its schema");
   for (const Violation& violation : collect(results)) {
     const Extent extent = find_value(source, violation.path);
-    diagnostics.error(code::descriptor_schema, extent.at, "'" + shown(violation.path) + "' is not what " + title + " allows")
-        .underline(extent.length)
-        .note(violation.words);
+    diagnostics.error(code::descriptor_schema, extent.at, "'" + shown(violation.path) + "': " + violation.words)
+        .underline(extent.length);
   }
   return false;
 }

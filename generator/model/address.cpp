@@ -33,7 +33,7 @@ bool check_address(Diagnostics& diagnostics, const xml::Attribute& attribute, st
     return false;
   }
   auto& finding = at_value(diagnostics, code::address_range, attribute,
-                           fmt::format("a {} cannot have the address 0x{:02x}", type, address));
+                           fmt::format("'{}' cannot have the address 0x{:02x}", type, address));
   finding.hint(allowed.empty() ? "write a 7-bit address from 0x08 to 0x77"
                                : fmt::format("it can have {}", list(allowed)));
   return false;

@@ -63,8 +63,8 @@ void read_tick(Reading& reading, const xml::Node& tag) {
     return;
   }
   reading.robot.tick_ns = *tick;
-  reading.tick_is_known = true;
-  if (board == nullptr || is_whole_cycles(*board, *tick)) return;
+  reading.tick_is_known = board == nullptr || is_whole_cycles(*board, *tick);
+  if (reading.tick_is_known) return;
   at_value(reading.diagnostics, code::tick_cycles, *attribute,
            fmt::format("a tick of {} is not a whole number of CPU cycles", attribute->value))
       .note(fmt::format("board '{}' runs at {} Hz; releases would drift", board->name, board->cpu_hz))

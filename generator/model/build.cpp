@@ -54,31 +54,33 @@ bool check_root(const xml::Node& root, Diagnostics& diagnostics) {
   return false;
 }
 
-/// The version has to be said once at least, and to be one this tool reads; otherwise nothing below can be judged.
-bool check_version(const Tags& tags, const xml::Node& root, Diagnostics& diagnostics) {
-  if (tags.blocks.empty()) {
-    at_tag(diagnostics, code::no_extension, root, "the robot has no <finemote> element")
-        .note("it says which board, buses and devices the robot has; ROS tools pass over it")
-        .hint("add <finemote version=\"1\"> ... </finemote> inside <robot>");
-    return false;
-  }
-  bool is_given = false;
+/// A version this tool does not read: nothing below can be judged.
+bool check_version(const xml::Node& root, Diagnostics& diagnostics) {
   bool is_known = true;
-  for (const xml::Node* block : tags.blocks) {
-    const xml::Attribute* version = block->attribute("version");
-    if (version == nullptr) continue;
-    is_given = true;
-    if (version->value == kVersion) continue;
+  for (const xml::Node& block : root.children) {
+    const xml::Attribute* version = block.is_element("finemote") ? block.attribute("version") : nullptr;
+    if (version == nullptr || version->value == kVersion) continue;
     is_known = false;
     at_value(diagnostics, code::version_unknown, *version,
              fmt::format("version '{}' of the extension is unknown", version->value))
         .note(fmt::format("this tool reads version {}", kVersion))
         .hint(fmt::format("write version=\"{}\"", kVersion));
   }
-  if (is_given) return is_known;
+  return is_known;
+}
+
+void check_version_is_given(const Tags& tags, Diagnostics& diagnostics) {
+  for (const xml::Node* block : tags.blocks) {
+    if (block->attribute("version") != nullptr || tags.is_misspelt(*block, "version")) return;
+  }
   at_tag(diagnostics, code::version_missing, *tags.blocks.front(), "no <finemote> says its version")
       .hint(fmt::format("write <finemote version=\"{}\">", kVersion));
-  return true;
+}
+
+void report_no_extension(const xml::Node& root, Diagnostics& diagnostics) {
+  at_tag(diagnostics, code::no_extension, root, "the robot has no <finemote> element")
+      .note("it says which board, buses and devices the robot has; ROS tools pass over it")
+      .hint("add <finemote version=\"1\"> ... </finemote> inside <robot>");
 }
 
 std::int64_t value_of_param(const Device& device, const std::string& name) {
@@ -138,7 +140,7 @@ std::optional<Robot> build_model(const xml::Document& document, Library& library
                                  Sources& sources, Diagnostics& diagnostics) {
   const std::size_t findings = diagnostics.size();
   const xml::Node& root = document.root;
-  if (!check_root(root, diagnostics)) return {};
+  if (!check_root(root, diagnostics) || !check_version(root, diagnostics)) return {};
   Reading reading{root,
                   library,
                   options,
@@ -150,7 +152,12 @@ std::optional<Robot> build_model(const xml::Document& document, Library& library
                   false,
                   {},
                   {}};
-  if (!check_version(reading.tags, root, diagnostics)) return {};
+  if (reading.tags.has_xacro) return {};
+  if (reading.tags.blocks.empty()) {
+    if (diagnostics.size() == findings) report_no_extension(root, diagnostics);
+    return {};
+  }
+  check_version_is_given(reading.tags, diagnostics);
   reading.robot.name = make_name(value_of(root, "name"));
   if (root.at.file != nullptr) reading.robot.source = root.at.file->name;
   read_all(reading);

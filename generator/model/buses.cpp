@@ -60,6 +60,7 @@ class PortFinder {
     return nullptr;
   }
   void report_missing() {
+    if (reading_.tags.is_misspelt(tag_, "port")) return;
     const Board* board = reading_.robot.board;
     const auto names = board != nullptr ? ports_for(*board, kind_) : std::vector<std::string>{};
     const std::string example = names.empty() ? "usart1" : names.front();
@@ -156,25 +157,38 @@ double nearest_rate(const Port& port, BusKind kind, double wanted) {
   return clock / std::max(16.0, std::round(clock / wanted));
 }
 
+/// A rate as the attribute writes it, in the largest unit that divides it: `400kHz`, `1Mbit/s`, `115200baud`.
+std::string rate_text(BusKind kind, std::int64_t rate) {
+  const std::string_view unit = rate_unit(kind);
+  if (unit == "baud") return fmt::format("{}baud", rate);
+  if (rate % 1'000'000 == 0) return fmt::format("{}M{}", rate / 1'000'000, unit);
+  if (rate % 1'000 == 0) return fmt::format("{}k{}", rate / 1'000, unit);
+  return fmt::format("{}{}", rate, unit);
+}
+
 void check_rate(Reading& reading, const xml::Attribute& attribute, const Port& port, const Bus& bus) {
-  const std::string_view unit = rate_unit(bus.kind);
-  const auto report = [&](std::string message) -> Diagnostic& {
-    return at_value(reading.diagnostics, code::rate_unreachable, attribute, std::move(message));
+  const auto report = [&]() -> Diagnostic& {
+    return at_value(reading.diagnostics, code::rate_unreachable, attribute,
+                    fmt::format("port '{}' cannot make {}", port.name, attribute.value));
   };
-  if (bus.rate < port.min_rate.value_or(1) || bus.rate > port.max_rate.value_or(INT64_MAX)) {
-    report(fmt::format("port '{}' cannot make {}", port.name, attribute.value))
-        .hint(fmt::format("write a value from {}{} to {}{}", port.min_rate.value_or(1), unit,
-                          port.max_rate.value_or(bus.rate), unit));
+  const std::int64_t least = port.min_rate.value_or(1);
+  const std::int64_t most = port.max_rate.value_or(INT64_MAX);
+  if (bus.rate < least || bus.rate > most) {
+    report().hint(fmt::format("write a value from {} to {}", rate_text(bus.kind, least), rate_text(bus.kind, most)));
     return;
   }
   const auto wanted = static_cast<double>(bus.rate);
   const double made = nearest_rate(port, bus.kind, wanted);
   const double error = std::abs(made - wanted) / wanted;
   if (error * 1e6 <= static_cast<double>(port.max_rate_error_ppm)) return;
-  report(fmt::format("port '{}' cannot make {}", port.name, attribute.value))
-      .note(fmt::format("the nearest rate is {:.0f}{}, {:.1f} % away; {:.1f} % is the limit", made, unit, error * 100,
-                        static_cast<double>(port.max_rate_error_ppm) / 1e4))
-      .hint(fmt::format("write {}=\"{:.0f}{}\"", attribute.name, made, unit));
+  const std::string nearest = rate_text(bus.kind, std::llround(made));
+  auto& finding = report();
+  finding.note(fmt::format("the nearest rate is {}, {:.1f} % away; {:.1f} % is the limit", nearest, error * 100,
+                           static_cast<double>(port.max_rate_error_ppm) / 1e4));
+  const bool has_slower = bus.kind == BusKind::spi && made > wanted;
+  finding.hint(has_slower ? fmt::format("write {}=\"{}\", or the next slower one, \"{}\"", attribute.name, nearest,
+                                        rate_text(bus.kind, std::llround(made / 2)))
+                          : fmt::format("write {}=\"{}\"", attribute.name, nearest));
 }
 
 /// The rate of kinds that run at one usual speed may be left out: the fastest the port makes.
@@ -197,6 +211,7 @@ void read_rate(Reading& reading, const xml::Node& tag, Bus& bus, Reading::BusSta
   if (wanted.empty()) return;
   const xml::Attribute* attribute = tag.attribute(wanted);
   if (attribute == nullptr) {
+    if (reading.tags.is_misspelt(tag, wanted)) return;
     const bool has_default = has_usual_rate(bus.kind);
     if (has_default && state.port != nullptr) {
       bus.rate = state.port->max_rate.value_or(0);

@@ -103,6 +103,7 @@ class DeviceReader {
   }
   void report_no_bus() {
     state_.bus_is_wrong = true;
+    if (reading_.tags.is_misspelt(tag_, "bus")) return;
     auto& finding = at_tag(diagnostics_, code::bus_needed, tag_,
                            fmt::format("{} of type '{}' needs a bus", owner_, device_.type->name));
     finding.note(fmt::format("it sits on {}", kinds_text(device_.type->buses)));
@@ -112,14 +113,14 @@ class DeviceReader {
   bool sits_on(const xml::Attribute& bus, const Segment& segment) {
     const DeviceType& type = *device_.type;
     if (type.buses.empty()) {
-      at_value(diagnostics_, code::bus_kind, bus, fmt::format("a {} sits on no bus", type.name))
+      at_value(diagnostics_, code::bus_kind, bus, fmt::format("'{}' sits on no bus", type.name))
           .hint("remove bus=\"" + bus.value + "\"");
       return false;
     }
     if (!kind_is_known(reading_, segment) || contains(type.buses, segment.bus_kind))
       return kind_is_known(reading_, segment);
     auto& finding = at_value(diagnostics_, code::bus_kind, bus,
-                             fmt::format("a {} sits on {}; bus '{}' is of type '{}'", type.name, kinds_text(type.buses),
+                             fmt::format("'{}' sits on {}; bus '{}' is of type '{}'", type.name, kinds_text(type.buses),
                                          bus.value, bus_kind_name(segment.bus_kind)));
     const auto candidates = segments_of(reading_, type.buses);
     if (!candidates.empty()) suggest(finding, bus.value, candidates);
@@ -132,7 +133,7 @@ class DeviceReader {
     const DeviceType& type = *device_.type;
     if (type.max_clock_hz && physical.rate > *type.max_clock_hz) {
       at_value(diagnostics_, code::rate_unreachable, bus,
-               fmt::format("bus '{}' runs at {} Hz, a {} at most at {} Hz", physical.name.text, physical.rate,
+               fmt::format("bus '{}' runs at {} Hz, '{}' at most at {} Hz", physical.name.text, physical.rate,
                            type.name, *type.max_clock_hz))
           .note("the bus stands here", physical.at)
           .hint(fmt::format("write clock=\"{}Hz\" at the bus", *type.max_clock_hz));
@@ -142,14 +143,17 @@ class DeviceReader {
     std::string rates;
     for (const std::int64_t rate : type.rates) rates += fmt::format("{}{}", rates.empty() ? "" : ", ", rate);
     at_value(diagnostics_, code::rate_unreachable, bus,
-             fmt::format("bus '{}' runs at {} bit/s, which a {} cannot", physical.name.text, physical.rate, type.name))
+             fmt::format("bus '{}' runs at {} bit/s, which '{}' cannot", physical.name.text, physical.rate, type.name))
         .note("the bus stands here", physical.at)
         .hint(fmt::format("it can {} bit/s", rates));
   }
 
   void read_period() {
     const xml::Attribute* attribute = tag_.attribute("period");
-    if (attribute == nullptr) return;
+    if (attribute == nullptr) {
+      state_.period_is_wrong = reading_.tags.is_misspelt(tag_, "period");
+      return;
+    }
     device_.period_at = attribute->value_at;
     state_.period_is_wrong = true;
     const auto period = read_quantity(tag_, "period", units::parse_duration, diagnostics_);
@@ -184,7 +188,7 @@ class DeviceReader {
     for (const UseSpec& spec : device_.type->uses) {
       if (!spec.required || given.count(spec.role) > 0) continue;
       at_tag(diagnostics_, code::use_missing, tag_, fmt::format("{} needs <use role=\"{}\">", owner_, spec.role))
-          .note(fmt::format("a {}", kinds_text(spec.buses)))
+          .note(fmt::format("it takes: {}", kinds_text(spec.buses)))
           .hint(fmt::format("add <use role=\"{}\" {}=\"...\"/>", spec.role,
                             contains(spec.buses, BusKind::gpio) ? "pin" : "bus"));
     }
@@ -195,8 +199,9 @@ class DeviceReader {
                                    [&](const UseSpec& candidate) { return candidate.role == role.value; });
     if (spec == specs.end()) {
       auto& finding = at_value(diagnostics_, code::unknown_use, role,
-                               fmt::format("a {} uses no '{}'", device_.type->name, role.value));
+                               fmt::format("'{}' uses no '{}'", device_.type->name, role.value));
       suggest(finding, role.value, names_of(specs));
+      if (specs.empty()) finding.note("this type uses no further hardware").hint("remove the <use>");
       return;
     }
     if (!given.insert(role.value).second) {

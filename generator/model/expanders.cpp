@@ -57,7 +57,7 @@ class ExpanderReader {
       if (!child.is_element("channel")) continue;
       if (expander_.type != nullptr && !expander_.type->named_channels) {
         at_tag(diagnostics_, code::attribute_unused, child,
-               fmt::format("the channels of a {} are not named", expander_.type->name))
+               fmt::format("the channels of '{}' are not named", expander_.type->name))
             .hint(fmt::format("remove the <channel>; a device says bus=\"{}\" channel=\"0\"", expander_.name.text));
         continue;
       }
@@ -77,7 +77,7 @@ class ExpanderReader {
     const xml::Attribute& attribute = *child.attribute("index");
     if (expander_.type != nullptr && index >= expander_.type->channels) {
       at_value(diagnostics_, code::channel_range, attribute,
-               fmt::format("a {} has no channel {}", expander_.type->name, index))
+               fmt::format("'{}' has no channel {}", expander_.type->name, index))
           .hint(fmt::format("its channels are 0 to {}", expander_.type->channels - 1));
       return;
     }

@@ -40,7 +40,8 @@ class NameTable {
     if (entry.name->text == first.name->text) {
       at_value(diagnostics_, code::duplicate_name, *attribute,
                fmt::format("the name '{}' is used twice", entry.name->text))
-          .note(fmt::format("{} has it already", first.what), first.tag->at);
+          .note(fmt::format("{} has it already", first.what), first.tag->at)
+          .hint("give one of them another name");
       return;
     }
     auto& finding = at_value(diagnostics_, code::name_clash, *attribute,

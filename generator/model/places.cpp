@@ -34,13 +34,13 @@ class PlaceReader {
   bool applies(const char* name, bool is_needed) {
     const xml::Attribute* attribute = tag_.attribute(name);
     if (is_needed || attribute == nullptr) return is_needed;
-    diagnostics_.error(code::attribute_unused, attribute->at, fmt::format("a {} has no '{}'", type_.name, name))
+    diagnostics_.error(code::attribute_unused, attribute->at, fmt::format("'{}' has no '{}'", type_.name, name))
         .underline(attribute->name.size())
         .hint(fmt::format("remove {}=\"{}\"", name, attribute->value));
     return false;
   }
   void report_missing(const char* name, const std::string& example) {
-    if (bus_is_wrong_ || !device_.segment) return;
+    if (bus_is_wrong_ || !device_.segment || reading_.tags.is_misspelt(tag_, name)) return;
     at_tag(diagnostics_, code::attribute_missing, tag_, fmt::format("device '{}' has no '{}'", device_.name.text, name))
         .hint(fmt::format("add for example {}=\"{}\"", name, example));
   }
@@ -99,7 +99,7 @@ class PlaceReader {
       device_.id = *id;
       return;
     }
-    at_value(diagnostics_, code::id_range, *attribute, fmt::format("a {} cannot have the id {}", type_.name, *id))
+    at_value(diagnostics_, code::id_range, *attribute, fmt::format("'{}' cannot have the id {}", type_.name, *id))
         .hint(fmt::format("its ids are {} to {}", least, most));
   }
 
@@ -159,7 +159,8 @@ class AddressTable {
     const Name& bus = reading_.robot.buses[segment.bus].name;
     finding.note(same_segment ? fmt::format("both sit on '{}'", segment.name.text)
                               : fmt::format("what sits on '{}' itself is seen through every mux channel", bus.text));
-    finding.hint("give one another address, or put them on different channels of a tca9548a");
+    finding.hint(same_segment ? "put one on another bus, or behind a channel of a tca9548a"
+                              : "set another address at one of them, here and in the part");
   }
 
   Reading& reading_;

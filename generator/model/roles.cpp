@@ -34,6 +34,15 @@ std::string provided_by(const DeviceType& type) {
   return text.empty() ? "nothing" : text;
 }
 
+/// Which role would do, for the hint.
+std::string fitting_roles(const DeviceType& parent, const DeviceType& child) {
+  std::string text;
+  for (const RoleSpec& role : parent.roles) {
+    if (satisfies(child, role)) text += fmt::format("{}role=\"{}\"", text.empty() ? "" : " or ", role.name);
+  }
+  return text;
+}
+
 /// A role given by name has to exist and to take the child's type. `where` is how messages call the parent.
 std::optional<std::size_t> named_role(Reading& reading, const xml::Attribute& attribute, const DeviceType& parent,
                                       const DeviceType* child, const std::string& where) {
@@ -42,17 +51,19 @@ std::optional<std::size_t> named_role(Reading& reading, const xml::Attribute& at
     auto& finding = at_value(reading.diagnostics, code::unknown_role, attribute,
                              fmt::format("{} has no role '{}'", where, attribute.value));
     if (parent.roles.empty()) {
-      finding.note(fmt::format("a {} takes no children", parent.name));
+      finding.note(fmt::format("'{}' takes no children", parent.name));
     } else {
       suggest(finding, attribute.value, names_of(parent.roles));
     }
     return {};
   }
   if (child == nullptr || satisfies(*child, parent.roles[*role])) return role;
-  at_value(reading.diagnostics, code::role_interface, attribute,
-           fmt::format("a {} cannot take the role '{}' of {}", child->name, attribute.value, where))
-      .note(fmt::format("the role wants '{}'; a {} provides {}", parent.roles[*role].interface, child->name,
-                        provided_by(*child)));
+  auto& finding = at_value(reading.diagnostics, code::role_interface, attribute,
+                           fmt::format("'{}' cannot take the role '{}' of {}", child->name, attribute.value, where));
+  finding.note(fmt::format("the role wants '{}'; '{}' provides {}", parent.roles[*role].interface, child->name,
+                           provided_by(*child)));
+  const std::string fitting = fitting_roles(parent, *child);
+  if (!fitting.empty()) finding.hint("write " + fitting);
   return {};
 }
 
@@ -69,8 +80,8 @@ std::optional<std::size_t> only_role(Reading& reading, std::size_t index, const 
   if (fitting.empty()) {
     auto& finding = at_tag(reading.diagnostics, code::role_no_fit, tag,
                            fmt::format("{} has no role for device '{}'", where, device.name.text));
-    finding.note(fmt::format("a {} provides {}", child.name, provided_by(child)));
-    if (parent.roles.empty()) finding.note(fmt::format("a {} takes no children", parent.name));
+    finding.note(fmt::format("'{}' provides {}", child.name, provided_by(child)));
+    if (parent.roles.empty()) finding.note(fmt::format("'{}' takes no children", parent.name));
     for (const RoleSpec& role : parent.roles)
       finding.note(fmt::format("role '{}' wants '{}'", role.name, role.interface));
     return {};

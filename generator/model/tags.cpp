@@ -50,6 +50,7 @@ class TagReader {
                        [&](const xml::Node& child) { return child.is_element() && find_xacro(child); });
   }
   void report_xacro(const xml::Node& node) {
+    tags_.has_xacro = true;
     auto& finding = at_tag(diagnostics_, code::xacro_in_urdf, node,
                            fmt::format("<{}> in a file that is read as plain URDF", node.name));
     if (from_xacro_) {
@@ -101,17 +102,16 @@ class TagReader {
   void check_attributes(const xml::Node& node, const ElementRule& rule) {
     std::vector<std::string> names;
     for (const AttributeRule& known : rule.attributes) names.emplace_back(known.name);
-    std::vector<std::string> meant;  // by misspelt ones: they are not missing as well
     for (const xml::Attribute& attribute : node.attributes) {
       if (attribute.name == "xmlns" || starts_with(attribute.name, "xmlns:")) continue;
       if (std::find(names.begin(), names.end(), attribute.name) != names.end()) continue;
-      for (std::string& near : nearest_names(attribute.name, names)) meant.push_back(std::move(near));
+      for (std::string& near : nearest_names(attribute.name, names))
+        tags_.misspelt.emplace_back(&node, std::move(near));
       report_unknown_attribute(node, attribute, names);
     }
     for (const AttributeRule& known : rule.attributes) {
       const bool is_missing = known.required && node.attribute(known.name) == nullptr;
-      if (is_missing && std::find(meant.begin(), meant.end(), known.name) == meant.end())
-        report_missing_attribute(node, known);
+      if (is_missing && !tags_.is_misspelt(node, known.name)) report_missing_attribute(node, known);
     }
   }
   void report_unknown_attribute(const xml::Node& node, const xml::Attribute& attribute,
@@ -121,6 +121,7 @@ class TagReader {
     finding.underline(attribute.name.size());
     if (starts_with(attribute.name, "xacro:") && !from_xacro_) {
       finding.code = code::xacro_in_urdf;
+      tags_.has_xacro = true;
       finding.message = fmt::format("'{}' in a file that is read as plain URDF", attribute.name);
       finding.hint("rename the file to end in .urdf.xacro, or expand it first with 'finemote xacro'");
     } else if (node.is_element("device") && attribute.name == "class") {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "generator/diagnostic/diagnostics.hpp"
@@ -22,6 +24,16 @@ struct Tags {
   std::vector<const xml::Node*> expanders;
   std::vector<const xml::Node*> requirements;
   std::vector<DeviceTag> devices;  ///< by start tag
+  bool has_xacro = false;          ///< xacro is left over: what else is wrong may follow from it
+
+  /// Attributes that an unknown one was probably meant to be: they are not missing as well.
+  std::vector<std::pair<const xml::Node*, std::string>> misspelt;
+  [[nodiscard]] bool is_misspelt(const xml::Node& node, std::string_view attribute) const {
+    for (const auto& [tag, meant] : misspelt) {
+      if (tag == &node && meant == attribute) return true;
+    }
+    return false;
+  }
 };
 
 /// Collects the tags below `<robot>`, which has to outlive them. Reports FM3008 (unknown elements), FM3009 and FM3010

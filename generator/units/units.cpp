@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <limits>
@@ -69,6 +70,12 @@ std::string unit_list(const Kind& kind) {
 
 Fault malformed(std::string_view text, const Kind& kind) {
   const std::string example = fmt::format("write a number and a unit, for example '10{}'", kind.example_unit);
+  if (const std::size_t comma = text.find(','); comma != std::string_view::npos && comma + 1 < text.size()) {
+    std::string pointed(text);
+    pointed[comma] = '.';
+    return {code::quantity_malformed, fmt::format("'{}' has a decimal comma", shown(text)),
+            fmt::format("write '{}'", shown(pointed))};
+  }
   if (text.empty())
     return {code::quantity_malformed, fmt::format("empty value, expected {}", kind.article_name), example};
   if (text.front() == '-') {
@@ -78,11 +85,30 @@ Fault malformed(std::string_view text, const Kind& kind) {
   return {code::quantity_malformed, fmt::format("'{}' is not {}", shown(text), kind.article_name), example};
 }
 
+/// `0.4` -> `40`, `0.125` -> `12.5`: the point two places to the right.
+std::string percent_of(std::string_view fraction) {
+  std::string digits(fraction.substr(2));
+  while (digits.size() < 2) digits += '0';
+  std::string whole = digits.substr(0, 2);
+  whole.erase(0, std::min(whole.find_first_not_of('0'), whole.size() - 1));
+  const std::string rest = digits.substr(2);
+  return rest.empty() ? whole : whole + "." + rest;
+}
+
+/// What a number without unit probably means: rates are often given in the base unit, fractions for percent.
+std::string guess(std::string_view text, const Kind& kind) {
+  const bool is_large = text.size() > 3 && text.find('.') == std::string_view::npos;
+  const bool is_fraction = text.size() > 2 && text.substr(0, 2) == "0.";
+  if (kind.base == "%" && is_fraction)
+    return fmt::format("write '{}%' for the fraction {}", percent_of(text), shown(text));
+  const bool in_base = kind.units.size() == 1 || (kind.base == "Hz" && is_large);
+  return fmt::format("write '{}{}'", shown(text), in_base ? kind.base : kind.example_unit);
+}
+
 Fault no_unit(std::string_view text, const Kind& kind) {
-  const auto hint = kind.units.size() == 1
-                        ? fmt::format("write '{}{}'", shown(text), kind.base)
-                        : fmt::format("write '{}{}'; units are {}", shown(text), kind.example_unit, unit_list(kind));
-  return {code::unit_missing, fmt::format("'{}' has no unit, expected {}", shown(text), kind.article_name), hint};
+  const std::string others = kind.units.size() == 1 ? "" : fmt::format("; units are {}", unit_list(kind));
+  return {code::unit_missing, fmt::format("'{}' has no unit, expected {}", shown(text), kind.article_name),
+          guess(text, kind) + others};
 }
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -118,7 +144,8 @@ Result<Parts> split(std::string_view text, const Kind& kind) {
   std::string_view rest = text.substr(length);
   if (rest.empty()) return no_unit(text, kind);
   if (rest.front() == ' ') rest.remove_prefix(1);
-  if (rest.empty() || rest.front() == ' ' || rest.front() == '.' || rest.front() == '\t' || rest.front() == '\n')
+  if (rest.empty() || rest.front() == ' ' || rest.front() == '.' || rest.front() == ',' || rest.front() == '\t' ||
+      rest.front() == '\n')
     return malformed(text, kind);
   for (const UnitName& unit : kind.units) {
     if (rest == unit.text) return Parts{number, unit.exponent, rest};
@@ -140,6 +167,16 @@ bool append_digits(std::int64_t& value, std::string_view digits) {
   return true;
 }
 
+/// The value cut off after its last whole base unit, for the hint: `0.3333333ms` -> `333333ns`.
+Fault inexact(std::string_view text, std::string_view number, int exponent, const Kind& kind) {
+  const std::size_t point = number.find('.');
+  std::string digits(number.substr(0, point));
+  digits += number.substr(point + 1, static_cast<std::size_t>(exponent));
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
+  const std::string hint = digits.size() > 18 ? "" : fmt::format("write '{}{}'", digits, kind.base);
+  return {code::quantity_inexact, fmt::format("'{}' is not a whole number of {}", shown(text), kind.base), hint};
+}
+
 Result<std::int64_t> exact(std::string_view text, const Kind& kind) {
   const Result<Parts> parts = split(text, kind);
   if (!parts) return parts.fault();
@@ -149,7 +186,7 @@ Result<std::int64_t> exact(std::string_view text, const Kind& kind) {
   while (!fraction.empty() && fraction.back() == '0') fraction.remove_suffix(1);
   const int zeros = (*parts).exponent - static_cast<int>(fraction.size() > 99 ? 99 : fraction.size());
   if (zeros < 0) {
-    return Fault{code::quantity_inexact, fmt::format("'{}' is not a whole number of {}", shown(text), kind.base), {}};
+    return inexact(text, number, (*parts).exponent, kind);
   }
   std::int64_t value = 0;
   const bool fits = append_digits(value, number.substr(0, point)) && append_digits(value, fraction) &&

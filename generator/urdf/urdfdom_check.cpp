@@ -119,6 +119,7 @@ void check_with_urdfdom(const xml::Node& robot, const Kinematics& kinematics, Di
   const std::string& reason = console.errors.front();
   Diagnostic& finding = diagnostics.error(code::urdf_rejected, find_place(reason, kinematics, robot.at),
                                           "ROS tools would refuse the links and joints of this robot");
+  finding.underline(5);
   finding.note("urdfdom says: " + first_line(reason));
 }
 

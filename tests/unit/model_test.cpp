@@ -20,7 +20,7 @@ struct Case {
   std::optional<Robot> robot;
 
   void read(const SourceFile* file, const std::string& input_dir) {
-    library = load_library({kSource, input_dir, {}}, sources, diagnostics);
+    library = load_library({kSource, input_dir, {}, {}}, sources, diagnostics);
     REQUIRE(library);
     const auto document = xml::parse(*file, diagnostics);
     REQUIRE(document);
@@ -139,7 +139,7 @@ TEST_CASE("the i2c clock may be left out: the fastest of the port") {
 TEST_CASE("every shipped descriptor and board is what its schema and the reader want") {
   Sources sources;
   Diagnostics diagnostics;
-  auto library = load_library({kSource, "", {}}, sources, diagnostics);
+  auto library = load_library({kSource, "", {}, {}}, sources, diagnostics);
   REQUIRE(library);
   check_whole_library(*library, sources, diagnostics);
   CHECK(render_text(diagnostics, false).empty());
