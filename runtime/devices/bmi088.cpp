@@ -1,0 +1,142 @@
+#include "finemote/devices/bmi088.hpp"
+
+namespace finemote {
+
+namespace {
+
+// Registers: BMI088 data sheet, chapters 5.3 (accelerometer) and 5.5 (gyroscope).
+constexpr std::uint8_t kRead = 0x80;
+constexpr std::uint8_t kChipId = 0x00;
+constexpr std::uint8_t kAccelData = 0x12;  ///< x, y, z, two bytes each; then the 24-bit sensor time from 0x18
+constexpr std::uint8_t kGyroData = 0x00;   ///< identity, a reserved byte, then x, y, z
+constexpr std::uint8_t kAccelId = 0x1E, kGyroId = 0x0F;
+
+// An accelerometer read puts one byte without meaning before the data (6.1.2).
+constexpr unsigned kAccelDataAt = 2, kAccelTimeAt = 8, kGyroIdAt = 1, kGyroDataAt = 3;
+
+/// One write of the bring-up, and how long the part needs after it.
+struct Setting {
+  bool gyro;
+  std::uint8_t address, value;
+  Duration wait;
+};
+
+constexpr Setting kSettings[] = {
+    {false, kChipId | kRead, 0,
+     1 * kMillisecond},                      // the first access with its select low turns the part from I2C to SPI
+    {false, 0x7E, 0xB6, 50 * kMillisecond},  // ACC_SOFTRESET
+    {true, 0x14, 0xB6, 50 * kMillisecond},   // GYRO_SOFTRESET
+    {false, kChipId | kRead, 0, 1 * kMillisecond},  // and again after the reset
+    {false, 0x7D, 0x04, 50 * kMillisecond},         // ACC_PWR_CTRL: on
+    {false, 0x7C, 0x00, 5 * kMillisecond},          // ACC_PWR_CONF: active
+    {false, 0x40, 0xAB, 1 * kMillisecond},          // ACC_CONF: 800 Hz, normal filter
+    {false, 0x41, 0x01, 1 * kMillisecond},          // ACC_RANGE: 6 g
+    {true, 0x0F, 0x00, 1 * kMillisecond},           // GYRO_RANGE: 2000 deg/s
+    {true, 0x10, 0x82, 1 * kMillisecond},           // GYRO_BANDWIDTH: 1000 Hz, filter 116 Hz
+    {true, 0x11, 0x00, 30 * kMillisecond},          // GYRO_LPM1: normal
+};
+constexpr std::uint8_t kSettingCount = sizeof kSettings / sizeof kSettings[0];
+
+constexpr float kAccelScale = 6 * 9.80665F / 32768;          ///< m/s^2
+constexpr float kGyroScale = 2000 * 0.01745329252F / 32768;  ///< rad/s
+
+std::int16_t word_at(const std::uint8_t* bytes) { return static_cast<std::int16_t>(bytes[0] | bytes[1] << 8); }
+
+}  // namespace
+
+void Bmi088::update() {
+  if (accel_->busy() || gyro_->busy()) return;
+  if (now() < wait_until_) return;
+  switch (step_) {
+    case Step::kWait:
+      entry_ = 0;
+      step_ = Step::kSetUp;
+      [[fallthrough]];
+    case Step::kSetUp:
+      return set_up();
+    case Step::kCheck:
+      return check();
+    case Step::kRun:
+      take_sample();
+      if (step_ == Step::kRun) start_reads();
+      return;
+  }
+}
+
+// --------------------------------------------------------------------------------------------------------------
+// bring-up
+
+void Bmi088::set_up() {
+  if (entry_ < kSettingCount) {
+    const Setting& setting = kSettings[entry_++];
+    std::uint8_t* out = setting.gyro ? gyro_out_ : accel_out_;
+    out[0] = setting.address;
+    out[1] = setting.value;
+    (setting.gyro ? gyro_ : accel_)->start(out, nullptr, setting.address == (kChipId | kRead) ? 3 : 2);
+    wait_until_ = now() + setting.wait;
+    return;
+  }
+  accel_out_[0] = gyro_out_[0] = kChipId | kRead;
+  accel_->start(accel_out_, accel_in_, 3);
+  gyro_->start(gyro_out_, gyro_in_, 2);
+  step_ = Step::kCheck;
+}
+
+void Bmi088::check() {
+  const bool there = accel_->done() && gyro_->done() && accel_in_[2] == kAccelId && gyro_in_[1] == kGyroId;
+  if (!there) return begin_again();
+  attitude_.reset();
+  sampled_ = 0;
+  failures_ = 0;
+  started_ = false;
+  step_ = Step::kRun;
+  start_reads();
+}
+
+// --------------------------------------------------------------------------------------------------------------
+// samples
+
+void Bmi088::start_reads() {
+  accel_out_[0] = kAccelData | kRead;
+  gyro_out_[0] = kGyroData | kRead;
+  accel_->start(accel_out_, accel_in_, sizeof accel_in_);
+  gyro_->start(gyro_out_, gyro_in_, sizeof gyro_in_);
+  started_ = true;
+}
+
+void Bmi088::take_sample() {
+  if (!started_) return;
+  const std::uint8_t* clock = accel_in_ + kAccelTimeAt;
+  const std::uint32_t chip_time = clock[0] | std::uint32_t{clock[1]} << 8 | std::uint32_t{clock[2]} << 16;
+  const bool good = accel_->done() && gyro_->done() && chip_time != chip_time_ && gyro_in_[kGyroIdAt] == kGyroId;
+  chip_time_ = chip_time;
+  if (!good) return fail();
+
+  failures_ = 0;
+  for (unsigned i = 0; i < 3; ++i) {
+    state.acceleration[i] = static_cast<float>(word_at(accel_in_ + kAccelDataAt + 2 * i)) * kAccelScale;
+    state.rate[i] = static_cast<float>(word_at(gyro_in_ + kGyroDataAt + 2 * i)) * kGyroScale;
+  }
+  const Time at = oldest(accel_->ended(), gyro_->ended());
+  const float dt = sampled_ == 0 ? 0 : static_cast<float>(at - sampled_) * 1e-9F;
+  sampled_ = at;
+  attitude_.step(gains_, state.rate, state.acceleration, dt);
+  state.roll = attitude_.roll();
+  state.pitch = attitude_.pitch();
+  state.yaw = attitude_.yaw();
+  state.origin = at;
+  state.valid = true;
+}
+
+void Bmi088::fail() {
+  state.valid = false;
+  if (++failures_ >= kMaxFailures) begin_again();
+}
+
+void Bmi088::begin_again() {
+  state.valid = false;
+  step_ = Step::kWait;
+  wait_until_ = now() + 50 * kMillisecond;
+}
+
+}  // namespace finemote

@@ -1,0 +1,57 @@
+#include "finemote/devices/gimbal.hpp"
+
+namespace finemote {
+
+namespace {
+
+constexpr float kLongestStep = 0.1F;  ///< s
+
+void command(const Port<Motor>& motor, const Stamp& from, bool drives, float torque) {
+  motor.command.torque = drives ? torque : 0;
+  motor.command.origin = from.origin;
+  motor.command.valid = drives;
+}
+
+}  // namespace
+
+void Gimbal::update() {
+  const Time at = now();
+  state.origin = oldest(yaw_.state.origin, pitch_.state.origin, imu_.state.origin, remote_.state.origin);
+  state.valid = yaw_.state.valid && pitch_.state.valid && imu_.state.valid && remote_.state.valid;
+  state.valid = is_fresh(state, at, config_.max_age);
+}
+
+void Gimbal::handle() {
+  const Time at = now();
+  const float elapsed = static_cast<float>(at - stepped_) * 1e-9F;
+  const float dt = elapsed <= kLongestStep ? elapsed : 0;
+  stepped_ = at;
+
+  const bool drives = state.valid && remote_.state.right_switch != RemoteSwitch::kDown;
+  if (!drives || !driving_) {
+    yaw_aim_ = imu_.state.yaw;
+    pitch_aim_ = imu_.state.pitch;
+    yaw_rate_.reset();
+    pitch_rate_.reset();
+  }
+  driving_ = drives;
+  if (drives) move_aim(dt);
+
+  const float yaw_wanted = config_.yaw_kp * wrap_angle(yaw_aim_ - imu_.state.yaw);
+  const float pitch_wanted = config_.pitch_kp * (pitch_aim_ - imu_.state.pitch);
+  const float yaw = yaw_rate_.step({config_.yaw_rate_kp, config_.yaw_rate_ki, 0, config_.max_torque},
+                                   yaw_wanted - imu_.state.rate[2], 0, dt);
+  const float pitch = pitch_rate_.step({config_.pitch_rate_kp, config_.pitch_rate_ki, 0, config_.max_torque},
+                                       pitch_wanted - imu_.state.rate[1], 0, dt);
+  command(yaw_, state, drives, yaw);
+  command(pitch_, state, drives, pitch);
+}
+
+void Gimbal::move_aim(float dt) {
+  yaw_aim_ = wrap_angle(yaw_aim_ - remote_.state.wheel * config_.max_rate * dt);
+  const float step = -remote_.state.right_y * config_.max_rate * dt;  // positive pitch looks down
+  const float at_zero = imu_.state.pitch - pitch_.state.angle;        // the head's pitch with the motor at 0
+  pitch_aim_ = clamp(pitch_aim_ + step, at_zero + config_.pitch_lowest, at_zero + config_.pitch_highest);
+}
+
+}  // namespace finemote

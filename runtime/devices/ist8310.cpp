@@ -1,0 +1,97 @@
+#include "finemote/devices/ist8310.hpp"
+
+namespace finemote {
+
+namespace {
+
+// Registers of the IST8310 data sheet.
+constexpr std::uint8_t kWhoAmI = 0x00, kIdentity = 0x10;
+constexpr std::uint8_t kData = 0x03;  ///< x, y, z, low byte first
+
+struct Setting {
+  std::uint8_t address, value;
+};
+constexpr Setting kSettings[] = {
+    {0x0B, 0x08},  // data-ready on, active low
+    {0x41, 0x09},  // averages of two samples
+    {0x42, 0xC0},  // pulse duration, as the data sheet asks for
+    {0x0A, 0x0B},  // 200 measurements a second
+};
+constexpr std::uint8_t kSettingCount = sizeof kSettings / sizeof kSettings[0];
+
+constexpr float kTeslaPerStep = 0.3e-6F;
+constexpr int kLargest = 5400;  ///< 1600 uT
+constexpr std::uint8_t kBadValues = 3;
+
+}  // namespace
+
+void Ist8310::update() {
+  if (slot_->busy()) return;
+  if (started_) {
+    started_ = false;
+    take_result();
+  }
+  begin_step();
+}
+
+void Ist8310::take_result() {
+  if (!slot_->done()) {
+    state.valid = false;
+    if (slot_->unreachable()) step_ = Step::kIdentity;
+    return;
+  }
+  switch (step_) {
+    case Step::kIdentity:
+      if (read_[0] != kIdentity) return;
+      entry_ = 0;
+      step_ = Step::kSettings;
+      return;
+    case Step::kSettings:
+      if (++entry_ == kSettingCount) step_ = Step::kRun;
+      return;
+    case Step::kRun:
+      return take_field();
+  }
+}
+
+void Ist8310::take_field() {
+  int raw[3];
+  bool good = false;
+  for (int i = 0; i < 3; ++i) {
+    raw[i] = static_cast<std::int16_t>(read_[2 * i] | read_[2 * i + 1] << 8);
+    if (raw[i] > kLargest || raw[i] < -kLargest) return bad_value();
+    good = good || raw[i] != 0;  // all zero: no measurement yet, or the part was reset
+  }
+  if (!good) return bad_value();
+  bad_values_ = 0;
+  for (int i = 0; i < 3; ++i) state.field[i] = static_cast<float>(raw[i]) * kTeslaPerStep;
+  state.origin = slot_->ended();
+  state.valid = true;
+}
+
+void Ist8310::bad_value() {
+  state.valid = false;
+  if (++bad_values_ < kBadValues) return;
+  bad_values_ = 0;
+  step_ = Step::kIdentity;
+}
+
+void Ist8310::begin_step() {
+  switch (step_) {
+    case Step::kIdentity:
+      write_[0] = kWhoAmI;
+      started_ = slot_->start(write_, 1, read_, 1);
+      return;
+    case Step::kSettings:
+      write_[0] = kSettings[entry_].address;
+      write_[1] = kSettings[entry_].value;
+      started_ = slot_->start(write_, 2);
+      return;
+    case Step::kRun:
+      write_[0] = kData;
+      started_ = slot_->start(write_, 1, read_, 6);
+      return;
+  }
+}
+
+}  // namespace finemote

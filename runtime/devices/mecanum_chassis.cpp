@@ -1,0 +1,67 @@
+#include "finemote/devices/mecanum_chassis.hpp"
+
+namespace finemote {
+
+namespace {
+
+// How forward, left and turning make up each wheel's rolling: front left, front right, rear left, rear right.
+constexpr float kLeft[4] = {-1, 1, 1, -1};
+constexpr float kTurn[4] = {-1, 1, -1, 1};
+constexpr float kLongestStep = 0.1F;  ///< s
+
+}  // namespace
+
+void MecanumChassis::wheel_speeds(const Config& config, const Motion& motion, float (&speeds)[kWheels]) {
+  for (unsigned n = 0; n < kWheels; ++n) {
+    speeds[n] = (motion.forward + kLeft[n] * motion.left + kTurn[n] * config.reach * motion.turn) / config.wheel_radius;
+  }
+}
+
+MecanumChassis::Motion MecanumChassis::body_motion(const Config& config, const float (&speeds)[kWheels]) {
+  Motion motion;
+  for (unsigned n = 0; n < kWheels; ++n) {
+    const float share = speeds[n] * config.wheel_radius / kWheels;
+    motion.forward += share;
+    motion.left += kLeft[n] * share;
+    motion.turn += kTurn[n] * share / config.reach;
+  }
+  return motion;
+}
+
+void MecanumChassis::update() {
+  const Time at = now();
+  state = {remote_.state.origin, is_fresh(remote_.state, at, config_.max_age)};
+  float speeds[kWheels] = {};
+  for (unsigned n = 0; n < kWheels; ++n) {
+    const MotorState& wheel = wheels_[n].state;
+    speeds[n] = wheel.speed;
+    state.origin = oldest(state.origin, wheel.origin);
+    state.valid = state.valid && is_fresh(wheel, at, config_.max_age);
+  }
+  motion_ = body_motion(config_, speeds);
+}
+
+void MecanumChassis::handle() {
+  const Time at = now();
+  const RemoteState& remote = remote_.state;
+  const bool drives = state.valid && remote.left_switch != RemoteSwitch::kDown;
+  const float elapsed = static_cast<float>(at - stepped_) * 1e-9F;
+  const float dt = elapsed <= kLongestStep ? elapsed : 0;
+  stepped_ = at;
+
+  float wanted[kWheels];
+  wheel_speeds(
+      config_,
+      {remote.left_y * config_.max_speed, -remote.left_x * config_.max_speed, -remote.right_x * config_.max_turn},
+      wanted);
+  for (unsigned n = 0; n < kWheels; ++n) {
+    MotorCommand& command = wheels_[n].command;
+    if (!drives) loops_[n].reset();
+    const float error = wanted[n] - wheels_[n].state.speed;
+    command.torque = drives ? loops_[n].step({config_.kp, config_.ki, 0, config_.max_torque}, error, 0, dt) : 0;
+    command.origin = state.origin;
+    command.valid = drives;
+  }
+}
+
+}  // namespace finemote

@@ -1,0 +1,52 @@
+// Turns an operator's stick and the attitude of the head into the torques of a two-axis gimbal.
+#pragma once
+
+#include "finemote/contract.hpp"
+#include "finemote/control/pid.hpp"
+#include "finemote/interfaces/imu.hpp"
+#include "finemote/interfaces/motor.hpp"
+#include "finemote/interfaces/remote.hpp"
+
+namespace finemote {
+
+/// The attitude sensor sits on the head, its axes along the motors' at rest: yaw about z, pitch about y. The wheel
+/// moves the yaw aimed at, the right stick's y the pitch (up is away from the operator); the gimbal holds both against
+/// the world. Angle loops ask for rates, rate loops for torques. The pitch aimed at is always one the pitch motor
+/// reaches within its limits. Drives while the right switch is up or in the middle and all inputs are fresh; where it
+/// begins to drive it holds what it finds.
+class Gimbal {
+ public:
+  struct Config {
+    float max_rate = 3;                                ///< rad/s, of the aim at a full stick
+    float pitch_lowest = -0.4F, pitch_highest = 0.5F;  ///< rad, of the pitch motor
+    float yaw_kp = 10, yaw_rate_kp = 0.3F, yaw_rate_ki = 1;
+    float pitch_kp = 10, pitch_rate_kp = 0.3F, pitch_rate_ki = 1;
+    float max_torque = 1.2F;  ///< N m
+    Duration max_age = 100 * kMillisecond;
+  };
+
+  constexpr Gimbal(const Config& config, Port<Motor> yaw, Port<Motor> pitch, Port<Imu> imu, Port<Remote> remote)
+      : config_(config), yaw_(yaw), pitch_(pitch), imu_(imu), remote_(remote) {}
+
+  void update();
+  void handle();
+
+  Stamp state;  ///< as old as the oldest input, valid while all are
+
+  [[nodiscard]] float yaw_aim() const { return yaw_aim_; }
+  [[nodiscard]] float pitch_aim() const { return pitch_aim_; }
+
+ private:
+  void move_aim(float dt);
+
+  Config config_;
+  Port<Motor> yaw_, pitch_;
+  Port<Imu> imu_;
+  Port<Remote> remote_;
+  bool driving_ = false;
+  float yaw_aim_ = 0, pitch_aim_ = 0;
+  Pid yaw_rate_, pitch_rate_;
+  Time stepped_ = 0;
+};
+
+}  // namespace finemote

@@ -1,0 +1,40 @@
+// Turns the registers of an IST8310 compass into a magnetic field.
+#pragma once
+
+#include <cstdint>
+
+#include "finemote/contract.hpp"
+#include "finemote/i2c.hpp"
+#include "finemote/interfaces/magnetometer.hpp"
+
+namespace finemote {
+
+/// iSentek IST8310, 0.3 uT per step. Every update() takes the read of the one before and starts the next; the origin is
+/// when that read ended. Identity and settings are written first, with `valid = false`. Three failed transfers in a
+/// row, or three readings beyond the part's range, lead to a new bring-up.
+class Ist8310 {
+ public:
+  constexpr explicit Ist8310(I2cSlot& slot) : slot_(&slot) {}
+
+  void update();
+  void handle() {}
+
+  MagnetometerState state;
+
+ private:
+  enum class Step : std::uint8_t { kIdentity, kSettings, kRun };
+
+  void take_result();
+  void take_field();
+  void begin_step();
+  void bad_value();
+
+  I2cSlot* slot_;
+  Step step_ = Step::kIdentity;
+  bool started_ = false;
+  std::uint8_t entry_ = 0, bad_values_ = 0;
+  std::uint8_t write_[2]{};
+  std::uint8_t read_[6]{};
+};
+
+}  // namespace finemote

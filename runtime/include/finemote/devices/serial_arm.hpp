@@ -1,0 +1,53 @@
+// Turns an operator's sticks into joint angles aimed at, and those into the torques of a serial arm's motors.
+#pragma once
+
+#include "finemote/contract.hpp"
+#include "finemote/control/pid.hpp"
+#include "finemote/interfaces/motor.hpp"
+#include "finemote/interfaces/remote.hpp"
+
+namespace finemote {
+
+/// One to eight joints, base to tip, each with an angle loop. Sticks jog: right x, right y, left y, left x move joints
+/// 1..4, the wheel joint 5, or joint 6 with the left switch down; further joints hold. Drives while the right switch is
+/// up or in the middle and all inputs are fresh; where it begins to drive it holds what it finds. The aim never runs
+/// away from the joint by more than `lead`.
+class SerialArm {
+ public:
+  static constexpr unsigned kMaxJoints = 8;
+
+  struct Config {
+    float max_speed = 1;   ///< rad/s, of the aim at a full stick
+    float lead = 0.3F;     ///< rad
+    float kp = 20;         ///< N m per rad
+    float ki = 10;         ///< N m per rad and second
+    float kd = 1;          ///< N m per rad/s
+    float max_torque = 5;  ///< N m
+    Duration max_age = 100 * kMillisecond;
+  };
+
+  constexpr SerialArm(const Config& config, Ports<Motor> joints, Port<Remote> remote)
+      : config_(config), joints_(joints), remote_(remote) {}
+
+  void update();
+  void handle();
+
+  Stamp state;  ///< as old as the oldest input, valid while all are
+
+  /// rad; `joint` counts from 0.
+  [[nodiscard]] float aim(unsigned joint) const { return joint < kMaxJoints ? aims_[joint] : 0; }
+
+ private:
+  [[nodiscard]] float jog(unsigned joint) const;
+  [[nodiscard]] unsigned count() const;
+
+  Config config_;
+  Ports<Motor> joints_;
+  Port<Remote> remote_;
+  bool driving_ = false;
+  float aims_[kMaxJoints]{};
+  Pid loops_[kMaxJoints];
+  Time stepped_ = 0;
+};
+
+}  // namespace finemote

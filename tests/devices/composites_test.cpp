@@ -1,0 +1,209 @@
+// Chassis, gimbal and arm: kinematics, loops that converge on simple plants, and no torque without fresh inputs.
+#include <cmath>
+#include <vector>
+
+#include "bench.hpp"
+#include "catch.hpp"
+#include "finemote/devices/gimbal.hpp"
+#include "finemote/devices/mecanum_chassis.hpp"
+#include "finemote/devices/serial_arm.hpp"
+
+namespace {
+
+using namespace finemote;
+
+constexpr double kStep = 0.001;  ///< s
+
+/// A motor with inertia and friction that obeys only valid commands.
+struct Plant {
+  explicit Plant(double inertia = 0.02, double friction = 0.05) : inertia(inertia), friction(friction) {}
+  void step() {
+    const double torque = command.valid ? static_cast<double>(command.torque) : 0;
+    speed += (torque - friction * speed) / inertia * kStep;
+    angle += speed * kStep;
+    if (silent) return;
+    state.angle = static_cast<float>(angle);
+    state.speed = static_cast<float>(speed);
+    state.origin = now();
+    state.valid = true;
+  }
+  double inertia, friction, speed = 0, angle = 0;
+  bool silent = false;
+  MotorState state;
+  MotorCommand command;
+};
+
+template <class Root>
+void pass(Root& root, std::vector<Plant*> plants, RemoteState& remote, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    host::advance(1 * kMillisecond);
+    for (Plant* plant : plants) plant->step();
+    remote.origin = now();
+    remote.valid = true;
+    root.update();
+    root.handle();
+  }
+}
+
+struct ChassisFixture {
+  ChassisFixture() {
+    bench::reset();
+    remote.left_switch = RemoteSwitch::kUp;
+  }
+  void pass(int steps) { ::pass(chassis, {&wheel[0], &wheel[1], &wheel[2], &wheel[3]}, remote, steps); }
+  Plant wheel[4];
+  RemoteState remote;
+  Port<Motor> wheels[4] = {{wheel[0].state, wheel[0].command},
+                           {wheel[1].state, wheel[1].command},
+                           {wheel[2].state, wheel[2].command},
+                           {wheel[3].state, wheel[3].command}};
+  MecanumChassis chassis{{}, wheels, {remote}};
+};
+
+}  // namespace
+
+TEST_CASE("mecanum kinematics and their inverse") {
+  const MecanumChassis::Config config;
+  float speeds[4];
+  MecanumChassis::wheel_speeds(config, {1, 0, 0}, speeds);
+  for (const float s : speeds) CHECK(s == Approx(1 / 0.076));
+  MecanumChassis::wheel_speeds(config, {0, 1, 0}, speeds);  // to the left: front left and rear right backwards
+  CHECK(speeds[0] < 0);
+  CHECK(speeds[1] > 0);
+  CHECK(speeds[2] > 0);
+  CHECK(speeds[3] < 0);
+  MecanumChassis::wheel_speeds(config, {0, 0, 1}, speeds);  // turning left: left wheels backwards
+  CHECK(speeds[0] == Approx(-0.4 / 0.076));
+  CHECK(speeds[1] == Approx(0.4 / 0.076));
+  MecanumChassis::wheel_speeds(config, {0.3F, -0.7F, 1.9F}, speeds);
+  const MecanumChassis::Motion motion = MecanumChassis::body_motion(config, speeds);
+  CHECK(motion.forward == Approx(0.3));
+  CHECK(motion.left == Approx(-0.7));
+  CHECK(motion.turn == Approx(1.9));
+}
+
+TEST_CASE_METHOD(ChassisFixture, "the chassis reaches the speed asked for") {
+  remote.left_y = 0.5F;
+  remote.right_x = -0.25F;
+  pass(3000);
+  CHECK(chassis.motion().forward == Approx(1).epsilon(0.02));
+  CHECK(chassis.motion().left == Approx(0).margin(0.02));
+  CHECK(chassis.motion().turn == Approx(1).epsilon(0.02));
+  remote.left_y = remote.right_x = 0;
+  pass(3000);
+  CHECK(chassis.motion().forward == Approx(0).margin(0.02));
+}
+
+TEST_CASE_METHOD(ChassisFixture, "no torque with the switch down, without the remote, or without a wheel") {
+  remote.left_y = 1;
+  pass(200);
+  CHECK(wheel[0].command.valid);
+  remote.left_switch = RemoteSwitch::kDown;
+  pass(1);
+  for (const Plant& w : wheel) CHECK_FALSE(w.command.valid);
+  remote.left_switch = RemoteSwitch::kMiddle;
+  pass(1);
+  CHECK(wheel[0].command.valid);
+  wheel[3].silent = true;
+  pass(150);
+  for (const Plant& w : wheel) CHECK_FALSE(w.command.valid);
+  CHECK(wheel[0].command.origin == wheel[3].state.origin);
+  wheel[3].silent = false;
+  pass(1);
+  CHECK(wheel[0].command.valid);
+  host::advance(101 * kMillisecond);
+  for (Plant& w : wheel) w.step();
+  chassis.update();
+  chassis.handle();
+  for (const Plant& w : wheel) CHECK_FALSE(w.command.valid);
+}
+
+TEST_CASE("the gimbal holds its aim, follows the sticks and respects the pitch limit") {
+  bench::reset();
+  Plant yaw, pitch;
+  RemoteState remote;
+  ImuState head;
+  remote.right_switch = RemoteSwitch::kUp;
+  Gimbal gimbal{{}, {yaw.state, yaw.command}, {pitch.state, pitch.command}, {head}, {remote}};
+  double base = 0.5;  // heading of what carries it
+  const auto run = [&](int steps) {
+    for (int i = 0; i < steps; ++i) {
+      head.yaw = wrap_angle(static_cast<float>(base + yaw.angle));
+      head.pitch = static_cast<float>(pitch.angle);
+      head.rate[2] = static_cast<float>(yaw.speed);
+      head.rate[1] = static_cast<float>(pitch.speed);
+      head.origin = now();
+      head.valid = true;
+      pass(gimbal, {&yaw, &pitch}, remote, 1);
+    }
+  };
+  run(10);
+  CHECK(gimbal.yaw_aim() == Approx(0.5).margin(0.01));
+  base = 0.9;  // the base turns away
+  run(2000);
+  CHECK(head.yaw == Approx(0.5).margin(0.01));
+  remote.wheel = -0.5F;
+  run(500);
+  remote.wheel = 0;
+  run(2000);
+  CHECK(head.yaw == Approx(0.5 + 0.75).margin(0.02));
+  remote.right_y = -1;  // look down, for long
+  run(3000);
+  remote.right_y = 0;
+  run(1000);
+  CHECK(pitch.angle > 0.48);
+  CHECK(pitch.angle < 0.52);
+  remote.right_switch = RemoteSwitch::kDown;
+  run(1);
+  CHECK_FALSE(yaw.command.valid);
+  CHECK_FALSE(pitch.command.valid);
+  remote.right_switch = RemoteSwitch::kUp;
+  run(10);
+  CHECK(yaw.command.valid);
+  head.valid = false;
+  pass(gimbal, {&yaw, &pitch}, remote, 1);
+  CHECK_FALSE(yaw.command.valid);
+}
+
+TEST_CASE("the arm holds what it finds, jogs its joints, and lets go without fresh inputs") {
+  bench::reset();
+  std::vector<Plant> joints(6, Plant{0.2, 0.5});
+  std::vector<Plant*> plants;
+  std::vector<Port<Motor>> ports;
+  for (Plant& joint : joints) {
+    joint.angle = 0.3;
+    plants.push_back(&joint);
+    ports.push_back({joint.state, joint.command});
+  }
+  RemoteState remote;
+  remote.right_switch = RemoteSwitch::kUp;
+  SerialArm arm{{}, {ports.data(), ports.size()}, {remote}};
+  pass(arm, plants, remote, 2000);
+  for (const Plant& joint : joints) CHECK(joint.angle == Approx(0.3).margin(0.005));
+  remote.right_x = 0.5F;
+  remote.left_switch = RemoteSwitch::kDown;
+  remote.wheel = -1;
+  pass(arm, plants, remote, 1000);
+  remote.right_x = remote.wheel = 0;
+  pass(arm, plants, remote, 3000);
+  CHECK(joints[0].angle == Approx(0.8).margin(0.02));
+  CHECK(joints[1].angle == Approx(0.3).margin(0.005));
+  CHECK(joints[4].angle == Approx(0.3).margin(0.005));
+  CHECK(joints[5].angle == Approx(-0.7).margin(0.05));
+  joints[2].silent = true;
+  pass(arm, plants, remote, 150);
+  for (const Plant& joint : joints) CHECK_FALSE(joint.command.valid);
+}
+
+TEST_CASE("an aim never runs away from a joint that does not move") {
+  bench::reset();
+  Plant joint{1e6, 1};
+  RemoteState remote;
+  remote.right_switch = RemoteSwitch::kUp;
+  remote.right_x = 1;
+  const Port<Motor> ports[] = {{joint.state, joint.command}};
+  SerialArm arm{{}, ports, {remote}};
+  pass(arm, {&joint}, remote, 5000);
+  CHECK(arm.aim(0) == Approx(0.3).margin(0.01));
+  CHECK(joint.command.torque <= 5);
+}
