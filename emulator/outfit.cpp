@@ -193,6 +193,8 @@ void Outfit::happen_to_port(const Json& event, const std::string& port) {
     if (what == "hold_sda") return i2c->line.hold_sda(maybe(event, "clocks", I2cLine::kForever));
     if (what == "release_sda") return i2c->line.hold_sda(0);
     if (what == "disturb") return void(i2c->disturbed_starts = need<unsigned>(event, "starts"));
+  } else if (Can* can = board_.chip().can(port)) {
+    if (what == "disturb") return void(can->line.disturbed_frames = need<unsigned>(event, "frames"));
   } else {
     refuse(event, "the board has no bus at port '" + port + "'");
   }

@@ -58,6 +58,10 @@ Chip::Chip(World& world)
   place(0x40005C00, *i2c3_, ClockBus::apb1, 23);
   connect_wires(*i2c2_, 'F', 1, 'F', 0);
   connect_wires(*i2c3_, 'A', 8, 'C', 9);
+  can1_ = std::make_unique<Can>(world, "can1", Can::Lines{19, 20, 22}, can_filters_, false, apb1);
+  can2_ = std::make_unique<Can>(world, "can2", Can::Lines{63, 64, 66}, can_filters_, true, apb1);
+  place(0x40006400, *can1_, ClockBus::apb1, 25);
+  place(0x40006800, *can2_, ClockBus::apb1, 26);
   const auto add_timer = [&](std::uint32_t base, const char* name, ClockBus bus, unsigned bit, int line) {
     const bool advanced = bit < 2 && bus == ClockBus::apb2;
     timers_.push_back(std::make_unique<Timer>(
@@ -165,6 +169,10 @@ I2c* Chip::i2c(const std::string& name) {
     if (i2c->name() == name) return i2c;
   }
   return nullptr;
+}
+
+Can* Chip::can(const std::string& name) {
+  return name == "can1" ? can1_.get() : name == "can2" ? can2_.get() : nullptr;
 }
 
 std::pair<Timer*, unsigned> Chip::pwm(const std::string& name) {

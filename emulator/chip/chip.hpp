@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "emulator/chip/can.hpp"
 #include "emulator/chip/dma.hpp"
 #include "emulator/chip/exti.hpp"
 #include "emulator/chip/flash.hpp"
@@ -34,6 +35,7 @@ class Chip : public PeripheralBus {
   /// By port name: `usart6`, `i2c2`; null when there is none.
   Usart* usart(const std::string& name);
   I2c* i2c(const std::string& name);
+  Can* can(const std::string& name);
   /// Timer and channel of a PWM header `pwm1`..`pwm7`.
   std::pair<Timer*, unsigned> pwm(const std::string& name);
 
@@ -76,6 +78,8 @@ class Chip : public PeripheralBus {
   std::unique_ptr<Dma> dma1_, dma2_;
   std::unique_ptr<Usart> usart1_, usart3_, usart6_;
   std::unique_ptr<I2c> i2c2_, i2c3_;
+  CanFilters can_filters_;
+  std::unique_ptr<Can> can1_, can2_;
   std::vector<std::unique_ptr<Timer>> timers_;
   std::vector<Slot> slots_;
   Time lowered_at_ = 0;

@@ -1,0 +1,60 @@
+// A CAN bus: frames of all nodes take turns by identifier and take their bits' time, stuff bits included.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "emulator/bus_statistics.hpp"
+#include "emulator/chip/peripheral.hpp"
+
+namespace finemote::emulator {
+
+/// A data frame with a standard identifier.
+struct CanFrame {
+  std::uint32_t id = 0;
+  unsigned size = 0;
+  std::array<std::uint8_t, 8> data{};
+};
+
+/// Bits of a frame on the wire with its stuff bits and the three bits of intermission: ISO 11898-1.
+unsigned can_frame_bits(const CanFrame& frame);
+
+class CanLine {
+ public:
+  /// What takes part: asked for its most urgent frame, told how its frame went, and given everybody else's.
+  struct Node {
+    std::function<std::optional<CanFrame>()> next;
+    std::function<void(const CanFrame&, bool ok)> sent;
+    std::function<void(const CanFrame&)> received;
+  };
+
+  explicit CanLine(World& world) : world_(world) {}
+
+  /// @return its number
+  std::size_t attach(Node node) {
+    nodes_.push_back(std::move(node));
+    return nodes_.size() - 1;
+  }
+  void set_bitrate(std::uint32_t hz) { bitrate_ = hz; }
+  /// A node has something to send.
+  void request();
+
+  unsigned disturbed_frames = 0;  ///< the next frames are destroyed on the wire
+  [[nodiscard]] const BusStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] Time bit_time() const { return period_of(bitrate_); }
+
+ private:
+  void begin();
+  void end(std::size_t sender, const CanFrame& frame, bool ok);
+
+  World& world_;
+  std::vector<Node> nodes_;
+  std::uint32_t bitrate_ = 1'000'000;
+  bool busy_ = false, asked_ = false;
+  BusStatistics statistics_;
+};
+
+}  // namespace finemote::emulator

@@ -1,0 +1,106 @@
+// CAN: the wire's arithmetic, the driver against nodes, a lost and regained bus.
+#include "catch.hpp"
+#include "emulator/board.hpp"
+
+using namespace finemote::emulator;
+
+namespace {
+
+constexpr std::uint64_t kMs = 1'000'000;
+
+/// Answers every group frame with its own identifier, and remembers what it was told.
+struct Motor {
+  explicit Motor(CanLine& bus) : line(bus) {
+    line.attach(CanLine::Node{[this] { return answer; },
+                              [this](const CanFrame&, bool ok) {
+                                if (ok) answer.reset();
+                              },
+                              [this](const CanFrame& frame) { hear(frame); }});
+  }
+  void hear(const CanFrame& frame) {
+    heard.push_back(frame);
+    answer = CanFrame{id, 8, {0x5A, 1, 2, 3, 4, 5, 6, 7}};
+    line.request();
+  }
+  CanLine& line;
+  std::uint32_t id = 0x201;
+  std::optional<CanFrame> answer;
+  std::vector<CanFrame> heard;
+};
+
+struct Bench {
+  Bench() { board.load(load_image(std::string(FINEMOTE_IMAGES) + "/can.elf")); }
+  std::uint32_t seen(unsigned index) { return board.word("seen", 4 * index); }
+  Board board;
+  Motor left{board.chip().can("can1")->line}, right{board.chip().can("can2")->line};
+};
+
+}  // namespace
+
+TEST_CASE("a frame's bits are counted with their stuffing") {
+  // 44 bits for a frame without data, 8 per byte, and 3 of intermission; stuffing adds at most (34 + 8 n - 1) / 4.
+  const unsigned empty = can_frame_bits(CanFrame{0x555, 0, {}});
+  CHECK(empty >= 47);
+  CHECK(empty <= 47 + 8);
+  const unsigned zeros = can_frame_bits(CanFrame{0, 8, {}});
+  CHECK(zeros > 111 + 15);
+  CHECK(zeros <= 111 + 24);
+  CHECK(can_frame_bits(CanFrame{0x2AA, 8, {0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55}}) <= 111 + 5);
+}
+
+TEST_CASE("commands go out every millisecond on both buses, answers come in, and nothing is used wrongly") {
+  Bench bench;
+  bench.board.run_for(110 * kMs);
+  CHECK(bench.left.heard.size() >= 100);
+  CHECK(bench.right.heard.size() >= 100);
+  const CanFrame& last = bench.left.heard.back();
+  CHECK(last.id == 0x200);
+  CHECK(last.size == 8);
+  CHECK(bench.seen(4) - (last.data[0] * 256U + last.data[1]) <= 1);
+  CHECK(bench.right.heard.back().data[6] * 256 + bench.right.heard.back().data[7] == 0x10000 - 1234);
+  CHECK(bench.left.heard.size() - bench.seen(0) <= 2);
+  CHECK(bench.seen(1) == 0x5A);
+  CHECK(bench.right.heard.size() - bench.seen(2) <= 2);
+  for (const Report& report : bench.board.reports()) {
+    INFO(name_of(report.misuse) << ": " << report.text);
+    CHECK(false);
+  }
+}
+
+TEST_CASE("identifiers nobody asked for are filtered in hardware") {
+  Bench bench;
+  bench.left.id = 0x202;
+  bench.board.run_for(50 * kMs);
+  CHECK(bench.left.heard.size() > 40);
+  CHECK(bench.seen(0) == 0);
+  CHECK(bench.board.world().system().nvic().times_entered(16 + 20) == 0);  // not even an interrupt
+}
+
+TEST_CASE("a disturbed bus goes off and comes back, with zero as the first command") {
+  Bench bench;
+  bench.board.run_for(50 * kMs);
+  Can& can = *bench.board.chip().can("can1");
+  can.line.disturbed_frames = 40;
+  bench.left.heard.clear();
+  bool was_off = false;
+  for (int i = 0; i < 40; ++i) {
+    bench.board.run_for(kMs);
+    was_off = was_off || can.bus_off();
+  }
+  CHECK(was_off);
+  CHECK(!can.bus_off());
+  REQUIRE(!bench.left.heard.empty());
+  bool zero = true;
+  for (const std::uint8_t byte : bench.left.heard.front().data) zero = zero && byte == 0;
+  CHECK(zero);
+  const std::size_t before = bench.left.heard.size();
+  bench.board.run_for(20 * kMs);
+  CHECK(bench.left.heard.size() >= before + 19);
+}
+
+TEST_CASE("an empty bus stops nothing") {
+  Board board;
+  board.load(load_image(std::string(FINEMOTE_IMAGES) + "/can.elf"));
+  REQUIRE(board.run_for(50 * kMs) == Stop::time);
+  CHECK(board.word("seen", 16) >= 40);
+}

@@ -1,0 +1,63 @@
+// A motor on each CAN bus, written by hand: every millisecond a command word in the group frame 0x200, and what the
+// motor answered with 0x201.
+#include <finemote/can.hpp>
+#include <finemote/constinit.hpp>
+#include <finemote/schedule.hpp>
+
+extern "C" {
+void finemote_line_48();
+/// Read by the test: frames received on CAN1, its last first byte; the same for CAN2; milliseconds; off the bus.
+std::uint32_t seen[6];
+}
+
+namespace can_image {
+
+namespace slots {
+extern finemote::CanSlot left, right;
+}
+namespace {
+finemote::CanSlot* const left_slots[] = {&slots::left};
+finemote::CanSlot* const right_slots[] = {&slots::right};
+}  // namespace
+FINEMOTE_CONSTINIT finemote::CanBus left_bus{finemote::ports::can1, 1000000, left_slots};
+FINEMOTE_CONSTINIT finemote::CanBus right_bus{finemote::ports::can2, 500000, right_slots};
+namespace slots {
+FINEMOTE_CONSTINIT finemote::CanSlot left{left_bus, 1, 0x201, 1};
+FINEMOTE_CONSTINIT finemote::CanSlot right{right_bus, 1, 0x201, 1};
+}  // namespace slots
+
+void run_1ms() {
+  left_bus.supervise();
+  right_bus.supervise();
+  const auto from_left = slots::left.received(), from_right = slots::right.received();
+  seen[0] = from_left.count;
+  seen[1] = from_left.frame.data[0];
+  seen[2] = from_right.count;
+  seen[3] = from_right.frame.data[0];
+  ++seen[4];
+  seen[5] = left_bus.unreachable() ? 1 : 0;
+  left_bus.set_group(0x200, 0, static_cast<std::int16_t>(seen[4]));
+  right_bus.set_group(0x200, 3, -1234);
+  left_bus.flush();
+  right_bus.flush();
+}
+
+void start_buses() {
+  left_bus.start();
+  right_bus.start();
+}
+void safe_outputs() {}
+
+namespace {
+constexpr finemote::Bucket buckets[] = {{finemote_line_48, 1'000'000, 48, 4, 3}};
+}
+
+}  // namespace can_image
+
+extern "C" void finemote_line_48() {
+  can_image::run_1ms();
+  finemote::complete(0);
+}
+extern "C" const finemote::Schedule finemote_schedule{
+    "can",  1'000'000, can_image::buckets, finemote::Overrun::skip, can_image::start_buses, can_image::safe_outputs,
+    nullptr};
