@@ -62,7 +62,8 @@ std::string qualified(const Plan& plan, std::size_t device) {
 }
 
 std::vector<std::string> safe_lines(const Plan& plan) {
-  std::vector<std::string> lines;
+  // Once stopped nothing else watches the buses: a stuck one must recover to take the safe output.
+  std::vector<std::string> lines{"supervise_buses();"};
   for (auto device = plan.forest.order.rbegin(); device != plan.forest.order.rend(); ++device) {
     if (plan.robot.devices[*device].type->actuator) lines.push_back(qualified(plan, *device) + ".safe();");
   }

@@ -12,19 +12,25 @@ namespace detail {
 inline std::uint32_t constructed = 0;  // zero-initialised: counts before any constructor can run
 }
 
-/// A `T` that knows the how-manieth object it was. Use as `inline finemote::Ordered<User> x{...};`: partially-ordered
-/// initialisation keeps x behind every inline variable defined before it in each translation unit.
-template <class T>
-class Ordered : public T {
+/// Which object in a row this one was, counted when its construction ends.
+class ConstructionNumber {
  public:
-  template <class... Args>
-  explicit Ordered(Args&&... args) : T(std::forward<Args>(args)...), number_(++detail::constructed) {}
+  constexpr explicit ConstructionNumber(std::uint32_t number) : number_(number) {}
 
   /// 1 for the first object constructed; 0 as long as this one is not.
-  [[nodiscard]] const std::uint32_t& construction_number() const { return number_; }
+  [[nodiscard]] constexpr const std::uint32_t& construction_number() const { return number_; }
 
  private:
   std::uint32_t number_;
+};
+
+/// A `T` that knows the how-manieth object it was. Use as `inline finemote::Ordered<User> x{...};`: partially-ordered
+/// initialisation keeps x behind every inline variable defined before it in each translation unit.
+template <class T>
+class Ordered : public T, public ConstructionNumber {  // T first: it is complete when the number is drawn
+ public:
+  template <class... Args>
+  explicit Ordered(Args&&... args) : T(std::forward<Args>(args)...), ConstructionNumber(++detail::constructed) {}
 };
 
 /// One edge of the device forest between two ordered objects.

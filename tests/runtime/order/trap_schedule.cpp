@@ -5,7 +5,7 @@ namespace {
 
 void nothing() {}
 constexpr finemote::Bucket buckets[] = {{nothing, 5'000'000, 48, 4, 3}};
-const finemote::OrderCheck checks[] = {
+constexpr finemote::OrderCheck checks[] = {
     {order::motor.construction_number(), order::arm.construction_number(), "motor", "arm"}};
 
 }  // namespace

@@ -9,7 +9,7 @@ inline finemote::Ordered<Part> motor{1};
 inline finemote::Ordered<Part> arm{motor};
 inline finemote::Ordered<Part> body{arm};
 
-inline const finemote::OrderCheck checks[] = {
+inline constexpr finemote::OrderCheck checks[] = {
     {motor.construction_number(), arm.construction_number(), "motor", "arm"},
     {arm.construction_number(), body.construction_number(), "arm", "body"},
 };
