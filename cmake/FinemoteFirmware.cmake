@@ -49,7 +49,10 @@ function(finemote_target_options target board optimize)
   else()
     target_compile_options(${target} PRIVATE ${optimize} -fno-exceptions -fno-rtti -fno-threadsafe-statics
                            -fno-use-cxa-atexit -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections
-                           -fdata-sections)
+                           -fdata-sections
+                           # the same bytes wherever the sources lie
+                           -ffile-prefix-map=${FINEMOTE_ROOT}=finemote -ffile-prefix-map=${CMAKE_BINARY_DIR}=build
+                           -ffile-prefix-map=${CMAKE_SOURCE_DIR}=robot)
   endif()
 endfunction()
 

@@ -39,6 +39,7 @@ bool CanSlot::send(const CanFrame& frame) {
 // ----------------------------------------------------------------------------------------------------------------- bus
 
 void CanBus::start() {
+  list_bus(counters_);
   std::uint16_t ids[kMaxSlots];
   for (std::uint8_t i = 0; i < count_; ++i) ids[i] = slots_[i]->receives_;
   port_->configure(bitrate_, *this, ids, count_);

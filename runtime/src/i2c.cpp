@@ -60,6 +60,7 @@ void I2cSlot::count_failure(bool failed) {
 // ----------------------------------------------------------------------------------------------------------------- bus
 
 void I2cBus::start() {
+  list_bus(counters_);
   mode_.store(Mode::kReady);
   port_->configure(clock_hz_, *this);
 }

@@ -30,7 +30,10 @@ SlotState Rs485Slot::state() {
   return state_.load();
 }
 
-void Rs485::start() { port_->start(baud_, UartFormat::k8N1); }
+void Rs485::start() {
+  list_bus(counters_);
+  port_->start(baud_, UartFormat::k8N1);
+}
 
 void Rs485::carry_on() {
   if (busy_.exchange(true)) return;

@@ -23,7 +23,10 @@ bool SpiSlot::start(const std::uint8_t* write, std::uint8_t* read, std::size_t s
   return true;
 }
 
-void SpiBus::start() { port_->configure(clock_hz_, *this); }
+void SpiBus::start() {
+  list_bus(counters_);
+  port_->configure(clock_hz_, *this);
+}
 
 void SpiBus::on_interrupt(SpiEvent event) {
   if (active_ != nullptr) {

@@ -28,7 +28,10 @@ constexpr int bits_per_byte(UartFormat format) {
 
 }  // namespace
 
-void Uart::start() { port_->start(baud_, format_); }
+void Uart::start() {
+  list_bus(counters_);
+  port_->start(baud_, format_);
+}
 
 std::size_t Uart::read(std::uint8_t* out, std::size_t capacity) {
   const Time at = now();

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "finemote/bus_counters.hpp"
 #include "finemote/fault.hpp"
 #include "finemote/host.hpp"
 #include "finemote/schedule.hpp"
@@ -209,6 +210,10 @@ void print_run() {
     std::printf("E %lld %u %c\n", static_cast<long long>(event.at), event.stage, event.end ? 'E' : 'B');
   }
   for (unsigned i = 0; i < finemote_schedule.buckets.size(); ++i) std::printf("O %u %u\n", i, overruns(i));
+  unsigned number = 0;
+  for (const BusCounters* bus = first_bus(); bus != nullptr; bus = bus->next) {
+    std::printf("B %u %u %u\n", number++, bus->transfers, bus->errors);
+  }
   for (unsigned i = 0; i < kFaultRecords && fault_record(i).count != 0; ++i) {
     const FaultRecord record = fault_record(i);
     std::printf("F %u %u %u\n", static_cast<unsigned>(record.module), record.number, record.count);

@@ -1,5 +1,6 @@
 #include "report.hpp"
 
+#include "finemote/bus_counters.hpp"
 #include "finemote/fault.hpp"
 #include "finemote/schedule.hpp"
 #include "runtime/boards/cortex_m4/trace.hpp"
@@ -69,6 +70,10 @@ void report_events() {
 void report_run() {
   report_events();
   for (unsigned i = 0; i < finemote_schedule.buckets.size(); ++i) Line('O').number(i).number(overruns(i)).write();
+  unsigned number = 0;
+  for (const BusCounters* bus = first_bus(); bus != nullptr; bus = bus->next) {
+    Line('B').number(number++).number(bus->transfers).number(bus->errors).write();
+  }
   for (unsigned i = 0; i < kFaultRecords && fault_record(i).count != 0; ++i) {
     const FaultRecord record = fault_record(i);
     Line('F').number(static_cast<unsigned>(record.module)).number(record.number).number(record.count).write();

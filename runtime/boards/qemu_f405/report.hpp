@@ -6,7 +6,8 @@ namespace finemote::qemu_f405 {
 /// `E <ns> <stage> B|E` for every event in the ring. Called from the idle loop, so that the ring does not fill.
 void report_events();
 
-/// The remaining events, then `O <bucket> <overruns>`, `F <module> <number> <count>`, `L <lost events>` if any.
+/// The remaining events, then `O <bucket> <overruns>`, `B <bus> <transfers> <errors>`
+/// for every bus that counts in the order they were started, `F <module> <number> <count>`, `L <lost events>` if any.
 void report_run();
 
 }  // namespace finemote::qemu_f405

@@ -12,6 +12,13 @@ struct BusCounters {
   std::uint32_t overdue = 0;     ///< of these: ended by their deadline
   std::uint32_t recoveries = 0;  ///< bus recoveries begun
   std::uint32_t lost = 0;        ///< received bytes or frames nobody read in time; requests refused
+  BusCounters* next = nullptr;   ///< of the bus started after this one
 };
+
+/// Puts a bus at the end of the list of started ones, once; every bus that counts does so in start().
+void list_bus(BusCounters& counters);
+
+/// The counters of the first bus started (document order); null when none counts.
+const BusCounters* first_bus();
 
 }  // namespace finemote

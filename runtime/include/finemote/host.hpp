@@ -41,7 +41,8 @@ const std::string& stop_text();
 /// Forgets everything: time 0, no interrupts, no events.
 void reset();
 
-/// The run protocol on stdout: `E <ns> <stage> B|E`, then `O <bucket> <overruns>`, then `F <module> <number> <count>`.
+/// The run protocol on stdout: `E <ns> <stage> B|E`, then `O <bucket> <overruns>`, `B <bus> <transfers> <errors>`
+/// for every bus that counts in the order they were started, `F <module> <number> <count>`.
 void print_run();
 
 }  // namespace finemote::host
