@@ -188,6 +188,10 @@ inline constexpr Code descriptor_version{3104};      // unknown "schema"
 inline constexpr Code header_missing{3105};    // the C++ header a descriptor names is not there
 inline constexpr Code type_twice{3106};        // two descriptors of one name, or one that hides a shipped type
 inline constexpr Code descriptor_name{3107};         // the file's name and the name inside differ
+// 6xxx: firmware and emulator
+inline constexpr Code firmware_build_failed{6001};  // generated code or the user's devices do not compile
+inline constexpr Code firmware_stopped{6002};       // a fault, or it did not end in time
+inline constexpr Code broken_record{6003};          // the run's trace cannot be read
 
 // 61xx: the linked image
 inline constexpr Code bad_image{6101};         // not a linked Arm image, or not readable

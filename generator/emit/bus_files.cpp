@@ -107,12 +107,23 @@ std::vector<std::string> route_lines(const Plan& plan) {
   return lines;
 }
 
-/// The line format the device on a uart needs, as its descriptor or the bus param `format` says; 8N1 by default.
-std::string uart_format(const Bus& bus) {
-  for (const Param& param : bus.params) {
-    if (param.spec->name == "format") return "finemote::UartFormat::k" + std::get<std::string>(param.value);
+/// What the device on a uart, or the device that uses it, says about its line; 8N1 when nobody does.
+std::string line_format(const Plan& plan, std::size_t bus) {
+  const auto here = [&](std::optional<std::size_t> segment) { return segment && plan.robot.segments[*segment].bus == bus; };
+  for (const Device& device : plan.robot.devices) {
+    if (here(device.segment)) return device.type->format;
+    for (const Use& use : device.uses) {
+      if (here(use.segment)) return use.spec->format;
+    }
   }
-  return {};
+  return "8N1";
+}
+
+/// `8E1_inverted` -> `finemote::UartFormat::k8E1Inverted`.
+std::string format_enumerator(const std::string& format) {
+  const auto mark = format.find('_');
+  if (mark == std::string::npos) return "finemote::UartFormat::k" + format;
+  return "finemote::UartFormat::k" + format.substr(0, mark) + "Inverted";
 }
 
 std::string bus_definition(const Plan& plan, std::size_t index) {
@@ -121,8 +132,7 @@ std::string bus_definition(const Plan& plan, std::size_t index) {
   std::string arguments = "finemote::ports::" + bus.port;
   if (names.rate_unit != nullptr) arguments += fmt::format(", {} /* {} */", bus.rate, names.rate_unit);
   if (!slots_of(plan, index).empty()) arguments += ", " + routes_name(bus);
-  const std::string format = uart_format(bus);
-  if (bus.kind == BusKind::uart && !format.empty()) arguments += ", " + format;
+  if (bus.kind == BusKind::uart) arguments += ", " + format_enumerator(line_format(plan, index));
   return fmt::format("FINEMOTE_CONSTINIT finemote::{} {}{{{}}};", names.bus, bus.name.cpp, arguments);
 }
 

@@ -1,0 +1,92 @@
+// finemote board show: what a board offers, so that nobody has to guess which connector is which port.
+#include <fmt/format.h>
+
+#include "generator/cli/commands.hpp"
+#include "generator/cli/data_dir.hpp"
+#include "generator/cli/exit_status.hpp"
+#include "generator/cli/finish.hpp"
+#include "generator/descriptor/bus_kind.hpp"
+#include "generator/descriptor/library.hpp"
+#include "generator/diagnostic/suggest.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text.empty() ? "-" : text;
+}
+
+std::vector<std::string> kind_names(const Port& port) {
+  std::vector<std::string> names;
+  for (const BusKind kind : port.kinds) names.emplace_back(bus_kind_name(kind));
+  return names;
+}
+
+void print_board(Context& context, const Board& board) {
+  context.out << fmt::format("{}: {}\n", board.name, board.summary);
+  context.out << fmt::format("\n{:<8} {:<12} {:<24} {:<34} {:<28} {}\n", "port", "serves", "pins", "DMA", "interrupts",
+                             "connector");
+  for (const Port& port : board.ports) {
+    context.out << fmt::format("{:<8} {:<12} {:<24} {:<34} {:<28} {}\n", port.name, joined(kind_names(port)),
+                               joined(port.pins), joined(port.dma), joined(port.interrupts), port.connector);
+  }
+  std::vector<std::string> lines;
+  for (const SpareLine& line : board.lines) lines.push_back(fmt::format("{} ({})", line.number, line.name));
+  context.out << fmt::format("\nperiod buckets: priority levels {} to {}, interrupt lines {}\n", board.first_bucket_level,
+                             board.last_bucket_level, joined(lines));
+}
+
+Json to_json(const Board& board) {
+  Json ports = Json::array();
+  for (const Port& port : board.ports) {
+    ports.push_back({{"name", port.name},
+                     {"silkscreen", port.silkscreen},
+                     {"connector", port.connector},
+                     {"serves", kind_names(port)},
+                     {"pins", port.pins},
+                     {"dma", port.dma},
+                     {"interrupts", port.interrupts}});
+  }
+  Json lines = Json::array();
+  for (const SpareLine& line : board.lines) lines.push_back({{"line", line.number}, {"name", line.name}});
+  return Json{{"name", board.name},
+              {"summary", board.summary},
+              {"cpu_hz", board.cpu_hz},
+              {"ports", ports},
+              {"bucket_lines", lines},
+              {"bucket_levels", {board.first_bucket_level, board.last_bucket_level}}};
+}
+
+}  // namespace
+
+int run_board_show(Context& context) {
+  const std::string data_dir = find_data_dir(context.options, context.diagnostics);
+  if (data_dir.empty()) return finish(context, kExitInvalid);
+  auto library = load_library({data_dir, "", {}}, context.sources, context.diagnostics);
+  if (!library) return finish(context, kExitInvalid);
+  const std::vector<std::string> names = board_names(*library);
+  if (context.options.input.empty()) {
+    if (context.options.format == Format::text) {
+      for (const std::string& name : names) context.out << name << "\n";
+    }
+    return finish(context, kExitYes, Json{{"schema", "finemote.boards/1"}, {"boards", names}});
+  }
+  const Board* board = find_board(*library, context.options.input, context.sources, context.diagnostics);
+  if (board == nullptr) {
+    if (!context.diagnostics.has_errors()) {
+      context.diagnostics.error(code::usage, {}, fmt::format("there is no board '{}'", context.options.input))
+          .hint(did_you_mean(context.options.input, names));
+    }
+    return finish(context, kExitInvalid);
+  }
+  if (context.options.format == Format::text) print_board(context, *board);
+  Json document{{"schema", "finemote.board-view/1"}};
+  document.update(to_json(*board));
+  return finish(context, kExitYes, document);
+}
+
+}  // namespace finemote::gen

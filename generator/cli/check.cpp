@@ -1,0 +1,62 @@
+// finemote check: is the output folder what generate would write now?
+#include "generator/output/check.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/cli/commands.hpp"
+#include "generator/cli/exit_status.hpp"
+#include "generator/cli/finish.hpp"
+#include "generator/cli/load.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void print_findings(Context& context, const CheckResult& result) {
+  for (const Finding& finding : result.findings) {
+    context.out << fmt::format("{:<12} {}: {}\n", state_name(finding.state), finding.file, finding.reason);
+  }
+  if (result.findings.empty() && !context.options.quiet) {
+    context.out << "fresh\n";
+    if (result.tool_changed) context.out << "tool-changed: written by " << result.previous_tool << ", with the same bytes\n";
+  }
+  if (!result.findings.empty() && !context.options.quiet) {
+    context.err << fmt::format("run: finemote generate {} -o {}\n", context.options.input, context.options.out);
+  }
+}
+
+Json document(const Context& context, const CheckResult& result, const std::string& diff) {
+  Json findings = Json::array();
+  for (const Finding& finding : result.findings) {
+    findings.push_back({{"state", state_name(finding.state)}, {"file", finding.file}, {"reason", finding.reason}});
+  }
+  Json json{{"schema", "finemote.check/1"},
+            {"output", context.options.out},
+            {"fresh", result.findings.empty()},
+            {"tool_changed", result.tool_changed},
+            {"findings", findings}};
+  if (context.options.diff) json["diff"] = diff;
+  return json;
+}
+
+}  // namespace
+
+int run_check(Context& context) {
+  const auto loaded = load_robot(context);
+  if (!loaded) return finish(context, kExitInvalid);
+  auto files = render_files(loaded->plan(), loaded->data_dir + "/templates", context.diagnostics);
+  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  const Output output = make_output(std::move(files), input_files(context, *loaded), loaded->robot.name.text);
+  const CheckResult result = check_output(context.options.out, output, context.diagnostics);
+  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+
+  const std::string diff = context.options.diff ? unified_diff(context.options.out, output, result) : std::string();
+  if (context.options.format == Format::text) {
+    print_findings(context, result);
+    context.out << diff;
+  }
+  return finish(context, result.findings.empty() ? kExitYes : kExitNo, document(context, result, diff));
+}
+
+}  // namespace finemote::gen

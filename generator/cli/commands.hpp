@@ -1,0 +1,15 @@
+// The commands of the tool; each returns its exit status.
+#pragma once
+
+#include "generator/cli/context.hpp"
+
+namespace finemote::gen {
+
+int run_generate(Context& context);
+int run_check(Context& context);
+int run_tree(Context& context);
+int run_board_show(Context& context);
+int run_run(Context& context);
+int run_diff(Context& context);
+
+}  // namespace finemote::gen

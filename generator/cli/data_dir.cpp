@@ -1,0 +1,42 @@
+#include "generator/cli/data_dir.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+namespace finemote::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool holds_data(const fs::path& folder) {
+  std::error_code error;
+  return fs::is_directory(folder / "schemas" / "boards", error) && fs::is_directory(folder / "templates", error);
+}
+
+}  // namespace
+
+std::string find_data_dir(const Options& options, Diagnostics& diagnostics) {
+  std::vector<fs::path> places;
+  const char* environment = std::getenv("FINEMOTE_DATA");
+  if (!options.data_dir.empty()) {
+    places = {options.data_dir};
+  } else if (environment != nullptr && *environment != '\0') {
+    places = {environment};
+  } else {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+    places = {program / "share", program.parent_path() / "share" / "finemote"};
+  }
+  for (const fs::path& place : places) {
+    if (holds_data(place)) return place.lexically_normal().string();
+  }
+  auto& finding = diagnostics.error(code::data_not_found, {}, "cannot find the folder with schemas, templates and runtime");
+  for (const fs::path& place : places) finding.note(fmt::format("looked in '{}'", place.generic_string()));
+  finding.hint("give it with --data-dir or the environment variable FINEMOTE_DATA");
+  return {};
+}
+
+}  // namespace finemote::gen

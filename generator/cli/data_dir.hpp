@@ -1,0 +1,15 @@
+// Finds the folder that holds schemas, templates and runtime.
+#pragma once
+
+#include <string>
+
+#include "generator/cli/options.hpp"
+#include "generator/diagnostic/diagnostics.hpp"
+
+namespace finemote::gen {
+
+/// --data-dir, then the environment variable FINEMOTE_DATA, then beside the program's real path: `share` (staged by the
+/// build) or `../share/finemote` (installed). Reports FM0007 and returns an empty text when there is none.
+std::string find_data_dir(const Options& options, Diagnostics& diagnostics);
+
+}  // namespace finemote::gen

@@ -1,0 +1,35 @@
+#include "generator/cli/finish.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "generator/cli/exit_status.hpp"
+#include "generator/diagnostic/render.hpp"
+
+namespace finemote::gen {
+namespace {
+
+bool use_color(const Options& options) {
+  if (options.color != ColorMode::automatic) return options.color == ColorMode::always;
+  const char* no_color = std::getenv("NO_COLOR");
+  return (no_color == nullptr || *no_color == '\0') && isatty(STDERR_FILENO) == 1;
+}
+
+}  // namespace
+
+int finish(Context& context, int status, nlohmann::ordered_json document) {
+  const bool fails = context.diagnostics.has_errors() ||
+                     (context.options.warnings_are_errors && context.diagnostics.size() > 0);
+  if (fails) status = kExitInvalid;
+  context.err << render_text(context.diagnostics, use_color(context.options));
+  const bool answered = status == kExitYes || status == kExitNo;
+  if (context.options.format == Format::json && answered && !document.is_null()) {
+    document["diagnostics"] = render_json(context.diagnostics);
+    context.out << document.dump(2) << "\n";
+  }
+  context.out.flush();
+  return status;
+}
+
+}  // namespace finemote::gen

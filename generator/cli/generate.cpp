@@ -1,0 +1,94 @@
+// finemote generate: writes the files of a robot.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "generator/cli/commands.hpp"
+#include "generator/cli/exit_status.hpp"
+#include "generator/cli/finish.hpp"
+#include "generator/cli/load.hpp"
+#include "generator/output/write.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Escapes a path for a Makefile rule.
+std::string make_escaped(const std::string& path) {
+  std::string text;
+  for (const char c : path) {
+    if (c == ' ' || c == '#') text += '\\';
+    if (c == '$') text += '$';
+    text += c;
+  }
+  return text;
+}
+
+void write_depfile(Context& context, const std::string& out) {
+  std::string rule = make_escaped(out + "/" + kManifestName) + ":";
+  for (const SourceFile& file : context.sources.files()) {
+    if (!file.path.empty() && file.path != "-") rule += " \\\n  " + make_escaped(file.path);
+  }
+  std::ofstream file(context.options.depfile, std::ios::binary);
+  file << rule << "\n";
+  file.close();
+  if (!file) {
+    context.diagnostics.error(code::output_not_writable, {},
+                              fmt::format("cannot write depfile '{}'", context.options.depfile));
+  }
+}
+
+int list_names(Context& context, const Loaded& loaded) {
+  std::vector<std::string> names = output_names(loaded.forest);
+  names.emplace_back(kManifestName);
+  if (context.options.format == Format::text) {
+    for (const std::string& name : names) context.out << name << "\n";
+  }
+  return finish(context, kExitYes, Json{{"schema", "finemote.list/1"}, {"files", names}});
+}
+
+void print_summary(Context& context, const WriteResult& result) {
+  if (context.options.format != Format::text) return;
+  const char* verb = context.options.dry_run ? "would write" : "wrote";
+  for (const std::string& name : result.written) {
+    if (context.options.dry_run || context.options.verbose) context.out << verb << " " << name << "\n";
+  }
+  for (const std::string& name : result.removed) {
+    context.out << (context.options.dry_run ? "would remove " : "removed ") << name << "\n";
+  }
+  if (context.options.quiet) return;
+  context.err << fmt::format("{}: {} {}, {} unchanged, {} removed\n", context.options.out, result.written.size(),
+                             context.options.dry_run ? "to write" : "written", result.unchanged.size(),
+                             result.removed.size());
+}
+
+}  // namespace
+
+int run_generate(Context& context) {
+  const Options& options = context.options;
+  if (options.out.empty() && !options.list) {
+    context.diagnostics.error(code::usage, {}, "generate needs a folder to write to").hint("add -o DIR");
+    return finish(context, kExitInvalid);
+  }
+  const auto loaded = load_robot(context);
+  if (!loaded) return finish(context, kExitInvalid);
+  if (options.list) return list_names(context, *loaded);
+
+  auto files = render_files(loaded->plan(), loaded->data_dir + "/templates", context.diagnostics);
+  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  const Output output = make_output(std::move(files), input_files(context, *loaded), loaded->robot.name.text);
+  const WriteResult result = write_output(options.out, output, options.dry_run, context.diagnostics);
+  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  if (!options.depfile.empty() && !options.dry_run) write_depfile(context, options.out);
+  print_summary(context, result);
+  return finish(context, kExitYes,
+                Json{{"schema", "finemote.generate/1"},
+                     {"output", options.out},
+                     {"written", result.written},
+                     {"unchanged", result.unchanged},
+                     {"removed", result.removed}});
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,96 @@
+#include "generator/cli/load.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "generator/cli/data_dir.hpp"
+#include "generator/descriptor/library.hpp"
+#include "generator/model/build.hpp"
+#include "generator/output/folder.hpp"
+#include "generator/output/sha256.hpp"
+#include "generator/xml/parse.hpp"
+#include "generator/xml/read_source.hpp"
+
+namespace finemote::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string base_name(const std::string& input) { return input == "-" ? "stdin" : fs::path(input).filename().string(); }
+
+fs::path input_folder(const std::string& input) {
+  if (input == "-") return fs::current_path();
+  const fs::path parent = fs::path(input).parent_path();
+  return parent.empty() ? fs::path(".") : parent;
+}
+
+std::optional<xml::Document> read_document(Context& context) {
+  const SourceFile* file = xml::read_source(context.options.input, context.sources, context.diagnostics);
+  if (file == nullptr) return std::nullopt;
+  return xml::parse(*file, context.diagnostics);
+}
+
+/// The nearest folder at or above `folder` that is a ROS package; empty when there is none.
+fs::path package_of(fs::path folder) {
+  for (; !folder.empty() && folder != folder.root_path(); folder = folder.parent_path()) {
+    if (fs::exists(folder / "package.xml")) return folder;
+  }
+  return {};
+}
+
+std::string manifest_name(const fs::path& path, const fs::path& input_dir, const fs::path& data_dir) {
+  const fs::path file = fs::weakly_canonical(path);
+  const auto inside = [&](const fs::path& folder) -> std::string {
+    const std::string relative = file.lexically_relative(fs::weakly_canonical(folder)).generic_string();
+    return relative.empty() || relative.rfind("..", 0) == 0 ? std::string() : relative;
+  };
+  const std::string builtin = inside(data_dir / "schemas");
+  if (!builtin.empty()) return "builtin:" + builtin;
+  const std::string near = inside(input_dir);
+  if (!near.empty()) return near;
+  const fs::path package = package_of(file.parent_path());
+  if (package.empty()) return file.lexically_relative(fs::weakly_canonical(input_dir)).generic_string();
+  return "package://" + package.filename().string() + "/" + file.lexically_relative(package).generic_string();
+}
+
+}  // namespace
+
+std::optional<Loaded> load_robot(Context& context) {
+  Loaded loaded;
+  loaded.data_dir = find_data_dir(context.options, context.diagnostics);
+  if (loaded.data_dir.empty()) return std::nullopt;
+
+  const auto document = read_document(context);
+  if (!document) return std::nullopt;
+  const LibraryOptions folders{loaded.data_dir, input_folder(context.options.input).string(), context.options.device_paths};
+  auto library = load_library(folders, context.sources, context.diagnostics);
+  if (!library) return std::nullopt;
+  loaded.library = std::move(*library);
+
+  ModelOptions model;
+  model.board = context.options.board;
+  auto robot = build_model(*document, loaded.library, model, context.sources, context.diagnostics);
+  if (!robot || context.diagnostics.has_errors()) return std::nullopt;
+  loaded.robot = std::move(*robot);
+  loaded.robot.source = base_name(context.options.input);
+
+  loaded.forest = build_forest(loaded.robot);
+  loaded.schedule = plan_schedule(loaded.robot, loaded.forest, context.diagnostics);
+  if (context.diagnostics.has_errors()) return std::nullopt;
+  return loaded;
+}
+
+std::vector<HashedFile> input_files(const Context& context, const Loaded& loaded) {
+  std::vector<HashedFile> files;
+  const fs::path input_dir = input_folder(context.options.input);
+  for (const SourceFile& file : context.sources.files()) {
+    const bool is_stdin = file.path.empty() || file.path == "-";
+    const auto bytes = is_stdin ? std::optional(file.text) : read_bytes(file.path);
+    files.push_back({is_stdin ? "stdin" : manifest_name(file.path, input_dir, loaded.data_dir), sha256(bytes.value_or(file.text))});
+  }
+  std::sort(files.begin(), files.end(), [](const HashedFile& a, const HashedFile& b) { return a.name < b.name; });
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  return files;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,32 @@
+// IN to a planned robot: runs the pipeline up to the schedule.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/cli/context.hpp"
+#include "generator/emit/names.hpp"
+#include "generator/output/manifest.hpp"
+
+namespace finemote::gen {
+
+/// A robot with everything that was made from it. `robot` points into `library`, which must live as long.
+struct Loaded {
+  std::string data_dir;
+  Library library;
+  Robot robot;
+  Forest forest;
+  Schedule schedule;
+
+  [[nodiscard]] Plan plan() const { return {robot, forest, schedule}; }
+};
+
+/// Reads, checks and plans. All mistakes are in the context's diagnostics; with one there is no robot.
+std::optional<Loaded> load_robot(Context& context);
+
+/// Every file that was read, named for the manifest (relative to the folder of IN, `package://` outside it,
+/// `builtin:` for shipped data) and hashed; sorted by name.
+std::vector<HashedFile> input_files(const Context& context, const Loaded& loaded);
+
+}  // namespace finemote::gen

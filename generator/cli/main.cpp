@@ -1,0 +1,43 @@
+// finemote: from a robot description to firmware.
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generator/cli/commands.hpp"
+#include "generator/cli/exit_status.hpp"
+
+namespace {
+
+using namespace finemote::gen;
+
+int run(const Options& options) {
+  static const std::map<std::string, int (*)(Context&)> kCommands{
+      {"generate", run_generate},
+      {"check", run_check},
+      {"tree", run_tree},
+      {"board show", run_board_show},
+      {"run", run_run},
+      {"diff", run_diff},
+  };
+  Sources sources;
+  Diagnostics diagnostics;
+  Context context{options, sources, diagnostics, std::cout, std::cerr};
+  return kCommands.at(options.command)(context);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::ios::sync_with_stdio(false);
+  try {
+    const ParsedCommandLine parsed = parse_command_line(std::vector<std::string>(argv + 1, argv + argc));
+    if (parsed.options) return run(*parsed.options);
+    (parsed.exit_status == kExitYes ? std::cout : std::cerr) << parsed.text;
+    return parsed.exit_status;
+  } catch (const std::exception& error) {
+    std::cerr << "finemote: error[FM9001]: internal error: " << error.what()
+              << "\n  hint: this is a defect of finemote; please report it with the input that shows it\n";
+    return kExitInternal;
+  }
+}

@@ -1,0 +1,147 @@
+#include "generator/cli/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <sstream>
+
+#include "generator/cli/exit_status.hpp"
+#include "generator/version.hpp"
+
+namespace finemote::gen {
+namespace {
+
+std::string version_text() {
+  std::ostringstream text;
+  text << "finemote " << kVersion << "\nextension version 1 to " << kExtensionVersion << ", output format "
+       << kOutputFormat << ", device descriptors finemote.device/1, boards finemote.board/1";
+  return text.str();
+}
+
+/// Takes every `name:=value` out of the words: they may stand anywhere and are meant for xacro.
+std::vector<std::string> take_arguments(const std::vector<std::string>& words, Options& options) {
+  std::vector<std::string> rest;
+  for (const std::string& word : words) {
+    const auto at = word.find(":=");
+    const bool is_argument = at != std::string::npos && at > 0 && word.front() != '-';
+    if (is_argument) {
+      options.arguments.emplace_back(word.substr(0, at), word.substr(at + 2));
+    } else {
+      rest.push_back(word);
+    }
+  }
+  return rest;
+}
+
+void add_load_options(CLI::App& command, Options& options) {
+  command.add_option("--board", options.board, "use this board instead of the one the robot names");
+  command.add_option("--device-path", options.device_paths, "further folder with device descriptors");
+  command.add_option("--package", options.packages, "name=dir: where a package lies");
+}
+
+void add_input_options(CLI::App& command, Options& options) {
+  command.add_option("IN", options.input, "robot description: .urdf, .xacro, or - for standard input")->required();
+  add_load_options(command, options);
+}
+
+void add_global_options(CLI::App& app, Options& options) {
+  static const std::map<std::string, Format> kFormats{{"text", Format::text},
+                                                      {"json", Format::json},
+                                                      {"sarif", Format::sarif},
+                                                      {"github", Format::github},
+                                                      {"gcc", Format::gcc}};
+  static const std::map<std::string, ColorMode> kColors{
+      {"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}};
+  app.add_option("--format", options.format, "text, json, or for diagnostics sarif, github, gcc")
+      ->transform(CLI::CheckedTransformer(kFormats))
+      ->option_text("FORMAT");
+  app.add_option("--color", options.color, "auto, always or never")
+      ->transform(CLI::CheckedTransformer(kColors))
+      ->option_text("WHEN");
+  app.add_option("--data-dir", options.data_dir, "folder with schemas, templates and runtime");
+  app.add_flag("-q,--quiet", options.quiet, "print no summary");
+  app.add_flag("-v,--verbose", options.verbose, "say what is done");
+  app.add_option("-W", [&options](const CLI::results_t& values) {
+    options.warnings_are_errors = values.back() == "error";
+    return options.warnings_are_errors;
+  }, "error: treat warnings as errors")->option_text("error");
+}
+
+void add_generate(CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand("generate", "write the firmware sources of a robot");
+  add_input_options(*command, options);
+  command->add_option("-o,--output", options.out, "folder to write to");
+  command->add_option("--depfile", options.depfile, "write a Makefile rule with every input");
+  command->add_flag("--list", options.list, "print the names of the files and write nothing");
+  command->add_flag("--dry-run", options.dry_run, "say what would be written and write nothing");
+  command->add_flag("--allow-unschedulable", options.allow_unschedulable, "write even when a deadline can be missed");
+}
+
+void add_check(CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand("check", "say whether generated files are what would be generated now");
+  add_input_options(*command, options);
+  command->add_option("-o,--output", options.out, "folder that was generated")->required();
+  command->add_flag("--diff", options.diff, "print a unified diff of what would change");
+}
+
+void add_views(CLI::App& app, Options& options) {
+  add_input_options(*app.add_subcommand("tree", "show the device trees and the order they run in"), options);
+  CLI::App* board = app.add_subcommand("board", "show boards");
+  board->require_subcommand(1);
+  CLI::App* show = board->add_subcommand("show", "ports, pins, DMA streams and interrupt lines of a board");
+  show->add_option("BOARD", options.input, "name of a board; without it: all boards");
+}
+
+void add_diff(CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand("diff", "what changed between two robots, models or generated folders");
+  command->add_option("A", options.input, "robot, model (.json) or generated folder")->required();
+  command->add_option("B", options.other, "the other one")->required();
+  add_load_options(*command, options);
+}
+
+void add_run(CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand("run", "generate, compile, run and measure the firmware of a robot");
+  add_input_options(*command, options);
+  command->add_option("--duration", options.duration, "time to run on the board, for example 100ms");
+  command->add_option("--keep", options.keep, "keep generated sources and build in this folder");
+  command->add_flag("--build-only", options.build_only, "stop after the image is built");
+}
+
+std::string chosen_command(const CLI::App& app) {
+  std::string name;
+  for (const CLI::App* level = &app; !level->get_subcommands().empty(); level = level->get_subcommands().front()) {
+    name += (name.empty() ? "" : " ") + level->get_subcommands().front()->get_name();
+  }
+  return name;
+}
+
+}  // namespace
+
+ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
+  Options options;
+  CLI::App app{"From a robot description to firmware with a proven bound on how old every command can be.", "finemote"};
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.set_version_flag("--version", version_text());
+  add_global_options(app, options);
+  add_generate(app, options);
+  add_check(app, options);
+  add_views(app, options);
+  add_run(app, options);
+  add_diff(app, options);
+
+  std::vector<std::string> rest = take_arguments(words, options);
+  std::reverse(rest.begin(), rest.end());  // CLI11 takes the words last first
+  try {
+    app.parse(rest);
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out;
+    std::ostringstream err;
+    const bool asked = app.exit(error, out, err) == 0;
+    if (asked) return {std::nullopt, kExitYes, out.str()};
+    return {std::nullopt, kExitInvalid, err.str()};
+  }
+  options.command = chosen_command(app);
+  return {std::move(options), kExitYes, {}};
+}
+
+}  // namespace finemote::gen

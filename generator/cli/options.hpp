@@ -1,0 +1,51 @@
+// The words of the command line to one value.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace finemote::gen {
+
+enum class Format { text, json, sarif, github, gcc };
+enum class ColorMode { automatic, always, never };
+
+/// Everything the user can say. One flat value: each command reads what concerns it.
+struct Options {
+  std::string command;
+  std::string input;                         ///< IN, or the first of two
+  std::string other;                         ///< the second of two
+  std::vector<std::pair<std::string, std::string>> arguments;  ///< name:=value, for xacro
+  std::vector<std::string> packages;         ///< name=dir
+  std::vector<std::string> device_paths;
+  std::string data_dir;                      ///< --data-dir; empty: found
+  std::string board;                         ///< --board
+  Format format = Format::text;
+  ColorMode color = ColorMode::automatic;
+  bool quiet = false;
+  bool verbose = false;
+  bool warnings_are_errors = false;
+
+  std::string out;                           ///< -o
+  std::string depfile;
+  bool list = false;
+  bool dry_run = false;
+  bool allow_unschedulable = false;
+  bool diff = false;
+  std::string duration;                      ///< --duration
+  std::string keep;                          ///< --keep: folder for the sources and build of `run`
+  bool build_only = false;                   ///< --build-only: stop after the image
+};
+
+/// What the words ask for: a command to run, or a text to print and stop (help, version, or a usage error).
+struct ParsedCommandLine {
+  std::optional<Options> options;
+  int exit_status = 0;
+  std::string text;  ///< for stdout when the status is 0, else for stderr
+};
+
+ParsedCommandLine parse_command_line(const std::vector<std::string>& words);
+
+}  // namespace finemote::gen

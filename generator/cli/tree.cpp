@@ -1,0 +1,124 @@
+// finemote tree: the device trees as the user nested them, and the order every bucket runs them in.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/cli/commands.hpp"
+#include "generator/cli/exit_status.hpp"
+#include "generator/cli/finish.hpp"
+#include "generator/cli/load.hpp"
+#include "generator/schedule/period.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Row {
+  std::string name;  ///< with the lines of the tree before it
+  std::size_t width = 0;  ///< of `name` in columns, not bytes
+  std::size_t device = 0;
+};
+
+/// Rows of a tree, root first, children in document order. Iterative, like the forest.
+std::vector<Row> rows_of(const Robot& robot, std::size_t root) {
+  struct Visit {
+    std::size_t device;
+    std::string lead, child_lead;
+    std::size_t depth;
+  };
+  std::vector<Row> rows;
+  std::vector<Visit> stack{{root, "", "", 0}};
+  while (!stack.empty()) {
+    const Visit visit = stack.back();
+    stack.pop_back();
+    const Device& device = robot.devices[visit.device];
+    rows.push_back({visit.lead + device.name.text, 3 * visit.depth + device.name.text.size(), visit.device});
+    for (std::size_t i = device.children.size(); i-- > 0;) {
+      const bool last = i + 1 == device.children.size();
+      stack.push_back({device.children[i], visit.child_lead + (last ? "└─ " : "├─ "),
+                       visit.child_lead + (last ? "   " : "│  "), visit.depth + 1});
+    }
+  }
+  return rows;
+}
+
+void print_trees(Context& context, const Loaded& loaded) {
+  const Plan plan = loaded.plan();
+  context.out << fmt::format("{} on {}, tick {}\n", loaded.robot.name.text, loaded.robot.board->name,
+                             period_text(loaded.robot.tick_ns));
+  for (const Tree& tree : loaded.forest.trees) {
+    const std::vector<Row> rows = rows_of(loaded.robot, tree.root);
+    std::size_t widest = 0;
+    for (const Row& row : rows) widest = std::max(widest, row.width);
+    context.out << "\n";
+    for (const Row& row : rows) {
+      context.out << fmt::format("{}{}  {:>8}  {}\n", row.name, std::string(widest - row.width, ' '),
+                                 period_text(loaded.robot.devices[row.device].period_ns), device_comment(plan, row.device));
+    }
+  }
+}
+
+void print_order(Context& context, const Loaded& loaded) {
+  for (const Bucket& bucket : loaded.schedule.buckets) {
+    context.out << fmt::format("\nevery {}: priority {}, interrupt line {}\n", period_text(bucket.period_ns),
+                               bucket.priority, bucket.line);
+    std::string line = "  update";
+    for (std::size_t device : bucket.devices) line += " " + loaded.robot.devices[device].name.text;
+    context.out << line << "\n";
+    line = "  handle";
+    for (auto device = bucket.devices.rbegin(); device != bucket.devices.rend(); ++device) {
+      line += " " + loaded.robot.devices[*device].name.text;
+    }
+    context.out << line << "\n";
+  }
+}
+
+Json names(const Robot& robot, const std::vector<std::size_t>& devices) {
+  Json list = Json::array();
+  for (std::size_t device : devices) list.push_back(robot.devices[device].name.text);
+  return list;
+}
+
+Json document(const Loaded& loaded) {
+  const Robot& robot = loaded.robot;
+  Json trees = Json::array();
+  for (const Tree& tree : loaded.forest.trees) {
+    Json devices = Json::array();
+    for (std::size_t index : tree.devices) {
+      const Device& device = robot.devices[index];
+      devices.push_back({{"name", device.name.text},
+                         {"parent", device.parent ? Json(robot.devices[*device.parent].name.text) : Json(nullptr)},
+                         {"type", device.type->name},
+                         {"role", device.role ? Json(robot.devices[*device.parent].type->roles[*device.role].name) : Json(nullptr)},
+                         {"period_ns", device.period_ns},
+                         {"bus", device.segment ? Json(robot.segments[*device.segment].name.text) : Json(nullptr)}});
+    }
+    trees.push_back({{"root", robot.devices[tree.root].name.text}, {"devices", devices}});
+  }
+  Json buckets = Json::array();
+  for (const Bucket& bucket : loaded.schedule.buckets) {
+    std::vector<std::size_t> handles(bucket.devices.rbegin(), bucket.devices.rend());
+    buckets.push_back({{"period_ns", bucket.period_ns},
+                       {"priority", bucket.priority},
+                       {"line", bucket.line},
+                       {"update", names(robot, bucket.devices)},
+                       {"handle", names(robot, handles)}});
+  }
+  return Json{{"schema", "finemote.tree/1"}, {"robot", robot.name.text}, {"board", robot.board->name},
+              {"tick_ns", robot.tick_ns},    {"trees", trees},           {"buckets", buckets}};
+}
+
+}  // namespace
+
+int run_tree(Context& context) {
+  const auto loaded = load_robot(context);
+  if (!loaded) return finish(context, kExitInvalid);
+  if (context.options.format == Format::text) {
+    print_trees(context, *loaded);
+    print_order(context, *loaded);
+  }
+  return finish(context, kExitYes, document(*loaded));
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,70 @@
+#include "generator/run/build_firmware.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "generator/run/process.hpp"
+
+namespace finemote::gen {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::chrono::seconds kLongestBuild{600};
+
+std::string cmake_list(const char* keyword, const std::vector<std::string>& values) {
+  if (values.empty()) return {};
+  std::string text = std::string(" ") + keyword;
+  for (const std::string& value : values) text += fmt::format(" [==[{}]==]", fs::absolute(value).generic_string());
+  return text;
+}
+
+void write_project(const FirmwareRequest& request) {
+  std::ofstream project(fs::path(request.folder) / "CMakeLists.txt");
+  project << "cmake_minimum_required(VERSION 3.25)\n"
+          << "project(firmware LANGUAGES CXX" << (request.board == "host" ? "" : " ASM") << ")\n"
+          << fmt::format("include([==[{}/cmake/FinemoteFirmware.cmake]==])\n", fs::absolute(request.data_dir).generic_string())
+          << "finemote_add_firmware(firmware GENERATED ${CMAKE_CURRENT_SOURCE_DIR}/generated BOARD " << request.board
+          << (request.trace ? " TRACE" : "")
+          << (request.duration_ns > 0 ? fmt::format(" DURATION {}ns", request.duration_ns) : "")
+          << cmake_list("INCLUDES", request.include_dirs) << cmake_list("SOURCES", request.sources) << ")\n";
+}
+
+/// Runs one step; false and a diagnostic when it fails.
+bool step(const std::vector<std::string>& command, const char* what, Diagnostics& diagnostics) {
+  const ProcessResult result = run_process(command, kLongestBuild, {"CCACHE_NOHASHDIR=1"});
+  if (result.started && !result.timed_out && result.exit_status == 0) return true;
+  if (!result.started) {
+    diagnostics.error(code::missing_tool, {}, fmt::format("cannot start '{}'", command.front()))
+        .hint("install it, for example: apt-get install cmake ninja-build gcc-arm-none-eabi");
+    return false;
+  }
+  auto& finding = diagnostics.error(code::firmware_build_failed, {},
+                                    result.timed_out ? fmt::format("{} took longer than {} s", what, kLongestBuild.count())
+                                                     : fmt::format("{} failed", what));
+  constexpr std::size_t kMostShown = 4000;
+  const std::string& output = result.output;
+  finding.note("\n" + output.substr(output.size() > kMostShown ? output.size() - kMostShown : 0));
+  return false;
+}
+
+}  // namespace
+
+std::optional<std::string> build_firmware(const FirmwareRequest& request, Diagnostics& diagnostics) {
+  write_project(request);
+  const fs::path build = fs::path(request.folder) / "build";
+  std::vector<std::string> configure{"cmake", "-S", request.folder, "-B", build.string(), "-G", "Ninja"};
+  if (run_process({"ccache", "--version"}, std::chrono::seconds(10)).started) {
+    configure.emplace_back("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache");
+  }
+  if (request.board != "host") {
+    configure.push_back("-DCMAKE_TOOLCHAIN_FILE=" +
+                        fs::absolute(request.data_dir + "/cmake/toolchain-arm-none-eabi.cmake").string());
+  }
+  if (!step(configure, "configuring the firmware", diagnostics)) return std::nullopt;
+  if (!step({"cmake", "--build", build.string()}, "compiling the firmware", diagnostics)) return std::nullopt;
+  return (build / (request.board == "host" ? "firmware" : "firmware.elf")).string();
+}
+
+}  // namespace finemote::gen

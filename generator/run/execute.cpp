@@ -1,0 +1,52 @@
+#include "generator/run/execute.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/run/process.hpp"
+
+namespace finemote::gen {
+namespace {
+
+/// QEMU counts instructions: shift=3 is 8 ns for each, the same on every machine and under any load.
+std::vector<std::string> qemu_command(const std::string& image) {
+  return {"qemu-system-arm", "-M", "netduinoplus2", "-nographic", "-monitor", "none", "-serial", "none",
+          "-chardev", "stdio,id=sh", "-semihosting-config", "enable=on,target=native,chardev=sh",
+          "-icount", "shift=3,align=off,sleep=off", "-kernel", image};
+}
+
+}  // namespace
+
+std::optional<RunRecord> execute(const std::string& program, const std::string& board, const Forest& forest,
+                                 std::int64_t duration_ns, Diagnostics& diagnostics) {
+  // An emulated second takes well under a second; the limit only ends images that hang.
+  const std::chrono::seconds limit(60 + 10 * (duration_ns / 1'000'000'000));
+  const bool on_host = board == "host";
+  const std::vector<std::string> command =
+      on_host ? std::vector<std::string>{program, std::to_string(duration_ns)} : qemu_command(program);
+  const ProcessResult result = run_process(command, limit);
+  if (!result.started) {
+    diagnostics.error(code::missing_tool, {}, fmt::format("cannot start '{}'", command.front()))
+        .hint("apt-get install qemu-system-arm");
+    return std::nullopt;
+  }
+  auto record = parse_record(result.output, forest, duration_ns);
+  if (result.timed_out || result.exit_status != 0) {
+    auto& finding = diagnostics.error(
+        code::firmware_stopped, {},
+        result.timed_out ? fmt::format("the firmware did not end within {} s", limit.count())
+                         : fmt::format("the firmware ended with status {}", result.exit_status));
+    if (record) {
+      for (const std::string& fault : record->faults) finding.note("fault: " + fault);
+    }
+    const auto last_line = result.output.find_last_not_of('\n');
+    if (last_line != std::string::npos) {
+      const auto begin = result.output.find_last_of('\n', last_line);
+      finding.note("its last words: " + result.output.substr(begin == std::string::npos ? 0 : begin + 1));
+    }
+    return std::nullopt;
+  }
+  if (!record) diagnostics.error(code::broken_record, {}, "the record the firmware printed cannot be read");
+  return record;
+}
+
+}  // namespace finemote::gen

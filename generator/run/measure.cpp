@@ -1,0 +1,112 @@
+#include "generator/run/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+
+namespace finemote::gen {
+namespace {
+
+struct Interval {
+  std::int64_t begin = 0, end = 0;
+};
+
+/// Completed runs of a stage, in time order.
+std::vector<Interval> intervals(const RunRecord& record, std::size_t device, bool is_handle) {
+  std::vector<Interval> list;
+  constexpr std::int64_t kNotRunning = -1;
+  std::int64_t begin = kNotRunning;
+  for (const Event& event : record.events) {
+    if (event.device != device || event.is_handle != is_handle) continue;
+    if (event.is_end && begin != kNotRunning) list.push_back({begin, event.t_ns});
+    begin = event.is_end ? kNotRunning : event.t_ns;
+  }
+  return list;
+}
+
+/// The last run that was finished at `time`.
+const Interval* finished_by(const std::vector<Interval>& runs, std::int64_t time) {
+  const auto after = std::upper_bound(runs.begin(), runs.end(), time,
+                                      [](std::int64_t t, const Interval& run) { return t < run.end; });
+  return after == runs.begin() ? nullptr : &*std::prev(after);
+}
+
+/// For every device that data of `from` reaches upward: the device it came from. Breadth first, so ways are shortest.
+std::map<std::size_t, std::size_t> reached_upward(const Robot& robot, std::size_t from, bool over_reads) {
+  std::map<std::size_t, std::size_t> came_from{{from, from}};
+  std::deque<std::size_t> queue{from};
+  const auto visit = [&](std::size_t next, std::size_t previous) {
+    if (came_from.emplace(next, previous).second) queue.push_back(next);
+  };
+  while (!queue.empty()) {
+    const std::size_t device = queue.front();
+    queue.pop_front();
+    if (robot.devices[device].parent) visit(*robot.devices[device].parent, device);
+    if (!over_reads) continue;
+    for (std::size_t reader = 0; reader < robot.devices.size(); ++reader) {
+      for (const Read& read : robot.devices[reader].reads) {
+        if (read.device == device) visit(reader, device);
+      }
+    }
+  }
+  return came_from;
+}
+
+std::optional<ChainPath> find_way(const Robot& robot, std::size_t from, std::size_t to, bool over_reads) {
+  const auto came_from = reached_upward(robot, from, over_reads);
+  ChainPath path;
+  path.through_reads = over_reads;
+  for (std::optional<std::size_t> turn = to; turn; turn = robot.devices[*turn].parent) {
+    path.down.insert(path.down.begin(), *turn);
+    if (came_from.count(*turn) == 0) continue;
+    for (std::size_t device = *turn;; device = came_from.at(device)) {
+      path.up.insert(path.up.begin(), device);
+      if (device == from) return path;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Statistics summarize(const std::vector<std::int64_t>& values) {
+  Statistics s;
+  s.count = values.size();
+  if (values.empty()) return s;
+  s.min_ns = *std::min_element(values.begin(), values.end());
+  s.max_ns = *std::max_element(values.begin(), values.end());
+  const auto count = static_cast<double>(values.size());
+  for (const std::int64_t value : values) s.mean_ns += static_cast<double>(value) / count;
+  double variance = 0;
+  for (const std::int64_t value : values) variance += std::pow(static_cast<double>(value) - s.mean_ns, 2) / count;
+  s.sd_ns = std::sqrt(variance);
+  return s;
+}
+
+std::vector<std::int64_t> stage_times(const RunRecord& record, std::size_t device, bool is_handle) {
+  std::vector<std::int64_t> times;
+  for (const Interval& run : intervals(record, device, is_handle)) times.push_back(run.end - run.begin);
+  return times;
+}
+
+std::optional<ChainPath> find_chain(const Robot& robot, std::size_t from, std::size_t to) {
+  if (auto path = find_way(robot, from, to, false)) return path;
+  return find_way(robot, from, to, true);
+}
+
+std::vector<std::int64_t> decision_latencies(const RunRecord& record, const ChainPath& path) {
+  std::vector<std::vector<Interval>> hops;  // from the actuator's handle back to the source's update
+  for (auto device = path.down.rbegin(); device != path.down.rend(); ++device) hops.push_back(intervals(record, *device, true));
+  for (auto device = path.up.rbegin(); device != path.up.rend(); ++device) hops.push_back(intervals(record, *device, false));
+
+  std::vector<std::int64_t> latencies;
+  for (const Interval& last : hops.front()) {
+    const Interval* run = &last;
+    for (std::size_t hop = 1; hop < hops.size() && run != nullptr; ++hop) run = finished_by(hops[hop], run->begin);
+    if (run != nullptr) latencies.push_back(last.end - run->begin);
+  }
+  return latencies;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,22 @@
+// Runs another program to its end, under a time limit.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace finemote::gen {
+
+struct ProcessResult {
+  int exit_status = 0;      ///< 128 + signal when it was killed
+  bool started = false;     ///< false: no such program
+  bool timed_out = false;   ///< killed because the time was over
+  std::string output;       ///< stdout and stderr in the order written
+};
+
+/// Looks `command[0]` up in PATH, gives it no input, and waits at most `limit`; then the whole process group is killed.
+/// `environment` adds NAME=value to the inherited ones. Output beyond 256 MiB is dropped.
+ProcessResult run_process(const std::vector<std::string>& command, std::chrono::seconds limit,
+                          const std::vector<std::string>& environment = {});
+
+}  // namespace finemote::gen

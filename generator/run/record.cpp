@@ -1,0 +1,67 @@
+#include "generator/run/record.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+namespace finemote::gen {
+namespace {
+
+bool read_event(std::istringstream& words, const Forest& forest, RunRecord& record) {
+  std::int64_t at = 0;
+  std::size_t stage = 0;
+  char edge = 0;
+  if (!(words >> at >> stage >> edge) || stage / 2 >= forest.order.size() || (edge != 'B' && edge != 'E')) return false;
+  record.events.push_back({at, forest.order[stage / 2], stage % 2 == 1, edge == 'E'});
+  return true;
+}
+
+bool read_overruns(std::istringstream& words, RunRecord& record) {
+  std::size_t bucket = 0;
+  std::uint64_t count = 0;
+  if (!(words >> bucket >> count) || bucket > 1000) return false;
+  if (record.overruns.size() <= bucket) record.overruns.resize(bucket + 1);
+  record.overruns[bucket] = count;
+  return true;
+}
+
+bool read_bus(std::istringstream& words, std::int64_t duration_ns, RunRecord& record) {
+  BusRecord bus;
+  double busy_ns = 0;
+  if (!(words >> bus.bus >> bus.transfers >> bus.errors)) return false;
+  if (words >> busy_ns && duration_ns > 0) bus.busy = busy_ns / static_cast<double>(duration_ns);
+  record.buses.push_back(bus);
+  return true;
+}
+
+bool read_fault(std::istringstream& words, RunRecord& record) {
+  unsigned module = 0;
+  unsigned number = 0;
+  unsigned count = 0;
+  if (!(words >> module >> number >> count)) return false;
+  record.faults.push_back(fmt::format("module {}, number {}, {} times", module, number, count));
+  return true;
+}
+
+}  // namespace
+
+std::optional<RunRecord> parse_record(const std::string& text, const Forest& forest, std::int64_t duration_ns) {
+  RunRecord record;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.size() < 2 || line[1] != ' ') continue;
+    std::istringstream words(line.substr(2));
+    bool good = true;
+    switch (line[0]) {
+      case 'E': good = read_event(words, forest, record); break;
+      case 'O': good = read_overruns(words, record); break;
+      case 'B': good = read_bus(words, duration_ns, record); break;
+      case 'F': good = read_fault(words, record); break;
+      default: break;
+    }
+    if (!good) return std::nullopt;
+  }
+  return record;
+}
+
+}  // namespace finemote::gen

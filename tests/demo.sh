@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# demo.sh FINEMOTE FOLDER: FinsROV from its URDF to a measured run. Stdout is the result alone, the same on every run;
+# progress goes to stderr.
+set -euo pipefail
+finemote=$1
+folder=$2
+robot=examples/finsrov.urdf
+
+printf 'generating %s\n' "$robot" >&2
+"$finemote" generate "$robot" -o "$folder/generated" >&2
+
+echo "== The robot"
+"$finemote" tree "$robot"
+
+echo
+echo "== The Type C image"
+printf 'compiling for the Type C board\n' >&2
+"$finemote" run "$robot" --board robomaster_type_c --build-only --keep "$folder/type_c"
+
+echo
+echo "== The same generated files on an emulated Cortex-M4 (QEMU, 8 ns for every instruction)"
+printf 'compiling for QEMU and running\n' >&2
+"$finemote" run "$robot" --board qemu_f405 --keep "$folder/qemu"
