@@ -140,7 +140,7 @@ std::string expander_definition(const Plan& plan, const Expander& expander) {
   std::string arguments = bus_reference(plan, "slots::" + expander.name.cpp);
   std::string fields;
   for (const Param& param : expander.params) fields += (fields.empty() ? "" : ", ") + param_literal(param);
-  if (!fields.empty()) arguments += fmt::format(", finemote::Pca9685::Config{{{}}}", fields);
+  if (!fields.empty()) arguments += fmt::format(",\n    finemote::Pca9685::Config{{{}}}", fields);
   return fmt::format("FINEMOTE_CONSTINIT finemote::Pca9685 {}{{{}}};", expander.name.cpp, arguments);
 }
 

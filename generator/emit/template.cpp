@@ -79,6 +79,16 @@ class KeyCheck {
   std::size_t at_ = 0;
 };
 
+/// At most one blank line in a row: a section that is left out leaves its own blank lines behind.
+std::string without_double_blanks(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const bool third = c == '\n' && result.size() >= 2 && result.compare(result.size() - 2, 2, "\n\n") == 0;
+    if (!third) result += c;
+  }
+  return result;
+}
+
 }  // namespace
 
 Data text_list(const std::vector<std::string>& lines) {
@@ -93,7 +103,7 @@ std::string fill_template(const std::string& folder, const std::string& name, co
   kainjow::mustache::mustache filler(text);
   if (!filler.is_valid()) throw std::logic_error("template " + name + ": " + filler.error_message());
   filler.set_custom_escape([](const std::string& raw) { return raw; });
-  return filler.render(data);
+  return without_double_blanks(filler.render(data));
 }
 
 }  // namespace finemote::gen
