@@ -18,11 +18,15 @@ bool use_color(const Options& options) {
 
 }  // namespace
 
+std::string render_findings(const Context& context) {
+  return render_text(context.diagnostics, use_color(context.options));
+}
+
 int finish(Context& context, int status, nlohmann::ordered_json document) {
   const bool fails = context.diagnostics.has_errors() ||
                      (context.options.warnings_are_errors && context.diagnostics.size() > 0);
   if (fails) status = kExitInvalid;
-  context.err << render_text(context.diagnostics, use_color(context.options));
+  context.err << render_findings(context);
   const bool answered = status == kExitYes || status == kExitNo;
   if (context.options.format == Format::json && answered && !document.is_null()) {
     document["diagnostics"] = render_json(context.diagnostics);

@@ -1,5 +1,7 @@
 #include "generator/cli/load.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -8,6 +10,9 @@
 #include "generator/model/build.hpp"
 #include "generator/output/folder.hpp"
 #include "generator/output/sha256.hpp"
+#include "generator/xacro/command.hpp"
+#include "generator/xacro/expand.hpp"
+#include "generator/xacro/packages.hpp"
 #include "generator/xml/parse.hpp"
 #include "generator/xml/read_source.hpp"
 
@@ -24,10 +29,41 @@ fs::path input_folder(const std::string& input) {
   return parent.empty() ? fs::path(".") : parent;
 }
 
+/// `name=dir` words, the environment, and the package IN lies in. Reports words of another form.
+xacro::PackagePath package_path(Context& context) {
+  xacro::PackagePath packages = xacro::PackagePath::from_environment();
+  for (const auto& [name, folder] : package_folders(context)) packages.add(name, folder);
+  packages.set_entry(context.options.input);
+  return packages;
+}
+
+bool is_xacro(const std::string& input) { return fs::path(input).extension() == ".xacro"; }
+
+/// Arguments mean something to xacro alone; to forget that silently would be worse than an error.
+bool refuse_arguments(Context& context) {
+  const auto& arguments = context.options.arguments;
+  if (arguments.empty()) return false;
+  const auto& [name, value] = arguments.front();
+  context.diagnostics
+      .error(code::usage, {}, fmt::format("'{}:={}' is for xacro, and '{}' is not read as xacro", name, value, context.options.input))
+      .hint("give the file the suffix .xacro");
+  return true;
+}
+
 std::optional<xml::Document> read_document(Context& context) {
-  const SourceFile* file = xml::read_source(context.options.input, context.sources, context.diagnostics);
+  const std::string& input = context.options.input;
+  if (!is_xacro(input) && refuse_arguments(context)) return std::nullopt;
+  if (fs::path(input).extension() == ".json") {
+    context.diagnostics.error(code::usage, {}, fmt::format("'{}' is a timing model; this command needs a robot", input))
+        .hint("analyze, simulate and diff take models");
+    return std::nullopt;
+  }
+  const SourceFile* file = xml::read_source(input, context.sources, context.diagnostics);
   if (file == nullptr) return std::nullopt;
-  return xml::parse(*file, context.diagnostics);
+  if (!is_xacro(input)) return xml::parse(*file, context.diagnostics);
+  xacro::Dependencies dependencies;
+  return xacro::expand(*file, xacro_arguments(context.options), package_path(context), context.sources, context.diagnostics,
+                       dependencies, &context.err);
 }
 
 /// The nearest folder at or above `folder` that is a ROS package; empty when there is none.
@@ -55,6 +91,26 @@ std::string manifest_name(const fs::path& path, const fs::path& input_dir, const
 
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> package_folders(Context& context) {
+  std::vector<std::pair<std::string, std::string>> folders;
+  for (const std::string& word : context.options.packages) {
+    const auto equals = word.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      context.diagnostics.error(code::usage, {}, fmt::format("--package '{}' has no name and folder", word))
+          .hint("write --package name=dir");
+      continue;
+    }
+    folders.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+  }
+  return folders;
+}
+
+xacro::Arguments xacro_arguments(const Options& options) {
+  xacro::Arguments arguments;
+  for (const auto& [name, value] : options.arguments) xacro::add_argument(name + ":=" + value, arguments);
+  return arguments;
+}
+
 std::optional<Loaded> load_robot(Context& context) {
   Loaded loaded;
   loaded.data_dir = find_data_dir(context.options, context.diagnostics);
@@ -69,6 +125,7 @@ std::optional<Loaded> load_robot(Context& context) {
 
   ModelOptions model;
   model.board = context.options.board;
+  model.from_xacro = is_xacro(context.options.input);
   auto robot = build_model(*document, loaded.library, model, context.sources, context.diagnostics);
   if (!robot || context.diagnostics.has_errors()) return std::nullopt;
   loaded.robot = std::move(*robot);

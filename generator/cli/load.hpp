@@ -8,6 +8,7 @@
 #include "generator/cli/context.hpp"
 #include "generator/emit/names.hpp"
 #include "generator/output/manifest.hpp"
+#include "generator/xacro/expand.hpp"
 
 namespace finemote::gen {
 
@@ -24,6 +25,12 @@ struct Loaded {
 
 /// Reads, checks and plans. All mistakes are in the context's diagnostics; with one there is no robot.
 std::optional<Loaded> load_robot(Context& context);
+
+/// Name and folder of every `--package name=dir`; reports FM0001 for words of another form.
+std::vector<std::pair<std::string, std::string>> package_folders(Context& context);
+
+/// `name:=value` words as xacro takes them.
+xacro::Arguments xacro_arguments(const Options& options);
 
 /// Every file that was read, named for the manifest (relative to the folder of IN, `package://` outside it,
 /// `builtin:` for shipped data) and hashed; sorted by name.

@@ -19,6 +19,9 @@ int run(const Options& options) {
       {"board show", run_board_show},
       {"run", run_run},
       {"diff", run_diff},
+      {"xacro", run_xacro_command},
+      {"analyze", run_analyze_command},
+      {"simulate", run_simulate_command},
   };
   Sources sources;
   Diagnostics diagnostics;

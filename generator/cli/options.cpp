@@ -91,6 +91,32 @@ void add_views(CLI::App& app, Options& options) {
   show->add_option("BOARD", options.input, "name of a board; without it: all boards");
 }
 
+void add_xacro(CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand("xacro", "expand a xacro file, as ROS xacro does");
+  command->add_option("FILE", options.input, "xacro file, or - for standard input")->required();
+  command->add_option("-o", options.out, "file to write instead of standard output");
+  command->add_option("--package", options.packages, "name=dir: where a package lies");
+  command->add_flag("--deps", options.deps, "print the names of all files read");
+  command->add_flag("-i,--inorder", options.in_order, "accepted for compatibility: processing is always in order");
+  command->add_option("--verbosity", options.verbosity, "0: no warnings, 1: default, 2 and above: more");
+}
+
+void add_timing(CLI::App& app, Options& options) {
+  CLI::App* analyze = app.add_subcommand("analyze", "schedulability, response times, latency of every chain");
+  CLI::App* simulate = app.add_subcommand("simulate", "run the schedule with random execution times beside its bounds");
+  for (CLI::App* command : {analyze, simulate}) {
+    add_input_options(*command, options);
+    command->add_option("--chain", options.chains, "a->b: a chain beside the default ones");
+    command->add_option("--profile", options.profile, "paper, tight or target: whose verdict counts");
+    command->add_option("--assume-wcet", options.assume_wcet, "time for every stage without a known one, for example 50us");
+  }
+  analyze->add_flag("--slack", options.slack, "how much longer execution times may get");
+  analyze->add_flag("--suggest-order", options.suggest_order, "orders of siblings and trees with shorter bounds");
+  simulate->add_option("--seed", options.seed, "of the random numbers");
+  simulate->add_option("--duration", options.duration, "simulated time, for example 10s");
+  simulate->add_option("-o", options.out, "write a trace for Perfetto to this file");
+}
+
 void add_diff(CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand("diff", "what changed between two robots, models or generated folders");
   command->add_option("A", options.input, "robot, model (.json) or generated folder")->required();
@@ -102,6 +128,8 @@ void add_run(CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand("run", "generate, compile, run and measure the firmware of a robot");
   add_input_options(*command, options);
   command->add_option("--duration", options.duration, "time to run on the board, for example 100ms");
+  command->add_option("--scenario", options.scenario, "file with stimuli and faults (emulated Type C board)");
+  command->add_option("-o", options.out, "write a trace for Perfetto to this file");
   command->add_option("--keep", options.keep, "keep generated sources and build in this folder");
   command->add_flag("--build-only", options.build_only, "stop after the image is built");
 }
@@ -128,6 +156,8 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
   add_views(app, options);
   add_run(app, options);
   add_diff(app, options);
+  add_xacro(app, options);
+  add_timing(app, options);
 
   std::vector<std::string> rest = take_arguments(words, options);
   std::reverse(rest.begin(), rest.end());  // CLI11 takes the words last first

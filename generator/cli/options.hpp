@@ -36,6 +36,16 @@ struct Options {
   bool diff = false;
   std::string duration;                      ///< --duration
   std::string keep;                          ///< --keep: folder for the sources and build of `run`
+  std::string scenario;                      ///< --scenario: stimuli and faults for `run`
+  bool deps = false;                         ///< xacro --deps
+  bool in_order = false;                     ///< xacro --inorder
+  int verbosity = 1;                         ///< xacro --verbosity
+  std::vector<std::string> chains;           ///< --chain a->b
+  std::string profile;                       ///< --profile
+  std::string assume_wcet;                   ///< --assume-wcet
+  bool slack = false;
+  bool suggest_order = false;
+  std::uint64_t seed = 1;                    ///< simulate --seed
   bool build_only = false;                   ///< --build-only: stop after the image
 };
 

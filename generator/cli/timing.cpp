@@ -1,0 +1,116 @@
+// finemote analyze and finemote simulate: from a robot or a model to bounds, and to a run beside them.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "generator/cli/commands.hpp"
+#include "generator/cli/exit_status.hpp"
+#include "generator/cli/finish.hpp"
+#include "generator/cli/load.hpp"
+#include "generator/simulate/command.hpp"
+#include "generator/timing/command.hpp"
+#include "generator/timing/from_robot.hpp"
+#include "generator/timing/read_model.hpp"
+#include "generator/units/units.hpp"
+#include "generator/xml/read_source.hpp"
+
+namespace finemote::gen {
+namespace {
+
+/// What there is to analyse, from either kind of input.
+struct Question {
+  timing::Model model;
+  std::vector<timing::Requirement> requirements;
+};
+
+std::optional<std::int64_t> time_option(Context& context, const char* option, const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto parsed = units::parse_duration(text);
+  if (parsed && *parsed > 0) return *parsed;
+  context.diagnostics.error(code::usage, {}, fmt::format("{} '{}' is no time above zero", option, text))
+      .hint(fmt::format("write for example {} 50us", option));
+  return std::nullopt;
+}
+
+std::optional<timing::Profile> profile_option(Context& context) {
+  const std::string& name = context.options.profile;
+  if (name.empty()) return std::nullopt;
+  const auto profile = timing::profile_of(name);
+  if (!profile) {
+    context.diagnostics.error(code::usage, {}, fmt::format("there is no profile '{}'", name))
+        .hint("valid here: 'paper', 'tight', 'target'");
+  }
+  return profile;
+}
+
+std::optional<Question> read_question(Context& context, std::optional<std::int64_t> assumed) {
+  if (std::filesystem::path(context.options.input).extension() == ".json") {
+    const SourceFile* file = xml::read_source(context.options.input, context.sources, context.diagnostics);
+    if (file == nullptr) return std::nullopt;
+    auto model = timing::read_model(*file, context.diagnostics);
+    if (!model || context.diagnostics.has_errors()) return std::nullopt;
+    return Question{std::move(*model), {}};
+  }
+  const auto loaded = load_robot(context);
+  if (!loaded) return std::nullopt;
+  timing::RobotTimingOptions options;
+  options.assumed_wcet_ns = assumed;
+  return Question{timing::make_timing_model(loaded->robot, loaded->forest, loaded->schedule, options),
+                  timing::timing_requirements(loaded->robot, loaded->forest)};
+}
+
+/// Prints the findings without a document of our own: the analysis has written its own.
+int finish_with(Context& context, int status) {
+  const bool answered = status == kExitYes || status == kExitNo;
+  const bool warnings_fail = context.options.warnings_are_errors && context.diagnostics.size() > 0;
+  context.err << render_findings(context);
+  return answered && warnings_fail ? kExitInvalid : status;
+}
+
+}  // namespace
+
+int run_analyze_command(Context& context) {
+  timing::AnalyzeOptions request;
+  request.profile = profile_option(context);
+  request.chains = context.options.chains;
+  request.slack = context.options.slack;
+  request.suggest_order = context.options.suggest_order;
+  request.json = context.options.format == Format::json;
+  request.assume_wcet_ns = time_option(context, "--assume-wcet", context.options.assume_wcet);
+  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  auto question = read_question(context, request.assume_wcet_ns);
+  if (!question) return finish(context, kExitInvalid);
+  std::ostringstream result;
+  const int status = timing::run_analyze(std::move(question->model), question->requirements, request, context.diagnostics, result);
+  context.out << result.str();
+  return finish_with(context, status);
+}
+
+int run_simulate_command(Context& context) {
+  SimulateOptions request;
+  request.seed = context.options.seed;
+  request.chains = context.options.chains;
+  request.profile = profile_option(context);
+  request.json = context.options.format == Format::json;
+  const auto duration = time_option(context, "--duration", context.options.duration);
+  const auto assumed = time_option(context, "--assume-wcet", context.options.assume_wcet);
+  if (duration) request.duration_ns = *duration;
+  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  const auto question = read_question(context, assumed);
+  if (!question) return finish(context, kExitInvalid);
+
+  std::ofstream trace;
+  if (!context.options.out.empty()) {
+    trace.open(context.options.out, std::ios::binary | std::ios::trunc);
+    if (!trace) {
+      context.diagnostics.error(code::output_not_writable, {}, fmt::format("cannot write '{}'", context.options.out));
+      return finish(context, kExitInvalid);
+    }
+    request.trace = &trace;
+  }
+  return finish_with(context, run_simulate(question->model, request, context.diagnostics, context.out));
+}
+
+}  // namespace finemote::gen
