@@ -50,8 +50,8 @@ struct Transfer {
 
 /// How old a sample can be when update() reads it.
 ///
-/// The part sends by itself (periods = 0): fixed + interval. The device asks for it: fixed + (periods + extra) T +
-/// (every - 1)(1 + extra) T + R+, with as many extra periods as the conversion does not fit into.
+/// The part sends by itself (periods = 0): fixed + interval + wire of its frame. The device asks for it: fixed +
+/// (periods + extra) T + (every - 1)(1 + extra) T + R+, with as many extra periods as the conversion does not fit into.
 struct Acquisition {
   Ns fixed_ns = 0;           ///< filter and transport delay
   Ns interval_ns = 0;        ///< an autonomous part's largest distance between samples

@@ -12,22 +12,27 @@ WireAnalysis::WireAnalysis(const Model& model, const ProfileAnalysis& profile, E
   add_load();
 }
 
-/// An interrupt waits for a masked section and for all other interrupt work there can be until it is served.
-Ns WireAnalysis::interrupt_delay() {
+/// Time a transfer needs whose wire stands still while it waits for service. Each of its interrupts waits at most for
+/// all interrupt work there can be at once; and all of them together for no more than the interrupt work that arrives
+/// while the transfer lasts, plus one masked section each. Both are bounds; the smaller counts.
+Ns WireAnalysis::with_service(Ns wire, Ns interrupts) {
   const TaskSet& set = profile_.set;
-  if (profile_.result.profile != Profile::target || is_saturated(set, 0)) return 0;
+  if (profile_.result.profile != Profile::target || interrupts == 0 || is_saturated(set, 0)) return wire;
   Demand demand(effort_);
   demand.add_streams(set.streams);
-  return least_fit(demand, set.blocking, 1, kNever - 1);
+  const Ns delay = least_fit(demand, set.blocking, 1, kNever - 1);
+  demand.rewind();
+  const Ns base = add(wire, multiply(add(interrupts, 1), set.blocking));
+  const Ns together = least_fit(demand, base, std::max<Ns>(base, 1), kNever - 1);
+  return std::min(add(wire, multiply(interrupts, delay)), together);
 }
 
 void WireAnalysis::collect() {
-  const Ns delay = interrupt_delay();
   const Responses& r = profile_.responses;
   item_of_.resize(model_.devices.size());
   const auto add_item = [&](Item item, Ns interrupts) {
     item.pure = item.wire;
-    item.wire = add(item.wire, multiply(interrupts, delay));
+    item.wire = with_service(item.wire, interrupts);
     items_.push_back(item);
     return items_.size() - 1;
   };
@@ -74,9 +79,12 @@ std::optional<Ns> WireAnalysis::bound(std::size_t index) const {
   if (!own.bounded) return std::nullopt;
   const auto competes = [&](const Item& i) { return i.bus == own.bus && i.receive == own.receive; };
   Ns blocking = own.wire;
-  for (const Item& i : items_) {
-    if (competes(i) && i.rank >= own.rank) blocking = std::max(blocking, i.wire);
+  bool alone = true;
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    alone &= i == index || !competes(items_[i]);
+    if (competes(items_[i]) && items_[i].rank >= own.rank) blocking = std::max(blocking, items_[i].wire);
   }
+  if (alone) blocking = 0;
   Ns wait = blocking;
   for (bool stable = false; !stable;) {
     Ns need = blocking;
@@ -152,7 +160,16 @@ std::optional<Ns> WireAnalysis::acquisition(std::size_t from) const {
   const Device& device = model_.devices[from];
   if (!device.acquisition) return 0;
   const Acquisition& a = *device.acquisition;
-  if (a.periods == 0) return add(a.fixed_ns, a.interval_ns);
+  if (a.periods == 0) {
+    Ns wire = 0;
+    for (std::size_t t = 0; t < device.transfers.size(); ++t) {
+      if (device.transfers[t].after != Transfer::After::autonomous) continue;
+      const auto bound = response(from, t);
+      if (!bound) return std::nullopt;
+      wire = std::max(wire, *bound);
+    }
+    return add(add(a.fixed_ns, a.interval_ns), wire);
+  }
   const std::size_t w = profile_.set.bucket_of[from];
   if (!profile_.responses.ok(w)) return std::nullopt;
   Ns wire = 0;

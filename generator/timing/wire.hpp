@@ -47,7 +47,7 @@ class WireAnalysis {
 
   void collect();
   void add_load();
-  Ns interrupt_delay();
+  Ns with_service(Ns wire, Ns interrupts);
   [[nodiscard]] std::optional<Ns> bound(std::size_t item) const;
   [[nodiscard]] std::optional<Ns> rest_of_job(std::size_t device) const;
 

@@ -1,0 +1,374 @@
+#include "generator/timing/from_robot.hpp"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "generator/timing/wire_time.hpp"
+
+namespace finemote::gen::timing {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A state or command that crosses buckets is copied as so many words. Generated code knows the types, the generator
+/// does not; the interfaces shipped have at most 24.
+constexpr Ns kCrossingWords = 32;
+
+std::string bus_kind_key(BusKind kind) {
+  switch (kind) {
+    case BusKind::uart:
+      return "uart";
+    case BusKind::rs485:
+      return "rs485";
+    case BusKind::i2c:
+      return "i2c";
+    case BusKind::spi:
+      return "spi";
+    case BusKind::can:
+      return "can";
+    case BusKind::pwm:
+      return "pwm";
+    case BusKind::gpio:
+      return "gpio";
+    case BusKind::virtual_bus:
+      return "virtual";
+  }
+  return "";
+}
+
+Ns cost_of(const Json& board, const char* name) {
+  const auto costs = board.find("costs");
+  if (costs == board.end() || !costs->contains(name)) return 0;
+  return costs->at(name).value("ns", Ns{0});
+}
+
+class Adapter {
+ public:
+  Adapter(const Robot& robot, const Forest& forest, const Schedule& schedule, const RobotTimingOptions& options)
+      : robot_(robot),
+        forest_(forest),
+        schedule_(schedule),
+        options_(options),
+        board_(robot.board != nullptr ? Json::parse(robot.board->raw_json) : Json::object()) {}
+
+  Model make() {
+    model_.tick_ns = robot_.tick_ns;
+    model_.has_target = true;
+    set_costs();
+    for (std::size_t b = 0; b < robot_.buses.size(); ++b) add_bus(b);
+    for (const std::size_t d : forest_.order) add_device(d);
+    add_crossings();
+    for (const gen::Bucket& bucket : schedule_.buckets) {
+      for (const std::size_t segment : bucket.flushes) add_flush(bucket, segment);
+    }
+    drop_silent_transmitters();
+    return std::move(model_);
+  }
+
+ private:
+  void set_costs() {
+    const Ns exception = cost_of(board_, "exception_entry") + cost_of(board_, "exception_exit");
+    model_.costs.release_ns = cost_of(board_, "release") + exception;
+    model_.costs.release_per_bucket_ns = cost_of(board_, "release_per_bucket");
+    model_.costs.interrupt_ns = exception;
+    model_.costs.job_ns = cost_of(board_, "bucket") + exception;
+    model_.costs.stage_ns = cost_of(board_, "stage") + (options_.trace ? 2 * cost_of(board_, "trace_event") : 0);
+    model_.costs.masked_ns = cost_of(board_, "masked_section");
+  }
+
+  void add_bus(std::size_t index) {
+    const gen::Bus& bus = robot_.buses[index];
+    if (bus.rate <= 0) return;  // pulses and pins: no frames, no interrupts
+    const Json driver = board_.value("drivers", Json::object()).value(bus_kind_key(bus.kind), Json::object());
+    Bus out;
+    out.name = bus.name.text;
+    out.at = bus.at;
+    out.baud_bps = bus.rate;
+    out.min_frame_bits = std::max<Ns>(bus.min_frame_bits.value_or(driver.value("min_frame_bits", Ns{1})), 1);
+    out.wcet_ns = bus.isr_wcet_ns.value_or(driver.value("isr_wcet_ns", Ns{0}));
+    out.frame_ns = frame_time(out.min_frame_bits, bus.rate);
+    if (driver.contains("sources")) {
+      out.sources.emplace();
+      for (const Json& s : driver["sources"]) {
+        const Ns bits = bus.min_frame_bits.value_or(s.value("min_frame_bits", out.min_frame_bits));
+        out.sources->push_back({s.value("name", std::string("interrupt")),
+                                bus.isr_wcet_ns.value_or(s.value("isr_wcet_ns", out.wcet_ns)),
+                                frame_time(bits, bus.rate),
+                                {}});
+      }
+    }
+    bus_of_[index] = model_.buses.size();
+    model_.buses.push_back(std::move(out));
+  }
+
+  static Ns frame_time(Ns bits, Ns rate) { return std::max<Ns>(multiply(bits, 1'000'000'000) / rate, 1); }
+
+  /// The model's bus under a segment; none for pulses and pins.
+  [[nodiscard]] std::optional<std::size_t> bus_of(std::size_t segment) const {
+    const auto found = bus_of_.find(robot_.segments[segment].bus);
+    return found == bus_of_.end() ? std::nullopt : std::optional<std::size_t>(found->second);
+  }
+
+  void add_device(std::size_t index) {
+    const gen::Device& device = robot_.devices[index];
+    Device out;
+    out.name = device.name.text;
+    out.at = device.at;
+    if (device.parent) out.parent = forest_.rank[*device.parent];
+    out.period_ns = device.period_ns;
+    out.update_wcet_ns = device.wcet.update_ns;
+    out.handle_wcet_ns = device.wcet.handle_ns;
+    out.source = source_of(device.wcet.source);
+    if (out.source == WcetSource::assumed && options_.assumed_wcet_ns) {
+      out.update_wcet_ns = out.handle_wcet_ns = *options_.assumed_wcet_ns;
+    }
+    out.takes_command = device.type != nullptr && device.type->has_command();
+    for (const Read& r : device.reads) out.reads.push_back(forest_.rank[r.device]);
+    const std::size_t place = model_.devices.size();
+    model_.devices.push_back(std::move(out));
+    if (device.type == nullptr || device.type->raw_json.empty()) return;
+    const Json descriptor = Json::parse(device.type->raw_json);
+    add_acquisition(device, descriptor, model_.devices[place]);
+    if (device.segment) add_frames(device, descriptor, place);
+  }
+
+  static WcetSource source_of(Wcet::Source source) {
+    switch (source) {
+      case Wcet::Source::assumed:
+        return WcetSource::assumed;
+      case Wcet::Source::budget:
+        return WcetSource::budget;
+      case Wcet::Source::measured:
+        return WcetSource::measured;
+      case Wcet::Source::static_analysis:
+        return WcetSource::static_analysis;
+    }
+    return WcetSource::unknown;
+  }
+
+  static void add_acquisition(const gen::Device& device, const Json& descriptor, Device& out) {
+    const auto a = descriptor.find("acquisition");
+    if (a == descriptor.end()) return;
+    Acquisition result;
+    result.fixed_ns = a->value("latency_ns", Ns{0});
+    if (a->value("model", std::string()) == "streamed") {
+      result.interval_ns = a->value("interval_ns", Ns{0});
+    } else {
+      result.periods = a->value("periods", std::int64_t{1});
+      result.every = a->value("published_every", std::int64_t{1});
+      if (a->contains("conversion")) result.conversion_ns = conversion_time(device, a->at("conversion"));
+    }
+    out.acquisition = result;
+  }
+
+  static Ns conversion_time(const gen::Device& device, const Json& conversion) {
+    if (!conversion.contains("param")) return conversion.value("ns", Ns{0});
+    const Json by_value = conversion.value("ns_by_value", Json::object());
+    Ns longest = 0;
+    for (const auto& [value, ns] : by_value.items()) longest = std::max(longest, ns.get<Ns>());
+    for (const Param& p : device.params) {
+      if (p.spec == nullptr || p.spec->name != conversion.at("param").get<std::string>()) continue;
+      const std::string key = text_of(p.value);
+      if (by_value.contains(key)) return by_value.at(key).get<Ns>();
+    }
+    return longest;
+  }
+
+  static std::string text_of(const ParamValue& value) {
+    if (const auto* number = std::get_if<std::int64_t>(&value)) return std::to_string(*number);
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    return {};
+  }
+
+  /// Entries of one unit become one transfer; entries of unit 0 stand alone.
+  void add_frames(const gen::Device& device, const Json& descriptor, std::size_t place) {
+    const auto bus = bus_of(*device.segment);
+    const auto frames = descriptor.find("frames");
+    if (!bus) return;
+    if (frames == descriptor.end()) {
+      undeclared_.insert(*bus);
+      return;
+    }
+    const BusKind kind = robot_.buses[robot_.segments[*device.segment].bus].kind;
+    const WireRate rate{kind, model_.buses[*bus].baud_bps, bits_per_byte(device.type->format)};
+    std::map<std::pair<std::string, int>, WireUse> units;
+    int alone = -1;
+    for (const Json& f : *frames) {
+      const int unit = f.value("unit", 0);
+      WireUse& use = units[{f.at("stage").get<std::string>(), unit > 0 ? unit : alone--}];
+      use.add(rate, f.value("write", Ns{0}), f.value("read", Ns{0}));
+      use.min_interval_ns = std::max(use.min_interval_ns, f.value("min_interval_ns", Ns{0}));
+      if (f.value("write", Ns{0}) > 0 && f.at("stage") != "autonomous") transmits_.insert(*bus);
+    }
+    const bool muxed = robot_.segments[*device.segment].kind == Segment::Kind::mux_channel;
+    for (auto& [key, use] : units) {
+      if (key.first == "flush") continue;  // one for all devices of the bucket: add_flush
+      if (muxed) use.add(rate, 1, 0);      // the switch is set ahead of the unit
+      add_transfer(place, *bus, kind, key.first, use);
+    }
+  }
+
+  void add_transfer(std::size_t place, std::size_t bus, BusKind kind, const std::string& stage, const WireUse& use) {
+    Transfer t;
+    t.bus = bus;
+    t.wire_ns = use.wire_ns;
+    t.interrupts = use.interrupts;
+    t.after = stage == "update"   ? Transfer::After::update
+              : stage == "handle" ? Transfer::After::handle
+                                  : Transfer::After::autonomous;
+    t.min_interval_ns = t.after == Transfer::After::autonomous ? use.min_interval_ns : 0;
+    t.receive = kind == BusKind::uart && t.after == Transfer::After::autonomous;
+    t.command = t.after == Transfer::After::handle && model_.devices[place].takes_command;
+    model_.devices[place].transfers.push_back(t);
+    if (kind == BusKind::i2c) add_budget(bus, place, use.interrupts);
+  }
+
+  /// On I2C every interrupt belongs to a transfer the robot asked for, once per period and slot.
+  void add_budget(std::size_t bus, std::size_t place, Ns count) {
+    if (!model_.buses[bus].sources || model_.buses[bus].sources->size() != 1 || undeclared_.contains(bus)) return;
+    model_.buses[bus].sources->front().budgets.push_back({place, count});
+  }
+
+  void add_crossings() {
+    const Ns copy = cost_of(board_, "latch") + kCrossingWords * cost_of(board_, "latch_per_word");
+    for (const Crossing& c : schedule_.crossings) {
+      Device& producer = model_.devices[forest_.rank[c.producer]];
+      Device& consumer = model_.devices[forest_.rank[c.consumer]];
+      const bool state = c.direction == Crossing::Direction::state;
+      if (c.kind != Crossing::Kind::copy) (state ? producer.update_extra_ns : producer.handle_extra_ns) += copy;
+      (state ? consumer.update_extra_ns : consumer.handle_extra_ns) += copy;
+    }
+  }
+
+  void add_flush(const gen::Bucket& bucket, std::size_t segment) {
+    const Segment& output = robot_.segments[segment];
+    Flush flush;
+    flush.period_ns = bucket.period_ns;
+    Ns channels = 0;
+    for (const std::size_t d : bucket.devices) {
+      if (robot_.devices[d].segment != segment) continue;
+      flush.devices.push_back(forest_.rank[d]);
+      ++channels;
+    }
+    flush.wcet_ns = cost_of(board_, "flush") + channels * cost_of(board_, "flush_per_channel");
+    if (flush.devices.empty()) return;
+    if (output.kind == Segment::Kind::pwm_expander) {
+      set_expander_burst(output, segment, flush);
+    } else if (output.bus_kind == BusKind::can) {
+      set_can_frames(segment, bucket, flush);
+    }
+    model_.flushes.push_back(std::move(flush));
+  }
+
+  void set_expander_burst(const Segment& output, std::size_t segment, Flush& flush) {
+    const Expander& expander = robot_.expanders[*output.expander];
+    const auto bus = bus_of(expander.segment);
+    if (!bus) return;
+    Ns first = 255, last = 0;
+    for (const gen::Device& d : robot_.devices) {
+      if (d.segment != segment || !d.channel) continue;
+      first = std::min<Ns>(first, *d.channel);
+      last = std::max<Ns>(last, *d.channel);
+    }
+    const Json descriptor = Json::parse(expander.type->raw_json);
+    const Json frames = descriptor.value("frames", Json::object());
+    const auto bytes = [&](const char* what) { return frames.value(what, Json::object()).value("write", Ns{0}); };
+    WireUse use;
+    const WireRate rate{BusKind::i2c, model_.buses[*bus].baud_bps, 9};
+    use.add(rate, bytes("per_flush") + bytes("per_channel") * (last - first + 1), 0);
+    if (robot_.segments[expander.segment].kind == Segment::Kind::mux_channel) use.add(rate, 1, 0);
+    flush.bus = bus;
+    flush.wire_ns = use.wire_ns;
+    flush.interrupts = use.interrupts;
+    add_budget(*bus, flush.devices.front(), use.interrupts);
+  }
+
+  void set_can_frames(std::size_t segment, const gen::Bucket& bucket, Flush& flush) {
+    const auto bus = bus_of(segment);
+    if (!bus) return;
+    std::set<std::uint32_t> identifiers;
+    for (const std::size_t d : bucket.devices) {
+      const gen::Device& device = robot_.devices[d];
+      if (device.segment != segment || device.type == nullptr) continue;
+      for (const SharedFrame& f : device.type->shared_frames) {
+        const std::uint32_t id = device.id.value_or(0);
+        if (f.id_max == 0 || (id >= f.id_min && id <= f.id_max)) identifiers.insert(f.identifier);
+      }
+    }
+    WireUse use;
+    for (std::size_t i = 0; i < std::max<std::size_t>(identifiers.size(), 1); ++i) {
+      use.add({BusKind::can, model_.buses[*bus].baud_bps, 8}, 8, 0);
+    }
+    flush.bus = bus;
+    flush.wire_ns = use.wire_ns;
+    flush.interrupts = use.interrupts;
+    transmits_.insert(*bus);
+  }
+
+  /// A serial line nobody writes to has no transmit interrupt.
+  void drop_silent_transmitters() {
+    for (const gen::Device& device : robot_.devices) {
+      for (const Use& use : device.uses) {
+        if (!use.segment) continue;
+        if (const auto bus = bus_of(*use.segment)) transmits_.insert(*bus);
+      }
+    }
+    for (const auto& [index, bus] : bus_of_) {
+      if (robot_.buses[index].kind != BusKind::uart || transmits_.contains(bus) || undeclared_.contains(bus)) continue;
+      if (!model_.buses[bus].sources) continue;
+      std::erase_if(*model_.buses[bus].sources, [](const InterruptSource& s) { return s.name.starts_with("tx"); });
+    }
+    for (const std::size_t bus : undeclared_) {
+      if (!model_.buses[bus].sources) continue;
+      for (InterruptSource& s : *model_.buses[bus].sources) s.budgets.clear();
+    }
+  }
+
+  const Robot& robot_;
+  const Forest& forest_;
+  const Schedule& schedule_;
+  const RobotTimingOptions& options_;
+  Json board_;
+  Model model_;
+  std::map<std::size_t, std::size_t> bus_of_;  ///< Robot bus -> model bus
+  std::set<std::size_t> undeclared_;           ///< model buses with a device that does not say what it sends
+  std::set<std::size_t> transmits_;            ///< model buses somebody writes to
+};
+
+}  // namespace
+
+Model make_timing_model(const Robot& robot, const Forest& forest, const Schedule& schedule,
+                        const RobotTimingOptions& options) {
+  return Adapter(robot, forest, schedule, options).make();
+}
+
+std::vector<Requirement> timing_requirements(const Robot& robot, const Forest& forest) {
+  std::vector<std::optional<std::size_t>> bus_of;
+  std::size_t next = 0;
+  for (const gen::Bus& bus : robot.buses) {
+    bus_of.push_back(bus.rate > 0 ? std::optional<std::size_t>(next++) : std::nullopt);
+  }
+  std::vector<Requirement> list;
+  for (const gen::Requirement& r : robot.requirements) {
+    if (r.bus && !bus_of[*r.bus]) continue;  // a bus without frames is never busy
+    Requirement out;
+    using Kind = gen::Requirement::Kind;
+    out.kind = r.kind == Kind::latency_end_to_end ? Requirement::Kind::latency_end_to_end
+               : r.kind == Kind::latency_decision ? Requirement::Kind::latency_decision
+               : r.kind == Kind::utilization      ? Requirement::Kind::utilization
+                                                  : Requirement::Kind::jitter;
+    out.text = r.text;
+    for (const std::size_t d : r.from) out.from.push_back(forest.rank[d]);
+    for (const std::size_t d : r.to) out.to.push_back(forest.rank[d]);
+    if (r.bus) out.bus = bus_of[*r.bus];
+    out.max_ns = r.max_ns;
+    out.max_fraction = r.max_fraction;
+    out.at = r.at;
+    list.push_back(std::move(out));
+  }
+  return list;
+}
+
+}  // namespace finemote::gen::timing

@@ -1,0 +1,23 @@
+// Robot, forest and schedule to the timing model: costs from the board, frames and acquisition from the descriptors.
+#pragma once
+
+#include "generator/forest/forest.hpp"
+#include "generator/schedule/schedule.hpp"
+#include "generator/timing/analyse.hpp"
+
+namespace finemote::gen::timing {
+
+struct RobotTimingOptions {
+  bool trace = false;                 ///< the trace option is on: every stage records two events
+  std::optional<Ns> assumed_wcet_ns;  ///< instead of every assumed execution time (`--assume-wcet`)
+};
+
+/// The model in registration order. Buses are the physical ones that have a rate; interrupts, frames and costs come
+/// from `Board::raw_json` and `DeviceType::raw_json`, which their schemas have accepted. `has_target` is set.
+Model make_timing_model(const Robot& robot, const Forest& forest, const Schedule& schedule,
+                        const RobotTimingOptions& options = {});
+
+/// `Robot::requirements` in terms of that model.
+std::vector<Requirement> timing_requirements(const Robot& robot, const Forest& forest);
+
+}  // namespace finemote::gen::timing
