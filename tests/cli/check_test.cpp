@@ -13,7 +13,7 @@ namespace {
 struct Generated {
   Generated() {
     write_file(robot, read_file(source_path("examples/deep_forest.urdf")));
-    REQUIRE(finemote({"generate", robot, "-o", out}).exit_status == 0);
+    REQUIRE(run_finemote({"generate", robot, "-o", out}).exit_status == 0);
   }
   nlohmann::json check() const { return finemote_json({"check", robot, "-o", out}); }
 
@@ -39,7 +39,7 @@ void check_one_finding(const nlohmann::json& result, const std::string& state, c
 
 TEST_CASE("what was just generated is fresh") {
   const Generated generated;
-  const auto result = finemote({"check", generated.robot, "-o", generated.out});
+  const auto result = run_finemote({"check", generated.robot, "-o", generated.out});
   CHECK(result.exit_status == 0);
   CHECK(result.output == "fresh\n");
 }
@@ -49,7 +49,7 @@ TEST_CASE("an edited file is hand-edited, and --diff shows the edit undone") {
   const std::string file = generated.out + "/trees/walker.cpp";
   write_file(file, replaced(read_file(file), "walker.update();", "walker.update();  // mine"));
   check_one_finding(generated.check(), "hand-edited", "trees/walker.cpp");
-  const auto result = finemote({"check", generated.robot, "-o", generated.out, "--diff"});
+  const auto result = run_finemote({"check", generated.robot, "-o", generated.out, "--diff"});
   CHECK(result.exit_status == 1);
   CHECK(result.output.find("--- a/trees/walker.cpp") != std::string::npos);
   CHECK(result.output.find("// mine") != std::string::npos);
@@ -79,7 +79,7 @@ TEST_CASE("a generated file nobody lists is an orphan; a user's file is not") {
 TEST_CASE("a changed period makes files stale, and the reason names the input") {
   const Generated generated;
   write_file(generated.robot, replaced(read_file(generated.robot), "period=\"2ms\"", "period=\"1ms\""));
-  const auto result = finemote({"check", generated.robot, "-o", generated.out});
+  const auto result = run_finemote({"check", generated.robot, "-o", generated.out});
   CHECK(result.exit_status == 1);
   CHECK(result.output.find("stale        schedule.cpp: 'robot.urdf' changed") != std::string::npos);
 }
@@ -94,7 +94,7 @@ TEST_CASE("another version of the tool with the same bytes is fresh, with a note
   const Generated generated;
   const std::string manifest = generated.out + "/finemote.manifest.json";
   write_file(manifest, replaced(read_file(manifest), "\"tool\": \"finemote ", "\"tool\": \"finemote 0.0."));
-  const auto result = finemote({"check", generated.robot, "-o", generated.out});
+  const auto result = run_finemote({"check", generated.robot, "-o", generated.out});
   CHECK(result.exit_status == 0);
   CHECK(result.output.find("tool-changed") != std::string::npos);
 }
@@ -102,7 +102,7 @@ TEST_CASE("another version of the tool with the same bytes is fresh, with a note
 TEST_CASE("a manifest that cannot be trusted is an error") {
   const Generated generated;
   write_file(generated.out + "/finemote.manifest.json", "{}");
-  const auto result = finemote({"check", generated.robot, "-o", generated.out});
+  const auto result = run_finemote({"check", generated.robot, "-o", generated.out});
   CHECK(result.exit_status == 2);
   CHECK(result.output.find("FM5001") != std::string::npos);
 }

@@ -24,16 +24,16 @@ TEST_CASE("the same input gives the same bytes from another folder, in another l
     INFO(robot);
     TemporaryFolder folder;
     const std::string input = source_path("examples/" + robot);
-    REQUIRE(finemote({"generate", input, "-o", folder.path("one")}).exit_status == 0);
+    REQUIRE(run_finemote({"generate", input, "-o", folder.path("one")}).exit_status == 0);
     const auto first = files_below(folder.path("one"));
     REQUIRE(first.size() >= 7);
 
-    REQUIRE(finemote({"generate", input, "-o", folder.path("two")}, {"LC_ALL=de_DE.UTF-8", "LANG=de_DE.UTF-8"}).exit_status == 0);
+    REQUIRE(run_finemote({"generate", input, "-o", folder.path("two")}, {"LC_ALL=de_DE.UTF-8", "LANG=de_DE.UTF-8"}).exit_status == 0);
     CHECK(files_below(folder.path("two")) == first);
 
     const fs::path before = fs::current_path();
     fs::current_path(source_path("examples"));
-    CHECK(finemote({"generate", robot, "-o", folder.path("three")}).exit_status == 0);
+    CHECK(run_finemote({"generate", robot, "-o", folder.path("three")}).exit_status == 0);
     fs::current_path(before);
     CHECK(files_below(folder.path("three")) == first);
   }
@@ -42,19 +42,19 @@ TEST_CASE("the same input gives the same bytes from another folder, in another l
 TEST_CASE("a file whose bytes are right is not touched, a changed one is mended, a left-over one is removed") {
   TemporaryFolder folder;
   write_file(folder.path("twin.urdf"), kRobot);
-  REQUIRE(finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out")}).exit_status == 0);
+  REQUIRE(run_finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out")}).exit_status == 0);
   const auto files = files_below(folder.path("out"));
   const auto stamp = fs::last_write_time(folder.path("out/schedule.cpp"));
   write_file(folder.path("out/trees/a.cpp"), "edited");
   write_file(folder.path("out/mine.txt"), "the user's own file");
-  REQUIRE(finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out")}).exit_status == 0);
+  REQUIRE(run_finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out")}).exit_status == 0);
   CHECK(fs::last_write_time(folder.path("out/schedule.cpp")) == stamp);
   CHECK(read_file(folder.path("out/trees/a.cpp")) == files.at("trees/a.cpp"));
 
   std::string renamed = kRobot;
   renamed.replace(renamed.find("name=\"b\""), 8, "name=\"c\"");
   write_file(folder.path("twin.urdf"), renamed);
-  REQUIRE(finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out")}).exit_status == 0);
+  REQUIRE(run_finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out")}).exit_status == 0);
   CHECK_FALSE(fs::exists(folder.path("out/trees/b.cpp")));
   CHECK(fs::exists(folder.path("out/trees/c.cpp")));
   CHECK(read_file(folder.path("out/mine.txt")) == "the user's own file");
@@ -63,7 +63,7 @@ TEST_CASE("a file whose bytes are right is not touched, a changed one is mended,
 TEST_CASE("an invalid robot writes nothing") {
   TemporaryFolder folder;
   write_file(folder.path("bad.urdf"), "<robot name='r'><finemote version='1'><board name='nowhere'/></finemote></robot>");
-  const auto result = finemote({"generate", folder.path("bad.urdf"), "-o", folder.path("out")});
+  const auto result = run_finemote({"generate", folder.path("bad.urdf"), "-o", folder.path("out")});
   CHECK(result.exit_status == 2);
   CHECK(result.output.find("nowhere") != std::string::npos);
   CHECK_FALSE(fs::exists(folder.path("out")));
@@ -75,15 +75,15 @@ TEST_CASE("two robots do not share a folder, and a link is no folder") {
   std::string other = kRobot;
   other.replace(other.find("twin"), 4, "solo");
   write_file(folder.path("solo.urdf"), other);
-  REQUIRE(finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out")}).exit_status == 0);
+  REQUIRE(run_finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out")}).exit_status == 0);
   const auto before = files_below(folder.path("out"));
-  const auto result = finemote({"generate", folder.path("solo.urdf"), "-o", folder.path("out")});
+  const auto result = run_finemote({"generate", folder.path("solo.urdf"), "-o", folder.path("out")});
   CHECK(result.exit_status == 2);
   CHECK(result.output.find("FM5003") != std::string::npos);
   CHECK(files_below(folder.path("out")) == before);
 
   fs::create_directory_symlink(folder.path("out"), folder.path("link"));
-  const auto linked = finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("link")});
+  const auto linked = run_finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("link")});
   CHECK(linked.exit_status == 2);
   CHECK(linked.output.find("FM5002") != std::string::npos);
 }
@@ -91,11 +91,11 @@ TEST_CASE("two robots do not share a folder, and a link is no folder") {
 TEST_CASE("--list names exactly the files that are written, --dry-run writes none, --depfile names every input") {
   TemporaryFolder folder;
   write_file(folder.path("twin.urdf"), kRobot);
-  const auto dry = finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out"), "--dry-run"});
+  const auto dry = run_finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out"), "--dry-run"});
   CHECK(dry.exit_status == 0);
   CHECK_FALSE(fs::exists(folder.path("out")));
-  const auto list = finemote({"generate", folder.path("twin.urdf"), "--list"});
-  REQUIRE(finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out"), "--depfile", folder.path("d")}).exit_status == 0);
+  const auto list = run_finemote({"generate", folder.path("twin.urdf"), "--list"});
+  REQUIRE(run_finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out"), "--depfile", folder.path("d")}).exit_status == 0);
   std::string names;
   for (const auto& [name, text] : files_below(folder.path("out"))) {
     CHECK(list.output.find(name + "\n") != std::string::npos);

@@ -12,14 +12,14 @@ namespace finemote::test {
 
 namespace fs = std::filesystem;
 
-gen::ProcessResult finemote(std::vector<std::string> words, const std::vector<std::string>& environment) {
+gen::ProcessResult run_finemote(std::vector<std::string> words, const std::vector<std::string>& environment) {
   words.insert(words.begin(), FINEMOTE_PROGRAM);
   return gen::run_process(words, std::chrono::seconds(600), environment);
 }
 
 nlohmann::json finemote_json(std::vector<std::string> words) {
   words.insert(words.end(), {"--format", "json"});
-  const gen::ProcessResult result = finemote(words);
+  const gen::ProcessResult result = run_finemote(words);
   const auto begin = result.output.find('{');
   if (begin == std::string::npos) throw std::runtime_error("no JSON: " + result.output);
   return nlohmann::json::parse(result.output.substr(begin));

@@ -11,7 +11,7 @@
 namespace finemote::test {
 
 /// The program with these words, stdout and stderr together; `environment` as NAME=value.
-gen::ProcessResult finemote(std::vector<std::string> words, const std::vector<std::string>& environment = {});
+gen::ProcessResult run_finemote(std::vector<std::string> words, const std::vector<std::string>& environment = {});
 
 /// The JSON document it prints on stdout with --format json; fails the test when there is none.
 nlohmann::json finemote_json(std::vector<std::string> words);

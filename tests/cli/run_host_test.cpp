@@ -34,6 +34,6 @@ TEST_CASE("a run that overruns says so with exit status 1") {
   TemporaryFolder folder;
   write_file(folder.path("r.urdf"), R"(<robot name="r"><link name="l"/><finemote version="1"><board name="host"/>
     <device name="a" type="sim_load" period="1ms"><param name="update">1500us</param></device></finemote></robot>)");
-  const auto result = finemote({"run", folder.path("r.urdf")});
+  const auto result = run_finemote({"run", folder.path("r.urdf")});
   CHECK(result.exit_status == 1);
 }

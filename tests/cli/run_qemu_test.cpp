@@ -19,8 +19,8 @@ TEST_CASE("every example runs in QEMU in the order of its schedule") {
 
 TEST_CASE("two runs in QEMU are the same to the last byte") {
   const std::string input = source_path("examples/deep_forest.urdf");
-  const auto first = finemote({"run", input, "--board", "qemu_f405", "--format", "json"});
-  const auto second = finemote({"run", input, "--board", "qemu_f405", "--format", "json"});
+  const auto first = run_finemote({"run", input, "--board", "qemu_f405", "--format", "json"});
+  const auto second = run_finemote({"run", input, "--board", "qemu_f405", "--format", "json"});
   CHECK(first.exit_status == 0);
   CHECK(first.output == second.output);
 }
