@@ -43,10 +43,7 @@ endfunction()
 function(finemote_target_options target board optimize)
   set_target_properties(${target} PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
   target_include_directories(${target} PRIVATE ${FINEMOTE_ROOT}/runtime/include ${FINEMOTE_ROOT})
-  target_compile_options(
-    ${target} PRIVATE -Wall -Wextra -Wpedantic -Werror -g
-                      # the image is the same wherever it is built
-                      -ffile-prefix-map=${CMAKE_SOURCE_DIR}=. -ffile-prefix-map=${FINEMOTE_ROOT}=finemote)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Werror -g)
   if(board STREQUAL "host")
     target_compile_definitions(${target} PRIVATE FINEMOTE_TRACE)
   else()

@@ -66,7 +66,7 @@ Json to_json(const Board& board) {
 int run_board_show(Context& context) {
   const std::string data_dir = find_data_dir(context.options, context.diagnostics);
   if (data_dir.empty()) return finish(context, kExitInvalid);
-  auto library = load_library({data_dir, "", {}}, context.sources, context.diagnostics);
+  auto library = load_library({data_dir, "", {}, {}}, context.sources, context.diagnostics);
   if (!library) return finish(context, kExitInvalid);
   const std::vector<std::string> names = board_names(*library);
   if (context.options.input.empty()) {

@@ -118,7 +118,7 @@ std::optional<Loaded> load_robot(Context& context) {
 
   const auto document = read_document(context);
   if (!document) return std::nullopt;
-  const LibraryOptions folders{loaded.data_dir, input_folder(context.options.input).string(), context.options.device_paths};
+  const LibraryOptions folders{loaded.data_dir, input_folder(context.options.input).string(), context.options.device_paths, {}};
   auto library = load_library(folders, context.sources, context.diagnostics);
   if (!library) return std::nullopt;
   loaded.library = std::move(*library);
