@@ -1,5 +1,7 @@
 #include "finemote/devices/bmi088.hpp"
 
+#include "finemote/control/pid.hpp"
+
 namespace finemote {
 
 namespace {
@@ -118,7 +120,7 @@ void Bmi088::take_sample() {
     state.rate[i] = static_cast<float>(word_at(gyro_in_ + kGyroDataAt + 2 * i)) * kGyroScale;
   }
   const Time at = oldest(accel_->ended(), gyro_->ended());
-  const float dt = sampled_ == 0 ? 0 : static_cast<float>(at - sampled_) * 1e-9F;
+  const float dt = sampled_ == 0 ? 0 : seconds(at - sampled_);
   sampled_ = at;
   attitude_.step(gains_, state.rate, state.acceleration, dt);
   state.roll = attitude_.roll();

@@ -11,7 +11,7 @@ namespace {
 constexpr std::int32_t kTurn = 8192;  ///< steps of the rotor's angle
 constexpr float kRadPerStep = 6.28318530718F / kTurn;
 constexpr float kRadPerSecond = 6.28318530718F / 60;  ///< per rpm
-constexpr float kStepsPerNs = kTurn / 60e9F;          ///< per rpm
+constexpr float kStepsPerSecond = kTurn / 60.0F;      ///< per rpm
 constexpr float kMaxRpm = 32000;
 constexpr Duration kLongestGap = 1 * kSecond;  ///< beyond it the turns between two frames are not guessed
 
@@ -53,7 +53,7 @@ void DjiMotor::count_turns(std::int32_t angle, float rpm, Time at) {
     step = angle;
   } else {
     const Duration gap = at - last_at_;
-    const float expected = gap <= kLongestGap ? rpm * static_cast<float>(gap) * kStepsPerNs : 0;
+    const float expected = gap <= kLongestGap ? rpm * seconds(gap) * kStepsPerSecond : 0;
     step += kTurn * static_cast<std::int32_t>(std::lround((expected - static_cast<float>(step)) / kTurn));
   }
   counting_ = true;

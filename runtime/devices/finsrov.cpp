@@ -20,8 +20,6 @@ constexpr Duration kReportEvery = 100 * kMillisecond;
 // TES pulses, as the host program means them: 1500 us neutral, 400 us to full effort.
 constexpr float kTestNeutral = 1500, kTestFull = 400;
 
-constexpr float seconds(Duration duration) { return static_cast<float>(duration) * 1e-9F; }
-
 }  // namespace
 
 void FinsRov::update() {

@@ -1,7 +1,5 @@
 #include "finemote/devices/finsrov_host.hpp"
 
-#include <cstring>
-
 namespace finemote {
 
 namespace {
@@ -10,9 +8,9 @@ using Verb = FinsRovOrder::Verb;
 
 /// A command word and how many comma-separated numbers follow it. Longer words before their own beginnings.
 struct Word {
-  const char* text;
+  char text[8];
   Verb verb;
-  unsigned numbers;
+  std::uint8_t numbers;
 };
 
 constexpr Word kWords[] = {
@@ -46,6 +44,15 @@ constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_space(char c) { return c == ' ' || c == '\r' || c == '\n' || c == '\0'; }
 constexpr std::int32_t kLargest = 32767;
 
+/// Length of the word if `text` begins with it, else 0.
+std::size_t matches(const Word& word, const char* text, std::size_t size) {
+  std::size_t length = 0;
+  for (; word.text[length] != '\0'; ++length) {
+    if (length == size || text[length] != word.text[length]) return 0;
+  }
+  return length;
+}
+
 }  // namespace
 
 bool FinsRovHost::receive(Uart& uart) {
@@ -57,7 +64,7 @@ bool FinsRovHost::receive(Uart& uart) {
     const std::size_t room = kMaxMessage - size_;
     too_long_ = too_long_ || size > room;
     const std::size_t kept = size < room ? size : room;
-    std::memcpy(text_ + size_, bytes, kept);
+    for (std::size_t i = 0; i < kept; ++i) text_[size_ + i] = static_cast<char>(bytes[i]);
     size_ += kept;
   }
   if (size_ == 0 || !uart.idle()) return false;
@@ -93,8 +100,8 @@ bool FinsRovHost::parse(std::size_t& at, FinsRovOrder& order) const {
     return true;
   }
   for (const Word& word : kWords) {
-    const std::size_t length = std::strlen(word.text);
-    if (length > size_ - at || std::memcmp(text_ + at, word.text, length) != 0) continue;
+    const std::size_t length = matches(word, text_ + at, size_ - at);
+    if (length == 0) continue;
     at += length;
     order.verb = word.verb;
     return parse_numbers(at, word.numbers, order);

@@ -23,7 +23,7 @@ void Gimbal::update() {
 
 void Gimbal::handle() {
   const Time at = now();
-  const float elapsed = static_cast<float>(at - stepped_) * 1e-9F;
+  const float elapsed = seconds(at - stepped_);
   const float dt = elapsed <= kLongestStep ? elapsed : 0;
   stepped_ = at;
 

@@ -1,7 +1,5 @@
 #include "finemote/devices/h30_imu.hpp"
 
-#include <cstring>
-
 namespace finemote {
 
 namespace {
@@ -74,8 +72,7 @@ bool H30Imu::frame_may_go_on() {
   decoded.origin = uart_->arrival() - uart_->wire_time(whole);
   decoded.valid = true;
   state = decoded;
-  filled_ -= whole;
-  std::memmove(frame_, frame_ + whole, filled_);
+  drop(whole);
   return true;
 }
 
@@ -83,8 +80,12 @@ bool H30Imu::frame_may_go_on() {
 void H30Imu::resynchronise() {
   std::size_t from = 1;
   while (from < filled_ && frame_[from] != kHead0) ++from;
-  filled_ -= from;
-  std::memmove(frame_, frame_ + from, filled_);
+  drop(from);
+}
+
+void H30Imu::drop(std::size_t count) {
+  filled_ -= count;
+  for (std::size_t i = 0; i < filled_; ++i) frame_[i] = frame_[i + count];
 }
 
 bool H30Imu::sums_agree(std::size_t payload) const {

@@ -45,7 +45,7 @@ void MecanumChassis::handle() {
   const Time at = now();
   const RemoteState& remote = remote_.state;
   const bool drives = state.valid && remote.left_switch != RemoteSwitch::kDown;
-  const float elapsed = static_cast<float>(at - stepped_) * 1e-9F;
+  const float elapsed = seconds(at - stepped_);
   const float dt = elapsed <= kLongestStep ? elapsed : 0;
   stepped_ = at;
 

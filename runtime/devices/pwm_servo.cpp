@@ -34,7 +34,8 @@ void PwmServo::safe() {
 }
 
 std::uint32_t PwmServo::pulse(float angle) const {
-  const auto low = static_cast<float>(config_.min), high = static_cast<float>(config_.max);
+  const auto low = static_cast<float>(static_cast<std::int32_t>(config_.min)),
+             high = static_cast<float>(static_cast<std::int32_t>(config_.max));
   const float way = config_.reverse ? -angle : angle;
   const float width = (low + high) / 2 + way / config_.travel * (high - low);
   return static_cast<std::uint32_t>(clamp(width, low, high));

@@ -43,6 +43,7 @@ class H30Imu {
 
   void take(const std::uint8_t* bytes, std::size_t size);
   void resynchronise();
+  void drop(std::size_t count);
   bool frame_may_go_on();
   bool sums_agree(std::size_t payload) const;
   bool decode(std::size_t payload, ImuState& out) const;

@@ -23,7 +23,14 @@ class PwmEsc {
     Duration dead_zone = 0;                  ///< pulse around neutral the controller ignores
   };
 
-  constexpr PwmEsc(const Config& config, PwmChannel channel) : config_(config), channel_(channel) {}
+  constexpr PwmEsc(const Config& config, PwmChannel channel)
+      : max_age_(config.max_age),
+        channel_(channel),
+        neutral_(static_cast<std::int32_t>(config.neutral)),
+        min_(static_cast<std::int32_t>(config.min)),
+        max_(static_cast<std::int32_t>(config.max)),
+        dead_zone_(static_cast<std::int32_t>(config.dead_zone)),
+        reverse_(config.reverse) {}
 
   void update();
   void handle();
@@ -38,8 +45,10 @@ class PwmEsc {
   [[nodiscard]] std::uint32_t pulse(float effort) const;
 
  private:
-  Config config_;
+  Duration max_age_;
   PwmChannel channel_;
+  std::int32_t neutral_, min_, max_, dead_zone_;  ///< ns
+  bool reverse_;
   float driven_ = 0;
 };
 
