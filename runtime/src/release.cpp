@@ -73,7 +73,8 @@ void report_overruns(std::uint32_t late, const std::uint32_t* bits) {
     finemote_overrun_hook(i);
   }
   if (finemote_schedule.overrun == Overrun::safe_stop) {
-    stop_safely(Module::schedule, static_cast<std::uint8_t>(ScheduleFault::overrun), "schedule: a bucket overran");
+    stop_safely(Module::schedule, static_cast<std::uint8_t>(ScheduleFault::overrun),
+                FINEMOTE_TEXT("schedule: a bucket overran"));
   }
 }
 

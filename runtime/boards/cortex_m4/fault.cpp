@@ -50,6 +50,7 @@ CoreFault kind_of(std::uint32_t exception, std::uint32_t status, std::uint32_t a
   }
 }
 
+#ifndef FINEMOTE_SILENT
 const char* text_of(CoreFault fault) {
   switch (fault) {
     case CoreFault::stack:
@@ -68,6 +69,7 @@ const char* text_of(CoreFault fault) {
       return "core: hard fault\n";
   }
 }
+#endif
 
 }  // namespace
 
@@ -108,7 +110,7 @@ extern "C" [[noreturn]] __attribute__((used)) void finemote_fault(const std::uin
   last.lr = frame_valid ? frame[5] : 0;  // r0 r1 r2 r3 r12 lr pc xpsr: PM0214 2.3.7
   last.pc = frame_valid ? frame[6] : 0;
   last.magic = kFaultMagic;
-  board::say(text_of(last.fault));
+  board::say(FINEMOTE_TEXT(text_of(last.fault)));
   board::stopped();
   barrier();
   scb::ResetControl::write(scb::kResetKey | (scb::ResetControl::read() & scb::kPriorityGroupMask) | scb::kSystemReset);

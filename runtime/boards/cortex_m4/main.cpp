@@ -25,8 +25,8 @@ void stop_safely(Module module, std::uint8_t number, const char* text) {
   cortex_m4::mask_from(cortex_m4::kReleasePriority);
   count_fault(module, number);
   if (detail::outputs_started()) finemote_schedule.safe_outputs();
-  if (text != nullptr) board::say(text);
-  board::say("\n");
+  board::say(text);
+  board::say(FINEMOTE_TEXT("\n"));
   board::stopped();
   for (;;) {
     // Again at every instant: a bus that is being recovered takes the safe output as its first transfer.
@@ -45,7 +45,7 @@ int main() {
   cortex_m4::start_releases(finemote_schedule);
   CoreFault fault;
   if (cortex_m4::restarted_by_fault(fault)) {
-    stop_safely(Module::core, static_cast<std::uint8_t>(fault), "restarted after a processor fault");
+    stop_safely(Module::core, static_cast<std::uint8_t>(fault), FINEMOTE_TEXT("restarted after a processor fault"));
   }
   for (;;) {
     cortex_m4::idle();

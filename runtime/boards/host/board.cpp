@@ -8,7 +8,9 @@ namespace finemote::board {
 void start_hardware() {}
 void start_watchdog(Duration) {}
 void feed_watchdog() {}
-void say(const char* text) { std::fputs(text, stderr); }
+void say(const char* text) {
+  if (text != nullptr) std::fputs(text, stderr);
+}
 void stopped() {}
 
 }  // namespace finemote::board

@@ -12,7 +12,9 @@ namespace board {
 void start_hardware() {}
 void start_watchdog(Duration) {}
 void feed_watchdog() {}
-void say(const char* text) { qemu_f405::write(text); }
+void say(const char* text) {
+  if (text != nullptr) qemu_f405::write(text);
+}
 void stopped() {
   qemu_f405::report_run();
   qemu_f405::exit(1);

@@ -16,7 +16,7 @@ void start_hardware();
 void start_watchdog(Duration longest_gap);
 void feed_watchdog();
 
-/// Text for whoever listens (semihosting, host); a board nobody listens to does nothing. Start-up and stops only.
+/// Text for whoever listens (semihosting, host), or null: nothing. Start-up and stops only.
 void say(const char* text);
 
 /// Called by stop_safely() once, after the first safe outputs, and by nobody else: a board that runs under a test ends

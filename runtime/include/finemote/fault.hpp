@@ -3,6 +3,14 @@
 
 #include <cstdint>
 
+/// A text for whoever listens: kept out of the images of boards nobody listens to (board.cmake defines
+/// FINEMOTE_SILENT).
+#ifdef FINEMOTE_SILENT
+#define FINEMOTE_TEXT(text) nullptr
+#else
+#define FINEMOTE_TEXT(text) text
+#endif
+
 namespace finemote {
 
 /// Who reports a fault. Numbers inside a module are the module's own.
