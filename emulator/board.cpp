@@ -42,6 +42,7 @@ const std::vector<StageEvent>& Board::stages() {
 BusStatistics Board::bus(const std::string& port) {
   if (const Usart* usart = chip_.usart(port)) return usart->statistics();
   if (const I2c* i2c = chip_.i2c(port)) return i2c->statistics();
+  if (const Spi* spi = chip_.spi(port)) return spi->statistics();
   if (const Can* can = chip_.can(port)) return can->line.statistics();
   return {};
 }

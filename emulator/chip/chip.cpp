@@ -62,6 +62,10 @@ Chip::Chip(World& world)
   can2_ = std::make_unique<Can>(world, "can2", Can::Lines{63, 64, 66}, can_filters_, true, apb1);
   place(0x40006400, *can1_, ClockBus::apb1, 25);
   place(0x40006800, *can2_, ClockBus::apb1, 26);
+  spi1_ = std::make_unique<Spi>(world, "spi1", Spi::Wiring{35, DmaRequest::spi1_rx, DmaRequest::spi1_tx, apb2, dma});
+  spi2_ = std::make_unique<Spi>(world, "spi2", Spi::Wiring{36, DmaRequest::spi2_rx, DmaRequest::spi2_tx, apb1, dma});
+  place(0x40013000, *spi1_, ClockBus::apb2, 12);
+  place(0x40003800, *spi2_, ClockBus::apb1, 14);
   const auto add_timer = [&](std::uint32_t base, const char* name, ClockBus bus, unsigned bit, int line) {
     const bool advanced = bit < 2 && bus == ClockBus::apb2;
     timers_.push_back(std::make_unique<Timer>(
@@ -173,6 +177,15 @@ I2c* Chip::i2c(const std::string& name) {
 
 Can* Chip::can(const std::string& name) {
   return name == "can1" ? can1_.get() : name == "can2" ? can2_.get() : nullptr;
+}
+
+Spi* Chip::spi(const std::string& name) {
+  return name == "spi1" ? spi1_.get() : name == "spi2" ? spi2_.get() : nullptr;
+}
+
+void Chip::attach_spi(Spi& spi, char port, unsigned pin, SpiPart part) {
+  const std::size_t number = spi.attach(std::move(part));
+  gpio(port).watcher[pin] = [&spi, number](bool output, bool high) { spi.selected(number, output && !high); };
 }
 
 std::pair<Timer*, unsigned> Chip::pwm(const std::string& name) {

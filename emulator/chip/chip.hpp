@@ -14,6 +14,7 @@
 #include "emulator/chip/i2c.hpp"
 #include "emulator/chip/iwdg.hpp"
 #include "emulator/chip/rcc.hpp"
+#include "emulator/chip/spi.hpp"
 #include "emulator/chip/timer.hpp"
 #include "emulator/chip/usart.hpp"
 
@@ -36,6 +37,9 @@ class Chip : public PeripheralBus {
   Usart* usart(const std::string& name);
   I2c* i2c(const std::string& name);
   Can* can(const std::string& name);
+  Spi* spi(const std::string& name);
+  /// Puts a part on an SPI port, behind a pin as its chip select.
+  void attach_spi(Spi& spi, char port, unsigned pin, SpiPart part);
   /// Timer and channel of a PWM header `pwm1`..`pwm7`.
   std::pair<Timer*, unsigned> pwm(const std::string& name);
 
@@ -78,6 +82,7 @@ class Chip : public PeripheralBus {
   std::unique_ptr<Dma> dma1_, dma2_;
   std::unique_ptr<Usart> usart1_, usart3_, usart6_;
   std::unique_ptr<I2c> i2c2_, i2c3_;
+  std::unique_ptr<Spi> spi1_, spi2_;
   CanFilters can_filters_;
   std::unique_ptr<Can> can1_, can2_;
   std::vector<std::unique_ptr<Timer>> timers_;

@@ -1,0 +1,65 @@
+// An SPI master: eight clocks a byte, both ways at once, to the part whose chip select is low. RM0090 28.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "emulator/bus_statistics.hpp"
+#include "emulator/chip/dma.hpp"
+#include "emulator/chip/peripheral.hpp"
+
+namespace finemote::emulator {
+
+/// A part behind one chip select.
+struct SpiPart {
+  std::function<void(bool selected)> select;
+  std::function<std::uint8_t(std::uint8_t)> exchange;
+};
+
+class Spi : public Peripheral {
+ public:
+  struct Wiring {
+    int line;
+    DmaRequest rx, tx;
+    std::function<std::uint32_t()> clock_hz;
+    std::function<bool(DmaRequest)> dma;
+  };
+  Spi(World& world, std::string name, Wiring wiring) : Peripheral(world, std::move(name)), wiring_(std::move(wiring)) {}
+
+  std::uint32_t read(std::uint32_t offset) override;
+  void write(std::uint32_t offset, std::uint32_t value) override;
+  void reset() override;
+  void poll_dma() override { ask_dma(); }
+
+  /// @return the part's number, for selected()
+  std::size_t attach(SpiPart part) {
+    parts_.push_back(Attached{std::move(part), false});
+    return parts_.size() - 1;
+  }
+  /// The chip select of a part changes its level.
+  void selected(std::size_t part, bool low);
+  [[nodiscard]] const BusStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] std::uint32_t clock_hz() const { return wiring_.clock_hz() >> ((cr1_ >> 3 & 7) + 1); }
+  [[nodiscard]] unsigned mode() const { return cr1_ & 3; }
+
+ private:
+  struct Attached {
+    SpiPart part;
+    bool selected;
+  };
+  [[nodiscard]] bool on() const { return (cr1_ & 0x44) == 0x44; }  // SPE, MSTR
+  void shift();
+  void shifted(std::uint8_t out);
+  void ask_dma();
+  void update();
+
+  Wiring wiring_;
+  std::vector<Attached> parts_;
+  std::uint32_t cr1_ = 0, cr2_ = 0, sr_ = 2;
+  std::uint8_t out_ = 0, in_ = 0;
+  bool full_ = false, shifting_ = false;
+  std::uint64_t token_ = 0;
+  BusStatistics statistics_;
+};
+
+}  // namespace finemote::emulator
