@@ -52,15 +52,29 @@ std::string describe(const Expansion& step) {
   return fmt::format("{} '{}' at {}", verb, step.name, place(step.at));
 }
 
+/// The steps from the text outwards; of a deep recursion only the innermost ones and the outermost one.
+std::string render_way(const Expansion* innermost, const Palette& paint) {
+  constexpr std::size_t most = 12;
+  std::vector<const Expansion*> steps;
+  for (const Expansion* step = innermost; step != nullptr; step = step->at.via) steps.push_back(step);
+  std::string text;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const bool is_shown = steps.size() <= most || i + 2 < most || i + 1 == steps.size();
+    if (is_shown) text += fmt::format("  {}note:{} {}\n", paint.cyan, paint.reset, describe(*steps[i]));
+    if (!is_shown && i + 2 == most) {
+      text += fmt::format("  {}note:{} {} more steps\n", paint.cyan, paint.reset, steps.size() - most + 1);
+    }
+  }
+  return text;
+}
+
 std::string render_one(const Diagnostic& finding, const Palette& paint) {
   const bool is_error = finding.severity == Severity::error;
   std::string text = fmt::format("{}{}:{} {}{}[{}]{}: {}\n", paint.bold, place(finding.at), paint.reset,
                                  is_error ? paint.red : paint.yellow, is_error ? "error" : "warning",
                                  code_name(finding.code), paint.reset, finding.message);
   text += excerpt(finding, paint);
-  for (const Expansion* step = finding.at.via; step != nullptr; step = step->at.via) {
-    text += fmt::format("  {}note:{} {}\n", paint.cyan, paint.reset, describe(*step));
-  }
+  text += render_way(finding.at.via, paint);
   for (const Note& note : finding.notes) {
     const std::string where = note.at.file ? fmt::format(" ({})", place(note.at)) : "";
     text += fmt::format("  {}note:{} {}{}\n", paint.cyan, paint.reset, note.message, where);
