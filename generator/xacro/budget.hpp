@@ -2,15 +2,17 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 
 #include "generator/xacro/failure.hpp"
 
 namespace finemote::gen::xacro {
 
-inline constexpr std::size_t kMaxSteps = 20'000'000;               ///< operations inside one expression
+inline constexpr std::size_t kMaxSteps = 10'000'000;               ///< operations inside one expression
+inline constexpr std::size_t kMaxTotalSteps = 100'000'000;         ///< operations inside all expressions
 inline constexpr std::size_t kMaxText = std::size_t{64} << 20;     ///< bytes of one text value
 inline constexpr std::size_t kMaxItems = 4'000'000;                ///< items of one list, range or repetition
-inline constexpr std::size_t kMaxCalls = 1'000'000;                ///< macro calls of one expansion
+inline constexpr std::size_t kMaxCalls = 500'000;                  ///< macro calls of one expansion
 inline constexpr std::size_t kMaxNestedCalls = 2'000;              ///< macro calls inside macro calls
 inline constexpr std::size_t kMaxOutput = std::size_t{512} << 20;  ///< bytes of names, values and texts of the result
 inline constexpr std::size_t kMaxOutputDepth = 2'000;              ///< elements inside elements of the result
@@ -22,14 +24,16 @@ inline constexpr std::size_t kMaxEvalDepth = 10'000;  ///< expressions inside ex
 /// Counts the work of one expression.
 class Budget {
  public:
-  void begin_expression() { steps_ = 0; }
+  void begin_expression() { total_ += std::exchange(steps_, 0); }
   void spend(std::size_t steps) {
     steps_ += steps;
     if (steps_ > kMaxSteps) fail_limit("the expression needs too many operations");
+    if (total_ > kMaxTotalSteps) fail_limit("the expressions of the file need too many operations");
   }
 
  private:
   std::size_t steps_ = 0;
+  std::size_t total_ = 0;
 };
 
 /// One level of recursion, as long as it lives.

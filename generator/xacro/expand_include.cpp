@@ -32,7 +32,7 @@ std::vector<std::string> matching_files(const std::string& pattern) {
 
 }  // namespace
 
-void Expander::expand_include(const Node& source, const Context& context, Node& out, bool has_next) {
+void Expander::expand_include(const Node& source, const Context& context, Sink& out, bool has_next) {
   const xml::Attribute& name = required(source, "filename", context);
   check_attributes(source, {"filename", "ns", "optional"}, context);
   const Position at = place(name.value_at, context);
@@ -46,12 +46,11 @@ void Expander::expand_include(const Node& source, const Context& context, Node& 
   if (std::any_of(source.children.begin(), source.children.end(), [](const Node& n) { return n.is_element(); })) {
     warn(code::xacro_ignored, place(source.at, context), "Child elements of a <xacro:include> tag are ignored");
   }
-  Node content;
+  const std::size_t begin = out.end();
   for (const std::string& file : files_of(text_of(name.value, at, *context.scope), at)) {
-    include_file(source, file, is_optional, inner, content, out);
+    include_file(source, file, is_optional, inner, out);
   }
-  const auto mark = mark_.remove_comments(out, has_next);
-  move_children(content, out);
+  const auto mark = mark_.remove_comments(out, begin, has_next);
   mark_.set(out, mark);
 }
 
@@ -79,7 +78,7 @@ Context Expander::inside_of(const std::string& name_space, const Context& contex
 }
 
 void Expander::include_file(const Node& source, const std::string& file, bool is_optional, const Context& context,
-                            Node& content, Node& out) {
+                            Sink& out) {
   const Position at = place(source.at, context);
   if (++calls_ > kMaxCalls) throw Failure{code::xacro_limit, "too many included files", at};
   if (files_.size() > kMaxIncludes) {
@@ -101,12 +100,9 @@ void Expander::include_file(const Node& source, const std::string& file, bool is
   inner.is_placed = false;
   Node root;  // dropped but for its namespaces
   expand_attributes(document->root, inner, root);
+  Sink content{out.element, out.id, out.end()};
   expand_children(document->root, inner, content);
-  lift_namespaces(root, out, at);
-  for (xml::Attribute& a : content.attributes) {
-    if (a.name.starts_with("xmlns:")) lift_namespaces(content, out, at);
-  }
-  content.attributes.clear();
+  lift_namespaces(root, out.element, at);
   files_.pop_back();
 }
 

@@ -8,8 +8,9 @@
 
 namespace finemote::gen::xacro {
 
-void Expander::define_macro(const Node& source, const Context& context, Node& out, bool has_next) {
-  mark_.set(out, mark_.remove_comments(out, has_next));
+void Expander::define_macro(const Node& source, const Context& context, Sink& out, bool has_next) {
+  const auto mark = mark_.remove_comments(out, has_next);
+  mark_.set(out, mark);
   const xml::Attribute& name = required(source, "name", context);
   check_attributes(source, {"name", "params"}, context);
   const Position at = place(name.value_at, context);
@@ -29,14 +30,14 @@ void Expander::define_macro(const Node& source, const Context& context, Node& ou
   context.macros->define(std::move(macro));
 }
 
-void Expander::call_by_name(const Node& source, const Context& context, Node& out, bool has_next) {
+void Expander::call_by_name(const Node& source, const Context& context, Sink& out, bool has_next) {
   const xml::Attribute& macro = required(source, "macro", context);
   const Position at = place(macro.value_at, context);
   if (macro.value.empty()) throw Failure{code::xacro_call, "xacro:call is missing the 'macro' attribute", at};
   call_macro(source, text_of(macro.value, at, *context.scope), context, out, has_next);
 }
 
-void Expander::call_macro(const Node& source, const std::string& name, const Context& context, Node& out,
+void Expander::call_macro(const Node& source, const std::string& name, const Context& context, Sink& out,
                           bool has_next) {
   const Position at = place(source.at, context);
   Call call{context.macros->find_macro(name), context, context};
@@ -76,39 +77,38 @@ void Expander::call_macro(const Node& source, const std::string& name, const Con
                   at};
   }
   calls_open_.push_back(call.macro.get());
-  Node content;
-  run_macro(source, call, content);
-  const auto mark = mark_.remove_comments(out, has_next);
-  lift_namespaces(content, out, at);
-  move_children(content, out);
+  const std::size_t begin = out.end();
+  run_macro(source, call, out);
+  const auto mark = mark_.remove_comments(out, begin, has_next);
   mark_.set(out, mark);
   calls_open_.pop_back();
 }
 
-void Expander::run_macro(const Node& source, const Call& call, Node& out) {
+void Expander::run_macro(const Node& source, const Call& call, Sink& out) {
   const Macro& macro = *call.macro;
   auto scope = std::make_unique<Scope>(Scope::Kind::local, call.body.scope);
   auto macros = std::make_unique<MacroScope>(call.body.macros);
-  std::vector<Parameter> open = macro.parameters;
+  OpenParameters open;
+  for (const Parameter& parameter : macro.parameters) open.push_back(&parameter);
   bind_arguments(source, call, *scope, open);
   bind_blocks(source, call, *scope, open);
   bind_defaults(source, call, *scope, open);
 
   const Expansion* via = sources_.add(Expansion{Expansion::Kind::macro, macro.name, place(source.at, call.body)});
   const Context inner{scope.get(), macros.get(), via, false};
-  for (const xml::Attribute& a : macro.body->attributes) {
-    if (a.name.starts_with("xmlns:") && a.name != "xmlns:xacro") out.attributes.push_back(a);
-  }
-  expand_children(*macro.body, inner, out);
+  lift_namespaces(*macro.body, out.element, via->at);
+  Sink content{out.element, out.id, out.end()};
+  expand_children(*macro.body, inner, content);
   release(std::move(scope), std::move(macros));
 }
 
-void Expander::bind_arguments(const Node& source, const Call& call, Scope& scope, std::vector<Parameter>& open) {
+void Expander::bind_arguments(const Node& source, const Call& call, Scope& scope, OpenParameters& open) {
   const bool is_dynamic = source.name == "xacro:call";
   for (const xml::Attribute& a : source.attributes) {
     if (is_dynamic && a.name == "macro") continue;
     const Position at = place(a.value_at, call.body);
-    const auto parameter = std::find_if(open.begin(), open.end(), [&](const Parameter& p) { return p.name == a.name; });
+    const auto parameter =
+        std::find_if(open.begin(), open.end(), [&](const Parameter* p) { return p->name == a.name; });
     if (parameter == open.end()) {
       std::string names;
       for (const Parameter& p : call.macro->parameters) names += (names.empty() ? "" : ", ") + p.name;
@@ -124,9 +124,10 @@ void Expander::bind_arguments(const Node& source, const Call& call, Scope& scope
 }
 
 /// The elements inside the call are evaluated with the names of the caller, and go to the block parameters in order.
-void Expander::bind_blocks(const Node& source, const Call& call, Scope& scope, std::vector<Parameter>& open) {
+void Expander::bind_blocks(const Node& source, const Call& call, Scope& scope, OpenParameters& open) {
   Node content;
-  if (!source.children.empty()) expand_children(source, call.arguments, content);
+  Sink sink{content, ++elements_};
+  expand_children(source, call.arguments, sink);
   const Position at = place(source.at, call.body);
   auto next = content.children.begin();
   const auto find_element = [&] {
@@ -134,19 +135,20 @@ void Expander::bind_blocks(const Node& source, const Call& call, Scope& scope, s
   };
   find_element();
   for (auto parameter = open.begin(); parameter != open.end();) {
-    if (!parameter->is_block()) {
+    if (!(*parameter)->is_block()) {
       ++parameter;
       continue;
     }
     if (next == content.children.end()) {
-      throw Failure{code::xacro_call,
-                    "Not enough blocks",
-                    at,
-                    {},
-                    {fmt::format("macro '{}' needs an element for its block '{}'", call.macro->name, parameter->name)}};
+      throw Failure{
+          code::xacro_call,
+          "Not enough blocks",
+          at,
+          {},
+          {fmt::format("macro '{}' needs an element for its block '{}'", call.macro->name, (*parameter)->name)}};
     }
     auto block = std::make_shared<const Block>(Block{std::make_shared<const Node>(std::move(*next)), nullptr, true});
-    scope.set(parameter->name, {std::move(block), false, at});
+    scope.set((*parameter)->name, {std::move(block), false, at});
     ++next;
     find_element();
     parameter = open.erase(parameter);
@@ -156,14 +158,14 @@ void Expander::bind_blocks(const Node& source, const Call& call, Scope& scope, s
   }
 }
 
-void Expander::bind_defaults(const Node& source, const Call& call, Scope& scope, std::vector<Parameter>& open) {
+void Expander::bind_defaults(const Node& source, const Call& call, Scope& scope, OpenParameters& open) {
   const Position at = place(source.at, call.body);
   std::string undefined;
-  for (const Parameter& parameter : open) {
-    if (parameter.has_default()) {
-      set_property(scope, parameter.name, default_of(parameter, call, at), false, at);
+  for (const Parameter* parameter : open) {
+    if (parameter->has_default()) {
+      set_property(scope, parameter->name, default_of(*parameter, call, at), false, at);
     } else {
-      undefined += (undefined.empty() ? "" : ",") + parameter.name;
+      undefined += (undefined.empty() ? "" : ",") + parameter->name;
     }
   }
   if (!undefined.empty()) {

@@ -15,8 +15,9 @@ void Expander::check_property_name(const std::string& name, const Position& at) 
   }
 }
 
-void Expander::define_property(const Node& source, const Context& context, Node& out, bool has_next) {
-  mark_.set(out, mark_.remove_comments(out, has_next));
+void Expander::define_property(const Node& source, const Context& context, Sink& out, bool has_next) {
+  const auto mark = mark_.remove_comments(out, has_next);
+  mark_.set(out, mark);
   const xml::Attribute& name_attribute = required(source, "name", context);
   check_attributes(source, {"name", "value", "default", "remove", "scope", "lazy_eval"}, context);
   const Position at = place(name_attribute.value_at, context);

@@ -58,8 +58,8 @@ xml::Document Expander::run() {
       target != nullptr && !target->value.empty()) {
     set_attribute(result.root, {"xmlns", text_of(target->value, target->value_at, top_), target->at, target->value_at});
   }
-  expand_children(source.root, context, result.root);
-  mark_.clean(result.root);
+  Sink sink{result.root, ++elements_};
+  expand_children(source.root, context, sink);
   return result;
 }
 
@@ -78,7 +78,7 @@ std::vector<std::string> Expander::location() const {
   return lines;
 }
 
-void Expander::expand_children(const Node& source, const Context& context, Node& out) {
+void Expander::expand_children(const Node& source, const Context& context, Sink& out) {
   bool comments_evaluated = false;
   for (std::size_t i = 0; i < source.children.size(); ++i) {
     const Node& child = source.children[i];
@@ -97,13 +97,13 @@ void Expander::expand_children(const Node& source, const Context& context, Node&
       default: {
         Node copy = child;
         copy.at = place(child.at, context);
-        emit(std::move(copy), out);
+        emit(std::move(copy), out.element);
       }
     }
   }
 }
 
-void Expander::expand_element(const Node& source, const Context& context, Node& out, bool has_next) {
+void Expander::expand_element(const Node& source, const Context& context, Sink& out, bool has_next) {
   if (!source.name.starts_with(kPrefix)) return expand_plain_element(source, context, out);
   const std::string_view tag = std::string_view(source.name).substr(kPrefix.size());
   if (tag == "property") return define_property(source, context, out, has_next);
@@ -118,27 +118,27 @@ void Expander::expand_element(const Node& source, const Context& context, Node& 
   call_macro(source, std::string(tag), context, out, has_next);
 }
 
-void Expander::expand_plain_element(const Node& source, const Context& context, Node& out) {
+void Expander::expand_plain_element(const Node& source, const Context& context, Sink& out) {
   const Level level(output_depth_, kMaxOutputDepth, "elements are nested too deeply");
   Node element;
   element.name = source.name;
   element.at = place(source.at, context);
   expand_attributes(source, context, element);
-  expand_children(source, context, element);
-  emit(std::move(element), out);
+  Sink sink{element, ++elements_};
+  expand_children(source, context, sink);
+  emit(std::move(element), out.element);
 }
 
-void Expander::expand_text(const Node& source, const Context& context, Node& out) {
-  if (mark_.is_stale(source)) return;  // of a block whose caller has gone on
+void Expander::expand_text(const Node& source, const Context& context, Sink& out) {
   Node text;
   text.kind = Node::Kind::text;
   text.at = place(source.at, context);
   text.text = text_of(source.text, text.at, *context.scope);
-  emit(std::move(text), out);
+  emit(std::move(text), out.element);
 }
 
 /// `<!-- xacro:eval-comments -->` switches the evaluation of the following comments on, `:off` switches it off.
-void Expander::expand_comment(const Node& source, const Context& context, Node& out, bool& is_evaluated) {
+void Expander::expand_comment(const Node& source, const Context& context, Sink& out, bool& is_evaluated) {
   if (source.text.find("xacro:eval-comments") != std::string::npos) {
     is_evaluated = source.text.find("xacro:eval-comments:off") == std::string::npos;
     return;
@@ -146,10 +146,10 @@ void Expander::expand_comment(const Node& source, const Context& context, Node& 
   Node comment = source;
   comment.at = place(source.at, context);
   if (is_evaluated) comment.text = text_of(source.text, comment.at, *context.scope);
-  emit(std::move(comment), out);
+  emit(std::move(comment), out.element);
 }
 
-void Expander::expand_condition(const Node& source, const Context& context, Node& out, bool has_next) {
+void Expander::expand_condition(const Node& source, const Context& context, Sink& out, bool has_next) {
   const auto mark = mark_.remove_comments(out, has_next);
   const xml::Attribute& value = required(source, "value", context);
   check_attributes(source, {"value"}, context);
@@ -158,16 +158,14 @@ void Expander::expand_condition(const Node& source, const Context& context, Node
   if (holds == (source.name == "xacro:if")) {
     // ROS xacro evaluates the attribute once more here; that shows only where a call has an effect.
     if (value.value.find('(') != std::string::npos) value_of(value.value, at, *context.scope);
-    Node content;
+    Sink content{out.element, out.id, out.end()};
     expand_children(source, context, content);
-    for (xml::Attribute& a : content.attributes) set_attribute(out, std::move(a));
-    move_children(content, out);
   }
   mark_.set(out, mark);
 }
 
 /// xacro:element: the element gets the name its attribute evaluates to, and is then processed as any other.
-void Expander::expand_renamed(const Node& source, const Context& context, Node& out, bool has_next) {
+void Expander::expand_renamed(const Node& source, const Context& context, Sink& out, bool has_next) {
   const xml::Attribute& name = required(source, "xacro:name", context);
   const Position at = place(name.value_at, context);
   Node renamed = source;
@@ -181,7 +179,7 @@ void Expander::expand_renamed(const Node& source, const Context& context, Node& 
 }
 
 /// xacro:attribute: sets an attribute of the element around it.
-void Expander::expand_attribute(const Node& source, const Context& context, Node& out) {
+void Expander::expand_attribute(const Node& source, const Context& context, Sink& out) {
   const xml::Attribute& name = required(source, "name", context);
   const xml::Attribute& value = required(source, "value", context);
   xml::Attribute attribute;
@@ -190,7 +188,7 @@ void Expander::expand_attribute(const Node& source, const Context& context, Node
   attribute.name = text_of(name.value, attribute.at, *context.scope);
   attribute.value = text_of(value.value, attribute.value_at, *context.scope);
   if (attribute.name.empty()) throw Failure{code::xacro_attribute, "xacro:attribute: empty name", attribute.at};
-  set_attribute(out, std::move(attribute));
+  set_attribute(out.element, std::move(attribute));
 }
 
 void Expander::expand_attributes(const Node& source, const Context& context, Node& out) {
@@ -203,18 +201,19 @@ void Expander::expand_attributes(const Node& source, const Context& context, Nod
   }
 }
 
-void Expander::expand_argument(const Node& source, const Context& context, Node& out, bool has_next) {
+void Expander::expand_argument(const Node& source, const Context& context, Sink& out, bool has_next) {
   const xml::Attribute& name = required(source, "name", context);
   const xml::Attribute& otherwise = required(source, "default", context);
   check_attributes(source, {"name", "default"}, context);
   if (!arguments_.contains(name.value)) {
     arguments_[name.value] = text_of(otherwise.value, place(otherwise.value_at, context), *context.scope);
   }
-  mark_.set(out, mark_.remove_comments(out, has_next));
+  const auto mark = mark_.remove_comments(out, has_next);
+  mark_.set(out, mark);
 }
 
 /// insert_block: evaluates the block's text again, with the names visible here.
-void Expander::expand_block(const Node& source, const Context& context, Node& out) {
+void Expander::expand_block(const Node& source, const Context& context, Sink& out) {
   const xml::Attribute& name = required(source, "name", context);
   check_attributes(source, {"name"}, context);
   const Position at = place(source.at, context);
@@ -229,9 +228,8 @@ void Expander::expand_block(const Node& source, const Context& context, Node& ou
   const std::shared_ptr<const Block> block = *held;
   const Context inner{context.scope, context.macros, block->via, block->is_placed};
   if (!content_only) return expand_plain_element(*block->node, inner, out);
-  Node content;
+  Sink content{out.element, out.id, out.end()};
   expand_children(*block->node, inner, content);
-  move_children(content, out);
 }
 
 void Expander::emit(Node node, Node& parent) {
@@ -242,15 +240,10 @@ void Expander::emit(Node node, Node& parent) {
   parent.children.push_back(std::move(node));
 }
 
-void Expander::move_children(Node& from, Node& to) {
-  to.children.insert(to.children.end(), std::make_move_iterator(from.children.begin()),
-                     std::make_move_iterator(from.children.end()));
-}
-
-/// Declarations of XML namespaces of a dropped element (of an included file, of a macro) go to its parent.
+/// Declarations of XML namespaces of a dropped element (of an included file, of a macro) go to the element around it.
 void Expander::lift_namespaces(const Node& from, Node& to, Position at) {
   for (const xml::Attribute& a : from.attributes) {
-    if (!a.name.starts_with("xmlns:")) continue;
+    if (!a.name.starts_with("xmlns:") || a.name == "xmlns:xacro") continue;
     const xml::Attribute* old = to.attribute(a.name);
     if (old != nullptr && old->value != a.value) {
       warn(code::xacro_namespace, at,

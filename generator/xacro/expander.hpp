@@ -43,47 +43,46 @@ class Expander : private Host, private SubstitutionHost {
   using Node = xml::Node;
 
   // ---- walking: expander.cpp ----
-  void expand_children(const Node& source, const Context& context, Node& out);
-  void expand_element(const Node& source, const Context& context, Node& out, bool has_next);
-  void expand_plain_element(const Node& source, const Context& context, Node& out);
-  void expand_text(const Node& source, const Context& context, Node& out);
-  void expand_comment(const Node& source, const Context& context, Node& out, bool& is_evaluated);
-  void expand_condition(const Node& source, const Context& context, Node& out, bool has_next);
-  void expand_renamed(const Node& source, const Context& context, Node& out, bool has_next);
-  void expand_attribute(const Node& source, const Context& context, Node& out);
+  void expand_children(const Node& source, const Context& context, Sink& out);
+  void expand_element(const Node& source, const Context& context, Sink& out, bool has_next);
+  void expand_plain_element(const Node& source, const Context& context, Sink& out);
+  void expand_text(const Node& source, const Context& context, Sink& out);
+  void expand_comment(const Node& source, const Context& context, Sink& out, bool& is_evaluated);
+  void expand_condition(const Node& source, const Context& context, Sink& out, bool has_next);
+  void expand_renamed(const Node& source, const Context& context, Sink& out, bool has_next);
+  void expand_attribute(const Node& source, const Context& context, Sink& out);
   void expand_attributes(const Node& source, const Context& context, Node& out);
-  void expand_argument(const Node& source, const Context& context, Node& out, bool has_next);
-  void expand_block(const Node& source, const Context& context, Node& out);
+  void expand_argument(const Node& source, const Context& context, Sink& out, bool has_next);
+  void expand_block(const Node& source, const Context& context, Sink& out);
   void emit(Node node, Node& parent);
-  void move_children(Node& from, Node& to);
   void lift_namespaces(const Node& from, Node& to, Position at);
 
   // ---- properties: expand_property.cpp ----
-  void define_property(const Node& source, const Context& context, Node& out, bool has_next);
+  void define_property(const Node& source, const Context& context, Sink& out, bool has_next);
   void store_property(const Node& source, const Context& context, const std::string& name);
   void check_property_name(const std::string& name, const Position& at) const;
   void set_property(Scope& scope, const std::string& name, Value value, bool is_unevaluated, Position at);
 
   // ---- macros: expand_macro.cpp ----
+  using OpenParameters = std::vector<const Parameter*>;  // that have no value yet
   struct Call {
     std::shared_ptr<const Macro> macro;
     Context arguments;  ///< where arguments and blocks are evaluated
     Context body;       ///< what encloses the scope of the body
   };
-  void define_macro(const Node& source, const Context& context, Node& out, bool has_next);
-  void call_by_name(const Node& source, const Context& context, Node& out, bool has_next);
-  void call_macro(const Node& source, const std::string& name, const Context& context, Node& out, bool has_next);
-  void run_macro(const Node& source, const Call& call, Node& out);
-  void bind_arguments(const Node& source, const Call& call, Scope& scope, std::vector<Parameter>& open);
-  void bind_blocks(const Node& source, const Call& call, Scope& scope, std::vector<Parameter>& open);
-  void bind_defaults(const Node& source, const Call& call, Scope& scope, std::vector<Parameter>& open);
+  void define_macro(const Node& source, const Context& context, Sink& out, bool has_next);
+  void call_by_name(const Node& source, const Context& context, Sink& out, bool has_next);
+  void call_macro(const Node& source, const std::string& name, const Context& context, Sink& out, bool has_next);
+  void run_macro(const Node& source, const Call& call, Sink& out);
+  void bind_arguments(const Node& source, const Call& call, Scope& scope, OpenParameters& open);
+  void bind_blocks(const Node& source, const Call& call, Scope& scope, OpenParameters& open);
+  void bind_defaults(const Node& source, const Call& call, Scope& scope, OpenParameters& open);
   Value default_of(const Parameter& parameter, const Call& call, const Position& at);
   void release(std::unique_ptr<Scope> scope, std::unique_ptr<MacroScope> macros);
 
   // ---- includes: expand_include.cpp ----
-  void expand_include(const Node& source, const Context& context, Node& out, bool has_next);
-  void include_file(const Node& source, const std::string& file, bool is_optional, const Context& context,
-                    Node& content, Node& out);
+  void expand_include(const Node& source, const Context& context, Sink& out, bool has_next);
+  void include_file(const Node& source, const std::string& file, bool is_optional, const Context& context, Sink& out);
   std::vector<std::string> files_of(const std::string& specification, const Position& at);
   Context inside_of(const std::string& name_space, const Context& context);
   const xml::Document* read_document(const std::string& file, const Position& at);
@@ -143,6 +142,7 @@ class Expander : private Host, private SubstitutionHost {
   std::vector<std::string> files_;        // the file being processed, last
   std::vector<const Macro*> calls_open_;  // the macro being expanded, last
   Position current_;                      // of the text being evaluated
+  std::uint64_t elements_ = 0;            // built so far
   std::size_t calls_ = 0;
   std::size_t output_size_ = 0;
   std::size_t output_depth_ = 0;

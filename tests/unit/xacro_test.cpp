@@ -1,0 +1,350 @@
+// Documents: positions, messages and bounds. What is expanded to what is in tests/xacro-cases.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "catch.hpp"
+#include "generator/diagnostic/render.hpp"
+#include "generator/xacro/command.hpp"
+#include "generator/xacro/expand.hpp"
+#include "generator/xml/write.hpp"
+
+using namespace finemote::gen;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Expanded {
+  Sources sources;
+  Diagnostics diagnostics;
+  xacro::Dependencies dependencies;
+  std::optional<xml::Document> document;
+  [[nodiscard]] std::string report() const { return render_text(diagnostics, false); }
+  [[nodiscard]] std::string text() const { return document ? xml::write(document->root) : report(); }
+};
+
+/// Expands a root element with this content.
+Expanded expand(const std::string& content, const xacro::Arguments& arguments = {}) {
+  Expanded e;
+  const std::string text = "<r xmlns:xacro='http://www.ros.org/wiki/xacro'>" + content + "</r>";
+  const SourceFile* file = e.sources.add(SourceFile{"in.xacro", "in.xacro", text});
+  e.document = xacro::expand(*file, arguments, {}, e.sources, e.diagnostics, e.dependencies);
+  return e;
+}
+
+/// A folder of files that exists as long as the test needs it.
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / "finemote_xacro_test") {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  void add(const std::string& name, const std::string& content) const {
+    fs::create_directories((path_ / name).parent_path());
+    std::ofstream(path_ / name, std::ios::binary) << content;
+  }
+  [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+struct Run {
+  int status;
+  std::string out;
+  std::string err;
+};
+
+Run run(const xacro::XacroOptions& options) {
+  std::ostringstream out;
+  std::ostringstream err;
+  const int status = xacro::run_xacro(options, out, err);
+  return {status, out.str(), err.str()};
+}
+
+xacro::XacroOptions options_for(const std::string& input) {
+  xacro::XacroOptions options;
+  options.input = input;
+  return options;
+}
+
+std::string document(const std::string& content) {
+  return "<r xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n" + content + "\n</r>\n";
+}
+
+}  // namespace
+
+TEST_CASE("xacro: an element from a macro knows where it is written and where the macro was called") {
+  const auto e = expand("\n<xacro:macro name='m' params='n'>\n  <link name='${n}'/>\n</xacro:macro>\n<xacro:m n='a'/>");
+  REQUIRE(e.document);
+  const auto& children = e.document->root.children;
+  const auto link = std::find_if(children.begin(), children.end(), [](const auto& n) { return n.is_element("link"); });
+  REQUIRE(link != children.end());
+  CHECK(link->at.line == 3);
+  CHECK(link->at.column == 3);
+  REQUIRE(link->at.via != nullptr);
+  CHECK(link->at.via->name == "m");
+  CHECK(link->at.via->at.line == 5);
+  CHECK(link->at.via->at.via == nullptr);
+  CHECK(link->attributes.at(0).value_at.column == 15);
+  CHECK(link->attributes.at(0).value_at.via == link->at.via);
+}
+
+TEST_CASE("xacro: a block keeps the place where its caller wrote it") {
+  const auto e = expand(
+      "\n<xacro:macro name='m' params='*b'><xacro:insert_block name='b'/></xacro:macro>\n<xacro:m><o/></xacro:m>");
+  REQUIRE(e.document);
+  const auto& children = e.document->root.children;
+  const auto block = std::find_if(children.begin(), children.end(), [](const auto& n) { return n.is_element("o"); });
+  REQUIRE(block != children.end());
+  CHECK(block->at.line == 3);
+  CHECK(block->at.via == nullptr);
+}
+
+TEST_CASE("xacro: an error inside macros and includes names the text and the whole way to it") {
+  const Folder folder;
+  folder.add("in.xacro", document("<xacro:include filename=\"lib.xacro\"/>\n<xacro:outer/>"));
+  folder.add("lib.xacro", document("<xacro:macro name=\"inner\"><a v=\"1 ${nope}\"/></xacro:macro>\n"
+                                   "<xacro:macro name=\"outer\"><xacro:inner/></xacro:macro>"));
+  const auto r = run(options_for(folder / "in.xacro"));
+  CHECK(r.status == 2);
+  CHECK(r.out.empty());
+  CHECK(r.err == (folder / "lib.xacro") +
+                     ":2:35: error[FM1010]: name 'nope' is not defined when evaluating expression 'nope'\n"
+                     "    2 | <xacro:macro name=\"inner\"><a v=\"1 ${nope}\"/></xacro:macro>\n"
+                     "      |                                   ^\n" +
+                     "  note: expanded from macro 'inner' at " + (folder / "lib.xacro") + ":3:27\n" +
+                     "  note: expanded from macro 'outer' at " + (folder / "in.xacro") + ":3:1\n");
+}
+
+TEST_CASE("xacro: a lazy property is blamed where it is written") {
+  const auto e = expand("\n<xacro:property name='p' value='${1/0}'/>\n<a v='${p + 1}'/>");
+  CHECK(
+      e.report().find("in.xacro:2:33: error[FM1010]: division by zero when evaluating expression '1/0' when evaluating "
+                      "expression 'p + 1'") == 0);
+  CHECK(e.report().find("note: needed for 'p + 1' (in.xacro:3:7)") != std::string::npos);
+}
+
+TEST_CASE("xacro: a missing argument of a macro is answered with what to write") {
+  const auto e = expand("<xacro:macro name='m' params='a b'/><xacro:m a='1'/>");
+  CHECK(e.report().find("error[FM1024]: Undefined parameters [b]") != std::string::npos);
+  CHECK(e.report().find("hint: add for example b=\"...\" to the call of 'm'") != std::string::npos);
+}
+
+TEST_CASE("xacro: arguments of a call into a namespace see the namespace first, then the caller") {
+  const Folder folder;
+  folder.add("lib.xacro", document("<xacro:property name=\"x\" value=\"lib\"/>"
+                                   "<xacro:macro name=\"m\" params=\"v\"><a v=\"${v}\"/></xacro:macro>"));
+  folder.add(
+      "in.xacro",
+      document("<xacro:include filename=\"lib.xacro\" ns=\"L\"/>"
+               "<xacro:macro name=\"o\" params=\"x y\"><xacro:L.m v=\"${x}\"/><xacro:L.m v=\"${y}\"/></xacro:macro>"
+               "<xacro:o x=\"1\" y=\"2\"/>"));
+  const auto r = run(options_for(folder / "in.xacro"));
+  CHECK(r.out.find("<a v=\"lib\"/>") != std::string::npos);
+  CHECK(r.out.find("<a v=\"2\"/>") != std::string::npos);
+}
+
+TEST_CASE("xacro: parameters of macros") {
+  const auto call = [](const std::string& parameters, const std::string& arguments = "") {
+    return expand("<xacro:property name='p' value='P'/><xacro:macro name='m' params=\"" + parameters +
+                  "\"><x a='${a}'/></xacro:macro><xacro:m " + arguments + "/>")
+        .text();
+  };
+  const auto gives = [&](const std::string& parameters, const std::string& value) {
+    return call(parameters).find("<x a=\"" + value + "\"/>") != std::string::npos;
+  };
+  CHECK(gives("a:=1.50", "1.5"));
+  CHECK(gives("a=b", "b"));
+  CHECK(gives("a:='x  y' b:=1", "x  y"));
+  CHECK(gives("a:=${p}_1", "P_1"));
+  CHECK(gives("a:=${[1, 2]} b:=2", "[1, 2]"));
+  CHECK(gives("a:=^|none", "none"));
+  CHECK(gives("a:=''", ""));
+  CHECK(gives("a:=", ""));
+  CHECK(gives(" b:=2   a:=3 ", "3"));
+  CHECK(call("a:=^").find("Undefined property to forward: a") != std::string::npos);
+  CHECK(call("a", "a='1' c='2'").find("Invalid parameter \"c\"") != std::string::npos);
+}
+
+TEST_CASE("xacro: xacro:attribute inside a condition reaches the element") {
+  CHECK(expand("<a><xacro:if value='1'><xacro:attribute name='b' value='${1+1}'/></xacro:if></a>").text() ==
+        "<r>\n  <a b=\"2\"/>\n</r>\n");
+}
+
+TEST_CASE("xacro: limits end what does not end by itself, with a place") {
+  const auto ends = [](const Expanded& e, const std::string& words) {
+    CAPTURE(e.report().substr(0, 300));
+    return !e.document && e.report().find("in.xacro:1:") == 0 && e.report().find(words) != std::string::npos;
+  };
+  CHECK(ends(expand("<xacro:macro name='m'><xacro:m/></xacro:macro><xacro:m/>"), "maximum recursion depth exceeded"));
+  CHECK(ends(expand("<xacro:macro name='m'><a><xacro:m/></a></xacro:macro><xacro:m/>"), "FM1011"));
+  CHECK(ends(
+      expand("<xacro:macro name='m' params='n'><xacro:if value='${n > 0}'><xacro:m n='${n-1}'/><xacro:m n='${n-1}'/>"
+             "</xacro:if></xacro:macro><xacro:m n='60'/>"),
+      "macro calls"));
+  CHECK(ends(
+      expand("<xacro:property name='b'><xacro:insert_block name='b'/></xacro:property><xacro:insert_block name='b'/>"),
+      "inserts itself"));
+  CHECK(ends(expand("<xacro:property name='a' value='${b}'/><xacro:property name='b' value='${a}'/><x v='${a}'/>"),
+             "circular variable definition: a -> b -> a"));
+  std::string chain = "<xacro:property name='p0' value='${[1]}'/>";
+  for (int i = 1; i < 60; ++i) {
+    const std::string before = "p" + std::to_string(i - 1);
+    chain += "<xacro:property name='p" + std::to_string(i) + "' value='${" + before + "+" + before + "}'/>";
+  }
+  CHECK(ends(expand(chain + "<x v='${p59}'/>"), "FM1011"));
+}
+
+TEST_CASE("xacro: a thousand nested calls and elements are no problem") {
+  const auto e = expand(
+      "<xacro:macro name='m' params='n'><a><xacro:if value='${n > 1}'><xacro:m n='${n-1}'/></xacro:if></a>"
+      "</xacro:macro><xacro:m n='1000'/>");
+  REQUIRE(e.document);
+  std::size_t depth = 0;
+  for (const xml::Node* n = &e.document->root; !n->children.empty(); n = &n->children[0]) ++depth;
+  CHECK(depth == 1000);
+}
+
+TEST_CASE("xacro: include cycles end with the way they took") {
+  const Folder folder;
+  folder.add("a.xacro", document("<xacro:include filename=\"b.xacro\"/>"));
+  folder.add("b.xacro", document("<xacro:include filename=\"a.xacro\"/>"));
+  const auto r = run(options_for(folder / "a.xacro"));
+  CHECK(r.status == 2);
+  CHECK(r.err.find("FM1011") != std::string::npos);
+  CHECK(r.err.find("included as '" + (folder / "b.xacro")) != std::string::npos);
+}
+
+TEST_CASE("xacro: files that cannot be read") {
+  const Folder folder;
+  folder.add("in.xacro", document("<xacro:include filename=\"none.xacro\"/>"));
+  folder.add("optional.xacro", document("<xacro:include filename=\"none.xacro\" optional=\"true\"/><a/>"));
+  folder.add("broken.xacro", document("<xacro:include filename=\"bad.xacro\" optional=\"true\"/>"));
+  folder.add("bad.xacro", "<r>\n  <a>\n</r>");
+  folder.add("bytes.xacro", document("<xacro:include filename=\"latin.xacro\"/>"));
+  folder.add("latin.xacro", "<r>\xE9</r>");
+  CHECK(run(options_for(folder / "in.xacro")).err.find(":2:1: error[FM1027]: No such file or directory: ") !=
+        std::string::npos);
+  CHECK(run(options_for(folder / "optional.xacro")).status == 0);
+  const auto broken = run(options_for(folder / "broken.xacro"));
+  CHECK(broken.status == 2);
+  CHECK(broken.err.find((folder / "bad.xacro") +
+                        ":3:3: error[FM1001]: XML parsing error: mismatched tag: line 3, column 2") == 0);
+  CHECK(broken.err.find("note: included as") != std::string::npos);
+  CHECK(run(options_for(folder / "bytes.xacro")).err.find((folder / "latin.xacro") + ":1:4: error[FM0004]") == 0);
+  CHECK(run(options_for(folder / "missing.xacro")).err.find("error[FM0002]: cannot read") != std::string::npos);
+  CHECK(run(options_for(folder / "missing.xacro")).status == 2);
+}
+
+TEST_CASE("xacro: packages are found by the first of four ways") {
+  const Folder folder;
+  const auto package = [&](const std::string& path, const std::string& name) {
+    folder.add(path + "/package.xml",
+               "<?xml version=\"1.0\"?><package><!-- <name>no</name> --><name> " + name + "\n</name></package>");
+  };
+  package("ws/src/deep/arm", "arm_description");
+  package("ws/src/deep/arm/inner", "hidden");
+  package("ws/src/other", "arm_description");
+  package("own", "own_pkg");
+  folder.add("own/urdf/in.xacro", "<r/>");
+  folder.add("prefix/share/base/x", "");
+  folder.add("ws/src/skipped/COLCON_IGNORE", "");
+  package("ws/src/skipped/pkg", "skipped_pkg");
+
+  xacro::PackagePath packages;
+  packages.add_ros_path(folder / "ws");
+  packages.add_ament_path(folder / "prefix");
+  packages.set_entry(folder / "own/urdf/in.xacro");
+  REQUIRE(packages.find("arm_description"));
+  CHECK(packages.find("arm_description")->folder == folder / "ws/src/deep/arm");
+  CHECK(packages.find("arm_description")->others == std::vector<std::string>{folder / "ws/src/other"});
+  CHECK(packages.find("base")->folder == folder / "prefix/share/base");
+  CHECK(packages.find("own_pkg")->folder == folder / "own");
+  CHECK_FALSE(packages.find("hidden"));
+  CHECK_FALSE(packages.find("skipped_pkg"));
+  CHECK_FALSE(packages.find("../share"));
+  packages.add("arm_description", "/given");
+  CHECK(packages.find("arm_description")->folder == "/given");
+}
+
+TEST_CASE("xacro: a missing package is an error with a hint") {
+  const auto e = expand("<a v='$(find nowhere)/x'/>");
+  CHECK(e.report().find("in.xacro:1:") == 0);
+  CHECK(e.report().find("error[FM1016]: package 'nowhere' not found") != std::string::npos);
+  CHECK(e.report().find("--package nowhere=FOLDER") != std::string::npos);
+}
+
+TEST_CASE("xacro: YAML aliases cost nothing, and mistakes are located") {
+  const Folder folder;
+  std::string bomb = "a0: &a0 [x, x]\n";
+  for (int i = 1; i < 40; ++i) {
+    const std::string n = std::to_string(i);
+    const std::string before = "*a" + std::to_string(i - 1);
+    bomb += "a" + n + ": &a" + n + " [" + before + ", " + before + "]\n";
+  }
+  folder.add("bomb.yaml", bomb);
+  folder.add("len.xacro", document("<a v=\"${len(xacro.load_yaml('bomb.yaml').a39)}\"/>"));
+  folder.add("print.xacro", document("<a v=\"${xacro.load_yaml('bomb.yaml')}\"/>"));
+  folder.add("bad.yaml", "a: 1\nb: [1, 2\nc: 3\n");
+  folder.add("bad.xacro", document("<a v=\"${xacro.load_yaml('bad.yaml')}\"/>"));
+  folder.add("self.yaml", "a: &a [*a]\n");
+  folder.add("self.xacro", document("<a v=\"${xacro.load_yaml('self.yaml')}\"/>"));
+  folder.add("deep.yaml", std::string(3000, '[') + std::string(3000, ']'));
+  folder.add("deep.xacro", document("<a v=\"${xacro.load_yaml('deep.yaml')}\"/>"));
+  CHECK(run(options_for(folder / "len.xacro")).out.find("<a v=\"2\"/>") != std::string::npos);
+  CHECK(run(options_for(folder / "print.xacro")).err.find("error[FM1011]") != std::string::npos);
+  CHECK(run(options_for(folder / "bad.xacro"))
+            .err.find((folder / "bad.yaml") + ":3:2: error[FM1028]: cannot parse YAML") == 0);
+  CHECK(run(options_for(folder / "self.xacro")).err.find("found unconstructable recursive node") != std::string::npos);
+  CHECK(run(options_for(folder / "deep.xacro")).err.find("error[FM1028]") != std::string::npos);
+}
+
+TEST_CASE("xacro: the command writes nothing on failure, and makes folders on success") {
+  const Folder folder;
+  folder.add("bad.xacro", document("${"));
+  folder.add("good.xacro", document("<xacro:include filename=\"part.xacro\"/><v>${xacro.load_yaml('v.yaml')}</v>"));
+  folder.add("part.xacro", document("<p/>"));
+  folder.add("v.yaml", "3");
+  xacro::XacroOptions options = options_for(folder / "bad.xacro");
+  options.output = folder / "new/out.urdf";
+  CHECK(run(options).status == 2);
+  CHECK_FALSE(fs::exists(folder / "new"));
+  options.input = folder / "good.xacro";
+  const auto good = run(options);
+  CHECK(good.status == 0);
+  CHECK(good.out.empty());
+  CHECK(fs::exists(folder / "new/out.urdf"));
+  CHECK(fs::exists(folder / "new/out.urdf.tmp") == false);
+
+  options.output.clear();
+  options.only_dependencies = true;
+  CHECK(run(options).out == (folder / "part.xacro") + " " + (folder / "v.yaml"));
+}
+
+TEST_CASE("xacro: arguments are read as ROS reads them") {
+  xacro::Arguments arguments;
+  CHECK(xacro::add_argument("a:= 1 ", arguments));
+  CHECK(xacro::add_argument("b:=", arguments));
+  CHECK(xacro::add_argument("_private:=1", arguments));
+  CHECK(xacro::add_argument("__name:=1", arguments));
+  CHECK_FALSE(xacro::add_argument("a=1", arguments));
+  CHECK(arguments == xacro::Arguments{{"__name", "1"}, {"a", "1"}});
+}
+
+TEST_CASE("xacro: warnings do not fail, and -q drops them") {
+  const Folder folder;
+  folder.add("in.xacro", document("<xacro:property name=\"pi\" value=\"3\" extra=\"1\"/>"));
+  xacro::XacroOptions options = options_for(folder / "in.xacro");
+  const auto loud = run(options);
+  CHECK(loud.status == 0);
+  CHECK(loud.err.find(":2:34: warning[FM1051]: redefining global symbol: pi") != std::string::npos);
+  CHECK(loud.err.find("warning[FM1050]: xacro:property: unknown attribute(s): extra") != std::string::npos);
+  options.verbosity = 0;
+  CHECK(run(options).err.empty());
+}
