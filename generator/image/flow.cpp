@@ -141,6 +141,12 @@ bool loads_pc(const cs_insn& instruction) {
   }
 }
 
+// `ldr.w pc, [r2, r3, lsl #2]`: a table of addresses that follows the instruction.
+bool is_word_table(const cs_arm& arm) {
+  return arm.op_count == 2 && is_register(arm, 0, ARM_REG_PC) && arm.operands[1].type == ARM_OP_MEM &&
+         arm.operands[1].mem.index != ARM_REG_INVALID && arm.operands[1].shift.value == 2;
+}
+
 void flow_change(const cs_insn& instruction, Step& step) {
   const cs_arm& arm = instruction.detail->arm;
   const auto target = [&](unsigned operand) { return static_cast<std::uint32_t>(arm.operands[operand].imm) & ~1U; };
@@ -174,6 +180,7 @@ void flow_change(const cs_insn& instruction, Step& step) {
     case ARM_INS_ADD:
       if (!is_register(arm, 0, ARM_REG_PC)) return;
       step.falls_through = step.conditional;
+      if (is_word_table(arm)) return;
       if (instruction.id != ARM_INS_LDR || arm.operands[1].mem.base != ARM_REG_SP) {
         step.problem = fmt::format("'{} {}' jumps to an unknown place", instruction.mnemonic, instruction.op_str);
       }
@@ -245,6 +252,7 @@ class Body {
     stack_change(instruction, step);
     flow_change(instruction, step);
     if (instruction.id == ARM_INS_TBB || instruction.id == ARM_INS_TBH) table_branch(instruction, step);
+    if (instruction.id == ARM_INS_LDR && is_word_table(instruction.detail->arm)) word_table(instruction, step);
     return step;
   }
 
@@ -264,6 +272,18 @@ class Body {
       const std::uint32_t half =
           width == 2 ? low | static_cast<std::uint32_t>(static_cast<std::uint8_t>(entry[1])) << 8 : low;
       step.table.push_back(table + 2 * half);
+    }
+  }
+
+  void word_table(const cs_insn& instruction, Step& step) {
+    const std::uint32_t table = (static_cast<std::uint32_t>(instruction.address) + instruction.size + 3) & ~3U;
+    for (std::uint32_t i = 0; i <= std::min(compared_, 1024U); ++i) {
+      const auto target = image_.word(table + 4 * i);
+      if (!target || !contains(*target & ~1U)) {
+        step.problem = "a branch table of unknown size";
+        return;
+      }
+      step.table.push_back(*target & ~1U);
     }
   }
 

@@ -1,7 +1,6 @@
 #include "generator/image/stack.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 
@@ -60,7 +59,8 @@ class Analysis {
     const ImageSymbol* schedule = image_.find("finemote_schedule");
     if (schedule == nullptr) return;
     const auto word = [&](std::uint32_t at) { return image_.word(schedule->address + at).value_or(0); };
-    for (const std::uint32_t at : {kStartBusesAt, kSafeOutputsAt}) table_.push_back(word(at) & ~1U);
+    start_buses_ = word(kStartBusesAt) & ~1U;
+    safe_outputs_ = word(kSafeOutputsAt) & ~1U;
     const std::uint32_t count = std::min<std::uint32_t>(word(kBucketCountAt), 16);
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::uint32_t bucket = word(kBucketsAt) + i * kBucketSize;
@@ -143,10 +143,9 @@ class Analysis {
   std::vector<std::uint32_t> targets_of(const Call& call, const std::string& caller) {
     if (call.target) return {*call.target};
     if (caller == "finemote_reset") return constructors();
-    constexpr std::array allowed{"main", "finemote::stop_safely(", "finemote::detail::start_robot("};
-    for (const char* name : allowed) {
-      if (caller.rfind(name, 0) == 0) return table_;
-    }
+    if (caller == "main" || caller.rfind("finemote::detail::start_robot(", 0) == 0)
+      return {start_buses_, safe_outputs_};
+    if (caller.rfind("finemote::stop_safely(", 0) == 0) return {safe_outputs_};
     fail(code::indirect_call, fmt::format("'{}' calls through a pointer at 0x{:08x}", caller, call.at))
         .hint("the stack of an unknown function has no bound: call it directly");
     return {};
@@ -174,7 +173,7 @@ class Analysis {
   Diagnostics& diagnostics_;
   std::map<std::uint32_t, const ImageSymbol*> functions_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> buckets_;  // line, entry
-  std::vector<std::uint32_t> table_;                              // functions the runtime calls through the schedule
+  std::uint32_t start_buses_ = 0, safe_outputs_ = 0;              // what the runtime calls through the schedule
   std::map<std::uint32_t, Deepest> done_;
   std::set<std::uint32_t> open_;
   std::vector<std::string> trail_;
