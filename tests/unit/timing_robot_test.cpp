@@ -1,0 +1,108 @@
+// The timing of the example robots, from their URDF.
+#include <sstream>
+
+#include "catch.hpp"
+#include "generator/descriptor/library.hpp"
+#include "generator/diagnostic/render.hpp"
+#include "generator/forest/forest.hpp"
+#include "generator/model/build.hpp"
+#include "generator/schedule/schedule.hpp"
+#include "generator/simulate/command.hpp"
+#include "generator/timing/command.hpp"
+#include "generator/timing/from_robot.hpp"
+#include "generator/timing/table.hpp"
+#include "generator/xml/parse.hpp"
+#include "generator/xml/read_source.hpp"
+
+using namespace finemote::gen;
+using namespace finemote::gen::timing;
+
+namespace {
+
+const std::string kSource = FINEMOTE_SOURCE_DIR;
+
+struct Robots {
+  Sources sources;
+  Diagnostics diagnostics;
+  std::optional<Library> library;
+  std::optional<Robot> robot;
+  Forest forest;
+  Schedule schedule;
+  timing::Model model;
+
+  explicit Robots(const std::string& name, const RobotTimingOptions& options = {}) {
+    library = load_library({kSource, kSource + "/examples", {}}, sources, diagnostics);
+    REQUIRE(library);
+    const SourceFile* file = xml::read_source(kSource + "/examples/" + name, sources, diagnostics, name);
+    REQUIRE(file);
+    const auto document = xml::parse(*file, diagnostics);
+    REQUIRE(document);
+    robot = build_model(*document, *library, {}, sources, diagnostics);
+    INFO(render_text(diagnostics, false));
+    REQUIRE(robot);
+    forest = build_forest(*robot);
+    schedule = plan_schedule(*robot, forest, diagnostics);
+    model = make_timing_model(*robot, forest, schedule, options);
+  }
+};
+
+const ChainResult& chain(const Timing& timing, const std::string& from, const std::string& to) {
+  for (const ChainResult& c : timing.chains) {
+    if (timing.model.devices[c.from].name == from && timing.model.devices[c.to].name == to) return c;
+  }
+  FAIL("no chain " << from << " -> " << to);
+  return timing.chains.front();
+}
+
+}  // namespace
+
+TEST_CASE("finsrov is schedulable with the costs of the board, and keeps its requirements") {
+  Robots finsrov("finsrov.urdf");
+  REQUIRE(finsrov.model.devices.size() == 14);
+  CHECK(finsrov.model.devices.front().name == "imu");
+  CHECK(finsrov.model.devices.back().name == "rov");
+  CHECK(finsrov.model.buses.size() == 3);
+  AnalysisRequest request;
+  request.requirements = timing_requirements(*finsrov.robot, finsrov.forest);
+  REQUIRE(request.requirements.size() == 2);
+  request.chains = {{0, 5}};
+  Diagnostics diagnostics;
+  const auto timing = analyse(finsrov.model, request, diagnostics);
+  INFO(render_text(diagnostics, false));
+  REQUIRE(timing);
+  INFO(timing_table(*timing));
+  CHECK(timing->asked == Profile::target);
+  CHECK(timing->schedulable);
+  CHECK(timing->requirements_hold());
+  CHECK(timing->chains.size() == 9);  // eight thrusters, and the one asked for
+
+  // Costs come on top of the work alone, whatever the interrupts do.
+  for (std::size_t d = 0; d < 14; ++d) {
+    CHECK(timing->target->devices[d].b_minus_ns > timing->tight.devices[d].b_minus_ns);
+    CHECK(*timing->target->devices[d].r_minus_ns > timing->target->devices[d].b_minus_ns);
+  }
+  // The sensor with the oldest data is asked for its pressure; the attitude comes by itself.
+  const ChainResult& attitude = chain(*timing, "imu", "thruster_1");
+  CHECK(*attitude.acquire_ns >= 5'000'000 + 1'000'000 + 67 * 10 * std::int64_t{1'000'000'000} / 921'600);
+  CHECK(*attitude.wire_ns >= 33 * 9 * 2'500);  // the burst to eight channels
+  CHECK(*attitude.end_to_end_ns == *attitude.acquire_ns + *attitude.decide_ns + *attitude.wire_ns);
+}
+
+TEST_CASE("finsrov simulates below its bounds") {
+  Robots finsrov("finsrov.urdf");
+  SimulateOptions options;
+  options.duration_ns = 2'000'000'000;
+  std::ostringstream out, trace;
+  options.trace = &trace;
+  Diagnostics diagnostics;
+  const int status = run_simulate(finsrov.model, options, diagnostics, out);
+  INFO(out.str());
+  CHECK(status == 0);
+  const auto events = nlohmann::json::parse(trace.str());
+  CHECK(events["traceEvents"].size() > 1000);
+}
+
+TEST_CASE("tracing costs time") {
+  Robots plain("finsrov.urdf"), traced("finsrov.urdf", {true, {}});
+  CHECK(traced.model.costs.stage_ns > plain.model.costs.stage_ns);
+}
