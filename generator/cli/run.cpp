@@ -4,18 +4,19 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <numeric>
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/exit_status.hpp"
 #include "generator/cli/finish.hpp"
 #include "generator/cli/load.hpp"
-#include "generator/output/sha256.hpp"
 #include "generator/output/write.hpp"
 #include "generator/run/build_firmware.hpp"
+#include "generator/run/emulate.hpp"
 #include "generator/run/execute.hpp"
-#include "generator/run/measure.hpp"
-#include "generator/schedule/period.hpp"
+#include "generator/run/report.hpp"
+#include "generator/timing/from_robot.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
@@ -49,13 +50,6 @@ class WorkFolder {
   bool keep_;
 };
 
-/// A measured chain.
-struct Chain {
-  std::size_t from = 0, to = 0;
-  ChainPath path;
-  Statistics decide;
-};
-
 /// Least common multiple of the periods; none beyond `limit`.
 std::optional<std::int64_t> hyperperiod(const Schedule& schedule, std::int64_t limit) {
   std::int64_t result = 1;
@@ -82,143 +76,6 @@ std::optional<std::int64_t> duration_of(Context& context, const Schedule& schedu
   context.diagnostics.error(code::usage, {}, fmt::format("--duration '{}' is no time above zero", context.options.duration))
       .hint("write for example --duration 100ms");
   return std::nullopt;
-}
-
-/// The devices whose handle() ends a chain: leaves that take a command, or the root of a tree without one.
-std::vector<std::size_t> chain_ends(const Loaded& loaded, const Tree& tree) {
-  std::vector<std::size_t> ends;
-  for (std::size_t device : tree.devices) {
-    const Device& d = loaded.robot.devices[device];
-    if (d.children.empty() && d.type->has_command()) ends.push_back(device);
-  }
-  if (ends.empty()) ends.push_back(tree.root);
-  return ends;
-}
-
-/// For every end the leaf of its tree whose data reached it oldest.
-std::vector<Chain> measure_chains(const Loaded& loaded, const RunRecord& record) {
-  std::vector<Chain> chains;
-  for (const Tree& tree : loaded.forest.trees) {
-    for (std::size_t end : chain_ends(loaded, tree)) {
-      std::optional<Chain> worst;
-      for (std::size_t leaf : tree.devices) {
-        if (!loaded.robot.devices[leaf].children.empty()) continue;
-        auto path = find_chain(loaded.robot, leaf, end);
-        if (!path) continue;
-        Chain chain{leaf, end, *path, summarize(decision_latencies(record, *path))};
-        if (!worst || chain.decide.max_ns > worst->decide.max_ns) worst = std::move(chain);
-      }
-      if (worst) chains.push_back(std::move(*worst));
-    }
-  }
-  return chains;
-}
-
-const std::string& name_of(const Loaded& loaded, std::size_t device) { return loaded.robot.devices[device].name.text; }
-
-Json statistics(const Statistics& s) {
-  const bool any = s.count > 0;
-  return {{"min_ns", any ? Json(s.min_ns) : Json(nullptr)},
-          {"mean_ns", any ? Json(s.mean_ns) : Json(nullptr)},
-          {"sd_ns", any ? Json(s.sd_ns) : Json(nullptr)},
-          {"max_ns", any ? Json(s.max_ns) : Json(nullptr)},
-          {"bound_ns", nullptr}};
-}
-
-Json stage_list(const Loaded& loaded, const RunRecord& record) {
-  Json list = Json::array();
-  for (std::size_t device : loaded.forest.order) {
-    for (const bool is_handle : {false, true}) {
-      const Statistics s = summarize(stage_times(record, device, is_handle));
-      const bool any = s.count > 0;
-      list.push_back({{"device", name_of(loaded, device)},
-                      {"stage", is_handle ? "handle" : "update"},
-                      {"count", s.count},
-                      {"min_ns", any ? Json(s.min_ns) : Json(nullptr)},
-                      {"mean_ns", any ? Json(s.mean_ns) : Json(nullptr)},
-                      {"max_ns", any ? Json(s.max_ns) : Json(nullptr)}});
-    }
-  }
-  return list;
-}
-
-Json event_list(const Loaded& loaded, const RunRecord& record, std::int64_t until) {
-  Json list = Json::array();
-  for (const Event& event : record.events) {
-    if (event.t_ns >= until) break;
-    list.push_back({{"t_ns", event.t_ns},
-                    {"device", name_of(loaded, event.device)},
-                    {"stage", event.is_handle ? "handle" : "update"},
-                    {"edge", event.is_end ? "end" : "begin"}});
-  }
-  return list;
-}
-
-Json chain_list(const Loaded& loaded, const std::vector<Chain>& chains) {
-  const Json unmeasured = statistics({});
-  Json list = Json::array();
-  for (const Chain& chain : chains) {
-    list.push_back({{"from", name_of(loaded, chain.from)},
-                    {"to", name_of(loaded, chain.to)},
-                    {"samples", chain.decide.count},
-                    {"decide", statistics(chain.decide)},
-                    {"acquire", unmeasured},
-                    {"wire", unmeasured},
-                    {"end_to_end", unmeasured}});
-  }
-  return list;
-}
-
-Json bus_list(const Loaded& loaded, const RunRecord& record) {
-  Json list = Json::array();
-  for (const BusRecord& bus : record.buses) {
-    if (bus.bus >= loaded.robot.buses.size()) continue;
-    list.push_back({{"name", loaded.robot.buses[bus.bus].name.text},
-                    {"transfers", bus.transfers},
-                    {"errors", bus.errors},
-                    {"busy", bus.busy}});
-  }
-  return list;
-}
-
-std::uint64_t total_overruns(const RunRecord& record) {
-  return std::accumulate(record.overruns.begin(), record.overruns.end(), std::uint64_t{0});
-}
-
-/// One line per job: the stages in the order they began.
-void print_order(Context& context, const Loaded& loaded, const RunRecord& record, std::int64_t until) {
-  context.out << "\nobserved order\n";
-  std::string line;
-  std::int64_t release = -1;
-  std::int64_t shortest = loaded.schedule.buckets.front().period_ns;
-  for (const Event& event : record.events) {
-    if (event.t_ns >= until) break;
-    if (event.is_end) continue;
-    const std::int64_t slot = event.t_ns / shortest * shortest;
-    if (slot != release) {
-      if (!line.empty()) context.out << line << "\n";
-      line = fmt::format("  {:>9}:", period_text(std::max<std::int64_t>(slot, 1)) == "1 ns" ? "0 ms" : period_text(slot));
-      release = slot;
-    }
-    line += fmt::format(" {}{}", event.is_handle ? "-" : "+", name_of(loaded, event.device));
-  }
-  context.out << line << "\n  (+ update, - handle)\n";
-}
-
-void print_report(Context& context, const Loaded& loaded, const RunRecord& record, const std::vector<Chain>& chains,
-                  std::int64_t until) {
-  print_order(context, loaded, record, until);
-  context.out << "\nage of the data behind a command: begin of update() to end of handle(), us\n";
-  context.out << fmt::format("  {:<32} {:>7} {:>10} {:>10} {:>10} {:>10}\n", "chain", "samples", "min", "mean", "max", "sd");
-  for (const Chain& chain : chains) {
-    const Statistics& s = chain.decide;
-    context.out << fmt::format("  {:<32} {:>7} {:>10.3f} {:>10.3f} {:>10.3f} {:>10.3f}\n",
-                               name_of(loaded, chain.from) + " -> " + name_of(loaded, chain.to), s.count,
-                               static_cast<double>(s.min_ns) / 1e3, s.mean_ns / 1e3, static_cast<double>(s.max_ns) / 1e3,
-                               s.sd_ns / 1e3);
-  }
-  context.out << fmt::format("\noverruns {}\n", total_overruns(record));
-  for (const std::string& fault : record.faults) context.out << "fault: " << fault << "\n";
 }
 
 std::vector<std::string> user_include_dirs(const Robot& robot) {
@@ -252,10 +109,51 @@ std::optional<std::string> make_image(Context& context, const Loaded& loaded, co
   request.folder = work.path();
   request.data_dir = loaded.data_dir;
   request.board = board;
-  request.duration_ns = duration;
+  request.duration_ns = context.options.build_only || board == "robomaster_type_c" ? 0 : duration;
+  request.trace = !context.options.build_only;
   request.include_dirs = user_include_dirs(loaded.robot);
   request.sources = user_sources(request.include_dirs);
   return build_firmware(request, context.diagnostics);
+}
+
+bool all_constant(const Robot& robot) {
+  return std::all_of(robot.devices.begin(), robot.devices.end(), [](const Device& d) { return d.type->constant_init; });
+}
+
+/// Bounds of the image as it runs: with the cost of its trace.
+std::optional<timing::Timing> bounds(const Loaded& loaded, Diagnostics& diagnostics) {
+  timing::RobotTimingOptions options;
+  options.trace = true;
+  timing::AnalysisRequest request;
+  request.requirements = timing::timing_requirements(loaded.robot, loaded.forest);
+  return timing::analyse(timing::make_timing_model(loaded.robot, loaded.forest, loaded.schedule, options), request,
+                         diagnostics);
+}
+
+bool write_trace(Context& context, const RunResult& result) {
+  if (context.options.out.empty()) return true;
+  std::ofstream file(context.options.out, std::ios::binary | std::ios::trunc);
+  file << run_trace(result).dump() << "\n";
+  file.close();
+  if (!file) context.diagnostics.error(code::output_not_writable, {}, fmt::format("cannot write '{}'", context.options.out));
+  return static_cast<bool>(file);
+}
+
+std::optional<RunRecord> run_image(Context& context, const Loaded& loaded, const std::string& board,
+                                   const std::string& image, std::int64_t duration) {
+  if (board == "robomaster_type_c") {
+    return emulate(image, loaded.robot, loaded.forest, duration, context.options.scenario, context.diagnostics);
+  }
+  return execute(image, board, loaded.forest, duration, context.diagnostics);
+}
+
+int finish_build(Context& context, const ImageFacts& image, const std::string& board) {
+  if (context.options.format == Format::text && !context.diagnostics.has_errors()) print_image(image, context.out);
+  return finish(context, kExitYes,
+                Json{{"schema", "finemote.build/1"},
+                     {"board", board},
+                     {"image", {{"sha256", image.sha256}, {"flash", image.flash}, {"ram", image.ram},
+                                {"stack", image.stack ? Json(*image.stack) : Json(nullptr)}}}});
 }
 
 }  // namespace
@@ -272,29 +170,23 @@ int run_run(Context& context) {
   if (!duration) return finish(context, kExitInvalid);
 
   const WorkFolder work(context.options.keep);
-  const auto image = make_image(context, *loaded, board, *duration, work);
-  if (!image) return finish(context, kExitInvalid);
-  if (context.options.build_only) return finish(context, kExitYes);
-  const auto record = execute(*image, board, loaded->forest, *duration, context.diagnostics);
+  const auto path = make_image(context, *loaded, board, *duration, work);
+  if (!path) return finish(context, kExitInvalid);
+  const auto image = image_facts(*path, board != "host", !all_constant(loaded->robot), context.diagnostics);
+  if (!image || context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  if (context.options.build_only) return finish_build(context, *image, board);
+  auto record = run_image(context, *loaded, board, *path, *duration);
   if (!record) return finish(context, kExitInvalid);
 
-  const std::vector<Chain> chains = measure_chains(*loaded, *record);
-  const auto whole = hyperperiod(loaded->schedule, *duration);
-  const std::int64_t until = whole ? std::min(2 * *whole, *duration) : *duration;
-  if (context.options.format == Format::text) {
-    context.out << fmt::format("{} on {}, {}\n", loaded->robot.name.text, board, period_text(*duration));
-    print_report(context, *loaded, *record, chains, until);
-  }
-  Json document{{"schema", "finemote.run/1"},
-                {"image", {{"sha256", sha256(read_bytes(*image).value_or(""))}}},
-                {"board", board},
-                {"duration_ns", *duration},
-                {"stages", stage_list(*loaded, *record)},
-                {"events", event_list(*loaded, *record, until)},
-                {"chains", chain_list(*loaded, chains)},
-                {"overruns", total_overruns(*record)},
-                {"buses", bus_list(*loaded, *record)}};
-  return finish(context, total_overruns(*record) > 0 ? kExitNo : kExitYes, std::move(document));
+  // What the analysis finds wrong is analyze's answer, not this one's: a run that goes well is a good run.
+  Diagnostics analysis;
+  const auto timing = bounds(*loaded, analysis);
+  RunResult result{loaded->robot, loaded->forest, loaded->schedule, board, *duration, *duration, *image, std::move(*record), {}};
+  if (timing) result.chains = measure_chains(loaded->robot, loaded->forest, *timing, result.record);
+  if (const auto whole = hyperperiod(loaded->schedule, *duration)) result.shown_ns = std::min(2 * *whole, *duration);
+  if (!write_trace(context, result)) return finish(context, kExitInvalid);
+  if (context.options.format == Format::text) print_run(result, context.out);
+  return finish(context, result.good() ? kExitYes : kExitNo, run_document(result));
 }
 
 }  // namespace finemote::gen

@@ -191,6 +191,8 @@ inline constexpr Code descriptor_name{3107};         // the file's name and the 
 // 6xxx: firmware and emulator
 inline constexpr Code firmware_build_failed{6001};  // generated code or the user's devices do not compile
 inline constexpr Code firmware_stopped{6002};       // a fault, or it did not end in time
+inline constexpr Code bad_scenario{6004};           // a scenario file that cannot be used
+inline constexpr Code hardware_misuse{6005};        // what the hardware would not forgive
 inline constexpr Code broken_record{6003};          // the run's trace cannot be read
 
 // 61xx: the linked image

@@ -95,18 +95,18 @@ std::optional<ChainPath> find_chain(const Robot& robot, std::size_t from, std::s
   return find_way(robot, from, to, true);
 }
 
-std::vector<std::int64_t> decision_latencies(const RunRecord& record, const ChainPath& path) {
+std::vector<DecisionSample> decision_samples(const RunRecord& record, const ChainPath& path) {
   std::vector<std::vector<Interval>> hops;  // from the actuator's handle back to the source's update
   for (auto device = path.down.rbegin(); device != path.down.rend(); ++device) hops.push_back(intervals(record, *device, true));
   for (auto device = path.up.rbegin(); device != path.up.rend(); ++device) hops.push_back(intervals(record, *device, false));
 
-  std::vector<std::int64_t> latencies;
+  std::vector<DecisionSample> samples;
   for (const Interval& last : hops.front()) {
     const Interval* run = &last;
     for (std::size_t hop = 1; hop < hops.size() && run != nullptr; ++hop) run = finished_by(hops[hop], run->begin);
-    if (run != nullptr) latencies.push_back(last.end - run->begin);
+    if (run != nullptr) samples.push_back({run->begin, last.end});
   }
-  return latencies;
+  return samples;
 }
 
 }  // namespace finemote::gen

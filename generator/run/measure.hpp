@@ -32,9 +32,14 @@ struct ChainPath {
 /// None when no data of `from` reaches `to`.
 std::optional<ChainPath> find_chain(const Robot& robot, std::size_t from, std::size_t to);
 
-/// Age of the data behind each handle() of the chain's end: its end minus the begin of the update() the data came from.
-/// Every hop takes the latest value finished before the reader's stage began (paper, definition 3). Jobs at the start
-/// whose data comes from no update yet are left out.
-std::vector<std::int64_t> decision_latencies(const RunRecord& record, const ChainPath& path);
+/// One command of a chain's end, and the update its data came from.
+struct DecisionSample {
+  std::int64_t update_begin_ns = 0;  ///< begin of the source's update()
+  std::int64_t handle_end_ns = 0;    ///< end of the actuator's handle()
+};
+
+/// One sample per handle() of the chain's end. Every hop takes the latest value finished before the reader's stage began
+/// (paper, definition 3). Jobs at the start whose data comes from no update yet are left out.
+std::vector<DecisionSample> decision_samples(const RunRecord& record, const ChainPath& path);
 
 }  // namespace finemote::gen

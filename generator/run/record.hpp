@@ -24,10 +24,21 @@ struct BusRecord {
   double busy = 0;  ///< fraction of the run, 0..1
 };
 
+/// Something a part did, by which the ends of a chain are measured.
+struct PartRecord {
+  std::string part;       ///< named like its device or expander
+  bool is_output = false; ///< an output took a value; else a quantity was sampled
+  std::uint32_t channel = 0;
+  std::int64_t from_ns = 0;  ///< when the quantity was sampled
+  std::int64_t at_ns = 0;    ///< when its last bit could be read, or the output took its value
+};
+
 struct RunRecord {
   std::vector<Event> events;            ///< in time order
   std::vector<std::uint64_t> overruns;  ///< per bucket
   std::vector<BusRecord> buses;
+  std::vector<PartRecord> parts;        ///< in time order per part; emulated board only
+  unsigned resets = 0;                  ///< by the watchdog or the firmware; emulated board only
   std::vector<std::string> faults;      ///< `module 3, number 2, 5 times`
 };
 

@@ -1,0 +1,84 @@
+#include "generator/run/chains.hpp"
+
+#include <algorithm>
+
+namespace finemote::gen {
+namespace {
+
+/// Where a device's output can be seen: itself, or a channel of the part it drives.
+struct OutputPlace {
+  std::string part;
+  std::uint32_t channel = 0;
+};
+
+OutputPlace output_of(const Robot& robot, const Device& device) {
+  if (!device.segment) return {device.name.text, 0};
+  const Segment& segment = robot.segments[*device.segment];
+  if (segment.kind != Segment::Kind::pwm_expander) return {device.name.text, device.channel.value_or(0)};
+  return {robot.expanders[*segment.expander].name.text, device.channel.value_or(0)};
+}
+
+/// Age of the newest sample of `part` that could be read at `time`.
+std::optional<std::int64_t> sample_age(const RunRecord& record, const std::string& part, std::int64_t time) {
+  std::optional<std::int64_t> newest;
+  for (const PartRecord& event : record.parts) {
+    if (event.part == part && !event.is_output && event.at_ns <= time) newest = std::max(newest.value_or(event.from_ns), event.from_ns);
+  }
+  if (!newest) return std::nullopt;
+  return time - *newest;
+}
+
+/// When the output changed after `begin` and before the next command was made at `end`.
+std::optional<std::int64_t> output_change(const RunRecord& record, const OutputPlace& place, std::int64_t begin,
+                                          std::int64_t end) {
+  for (const PartRecord& event : record.parts) {
+    const bool here = event.part == place.part && event.is_output && event.channel == place.channel;
+    if (here && event.at_ns >= begin && event.at_ns < end) return event.at_ns;
+  }
+  return std::nullopt;
+}
+
+struct Series {
+  std::vector<std::int64_t> acquire, decide, wire, end_to_end;
+};
+
+Series collect(const Robot& robot, const RunRecord& record, const ChainPath& path) {
+  Series series;
+  const std::vector<DecisionSample> samples = decision_samples(record, path);
+  const std::string& sensor = robot.devices[path.up.front()].name.text;
+  const OutputPlace place = output_of(robot, robot.devices[path.down.back()]);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const DecisionSample& sample = samples[i];
+    const std::int64_t next = i + 1 < samples.size() ? samples[i + 1].handle_end_ns : sample.handle_end_ns;
+    const std::int64_t decide = sample.handle_end_ns - sample.update_begin_ns;
+    const auto acquire = sample_age(record, sensor, sample.update_begin_ns);
+    const auto change = output_change(record, place, sample.handle_end_ns, next);
+    series.decide.push_back(decide);
+    if (acquire) series.acquire.push_back(*acquire);
+    if (change) series.wire.push_back(*change - sample.handle_end_ns);
+    if (acquire && change) series.end_to_end.push_back(*acquire + decide + *change - sample.handle_end_ns);
+  }
+  return series;
+}
+
+}  // namespace
+
+std::vector<MeasuredChain> measure_chains(const Robot& robot, const Forest& forest, const timing::Timing& timing,
+                                          const RunRecord& record) {
+  std::vector<MeasuredChain> chains;
+  for (const timing::ChainResult& bound : timing.chains) {
+    MeasuredChain chain;
+    chain.from = forest.order[bound.from];
+    chain.to = forest.order[bound.to];
+    const auto path = find_chain(robot, chain.from, chain.to);
+    const Series series = path ? collect(robot, record, *path) : Series{};
+    chain.acquire = {summarize(series.acquire), bound.acquire_ns};
+    chain.decide = {summarize(series.decide), bound.decide_ns};
+    chain.wire = {summarize(series.wire), bound.wire_ns};
+    chain.end_to_end = {summarize(series.end_to_end), bound.end_to_end_ns};
+    chains.push_back(chain);
+  }
+  return chains;
+}
+
+}  // namespace finemote::gen

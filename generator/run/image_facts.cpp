@@ -1,0 +1,27 @@
+#include "generator/run/image_facts.hpp"
+
+#include "generator/image/check.hpp"
+#include "generator/image/sizes.hpp"
+#include "generator/image/stack.hpp"
+#include "generator/output/folder.hpp"
+#include "generator/output/sha256.hpp"
+
+namespace finemote::gen {
+
+std::optional<ImageFacts> image_facts(const std::string& path, bool is_arm, bool constructors_allowed,
+                                      Diagnostics& diagnostics) {
+  ImageFacts facts;
+  facts.sha256 = sha256(read_bytes(path).value_or(""));
+  if (!is_arm) return facts;
+  const auto image = read_image(path, diagnostics);
+  if (!image) return std::nullopt;
+  const ImageSizes sizes = measure_image(*image);
+  facts.flash = sizes.flash;
+  facts.ram = sizes.ram;
+  const StackBound stack = worst_case_stack(*image, diagnostics);
+  if (stack.known) facts.stack = stack.bytes;
+  check_image(*image, stack, {constructors_allowed}, diagnostics);
+  return facts;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,23 @@
+// A linked image to the figures people ask for first.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "generator/diagnostic/diagnostics.hpp"
+
+namespace finemote::gen {
+
+struct ImageFacts {
+  std::string sha256;              ///< of the file
+  std::uint32_t flash = 0;         ///< bytes
+  std::uint32_t ram = 0;           ///< bytes, without the stack
+  std::optional<std::uint32_t> stack;  ///< proven worst case in bytes; none: not known
+};
+
+/// Facts of an Arm image; of a host executable the hash alone. With an Arm image it also proves what the target code
+/// promises: reports what check_image and worst_case_stack report.
+std::optional<ImageFacts> image_facts(const std::string& path, bool is_arm, bool constructors_allowed,
+                                      Diagnostics& diagnostics);
+
+}  // namespace finemote::gen

@@ -1,0 +1,215 @@
+#include "generator/run/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "generator/schedule/period.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::string& name_of(const RunResult& result, std::size_t device) { return result.robot.devices[device].name.text; }
+
+Json statistics(const Measured& figure) {
+  const Statistics& s = figure.observed;
+  const bool any = s.count > 0;
+  return {{"min_ns", any ? Json(s.min_ns) : Json(nullptr)},
+          {"mean_ns", any ? Json(s.mean_ns) : Json(nullptr)},
+          {"sd_ns", any ? Json(s.sd_ns) : Json(nullptr)},
+          {"max_ns", any ? Json(s.max_ns) : Json(nullptr)},
+          {"bound_ns", figure.bound_ns ? Json(*figure.bound_ns) : Json(nullptr)}};
+}
+
+Json stage_list(const RunResult& result) {
+  Json list = Json::array();
+  for (std::size_t device : result.forest.order) {
+    for (const bool is_handle : {false, true}) {
+      const Statistics s = summarize(stage_times(result.record, device, is_handle));
+      const bool any = s.count > 0;
+      list.push_back({{"device", name_of(result, device)},
+                      {"stage", is_handle ? "handle" : "update"},
+                      {"count", s.count},
+                      {"min_ns", any ? Json(s.min_ns) : Json(nullptr)},
+                      {"mean_ns", any ? Json(s.mean_ns) : Json(nullptr)},
+                      {"max_ns", any ? Json(s.max_ns) : Json(nullptr)}});
+    }
+  }
+  return list;
+}
+
+Json event_list(const RunResult& result) {
+  Json list = Json::array();
+  for (const Event& event : result.record.events) {
+    if (event.t_ns >= result.shown_ns) break;
+    list.push_back({{"t_ns", event.t_ns},
+                    {"device", name_of(result, event.device)},
+                    {"stage", event.is_handle ? "handle" : "update"},
+                    {"edge", event.is_end ? "end" : "begin"}});
+  }
+  return list;
+}
+
+Json chain_list(const RunResult& result) {
+  Json list = Json::array();
+  for (const MeasuredChain& chain : result.chains) {
+    list.push_back({{"from", name_of(result, chain.from)},
+                    {"to", name_of(result, chain.to)},
+                    {"samples", chain.decide.observed.count},
+                    {"decide", statistics(chain.decide)},
+                    {"acquire", statistics(chain.acquire)},
+                    {"wire", statistics(chain.wire)},
+                    {"end_to_end", statistics(chain.end_to_end)}});
+  }
+  return list;
+}
+
+Json bus_list(const RunResult& result) {
+  Json list = Json::array();
+  for (const BusRecord& bus : result.record.buses) {
+    if (bus.bus >= result.robot.buses.size()) continue;
+    list.push_back({{"name", result.robot.buses[bus.bus].name.text},
+                    {"transfers", bus.transfers},
+                    {"errors", bus.errors},
+                    {"busy", bus.busy}});
+  }
+  return list;
+}
+
+/// The stages in the order they began, one line per release of the fastest bucket.
+void print_order(const RunResult& result, std::ostream& out) {
+  out << "\nobserved order (+ update, - handle)\n";
+  const std::int64_t step = result.schedule.buckets.front().period_ns;
+  std::string line;
+  std::int64_t shown = -1;
+  for (const Event& event : result.record.events) {
+    if (event.t_ns >= result.shown_ns) break;
+    if (event.is_end) continue;
+    const std::int64_t release = event.t_ns / step * step;
+    if (release != shown) {
+      if (!line.empty()) out << line << "\n";
+      line = fmt::format("  {:>8.3f} ms ", static_cast<double>(release) / 1e6);
+      shown = release;
+    }
+    line += fmt::format(" {}{}", event.is_handle ? '-' : '+', name_of(result, event.device));
+  }
+  out << line << "\n";
+}
+
+std::string microseconds(const Statistics& s, double value) {
+  return s.count > 0 ? fmt::format("{:.3f}", value / 1e3) : "-";
+}
+
+void print_figure(const RunResult& result, const MeasuredChain& chain, const char* part, const Measured& figure,
+                  std::ostream& out) {
+  const Statistics& s = figure.observed;
+  if (s.count == 0) return;
+  const std::string name = name_of(result, chain.from) + " -> " + name_of(result, chain.to);
+  out << fmt::format("  {:<28} {:<10} {:>7} {:>11} {:>11} {:>11} {:>9} {:>11}{}\n", name, part, s.count,
+                     microseconds(s, static_cast<double>(s.min_ns)), microseconds(s, s.mean_ns),
+                     microseconds(s, static_cast<double>(s.max_ns)), microseconds(s, s.sd_ns),
+                     figure.bound_ns ? fmt::format("{:.3f}", static_cast<double>(*figure.bound_ns) / 1e3) : "-",
+                     figure.holds() ? "" : "  ABOVE ITS BOUND");
+}
+
+void print_chains(const RunResult& result, std::ostream& out) {
+  out << "\nage of the data behind a command, us: sample (acquire) update (decide) handle (wire) output\n";
+  out << fmt::format("  {:<28} {:<10} {:>7} {:>11} {:>11} {:>11} {:>9} {:>11}\n", "chain", "part", "samples", "min",
+                     "mean", "max", "sd", "bound");
+  for (const MeasuredChain& chain : result.chains) {
+    print_figure(result, chain, "acquire", chain.acquire, out);
+    print_figure(result, chain, "decide", chain.decide, out);
+    print_figure(result, chain, "wire", chain.wire, out);
+    print_figure(result, chain, "end to end", chain.end_to_end, out);
+  }
+}
+
+}  // namespace
+
+std::uint64_t RunResult::overruns() const {
+  return std::accumulate(record.overruns.begin(), record.overruns.end(), std::uint64_t{0});
+}
+
+bool RunResult::good() const {
+  const bool bounds_hold = std::all_of(chains.begin(), chains.end(), [](const MeasuredChain& c) { return c.holds(); });
+  return overruns() == 0 && record.resets == 0 && bounds_hold;
+}
+
+Json run_document(const RunResult& result) {
+  const bool is_arm = result.image.flash > 0;
+  return {{"schema", "finemote.run/1"},
+          {"image",
+           {{"sha256", result.image.sha256},
+            {"flash", is_arm ? Json(result.image.flash) : Json(nullptr)},
+            {"ram", is_arm ? Json(result.image.ram) : Json(nullptr)},
+            {"stack", result.image.stack ? Json(*result.image.stack) : Json(nullptr)}}},
+          {"board", result.board},
+          {"duration_ns", result.duration_ns},
+          {"stages", stage_list(result)},
+          {"events", event_list(result)},
+          {"chains", chain_list(result)},
+          {"overruns", result.overruns()},
+          {"resets", result.record.resets},
+          {"buses", bus_list(result)}};
+}
+
+void print_image(const ImageFacts& image, std::ostream& out) {
+  if (image.flash == 0) return;
+  out << fmt::format("flash {} B, RAM {} B, stack {}\n", image.flash, image.ram,
+                     image.stack ? fmt::format("{} B (proven worst case)", *image.stack) : "without bound");
+}
+
+void print_run(const RunResult& result, std::ostream& out) {
+  out << fmt::format("{} on {}, {}\n", result.robot.name.text, result.board, period_text(result.duration_ns));
+  print_image(result.image, out);
+  print_order(result, out);
+  print_chains(result, out);
+  if (!result.record.buses.empty()) out << "\nbuses\n";
+  for (const BusRecord& bus : result.record.buses) {
+    if (bus.bus >= result.robot.buses.size()) continue;
+    out << fmt::format("  {:<12} {:>7} transfers {:>4} errors  busy {:.1f} %\n", result.robot.buses[bus.bus].name.text,
+                       bus.transfers, bus.errors, 100 * bus.busy);
+  }
+  out << fmt::format("\noverruns {}, resets {}\n", result.overruns(), result.record.resets);
+  for (const std::string& fault : result.record.faults) out << "fault: " << fault << "\n";
+}
+
+Json run_trace(const RunResult& result) {
+  Json events = Json::array();
+  const auto slice = [&](std::size_t device, bool is_handle, std::int64_t begin, std::int64_t end) {
+    events.push_back({{"name", name_of(result, device) + (is_handle ? ".handle" : ".update")},
+                      {"ph", "X"},
+                      {"pid", 1},
+                      {"tid", result.schedule.bucket_of[device] + 1},
+                      {"ts", static_cast<double>(begin) / 1e3},
+                      {"dur", static_cast<double>(end - begin) / 1e3}});
+  };
+  for (std::size_t i = 0; i < result.schedule.buckets.size(); ++i) {
+    events.push_back({{"name", "thread_name"},
+                      {"ph", "M"},
+                      {"pid", 1},
+                      {"tid", i + 1},
+                      {"args", {{"name", "every " + period_text(result.schedule.buckets[i].period_ns)}}}});
+  }
+  struct Running {
+    std::size_t device;
+    bool is_handle;
+    std::int64_t since;
+  };
+  std::vector<Running> stack;
+  for (const Event& event : result.record.events) {
+    if (!stack.empty()) slice(stack.back().device, stack.back().is_handle, stack.back().since, event.t_ns);
+    if (!event.is_end) {
+      stack.push_back({event.device, event.is_handle, event.t_ns});
+    } else if (!stack.empty()) {
+      stack.pop_back();
+      if (!stack.empty()) stack.back().since = event.t_ns;
+    }
+  }
+  return {{"traceEvents", events}, {"displayTimeUnit", "ns"}};
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,43 @@
+// The result of a run as a document and as text.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+
+#include "generator/run/chains.hpp"
+#include "generator/run/image_facts.hpp"
+#include "generator/schedule/schedule.hpp"
+
+namespace finemote::gen {
+
+/// Everything a run has shown.
+struct RunResult {
+  const Robot& robot;
+  const Forest& forest;
+  const Schedule& schedule;
+  std::string board;
+  std::int64_t duration_ns = 0;
+  std::int64_t shown_ns = 0;  ///< two hyperperiods, or the whole run where that is shorter
+  ImageFacts image;
+  RunRecord record;
+  std::vector<MeasuredChain> chains;
+
+  [[nodiscard]] std::uint64_t overruns() const;
+  /// No overrun, no reset, and no figure above its bound.
+  [[nodiscard]] bool good() const;
+};
+
+/// `finemote.run/1` without diagnostics.
+nlohmann::ordered_json run_document(const RunResult& result);
+
+/// Sizes, observed order, chains, counters.
+void print_run(const RunResult& result, std::ostream& out);
+
+/// `flash 14032 B, RAM 3560 B, stack 1208 B (proven)`; nothing for a host executable.
+void print_image(const ImageFacts& image, std::ostream& out);
+
+/// Chrome trace for Perfetto: one track per bucket, a slice for every uninterrupted piece of a stage.
+nlohmann::ordered_json run_trace(const RunResult& result);
+
+}  // namespace finemote::gen
