@@ -32,7 +32,13 @@ std::uint16_t Pca9685::counts(std::uint32_t pulse) const {
 }
 
 void Pca9685::flush() {
-  if (busy_.exchange(true)) return;  // we preempt a flush: it takes our changes along, or the next one does
+  if (busy_.exchange(true)) {
+    // We preempt a flush: it takes our changes along, or the next one does. One that never goes on was cut off by a
+    // stop of the robot, and the safe outputs must not wait for it.
+    const std::uint8_t refused = refused_.load();
+    if (refused < kAbandonedAfter) return refused_.store(static_cast<std::uint8_t>(refused + 1));
+  }
+  refused_.store(0);
   work();
   busy_.store(false);
 }

@@ -224,3 +224,21 @@ TEST_CASE_METHOD(Fixture, "after a stuck bus the first bytes are the safe pulses
   CHECK(part.pulse(0) == 225 * 4880);
   CHECK(part.pulse(1) == 389 * 4880);
 }
+
+TEST_CASE_METHOD(Fixture, "a flush cut off by a stop of the robot does not keep the safe pulses back") {
+  bench::robot().safe = [&] { safe({0}); };
+  bench::run(200 * kMillisecond);
+  pwm.set(0, 1900000);
+  struct Stop {};
+  host::i2c2.when_pended = [] { throw Stop{}; };
+  CHECK_THROWS_AS(pwm.flush(), Stop);
+  host::i2c2.when_pended = nullptr;
+  bus.on_interrupt(I2cEvent::kNone);  // what was asked for goes out
+  pass(5 * kMillisecond);
+  safe({0});
+  for (int i = 0; i < 20; ++i) {
+    pwm.flush();
+    pass(2 * kMillisecond);
+  }
+  CHECK(part.pulse(0) == 307 * 4880);
+}

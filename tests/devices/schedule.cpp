@@ -1,6 +1,7 @@
 #include "finemote/schedule.hpp"
 
 #include "bench.hpp"
+#include "finemote/bus_counters.hpp"
 
 namespace bench {
 
@@ -12,6 +13,7 @@ Robot& robot() {
 void reset() {
   using namespace finemote;
   host::reset();
+  forget_buses();
   for (I2cHardware* wire : {&host::i2c2, &host::i2c3}) wire->reset();
   for (UartHardware* line : {&host::usart1, &host::usart3, &host::usart6}) line->reset();
   for (SpiHardware* wire : {&host::spi1, &host::spi2}) *wire = {};

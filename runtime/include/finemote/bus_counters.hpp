@@ -18,6 +18,9 @@ struct BusCounters {
 /// Puts a bus at the end of the list of started ones, once; every bus that counts does so in start().
 void list_bus(BusCounters& counters);
 
+/// Empties the list, for tests whose buses come and go: a bus on it must live as long as the list.
+void forget_buses();
+
 /// The counters of the first bus started (document order); null when none counts.
 const BusCounters* first_bus();
 

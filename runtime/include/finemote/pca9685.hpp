@@ -70,6 +70,7 @@ class Pca9685 : public PwmOutput {
     kRun
   };
   static constexpr std::size_t kImage = 1 + 4 * kChannels;
+  static constexpr std::uint8_t kAbandonedAfter = 16;  ///< no bucket preempts another's flush so often
 
   void work();
   void take_result();
@@ -94,8 +95,9 @@ class Pca9685 : public PwmOutput {
   std::uint32_t safe_writes_ = 0;  ///< of the slot, as last seen
   std::uint32_t in_burst_ = 0;     ///< channels of the burst under way
   Time awake_ = 0;
-  Shared<std::uint32_t> used_{0};  ///< channels that were ever sent
-  Shared<bool> busy_{false};       ///< a flush is being worked on
+  Shared<std::uint32_t> used_{0};    ///< channels that were ever sent
+  Shared<bool> busy_{false};         ///< a flush is being worked on
+  Shared<std::uint8_t> refused_{0};  ///< calls in a row that found one
   std::uint8_t safe_size_ = 0;
   std::uint8_t burst_[kImage]{};
   std::uint8_t safe_image_[kImage]{};

@@ -17,7 +17,10 @@ class Uart {
  public:
   /// @param baud  bit rate [bit/s]
   constexpr Uart(UartPort& port, std::int64_t baud, UartFormat format = UartFormat::k8N1)
-      : port_(&port), baud_(baud), bit_time_((1000000000LL + baud - 1) / baud), format_(format) {}
+      : port_(&port),
+        baud_(static_cast<std::int32_t>(baud)),
+        bit_time_(static_cast<std::int32_t>((1000000000LL + baud - 1) / baud)),
+        format_(format) {}
 
   /// Context: init.
   void start();
@@ -49,8 +52,7 @@ class Uart {
   void lose(std::uint32_t bytes);
 
   UartPort* port_;
-  std::int64_t baud_;
-  Duration bit_time_;
+  std::int32_t baud_, bit_time_;  ///< bit/s, ns
   UartFormat format_;
   std::uint32_t read_ = 0;         ///< bytes taken since start, modulo 2^32
   std::uint32_t line_errors_ = 0;  ///< seen so far

@@ -48,6 +48,8 @@ struct I2cHardware {
   /// The next `count` exchanges are not acknowledged / end in a bus error.
   void refuse(int count) { refusals = count; }
   void disturb(int count) { disturbances = count; }
+  /// Called whenever the driver pends its interrupt: in the middle of whatever asked for it.
+  std::function<void()> when_pended;
   /// No parts, no faults, nothing recorded.
   void reset();
 

@@ -37,7 +37,7 @@ class H30Imu {
   [[nodiscard]] std::uint32_t bad_frames() const { return bad_frames_; }
 
  private:
-  static constexpr std::size_t kHeader = 5, kSums = 2, kMaxPayload = 0x60;
+  static constexpr std::size_t kHeader = 5, kSums = 2, kMaxPayload = 0x48;
   static constexpr std::size_t kMaxFrame = kHeader + kMaxPayload + kSums;
   static constexpr std::size_t kMaxRead = 512;  ///< bytes looked at per update()
 
