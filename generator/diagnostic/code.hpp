@@ -188,6 +188,14 @@ inline constexpr Code descriptor_version{3104};      // unknown "schema"
 inline constexpr Code header_missing{3105};    // the C++ header a descriptor names is not there
 inline constexpr Code type_twice{3106};        // two descriptors of one name, or one that hides a shipped type
 inline constexpr Code descriptor_name{3107};         // the file's name and the name inside differ
+
+// 315x: lint: allowed, and rarely meant
+inline constexpr Code lint_order{3151};         // a sensor after actuators of its period
+inline constexpr Code lint_period_ratio{3152};  // neither multiple nor divisor of the parent's
+inline constexpr Code lint_no_wcet{3153};
+inline constexpr Code lint_conversion{3154};    // longer than the period
+inline constexpr Code lint_bus_load{3155};
+inline constexpr Code lint_unused_bus{3156};
 // 6xxx: firmware and emulator
 inline constexpr Code firmware_build_failed{6001};  // generated code or the user's devices do not compile
 inline constexpr Code firmware_stopped{6002};       // a fault, or it did not end in time

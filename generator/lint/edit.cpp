@@ -1,0 +1,104 @@
+#include "generator/lint/edit.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace finemote::gen {
+namespace {
+
+std::optional<std::size_t> offset_of(const Position& at) {
+  if (at.file == nullptr || at.line == 0 || at.column == 0 || at.via != nullptr) return {};
+  const std::string& text = at.file->text;
+  std::size_t begin = 0;
+  for (std::uint32_t line = 1; line < at.line; ++line) {
+    begin = text.find('\n', begin);
+    if (begin == std::string::npos) return {};
+    ++begin;
+  }
+  const std::size_t offset = begin + at.column - 1;
+  if (offset >= text.size() || text[offset] != '<') return {};
+  return offset;
+}
+
+/// Behind `close`, searched from `from`; the end of the text when it is missing.
+std::size_t behind(std::string_view text, std::size_t from, std::string_view close) {
+  const std::size_t at = text.find(close, from);
+  return at == std::string_view::npos ? text.size() : at + close.size();
+}
+
+/// Behind the `>` of the tag at `from`; quoted values may hold one.
+std::size_t behind_tag(std::string_view text, std::size_t from) {
+  char quote = '\0';
+  for (std::size_t i = from; i < text.size(); ++i) {
+    if (quote != '\0') {
+      if (text[i] == quote) quote = '\0';
+    } else if (text[i] == '"' || text[i] == '\'') {
+      quote = text[i];
+    } else if (text[i] == '>') {
+      return i + 1;
+    }
+  }
+  return text.size();
+}
+
+/// Behind the end tag of the element at `from`. The text was parsed before, so tags match.
+std::size_t behind_element(std::string_view text, std::size_t from) {
+  std::size_t depth = 0;
+  for (std::size_t at = from; at < text.size();) {
+    at = text.find('<', at);
+    if (at == std::string_view::npos) break;
+    const std::string_view rest = text.substr(at);
+    if (rest.substr(0, 4) == "<!--") {
+      at = behind(text, at, "-->");
+    } else if (rest.substr(0, 9) == "<![CDATA[") {
+      at = behind(text, at, "]]>");
+    } else if (rest.substr(0, 2) == "<?") {
+      at = behind(text, at, "?>");
+    } else {
+      const std::size_t end = behind_tag(text, at);
+      const bool closes = rest.substr(0, 2) == "</";
+      const bool is_empty = end >= 2 && text[end - 2] == '/';
+      if (closes) --depth;
+      if (!closes && !is_empty) ++depth;
+      at = end;
+      if (depth == 0) return end;
+    }
+  }
+  return text.size();
+}
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+/// Takes in the rest of its lines when nothing else stands on them.
+ElementExtent with_lines(std::string_view text, ElementExtent extent) {
+  std::size_t begin = extent.begin;
+  while (begin > 0 && is_blank(text[begin - 1])) --begin;
+  std::size_t end = extent.end;
+  while (end < text.size() && (is_blank(text[end]) || text[end] == '\r')) ++end;
+  const bool is_alone = (begin == 0 || text[begin - 1] == '\n') && end < text.size() && text[end] == '\n';
+  return is_alone ? ElementExtent{begin, end + 1} : extent;
+}
+
+}  // namespace
+
+std::optional<ElementExtent> find_element(const Position& at) {
+  const auto begin = offset_of(at);
+  if (!begin) return {};
+  return with_lines(at.file->text, {*begin, behind_element(at.file->text, *begin)});
+}
+
+std::string apply_edits(const SourceFile& file, std::vector<Edit> edits) {
+  std::stable_sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
+  std::string result;
+  std::size_t done = 0;
+  for (const Edit& edit : edits) {
+    if (edit.file != &file || edit.begin < done) continue;
+    result.append(file.text, done, edit.begin - done);
+    result += edit.text;
+    done = edit.end;
+  }
+  result.append(file.text, done, std::string::npos);
+  return result;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,191 @@
+#include "generator/lint/lint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "generator/units/units.hpp"
+
+namespace finemote::gen {
+namespace {
+
+bool contains(const std::vector<Code>& codes, Code code) {
+  return std::find(codes.begin(), codes.end(), code) != codes.end();
+}
+
+class Linter {
+ public:
+  Linter(const Robot& robot, const LintOptions& options, Diagnostics& diagnostics)
+      : robot_(robot), options_(options), diagnostics_(diagnostics) {}
+
+  std::vector<Edit> run() {
+    for (std::size_t i = 0; i < robot_.buses.size(); ++i) check_bus(i);
+    for (std::size_t i = 0; i < robot_.devices.size(); ++i) {
+      check_order(robot_.devices[i]);
+      check_periods(robot_.devices[i]);
+      check_wcet(robot_.devices[i]);
+      check_conversion(robot_.devices[i]);
+    }
+    return std::move(edits_);
+  }
+
+ private:
+  /// A place to note and hint at; null when the code is allowed.
+  Diagnostic* report(Code code, Position at, std::string message) {
+    if (contains(options_.allow, code)) return nullptr;
+    Diagnostic& finding = contains(options_.deny, code) ? diagnostics_.error(code, at, std::move(message))
+                                                        : diagnostics_.warning(code, at, std::move(message));
+    return &finding;
+  }
+
+  [[nodiscard]] bool is_used(std::size_t bus) const {
+    for (const Expander& expander : robot_.expanders) {
+      if (robot_.segments[expander.segment].bus == bus) return true;
+    }
+    for (const Device& device : robot_.devices) {
+      if (device.segment && robot_.segments[*device.segment].bus == bus) return true;
+      for (const Use& use : device.uses) {
+        if (use.segment && robot_.segments[*use.segment].bus == bus) return true;
+      }
+    }
+    return false;
+  }
+  void check_bus(std::size_t index) {
+    const Bus& bus = robot_.buses[index];
+    if (!is_used(index)) {
+      Diagnostic* finding = report(code::lint_unused_bus, bus.at, fmt::format("nothing uses bus '{}'", bus.name.text));
+      if (finding == nullptr) return;
+      finding->underline(4).hint("remove it: it costs start-up code and interrupts");
+      if (const auto extent = find_element(bus.at)) edits_.push_back({bus.at.file, extent->begin, extent->end, {}});
+      return;
+    }
+    if (index >= options_.bus_load.size() || options_.bus_load[index] <= options_.most_bus_load) return;
+    Diagnostic* finding =
+        report(code::lint_bus_load, bus.at,
+               fmt::format("bus '{}' is busy for {:.0f} % of the time", bus.name.text, options_.bus_load[index] * 100));
+    if (finding == nullptr) return;
+    finding->underline(4)
+        .note(fmt::format("above {:.0f} % there is little room for repeats after a disturbance",
+                          options_.most_bus_load * 100))
+        .hint("lengthen periods on it, raise its rate, or move devices to another bus");
+  }
+
+  [[nodiscard]] static bool is_actuator(const Device& device) {
+    return device.type->actuator && device.children.empty();
+  }
+  [[nodiscard]] static bool is_sensor(const Device& device) {
+    return device.children.empty() && !device.type->has_command() && !device.type->actuator;
+  }
+
+  /// Handles run backwards: what is declared last is commanded first. Leaves that are no actuators belong before them.
+  void check_order(const Device& parent) {
+    const Device* first_actuator = nullptr;
+    for (const std::size_t index : parent.children) {
+      const Device& child = robot_.devices[index];
+      if (first_actuator == nullptr && is_actuator(child)) first_actuator = &child;
+      const bool delays = first_actuator != nullptr && is_sensor(child) && child.period_ns == first_actuator->period_ns;
+      if (delays) report_order(*first_actuator, child);
+    }
+  }
+  void report_order(const Device& actuator, const Device& sensor) {
+    Diagnostic* finding =
+        report(code::lint_order, sensor.at,
+               fmt::format("sensor '{}' stands after actuator '{}'", sensor.name.text, actuator.name.text));
+    if (finding == nullptr) return;
+    finding->underline(7)
+        .note(
+            "handles run in the reverse order of declaration, so the actuator is commanded only after the sensor's "
+            "handle()")
+        .note(fmt::format("actuator '{}' stands here", actuator.name.text), actuator.at)
+        .hint(fmt::format("declare '{}' before '{}'", sensor.name.text, actuator.name.text));
+    const auto from = find_element(sensor.at);
+    const auto to = find_element(actuator.at);
+    if (!from || !to || sensor.at.file != actuator.at.file || from->begin < to->end) return;
+    const std::string text = sensor.at.file->text.substr(from->begin, from->end - from->begin);
+    edits_.push_back({sensor.at.file, to->begin, to->begin, text});
+    edits_.push_back({sensor.at.file, from->begin, from->end, {}});
+  }
+
+  void check_periods(const Device& child) {
+    if (!child.parent) return;
+    const Device& parent = robot_.devices[*child.parent];
+    if (child.period_ns % parent.period_ns == 0 || parent.period_ns % child.period_ns == 0) return;
+    const std::string own = units::format_duration(child.period_ns);
+    const std::string other = units::format_duration(parent.period_ns);
+    Diagnostic* finding =
+        report(code::lint_period_ratio, child.period_at,
+               fmt::format("the period of device '{}' ({}) is neither multiple nor divisor of its parent's ({})",
+                           child.name.text, own, other));
+    if (finding == nullptr) return;
+    finding->note("the age of what crosses between them then varies from job to job, and its worst case is long")
+        .note(fmt::format("parent '{}' stands here", parent.name.text), parent.at);
+    const std::int64_t times =
+        std::max<std::int64_t>(1, child.period_ns > parent.period_ns ? child.period_ns / parent.period_ns
+                                                                     : parent.period_ns / child.period_ns);
+    const bool divides = child.period_ns < parent.period_ns && parent.period_ns % times == 0 &&
+                         parent.period_ns / times % robot_.tick_ns == 0;
+    if (child.period_ns > parent.period_ns)
+      finding->hint(fmt::format("for example period=\"{}\"", units::format_duration(parent.period_ns * times)));
+    if (divides)
+      finding->hint(fmt::format("for example period=\"{}\"", units::format_duration(parent.period_ns / times)));
+  }
+
+  void check_wcet(const Device& device) {
+    if (device.wcet.source != Wcet::Source::assumed || !device.children.empty()) return;
+    const std::string update = units::format_duration(device.wcet.update_ns);
+    const std::string handle = units::format_duration(device.wcet.handle_ns);
+    Diagnostic* finding =
+        report(code::lint_no_wcet, device.at, fmt::format("device '{}' has no <wcet>", device.name.text));
+    if (finding == nullptr) return;
+    finding->underline(7)
+        .note(fmt::format("update {} and handle {} are assumed; every bound that depends on them says so", update,
+                          handle))
+        .hint(fmt::format("measure, then add <wcet update=\"{}\" handle=\"{}\" source=\"measured\"/>", update, handle));
+  }
+
+  /// The longest conversion the descriptor gives for the params of this device.
+  [[nodiscard]] static std::int64_t conversion_ns(const Device& device) {
+    const auto json = nlohmann::json::parse(device.type->raw_json, nullptr, false);
+    if (!json.is_object() || !json.contains("acquisition") || !json["acquisition"].contains("conversion")) return 0;
+    const auto& conversion = json["acquisition"]["conversion"];
+    if (conversion.contains("ns")) return conversion["ns"].get<std::int64_t>();
+    if (!conversion.contains("param") || !conversion.contains("ns_by_value")) return 0;
+    for (const Param& param : device.params) {
+      if (param.spec->name != conversion["param"]) continue;
+      const auto* number = std::get_if<std::int64_t>(&param.value);
+      const auto* word = std::get_if<std::string>(&param.value);
+      const std::string key = number != nullptr ? std::to_string(*number) : word != nullptr ? *word : std::string();
+      return conversion["ns_by_value"].value(key, std::int64_t{0});
+    }
+    return 0;
+  }
+  void check_conversion(const Device& device) {
+    const std::int64_t conversion = conversion_ns(device);
+    if (conversion <= device.period_ns) return;
+    Diagnostic* finding =
+        report(code::lint_conversion, device.at,
+               fmt::format("a conversion of device '{}' takes {}, longer than its period of {}", device.name.text,
+                           units::format_duration(conversion), units::format_duration(device.period_ns)));
+    if (finding == nullptr) return;
+    const std::int64_t enough = (conversion + robot_.tick_ns - 1) / robot_.tick_ns * robot_.tick_ns;
+    finding->underline(7)
+        .note("most of its updates will find no new sample")
+        .hint(fmt::format("write period=\"{}\" or longer, or choose a shorter conversion",
+                          units::format_duration(enough)));
+  }
+
+  const Robot& robot_;
+  const LintOptions& options_;
+  Diagnostics& diagnostics_;
+  std::vector<Edit> edits_;
+};
+
+}  // namespace
+
+std::vector<Edit> lint(const Robot& robot, const LintOptions& options, Diagnostics& diagnostics) {
+  return Linter(robot, options, diagnostics).run();
+}
+
+}  // namespace finemote::gen

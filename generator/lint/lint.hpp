@@ -1,0 +1,28 @@
+// A correct robot to warnings that save robots, and to the edits that mend the mechanical ones.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/diagnostic/diagnostics.hpp"
+#include "generator/lint/edit.hpp"
+#include "generator/model/robot.hpp"
+
+namespace finemote::gen {
+
+struct LintOptions {
+  std::vector<Code> allow;  ///< not reported
+  std::vector<Code> deny;   ///< reported as errors
+  double most_bus_load = 0.7;
+  std::vector<double> bus_load;  ///< 0..1, per Robot::buses, from the timing analysis; empty: not known
+};
+
+/// Looks for what is allowed and yet rarely meant. Reports, in document order:
+/// FM3151 a sensor declared after actuators of its period (they handle later than they could),
+/// FM3152 a child's period that is neither multiple nor divisor of its parent's,
+/// FM3153 a leaf without <wcet>, FM3154 a conversion longer than the device's period,
+/// FM3155 a bus that is busy for more than `most_bus_load`, FM3156 a bus nobody uses.
+/// @return  edits for FM3151 and FM3156, where the text was written by hand and not by a macro.
+std::vector<Edit> lint(const Robot& robot, const LintOptions& options, Diagnostics& diagnostics);
+
+}  // namespace finemote::gen
