@@ -49,9 +49,8 @@ Value Expander::evaluate_piece(const Piece& piece, const Position& at, const std
   current_ = at;
   const bool is_expression = piece.kind == Piece::Kind::expression;
   try {
-    const std::string source =
-        piece.inner ? to_text(runtime_, evaluate_pieces(*piece.inner, at, whole, scope)) : piece.text;
-    Value value = is_expression ? evaluate_source(source, scope) : Value(substitute(*this, source));
+    Value value = is_expression ? evaluate_expression(piece, at, whole, scope)
+                                : Value(substitute(*this, inner_of(piece, at, whole, scope)));
     current_ = outer;
     return value;
   } catch (Failure& failure) {
@@ -65,6 +64,16 @@ Value Expander::evaluate_piece(const Piece& piece, const Position& at, const std
     }
     throw;
   }
+}
+
+std::string Expander::inner_of(const Piece& piece, const Position& at, const std::string& whole, Scope& scope) {
+  return piece.inner ? to_text(runtime_, evaluate_pieces(*piece.inner, at, whole, scope)) : piece.text;
+}
+
+Value Expander::evaluate_expression(const Piece& piece, const Position& at, const std::string& whole, Scope& scope) {
+  if (piece.inner) return evaluate_source(inner_of(piece, at, whole, scope), scope);
+  if (!piece.compiled) piece.compiled = parse_expression(stripped(piece.text));
+  return xacro::evaluate(runtime_, *piece.compiled, scope);
 }
 
 Value Expander::evaluate_source(const std::string& source, Scope& scope) {

@@ -93,6 +93,8 @@ class Expander : private Host, private SubstitutionHost {
   Value value_of(const std::string& text, const Position& at, Scope& scope);
   Value evaluate_pieces(const Text& text, const Position& at, const std::string& whole, Scope& scope);
   Value evaluate_piece(const Piece& piece, const Position& at, const std::string& whole, Scope& scope);
+  std::string inner_of(const Piece& piece, const Position& at, const std::string& whole, Scope& scope);
+  Value evaluate_expression(const Piece& piece, const Position& at, const std::string& whole, Scope& scope);
   Value evaluate_source(const std::string& source, Scope& scope);
   Value property_value(const Scope::Found& found, const std::string& name);
   bool boolean_of(const Value& value, const std::string& condition, const Position& at);

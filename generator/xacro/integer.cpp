@@ -251,6 +251,19 @@ Integer integer_of(double value) {
   return integer_from(BigInteger(BigInteger(mantissa) * (BigInteger(1) << static_cast<unsigned>(exponent - 53))));
 }
 
+namespace {
+
+/// Python's bound for decimal texts; a bound of ours for binary, octal and hexadecimal ones.
+void check_digit_count(std::size_t digits, unsigned base) {
+  const bool is_power_of_two = (base & (base - 1)) == 0;
+  if (is_power_of_two && digits > 20'000) fail_limit("the integer has too many digits");
+  if (is_power_of_two || digits <= kMaxIntegerDigits) return;
+  fail_eval(fmt::format("Exceeds the limit ({} digits) for integer string conversion: value has {} digits",
+                        kMaxIntegerDigits, digits));
+}
+
+}  // namespace
+
 std::optional<Integer> parse_digits(std::string_view digits, unsigned base) {
   if (digits.empty()) return std::nullopt;
   const auto value_of = [](char c) -> unsigned {
@@ -259,17 +272,12 @@ std::optional<Integer> parse_digits(std::string_view digits, unsigned base) {
     if (c >= 'A' && c <= 'Z') return static_cast<unsigned>(c - 'A') + 10;
     return 99;
   };
-  const bool is_power_of_two = (base & (base - 1)) == 0;
-  if (!is_power_of_two && digits.size() > kMaxIntegerDigits) {
-    fail_eval(fmt::format("Exceeds the limit ({} digits) for integer string conversion: value has {} digits",
-                          kMaxIntegerDigits, digits.size()));
-  }
-  if (digits.size() > 20'000) fail_limit("the integer has too many digits");
+  if (!std::all_of(digits.begin(), digits.end(), [&](char c) { return value_of(c) < base; })) return std::nullopt;
+  check_digit_count(digits.size(), base);
   std::int64_t small = 0;
   std::optional<BigInteger> big;
   for (const char c : digits) {
     const unsigned digit = value_of(c);
-    if (digit >= base) return std::nullopt;
     if (!big && small < std::numeric_limits<std::int64_t>::max() / 64) {
       small = small * base + digit;
     } else {

@@ -46,7 +46,9 @@ Value literal_of(Value value) {
   if (text == nullptr) return value;
   if (text->size() >= 2 && text->front() == '\'' && text->back() == '\'') return text->substr(1, text->size() - 2);
   if (text->find('_') != std::string::npos) return value;
-  if (const auto i = parse_integer(*text)) return *i;
+  const bool may_be_integer = text->size() <= kMaxIntegerDigits;  // longer ones Python refuses to read as int
+  const auto i = may_be_integer ? parse_integer(*text) : std::nullopt;
+  if (i) return *i;
   if (const auto d = parse_real(*text)) return *d;
   if (*text == "true" || *text == "True") return true;
   if (*text == "false" || *text == "False") return false;

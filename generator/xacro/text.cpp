@@ -38,7 +38,9 @@ std::unique_ptr<const Text> inner_text(std::string_view inside) {
 }
 
 Piece make_piece(const Match& match, std::string_view spelling, std::size_t offset) {
-  Piece piece{match.kind, {}, offset, nullptr};
+  Piece piece;
+  piece.kind = match.kind;
+  piece.offset = offset;
   const bool is_bracketed = match.kind == Piece::Kind::expression || match.kind == Piece::Kind::substitution;
   if (is_bracketed) {
     const std::string_view inside = spelling.substr(2, spelling.size() - 3);

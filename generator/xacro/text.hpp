@@ -17,6 +17,7 @@ struct Piece {
   Kind kind = Kind::plain;
   std::string text;        ///< what to copy, or what is between the brackets; from here to the end when malformed
   std::size_t offset = 0;  ///< of the piece in the whole text, in bytes
+  mutable std::shared_ptr<const Expression> compiled;  ///< of an expression without inner text, made at first use
   std::unique_ptr<const Text> inner;  ///< the cut text between the brackets when it holds a '$' itself; else null
 };
 

@@ -172,6 +172,23 @@ TEST_CASE("xacro: parameters of macros") {
   CHECK(call("a", "a='1' c='2'").find("Invalid parameter \"c\"") != std::string::npos);
 }
 
+TEST_CASE("xacro: stored texts become the values Python would read") {
+  const auto stored = [](const std::string& text) {
+    return expand("<xacro:property name='p' value='" + text + "'/><a t='${python.type(p)}' v='${p}'/>").text();
+  };
+  const auto is = [&](const std::string& text, const std::string& type, const std::string& value) {
+    return stored(text).find("<a t=\"&lt;class '" + type + "'&gt;\" v=\"" + value + "\"/>") != std::string::npos;
+  };
+  CHECK(is("007", "int", "7"));
+  CHECK(is(" 42 ", "int", "42"));
+  CHECK(is("1_000", "str", "1_000"));
+  CHECK(is("1e400", "float", "inf"));
+  CHECK(is("0x10", "str", "0x10"));
+  CHECK(is("true", "bool", "True"));
+  CHECK(is(std::string(5000, 'x'), "str", std::string(5000, 'x')));
+  CHECK(is(std::string(5000, '9'), "float", "inf"));
+}
+
 TEST_CASE("xacro: xacro:attribute inside a condition reaches the element") {
   CHECK(expand("<a><xacro:if value='1'><xacro:attribute name='b' value='${1+1}'/></xacro:if></a>").text() ==
         "<r>\n  <a b=\"2\"/>\n</r>\n");
