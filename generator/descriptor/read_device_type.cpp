@@ -86,14 +86,16 @@ void read_shared_frames(const Json& value, DeviceType& type) {
   const auto frames = value.find("frames");
   if (frames == value.end()) return;
   for (const Json& frame : *frames) {
-    const auto identifier = optional_member<std::uint32_t>(frame, "identifier");
-    if (!identifier) continue;
-    SharedFrame shared{*identifier, 0, UINT32_MAX};
-    if (const auto ids = frame.find("ids"); ids != frame.end()) {
-      shared.id_min = ids->at(0).get<std::uint32_t>();
-      shared.id_max = ids->at(1).get<std::uint32_t>();
+    if (const auto identifier = optional_member<std::uint32_t>(frame, "identifier")) {
+      type.shared_frames.push_back({*identifier, 0, UINT32_MAX});
     }
-    type.shared_frames.push_back(shared);
+    const auto by_id = frame.find("identifiers");
+    if (by_id == frame.end()) continue;
+    for (const Json& entry : *by_id) {
+      const Json& ids = entry.at("ids");
+      type.shared_frames.push_back({entry.at("identifier").get<std::uint32_t>(), ids.at(0).get<std::uint32_t>(),
+                                    ids.at(1).get<std::uint32_t>()});
+    }
   }
 }
 
