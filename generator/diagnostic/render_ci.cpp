@@ -1,0 +1,128 @@
+#include "generator/diagnostic/render_ci.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "generator/diagnostic/render.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* severity_name(Severity severity) { return severity == Severity::error ? "error" : "warning"; }
+
+std::string gcc_place(const Position& at) {
+  if (at.file == nullptr) return "finemote";
+  std::string text = at.file->name;
+  if (at.line > 0) text += fmt::format(":{}", at.line);
+  if (at.line > 0 && at.column > 0) text += fmt::format(":{}", at.column);
+  return text;
+}
+
+/// Message, notes and hints as one text.
+std::string whole_message(const Diagnostic& finding) {
+  std::string text = finding.message;
+  for (const Note& note : finding.notes) text += "\nnote: " + note.message;
+  for (const std::string& hint : finding.hints) text += "\nhint: " + hint;
+  return text;
+}
+
+/// Workflow commands end at a line break, and their properties at `,` and `:`.
+std::string escape_github(std::string_view text, bool is_property) {
+  std::string escaped;
+  for (const char c : text) {
+    const bool needs = c == '%' || c == '\r' || c == '\n' || (is_property && (c == ':' || c == ','));
+    escaped += needs ? fmt::format("%{:02X}", static_cast<unsigned char>(c)) : std::string(1, c);
+  }
+  return escaped;
+}
+
+std::string github_line(const Diagnostic& finding) {
+  std::string text = fmt::format("::{} ", severity_name(finding.severity));
+  const Position& at = finding.at;
+  if (at.file != nullptr) text += fmt::format("file={},", escape_github(at.file->name, true));
+  if (at.file != nullptr && at.line > 0) text += fmt::format("line={},", at.line);
+  if (at.file != nullptr && at.line > 0 && at.column > 0) text += fmt::format("col={},", at.column);
+  return text + fmt::format("title={}::{}\n", code_name(finding.code), escape_github(whole_message(finding), false));
+}
+
+/// A path as the address of an artifact: what is no letter, digit or one of -._~/ is escaped.
+std::string to_uri(std::string_view path) {
+  std::string uri;
+  for (const char c : path) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                          std::string_view("-._~/").find(c) != std::string_view::npos;
+    uri += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return uri;
+}
+
+Json sarif_location(const Diagnostic& finding, const std::string& input) {
+  const Position& at = finding.at;
+  Json physical{{"artifactLocation", {{"uri", to_uri(at.file != nullptr ? at.file->name : input)}}}};
+  Json region{{"startLine", std::max<std::uint32_t>(at.line, 1)}};
+  if (at.column > 0) {
+    region["startColumn"] = at.column;
+    region["endColumn"] = at.column + finding.length;
+  }
+  physical["region"] = region;
+  return Json::array({Json{{"physicalLocation", physical}}});
+}
+
+}  // namespace
+
+std::string render_gcc(const Diagnostics& diagnostics) {
+  std::string text;
+  for (const Diagnostic& finding : diagnostics.in_file_order()) {
+    const std::string place = gcc_place(finding.at);
+    text += fmt::format("{}: {}: {} [{}]\n", place, severity_name(finding.severity), finding.message,
+                        code_name(finding.code));
+    for (const Note& note : finding.notes)
+      text += fmt::format("{}: note: {}\n", note.at.file != nullptr ? gcc_place(note.at) : place, note.message);
+    for (const std::string& hint : finding.hints) text += fmt::format("{}: note: {}\n", place, hint);
+  }
+  return text;
+}
+
+std::string render_github(const Diagnostics& diagnostics) {
+  constexpr std::size_t kShown = 10;
+  std::map<Severity, std::size_t> total, written;
+  const auto findings = diagnostics.in_file_order();
+  for (const Diagnostic& finding : findings) ++total[finding.severity];
+  std::string text;
+  for (const Diagnostic& finding : findings) {
+    const std::size_t number = ++written[finding.severity];
+    const bool is_last = number == kShown && total[finding.severity] > kShown;
+    if (number > kShown) continue;
+    text += is_last ? fmt::format("::{} title=FineMote::and {} more\n", severity_name(finding.severity),
+                                  total[finding.severity] - kShown + 1)
+                    : github_line(finding);
+  }
+  return text;
+}
+
+Json render_sarif(const Diagnostics& diagnostics, const std::string& tool_version, const std::string& input) {
+  Json rules = Json::array();
+  Json results = Json::array();
+  std::map<std::uint16_t, std::size_t> rule_index;
+  for (const Diagnostic& finding : diagnostics.in_file_order()) {
+    const auto [rule, is_new] = rule_index.emplace(finding.code.number, rules.size());
+    if (is_new)
+      rules.push_back(
+          {{"id", code_name(finding.code)}, {"help", {{"text", "finemote explain " + code_name(finding.code)}}}});
+    results.push_back({{"ruleId", code_name(finding.code)},
+                       {"ruleIndex", rule->second},
+                       {"level", severity_name(finding.severity)},
+                       {"message", {{"text", whole_message(finding)}}},
+                       {"locations", sarif_location(finding, input)}});
+  }
+  const Json driver{{"name", "finemote"}, {"version", tool_version}, {"rules", rules}};
+  return Json{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+              {"version", "2.1.0"},
+              {"runs", Json::array({Json{{"tool", {{"driver", driver}}}, {"results", results}}})}};
+}
+
+}  // namespace finemote::gen
