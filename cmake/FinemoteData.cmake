@@ -5,4 +5,7 @@ foreach(folder ${FINEMOTE_DATA_FOLDERS})
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PROJECT_BINARY_DIR}/share/${folder} SYMBOLIC)
   install(DIRECTORY ${folder} DESTINATION share/finemote)
 endforeach()
+# The page of every diagnostic, which `finemote explain` prints.
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/docs/diagnostics ${PROJECT_BINARY_DIR}/share/diagnostics SYMBOLIC)
+install(DIRECTORY docs/diagnostics DESTINATION share/finemote)
 install(TARGETS finemote DESTINATION bin)

@@ -11,6 +11,8 @@ int run_tree(Context& context);
 int run_board_show(Context& context);
 int run_run(Context& context);
 int run_diff(Context& context);
+int run_explain(Context& context);
+int run_schema(Context& context);
 int run_xacro_command(Context& context);
 int run_analyze_command(Context& context);
 int run_simulate_command(Context& context);

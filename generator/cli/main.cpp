@@ -19,6 +19,8 @@ int run(const Options& options) {
       {"board show", run_board_show},
       {"run", run_run},
       {"diff", run_diff},
+      {"explain", run_explain},
+      {"schema", run_schema},
       {"xacro", run_xacro_command},
       {"analyze", run_analyze_command},
       {"simulate", run_simulate_command},

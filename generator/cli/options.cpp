@@ -117,6 +117,14 @@ void add_timing(CLI::App& app, Options& options) {
   simulate->add_option("-o", options.out, "write a trace for Perfetto to this file");
 }
 
+void add_reference(CLI::App& app, Options& options) {
+  CLI::App* explain = app.add_subcommand("explain", "what a diagnostic means and how to mend it; without a code, all of them");
+  explain->add_option("CODE", options.input, "for example FM3012");
+  CLI::App* schema = app.add_subcommand("schema", "print a schema for editors");
+  schema->add_option("KIND", options.input, "xsd: the <finemote> elements; json: device descriptors; board; expander")
+      ->required();
+}
+
 void add_diff(CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand("diff", "what changed between two robots, models or generated folders");
   command->add_option("A", options.input, "robot, model (.json) or generated folder")->required();
@@ -128,6 +136,7 @@ void add_run(CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand("run", "generate, compile, run and measure the firmware of a robot");
   add_input_options(*command, options);
   command->add_option("--duration", options.duration, "time to run on the board, for example 100ms");
+  command->add_option("--chain", options.chains, "a->b: a chain beside the default ones");
   command->add_option("--scenario", options.scenario, "file with stimuli and faults (emulated Type C board)");
   command->add_option("-o", options.out, "write a trace for Perfetto to this file");
   command->add_option("--keep", options.keep, "keep generated sources and build in this folder");
@@ -156,6 +165,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
   add_views(app, options);
   add_run(app, options);
   add_diff(app, options);
+  add_reference(app, options);
   add_xacro(app, options);
   add_timing(app, options);
 

@@ -16,6 +16,7 @@
 #include "generator/run/emulate.hpp"
 #include "generator/run/execute.hpp"
 #include "generator/run/report.hpp"
+#include "generator/timing/command.hpp"
 #include "generator/timing/from_robot.hpp"
 #include "generator/units/units.hpp"
 
@@ -121,13 +122,18 @@ bool all_constant(const Robot& robot) {
 }
 
 /// Bounds of the image as it runs: with the cost of its trace.
-std::optional<timing::Timing> bounds(const Loaded& loaded, Diagnostics& diagnostics) {
+std::optional<timing::Timing> bounds(const Context& context, const Loaded& loaded, Diagnostics& diagnostics) {
   timing::RobotTimingOptions options;
   options.trace = true;
+  const timing::Model model = timing::make_timing_model(loaded.robot, loaded.forest, loaded.schedule, options);
   timing::AnalysisRequest request;
   request.requirements = timing::timing_requirements(loaded.robot, loaded.forest);
-  return timing::analyse(timing::make_timing_model(loaded.robot, loaded.forest, loaded.schedule, options), request,
-                         diagnostics);
+  for (const std::string& text : context.options.chains) {
+    const auto chain = timing::parse_chain(model, text, diagnostics);
+    if (!chain) return std::nullopt;
+    request.chains.push_back(*chain);
+  }
+  return timing::analyse(model, request, diagnostics);
 }
 
 bool write_trace(Context& context, const RunResult& result) {
@@ -175,12 +181,15 @@ int run_run(Context& context) {
   const auto image = image_facts(*path, board != "host", !all_constant(loaded->robot), context.diagnostics);
   if (!image || context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   if (context.options.build_only) return finish_build(context, *image, board);
-  auto record = run_image(context, *loaded, board, *path, *duration);
-  if (!record) return finish(context, kExitInvalid);
-
   // What the analysis finds wrong is analyze's answer, not this one's: a run that goes well is a good run.
   Diagnostics analysis;
-  const auto timing = bounds(*loaded, analysis);
+  const auto timing = bounds(context, *loaded, analysis);
+  for (const Diagnostic& finding : analysis.in_file_order()) {
+    if (finding.code == code::timing_chain) context.diagnostics.error(finding.code, finding.at, finding.message);
+  }
+  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  auto record = run_image(context, *loaded, board, *path, *duration);
+  if (!record) return finish(context, kExitInvalid);
   RunResult result{loaded->robot, loaded->forest, loaded->schedule, board, *duration, *duration, *image, std::move(*record), {}};
   if (timing) result.chains = measure_chains(loaded->robot, loaded->forest, *timing, result.record);
   if (const auto whole = hyperperiod(loaded->schedule, *duration)) result.shown_ns = std::min(2 * *whole, *duration);

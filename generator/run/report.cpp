@@ -115,6 +115,18 @@ void print_figure(const RunResult& result, const MeasuredChain& chain, const cha
                      figure.holds() ? "" : "  ABOVE ITS BOUND");
 }
 
+/// In QEMU every instruction takes 8 ns, so times of a busy processor are counts.
+void print_instructions(const RunResult& result, std::ostream& out) {
+  constexpr std::int64_t kInstruction = 8;
+  out << "\nthe same in instructions: update to handle\n";
+  for (const MeasuredChain& chain : result.chains) {
+    const Statistics& s = chain.decide.observed;
+    if (s.count == 0) continue;
+    out << fmt::format("  {:<28} {} to {}, jitter {}\n", name_of(result, chain.from) + " -> " + name_of(result, chain.to),
+                       s.min_ns / kInstruction, s.max_ns / kInstruction, (s.max_ns - s.min_ns) / kInstruction);
+  }
+}
+
 void print_chains(const RunResult& result, std::ostream& out) {
   out << "\nage of the data behind a command, us: sample (acquire) update (decide) handle (wire) output\n";
   out << fmt::format("  {:<28} {:<10} {:>7} {:>11} {:>11} {:>11} {:>9} {:>11}\n", "chain", "part", "samples", "min",
@@ -167,6 +179,7 @@ void print_run(const RunResult& result, std::ostream& out) {
   print_image(result.image, out);
   print_order(result, out);
   print_chains(result, out);
+  if (result.board == "qemu_f405") print_instructions(result, out);
   if (!result.record.buses.empty()) out << "\nbuses\n";
   for (const BusRecord& bus : result.record.buses) {
     if (bus.bus >= result.robot.buses.size()) continue;

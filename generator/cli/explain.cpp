@@ -1,0 +1,69 @@
+// finemote explain: the page of a diagnostic.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "generator/cli/commands.hpp"
+#include "generator/cli/data_dir.hpp"
+#include "generator/cli/exit_status.hpp"
+#include "generator/cli/finish.hpp"
+#include "generator/diagnostic/suggest.hpp"
+#include "generator/output/folder.hpp"
+
+namespace finemote::gen {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Names of all pages, `FM0001` and so on, sorted.
+std::vector<std::string> page_names(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().stem().string();
+    if (name.rfind("FM", 0) == 0 && entry->path().extension() == ".md") names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// `the board has no such port`, of a page that begins `# FM3012: the board has no such port`.
+std::string title_of(const std::string& page) {
+  const auto colon = page.find(": ");
+  const auto end = page.find('\n');
+  return colon == std::string::npos || colon > end ? std::string() : page.substr(colon + 2, end - colon - 2);
+}
+
+}  // namespace
+
+int run_explain(Context& context) {
+  const std::string data_dir = find_data_dir(context.options, context.diagnostics);
+  if (data_dir.empty()) return finish(context, kExitInvalid);
+  const std::string folder = data_dir + "/diagnostics";
+  const std::vector<std::string> names = page_names(folder);
+  Json list = Json::array();
+  if (context.options.input.empty()) {
+    for (const std::string& name : names) {
+      const std::string title = title_of(read_bytes(folder + "/" + name + ".md").value_or(""));
+      if (context.options.format == Format::text) context.out << name << "  " << title << "\n";
+      list.push_back({{"code", name}, {"title", title}});
+    }
+    return finish(context, kExitYes, Json{{"schema", "finemote.explain/1"}, {"codes", list}});
+  }
+  std::string wanted = context.options.input;
+  std::transform(wanted.begin(), wanted.end(), wanted.begin(), [](unsigned char c) { return std::toupper(c); });
+  if (std::find(names.begin(), names.end(), wanted) == names.end()) {
+    context.diagnostics.error(code::usage, {}, fmt::format("there is no diagnostic '{}'", context.options.input))
+        .hint(did_you_mean(wanted, names));
+    return finish(context, kExitInvalid);
+  }
+  const std::string page = read_bytes(folder + "/" + wanted + ".md").value_or("");
+  if (context.options.format == Format::text) context.out << page;
+  return finish(context, kExitYes,
+                Json{{"schema", "finemote.explain/1"}, {"code", wanted}, {"title", title_of(page)}, {"page", page}});
+}
+
+}  // namespace finemote::gen
