@@ -145,6 +145,28 @@ void report_remarks(const Timing& timing, Diagnostics& diagnostics) {
   }
 }
 
+/// The chains a user named: on the command line, and by requirements.
+std::vector<ChainRequest> asked_chains(const AnalysisRequest& request) {
+  std::vector<ChainRequest> chains = request.chains;
+  for (const Requirement& requirement : request.requirements) {
+    const bool is_latency = requirement.kind == Requirement::Kind::latency_end_to_end ||
+                            requirement.kind == Requirement::Kind::latency_decision;
+    if (!is_latency) continue;
+    for (const std::size_t from : requirement.from) {
+      for (const std::size_t to : requirement.to) chains.push_back({from, to});
+    }
+  }
+  return chains;
+}
+
+/// Adds a chain that is not there yet and that data can take.
+void add_chain(const ChainAnalysis& analysis, const ChainRequest& wanted, std::vector<ChainResult>& chains) {
+  const bool known = std::any_of(chains.begin(), chains.end(), [&](const ChainResult& chain) {
+    return chain.from == wanted.from && chain.to == wanted.to;
+  });
+  if (!known && analysis.connected(wanted.from, wanted.to)) chains.push_back(analysis.bound(wanted.from, wanted.to));
+}
+
 Timing analyse_all(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics) {
   const Topology topology = make_topology(model);
   Timing timing;
@@ -179,28 +201,6 @@ Timing analyse_all(const Model& model, const AnalysisRequest& request, Diagnosti
   report_requirements(timing, diagnostics);
   report_remarks(timing, diagnostics);
   return timing;
-}
-
-/// The chains a user named: on the command line, and by requirements.
-std::vector<ChainRequest> asked_chains(const AnalysisRequest& request) {
-  std::vector<ChainRequest> chains = request.chains;
-  for (const Requirement& requirement : request.requirements) {
-    const bool is_latency = requirement.kind == Requirement::Kind::latency_end_to_end ||
-                            requirement.kind == Requirement::Kind::latency_decision;
-    if (!is_latency) continue;
-    for (const std::size_t from : requirement.from) {
-      for (const std::size_t to : requirement.to) chains.push_back({from, to});
-    }
-  }
-  return chains;
-}
-
-/// Adds a chain that is not there yet and that data can take.
-void add_chain(const ChainAnalysis& analysis, const ChainRequest& wanted, std::vector<ChainResult>& chains) {
-  const bool known = std::any_of(chains.begin(), chains.end(), [&](const ChainResult& chain) {
-    return chain.from == wanted.from && chain.to == wanted.to;
-  });
-  if (!known && analysis.connected(wanted.from, wanted.to)) chains.push_back(analysis.bound(wanted.from, wanted.to));
 }
 
 }  // namespace
