@@ -87,7 +87,7 @@ TEST_CASE("random forests generate, compile and run in the prescribed order") {
     write_file(folder.path("CMakeLists.txt"), project_text(forests));
     const std::chrono::seconds limit(900);
     const std::string build = folder.path("build");
-    const std::vector<std::string> configure{"cmake", "-S", folder.path(), "-B", build, "-G", "Ninja", "-DCMAKE_CXX_FLAGS=-O0 -g0"};
+    const std::vector<std::string> configure{"cmake", "-S", folder.path(), "-B", build, "-G", "Ninja", "-DCMAKE_CXX_FLAGS=-O0 -g0", "-DCMAKE_UNITY_BUILD=ON"};
     REQUIRE(finemote::gen::run_process(configure, limit).exit_status == 0);
     const auto built = finemote::gen::run_process({"cmake", "--build", build}, limit);
     INFO(built.output);
