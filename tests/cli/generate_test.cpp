@@ -107,3 +107,21 @@ TEST_CASE("--list names exactly the files that are written, --dry-run writes non
   CHECK(rule.find("sim_load.json") != std::string::npos);
   CHECK(rule.find("robomaster_type_c.json") != std::string::npos);
 }
+
+TEST_CASE("FinsROV written with macros is FinsROV") {
+  TemporaryFolder folder;
+  const auto result = finemote_json({"diff", source_path("examples/finsrov.urdf"), source_path("examples/finsrov.urdf.xacro")});
+  CHECK(result["changes"].empty());
+  REQUIRE(run_finemote({"generate", source_path("examples/finsrov.urdf"), "-o", folder.path("plain")}).exit_status == 0);
+  REQUIRE(run_finemote({"generate", source_path("examples/finsrov.urdf.xacro"), "-o", folder.path("xacro")}).exit_status == 0);
+  auto plain = files_below(folder.path("plain"));
+  auto expanded = files_below(folder.path("xacro"));
+  plain.erase("finemote.manifest.json");
+  expanded.erase("finemote.manifest.json");
+  for (auto& [name, text] : expanded) {
+    const auto suffix = text.find(".urdf.xacro\n");
+    REQUIRE(suffix != std::string::npos);
+    text.erase(suffix + 5, 6);
+  }
+  CHECK(plain == expanded);
+}
