@@ -24,6 +24,12 @@ void set_attribute(xml::Node& node, xml::Attribute attribute) {
   node.attributes.push_back(std::move(attribute));
 }
 
+/// One level deeper, or a failure at the tag that asks for it.
+Level enter(std::size_t& depth, std::size_t limit, const char* message, const Position& at) {
+  if (depth >= limit) throw Failure{code::xacro_limit, message, at};
+  return Level(depth, limit, message);
+}
+
 }  // namespace
 
 Expander::Expander(const SourceFile& entry, const Arguments& arguments, const PackagePath& packages, Sources& sources,
@@ -119,7 +125,8 @@ void Expander::expand_element(const Node& source, const Context& context, Sink& 
 }
 
 void Expander::expand_plain_element(const Node& source, const Context& context, Sink& out) {
-  const Level level(output_depth_, kMaxOutputDepth, "elements are nested too deeply");
+  const Level level =
+      enter(output_depth_, kMaxOutputDepth, "elements are nested too deeply", place(source.at, context));
   Node element;
   element.name = source.name;
   element.at = place(source.at, context);
@@ -172,9 +179,9 @@ void Expander::expand_renamed(const Node& source, const Context& context, Sink& 
   renamed.name = text_of(name.value, at, *context.scope);
   if (renamed.name.empty()) throw Failure{code::xacro_attribute, "xacro:element: empty name", at};
   std::erase_if(renamed.attributes, [](const xml::Attribute& a) { return a.name == "xacro:name"; });
-  if (++calls_ > kMaxCalls) fail_limit("too many macro calls");
+  if (++calls_ > kMaxCalls) throw Failure{code::xacro_limit, "too many macro calls", at};
   renamed_.push_back(std::move(renamed));
-  const Level level(evaluation_depth_, kMaxNestedCalls, "maximum recursion depth exceeded");
+  const Level level = enter(block_depth_, kMaxNestedCalls, "maximum recursion depth exceeded", at);
   expand_element(renamed_.back(), context, out, has_next);
 }
 
@@ -224,7 +231,8 @@ void Expander::expand_block(const Node& source, const Context& context, Sink& ou
   if (held == nullptr) throw Failure{code::xacro_block, fmt::format("Undefined block \"{}\"", name.value), at};
   if (++calls_ > kMaxCalls) throw Failure{code::xacro_limit, "too many macro calls and inserted blocks", at};
 
-  const Level level(evaluation_depth_, kMaxNestedCalls, "maximum recursion depth exceeded: a block inserts itself");
+  const Level level =
+      enter(block_depth_, kMaxNestedCalls, "maximum recursion depth exceeded: a block inserts itself", at);
   const std::shared_ptr<const Block> block = *held;
   const Context inner{context.scope, context.macros, block->via, block->is_placed};
   if (!content_only) return expand_plain_element(*block->node, inner, out);

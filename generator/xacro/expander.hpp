@@ -148,6 +148,7 @@ class Expander : private Host, private SubstitutionHost {
   std::size_t calls_ = 0;
   std::size_t output_size_ = 0;
   std::size_t output_depth_ = 0;
+  std::size_t block_depth_ = 0;
   std::size_t evaluation_depth_ = 0;
   std::set<std::tuple<const SourceFile*, std::uint32_t, std::uint32_t, std::string>> warned_;
 };

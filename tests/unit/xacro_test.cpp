@@ -201,6 +201,9 @@ TEST_CASE("xacro: limits end what does not end by itself, with a place") {
   };
   CHECK(ends(expand("<xacro:macro name='m'><xacro:m/></xacro:macro><xacro:m/>"), "maximum recursion depth exceeded"));
   CHECK(ends(expand("<xacro:macro name='m'><a><xacro:m/></a></xacro:macro><xacro:m/>"), "FM1011"));
+  CHECK(expand("<xacro:macro name='m'><a><b><xacro:m/></b></a></xacro:macro><xacro:m/>")
+            .report()
+            .find("in.xacro:1:70: ") == 0);
   CHECK(ends(
       expand("<xacro:macro name='m' params='n'><xacro:if value='${n > 0}'><xacro:m n='${n-1}'/><xacro:m n='${n-1}'/>"
              "</xacro:if></xacro:macro><xacro:m n='60'/>"),
