@@ -6,6 +6,8 @@
 
 #include "generator/cli/exit_status.hpp"
 #include "generator/diagnostic/render.hpp"
+#include "generator/diagnostic/render_ci.hpp"
+#include "generator/version.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -14,6 +16,17 @@ bool use_color(const Options& options) {
   if (options.color != ColorMode::automatic) return options.color == ColorMode::always;
   const char* no_color = std::getenv("NO_COLOR");
   return (no_color == nullptr || *no_color == '\0') && isatty(STDERR_FILENO) == 1;
+}
+
+/// The formats for editors and CI are the result: they go to stdout, whatever the status.
+void print_for_ci(Context& context) {
+  const Diagnostics& diagnostics = context.diagnostics;
+  switch (context.options.format) {
+    case Format::gcc: context.out << render_gcc(diagnostics); break;
+    case Format::github: context.out << render_github(diagnostics); break;
+    case Format::sarif: context.out << render_sarif(diagnostics, kVersion, context.options.input).dump(2) << "\n"; break;
+    default: break;
+  }
 }
 
 }  // namespace
@@ -32,6 +45,7 @@ int finish(Context& context, int status, nlohmann::ordered_json document) {
     document["diagnostics"] = render_json(context.diagnostics);
     context.out << document.dump(2) << "\n";
   }
+  print_for_ci(context);
   context.out.flush();
   return status;
 }
