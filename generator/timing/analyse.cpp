@@ -167,7 +167,7 @@ void add_chain(const ChainAnalysis& analysis, const ChainRequest& wanted, std::v
   if (!known && analysis.connected(wanted.from, wanted.to)) chains.push_back(analysis.bound(wanted.from, wanted.to));
 }
 
-Timing analyse_all(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics) {
+std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics) {
   const Topology topology = make_topology(model);
   Timing timing;
   timing.model = model;
@@ -181,6 +181,13 @@ Timing analyse_all(const Model& model, const AnalysisRequest& request, Diagnosti
   const WireAnalysis wire(model, best, effort);
   const ChainAnalysis chains(model, topology, best, wire, effort);
   timing.chains = chains.defaults();
+  for (const ChainRequest& c : request.chains) {
+    if (chains.connected(c.from, c.to)) continue;
+    diagnostics.error(
+        code::timing_chain, model.devices[c.from].at,
+        fmt::format("no data leads from '{}' to '{}'", model.devices[c.from].name, model.devices[c.to].name));
+  }
+  if (diagnostics.has_errors()) return std::nullopt;
   for (const ChainRequest& c : asked_chains(request)) add_chain(chains, c, timing.chains);
   const Evaluation evaluation(model, best, chains, wire.loads());
   for (const Requirement& r : request.requirements) timing.requirements.push_back(evaluation.evaluate(r));

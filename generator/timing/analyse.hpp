@@ -55,8 +55,8 @@ struct Timing {
 };
 
 /// Analyses a model that read_model accepts. Reports FM4010 and FM4011 (no result), FM4015 (a bucket of the asked
-/// profile may overrun), FM4016 (a requirement fails), FM4019 (target asked of a plain model; no result), and as
-/// warnings FM4017 (closed forms) and FM4020 (assumed execution times).
+/// profile may overrun), FM4016 (a requirement fails), FM4018 (a chain that leads nowhere; no result), FM4019 (target
+/// asked of a plain model; no result), and as warnings FM4017 (closed forms) and FM4020 (assumed execution times).
 std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics);
 
 /// Largest factor, in thousandths, all execution times of devices (`only`: of one) can be multiplied with such that

@@ -325,22 +325,27 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(std::size_t tree,
   return results;
 }
 
-/// Root releases until everything in the tree repeats; kNever when that leaves the range of numbers.
-Ns ChainAnalysis::entries(std::size_t tree) const {
-  const std::size_t root = topology_.roots[tree];
-  try {
-    Ns common = 1;
-    for (std::size_t d = 0; d < model_.devices.size(); ++d) {
-      if (topology_.root_of[d] == root) common = lcm(common, profile_.table.repeat(d));
+/// Per tree: root releases until everything in it repeats; kNever when that leaves the range of numbers.
+std::vector<Ns> ChainAnalysis::entries() const {
+  std::map<std::size_t, Ns> common;
+  for (std::size_t d = 0; d < model_.devices.size(); ++d) {
+    Ns& length = common.try_emplace(topology_.root_of[d], 1).first->second;
+    try {
+      if (length != kNever) length = lcm(length, profile_.table.repeat(d));
+    } catch (const Overflow&) {
+      length = kNever;
     }
-    return common / model_.devices[root].period_ns;
-  } catch (const Overflow&) {
-    return kNever;
   }
+  std::vector<Ns> result;
+  for (const std::size_t root : topology_.roots) {
+    result.push_back(common[root] == kNever ? kNever : common[root] / model_.devices[root].period_ns);
+  }
+  return result;
 }
 
 std::vector<ChainResult> ChainAnalysis::defaults() const {
   std::vector<ChainResult> results;
+  const std::vector<Ns> repetition = entries();
   for (std::size_t tree = 0; tree < topology_.roots.size(); ++tree) {
     const auto& sources = topology_.leaves[tree];
     std::vector<std::size_t> terminals;
@@ -348,7 +353,7 @@ std::vector<ChainResult> ChainAnalysis::defaults() const {
       if (model_.devices[leaf].takes_command) terminals.push_back(leaf);
     }
     if (terminals.empty()) terminals.push_back(topology_.roots[tree]);
-    const bool small = sources.size() * terminals.size() <= most_pairs_ && entries(tree) <= kMostPairEntries;
+    const bool small = sources.size() * terminals.size() <= most_pairs_ && repetition[tree] <= kMostPairEntries;
     for (ChainResult& r : small ? worst_of_pairs(sources, terminals) : worst_of_groups(tree, terminals)) {
       results.push_back(r);
     }

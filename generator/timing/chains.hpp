@@ -56,7 +56,7 @@ class ChainAnalysis {
                                                         const std::vector<std::size_t>& terminals) const;
   [[nodiscard]] std::vector<ChainResult> worst_of_groups(std::size_t tree,
                                                          const std::vector<std::size_t>& terminals) const;
-  [[nodiscard]] Ns entries(std::size_t tree) const;
+  [[nodiscard]] std::vector<Ns> entries() const;
   [[nodiscard]] bool is_assumed(std::size_t from, std::size_t to) const;
 
   const Model& model_;

@@ -11,60 +11,65 @@ constexpr Ns kLowest = std::numeric_limits<Ns>::min() / 2;
 
 /// The worst terminal release found so far; of equally bad ones the first in [0, repetition).
 struct Worst {
-  Ns value = kNone;
+  Ns value = kLowest;
   Ns release = 0;
   Ns source = 0;
 
-  void offer(Ns new_value, Ns t, Ns x, Ns repetition) {
-    if (new_value < value) return;
-    const Ns first = t - round_down(t, repetition);
-    if (new_value == value && first >= release) return;
-    *this = {new_value, first, x - (t - first)};
+  void offer(Ns new_value, Ns t, Ns x) {
+    if (new_value > value || (new_value == value && t < release)) *this = {new_value, t, x};
   }
 };
 
-/// Path latency of one leaf, from the hand-over of its group.
-class PathBound {
+/// Path latencies of the leaves of one group. They share hand-over and bucket, so per row of the release table only the
+/// oldest use counts: with the same R and W, an older source is worse.
+class GroupBound {
  public:
-  PathBound(const HandOver& over, const ReleaseTable& table, std::size_t leaf, Ns period, Ns root_period)
-      : over_(over), table_(table), leaf_(leaf), period_(period), root_period_(root_period) {}
-
-  Worst find(Ns most_response, Effort& effort) {
-    repetition_ = table_.rows(leaf_) > 1 ? lcm(over_.length, table_.repeat(leaf_)) : over_.length;
-    const auto entries = static_cast<Ns>(over_.next.size());
-    effort.spend(repetition_ / root_period_);
-    for (Ns shift = 0; shift < repetition_; shift += over_.length) {
-      for (Ns i = 0; i < entries; ++i) {
-        const Ns t = next(i) - period_;
-        const Ns age = t - over_.source[static_cast<std::size_t>(i)];
-        if (age + most_response < worst_.value) continue;
-        offer(t + shift, t + shift - age);
-        // An immediate end can tie with the release before it, if that one takes its whole period.
-        if (table_.r_minus(leaf_, t + shift) == 0 && next(i - 1) <= t - period_)
-          offer(t + shift - period_, t + shift - age);
+  /// @param most_response  largest R- of the leaves that will be asked about.
+  GroupBound(const HandOverGroup& group, const ReleaseTable& table, Ns root_period, Ns most_response, Effort& effort)
+      : table_(table), oldest_(table.rows(group.devices.front())) {
+    const HandOver& over = *group.exact;
+    const std::size_t leaf = group.devices.front();
+    repetition_ = oldest_.size() > 1 ? lcm(over.length, table.repeat(leaf)) : over.length;
+    effort.spend(repetition_ / root_period);
+    const auto entries = over.next.size();
+    Ns worst = kLowest;
+    for (std::size_t i = 0; i < entries; ++i) worst = std::max(worst, over.next[i] - group.period - over.source[i]);
+    const Ns least = worst - most_response;  // ages below cannot be part of a maximum
+    for (std::size_t i = 0; i < entries; ++i) {
+      const Ns before = i > 0 ? over.next[i - 1] : over.next.back() - over.length;
+      // All terminals that use this root release, last one first; mostly the last one alone is old enough.
+      for (Ns t = over.next[i] - group.period; t - over.source[i] >= least; t -= group.period) {
+        for (Ns shift = 0; shift < repetition_; shift += over.length) offer(leaf, t + shift, over.source[i] + shift);
+        if (t - group.period < before) break;
       }
     }
-    return worst_;
+  }
+
+  [[nodiscard]] Worst worst(std::size_t leaf) const {
+    Worst result;
+    for (std::size_t row = 0; row < oldest_.size(); ++row) {
+      const Worst& oldest = oldest_[row];
+      if (oldest.value == kLowest) continue;
+      const Ns response = table_.r_minus_in_row(leaf, row);
+      const Ns latency =
+          oldest.value == 0 ? std::min(response, table_.window_in_row(leaf, row)) : add(oldest.value, response);
+      result.offer(latency, oldest.release, oldest.source);
+    }
+    return result;
   }
 
  private:
-  [[nodiscard]] Ns next(Ns i) const {
-    if (i < 0) return over_.next.back() - over_.length;
-    return over_.next[static_cast<std::size_t>(i)];
+  void offer(std::size_t leaf, Ns t, Ns x) {
+    Worst& oldest = oldest_[oldest_.size() > 1 ? table_.row(leaf, t) : 0];
+    const Ns age = t - x;
+    if (age < oldest.value) return;
+    const Ns first = t - round_down(t, repetition_);
+    oldest.offer(age, first, first - age);
   }
 
-  void offer(Ns t, Ns x) {
-    const Ns response = table_.r_minus(leaf_, t);
-    const Ns value = t == x ? std::min(response, table_.window(leaf_, t)) : add(t - x, response);
-    worst_.offer(value, t, x, repetition_);
-  }
-
-  const HandOver& over_;
   const ReleaseTable& table_;
-  std::size_t leaf_;
-  Ns period_, root_period_;
+  std::vector<Worst> oldest_;  ///< per row of the table: value is the age
   Ns repetition_ = 1;
-  Worst worst_;
 };
 
 /// Worst sum of one terminal's and one source's age over all pairs of leaves of a tree. Two repetitions meet where
@@ -169,25 +174,28 @@ class TreeBound {
 
   void visit(const HandOverGroup& group) {
     const Ns root_period = model_.devices[result_.root].period_ns;
-    Ns most_response = 0;
-    bool has_leaf = false;
+    Ns most_response = kNone;
     for (const std::size_t d : group.devices) {
-      if (!topology_.children[d].empty()) continue;
-      has_leaf = true;
-      most_response = std::max(most_response, responses_.r_minus[d]);
-      set_path(result_.paths[place_.at(d)], group, d, root_period);
+      if (topology_.children[d].empty()) most_response = std::max(most_response, responses_.r_minus[d]);
     }
-    if (has_leaf && corollaries_) cross_.add_group(group, most_response, root_period);
+    if (most_response == kNone) return;  // no leaf
+    std::optional<GroupBound> bound;
+    if (group.exact != nullptr) bound.emplace(group, table_, root_period, most_response, effort_);
+    for (const std::size_t d : group.devices) {
+      if (topology_.children[d].empty()) set_path(result_.paths[place_.at(d)], group, bound, d);
+    }
+    if (corollaries_) cross_.add_group(group, most_response, root_period);
   }
 
-  void set_path(PathResult& path, const HandOverGroup& group, std::size_t leaf, Ns root_period) {
+  void set_path(PathResult& path, const HandOverGroup& group, const std::optional<GroupBound>& bound,
+                std::size_t leaf) {
     const Ns response = responses_.r_minus[leaf];
-    if (group.exact == nullptr) {
+    if (!bound) {
       path.closed_form = true;
       path.latency_ns = group.age == 0 ? std::min(response, table_.window(leaf)) : add(group.age, response);
       return;
     }
-    const Worst worst = PathBound(*group.exact, table_, leaf, group.period, root_period).find(response, effort_);
+    const Worst worst = bound->worst(leaf);
     path.latency_ns = worst.value;
     path.release_ns = worst.release;
     path.source_release_ns = worst.source;

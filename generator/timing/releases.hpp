@@ -31,6 +31,10 @@ class ReleaseTable {
     return buckets_[bucket_of_[device]].rows[row][place_[device]].r_minus;
   }
 
+  [[nodiscard]] Ns window_in_row(std::size_t device, std::size_t row) const {
+    return buckets_[bucket_of_[device]].rows[row][place_[device]].window;
+  }
+
   /// After how many nanoseconds the rows of a device's bucket repeat: its period when all releases are alike.
   [[nodiscard]] Ns repeat(std::size_t device) const;
   [[nodiscard]] bool is_general(std::size_t bucket) const { return buckets_[bucket].general; }

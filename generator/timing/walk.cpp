@@ -132,14 +132,21 @@ class Walker {
     to.next.reserve(entries);
     to.source.reserve(entries);
     effort_.spend(static_cast<std::int64_t>(4 * entries));
+    // Both sequences only grow, so the next multiple is mostly the last one or the one after it.
+    Ns next = round_up(from.next.front() + lag(pending.down, pending.parent, from.next.front()), period);
+    Ns source = round_down(from.source.front(), period);
     for (Ns shift = 0; shift < length; shift += from.length) {
       for (std::size_t i = 0; i < from.next.size(); ++i) {
         const Ns decision = from.next[i] + shift;
-        to.next.push_back(round_up(decision + lag(pending.down, pending.parent, decision), period));
+        const Ns seen = decision + lag(pending.down, pending.parent, decision);
+        if (next < seen) next += period;
+        if (next < seen) next = round_up(seen, period);
+        to.next.push_back(next);
         const Ns use = from.source[i] + shift;
-        Ns source = round_down(use, period);
-        if (source + lag(pending.up, device, source) > use) source -= period;
-        to.source.push_back(source);
+        if (use - source >= period) source += period;
+        if (use - source >= period) source = round_down(use, period);
+        const bool too_young = source + lag(pending.up, device, source) > use;
+        to.source.push_back(too_young ? source - period : source);
       }
     }
     return to;

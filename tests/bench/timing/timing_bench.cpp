@@ -1,0 +1,150 @@
+// Prints how tight the bounds are and what the analysis costs (docs/timing.md, "How good it is"). Ratios have fixed
+// seeds and effort and are the same on every machine; times are only for people.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <map>
+
+#include "generator/simulate/simulate.hpp"
+#include "generator/timing/analyse.hpp"
+#include "tests/unit/timing_random.hpp"
+
+using namespace finemote::gen;
+using namespace finemote::gen::timing;
+
+namespace {
+
+constexpr int kForests = 150;
+constexpr int kRuns = 12;  ///< simulations of each forest, other seeds
+
+Ns repetition(const Model& model) {
+  Ns common = 1;
+  for (const Device& d : model.devices) common = timing::lcm(common, d.period_ns);
+  return common;
+}
+
+std::vector<ChainEnds> leaf_paths(const Topology& topology) {
+  std::vector<ChainEnds> chains;
+  for (const auto& leaves : topology.leaves) {
+    for (const std::size_t leaf : leaves) chains.push_back({leaf, leaf});
+  }
+  return chains;
+}
+
+/// Bound over worst simulated latency, of every path with at least two devices.
+struct Ratios {
+  std::vector<double> paper, tight;
+};
+
+void compare(const Model& model, Ratios& ratios) {
+  const Topology topology = make_topology(model);
+  const ProfileResult paper = analyse_profile(model, topology, Profile::paper).result;
+  const ProfileResult tight = analyse_profile(model, topology, Profile::tight).result;
+  if (!paper.schedulable || !tight.schedulable) return;
+  const auto chains = leaf_paths(topology);
+  std::vector<Ns> worst(chains.size(), -1);
+  for (int run = 0; run < kRuns; ++run) {
+    const Simulation s =
+        simulate(model, {static_cast<std::uint64_t>(run) + 1, 40 * repetition(model), Profile::tight, chains});
+    for (std::size_t c = 0; c < chains.size(); ++c) worst[c] = std::max(worst[c], s.chains[c].latency);
+  }
+  std::size_t chain = 0;
+  for (std::size_t t = 0; t < tight.trees.size(); ++t) {
+    for (std::size_t p = 0; p < tight.trees[t].paths.size(); ++p, ++chain) {
+      if (!model.devices[chains[chain].from].parent || worst[chain] <= 0) continue;
+      ratios.paper.push_back(static_cast<double>(*paper.trees[t].paths[p].latency_ns) /
+                             static_cast<double>(worst[chain]));
+      ratios.tight.push_back(static_cast<double>(*tight.trees[t].paths[p].latency_ns) /
+                             static_cast<double>(worst[chain]));
+    }
+  }
+}
+
+double quantile(std::vector<double> values, double q) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0 : values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1))];
+}
+
+void print_tightness() {
+  static constexpr std::string_view kNames[] = {"same period", "parent slower", "parent faster", "non-harmonic"};
+  fmt::print("bound / worst simulated latency      paths   paper: median  p95    tight: median  p95\n");
+  for (const ForestClass kind : kForestClasses) {
+    Ratios ratios;
+    for (int i = 0; i < kForests; ++i) {
+      compare(RandomForest(static_cast<std::uint64_t>(i) * 4 + static_cast<std::uint64_t>(kind) + 9'000'000).make(kind),
+              ratios);
+    }
+    fmt::print("  {:<34} {:>6} {:>15.3f} {:>6.3f} {:>14.3f} {:>6.3f}\n", kNames[static_cast<int>(kind)],
+               ratios.tight.size(), quantile(ratios.paper, 0.5), quantile(ratios.paper, 0.95),
+               quantile(ratios.tight, 0.5), quantile(ratios.tight, 0.95));
+  }
+}
+
+/// `count` devices in trees up to eight deep, three buses, periods drawn from `milliseconds`, half of the processor
+/// used.
+Model large_model(std::size_t count, const std::vector<Ns>& milliseconds) {
+  Random random(42);
+  Model model;
+  model.tick_ns = 1'000'000;
+  model.buses.resize(3);
+  const Ns frames[] = {86'805, 22'500, 47'000};
+  for (std::size_t b = 0; b < 3; ++b) {
+    model.buses[b].name = "b" + std::to_string(b);
+    model.buses[b].frame_ns = frames[b];
+    model.buses[b].wcet_ns = 1'500;
+  }
+  std::vector<int> depth(count, 0);
+  model.devices.resize(count);
+  for (std::size_t d = count; d-- > 0;) {
+    Device& device = model.devices[d];
+    device.name = "d" + std::to_string(d);
+    device.period_ns =
+        milliseconds[static_cast<std::size_t>(random.between(0, static_cast<Ns>(milliseconds.size()) - 1))] * 1'000'000;
+    if (d + 1 < count && d % 100 != 99) {
+      const std::size_t last = std::min(count - 1, d / 100 * 100 + 99);
+      const auto parent = static_cast<std::size_t>(random.between(static_cast<Ns>(d) + 1, static_cast<Ns>(last)));
+      if (depth[parent] < 7) device.parent = parent, depth[d] = depth[parent] + 1;
+    }
+    const Ns share = std::max<Ns>(device.period_ns / static_cast<Ns>(count) / 4, 1);
+    device.update_wcet_ns = random.between(1, share);
+    device.handle_wcet_ns = random.between(1, share);
+  }
+  return model;
+}
+
+void print_cost(std::string_view name, std::size_t count, const std::vector<Ns>& milliseconds) {
+  const Model model = large_model(count, milliseconds);
+  // Processor time of this program, so that a busy machine does not count.
+  const auto time = [](const auto& work) {
+    double best = 1e9;
+    for (int i = 0; i < 3; ++i) {
+      const std::clock_t begin = std::clock();
+      work();
+      best = std::min(best, 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    }
+    return best;
+  };
+  const Topology topology = make_topology(model);
+  const double paper = time([&] { (void)analyse_profile(model, topology, Profile::paper); });
+  const double tight = time([&] { (void)analyse_profile(model, topology, Profile::tight); });
+  const double all = time([&] {
+    Diagnostics diagnostics;
+    if (!analyse(model, {}, diagnostics)) fmt::print("no result\n");
+  });
+  fmt::print("  {:<34} {:>6} {:>10.1f} {:>10.1f} {:>14.1f}\n", name, count, paper, tight, all);
+}
+
+}  // namespace
+
+int main() {
+  print_tightness();
+  fmt::print("\nanalysis [ms], best of three        devices      paper      tight     everything\n");
+  print_cost("one period", 10'000, {10});
+  print_cost("1, 2, 5, 10, 20, 25, 50, 100 ms", 10'000, {1, 2, 5, 10, 20, 25, 50, 100});
+  print_cost("2, 3, 4, 5, 6, 10, 15 ms", 10'000, {2, 3, 4, 5, 6, 10, 15});
+  print_cost("7, 11, 13, 17 ms", 10'000, {7, 11, 13, 17});
+  print_cost("twenty periods from 1 to 30 ms", 10'000,
+             {1, 2, 3, 4, 5, 6, 8, 9, 10, 12, 14, 15, 16, 18, 20, 21, 24, 25, 28, 30});
+  print_cost("1, 2, 5, 10, 20, 25, 50, 100 ms", 100'000, {1, 2, 5, 10, 20, 25, 50, 100});
+}

@@ -1,0 +1,125 @@
+// The strict model reader: every mistake found where it stands, all of them at once.
+#include "catch.hpp"
+#include "generator/diagnostic/render.hpp"
+#include "generator/timing/analyse.hpp"
+#include "generator/timing/read_model.hpp"
+
+using namespace finemote::gen;
+using namespace finemote::gen::timing;
+
+namespace {
+
+/// The messages of reading `text`, one per line; empty when it is a model.
+std::string messages(const std::string& text) {
+  Sources sources;
+  Diagnostics diagnostics;
+  const auto model = read_model(*sources.add({"m.json", "", text}), diagnostics);
+  CHECK(model.has_value() != diagnostics.has_errors());
+  std::string list;
+  for (const Diagnostic& d : diagnostics.in_file_order()) {
+    list += std::to_string(d.at.line) + ":" + std::to_string(d.at.column) + " " + code_name(d.code) + " " + d.message +
+            "\n";
+  }
+  return list;
+}
+
+std::string device(const std::string& members) {
+  return R"({"tick_ns":10,"devices":[{"name":"a","period_ns":20,"update_wcet_ns":1,"handle_wcet_ns":1)" + members +
+         "}]}";
+}
+
+}  // namespace
+
+TEST_CASE("a model needs no buses and no parents") {
+  CHECK(messages(device("")) == "");
+  CHECK(messages("\xEF\xBB\xBF" + device("")) == "");
+  CHECK(messages(R"({"name":"x","description":"y","expected":{},"model":)" + device("") + "}") == "");
+}
+
+TEST_CASE("what is not JSON is refused at its place") {
+  CHECK(messages("") == "1:1 FM4001 the file ends where a value is expected\n");
+  CHECK(messages("{\n  \"tick_ns\" 1}") == "2:13 FM4001 found '1' where ':' is expected\n");
+  CHECK(messages("{} x") == "1:4 FM4001 unexpected text after the end of the document\n");
+  CHECK(messages("{\"tick_ns\":01}") == "1:13 FM4001 a number has no leading zero\n");
+  CHECK(messages(std::string(100'000, '[')) == "1:65 FM4001 arrays and objects are nested deeper than 64\n");
+  CHECK(messages("[1]") == "1:1 FM4005 the root is an array, not an object\n");
+}
+
+TEST_CASE("every invalid model of the case format is refused") {
+  CHECK(messages(R"({"tick_ns":1,"devices":[]})") == "1:24 FM4013 the model has no device\n");
+  CHECK(messages(R"({"tick_ns":1})") == "1:1 FM4004 the model has no 'devices'\n");
+  CHECK(messages(device(R"(,"colour":1)")) == "1:91 FM4003 a device has no member 'colour'\n");
+  CHECK(messages(device(R"(,"name":"b")")) == "1:91 FM4002 member 'name' is repeated\n");
+  CHECK(messages(device(R"(,"parent":"b")")) == "1:100 FM4008 there is no device 'b'\n");
+  CHECK(messages(device(R"(,"parent":"a")")) == "1:100 FM4008 device 'a' is its own parent\n");
+  CHECK(messages(device(R"(,"parent":1)")) == "1:100 FM4005 'parent' is a number, not a string or null\n");
+  CHECK(messages(R"({"tick_ns":0,"devices":[{"name":"","period_ns":15,"update_wcet_ns":-1,"handle_wcet_ns":1.0}]})") ==
+        "1:12 FM4006 'tick_ns' is 0, outside 1 to 9223372036854775807\n"
+        "1:33 FM4007 'name' of device is empty\n"
+        "1:68 FM4006 'update_wcet_ns' is -1, outside 0 to 9223372036854775807\n"
+        "1:88 FM4005 'handle_wcet_ns' is 1.0, not an integer\n");
+  CHECK(
+      messages(
+          R"({"tick_ns":1e6,"devices":[{"name":3,"period_ns":9223372036854775808,"update_wcet_ns":"1","handle_wcet_ns":true}]})") ==
+      "1:12 FM4005 'tick_ns' is 1e6, not an integer\n"
+      "1:35 FM4005 'name' is a number, not a string\n"
+      "1:49 FM4006 'period_ns' is 9223372036854775808, outside 1 to 9223372036854775807\n"
+      "1:86 FM4005 'update_wcet_ns' is a string, not an integer\n"
+      "1:107 FM4005 'handle_wcet_ns' is true or false, not an integer\n");
+}
+
+TEST_CASE("order, names, periods and frames are checked") {
+  const std::string a = R"({"name":"a","parent":"b","period_ns":20,"update_wcet_ns":1,"handle_wcet_ns":1})";
+  const std::string b = R"({"name":"b","period_ns":20,"update_wcet_ns":1,"handle_wcet_ns":1})";
+  const auto model = [](const std::string& devices, const std::string& more = "") {
+    return R"({"tick_ns":10,)" + more + "\"devices\":[\n" + devices + "]}";
+  };
+  CHECK(messages(model(a + ",\n" + b)) == "");
+  CHECK(messages(model(b + ",\n" + a)) == "3:22 FM4008 parent 'b' of device 'a' is registered before it\n");
+  CHECK(messages(model(b + ",\n" + b)) == "3:9 FM4007 device 'b' is named twice\n");
+  CHECK(messages(model(R"({"name":"c","period_ns":25,"update_wcet_ns":1,"handle_wcet_ns":1})")) ==
+        "2:25 FM4009 the period of device 'c' is no multiple of the tick of 10 ns\n");
+  CHECK(messages(model(b, R"("buses":[{"name":"x","baud_bps":2000000000,"min_frame_bits":1,"wcet_ns":1}],)")) ==
+        "1:75 FM4012 the frame time of bus 'x' is below 1 ns\n");
+  CHECK(messages(model(b, R"("buses":[{"name":"x","baud_bps":1,"min_frame_bits":9223372037,"wcet_ns":1}],)")) ==
+        "1:66 FM4010 the frame time does not fit signed 64 bits\n");
+  CHECK(messages(model(R"({"name":"r","period_ns":20,"update_wcet_ns":1,"handle_wcet_ns":1,"reads":["r"]})")) ==
+        "2:1 FM4014 device 'r' reads data made from its own\n");
+}
+
+TEST_CASE("what does not fit 64 bits is an error, never a number") {
+  const auto outcome = [](const std::string& devices) {
+    Sources sources;
+    Diagnostics diagnostics;
+    const auto model =
+        read_model(*sources.add({"m.json", "", R"({"tick_ns":1,"devices":[)" + devices + "]}"}), diagnostics);
+    REQUIRE(model);
+    const auto timing = analyse(*model, {}, diagnostics);
+    if (timing) return std::string("analysed");
+    return code_name(diagnostics.in_file_order().front().code);
+  };
+  const auto one = [](const std::string& name, const std::string& period, const std::string& wcet) {
+    return R"({"name":")" + name + R"(","period_ns":)" + period + R"(,"update_wcet_ns":)" + wcet +
+           R"(,"handle_wcet_ns":1})";
+  };
+  CHECK(outcome(one("a", "9223372036854775807", "1")) == "analysed");
+  CHECK(outcome(one("a", "9223372036854775807", "9223372036854775807")) == "FM4010");
+  CHECK(outcome(one("a", "4294967291", "1") + "," + one("b", "4294967279", "1")) == "FM4010");
+  CHECK(outcome(one("a", "1000003", "1") + "," + one("b", "1000033", "1")) == "analysed");
+}
+
+TEST_CASE("a chain between trees that share no data is refused") {
+  Sources sources;
+  Diagnostics diagnostics;
+  const auto model = read_model(
+      *sources.add({"m.json", "",
+                    R"({"tick_ns":1,"devices":[{"name":"a","period_ns":9,"update_wcet_ns":1,"handle_wcet_ns":1},
+          {"name":"b","period_ns":9,"update_wcet_ns":1,"handle_wcet_ns":1}]})"}),
+      diagnostics);
+  REQUIRE(model);
+  AnalysisRequest request;
+  request.chains = {{0, 1}};
+  CHECK_FALSE(analyse(*model, request, diagnostics));
+  REQUIRE(diagnostics.size() == 1);
+  CHECK(diagnostics.in_file_order().front().message == "no data leads from 'a' to 'b'");
+}
