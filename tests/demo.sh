@@ -21,3 +21,8 @@ echo
 echo "== The same generated files on an emulated Cortex-M4 (QEMU, 8 ns for every instruction)"
 printf 'compiling for QEMU and running\n' >&2
 "$finemote" run "$robot" --board qemu_f405 --keep "$folder/qemu"
+
+echo
+echo "== The Type C image on the emulated board, with models of the robot's parts on its buses"
+printf 'compiling for the Type C board with trace and running\n' >&2
+"$finemote" run "$robot" --keep "$folder/emulated" --duration 1s

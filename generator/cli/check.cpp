@@ -6,7 +6,10 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/exit_status.hpp"
 #include "generator/cli/finish.hpp"
+#include "generator/cli/lint_options.hpp"
 #include "generator/cli/load.hpp"
+#include "generator/cli/verdict.hpp"
+#include "generator/diagnostic/render.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -56,7 +59,21 @@ int run_check(Context& context) {
     print_findings(context, result);
     context.out << diff;
   }
-  return finish(context, result.findings.empty() ? kExitYes : kExitNo, document(context, result, diff));
+  const auto verdict = timing_verdict(context, *loaded);
+  if (!verdict) return finish(context, kExitInvalid);
+  context.err << verdict->reasons;
+  Diagnostics lint_findings;
+  lint(loaded->robot, lint_options(context, *verdict), lint_findings);
+  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  context.err << render_findings(context, lint_findings);
+
+  const bool denied = lint_findings.has_errors() || (context.options.warnings_are_errors && lint_findings.size() > 0);
+  const bool good = result.findings.empty() && verdict->schedulable && verdict->requirements_hold && !denied;
+  Json json = document(context, result, diff);
+  json["schedulable"] = verdict->schedulable;
+  json["requirements_hold"] = verdict->requirements_hold;
+  json["lint"] = render_json(lint_findings);
+  return finish(context, good ? kExitYes : kExitNo, std::move(json));
 }
 
 }  // namespace finemote::gen

@@ -12,6 +12,7 @@ int run_board_show(Context& context);
 int run_run(Context& context);
 int run_diff(Context& context);
 int run_explain(Context& context);
+int run_lint(Context& context);
 int run_schema(Context& context);
 int run_xacro_command(Context& context);
 int run_analyze_command(Context& context);

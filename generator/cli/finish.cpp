@@ -31,8 +31,10 @@ void print_for_ci(Context& context) {
 
 }  // namespace
 
-std::string render_findings(const Context& context) {
-  return render_text(context.diagnostics, use_color(context.options));
+std::string render_findings(const Context& context) { return render_findings(context, context.diagnostics); }
+
+std::string render_findings(const Context& context, const Diagnostics& findings) {
+  return render_text(findings, use_color(context.options));
 }
 
 int finish(Context& context, int status, nlohmann::ordered_json document) {

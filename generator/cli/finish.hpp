@@ -10,6 +10,7 @@ namespace finemote::gen {
 
 /// The findings as text, coloured when the options and the terminal say so.
 std::string render_findings(const Context& context);
+std::string render_findings(const Context& context, const Diagnostics& findings);
 
 /// Prints the findings as the options say and returns the exit status: kExitInvalid when there are errors (or warnings
 /// under -W error), else `status`. With --format json `document` is printed to stdout, with the findings in its

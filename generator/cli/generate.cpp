@@ -8,6 +8,7 @@
 #include "generator/cli/exit_status.hpp"
 #include "generator/cli/finish.hpp"
 #include "generator/cli/load.hpp"
+#include "generator/cli/verdict.hpp"
 #include "generator/output/write.hpp"
 
 namespace finemote::gen {
@@ -64,6 +65,11 @@ void print_summary(Context& context, const WriteResult& result) {
                              result.removed.size());
 }
 
+int refuse_unschedulable(Context& context, const Verdict& verdict) {
+  context.err << verdict.reasons << "nothing was written; --allow-unschedulable writes all the same\n";
+  return finish(context, kExitNo, Json{{"schema", "finemote.generate/1"}, {"output", context.options.out}, {"schedulable", false}});
+}
+
 }  // namespace
 
 int run_generate(Context& context) {
@@ -76,6 +82,11 @@ int run_generate(Context& context) {
   if (!loaded) return finish(context, kExitInvalid);
   if (options.list) return list_names(context, *loaded);
 
+  if (!options.allow_unschedulable) {
+    const auto verdict = timing_verdict(context, *loaded);
+    if (!verdict) return finish(context, kExitInvalid);
+    if (!verdict->schedulable) return refuse_unschedulable(context, *verdict);
+  }
   auto files = render_files(loaded->plan(), loaded->data_dir + "/templates", context.diagnostics);
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   const Output output = make_output(std::move(files), input_files(context, *loaded), loaded->robot.name.text);

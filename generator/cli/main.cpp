@@ -20,6 +20,7 @@ int run(const Options& options) {
       {"run", run_run},
       {"diff", run_diff},
       {"explain", run_explain},
+      {"lint", run_lint},
       {"schema", run_schema},
       {"xacro", run_xacro_command},
       {"analyze", run_analyze_command},

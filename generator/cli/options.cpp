@@ -81,6 +81,8 @@ void add_check(CLI::App& app, Options& options) {
   add_input_options(*command, options);
   command->add_option("-o,--output", options.out, "folder that was generated")->required();
   command->add_flag("--diff", options.diff, "print a unified diff of what would change");
+  command->add_option("--allow", options.allow, "lint code that is not reported");
+  command->add_option("--deny", options.deny, "lint code that makes the exit status 1");
 }
 
 void add_views(CLI::App& app, Options& options) {
@@ -125,6 +127,14 @@ void add_reference(CLI::App& app, Options& options) {
       ->required();
 }
 
+void add_lint(CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand("lint", "what is allowed and rarely meant");
+  add_input_options(*command, options);
+  command->add_option("--allow", options.allow, "code that is not reported, for example FM3153");
+  command->add_option("--deny", options.deny, "code that makes the exit status 1");
+  command->add_flag("--fix", options.fix, "mend the mechanical findings in the files");
+}
+
 void add_diff(CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand("diff", "what changed between two robots, models or generated folders");
   command->add_option("A", options.input, "robot, model (.json) or generated folder")->required();
@@ -165,6 +175,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
   add_views(app, options);
   add_run(app, options);
   add_diff(app, options);
+  add_lint(app, options);
   add_reference(app, options);
   add_xacro(app, options);
   add_timing(app, options);

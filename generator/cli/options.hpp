@@ -44,6 +44,8 @@ struct Options {
   std::string profile;                       ///< --profile
   std::string assume_wcet;                   ///< --assume-wcet
   bool slack = false;
+  bool fix = false;                          ///< lint --fix
+  std::vector<std::string> allow, deny;      ///< lint --allow, --deny
   bool suggest_order = false;
   std::uint64_t seed = 1;                    ///< simulate --seed
   bool build_only = false;                   ///< --build-only: stop after the image

@@ -1,0 +1,93 @@
+// finemote lint: warnings that save robots, and mending what can be mended mechanically.
+#include "generator/lint/lint.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <map>
+
+#include "generator/cli/commands.hpp"
+#include "generator/cli/exit_status.hpp"
+#include "generator/cli/finish.hpp"
+#include "generator/cli/lint_options.hpp"
+#include "generator/cli/load.hpp"
+#include "generator/cli/verdict.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// `FM3151` or `3151`.
+std::vector<Code> codes(Context& context, const char* option, const std::vector<std::string>& words) {
+  std::vector<Code> list;
+  for (std::string word : words) {
+    if (word.rfind("FM", 0) == 0) word.erase(0, 2);
+    const bool number = !word.empty() && word.size() <= 4 && word.find_first_not_of("0123456789") == std::string::npos;
+    if (number) {
+      list.push_back(Code{static_cast<std::uint16_t>(std::stoi(word))});
+    } else {
+      context.diagnostics.error(code::usage, {}, fmt::format("{} '{}' is no diagnostic code", option, word))
+          .hint("write for example FM3151");
+    }
+  }
+  return list;
+}
+
+/// Writes every edited file anew; returns their names.
+std::vector<std::string> write_edits(Context& context, const std::vector<Edit>& edits) {
+  std::map<std::string, std::pair<const SourceFile*, std::vector<Edit>>> files;
+  for (const Edit& edit : edits) {
+    auto& [file, list] = files[edit.file->path];
+    file = edit.file;
+    list.push_back(edit);
+  }
+  std::vector<std::string> names;
+  for (const auto& [path, entry] : files) {
+    std::ofstream file(path, std::ios::binary | std::ios::trunc);
+    file << apply_edits(*entry.first, entry.second);
+    file.close();
+    if (!file) context.diagnostics.error(code::output_not_writable, {}, fmt::format("cannot write '{}'", path));
+    names.push_back(path);
+  }
+  return names;
+}
+
+}  // namespace
+
+LintOptions lint_options(Context& context, const Verdict& verdict) {
+  LintOptions options;
+  options.allow = codes(context, "--allow", context.options.allow);
+  options.deny = codes(context, "--deny", context.options.deny);
+  options.bus_load = verdict.bus_load;
+  return options;
+}
+
+int run_lint(Context& context) {
+  const auto loaded = load_robot(context);
+  if (!loaded) return finish(context, kExitInvalid);
+  const auto verdict = timing_verdict(context, *loaded);
+  if (!verdict) return finish(context, kExitInvalid);
+  const LintOptions options = lint_options(context, *verdict);
+  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  Diagnostics findings;
+  const std::vector<Edit> edits = lint(loaded->robot, options, findings);
+  std::vector<std::string> mended;
+  if (context.options.fix) mended = write_edits(context, edits);
+  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  return finish_lint(context, findings, mended, edits.size());
+}
+
+int finish_lint(Context& context, const Diagnostics& findings, const std::vector<std::string>& mended, std::size_t fixable) {
+  const bool denied = findings.has_errors() || (context.options.warnings_are_errors && findings.size() > 0);
+  context.err << render_findings(context, findings);
+  if (context.options.format == Format::text && !context.options.quiet) {
+    for (const std::string& name : mended) context.out << "mended " << name << "\n";
+    context.out << fmt::format("{} finding{}\n", findings.size(), findings.size() == 1 ? "" : "s");
+    if (mended.empty() && fixable > 0) context.out << "lint --fix mends the mechanical ones\n";
+  }
+  return finish(context, denied ? kExitNo : kExitYes,
+                Json{{"schema", "finemote.lint/1"}, {"findings", findings.size()}, {"mended", mended}});
+}
+
+}  // namespace finemote::gen

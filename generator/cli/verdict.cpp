@@ -1,0 +1,43 @@
+#include "generator/cli/verdict.hpp"
+
+#include <algorithm>
+
+#include "generator/diagnostic/render.hpp"
+#include "generator/timing/from_robot.hpp"
+
+namespace finemote::gen {
+namespace {
+
+/// Load per bus of the robot, found by name: the model has the physical buses with a rate only.
+std::vector<double> bus_loads(const Robot& robot, const timing::Timing& timing) {
+  std::vector<double> loads(robot.buses.size(), 0.0);
+  for (std::size_t i = 0; i < timing.model.buses.size() && i < timing.bus_loads.size(); ++i) {
+    for (std::size_t bus = 0; bus < robot.buses.size(); ++bus) {
+      if (robot.buses[bus].name.text == timing.model.buses[i].name) loads[bus] = timing.bus_loads[i].utilization;
+    }
+  }
+  return loads;
+}
+
+}  // namespace
+
+std::optional<Verdict> timing_verdict(Context& context, const Loaded& loaded) {
+  timing::AnalysisRequest request;
+  request.requirements = timing::timing_requirements(loaded.robot, loaded.forest);
+  Diagnostics findings;
+  const auto timing = timing::analyse(timing::make_timing_model(loaded.robot, loaded.forest, loaded.schedule), request, findings);
+  if (!timing) {
+    for (const Diagnostic& finding : findings.in_file_order()) {
+      if (finding.severity == Severity::error) context.diagnostics.error(finding.code, finding.at, finding.message);
+    }
+    return std::nullopt;
+  }
+  Verdict verdict;
+  verdict.schedulable = timing->schedulable;
+  verdict.requirements_hold = timing->requirements_hold();
+  verdict.bus_load = bus_loads(loaded.robot, *timing);
+  if (findings.has_errors()) verdict.reasons = render_text(findings, false);
+  return verdict;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,22 @@
+// What the timing analysis says of a robot, for the commands that only need the verdict.
+#pragma once
+
+#include <optional>
+
+#include "generator/cli/load.hpp"
+#include "generator/timing/analyse.hpp"
+
+namespace finemote::gen {
+
+struct Verdict {
+  bool schedulable = false;
+  bool requirements_hold = false;
+  std::vector<double> bus_load;  ///< 0..1, per Robot::buses; empty when there is no answer
+  std::string reasons;           ///< the findings behind a no, as text
+};
+
+/// Analyses the robot in its default profile. None when the analysis gives no answer (an overflow); then the reason is
+/// in the context's diagnostics.
+std::optional<Verdict> timing_verdict(Context& context, const Loaded& loaded);
+
+}  // namespace finemote::gen

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# bench.sh BUILD_DIR: the figures of the design, measured as ratios and instruction counts, beside what is to be reached.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../.." && pwd)
+build=$(cd "${1:?usage: bench.sh BUILD_DIR}" && pwd)
+finemote=$build/finemote
+
+echo "== scheduling overhead of a ROV with 14 devices per 10 ms, in instructions (to reach: 250; stretch 150; dispatch of a stage: 4)"
+"$here/overhead.sh" "$build/bench-overhead" 2>/dev/null
+
+echo
+echo "== FinsROV image for the Type C board (to reach: 20480 B flash, 4096 B RAM and proven stack)"
+"$finemote" run "$root/examples/finsrov.urdf" --build-only
+
+echo
+echo "== generate FinsROV from xacro, whole process, milliseconds of processor time (to reach: 10)"
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+TIMEFORMAT='%U %S'
+best=
+for _ in 1 2 3 4 5 6 7 8 9 10; do
+  used=$( { time "$finemote" -q generate "$root/examples/finsrov.urdf.xacro" -o "$folder/out" >/dev/null; } 2>&1 | awk '{ printf "%d", 1000 * ($1 + $2) }')
+  if [ -z "$best" ] || [ "$used" -lt "$best" ]; then best=$used; fi
+done
+echo "best of 10: $best ms"
+
+echo
+echo "== xacro (to reach: 20,000 macro calls within 1 s of processor time, linear)"
+"$build/tests/bench/xacro/xacro_bench"
+
+if [ -x "$build/tests/bench/timing/timing_bench" ]; then
+  echo
+  echo "== timing analysis (to reach: 10,000 devices within 0.3 s; bound / worst simulated as in the design)"
+  "$build/tests/bench/timing/timing_bench"
+fi
+
+echo
+echo "== measured beside bound on the emulated board, all chains of the hardware examples"
+"$finemote" run "$root/examples/finsrov.urdf" --duration 1s | sed -n '/^age of/,/^$/p'
