@@ -57,7 +57,7 @@ class NameTable {
 };
 
 /// Whether the name can be used at all.
-bool check_one(Diagnostics& diagnostics, const Named& entry, NameScope scope, const std::string& robot) {
+bool check_one(Diagnostics& diagnostics, const Named& entry, NameScope scope) {
   const xml::Attribute* attribute = entry.tag->attribute("name");
   if (attribute == nullptr) return false;
   const std::string& cpp = entry.name->cpp;
@@ -72,11 +72,6 @@ bool check_one(Diagnostics& diagnostics, const Named& entry, NameScope scope, co
         .note(fmt::format("{} {}", becomes, *reason));
     return false;
   }
-  if (scope != NameScope::robot && cpp == robot) {
-    at_value(diagnostics, code::name_reserved, *attribute, fmt::format("the name '{}' is taken", entry.name->text))
-        .note("the robot is called so; its namespace would be hidden");
-    return false;
-  }
   return true;
 }
 
@@ -87,20 +82,19 @@ std::string described(const char* what, const Name& name) { return fmt::format("
 void check_names(Reading& reading) {
   Diagnostics& diagnostics = reading.diagnostics;
   const Robot& robot = reading.robot;
-  const std::string& robot_cpp = robot.name.cpp;
-  check_one(diagnostics, {&robot.name, &reading.root, "robot"}, NameScope::robot, robot_cpp);
+  check_one(diagnostics, {&robot.name, &reading.root, "robot"}, NameScope::robot);
 
   NameTable buses(diagnostics);    // what `bus=` can name, and names beside the tree namespaces
   NameTable devices(diagnostics);  // what `parent=` and `device=` can name
   NameTable slots(diagnostics);    // transfer slots of expanders stand beside those of devices
   for (std::size_t i = 0; i < robot.buses.size(); ++i) {
     const Named entry{&robot.buses[i].name, reading.tags.buses[i], described("bus", robot.buses[i].name)};
-    if (check_one(diagnostics, entry, NameScope::in_robot, robot_cpp)) buses.add(entry);
+    if (check_one(diagnostics, entry, NameScope::in_robot)) buses.add(entry);
   }
   for (std::size_t i = 0; i < robot.expanders.size(); ++i) {
     const Expander& expander = robot.expanders[i];
     const Named entry{&expander.name, reading.tags.expanders[i], described("expander", expander.name)};
-    if (!check_one(diagnostics, entry, NameScope::in_robot, robot_cpp)) continue;
+    if (!check_one(diagnostics, entry, NameScope::in_robot)) continue;
     buses.add(entry);
     slots.add(entry);
     std::size_t channel = 0;
@@ -108,18 +102,18 @@ void check_names(Reading& reading) {
       if (!child.is_element("channel") || channel >= expander.channels.size()) continue;
       const Name& name = expander.channels[channel++].name;
       const Named inner{&name, &child, described("channel", name)};
-      if (check_one(diagnostics, inner, NameScope::in_robot, robot_cpp)) buses.add(inner);
+      if (check_one(diagnostics, inner, NameScope::in_robot)) buses.add(inner);
     }
   }
   for (std::size_t i = 0; i < robot.devices.size(); ++i) {
     const Named entry{&robot.devices[i].name, &reading.device_tag(i), described("device", robot.devices[i].name)};
-    if (!check_one(diagnostics, entry, NameScope::in_tree, robot_cpp)) continue;
+    if (!check_one(diagnostics, entry, NameScope::in_tree)) continue;
     const bool is_fresh = devices.add(entry);
     const bool is_root = !reading.tags.devices[i].nested_in && reading.device_tag(i).attribute("parent") == nullptr;
     if (!is_fresh) continue;
     if (!is_root) {
       slots.compare(entry);
-    } else if (check_one(diagnostics, entry, NameScope::in_robot, robot_cpp)) {
+    } else if (check_one(diagnostics, entry, NameScope::in_robot)) {
       buses.add(entry);  // its tree's namespace stands beside them
     }
   }
