@@ -82,7 +82,7 @@ TEST_CASE("periods that do not divide each other") {
 TEST_CASE("a leaf without wcet says what is assumed") {
   const Linted robot("<device name=\"a\" type=\"sim_load\" period=\"10ms\"/>\n");
   CHECK(robot.says("warning[FM3153]: device 'a' has no <wcet>"));
-  CHECK(robot.says("update 10400ns and handle 10300ns are assumed"));
+  CHECK(robot.says("update 12200ns and handle 11200ns are assumed"));
 }
 
 TEST_CASE("a conversion longer than the period") {

@@ -111,8 +111,8 @@ TEST_CASE("blocks merge in document order, and a parent may stand further down")
   CHECK(devices[2].name.cpp == "leaf_1");
   CHECK(devices[1].children == std::vector<std::size_t>{0, 2});
   CHECK(devices[0].period_ns == 20'000'000);
-  // 400 ns + 10 us of the param + 150 ns for each of two children
-  CHECK(devices[1].wcet.update_ns == 10'700);
+  // 2.2 us + 10 us of the param + 300 ns for each of two children
+  CHECK(devices[1].wcet.update_ns == 12'800);
   CHECK(devices[1].wcet.source == Wcet::Source::assumed);
 }
 
