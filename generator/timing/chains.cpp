@@ -11,7 +11,7 @@ namespace finemote::gen::timing {
 namespace {
 
 constexpr Ns kMostEntries = 1'000'000;
-constexpr Ns kMostPairEntries = 4096;  ///< root releases looked at for every pair of leaves
+constexpr Ns kMostPairEntries = Ns{1} << 18;  ///< pairs of leaves times root releases looked at for each
 
 std::optional<Ns> sum(std::optional<Ns> a, std::optional<Ns> b) {
   return a && b ? std::optional<Ns>(add(*a, *b)) : std::nullopt;
@@ -353,7 +353,8 @@ std::vector<ChainResult> ChainAnalysis::defaults() const {
       if (model_.devices[leaf].takes_command) terminals.push_back(leaf);
     }
     if (terminals.empty()) terminals.push_back(topology_.roots[tree]);
-    const bool small = sources.size() * terminals.size() <= most_pairs_ && repetition[tree] <= kMostPairEntries;
+    const std::size_t pairs = sources.size() * terminals.size();
+    const bool small = pairs <= most_pairs_ && repetition[tree] <= kMostPairEntries / static_cast<Ns>(pairs);
     for (ChainResult& r : small ? worst_of_pairs(sources, terminals) : worst_of_groups(tree, terminals)) {
       results.push_back(r);
     }

@@ -58,4 +58,30 @@ inline Ns lcm(Ns a, Ns b) {
   return result;
 }
 
+/// Floor division by one divisor, many times: a multiplication and a correction instead of a 64-bit division.
+class Divider {
+ public:
+  explicit Divider(Ns divisor = 1) : divisor_(divisor), inverse_(1.0 / static_cast<double>(divisor)) {}
+
+  [[nodiscard]] Ns floor(Ns a) const {
+    const double estimate = static_cast<double>(a) * inverse_;
+    const bool is_large = estimate > kExact || estimate < -kExact || a > kFar || a < -kFar;
+    if (is_large) return floor_div(a, divisor_);
+    Ns quotient = static_cast<Ns>(estimate);  // off by one at most: both roundings together stay far below one
+    const Ns rest = a - quotient * divisor_;
+    if (rest < 0) --quotient;
+    if (rest >= divisor_) ++quotient;
+    return quotient;
+  }
+
+  /// a less its largest multiple below: in [0, divisor).
+  [[nodiscard]] Ns rest(Ns a) const { return a - floor(a) * divisor_; }
+
+ private:
+  static constexpr double kExact = 1e15;
+  static constexpr Ns kFar = Ns{1} << 62;  ///< beyond, a quotient too large by one would overflow
+  Ns divisor_;
+  double inverse_;
+};
+
 }  // namespace finemote::gen::timing

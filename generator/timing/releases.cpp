@@ -41,9 +41,7 @@ ReleaseTable::ReleaseTable(const TaskSet& set, const Responses& responses)
 std::size_t ReleaseTable::row(std::size_t device, Ns release) const {
   const Bucket& bucket = buckets_[bucket_of_[device]];
   if (bucket.row_of.empty()) return 0;
-  const auto count = static_cast<Ns>(bucket.row_of.size());
-  const Ns index = release / bucket.period % count;
-  return bucket.row_of[static_cast<std::size_t>(index < 0 ? index + count : index)];
+  return bucket.row_of[static_cast<std::size_t>(bucket.by_count.rest(bucket.by_period.floor(release)))];
 }
 
 const ReleaseTable::Cell& ReleaseTable::cell(std::size_t device, Ns release) const {
@@ -218,7 +216,10 @@ ReleaseTable ReleaseTable::refined(const TaskSet& set, const Responses& response
   ReleaseTable table(set, responses);
   for (std::size_t w = 0; w < set.buckets.size(); ++w) {
     if (!responses.ok(w)) continue;
-    Builder(set, responses, w, effort).fill(table.buckets_[w]);
+    Bucket& bucket = table.buckets_[w];
+    Builder(set, responses, w, effort).fill(bucket);
+    bucket.by_period = Divider(bucket.period);
+    bucket.by_count = Divider(std::max<Ns>(static_cast<Ns>(bucket.row_of.size()), 1));
     for (const std::size_t d : set.buckets[w].devices) {
       Ns& worst = table.worst_window_[d] = 0;
       for (const auto& row : table.buckets_[w].rows) worst = std::max(worst, row[table.place_[d]].window);

@@ -48,6 +48,7 @@ class ReleaseTable {
     std::vector<std::uint32_t> row_of;  ///< per release in one repetition; empty: row 0 always
     std::vector<std::vector<Cell>> rows;
     bool general = false;
+    Divider by_period, by_count;  ///< of period and row_of.size()
   };
   class Builder;
 
