@@ -1,10 +1,13 @@
 #include "generator/cli/options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 #include <sstream>
 
 #include "generator/cli/exit_status.hpp"
+#include "generator/diagnostic/render.hpp"
+#include "generator/diagnostic/suggest.hpp"
 #include "generator/version.hpp"
 
 namespace finemote::gen {
@@ -161,6 +164,24 @@ std::string chosen_command(const CLI::App& app) {
   return name;
 }
 
+/// The message for wrong words, in the form of all others; a mistyped command gets a suggestion.
+std::string usage_error(const CLI::App& app, const std::vector<std::string>& words, std::string reason) {
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+  std::string hint = "finemote --help, or finemote COMMAND --help";
+  const auto word = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w.empty() || w.front() != '-'; });
+  if (word == words.end()) {
+    reason = "a command is needed";
+    hint = did_you_mean("", commands);
+  } else if (app.get_subcommands().empty() && std::find(commands.begin(), commands.end(), *word) == commands.end()) {
+    reason = "there is no command '" + *word + "'";
+    hint = did_you_mean(*word, commands);
+  }
+  Diagnostics diagnostics;
+  diagnostics.error(code::usage, {}, reason).hint(hint);
+  return render_text(diagnostics, false);
+}
+
 }  // namespace
 
 ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
@@ -189,7 +210,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     std::ostringstream err;
     const bool asked = app.exit(error, out, err) == 0;
     if (asked) return {std::nullopt, kExitYes, out.str()};
-    return {std::nullopt, kExitInvalid, err.str()};
+    return {std::nullopt, kExitInvalid, usage_error(app, words, error.what())};
   }
   options.command = chosen_command(app);
   return {std::move(options), kExitYes, {}};
