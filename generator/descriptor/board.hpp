@@ -27,6 +27,7 @@ struct Port {
   std::vector<std::string> interrupts;
   std::vector<Resource> resources;       ///< pins, DMA streams, timer channel and interrupt lines together
   std::uint32_t channels = 0;            ///< PWM outputs; 0: not a PWM port
+  std::int64_t period_ns = 20'000'000;   ///< how often a PWM port repeats its pulse
   std::optional<std::int64_t> clock_hz;  ///< kernel clock the rate is divided from
   std::optional<std::int64_t> min_rate;  ///< of baud, clock or bitrate
   std::optional<std::int64_t> max_rate;
@@ -41,6 +42,9 @@ struct NamedPin {
   std::vector<std::string> functions;  ///< input, output, interrupt, pwm, analog
   bool active_low = false;
   std::string summary;
+  std::string converter;            ///< analog: its port, `adc3`; empty: not analog
+  std::uint32_t input = 0;          ///< analog: of the converter
+  std::int64_t full_scale_mv = 0;   ///< analog: what the highest code means, dividers included
 };
 
 /// An interrupt line no used peripheral needs; a period bucket may run in it.

@@ -57,6 +57,7 @@ struct UseSpec {
   std::vector<BusKind> buses;
   bool required = false;
   std::string format = "8N1";  ///< uart
+  std::string function;        ///< gpio: what it does with the pin: input, output, interrupt or analog
 };
 
 /// What of the URDF the device needs; the emitter knows kinds, never robots.

@@ -62,6 +62,7 @@ Port read_port(const Json& value) {
   }
   read_resources(value, port);
   port.channels = optional_member<std::uint32_t>(value, "channels").value_or(0);
+  port.period_ns = optional_member<std::int64_t>(value, "period_ns").value_or(port.period_ns);
   port.clock_hz = optional_member<std::int64_t>(value, "clock_hz");
   port.min_rate = optional_member<std::int64_t>(value, "min_rate");
   port.max_rate = optional_member<std::int64_t>(value, "max_rate");
@@ -72,10 +73,17 @@ Port read_port(const Json& value) {
 }
 
 NamedPin read_pin(const Json& value) {
-  NamedPin pin{value.at("name").get<std::string>(), value.at("pin").get<std::string>(), {}, false, {}};
+  NamedPin pin;
+  pin.name = value.at("name").get<std::string>();
+  pin.pin = value.at("pin").get<std::string>();
   for (const Json& function : value.at("functions")) pin.functions.push_back(function.get<std::string>());
   pin.active_low = value.at("active").get<std::string>() == "low";
   pin.summary = optional_member<std::string>(value, "summary").value_or("");
+  if (const auto analog = value.find("analog"); analog != value.end() && analog->is_object()) {
+    pin.converter = analog->at("converter").get<std::string>();
+    pin.input = analog->at("input").get<std::uint32_t>();
+    pin.full_scale_mv = analog->at("full_scale_mv").get<std::int64_t>();
+  }
   return pin;
 }
 

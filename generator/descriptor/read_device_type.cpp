@@ -44,7 +44,7 @@ RoleSpec read_role(const Json& value) {
 
 UseSpec read_use(const Json& value) {
   return {value.at("name").get<std::string>(), read_kinds(value.at("types")), value.value("min", 0) > 0,
-          value.value("format", "8N1")};
+          value.value("format", "8N1"), value.value("function", "input")};
 }
 
 std::vector<std::uint32_t> read_addresses(const Json& address) {

@@ -175,6 +175,7 @@ inline constexpr Code use_endpoint{3072};      // `use` names no bus or pin, or 
 inline constexpr Code pin_invalid{3073};
 inline constexpr Code mux_nested{3074};        // a mux behind a mux
 inline constexpr Code bus_needed{3075};        // the device needs a bus
+inline constexpr Code pin_function{3076};      // the board's pin cannot be what the device makes of it
 
 // 308x: requirements and schedule limits
 inline constexpr Code require_operand{3081};   // names nothing

@@ -38,8 +38,12 @@ const KindNames* kind_names(BusKind kind) {
   return nullptr;
 }
 
+/// What PwmBus takes by itself: 50 Hz [ns].
+constexpr std::int64_t kServoPeriod = 20'000'000;
+
 std::string bus_comment(const Bus& bus) {
   const KindNames& names = *kind_names(bus.kind);
+  if (bus.kind == BusKind::gpio) return "single pins";
   std::string text = fmt::format("port {}", bus.port);
   if (names.rate_unit != nullptr && bus.rate > 0) text += fmt::format(", {} {}", bus.rate, names.rate_unit);
   return text;
@@ -129,7 +133,10 @@ std::string format_enumerator(const std::string& format) {
 std::string bus_definition(const Plan& plan, std::size_t index) {
   const Bus& bus = plan.robot.buses[index];
   const KindNames& names = *kind_names(bus.kind);
-  std::string arguments = "finemote::ports::" + bus.port;
+  std::string arguments = "finemote::ports::" + (bus.kind == BusKind::gpio ? "gpio" : bus.port);
+  if (const Port* port = plan.robot.board->port(bus.port); bus.kind == BusKind::pwm && port->period_ns != kServoPeriod) {
+    arguments += fmt::format(", {} /* ns */", port->period_ns);
+  }
   if (names.rate_unit != nullptr) arguments += fmt::format(", {} /* {} */", bus.rate, names.rate_unit);
   if (!slots_of(plan, index).empty()) arguments += ", " + routes_name(bus);
   if (bus.kind == BusKind::uart) arguments += ", " + format_enumerator(line_format(plan, index));
@@ -167,6 +174,44 @@ Data bus_list(const Plan& plan) {
   return list;
 }
 
+/// `finemote::ports::gpio.configure(finemote::pin_number('A', 0), finemote::PinSetting::kInputPullUp);`: idle is inactive.
+std::string configure_line(const std::string& pin, const NamedPin* named, bool is_output) {
+  const bool idle_high = named != nullptr && named->active_low;
+  const char* mode = is_output ? (idle_high ? "kOutputHigh" : "kOutputLow")
+                     : named == nullptr ? "kInput" : idle_high ? "kInputPullUp" : "kInputPullDown";
+  return fmt::format("finemote::ports::gpio.configure({}, finemote::PinSetting::{});", pin_number(pin), mode);
+}
+
+std::string start_line(const Use& use) {
+  const bool active_low = use.named != nullptr && use.named->active_low;
+  if (use.spec->function == "interrupt") {
+    return fmt::format("finemote::ports::exti{}.start(/*falling*/ {});", use.pin.substr(2), active_low);
+  }
+  if (use.spec->function == "analog") {
+    return fmt::format("finemote::ports::{}.start({}, {});", use.named->converter, use.named->input, pin_number(use.pin));
+  }
+  return configure_line(use.pin, use.named, use.spec->function == "output");
+}
+
+/// Brings up the pins that devices use or sit on.
+std::vector<std::string> pin_lines(const Plan& plan) {
+  std::vector<std::string> lines;
+  for (const Device& device : plan.robot.devices) {
+    const bool on_pin = device.segment && plan.robot.segments[*device.segment].bus_kind == BusKind::gpio;
+    if (on_pin) {
+      const NamedPin& pin = plan.robot.board->pins.at(device.channel.value_or(0));
+      const std::string what = fmt::format("  // {}: {}", device.name.text, pin.name);
+      lines.push_back(configure_line(pin.pin, &pin, pin.functions.front() == "output") + what);
+    }
+    for (const Use& use : device.uses) {
+      if (use.segment) continue;
+      const std::string& name = use.named != nullptr ? use.named->name : use.pin;
+      lines.push_back(start_line(use) + fmt::format("  // {} ({}): {}", device.name.text, use.spec->role, name));
+    }
+  }
+  return lines;
+}
+
 std::vector<std::string> call_lines(const Plan& plan, bool KindNames::* wanted, const char* call) {
   std::vector<std::string> lines;
   for (const Bus& bus : plan.robot.buses) {
@@ -202,7 +247,9 @@ Data bus_source(const Plan& plan) {
   const std::vector<std::string> routes = route_lines(plan);
   data.set("has_routes", !routes.empty());
   data.set("routes", text_list(routes));
-  data.set("start_lines", text_list(call_lines(plan, &KindNames::starts, "start")));
+  std::vector<std::string> starts = call_lines(plan, &KindNames::starts, "start");
+  for (std::string& line : pin_lines(plan)) starts.push_back(std::move(line));
+  data.set("start_lines", text_list(starts));
   data.set("supervise_lines", text_list(call_lines(plan, &KindNames::supervised, "supervise")));
   return data;
 }

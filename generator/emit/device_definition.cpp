@@ -73,13 +73,45 @@ std::string config(const Device& device) {
   return fmt::format("{}::Config{{\n        {}}}", device.type->cpp_class, join(fields, ",\n        "));
 }
 
+std::string level_pin(const std::string& pin, const NamedPin* named) {
+  const bool active_low = named != nullptr && named->active_low;
+  return fmt::format("finemote::GpioPin{{finemote::ports::gpio, {}{}}}", pin_number(pin),
+                     active_low ? ", /*active low*/ true" : "");
+}
+
+/// The pins of a gpio bus are those of the board file, in its order.
+std::string pin_on_bus(const Plan& plan, std::uint32_t channel) {
+  const NamedPin& pin = plan.robot.board->pins.at(channel);
+  return level_pin(pin.pin, &pin);
+}
+
+/// A pin that a device uses by its name.
+std::string used_pin(const Use& use) {
+  if (use.spec->function == "interrupt") return fmt::format("finemote::EdgePin{{finemote::ports::exti{}}}", use.pin.substr(2));
+  if (use.spec->function != "analog") return level_pin(use.pin, use.named);
+  return fmt::format("finemote::AnalogPin{{finemote::ports::{}, /*input*/ {}, /*full scale [V]*/ {}}}",
+                     use.named->converter, use.named->input,
+                     float_literal(static_cast<double>(use.named->full_scale_mv) / 1000));
+}
+
+/// The C++ class of an endpoint that is a value; empty for those that are objects elsewhere.
+std::string value_class(const Plan& plan, const Use& use) {
+  if (!use.segment) {
+    return use.spec->function == "interrupt" ? "finemote::EdgePin"
+           : use.spec->function == "analog"  ? "finemote::AnalogPin"
+                                             : "finemote::GpioPin";
+  }
+  const BusKind kind = plan.robot.segments[*use.segment].bus_kind;
+  return kind == BusKind::pwm ? "finemote::PwmChannel" : kind == BusKind::gpio ? "finemote::GpioPin" : "";
+}
+
 /// How a device reaches a bus or a channel of it.
 std::string endpoint(const Plan& plan, const Segment& segment, const std::string& slot, std::uint32_t channel) {
   const std::string bus = bus_reference(plan, segment.name.cpp);
   switch (segment.bus_kind) {
     case BusKind::uart: return bus;
     case BusKind::pwm: return fmt::format("finemote::PwmChannel{{{}, {}}}", bus, channel);
-    case BusKind::gpio: return fmt::format("finemote::GpioPin{{{}, {}}}", bus, channel);
+    case BusKind::gpio: return pin_on_bus(plan, channel);
     case BusKind::virtual_bus: return {};
     case BusKind::rs485:
     case BusKind::i2c:
@@ -87,6 +119,25 @@ std::string endpoint(const Plan& plan, const Segment& segment, const std::string
     case BusKind::can: break;
   }
   return bus_reference(plan, "slots::" + slot);
+}
+
+std::string use_endpoint(const Plan& plan, const Device& device, const Use& use) {
+  if (!use.segment) return used_pin(use);
+  return endpoint(plan, plan.robot.segments[*use.segment], device.name.cpp + "_" + use.spec->role,
+                  use.channel.value_or(0));
+}
+
+/// The name, in `ports`, of the object that stands for an optional value endpoint: a pointer needs something to point to.
+std::string use_object(const Device& device, const UseSpec& spec) { return device.name.cpp + "_use_" + spec.role; }
+
+void add_use_objects(const Plan& plan, const Device& device, std::vector<std::string>& lines) {
+  for (const Use& use : device.uses) {
+    const std::string type = value_class(plan, use);
+    if (use.spec->required || type.empty()) continue;
+    const std::string value = use_endpoint(plan, device, use);
+    lines.push_back(fmt::format("FINEMOTE_CONSTINIT inline {} {}{};", type, use_object(device, *use.spec),
+                                value.substr(type.size())));
+  }
 }
 
 void add_endpoints(const Plan& plan, const Device& device, std::vector<std::string>& arguments) {
@@ -99,13 +150,13 @@ void add_endpoints(const Plan& plan, const Device& device, std::vector<std::stri
   for (const UseSpec& spec : device.type->uses) {
     const auto use = std::find_if(device.uses.begin(), device.uses.end(),
                                   [&](const Use& candidate) { return candidate.spec == &spec; });
-    if (use == device.uses.end() || !use->segment) {
+    if (use == device.uses.end()) {
       arguments.push_back(fmt::format("/*{}*/ nullptr", spec.role));
-      continue;
+    } else if (!spec.required && !value_class(plan, *use).empty()) {
+      add(fmt::format("/*{}*/ &ports::{}", spec.role, use_object(device, spec)));
+    } else {
+      add(fmt::format("/*{}*/ {}{}", spec.role, spec.required ? "" : "&", use_endpoint(plan, device, *use)));
     }
-    const std::string slot = device.name.cpp + "_" + spec.role;
-    const std::string text = endpoint(plan, plan.robot.segments[*use->segment], slot, use->channel.value_or(0));
-    add(fmt::format("/*{}*/ {}{}", spec.role, spec.required ? "" : "&", text));
   }
 }
 
@@ -172,6 +223,7 @@ std::string param_literal(const Param& param) {
 std::vector<std::string> port_lines(const Plan& plan, std::size_t device) {
   std::vector<std::string> lines;
   add_crossings(plan, device, lines);
+  add_use_objects(plan, plan.robot.devices[device], lines);
   for (const RoleBinding& role : plan.schedule.roles[device]) {
     add_sinks(role, lines);
     add_array(plan, device, role, lines);

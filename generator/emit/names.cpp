@@ -31,6 +31,10 @@ std::string device_reference(const Plan& plan, std::size_t from, std::size_t dev
   return same_tree(plan, from, device) ? name : tree_space(plan, device) + "::" + name;
 }
 
+std::string pin_number(const std::string& pin) {
+  return fmt::format("finemote::pin_number('{}', {})", pin.at(1), pin.substr(2));
+}
+
 std::string device_comment(const Plan& plan, std::size_t device) {
   const Device& d = plan.robot.devices[device];
   if (!d.segment) return d.type->name;

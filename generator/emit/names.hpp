@@ -28,6 +28,9 @@ std::string device_reference(const Plan& plan, std::size_t from, std::size_t dev
 /// `ms5837 on 'seg1'`, `group`.
 std::string device_comment(const Plan& plan, std::size_t device);
 
+/// `finemote::pin_number('A', 0)` for PA0.
+std::string pin_number(const std::string& pin);
+
 /// What every template begins with: source, robot, robot_space.
 Data common_data(const Plan& plan);
 

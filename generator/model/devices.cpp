@@ -238,7 +238,8 @@ class DeviceReader {
     }
     const NamedPin* known = reading_.robot.board != nullptr ? reading_.robot.board->named_pin(pin.value) : nullptr;
     use.pin = known != nullptr ? known->pin : pin.value;
-    if (known != nullptr || is_pin_name(pin.value)) return true;
+    use.named = known;
+    if (known != nullptr || is_pin_name(pin.value)) return can_be(pin, *use.spec, known);
     auto& finding = at_value(diagnostics_, code::pin_invalid, pin, fmt::format("'{}' is no pin", pin.value));
     std::vector<std::string> names;
     if (reading_.robot.board != nullptr) {
@@ -246,6 +247,26 @@ class DeviceReader {
     }
     suggest(finding, pin.value, names);
     finding.hint("or write a pin of the chip, PA0 to PI15");
+    return false;
+  }
+  /// A named pin is wired for something; any other of the chip can be an input or an output.
+  bool can_be(const xml::Attribute& pin, const UseSpec& spec, const NamedPin* known) {
+    if (reading_.robot.board == nullptr) return true;
+    const bool is_plain = spec.function == "input" || spec.function == "output";
+    const auto has = [&](const NamedPin& candidate) {
+      return std::find(candidate.functions.begin(), candidate.functions.end(), spec.function) !=
+             candidate.functions.end();
+    };
+    if (known == nullptr ? is_plain : has(*known)) return true;
+    auto& finding = at_value(diagnostics_, code::pin_function, pin,
+                             fmt::format("<use role=\"{}\"> needs pin '{}' as {}, which it cannot be on this board",
+                                         spec.role, pin.value, spec.function));
+    if (known != nullptr) finding.note(fmt::format("'{}' ({}) is: {}", known->name, known->pin, known->summary));
+    std::string able;
+    for (const NamedPin& candidate : reading_.robot.board->pins) {
+      if (has(candidate)) able += (able.empty() ? "'" : ", '") + candidate.name + "'";
+    }
+    if (!able.empty()) finding.hint("these can: " + able);
     return false;
   }
   static bool is_pin_name(const std::string& name) {

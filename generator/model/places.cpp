@@ -61,6 +61,8 @@ class PlaceReader {
   [[nodiscard]] std::uint32_t channels() const {
     const Segment& segment = reading_.robot.segments[*device_.segment];
     if (segment.kind == Segment::Kind::pwm_expander) return reading_.robot.expanders[*segment.expander].type->channels;
+    const Board* board = reading_.robot.board;
+    if (segment.bus_kind == BusKind::gpio) return board != nullptr ? static_cast<std::uint32_t>(board->pins.size()) : 0;
     const Port* port = reading_.buses[segment.bus].port;
     return port != nullptr ? std::max(1U, port->channels) : 0;
   }
@@ -202,6 +204,50 @@ void check_addresses(Reading& reading) {
   }
 }
 
+/// The tag of a device's `<use>`.
+const xml::Node& use_tag(const Reading& reading, std::size_t device, const Use& use) {
+  const xml::Node& tag = reading.device_tag(device);
+  for (const xml::Node& child : tag.children) {
+    if (child.is_element("use") && child.at.line == use.at.line && child.at.column == use.at.column) return child;
+  }
+  return tag;
+}
+
+/// Pulse channels of a segment; 0: it has none, or they are not known.
+std::uint32_t pulse_channels(const Reading& reading, const Segment& segment) {
+  if (segment.bus_kind != BusKind::pwm) return 0;
+  if (segment.kind == Segment::Kind::pwm_expander) return reading.robot.expanders[*segment.expander].type->channels;
+  const Port* port = reading.buses[segment.bus].port;
+  return port != nullptr ? std::max(1U, port->channels) : 0;
+}
+
+/// The channel of a pulse output that a device uses: as one that it sits on.
+void resolve_use_channels(Reading& reading) {
+  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+    for (Use& use : reading.robot.devices[i].uses) {
+      if (!use.segment) continue;
+      const Segment& segment = reading.robot.segments[*use.segment];
+      const std::uint32_t count = pulse_channels(reading, segment);
+      if (count == 0) continue;
+      const xml::Node& tag = use_tag(reading, i, use);
+      const xml::Attribute* attribute = tag.attribute("channel");
+      if (!use.channel && attribute == nullptr) {
+        if (count == 1) {
+          use.channel = 0;
+        } else {
+          at_tag(reading.diagnostics, code::attribute_missing, tag,
+                 fmt::format("<use role=\"{}\"> has no 'channel'", use.spec->role))
+              .hint("add for example channel=\"0\"");
+        }
+      }
+      if (!use.channel || *use.channel < count || attribute == nullptr) continue;
+      at_value(reading.diagnostics, code::channel_range, *attribute,
+               fmt::format("bus '{}' has no channel {}", segment.name.text, *use.channel))
+          .hint(count == 1 ? "its only channel is 0" : fmt::format("its channels are 0 to {}", count - 1));
+    }
+  }
+}
+
 /// A serial line carries one device; `use` counts.
 void check_exclusive(Reading& reading) {
   std::map<std::size_t, Occupant> users;
@@ -220,29 +266,32 @@ void check_exclusive(Reading& reading) {
     const Device& device = reading.robot.devices[i];
     const Occupant self = describe(reading, i);
     if (device.segment) take(*device.segment, self);
-    std::size_t use = 0;
-    for (const xml::Node& child : self.tag->children) {
-      const bool is_this = use < device.uses.size() && child.is_element("use") &&
-                           child.at.line == device.uses[use].at.line && child.at.column == device.uses[use].at.column;
-      if (!is_this) continue;
-      if (device.uses[use].segment) take(*device.uses[use].segment, {self.what, &child});
-      ++use;
+    for (const Use& use : device.uses) {
+      if (use.segment) take(*use.segment, {self.what, &use_tag(reading, i, use)});
     }
   }
 }
 
+/// A pulse output, a chip select or a pin belongs to one device, in one role.
 void check_channels(Reading& reading) {
   std::map<std::pair<std::size_t, std::uint32_t>, Occupant> users;
+  const auto take = [&](std::size_t segment, std::uint32_t channel, const Occupant& self) {
+    const auto [first, is_fresh] = users.emplace(std::make_pair(segment, channel), self);
+    if (is_fresh) return;
+    at_place(reading.diagnostics, code::channel_twice, self, "channel",
+             fmt::format("channel {} of '{}' is used twice", channel, reading.robot.segments[segment].name.text))
+        .note(fmt::format("{} uses it already", first->second.what), first->second.tag->at);
+  };
   for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
     const Device& device = reading.robot.devices[i];
-    if (!device.segment || !device.channel) continue;
     const Occupant self = describe(reading, i);
-    const auto [first, is_fresh] = users.emplace(std::make_pair(*device.segment, *device.channel), self);
-    if (is_fresh) continue;
-    at_place(reading.diagnostics, code::channel_twice, self, "channel",
-             fmt::format("channel {} of '{}' is used twice", *device.channel,
-                         reading.robot.segments[*device.segment].name.text))
-        .note(fmt::format("{} uses it already", first->second.what), first->second.tag->at);
+    if (device.segment && device.channel) take(*device.segment, *device.channel, self);
+    for (const Use& use : device.uses) {
+      if (use.segment && use.channel) {
+        take(*use.segment, *use.channel,
+             {fmt::format("{} (use '{}')", self.what, use.spec->role), &use_tag(reading, i, use)});
+      }
+    }
   }
 }
 
@@ -312,6 +361,7 @@ void resolve_places(Reading& reading) {
   for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
     if (reading.robot.devices[i].type != nullptr) PlaceReader(reading, i).read();
   }
+  resolve_use_channels(reading);
   check_addresses(reading);
   check_exclusive(reading);
   check_channels(reading);

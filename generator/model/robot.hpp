@@ -93,7 +93,8 @@ struct Segment {
 struct Use {
   const UseSpec* spec = nullptr;
   std::optional<std::size_t> segment;
-  std::string pin;
+  std::string pin;                  ///< of the chip: `PA0`
+  const NamedPin* named = nullptr;  ///< what the board file says of it; null: nothing
   std::optional<std::uint32_t> channel;
   Position at;
 };

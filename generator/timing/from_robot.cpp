@@ -248,9 +248,13 @@ class Adapter {
     flush.period_ns = bucket.period_ns;
     Ns channels = 0;
     for (const std::size_t d : bucket.devices) {
-      if (robot_.devices[d].segment != segment) continue;
+      const gen::Device& device = robot_.devices[d];
+      const auto used = std::count_if(device.uses.begin(), device.uses.end(),
+                                      [&](const Use& use) { return use.segment == segment; });
+      const Ns mine = (device.segment == segment ? 1 : 0) + used;
+      if (mine == 0) continue;
       flush.devices.push_back(forest_.rank[d]);
-      ++channels;
+      channels += mine;
     }
     flush.wcet_ns = cost_of(board_, "flush") + channels * cost_of(board_, "flush_per_channel");
     if (flush.devices.empty()) return;
@@ -267,10 +271,14 @@ class Adapter {
     const auto bus = bus_of(expander.segment);
     if (!bus) return;
     Ns first = 255, last = 0;
+    const auto note = [&](std::optional<std::size_t> place, std::optional<std::uint32_t> channel) {
+      if (place != segment || !channel) return;
+      first = std::min<Ns>(first, *channel);
+      last = std::max<Ns>(last, *channel);
+    };
     for (const gen::Device& d : robot_.devices) {
-      if (d.segment != segment || !d.channel) continue;
-      first = std::min<Ns>(first, *d.channel);
-      last = std::max<Ns>(last, *d.channel);
+      note(d.segment, d.channel);
+      for (const Use& use : d.uses) note(use.segment, use.channel);
     }
     const Json descriptor = Json::parse(expander.type->raw_json);
     const Json frames = descriptor.value("frames", Json::object());

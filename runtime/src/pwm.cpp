@@ -1,6 +1,15 @@
 #include "finemote/pwm.hpp"
 
+#include "finemote/fault.hpp"
+
 namespace finemote {
+
+namespace {
+
+/// Of module pwm, beyond those of the board's ports.
+enum PwmFault : std::uint8_t { kNotTunable = 16 };
+
+}  // namespace
 
 void PwmOutput::set(std::uint8_t channel, std::uint32_t pulse) {
   if (channel >= count_) return;
@@ -14,10 +23,19 @@ void PwmOutput::set_safe(std::uint8_t channel, std::uint32_t pulse) {
   if ((safe_known_.set_bits(bit) & bit) == 0 || other) safe_changed_.store(true);
 }
 
-void PwmBus::start() { port_->start(period_); }
+void PwmChannel::set_share(float share) {
+  // The comparisons are written so that what is no number is 0. Below 2^31 a conversion needs no library routine.
+  const auto period = static_cast<std::int32_t>(output_->period());
+  const float pulse = share > 0 ? (share < 1 ? share : 1) * static_cast<float>(period) : 0;
+  set(static_cast<std::uint32_t>(static_cast<std::int32_t>(pulse)));
+}
+
+void PwmBus::start() { port_->start(period_.load()); }
 
 void PwmBus::flush() {
-  if (changed_.exchange(0) != 0) port_->write(channel_.pulse.load());
+  const bool tuned = tuned_.exchange(false);
+  if (tuned && !port_->tune(period_.load())) count_fault(Module::pwm, kNotTunable);
+  if (changed_.exchange(0) != 0 || tuned) port_->write(channel_.pulse.load());
 }
 
 }  // namespace finemote

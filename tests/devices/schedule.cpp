@@ -18,8 +18,13 @@ void reset() {
   for (UartHardware* line : {&host::usart1, &host::usart3, &host::usart6}) line->reset();
   for (SpiHardware* wire : {&host::spi1, &host::spi2}) *wire = {};
   for (CanHardware* wire : {&host::can1, &host::can2}) *wire = {};
-  host::pwm1 = {};
+  for (PwmHardware* output :
+       {&host::pwm1, &host::led_red, &host::led_green, &host::led_blue, &host::buzzer, &host::imu_heater}) {
+    *output = {};
+  }
   host::gpio = {};
+  for (EdgeHardware* line : {&host::exti0, &host::exti3, &host::exti4, &host::exti5}) *line = {};
+  host::adc3 = {};
   robot() = {};
 }
 

@@ -27,7 +27,7 @@ class Pca9685 : public PwmOutput {
   };
 
   constexpr Pca9685(I2cSlot& slot, const Config& config)
-      : PwmOutput(channel_, kChannels),
+      : PwmOutput(channel_, kChannels, static_cast<std::uint32_t>(1000000000LL / config.frequency), false),
         slot_(&slot),
         prescale_(prescale(config)),
         counts_per_ns_(counts_per_ns(config)),

@@ -26,6 +26,8 @@ struct SpiHardware;   ///< defined by the board
 struct CanHardware;   ///< defined by the board
 struct PwmHardware;   ///< defined by the board
 struct GpioHardware;  ///< defined by the board
+struct EdgeHardware;  ///< defined by the board
+struct AdcHardware;   ///< defined by the board
 
 // ---------------------------------------------------------------------------------------------------------------- UART
 
@@ -229,7 +231,7 @@ class CanPort {
   CanHardware* hardware_;
 };
 
-// ----------------------------------------------------------------------------------------------------------- PWM, GPIO
+// ---------------------------------------------------------------------------------------------------------- PWM, pins
 
 /// One timer channel that repeats a pulse.
 class PwmPort {
@@ -240,18 +242,37 @@ class PwmPort {
   void start(Duration period);
   /// Pulse width [ns] from the next repetition on; 0 keeps the output low. Context: bucket.
   void write(std::uint32_t pulse);
+  /// Another repetition period [ns], from the next repetition on; the pulse keeps its counts until the next write().
+  /// False, and nothing changes, where another output of the same timer runs, or the period is out of range.
+  /// Context: bucket.
+  [[nodiscard]] bool tune(std::uint32_t period);
 
  private:
   PwmHardware* hardware_;
 };
 
-/// The board's single pins (LEDs, keys), numbered by the board file.
+/// What a pin is made into.
+enum class PinSetting : std::uint8_t {
+  kInput,          ///< nothing pulls it
+  kInputPullUp,    ///< high when nobody drives it
+  kInputPullDown,  ///< low when nobody drives it
+  kOutputLow,      ///< push-pull, low from the first moment
+  kOutputHigh,     ///< push-pull, high from the first moment
+  kAnalog,
+};
+
+/// The number of a chip pin: `pin_number('C', 4)` is PC4.
+constexpr std::uint8_t pin_number(char port, unsigned pin) {
+  return static_cast<std::uint8_t>(16 * static_cast<unsigned>(port - 'A') + pin);
+}
+
+/// The chip's single pins, by pin_number().
 class GpioPort {
  public:
   constexpr explicit GpioPort(GpioHardware& hardware) : hardware_(&hardware) {}
 
-  /// Clock, direction and idle level of every pin the board file lists. Context: init.
-  void start();
+  /// Clock, direction, pull and idle level of one pin. Context: init.
+  void configure(std::uint8_t pin, PinSetting setting);
   /// Sets an output pin. Context: any.
   void write(std::uint8_t pin, bool high);
   /// Level of a pin. Context: any.
@@ -261,14 +282,55 @@ class GpioPort {
   GpioHardware* hardware_;
 };
 
-/// The ports of the vocabulary, by chip name. The linked board defines those it has.
+/// The last edge of a line that interrupts.
+struct Edge {
+  std::uint32_t count = 0;  ///< edges so far, modulo 2^32; 0: none yet
+  Time at = 0;              ///< of the last one, as its interrupt saw it
+};
+
+/// One pin whose edges are counted and timed by an interrupt of its own.
+class EdgePort {
+ public:
+  constexpr explicit EdgePort(EdgeHardware& hardware) : hardware_(&hardware) {}
+
+  /// Clock, input with a pull against the edge, interrupt on the falling or the rising edge. Context: init.
+  void start(bool falling);
+  /// Both members of one edge. Context: bucket.
+  [[nodiscard]] Edge last() const;
+
+ private:
+  EdgeHardware* hardware_;
+};
+
+/// A 12-bit converter that measures one input at a time.
+class AdcPort {
+ public:
+  constexpr explicit AdcPort(AdcHardware& hardware) : hardware_(&hardware) {}
+
+  static constexpr std::uint16_t kFullScale = 4095;
+
+  /// Clock, and the pin of this input as analog. Context: init.
+  void start(std::uint8_t input, std::uint8_t pin);
+  /// Begins a conversion, unless one is under way; its end is asked for with take(). Never waits. Context: bucket.
+  void begin(std::uint8_t input);
+  /// The finished conversion of this input, once: 0..kFullScale. False: none, or of another input. Context: bucket.
+  [[nodiscard]] bool take(std::uint8_t input, std::uint16_t& value);
+
+ private:
+  AdcHardware* hardware_;
+};
+
+/// The ports of the vocabulary, by chip name, and what is soldered to the board. The linked board defines those it has.
 namespace ports {
 extern UartPort usart1, usart3, usart6;
 extern CanPort can1, can2;
 extern I2cPort i2c2, i2c3;
 extern SpiPort spi1, spi2;
 extern PwmPort pwm1, pwm2, pwm3, pwm4, pwm5, pwm6, pwm7;
+extern PwmPort led_red, led_green, led_blue, buzzer, imu_heater;
 extern GpioPort gpio;
+extern EdgePort exti0, exti3, exti4, exti5;
+extern AdcPort adc3;
 }  // namespace ports
 
 }  // namespace finemote

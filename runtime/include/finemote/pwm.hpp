@@ -27,6 +27,15 @@ class PwmOutput {
   /// True when the part cannot be reached over its bus: what set() asks for does not arrive. Context: any.
   [[nodiscard]] bool unreachable() const { return unreachable_.load(); }
 
+  /// How often pulses repeat [ns]. Context: any.
+  [[nodiscard]] std::uint32_t period() const { return period_.load(); }
+
+  /// Another repetition period [ns], from the next flush() on. A part whose channels share their period ignores it.
+  /// Context: any bucket.
+  void tune(std::uint32_t period) {
+    if (tunable_ && period_.exchange(period) != period) tuned_.store(true);
+  }
+
   [[nodiscard]] std::uint8_t channels() const { return count_; }
 
  protected:
@@ -35,10 +44,14 @@ class PwmOutput {
     Shared<std::uint32_t> safe{0};
   };
 
-  constexpr PwmOutput(Channel* channels, std::uint8_t count) : channels_(channels), count_(count) {}
+  constexpr PwmOutput(Channel* channels, std::uint8_t count, std::uint32_t period, bool tunable)
+      : channels_(channels), count_(count), tunable_(tunable), period_(period) {}
 
   Channel* channels_;
   std::uint8_t count_;
+  bool tunable_;
+  Shared<std::uint32_t> period_;  ///< ns
+  Shared<bool> tuned_{false};     ///< period_ differs from what was sent
   Shared<bool> unreachable_{false};
   Shared<std::uint32_t> changed_{0};     ///< bit n: channel n differs from what was sent
   Shared<std::uint32_t> safe_known_{0};  ///< bit n: channel n has a safe pulse
@@ -52,6 +65,11 @@ class PwmChannel {
 
   void set(std::uint32_t pulse) { output_->set(channel_, pulse); }
   void set_safe(std::uint32_t pulse) { output_->set_safe(channel_, pulse); }
+  /// A pulse that is this share of the period, cut to 0..1; no number is 0.
+  void set_share(float share);
+  /// Another repetition period [ns], where the output is alone on its timer.
+  void tune(std::uint32_t period) { output_->tune(period); }
+  [[nodiscard]] std::uint32_t period() const { return output_->period(); }
   [[nodiscard]] bool unreachable() const { return output_->unreachable(); }
 
  private:
@@ -65,17 +83,16 @@ class PwmBus : public PwmOutput {
   static constexpr Duration kDefaultPeriod = 20000000;  ///< 50 Hz, what servos and ESCs take
 
   constexpr explicit PwmBus(PwmPort& port, Duration period = kDefaultPeriod)
-      : PwmOutput(&channel_, 1), port_(&port), period_(period) {}
+      : PwmOutput(&channel_, 1, static_cast<std::uint32_t>(period), true), port_(&port) {}
 
   /// The output stays low until the first flush(). Context: init.
   void start();
 
-  /// Writes the pulse if it has changed. Context: end of any bucket that drives it.
+  /// Writes period and pulse where they have changed. Context: end of any bucket that drives it.
   void flush();
 
  private:
   PwmPort* port_;
-  Duration period_;
   Channel channel_;
 };
 

@@ -15,16 +15,38 @@ struct PwmHardware {
     std::uint32_t pulse;  ///< ns
   };
   Duration period = 0;  ///< 0: not started
+  bool alone = true;    ///< on its timer: tune() works
   std::vector<Write> writes;
 };
 
 struct GpioHardware {
-  std::map<std::uint8_t, bool> levels;  ///< outputs as written, inputs as the test set them; absent: low
+  std::map<std::uint8_t, bool> levels;    ///< outputs as written, inputs as the test set them; absent: low
+  std::map<std::uint8_t, PinSetting> settings;  ///< as configured
+};
+
+struct EdgeHardware {
+  /// An edge now, as its interrupt would note it.
+  void edge() { last = {last.count + 1, now()}; }
+  bool started = false, falling = false;
+  Edge last;
+};
+
+struct AdcHardware {
+  static constexpr Duration kConversion = 24 * kMicrosecond;
+  std::map<std::uint8_t, std::uint16_t> codes;  ///< what each input measures, as the test set it
+  bool broken = false;                          ///< no conversion ends any more
+  int started = -1;                             ///< input
+  bool converting = false;
+  std::uint8_t input = 0;
+  std::uint16_t value = 0;
+  Time ready_at = 0;
 };
 
 }  // namespace finemote
 
 namespace finemote::host {
-extern PwmHardware pwm1, pwm2, pwm3, pwm4, pwm5, pwm6, pwm7;
+extern PwmHardware pwm1, pwm2, pwm3, pwm4, pwm5, pwm6, pwm7, led_red, led_green, led_blue, buzzer, imu_heater;
 extern GpioHardware gpio;
+extern EdgeHardware exti0, exti3, exti4, exti5;
+extern AdcHardware adc3;
 }  // namespace finemote::host

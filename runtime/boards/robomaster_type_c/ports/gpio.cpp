@@ -1,11 +1,11 @@
-// GpioPort on the board's single pins, in the order of the `pins` list of the board file.
+// GpioPort on the chip's pins, by number: 16 a port, PA0 first.
 #include "finemote/ports.hpp"
 #include "runtime/boards/robomaster_type_c/pin.hpp"
 #include "runtime/boards/robomaster_type_c/registers/clock.hpp"
 
 namespace finemote {
 
-/// The port has no state of its own: the pins are the same on every board.
+/// The port has no state of its own: the registers hold it.
 struct GpioHardware {};
 
 namespace {
@@ -15,49 +15,49 @@ using robomaster_type_c::PinMode;
 using robomaster_type_c::PinPull;
 using robomaster_type_c::PinSetup;
 
-struct BoardPin {
-  Pin pin;
-  PinMode mode;
-  bool idle_high;  ///< an input: pulled up
-};
+constexpr std::uint8_t kPinCount = 9 * 16;  // PA0 to PI15
 
-constexpr BoardPin kPins[] = {
-    {{'A', 0}, PinMode::input, true},     // 0 key, active low
-    {{'H', 10}, PinMode::output, false},  // 1 led_blue
-    {{'H', 11}, PinMode::output, false},  // 2 led_green
-    {{'H', 12}, PinMode::output, false},  // 3 led_red
-    {{'D', 14}, PinMode::output, false},  // 4 buzzer
-    {{'C', 8}, PinMode::output, false},   // 5 laser
-    {{'F', 6}, PinMode::output, false},   // 6 imu_heater
-    {{'A', 4}, PinMode::output, true},    // 7 bmi088_cs_accel
-    {{'B', 0}, PinMode::output, true},    // 8 bmi088_cs_gyro
-    {{'C', 4}, PinMode::input, true},     // 9 bmi088_int_accel
-    {{'C', 5}, PinMode::input, true},     // 10 bmi088_int_gyro
-    {{'G', 6}, PinMode::output, true},    // 11 ist8310_reset
-    {{'G', 3}, PinMode::input, true},     // 12 ist8310_int
-    {{'F', 10}, PinMode::analog, false},  // 13 battery
-    {{'B', 12}, PinMode::output, true},   // 14 spi2_cs
-};
-constexpr std::uint8_t kPinCount = sizeof kPins / sizeof kPins[0];
+constexpr Pin chip_pin(std::uint8_t number) {
+  return {static_cast<char>('A' + number / 16), static_cast<std::uint8_t>(number % 16)};
+}
+
+constexpr PinSetup setup_of(PinSetting setting) {
+  switch (setting) {
+    case PinSetting::kInput:
+      return {PinMode::input, PinPull::none};
+    case PinSetting::kInputPullUp:
+      return {PinMode::input, PinPull::up};
+    case PinSetting::kInputPullDown:
+      return {PinMode::input, PinPull::down};
+    case PinSetting::kOutputLow:
+    case PinSetting::kOutputHigh:
+      return {PinMode::output, PinPull::none};
+    case PinSetting::kAnalog:
+      return {PinMode::analog, PinPull::none};
+  }
+  return {};
+}
 
 GpioHardware hardware;
 
 }  // namespace
 
-void GpioPort::start() {
-  for (const BoardPin& it : kPins) {
-    const bool pulled_up = it.mode == PinMode::input && it.idle_high;
-    stm32f407::rcc::enable(stm32f407::rcc::ahb1enr, stm32f407::bit(static_cast<unsigned>(it.pin.port - 'A')));
-    if (it.mode == PinMode::output) it.pin.set(it.idle_high);  // the level first, so that the pin never shows the other
-    configure(it.pin, PinSetup{it.mode, pulled_up ? PinPull::up : PinPull::none});
+void GpioPort::configure(std::uint8_t number, PinSetting setting) {
+  if (number >= kPinCount) return;
+  const Pin pin = chip_pin(number);
+  stm32f407::rcc::enable(stm32f407::rcc::ahb1enr, stm32f407::bit(static_cast<unsigned>(pin.port - 'A')));
+  // The level first, so that the pin never shows the other one.
+  if (setting == PinSetting::kOutputLow || setting == PinSetting::kOutputHigh) {
+    pin.set(setting == PinSetting::kOutputHigh);
   }
+  robomaster_type_c::configure(pin, setup_of(setting));
 }
 
-void GpioPort::write(std::uint8_t pin, bool high) {
-  if (pin < kPinCount && kPins[pin].mode == PinMode::output) kPins[pin].pin.set(high);
+void GpioPort::write(std::uint8_t number, bool high) {
+  if (number < kPinCount) chip_pin(number).set(high);
 }
 
-bool GpioPort::read(std::uint8_t pin) const { return pin < kPinCount && kPins[pin].pin.is_high(); }
+bool GpioPort::read(std::uint8_t number) const { return number < kPinCount && chip_pin(number).is_high(); }
 
 GpioPort ports::gpio{hardware};
 

@@ -1,4 +1,5 @@
-// PwmPort on TIM1 and TIM8: edge-aligned PWM mode 1 with preload, RM0090 17.3.10.
+// PwmPort on the timers: edge-aligned PWM mode 1 with preload, RM0090 17.3.10 (TIM1, TIM8), 18.3.9 (TIM4, TIM5), 19.3.9
+// (TIM10).
 #include "finemote/fault.hpp"
 #include "runtime/boards/robomaster_type_c/clock.hpp"
 #include "runtime/boards/robomaster_type_c/ports/pwm_hardware.hpp"
@@ -18,12 +19,37 @@ enum class PwmFault : std::uint8_t {
 
 constexpr std::uint32_t kShortest = 1'000, kLongest = 400'000'000;
 
-// 168 MHz are 21 counts in 125 ns, so that 32 bits are enough: 400 ms are 67,200,000 counts.
-constexpr std::uint32_t kCounts = 21, kNanoseconds = 125;
-static_assert(std::uint64_t{robomaster_type_c::kApb2TimerHz} * kNanoseconds == std::uint64_t{kCounts} * 1'000'000'000);
+// 168 MHz are 21 counts in 125 ns, 84 MHz in 250 ns, so that 32 bits are enough: 400 ms are 67,200,000 counts.
+constexpr std::uint32_t kCounts = 21, kNanoseconds2 = 125, kNanoseconds1 = 250;
+static_assert(std::uint64_t{robomaster_type_c::kApb2TimerHz} * kNanoseconds2 == std::uint64_t{kCounts} * 1'000'000'000);
+static_assert(std::uint64_t{robomaster_type_c::kApb1TimerHz} * kNanoseconds1 == std::uint64_t{kCounts} * 1'000'000'000);
 
-std::uint32_t counts(std::uint32_t ns) {
-  return ns / kNanoseconds * kCounts + ns % kNanoseconds * kCounts / kNanoseconds;
+constexpr std::uint32_t nanoseconds(const PwmSetup& setup) { return setup.on_apb1 ? kNanoseconds1 : kNanoseconds2; }
+
+std::uint32_t counts(const PwmSetup& setup, std::uint32_t ns) {
+  const std::uint32_t unit = nanoseconds(setup);
+  return ns / unit * kCounts + ns % unit * kCounts / unit;
+}
+
+/// Prescaler and period of a repetition.
+struct Division {
+  std::uint32_t divider;  ///< the smallest with which the period fits 16 bits
+  std::uint32_t top;      ///< counts of one repetition
+};
+
+Division divide(const PwmSetup& setup, std::uint32_t period) {
+  const std::uint32_t total = counts(setup, period);
+  const std::uint32_t divider = (total - 1) / 0x10000 + 1;
+  return {divider, total / divider};
+}
+
+/// TIM1 and TIM8 have complementary outputs and with them a main output enable: RM0090 17.4.18.
+bool is_advanced(const PwmSetup& setup) { return setup.timer.base == timer::kTim1 || setup.timer.base == timer::kTim8; }
+
+void remember(PwmHardware& hardware, const Division& division) {
+  hardware.top = division.top;
+  hardware.scale =
+      static_cast<std::uint32_t>((std::uint64_t{kCounts} << 32) / nanoseconds(hardware.setup) / division.divider);
 }
 
 /// A channel has a byte of CCMR and a nibble of CCER, whose lowest bit turns the output on: RM0090 17.4.7, 17.4.9.
@@ -40,11 +66,10 @@ void PwmPort::start(Duration period) {
   if (period < kShortest || period > kLongest) {
     stop_safely(Module::pwm, static_cast<std::uint8_t>(PwmFault::period), "a PWM period is out of range");
   }
-  const std::uint32_t total = counts(static_cast<std::uint32_t>(period));
-  const std::uint32_t divider = (total - 1) / 0x10000 + 1;  // the smallest with which the period fits 16 bits
-  const std::uint32_t top = total / divider;
+  const Division division = divide(setup, static_cast<std::uint32_t>(period));
+  const std::uint32_t divider = division.divider, top = division.top;
 
-  rcc::enable(rcc::apb2enr, setup.clock_bit);
+  rcc::enable(setup.on_apb1 ? rcc::apb1enr : rcc::apb2enr, setup.clock_bit);
   const bool running = setup.timer.cr1().any(timer::kCr1Enable);
   if (running && (setup.timer.psc().read() != divider - 1 || setup.timer.arr().read() != top - 1)) {
     stop_safely(Module::pwm, static_cast<std::uint8_t>(PwmFault::two_periods), "one timer, two PWM periods");
@@ -54,14 +79,24 @@ void PwmPort::start(Duration period) {
   setup.timer.ccr(setup.channel).write(0);
   turn_on(setup);
   if (!running) {
-    setup.timer.bdtr().write(timer::kBdtrMainOutput);
+    if (is_advanced(setup)) setup.timer.bdtr().write(timer::kBdtrMainOutput);
     setup.timer.egr().write(timer::kEgrUpdate);  // loads prescaler and preloads
     setup.timer.cr1().write(timer::kCr1PreloadArr | timer::kCr1Enable);
   }
-  hardware_->top = top;
-  hardware_->scale = static_cast<std::uint32_t>((std::uint64_t{kCounts} << 32) / kNanoseconds / divider);
+  remember(*hardware_, division);
   configure(setup.pin, robomaster_type_c::PinSetup{robomaster_type_c::PinMode::alternate,
                                                    robomaster_type_c::PinPull::down, false, setup.function});
+}
+
+bool PwmPort::tune(std::uint32_t period) {
+  const PwmSetup& setup = hardware_->setup;
+  const std::uint32_t own = 0xFU << ((setup.channel - 1) * 4);
+  if (period < kShortest || period > kLongest || setup.timer.ccer().any(0xFFFFU & ~own)) return false;
+  const Division division = divide(setup, period);
+  setup.timer.psc().write(division.divider - 1);  // both are preloaded: next repetition
+  setup.timer.arr().write(division.top - 1);
+  remember(*hardware_, division);
+  return true;
 }
 
 void PwmPort::write(std::uint32_t pulse) {

@@ -1,4 +1,4 @@
-// One PWM output of the chip: a channel of TIM1 or TIM8 and its pin.
+// One PWM output of the chip: a channel of a timer and its pin.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,11 @@ namespace robomaster_type_c {
 /// Facts of one port; in flash.
 struct PwmSetup {
   stm32f407::TimerRegisters timer;
-  std::uint32_t clock_bit;  ///< in rcc::apb2enr
+  std::uint32_t clock_bit;  ///< in rcc::apb2enr, or apb1enr
   std::uint32_t channel;    ///< 1..4
   Pin pin;
   std::uint8_t function;
+  bool on_apb1 = false;  ///< TIM2 to TIM7: half the clock
 };
 
 }  // namespace robomaster_type_c

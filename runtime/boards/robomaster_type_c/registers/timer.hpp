@@ -23,7 +23,8 @@ struct TimerRegisters {
 };
 
 namespace timer {
-inline constexpr std::uint32_t kTim1 = 0x40010000, kTim8 = 0x40010400;
+inline constexpr std::uint32_t kTim1 = 0x40010000, kTim8 = 0x40010400, kTim4 = 0x40000800, kTim5 = 0x40000C00,
+                               kTim10 = 0x40014400;
 inline constexpr std::uint32_t kCr1Enable = bit(0), kCr1PreloadArr = bit(7);  // 17.4.1
 inline constexpr std::uint32_t kEgrUpdate = bit(0);                           // 17.4.6
 /// One channel's byte of CCMR: PWM mode 1 with preload, 17.4.7.

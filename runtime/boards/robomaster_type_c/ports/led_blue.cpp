@@ -1,0 +1,16 @@
+// Blue part of the RGB LED: TIM5 channel 1 at PH10.
+#include "runtime/boards/robomaster_type_c/ports/pwm_hardware.hpp"
+#include "runtime/boards/robomaster_type_c/registers/clock.hpp"
+
+namespace finemote {
+namespace {
+
+constexpr robomaster_type_c::PwmSetup kSetup{
+    {stm32f407::timer::kTim5}, stm32f407::rcc::kApb1Tim5, 1, {'H', 10}, 2, true};
+PwmHardware hardware{kSetup};
+
+}  // namespace
+
+PwmPort ports::led_blue{hardware};
+
+}  // namespace finemote

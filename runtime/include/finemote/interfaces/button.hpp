@@ -1,0 +1,21 @@
+// A button somebody presses.
+#pragma once
+
+#include <cstdint>
+
+#include "finemote/contract.hpp"
+
+namespace finemote {
+
+struct ButtonState : Stamp {
+  bool pressed = false;
+  std::uint32_t presses = 0;  ///< times it was pressed since start
+  Duration held = 0;          ///< how long it has been as it is
+};
+
+struct Button {
+  using State = ButtonState;
+  using Command = void;
+};
+
+}  // namespace finemote
