@@ -3,11 +3,12 @@
 # Works from the source tree and from an installed share/finemote: both hold runtime/ beside cmake/.
 #
 #   finemote_add_firmware(TARGET GENERATED dir BOARD board
-#                         [TRACE] [DURATION 40ms] [DEFINITIONS NAME=value ...] [INCLUDES dir ...] [SOURCES file ...]
+#                         [TRACE] [MONITOR] [DURATION 40ms] [DEFINITIONS NAME=value ...] [INCLUDES dir ...] [SOURCES file ...]
 #                         [OPTIMIZE -Os|-O2])
 #
 # GENERATED   folder that `finemote generate` wrote; every .cpp in it is compiled
 # TRACE       records begin and end of every stage (always on for the host)
+# MONITOR     holds every device to its proven bounds: finemote/monitor.hpp
 # DURATION    a number and s, ms, us or ns: the run ends by itself (boards qemu_f405 and host); without it: forever
 # INCLUDES    folders of the user's own device headers; SOURCES: their sources, if any
 #
@@ -58,7 +59,7 @@ function(finemote_target_options target board optimize)
 endfunction()
 
 function(finemote_add_firmware target)
-  cmake_parse_arguments(arg "TRACE" "GENERATED;BOARD;DURATION;OPTIMIZE" "DEFINITIONS;INCLUDES;SOURCES" ${ARGN})
+  cmake_parse_arguments(arg "TRACE;MONITOR" "GENERATED;BOARD;DURATION;OPTIMIZE" "DEFINITIONS;INCLUDES;SOURCES" ${ARGN})
   set(runtime ${FINEMOTE_ROOT}/runtime)
   set(board ${runtime}/boards/${arg_BOARD})
   if(NOT EXISTS ${board}/board.cmake)
@@ -90,6 +91,9 @@ function(finemote_add_firmware target)
   endif()
   if(arg_TRACE)
     target_compile_definitions(${target} PRIVATE FINEMOTE_TRACE)
+  endif()
+  if(arg_MONITOR)
+    target_compile_definitions(${target} PRIVATE FINEMOTE_MONITOR)
   endif()
   if(NOT family STREQUAL "host")
     set_target_properties(${target} PROPERTIES SUFFIX .elf LINK_DEPENDS

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/cli/context.hpp"
-#include "generator/emit/names.hpp"
+#include "generator/emit/render.hpp"
 #include "generator/output/manifest.hpp"
 #include "generator/xacro/expand.hpp"
 
@@ -25,6 +25,9 @@ struct Loaded {
 
 /// Reads, checks and plans. All mistakes are in the context's diagnostics; with one there is no robot.
 std::optional<Loaded> load_robot(Context& context);
+
+/// The generated files of a robot, bounds included. Reports what make_constants reports.
+std::vector<OutputFile> render_robot(Context& context, const Loaded& loaded);
 
 /// Name and folder of every `--package name=dir`; reports FM0001 for words of another form.
 std::vector<std::pair<std::string, std::string>> package_folders(Context& context);

@@ -48,6 +48,7 @@ struct Options {
   std::vector<std::string> allow, deny;      ///< lint --allow, --deny
   bool suggest_order = false;
   std::uint64_t seed = 1;                    ///< simulate --seed
+  bool monitor = false;                      ///< --monitor: the firmware holds itself to its bounds
   bool build_only = false;                   ///< --build-only: stop after the image
 };
 

@@ -101,7 +101,7 @@ std::vector<std::string> user_sources(const std::vector<std::string>& dirs) {
 
 std::optional<std::string> make_image(Context& context, const Loaded& loaded, const std::string& board,
                                       std::int64_t duration, const WorkFolder& work) {
-  auto files = render_files(loaded.plan(), loaded.data_dir + "/templates", context.diagnostics);
+  auto files = render_robot(context, loaded);
   if (context.diagnostics.has_errors()) return std::nullopt;
   const Output output = make_output(std::move(files), input_files(context, loaded), loaded.robot.name.text);
   write_output(work.path() + "/generated", output, false, context.diagnostics);
@@ -112,6 +112,7 @@ std::optional<std::string> make_image(Context& context, const Loaded& loaded, co
   request.board = board;
   request.duration_ns = context.options.build_only || board == "robomaster_type_c" ? 0 : duration;
   request.trace = !context.options.build_only;
+  request.monitor = context.options.monitor;
   request.include_dirs = user_include_dirs(loaded.robot);
   request.sources = user_sources(request.include_dirs);
   return build_firmware(request, context.diagnostics);
@@ -125,6 +126,7 @@ bool all_constant(const Robot& robot) {
 std::optional<timing::Timing> bounds(const Context& context, const Loaded& loaded, Diagnostics& diagnostics) {
   timing::RobotTimingOptions options;
   options.trace = true;
+  options.monitor = context.options.monitor;
   const timing::Model model = timing::make_timing_model(loaded.robot, loaded.forest, loaded.schedule, options);
   timing::AnalysisRequest request;
   request.requirements = timing::timing_requirements(loaded.robot, loaded.forest);
@@ -134,6 +136,12 @@ std::optional<timing::Timing> bounds(const Context& context, const Loaded& loade
     request.chains.push_back(*chain);
   }
   return timing::analyse(model, request, diagnostics);
+}
+
+/// What the image was held to: the same numbers `generate` wrote into its sources.
+timing::RobotBounds monitored_bounds(const Context& context, const Loaded& loaded) {
+  if (!context.options.monitor) return {};
+  return prove_bounds(loaded.robot, loaded.forest, loaded.schedule).monitored;
 }
 
 bool write_trace(Context& context, const RunResult& result) {
@@ -190,7 +198,8 @@ int run_run(Context& context) {
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   auto record = run_image(context, *loaded, board, *path, *duration);
   if (!record) return finish(context, kExitInvalid);
-  RunResult result{loaded->robot, loaded->forest, loaded->schedule, board, *duration, *duration, *image, std::move(*record), {}};
+  RunResult result{loaded->robot, loaded->forest, loaded->schedule, board, *duration, *duration, *image, std::move(*record), {},
+                   monitored_bounds(context, *loaded)};
   if (timing) result.chains = measure_chains(loaded->robot, loaded->forest, *timing, result.record);
   if (const auto whole = hyperperiod(loaded->schedule, *duration)) result.shown_ns = std::min(2 * *whole, *duration);
   if (!write_trace(context, result)) return finish(context, kExitInvalid);

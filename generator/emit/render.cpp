@@ -18,19 +18,20 @@ Data constants_data(const Plan& plan, const std::vector<Constant>& constants) {
 
 }  // namespace
 
-std::vector<OutputFile> render_files(const Plan& plan, const std::string& templates, Diagnostics& diagnostics) {
+std::vector<OutputFile> render_files(const Plan& plan, const ProvenBounds& bounds, const std::string& templates,
+                                     Diagnostics& diagnostics) {
   const std::vector<Constant> constants = make_constants(plan, diagnostics);
   std::vector<OutputFile> files;
   const auto add = [&](const std::string& name, const std::string& template_name, const Data& data) {
     files.push_back({name, fill_template(templates, template_name, data)});
   };
-  add("schedule.hpp", "schedule.hpp.mustache", schedule_header(plan));
-  add("schedule.cpp", "schedule.cpp.mustache", schedule_source(plan));
+  add("schedule.hpp", "schedule.hpp.mustache", schedule_header(plan, bounds));
+  add("schedule.cpp", "schedule.cpp.mustache", schedule_source(plan, bounds));
   add("buses.hpp", "buses.hpp.mustache", bus_header(plan));
   add("buses.cpp", "buses.cpp.mustache", bus_source(plan));
   add("constants.hpp", "constants.hpp.mustache", constants_data(plan, constants));
   for (const Tree& tree : plan.forest.trees) {
-    add("trees/" + tree.space + ".hpp", "tree.hpp.mustache", tree_header(plan, tree, constants));
+    add("trees/" + tree.space + ".hpp", "tree.hpp.mustache", tree_header(plan, tree, constants, bounds));
     add("trees/" + tree.space + ".cpp", "tree.cpp.mustache", tree_source(plan, tree));
   }
   return files;

@@ -37,7 +37,7 @@ std::vector<std::string> job_lines(const Plan& plan, std::size_t index) {
   return lines;
 }
 
-Data bucket_list(const Plan& plan) {
+Data bucket_list(const Plan& plan, const ProvenBounds& bounds) {
   Data list(Data::type::list);
   for (std::size_t i = 0; i < plan.schedule.buckets.size(); ++i) {
     const Bucket& bucket = plan.schedule.buckets[i];
@@ -52,6 +52,7 @@ Data bucket_list(const Plan& plan) {
     entry.set("watchdog", std::to_string(kWatchdogPeriods));
     entry.set("count_text", fmt::format("{} device{}", count, count == 1 ? "" : "s"));
     entry.set("lines", text_list(job_lines(plan, i)));
+    entry.set("bound", job_comment(bounds.plain, i));
     list.push_back(entry);
   }
   return list;
@@ -115,15 +116,22 @@ std::string overrun_policy(const Plan& plan) {
   return "skip";
 }
 
+bool has_assumed(const Robot& robot) {
+  return std::any_of(robot.devices.begin(), robot.devices.end(),
+                     [](const Device& d) { return d.wcet.source == Wcet::Source::assumed; });
+}
+
 }  // namespace
 
-Data schedule_header(const Plan& plan) {
+Data schedule_header(const Plan& plan, const ProvenBounds& bounds) {
   Data data = common_data(plan);
-  data.set("buckets", bucket_list(plan));
+  data.set("buckets", bucket_list(plan, bounds));
+  data.set("bounds", text_list(bound_constants(plan, bounds.plain)));
+  data.set("assumed", has_assumed(plan.robot) ? "\n/// Some of the execution times behind it are assumed." : "");
   return data;
 }
 
-Data schedule_source(const Plan& plan) {
+Data schedule_source(const Plan& plan, const ProvenBounds& bounds) {
   Data data = common_data(plan);
   std::vector<std::string> includes{"<finemote/schedule.hpp>", "\"schedule.hpp\"", "\"buses.hpp\""};
   for (const Tree& tree : plan.forest.trees) includes.push_back("\"trees/" + tree.space + ".hpp\"");
@@ -131,7 +139,9 @@ Data schedule_source(const Plan& plan) {
   const std::vector<std::string> crossings = crossing_lines(plan);
   data.set("has_crossings", !crossings.empty());
   data.set("crossings", text_list(crossings));
-  data.set("buckets", bucket_list(plan));
+  data.set("buckets", bucket_list(plan, bounds));
+  data.set("monitored", text_list(monitored_lines(plan, bounds.monitored)));
+  data.set("device_count", std::to_string(plan.forest.order.size()));
   data.set("safe_lines", text_list(safe_lines(plan)));
   const std::vector<std::string> checks = order_checks(plan);
   data.set("has_order_checks", !checks.empty());

@@ -1,11 +1,11 @@
 // The files that compose the trees into period buckets.
 #pragma once
 
-#include "generator/emit/names.hpp"
+#include "generator/emit/bounds.hpp"
 
 namespace finemote::gen {
 
-Data schedule_header(const Plan& plan);
-Data schedule_source(const Plan& plan);
+Data schedule_header(const Plan& plan, const ProvenBounds& bounds);
+Data schedule_source(const Plan& plan, const ProvenBounds& bounds);
 
 }  // namespace finemote::gen

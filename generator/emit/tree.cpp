@@ -132,7 +132,8 @@ std::vector<std::size_t> buckets_of(const Plan& plan, const Tree& tree) {
   return {buckets.begin(), buckets.end()};
 }
 
-Data tree_header(const Plan& plan, const Tree& tree, const std::vector<Constant>& constants) {
+Data tree_header(const Plan& plan, const Tree& tree, const std::vector<Constant>& constants,
+                 const ProvenBounds& bounds) {
   Data data = common_data(plan);
   data.set("root", plan.robot.devices[tree.root].name.text);
   data.set("space", tree.space);
@@ -147,6 +148,7 @@ Data tree_header(const Plan& plan, const Tree& tree, const std::vector<Constant>
     entry.set("port_lines", text_list(lines));
     entry.set("comment",
               fmt::format("{}: {}, every {}", d.name.text, device_comment(plan, device), period_text(d.period_ns)));
+    entry.set("bound", bound_comment(plan, bounds.plain, device));
     entry.set("definition", device_definition(plan, device, constants));
     devices.push_back(entry);
   }

@@ -4,13 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "generator/emit/bounds.hpp"
 #include "generator/emit/constants.hpp"
 #include "generator/emit/names.hpp"
 
 namespace finemote::gen {
 
 /// Template data of trees/<root>.hpp.
-Data tree_header(const Plan& plan, const Tree& tree, const std::vector<Constant>& constants);
+Data tree_header(const Plan& plan, const Tree& tree, const std::vector<Constant>& constants,
+                 const ProvenBounds& bounds);
 
 /// Template data of trees/<root>.cpp.
 Data tree_source(const Plan& plan, const Tree& tree);

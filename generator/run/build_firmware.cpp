@@ -26,7 +26,7 @@ void write_project(const FirmwareRequest& request) {
           << "project(firmware LANGUAGES CXX" << (request.board == "host" ? "" : " ASM") << ")\n"
           << fmt::format("include([==[{}/cmake/FinemoteFirmware.cmake]==])\n", fs::absolute(request.data_dir).generic_string())
           << "finemote_add_firmware(firmware GENERATED ${CMAKE_CURRENT_SOURCE_DIR}/generated BOARD " << request.board
-          << (request.trace ? " TRACE" : "")
+          << (request.trace ? " TRACE" : "") << (request.monitor ? " MONITOR" : "")
           << (request.duration_ns > 0 ? fmt::format(" DURATION {}ns", request.duration_ns) : "")
           << cmake_list("INCLUDES", request.include_dirs) << cmake_list("SOURCES", request.sources) << ")\n";
 }

@@ -15,6 +15,7 @@ struct FirmwareRequest {
   std::string board;      ///< folder below runtime/boards
   std::int64_t duration_ns = 0;  ///< the run ends by itself; 0: never
   bool trace = true;
+  bool monitor = false;
   std::vector<std::string> include_dirs;  ///< of the user's own device types
   std::vector<std::string> sources;       ///< and their sources
 };

@@ -61,6 +61,21 @@ void warn_of_misuse(const emulator::Board& board, Diagnostics& diagnostics) {
   }
 }
 
+/// The monitor's records, as finemote/monitor.hpp lays them out; none in an image without them.
+std::vector<MonitorEntry> read_monitor(emulator::Board& board, const emulator::Image& image, const Forest& forest) {
+  constexpr const char* kRecords = "finemote_monitor_records";
+  constexpr std::uint32_t kBytes = 24;
+  std::vector<MonitorEntry> entries;
+  const auto records = image.symbol(kRecords);
+  for (std::uint32_t i = 0; records && (i + 1) * kBytes <= records->size && i < forest.order.size(); ++i) {
+    const auto word = [&](std::uint32_t offset) { return std::int64_t{board.word(kRecords, i * kBytes + offset)}; };
+    const auto time = [&](std::uint32_t offset) { return word(offset) | word(offset + 4) << 32; };
+    entries.push_back({forest.order[i], time(0), time(8), static_cast<std::uint64_t>(word(16)),
+                       static_cast<std::uint64_t>(word(20))});
+  }
+  return entries;
+}
+
 RunRecord take_record(emulator::Board& board, const emulator::Outfit& outfit, const Robot& robot, const Forest& forest,
                       std::int64_t zero, std::int64_t duration_ns) {
   RunRecord record;
@@ -88,7 +103,8 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
                                  std::int64_t duration_ns, const std::string& scenario, Diagnostics& diagnostics) {
   emulator::Board board;
   emulator::Outfit outfit(board);
-  board.load(emulator::load_image(image));
+  const emulator::Image loaded = emulator::load_image(image);
+  board.load(loaded);
   outfit.add(emulated_parts(robot));
   if (!add_scenario(scenario, outfit, diagnostics)) return std::nullopt;
   const auto zero = wait_for_first_release(board);
@@ -105,6 +121,7 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
   warn_of_misuse(board, diagnostics);
   RunRecord record = take_record(board, outfit, robot, forest, *zero, duration_ns);
   record.resets = board.resets();
+  record.monitor = read_monitor(board, loaded, forest);
   return record;
 }
 

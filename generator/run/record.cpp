@@ -43,6 +43,16 @@ bool read_fault(std::istringstream& words, RunRecord& record) {
   return true;
 }
 
+bool read_monitor(std::istringstream& words, const Forest& forest, RunRecord& record) {
+  MonitorEntry entry;
+  std::size_t place = 0;
+  words >> place >> entry.response_max_ns >> entry.age_max_ns >> entry.response_violations >> entry.age_violations;
+  if (!words || place >= forest.order.size()) return false;
+  entry.device = forest.order[place];
+  record.monitor.push_back(entry);
+  return true;
+}
+
 }  // namespace
 
 std::optional<RunRecord> parse_record(const std::string& text, const Forest& forest, std::int64_t duration_ns) {
@@ -57,6 +67,7 @@ std::optional<RunRecord> parse_record(const std::string& text, const Forest& for
       case 'O': good = read_overruns(words, record); break;
       case 'B': good = read_bus(words, duration_ns, record); break;
       case 'F': good = read_fault(words, record); break;
+      case 'M': good = read_monitor(words, forest, record); break;
       default: break;
     }
     if (!good) return std::nullopt;

@@ -33,17 +33,26 @@ struct PartRecord {
   std::int64_t at_ns = 0;    ///< when its last bit could be read, or the output took its value
 };
 
+/// What the monitor in the firmware kept of one device.
+struct MonitorEntry {
+  std::size_t device = 0;  ///< index into Robot::devices
+  std::int64_t response_max_ns = 0;
+  std::int64_t age_max_ns = 0;  ///< 0: no valid command was handled
+  std::uint64_t response_violations = 0, age_violations = 0;
+};
+
 struct RunRecord {
   std::vector<Event> events;            ///< in time order
   std::vector<std::uint64_t> overruns;  ///< per bucket
   std::vector<BusRecord> buses;
   std::vector<PartRecord> parts;        ///< in time order per part; emulated board only
+  std::vector<MonitorEntry> monitor;    ///< in schedule order; empty without the monitor
   unsigned resets = 0;                  ///< by the watchdog or the firmware; emulated board only
   std::vector<std::string> faults;      ///< `module 3, number 2, 5 times`
 };
 
 /// Reads the lines the firmware prints: `E <ns> <stage> B|E`, `O <bucket> <count>`, `B <bus> <transfers> <errors> <busy ns>`,
-/// `F <module> <number> <count>`; other lines are ignored. None when a line is broken or a stage does not exist.
+/// `F <module> <number> <count>`, `M <device> <worst response> <worst age> <late> <old>`; other lines are ignored. None when a line is broken or a stage does not exist.
 std::optional<RunRecord> parse_record(const std::string& text, const Forest& forest, std::int64_t duration_ns);
 
 }  // namespace finemote::gen

@@ -79,6 +79,23 @@ Json bus_list(const RunResult& result) {
   return list;
 }
 
+Json bound(std::optional<std::int64_t> ns) { return ns ? Json(*ns) : Json(nullptr); }
+
+Json monitor_list(const RunResult& result) {
+  Json list = Json::array();
+  for (const MonitorEntry& entry : result.record.monitor) {
+    const timing::DeviceBounds& of = result.bounds.devices[entry.device];
+    list.push_back({{"device", name_of(result, entry.device)},
+                    {"response_max_ns", entry.response_max_ns},
+                    {"response_bound_ns", bound(of.response_ns)},
+                    {"age_max_ns", entry.age_max_ns > 0 ? Json(entry.age_max_ns) : Json(nullptr)},
+                    {"age_bound_ns", bound(of.age_ns)},
+                    {"response_violations", entry.response_violations},
+                    {"age_violations", entry.age_violations}});
+  }
+  return list;
+}
+
 /// The stages in the order they began, one line per release of the fastest bucket.
 void print_order(const RunResult& result, std::ostream& out) {
   out << "\nobserved order (+ update, - handle)\n";
@@ -139,7 +156,30 @@ void print_chains(const RunResult& result, std::ostream& out) {
   }
 }
 
+void print_monitor(const RunResult& result, std::ostream& out) {
+  if (result.record.monitor.empty()) return;
+  const auto time = [](std::optional<std::int64_t> ns) {
+    return ns ? fmt::format("{:.3f}", static_cast<double>(*ns) / 1e3) : "-";
+  };
+  out << "\nmonitored in the firmware, us: release to end of handle, and age of the data behind the command\n";
+  out << fmt::format("  {:<28} {:>11} {:>11} {:>7} {:>11} {:>11} {:>7}\n", "device", "response", "bound", "above", "age",
+                     "bound", "above");
+  for (const MonitorEntry& entry : result.record.monitor) {
+    const timing::DeviceBounds& of = result.bounds.devices[entry.device];
+    const auto age = entry.age_max_ns > 0 ? std::optional<std::int64_t>(entry.age_max_ns) : std::nullopt;
+    out << fmt::format("  {:<28} {:>11} {:>11} {:>7} {:>11} {:>11} {:>7}\n", name_of(result, entry.device),
+                       time(entry.response_max_ns), time(of.response_ns), entry.response_violations, time(age),
+                       time(of.age_ns), entry.age_violations);
+  }
+}
+
 }  // namespace
+
+std::uint64_t RunResult::violations() const {
+  std::uint64_t count = 0;
+  for (const MonitorEntry& entry : record.monitor) count += entry.response_violations + entry.age_violations;
+  return count;
+}
 
 std::uint64_t RunResult::overruns() const {
   return std::accumulate(record.overruns.begin(), record.overruns.end(), std::uint64_t{0});
@@ -147,12 +187,12 @@ std::uint64_t RunResult::overruns() const {
 
 bool RunResult::good() const {
   const bool bounds_hold = std::all_of(chains.begin(), chains.end(), [](const MeasuredChain& c) { return c.holds(); });
-  return overruns() == 0 && record.resets == 0 && bounds_hold;
+  return overruns() == 0 && violations() == 0 && record.resets == 0 && bounds_hold;
 }
 
 Json run_document(const RunResult& result) {
   const bool is_arm = result.image.flash > 0;
-  return {{"schema", "finemote.run/1"},
+  Json document = {{"schema", "finemote.run/1"},
           {"image",
            {{"sha256", result.image.sha256},
             {"flash", is_arm ? Json(result.image.flash) : Json(nullptr)},
@@ -166,6 +206,8 @@ Json run_document(const RunResult& result) {
           {"overruns", result.overruns()},
           {"resets", result.record.resets},
           {"buses", bus_list(result)}};
+  if (!result.record.monitor.empty()) document["monitor"] = monitor_list(result);
+  return document;
 }
 
 void print_image(const ImageFacts& image, std::ostream& out) {
@@ -179,6 +221,7 @@ void print_run(const RunResult& result, std::ostream& out) {
   print_image(result.image, out);
   print_order(result, out);
   print_chains(result, out);
+  print_monitor(result, out);
   if (result.board == "qemu_f405") print_instructions(result, out);
   if (!result.record.buses.empty()) out << "\nbuses\n";
   for (const BusRecord& bus : result.record.buses) {

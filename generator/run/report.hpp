@@ -8,6 +8,7 @@
 #include "generator/run/chains.hpp"
 #include "generator/run/image_facts.hpp"
 #include "generator/schedule/schedule.hpp"
+#include "generator/timing/bounds.hpp"
 
 namespace finemote::gen {
 
@@ -22,8 +23,10 @@ struct RunResult {
   ImageFacts image;
   RunRecord record;
   std::vector<MeasuredChain> chains;
+  timing::RobotBounds bounds;  ///< what a monitor in the image held it to
 
   [[nodiscard]] std::uint64_t overruns() const;
+  [[nodiscard]] std::uint64_t violations() const;  ///< counted by the monitor
   /// No overrun, no reset, and no figure above its bound.
   [[nodiscard]] bool good() const;
 };

@@ -181,6 +181,7 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
   const WireAnalysis wire(model, best, effort);
   const ChainAnalysis chains(model, topology, best, wire, effort);
   timing.chains = chains.defaults();
+  if (request.inputs) timing.inputs = chains.oldest_inputs();
   for (const ChainRequest& c : request.chains) {
     if (chains.connected(c.from, c.to)) continue;
     diagnostics.error(

@@ -34,6 +34,7 @@ struct AnalysisRequest {
   std::optional<Profile> profile;    ///< whose verdict counts; none: target where the model has one, else tight
   std::vector<ChainRequest> chains;  ///< beyond the default ones
   std::vector<Requirement> requirements;
+  bool inputs = false;  ///< fill Timing::inputs
 };
 
 struct Timing {
@@ -43,6 +44,7 @@ struct Timing {
   std::optional<ProfileResult> target;
   Profile asked = Profile::tight;   ///< of the verdict
   std::vector<ChainResult> chains;  ///< of `target` where there is one, else `tight`
+  std::vector<ChainResult> inputs;  ///< on request: the oldest data behind every command (ChainAnalysis::oldest_inputs)
   std::vector<RequirementResult> requirements;
   std::vector<BusLoad> bus_loads;    ///< per Model::buses
   std::vector<std::size_t> assumed;  ///< devices whose execution times are assumed

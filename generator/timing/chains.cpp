@@ -355,8 +355,81 @@ std::vector<ChainResult> ChainAnalysis::defaults() const {
     if (terminals.empty()) terminals.push_back(topology_.roots[tree]);
     const std::size_t pairs = sources.size() * terminals.size();
     const bool small = pairs <= most_pairs_ && repetition[tree] <= kMostPairEntries / static_cast<Ns>(pairs);
+    if (!small && has_reads(tree)) {  // groups know tree edges only, and another way may be older
+      for (const std::size_t to : terminals) results.push_back(complete(sources.front(), to, {}));
+      continue;
+    }
     for (ChainResult& r : small ? worst_of_pairs(sources, terminals) : worst_of_groups(tree, terminals)) {
       results.push_back(r);
+    }
+  }
+  return results;
+}
+
+bool ChainAnalysis::has_reads(std::size_t tree) const {
+  for (std::size_t d = 0; d < model_.devices.size(); ++d) {
+    if (topology_.root_of[d] == topology_.roots[tree] && !model_.devices[d].reads.empty()) return true;
+  }
+  return false;
+}
+
+/// Devices with a sample of their own whose data reach `root`: those without children, and those that measure. Data of
+/// any other device are as old as what it was made from.
+std::vector<std::size_t> ChainAnalysis::sources_of(std::size_t root) const {
+  std::vector<std::size_t> stack{root}, sources;
+  std::set<std::size_t> seen{root};
+  while (!stack.empty()) {
+    const std::size_t device = stack.back();
+    stack.pop_back();
+    if (topology_.children[device].empty() || model_.devices[device].acquisition) sources.push_back(device);
+    std::vector<std::size_t> producers = topology_.children[device];
+    producers.insert(producers.end(), model_.devices[device].reads.begin(), model_.devices[device].reads.end());
+    for (const std::size_t producer : producers) {
+      if (seen.insert(producer).second) stack.push_back(producer);
+    }
+  }
+  std::sort(sources.begin(), sources.end());
+  return sources;
+}
+
+/// Nanoseconds until everything about these devices repeats; kNever when that leaves the range of numbers.
+Ns ChainAnalysis::repetition(const std::vector<std::size_t>& devices) const {
+  Ns length = 1;
+  try {
+    for (const std::size_t d : devices) length = lcm(length, profile_.table.repeat(d));
+  } catch (const Overflow&) {
+    return kNever;
+  }
+  return length;
+}
+
+std::vector<ChainResult> ChainAnalysis::oldest_inputs() const {
+  std::vector<std::vector<std::size_t>> terminals(topology_.roots.size());
+  std::vector<std::size_t> tree_of_root(model_.devices.size());
+  for (std::size_t tree = 0; tree < topology_.roots.size(); ++tree) tree_of_root[topology_.roots[tree]] = tree;
+  for (std::size_t d = 0; d < model_.devices.size(); ++d) {
+    if (model_.devices[d].takes_command && model_.devices[d].parent) {
+      terminals[tree_of_root[topology_.root_of[d]]].push_back(d);
+    }
+  }
+  std::vector<ChainResult> results;
+  for (std::size_t tree = 0; tree < terminals.size(); ++tree) {
+    if (terminals[tree].empty()) continue;
+    const std::size_t root = topology_.roots[tree];
+    const std::vector<std::size_t> sources = sources_of(root);
+    std::vector<std::size_t> concerned = sources;
+    for (const std::size_t source : sources) {
+      for (std::size_t d = source; model_.devices[d].parent; d = *model_.devices[d].parent) concerned.push_back(d);
+    }
+    concerned.insert(concerned.end(), terminals[tree].begin(), terminals[tree].end());
+    const std::size_t pairs = sources.size() * terminals[tree].size();
+    const Ns entries = repetition(concerned) / model_.devices[root].period_ns;
+    if (pairs <= most_pairs_ && entries <= kMostPairEntries / static_cast<Ns>(pairs)) {
+      for (ChainResult& r : worst_of_pairs(sources, terminals[tree])) results.push_back(r);
+    } else if (sources == topology_.leaves[tree] && !has_reads(tree)) {
+      for (ChainResult& r : worst_of_groups(tree, terminals[tree])) results.push_back(r);
+    } else {
+      for (const std::size_t to : terminals[tree]) results.push_back(complete(sources.front(), to, {}));
     }
   }
   return results;

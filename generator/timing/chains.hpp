@@ -36,6 +36,11 @@ class ChainAnalysis {
   /// largest bound. Throws Overflow, TooLong.
   [[nodiscard]] std::vector<ChainResult> defaults() const;
 
+  /// For every device below another that takes a command: the chain from the oldest data its command can rest on, of
+  /// all devices with a sample of their own whose data reach it, over `reads` edges too. Where too many pairs would have
+  /// to be looked at and groups of them cannot stand in, the chain is without bounds. Throws Overflow, TooLong.
+  [[nodiscard]] std::vector<ChainResult> oldest_inputs() const;
+
  private:
   struct Route;
   struct Decision {
@@ -57,6 +62,9 @@ class ChainAnalysis {
   [[nodiscard]] std::vector<ChainResult> worst_of_groups(std::size_t tree,
                                                          const std::vector<std::size_t>& terminals) const;
   [[nodiscard]] std::vector<Ns> entries() const;
+  [[nodiscard]] bool has_reads(std::size_t tree) const;
+  [[nodiscard]] std::vector<std::size_t> sources_of(std::size_t root) const;
+  [[nodiscard]] Ns repetition(const std::vector<std::size_t>& devices) const;
   [[nodiscard]] bool is_assumed(std::size_t from, std::size_t to) const;
 
   const Model& model_;

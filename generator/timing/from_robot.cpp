@@ -76,6 +76,14 @@ class Adapter {
     model_.costs.job_ns = cost_of(board_, "bucket") + exception;
     model_.costs.stage_ns = cost_of(board_, "stage") + (options_.trace ? 2 * cost_of(board_, "trace_event") : 0);
     model_.costs.masked_ns = cost_of(board_, "masked_section");
+    if (options_.monitor) model_.costs.job_ns += monitor_cost("monitor_job");
+  }
+
+  /// Of a board that does not say: a generous guess.
+  [[nodiscard]] Ns monitor_cost(const char* name) const {
+    constexpr Ns kGuess = 3000;
+    const auto costs = board_.find("costs");
+    return costs != board_.end() && costs->contains(name) ? cost_of(board_, name) : kGuess;
   }
 
   void add_bus(std::size_t index) {
@@ -124,6 +132,7 @@ class Adapter {
     if (out.source == WcetSource::assumed && options_.assumed_wcet_ns) {
       out.update_wcet_ns = out.handle_wcet_ns = *options_.assumed_wcet_ns;
     }
+    if (options_.monitor) out.handle_extra_ns = monitor_cost("monitor_handle");
     out.takes_command = device.type != nullptr && device.type->has_command();
     for (const Read& r : device.reads) out.reads.push_back(forest_.rank[r.device]);
     const std::size_t place = model_.devices.size();

@@ -9,6 +9,7 @@ namespace finemote::gen::timing {
 
 struct RobotTimingOptions {
   bool trace = false;                 ///< the trace option is on: every stage records two events
+  bool monitor = false;               ///< the monitor option is on: every handle and every job is looked at
   std::optional<Ns> assumed_wcet_ns;  ///< instead of every assumed execution time (`--assume-wcet`)
 };
 

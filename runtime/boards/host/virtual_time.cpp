@@ -10,6 +10,7 @@
 #include "finemote/bus_counters.hpp"
 #include "finemote/fault.hpp"
 #include "finemote/host.hpp"
+#include "finemote/monitor.hpp"
 #include "finemote/schedule.hpp"
 #include "finemote/trace.hpp"
 #include "runtime/src/release.hpp"
@@ -218,6 +219,13 @@ void print_run() {
     const FaultRecord record = fault_record(i);
     std::printf("F %u %u %u\n", static_cast<unsigned>(record.module), record.number, record.count);
   }
+#ifdef FINEMOTE_MONITOR
+  for (unsigned i = 0; i < finemote_monitor.devices.size(); ++i) {
+    const MonitorRecord& record = finemote_monitor.records[i];
+    std::printf("M %u %lld %lld %u %u\n", i, static_cast<long long>(record.response_max),
+                static_cast<long long>(record.age_max), record.response_violations, record.age_violations);
+  }
+#endif
 }
 
 }  // namespace host

@@ -2,6 +2,7 @@
 
 #include "finemote/bus_counters.hpp"
 #include "finemote/fault.hpp"
+#include "finemote/monitor.hpp"
 #include "finemote/schedule.hpp"
 #include "runtime/boards/cortex_m4/trace.hpp"
 #include "semihosting.hpp"
@@ -34,7 +35,7 @@ class Line {
   }
 
  private:
-  char text_[80];  // three numbers of 20 digits at most
+  char text_[112];  // five numbers of 20 digits at most
   unsigned size_ = 1;
 };
 
@@ -78,6 +79,15 @@ void report_run() {
     const FaultRecord record = fault_record(i);
     Line('F').number(static_cast<unsigned>(record.module)).number(record.number).number(record.count).write();
   }
+#ifdef FINEMOTE_MONITOR
+  for (unsigned i = 0; i < finemote_monitor.devices.size(); ++i) {
+    const MonitorRecord& record = finemote_monitor.records[i];
+    Line line('M');
+    line.number(i).number(static_cast<std::uint64_t>(record.response_max));
+    line.number(static_cast<std::uint64_t>(record.age_max)).number(record.response_violations);
+    line.number(record.age_violations).write();
+  }
+#endif
 #ifdef FINEMOTE_TRACE
   if (cortex_m4::lost_events() != 0) Line('L').number(cortex_m4::lost_events()).write();
 #endif

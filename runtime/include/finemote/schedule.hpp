@@ -6,6 +6,9 @@
 #include "finemote/contract.hpp"
 #include "finemote/order.hpp"
 #include "finemote/time.hpp"
+#ifdef FINEMOTE_MONITOR
+#include "finemote/monitor.hpp"
+#endif
 
 namespace finemote {
 
@@ -37,8 +40,12 @@ struct Schedule {
 inline constexpr unsigned kMaxBuckets = 11;
 
 /// The end of a job of this bucket (index in Schedule::buckets). Costs nothing: the interrupt controller knows which
-/// buckets are pending or running, and the release interrupt asks it.
+/// buckets are pending or running, and the release interrupt asks it. Only the monitor wants to know.
+#ifdef FINEMOTE_MONITOR
+inline void complete(unsigned bucket) { monitor_job(bucket); }
+#else
 constexpr void complete(unsigned) {}
+#endif
 
 /// How often the bucket overran.
 std::uint32_t overruns(unsigned bucket);

@@ -85,4 +85,35 @@ constexpr finemote::Bucket kBuckets[] = {
 extern "C" constexpr finemote::Schedule finemote_schedule{
     "deep_forest", 1000000 /* tick [ns] */, kBuckets, finemote::Overrun::skip, start_buses, safe_outputs, nullptr};
 
+#ifdef FINEMOTE_MONITOR
+
+extern "C" {
+finemote::MonitorRecord finemote_monitor_records[13];
+}
+
+namespace {
+
+constexpr finemote::Monitored kMonitored[] = {
+    // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
+    {2, 525954, finemote::kUnbounded, nullptr},  // remote
+    {0, 155198, 16155198, &walker::hip_left.command},  // hip-left
+    {0, 140920, 16140920, &walker::knee_left.command},  // knee-left
+    {1, 256230, 12256230, &walker::leg_left.command},  // leg-left
+    {0, 126642, 16126642, &walker::hip_right.command},  // hip-right
+    {0, 112364, 16112364, &walker::knee_right.command},  // knee-right
+    {1, 251034, 12251034, &walker::leg_right.command},  // leg-right
+    {1, 245838, 12245838, &walker::front.command},  // front
+    {0, 98086, 12098086, &walker::tilt.command},  // tilt
+    {2, 517594, 2416562, &walker::body.command},  // body
+    {2, 512398, finemote::kUnbounded, nullptr},  // walker
+    {2, 448438, 10448438, &gripper::finger.command},  // finger
+    {1, 215960, finemote::kUnbounded, nullptr},  // gripper
+};
+
+}  // namespace
+
+extern "C" constexpr finemote::Monitor finemote_monitor{kMonitored, finemote_monitor_records};
+
+#endif
+
 }  // namespace deep_forest

@@ -4,18 +4,42 @@
 // The period buckets of robot 'deep_forest', shortest period first.
 #pragma once
 
+#include <finemote/bounds.hpp>
+
 namespace deep_forest {
 
-/// Every 2 ms: priority 4, interrupt line 48, 5 devices.
+/// Every 2 ms: priority 4, interrupt line 48, 5 devices;
+/// a job ends within 140.198 us of its release.
 void run_2ms();
 
-/// Every 4 ms: priority 5, interrupt line 49, 4 devices.
+/// Every 4 ms: priority 5, interrupt line 49, 4 devices;
+/// a job ends within 228.93 us of its release.
 void run_4ms();
 
-/// Every 10 ms: priority 6, interrupt line 51, 4 devices.
+/// Every 10 ms: priority 6, interrupt line 51, 4 devices;
+/// a job ends within 486.354 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
 void safe_outputs();
+
+/// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
+/// data behind the command when handle() ends, and the same at the output.
+/// Some of the execution times behind it are assumed.
+namespace bounds {
+inline constexpr finemote::Bounds remote{486354, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds hip_left{140198, 16140198, 16140198};
+inline constexpr finemote::Bounds knee_left{128020, 16128020, 16128020};
+inline constexpr finemote::Bounds leg_left{228930, 12228930, 12228930};
+inline constexpr finemote::Bounds hip_right{115842, 16115842, 16115842};
+inline constexpr finemote::Bounds knee_right{103664, 16103664, 16103664};
+inline constexpr finemote::Bounds leg_right{225834, 12225834, 12225834};
+inline constexpr finemote::Bounds front{222738, 12222738, 12222738};
+inline constexpr finemote::Bounds tilt{91486, 12091486, 12091486};
+inline constexpr finemote::Bounds body{480094, 2391362, 2391362};
+inline constexpr finemote::Bounds walker{476998, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds finger{415138, 10415138, 10415138};
+inline constexpr finemote::Bounds gripper{194960, finemote::kUnbounded, finemote::kUnbounded};
+}  // namespace bounds
 
 }  // namespace deep_forest

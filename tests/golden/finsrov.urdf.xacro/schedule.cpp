@@ -60,4 +60,36 @@ constexpr finemote::Bucket kBuckets[] = {
 extern "C" constexpr finemote::Schedule finemote_schedule{
     "FinsROV", 1000000 /* tick [ns] */, kBuckets, finemote::Overrun::skip, start_buses, safe_outputs, nullptr};
 
+#ifdef FINEMOTE_MONITOR
+
+extern "C" {
+finemote::MonitorRecord finemote_monitor_records[14];
+}
+
+namespace {
+
+constexpr finemote::Monitored kMonitored[] = {
+    // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
+    {0, 74688, finemote::kUnbounded, nullptr},  // imu
+    {1, 285866, finemote::kUnbounded, nullptr},  // baro_1
+    {1, 281106, finemote::kUnbounded, nullptr},  // baro_2
+    {1, 278846, finemote::kUnbounded, nullptr},  // baro_3
+    {1, 269686, finemote::kUnbounded, nullptr},  // baro_4
+    {1, 267426, 30300836, &rov::thruster_1.command},  // thruster_1
+    {1, 258266, 30296676, &rov::thruster_2.command},  // thruster_2
+    {1, 247206, 30287516, &rov::thruster_3.command},  // thruster_3
+    {1, 243046, 30276456, &rov::thruster_4.command},  // thruster_4
+    {1, 236386, 30269796, &rov::thruster_5.command},  // thruster_5
+    {1, 232226, 30265636, &rov::thruster_6.command},  // thruster_6
+    {1, 221166, 30254576, &rov::thruster_7.command},  // thruster_7
+    {1, 214506, 30247916, &rov::thruster_8.command},  // thruster_8
+    {1, 210346, finemote::kUnbounded, nullptr},  // rov
+};
+
+}  // namespace
+
+extern "C" constexpr finemote::Monitor finemote_monitor{kMonitored, finemote_monitor_records};
+
+#endif
+
 }  // namespace FinsROV

@@ -4,15 +4,38 @@
 // The period buckets of robot 'FinsROV', shortest period first.
 #pragma once
 
+#include <finemote/bounds.hpp>
+
 namespace FinsROV {
 
-/// Every 5 ms: priority 4, interrupt line 48, 1 device.
+/// Every 5 ms: priority 4, interrupt line 48, 1 device;
+/// a job ends within 61.088 us of its release.
 void run_5ms();
 
-/// Every 10 ms: priority 5, interrupt line 49, 13 devices.
+/// Every 10 ms: priority 5, interrupt line 49, 13 devices;
+/// a job ends within 215.466 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
 void safe_outputs();
+
+/// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
+/// data behind the command when handle() ends, and the same at the output.
+namespace bounds {
+inline constexpr finemote::Bounds imu{61088, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds baro_1{211866, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds baro_2{211706, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds baro_3{211546, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds baro_4{211386, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds thruster_1{211226, 30244036, 35413764};
+inline constexpr finemote::Bounds thruster_2{202266, 30241976, 35413764};
+inline constexpr finemote::Bounds thruster_3{200206, 30233016, 35406864};
+inline constexpr finemote::Bounds thruster_4{198146, 30228456, 35404364};
+inline constexpr finemote::Bounds thruster_5{193586, 30226396, 35404364};
+inline constexpr finemote::Bounds thruster_6{191526, 30224336, 35404364};
+inline constexpr finemote::Bounds thruster_7{189466, 30222276, 35416264};
+inline constexpr finemote::Bounds thruster_8{173006, 30220216, 35416264};
+inline constexpr finemote::Bounds rov{170946, finemote::kUnbounded, finemote::kUnbounded};
+}  // namespace bounds
 
 }  // namespace FinsROV

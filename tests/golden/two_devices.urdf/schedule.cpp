@@ -51,4 +51,24 @@ constexpr finemote::Bucket kBuckets[] = {
 extern "C" constexpr finemote::Schedule finemote_schedule{
     "two_devices", 1000000 /* tick [ns] */, kBuckets, finemote::Overrun::skip, start_buses, safe_outputs, nullptr};
 
+#ifdef FINEMOTE_MONITOR
+
+extern "C" {
+finemote::MonitorRecord finemote_monitor_records[2];
+}
+
+namespace {
+
+constexpr finemote::Monitored kMonitored[] = {
+    // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
+    {0, 63506, 10063506, &controller::sensor.command},  // sensor
+    {1, 130462, finemote::kUnbounded, nullptr},  // controller
+};
+
+}  // namespace
+
+extern "C" constexpr finemote::Monitor finemote_monitor{kMonitored, finemote_monitor_records};
+
+#endif
+
 }  // namespace two_devices

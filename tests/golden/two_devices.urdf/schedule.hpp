@@ -4,15 +4,26 @@
 // The period buckets of robot 'two_devices', shortest period first.
 #pragma once
 
+#include <finemote/bounds.hpp>
+
 namespace two_devices {
 
-/// Every 5 ms: priority 4, interrupt line 48, 1 device.
+/// Every 5 ms: priority 4, interrupt line 48, 1 device;
+/// a job ends within 59.306 us of its release.
 void run_5ms();
 
-/// Every 10 ms: priority 5, interrupt line 49, 1 device.
+/// Every 10 ms: priority 5, interrupt line 49, 1 device;
+/// a job ends within 122.062 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
 void safe_outputs();
+
+/// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
+/// data behind the command when handle() ends, and the same at the output.
+namespace bounds {
+inline constexpr finemote::Bounds sensor{59306, 10059306, 10059306};
+inline constexpr finemote::Bounds controller{122062, finemote::kUnbounded, finemote::kUnbounded};
+}  // namespace bounds
 
 }  // namespace two_devices

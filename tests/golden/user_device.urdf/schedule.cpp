@@ -37,4 +37,25 @@ constexpr finemote::Bucket kBuckets[] = {
 extern "C" constexpr finemote::Schedule finemote_schedule{
     "line_follower", 1000000 /* tick [ns] */, kBuckets, finemote::Overrun::skip, start_buses, safe_outputs, nullptr};
 
+#ifdef FINEMOTE_MONITOR
+
+extern "C" {
+finemote::MonitorRecord finemote_monitor_records[3];
+}
+
+namespace {
+
+constexpr finemote::Monitored kMonitored[] = {
+    // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
+    {0, 40960, finemote::kUnbounded, nullptr},  // line
+    {0, 37800, 35000, &follower::drive.command},  // drive
+    {0, 24440, finemote::kUnbounded, nullptr},  // follower
+};
+
+}  // namespace
+
+extern "C" constexpr finemote::Monitor finemote_monitor{kMonitored, finemote_monitor_records};
+
+#endif
+
 }  // namespace line_follower

@@ -4,12 +4,24 @@
 // The period buckets of robot 'line_follower', shortest period first.
 #pragma once
 
+#include <finemote/bounds.hpp>
+
 namespace line_follower {
 
-/// Every 5 ms: priority 4, interrupt line 48, 3 devices.
+/// Every 5 ms: priority 4, interrupt line 48, 3 devices;
+/// a job ends within 31.36 us of its release.
 void run_5ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
 void safe_outputs();
+
+/// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
+/// data behind the command when handle() ends, and the same at the output.
+/// Some of the execution times behind it are assumed.
+namespace bounds {
+inline constexpr finemote::Bounds line{31360, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds drive{30300, 29000, 29000};
+inline constexpr finemote::Bounds follower{19040, finemote::kUnbounded, finemote::kUnbounded};
+}  // namespace bounds
 
 }  // namespace line_follower

@@ -15,6 +15,7 @@
 namespace deep_forest::gripper {
 
 /// finger: sim_load, every 10 ms
+/// response <= 415.138 us; data age <= 10.416 ms when handle() ends, <= 10.416 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::SimLoad finger{
     finemote::SimLoad::Config{/*update [ns]*/ 100000, /*handle [ns]*/ 10000},
     finemote::Ports<finemote::Any>{}};
@@ -42,6 +43,7 @@ inline constexpr finemote::Port<finemote::Any> gripper_children[] = {
 }  // namespace ports
 
 /// gripper: sim_load, every 4 ms
+/// response <= 194.96 us
 FINEMOTE_CONSTINIT inline finemote::SimLoad gripper{
     finemote::SimLoad::Config{/*update [ns]*/ 10000, /*handle [ns]*/ 10000},
     ports::gripper_children};

@@ -14,6 +14,7 @@
 namespace deep_forest::remote {
 
 /// remote: sim_load, every 10 ms
+/// response <= 486.354 us
 FINEMOTE_CONSTINIT inline finemote::SimLoad remote{
     finemote::SimLoad::Config{/*update [ns]*/ 20000, /*handle [ns]*/ 5000},
     finemote::Ports<finemote::Any>{}};

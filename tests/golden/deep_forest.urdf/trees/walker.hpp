@@ -16,11 +16,13 @@
 namespace deep_forest::walker {
 
 /// hip-left: sim_load, every 2 ms
+/// response <= 140.198 us; data age <= 16.141 ms when handle() ends, <= 16.141 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad hip_left{
     finemote::SimLoad::Config{/*update [ns]*/ 10000, /*handle [ns]*/ 10000},
     finemote::Ports<finemote::Any>{}};
 
 /// knee-left: sim_load, every 2 ms
+/// response <= 128.02 us; data age <= 16.129 ms when handle() ends, <= 16.129 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad knee_left{
     finemote::SimLoad::Config{/*update [ns]*/ 10000, /*handle [ns]*/ 10000},
     finemote::Ports<finemote::Any>{}};
@@ -45,14 +47,17 @@ inline constexpr finemote::Port<finemote::Any> leg_left_children[] = {
 }  // namespace ports
 
 /// leg-left: group, every 4 ms
+/// response <= 228.93 us; data age <= 12.229 ms when handle() ends, <= 12.229 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::Group leg_left{ports::leg_left_children};
 
 /// hip-right: sim_load, every 2 ms
+/// response <= 115.842 us; data age <= 16.116 ms when handle() ends, <= 16.116 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad hip_right{
     finemote::SimLoad::Config{/*update [ns]*/ 10000, /*handle [ns]*/ 10000},
     finemote::Ports<finemote::Any>{}};
 
 /// knee-right: sim_load, every 2 ms
+/// response <= 103.664 us; data age <= 16.104 ms when handle() ends, <= 16.104 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad knee_right{
     finemote::SimLoad::Config{/*update [ns]*/ 10000, /*handle [ns]*/ 10000},
     finemote::Ports<finemote::Any>{}};
@@ -77,6 +82,7 @@ inline constexpr finemote::Port<finemote::Any> leg_right_children[] = {
 }  // namespace ports
 
 /// leg-right: group, every 4 ms
+/// response <= 225.834 us; data age <= 12.226 ms when handle() ends, <= 12.226 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::Group leg_right{ports::leg_right_children};
 
 namespace ports {  // what 'front' sees of others
@@ -87,11 +93,13 @@ inline constexpr finemote::Port<finemote::Any> front_children[] = {
 }  // namespace ports
 
 /// front: sim_load, every 4 ms
+/// response <= 222.738 us; data age <= 12.223 ms when handle() ends, <= 12.223 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad front{
     finemote::SimLoad::Config{/*update [ns]*/ 15000, /*handle [ns]*/ 25000},
     ports::front_children};
 
 /// tilt: sim_load, every 2 ms
+/// response <= 91.486 us; data age <= 12.092 ms when handle() ends, <= 12.092 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad tilt{
     finemote::SimLoad::Config{/*update [ns]*/ 30000, /*handle [ns]*/ 0},
     finemote::Ports<finemote::Any>{}};
@@ -116,6 +124,7 @@ inline constexpr finemote::Port<finemote::Any> body_children[] = {
 }  // namespace ports
 
 /// body: group, every 10 ms
+/// response <= 480.094 us; data age <= 2.392 ms when handle() ends, <= 2.392 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::Group body{ports::body_children};
 
 namespace ports {  // what 'walker' sees of others
@@ -129,6 +138,7 @@ inline constexpr finemote::Port<finemote::Any> walker_children[] = {
 }  // namespace ports
 
 /// walker: sim_load, every 10 ms
+/// response <= 476.998 us
 FINEMOTE_CONSTINIT inline finemote::SimLoad walker{
     finemote::SimLoad::Config{/*update [ns]*/ 40000, /*handle [ns]*/ 60000},
     ports::walker_children};

@@ -15,6 +15,7 @@
 namespace two_devices::controller {
 
 /// sensor: sim_load, every 5 ms
+/// response <= 59.306 us; data age <= 10.06 ms when handle() ends, <= 10.06 ms at the output (oldest: sensor)
 FINEMOTE_CONSTINIT inline finemote::SimLoad sensor{
     finemote::SimLoad::Config{/*update [ns]*/ 40000, /*handle [ns]*/ 5000},
     finemote::Ports<finemote::Any>{}};
@@ -32,6 +33,7 @@ inline constexpr finemote::Port<finemote::Any> controller_children[] = {
 }  // namespace ports
 
 /// controller: sim_load, every 10 ms
+/// response <= 122.062 us
 FINEMOTE_CONSTINIT inline finemote::SimLoad controller{
     finemote::SimLoad::Config{/*update [ns]*/ 20000, /*handle [ns]*/ 30000},
     ports::controller_children};

@@ -16,10 +16,12 @@
 namespace line_follower::follower {
 
 /// line: line_sensor, every 5 ms
+/// response <= 31.36 us
 FINEMOTE_CONSTINIT inline example::LineSensor line{
     example::LineSensor::Config{/*threshold*/ 0.25f, /*hold [ns]*/ 20000000}};
 
 /// drive: sim_load, every 5 ms
+/// response <= 30.3 us; data age <= 29 us when handle() ends, <= 29 us at the output (oldest: line)
 FINEMOTE_CONSTINIT inline finemote::SimLoad drive{
     finemote::SimLoad::Config{/*update [ns]*/ 10000, /*handle [ns]*/ 10000},
     finemote::Ports<finemote::Any>{}};
@@ -33,6 +35,7 @@ inline constexpr finemote::Port<finemote::Any> follower_children[] = {
 }  // namespace ports
 
 /// follower: group, every 5 ms
+/// response <= 19.04 us
 FINEMOTE_CONSTINIT inline finemote::Group follower{ports::follower_children};
 
 void update_5ms();

@@ -1,0 +1,31 @@
+#include "generator/timing/bounds.hpp"
+
+namespace finemote::gen::timing {
+
+RobotBounds bound_robot(const Robot& robot, const Forest& forest, const Schedule& schedule,
+                        const RobotTimingOptions& options) {
+  RobotBounds bounds{std::vector<DeviceBounds>(robot.devices.size()),
+                     std::vector<std::optional<Ns>>(schedule.buckets.size()), false};
+  AnalysisRequest request;
+  request.inputs = true;
+  Diagnostics findings;  // `generate` reports them where it asks for the verdict
+  const auto timing = analyse(make_timing_model(robot, forest, schedule, options), request, findings);
+  if (!timing || !timing->target) return bounds;
+  bounds.answered = true;
+  const ProfileResult& target = *timing->target;
+  for (std::size_t d = 0; d < target.devices.size(); ++d) {
+    bounds.devices[forest.order[d]].response_ns = target.devices[d].r_minus_ns;
+  }
+  for (std::size_t w = 0; w < target.buckets.size(); ++w) bounds.jobs[w] = target.buckets[w].response_ns;
+  for (const ChainResult& input : timing->inputs) {
+    DeviceBounds& device = bounds.devices[forest.order[input.to]];
+    device.has_input = true;
+    device.oldest = forest.order[input.from];
+    if (!input.acquire_ns || !input.decide_ns) continue;
+    device.age_ns = add(*input.acquire_ns, *input.decide_ns);
+    if (input.wire_ns) device.output_ns = add(*device.age_ns, *input.wire_ns);
+  }
+  return bounds;
+}
+
+}  // namespace finemote::gen::timing

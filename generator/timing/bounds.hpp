@@ -1,0 +1,27 @@
+// Robot to what its firmware can be held to: how late every handle() ends, and how old the data behind its command is.
+#pragma once
+
+#include "generator/timing/from_robot.hpp"
+
+namespace finemote::gen::timing {
+
+/// Of one device; without a value there is no bound, or nothing to bound.
+struct DeviceBounds {
+  std::optional<Ns> response_ns;      ///< release to end of handle()
+  bool has_input = false;             ///< it takes its command from another device
+  std::optional<Ns> age_ns;           ///< oldest sample behind that command, at the end of handle()
+  std::optional<Ns> output_ns;        ///< the same sample, at the last bit of the output
+  std::optional<std::size_t> oldest;  ///< whose sample: index into Robot::devices
+};
+
+struct RobotBounds {
+  std::vector<DeviceBounds> devices;          ///< per Robot::devices
+  std::vector<std::optional<Ns>> jobs;        ///< per Schedule::buckets: release to end of a job
+  bool answered = false;                      ///< the analysis came to an end
+};
+
+/// The bounds of profile `target`. Never fails: what the analysis cannot answer has no bound.
+RobotBounds bound_robot(const Robot& robot, const Forest& forest, const Schedule& schedule,
+                        const RobotTimingOptions& options = {});
+
+}  // namespace finemote::gen::timing
