@@ -103,6 +103,6 @@ TEST_CASE("finsrov simulates below its bounds") {
 }
 
 TEST_CASE("tracing costs time") {
-  Robots plain("finsrov.urdf"), traced("finsrov.urdf", {true, {}});
+  Robots plain("finsrov.urdf"), traced("finsrov.urdf", {true, false, {}});
   CHECK(traced.model.costs.stage_ns > plain.model.costs.stage_ns);
 }
