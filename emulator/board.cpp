@@ -47,6 +47,12 @@ BusStatistics Board::bus(const std::string& port) {
   return {};
 }
 
+void Board::set_word(const std::string& symbol, std::uint32_t value, std::uint32_t offset) {
+  const auto found = image_.symbol(symbol);
+  if (!found) throw std::runtime_error("the image has no symbol '" + symbol + "'");
+  if (std::uint8_t* p = cpu_->memory(found->address + offset, 4)) std::memcpy(p, &value, 4);
+}
+
 std::uint32_t Board::word(const std::string& symbol, std::uint32_t offset) {
   const auto found = image_.symbol(symbol);
   if (!found) throw std::runtime_error("the image has no symbol '" + symbol + "'");

@@ -44,6 +44,7 @@ class Board {
 
   /// A word of RAM by symbol name. @throws std::runtime_error when the image has no such symbol
   [[nodiscard]] std::uint32_t word(const std::string& symbol, std::uint32_t offset = 0);
+  void set_word(const std::string& symbol, std::uint32_t value, std::uint32_t offset = 0);
 
  private:
   void restart(std::uint32_t cause);

@@ -147,20 +147,38 @@ void Outfit::add_part(const Json& part) {
   }
 }
 
+/// `PA0` to `PI15`, driven `high` or `low`, or `release`d.
+void Outfit::check_pin(const Json& event) {
+  const auto pin = need<std::string>(event, "pin"), what = need<std::string>(event, "do");
+  const bool digits = pin.size() >= 3 && pin.size() <= 4 && pin.find_first_not_of("0123456789", 2) == std::string::npos;
+  if (!digits || pin[0] != 'P' || pin[1] < 'A' || pin[1] > 'I' || std::stoul(pin.substr(2)) > 15)
+    refuse(event, "'pin' is a pin of the chip, PA0 to PI15");
+  if (what != "high" && what != "low" && what != "release") refuse(event, "'" + what + "' cannot happen to a pin");
+}
+
 void Outfit::add_event(const Json& event) {
   const auto at = need<std::uint64_t>(event, "t_ns");
   need<std::string>(event, "do");
-  const bool to_part = event.contains("part"), to_port = event.contains("port");
-  if (to_part == to_port) refuse(event, "an event happens to a 'part' or to a 'port'");
+  const auto targets = event.contains("part") + event.contains("port") + event.contains("pin");
+  if (targets != 1) refuse(event, "an event happens to a 'part', to a 'port' or to a 'pin'");
+  if (event.contains("pin")) check_pin(event);
   board_.world().at(from_ns(at), [this, event] { happen(event); });
 }
 
 void Outfit::happen(const Json& event) {
   if (event.contains("part")) {
     happen_to_part(event, need<std::string>(event, "part"));
-  } else {
+  } else if (event.contains("port")) {
     happen_to_port(event, need<std::string>(event, "port"));
+  } else {
+    happen_to_pin(event, need<std::string>(event, "pin"));
   }
+}
+
+/// A pin is driven from outside, or left alone.
+void Outfit::happen_to_pin(const Json& event, const std::string& pin) {
+  const int level = need<std::string>(event, "do") == "release" ? -1 : need<std::string>(event, "do") == "high" ? 1 : 0;
+  board_.chip().gpio(pin[1]).drive(static_cast<unsigned>(std::stoul(pin.substr(2))), level);
 }
 
 void Outfit::happen_to_part(const Json& event, const std::string& name) {
@@ -195,6 +213,13 @@ void Outfit::happen_to_port(const Json& event, const std::string& port) {
     if (what == "disturb") return void(i2c->disturbed_starts = need<unsigned>(event, "starts"));
   } else if (Can* can = board_.chip().can(port)) {
     if (what == "disturb") return void(can->line.disturbed_frames = need<unsigned>(event, "frames"));
+  } else if (Adc* adc = board_.chip().adc(port)) {
+    if (what == "silent") return void(adc->dead = maybe(event, "on", true));
+    if (what == "volts") {
+      const auto input = need<unsigned>(event, "input");
+      if (input > 15) refuse(event, "'input' is 0 to 15");
+      return void(adc->volts[input] = need<double>(event, "volts"));
+    }
   } else {
     refuse(event, "the board has no bus at port '" + port + "'");
   }

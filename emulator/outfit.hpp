@@ -61,6 +61,8 @@ class Outfit {
   void add_event(const Json& event);
   void happen(const Json& event);
   void happen_to_part(const Json& event, const std::string& name);
+  static void check_pin(const Json& event);
+  void happen_to_pin(const Json& event, const std::string& pin);
   void happen_to_port(const Json& event, const std::string& port);
   void add_h30(const Json& part, const std::string& name);
   void add_pca9685(const Json& part, const std::string& name);

@@ -78,6 +78,10 @@ Chip::Chip(World& world)
   add_timer(0x40000800, "tim4", ClockBus::apb1, 2, 30);
   add_timer(0x40000C00, "tim5", ClockBus::apb1, 3, 50);
   add_timer(0x40014400, "tim10", ClockBus::apb2, 17, 25);
+  // The clock of ADC3 stands for the block: bit 10, RM0090 7.3.14. Input 8 is PF10: DS8626 table 7.
+  adc3_ = std::make_unique<Adc>(
+      world, "adc3", Adc::Wiring{apb2, [this](unsigned input) { return input == 8 && gpio('F').mode(10) == 3; }});
+  place(0x40012000, *adc3_, ClockBus::apb2, 10);
   const auto poll = [this] {
     for (const Slot& slot : slots_) slot.peripheral->poll_dma();
   };
@@ -189,9 +193,15 @@ void Chip::attach_spi(Spi& spi, char port, unsigned pin, SpiPart part) {
 }
 
 std::pair<Timer*, unsigned> Chip::pwm(const std::string& name) {
+  const auto timer = [this](std::size_t index) { return timers_[index].get(); };  // in the order they were added
+  if (name == "led_blue") return {timer(3), 1};
+  if (name == "led_green") return {timer(3), 2};
+  if (name == "led_red") return {timer(3), 3};
+  if (name == "buzzer") return {timer(2), 3};
+  if (name == "imu_heater") return {timer(4), 1};
   if (name.size() != 4 || name.compare(0, 3, "pwm") != 0 || name[3] < '1' || name[3] > '7') return {nullptr, 0};
   const auto number = static_cast<unsigned>(name[3] - '0');
-  return number <= 4 ? std::pair(timers_[0].get(), number) : std::pair(timers_[1].get(), number - 4);
+  return number <= 4 ? std::pair(timer(0), number) : std::pair(timer(1), number - 4);
 }
 
 }  // namespace finemote::emulator

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "emulator/chip/adc.hpp"
 #include "emulator/chip/can.hpp"
 #include "emulator/chip/dma.hpp"
 #include "emulator/chip/exti.hpp"
@@ -40,7 +41,10 @@ class Chip : public PeripheralBus {
   Spi* spi(const std::string& name);
   /// Puts a part on an SPI port, behind a pin as its chip select.
   void attach_spi(Spi& spi, char port, unsigned pin, SpiPart part);
-  /// Timer and channel of a PWM header `pwm1`..`pwm7`.
+  /// Analog input by port name: `adc3`; null when there is none.
+  Adc* adc(const std::string& name) { return name == "adc3" ? adc3_.get() : nullptr; }
+  /// Timer and channel of a pulse output: a PWM header `pwm1`..`pwm7`, or `led_red led_green led_blue buzzer
+  /// imu_heater`.
   std::pair<Timer*, unsigned> pwm(const std::string& name);
 
   Rcc rcc;
@@ -83,6 +87,7 @@ class Chip : public PeripheralBus {
   std::unique_ptr<Usart> usart1_, usart3_, usart6_;
   std::unique_ptr<I2c> i2c2_, i2c3_;
   std::unique_ptr<Spi> spi1_, spi2_;
+  std::unique_ptr<Adc> adc3_;
   CanFilters can_filters_;
   std::unique_ptr<Can> can1_, can2_;
   std::vector<std::unique_ptr<Timer>> timers_;

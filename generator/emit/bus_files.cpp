@@ -196,6 +196,13 @@ std::string start_line(const Use& use) {
 /// Brings up the pins that devices use or sit on.
 std::vector<std::string> pin_lines(const Plan& plan) {
   std::vector<std::string> lines;
+  for (const Bus& bus : plan.robot.buses) {
+    if (bus.driver_pin.empty()) continue;
+    const bool active_low = bus.driver_named != nullptr && bus.driver_named->active_low;
+    lines.push_back(configure_line(bus.driver_pin, bus.driver_named, true) + "  // direction of " + bus.name.text);
+    lines.push_back(fmt::format("finemote::ports::{}.drive_with({}, /*active low*/ {});", bus.port,
+                                pin_number(bus.driver_pin), active_low));
+  }
   for (const Device& device : plan.robot.devices) {
     const bool on_pin = device.segment && plan.robot.segments[*device.segment].bus_kind == BusKind::gpio;
     if (on_pin) {

@@ -107,7 +107,7 @@ std::vector<std::string> object_headers(const Plan& plan, const Tree& tree, cons
   std::vector<std::string> headers{"<finemote/constinit.hpp>", "<finemote/contract.hpp>", "<finemote/interfaces.hpp>",
                                    "\"buses.hpp\""};
   const auto include = [&](const DeviceType& type) {
-    headers.push_back(type.builtin ? "<" + type.include + ">" : "\"" + type.include + "\"");
+    headers.push_back("<" + type.include + ">");  // never the tree's own file, whatever the root is called
   };
   for (std::size_t device : tree.devices) {
     include(*plan.robot.devices[device].type);

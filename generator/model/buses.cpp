@@ -8,6 +8,7 @@
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/names.hpp"
+#include "generator/model/pins.hpp"
 #include "generator/model/reading.hpp"
 #include "generator/units/units.hpp"
 
@@ -235,6 +236,31 @@ void read_rate(Reading& reading, const xml::Node& tag, Bus& bus, Reading::BusSta
   if (state.port != nullptr) check_rate(reading, *attribute, *state.port, bus);
 }
 
+/// What an RS-485 bus can be told. The param objects point at these specs.
+const std::vector<ParamSpec>& rs485_params() {
+  static const std::vector<ParamSpec> specs = [] {
+    ParamSpec direction;
+    direction.name = "direction";
+    direction.kind = ParamKind::text;
+    direction.fallback = ParamValue(std::string());
+    direction.summary = "pin that turns the line driver on";
+    return std::vector<ParamSpec>{direction};
+  }();
+  return specs;
+}
+
+void read_driver_pin(Reading& reading, const xml::Node& tag, Bus& bus, const std::string& owner) {
+  for (const xml::Node& child : tag.children) {
+    if (!child.is_element("param") || value_of(child, "name") != "direction") continue;
+    const TextAt text = element_text(child);
+    const PlacedPin pin = find_pin(reading.robot.board, text.text, text.at, owner, "output", reading.diagnostics);
+    bus.driver_pin = pin.pin;
+    bus.driver_named = pin.named;
+    bus.driver_at = text.at;
+    return;
+  }
+}
+
 void read_bus(Reading& reading, const xml::Node& tag) {
   Bus bus;
   bus.name = make_name(value_of(tag, "name"));
@@ -254,7 +280,10 @@ void read_bus(Reading& reading, const xml::Node& tag) {
              "min_frame: a frame has at least one bit")
         .hint("write for example min_frame=\"20bit\"");
   }
-  bus.params = read_param_tags(reading, tag, {}, fmt::format("bus '{}'", bus.name.text));
+  const std::string owner = fmt::format("bus '{}'", bus.name.text);
+  const bool is_rs485 = kind == BusKind::rs485;
+  bus.params = read_param_tags(reading, tag, is_rs485 ? rs485_params() : std::vector<ParamSpec>{}, owner);
+  if (is_rs485) read_driver_pin(reading, tag, bus, owner);
   reading.robot.buses.push_back(std::move(bus));
   reading.buses.push_back(state);
 }

@@ -9,6 +9,7 @@
 #include "generator/descriptor/library.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/names.hpp"
+#include "generator/model/pins.hpp"
 #include "generator/model/reading.hpp"
 #include "generator/units/units.hpp"
 
@@ -236,43 +237,12 @@ class DeviceReader {
                fmt::format("<use role=\"{}\"> takes a {}, not a pin", use.spec->role, kinds_text(use.spec->buses)));
       return false;
     }
-    const NamedPin* known = reading_.robot.board != nullptr ? reading_.robot.board->named_pin(pin.value) : nullptr;
-    use.pin = known != nullptr ? known->pin : pin.value;
-    use.named = known;
-    if (known != nullptr || is_pin_name(pin.value)) return can_be(pin, *use.spec, known);
-    auto& finding = at_value(diagnostics_, code::pin_invalid, pin, fmt::format("'{}' is no pin", pin.value));
-    std::vector<std::string> names;
-    if (reading_.robot.board != nullptr) {
-      for (const NamedPin& candidate : reading_.robot.board->pins) names.push_back(candidate.name);
-    }
-    suggest(finding, pin.value, names);
-    finding.hint("or write a pin of the chip, PA0 to PI15");
-    return false;
-  }
-  /// A named pin is wired for something; any other of the chip can be an input or an output.
-  bool can_be(const xml::Attribute& pin, const UseSpec& spec, const NamedPin* known) {
-    if (reading_.robot.board == nullptr) return true;
-    const bool is_plain = spec.function == "input" || spec.function == "output";
-    const auto has = [&](const NamedPin& candidate) {
-      return std::find(candidate.functions.begin(), candidate.functions.end(), spec.function) !=
-             candidate.functions.end();
-    };
-    if (known == nullptr ? is_plain : has(*known)) return true;
-    auto& finding = at_value(diagnostics_, code::pin_function, pin,
-                             fmt::format("<use role=\"{}\"> needs pin '{}' as {}, which it cannot be on this board",
-                                         spec.role, pin.value, spec.function));
-    if (known != nullptr) finding.note(fmt::format("'{}' ({}) is: {}", known->name, known->pin, known->summary));
-    std::string able;
-    for (const NamedPin& candidate : reading_.robot.board->pins) {
-      if (has(candidate)) able += (able.empty() ? "'" : ", '") + candidate.name + "'";
-    }
-    if (!able.empty()) finding.hint("these can: " + able);
-    return false;
-  }
-  static bool is_pin_name(const std::string& name) {
-    if (name.size() < 3 || name.size() > 4 || name[0] != 'P' || name[1] < 'A' || name[1] > 'I') return false;
-    const auto number = units::parse_bare(name.substr(2));
-    return number && *number <= 15 && name == fmt::format("P{}{}", name[1], *number);
+    const PlacedPin found =
+        find_pin(reading_.robot.board, pin.value, pin.value_at, fmt::format("<use role=\"{}\">", use.spec->role),
+                 use.spec->function, diagnostics_);
+    use.pin = found.pin;
+    use.named = found.named;
+    return !found.pin.empty();
   }
   bool read_use_bus(const xml::Attribute& bus, Use& use) {
     use.segment = reading_.segment_named(bus.value);

@@ -31,19 +31,24 @@ class ResourceTable {
       return;
     }
     const User self{fmt::format("bus '{}' (port '{}')", bus.name.text, port->name), bus.at};
-    for (const Resource& resource : port->resources) take(resource, self, attribute);
+    for (const Resource& resource : port->resources) take(resource, self, attribute.value_at, attribute.value.size());
+    if (bus.driver_pin.empty()) return;
+    take({"pin", bus.driver_pin}, {fmt::format("the direction of bus '{}'", bus.name.text), bus.driver_at},
+         bus.driver_at, bus.driver_pin.size());
   }
   void add_pin(const Use& use, const Device& device, const xml::Attribute& attribute) {
     take({"pin", use.pin}, {fmt::format("device '{}' (use '{}')", device.name.text, use.spec->role), use.at},
-         attribute);
+         attribute.value_at, attribute.value.size());
   }
 
  private:
-  void take(const Resource& resource, const User& user, const xml::Attribute& attribute) {
+  void take(const Resource& resource, const User& user, const Position& at, std::size_t length) {
     const auto [first, is_fresh] = taken_.emplace(resource.kind + resource.name, user);
     if (is_fresh || first->second.what == user.what) return;
-    at_value(reading_.diagnostics, code::resource_conflict, attribute,
-             fmt::format("{} and {} both need {} {}", user.what, first->second.what, resource.kind, resource.name))
+    reading_.diagnostics
+        .error(code::resource_conflict, at,
+               fmt::format("{} and {} both need {} {}", user.what, first->second.what, resource.kind, resource.name))
+        .underline(length)
         .note(fmt::format("{} stands here", first->second.what), first->second.at)
         .hint("'finemote board show' lists what each port needs");
   }

@@ -57,6 +57,9 @@ struct Bus {
   std::optional<std::int64_t> isr_wcet_ns;  ///< as given
   std::optional<std::int64_t> min_frame_bits;
   std::vector<Param> params;
+  std::string driver_pin;                  ///< rs485: turns the line driver on; empty: it does so by itself
+  const NamedPin* driver_named = nullptr;  ///< what the board file says of it
+  Position driver_at;
   Position at;
 };
 

@@ -141,6 +141,7 @@ class Adapter {
     const Json descriptor = Json::parse(device.type->raw_json);
     add_acquisition(device, descriptor, model_.devices[place]);
     if (device.segment) add_frames(device, descriptor, place);
+    if (device.segment) add_interrupts(device, descriptor);
   }
 
   static WcetSource source_of(Wcet::Source source) {
@@ -216,6 +217,26 @@ class Adapter {
       if (key.first == "flush") continue;  // one for all devices of the bucket: add_flush
       if (muxed) use.add(rate, 1, 0);      // the switch is set ahead of the unit
       add_transfer(place, *bus, kind, key.first, use);
+    }
+  }
+
+  /// Lines of the device's own, as further sources of the bus it sits on.
+  void add_interrupts(const gen::Device& device, const Json& descriptor) {
+    const auto bus = bus_of(*device.segment);
+    const auto interrupts = descriptor.find("interrupts");
+    if (!bus || interrupts == descriptor.end() || !model_.buses[*bus].sources) return;
+    for (const Json& entry : *interrupts) {
+      const std::string role = entry.value("use", std::string());
+      const bool given = role.empty() || std::any_of(device.uses.begin(), device.uses.end(),
+                                                     [&](const Use& use) { return use.spec->role == role; });
+      if (!given) continue;
+      const bool autonomous = entry.at("arrival") == "autonomous";
+      const Ns interval = autonomous ? entry.value("min_interval_ns", Ns{1})
+                                     : device.period_ns / std::max<Ns>(entry.value("count", Ns{1}), 1);
+      model_.buses[*bus].sources->push_back({device.name.text + ": " + entry.at("source").get<std::string>(),
+                                             entry.value("wcet_ns", model_.buses[*bus].wcet_ns),
+                                             std::max<Ns>(interval, 1),
+                                             {}});
     }
   }
 

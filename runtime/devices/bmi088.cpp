@@ -9,12 +9,15 @@ namespace {
 // Registers: BMI088 data sheet, chapters 5.3 (accelerometer) and 5.5 (gyroscope).
 constexpr std::uint8_t kRead = 0x80;
 constexpr std::uint8_t kChipId = 0x00;
-constexpr std::uint8_t kAccelData = 0x12;  ///< x, y, z, two bytes each; then the 24-bit sensor time from 0x18
-constexpr std::uint8_t kGyroData = 0x00;   ///< identity, a reserved byte, then x, y, z
+constexpr std::uint8_t kAccelData = 0x12;    ///< x, y, z, two bytes each; then the 24-bit sensor time from 0x18
+constexpr std::uint8_t kTemperature = 0x22;  ///< TEMP_MSB, TEMP_LSB: 5.3.7
+constexpr std::uint8_t kGyroData = 0x00;     ///< identity, a reserved byte, then x, y, z
 constexpr std::uint8_t kAccelId = 0x1E, kGyroId = 0x0F;
 
 // An accelerometer read puts one byte without meaning before the data (6.1.2).
 constexpr unsigned kAccelDataAt = 2, kAccelTimeAt = 8, kGyroIdAt = 1, kGyroDataAt = 3;
+constexpr unsigned kTemperatureAt = kAccelDataAt + kTemperature - kAccelData;
+constexpr std::uint16_t kAccelShort = kAccelTimeAt + 3, kAccelLong = kTemperatureAt + 2;
 
 /// One write of the bring-up, and how long the part needs after it.
 struct Setting {
@@ -36,6 +39,9 @@ constexpr Setting kSettings[] = {
     {true, 0x0F, 0x00, 1 * kMillisecond},           // GYRO_RANGE: 2000 deg/s
     {true, 0x10, 0x82, 1 * kMillisecond},           // GYRO_BANDWIDTH: 1000 Hz, filter 116 Hz
     {true, 0x11, 0x00, 30 * kMillisecond},          // GYRO_LPM1: normal
+    {true, 0x16, 0x00, 1 * kMillisecond},           // INT3_INT4_IO_CONF: INT3 push-pull, active low
+    {true, 0x18, 0x01, 1 * kMillisecond},           // INT3_INT4_IO_MAP: data ready to INT3
+    {true, 0x15, 0x80, 1 * kMillisecond},           // GYRO_INT_CTRL: data ready on
 };
 constexpr std::uint8_t kSettingCount = sizeof kSettings / sizeof kSettings[0];
 
@@ -101,7 +107,8 @@ void Bmi088::check() {
 void Bmi088::start_reads() {
   accel_out_[0] = kAccelData | kRead;
   gyro_out_[0] = kGyroData | kRead;
-  accel_->start(accel_out_, accel_in_, sizeof accel_in_);
+  if (ready_ != nullptr) edge_ = ready_->last();
+  accel_->start(accel_out_, accel_in_, heater_ != nullptr ? kAccelLong : kAccelShort);
   gyro_->start(gyro_out_, gyro_in_, sizeof gyro_in_);
   started_ = true;
 }
@@ -112,23 +119,59 @@ void Bmi088::take_sample() {
   const std::uint32_t chip_time = clock[0] | std::uint32_t{clock[1]} << 8 | std::uint32_t{clock[2]} << 16;
   const bool good = accel_->done() && gyro_->done() && chip_time != chip_time_ && gyro_in_[kGyroIdAt] == kGyroId;
   chip_time_ = chip_time;
-  if (!good) return fail();
+  const Time ended = oldest(accel_->ended(), gyro_->ended());
+  const bool edges = ready_ == nullptr || (edge_.count != 0 && ended - edge_.at <= kMaxEdgeAge);
+  if (!good || !edges) return fail();
 
   failures_ = 0;
   for (unsigned i = 0; i < 3; ++i) {
     state.acceleration[i] = static_cast<float>(word_at(accel_in_ + kAccelDataAt + 2 * i)) * kAccelScale;
     state.rate[i] = static_cast<float>(word_at(gyro_in_ + kGyroDataAt + 2 * i)) * kGyroScale;
   }
-  const Time at = oldest(accel_->ended(), gyro_->ended());
+  const Time at = ready_ != nullptr ? oldest(ended, edge_.at) : ended;
+  if (heater_ != nullptr) take_temperature(ended);
   const float dt = sampled_ == 0 ? 0 : seconds(at - sampled_);
   sampled_ = at;
-  attitude_.step(gains_, state.rate, state.acceleration, dt);
+  attitude_.step({config_.kp, config_.ki}, state.rate, state.acceleration, dt);
   state.roll = attitude_.roll();
   state.pitch = attitude_.pitch();
   state.yaw = attitude_.yaw();
   state.origin = at;
   state.valid = true;
 }
+
+// --------------------------------------------------------------------------------------------------------------
+// heater
+
+void Bmi088::take_temperature(Time at) {
+  // Eleven bits, two's complement, 0.125 K each from 23 degrees on: 5.3.7.
+  const auto bits = static_cast<std::int16_t>(accel_in_[kTemperatureAt] << 8 | accel_in_[kTemperatureAt + 1]);
+  temperature_ = static_cast<float>(bits >> 5) * 0.125F + 23;
+  warmed_ = at;
+}
+
+void Bmi088::handle() {
+  if (heater_ == nullptr) return;
+  const Time at = now();
+  const bool known = warmed_ != 0 && at - warmed_ <= kMaxTemperatureAge;
+  if (!known || temperature_ < kColdest || temperature_ > kHottest) {
+    warmth_.reset();
+    return safe();
+  }
+  const PidGains gains{config_.heater_kp, config_.heater_ki, 0, config_.heater_limit};
+  const float dt = regulated_ == 0 ? 0 : seconds(at - regulated_);
+  regulated_ = at;
+  heat_ = clamp(warmth_.step(gains, config_.temperature - temperature_, 0, dt), 0, config_.heater_limit);
+  heater_->set_share(heat_);
+}
+
+void Bmi088::safe() {
+  heat_ = 0;
+  if (heater_ != nullptr) heater_->set(0);
+}
+
+// --------------------------------------------------------------------------------------------------------------
+// failures
 
 void Bmi088::fail() {
   state.valid = false;

@@ -9,6 +9,9 @@ namespace {
 /// Of module can.
 enum CanFault : std::uint8_t { kBusOff = 1, kNoGroup };
 
+/// 128 sequences of eleven recessive bits: ISO 11898-1.
+constexpr std::int64_t kRecoveryBits = 128 * 11;
+
 }  // namespace
 
 // ---------------------------------------------------------------------------------------------------------------- slot
@@ -113,14 +116,17 @@ void CanBus::flush() {
   if (any) port_->pend();
 }
 
-// What was queued before the bus was lost is old: all groups go to zero, and only new commands drive again.
+// What was queued before the bus was lost is old: all groups go to zero, and only new commands drive again. A bus that
+// is found off when the recovery must long be over was lost once more in between: the recovery begins anew.
 void CanBus::supervise() {
   if (!port_->bus_off()) {
     recovering_ = false;
     return;
   }
-  if (recovering_) return;
+  const Time at = now();
+  if (recovering_ && at < try_again_) return;
   recovering_ = true;
+  try_again_ = at + 2 * (kRecoveryBits * kSecond / bitrate_);
   ++counters_.recoveries;
   ++counters_.errors;
   count_fault(Module::can, kBusOff);

@@ -74,7 +74,9 @@ TEST_CASE_METHOD(Fixture, "both chips are reset and set up, then rates and accel
   gyro.set(0x02, 1638, 0, -16384);
   bench::run(500 * kMillisecond);
   CHECK(accel.written == std::vector<Bytes>{{0x7E, 0xB6}, {0x7D, 0x04}, {0x7C, 0x00}, {0x40, 0xAB}, {0x41, 0x01}});
-  CHECK(gyro.written == std::vector<Bytes>{{0x14, 0xB6}, {0x0F, 0x00}, {0x10, 0x82}, {0x11, 0x00}});
+  CHECK(gyro.written ==
+        std::vector<Bytes>{
+            {0x14, 0xB6}, {0x0F, 0x00}, {0x10, 0x82}, {0x11, 0x00}, {0x16, 0x00}, {0x18, 0x01}, {0x15, 0x80}});
   CHECK(imu.state.valid);
   CHECK(imu.state.acceleration[2] == Approx(9.80665).epsilon(1e-3));
   CHECK(imu.state.rate[0] == Approx(1638 * 2000.0 / 32768 * 0.01745329).epsilon(1e-4));
@@ -108,6 +110,87 @@ TEST_CASE_METHOD(Fixture, "a part that stands still or goes away is invalid at t
   bench::run(2 * kSecond);
   CHECK(imu.state.valid);
   CHECK(accel.written.size() >= 9);
+}
+
+namespace {
+
+/// The part on its heater: warms by so many kelvin a second at full power, and loses to an environment of 25 degrees.
+struct Warm : Fixture {
+  Warm() {
+    heater.start();
+    bench::robot().fast = [this] {
+      bus.supervise();
+      live(0.005F);
+      warm.update();
+      warm.handle();
+      heater.flush();
+    };
+  }
+  void live(float dt) {
+    const float share =
+        host::imu_heater.writes.empty() ? 0 : static_cast<float>(host::imu_heater.writes.back().pulse) / 1'000'000.0F;
+    celsius += dt * (3 * share - 0.02F * (celsius - 25));
+    if (sensor_dead) return;
+    const int code = static_cast<int>(std::lround((celsius - 23) / 0.125F)) * 32;
+    accel.registers[0x22] = static_cast<std::uint8_t>(code >> 8 & 0xFF);
+    accel.registers[0x23] = static_cast<std::uint8_t>(code & 0xFF);
+  }
+  PwmBus heater{ports::imu_heater, 1'000'000};
+  PwmChannel channel{heater, 0};
+  Bmi088 warm{{}, accel_slot, gyro_slot, &channel};
+  float celsius = 25;
+  bool sensor_dead = false;
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(Warm, "the heater brings the part to its temperature and holds it there") {
+  float hottest = 0;
+  for (int i = 1; i < 1200; ++i) bench::at(i * 100 * kMillisecond, [&] { hottest = std::max(hottest, celsius); });
+  bench::run(120 * kSecond);
+  CHECK(warm.temperature() == Approx(40).margin(0.5));
+  CHECK(celsius == Approx(40).margin(0.5));
+  CHECK(hottest < 44);
+  CHECK(warm.heat() == Approx(0.1).margin(0.03));  // what the environment takes
+}
+
+TEST_CASE_METHOD(Warm, "the heater is off without a new or with an impossible temperature, and when made safe") {
+  const int fault = GENERATE(0, 1, 2);
+  bench::at(5 * kSecond, [&] {
+    CHECK(host::imu_heater.writes.back().pulse > 0);
+    if (fault == 0) accel.missing = true;
+    if (fault == 1) sensor_dead = true;
+    if (fault == 1) accel.registers[0x22] = 0x7F;
+    if (fault == 2) bench::robot().fast = nullptr;
+    if (fault == 2) warm.safe();
+    if (fault == 2) heater.flush();
+  });
+  bench::run(8 * kSecond);
+  CHECK(host::imu_heater.writes.back().pulse == 0);
+  CHECK(warm.heat() == 0);
+}
+
+TEST_CASE_METHOD(Fixture, "the origin is the data-ready edge, and a line without edges is not valid") {
+  EdgePin ready{ports::exti5};
+  Bmi088 timed{{}, accel_slot, gyro_slot, nullptr, &ready};
+  bool edges = true;
+  for (int i = 0; i < 1000; ++i) {
+    bench::at(i * kMillisecond + 700 * kMicrosecond, [&] {
+      if (edges) host::exti5.edge();
+    });
+  }
+  bench::robot().fast = [&] {
+    bus.supervise();
+    timed.update();
+  };
+  bench::at(501 * kMillisecond, [&] {
+    CHECK(timed.state.valid);
+    CHECK(timed.state.origin % kMillisecond == 700 * kMicrosecond);
+    CHECK(now() - timed.state.origin <= 7 * kMillisecond);
+    edges = false;
+  });
+  bench::run(530 * kMillisecond);
+  CHECK_FALSE(timed.state.valid);
 }
 
 TEST_CASE("the filter takes roll and pitch from gravity at once") {

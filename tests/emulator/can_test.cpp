@@ -98,6 +98,37 @@ TEST_CASE("a disturbed bus goes off and comes back, with zero as the first comma
   CHECK(bench.left.heard.size() >= before + 19);
 }
 
+TEST_CASE("failed frames are counted by the controller, and good ones count down") {
+  Bench bench;
+  bench.board.run_for(50 * kMs);
+  CHECK(bench.seen(6) == 0);
+  bench.board.chip().can("can1")->line.disturbed_frames = 6;
+  bench.board.run_for(3 * kMs);
+  const auto errors = bench.seen(6);
+  CHECK(errors > 40);
+  CHECK(errors <= 48);
+  CHECK(bench.seen(5) == 0);
+  bench.board.run_for(60 * kMs);
+  CHECK(bench.seen(6) == 0);
+  CHECK(bench.seen(7) == 0);
+}
+
+TEST_CASE("a bus that is lost again before anybody looks is recovered all the same") {
+  Bench bench;
+  bench.board.run_for(50 * kMs);
+  bench.board.set_word("supervised_every", 20);
+  Can& can = *bench.board.chip().can("can1");
+  can.line.disturbed_frames = 200;  // six times off the bus
+  bench.board.run_for(300 * kMs);
+  CHECK(can.line.disturbed_frames == 0);
+  CHECK(!can.bus_off());
+  CHECK(bench.seen(5) == 0);
+  CHECK(bench.seen(7) >= 5);
+  bench.left.heard.clear();
+  bench.board.run_for(20 * kMs);
+  CHECK(bench.left.heard.size() >= 19);
+}
+
 TEST_CASE("an empty bus stops nothing") {
   Board board;
   board.load(load_image(std::string(FINEMOTE_IMAGES) + "/can.elf"));

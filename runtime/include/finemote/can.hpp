@@ -76,6 +76,12 @@ class CanBus {
 
   /// Context: any.
   [[nodiscard]] bool unreachable() const { return port_->bus_off(); }
+  /// Error counters of the controller (ISO 11898-1): above 127 it is passive; 256 transmit errors put it off the bus.
+  /// Context: any.
+  [[nodiscard]] std::uint8_t transmit_errors() const {
+    return static_cast<std::uint8_t>(port_->error_counters() & 0xFFU);
+  }
+  [[nodiscard]] std::uint8_t receive_errors() const { return static_cast<std::uint8_t>(port_->error_counters() >> 8); }
   [[nodiscard]] const BusCounters& counters() const { return counters_; }
 
  private:
@@ -95,6 +101,7 @@ class CanBus {
   std::uint8_t count_;
   std::int64_t bitrate_;
   bool recovering_ = false;
+  Time try_again_ = 0;  ///< a recovery that has not ended by then is begun anew
   Group groups_[kGroups];
   BusCounters counters_;
 };

@@ -65,6 +65,10 @@ class UartPort {
   /// Clocks, pins, baud rate [bit/s], receiving DMA and interrupts. Context: init.
   void start(std::int64_t baud, UartFormat format);
 
+  /// Gives the line driver a pin: active from transmit() to the last stop bit, inactive otherwise. The pin is an output
+  /// already. Context: init.
+  void drive_with(std::uint8_t pin, bool active_low);
+
   /// The receive ring; constant from start() on, in memory the DMA reaches. Context: any.
   [[nodiscard]] UartRing ring() const;
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "finemote/host.hpp"
+#include "runtime/boards/host/ports/pins.hpp"
+
 namespace finemote {
 
 namespace host {
@@ -47,6 +50,7 @@ void UartHardware::reset() {
   errors = {};
   halted = blocked = sending = false;
   last = line_free = sending_until = 0;
+  driver = -1;
   received = 0;
   idle = {};
 }
@@ -69,6 +73,11 @@ void UartHardware::catch_up() {
 
 void UartPort::start(std::int64_t baud, UartFormat format) {
   hardware_->byte_time = bits_per_byte(format) * kSecond / baud;
+}
+
+void UartPort::drive_with(std::uint8_t pin, bool active_low) {
+  hardware_->driver = pin;
+  hardware_->driver_low = active_low;
 }
 
 UartRing UartPort::ring() const {
@@ -108,9 +117,19 @@ void UartPort::transmit(std::size_t size) {
   const auto wire_time = static_cast<Duration>(size) * line.byte_time;
   line.sending = true;
   line.sending_until = line.blocked ? INT64_MAX : now() + wire_time;
+  if (line.driver >= 0) {
+    const auto pin = static_cast<std::uint8_t>(line.driver);
+    host::gpio.levels[pin] = !line.driver_low;
+    if (!line.blocked) {
+      host::interrupt_at(line.sending_until, [&line, pin] { host::gpio.levels[pin] = line.driver_low; });
+    }
+  }
   if (!line.blocked) line.sent.push_back({now(), now() + wire_time, {line.buffer, line.buffer + size}});
 }
 
-void UartPort::abort_transmit() { hardware_->sending = false; }
+void UartPort::abort_transmit() {
+  hardware_->sending = false;
+  if (hardware_->driver >= 0) host::gpio.levels[static_cast<std::uint8_t>(hardware_->driver)] = hardware_->driver_low;
+}
 
 }  // namespace finemote

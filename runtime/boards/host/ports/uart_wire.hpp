@@ -57,6 +57,8 @@ struct UartHardware {
   bool halted = false, blocked = false, sending = false;
   Time sending_until = 0;
   Duration byte_time = 0;  ///< 0: not started
+  int driver = -1;         ///< pin of the line driver; -1: none
+  bool driver_low = false;
 };
 
 }  // namespace finemote

@@ -21,6 +21,7 @@ UartPort ports::usart3{hardware[1]};
 UartPort ports::usart6{hardware[2]};
 
 void UartPort::start(std::int64_t, UartFormat) {}
+void UartPort::drive_with(std::uint8_t, bool) {}
 UartRing UartPort::ring() const { return {hardware_->ring, UartHardware::kRing}; }
 std::uint32_t UartPort::received() const { return 0; }
 UartIdle UartPort::idle() const { return {}; }

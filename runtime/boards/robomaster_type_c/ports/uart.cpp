@@ -121,6 +121,12 @@ void UartPort::restart_receive() {
   start_receive(hardware_->setup, hardware_->ring);
 }
 
+void UartPort::drive_with(std::uint8_t pin, bool active_low) {
+  hardware_->driver = {static_cast<char>('A' + pin / 16), static_cast<std::uint8_t>(pin % 16)};
+  hardware_->driver_low = active_low;
+  hardware_->directed = true;
+}
+
 std::uint8_t* UartPort::transmit_buffer() { return hardware_->transmit; }
 
 std::size_t UartPort::transmit_capacity() const { return kUartTransmit; }
@@ -135,6 +141,7 @@ void UartPort::transmit(std::size_t size) {
   setup.transmit.m0ar().write(address_of(hardware_->transmit));
   setup.transmit.ndtr().write(size);
   hardware_->sending.store(true);
+  hardware_->drive(true);
   setup.usart.sr().write(~usart::kTransmitComplete);  // cleared by writing 0; ones leave the others: RM0090 30.6.1
   setup.transmit.cr().write(std::uint32_t{setup.channel} << dma::kChannelShift | dma::kMemoryIncrement |
                             dma::kMemoryToPeripheral | dma::kEnable);
@@ -144,6 +151,7 @@ void UartPort::transmit(std::size_t size) {
 void UartPort::abort_transmit() {
   hardware_->setup.usart.cr1().clear(usart::kCompleteInterrupt);
   stop_stream(hardware_->setup.transmit);
+  hardware_->drive(false);
   hardware_->sending.store(false);
 }
 
@@ -166,6 +174,7 @@ void UartHardware::on_usart() {
   const bool waiting = (registers.cr1().read() & usart::kCompleteInterrupt) != 0;
   if (waiting && (status & usart::kTransmitComplete) != 0 && setup.transmit.ndtr().read() == 0) {
     registers.cr1().clear(usart::kCompleteInterrupt);
+    drive(false);
     sending.store(false);
   }
   robomaster_type_c::settle(registers.cr1());

@@ -41,7 +41,13 @@ struct UartHardware {
   UartErrors errors{};
   Shared<bool> halted{false};
   Shared<bool> sending{false};
+  bool directed = false, driver_low = false;  ///< a pin turns the line driver on; it is active low
+  robomaster_type_c::Pin driver{};
 
+  /// Turns the line driver on or off, where there is one. Context: any.
+  void drive(bool on) const {
+    if (directed) driver.set(on != driver_low);
+  }
   /// The routines of its lines. Context: interrupt.
   void on_usart();
   void on_receive_dma();

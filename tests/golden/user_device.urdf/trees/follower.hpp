@@ -10,8 +10,8 @@
 #include <finemote/devices/group.hpp>
 #include <finemote/devices/sim_load.hpp>
 #include <finemote/interfaces.hpp>
+#include <line_sensor.hpp>
 #include "buses.hpp"
-#include "line_sensor.hpp"
 
 namespace line_follower::follower {
 

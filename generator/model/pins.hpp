@@ -1,0 +1,22 @@
+// The name of a pin, the board's or the chip's, to the pin of the chip.
+#pragma once
+
+#include <string>
+
+#include "generator/diagnostic/diagnostics.hpp"
+#include "generator/model/robot.hpp"
+
+namespace finemote::gen {
+
+/// A pin that a robot uses.
+struct PlacedPin {
+  std::string pin;                  ///< of the chip: `PA0`; empty: none
+  const NamedPin* named = nullptr;  ///< what the board file says of it; null: nothing
+};
+
+/// Finds the pin `name` (at `at`), which `user` needs as `function`: input, output, interrupt or analog.
+/// Reports FM3073 (no such pin) and FM3076 (it cannot be that on this board); the result is then empty.
+PlacedPin find_pin(const Board* board, const std::string& name, const Position& at, const std::string& user,
+                   const std::string& function, Diagnostics& diagnostics);
+
+}  // namespace finemote::gen
