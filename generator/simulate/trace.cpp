@@ -20,12 +20,29 @@ std::string stamp(Ns ns) { return fmt::format("{}.{:03}", ns / 1000, ns % 1000);
 }  // namespace
 
 TraceWriter::TraceWriter(const timing::Model& model, timing::Profile profile, std::ostream& out)
-    : model_(model), set_(timing::make_task_set(model, profile)), out_(out) {
+    : model_(model), set_(timing::make_task_set(model, profile)), out_(out), last_empty_(2 * model.devices.size(), -1) {
+  find_buses();
   out_ << "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n";
   name_tracks();
 }
 
 void TraceWriter::close() { out_ << "\n]}\n"; }
+
+/// Streams are called like their bus, or `bus.source` where it has several: the longest name that fits is the bus.
+void TraceWriter::find_buses() {
+  for (std::size_t s = 0; s < set_.bus_streams; ++s) {
+    const std::string& name = set_.streams[s].name;
+    std::optional<std::size_t> best;
+    for (std::size_t b = 0; b < model_.buses.size(); ++b) {
+      const std::string& bus = model_.buses[b].name;
+      const bool fits = name == bus || name.rfind(bus + ".", 0) == 0;
+      if (fits && (!best || bus.size() > model_.buses[*best].name.size())) best = b;
+    }
+    bus_of_.push_back(best.value_or(0));
+  }
+}
+
+std::size_t TraceWriter::job_track(std::size_t bucket) const { return model_.buses.size() + 2 + bucket; }
 
 void TraceWriter::name_tracks() {
   const auto name = [&](std::size_t track, const std::string& text) {
@@ -34,11 +51,10 @@ void TraceWriter::name_tracks() {
     line(fmt::format(R"({{"ph":"M","pid":1,"tid":{},"name":"thread_sort_index","args":{{"sort_index":{}}}}})", track,
                      track));
   };
-  for (std::size_t s = 0; s <= set_.bus_streams; ++s) {
-    name(s + 1, s < set_.bus_streams ? "interrupt " + set_.streams[s].name : "interrupt release");
-  }
+  for (std::size_t b = 0; b < model_.buses.size(); ++b) name(b + 1, "bus " + model_.buses[b].name);
+  name(model_.buses.size() + 1, "release");
   for (std::size_t w = 0; w < set_.buckets.size(); ++w) {
-    name(set_.bus_streams + 2 + w, "every " + timing::duration_text(set_.buckets[w].period));
+    name(job_track(w), "every " + timing::duration_text(set_.buckets[w].period));
   }
 }
 
@@ -54,26 +70,30 @@ void TraceWriter::slice(std::size_t track, const std::string& name, Ns begin, Ns
 }
 
 std::size_t TraceWriter::bucket_track(std::size_t device) const {
-  return set_.bus_streams + 2 + set_.bucket_of[device];
+  return job_track(set_.bucket_of[device]);
 }
 
-void TraceWriter::job(std::size_t bucket, Ns begin, Ns end) { slice(set_.bus_streams + 2 + bucket, "job", begin, end); }
+void TraceWriter::job(std::size_t bucket, Ns begin, Ns end) { slice(job_track(bucket), "job", begin, end); }
 
 void TraceWriter::stage(std::size_t device, Stage stage, Ns begin, Ns end) {
   slice(bucket_track(device), model_.devices[device].name + (stage == Stage::update ? ".update" : ".handle"), begin,
         end);
+  if (begin == end) last_empty_[2 * device + (stage == Stage::update ? 0 : 1)] = end;
 }
 
 void TraceWriter::interrupt(std::size_t stream, Ns begin, Ns end) {
-  slice(stream + 1, stream < set_.bus_streams ? set_.streams[stream].name : "release", begin, end);
+  const bool is_bus = stream < set_.bus_streams;
+  slice(is_bus ? bus_of_[stream] + 1 : model_.buses.size() + 1, is_bus ? set_.streams[stream].name : "release", begin,
+        end);
 }
 
-/// The arrow leaves one nanosecond before the producer's end, inside its slice.
+/// The arrow leaves one nanosecond before the producer's end, inside its slice; where that is empty, at its end.
 void TraceWriter::hand_over(std::size_t producer, std::size_t consumer, Stage stage, Ns published, Ns used) {
   const std::string name = quoted(stage == Stage::update ? "state" : "command");
+  const bool is_empty = last_empty_[2 * producer + (stage == Stage::update ? 0 : 1)] == published;
   ++flow_;
   line(fmt::format(R"({{"ph":"s","pid":1,"tid":{},"ts":{},"id":{},"cat":"data","name":{}}})", bucket_track(producer),
-                   stamp(published > 0 ? published - 1 : 0), flow_, name));
+                   stamp(is_empty || published == 0 ? published : published - 1), flow_, name));
   line(fmt::format(R"({{"ph":"f","bp":"e","pid":1,"tid":{},"ts":{},"id":{},"cat":"data","name":{}}})",
                    bucket_track(consumer), stamp(used), flow_, name));
 }

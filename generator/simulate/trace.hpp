@@ -10,7 +10,8 @@
 namespace finemote::gen {
 
 /// Writes the trace event format (JSON object form) as the run goes on: one track per bucket with the job as a slice
-/// and its stages nested in it, one track per interrupt source, and a flow arrow for every hand-over of data.
+/// and its stages nested in it, one track per bus with the interrupts of all its sources, one for the
+/// release interrupt, and a flow arrow for every hand-over of data.
 /// Timestamps are microseconds with three decimals. The document is complete after close().
 class TraceWriter : public SimulationObserver {
  public:
@@ -24,7 +25,9 @@ class TraceWriter : public SimulationObserver {
                  timing::Ns used) override;
 
  private:
+  void find_buses();
   void name_tracks();
+  [[nodiscard]] std::size_t job_track(std::size_t bucket) const;
   void line(const std::string& event);
   void slice(std::size_t track, const std::string& name, timing::Ns begin, timing::Ns end);
   [[nodiscard]] std::size_t bucket_track(std::size_t device) const;
@@ -34,6 +37,8 @@ class TraceWriter : public SimulationObserver {
   std::ostream& out_;
   bool first_ = true;
   std::uint64_t flow_ = 0;
+  std::vector<std::size_t> bus_of_;     ///< per stream of a bus
+  std::vector<timing::Ns> last_empty_;  ///< per update and handle: when it last ran with no length
 };
 
 }  // namespace finemote::gen

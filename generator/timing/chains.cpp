@@ -47,6 +47,15 @@ ChainAnalysis::ChainAnalysis(const Model& model, const Topology& topology, const
     if (device.source == WcetSource::assumed) assumed_from_ = std::min(assumed_from_, device.period_ns);
     acquire_.push_back(wire.acquisition(d));
   }
+  updates_from_.resize(model.devices.size());
+  handles_from_.resize(model.devices.size());
+  for (const TaskBucket& bucket : profile.set.buckets) {
+    Ns updates = 0, handles = 0;
+    for (auto d = bucket.devices.rbegin(); d != bucket.devices.rend(); ++d) {
+      updates_from_[*d] = updates = add(updates, profile.set.update[*d]);
+      handles_from_[*d] = handles = add(handles, profile.set.handle[*d]);
+    }
+  }
 }
 
 bool ChainAnalysis::connected(std::size_t from, std::size_t to) const {
@@ -125,10 +134,7 @@ Ns ChainAnalysis::pair_window(std::size_t from, std::size_t to, Ns release) cons
   const Ns response = profile_.table.r_minus(to, release);
   const Ns extra = set.handle[to] == 0 ? 1 : 0;
   Ns work = extra;
-  for (const std::size_t d : set.buckets[w].devices) {
-    if (d >= from) work = add(work, set.update[d]);
-    if (d >= to) work = add(work, set.handle[d]);
-  }
+  work = add(work, add(updates_from_[from], handles_from_[to]));
   Demand demand(effort_);
   demand.add_streams(set.streams);
   for (std::size_t v = 0; v < w; ++v) {
@@ -161,6 +167,7 @@ Ns ChainAnalysis::walk(const Route& r, Ns entries) const {
     const Ns age = t - use.back();
     if (add(age, most) <= worst) continue;
     const Ns response = profile_.table.r_minus(r.to, t);
+    if (add(age, response) <= worst) continue;
     worst = std::max(worst, age == 0 && one_bucket ? pair_window(r.from, r.to, t) : add(age, response));
   }
   return worst;
@@ -265,7 +272,7 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(std::size_t tree,
   const std::size_t root = topology_.roots[tree];
   const Ns root_period = model_.devices[root].period_ns;
   const auto walk_groups = [&](const std::function<void(const HandOverGroup&)>& visit) {
-    walk_tree(model_, topology_, profile_.responses, profile_.set, profile_.table, root, effort_, visit);
+    walk_tree(model_, topology_, profile_.responses, profile_.set, profile_.table, root, *profile_.hand_overs, effort_, visit);
   };
   std::map<std::size_t, std::vector<Oldest>> by_length;
   Oldest closed;
@@ -295,8 +302,12 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(std::size_t tree,
     for (const auto& [m, list] : by_length) {
       const std::size_t common = std::gcd(n, m);
       std::vector<Oldest> folded(common);
-      for (std::size_t i = 0; i < m; ++i) folded[i % common].offer(list[i].age, list[i].source);
-      for (std::size_t i = 0; i < n; ++i) combined[i].offer(folded[i % common].age, folded[i % common].source);
+      for (std::size_t block = 0; block < m; block += common) {
+        for (std::size_t i = 0; i < common; ++i) folded[i].offer(list[block + i].age, list[block + i].source);
+      }
+      for (std::size_t block = 0; block < n; block += common) {
+        for (std::size_t i = 0; i < common; ++i) combined[block + i].offer(folded[i].age, folded[i].source);
+      }
     }
     return combined;
   };

@@ -75,6 +75,7 @@ class ChainAnalysis {
   std::size_t most_pairs_;
   std::vector<std::vector<std::size_t>> consumers_;  ///< per device: its parent, and who reads it
   std::vector<std::optional<Ns>> acquire_;           ///< per device
+  std::vector<Ns> updates_from_, handles_from_;      ///< per device: stages of it and of later devices of its bucket
   Ns assumed_from_ = kNever;                         ///< shortest period of a device whose execution times are assumed
 };
 

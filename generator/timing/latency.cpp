@@ -9,68 +9,67 @@ namespace {
 /// Below every age, also below the negative ones of root releases no terminal uses; two of them add without overflow.
 constexpr Ns kLowest = std::numeric_limits<Ns>::min() / 2;
 
-/// The worst terminal release found so far; of equally bad ones the first in [0, repetition).
-struct Worst {
-  Ns value = kLowest;
-  Ns release = 0;
-  Ns source = 0;
+using Use = HandOver::Use;
 
-  void offer(Ns new_value, Ns t, Ns x) {
-    if (new_value > value || (new_value == value && t < release)) *this = {new_value, t, x};
-  }
-};
+/// Keeps the older use; of equally old ones the first in [0, repetition).
+void offer(Use& worst, Ns age, Ns release, Ns source) {
+  if (age > worst.age || (age == worst.age && release < worst.release)) worst = {age, release, source};
+}
 
-/// Path latencies of the leaves of one group. They share hand-over and bucket, so per row of the release table only the
-/// oldest use counts: with the same R and W, an older source is worse.
-class GroupBound {
+/// The oldest use per row of the release table of one period: with the same R and W, an older source is worse. Leaves
+/// that share the hand-over share this, whatever their R- is (at most `most_response`).
+class OldestUses {
  public:
-  /// @param most_response  largest R- of the leaves that will be asked about.
-  GroupBound(const HandOverGroup& group, const ReleaseTable& table, Ns root_period, Ns most_response, Effort& effort)
-      : table_(table), oldest_(table.rows(group.devices.front())) {
-    const HandOver& over = *group.exact;
-    const std::size_t leaf = group.devices.front();
-    repetition_ = oldest_.size() > 1 ? lcm(over.length, table.repeat(leaf)) : over.length;
+  OldestUses(const HandOver& over, Ns period, std::size_t leaf, const ReleaseTable& table)
+      : over_(over), period_(period), leaf_(leaf), table_(table), oldest_(table.rows(leaf)) {}
+
+  std::vector<Use> find(Ns most_response, Ns root_period, Effort& effort) {
+    repetition_ = oldest_.size() > 1 ? lcm(over_.length, table_.repeat(leaf_)) : over_.length;
     effort.spend(repetition_ / root_period);
-    const auto entries = over.next.size();
+    const auto entries = over_.next.size();
     Ns worst = kLowest;
-    for (std::size_t i = 0; i < entries; ++i) worst = std::max(worst, over.next[i] - group.period - over.source[i]);
+    for (std::size_t i = 0; i < entries; ++i) worst = std::max(worst, over_.next[i] - period_ - over_.source[i]);
     const Ns least = worst - most_response;  // ages below cannot be part of a maximum
     for (std::size_t i = 0; i < entries; ++i) {
-      const Ns before = i > 0 ? over.next[i - 1] : over.next.back() - over.length;
+      const Ns before = i > 0 ? over_.next[i - 1] : over_.next.back() - over_.length;
       // All terminals that use this root release, last one first; mostly the last one alone is old enough.
-      for (Ns t = over.next[i] - group.period; t - over.source[i] >= least; t -= group.period) {
-        for (Ns shift = 0; shift < repetition_; shift += over.length) offer(leaf, t + shift, over.source[i] + shift);
-        if (t - group.period < before) break;
+      for (Ns t = over_.next[i] - period_; t - over_.source[i] >= least; t -= period_) {
+        for (Ns shift = 0; shift < repetition_; shift += over_.length) use(t + shift, over_.source[i] + shift);
+        if (t - period_ < before) break;
       }
     }
-  }
-
-  [[nodiscard]] Worst worst(std::size_t leaf) const {
-    Worst result;
-    for (std::size_t row = 0; row < oldest_.size(); ++row) {
-      const Worst& oldest = oldest_[row];
-      if (oldest.value == kLowest) continue;
-      const Ns response = table_.r_minus_in_row(leaf, row);
-      const Ns latency =
-          oldest.value == 0 ? std::min(response, table_.window_in_row(leaf, row)) : add(oldest.value, response);
-      result.offer(latency, oldest.release, oldest.source);
-    }
-    return result;
+    return std::move(oldest_);
   }
 
  private:
-  void offer(std::size_t leaf, Ns t, Ns x) {
-    Worst& oldest = oldest_[oldest_.size() > 1 ? table_.row(leaf, t) : 0];
+  void use(Ns t, Ns x) {
+    Use& oldest = oldest_[oldest_.size() > 1 ? table_.row(leaf_, t) : 0];
     const Ns age = t - x;
-    if (age < oldest.value) return;
+    if (age < oldest.age) return;
     const Ns first = t - round_down(t, repetition_);
-    oldest.offer(age, first, first - age);
+    offer(oldest, age, first, first - age);
   }
 
+  const HandOver& over_;
+  Ns period_;
+  std::size_t leaf_;
   const ReleaseTable& table_;
-  std::vector<Worst> oldest_;  ///< per row of the table: value is the age
+  std::vector<Use> oldest_;
   Ns repetition_ = 1;
 };
+
+/// Of one leaf: `age` is the latency.
+Use worst_use(const std::vector<Use>& oldest, std::size_t leaf, const ReleaseTable& table) {
+  Use result;
+  for (std::size_t row = 0; row < oldest.size(); ++row) {
+    if (oldest[row].age == kLowest) continue;
+    const Ns response = table.r_minus_in_row(leaf, row);
+    const Ns latency =
+        oldest[row].age == 0 ? std::min(response, table.window_in_row(leaf, row)) : add(oldest[row].age, response);
+    offer(result, latency, oldest[row].release, oldest[row].source);
+  }
+  return result;
+}
 
 /// Worst sum of one terminal's and one source's age over all pairs of leaves of a tree. Two repetitions meet where
 /// their entries agree modulo the common divisor of their lengths (Chinese remainder), so none is unrolled.
@@ -87,21 +86,37 @@ class CrossBound {
     auto& [down, up] = ages_[n];
     down.resize(n, kLowest);
     up.resize(n, kLowest);
-    for (std::size_t i = 0; i < n; ++i) {
-      const Ns x = static_cast<Ns>(i) * root_period;
+    Ns x = 0;
+    for (std::size_t i = 0; i < n; ++i, x += root_period) {
       down[i] = std::max(down[i], add(group.exact->next[i] - group.period - x, most_response));
       up[i] = std::max(up[i], x - group.exact->source[i]);
     }
   }
 
+  /// Pairs of lengths are looked at in the order of what they can reach at most, until none can reach more.
   Ns worst() {
-    Ns result = 0;
+    struct Pair {
+      Ns most;
+      const std::vector<Ns>* down;
+      const std::vector<Ns>* up;
+    };
+    std::vector<Pair> pairs;
     for (const auto& [n, first] : ages_) {
-      most_down_ = std::max(most_down_, *std::max_element(first.down.begin(), first.down.end()));
+      const Ns down = *std::max_element(first.down.begin(), first.down.end());
+      most_down_ = std::max(most_down_, down);
       most_up_ = std::max(most_up_, *std::max_element(first.up.begin(), first.up.end()));
-      for (const auto& [m, second] : ages_) result = std::max(result, worst_pair(first.down, second.up));
+      for (const auto& [m, second] : ages_) {
+        pairs.push_back({add(down, *std::max_element(second.up.begin(), second.up.end())), &first.down, &second.up});
+      }
     }
-    return closed_ ? add(most_down_, most_up_) : result;
+    if (closed_) return add(most_down_, most_up_);
+    std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.most > b.most; });
+    Ns result = 0;
+    for (const Pair& pair : pairs) {
+      if (pair.most <= result) break;
+      result = std::max(result, worst_pair(*pair.down, *pair.up));
+    }
+    return result;
   }
 
  private:
@@ -114,8 +129,10 @@ class CrossBound {
   }
 
   static std::vector<Ns> fold(const std::vector<Ns>& ages, std::size_t common) {
-    std::vector<Ns> folded(common, kLowest);
-    for (std::size_t i = 0; i < ages.size(); ++i) folded[i % common] = std::max(folded[i % common], ages[i]);
+    std::vector<Ns> folded(ages.begin(), ages.begin() + static_cast<std::ptrdiff_t>(common));
+    for (std::size_t block = common; block < ages.size(); block += common) {
+      for (std::size_t i = 0; i < common; ++i) folded[i] = std::max(folded[i], ages[block + i]);
+    }
     return folded;
   }
 
@@ -130,7 +147,7 @@ class CrossBound {
 class TreeBound {
  public:
   TreeBound(const Model& model, const Topology& topology, const TaskSet& set, const Responses& responses,
-            const ReleaseTable& table, std::size_t tree, bool corollaries, Effort& effort)
+            const ReleaseTable& table, std::size_t tree, bool corollaries, HandOverStore& store, Effort& effort)
       : model_(model),
         topology_(topology),
         set_(set),
@@ -138,6 +155,7 @@ class TreeBound {
         table_(table),
         tree_(tree),
         corollaries_(corollaries),
+        store_(store),
         effort_(effort) {}
 
   TreeResult find() {
@@ -147,7 +165,7 @@ class TreeBound {
       place_[leaf] = result_.paths.size();
       result_.paths.push_back({leaf, {}, {}, {}, false});
     }
-    walk_tree(model_, topology_, responses_, set_, table_, result_.root, effort_,
+    walk_tree(model_, topology_, responses_, set_, table_, result_.root, store_, effort_,
               [this](const HandOverGroup& group) { visit(group); });
     summarise();
     return std::move(result_);
@@ -179,24 +197,27 @@ class TreeBound {
       if (topology_.children[d].empty()) most_response = std::max(most_response, responses_.r_minus[d]);
     }
     if (most_response == kNone) return;  // no leaf
-    std::optional<GroupBound> bound;
-    if (group.exact != nullptr) bound.emplace(group, table_, root_period, most_response, effort_);
+    if (group.exact != nullptr && group.exact->oldest.empty()) {
+      const std::size_t any = group.devices.front();
+      const Ns most = responses_.bucket[set_.bucket_of[any]];
+      group.exact->oldest =
+          OldestUses(*group.exact, group.period, any, table_).find(most, root_period, effort_);
+    }
     for (const std::size_t d : group.devices) {
-      if (topology_.children[d].empty()) set_path(result_.paths[place_.at(d)], group, bound, d);
+      if (topology_.children[d].empty()) set_path(result_.paths[place_.at(d)], group, d);
     }
     if (corollaries_) cross_.add_group(group, most_response, root_period);
   }
 
-  void set_path(PathResult& path, const HandOverGroup& group, const std::optional<GroupBound>& bound,
-                std::size_t leaf) {
+  void set_path(PathResult& path, const HandOverGroup& group, std::size_t leaf) {
     const Ns response = responses_.r_minus[leaf];
-    if (!bound) {
+    if (group.exact == nullptr) {
       path.closed_form = true;
       path.latency_ns = group.age == 0 ? std::min(response, table_.window(leaf)) : add(group.age, response);
       return;
     }
-    const Worst worst = bound->worst(leaf);
-    path.latency_ns = worst.value;
+    const Use worst = worst_use(group.exact->oldest, leaf, table_);
+    path.latency_ns = worst.age;
     path.release_ns = worst.release;
     path.source_release_ns = worst.source;
   }
@@ -245,6 +266,7 @@ class TreeBound {
   const ReleaseTable& table_;
   std::size_t tree_;
   bool corollaries_;
+  HandOverStore& store_;
   Effort& effort_;
   TreeResult result_;
   CrossBound cross_;
@@ -255,10 +277,10 @@ class TreeBound {
 
 std::vector<TreeResult> bound_latencies(const Model& model, const Topology& topology, const TaskSet& set,
                                         const Responses& responses, const ReleaseTable& table, bool corollaries,
-                                        Effort& effort) {
+                                        HandOverStore& store, Effort& effort) {
   std::vector<TreeResult> trees;
   for (std::size_t tree = 0; tree < topology.roots.size(); ++tree) {
-    trees.push_back(TreeBound(model, topology, set, responses, table, tree, corollaries, effort).find());
+    trees.push_back(TreeBound(model, topology, set, responses, table, tree, corollaries, store, effort).find());
   }
   return trees;
 }

@@ -9,6 +9,6 @@ namespace finemote::gen::timing {
 /// (profile paper, whose table has one row per bucket). Throws Overflow, TooLong.
 std::vector<TreeResult> bound_latencies(const Model& model, const Topology& topology, const TaskSet& set,
                                         const Responses& responses, const ReleaseTable& table, bool corollaries,
-                                        Effort& effort);
+                                        HandOverStore& store, Effort& effort);
 
 }  // namespace finemote::gen::timing

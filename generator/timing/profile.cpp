@@ -45,8 +45,9 @@ ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Pr
   ProfileResult result;
   result.profile = profile;
   summarise(set, responses, table, result);
-  result.trees = bound_latencies(model, topology, set, responses, table, profile == Profile::paper, effort);
-  return {std::move(result), std::move(set), std::move(responses), std::move(table)};
+  auto hand_overs = std::make_shared<HandOverStore>();
+  result.trees = bound_latencies(model, topology, set, responses, table, profile == Profile::paper, *hand_overs, effort);
+  return {std::move(result), std::move(set), std::move(responses), std::move(table), std::move(hand_overs)};
 }
 
 }  // namespace finemote::gen::timing

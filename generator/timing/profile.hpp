@@ -2,7 +2,7 @@
 #pragma once
 
 #include "generator/timing/releases.hpp"
-#include "generator/timing/topology.hpp"
+#include "generator/timing/walk.hpp"
 
 namespace finemote::gen::timing {
 
@@ -12,6 +12,7 @@ struct ProfileAnalysis {
   TaskSet set;
   Responses responses;
   ReleaseTable table;
+  std::shared_ptr<HandOverStore> hand_overs;  ///< never null; a cache that questions fill further
 };
 
 /// Requires a model that read_model accepts. Throws Overflow, TooLong.

@@ -24,7 +24,11 @@ struct Surroundings {
 }  // namespace
 
 ReleaseTable::ReleaseTable(const TaskSet& set, const Responses& responses)
-    : bucket_of_(set.bucket_of), place_(set.bucket_of.size()), worst_window_(responses.r_minus) {
+    : bucket_of_(set.bucket_of),
+      place_(set.bucket_of.size()),
+      worst_window_(responses.r_minus),
+      r_plus_range_(set.bucket_of.size()),
+      r_minus_range_(set.bucket_of.size()) {
   for (const TaskBucket& bucket : set.buckets) {
     Bucket table;
     table.period = bucket.period;
@@ -32,6 +36,8 @@ ReleaseTable::ReleaseTable(const TaskSet& set, const Responses& responses)
     for (const std::size_t d : bucket.devices) {
       place_[d] = row.size();
       row.push_back({responses.r_plus[d], responses.r_minus[d], responses.r_minus[d]});
+      r_plus_range_[d] = {responses.r_plus[d], responses.r_plus[d]};
+      r_minus_range_[d] = {responses.r_minus[d], responses.r_minus[d]};
     }
     table.rows.push_back(std::move(row));
     buckets_.push_back(std::move(table));
@@ -220,9 +226,22 @@ ReleaseTable ReleaseTable::refined(const TaskSet& set, const Responses& response
     Builder(set, responses, w, effort).fill(bucket);
     bucket.by_period = Divider(bucket.period);
     bucket.by_count = Divider(std::max<Ns>(static_cast<Ns>(bucket.row_of.size()), 1));
+    const auto widen = [](Range& range, Ns value) {
+      range = {std::min(range.least, value), std::max(range.most, value)};
+    };
     for (const std::size_t d : set.buckets[w].devices) {
-      Ns& worst = table.worst_window_[d] = 0;
-      for (const auto& row : table.buckets_[w].rows) worst = std::max(worst, row[table.place_[d]].window);
+      const Cell& first = bucket.rows.front()[table.place_[d]];
+      table.worst_window_[d] = 0;
+      table.r_plus_range_[d] = {first.r_plus, first.r_plus};
+      table.r_minus_range_[d] = {first.r_minus, first.r_minus};
+    }
+    for (const auto& row : bucket.rows) {
+      for (const std::size_t d : set.buckets[w].devices) {
+        const Cell& cell = row[table.place_[d]];
+        table.worst_window_[d] = std::max(table.worst_window_[d], cell.window);
+        widen(table.r_plus_range_[d], cell.r_plus);
+        widen(table.r_minus_range_[d], cell.r_minus);
+      }
     }
   }
   return table;

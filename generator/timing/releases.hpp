@@ -24,12 +24,29 @@ class ReleaseTable {
   /// Rows of a device's bucket, and which one a release has.
   [[nodiscard]] std::size_t rows(std::size_t device) const { return buckets_[bucket_of_[device]].rows.size(); }
   [[nodiscard]] std::size_t row(std::size_t device, Ns release) const;
+  /// The same in two steps, for those who go from release to release: its turn in one repetition, and the row of a turn.
+  /// Only where there is more than one row.
+  [[nodiscard]] std::size_t turns(std::size_t device) const { return buckets_[bucket_of_[device]].row_of.size(); }
+  [[nodiscard]] std::size_t turn(std::size_t device, Ns release) const {
+    const Bucket& bucket = buckets_[bucket_of_[device]];
+    return static_cast<std::size_t>(bucket.by_count.rest(bucket.by_period.floor(release)));
+  }
+  [[nodiscard]] std::size_t row_of_turn(std::size_t device, std::size_t turn) const {
+    return buckets_[bucket_of_[device]].row_of[turn];
+  }
   [[nodiscard]] Ns r_plus_in_row(std::size_t device, std::size_t row) const {
     return buckets_[bucket_of_[device]].rows[row][place_[device]].r_plus;
   }
   [[nodiscard]] Ns r_minus_in_row(std::size_t device, std::size_t row) const {
     return buckets_[bucket_of_[device]].rows[row][place_[device]].r_minus;
   }
+
+  /// Smallest and largest value over all rows.
+  struct Range {
+    Ns least = kNone, most = kNone;
+  };
+  [[nodiscard]] Range r_plus_range(std::size_t device) const { return r_plus_range_[device]; }
+  [[nodiscard]] Range r_minus_range(std::size_t device) const { return r_minus_range_[device]; }
 
   [[nodiscard]] Ns window_in_row(std::size_t device, std::size_t row) const {
     return buckets_[bucket_of_[device]].rows[row][place_[device]].window;
@@ -57,6 +74,7 @@ class ReleaseTable {
   std::vector<Bucket> buckets_;
   std::vector<std::size_t> bucket_of_, place_;  ///< of a device: its bucket and its place in it
   std::vector<Ns> worst_window_;
+  std::vector<Range> r_plus_range_, r_minus_range_;
 };
 
 }  // namespace finemote::gen::timing

@@ -137,8 +137,12 @@ void print_cost(std::string_view name, std::size_t count, const std::vector<Ns>&
 
 }  // namespace
 
-int main() {
-  print_tightness();
+int main(int argc, char** argv) {
+  const std::string wanted = argc > 1 ? argv[1] : "";  // only the analyses whose name contains it, to profile them
+  if (wanted.empty()) print_tightness();
+  const auto print_cost = [&](std::string_view name, std::size_t count, const std::vector<Ns>& milliseconds) {
+    if (name.find(wanted) != std::string_view::npos) ::print_cost(name, count, milliseconds);
+  };
   fmt::print("\nanalysis [ms], best of three        devices      paper      tight     everything\n");
   print_cost("one period", 10'000, {10});
   print_cost("1, 2, 5, 10, 20, 25, 50, 100 ms", 10'000, {1, 2, 5, 10, 20, 25, 50, 100});
