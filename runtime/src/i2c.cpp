@@ -118,7 +118,7 @@ void I2cBus::begin_unit(I2cSlot& slot, bool safe) {
 Duration I2cBus::unit_time(const I2cSlot& slot) const {
   const int muxes = slot.route_.address == 0 ? 0 : count_ + 1;
   const int bytes = safe_unit_ ? 1 + slot.safe_size_.load() : 4 + slot.write_size_ + slot.read_size_ + slot.then_size_;
-  return (3 * muxes + bytes + 1) * byte_time_;
+  return (3 * muxes + bytes + 1) * Duration{byte_time_};
 }
 
 void I2cBus::begin_phase(Phase phase) {

@@ -42,8 +42,8 @@ TEST_CASE("stages run in the order of the schedule, the fast bucket preempting t
   const auto& events = board.stages();
   REQUIRE(events.size() > 20);
   CHECK(board.lost_stage_events() == 0);
-  // 0, 1: the 5 ms device; 2 to 7: three 10 ms devices, whose second job part is preempted at 5 ms.
-  const unsigned expected[] = {0, 0, 1, 1, 2, 2, 4, 4, 6, 0, 0, 1, 1, 6, 7, 7, 5, 5, 3, 3};
+  // 0, 1: the 5 ms device; 2 to 7: three 10 ms devices; the handle of the root is preempted at 5 ms.
+  const unsigned expected[] = {0, 0, 1, 1, 2, 2, 4, 4, 6, 6, 7, 0, 0, 1, 1, 7, 5, 5, 3, 3};
   for (unsigned i = 0; i < std::size(expected); ++i) {
     INFO("event " << i);
     CHECK(events[i].stage == expected[i]);

@@ -30,7 +30,7 @@ static_assert(kCoreHz == 168'000'000);
 static_assert(offsetof(Schedule, buckets) == 16 && offsetof(Schedule, start_buses) == 28 &&
               offsetof(Schedule, safe_outputs) == 32 && sizeof(Bucket) == 24 && offsetof(Bucket, line) == 16);
 
-constexpr unsigned kSlots = 9;
+constexpr unsigned kSlots = 7;
 
 /// One release instant, in a ring of those to come.
 struct Instant {

@@ -35,7 +35,11 @@ class Line {
   }
 
  private:
+#ifdef FINEMOTE_MONITOR
   char text_[112];  // five numbers of 20 digits at most
+#else
+  char text_[80];  // three numbers of 20 digits at most
+#endif
   unsigned size_ = 1;
 };
 

@@ -133,8 +133,8 @@ class I2cBus {
       : port_(&port),
         slots_(slots),
         count_(static_cast<std::uint8_t>(count)),
-        clock_hz_(clock_hz),
-        byte_time_(9 * 1000000000LL / clock_hz) {}
+        clock_hz_(static_cast<std::int32_t>(clock_hz)),
+        byte_time_(static_cast<std::int32_t>(9 * 1000000000LL / clock_hz)) {}
 
   void request() { port_->pend(); }
   void pick();
@@ -151,8 +151,8 @@ class I2cBus {
   I2cPort* port_;
   I2cSlot* const* slots_;
   std::uint8_t count_;
-  std::int64_t clock_hz_;
-  Duration byte_time_;  ///< wire time of a byte and its acknowledge, rounded down
+  std::int32_t clock_hz_;
+  std::int32_t byte_time_;  ///< ns, wire time of a byte and its acknowledge, rounded down
 
   I2cSlot* active_ = nullptr;  ///< only the interrupt writes what follows, while the mode is kReady
   Phase phase_ = Phase::kTransfer;

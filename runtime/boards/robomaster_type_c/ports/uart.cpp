@@ -50,10 +50,10 @@ std::uint32_t address_of(const std::uint8_t* bytes) {
 }
 
 /// Receives into the ring for ever: circular mode, RM0090 10.3.8; an interrupt at the end of each lap.
-void start_receive(const UartSetup& setup, const std::uint8_t* ring) {
+void start_receive(const UartSetup& setup) {
   stop_stream(setup.receive);
   setup.receive.par().write(setup.usart.dr().address());
-  setup.receive.m0ar().write(address_of(ring));
+  setup.receive.m0ar().write(address_of(setup.receive_ring));
   setup.receive.ndtr().write(kUartRing);
   setup.receive.cr().write(std::uint32_t{setup.channel} << dma::kChannelShift | dma::kPriorityHigh |
                            dma::kMemoryIncrement | dma::kCircular | dma::kCompleteInterrupt | dma::kErrorInterrupt |
@@ -79,14 +79,14 @@ void UartPort::start(std::int64_t baud, UartFormat format) {
   setup.usart.brr().write((setup.clock_hz + rate / 2) / rate);  // sixteenths of the divider: RM0090 30.3.4
   setup.usart.cr2().write(stop_bits(format));
   setup.usart.cr3().write(usart::kDmaReceive | usart::kDmaTransmit | usart::kErrorInterrupt);
-  start_receive(setup, hardware_->ring);
+  start_receive(setup);
   setup.usart.cr1().write(usart::kOn | usart::kTransmitterOn | usart::kReceiverOn | usart::kIdleInterrupt |
                           word_bits(format));
   cortex_m4::enable_line(setup.usart_line, kPriority);
   cortex_m4::enable_line(setup.receive_line, kPriority);
 }
 
-UartRing UartPort::ring() const { return UartRing{hardware_->ring, kUartRing}; }
+UartRing UartPort::ring() const { return UartRing{hardware_->setup.receive_ring, kUartRing}; }
 
 std::uint32_t UartPort::received() const {
   const stm32f407::DmaStream& stream = hardware_->setup.receive;
@@ -118,7 +118,7 @@ void UartPort::restart_receive() {
   stop_stream(hardware_->setup.receive);
   hardware_->laps.store((last + kUartRing - 1) / kUartRing);
   hardware_->halted.store(false);
-  start_receive(hardware_->setup, hardware_->ring);
+  start_receive(hardware_->setup);
 }
 
 void UartPort::drive_with(std::uint8_t pin, bool active_low) {
@@ -127,7 +127,7 @@ void UartPort::drive_with(std::uint8_t pin, bool active_low) {
   hardware_->directed = true;
 }
 
-std::uint8_t* UartPort::transmit_buffer() { return hardware_->transmit; }
+std::uint8_t* UartPort::transmit_buffer() { return hardware_->setup.transmit_buffer; }
 
 std::size_t UartPort::transmit_capacity() const { return kUartTransmit; }
 
@@ -138,7 +138,7 @@ void UartPort::transmit(std::size_t size) {
   const UartSetup& setup = hardware_->setup;
   stop_stream(setup.transmit);
   setup.transmit.par().write(setup.usart.dr().address());
-  setup.transmit.m0ar().write(address_of(hardware_->transmit));
+  setup.transmit.m0ar().write(address_of(hardware_->setup.transmit_buffer));
   setup.transmit.ndtr().write(size);
   hardware_->sending.store(true);
   hardware_->drive(true);

@@ -25,16 +25,15 @@ struct UartSetup {
   stm32f407::DmaStream receive, transmit;
   std::uint8_t channel;  ///< DMA request channel of both streams: RM0090 10.3.3, tables 43 and 44
   std::uint8_t usart_line, receive_line;
-  bool inverter;  ///< the board inverts the receive line
+  bool inverter;                  ///< the board inverts the receive line
+  std::uint8_t* receive_ring;     ///< kUartRing bytes the DMA reaches
+  std::uint8_t* transmit_buffer;  ///< kUartTransmit bytes the DMA reaches
 };
 
 }  // namespace robomaster_type_c
 
 struct UartHardware {
   const robomaster_type_c::UartSetup& setup;
-  std::uint8_t* ring;      ///< kUartRing bytes the DMA reaches
-  std::uint8_t* transmit;  ///< kUartTransmit bytes the DMA reaches
-
   Shared<std::uint32_t> laps{0};  ///< times the ring was filled
   Shared<std::uint32_t> idle_count{0};
   UartIdle idle{};

@@ -26,8 +26,8 @@ constexpr UartSetup kSetup{{0x40011000},
                            4,
                            37,
                            68,
-                           false};
-UartHardware hardware{kSetup, ring, transmit_buffer};
+                           false, ring, transmit_buffer};
+UartHardware hardware{kSetup};
 
 }  // namespace
 

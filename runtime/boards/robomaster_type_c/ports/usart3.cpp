@@ -26,8 +26,8 @@ constexpr UartSetup kSetup{{0x40004800},
                            4,
                            39,
                            12,
-                           true};
-UartHardware hardware{kSetup, ring, transmit_buffer};
+                           true, ring, transmit_buffer};
+UartHardware hardware{kSetup};
 
 }  // namespace
 

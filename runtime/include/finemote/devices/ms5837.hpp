@@ -31,7 +31,7 @@ class Ms5837 {
       : slot_(&slot),
         variant_(config.variant),
         step_size_(step_size(config.oversampling)),
-        conversion_(conversion_time(config.oversampling)) {}
+        conversion_(static_cast<std::int32_t>(conversion_time(config.oversampling))) {}
 
   void update();
   void handle() {}
@@ -97,7 +97,6 @@ class Ms5837 {
   I2cSlot* slot_;
   Variant variant_;
   std::uint8_t step_size_;  ///< added to the conversion commands
-  Duration conversion_;
   Step step_ = Step::kReset;
   bool started_ = false;
   bool known_ = false;  ///< there was a good value since the bring-up; the next one must follow it
@@ -107,6 +106,7 @@ class Ms5837 {
   std::uint8_t bad_values_ = 0;  ///< in a row
   std::uint8_t write_[2]{};
   std::uint8_t read_[3]{};
+  std::int32_t conversion_;  ///< ns
   std::uint32_t d1_ = 0, d2_ = 0;
   Time begun_ = 0;  ///< the running conversion
   Time ready_ = 0;  ///< its result, or the part after a reset

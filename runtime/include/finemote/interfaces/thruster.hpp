@@ -6,8 +6,8 @@
 namespace finemote {
 
 struct ThrusterState : Stamp {
-  float effort = 0;          ///< what is driven now, -1..1
   bool unreachable = false;  ///< its bus fails: the output is unknown
+  float effort = 0;          ///< what is driven now, -1..1
 };
 
 struct ThrusterCommand : Stamp {
