@@ -87,8 +87,7 @@ int run_generate(Context& context) {
     if (!verdict) return finish(context, kExitInvalid);
     if (!verdict->schedulable) return refuse_unschedulable(context, *verdict);
   }
-  auto files = render_robot(context, *loaded);
-  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  auto files = render_robot(*loaded);
   const Output output = make_output(std::move(files), input_files(context, *loaded), loaded->robot.name.text);
   const WriteResult result = write_output(options.out, output, options.dry_run, context.diagnostics);
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);

@@ -27,7 +27,7 @@ struct Loaded {
 std::optional<Loaded> load_robot(Context& context);
 
 /// The generated files of a robot, bounds included. Reports what make_constants reports.
-std::vector<OutputFile> render_robot(Context& context, const Loaded& loaded);
+std::vector<OutputFile> render_robot(const Loaded& loaded);
 
 /// Name and folder of every `--package name=dir`; reports FM0001 for words of another form.
 std::vector<std::pair<std::string, std::string>> package_folders(Context& context);

@@ -6,6 +6,7 @@
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/exit_status.hpp"
+#include "generator/diagnostic/render.hpp"
 
 namespace {
 
@@ -42,8 +43,10 @@ int main(int argc, char** argv) {
     (parsed.exit_status == kExitYes ? std::cout : std::cerr) << parsed.text;
     return parsed.exit_status;
   } catch (const std::exception& error) {
-    std::cerr << "finemote: error[FM9001]: internal error: " << error.what()
-              << "\n  hint: this is a defect of finemote; please report it with the input that shows it\n";
+    Diagnostics diagnostics;
+    diagnostics.error(code::internal, {}, std::string("internal error: ") + error.what())
+        .hint("this is a defect of finemote; please report it with the input that shows it");
+    std::cerr << render_text(diagnostics, false);
     return kExitInternal;
   }
 }

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <sstream>
 
@@ -46,27 +47,41 @@ void add_input_options(CLI::App& command, Options& options) {
   add_load_options(command, options);
 }
 
+/// An option with a few possible words.
+template <typename Value>
+CLI::Option* add_choice(CLI::App& app, const char* name, const std::vector<std::pair<std::string, Value>>& choices,
+                        Value& target, const char* help) {
+  return app.add_option(
+      name,
+      [name, choices, &target](const CLI::results_t& words) {
+        std::vector<std::string> valid;
+        for (const auto& [word, value] : choices) {
+          if (word == words.back()) return target = value, true;
+          valid.push_back(word);
+        }
+        throw CLI::ValidationError(name, "'" + words.back() + "': " + did_you_mean(words.back(), valid));
+      },
+      help);
+}
+
 void add_global_options(CLI::App& app, Options& options) {
-  static const std::map<std::string, Format> kFormats{{"text", Format::text},
-                                                      {"json", Format::json},
-                                                      {"sarif", Format::sarif},
-                                                      {"github", Format::github},
-                                                      {"gcc", Format::gcc}};
-  static const std::map<std::string, ColorMode> kColors{
-      {"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}};
-  app.add_option("--format", options.format, "text, json, or for diagnostics sarif, github, gcc")
-      ->transform(CLI::CheckedTransformer(kFormats))
+  add_choice<Format>(app, "--format",
+                     {{"text", Format::text},
+                      {"json", Format::json},
+                      {"sarif", Format::sarif},
+                      {"github", Format::github},
+                      {"gcc", Format::gcc}},
+                     options.format, "text, json, or for diagnostics sarif, github, gcc")
       ->option_text("FORMAT");
-  app.add_option("--color", options.color, "auto, always or never")
-      ->transform(CLI::CheckedTransformer(kColors))
+  add_choice<ColorMode>(app, "--color",
+                        {{"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}},
+                        options.color, "auto, always or never")
       ->option_text("WHEN");
   app.add_option("--data-dir", options.data_dir, "folder with schemas, templates and runtime");
   app.add_flag("-q,--quiet", options.quiet, "print no summary");
   app.add_flag("-v,--verbose", options.verbose, "say what is done");
-  app.add_option("-W", [&options](const CLI::results_t& values) {
-    options.warnings_are_errors = values.back() == "error";
-    return options.warnings_are_errors;
-  }, "error: treat warnings as errors")->option_text("error");
+  add_choice<bool>(app, "-W", {{"error", true}}, options.warnings_are_errors, "error: treat warnings as errors")
+      ->option_text("error");
 }
 
 void add_generate(CLI::App& app, Options& options) {
@@ -113,7 +128,8 @@ void add_timing(CLI::App& app, Options& options) {
     add_input_options(*command, options);
     command->add_option("--chain", options.chains, "a->b: a chain beside the default ones");
     command->add_option("--profile", options.profile, "paper, tight or target: whose verdict counts");
-    command->add_option("--assume-wcet", options.assume_wcet, "time for every stage without a known one, for example 50us");
+    command->add_option("--assume-wcet", options.assume_wcet,
+                        "time for every stage without a known one, for example 50us");
   }
   analyze->add_flag("--slack", options.slack, "how much longer execution times may get");
   analyze->add_flag("--suggest-order", options.suggest_order, "orders of siblings and trees with shorter bounds");
@@ -123,7 +139,8 @@ void add_timing(CLI::App& app, Options& options) {
 }
 
 void add_reference(CLI::App& app, Options& options) {
-  CLI::App* explain = app.add_subcommand("explain", "what a diagnostic means and how to mend it; without a code, all of them");
+  CLI::App* explain =
+      app.add_subcommand("explain", "what a diagnostic means and how to mend it; without a code, all of them");
   explain->add_option("CODE", options.input, "for example FM3012");
   CLI::App* schema = app.add_subcommand("schema", "print a schema for editors");
   schema->add_option("KIND", options.input, "xsd: the <finemote> elements; json: device descriptors; board; expander")
@@ -165,21 +182,81 @@ std::string chosen_command(const CLI::App& app) {
   return name;
 }
 
-/// The message for wrong words, in the form of all others; a mistyped command gets a suggestion.
-std::string usage_error(const CLI::App& app, const std::vector<std::string>& words, std::string reason) {
+/// The command the words chose, or the program itself.
+const CLI::App& deepest(const CLI::App& app) {
+  const CLI::App* level = &app;
+  while (!level->get_subcommands().empty()) level = level->get_subcommands().front();
+  return *level;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* level : {&deepest(app), &app}) {
+    for (const CLI::Option* option : level->get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+      for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    }
+  }
+  return names;
+}
+
+struct UsageMistake {
+  std::string message;
+  std::string hint;
+};
+
+/// Words that no option and no operand takes: the first option among them, else the first of them.
+UsageMistake describe_extra(const CLI::App& app, const std::vector<std::string>& words) {
+  const std::vector<std::string> extra = app.remaining(true);
+  const std::string help = "finemote " + chosen_command(app) + " --help";
+  const auto is_extra = [&](const std::string& w) { return std::find(extra.begin(), extra.end(), w) != extra.end(); };
+  const auto option = std::find_if(words.begin(), words.end(),
+                                   [&](const std::string& w) { return !w.empty() && w.front() == '-' && is_extra(w); });
+  if (option != words.end()) {
+    const std::string name = option->substr(0, option->find('='));
+    const auto near = near_hint(name, option_names(app));
+    return {"command '" + chosen_command(app) + "' has no option '" + name + "'", near.empty() ? help : near.front()};
+  }
+  const auto word = std::find_if(words.begin(), words.end(), is_extra);
+  return {"'" + (word == words.end() ? std::string() : *word) + "' is one word too many", help};
+}
+
+/// What CLI11 says, with the command it is about, in the manner of our own messages.
+UsageMistake describe_other(const CLI::App& app, const CLI::ParseError& error) {
+  std::string reason = error.what();
+  const std::string command = chosen_command(app);
+  const bool begins_with_word = reason.size() > 1 && std::islower(static_cast<unsigned char>(reason[1])) != 0;
+  if (begins_with_word) reason[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(reason[0])));
+  if (command.empty()) return {reason, "finemote --help"};
+  return {"command '" + command + "': " + reason, "finemote " + command + " --help"};
+}
+
+UsageMistake describe_mistake(const CLI::App& app, const std::vector<std::string>& words,
+                              const CLI::ParseError& error) {
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
-  std::string hint = "finemote --help, or finemote COMMAND --help";
-  const auto word = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w.empty() || w.front() != '-'; });
-  if (word == words.end()) {
-    reason = "a command is needed";
-    hint = did_you_mean("", commands);
-  } else if (app.get_subcommands().empty() && std::find(commands.begin(), commands.end(), *word) == commands.end()) {
-    reason = "there is no command '" + *word + "'";
-    hint = did_you_mean(*word, commands);
+  const auto word =
+      std::find_if(words.begin(), words.end(), [](const std::string& w) { return w.empty() || w.front() != '-'; });
+  const bool has_command = !app.get_subcommands().empty();
+  const auto further = has_command ? deepest(app).get_subcommands({}) : std::vector<const CLI::App*>{};
+  if (!further.empty()) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : further) names.push_back(chosen_command(app) + " " + command->get_name());
+    return {"command '" + chosen_command(app) + "' needs a second word", did_you_mean("", names)};
   }
+  if (word == words.end() && !has_command) return {"a command is needed", did_you_mean("", commands)};
+  if (!has_command && std::find(commands.begin(), commands.end(), *word) == commands.end()) {
+    return {"there is no command '" + *word + "'", did_you_mean(*word, commands)};
+  }
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return describe_extra(app, words);
+  return describe_other(app, error);
+}
+
+/// The message for wrong words, in the form of all others.
+std::string usage_error(const CLI::App& app, const std::vector<std::string>& words, const CLI::ParseError& error) {
+  const UsageMistake mistake = describe_mistake(app, words, error);
   Diagnostics diagnostics;
-  diagnostics.error(code::usage, {}, reason).hint(hint);
+  diagnostics.error(code::usage, {}, mistake.message).hint(mistake.hint);
   return render_text(diagnostics, false);
 }
 
@@ -211,7 +288,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     std::ostringstream err;
     const bool asked = app.exit(error, out, err) == 0;
     if (asked) return {std::nullopt, kExitYes, out.str()};
-    return {std::nullopt, kExitInvalid, usage_error(app, words, error.what())};
+    return {std::nullopt, kExitInvalid, usage_error(app, words, error)};
   }
   options.command = chosen_command(app);
   return {std::move(options), kExitYes, {}};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 #include <set>
 
@@ -87,6 +88,35 @@ std::string in_unit(const ParamSpec& spec, double value) {
   if (spec.unit == Unit::percent) return fmt::format("{}%", value * 100);
   const std::string unit = spec.unit == Unit::none ? "" : spec.unit_text;
   return fmt::format("{}{}", value, unit);
+}
+
+/// A time without unit: the unit it was probably meant in is the one its default is written in, else one that brings it
+/// into the range.
+std::string meant_time(const ParamSpec& spec, std::string_view text) {
+  std::string best;
+  for (const std::string_view unit : {"ms", "us", "s", "ns"}) {
+    const std::string candidate = std::string(text) + std::string(unit);
+    const auto value = units::parse_duration(candidate);
+    if (!value) continue;
+    const auto number = static_cast<double>(*value);
+    if ((spec.min && number < *spec.min) || (spec.max && number > *spec.max)) continue;
+    const auto* usual = spec.fallback ? std::get_if<std::int64_t>(&*spec.fallback) : nullptr;
+    const std::string usual_text = usual != nullptr ? units::format_duration(*usual) : std::string();
+    const bool is_usual =
+        usual_text.size() > unit.size() &&
+        std::isdigit(static_cast<unsigned char>(usual_text[usual_text.size() - unit.size() - 1])) != 0 &&
+        usual_text.substr(usual_text.size() - unit.size()) == unit;
+    if (is_usual) return candidate;
+    if (best.empty()) best = candidate;
+  }
+  return best;
+}
+
+ParamFault with_meant_unit(const ParamSpec& spec, std::string_view text, ParamFault fault) {
+  const std::string meant =
+      spec.unit == Unit::time_ns && fault.code == code::unit_missing ? meant_time(spec, text) : std::string();
+  if (!meant.empty()) fault.hint = fmt::format("write '{}'; units are ns, us, ms, s", meant);
+  return fault;
 }
 
 std::optional<ParamFault> check_range(const ParamSpec& spec, const ParamValue& value, std::string_view text) {
@@ -211,7 +241,7 @@ std::variant<ParamValue, ParamFault> parse_param(const ParamSpec& spec, std::str
   if (spec.kind == ParamKind::boolean) return parse_boolean(text);
   if (spec.kind == ParamKind::enumeration) return parse_enumeration(spec, text);
   Parsed parsed = parse_number(spec, text);
-  if (parsed.index() != 0) return parsed;
+  if (parsed.index() != 0) return with_meant_unit(spec, text, std::get<1>(parsed));
   if (auto fault = check_values(spec, std::get<0>(parsed), text)) return *fault;
   if (auto fault = check_range(spec, std::get<0>(parsed), text)) return *fault;
   return parsed;

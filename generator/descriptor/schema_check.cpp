@@ -9,13 +9,105 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include "generator/diagnostic/suggest.hpp"
+
 namespace finemote::gen {
 namespace {
+
+using Plain = nlohmann::json;
 
 struct Violation {
   JsonPath path;
   std::string words;
+  bool is_unknown = false;  ///< the path ends in a member that should not be there
+  std::string note, hint;
 };
+
+/// What a schema says of the values at a path: walks `properties`, `items` and `$ref` into its definitions.
+class SchemaView {
+ public:
+  explicit SchemaView(const Plain& schema) : root_(schema) {}
+
+  /// Null where the schema says nothing.
+  [[nodiscard]] const Plain* at(const JsonPath& path) const {
+    const Plain* node = follow(&root_);
+    for (const std::string& step : path) node = node == nullptr ? nullptr : follow(below(*node, step));
+    return node;
+  }
+  /// Names of the members an object at the path can have.
+  [[nodiscard]] std::vector<std::string> members(const JsonPath& path) const {
+    std::vector<std::string> names;
+    const Plain* node = at(path);
+    if (node == nullptr || !node->contains("properties")) return names;
+    for (const auto& [name, value] : (*node)["properties"].items()) names.push_back(name);
+    return names;
+  }
+
+ private:
+  [[nodiscard]] static const Plain* below(const Plain& node, const std::string& step) {
+    const auto properties = node.find("properties");
+    if (properties != node.end() && properties->contains(step)) return &(*properties)[step];
+    for (const char* rest : {"items", "additionalProperties"}) {
+      const auto found = node.find(rest);
+      if (found != node.end() && found->is_object()) return &*found;
+    }
+    return nullptr;
+  }
+  [[nodiscard]] const Plain* follow(const Plain* node) const {
+    constexpr std::string_view kLocal = "#/definitions/";
+    for (int steps = 0; node != nullptr && node->is_object() && node->contains("$ref") && steps < 8; ++steps) {
+      const std::string target = (*node)["$ref"].get<std::string>();
+      if (target.compare(0, kLocal.size(), kLocal) != 0) return nullptr;
+      const auto& definitions = root_["definitions"];
+      const auto found = definitions.find(target.substr(kLocal.size()));
+      node = found == definitions.end() ? nullptr : &*found;
+    }
+    return node != nullptr && node->is_object() ? node : nullptr;
+  }
+
+  const Plain& root_;
+};
+
+/// The value at a path, null when there is none.
+const Plain* value_at(const Plain& root, const JsonPath& path) {
+  const Plain* node = &root;
+  for (const std::string& step : path) {
+    if (node->is_object() && node->contains(step)) {
+      node = &(*node)[step];
+    } else if (node->is_array() && !step.empty() && step.find_first_not_of("0123456789") == std::string::npos &&
+               std::stoul(step) < node->size()) {
+      node = &(*node)[std::stoul(step)];
+    } else {
+      return nullptr;
+    }
+  }
+  return node;
+}
+
+std::string as_text(const Plain& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+/// Adds what the schema says of the place: the values or the type it wants, and its description.
+void add_advice(Violation& violation, const SchemaView& schema, const Plain& document) {
+  if (violation.is_unknown) {
+    const JsonPath parent(violation.path.begin(), violation.path.end() - 1);
+    violation.hint = did_you_mean(violation.path.back(), schema.members(parent));
+    return;
+  }
+  const Plain* node = schema.at(violation.path);
+  const Plain* value = value_at(document, violation.path);
+  if (node == nullptr || value == nullptr) return;
+  std::vector<std::string> choices;
+  if (const auto list = node->find("enum"); list != node->end()) {
+    for (const Plain& choice : *list) choices.push_back(as_text(choice));
+  }
+  if (const auto only = node->find("const"); only != node->end()) choices.push_back(as_text(*only));
+  if (!choices.empty()) {
+    violation.hint = did_you_mean(as_text(*value), choices);
+  } else if (const auto type = node->find("type"); type != node->end() && type->is_string()) {
+    violation.hint = "expected: " + type->get<std::string>();
+  }
+  violation.note = node->value("description", "");
+}
 
 /// valijson writes a step as `["key"]` or `[index]`, the first one is `<root>`.
 JsonPath to_path(const std::vector<std::string>& context) {
@@ -41,13 +133,14 @@ std::string last_quoted(const std::string& words) {
 
 /// valijson's words to ours; a violation that only says that something below is wrong has none.
 std::optional<Violation> reword(const valijson::ValidationResults::Error& error) {
-  Violation violation{to_path(error.context), error.description};
+  Violation violation{to_path(error.context), error.description, false, {}, {}};
   const std::string& words = error.description;
   if (starts_with(words, "Failed to validate")) return {};
   if (starts_with(words, "Missing required property")) {
     violation.words = "the member '" + last_quoted(words) + "' is missing";
   } else if (starts_with(words, "Object contains a property")) {
     violation.path.push_back(last_quoted(words));
+    violation.is_unknown = true;
     violation.words = "there is no member of this name";
   } else if (starts_with(words, "Value type")) {
     violation.words = "the value is of another type";
@@ -72,7 +165,7 @@ std::vector<Violation> collect(valijson::ValidationResults& results) {
                           });
     if (violation && !is_known) all.push_back(std::move(*violation));
   }
-  if (all.empty()) all.push_back({{}, "it is not of the form the schema describes"});
+  if (all.empty()) all.push_back({{}, "it is not of the form the schema describes", false, {}, {}});
   return all;
 }
 
@@ -95,10 +188,14 @@ bool check_schema(const Json& value, const std::string& schema_text, const Sourc
   valijson::Validator validator;
   valijson::ValidationResults results;
   if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(plain), &results)) return true;
-  for (const Violation& violation : collect(results)) {
+  for (Violation& violation : collect(results)) {
+    add_advice(violation, SchemaView(schema_json), plain);
     const Extent extent = find_value(source, violation.path);
-    diagnostics.error(code::descriptor_schema, extent.at, "'" + shown(violation.path) + "': " + violation.words)
-        .underline(extent.length);
+    Diagnostic& finding =
+        diagnostics.error(code::descriptor_schema, extent.at, "'" + shown(violation.path) + "': " + violation.words);
+    finding.underline(extent.length);
+    if (!violation.note.empty()) finding.note(violation.note);
+    if (!violation.hint.empty()) finding.hint(violation.hint);
   }
   return false;
 }

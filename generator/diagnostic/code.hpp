@@ -58,8 +58,7 @@ inline constexpr Code xacro_macro_prefix{1058};       // warning: a macro's name
 // 32xx: schedule
 inline constexpr Code too_many_buckets{3201};      // more periods than interrupt lines or priority levels
 inline constexpr Code generated_name_clash{3202};  // two names of generated code are the same
-inline constexpr Code geometry_without_joint{3203};  // a device type computes from a joint the device does not name
-inline constexpr Code unknown_geometry{3204};        // a descriptor asks for a geometry kind we do not know
+// Retired: 3203 (FM2006 says it), 3204 (FM3102 says it).
 
 // 5xxx: output and check
 inline constexpr Code broken_manifest{5001};          // finemote.manifest.json cannot be used
@@ -176,6 +175,7 @@ inline constexpr Code pin_invalid{3073};
 inline constexpr Code mux_nested{3074};        // a mux behind a mux
 inline constexpr Code bus_needed{3075};        // the device needs a bus
 inline constexpr Code pin_function{3076};      // the board's pin cannot be what the device makes of it
+inline constexpr Code no_device{3077};         // a robot without a device: nothing to generate
 
 // 308x: requirements and schedule limits
 inline constexpr Code require_operand{3081};   // names nothing
@@ -212,6 +212,9 @@ inline constexpr Code recursion{6104};         // the stack has no bound
 inline constexpr Code indirect_call{6105};     // a call through a pointer outside the runtime's tables
 inline constexpr Code unbounded_stack{6106};   // a function's own use of the stack is not known
 inline constexpr Code stack_too_small{6107};   // the worst case does not fit what is reserved
+
+// 9xxx: internal
+inline constexpr Code internal{9001};  // a defect of the tool itself
 
 }  // namespace code
 }  // namespace finemote::gen

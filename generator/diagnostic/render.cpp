@@ -27,23 +27,55 @@ std::string place(const Position& at) {
   return text;
 }
 
+/// Text that is safe on any terminal: control characters and bytes that are no UTF-8 become '?'. Tabs stay.
+std::string printable(std::string_view text) {
+  std::string shown(text);
+  std::size_t expected = 0;  // further bytes of an open sequence
+  std::size_t begin = 0;
+  const auto spoil = [&](std::size_t from, std::size_t to) {
+    std::fill(shown.begin() + from, shown.begin() + to, '?');
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool continues = (byte & 0xC0) == 0x80;
+    if (expected > 0 && continues) {
+      --expected;
+      continue;
+    }
+    if (expected > 0) spoil(begin, i);
+    begin = i;
+    expected = byte >= 0xF0 && byte < 0xF5 ? 3 : byte >= 0xE0 ? 2 : byte >= 0xC2 ? 1 : 0;
+    if (byte >= 0xF5) expected = 0;
+    const bool is_control = (byte < 0x20 && byte != '\t') || byte == 0x7F;
+    if (is_control || (byte >= 0x80 && expected == 0)) shown[i] = '?';
+  }
+  if (expected > 0) spoil(begin, text.size());
+  return shown;
+}
+
+bool continues_a_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
 /// The source line and a caret line below it; nothing when the place has no line.
 std::string excerpt(const Diagnostic& finding, const Palette& paint) {
   const Position& at = finding.at;
   if (at.file == nullptr || at.line == 0) return {};
-  const std::string_view line = at.file->line(at.line);
+  const std::string line = printable(at.file->line(at.line));
   constexpr std::size_t kWidest = 200;
   if (line.empty() || line.size() > kWidest) return {};
 
   const std::string margin = fmt::format("{:>5} | ", at.line);
-  std::string text = margin + std::string(line) + "\n";
+  std::string text = margin + line + "\n";
   if (at.column == 0 || at.column > line.size() + 1) return text;
 
   std::string blanks(margin.size() - 2, ' ');
   blanks += "| ";
-  for (std::size_t i = 0; i + 1 < at.column; ++i) blanks += line[i] == '\t' ? '\t' : ' ';
-  const std::size_t rest = line.size() - std::min<std::size_t>(line.size(), at.column - 1);
-  const std::size_t tail = std::min(finding.length, std::max<std::size_t>(rest, 1)) - 1;
+  for (std::size_t i = 0; i + 1 < at.column; ++i) {
+    if (!continues_a_letter(line[i])) blanks += line[i] == '\t' ? '\t' : ' ';
+  }
+  const std::string marked = line.substr(std::min<std::size_t>(line.size(), at.column - 1), finding.length);
+  const auto letters = static_cast<std::size_t>(
+      std::count_if(marked.begin(), marked.end(), [](char c) { return !continues_a_letter(c); }));
+  const std::size_t tail = std::max<std::size_t>(letters, 1) - 1;
   return text + blanks + paint.red + "^" + std::string(tail, '~') + paint.reset + "\n";
 }
 

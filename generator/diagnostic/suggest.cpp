@@ -32,6 +32,14 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+/// `baudrate` for `baud`, `addr` for `address`: one word begins with the other.
+bool begins_alike(std::string_view a, std::string_view b) {
+  constexpr std::size_t kShortest = 3;
+  const std::string_view shorter = a.size() < b.size() ? a : b;
+  const std::string_view longer = a.size() < b.size() ? b : a;
+  return shorter.size() >= kShortest && longer.substr(0, shorter.size()) == shorter;
+}
+
 std::string quoted_list(const std::vector<std::string>& names, std::string_view last_separator) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -49,7 +57,8 @@ std::vector<std::string> nearest_names(std::string_view word, const std::vector<
   const std::size_t allowed = kStep * std::max<std::size_t>(2, word.size() / 3);
   std::vector<std::pair<std::size_t, std::string>> near;
   for (const std::string& candidate : candidates) {
-    const std::size_t steps = distance(word, candidate);
+    std::size_t steps = distance(word, candidate);
+    if (steps > allowed && begins_alike(word, candidate)) steps = allowed;
     if (steps <= allowed && steps < kStep * candidate.size()) near.emplace_back(steps, candidate);
   }
   std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -58,6 +67,11 @@ std::vector<std::string> nearest_names(std::string_view word, const std::vector<
     if (names.size() < 3) names.push_back(std::move(name));
   }
   return names;
+}
+
+std::vector<std::string> near_hint(std::string_view word, const std::vector<std::string>& candidates) {
+  if (nearest_names(word, candidates).empty()) return {};
+  return {did_you_mean(word, candidates)};
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "generator/diagnostic/diagnostics.hpp"
 #include "generator/emit/names.hpp"
 
 namespace finemote::gen {
@@ -18,7 +17,7 @@ struct Constant {
 };
 
 /// All constants, in schedule order of their devices, then in descriptor order.
-/// Reports FM3203 when a child lacks the joint that the geometry needs, FM3204 for a kind this version does not know.
-std::vector<Constant> make_constants(const Plan& plan, Diagnostics& diagnostics);
+/// Every child that geometry is computed of names its joint: the model has seen to that.
+std::vector<Constant> make_constants(const Plan& plan);
 
 }  // namespace finemote::gen

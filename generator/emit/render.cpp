@@ -18,9 +18,8 @@ Data constants_data(const Plan& plan, const std::vector<Constant>& constants) {
 
 }  // namespace
 
-std::vector<OutputFile> render_files(const Plan& plan, const ProvenBounds& bounds, const std::string& templates,
-                                     Diagnostics& diagnostics) {
-  const std::vector<Constant> constants = make_constants(plan, diagnostics);
+std::vector<OutputFile> render_files(const Plan& plan, const ProvenBounds& bounds, const std::string& templates) {
+  const std::vector<Constant> constants = make_constants(plan);
   std::vector<OutputFile> files;
   const auto add = [&](const std::string& name, const std::string& template_name, const Data& data) {
     files.push_back({name, fill_template(templates, template_name, data)});

@@ -22,11 +22,14 @@ std::string list(const std::vector<std::uint32_t>& addresses) {
 
 }  // namespace
 
+bool is_8bit_address(std::uint32_t address, const std::vector<std::uint32_t>& allowed) {
+  return address <= 0xFF && is_possible(address >> 1, allowed) && (address > 0x77 || !allowed.empty());
+}
+
 bool check_address(Diagnostics& diagnostics, const xml::Attribute& attribute, std::uint32_t address,
                    const std::vector<std::uint32_t>& allowed, const std::string& type) {
   if (is_possible(address, allowed)) return true;
-  const bool is_8bit = address <= 0xFF && is_possible(address >> 1, allowed) && (address > 0x77 || !allowed.empty());
-  if (is_8bit) {
+  if (is_8bit_address(address, allowed)) {
     at_value(diagnostics, code::address_8bit, attribute,
              fmt::format("0x{:02x} is an 8-bit address, with the read/write bit", address))
         .hint(fmt::format("write the 7-bit address: address=\"0x{:02x}\"", address >> 1));

@@ -17,4 +17,7 @@ namespace finemote::gen {
 bool check_address(Diagnostics& diagnostics, const xml::Attribute& attribute, std::uint32_t address,
                    const std::vector<std::uint32_t>& allowed, const std::string& type);
 
+/// An address that is none, but would be without its read/write bit.
+bool is_8bit_address(std::uint32_t address, const std::vector<std::uint32_t>& allowed);
+
 }  // namespace finemote::gen

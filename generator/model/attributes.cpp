@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "generator/diagnostic/suggest.hpp"
 
@@ -68,6 +69,13 @@ std::optional<std::string> read_choice(const xml::Node& node, std::string_view n
   suggest(at_value(diagnostics, code::bad_choice, *attribute,
                    fmt::format("'{}' is no {} of <{}>", attribute->value, name, node.name)),
           attribute->value, choices);
+  // letter case alone: what was meant is clear, and the rest can be judged by it
+  const auto meant = std::find_if(choices.begin(), choices.end(), [&](const std::string& choice) {
+    return choice.size() == attribute->value.size() &&
+           std::equal(choice.begin(), choice.end(), attribute->value.begin(),
+                      [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+  });
+  if (meant != choices.end()) return *meant;
   return {};
 }
 

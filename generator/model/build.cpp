@@ -83,6 +83,13 @@ void report_no_extension(const xml::Node& root, Diagnostics& diagnostics) {
       .hint("add <finemote version=\"1\"> ... </finemote> inside <robot>");
 }
 
+/// Buses and boards alone are nothing to run: said when nothing else explains where the devices went.
+void check_there_is_a_device(const Tags& tags, const Robot& robot, Diagnostics& diagnostics) {
+  if (!robot.devices.empty()) return;
+  at_tag(diagnostics, code::no_device, *tags.blocks.front(), "the robot has no device")
+      .hint("add for example <device name=\"load\" type=\"sim_load\" period=\"10ms\"/>");
+}
+
 std::int64_t value_of_param(const Device& device, const std::string& name) {
   for (const Param& param : device.params) {
     const auto* value = std::get_if<std::int64_t>(&param.value);
@@ -161,6 +168,7 @@ std::optional<Robot> build_model(const xml::Document& document, Library& library
   reading.robot.name = make_name(value_of(root, "name"));
   if (root.at.file != nullptr) reading.robot.source = root.at.file->name;
   read_all(reading);
+  if (diagnostics.size() == findings) check_there_is_a_device(reading.tags, reading.robot, diagnostics);
   if (diagnostics.size() != findings || reading.robot.board == nullptr) return {};
   reading.robot.links = reading.kinematics.links;
   reading.robot.joints = reading.kinematics.joints;

@@ -49,7 +49,7 @@ class NameTable {
     const bool same = entry.name->cpp == first.name->cpp;
     finding.note(same ? fmt::format("both become '{}'", entry.name->cpp)
                       : fmt::format("'{}' and '{}' differ by letter case only", entry.name->cpp, first.name->cpp));
-    finding.note(fmt::format("{} stands here", first.what), first.tag->at);
+    finding.note(fmt::format("{} stands here", first.what), first.tag->at).hint("give one of them another name");
   }
 
   Diagnostics& diagnostics_;

@@ -54,8 +54,10 @@ class PlaceReader {
       return;
     }
     const auto address = read_quantity(tag_, "address", units::parse_bare, diagnostics_);
-    if (address && check_address(diagnostics_, *attribute, *address, type_.addresses, type_.name))
-      device_.address = *address;
+    if (!address) return;
+    const bool is_good = check_address(diagnostics_, *attribute, *address, type_.addresses, type_.name);
+    // a wrong address that was surely meant as another one takes part in the search for conflicts as that
+    if (is_good || is_8bit_address(*address, type_.addresses)) device_.address = is_good ? *address : *address >> 1;
   }
   /// Channels of what the device sits on: an expander's, or those of a PWM port.
   [[nodiscard]] std::uint32_t channels() const {
@@ -296,37 +298,66 @@ void check_channels(Reading& reading) {
 }
 
 /// Ids on one bus: the same id of one type, and frames of different types that would carry one identifier.
-void check_ids(Reading& reading) {
+class IdTable {
+ public:
+  explicit IdTable(Reading& reading) : reading_(reading) {
+    for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+      const Device& device = reading.robot.devices[i];
+      if (!device.segment || !device.id) continue;
+      users_.push_back({reading.robot.segments[*device.segment].bus, *device.id, device.type, describe(reading, i)});
+    }
+  }
+
+  void report() {
+    for (std::size_t i = 0; i < users_.size(); ++i) {
+      const auto first = std::find_if(users_.begin(), users_.begin() + static_cast<std::ptrdiff_t>(i),
+                                      [&](const User& other) { return clash(users_[i], other); });
+      if (first != users_.begin() + static_cast<std::ptrdiff_t>(i)) report(users_[i], *first);
+    }
+  }
+
+ private:
   struct User {
     std::size_t bus;
     std::uint32_t id;
     const DeviceType* type;
     Occupant occupant;
   };
-  std::vector<User> users;
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
-    const Device& device = reading.robot.devices[i];
-    if (!device.segment || !device.id) continue;
-    const User self{reading.robot.segments[*device.segment].bus, *device.id, device.type, describe(reading, i)};
-    for (const User& other : users) {
-      if (other.bus != self.bus) continue;
-      const bool both_receive = self.type->receives_base && other.type->receives_base;
-      const bool same_frame =
-          both_receive && *self.type->receives_base + self.id == *other.type->receives_base + other.id;
-      const bool same_id = !both_receive && self.type == other.type && self.id == other.id;
-      if (!same_frame && !same_id) continue;
-      auto& finding =
-          at_place(reading.diagnostics, code::id_conflict, self.occupant, "id",
-                   fmt::format("{} and {} cannot be told apart on one bus", self.occupant.what, other.occupant.what));
-      if (same_frame)
-        finding.note(fmt::format("both send frames with the identifier 0x{:03X}", *self.type->receives_base + self.id));
-      finding.note(fmt::format("{} stands here", other.occupant.what), other.occupant.tag->at)
-          .hint("set another id at one of them, here and in the part");
-      break;
-    }
-    users.push_back(self);
+
+  static bool receive_alike(const User& a, const User& b) { return a.type->receives_base && b.type->receives_base; }
+  static bool clash(const User& a, const User& b) {
+    if (a.bus != b.bus) return false;
+    if (receive_alike(a, b)) return *a.type->receives_base + a.id == *b.type->receives_base + b.id;
+    return a.type == b.type && a.id == b.id;
   }
-}
+
+  void report(const User& self, const User& first) {
+    auto& finding =
+        at_place(reading_.diagnostics, code::id_conflict, self.occupant, "id",
+                 fmt::format("{} and {} cannot be told apart on one bus", self.occupant.what, first.occupant.what));
+    if (receive_alike(self, first))
+      finding.note(fmt::format("both send frames with the identifier 0x{:03X}", *self.type->receives_base + self.id));
+    finding.note(fmt::format("{} stands here", first.occupant.what), first.occupant.tag->at).hint(free_ids(self));
+  }
+
+  /// What could be written instead; in the part it has to be set as well.
+  std::string free_ids(User self) const {
+    constexpr std::uint32_t kMost = 16;
+    std::string list;
+    const std::uint32_t least = self.type->id_min.value_or(0);
+    for (self.id = least; self.id <= self.type->id_max.value_or(0) && self.id < least + kMost; ++self.id) {
+      const bool is_free = std::none_of(users_.begin(), users_.end(), [&](const User& u) { return clash(self, u); });
+      if (is_free) list += (list.empty() ? "" : ", ") + std::to_string(self.id);
+    }
+    if (list.empty()) return "no id of '" + self.type->name + "' is free here: put one of them on another bus";
+    return fmt::format("ids of '{}' that are free here: {}; set the same in the part", self.type->name, list);
+  }
+
+  Reading& reading_;
+  std::vector<User> users_;
+};
+
+void check_ids(Reading& reading) { IdTable(reading).report(); }
 
 /// Devices that fill one frame have to run in one bucket: the frame is sent once per period.
 void check_shared_frames(Reading& reading) {

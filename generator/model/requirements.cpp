@@ -32,6 +32,8 @@ class RequirementReader {
     const xml::Attribute* utilization = tag_.attribute("utilization");
     const xml::Attribute* jitter = tag_.attribute("jitter");
     const int questions = (latency != nullptr) + (utilization != nullptr) + (jitter != nullptr);
+    const auto is_misspelt = [&](const char* name) { return reading_.tags.is_misspelt(tag_, name); };
+    if (questions == 0 && (is_misspelt("latency") || is_misspelt("utilization") || is_misspelt("jitter"))) return;
     if (questions != 1) {
       at_tag(diagnostics_, code::require_shape, tag_, "<require> asks one thing: latency, utilization or jitter")
           .note(fmt::format("it has {} of them", questions))

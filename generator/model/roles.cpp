@@ -165,6 +165,9 @@ void read_all_reads(Reading& reading, std::size_t index) {
 void check_arity(Reading& reading, std::size_t index) {
   const Device& device = reading.robot.devices[index];
   if (device.type == nullptr) return;
+  // a device whose parent="..." names nothing may be the one that is missed here
+  const bool has_lost_child = std::any_of(reading.devices.begin(), reading.devices.end(),
+                                          [](const Reading::DeviceState& state) { return state.parent_is_wrong; });
   for (std::size_t role = 0; role < device.type->roles.size(); ++role) {
     const RoleSpec& spec = device.type->roles[role];
     std::vector<Position> members;
@@ -182,12 +185,14 @@ void check_arity(Reading& reading, std::size_t index) {
           .underline(7)
           .note(fmt::format("{} are given", members.size()));
     }
-    if (members.size() >= spec.min || reading.devices[index].is_incomplete) continue;
+    if (members.size() >= spec.min || reading.devices[index].is_incomplete || has_lost_child) continue;
     at_tag(reading.diagnostics, code::role_too_few, reading.device_tag(index),
            fmt::format("device '{}' needs {} in the role '{}' and has {}", device.name.text, spec.min, spec.name,
                        members.size()))
-        .hint(fmt::format("nest a device that provides '{}' in it: <device name=\"...\" type=\"...\" role=\"{}\"/>",
-                          spec.interface, spec.name));
+        .hint(fmt::format(
+            "nest {} in it: <device name=\"...\" type=\"...\" role=\"{}\"/>",
+            spec.interface == "any" ? "a device" : fmt::format("a device that provides '{}'", spec.interface),
+            spec.name));
   }
 }
 

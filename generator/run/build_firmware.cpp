@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "generator/run/process.hpp"
 
@@ -24,11 +25,24 @@ void write_project(const FirmwareRequest& request) {
   std::ofstream project(fs::path(request.folder) / "CMakeLists.txt");
   project << "cmake_minimum_required(VERSION 3.25)\n"
           << "project(firmware LANGUAGES CXX" << (request.board == "host" ? "" : " ASM") << ")\n"
-          << fmt::format("include([==[{}/cmake/FinemoteFirmware.cmake]==])\n", fs::absolute(request.data_dir).generic_string())
+          << fmt::format("include([==[{}/cmake/FinemoteFirmware.cmake]==])\n",
+                         fs::absolute(request.data_dir).generic_string())
           << "finemote_add_firmware(firmware GENERATED ${CMAKE_CURRENT_SOURCE_DIR}/generated BOARD " << request.board
           << (request.trace ? " TRACE" : "") << (request.monitor ? " MONITOR" : "")
           << (request.duration_ns > 0 ? fmt::format(" DURATION {}ns", request.duration_ns) : "")
           << cmake_list("INCLUDES", request.include_dirs) << cmake_list("SOURCES", request.sources) << ")\n";
+}
+
+/// What a build said without its progress and its commands: what is left are the compiler's messages.
+std::string messages_of(const std::string& output) {
+  std::istringstream lines(output);
+  std::string messages;
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_progress = line.rfind("[", 0) == 0 || line.rfind("FAILED: ", 0) == 0 || line.rfind("ninja: ", 0) == 0;
+    const bool is_command = line.find(" -o CMakeFiles/") != std::string::npos;
+    if (!is_progress && !is_command) messages += line + "\n";
+  }
+  return messages;
 }
 
 /// Runs one step; false and a diagnostic when it fails.
@@ -40,12 +54,13 @@ bool step(const std::vector<std::string>& command, const char* what, Diagnostics
         .hint("install it, for example: apt-get install cmake ninja-build gcc-arm-none-eabi");
     return false;
   }
-  auto& finding = diagnostics.error(code::firmware_build_failed, {},
-                                    result.timed_out ? fmt::format("{} took longer than {} s", what, kLongestBuild.count())
-                                                     : fmt::format("{} failed", what));
+  auto& finding =
+      diagnostics.error(code::firmware_build_failed, {},
+                        result.timed_out ? fmt::format("{} took longer than {} s", what, kLongestBuild.count())
+                                         : fmt::format("{} failed", what));
   constexpr std::size_t kMostShown = 4000;
-  const std::string& output = result.output;
-  finding.note("\n" + output.substr(output.size() > kMostShown ? output.size() - kMostShown : 0));
+  const std::string output = messages_of(result.output);
+  finding.note("\n" + output.substr(0, kMostShown));
   return false;
 }
 

@@ -110,10 +110,14 @@ class Binder {
     const std::pair<std::size_t, std::string> key{forest_.tree_of[owner], name};
     const bool fresh = claimed_.insert(key).second && tree_names_.count(key) == 0;
     if (!fresh) {
-      diagnostics_
-          .error(code::generated_name_clash, device(owner).at,
-                 fmt::format("the generated name '{}' for device '{}' is already taken", name, device(owner).name.text))
-          .hint("rename one of the devices that share it");
+      Diagnostic& finding = diagnostics_.error(
+          code::generated_name_clash, device(owner).at,
+          fmt::format("the generated name '{}' for device '{}' is already taken", name, device(owner).name.text));
+      finding.underline(7);
+      for (const Device& other : robot_.devices) {
+        if (other.name.cpp == name) finding.note(fmt::format("device '{}' has it", other.name.text), other.at);
+      }
+      finding.hint("rename one of the devices that share it");
     }
     return name;
   }

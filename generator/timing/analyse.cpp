@@ -74,6 +74,9 @@ class Evaluation {
   const std::vector<BusLoad>& loads_;
 };
 
+/// Where a finding about the whole model points: its first device.
+Position start(const Model& model) { return model.devices.empty() ? Position{} : model.devices.front().at; }
+
 std::string milliseconds(Ns ns) { return fmt::format("{:.6g} ms", static_cast<double>(ns) / 1e6); }
 
 void report_buckets(const Timing& timing, const ProfileAnalysis& asked, Diagnostics& diagnostics) {
@@ -219,17 +222,18 @@ bool Timing::requirements_hold() const {
 
 std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics) {
   if (request.profile == Profile::target && !model.has_target) {
-    diagnostics.error(code::timing_profile, {}, "profile 'target' needs costs, and this model has none")
+    diagnostics.error(code::timing_profile, start(model), "profile 'target' needs costs, and this model has none")
         .hint("add 'costs' to the model, or ask for profile tight");
     return std::nullopt;
   }
   try {
     return analyse_all(model, request, diagnostics);
   } catch (const Overflow& overflow) {
-    diagnostics.error(code::timing_overflow, {}, fmt::format("{} does not fit signed 64 bits", overflow.what()))
+    diagnostics
+        .error(code::timing_overflow, start(model), fmt::format("{} does not fit signed 64 bits", overflow.what()))
         .note("times are integer nanoseconds, at most 292 years");
   } catch (const TooLong& reason) {
-    diagnostics.error(code::timing_too_long, {}, reason.what())
+    diagnostics.error(code::timing_too_long, start(model), reason.what())
         .hint("periods with small common multiples, or a processor that is less full, are quick to analyse");
   }
   return std::nullopt;

@@ -225,10 +225,10 @@ class Reader {
 
   void check_period(const Device& d, const Value& v) {
     const Value* period = v.find("period_ns");
-    if (period == nullptr || d.period_ns % model_.tick_ns == 0) return;
+    if (period == nullptr || d.period_ns % model_.tick_ns == 0 || period->text != std::to_string(d.period_ns)) return;
     error(code::timing_period, *period,
           fmt::format("the period of device '{}' is no multiple of the tick of {} ns", d.name, model_.tick_ns))
-        .hint(fmt::format("{} or {}", std::max(d.period_ns - d.period_ns % model_.tick_ns, model_.tick_ns),
+        .hint(fmt::format("write {} or {}", std::max(d.period_ns - d.period_ns % model_.tick_ns, model_.tick_ns),
                           d.period_ns > kMax - model_.tick_ns
                               ? d.period_ns - d.period_ns % model_.tick_ns
                               : d.period_ns - d.period_ns % model_.tick_ns + model_.tick_ns));

@@ -121,12 +121,38 @@ bool equal_ignoring_case(std::string_view a, std::string_view b) {
   return true;
 }
 
+/// Other spellings of a unit that are in use elsewhere.
+struct ForeignUnit {
+  std::string_view text;  ///< in lower case
+  std::string_view ours;
+};
+constexpr ForeignUnit kForeign[] = {
+    {"\xc2\xb5s", "us"}, {"\xce\xbcs", "us"}, {"usec", "us"},      {"msec", "ms"},         {"nsec", "ns"},
+    {"sec", "s"},        {"seconds", "s"},    {"second", "s"},     {"microseconds", "us"}, {"milliseconds", "ms"},
+    {"millis", "ms"},    {"micros", "us"},    {"bps", "bit/s"},    {"kbps", "kbit/s"},     {"mbps", "Mbit/s"},
+    {"kbaud", "kbit/s"}, {"mbaud", "Mbit/s"}, {"bits/s", "bit/s"}, {"kbits/s", "kbit/s"},  {"mbits/s", "Mbit/s"},
+    {"bit", "bit/s"},    {"kbit", "kbit/s"},  {"mbit", "Mbit/s"},  {"bd", "baud"},         {"bauds", "baud"},
+    {"k", "kHz"},        {"m", "MHz"},        {"bits", "bit"},     {"percent", "%"},       {"pct", "%"}};
+
+/// The unit of this kind that is meant by a spelling from elsewhere; empty when there is none.
+std::string_view meant_unit(std::string_view unit, const Kind& kind) {
+  for (const ForeignUnit& foreign : kForeign) {
+    if (!equal_ignoring_case(unit, foreign.text)) continue;
+    for (const UnitName& candidate : kind.units) {
+      if (candidate.text == foreign.ours) return candidate.text;
+    }
+  }
+  return {};
+}
+
 Fault other_unit(std::string_view number, std::string_view unit, const Kind& kind) {
   std::string hint = fmt::format("units are {}", unit_list(kind));
   for (const UnitName& candidate : kind.units) {
     if (equal_ignoring_case(unit, candidate.text))
       hint = fmt::format("units are case-sensitive: write '{}{}'", number, candidate.text);
   }
+  const std::string_view meant = meant_unit(unit, kind);
+  if (!meant.empty()) hint = fmt::format("write '{}{}'; {}", number, meant, hint);
   return {code::unit_wrong, fmt::format("'{}' is not a unit of {}", shown(unit), kind.article_name), hint};
 }
 

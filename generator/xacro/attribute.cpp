@@ -8,6 +8,7 @@
 #include "generator/xacro/compare.hpp"
 #include "generator/xacro/parameters.hpp"
 #include "generator/xacro/runtime.hpp"
+#include "generator/xacro/scope.hpp"
 
 namespace finemote::gen::xacro {
 namespace {
@@ -37,7 +38,7 @@ const Method* find_method(const Value& value, std::string_view name) {
 
 Value namespace_attribute(Runtime& runtime, Scope& scope, const std::string& name) {
   auto value = runtime.host.look_up(scope, name);
-  if (!value) fail_eval(fmt::format("name '{}' is not defined", name));
+  if (!value) fail_name(name, scope.names());
   return std::move(*value);
 }
 

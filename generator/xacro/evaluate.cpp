@@ -10,6 +10,7 @@
 #include "generator/xacro/operate.hpp"
 #include "generator/xacro/print.hpp"
 #include "generator/xacro/runtime.hpp"
+#include "generator/xacro/scope.hpp"
 #include "generator/xacro/subscript.hpp"
 
 namespace finemote::gen::xacro {
@@ -85,7 +86,7 @@ class Evaluator {
       }
     }
     auto value = runtime_.host.look_up(scope_, wanted);
-    if (!value) fail_eval(fmt::format("name '{}' is not defined", wanted));
+    if (!value) fail_name(wanted, scope_.names());
     return std::move(*value);
   }
 

@@ -27,7 +27,11 @@ Value Expander::evaluate_pieces(const Text& text, const Position& at, const std:
   const auto check = [&](std::size_t i) {
     if (i >= text.pieces.size() || text.pieces[i].kind != Piece::Kind::malformed) return;
     const Piece& piece = text.pieces[i];
-    throw Failure{code::xacro_text, "invalid expression: " + piece.text, inside(at, whole, piece.offset)};
+    std::vector<std::string> hints;
+    if (piece.text.starts_with("${")) hints.push_back("close it with '}'; for the text itself write '$${'");
+    if (piece.text.starts_with("$(")) hints.push_back("close it with ')'; for the text itself write '$$('");
+    throw Failure{
+        code::xacro_text, "invalid expression: " + piece.text, inside(at, whole, piece.offset), {}, std::move(hints)};
   };
   check(0);
   std::string joined;
@@ -110,7 +114,9 @@ bool Expander::boolean_of(const Value& value, const std::string& condition, cons
   throw Failure{
       code::xacro_condition,
       fmt::format("Xacro conditional \"{}\" evaluated to \"{}\", which is not a boolean expression.", condition, *text),
-      at};
+      at,
+      {},
+      {"valid here: true, false, a whole number, or a comparison such as ${name == 'left'}"}};
 }
 
 /// The place `offset` bytes into a text that begins at `at`; its beginning where entities or line breaks in attributes

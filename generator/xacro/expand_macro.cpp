@@ -67,7 +67,13 @@ void Expander::call_macro(const Node& source, const std::string& name, const Con
       call.arguments.macros = &argument_macros;
     }
   }
-  if (!call.macro) throw Failure{code::xacro_unknown_macro, "unknown macro name: xacro:" + name, at};
+  if (!call.macro) {
+    throw Failure{code::xacro_unknown_macro,
+                  "unknown macro name: xacro:" + name,
+                  at,
+                  {},
+                  near_hint(name, context.macros->names())};
+  }
   if (++calls_ > kMaxCalls) throw Failure{code::xacro_limit, fmt::format("more than {} macro calls", kMaxCalls), at};
   if (calls_open_.size() >= kMaxNestedCalls) {
     throw Failure{code::xacro_limit,
@@ -186,7 +192,15 @@ Value Expander::default_of(const Parameter& parameter, const Call& call, const P
       throw Failure{code::xacro_call, "Undefined property to forward: " + parameter.name, at};
     }
   }
-  return value_of(*parameter.default_text, at, *call.arguments.scope);
+  try {
+    return value_of(*parameter.default_text, at, *call.arguments.scope);
+  } catch (Failure& failure) {
+    const xml::Attribute* params = call.macro->body->attribute("params");
+    failure.notes.push_back({fmt::format("'{}' is the default of the parameter '{}' of macro '{}'",
+                                         *parameter.default_text, parameter.name, call.macro->name),
+                             params != nullptr ? params->value_at : call.macro->body->at});
+    throw;
+  }
 }
 
 /// Ends the scope of a call, unless a namespace or a function still refers to it.

@@ -8,7 +8,11 @@ namespace finemote::gen::xacro {
 
 void Expander::check_property_name(const std::string& name, const Position& at) const {
   if (!is_identifier(name)) {
-    throw Failure{code::xacro_property, "Property names must be valid python identifiers: " + name, at};
+    throw Failure{code::xacro_property,
+                  "Property names must be valid python identifiers: " + name,
+                  at,
+                  {},
+                  {"letters, digits and '_', not beginning with a digit, and no word of Python"}};
   }
   if (name.starts_with("__")) {
     throw Failure{code::xacro_property, "Property names must not start with double underscore:" + name, at};

@@ -228,7 +228,18 @@ void Expander::expand_block(const Node& source, const Context& context, Sink& ou
   const bool content_only = static_cast<bool>(found);
   if (!found) found = context.scope->find("*" + name.value);
   const auto* held = found ? found.property->value.as<std::shared_ptr<const Block>>() : nullptr;
-  if (held == nullptr) throw Failure{code::xacro_block, fmt::format("Undefined block \"{}\"", name.value), at};
+  if (held == nullptr) {
+    std::vector<std::string> blocks;
+    for (const std::string& visible : context.scope->names()) {
+      if (visible.starts_with('*')) blocks.push_back(visible.substr(visible.find_first_not_of('*')));
+    }
+    const std::string hint = did_you_mean(name.value, blocks);
+    throw Failure{code::xacro_block,
+                  fmt::format("Undefined block \"{}\"", name.value),
+                  at,
+                  {},
+                  hint.empty() ? std::vector<std::string>{} : std::vector<std::string>{hint}};
+  }
   if (++calls_ > kMaxCalls) throw Failure{code::xacro_limit, "too many macro calls and inserted blocks", at};
 
   const Level level =
@@ -271,8 +282,11 @@ Position Expander::place(Position at, const Context& context) {
 const xml::Attribute& Expander::required(const Node& source, std::string_view name, const Context& context) const {
   const xml::Attribute* attribute = source.attribute(name);
   if (attribute != nullptr) return *attribute;
-  throw Failure{code::xacro_attribute, fmt::format("{}: missing attribute '{}'", source.name, name),
-                place(source.at, context)};
+  throw Failure{code::xacro_attribute,
+                fmt::format("{}: missing attribute '{}'", source.name, name),
+                place(source.at, context),
+                {},
+                {fmt::format("write <{} {}=\"...\" ...>", source.name, name)}};
 }
 
 void Expander::check_attributes(const Node& source, std::initializer_list<std::string_view> known,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generator/diagnostic/diagnostics.hpp"
+#include "generator/diagnostic/suggest.hpp"
 
 namespace finemote::gen::xacro {
 
@@ -25,6 +26,11 @@ struct Failure {
 
 /// A mistake inside an expression.
 [[noreturn]] inline void fail_eval(std::string message) { fail(code::xacro_expression, std::move(message)); }
+
+/// A name an expression uses is not there; `visible` are those that are.
+[[noreturn]] inline void fail_name(const std::string& name, const std::vector<std::string>& visible) {
+  throw Failure{code::xacro_expression, "name '" + name + "' is not defined", {}, {}, near_hint(name, visible)};
+}
 
 /// A limit of this tool was reached.
 [[noreturn]] inline void fail_limit(std::string message) { fail(code::xacro_limit, std::move(message)); }

@@ -114,6 +114,20 @@ const MacroScope::Entry* MacroScope::find(std::string_view name) const {
   return fallback_ != nullptr ? fallback_->find(name) : nullptr;
 }
 
+std::vector<std::string> MacroScope::names() const {
+  std::vector<std::string> names;
+  for (const MacroScope* scope : {this, static_cast<const MacroScope*>(fallback_)}) {
+    for (; scope != nullptr; scope = scope->parent_) {
+      for (const auto& [name, entry] : scope->entries_) {
+        if (std::holds_alternative<std::shared_ptr<const Macro>>(entry)) names.push_back(name);
+      }
+    }
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
 std::shared_ptr<const Macro> MacroScope::find_macro(std::string_view name) const {
   const Entry* entry = find(name);
   const auto* macro = entry != nullptr ? std::get_if<std::shared_ptr<const Macro>>(entry) : nullptr;

@@ -45,6 +45,8 @@ class MacroScope {
 
   [[nodiscard]] std::shared_ptr<const Macro> find_macro(std::string_view name) const;
   [[nodiscard]] MacroScope* find_namespace(std::string_view name) const;
+  /// Names of all macros visible here, sorted: for suggestions.
+  [[nodiscard]] std::vector<std::string> names() const;
 
  private:
   using Entry = std::variant<std::shared_ptr<const Macro>, MacroScope*>;

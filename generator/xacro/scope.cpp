@@ -1,5 +1,7 @@
 #include "generator/xacro/scope.hpp"
 
+#include <algorithm>
+
 #include "generator/xacro/number.hpp"
 
 namespace finemote::gen::xacro {
@@ -11,6 +13,19 @@ Scope::Found Scope::find(std::string_view name) {
     if (found != scope->properties_.end()) return {scope, &found->second};
   }
   return {};
+}
+
+std::vector<std::string> Scope::names() const {
+  std::vector<std::string> names;
+  for (const Scope* scope = this; scope != nullptr; scope = scope->parent_) {
+    for (const auto& [name, property] : scope->properties_) names.push_back(name);
+    if (scope->kind_ != Kind::builtins && scope->fallback_ != nullptr) {
+      for (std::string& name : scope->fallback_->names()) names.push_back(std::move(name));
+    }
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
 }
 
 void Scope::set(std::string_view name, Property property) {

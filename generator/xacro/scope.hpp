@@ -45,6 +45,9 @@ class Scope {
   /// The innermost property of that name.
   [[nodiscard]] Found find(std::string_view name);
 
+  /// All names visible here, sorted: for suggestions.
+  [[nodiscard]] std::vector<std::string> names() const;
+
   void set(std::string_view name, Property property);
   /// Takes the name out of this scope and all outer ones but the built-ins.
   void remove(std::string_view name);

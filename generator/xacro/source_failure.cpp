@@ -36,6 +36,10 @@ Failure failure_of(const xml::Malformed& malformed, const Expansion* via) {
     failure.message =
         fmt::format("XML parsing error: {}: line {}, column {}", malformed.words, malformed.line, malformed.column);
   }
+  if (!malformed.open_name.empty()) {
+    failure.notes.push_back({fmt::format("<{}> is still open", malformed.open_name), malformed.open});
+    failure.hints.push_back(fmt::format("close it with </{0}>, or end its start tag in '/>'", malformed.open_name));
+  }
   if (malformed.words == "unbound prefix") {
     failure.hints.push_back(
         "declare the prefix in the root element, for example xmlns:xacro=\"http://www.ros.org/wiki/xacro\"");

@@ -76,9 +76,7 @@ class Builder {
     const XML_Status status =
         XML_Parse(parser_.get(), file_.text.data(), static_cast<int>(file_.text.size()), XML_TRUE);
     if (failure_) return std::move(*failure_);
-    if (status != XML_STATUS_OK) {
-      return describe_failure(XML_ErrorString(XML_GetErrorCode(parser_.get())), code::malformed_xml);
-    }
+    if (status != XML_STATUS_OK) return name_open_tag(describe_parser_failure());
     return std::move(document_);
   }
 
@@ -91,8 +89,27 @@ class Builder {
   Position here() { return locator_.at(offset()); }
 
   Malformed describe_failure(std::string_view words, Code code) {
-    return {here(), std::string(words), static_cast<std::uint32_t>(XML_GetCurrentLineNumber(parser_.get())),
-            static_cast<std::uint32_t>(XML_GetCurrentColumnNumber(parser_.get())), code};
+    return {here(),
+            std::string(words),
+            static_cast<std::uint32_t>(XML_GetCurrentLineNumber(parser_.get())),
+            static_cast<std::uint32_t>(XML_GetCurrentColumnNumber(parser_.get())),
+            code,
+            {},
+            {}};
+  }
+
+  Malformed describe_parser_failure() {
+    return describe_failure(XML_ErrorString(XML_GetErrorCode(parser_.get())), code::malformed_xml);
+  }
+
+  /// An end tag that does not fit, or none at all, is a mistake at the start tag as often as where it shows.
+  Malformed name_open_tag(Malformed failure) {
+    const XML_Error error = XML_GetErrorCode(parser_.get());
+    const bool is_about_tags = error == XML_ERROR_TAG_MISMATCH || error == XML_ERROR_NO_ELEMENTS;
+    if (!is_about_tags || open_.empty()) return failure;
+    failure.open = open_.back().at;
+    failure.open_name = open_.back().name;
+    return failure;
   }
 
   void stop(std::string_view words, Code code) {
@@ -191,7 +208,11 @@ std::optional<Document> parse(const SourceFile& file, Diagnostics& diagnostics) 
   auto result = read_document(file);
   if (auto* document = std::get_if<Document>(&result)) return std::move(*document);
   const auto& failure = std::get<Malformed>(result);
-  diagnostics.error(failure.code, failure.at, failure.words);
+  auto& finding = diagnostics.error(failure.code, failure.at, failure.words);
+  if (!failure.open_name.empty()) {
+    finding.note("<" + failure.open_name + "> is still open", failure.open)
+        .hint("close it with </" + failure.open_name + ">, or end its start tag in '/>'");
+  }
   return std::nullopt;
 }
 

@@ -21,6 +21,8 @@ struct Malformed {
   std::uint32_t line = 0;    ///< from 1
   std::uint32_t column = 0;  ///< in characters from 0, as expat and Python count
   Code code;
+  Position open = {};  ///< the start tag that is still open, when an end tag is wrong or missing
+  std::string open_name;
 };
 
 /// Reads one document; the namespace prefixes have to be declared, the names stay as written.

@@ -1,0 +1,1 @@
+finemote genrate robot.urdf -o out

@@ -1,0 +1,1 @@
+finemote generate robot.urdf --ouput out

@@ -1,0 +1,2 @@
+mkdir robot.urdf
+finemote generate robot.urdf -o out

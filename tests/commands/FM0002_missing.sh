@@ -1,0 +1,1 @@
+finemote generate robto.urdf -o out

@@ -1,0 +1,2 @@
+: >robot.urdf
+finemote generate robot.urdf -o out

@@ -1,0 +1,2 @@
+truncate --size 65M robot.urdf
+finemote generate robot.urdf -o out

@@ -1,0 +1,1 @@
+finemote --data-dir nowhere board show

@@ -1,0 +1,4 @@
+xacro_robot <<'X'
+  <link name="$(argh name)"/>
+X
+finemote xacro robot.urdf.xacro

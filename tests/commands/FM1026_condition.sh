@@ -1,0 +1,4 @@
+xacro_robot <<'X'
+  <xacro:if value="yes"/>
+X
+finemote xacro robot.urdf.xacro

@@ -1,0 +1,4 @@
+xacro_robot <<'X'
+  <xacro:include filename="leg.xacro"/>
+X
+finemote xacro robot.urdf.xacro

@@ -1,0 +1,4 @@
+xacro_robot <<'X'
+  <xacro:property name="pi" value="3"/>
+X
+finemote xacro robot.urdf.xacro
