@@ -22,7 +22,8 @@ void print_findings(Context& context, const CheckResult& result) {
   }
   if (result.findings.empty() && !context.options.quiet) {
     context.out << "fresh\n";
-    if (result.tool_changed) context.out << "tool-changed: written by " << result.previous_tool << ", with the same bytes\n";
+    if (result.tool_changed)
+      context.out << "tool-changed: written by " << result.previous_tool << ", with the same bytes\n";
   }
   if (!result.findings.empty() && !context.options.quiet) {
     context.err << fmt::format("run: finemote generate {} -o {}\n", context.options.input, context.options.out);
@@ -60,11 +61,11 @@ int run_check(Context& context) {
   }
   const auto verdict = timing_verdict(context, *loaded);
   if (!verdict) return finish(context, kExitInvalid);
-  context.err << verdict->reasons;
   Diagnostics lint_findings;
   lint(loaded->robot, lint_options(context, *verdict), lint_findings);
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
-  context.err << render_findings(context, lint_findings);
+  Diagnostics judged = verdict->reasons;
+  add_findings(lint_findings, judged);
 
   const bool denied = lint_findings.has_errors() || (context.options.warnings_are_errors && lint_findings.size() > 0);
   const bool good = result.findings.empty() && verdict->schedulable && verdict->requirements_hold && !denied;
@@ -72,7 +73,7 @@ int run_check(Context& context) {
   json["schedulable"] = verdict->schedulable;
   json["requirements_hold"] = verdict->requirements_hold;
   json["lint"] = render_json(lint_findings);
-  return finish(context, good ? kExitYes : kExitNo, std::move(json));
+  return finish_with(context, good ? kExitYes : kExitNo, judged, std::move(json));
 }
 
 }  // namespace finemote::gen

@@ -19,17 +19,30 @@ bool use_color(const Options& options) {
 }
 
 /// The formats for editors and CI are the result: they go to stdout, whatever the status.
-void print_for_ci(Context& context) {
-  const Diagnostics& diagnostics = context.diagnostics;
+void print_for_ci(Context& context, const Diagnostics& diagnostics) {
   switch (context.options.format) {
-    case Format::gcc: context.out << render_gcc(diagnostics); break;
-    case Format::github: context.out << render_github(diagnostics); break;
-    case Format::sarif: context.out << render_sarif(diagnostics, kVersion, context.options.input).dump(2) << "\n"; break;
-    default: break;
+    case Format::gcc:
+      context.out << render_gcc(diagnostics);
+      break;
+    case Format::github:
+      context.out << render_github(diagnostics);
+      break;
+    case Format::sarif:
+      context.out << render_sarif(diagnostics, kVersion, context.options.input).dump(2) << "\n";
+      break;
+    default:
+      break;
   }
 }
 
 }  // namespace
+
+void add_findings(const Diagnostics& from, Diagnostics& to) {
+  for (const Diagnostic& finding : from.in_file_order()) {
+    const bool is_error = finding.severity == Severity::error;
+    (is_error ? to.error(finding.code, finding.at, {}) : to.warning(finding.code, finding.at, {})) = finding;
+  }
+}
 
 std::string render_findings(const Context& context) { return render_findings(context, context.diagnostics); }
 
@@ -38,16 +51,23 @@ std::string render_findings(const Context& context, const Diagnostics& findings)
 }
 
 int finish(Context& context, int status, nlohmann::ordered_json document) {
-  const bool fails = context.diagnostics.has_errors() ||
-                     (context.options.warnings_are_errors && context.diagnostics.size() > 0);
+  return finish_with(context, status, {}, std::move(document));
+}
+
+int finish_with(Context& context, int status, const Diagnostics& judged, nlohmann::ordered_json document) {
+  const bool fails =
+      context.diagnostics.has_errors() || (context.options.warnings_are_errors && context.diagnostics.size() > 0);
   if (fails) status = kExitInvalid;
-  context.err << render_findings(context);
+  Diagnostics all;
+  add_findings(context.diagnostics, all);
+  add_findings(judged, all);
+  context.err << render_findings(context, all);
   const bool answered = status == kExitYes || status == kExitNo;
   if (context.options.format == Format::json && answered && !document.is_null()) {
-    document["diagnostics"] = render_json(context.diagnostics);
+    document["diagnostics"] = render_json(all);
     context.out << document.dump(2) << "\n";
   }
-  print_for_ci(context);
+  print_for_ci(context, all);
   context.out.flush();
   return status;
 }

@@ -12,9 +12,16 @@ namespace finemote::gen {
 std::string render_findings(const Context& context);
 std::string render_findings(const Context& context, const Diagnostics& findings);
 
+/// Copies all findings of `from` behind those of `to`.
+void add_findings(const Diagnostics& from, Diagnostics& to);
+
 /// Prints the findings as the options say and returns the exit status: kExitInvalid when there are errors (or warnings
 /// under -W error), else `status`. With --format json `document` is printed to stdout, with the findings in its
 /// `diagnostics`, unless the status is 2 or 3; a null document prints nothing.
 int finish(Context& context, int status, nlohmann::ordered_json document = nullptr);
+
+/// The same with findings that have settled `status` already (of lint, of the timing analysis): they are printed and
+/// listed with the others, and change the status no more.
+int finish_with(Context& context, int status, const Diagnostics& judged, nlohmann::ordered_json document);
 
 }  // namespace finemote::gen

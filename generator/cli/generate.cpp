@@ -66,8 +66,11 @@ void print_summary(Context& context, const WriteResult& result) {
 }
 
 int refuse_unschedulable(Context& context, const Verdict& verdict) {
-  context.err << verdict.reasons << "nothing was written; --allow-unschedulable writes all the same\n";
-  return finish(context, kExitNo, Json{{"schema", "finemote.generate/1"}, {"output", context.options.out}, {"schedulable", false}});
+  const int status =
+      finish_with(context, kExitNo, verdict.reasons,
+                  Json{{"schema", "finemote.generate/1"}, {"output", context.options.out}, {"schedulable", false}});
+  context.err << "nothing was written; --allow-unschedulable writes all the same\n";
+  return status;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 
@@ -12,23 +13,30 @@
 #include "generator/cli/lint_options.hpp"
 #include "generator/cli/load.hpp"
 #include "generator/cli/verdict.hpp"
+#include "generator/diagnostic/catalogue.hpp"
+#include "generator/diagnostic/render.hpp"
+#include "generator/diagnostic/suggest.hpp"
 
 namespace finemote::gen {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// `FM3151` or `3151`.
+constexpr Code kLintCodes[] = {code::lint_order,      code::lint_period_ratio, code::lint_no_wcet,
+                               code::lint_conversion, code::lint_bus_load,     code::lint_unused_bus};
+
+/// `FM3151` or `3151`: one of lint's own codes.
 std::vector<Code> codes(Context& context, const char* option, const std::vector<std::string>& words) {
   std::vector<Code> list;
-  for (std::string word : words) {
-    if (word.rfind("FM", 0) == 0) word.erase(0, 2);
-    const bool number = !word.empty() && word.size() <= 4 && word.find_first_not_of("0123456789") == std::string::npos;
-    if (number) {
-      list.push_back(Code{static_cast<std::uint16_t>(std::stoi(word))});
+  std::vector<std::string> names;
+  for (const Code code : kLintCodes) names.push_back(code_name(code));
+  for (const std::string& word : words) {
+    const auto code = parse_code(word);
+    if (code && std::find(std::begin(kLintCodes), std::end(kLintCodes), *code) != std::end(kLintCodes)) {
+      list.push_back(*code);
     } else {
-      context.diagnostics.error(code::usage, {}, fmt::format("{} '{}' is no diagnostic code", option, word))
-          .hint("write for example FM3151");
+      context.diagnostics.error(code::usage, {}, fmt::format("{} '{}' is no code of lint", option, word))
+          .hint(did_you_mean(word, names));
     }
   }
   return list;
@@ -78,16 +86,16 @@ int run_lint(Context& context) {
   return finish_lint(context, findings, mended, edits.size());
 }
 
-int finish_lint(Context& context, const Diagnostics& findings, const std::vector<std::string>& mended, std::size_t fixable) {
+int finish_lint(Context& context, const Diagnostics& findings, const std::vector<std::string>& mended,
+                std::size_t fixable) {
   const bool denied = findings.has_errors() || (context.options.warnings_are_errors && findings.size() > 0);
-  context.err << render_findings(context, findings);
   if (context.options.format == Format::text && !context.options.quiet) {
     for (const std::string& name : mended) context.out << "mended " << name << "\n";
     context.out << fmt::format("{} finding{}\n", findings.size(), findings.size() == 1 ? "" : "s");
     if (mended.empty() && fixable > 0) context.out << "lint --fix mends the mechanical ones\n";
   }
-  return finish(context, denied ? kExitNo : kExitYes,
-                Json{{"schema", "finemote.lint/1"}, {"findings", findings.size()}, {"mended", mended}});
+  return finish_with(context, denied ? kExitNo : kExitYes, findings,
+                     Json{{"schema", "finemote.lint/1"}, {"findings", findings.size()}, {"mended", mended}});
 }
 
 }  // namespace finemote::gen

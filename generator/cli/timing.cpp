@@ -61,12 +61,17 @@ std::optional<Question> read_question(Context& context, std::optional<std::int64
                   timing::timing_requirements(loaded->robot, loaded->forest)};
 }
 
-/// Prints the findings without a document of our own: the analysis has written its own.
-int finish_with(Context& context, int status) {
-  const bool answered = status == kExitYes || status == kExitNo;
+/// Ends an analysis, whose findings have settled `status`, with the `result` it has written: table or document. Formats
+/// for editors and CI have findings alone on stdout.
+int finish_analysis(Context& context, int status, const std::string& result) {
+  const Format format = context.options.format;
   const bool warnings_fail = context.options.warnings_are_errors && context.diagnostics.size() > 0;
-  context.err << render_findings(context);
-  return answered && warnings_fail ? kExitInvalid : status;
+  if (warnings_fail) status = kExitInvalid;
+  const bool answered = status == kExitYes || status == kExitNo;
+  if (format == Format::text || (format == Format::json && answered)) context.out << result;
+  Diagnostics none;
+  Context rest{context.options, context.sources, none, context.out, context.err};
+  return finish_with(rest, status, context.diagnostics, nullptr);
 }
 
 }  // namespace
@@ -83,9 +88,9 @@ int run_analyze_command(Context& context) {
   auto question = read_question(context, request.assume_wcet_ns);
   if (!question) return finish(context, kExitInvalid);
   std::ostringstream result;
-  const int status = timing::run_analyze(std::move(question->model), question->requirements, request, context.diagnostics, result);
-  context.out << result.str();
-  return finish_with(context, status);
+  const int status =
+      timing::run_analyze(std::move(question->model), question->requirements, request, context.diagnostics, result);
+  return finish_analysis(context, status, result.str());
 }
 
 int run_simulate_command(Context& context) {
@@ -110,7 +115,9 @@ int run_simulate_command(Context& context) {
     }
     request.trace = &trace;
   }
-  return finish_with(context, run_simulate(question->model, request, context.diagnostics, context.out));
+  std::ostringstream result;
+  const int status = run_simulate(question->model, request, context.diagnostics, result);
+  return finish_analysis(context, status, result.str());
 }
 
 }  // namespace finemote::gen

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "generator/diagnostic/render.hpp"
 #include "generator/timing/from_robot.hpp"
 
 namespace finemote::gen {
@@ -25,7 +24,8 @@ std::optional<Verdict> timing_verdict(Context& context, const Loaded& loaded) {
   timing::AnalysisRequest request;
   request.requirements = timing::timing_requirements(loaded.robot, loaded.forest);
   Diagnostics findings;
-  const auto timing = timing::analyse(timing::make_timing_model(loaded.robot, loaded.forest, loaded.schedule), request, findings);
+  const auto timing =
+      timing::analyse(timing::make_timing_model(loaded.robot, loaded.forest, loaded.schedule), request, findings);
   if (!timing) {
     for (const Diagnostic& finding : findings.in_file_order()) {
       if (finding.severity == Severity::error) context.diagnostics.error(finding.code, finding.at, finding.message);
@@ -36,7 +36,7 @@ std::optional<Verdict> timing_verdict(Context& context, const Loaded& loaded) {
   verdict.schedulable = timing->schedulable;
   verdict.requirements_hold = timing->requirements_hold();
   verdict.bus_load = bus_loads(loaded.robot, *timing);
-  if (findings.has_errors()) verdict.reasons = render_text(findings, false);
+  if (findings.has_errors()) verdict.reasons = std::move(findings);
   return verdict;
 }
 

@@ -12,7 +12,7 @@ struct Verdict {
   bool schedulable = false;
   bool requirements_hold = false;
   std::vector<double> bus_load;  ///< 0..1, per Robot::buses; empty when there is no answer
-  std::string reasons;           ///< the findings behind a no, as text
+  Diagnostics reasons;           ///< the findings behind a no; empty after a yes
 };
 
 /// Analyses the robot in its default profile. None when the analysis gives no answer (an overflow); then the reason is

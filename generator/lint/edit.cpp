@@ -87,6 +87,24 @@ std::optional<ElementExtent> find_element(const Position& at) {
   return with_lines(at.file->text, {*begin, behind_element(at.file->text, *begin)});
 }
 
+ElementExtent with_comments(const SourceFile& file, ElementExtent extent) {
+  const std::string_view text = file.text;
+  constexpr std::string_view kOpen = "<!--";
+  constexpr std::string_view kClose = "-->";
+  const auto is_line_begin = [&](std::size_t at) { return at == 0 || text[at - 1] == '\n'; };
+  while (is_line_begin(extent.begin) && extent.begin > 0) {
+    std::size_t end = extent.begin - 1;  // behind the line above, without its line break
+    while (end > 0 && (is_blank(text[end - 1]) || text[end - 1] == '\r')) --end;
+    if (end < kClose.size() || text.substr(end - kClose.size(), kClose.size()) != kClose) break;
+    std::size_t begin = text.rfind(kOpen, end - kClose.size());
+    if (begin == std::string_view::npos) break;
+    while (begin > 0 && is_blank(text[begin - 1])) --begin;
+    if (!is_line_begin(begin)) break;  // something stands before it: the comment belongs to that
+    extent.begin = begin;
+  }
+  return extent;
+}
+
 std::string apply_edits(const SourceFile& file, std::vector<Edit> edits) {
   std::stable_sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
   std::string result;

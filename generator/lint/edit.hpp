@@ -28,6 +28,9 @@ struct ElementExtent {
 /// text at that place is no element.
 std::optional<ElementExtent> find_element(const Position& at);
 
+/// The extent with the comments that stand on lines of their own directly above it: what is said of the element.
+ElementExtent with_comments(const SourceFile& file, ElementExtent extent);
+
 /// The text of `file` after the edits; those of other files are passed over. Edits may not overlap; insertions at one
 /// place keep their order.
 std::string apply_edits(const SourceFile& file, std::vector<Edit> edits);

@@ -100,9 +100,11 @@ class Linter {
             "handle()")
         .note(fmt::format("actuator '{}' stands here", actuator.name.text), actuator.at)
         .hint(fmt::format("declare '{}' before '{}'", sensor.name.text, actuator.name.text));
-    const auto from = find_element(sensor.at);
-    const auto to = find_element(actuator.at);
+    auto from = find_element(sensor.at);
+    auto to = find_element(actuator.at);
     if (!from || !to || sensor.at.file != actuator.at.file || from->begin < to->end) return;
+    from = with_comments(*sensor.at.file, *from);
+    to = with_comments(*actuator.at.file, *to);
     const std::string text = sensor.at.file->text.substr(from->begin, from->end - from->begin);
     edits_.push_back({sensor.at.file, to->begin, to->begin, text});
     edits_.push_back({sensor.at.file, from->begin, from->end, {}});

@@ -58,9 +58,9 @@ TEST_CASE("a sensor behind actuators is found and moved, with its comments and l
   const std::string sensor =
       "  <device name=\"baro\" type=\"ms5837\" bus=\"i2c\">\n    " + kWcet + " <!-- a > b -->\n  </device>\n";
   const std::string head = kPwm + "<device name=\"root\" type=\"group\" period=\"20ms\">\n";
-  const Linted robot(head + actuator + "  <!-- stays -->\n" + sensor + "</device>\n");
+  const Linted robot(head + actuator + "  <!-- goes along -->\n" + sensor + "</device>\n");
   CHECK(robot.says("warning[FM3151]: sensor 'baro' stands after actuator 'esc'"));
-  CHECK(robot.mended.find(head + sensor + actuator + "  <!-- stays -->\n</device>\n") != std::string::npos);
+  CHECK(robot.mended.find(head + "  <!-- goes along -->\n" + sensor + actuator + "</device>\n") != std::string::npos);
   const Linted well(head + sensor + actuator + "</device>\n");
   CHECK(well.said.empty());
 }
