@@ -125,6 +125,9 @@ class DeviceReader {
                                          bus.value, bus_kind_name(segment.bus_kind)));
     const auto candidates = segments_of(reading_, type.buses);
     if (!candidates.empty()) suggest(finding, bus.value, candidates);
+    if (candidates.empty())
+      finding.hint(fmt::format("add a bus of that kind: <bus name=\"...\" type=\"{}\" port=\"...\"/>",
+                               bus_kind_name(type.buses.front())));
     return false;
   }
   /// The bus may not be faster than the part, and a serial line has to run at one of its rates.

@@ -56,6 +56,16 @@ class NameTable {
   std::map<std::string, Named> seen_;
 };
 
+/// A name that is possible and still tells what was meant: `x__y` -> `x_y`, `_Imu` -> `Imu`, `class` -> `class_1`.
+std::string possible_name(const std::string& cpp) {
+  std::string name;
+  for (const char c : cpp) {
+    if (c != '_' || (!name.empty() && name.back() != '_')) name += c;
+  }
+  if (name.empty()) return "part_1";
+  return invalid_name(name) ? name + (name.back() == '_' ? "1" : "_1") : name;
+}
+
 /// Whether the name can be used at all.
 bool check_one(Diagnostics& diagnostics, const Named& entry, NameScope scope) {
   const xml::Attribute* attribute = entry.tag->attribute("name");
@@ -64,7 +74,8 @@ bool check_one(Diagnostics& diagnostics, const Named& entry, NameScope scope) {
   const std::string becomes = cpp == entry.name->text ? "it" : fmt::format("its C++ name '{}'", cpp);
   if (const auto reason = invalid_name(cpp)) {
     at_value(diagnostics, code::name_invalid, *attribute, fmt::format("'{}' cannot be a name", entry.name->text))
-        .note(fmt::format("{} {}", becomes, *reason));
+        .note(fmt::format("{} {}", becomes, *reason))
+        .hint(fmt::format("write for example name=\"{}\"", possible_name(cpp)));
     return false;
   }
   if (const auto reason = reserved_name(cpp, scope)) {

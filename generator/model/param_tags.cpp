@@ -71,6 +71,7 @@ std::vector<Param> read_param_tags(Reading& reading, const xml::Node& tag, const
       auto& finding =
           at_value(diagnostics, code::unknown_param, *name, fmt::format("{} has no param '{}'", owner, name->value));
       suggest(finding, name->value, names_of(specs));
+      if (specs.empty()) finding.note("it takes no params").hint("remove the <param>");
       continue;
     }
     const auto [first, is_fresh] = given.emplace(name->value, &child);

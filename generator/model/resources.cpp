@@ -1,8 +1,10 @@
 // What ports and pins occupy on the chip: FM3015 (a port twice) and FM3016 (two ports, or a pin, that need one thing).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
+#include "generator/descriptor/bus_kind.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/reading.hpp"
 
@@ -25,9 +27,12 @@ class ResourceTable {
     const Bus& bus = reading_.robot.buses[index];
     const auto [first, is_fresh] = ports_.emplace(port->name, index);
     if (!is_fresh) {
-      at_value(reading_.diagnostics, code::port_twice, attribute, fmt::format("port '{}' is used twice", port->name))
-          .note(fmt::format("bus '{}' uses it already", reading_.robot.buses[first->second].name.text),
-                reading_.robot.buses[first->second].at);
+      Diagnostic& finding = at_value(reading_.diagnostics, code::port_twice, attribute,
+                                     fmt::format("port '{}' is used twice", port->name));
+      finding.note(fmt::format("bus '{}' uses it already", reading_.robot.buses[first->second].name.text),
+                   reading_.robot.buses[first->second].at);
+      const std::string free = free_ports(bus.kind);
+      if (!free.empty()) finding.hint(fmt::format("ports for {} that no bus names: {}", bus_kind_name(bus.kind), free));
       return;
     }
     const User self{fmt::format("bus '{}' (port '{}')", bus.name.text, port->name), bus.at};
@@ -42,6 +47,18 @@ class ResourceTable {
   }
 
  private:
+  /// Ports of the board that serve the kind and that no <bus> names.
+  std::string free_ports(BusKind kind) const {
+    std::string list;
+    for (const Port& port : reading_.robot.board->ports) {
+      const bool serves = std::find(port.kinds.begin(), port.kinds.end(), kind) != port.kinds.end();
+      const bool is_named = std::any_of(reading_.tags.buses.begin(), reading_.tags.buses.end(),
+                                        [&](const xml::Node* tag) { return value_of(*tag, "port") == port.name; });
+      if (serves && !is_named) list += (list.empty() ? "'" : ", '") + port.name + "'";
+    }
+    return list;
+  }
+
   void take(const Resource& resource, const User& user, const Position& at, std::size_t length) {
     const auto [first, is_fresh] = taken_.emplace(resource.kind + resource.name, user);
     if (is_fresh || first->second.what == user.what) return;

@@ -157,7 +157,8 @@ class TagReader {
   void report_text(const xml::Node& node, const xml::Node& text) {
     const TextAt inner = trimmed_text(text);
     diagnostics_.error(code::unexpected_text, inner.at, fmt::format("text in <{}>", node.name))
-        .underline(inner.text.size());
+        .underline(inner.text.size())
+        .hint("remove it, or make it a comment: <!-- ... -->");
   }
 
   bool from_xacro_;

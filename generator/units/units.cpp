@@ -181,7 +181,8 @@ Result<Parts> split(std::string_view text, const Kind& kind) {
 }
 
 Fault too_large(std::string_view text) {
-  return {code::quantity_overflow, fmt::format("'{}' is too large", shown(text)), {}};
+  return {code::quantity_overflow, fmt::format("'{}' is too large", shown(text)),
+          "values fit 63 bits in their base unit, bare numbers 32 bits"};
 }
 
 /// Adds decimal digits to `value`; false when it leaves 63 bits.

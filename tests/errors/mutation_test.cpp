@@ -81,6 +81,12 @@ std::vector<Stretch> find_tags(const std::string& text) {
   return found;
 }
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr std::size_t kStride = 7;  // slow: every seventh character
+#else
+constexpr std::size_t kStride = 1;
+#endif
+
 struct Example {
   std::string text;
   bool is_xacro;
@@ -147,10 +153,10 @@ class Mutator {
 TEST_CASE("every single character of finsrov may be missing") {
   const std::string text = read(kSource / "examples" / "finsrov.urdf");
   Bench bench;
-  for (std::size_t i = 0; i < text.size(); ++i) bench.run(text.substr(0, i) + text.substr(i + 1));
+  for (std::size_t i = 0; i < text.size(); i += kStride) bench.run(text.substr(0, i) + text.substr(i + 1));
   bench.check();
-  CHECK(bench.refused > 1000);
-  CHECK(bench.generated > 1000);  // blanks, comments, digits
+  CHECK(bench.refused > 1000 / kStride);
+  CHECK(bench.generated > 1000 / kStride);  // blanks, comments, digits
   CHECK(bench.unschedulable > 0);
 }
 

@@ -23,9 +23,10 @@ FINEMOTE_CONSTINIT inline example::LineSensor line{
 /// drive: sim_load, every 5 ms
 /// response <= 30.3 us; data age <= 29 us when handle() ends, <= 29 us at the output (oldest: line)
 FINEMOTE_CONSTINIT inline finemote::SimLoad drive{
-    finemote::SimLoad::Config{/*update [ns]*/ 10000, /*handle [ns]*/ 10000}, finemote::Ports<finemote::Any>{}};
+    finemote::SimLoad::Config{/*update [ns]*/ 10000, /*handle [ns]*/ 10000},
+    finemote::Ports<finemote::Any>{}};
 
-namespace ports {                                                             // what 'follower' sees of others
+namespace ports {  // what 'follower' sees of others
 FINEMOTE_CONSTINIT inline finemote::Any::Command follower_children_sink_0{};  // goes nowhere
 inline constexpr finemote::Port<finemote::Any> follower_children[] = {
     finemote::Port<finemote::Any>{line.state, follower_children_sink_0},
