@@ -16,7 +16,7 @@ option(FINEMOTE_SANITIZE "Build with address and undefined-behaviour sanitizers"
 if(FINEMOTE_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
-  add_compile_options(-Wno-maybe-uninitialized)  # GCC 12 misfires inside std::regex and std::optional when sanitizing
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC 12 misfires inside std::regex and std::optional when sanitizing
 endif()
 
 find_program(FINEMOTE_CCACHE ccache)
