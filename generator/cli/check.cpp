@@ -49,7 +49,8 @@ Json document(const Context& context, const CheckResult& result, const std::stri
 int run_check(Context& context) {
   const auto loaded = load_robot(context);
   if (!loaded) return finish(context, kExitInvalid);
-  auto files = render_robot(*loaded);
+  auto files = render_robot(context, *loaded);
+  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   const Output output = make_output(std::move(files), input_files(context, *loaded), loaded->robot.name.text);
   const CheckResult result = check_output(context.options.out, output, context.diagnostics);
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);

@@ -11,6 +11,7 @@ int run_tree(Context& context);
 int run_board_show(Context& context);
 int run_run(Context& context);
 int run_diff(Context& context);
+int run_docs(Context& context);
 int run_explain(Context& context);
 int run_lint(Context& context);
 int run_schema(Context& context);

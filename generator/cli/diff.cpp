@@ -97,7 +97,8 @@ std::optional<Side> read_side(Context& context, const std::string& operand) {
   Context side_context{options, context.sources, context.diagnostics, context.out, context.err};
   const auto loaded = load_robot(side_context);
   if (!loaded) return std::nullopt;
-  const auto files = render_robot(*loaded);
+  const auto files = render_robot(context, *loaded);
+  if (context.diagnostics.has_errors()) return std::nullopt;
   return robot_side(*loaded, files);
 }
 

@@ -42,7 +42,7 @@ void write_depfile(Context& context, const std::string& out) {
 }
 
 int list_names(Context& context, const Loaded& loaded) {
-  std::vector<std::string> names = output_names(loaded.forest);
+  std::vector<std::string> names = output_names(loaded.robot, loaded.forest);
   names.emplace_back(kManifestName);
   if (context.options.format == Format::text) {
     for (const std::string& name : names) context.out << name << "\n";
@@ -90,7 +90,8 @@ int run_generate(Context& context) {
     if (!verdict) return finish(context, kExitInvalid);
     if (!verdict->schedulable) return refuse_unschedulable(context, *verdict);
   }
-  auto files = render_robot(*loaded);
+  auto files = render_robot(context, *loaded);
+  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   const Output output = make_output(std::move(files), input_files(context, *loaded), loaded->robot.name.text);
   const WriteResult result = write_output(options.out, output, options.dry_run, context.diagnostics);
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);

@@ -137,9 +137,9 @@ std::optional<Loaded> load_robot(Context& context) {
   return loaded;
 }
 
-std::vector<OutputFile> render_robot(const Loaded& loaded) {
+std::vector<OutputFile> render_robot(Context& context, const Loaded& loaded) {
   const ProvenBounds bounds = prove_bounds(loaded.robot, loaded.forest, loaded.schedule);
-  return render_files(loaded.plan(), bounds, loaded.data_dir + "/templates");
+  return render_files(loaded.plan(), bounds, loaded.data_dir, context.diagnostics);
 }
 
 std::vector<HashedFile> input_files(const Context& context, const Loaded& loaded) {

@@ -26,8 +26,8 @@ struct Loaded {
 /// Reads, checks and plans. All mistakes are in the context's diagnostics; with one there is no robot.
 std::optional<Loaded> load_robot(Context& context);
 
-/// The generated files of a robot, bounds included.
-std::vector<OutputFile> render_robot(const Loaded& loaded);
+/// The generated files of a robot, bounds included. Reports what render_files reports.
+std::vector<OutputFile> render_robot(Context& context, const Loaded& loaded);
 
 /// Name and folder of every `--package name=dir`; reports FM0001 for words of another form.
 std::vector<std::pair<std::string, std::string>> package_folders(Context& context);

@@ -20,6 +20,7 @@ int run(const Options& options) {
       {"board show", run_board_show},
       {"run", run_run},
       {"diff", run_diff},
+      {"docs", run_docs},
       {"explain", run_explain},
       {"lint", run_lint},
       {"schema", run_schema},

@@ -147,6 +147,12 @@ void add_reference(CLI::App& app, Options& options) {
       ->required();
 }
 
+void add_docs(CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand("docs", "write the reference pages of device types and board peripherals");
+  command->add_option("-o,--output", options.out, "folder of the reference: devices/ and boards/ in it")->required();
+  command->add_flag("--dry-run", options.dry_run, "write nothing; exit status 1 when a page would change");
+}
+
 void add_lint(CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand("lint", "what is allowed and rarely meant");
   add_input_options(*command, options);
@@ -275,6 +281,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
   add_run(app, options);
   add_diff(app, options);
   add_lint(app, options);
+  add_docs(app, options);
   add_reference(app, options);
   add_xacro(app, options);
   add_timing(app, options);

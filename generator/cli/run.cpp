@@ -101,7 +101,8 @@ std::vector<std::string> user_sources(const std::vector<std::string>& dirs) {
 
 std::optional<std::string> make_image(Context& context, const Loaded& loaded, const std::string& board,
                                       std::int64_t duration, const WorkFolder& work) {
-  auto files = render_robot(loaded);
+  auto files = render_robot(context, loaded);
+  if (context.diagnostics.has_errors()) return std::nullopt;
   const Output output = make_output(std::move(files), input_files(context, loaded), loaded.robot.name.text);
   write_output(work.path() + "/generated", output, false, context.diagnostics);
   if (context.diagnostics.has_errors()) return std::nullopt;

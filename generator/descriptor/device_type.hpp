@@ -106,6 +106,7 @@ struct DeviceType {
   std::vector<UseSpec> uses;
   std::vector<ParamSpec> params;  ///< Config order
   std::vector<GeometrySpec> geometry;
+  std::string link_role;  ///< whose states and commands go over its link; empty: it is none
   bool actuator = false;
   bool constant_init = true;
   std::optional<WcetDefault> wcet;

@@ -124,6 +124,7 @@ class DescriptorCheck {
     check_names(value, "provides", "interface", "interface");
     for (std::size_t i = 0; i < type.roles.size(); ++i) check_arity(type.roles[i], i);
     for (std::size_t i = 0; i < type.geometry.size(); ++i) check_geometry(type, i);
+    if (!type.link_role.empty()) check_link(type);
     if (type.wcet) check_wcet(type);
     check_bus(value, type);
   }
@@ -154,6 +155,12 @@ class DescriptorCheck {
     const bool exists =
         std::any_of(type.roles.begin(), type.roles.end(), [&](const RoleSpec& role) { return role.name == name; });
     if (!exists) contradiction({"geometry", std::to_string(index), "role"}, fmt::format("there is no role '{}'", name));
+  }
+  void check_link(const DeviceType& type) {
+    const bool fits = std::any_of(type.roles.begin(), type.roles.end(), [&](const RoleSpec& role) {
+      return role.name == type.link_role && role.interface == "any";
+    });
+    if (!fits) contradiction({"link", "role"}, fmt::format("there is no role '{}' of interface 'any'", type.link_role));
   }
   void check_wcet_params(const DeviceType& type, const std::vector<std::string>& names, const std::string& member) {
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -227,6 +234,7 @@ DeviceType read_device_type(const Json& value, const SourceFile& source, Diagnos
   type.geometry = read_list<GeometrySpec>(value, "geometry", [](const Json& entry) {
     return GeometrySpec{entry.at("kind").get<std::string>(), entry.at("role").get<std::string>()};
   });
+  if (const auto link = value.find("link"); link != value.end()) type.link_role = link->at("role").get<std::string>();
   type.actuator = value.value("actuator", false);
   type.constant_init = value.value("constant_init", true);
   type.wcet = read_wcet(value);

@@ -59,6 +59,7 @@ inline constexpr Code xacro_macro_prefix{1058};       // warning: a macro's name
 inline constexpr Code too_many_buckets{3201};      // more periods than interrupt lines or priority levels
 inline constexpr Code generated_name_clash{3202};  // two names of generated code are the same
 // Retired: 3203 (FM2006 says it), 3204 (FM3102 says it).
+inline constexpr Code link_too_large{3205};        // a link to a computer carries more than its frames hold
 
 // 5xxx: output and check
 inline constexpr Code broken_manifest{5001};          // finemote.manifest.json cannot be used

@@ -46,7 +46,7 @@ std::vector<Constant> make_constants(const Plan& plan) {
       const std::vector<Axis> axes = actuator_axes(plan, owner, spec.role);
       if (axes.empty()) continue;
       const std::string name = device.name.cpp + "_" + spec.kind;
-      constants.push_back({owner, name, allocation_text(plan, owner, spec, name, axes)});
+      constants.push_back({owner, name, allocation_text(plan, owner, spec, name, axes), false});
     }
   }
   return constants;

@@ -9,11 +9,12 @@
 
 namespace finemote::gen {
 
-/// One definition in constants.hpp.
+/// One definition in constants.hpp, or, where it names objects, in `ports` of its device's tree.
 struct Constant {
   std::size_t device = 0;  ///< whose type asked for it
   std::string name;        ///< `rov_allocation`
   std::string text;        ///< comment and definition
+  bool in_tree = false;
 };
 
 /// All constants, in schedule order of their devices, then in descriptor order.

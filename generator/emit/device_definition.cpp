@@ -236,7 +236,8 @@ std::string device_definition(const Plan& plan, std::size_t index, const std::ve
   std::vector<std::string> arguments;
   if (!device.params.empty()) arguments.push_back(config(device));
   for (const Constant& constant : constants) {
-    if (constant.device == index) arguments.push_back(bus_reference(plan, "constants::" + constant.name));
+    if (constant.device != index) continue;
+    arguments.push_back(constant.in_tree ? "ports::" + constant.name : bus_reference(plan, "constants::" + constant.name));
   }
   add_endpoints(plan, device, arguments);
   for (const RoleBinding& role : plan.schedule.roles[index]) {

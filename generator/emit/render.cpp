@@ -1,7 +1,11 @@
 #include "generator/emit/render.hpp"
 
+#include <fstream>
+#include <stdexcept>
+
 #include "generator/emit/bus_files.hpp"
 #include "generator/emit/constants.hpp"
+#include "generator/emit/link.hpp"
 #include "generator/emit/schedule_files.hpp"
 #include "generator/emit/tree.hpp"
 
@@ -11,15 +15,28 @@ namespace {
 Data constants_data(const Plan& plan, const std::vector<Constant>& constants) {
   Data data = common_data(plan);
   std::vector<std::string> texts;
-  for (const Constant& constant : constants) texts.push_back(constant.text);
+  for (const Constant& constant : constants) {
+    if (!constant.in_tree) texts.push_back(constant.text);
+  }
   data.set("constants", text_list(texts));
   return data;
 }
 
+nlohmann::json read_interfaces(const std::string& data_dir) {
+  const std::string path = data_dir + "/schemas/interfaces.json";
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot read " + path);
+  return nlohmann::json::parse(file);
+}
+
 }  // namespace
 
-std::vector<OutputFile> render_files(const Plan& plan, const ProvenBounds& bounds, const std::string& templates) {
-  const std::vector<Constant> constants = make_constants(plan);
+std::vector<OutputFile> render_files(const Plan& plan, const ProvenBounds& bounds, const std::string& data_dir,
+                                     Diagnostics& diagnostics) {
+  const std::string templates = data_dir + "/templates";
+  std::vector<Constant> constants = make_constants(plan);
+  const std::vector<DeviceLink> links = plan_links(plan, read_interfaces(data_dir), diagnostics);
+  for (const DeviceLink& link : links) constants.push_back(link_constant(plan, link));
   std::vector<OutputFile> files;
   const auto add = [&](const std::string& name, const std::string& template_name, const Data& data) {
     files.push_back({name, fill_template(templates, template_name, data)});
@@ -33,15 +50,19 @@ std::vector<OutputFile> render_files(const Plan& plan, const ProvenBounds& bound
     add("trees/" + tree.space + ".hpp", "tree.hpp.mustache", tree_header(plan, tree, constants, bounds));
     add("trees/" + tree.space + ".cpp", "tree.cpp.mustache", tree_source(plan, tree));
   }
+  for (const DeviceLink& link : links) {
+    add("host/" + plan.robot.devices[link.device].name.cpp + "_link.hpp", "link.hpp.mustache", link_header(plan, link));
+  }
   return files;
 }
 
-std::vector<std::string> output_names(const Forest& forest) {
+std::vector<std::string> output_names(const Robot& robot, const Forest& forest) {
   std::vector<std::string> names{"schedule.hpp", "schedule.cpp", "buses.hpp", "buses.cpp", "constants.hpp"};
   for (const Tree& tree : forest.trees) {
     names.push_back("trees/" + tree.space + ".hpp");
     names.push_back("trees/" + tree.space + ".cpp");
   }
+  for (std::string& name : link_header_names(robot, forest)) names.push_back(std::move(name));
   return names;
 }
 

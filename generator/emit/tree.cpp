@@ -114,7 +114,7 @@ std::vector<std::string> object_headers(const Plan& plan, const Tree& tree, cons
     if (!plan.robot.devices[device].type->constant_init) headers.emplace_back("<finemote/order.hpp>");
     for (const Read& read : plan.robot.devices[device].reads) include(*plan.robot.devices[read.device].type);
     for (const Constant& constant : constants) {
-      if (constant.device == device) headers.emplace_back("\"constants.hpp\"");
+      if (constant.device == device && !constant.in_tree) headers.emplace_back("\"constants.hpp\"");
     }
   }
   for (const Crossing& crossing : plan.schedule.crossings) {
@@ -140,7 +140,10 @@ Data tree_header(const Plan& plan, const Tree& tree, const std::vector<Constant>
   data.set("includes", include_list(object_headers(plan, tree, constants)));
   Data devices(Data::type::list);
   for (std::size_t device : tree.devices) {
-    const std::vector<std::string> lines = port_lines(plan, device);
+    std::vector<std::string> lines = port_lines(plan, device);
+    for (const Constant& constant : constants) {
+      if (constant.device == device && constant.in_tree) lines.push_back(constant.text);
+    }
     const Device& d = plan.robot.devices[device];
     Data entry;
     entry.set("name", d.name.text);

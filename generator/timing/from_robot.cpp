@@ -220,14 +220,15 @@ class Adapter {
     }
   }
 
-  /// Lines of the device's own, as further sources of the bus it sits on.
+  /// Lines of the device's own, each named by a use, as further sources of the bus it sits on. What the driver raises for
+  /// frames is in the board file.
   void add_interrupts(const gen::Device& device, const Json& descriptor) {
     const auto bus = bus_of(*device.segment);
     const auto interrupts = descriptor.find("interrupts");
     if (!bus || interrupts == descriptor.end() || !model_.buses[*bus].sources) return;
     for (const Json& entry : *interrupts) {
       const std::string role = entry.value("use", std::string());
-      const bool given = role.empty() || std::any_of(device.uses.begin(), device.uses.end(),
+      const bool given = !role.empty() && std::any_of(device.uses.begin(), device.uses.end(),
                                                      [&](const Use& use) { return use.spec->role == role; });
       if (!given) continue;
       const bool autonomous = entry.at("arrival") == "autonomous";

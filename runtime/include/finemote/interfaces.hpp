@@ -6,6 +6,7 @@
 #include "finemote/interfaces/button.hpp"
 #include "finemote/interfaces/imu.hpp"
 #include "finemote/interfaces/light.hpp"
+#include "finemote/interfaces/link.hpp"
 #include "finemote/interfaces/magnetometer.hpp"
 #include "finemote/interfaces/motor.hpp"
 #include "finemote/interfaces/pressure.hpp"

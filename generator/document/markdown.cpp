@@ -1,0 +1,53 @@
+#include "generator/document/markdown.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+namespace finemote::gen {
+namespace {
+
+constexpr const char* kBegin = "<!-- made by ./dev docs: begin -->\n";
+constexpr const char* kEnd = "<!-- made by ./dev docs: end -->\n";
+
+}  // namespace
+
+std::string row(const std::vector<std::string>& cells) {
+  std::string text = "|";
+  for (const std::string& cell : cells) text += (cell.empty() ? "" : " " + cell) + " |";
+  return text + "\n";
+}
+
+std::string table(const std::vector<std::string>& titles) {
+  std::string rule = "|";
+  for (std::size_t i = 0; i < titles.size(); ++i) rule += "---|";
+  return row(titles) + rule + "\n";
+}
+
+std::string joined(const std::vector<std::string>& words, const std::string& separator, const std::string& none) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
+  return text.empty() ? none : text;
+}
+
+std::string time_text(std::int64_t ns) {
+  if (ns != 0 && ns % 1'000'000'000 == 0) return fmt::format("{} s", ns / 1'000'000'000);
+  if (ns != 0 && ns % 1'000'000 == 0) return fmt::format("{} ms", ns / 1'000'000);
+  if (ns != 0 && ns % 1'000 == 0) return fmt::format("{} us", ns / 1'000);
+  return fmt::format("{} ns", ns);
+}
+
+std::string sentence(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".";
+}
+
+std::string with_made_part(const std::optional<std::string>& page, const std::string& title, const std::string& made) {
+  const std::string part = kBegin + made + kEnd;
+  const std::size_t begin = page ? page->find(kBegin) : std::string::npos;
+  const std::size_t end = page ? page->find(kEnd) : std::string::npos;
+  if (begin == std::string::npos || end == std::string::npos || end < begin) return title + "\n\n" + part;
+  return page->substr(0, begin) + part + page->substr(end + std::string(kEnd).size());
+}
+
+}  // namespace finemote::gen
