@@ -253,10 +253,21 @@ class Adapter {
     t.receive = kind == BusKind::uart && t.after == Transfer::After::autonomous;
     t.command = t.after == Transfer::After::handle && model_.devices[place].takes_command;
     model_.devices[place].transfers.push_back(t);
-    if (kind == BusKind::i2c) add_budget(bus, place, use.interrupts);
+    if (kind == BusKind::i2c || (kind == BusKind::spi && has_dma(bus))) add_budget(bus, place, use.interrupts);
   }
 
-  /// On I2C every interrupt belongs to a transfer the robot asked for, once per period and slot.
+  /// Without DMA every byte of a transfer interrupts, not only its begin and end.
+  [[nodiscard]] bool has_dma(std::size_t bus) const {
+    for (const auto& [index, place] : bus_of_) {
+      if (place != bus) continue;
+      for (const Json& port : board_.value("ports", Json::array())) {
+        if (port.value("name", std::string()) == robot_.buses[index].port) return port.contains("dma");
+      }
+    }
+    return false;
+  }
+
+  /// On I2C and SPI every interrupt belongs to a transfer the robot asked for, once per period and slot.
   void add_budget(std::size_t bus, std::size_t place, Ns count) {
     if (!model_.buses[bus].sources || model_.buses[bus].sources->size() != 1 || undeclared_.contains(bus)) return;
     model_.buses[bus].sources->front().budgets.push_back({place, count});

@@ -78,11 +78,11 @@ std::optional<Ns> WireAnalysis::bound(std::size_t index) const {
   const Item& own = items_[index];
   if (!own.bounded) return std::nullopt;
   const auto competes = [&](const Item& i) { return i.bus == own.bus && i.receive == own.receive; };
-  Ns blocking = own.wire;
+  Ns blocking = own.on_wire();
   bool alone = true;
   for (std::size_t i = 0; i < items_.size(); ++i) {
     alone &= i == index || !competes(items_[i]);
-    if (competes(items_[i]) && items_[i].rank >= own.rank) blocking = std::max(blocking, items_[i].wire);
+    if (competes(items_[i]) && items_[i].rank >= own.rank) blocking = std::max(blocking, items_[i].on_wire());
   }
   if (alone) blocking = 0;
   Ns wait = blocking;
@@ -93,7 +93,7 @@ std::optional<Ns> WireAnalysis::bound(std::size_t index) const {
       // Of equal rank the order of the slots decides; counting both ways is safe.
       if (i == index || !competes(other) || other.rank > own.rank) continue;
       if (!other.bounded) return std::nullopt;
-      need = add(need, multiply(add(wait, other.jitter) / other.period + 1, other.wire));
+      need = add(need, multiply(add(wait, other.jitter) / other.period + 1, other.on_wire()));
     }
     effort_.spend(static_cast<std::int64_t>(items_.size()));
     if (need > own.period) return std::nullopt;

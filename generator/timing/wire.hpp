@@ -43,6 +43,8 @@ class WireAnalysis {
     Ns pure = 0;           ///< the same without them
     std::size_t rank = 0;  ///< 0 is the most urgent
     bool bounded = true;   ///< its bucket is ok
+    /// How long it keeps others off the wire: a part that sends by itself does not wait for our service routines.
+    [[nodiscard]] Ns on_wire() const { return autonomous ? pure : wire; }
   };
 
   void collect();

@@ -46,7 +46,7 @@ void WireUse::add(const WireRate& rate, Ns write, Ns read) {
       use = can(std::max(write, read));
       break;
     case BusKind::spi:
-      use = {8 * std::max(write, read), 1};
+      use = {8 * std::max(write, read), 2};  // one starts it, one ends it
       break;
     case BusKind::uart:
       use = {rate.bits_per_byte * std::max(write, read), 1};
