@@ -4,6 +4,9 @@
 #include <stdexcept>
 
 namespace finemote::emulator {
+namespace {
+constexpr unsigned kClocksLeft = 5;  // of a byte cut in the middle
+}
 
 Board::Board(const BoardOptions& options) : chip_(world_), options_(options) {
   cpu_ = std::make_unique<Cpu>(world_.queue(), world_.reports(), world_.system(), chip_, options.cost, options.flash);
@@ -23,8 +26,18 @@ void Board::load(const Image& image) {
   cpu_->reset();
 }
 
+void Board::press_reset() {
+  // A part in the middle of a byte does not know: it holds SDA until it has seen the rest of its clocks.
+  for (const char* name : {"i2c2", "i2c3"}) {
+    I2c* i2c = chip_.i2c(name);
+    if (i2c->receiving()) i2c->line.hold_sda(kClocksLeft);
+  }
+  restart(0);
+}
+
 void Board::restart(std::uint32_t cause) {
   ++resets_;
+  if (trace_) trace_->restarted();
   chip_.reset();
   chip_.rcc.note_reset(cause | Rcc::kPinReset);
   cpu_->reset();

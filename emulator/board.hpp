@@ -28,6 +28,9 @@ class Board {
   /// Runs on for this long, or until the image ends itself, locks up, or sleeps for ever.
   Stop run_for(std::uint64_t ns);
 
+  /// Pulls the reset pin: everything starts again, whatever was under way. Parts stay as they are.
+  void press_reset();
+
   [[nodiscard]] std::uint64_t now_ns() const { return to_ns(cpu_->now()); }
   Chip& chip() { return chip_; }
   Cpu& cpu() { return *cpu_; }

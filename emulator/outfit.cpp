@@ -1,80 +1,76 @@
 #include "emulator/outfit.hpp"
 
-#include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <algorithm>
 
 namespace finemote::emulator {
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr std::uint64_t kLookEvery = 1'000'000;  // ns
 
-[[noreturn]] void refuse(const Json& entry, const std::string& why) {
-  throw std::invalid_argument(why + ": " + entry.dump());
-}
-
-template <class T>
-T need(const Json& entry, const char* key) {
-  const auto found = entry.find(key);
-  if (found == entry.end()) refuse(entry, std::string("'") + key + "' is missing");
-  try {
-    return found->get<T>();
-  } catch (const nlohmann::json::exception&) {
-    refuse(entry, std::string("'") + key + "' has the wrong type");
-  }
-}
-
-template <class T>
-T maybe(const Json& entry, const char* key, T fallback) {
-  return entry.contains(key) ? need<T>(entry, key) : fallback;
-}
-
-template <class Map>
-auto* find(Map& map, const std::string& name) {
-  const auto found = map.find(name);
-  return found == map.end() ? nullptr : found->second.get();
-}
-
-SerialFormat format_of(const Json& part) {
-  SerialFormat format;
-  format.baud = need<std::uint32_t>(part, "baud");
-  format.even_parity = maybe(part, "even_parity", false);
-  format.stop_bits = maybe(part, "stop_bits", 1U);
-  if (format.baud == 0) refuse(part, "'baud' is 0");
-  return format;
-}
-
-void change(Attitude& attitude, const Json& event) {
-  attitude.roll = maybe(event, "roll", attitude.roll);
-  attitude.pitch = maybe(event, "pitch", attitude.pitch);
-  attitude.yaw = maybe(event, "yaw", attitude.yaw);
-  attitude.rate = maybe(event, "rate", attitude.rate);
-  attitude.acceleration = maybe(event, "acceleration", attitude.acceleration);
-}
-
-constexpr double kSurfacePascal = 101'325;
+constexpr std::pair<const char*, MakeElement> kModels[] = {
+    {"bmi088", make_bmi088},
+    {"dbus_receiver", make_dbus_receiver},
+    {"dji_motor", make_dji_motor},
+    {"h30_imu", make_h30},
+    {"host_terminal", make_host_terminal},
+    {"ist8310", make_ist8310},
+    {"ms5837", make_ms5837},
+    {"pca9685", make_pca9685},
+    {"pwm_output", make_pwm_output},
+    {"sbus_receiver", make_sbus_receiver},
+    {"standing_body", make_standing_body},
+    {"submerged_body", make_submerged_body},
+    {"tca9548a", make_tca9548a},
+    {"thruster", make_thruster},
+};
 
 }  // namespace
 
-H30* Outfit::h30(const std::string& name) { return find(h30s_, name); }
-Ms5837* Outfit::ms5837(const std::string& name) { return find(ms5837s_, name); }
-Tca9548a* Outfit::tca9548a(const std::string& name) { return find(muxes_, name); }
-Pca9685* Outfit::pca9685(const std::string& name) { return find(pwms_, name); }
-SerialTerminal* Outfit::terminal(const std::string& name) { return find(terminals_, name); }
+MakeElement find_model(const std::string& type) {
+  for (const auto& [name, make] : kModels) {
+    if (type == name) return make;
+  }
+  return nullptr;
+}
 
 void Outfit::add(const Json& document) {
   if (!document.is_object() || maybe<std::string>(document, "schema", "") != "finemote.scenario/1")
     throw std::invalid_argument("a scenario begins with \"schema\": \"finemote.scenario/1\"");
   for (const auto& [key, value] : document.items()) {
-    if (key != "schema" && key != "parts" && key != "events")
+    if (key != "schema" && key != "parts" && key != "events" && key != "expect")
       throw std::invalid_argument("a scenario has no member '" + key + "'");
     if (key != "schema" && !value.is_array()) throw std::invalid_argument("'" + key + "' is a list");
   }
-  if (document.contains("parts")) {
-    for (const Json& part : document["parts"]) add_part(part);
-  }
-  if (document.contains("events")) {
-    for (const Json& event : document["events"]) add_event(event);
-  }
+  const Json none = Json::array();
+  const auto list = [&](const char* key) -> const Json& {
+    const auto found = document.find(key);
+    return found == document.end() ? none : *found;
+  };
+  for (const Json& part : list("parts")) add_part(part);
+  for (const Json& part : list("parts")) elements_.at(need<std::string>(part, "name"))->connect(*this);
+  for (const Json& event : list("events")) add_event(event);
+  for (const Json& entry : list("expect")) add_expectation(entry);
+}
+
+void Outfit::add_part(const Json& part) {
+  const auto type = need<std::string>(part, "type"), name = need<std::string>(part, "name");
+  const MakeElement make = find_model(type);
+  if (make == nullptr) refuse(part, "no model of a part of type '" + type + "'");
+  if (elements_.count(name) != 0) refuse(part, "there is a part of this name already");
+  elements_[name] = make(*this, part, name);
+}
+
+double Outfit::value(const std::string& part, const std::string& quantity) {
+  Element* element = find<Element>(part);
+  const auto value = element == nullptr ? std::nullopt : element->value(quantity);
+  if (!value) throw std::invalid_argument("part '" + part + "' has no value '" + quantity + "'");
+  return *value;
+}
+
+std::string Outfit::text(const std::string& part) {
+  const Hearing* element = find<Hearing>(part);
+  if (element == nullptr) throw std::invalid_argument("part '" + part + "' hears no text");
+  return element->text();
 }
 
 Usart& Outfit::usart_of(const Json& part) {
@@ -86,65 +82,29 @@ Usart& Outfit::usart_of(const Json& part) {
 /// The bus itself, or one channel of a mux on it.
 I2cLine& Outfit::line_of(const Json& part) {
   if (part.contains("mux")) {
-    Tca9548a* mux = tca9548a(need<std::string>(part, "mux"));
-    const auto channel = need<unsigned>(part, "channel");
-    if (mux == nullptr || channel > 7) refuse(part, "there is no such mux channel");
-    return mux->channel(channel);
+    auto* mux = find<LineSource>(need<std::string>(part, "mux"));
+    I2cLine* line = mux == nullptr ? nullptr : mux->line(need<unsigned>(part, "channel"));
+    if (line == nullptr) refuse(part, "there is no such mux channel");
+    return *line;
   }
   I2c* i2c = board_.chip().i2c(need<std::string>(part, "port"));
   if (i2c == nullptr) refuse(part, "the board has no such I2C port");
   return i2c->line;
 }
 
-void Outfit::add_h30(const Json& part, const std::string& name) {
-  Usart& usart = usart_of(part);
-  const SerialFormat format = format_of(part);
-  attitudes_[name];
-  const auto feel = [this, name, format](Time now) {
-    const Time arrival = now + h30_frame(0, {}).size() * format.byte_time();
-    events_.push_back(PartEvent{name, PartEvent::Kind::sample, 0, to_ns(now), to_ns(arrival), 0});
-    return attitudes_[name];
-  };
-  h30s_[name] =
-      std::make_unique<H30>(board_.world(), usart, format, from_ns(maybe<std::uint64_t>(part, "period_ns", 5'000'000)),
-                            from_ns(maybe<std::uint64_t>(part, "phase_ns", 0)), feel);
-}
-
-void Outfit::add_pca9685(const Json& part, const std::string& name) {
-  auto pwm = std::make_unique<Pca9685>(maybe<std::uint8_t>(part, "address", 0x40));
-  pwm->on_pulse = [this, name](unsigned channel, std::uint64_t pulse) {
-    events_.push_back(PartEvent{name, PartEvent::Kind::output, channel, board_.now_ns(), board_.now_ns(), pulse});
-  };
-  line_of(part).attach(*pwm);
-  pwms_[name] = std::move(pwm);
-}
-
-void Outfit::add_part(const Json& part) {
-  const auto type = need<std::string>(part, "type"), name = need<std::string>(part, "name");
-  if (type == "h30_imu") {
-    add_h30(part, name);
-  } else if (type == "host_terminal") {
-    terminals_[name] = std::make_unique<SerialTerminal>(board_.world(), usart_of(part), format_of(part));
-  } else if (type == "tca9548a") {
-    muxes_[name] = std::make_unique<Tca9548a>(maybe<std::uint8_t>(part, "address", 0x70));
-    line_of(part).attach(*muxes_[name]);
-  } else if (type == "pca9685") {
-    add_pca9685(part, name);
-  } else if (type == "ms5837") {
-    const auto variant = maybe<std::string>(part, "variant", "30BA");
-    if (variant != "30BA" && variant != "02BA") refuse(part, "'variant' is 30BA or 02BA");
-    pressures_[name] = maybe(part, "pressure", kSurfacePascal);
-    const auto feel = [this, name](Time now) {
-      events_.push_back(PartEvent{name, PartEvent::Kind::sample, 0, to_ns(now), to_ns(now), 0});
-      return pressures_[name];
-    };
-    ms5837s_[name] = std::make_unique<Ms5837>(
-        variant == "02BA" ? Ms5837::Variant::k02BA : Ms5837::Variant::k30BA, [this] { return board_.world().now(); },
-        feel);
-    line_of(part).attach(*ms5837s_[name]);
-  } else {
-    refuse(part, "no model of a part of type '" + type + "'");
+void Outfit::listen_to_pulses(const Json& part, PulseSource::Listener listener) {
+  if (part.contains("pwm")) {
+    auto* source = find<PulseSource>(need<std::string>(part, "pwm"));
+    if (source == nullptr || !source->listen(need<unsigned>(part, "channel"), std::move(listener)))
+      refuse(part, "there is no such PWM output");
+    return;
   }
+  const auto [timer, channel] = board_.chip().pwm(need<std::string>(part, "port"));
+  if (timer == nullptr) refuse(part, "the board has no such PWM header");
+  headers_[{timer, channel}].push_back(std::move(listener));
+  timer->on_pulse = [this, timer = timer](unsigned which, Timer::Pulse pulse) {
+    for (const auto& tell : headers_[{timer, which}]) tell(pulse.width_ns);
+  };
 }
 
 /// `PA0` to `PI15`, driven `high` or `low`, or `release`d.
@@ -158,47 +118,35 @@ void Outfit::check_pin(const Json& event) {
 
 void Outfit::add_event(const Json& event) {
   const auto at = need<std::uint64_t>(event, "t_ns");
-  need<std::string>(event, "do");
-  const auto targets = event.contains("part") + event.contains("port") + event.contains("pin");
-  if (targets != 1) refuse(event, "an event happens to a 'part', to a 'port' or to a 'pin'");
-  if (event.contains("pin")) check_pin(event);
+  const auto what = need<std::string>(event, "do");
+  const bool to_part = event.contains("part"), to_pin = event.contains("pin");
+  const int targets = to_part + to_pin + event.contains("port");
+  if (targets != 1 && !(targets == 0 && what == "reset"))
+    refuse(event, "an event happens to a 'part', to a 'port' or to a 'pin'");
+  if (to_pin) check_pin(event);
+  if (to_part && find<Element>(need<std::string>(event, "part")) == nullptr) refuse(event, "there is no such part");
+  const bool stimulus = to_pin || what == "volts" ||
+                        (to_part && (what == "move" || what == "send" || what == "disturb" || what == "heat"));
+  injects_faults_ = injects_faults_ || !stimulus;
   board_.world().at(from_ns(at), [this, event] { happen(event); });
 }
 
 void Outfit::happen(const Json& event) {
-  if (event.contains("part")) {
-    happen_to_part(event, need<std::string>(event, "part"));
-  } else if (event.contains("port")) {
-    happen_to_port(event, need<std::string>(event, "port"));
-  } else {
-    happen_to_pin(event, need<std::string>(event, "pin"));
+  if (event.contains("port")) return happen_to_port(event, need<std::string>(event, "port"));
+  if (event.contains("pin")) return happen_to_pin(event, need<std::string>(event, "pin"));
+  const auto what = need<std::string>(event, "do");
+  if (!event.contains("part")) {
+    ++scripted_resets_;
+    return board_.press_reset();
   }
+  if (!find<Element>(need<std::string>(event, "part"))->happen(what, event))
+    refuse(event, "'" + what + "' cannot happen to this part");
 }
 
 /// A pin is driven from outside, or left alone.
 void Outfit::happen_to_pin(const Json& event, const std::string& pin) {
   const int level = need<std::string>(event, "do") == "release" ? -1 : need<std::string>(event, "do") == "high" ? 1 : 0;
   board_.chip().gpio(pin[1]).drive(static_cast<unsigned>(std::stoul(pin.substr(2))), level);
-}
-
-void Outfit::happen_to_part(const Json& event, const std::string& name) {
-  const auto what = need<std::string>(event, "do");
-  if (H30* part = h30(name)) {
-    if (what == "silent") return void(part->silent = maybe(event, "on", true));
-    if (what == "damage") return void(part->damaged_frames = need<unsigned>(event, "frames"));
-    if (what == "move") return change(attitudes_[name], event);
-  } else if (Ms5837* sensor = ms5837(name)) {
-    if (what == "silent") return void(sensor->dead = maybe(event, "on", true));
-    if (what == "damage") return void(sensor->prom_damage = need<std::uint16_t>(event, "bits"));
-    if (what == "move") return void(pressures_[name] = need<double>(event, "pressure"));
-  } else if (Tca9548a* mux = tca9548a(name)) {
-    if (what == "power_cycle") return mux->power_cycle();
-  } else if (SerialTerminal* host = terminal(name)) {
-    if (what == "send") return host->send(need<std::string>(event, "text"));
-  } else {
-    refuse(event, "there is no part '" + name + "'");
-  }
-  refuse(event, "'" + what + "' cannot happen to this part");
 }
 
 void Outfit::happen_to_port(const Json& event, const std::string& port) {
@@ -224,6 +172,34 @@ void Outfit::happen_to_port(const Json& event, const std::string& port) {
     refuse(event, "the board has no bus at port '" + port + "'");
   }
   refuse(event, "'" + what + "' cannot happen to this port");
+}
+
+void Outfit::add_expectation(const Json& entry) {
+  Expectation e;
+  e.part = need<std::string>(entry, "part");
+  e.value = need<std::string>(entry, "value");
+  e.from_ns = need<std::uint64_t>(entry, "from_ns");
+  e.to_ns = maybe(entry, "to_ns", e.from_ns);
+  e.min = need<double>(entry, "min");
+  e.max = need<double>(entry, "max");
+  if (e.to_ns < e.from_ns || e.max < e.min) refuse(entry, "its end lies before its begin");
+  Element* element = find<Element>(e.part);
+  if (element == nullptr) refuse(entry, "there is no such part");
+  if (!element->value(e.value)) refuse(entry, "the part has no such value");
+  e.needed = static_cast<unsigned>((e.to_ns - e.from_ns) / kLookEvery + 1);
+  expectations_.push_back(e);
+  board_.world().at(from_ns(e.from_ns), [this, index = expectations_.size() - 1] { look(index); });
+}
+
+void Outfit::look(std::size_t expectation) {
+  Expectation& e = expectations_[expectation];
+  const double seen = value(e.part, e.value);
+  e.lowest = e.looks == 0 ? seen : std::min(e.lowest, seen);
+  e.highest = e.looks == 0 ? seen : std::max(e.highest, seen);
+  ++e.looks;
+  if (!(seen >= e.min && seen <= e.max) && e.broken_ns == 0) e.broken_ns = board_.now_ns();
+  if (e.looks < e.needed)
+    board_.world().at(from_ns(e.from_ns + e.looks * kLookEvery), [this, expectation] { look(expectation); });
 }
 
 }  // namespace finemote::emulator

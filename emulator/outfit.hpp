@@ -1,23 +1,19 @@
-// Turns a description of parts and events into parts on a board's buses and things that happen to them.
+// Turns a description of parts and events into parts on a board's buses, things that happen to them, and what is to be
+// seen at them.
 //
 // The description is a JSON document `finemote.scenario/1`: `parts` is what hangs on the board (the `run` command
-// writes it from the robot's model), `events` what happens and when (the user's scenario file).
-// docs/reference/scenario.md.
+// writes it from the robot's model), `events` what happens and when, `expect` what values have to be (both from the
+// user's scenario file). docs/reference/emulator.md.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "emulator/board.hpp"
-#include "emulator/parts/h30.hpp"
-#include "emulator/parts/ms5837.hpp"
-#include "emulator/parts/pca9685.hpp"
-#include "emulator/parts/serial_terminal.hpp"
-#include "emulator/parts/tca9548a.hpp"
+#include "emulator/outfit/element.hpp"
 
 namespace finemote::emulator {
 
@@ -31,53 +27,75 @@ struct PartEvent {
   Kind kind;
   unsigned channel;
   std::uint64_t from_ns, at_ns;  ///< since power-on
-  std::uint64_t value;           ///< pulse width [ns] of an output
+  double value;                  ///< of an output: pulse width [ns], current command
+};
+
+/// A value of a part that has to stay between two limits, and where it has been.
+struct Expectation {
+  std::string part, value;
+  std::uint64_t from_ns = 0, to_ns = 0;
+  double min = 0, max = 0;
+  double lowest = 0, highest = 0;  ///< seen; both 0 before the first look
+  unsigned looks = 0, needed = 0;
+  std::uint64_t broken_ns = 0;  ///< first look outside; 0: none
+  [[nodiscard]] bool holds() const { return looks == needed && broken_ns == 0; }
 };
 
 class Outfit {
  public:
   explicit Outfit(Board& board) : board_(board) {}
+  Outfit(const Outfit&) = delete;
+  Outfit& operator=(const Outfit&) = delete;
 
-  /// Adds the document's parts, then plans its events; may be called again with further documents.
+  /// Adds the document's parts, then plans its events and looks; may be called again with further documents.
   /// @throws std::invalid_argument naming the entry and what is wrong with it
-  void add(const nlohmann::ordered_json& document);
+  void add(const Json& document);
 
-  /// In time order per part.
+  /// In the order they happened.
   [[nodiscard]] const std::vector<PartEvent>& events() const { return events_; }
+  [[nodiscard]] const std::vector<Expectation>& expectations() const { return expectations_; }
+  /// Some event is a fault, and no stimulus: what bounds presume does not hold.
+  [[nodiscard]] bool injects_faults() const { return injects_faults_; }
+  /// Resets the scenario has asked for so far.
+  [[nodiscard]] unsigned scripted_resets() const { return scripted_resets_; }
 
-  // By name; null when there is none of that kind.
-  [[nodiscard]] H30* h30(const std::string& name);
-  [[nodiscard]] Ms5837* ms5837(const std::string& name);
-  [[nodiscard]] Tca9548a* tca9548a(const std::string& name);
-  [[nodiscard]] Pca9685* pca9685(const std::string& name);
-  [[nodiscard]] SerialTerminal* terminal(const std::string& name);
+  /// A quantity of a part now. @throws std::invalid_argument when there is no such part or quantity
+  double value(const std::string& part, const std::string& quantity);
+  /// What a host terminal has heard.
+  std::string text(const std::string& part);
+
+  // For elements.
+  Board& board() { return board_; }
+  [[nodiscard]] Time now() { return board_.world().now(); }
+  void record(PartEvent event) { events_.push_back(std::move(event)); }
+  /// What the element of this name is to others; null when there is none, or it is not that.
+  template <class As>
+  As* find(const std::string& name) {
+    const auto found = elements_.find(name);
+    return found == elements_.end() ? nullptr : dynamic_cast<As*>(found->second.get());
+  }
+  Usart& usart_of(const Json& part);
+  I2cLine& line_of(const Json& part);
+  /// Calls the listener for every change of the PWM output the part is connected to.
+  void listen_to_pulses(const Json& part, PulseSource::Listener listener);
 
  private:
-  using Json = nlohmann::ordered_json;
-  template <class Part>
-  using Named = std::map<std::string, std::unique_ptr<Part>>;
-
   void add_part(const Json& part);
   void add_event(const Json& event);
+  void add_expectation(const Json& entry);
+  void look(std::size_t expectation);
   void happen(const Json& event);
-  void happen_to_part(const Json& event, const std::string& name);
   static void check_pin(const Json& event);
   void happen_to_pin(const Json& event, const std::string& pin);
   void happen_to_port(const Json& event, const std::string& port);
-  void add_h30(const Json& part, const std::string& name);
-  void add_pca9685(const Json& part, const std::string& name);
-  Usart& usart_of(const Json& part);
-  I2cLine& line_of(const Json& part);
 
   Board& board_;
-  Named<H30> h30s_;
-  Named<Ms5837> ms5837s_;
-  Named<Tca9548a> muxes_;
-  Named<Pca9685> pwms_;
-  Named<SerialTerminal> terminals_;
-  std::map<std::string, Attitude> attitudes_;
-  std::map<std::string, double> pressures_;
+  std::map<std::string, std::unique_ptr<Element>> elements_;
+  std::map<std::pair<Timer*, unsigned>, std::vector<PulseSource::Listener>> headers_;
   std::vector<PartEvent> events_;
+  std::vector<Expectation> expectations_;
+  unsigned scripted_resets_ = 0;
+  bool injects_faults_ = false;
 };
 
 }  // namespace finemote::emulator

@@ -8,6 +8,7 @@ namespace {
 // RTT control block: identifier, two counts, then name, buffer, size, write, read and flags of the first buffer.
 constexpr std::uint32_t kBuffer = 28, kSize = 32, kWrite = 36, kRead = 40, kLost = 48, kBlockBytes = 52;
 constexpr char kIdentifier[16] = "SEGGER RTT";
+constexpr std::uint32_t kCycleCounter = 0xE0001004;  // DWT_CYCCNT, PM0214 4.10
 constexpr Time kPollEvery = from_ns(100'000);
 
 /// 168 MHz: 21 cycles are 125 ns.
@@ -35,6 +36,17 @@ std::uint32_t TraceReader::word(std::uint32_t address) const {
 
 std::uint32_t TraceReader::lost() const { return control_ ? word(*control_ + kLost) : 0; }
 
+void TraceReader::restarted() {
+  drain();
+  begins_ = true;
+}
+
+/// When the cycle counter stood at 0, in cycles since power-on.
+std::int64_t TraceReader::clock_began() const {
+  const std::int64_t counter = world_.system().read(kCycleCounter, 4, world_.now(), 0);
+  return static_cast<std::int64_t>(world_.now() / period_of(168'000'000)) - counter;
+}
+
 void TraceReader::drain() {
   if (!control_) return;
   std::uint8_t* block = world_.cpu().memory(*control_, kBlockBytes);
@@ -43,11 +55,17 @@ void TraceReader::drain() {
                       end = word(*control_ + kWrite);
   std::uint32_t at = word(*control_ + kRead);
   if (size == 0 || at >= size || end >= size) return;
+  if (at != end && begins_) {
+    begins_ = false;
+    cycles_ = 0;
+    if (!zero_) zero_ = clock_began();
+    offset_ = clock_began() - *zero_;
+  }
   for (; at != end; at = at + 8 == size ? 0 : at + 8) {
     const std::uint32_t stamp = word(buffer + at), code = word(buffer + at + 4);
     // The first stamps may lie before the first release; later ones are less than 2^31 cycles apart.
     cycles_ += static_cast<std::int32_t>(stamp - static_cast<std::uint32_t>(cycles_));
-    events_.push_back(StageEvent{to_nanoseconds(cycles_), code / 2, code % 2 == 0});
+    events_.push_back(StageEvent{to_nanoseconds(offset_ + cycles_), code / 2, code % 2 == 0});
   }
   std::memcpy(block + kRead, &at, 4);
 }

@@ -23,6 +23,8 @@ class TraceReader {
   TraceReader(World& world, const Image& image);
 
   [[nodiscard]] bool present() const { return control_.has_value(); }
+  /// The firmware starts again: its clock does too, the events' goes on.
+  void restarted();
   /// Takes what is in the ring now; called regularly by itself, and once more before looking at the result.
   void drain();
   [[nodiscard]] const std::vector<StageEvent>& events() const { return events_; }
@@ -31,12 +33,16 @@ class TraceReader {
 
  private:
   void poll();
+  [[nodiscard]] std::int64_t clock_began() const;
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const;
 
   World& world_;
   std::optional<std::uint32_t> control_;
   std::vector<StageEvent> events_;
-  std::int64_t cycles_ = 0;  ///< of the last event, unwrapped
+  std::int64_t cycles_ = 0;  ///< of the last event, unwrapped, since the firmware's clock began
+  bool begins_ = true;       ///< no event yet since the start or restart
+  std::optional<std::int64_t> zero_;  ///< when the first start's clock began, in cycles since power-on
+  std::int64_t offset_ = 0;           ///< by which the present start's clock began later
 };
 
 }  // namespace finemote::emulator

@@ -192,6 +192,21 @@ void Chip::attach_spi(Spi& spi, char port, unsigned pin, SpiPart part) {
   gpio(port).watcher[pin] = [&spi, number](bool output, bool high) { spi.selected(number, output && !high); };
 }
 
+bool Chip::attach_spi(const std::string& name, unsigned select, SpiPart part) {
+  struct Select {
+    const char* spi;
+    char port;
+    unsigned pin;
+  };
+  constexpr Select kSelects[] = {{"spi1", 'A', 4}, {"spi1", 'B', 0}, {"spi2", 'B', 12}};  // of the board
+  for (const Select& it : kSelects) {
+    if (name != it.spi || select-- != 0) continue;
+    attach_spi(*spi(name), it.port, it.pin, std::move(part));
+    return true;
+  }
+  return false;
+}
+
 std::pair<Timer*, unsigned> Chip::pwm(const std::string& name) {
   const auto timer = [this](std::size_t index) { return timers_[index].get(); };  // in the order they were added
   if (name == "led_blue") return {timer(3), 1};

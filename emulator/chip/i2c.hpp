@@ -23,6 +23,8 @@ class I2c : public Peripheral {
   void reset() override;
 
   I2cLine line;
+  /// A part is in the middle of sending a byte.
+  [[nodiscard]] bool receiving() const { return state_ == State::receiving; }
   [[nodiscard]] BusStatistics statistics() const;
   /// Bus clock that CCR gives [Hz].
   [[nodiscard]] std::uint32_t bus_hz() const;

@@ -11,10 +11,15 @@ namespace finemote::emulator {
 
 class Pca9685 : public I2cPart {
  public:
-  explicit Pca9685(std::uint8_t address) : address_(address) {
+  explicit Pca9685(std::uint8_t address) : address_(address) { power_cycle(); }
+
+  /// As after its supply came up: asleep, all outputs off.
+  void power_cycle() {
+    registers_ = {};
     registers_[kMode1] = 0x11;
     registers_[kPrescale] = 0x1E;
     for (unsigned c = 0; c < 16; ++c) registers_[kLed0 + 4 * c + 3] = 0x10;
+    announce();
   }
 
   /// High time of an output [ns]; 0 while it is off, asleep, or never set.
@@ -50,17 +55,20 @@ class Pca9685 : public I2cPart {
     if (!selected_ || !changed_) return;
     selected_ = changed_ = false;
     ++bursts_;
-    for (unsigned c = 0; c < 16; ++c) {
-      const std::uint64_t now = pulse_ns(c);
-      if (now != last_[c] && on_pulse) on_pulse(c, now);
-      last_[c] = now;
-    }
+    announce();
   }
 
  private:
   static constexpr unsigned kMode1 = 0x00, kLed0 = 0x06, kAllLed = 0xFA, kPrescale = 0xFE;
   static constexpr std::uint64_t kClockNs = 40;  // 25 MHz, 7.3.5
 
+  void announce() {
+    for (unsigned c = 0; c < 16; ++c) {
+      const std::uint64_t now = pulse_ns(c);
+      if (now != last_[c] && on_pulse) on_pulse(c, now);
+      last_[c] = now;
+    }
+  }
   [[nodiscard]] bool asleep() const { return (registers_[kMode1] & 0x10) != 0; }
   [[nodiscard]] std::uint64_t count_ns() const { return (registers_[kPrescale] + 1U) * kClockNs; }
   [[nodiscard]] std::uint64_t width(unsigned channel) const {

@@ -40,12 +40,21 @@ struct Joint {
   Pose origin;
   std::array<double, 3> axis{1, 0, 0};
   std::optional<double> lower, upper, effort, velocity;
+  std::optional<double> damping, friction;
   Position at;
+};
+
+/// Mass of a link and how it is spread.
+struct Inertial {
+  Pose origin;                      ///< centre of mass and axes of `inertia`, in the link's frame
+  double mass = 0;                  ///< [kg]
+  std::array<double, 6> inertia{};  ///< xx xy xz yy yz zz [kg m^2]
 };
 
 struct Link {
   std::string name;
   Position at;
+  std::optional<Inertial> inertial;
 };
 
 /// A bus at a port of the board.

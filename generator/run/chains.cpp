@@ -18,24 +18,33 @@ OutputPlace output_of(const Robot& robot, const Device& device) {
   return {robot.expanders[*segment.expander].name.text, device.channel.value_or(0)};
 }
 
-/// Age of the newest sample of `part` that could be read at `time`.
-std::optional<std::int64_t> sample_age(const RunRecord& record, const std::string& part, std::int64_t time) {
-  std::optional<std::int64_t> newest;
+/// What one part did, in the order it could be read or took effect.
+std::vector<PartRecord> events_of(const RunRecord& record, const std::string& part, bool outputs,
+                                  std::uint32_t channel) {
+  std::vector<PartRecord> events;
   for (const PartRecord& event : record.parts) {
-    if (event.part == part && !event.is_output && event.at_ns <= time) newest = std::max(newest.value_or(event.from_ns), event.from_ns);
+    const bool meant = event.is_output == outputs && (!outputs || event.channel == channel);
+    if (meant && event.part == part) events.push_back(event);
   }
-  if (!newest) return std::nullopt;
-  return time - *newest;
+  std::stable_sort(events.begin(), events.end(), [](const auto& a, const auto& b) { return a.at_ns < b.at_ns; });
+  return events;
+}
+
+/// Age of the newest sample that could be read at `time`.
+std::optional<std::int64_t> sample_age(const std::vector<PartRecord>& samples, std::int64_t time) {
+  const auto after = std::upper_bound(samples.begin(), samples.end(), time,
+                                      [](std::int64_t t, const PartRecord& event) { return t < event.at_ns; });
+  if (after == samples.begin()) return std::nullopt;
+  return time - std::prev(after)->from_ns;  // parts sample in the order they send
 }
 
 /// When the output changed after `begin` and before the next command was made at `end`.
-std::optional<std::int64_t> output_change(const RunRecord& record, const OutputPlace& place, std::int64_t begin,
+std::optional<std::int64_t> output_change(const std::vector<PartRecord>& outputs, std::int64_t begin,
                                           std::int64_t end) {
-  for (const PartRecord& event : record.parts) {
-    const bool here = event.part == place.part && event.is_output && event.channel == place.channel;
-    if (here && event.at_ns >= begin && event.at_ns < end) return event.at_ns;
-  }
-  return std::nullopt;
+  const auto found = std::lower_bound(outputs.begin(), outputs.end(), begin,
+                                      [](const PartRecord& event, std::int64_t t) { return event.at_ns < t; });
+  if (found == outputs.end() || found->at_ns >= end) return std::nullopt;
+  return found->at_ns;
 }
 
 struct Series {
@@ -45,14 +54,15 @@ struct Series {
 Series collect(const Robot& robot, const RunRecord& record, const ChainPath& path) {
   Series series;
   const std::vector<DecisionSample> samples = decision_samples(record, path);
-  const std::string& sensor = robot.devices[path.up.front()].name.text;
   const OutputPlace place = output_of(robot, robot.devices[path.down.back()]);
+  const auto sensed = events_of(record, robot.devices[path.up.front()].name.text, false, 0);
+  const auto outputs = events_of(record, place.part, true, place.channel);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const DecisionSample& sample = samples[i];
     const std::int64_t next = i + 1 < samples.size() ? samples[i + 1].handle_end_ns : sample.handle_end_ns;
     const std::int64_t decide = sample.handle_end_ns - sample.update_begin_ns;
-    const auto acquire = sample_age(record, sensor, sample.update_begin_ns);
-    const auto change = output_change(record, place, sample.handle_end_ns, next);
+    const auto acquire = sample_age(sensed, sample.update_begin_ns);
+    const auto change = output_change(outputs, sample.handle_end_ns, next);
     series.decide.push_back(decide);
     if (acquire) series.acquire.push_back(*acquire);
     if (change) series.wire.push_back(*change - sample.handle_end_ns);

@@ -13,9 +13,9 @@ namespace finemote::gen {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::uint32_t kCycleCounter = 0xE0001004;    // DWT_CYCCNT, PM0214 4.10
-constexpr std::uint64_t kStep = 1'000'000;             // ns
-constexpr std::uint64_t kLongestStart = 2'000'000'000; // ns: clocks and parts are up long before
+constexpr std::uint32_t kCycleCounter = 0xE0001004;     // DWT_CYCCNT, PM0214 4.10
+constexpr std::uint64_t kStep = 1'000'000;              // ns
+constexpr std::uint64_t kLongestStart = 2'000'000'000;  // ns: clocks and parts are up long before
 
 bool add_scenario(const std::string& path, emulator::Outfit& outfit, Diagnostics& diagnostics) {
   if (path.empty()) return true;
@@ -88,6 +88,13 @@ RunRecord take_record(emulator::Board& board, const emulator::Outfit& outfit, co
     record.parts.push_back({event.part, is_output, event.channel, static_cast<std::int64_t>(event.from_ns) - zero,
                             static_cast<std::int64_t>(event.at_ns) - zero});
   }
+  for (const emulator::Expectation& e : outfit.expectations()) {
+    ExpectationRecord seen{
+        e.part, e.value,  static_cast<std::int64_t>(e.from_ns), static_cast<std::int64_t>(e.to_ns), e.min, e.max, {},
+        {},     e.holds()};
+    if (e.looks > 0) seen.lowest = e.lowest, seen.highest = e.highest;
+    record.expectations.push_back(seen);
+  }
   for (std::size_t i = 0; i < robot.buses.size(); ++i) {
     if (robot.buses[i].port.empty()) continue;
     const emulator::BusStatistics bus = board.bus(robot.buses[i].port);
@@ -97,16 +104,9 @@ RunRecord take_record(emulator::Board& board, const emulator::Outfit& outfit, co
   return record;
 }
 
-}  // namespace
-
-std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, const Forest& forest,
-                                 std::int64_t duration_ns, const std::string& scenario, Diagnostics& diagnostics) {
-  emulator::Board board;
-  emulator::Outfit outfit(board);
-  const emulator::Image loaded = emulator::load_image(image);
-  board.load(loaded);
-  outfit.add(emulated_parts(robot));
-  if (!add_scenario(scenario, outfit, diagnostics)) return std::nullopt;
+std::optional<RunRecord> run(emulator::Board& board, const emulator::Outfit& outfit, const Robot& robot,
+                             const Forest& forest, const emulator::Image& image,
+                             std::int64_t duration_ns, Diagnostics& diagnostics) {
   const auto zero = wait_for_first_release(board);
   if (!zero) {
     report_stop(emulator::Stop::time, board, diagnostics);
@@ -120,9 +120,31 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
   }
   warn_of_misuse(board, diagnostics);
   RunRecord record = take_record(board, outfit, robot, forest, *zero, duration_ns);
-  record.resets = board.resets();
-  record.monitor = read_monitor(board, loaded, forest);
+  record.resets = board.resets() - outfit.scripted_resets();
+  record.faulty = outfit.injects_faults();
+  record.monitor = read_monitor(board, image, forest);
   return record;
+}
+
+}  // namespace
+
+std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, const Forest& forest,
+                                 std::int64_t duration_ns, const std::string& scenario, Diagnostics& diagnostics) {
+  emulator::Board board;
+  emulator::Outfit outfit(board);
+  const emulator::Image loaded = emulator::load_image(image);
+  board.load(loaded);
+  const EmulatedParts parts = emulated_parts(robot);
+  outfit.add(parts.scenario);
+  if (!add_scenario(scenario, outfit, diagnostics)) return std::nullopt;
+  try {
+    auto record = run(board, outfit, robot, forest, loaded, duration_ns, diagnostics);
+    if (record) record->silent = parts.silent;
+    return record;
+  } catch (const std::invalid_argument& error) {  // an event that cannot happen to its part
+    diagnostics.error(code::bad_scenario, {}, fmt::format("scenario '{}': {}", scenario, error.what()));
+    return std::nullopt;
+  }
 }
 
 }  // namespace finemote::gen

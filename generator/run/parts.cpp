@@ -1,30 +1,17 @@
 #include "generator/run/parts.hpp"
 
 #include <algorithm>
-#include <array>
+
+#include "generator/emit/geometry.hpp"
+#include "generator/run/mechanics.hpp"
 
 namespace finemote::gen {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Device types that the emulator models under the same name.
-constexpr std::array kModelled{"h30_imu", "ms5837"};
-
-bool is_modelled(const Device& device) {
-  return std::find(kModelled.begin(), kModelled.end(), device.type->name) != kModelled.end();
-}
-
-/// Where a part sits: behind a mux channel, or at a port.
-void add_place(const Robot& robot, std::size_t index, Json& part) {
-  const Segment& segment = robot.segments[index];
-  if (segment.kind == Segment::Kind::mux_channel) {
-    part["mux"] = robot.expanders[*segment.expander].name.text;
-    part["channel"] = segment.channel;
-  } else {
-    part["port"] = robot.buses[segment.bus].port;
-  }
-}
+/// `emulation` of a descriptor, or null.
+Json emulation_of(const DeviceType& type) { return Json::parse(type.raw_json).value("emulation", Json()); }
 
 void add_line_format(const Bus& bus, const std::string& format, Json& part) {
   part["baud"] = bus.rate;
@@ -32,25 +19,88 @@ void add_line_format(const Bus& bus, const std::string& format, Json& part) {
   part["stop_bits"] = format.size() > 2 && format[2] == '2' ? 2 : 1;
 }
 
+/// Where a part sits: behind a mux channel, at an expander's output, or at a port.
+void add_place(const Robot& robot, std::size_t index, Json& part) {
+  const Segment& segment = robot.segments[index];
+  switch (segment.kind) {
+    case Segment::Kind::mux_channel:
+      part["mux"] = robot.expanders[*segment.expander].name.text;
+      part["channel"] = segment.channel;
+      return;
+    case Segment::Kind::pwm_expander:
+      part["pwm"] = robot.expanders[*segment.expander].name.text;
+      return;
+    case Segment::Kind::bus:
+      part["port"] = robot.buses[segment.bus].port;
+  }
+}
+
 Json expander_part(const Robot& robot, const Expander& expander) {
-  Json part{{"type", expander.model == Expander::Model::pca9685 ? "pca9685" : "tca9548a"}, {"name", expander.name.text}};
+  Json part{{"type", expander.model == Expander::Model::pca9685 ? "pca9685" : "tca9548a"},
+            {"name", expander.name.text}};
   add_place(robot, expander.segment, part);
   part["address"] = expander.address;
   return part;
 }
 
-Json device_part(const Robot& robot, const Device& device) {
-  Json part{{"type", device.type->name}, {"name", device.name.text}};
+/// The identifiers of a device's own frames, and its word in the frame it shares.
+void add_identifiers(const Device& device, Json& part) {
+  if (!device.id) return;
+  part["id"] = *device.id;
+  if (device.type->receives_base) part["feedback_id"] = *device.type->receives_base + *device.id;
+  for (const SharedFrame& frame : device.type->shared_frames) {
+    if (*device.id < frame.id_min || *device.id > frame.id_max) continue;
+    part["command_id"] = frame.identifier;
+    part["word"] = *device.id - frame.id_min;
+  }
+}
+
+/// Further hardware by its role: a chip select's number, or a pin.
+void add_uses(const Device& device, Json& part) {
+  for (const Use& use : device.uses) {
+    if (use.channel) {
+      part[use.spec->role] = *use.channel;
+    } else if (!use.pin.empty()) {
+      part[use.spec->role] = use.pin;
+    }
+  }
+}
+
+void add_bus(const Robot& robot, const Device& device, Json& part) {
   add_place(robot, *device.segment, part);
   const Segment& segment = robot.segments[*device.segment];
   if (segment.bus_kind == BusKind::uart) {
     add_line_format(robot.buses[segment.bus], device.type->format, part);
-    part["period_ns"] = device.period_ns;
+    const Json acquisition = Json::parse(device.type->raw_json).value("acquisition", Json::object());
+    part["period_ns"] = acquisition.value("interval_ns", device.period_ns);
   }
-  for (const Param& param : device.params) {
-    if (param.spec->name == "variant") part["variant"] = std::get<std::string>(param.value);
+  if (device.address) part["address"] = *device.address;
+  if (device.channel) part["channel"] = *device.channel;
+  add_identifiers(device, part);
+  add_uses(device, part);
+}
+
+void add_params(const Device& device, const Json& emulation, Json& part) {
+  for (const Json& name : emulation.value("params", Json::array())) {
+    for (const Param& param : device.params) {
+      if (param.spec->name != name.get<std::string>()) continue;
+      std::visit([&](const auto& value) { part[param.spec->name] = value; }, param.value);
+    }
   }
-  return part;
+}
+
+/// What the part feels of the body, or does to it.
+void add_mechanics(const Robot& robot, const Device& device, const std::string& body, Json& part) {
+  const auto axis = device.joint.empty() ? std::nullopt : joint_axis(robot, device.joint);
+  if (device.type->actuator && axis) {
+    part["body"] = body;
+    part["xyz"] = {axis->point.x(), axis->point.y(), axis->point.z()};
+    part["axis"] = {axis->direction.x(), axis->direction.y(), axis->direction.z()};
+    part.update(load_of(robot, device.joint));
+  } else if (!device.type->actuator && !body.empty()) {
+    part["body"] = body;
+    part["way"] = way_to(robot, device.link);
+  }
 }
 
 /// A serial line that a device uses for people or a computer: a terminal at its other end.
@@ -61,19 +111,47 @@ Json terminal_part(const Robot& robot, const Device& device, const Use& use) {
   return part;
 }
 
+/// One body, the root link: of the kind the first device asks for that pushes it, else standing.
+Json body_part(const Robot& robot) {
+  const std::string root = root_link(robot);
+  if (root.empty()) return {};
+  Json part{{"type", "standing_body"}, {"name", root}};
+  for (const Device& device : robot.devices) {
+    if (device.name.text == part["name"]) part["name"] = root + ".body";
+    const std::string kind = device.joint.empty() ? "" : emulation_of(*device.type).value("body", std::string());
+    if (!kind.empty()) part["type"] = kind;
+  }
+  if (part["type"] != "standing_body") part.update(whole_inertia(robot));
+  return part;
+}
+
 }  // namespace
 
-Json emulated_parts(const Robot& robot) {
+EmulatedParts emulated_parts(const Robot& robot) {
+  EmulatedParts result;
   Json parts = Json::array();
+  const Json body = body_part(robot);
+  if (!body.is_null()) parts.push_back(body);
   for (const Expander& expander : robot.expanders) parts.push_back(expander_part(robot, expander));
   for (const Device& device : robot.devices) {
-    if (device.segment && is_modelled(device)) parts.push_back(device_part(robot, device));
+    const Json emulation = emulation_of(*device.type);
+    if (device.segment && emulation.is_object()) {
+      Json part{{"type", emulation.at("part")}, {"name", device.name.text}};
+      add_bus(robot, device, part);
+      part.update(emulation.value("values", Json::object()));
+      add_params(device, emulation, part);
+      add_mechanics(robot, device, body.is_null() ? "" : body["name"], part);
+      parts.push_back(part);
+    } else if (device.segment) {
+      result.silent.push_back(device.name.text);
+    }
     for (const Use& use : device.uses) {
       const bool serial = use.segment && robot.segments[*use.segment].bus_kind == BusKind::uart;
       if (serial) parts.push_back(terminal_part(robot, device, use));
     }
   }
-  return Json{{"schema", "finemote.scenario/1"}, {"parts", parts}, {"events", Json::array()}};
+  result.scenario = Json{{"schema", "finemote.scenario/1"}, {"parts", parts}, {"events", Json::array()}};
+  return result;
 }
 
 }  // namespace finemote::gen

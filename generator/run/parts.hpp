@@ -2,13 +2,22 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "generator/model/robot.hpp"
 
 namespace finemote::gen {
 
-/// A `finemote.scenario/1` document (docs/reference/emulator.md) with every part of the robot the emulator has a model
-/// of, named like its device or expander. Devices without a model stay silent on the wire.
-nlohmann::ordered_json emulated_parts(const Robot& robot);
+/// What hangs on the board.
+struct EmulatedParts {
+  /// A `finemote.scenario/1` document (docs/reference/emulator.md): the body, every expander, and every device whose
+  /// descriptor names a model (`emulation`), named like the device.
+  nlohmann::ordered_json scenario;
+  /// Devices on a bus without a model: their wire stays silent.
+  std::vector<std::string> silent;
+};
+
+EmulatedParts emulated_parts(const Robot& robot);
 
 }  // namespace finemote::gen

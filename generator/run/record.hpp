@@ -41,6 +41,15 @@ struct MonitorEntry {
   std::uint64_t response_violations = 0, age_violations = 0;
 };
 
+/// A value of a part that had to stay between two limits, as the scenario says.
+struct ExpectationRecord {
+  std::string part, value;
+  std::int64_t from_ns = 0, to_ns = 0;  ///< since power-on
+  double min = 0, max = 0;
+  std::optional<double> lowest, highest;  ///< seen; none: the run ended before
+  bool ok = false;
+};
+
 struct RunRecord {
   std::vector<Event> events;            ///< in time order
   std::vector<std::uint64_t> overruns;  ///< per bucket
@@ -48,6 +57,9 @@ struct RunRecord {
   std::vector<PartRecord> parts;        ///< in time order per part; emulated board only
   std::vector<MonitorEntry> monitor;    ///< in schedule order; empty without the monitor
   unsigned resets = 0;                  ///< by the watchdog or the firmware; emulated board only
+  std::vector<ExpectationRecord> expectations;  ///< of the scenario; emulated board only
+  bool faulty = false;                  ///< the scenario injects faults: bounds need not hold
+  std::vector<std::string> silent;      ///< devices without a model on the emulated board
   std::vector<std::string> faults;      ///< `module 3, number 2, 5 times`
 };
 

@@ -96,6 +96,33 @@ Json monitor_list(const RunResult& result) {
   return list;
 }
 
+Json expectation_list(const RunResult& result) {
+  Json list = Json::array();
+  for (const ExpectationRecord& e : result.record.expectations) {
+    list.push_back({{"part", e.part},
+                    {"value", e.value},
+                    {"from_ns", e.from_ns},
+                    {"to_ns", e.to_ns},
+                    {"min", e.min},
+                    {"max", e.max},
+                    {"lowest", e.lowest ? Json(*e.lowest) : Json(nullptr)},
+                    {"highest", e.highest ? Json(*e.highest) : Json(nullptr)},
+                    {"ok", e.ok}});
+  }
+  return list;
+}
+
+void print_expectations(const RunResult& result, std::ostream& out) {
+  if (result.record.expectations.empty()) return;
+  out << "\nexpected by the scenario\n";
+  for (const ExpectationRecord& e : result.record.expectations) {
+    const std::string seen = e.lowest ? fmt::format("{:.6g} to {:.6g}", *e.lowest, *e.highest) : "the run ended before";
+    out << fmt::format("  {:>9.3f} to {:>9.3f} ms  {:<24} {:.6g} to {:.6g}, seen {}{}\n",
+                       static_cast<double>(e.from_ns) / 1e6, static_cast<double>(e.to_ns) / 1e6, e.part + "." + e.value,
+                       e.min, e.max, seen, e.ok ? "" : "  NOT AS EXPECTED");
+  }
+}
+
 /// The stages in the order they began, one line per release of the fastest bucket.
 void print_order(const RunResult& result, std::ostream& out) {
   out << "\nobserved order (+ update, - handle)\n";
@@ -187,7 +214,10 @@ std::uint64_t RunResult::overruns() const {
 
 bool RunResult::good() const {
   const bool bounds_hold = std::all_of(chains.begin(), chains.end(), [](const MeasuredChain& c) { return c.holds(); });
-  return overruns() == 0 && violations() == 0 && record.resets == 0 && bounds_hold;
+  const auto& expected = record.expectations;
+  const bool as_expected = std::all_of(expected.begin(), expected.end(), [](const ExpectationRecord& e) { return e.ok; });
+  return overruns() == 0 && record.resets == 0 &&
+         ((violations() == 0 && bounds_hold) || record.faulty) && as_expected;
 }
 
 Json run_document(const RunResult& result) {
@@ -205,7 +235,10 @@ Json run_document(const RunResult& result) {
           {"chains", chain_list(result)},
           {"overruns", result.overruns()},
           {"resets", result.record.resets},
-          {"buses", bus_list(result)}};
+          {"buses", bus_list(result)},
+          {"faults", result.record.faulty},
+          {"expectations", expectation_list(result)},
+          {"silent", result.record.silent}};
   if (!result.record.monitor.empty()) document["monitor"] = monitor_list(result);
   return document;
 }
@@ -229,6 +262,10 @@ void print_run(const RunResult& result, std::ostream& out) {
     out << fmt::format("  {:<12} {:>7} transfers {:>4} errors  busy {:.1f} %\n", result.robot.buses[bus.bus].name.text,
                        bus.transfers, bus.errors, 100 * bus.busy);
   }
+  if (result.record.faulty) out << "\nthe scenario injects faults: bounds are shown, not judged\n";
+  print_expectations(result, out);
+  for (const std::string& device : result.record.silent)
+    out << fmt::format("\nnote: the emulated board has no model of '{}': its bus is silent\n", device);
   out << fmt::format("\noverruns {}, resets {}\n", result.overruns(), result.record.resets);
   for (const std::string& fault : result.record.faults) out << "fault: " << fault << "\n";
 }

@@ -27,7 +27,7 @@ struct RunResult {
 
   [[nodiscard]] std::uint64_t overruns() const;
   [[nodiscard]] std::uint64_t violations() const;  ///< counted by the monitor
-  /// No overrun, no reset, and no figure above its bound.
+  /// No overrun, no reset, all as the scenario expects, and no figure above its bound unless it injects faults.
   [[nodiscard]] bool good() const;
 };
 

@@ -97,6 +97,28 @@ void read_limit(const xml::Node& tag, Joint& joint, Diagnostics& diagnostics) {
   joint.velocity = read_number(*limit, "velocity", diagnostics);
 }
 
+void read_dynamics(const xml::Node& tag, Joint& joint, Diagnostics& diagnostics) {
+  const xml::Node* dynamics = child_element(tag, "dynamics");
+  if (dynamics == nullptr) return;
+  joint.damping = read_number(*dynamics, "damping", diagnostics);
+  joint.friction = read_number(*dynamics, "friction", diagnostics);
+}
+
+std::optional<Inertial> read_inertial(const xml::Node& link, Diagnostics& diagnostics) {
+  const xml::Node* tag = child_element(link, "inertial");
+  if (tag == nullptr) return std::nullopt;
+  Inertial inertial;
+  inertial.origin = read_origin(*tag, diagnostics);
+  if (const xml::Node* mass = child_element(*tag, "mass"))
+    inertial.mass = read_number(*mass, "value", diagnostics).value_or(0);
+  if (const xml::Node* inertia = child_element(*tag, "inertia")) {
+    constexpr const char* kMoments[] = {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"};
+    for (std::size_t i = 0; i < inertial.inertia.size(); ++i)
+      inertial.inertia[i] = read_number(*inertia, kMoments[i], diagnostics).value_or(0);
+  }
+  return inertial;
+}
+
 void read_type(const xml::Node& tag, Joint& joint, Diagnostics& diagnostics) {
   const xml::Attribute* type = required(tag, "type", diagnostics);
   if (type == nullptr) return;
@@ -167,6 +189,7 @@ Joint read_joint(const xml::Node& tag, const std::vector<Link>& links, Diagnosti
   if (const xml::Node* axis = child_element(tag, "axis"))
     joint.axis = read_triple(*axis, "xyz", diagnostics).value_or(joint.axis);
   read_limit(tag, joint, diagnostics);
+  read_dynamics(tag, joint, diagnostics);
   return joint;
 }
 
@@ -181,7 +204,7 @@ Kinematics read_urdf(const xml::Node& robot, Diagnostics& diagnostics) {
   for (const xml::Node& child : robot.children) {
     if (!child.is_element("link")) continue;
     const xml::Attribute* name = required(child, "name", diagnostics);
-    if (name != nullptr) kinematics.links.push_back({name->value, child.at});
+    if (name != nullptr) kinematics.links.push_back({name->value, child.at, read_inertial(child, diagnostics)});
   }
   for (const xml::Node& child : robot.children) {
     // `<joint>` of a transmission stands deeper; one with only a name here belongs to another extension

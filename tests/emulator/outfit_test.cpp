@@ -39,18 +39,18 @@ TEST_CASE("a scenario's parts answer and its events happen when they say") {
   outfit.add(nlohmann::ordered_json::parse(kParts));
   board.run_for(290'000'000);
   CHECK(board.word("observed", 0) == 1);
-  CHECK(outfit.pca9685("pwm")->pulse_ns(3) == Approx(1'600'000).margin(3'000));
+  CHECK(outfit.value("pwm", "pulse_3") == Approx(1600).margin(3));
   board.run_for(110'000'000);  // 400 ms
   CHECK(board.word("observed", 0) == 0);
-  CHECK(outfit.pca9685("pwm")->pulse_ns(3) == Approx(1'500'000).margin(3'000));
+  CHECK(outfit.value("pwm", "pulse_3") == Approx(1500).margin(3));
   board.run_for(290'000'000);  // 690 ms
   CHECK(board.word("observed", 0) == 1);
   CHECK(board.word("observed", 12) == Approx(200'000).margin(10));
-  CHECK(outfit.terminal("host")->text() == "ping");
+  CHECK(outfit.text("host") == "ping");
   board.run_for(200'000'000);              // 890 ms
   CHECK(board.word("observed", 24) == 1);  // one recovery
   // The silence ended in neutral, and the end of it in the old pulse: three changes of channel 3.
-  std::vector<std::uint64_t> pulses;
+  std::vector<double> pulses;
   for (const PartEvent& event : outfit.events()) {
     if (event.kind == PartEvent::Kind::output && event.channel == 3) pulses.push_back(event.value / 10'000);
   }

@@ -1,0 +1,130 @@
+// Bodies that sensors sit on and thrusters push.
+#include "emulator/outfit/bodies.hpp"
+
+#include <numbers>
+
+#include "emulator/plants/standing_body.hpp"
+#include "emulator/plants/submerged_body.hpp"
+
+namespace finemote::emulator {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+std::optional<double> motion_value(const Motion& motion, const std::string& quantity) {
+  const Angles angles = angles_of(motion.attitude);
+  if (quantity == "roll") return angles.roll / kDegree;
+  if (quantity == "pitch") return angles.pitch / kDegree;
+  if (quantity == "yaw") return angles.yaw / kDegree;
+  if (quantity == "x") return motion.position.x();
+  if (quantity == "y") return motion.position.y();
+  if (quantity == "depth") return -motion.position.z();
+  return std::nullopt;
+}
+
+class StandingElement : public Element, public BodySource {
+ public:
+  explicit StandingElement(Outfit& outfit) : outfit_(outfit) {}
+  Body& body() override { return body_; }
+  bool happen(const std::string& what, const Json& event) override {
+    if (what != "move") return false;
+    move_by_hand(body_, outfit_.now(), event);
+    return true;
+  }
+  std::optional<double> value(const std::string& quantity) override {
+    return motion_value(body_.motion(outfit_.now()), quantity);
+  }
+
+ private:
+  Outfit& outfit_;
+  StandingBody body_;
+};
+
+SubmergedBody::Parameters submerged(const Json& part) {
+  SubmergedBody::Parameters p;
+  p.mass = maybe(part, "mass", p.mass);
+  if (part.contains("inertia")) {
+    const auto i = need<std::vector<double>>(part, "inertia");
+    if (i.size() != 6) refuse(part, "'inertia' has six numbers: xx xy xz yy yz zz");
+    p.inertia << i[0], i[1], i[2], i[1], i[3], i[4], i[2], i[4], i[5];
+  }
+  p.added_mass = maybe(part, "added_mass", p.added_mass);
+  p.linear_drag = maybe(part, "linear_drag", p.linear_drag);
+  p.quadratic_drag = maybe(part, "quadratic_drag", p.quadratic_drag);
+  p.buoyancy = maybe(part, "buoyancy", p.buoyancy);
+  p.righting = maybe(part, "righting", p.righting);
+  if (p.mass <= 0 || p.inertia.determinant() <= 0) refuse(part, "mass and inertia are above zero");
+  return p;
+}
+
+class SubmergedElement : public Element, public BodySource, public ThrustTarget {
+ public:
+  SubmergedElement(Outfit& outfit, const Json& part) : outfit_(outfit), body_(submerged(part)) {}
+  Body& body() override { return body_; }
+  SubmergedBody& hull() override { return body_; }
+  bool happen(const std::string& what, const Json& event) override {
+    if (what != "disturb") return false;
+    body_.disturb(outfit_.now(), vector(event, "force"), vector(event, "moment"));
+    return true;
+  }
+  std::optional<double> value(const std::string& quantity) override {
+    return motion_value(body_.motion(outfit_.now()), quantity);
+  }
+
+ private:
+  Outfit& outfit_;
+  SubmergedBody body_;
+};
+
+}  // namespace
+
+void move_by_hand(StandingBody& body, Time now, const Json& event) {
+  if (event.contains("roll") || event.contains("pitch") || event.contains("yaw")) {
+    const Angles was = angles_of(body.motion(now).attitude);
+    body.place(now, Angles{maybe(event, "roll", was.roll / kDegree) * kDegree,
+                           maybe(event, "pitch", was.pitch / kDegree) * kDegree,
+                           maybe(event, "yaw", was.yaw / kDegree) * kDegree});
+  }
+  if (event.contains("rate")) body.turn(now, vector(event, "rate") * kDegree);
+  if (event.contains("acceleration")) body.push(now, vector(event, "acceleration"));
+}
+
+Body& Seat::body() { return mount_ != nullptr ? static_cast<Body&>(*mount_) : own_; }
+
+void Seat::connect(Outfit& outfit) {
+  if (!part_.contains("body")) return;
+  auto* source = outfit.find<BodySource>(need<std::string>(part_, "body"));
+  if (source == nullptr) refuse(part_, "there is no such body");
+  std::vector<JointStep> way;
+  for (const Json& entry : maybe(part_, "way", Json::array())) {
+    const Eigen::Vector3d rpy = vector(entry, "rpy");
+    JointStep step;
+    step.xyz = vector(entry, "xyz");
+    step.rpy = Angles{rpy[0], rpy[1], rpy[2]};
+    step.axis = vector(entry, "axis", step.axis).normalized();
+    if (entry.contains("part")) {
+      auto* motor = outfit.find<ShaftSource>(need<std::string>(entry, "part"));
+      if (motor == nullptr) refuse(entry, "there is no such motor");
+      step.shaft = &motor->shaft();
+    }
+    way.push_back(step);
+  }
+  mount_ = std::make_unique<Mount>(source->body(), std::move(way));
+}
+
+/// Moved by an event, it follows its body no more.
+void Seat::move(Time now, const Json& event) {
+  if (mount_ != nullptr) own_.place(now, angles_of(mount_->motion(now).attitude));
+  mount_.reset();
+  move_by_hand(own_, now, event);
+}
+
+std::unique_ptr<Element> make_standing_body(Outfit& outfit, const Json&, const std::string&) {
+  return std::make_unique<StandingElement>(outfit);
+}
+
+std::unique_ptr<Element> make_submerged_body(Outfit& outfit, const Json& part, const std::string&) {
+  return std::make_unique<SubmergedElement>(outfit, part);
+}
+
+}  // namespace finemote::emulator

@@ -1,0 +1,35 @@
+// How elements sit on bodies and push them.
+#pragma once
+
+#include "emulator/outfit.hpp"
+#include "emulator/plants/mount.hpp"
+#include "emulator/plants/standing_body.hpp"
+#include "emulator/plants/submerged_body.hpp"
+
+namespace finemote::emulator {
+
+class ThrustTarget {
+ public:
+  virtual ~ThrustTarget() = default;
+  virtual SubmergedBody& hull() = 0;
+};
+
+/// An event's `roll` `pitch` `yaw` [deg], `rate` [deg/s, own axes], `acceleration` [m/s^2, world's axes].
+void move_by_hand(StandingBody& body, Time now, const Json& event);
+
+/// Where a sensor sits: on the `body` of its entry, over the joints of its `way`; without, in the hands of events.
+class Seat {
+ public:
+  explicit Seat(const Json& part) : part_(part) {}
+  void connect(Outfit& outfit);
+  Motion motion(Time now) { return body().motion(now); }
+  void move(Time now, const Json& event);
+
+ private:
+  Body& body();
+  Json part_;
+  StandingBody own_;
+  std::unique_ptr<Mount> mount_;
+};
+
+}  // namespace finemote::emulator

@@ -1,0 +1,88 @@
+// A part or plant as a scenario knows it: by name, with things that can happen to it and values to look at.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "emulator/chip/i2c_line.hpp"
+#include "emulator/outfit/entry.hpp"
+#include "emulator/plants/motion.hpp"
+
+namespace finemote::emulator {
+
+class Outfit;
+
+class Element {
+ public:
+  virtual ~Element() = default;
+  /// Finds what it refers to, once all parts of its document exist.
+  virtual void connect(Outfit& outfit) { static_cast<void>(outfit); }
+  /// Makes `what` happen, with the members of `event`. @return false: that cannot happen to it
+  virtual bool happen(const std::string& what, const Json& event) {
+    static_cast<void>(what), static_cast<void>(event);
+    return false;
+  }
+  /// A quantity by name (docs/reference/emulator.md); none: it has no such quantity.
+  virtual std::optional<double> value(const std::string& quantity) {
+    static_cast<void>(quantity);
+    return std::nullopt;
+  }
+};
+
+// What elements can be to others.
+
+class LineSource {  ///< provides I2C buses
+ public:
+  virtual ~LineSource() = default;
+  virtual I2cLine* line(unsigned channel) = 0;
+};
+
+class PulseSource {  ///< provides PWM outputs
+ public:
+  using Listener = std::function<void(std::uint64_t pulse_ns)>;
+  virtual ~PulseSource() = default;
+  virtual bool listen(unsigned channel, Listener listener) = 0;
+};
+
+class BodySource {
+ public:
+  virtual ~BodySource() = default;
+  virtual Body& body() = 0;
+};
+
+class ShaftSource {
+ public:
+  virtual ~ShaftSource() = default;
+  virtual Shaft& shaft() = 0;
+};
+
+class Hearing {  ///< remembers text
+ public:
+  virtual ~Hearing() = default;
+  [[nodiscard]] virtual std::string text() const = 0;
+};
+
+using MakeElement = std::unique_ptr<Element> (*)(Outfit& outfit, const Json& part, const std::string& name);
+
+/// By the `type` of a part; null: there is no model of it.
+MakeElement find_model(const std::string& type);
+
+// One file each.
+std::unique_ptr<Element> make_h30(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_host_terminal(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_dbus_receiver(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_sbus_receiver(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_tca9548a(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_ms5837(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_ist8310(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_pca9685(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_pwm_output(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_thruster(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_bmi088(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_dji_motor(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_standing_body(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_submerged_body(Outfit& outfit, const Json& part, const std::string& name);
+
+}  // namespace finemote::emulator

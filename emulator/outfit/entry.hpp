@@ -1,0 +1,43 @@
+// Members of a scenario's entries, with errors that show the entry.
+#pragma once
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace finemote::emulator {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] inline void refuse(const Json& entry, const std::string& why) {
+  throw std::invalid_argument(why + ": " + entry.dump());
+}
+
+/// The member, which has to be there. @throws std::invalid_argument otherwise, or when it has another type
+template <class T>
+T need(const Json& entry, const char* key) {
+  const auto found = entry.find(key);
+  if (found == entry.end()) refuse(entry, std::string("'") + key + "' is missing");
+  try {
+    return found->get<T>();
+  } catch (const nlohmann::json::exception&) {
+    refuse(entry, std::string("'") + key + "' has the wrong type");
+  }
+}
+
+/// The member, or `fallback` where there is none.
+template <class T>
+T maybe(const Json& entry, const char* key, T fallback) {
+  return entry.contains(key) ? need<T>(entry, key) : fallback;
+}
+
+inline Eigen::Vector3d vector(const Json& entry, const char* key,
+                              const Eigen::Vector3d& fallback = Eigen::Vector3d::Zero()) {
+  if (!entry.contains(key)) return fallback;
+  const auto list = need<std::vector<double>>(entry, key);
+  if (list.size() != 3) refuse(entry, std::string("'") + key + "' has three numbers");
+  return {list[0], list[1], list[2]};
+}
+
+}  // namespace finemote::emulator

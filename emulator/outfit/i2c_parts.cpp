@@ -1,0 +1,169 @@
+// Parts on I2C buses.
+#include "emulator/outfit/bodies.hpp"
+#include "emulator/parts/ist8310.hpp"
+#include "emulator/parts/ms5837.hpp"
+#include "emulator/parts/pca9685.hpp"
+#include "emulator/parts/tca9548a.hpp"
+
+namespace finemote::emulator {
+namespace {
+
+constexpr double kSurfacePascal = 101'325, kWaterDensity = 1000;
+
+class MuxElement : public Element, public LineSource {
+ public:
+  MuxElement(Outfit& outfit, const Json& part) : model_(maybe<std::uint8_t>(part, "address", 0x70)) {
+    outfit.line_of(part).attach(model_);
+  }
+  I2cLine* line(unsigned channel) override { return channel < 8 ? &model_.channel(channel) : nullptr; }
+  bool happen(const std::string& what, const Json&) override {
+    if (what != "power_cycle") return false;
+    model_.power_cycle();
+    return true;
+  }
+  std::optional<double> value(const std::string& quantity) override {
+    if (quantity == "control") return model_.control();
+    return std::nullopt;
+  }
+
+ private:
+  Tca9548a model_;
+};
+
+class PwmElement : public Element, public PulseSource {
+ public:
+  PwmElement(Outfit& outfit, const Json& part, const std::string& name)
+      : model_(maybe<std::uint8_t>(part, "address", 0x40)) {
+    model_.on_pulse = [this, &outfit, name](unsigned channel, std::uint64_t pulse) {
+      const std::uint64_t now = outfit.board().now_ns();
+      outfit.record(PartEvent{name, PartEvent::Kind::output, channel, now, now, static_cast<double>(pulse)});
+      for (const Listener& tell : listeners_[channel]) tell(pulse);
+    };
+    outfit.line_of(part).attach(model_);
+  }
+  bool listen(unsigned channel, Listener listener) override {
+    if (channel >= listeners_.size()) return false;
+    listeners_[channel].push_back(std::move(listener));
+    return true;
+  }
+  bool happen(const std::string& what, const Json&) override {
+    if (what != "power_cycle") return false;
+    model_.power_cycle();
+    return true;
+  }
+  /// `pulse_0`..`pulse_15` [us], `bursts`.
+  std::optional<double> value(const std::string& quantity) override {
+    if (quantity == "bursts") return model_.bursts();
+    for (unsigned channel = 0; channel < listeners_.size(); ++channel) {
+      if (quantity == "pulse_" + std::to_string(channel)) return static_cast<double>(model_.pulse_ns(channel)) / 1000;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  Pca9685 model_;
+  std::array<std::vector<Listener>, 16> listeners_;
+};
+
+class PressureElement : public Element {
+ public:
+  PressureElement(Outfit& outfit, const Json& part, const std::string& name)
+      : outfit_(outfit),
+        seat_(part),
+        follows_(part.contains("body")),
+        pressure_(maybe(part, "pressure", kSurfacePascal)),
+        model_(
+            need_variant(part), [&outfit] { return outfit.now(); },
+            [this, name](Time now) { return feel(now, name); }) {
+    outfit.line_of(part).attach(model_);
+  }
+  void connect(Outfit& outfit) override { seat_.connect(outfit); }
+  bool happen(const std::string& what, const Json& event) override {
+    if (what == "silent") return model_.dead = maybe(event, "on", true), true;
+    if (what == "damage") return model_.prom_damage = need<std::uint16_t>(event, "bits"), true;
+    if (what != "move") return false;
+    pressure_ = need<double>(event, "pressure");
+    follows_ = false;
+    return true;
+  }
+  std::optional<double> value(const std::string& quantity) override {
+    if (quantity == "pressure") return pressure(outfit_.now());
+    if (quantity == "conversions") return model_.conversions();
+    return std::nullopt;
+  }
+
+ private:
+  static Ms5837::Variant need_variant(const Json& part) {
+    const auto variant = maybe<std::string>(part, "variant", "30BA");
+    if (variant != "30BA" && variant != "02BA") refuse(part, "'variant' is 30BA or 02BA");
+    return variant == "02BA" ? Ms5837::Variant::k02BA : Ms5837::Variant::k30BA;
+  }
+  double pressure(Time now) {
+    if (!follows_) return pressure_;
+    const double depth = -seat_.motion(now).position.z();
+    return kSurfacePascal + (depth > 0 ? depth * kWaterDensity * kGravity : 0);
+  }
+  double feel(Time now, const std::string& name) {
+    outfit_.record(PartEvent{name, PartEvent::Kind::sample, 0, to_ns(now), to_ns(now), 0});
+    return pressure(now);
+  }
+
+  Outfit& outfit_;
+  Seat seat_;
+  bool follows_;
+  double pressure_;
+  Ms5837 model_;
+};
+
+class CompassElement : public Element {
+ public:
+  CompassElement(Outfit& outfit, const Json& part, const std::string& name)
+      : outfit_(outfit),
+        seat_(part),
+        field_(vector(part, "field", {20e-6, 0, -45e-6})),
+        model_(
+            maybe<std::uint8_t>(part, "address", 0x0E), [&outfit] { return outfit.now(); },
+            [this](Time now) { return Eigen::Vector3d(seat_.motion(now).attitude.conjugate() * field_); }) {
+    model_.on_read = [this, name](Time from) {
+      outfit_.record(PartEvent{name, PartEvent::Kind::sample, 0, to_ns(from), outfit_.board().now_ns(), 0});
+    };
+    outfit.line_of(part).attach(model_);
+    if (need<std::string>(part, "port") == "i2c3") {  // the part on the board has its reset at PG6
+      outfit.board().chip().gpio('G').watcher[6] = [this](bool output, bool high) {
+        model_.hold_reset(output && !high);
+      };
+    }
+  }
+  void connect(Outfit& outfit) override { seat_.connect(outfit); }
+  bool happen(const std::string& what, const Json& event) override {
+    if (what == "silent") return model_.dead = maybe(event, "on", true), true;
+    if (what == "move") {
+      field_ = vector(event, "field", field_);
+      return seat_.move(outfit_.now(), event), true;
+    }
+    return false;
+  }
+
+ private:
+  Outfit& outfit_;
+  Seat seat_;
+  Eigen::Vector3d field_;  ///< in the world's axes [T]
+  Ist8310 model_;
+};
+
+}  // namespace
+
+std::unique_ptr<Element> make_tca9548a(Outfit& outfit, const Json& part, const std::string&) {
+  return std::make_unique<MuxElement>(outfit, part);
+}
+std::unique_ptr<Element> make_pca9685(Outfit& outfit, const Json& part, const std::string& name) {
+  return std::make_unique<PwmElement>(outfit, part, name);
+}
+std::unique_ptr<Element> make_ms5837(Outfit& outfit, const Json& part, const std::string& name) {
+  return std::make_unique<PressureElement>(outfit, part, name);
+}
+std::unique_ptr<Element> make_ist8310(Outfit& outfit, const Json& part, const std::string& name) {
+  return std::make_unique<CompassElement>(outfit, part, name);
+}
+
+}  // namespace finemote::emulator

@@ -1,0 +1,91 @@
+// What hangs on PWM outputs.
+#include <algorithm>
+#include <cmath>
+
+#include "emulator/outfit/bodies.hpp"
+
+namespace finemote::emulator {
+namespace {
+
+/// An output whose pulse is looked at, of a header of the board.
+class OutputElement : public Element {
+ public:
+  OutputElement(Outfit& outfit, const Json& part, const std::string& name) {
+    const bool on_board = part.contains("port");  // an expander records its outputs itself
+    outfit.listen_to_pulses(part, [this, &outfit, name, on_board](std::uint64_t pulse) {
+      pulse_ = pulse;
+      const std::uint64_t now = outfit.board().now_ns();
+      if (on_board) outfit.record(PartEvent{name, PartEvent::Kind::output, 0, now, now, static_cast<double>(pulse)});
+      changed();
+    });
+  }
+  /// `pulse` [us].
+  std::optional<double> value(const std::string& quantity) override {
+    if (quantity == "pulse") return static_cast<double>(pulse_) / 1000;
+    return std::nullopt;
+  }
+
+ protected:
+  virtual void changed() {}
+  std::uint64_t pulse_ = 0;
+};
+
+/// A speed controller with its propeller: the pulse's way from neutral is the share of full drive, whose square is the
+/// share of full thrust.
+class ThrusterElement : public OutputElement {
+ public:
+  ThrusterElement(Outfit& outfit, const Json& part, const std::string& name)
+      : OutputElement(outfit, part, name), outfit_(outfit), part_(part) {
+    neutral_ = maybe(part, "neutral", neutral_);
+    min_ = maybe(part, "min", min_);
+    max_ = maybe(part, "max", max_);
+    full_thrust_ = maybe(part, "full_thrust", full_thrust_);
+    reverse_ = maybe(part, "reverse", reverse_);
+    if (min_ >= neutral_ || max_ <= neutral_) refuse(part, "'neutral' lies between 'min' and 'max'");
+  }
+  void connect(Outfit& outfit) override {
+    if (!part_.contains("body")) return;
+    auto* target = outfit.find<ThrustTarget>(need<std::string>(part_, "body"));
+    if (target == nullptr) refuse(part_, "there is no such body");
+    hull_ = &target->hull();
+    number_ = hull_->add_thruster(vector(part_, "xyz"), vector(part_, "axis", {1, 0, 0}).normalized(),
+                                  maybe(part_, "lag", 0.05));
+  }
+  /// `pulse` [us], `drive` (-1..1, along the axis), `thrust` [N].
+  std::optional<double> value(const std::string& quantity) override {
+    if (quantity == "drive") return drive();
+    if (quantity == "thrust") return thrust();
+    return OutputElement::value(quantity);
+  }
+
+ private:
+  [[nodiscard]] double drive() const {
+    if (pulse_ == 0) return 0;
+    const double way = static_cast<double>(pulse_) - neutral_;
+    const double share = std::clamp(way > 0 ? way / (max_ - neutral_) : way / (neutral_ - min_), -1.0, 1.0);
+    return reverse_ ? -share : share;
+  }
+  [[nodiscard]] double thrust() const { return full_thrust_ * drive() * std::abs(drive()); }
+  void changed() override {
+    if (hull_ != nullptr) hull_->thrust(outfit_.now(), number_, thrust());
+  }
+
+  Outfit& outfit_;
+  Json part_;
+  double neutral_ = 1'500'000, min_ = 1'100'000, max_ = 1'900'000;  ///< ns
+  double full_thrust_ = 20;                                         ///< N
+  bool reverse_ = false;
+  SubmergedBody* hull_ = nullptr;
+  std::size_t number_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Element> make_pwm_output(Outfit& outfit, const Json& part, const std::string& name) {
+  return std::make_unique<OutputElement>(outfit, part, name);
+}
+std::unique_ptr<Element> make_thruster(Outfit& outfit, const Json& part, const std::string& name) {
+  return std::make_unique<ThrusterElement>(outfit, part, name);
+}
+
+}  // namespace finemote::emulator

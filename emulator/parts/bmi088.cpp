@@ -1,0 +1,156 @@
+#include "emulator/parts/bmi088.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace finemote::emulator {
+namespace {
+
+// Accelerometer, data sheet 5.3; gyroscope, 5.5.
+constexpr unsigned kAccelId = 0x00, kAccelData = 0x12, kAccelTime = 0x18, kAccelTemperature = 0x22, kAccelConf = 0x40,
+                   kAccelRange = 0x41, kAccelPowerConf = 0x7C, kAccelPower = 0x7D, kAccelReset = 0x7E;
+constexpr unsigned kGyroId = 0x00, kGyroData = 0x02, kGyroRange = 0x0F, kGyroBandwidth = 0x10, kGyroLowPower = 0x11,
+                   kGyroReset = 0x14;
+constexpr std::uint8_t kSoftReset = 0xB6;
+constexpr std::uint64_t kAccelStartNs = 1'000'000, kGyroStartNs = 30'000'000;  // 4.1, 4.2: after a reset
+constexpr std::uint64_t kTimeStepNs = 39'063;                                  // 39.0625 us per step of the sensor time
+
+void put(std::array<std::uint8_t, 128>& registers, unsigned at, double value) {
+  const auto word = static_cast<std::uint16_t>(std::lround(std::clamp(value, -32768.0, 32767.0)));
+  registers[at] = static_cast<std::uint8_t>(word);
+  registers[at + 1] = static_cast<std::uint8_t>(word >> 8);
+}
+
+/// ACC_CONF: 12.5 Hz << (n - 5), n = 5..12.
+Time accelerometer_period(std::uint8_t conf) {
+  const unsigned n = std::clamp(conf & 0xFU, 5U, 12U);
+  return from_ns(80'000'000ULL >> (n - 5));
+}
+
+/// GYRO_BANDWIDTH: 2000, 2000, 1000, 400, 200, 100, 200, 100 Hz.
+Time gyroscope_period(std::uint8_t bandwidth) {
+  constexpr std::uint64_t kHz[] = {2000, 2000, 1000, 400, 200, 100, 200, 100};
+  return from_ns(1'000'000'000ULL / kHz[bandwidth & 7]);
+}
+
+}  // namespace
+
+void Bmi088::reset_accelerometer() {
+  accel_ = {};
+  accel_[kAccelId] = 0x1E;
+  accel_[kAccelConf] = 0xA8;
+  accel_[kAccelRange] = 0x01;
+  accel_[kAccelPowerConf] = 0x03;
+  accel_[kAccelTemperature] = 0x80;  // not valid yet
+  accel_on_spi_ = false;
+  accel_sampled_ = 0;
+  accel_ready_ = now_() + from_ns(kAccelStartNs);
+}
+
+void Bmi088::reset_gyroscope() {
+  gyro_ = {};
+  gyro_[kGyroId] = 0x0F;
+  gyro_sampled_ = 0;
+  gyro_ready_ = now_() + from_ns(kGyroStartNs);
+}
+
+void Bmi088::power_cycle() {
+  reset_accelerometer();
+  reset_gyroscope();
+}
+
+SpiPart Bmi088::accelerometer() {
+  return SpiPart{[this](bool selected) { accelerometer_selected(selected); },
+                 [this](std::uint8_t out) { return accelerometer_byte(out); }};
+}
+
+SpiPart Bmi088::gyroscope() {
+  return SpiPart{[this](bool selected) { gyroscope_selected(selected); },
+                 [this](std::uint8_t out) { return gyroscope_byte(out); }};
+}
+
+void Bmi088::accelerometer_selected(bool selected) {
+  if (selected) {
+    sample_acceleration();
+  } else if (accel_exchange_.selected) {
+    accel_on_spi_ = true;  // the first rising edge turns it from I2C to SPI: 6.1
+  }
+  accel_exchange_ = {selected, false, 0, 0};
+}
+
+std::uint8_t Bmi088::accelerometer_byte(std::uint8_t out) {
+  Exchange& x = accel_exchange_;
+  const unsigned index = x.count++;
+  if (index == 0) {
+    x.reading = (out & 0x80) != 0;
+    x.address = out & 0x7F;
+    return 0xFF;
+  }
+  if (!accel_on_spi_ || silent || now_() < accel_ready_) return 0xFF;
+  if (!x.reading) {
+    if (index == 1) write_accelerometer(x.address, out);
+    return 0xFF;
+  }
+  if (index == 1) return 0xA5;  // a byte without meaning comes first: 6.1.2
+  return accel_[(x.address + index - 2) & 0x7F];
+}
+
+void Bmi088::write_accelerometer(std::uint8_t address, std::uint8_t value) {
+  if (address == kAccelReset && value == kSoftReset) return reset_accelerometer();
+  if (address >= kAccelConf && address != kAccelReset) accel_[address] = value;
+}
+
+void Bmi088::sample_acceleration() {
+  const bool active = accel_[kAccelPower] == 0x04 && accel_[kAccelPowerConf] == 0x00;
+  if (!active || now_() < accel_ready_) return;
+  const Time period = accelerometer_period(accel_[kAccelConf]);
+  accel_sampled_ = now_() / period * period;
+  const Motion motion = motion_(accel_sampled_);
+  const double full = 3.0 * (1 << (accel_[kAccelRange] & 3)) * kGravity;
+  for (unsigned i = 0; i < 3; ++i) put(accel_, kAccelData + 2 * i, motion.force[i] / full * 32768);
+  const std::uint64_t steps = to_ns(now_()) / kTimeStepNs;
+  for (unsigned i = 0; i < 3; ++i) accel_[kAccelTime + i] = static_cast<std::uint8_t>(steps >> (8 * i));
+  const auto word = static_cast<std::uint16_t>(std::lround((temperature - 23) * 8));  // 11 bits, 0.125 K
+  accel_[kAccelTemperature] = static_cast<std::uint8_t>(word >> 3);
+  accel_[kAccelTemperature + 1] = static_cast<std::uint8_t>(word << 5);
+}
+
+void Bmi088::gyroscope_selected(bool selected) {
+  if (selected) sample_rates();
+  const Exchange& x = gyro_exchange_;
+  const bool has_read = !selected && x.selected && x.reading && x.address <= kGyroData &&
+                        x.address + x.count >= kGyroData + 7 && gyro_sampled_ != 0;
+  gyro_exchange_ = {selected, false, 0, 0};
+  if (has_read && accel_sampled_ != 0 && !silent && on_read) on_read(std::min(gyro_sampled_, accel_sampled_));
+}
+
+std::uint8_t Bmi088::gyroscope_byte(std::uint8_t out) {
+  Exchange& x = gyro_exchange_;
+  const unsigned index = x.count++;
+  if (index == 0) {
+    x.reading = (out & 0x80) != 0;
+    x.address = out & 0x7F;
+    return 0xFF;
+  }
+  if (silent || now_() < gyro_ready_) return 0xFF;
+  if (x.reading) return gyro_[(x.address + index - 1) & 0x7F];
+  if (index == 1) write_gyroscope(x.address, out);
+  return 0xFF;
+}
+
+void Bmi088::write_gyroscope(std::uint8_t address, std::uint8_t value) {
+  if (address == kGyroReset && value == kSoftReset) return reset_gyroscope();
+  if (address >= kGyroRange) gyro_[address] = address == kGyroBandwidth ? value | 0x80 : value;
+}
+
+void Bmi088::sample_rates() {
+  if (gyro_[kGyroLowPower] != 0 || now_() < gyro_ready_) return;
+  const Time period = gyroscope_period(gyro_[kGyroBandwidth]);
+  gyro_sampled_ = now_() / period * period;
+  const Motion motion = motion_(gyro_sampled_);
+  const double full = 2000.0 / (1 << std::min(gyro_[kGyroRange] & 7, 4)) * std::numbers::pi / 180;
+  for (unsigned i = 0; i < 3; ++i) put(gyro_, kGyroData + 2 * i, motion.rate[i] / full * 32768);
+}
+
+}  // namespace finemote::emulator

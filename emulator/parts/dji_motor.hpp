@@ -1,0 +1,57 @@
+// A DJI speed controller with its motor on a CAN bus: takes its word of a group frame, reports itself 1000 times a
+// second.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "emulator/chip/can_line.hpp"
+#include "emulator/plants/motor_shaft.hpp"
+
+namespace finemote::emulator {
+
+/// C620 with M3508, C610 with M2006 and GM6020 are this model with their own figures. The current follows its command
+/// at once and stays when commands stop coming, as nothing in the user guides promises otherwise.
+class DjiMotor {
+ public:
+  struct Figures {
+    std::uint32_t feedback_id = 0x201, command_id = 0x200;
+    unsigned word = 0;               ///< 0..3, its place in the command frame
+    double full_word = 16384;        ///< command for `full_current`
+    double full_current = 20;        ///< A
+    double torque_per_ampere = 0.3;  ///< N m at the output
+    double gear = 1;                 ///< turns of the rotor per turn of the output
+    Time period = from_ns(1'000'000), phase = 0;
+  };
+
+  DjiMotor(World& world, CanLine& line, const Figures& figures, const MotorShaft::Parameters& shaft);
+
+  MotorShaft& shaft() { return shaft_; }
+  [[nodiscard]] int command() const { return command_; }
+  [[nodiscard]] double current() const { return command_ * figures_.full_current / figures_.full_word; }
+  [[nodiscard]] unsigned commands() const { return commands_; }
+
+  /// Told when a command has arrived, and when a report sampled at `from` has.
+  std::function<void(int word)> on_command;
+  std::function<void(Time from)> on_report;
+
+  bool silent = false;           ///< sends no reports; still obeys
+  unsigned damaged_reports = 0;  ///< the next ones hold an angle no encoder has
+
+ private:
+  void tick();
+  void hear(const CanFrame& frame);
+  [[nodiscard]] CanFrame report(Time now);
+
+  World& world_;
+  CanLine& line_;
+  Figures figures_;
+  MotorShaft shaft_;
+  int command_ = 0;
+  unsigned commands_ = 0;
+  std::optional<CanFrame> waiting_;
+  Time sampled_ = 0;
+};
+
+}  // namespace finemote::emulator

@@ -1,0 +1,95 @@
+// IST8310 magnetometer: 0.3 uT a step, measures on demand or by itself (iSentek data sheet IST8310).
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+
+#include "emulator/chip/i2c_line.hpp"
+#include "emulator/plants/motion.hpp"
+
+namespace finemote::emulator {
+
+class Ist8310 : public I2cPart {
+ public:
+  /// @param field  at a time, in the part's axes [T]
+  Ist8310(std::uint8_t address, std::function<Time()> now, std::function<Eigen::Vector3d(Time)> field)
+      : address_(address), now_(std::move(now)), field_(std::move(field)) {
+    reset();
+  }
+
+  bool select(std::uint8_t address, bool read) override {
+    selected_ = address == address_ && !dead && !held_;
+    at_start_ = !read;
+    return selected_;
+  }
+  bool write(std::uint8_t byte) override {
+    if (at_start_) {
+      pointer_ = byte;
+      at_start_ = false;
+    } else {
+      store(pointer_++, byte);
+    }
+    return true;
+  }
+  std::uint8_t read() override {
+    if (pointer_ == kData) measure();
+    return registers_[pointer_++];
+  }
+  void stop() override { selected_ = false; }
+
+  /// The RSTN pin.
+  void hold_reset(bool held) {
+    held_ = held;
+    if (held) reset();
+  }
+  bool dead = false;  ///< acknowledges nothing
+  std::function<void(Time from)> on_read;
+
+ private:
+  static constexpr std::uint8_t kWho = 0x00, kStatus = 0x02, kData = 0x03, kControl1 = 0x0A, kControl2 = 0x0B;
+
+  void reset() {
+    registers_ = {};
+    registers_[kWho] = 0x10;
+    pointer_ = 0;
+    converted_ = kNever;
+  }
+  void store(std::uint8_t at, std::uint8_t byte) {
+    if (at == kControl2 && (byte & 1) != 0) return reset();
+    if (at >= kControl1) registers_[at] = byte;
+    if (at == kControl1 && byte == 1) converted_ = now_() + from_ns(kConversionNs);
+  }
+  /// What the last conversion gave. 0x0B: 200 a second by itself; 0x01: one, which clears the command.
+  void measure() {
+    Time taken = 0;
+    if (registers_[kControl1] == 0x0B) {
+      constexpr Time kPeriod = from_ns(5'000'000);
+      taken = now_() / kPeriod * kPeriod;
+    } else if (converted_ <= now_()) {
+      taken = converted_ - from_ns(kConversionNs);
+      registers_[kControl1] = 0;
+    } else {
+      return;
+    }
+    const Eigen::Vector3d field = field_(taken);
+    for (unsigned i = 0; i < 3; ++i) {
+      const auto word = static_cast<std::uint16_t>(std::lround(field[i] / 0.3e-6));
+      registers_[kData + 2U * i] = static_cast<std::uint8_t>(word);
+      registers_[kData + 2U * i + 1] = static_cast<std::uint8_t>(word >> 8);
+    }
+    registers_[kStatus] = 1;
+    if (on_read) on_read(taken);
+  }
+
+  static constexpr std::uint64_t kConversionNs = 6'000'000;
+  std::uint8_t address_, pointer_ = 0;
+  std::function<Time()> now_;
+  std::function<Eigen::Vector3d(Time)> field_;
+  std::array<std::uint8_t, 256> registers_{};
+  Time converted_ = kNever;
+  bool selected_ = false, at_start_ = false, held_ = false;
+};
+
+}  // namespace finemote::emulator

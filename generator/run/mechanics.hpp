@@ -1,0 +1,28 @@
+// Links, joints and inertials of the URDF to what the emulated board's plants need: bodies, ways to sensors, loads of
+// motors.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "generator/model/robot.hpp"
+
+namespace finemote::gen {
+
+/// The link that is nobody's child; empty when the robot has no links.
+std::string root_link(const Robot& robot);
+
+/// `mass` [kg] and `inertia` (xx xy xz yy yz zz, about the root link's origin [kg m^2]) of the whole robot with every
+/// joint at zero. Nothing where no link has a mass.
+nlohmann::ordered_json whole_inertia(const Robot& robot);
+
+/// The joints from the root link to `link`, outermost first: `xyz`, `rpy`, and `axis` with the `part` that turns it
+/// where an actuator drives it.
+nlohmann::ordered_json way_to(const Robot& robot, const std::string& link);
+
+/// What an actuator turns: `load_inertia` [kg m^2] of everything behind its joint about the joint's axis with every
+/// further joint at zero, and `viscous` [N m s], `coulomb` [N m], `lower`, `upper` [rad] where the URDF gives them.
+nlohmann::ordered_json load_of(const Robot& robot, const std::string& joint);
+
+}  // namespace finemote::gen

@@ -1,0 +1,241 @@
+// The models of RoboMaster parts and the plants behind them, against figures from data sheets and from mechanics.
+#include <algorithm>
+#include <numbers>
+
+#include "catch.hpp"
+#include "emulator/outfit.hpp"
+#include "emulator/parts/bmi088.hpp"
+#include "emulator/parts/dji_motor.hpp"
+#include "emulator/parts/ist8310.hpp"
+#include "emulator/parts/remote.hpp"
+#include "emulator/plants/mount.hpp"
+#include "emulator/plants/standing_body.hpp"
+#include "emulator/plants/submerged_body.hpp"
+
+using namespace finemote::emulator;
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr Time kMs = from_ns(1'000'000);
+
+std::uint32_t bits(const std::vector<std::uint8_t>& bytes, unsigned at, unsigned count) {
+  std::uint32_t value = 0;
+  for (unsigned i = 0; i < count; ++i) value |= (bytes[(at + i) / 8] >> (at + i) % 8 & 1U) << i;
+  return value;
+}
+
+}  // namespace
+
+TEST_CASE("a DBUS frame carries sticks, switches, keys and wheel where the manual says") {
+  Hands hands;
+  hands.right_x = 1;
+  hands.left_y = -1;
+  hands.left_switch = Hands::kUp;
+  hands.right_switch = Hands::kDown;
+  hands.wheel = 0.5;
+  hands.keys = 0x8001;
+  const auto frame = dbus_frame(hands);
+  REQUIRE(frame.size() == 18);
+  CHECK(bits(frame, 0, 11) == 1684);
+  CHECK(bits(frame, 11, 11) == 1024);
+  CHECK(bits(frame, 22, 11) == 1024);
+  CHECK(bits(frame, 33, 11) == 364);
+  CHECK(frame[5] >> 6 == 1);
+  CHECK((frame[5] >> 4 & 3) == 2);
+  CHECK((frame[14] | frame[15] << 8) == 0x8001);
+  CHECK(bits(frame, 128, 11) == 1354);
+}
+
+TEST_CASE("an SBUS frame has its ends, sixteen channels and the failsafe flag") {
+  Hands hands;
+  hands.right_x = -1;
+  hands.left_switch = Hands::kDown;
+  auto frame = sbus_frame(hands);
+  REQUIRE(frame.size() == 25);
+  CHECK(frame[0] == 0x0F);
+  CHECK(frame[24] == 0x00);
+  CHECK(bits(frame, 8, 11) == 173);
+  CHECK(bits(frame, 8 + 4 * 11, 11) == 1812);
+  CHECK(bits(frame, 8 + 15 * 11, 11) == 992);
+  CHECK(frame[23] == 0);
+  hands.failsafe = true;
+  frame = sbus_frame(hands);
+  CHECK((frame[23] & 0x08) != 0);
+}
+
+TEST_CASE("a shaft turns as its torque, inertia and friction say, and stops at its end") {
+  MotorShaft::Parameters p;
+  p.inertia = 0.02;
+  p.viscous = 0.1;
+  p.coulomb = 0.2;
+  MotorShaft shaft(p);
+  shaft.drive(0, 0.19);  // less than the friction holds
+  CHECK(shaft.speed(100 * kMs) == 0);
+  shaft.drive(100 * kMs, 1.2);  // (1.2 - 0.2) / 0.1 = 10 rad/s, with a time constant of 0.02 / 0.1 = 0.2 s
+  CHECK(shaft.speed(300 * kMs) == Approx(10 * (1 - std::exp(-1.0))).epsilon(1e-3));
+  CHECK(shaft.speed(3000 * kMs) == Approx(10).epsilon(1e-3));
+  p.upper = 1.0;
+  MotorShaft stopped(p);
+  stopped.drive(0, 2);
+  CHECK(stopped.angle(1000 * kMs) == 1.0);
+  CHECK(stopped.speed(1000 * kMs) == 0);
+}
+
+TEST_CASE("the supply's voltage limits a shaft's speed, in the direction it drives") {
+  MotorShaft::Parameters p;
+  p.inertia = 0.01;
+  p.viscous = 0;
+  p.free_speed = 50;
+  MotorShaft shaft(p);
+  shaft.drive(0, 5);
+  CHECK(shaft.speed(2000 * kMs) == Approx(50).epsilon(1e-3));
+  CHECK(shaft.torque(2000 * kMs) == Approx(0).margin(0.01));
+  shaft.drive(2000 * kMs, -5);
+  CHECK(shaft.torque(2000 * kMs) == -5);  // braking is not limited
+}
+
+TEST_CASE("a DJI motor takes its word of the group and reports angle, speed and current of the rotor") {
+  World world;
+  CanLine line(world);
+  std::vector<CanFrame> heard;
+  line.attach({{}, {}, [&](const CanFrame& frame) { heard.push_back(frame); }});
+  std::optional<CanFrame> order;
+  line.attach({[&] { return order; }, [&](const CanFrame&, bool) { order.reset(); }, {}});
+  DjiMotor::Figures f;
+  f.feedback_id = 0x203;
+  f.word = 2;
+  f.gear = 19.2;
+  f.torque_per_ampere = 0.3;
+  MotorShaft::Parameters p;
+  p.inertia = 0.01;
+  p.viscous = 0.3;
+  DjiMotor motor(world, line, f, p);
+  // Without a processor the world's clock stands: everything happens at once, in order.
+  world.queue().run(from_ns(1));
+  order = CanFrame{0x200, 8, {0, 0, 0, 0, 0x20, 0x00, 0, 0}};  // 8192 of 16384: 10 A
+  line.request();
+  world.queue().run(300 * from_ns(1000));
+  CHECK(motor.command() == 8192);
+  CHECK(motor.current() == Approx(10));
+  CHECK(motor.commands() == 1);
+  order = CanFrame{0x1FF, 8, {0, 0, 0, 0, 0x7F, 0, 0, 0}};
+  line.request();
+  world.queue().run(600 * from_ns(1000));
+  CHECK(motor.commands() == 1);
+  REQUIRE(heard.size() == 3);  // two orders and its report
+  CHECK(std::count_if(heard.begin(), heard.end(), [](const CanFrame& it) { return it.id == 0x203 && it.size == 8; }) ==
+        1);
+  CHECK(motor.shaft().speed(10'000 * kMs) == Approx(10).epsilon(1e-3));  // 3 N m against 0.3 N m s
+}
+
+TEST_CASE("the inertial sensor wakes up as its data sheet asks, and gives acceleration and rates in its ranges") {
+  Time now = 0;
+  Motion motion;
+  motion.rate = {1.0, -2.0, 0.5};
+  Bmi088 part([&] { return now; }, [&](Time) { return motion; });
+  SpiPart accelerometer = part.accelerometer(), gyroscope = part.gyroscope();
+  const auto exchange = [](SpiPart& chip, const std::vector<int>& bytes) {
+    std::vector<int> answer;
+    chip.select(true);
+    for (const int byte : bytes) answer.push_back(chip.exchange(static_cast<std::uint8_t>(byte)));
+    chip.select(false);
+    return answer;
+  };
+  const auto word = [](const std::vector<int>& bytes, unsigned at) {
+    return static_cast<std::int16_t>(bytes[at] | bytes[at + 1] << 8);
+  };
+  now = 40 * kMs;
+  CHECK(exchange(accelerometer, {0x80, 0, 0})[2] == 0xFF);  // still on I2C
+  CHECK(exchange(accelerometer, {0x80, 0, 0})[2] == 0x1E);  // the first select has turned it
+  CHECK(exchange(gyroscope, {0x80, 0})[1] == 0x0F);
+  CHECK(word(exchange(accelerometer, {0x92, 0, 0, 0, 0, 0, 0, 0}), 6) == 0);  // suspended
+  exchange(accelerometer, {0x7D, 0x04});
+  exchange(accelerometer, {0x7C, 0x00});
+  exchange(accelerometer, {0x41, 0x01});
+  exchange(gyroscope, {0x10, 0x82});
+  Time sampled = 0;
+  part.on_read = [&](Time from) { sampled = from; };
+  now = 41 * kMs + 1234 * from_ns(100);
+  CHECK(word(exchange(accelerometer, {0x92, 0, 0, 0, 0, 0, 0, 0}), 6) == Approx(32768 / 6).margin(1));  // 1 g of 6
+  const auto rates = exchange(gyroscope, {0x82, 0, 0, 0, 0, 0, 0});
+  CHECK(word(rates, 1) == Approx(1 / kDegree * 16.384).margin(1));
+  CHECK(word(rates, 3) == Approx(-2 / kDegree * 16.384).margin(1));
+  CHECK(sampled <= now);
+  CHECK(now - sampled <= from_ns(10'000'000));  // as ACC_CONF was left: 100 Hz
+  exchange(gyroscope, {0x14, 0xB6});
+  CHECK(exchange(gyroscope, {0x80, 0})[1] == 0xFF);  // starting again
+  part.silent = true;
+  CHECK(exchange(accelerometer, {0x80, 0, 0})[2] == 0xFF);
+}
+
+TEST_CASE("the compass answers at its address with its identity, and turns the field into its own axes") {
+  Time now = from_ns(20'000'000);
+  Ist8310 part(
+      0x0E, [&] { return now; }, [](Time) { return Eigen::Vector3d(30e-6, -15e-6, 0); });
+  I2cLine line;
+  line.attach(part);
+  const auto write = [&](std::initializer_list<int> bytes) {
+    REQUIRE(line.select(0x0E, false));
+    for (const int byte : bytes) REQUIRE(line.write(static_cast<std::uint8_t>(byte)));
+    line.stop();
+  };
+  const auto read = [&](unsigned count) {
+    std::vector<int> bytes;
+    REQUIRE(line.select(0x0E, true));
+    for (unsigned i = 0; i < count; ++i) bytes.push_back(line.read());
+    line.stop();
+    return bytes;
+  };
+  write({0x00});
+  CHECK(read(1)[0] == 0x10);
+  write({0x03});
+  CHECK(read(6) == std::vector<int>{0, 0, 0, 0, 0, 0});  // not measuring yet
+  write({0x0A, 0x0B});
+  write({0x03});
+  CHECK(read(6) == std::vector<int>{100, 0, 0xCE, 0xFF, 0, 0});
+  part.hold_reset(true);
+  CHECK(!line.select(0x0E, false));
+}
+
+TEST_CASE("a sensor on two driven joints sees the sum of their angles and rates") {
+  struct Fixed : Shaft {
+    Fixed(double angle, double speed) : angle_(angle), speed_(speed) {}
+    double angle(Time) override { return angle_; }
+    double speed(Time) override { return speed_; }
+    double angle_, speed_;
+  } yaw(90 * kDegree, 2), pitch(-30 * kDegree, 0);
+  StandingBody base;
+  Mount head(base,
+             {{{0, 0, 0.1}, {}, Eigen::Vector3d::UnitZ(), &yaw}, {{0.2, 0, 0}, {}, Eigen::Vector3d::UnitY(), &pitch}});
+  const Motion motion = head.motion(0);
+  const Angles angles = angles_of(motion.attitude);
+  CHECK(angles.yaw / kDegree == Approx(90));
+  CHECK(angles.pitch / kDegree == Approx(-30));
+  CHECK(motion.position.y() == Approx(0.2));
+  CHECK(motion.position.z() == Approx(0.1));
+  CHECK(motion.rate.z() == Approx(2 * std::cos(30 * kDegree)));  // about the world's vertical, in the tilted frame
+  CHECK(motion.rate.x() == Approx(2 * std::sin(30 * kDegree)));
+  CHECK(motion.force.x() == Approx(kGravity * std::sin(30 * kDegree)));
+}
+
+TEST_CASE("a hull floats, sinks under thrust, rights itself, and takes the moments of its thrusters") {
+  SubmergedBody::Parameters p;
+  p.mass = 5;
+  p.inertia = Eigen::Vector3d(0.06, 0.07, 0.09).asDiagonal();
+  SubmergedBody hull(p);
+  CHECK(hull.depth(5000 * kMs) == Approx(0).margin(1e-6));
+  const auto down = hull.add_thruster({0, 0, 0}, {0, 0, -1}, 0.05);
+  hull.thrust(5000 * kMs, down, 20);
+  CHECK(hull.depth(7000 * kMs) > 0.3);
+  hull.thrust(7000 * kMs, down, 0);
+  CHECK(hull.depth(60'000 * kMs) < 0.05);  // positive buoyancy brings it back
+  const auto left = hull.add_thruster({0, 0.1, 0}, {1, 0, 0}, 0.05);
+  hull.thrust(60'000 * kMs, left, 1);
+  CHECK(hull.motion(60'500 * kMs).rate.z() < -0.05);  // pushes forward on the left: turns to the right
+  hull.thrust(60'500 * kMs, left, 0);
+  hull.disturb(60'500 * kMs, Eigen::Vector3d::Zero(), {0.2, 0, 0});
+  CHECK(angles_of(hull.motion(65'000 * kMs).attitude).roll > 10 * kDegree);
+  hull.disturb(65'000 * kMs, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+  CHECK(angles_of(hull.motion(80'000 * kMs).attitude).roll == Approx(0).margin(1 * kDegree));
+}

@@ -1,0 +1,75 @@
+// Examples on the emulated board with plants that close their loops, and with what goes wrong on their buses: every
+// scenario says itself what has to be seen at the parts, and until when.
+#include "catch.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace finemote::test;
+
+namespace {
+
+std::string scenario(const std::string& name) { return source_path("tests/emulator/scenarios/" + name + ".json"); }
+
+void run(const std::string& robot, const std::string& name, const std::string& duration, std::size_t expectations) {
+  INFO(robot << ", " << name);
+  const auto document = finemote_json(
+      {"run", source_path("examples/" + robot + ".urdf"), "--scenario", scenario(name), "--duration", duration});
+  CHECK(document["expectations"].size() == expectations);
+  for (const auto& it : document["expectations"]) {
+    INFO(it.dump());
+    CHECK(it["ok"] == true);
+  }
+  CHECK(document["overruns"] == 0);
+  CHECK(document["resets"] == 0);
+  if (document["faults"] == true) return;  // bounds presume that parts and wires work
+  for (const auto& chain : document["chains"]) {
+    INFO(chain.dump());
+    for (const char* part : {"acquire", "decide", "wire", "end_to_end"}) {
+      const auto& figure = chain[part];
+      if (figure["max_ns"].is_null() || figure["bound_ns"].is_null()) continue;
+      CHECK(figure["max_ns"].get<std::int64_t>() <= figure["bound_ns"].get<std::int64_t>());
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the underwater vehicle dives, turns, and comes back from a push") { run("finsrov", "rov_loops", "14s", 9); }
+
+TEST_CASE("the infantry's wheels reach their speed and its head holds its aim against the world") {
+  run("infantry", "infantry_loops", "4400ms", 12);
+}
+
+TEST_CASE("the arm's joints go where they are jogged and hold against a load") {
+  run("six_joint_arm", "arm_loops", "6s", 8);
+}
+
+TEST_CASE(
+    "whatever fails on the underwater vehicle's buses, its thrusters are neutral within a bound, and work again "
+    "after") {
+  run("finsrov", "rov_faults", "9800ms", 11);
+}
+
+TEST_CASE("whatever fails on the infantry's buses, its motors have no current within a bound, and work again after") {
+  run("infantry", "infantry_faults", "4300ms", 15);
+}
+
+TEST_CASE("a run that is not as its scenario expects is a no, one that cannot happen is an error") {
+  const TemporaryFolder folder;
+  const std::string robot = source_path("examples/two_devices.urdf");
+  const auto with = [&](const std::string& text) {
+    write_file(folder.path("s.json"), R"({"schema": "finemote.scenario/1", )" + text + "}");
+    return run_finemote({"run", robot, "--scenario", folder.path("s.json"), "--duration", "50ms"});
+  };
+  const auto wrong = with(R"("parts": [{"type": "standing_body", "name": "hand"}],
+                             "expect": [{"from_ns": 30000000, "part": "hand", "value": "yaw", "min": 1, "max": 2}])");
+  CHECK(wrong.exit_status == 1);
+  CHECK(wrong.output.find("NOT AS EXPECTED") != std::string::npos);
+  const auto late = with(R"("parts": [{"type": "standing_body", "name": "hand"}],
+                            "expect": [{"from_ns": 90000000, "part": "hand", "value": "yaw", "min": -1, "max": 2}])");
+  CHECK(late.exit_status == 1);
+  CHECK(late.output.find("the run ended before") != std::string::npos);
+  const auto impossible = with(R"("parts": [{"type": "standing_body", "name": "hand"}],
+                                  "events": [{"t_ns": 30000000, "part": "hand", "do": "explode"}])");
+  CHECK(impossible.exit_status == 2);
+  CHECK(impossible.output.find("FM6004") != std::string::npos);
+}
