@@ -17,6 +17,7 @@ constexpr std::uint32_t kSystemMemoryBase = 0x1FFF7000, kSystemMemoryBytes = 0x1
 
 // Exception entry and return without wait states, and a tail-chained one: Cortex-M4 TRM 3.9 and ARMv7-M B1.5.
 constexpr unsigned kEntryCycles = 12, kReturnCycles = 10, kTailCycles = 6, kLazyCycles = 17, kFlashWait = 5;
+constexpr std::uint32_t kItBits = 0x0600FC00;  // xPSR 26:25 and 15:10
 constexpr Time kQemuInstruction = from_ns(8);
 
 // Numbers unicorn gives to what stops it (target/arm/cpu.h of QEMU).
@@ -184,6 +185,7 @@ std::uint32_t Cpu::vector(int exception) {
 void Cpu::reset() {
   system_.reset();
   active_.clear();
+  left_it_blocks_.clear();
   set(UC_ARM_REG_XPSR, 1U << 24);
   set(UC_ARM_REG_CONTROL, 0);
   set(UC_ARM_REG_PRIMASK, 0);
@@ -256,7 +258,7 @@ void Cpu::on_instruction(std::uint32_t address, std::uint32_t) {
   if (stopping_) return;
   pc_ = address;
   if (check_stack_) watch_stack();
-  const bool in_it_block = address > it_begin_ && address < it_end_;
+  const bool in_it_block = !interrupt_it_blocks_ && address > it_begin_ && address < it_end_;
   if (probe_ && !in_it_block) probe_(address);
   if ((kick_ || time_ >= next_stop_) && !in_it_block) {
     stopping_ = true;
@@ -291,6 +293,19 @@ void Cpu::on_instruction(std::uint32_t address, std::uint32_t) {
     const unsigned length = (mask & 1) != 0 ? 4 : (mask & 2) != 0 ? 3 : (mask & 4) != 0 ? 2 : 1;
     for (unsigned i = 0; i < length; ++i) it_end_ += info_at(it_end_).bytes;
   }
+}
+
+/// The IT bits of xPSR before the instruction at `address`, which unicorn keeps to itself: condition and mask of the IT
+/// instruction, shifted once per instruction of the block (ARMv7-M A7.3.2). 0 outside a block.
+std::uint32_t Cpu::it_bits(std::uint32_t address) {
+  if (address <= it_begin_ || address >= it_end_) return 0;
+  std::uint16_t op = 0;
+  if (const std::uint8_t* p = memory(it_begin_ < kFlashBytes ? it_begin_ + kFlashBase : it_begin_, 2))
+    std::memcpy(&op, p, 2);
+  std::uint32_t state = op & 0xFF;
+  for (std::uint32_t at = it_begin_ + 2; at < address; at += info_at(at).bytes)
+    state = (state & 7) == 0 ? 0 : (state & 0xE0) | (state << 1 & 0x1F);
+  return (state & 3) << 25 | (state >> 2) << 10;
 }
 
 /// A peripheral may have asked for an interrupt or an earlier event.
@@ -336,7 +351,10 @@ void Cpu::enter(int exception, bool tail_chained, std::uint32_t chained_return) 
     put(16, get(UC_ARM_REG_R12));
     put(20, get(UC_ARM_REG_LR));
     put(24, get(UC_ARM_REG_PC) & ~1U);
-    put(28, (get(UC_ARM_REG_XPSR) & ~0x200U) | (pad != 0 ? 0x200U : 0) | 1U << 24);
+    const std::uint32_t it = it_bits(get(UC_ARM_REG_PC) & ~1U);
+    if (it != 0) ++interrupted_it_blocks_count_;
+    left_it_blocks_.push_back({it_begin_, it_end_});
+    put(28, (get(UC_ARM_REG_XPSR) & ~(0x200U | kItBits)) | it | (pad != 0 ? 0x200U : 0) | 1U << 24);
     if (fp) {
       for (int i = 0; i < 16; ++i) put(32 + 4 * static_cast<unsigned>(i), get(UC_ARM_REG_S0 + i));
       put(96, get(UC_ARM_REG_FPSCR));
@@ -404,6 +422,9 @@ void Cpu::leave(std::uint32_t exc_return) {
     for (int i = 0; i < 16; ++i) set(UC_ARM_REG_S0 + i, word(32 + 4 * static_cast<unsigned>(i)));
     set(UC_ARM_REG_FPSCR, word(96));
   }
+  it_begin_ = left_it_blocks_.back().begin;
+  it_end_ = left_it_blocks_.back().end;
+  left_it_blocks_.pop_back();
   fp_active_ = fp;
   lazy_frame_ = false;
   system_.set_active_exception(active_.empty() ? 0 : active_.back());
@@ -467,6 +488,8 @@ void Cpu::take_exceptions() {
 void Cpu::execute() {
   stopping_ = waiting_ = false;
   interrupt_ = -1;
+  if (const std::uint32_t it = interrupt_it_blocks_ ? it_bits(get(UC_ARM_REG_PC) & ~1U) : 0; it != 0)
+    set(UC_ARM_REG_XPSR, (get(UC_ARM_REG_XPSR) & ~kItBits) | it);
   const uc_err error = uc_emu_start(uc_, get(UC_ARM_REG_PC) | 1, 0xFFFFFFFEU, 0, 0);
   const std::uint32_t stopped_at = get(UC_ARM_REG_PC);
   const bool returning =

@@ -68,6 +68,11 @@ class Cpu {
   /// Called before every instruction while set: for tests and counters. Slow.
   using Probe = std::function<void(std::uint32_t pc)>;
   void set_probe(Probe probe) { probe_ = std::move(probe); }
+  /// Interrupts (and the probe) also come between the instructions of an IT block, as the core allows. Without, they
+  /// wait for its end, as in QEMU.
+  void interrupt_it_blocks(bool on) { interrupt_it_blocks_ = on; }
+  /// How often one did.
+  [[nodiscard]] unsigned interrupted_it_blocks() const { return interrupted_it_blocks_count_; }
   /// Register 0..15.
   [[nodiscard]] std::uint32_t register_value(unsigned number) const;
   /// Time that a peripheral access costs beyond the instruction.
@@ -87,6 +92,7 @@ class Cpu {
   void after_access();
   const InstructionInfo& info_at(std::uint32_t address);
   void watch_stack();
+  [[nodiscard]] std::uint32_t it_bits(std::uint32_t address);
 
   void execute();
   void take_exceptions();
@@ -121,6 +127,12 @@ class Cpu {
   std::string console_;
   int exit_code_ = 0;
   bool kick_ = false, stopping_ = false, waiting_ = false, sleeping_ = false, check_stack_ = false;
+  struct ItBlock {
+    std::uint32_t begin, end;
+  };
+  std::vector<ItBlock> left_it_blocks_;  ///< of what the active exceptions interrupted
+  bool interrupt_it_blocks_ = false;
+  unsigned interrupted_it_blocks_count_ = 0;
   bool fp_active_ = false, lazy_frame_ = false, exited_ = false, locked_up_ = false;
   int interrupt_ = -1;             ///< what unicorn stopped for
   std::uint32_t bad_address_ = 0;  ///< of the access that failed

@@ -35,6 +35,7 @@ struct Options {
   bool allow_unschedulable = false;
   bool diff = false;
   std::string duration;                      ///< --duration
+  std::string flash = "hit";                 ///< --flash: what fetches from the emulated flash cost, hit or miss
   std::string keep;                          ///< --keep: folder for the sources and build of `run`
   std::string scenario;                      ///< --scenario: stimuli and faults for `run`
   bool deps = false;                         ///< xacro --deps

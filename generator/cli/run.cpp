@@ -15,6 +15,7 @@
 #include "generator/run/build_firmware.hpp"
 #include "generator/run/emulate.hpp"
 #include "generator/run/execute.hpp"
+#include "generator/run/parts.hpp"
 #include "generator/run/report.hpp"
 #include "generator/timing/command.hpp"
 #include "generator/timing/from_robot.hpp"
@@ -122,6 +123,12 @@ bool all_constant(const Robot& robot) {
   return std::all_of(robot.devices.begin(), robot.devices.end(), [](const Device& d) { return d.type->constant_init; });
 }
 
+/// With --keep, what hangs on the board stays beside the image.
+void keep_parts(const Context& context, const Robot& robot, const std::string& folder) {
+  if (context.options.keep.empty()) return;
+  std::ofstream(folder + "/parts.json", std::ios::binary | std::ios::trunc) << emulated_parts(robot).scenario.dump(2) << "\n";
+}
+
 /// Bounds of the image as it runs: with the cost of its trace.
 std::optional<timing::Timing> bounds(const Context& context, const Loaded& loaded, Diagnostics& diagnostics) {
   timing::RobotTimingOptions options;
@@ -156,7 +163,8 @@ bool write_trace(Context& context, const RunResult& result) {
 std::optional<RunRecord> run_image(Context& context, const Loaded& loaded, const std::string& board,
                                    const std::string& image, std::int64_t duration) {
   if (board == "robomaster_type_c") {
-    return emulate(image, loaded.robot, loaded.forest, duration, context.options.scenario, context.diagnostics);
+    return emulate(image, loaded.robot, loaded.forest, duration, 
+                   {context.options.scenario, context.options.flash == "miss"}, context.diagnostics);
   }
   return execute(image, board, loaded.forest, duration, context.diagnostics);
 }
@@ -188,6 +196,7 @@ int run_run(Context& context) {
   if (!path) return finish(context, kExitInvalid);
   const auto image = image_facts(*path, board != "host", !all_constant(loaded->robot), context.diagnostics);
   if (!image || context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  keep_parts(context, loaded->robot, work.path());
   if (context.options.build_only) return finish_build(context, *image, board);
   // What the analysis finds wrong is analyze's answer, not this one's: a run that goes well is a good run.
   Diagnostics analysis;

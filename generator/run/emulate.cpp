@@ -129,20 +129,23 @@ std::optional<RunRecord> run(emulator::Board& board, const emulator::Outfit& out
 }  // namespace
 
 std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, const Forest& forest,
-                                 std::int64_t duration_ns, const std::string& scenario, Diagnostics& diagnostics) {
-  emulator::Board board;
+                                 std::int64_t duration_ns, const EmulationOptions& options, Diagnostics& diagnostics) {
+  emulator::BoardOptions board_options;
+  if (options.flash_misses) board_options.flash = emulator::FlashModel::miss_always;
+  emulator::Board board(board_options);
   emulator::Outfit outfit(board);
   const emulator::Image loaded = emulator::load_image(image);
   board.load(loaded);
   const EmulatedParts parts = emulated_parts(robot);
   outfit.add(parts.scenario);
-  if (!add_scenario(scenario, outfit, diagnostics)) return std::nullopt;
+  if (!add_scenario(options.scenario, outfit, diagnostics)) return std::nullopt;
   try {
     auto record = run(board, outfit, robot, forest, loaded, duration_ns, diagnostics);
     if (record) record->silent = parts.silent;
+    if (record) record->flash = options.flash_misses ? "miss" : "hit";
     return record;
   } catch (const std::invalid_argument& error) {  // an event that cannot happen to its part
-    diagnostics.error(code::bad_scenario, {}, fmt::format("scenario '{}': {}", scenario, error.what()));
+    diagnostics.error(code::bad_scenario, {}, fmt::format("scenario '{}': {}", options.scenario, error.what()));
     return std::nullopt;
   }
 }

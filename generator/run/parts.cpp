@@ -90,14 +90,15 @@ void add_params(const Device& device, const Json& emulation, Json& part) {
 }
 
 /// What the part feels of the body, or does to it.
-void add_mechanics(const Robot& robot, const Device& device, const std::string& body, Json& part) {
+void add_mechanics(const Robot& robot, const Device& device, const Json& emulation, const std::string& body,
+                   Json& part) {
   const auto axis = device.joint.empty() ? std::nullopt : joint_axis(robot, device.joint);
   if (device.type->actuator && axis) {
     part["body"] = body;
     part["xyz"] = {axis->point.x(), axis->point.y(), axis->point.z()};
     part["axis"] = {axis->direction.x(), axis->direction.y(), axis->direction.z()};
     part.update(load_of(robot, device.joint));
-  } else if (!device.type->actuator && !body.empty()) {
+  } else if (!emulation.contains("body") && !body.empty()) {
     part["body"] = body;
     part["way"] = way_to(robot, device.link);
   }
@@ -140,7 +141,7 @@ EmulatedParts emulated_parts(const Robot& robot) {
       add_bus(robot, device, part);
       part.update(emulation.value("values", Json::object()));
       add_params(device, emulation, part);
-      add_mechanics(robot, device, body.is_null() ? "" : body["name"], part);
+      add_mechanics(robot, device, emulation, body.is_null() ? "" : body["name"], part);
       parts.push_back(part);
     } else if (device.segment) {
       result.silent.push_back(device.name.text);

@@ -58,6 +58,7 @@ struct RunRecord {
   std::vector<MonitorEntry> monitor;    ///< in schedule order; empty without the monitor
   unsigned resets = 0;                  ///< by the watchdog or the firmware; emulated board only
   std::vector<ExpectationRecord> expectations;  ///< of the scenario; emulated board only
+  std::string flash;                    ///< hit or miss: how the emulated board counted fetches
   bool faulty = false;                  ///< the scenario injects faults: bounds need not hold
   std::vector<std::string> silent;      ///< devices without a model on the emulated board
   std::vector<std::string> faults;      ///< `module 3, number 2, 5 times`

@@ -236,6 +236,7 @@ Json run_document(const RunResult& result) {
           {"overruns", result.overruns()},
           {"resets", result.record.resets},
           {"buses", bus_list(result)},
+          {"flash", result.record.flash.empty() ? Json(nullptr) : Json(result.record.flash)},
           {"faults", result.record.faulty},
           {"expectations", expectation_list(result)},
           {"silent", result.record.silent}};
@@ -252,6 +253,9 @@ void print_image(const ImageFacts& image, std::ostream& out) {
 void print_run(const RunResult& result, std::ostream& out) {
   out << fmt::format("{} on {}, {}\n", result.robot.name.text, result.board, period_text(result.duration_ns));
   print_image(result.image, out);
+  if (!result.record.flash.empty())
+    out << fmt::format("times are derived from instructions; fetches from flash {}\n",
+                       result.record.flash == "hit" ? "hit its accelerator" : "always miss its accelerator");
   print_order(result, out);
   print_chains(result, out);
   print_monitor(result, out);

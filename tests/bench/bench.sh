@@ -36,5 +36,13 @@ if [ -x "$build/tests/bench/timing/timing_bench" ]; then
 fi
 
 echo
-echo "== measured beside bound on the emulated board, all chains of the hardware examples"
-"$finemote" run "$root/examples/finsrov.urdf" --duration 1s | sed -n '/^age of/,/^$/p'
+echo "== emulator speed on the infantry (to reach: 50 M instructions per second of processor time)"
+"$finemote" -q run "$root/examples/infantry.urdf" --build-only --keep "$folder/infantry" >/dev/null
+"$build/tests/bench/emulator/emulator_speed" "$folder/infantry/build/firmware.elf" "$folder/infantry/parts.json" 5
+
+echo
+echo "== measured beside bound on the emulated board, all chains of all examples; no measured value may be above its bound"
+for robot in "$root"/examples/*.urdf "$root"/examples/*.urdf.xacro; do
+  echo "-- ${robot##*/}"
+  "$finemote" run "$robot" --board robomaster_type_c --duration 1s | sed -n '/^age of/,/^$/p'
+done
