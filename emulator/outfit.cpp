@@ -67,10 +67,15 @@ double Outfit::value(const std::string& part, const std::string& quantity) {
   return *value;
 }
 
+SerialTerminal* Outfit::terminal(const std::string& part) {
+  auto* element = find<Hearing>(part);
+  return element == nullptr ? nullptr : &element->terminal();
+}
+
 std::string Outfit::text(const std::string& part) {
-  const Hearing* element = find<Hearing>(part);
-  if (element == nullptr) throw std::invalid_argument("part '" + part + "' hears no text");
-  return element->text();
+  const SerialTerminal* host = terminal(part);
+  if (host == nullptr) throw std::invalid_argument("part '" + part + "' hears no text");
+  return host->text();
 }
 
 Usart& Outfit::usart_of(const Json& part) {

@@ -63,6 +63,8 @@ class Outfit {
   double value(const std::string& part, const std::string& quantity);
   /// What a host terminal has heard.
   std::string text(const std::string& part);
+  /// The host terminal of this name, or null.
+  SerialTerminal* terminal(const std::string& part);
 
   // For elements.
   Board& board() { return board_; }

@@ -8,6 +8,7 @@
 
 #include "emulator/chip/i2c_line.hpp"
 #include "emulator/outfit/entry.hpp"
+#include "emulator/parts/serial_terminal.hpp"
 #include "emulator/plants/motion.hpp"
 
 namespace finemote::emulator {
@@ -58,10 +59,10 @@ class ShaftSource {
   virtual Shaft& shaft() = 0;
 };
 
-class Hearing {  ///< remembers text
+class Hearing {  ///< remembers bytes
  public:
   virtual ~Hearing() = default;
-  [[nodiscard]] virtual std::string text() const = 0;
+  virtual SerialTerminal& terminal() = 0;
 };
 
 using MakeElement = std::unique_ptr<Element> (*)(Outfit& outfit, const Json& part, const std::string& name);

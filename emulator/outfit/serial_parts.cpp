@@ -83,7 +83,7 @@ class TerminalElement : public Element, public Hearing {
     if (quantity == "heard") return static_cast<double>(model_.heard().size());
     return std::nullopt;
   }
-  [[nodiscard]] std::string text() const override { return model_.text(); }
+  SerialTerminal& terminal() override { return model_; }
 
  private:
   SerialTerminal model_;
