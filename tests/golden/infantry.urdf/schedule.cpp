@@ -51,6 +51,7 @@ void safe_outputs() {
   chassis::front_left.safe();
   gimbal::pitch.safe();
   gimbal::yaw.safe();
+  gimbal::imu.safe();
   wheel_can.flush();
   gimbal_can.flush();
 }
@@ -89,5 +90,33 @@ constexpr finemote::Bucket kBuckets[] = {
 
 extern "C" constexpr finemote::Schedule finemote_schedule{
     "infantry", 1000000 /* tick [ns] */, kBuckets, finemote::Overrun::skip, start_buses, safe_outputs, nullptr};
+
+#ifdef FINEMOTE_MONITOR
+
+extern "C" {
+finemote::MonitorRecord finemote_monitor_records[10];
+}
+
+namespace {
+
+constexpr finemote::Monitored kMonitored[] = {
+    // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
+    {0, 188000, finemote::kUnbounded, nullptr},  // imu
+    {0, 185540, 28282090, &gimbal::yaw.command},  // yaw
+    {0, 179962, 28276512, &gimbal::pitch.command},  // pitch
+    {1, 233328, finemote::kUnbounded, nullptr},  // gimbal
+    {2, 348046, 26444596, &chassis::front_left.command},  // front_left
+    {2, 324586, 26421136, &chassis::front_right.command},  // front_right
+    {2, 319926, 26416476, &chassis::rear_left.command},  // rear_left
+    {2, 315266, 26411816, &chassis::rear_right.command},  // rear_right
+    {2, 310606, finemote::kUnbounded, nullptr},  // chassis
+    {3, 364002, finemote::kUnbounded, nullptr},  // remote
+};
+
+}  // namespace
+
+extern "C" constexpr finemote::Monitor finemote_monitor{kMonitored, finemote_monitor_records};
+
+#endif
 
 }  // namespace infantry

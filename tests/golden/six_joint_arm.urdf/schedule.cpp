@@ -60,4 +60,30 @@ constexpr finemote::Bucket kBuckets[] = {
 extern "C" constexpr finemote::Schedule finemote_schedule{
     "six_joint_arm", 1000000 /* tick [ns] */, kBuckets, finemote::Overrun::skip, start_buses, safe_outputs, nullptr};
 
+#ifdef FINEMOTE_MONITOR
+
+extern "C" {
+finemote::MonitorRecord finemote_monitor_records[8];
+}
+
+namespace {
+
+constexpr finemote::Monitored kMonitored[] = {
+    // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
+    {1, 255146, finemote::kUnbounded, nullptr},  // sticks
+    {0, 215908, 27286958, &arm::base.command},  // base
+    {0, 211248, 27282298, &arm::shoulder.command},  // shoulder
+    {0, 185288, 27256338, &arm::elbow.command},  // elbow
+    {0, 180628, 27251678, &arm::wrist_roll.command},  // wrist_roll
+    {0, 175968, 27247018, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 171308, 27242358, &arm::flange.command},  // flange
+    {0, 166648, finemote::kUnbounded, nullptr},  // arm
+};
+
+}  // namespace
+
+extern "C" constexpr finemote::Monitor finemote_monitor{kMonitored, finemote_monitor_records};
+
+#endif
+
 }  // namespace six_joint_arm

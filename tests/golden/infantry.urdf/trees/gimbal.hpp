@@ -18,17 +18,28 @@
 namespace infantry::gimbal {
 
 /// imu: bmi088 on 'imu_spi' channel 0, every 1 ms
+/// response <= 178.4 us
 FINEMOTE_CONSTINIT inline finemote::Bmi088 imu{
-    finemote::Bmi088::Config{/*kp*/ 0.5f, /*ki*/ 0.01f},
+    finemote::Bmi088::Config{
+        /*kp*/ 0.5f,
+        /*ki*/ 0.01f,
+        /*temperature*/ 40.0f,
+        /*heater_kp*/ 0.2f,
+        /*heater_ki*/ 0.005f,
+        /*heater_limit*/ 0.5f},
     ::infantry::slots::imu,
-    /*gyro*/ ::infantry::slots::imu_gyro};
+    /*gyro*/ ::infantry::slots::imu_gyro,
+    /*heater*/ nullptr,
+    /*ready*/ nullptr};
 
 /// yaw: dji_gm6020 on 'gimbal_can' id 1, every 1 ms
+/// response <= 178.04 us; data age <= 28.275 ms when handle() ends, <= 29.167 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiGm6020 yaw{
     finemote::DjiGm6020::Config{/*max_age [ns]*/ 100000000},
     ::infantry::slots::yaw};
 
 /// pitch: dji_gm6020 on 'gimbal_can' id 2, every 1 ms
+/// response <= 174.562 us; data age <= 28.272 ms when handle() ends, <= 29.167 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiGm6020 pitch{
     finemote::DjiGm6020::Config{/*max_age [ns]*/ 100000000},
     ::infantry::slots::pitch};
@@ -55,6 +66,7 @@ FINEMOTE_CONSTINIT inline finemote::Remote::State remote_to_gimbal{};
 }  // namespace ports
 
 /// gimbal: gimbal, every 2 ms
+/// response <= 219.528 us
 FINEMOTE_CONSTINIT inline finemote::Gimbal gimbal{
     finemote::Gimbal::Config{
         /*max_rate*/ 3.0f,
