@@ -194,6 +194,8 @@ void add_crossings(const Plan& plan, std::size_t device, std::vector<std::string
       const char* latch = crossing.kind == Crossing::Kind::to_slow ? "LatchToSlow" : "LatchToFast";
       lines.push_back(
           fmt::format("FINEMOTE_CONSTINIT inline finemote::{}<{}> {}_latch{{}};", latch, crossing.type, crossing.name));
+    } else {
+      lines.push_back(fmt::format("static_assert(finemote::CheckedCrossing<{}>::ok);", crossing.type));
     }
     lines.push_back(fmt::format("FINEMOTE_CONSTINIT inline {} {}{{}};", crossing.type, crossing.name));
   }

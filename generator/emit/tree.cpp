@@ -119,7 +119,8 @@ std::vector<std::string> object_headers(const Plan& plan, const Tree& tree, cons
   }
   for (const Crossing& crossing : plan.schedule.crossings) {
     const bool here = plan.forest.trees[plan.forest.tree_of[crossing.home]].root == tree.root;
-    if (here && crossing.kind != Crossing::Kind::copy) headers.emplace_back("<finemote/latch.hpp>");
+    if (!here) continue;
+    headers.emplace_back(crossing.kind == Crossing::Kind::copy ? "<finemote/crossing.hpp>" : "<finemote/latch.hpp>");
   }
   return headers;
 }

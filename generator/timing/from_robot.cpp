@@ -12,8 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A state or command that crosses buckets is copied as so many words. Generated code knows the types, the generator
-/// does not; the interfaces shipped have at most 24.
+/// A state or command that crosses buckets is copied as so many words at most. Generated code knows the types, the
+/// generator does not: more does not compile (finemote::kCrossingBytes). The interfaces shipped have at most 24.
 constexpr Ns kCrossingWords = 32;
 
 std::string bus_kind_key(BusKind kind) {

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "finemote/crossing.hpp"
+
 namespace finemote {
 namespace detail {
 
@@ -32,6 +34,7 @@ inline void set(Index& index, std::uint8_t value) { index.store(value, std::memo
 template <class T, class Steps = detail::Straight>
 class LatchToSlow {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>, "latched values are plain");
+  static_assert(CheckedCrossing<T>::ok);
 
  public:
   constexpr LatchToSlow() = default;
@@ -70,6 +73,7 @@ class LatchToSlow {
 template <class T, class Steps = detail::Straight>
 class LatchToFast {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>, "latched values are plain");
+  static_assert(CheckedCrossing<T>::ok);
 
  public:
   constexpr LatchToFast() = default;

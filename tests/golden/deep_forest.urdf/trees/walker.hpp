@@ -7,6 +7,7 @@
 
 #include <finemote/constinit.hpp>
 #include <finemote/contract.hpp>
+#include <finemote/crossing.hpp>
 #include <finemote/devices/group.hpp>
 #include <finemote/devices/sim_load.hpp>
 #include <finemote/interfaces.hpp>
@@ -129,6 +130,7 @@ FINEMOTE_CONSTINIT inline finemote::Group body{ports::body_children};
 
 namespace ports {  // what 'walker' sees of others
 // state: remote (10 ms) -> walker (10 ms)
+static_assert(finemote::CheckedCrossing<finemote::Any::State>::ok);
 FINEMOTE_CONSTINIT inline finemote::Any::State remote_to_walker{};
 FINEMOTE_CONSTINIT inline finemote::Any::Command walker_children_sink_1{};  // goes nowhere
 inline constexpr finemote::Port<finemote::Any> walker_children[] = {
