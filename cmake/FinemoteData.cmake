@@ -8,4 +8,4 @@ endforeach()
 # The page of every diagnostic, which `finemote explain` prints.
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/docs/diagnostics ${PROJECT_BINARY_DIR}/share/diagnostics SYMBOLIC)
 install(DIRECTORY docs/diagnostics DESTINATION share/finemote)
-install(TARGETS finemote DESTINATION bin)
+install(TARGETS finemote finemote-emulator DESTINATION bin)

@@ -2,27 +2,31 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
-#include "emulator/outfit.hpp"
 #include "generator/run/parts.hpp"
+#include "generator/run/process.hpp"
 
 namespace finemote::gen {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-constexpr std::uint32_t kCycleCounter = 0xE0001004;     // DWT_CYCCNT, PM0214 4.10
-constexpr std::uint64_t kStep = 1'000'000;              // ns
-constexpr std::uint64_t kLongestStart = 2'000'000'000;  // ns: clocks and parts are up long before
 
-bool add_scenario(const std::string& path, emulator::Outfit& outfit, Diagnostics& diagnostics) {
+/// The program of the emulated board lies beside this one.
+fs::path emulator_program() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).parent_path() / "finemote-emulator";
+}
+
+bool add_scenario(const std::string& path, Json& job, Diagnostics& diagnostics) {
   if (path.empty()) return true;
   std::ifstream file(path);
   try {
     if (!file) throw std::invalid_argument("cannot be read");
-    outfit.add(Json::parse(file));
+    job["events"] = Json::parse(file);
     return true;
   } catch (const std::exception& error) {
     diagnostics.error(code::bad_scenario, {}, fmt::format("scenario '{}': {}", path, error.what()));
@@ -30,99 +34,92 @@ bool add_scenario(const std::string& path, emulator::Outfit& outfit, Diagnostics
   }
 }
 
-/// Runs until the first stage was traced; returns the time since power-on at which the trace counts 0.
-std::optional<std::int64_t> wait_for_first_release(emulator::Board& board) {
-  while (board.now_ns() < kLongestStart) {
-    if (board.run_for(kStep) != emulator::Stop::time) return std::nullopt;
-    if (board.stages().empty()) continue;
-    auto& world = board.world();
-    const std::int64_t cycles = world.system().read(kCycleCounter, 4, world.now(), 0);
-    return static_cast<std::int64_t>(board.now_ns()) - cycles * 125 / 21;  // 168 MHz: 21 cycles are 125 ns
+Json ports_of(const Robot& robot) {
+  Json ports = Json::array();
+  for (const Bus& bus : robot.buses) {
+    if (!bus.port.empty()) ports.push_back(bus.port);
   }
-  return std::nullopt;
+  return ports;
 }
 
-void report_stop(emulator::Stop stop, const emulator::Board& board, Diagnostics& diagnostics) {
-  const char* how = stop == emulator::Stop::exit     ? "ended itself"
-                    : stop == emulator::Stop::lockup ? "locked up"
-                    : stop == emulator::Stop::dead   ? "sleeps with nothing left to wake it"
-                                                     : "did not come to its first release";
-  auto& finding = diagnostics.error(code::firmware_stopped, {}, fmt::format("the firmware {}", how));
-  for (const emulator::Report& report : board.reports()) {
-    finding.note(fmt::format("{} at {} ns: {}", emulator::name_of(report.misuse), report.first_ns, report.text));
+/// Runs the job; null and FM0006 or FM6003 where the program is missing or fails.
+Json run_job(const Json& job, const std::string& image, std::int64_t duration_ns, Diagnostics& diagnostics) {
+  const std::string job_file = image + ".job.json", record_file = image + ".record.json";
+  std::ofstream(job_file, std::ios::binary | std::ios::trunc) << job << "\n";
+  fs::remove(record_file);
+  const std::chrono::seconds limit(120 + 60 * (duration_ns / 1'000'000'000));
+  const std::string program = emulator_program().string();
+  const ProcessResult result = run_process({program, job_file, record_file}, limit);
+  std::ifstream file(record_file);
+  if (result.started && !result.timed_out && result.exit_status == 0 && file) return Json::parse(file);
+  if (!result.started) {
+    diagnostics.error(code::missing_tool, {}, fmt::format("cannot start '{}'", program))
+        .hint("the emulated board is a program that is built and installed beside finemote");
+    return {};
+  }
+  auto& finding = diagnostics.error(code::broken_record, {}, fmt::format("'{}' cannot run the image", program));
+  if (result.timed_out) finding.note(fmt::format("stopped after {} s", limit.count()));
+  if (!result.output.empty()) finding.note(result.output);
+  return {};
+}
+
+void report_stop(const Json& record, Diagnostics& diagnostics) {
+  auto& finding = diagnostics.error(code::firmware_stopped, {},
+                                    fmt::format("the firmware {}", record.at("stop").get<std::string>()));
+  for (const Json& report : record.at("reports")) {
+    finding.note(fmt::format("{} at {} ns: {}", report.at("misuse").get<std::string>(),
+                             report.at("first_ns").get<std::uint64_t>(), report.at("text").get<std::string>()));
   }
 }
 
-void warn_of_misuse(const emulator::Board& board, Diagnostics& diagnostics) {
-  for (const emulator::Report& report : board.reports()) {
+void warn_of_misuse(const Json& record, Diagnostics& diagnostics) {
+  for (const Json& report : record.at("reports")) {
     diagnostics.warning(code::hardware_misuse, {},
-                        fmt::format("{}: {} ({} times, first at {} ns, pc {:#010x})", emulator::name_of(report.misuse),
-                                    report.text, report.count, report.first_ns, report.pc));
+                        fmt::format("{}: {} ({} times, first at {} ns, pc {:#010x})",
+                                    report.at("misuse").get<std::string>(), report.at("text").get<std::string>(),
+                                    report.at("count").get<std::uint32_t>(),
+                                    report.at("first_ns").get<std::uint64_t>(), report.at("pc").get<std::uint32_t>()));
   }
 }
 
-/// The monitor's records, as finemote/monitor.hpp lays them out; none in an image without them.
-std::vector<MonitorEntry> read_monitor(emulator::Board& board, const emulator::Image& image, const Forest& forest) {
-  constexpr const char* kRecords = "finemote_monitor_records";
-  constexpr std::uint32_t kBytes = 24;
-  std::vector<MonitorEntry> entries;
-  const auto records = image.symbol(kRecords);
-  for (std::uint32_t i = 0; records && (i + 1) * kBytes <= records->size && i < forest.order.size(); ++i) {
-    const auto word = [&](std::uint32_t offset) { return std::int64_t{board.word(kRecords, i * kBytes + offset)}; };
-    const auto time = [&](std::uint32_t offset) { return word(offset) | word(offset + 4) << 32; };
-    entries.push_back({forest.order[i], time(0), time(8), static_cast<std::uint64_t>(word(16)),
-                       static_cast<std::uint64_t>(word(20))});
+std::vector<Event> events_of(const Json& record, const Forest& forest) {
+  std::vector<Event> events;
+  for (const Json& event : record.at("stages")) {
+    const auto stage = event.at(1).get<std::uint32_t>();
+    if (stage / 2 >= forest.order.size()) continue;
+    events.push_back({event.at(0), forest.order[stage / 2], stage % 2 == 1, !event.at(2).get<bool>()});
   }
-  return entries;
+  return events;
 }
 
-RunRecord take_record(emulator::Board& board, const emulator::Outfit& outfit, const Robot& robot, const Forest& forest,
-                      std::int64_t zero, std::int64_t duration_ns) {
+std::vector<ExpectationRecord> expectations_of(const Json& record) {
+  const auto seen = [](const Json& value) { return value.is_null() ? std::nullopt : std::optional<double>(value); };
+  std::vector<ExpectationRecord> all;
+  for (const Json& e : record.at("expectations")) {
+    all.push_back({e.at("part"), e.at("value"), e.at("from_ns"), e.at("to_ns"), e.at("min"), e.at("max"),
+                   seen(e.at("lowest")), seen(e.at("highest")), e.at("ok")});
+  }
+  return all;
+}
+
+RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest) {
   RunRecord record;
-  for (const emulator::StageEvent& event : board.stages()) {
-    if (event.t_ns >= duration_ns || event.stage / 2 >= forest.order.size()) continue;
-    record.events.push_back({event.t_ns, forest.order[event.stage / 2], event.stage % 2 == 1, !event.begin});
+  record.events = events_of(json, forest);
+  for (const Json& part : json.at("parts")) {
+    record.parts.push_back({part.at("part"), part.at("output"), part.at("channel"), part.at("from_ns"), part.at("at_ns")});
   }
-  for (const emulator::PartEvent& event : outfit.events()) {
-    const bool is_output = event.kind == emulator::PartEvent::Kind::output;
-    record.parts.push_back({event.part, is_output, event.channel, static_cast<std::int64_t>(event.from_ns) - zero,
-                            static_cast<std::int64_t>(event.at_ns) - zero});
-  }
-  for (const emulator::Expectation& e : outfit.expectations()) {
-    ExpectationRecord seen{
-        e.part, e.value,  static_cast<std::int64_t>(e.from_ns), static_cast<std::int64_t>(e.to_ns), e.min, e.max, {},
-        {},     e.holds()};
-    if (e.looks > 0) seen.lowest = e.lowest, seen.highest = e.highest;
-    record.expectations.push_back(seen);
-  }
-  for (std::size_t i = 0; i < robot.buses.size(); ++i) {
+  record.expectations = expectations_of(json);
+  for (std::size_t i = 0, port = 0; i < robot.buses.size(); ++i) {
     if (robot.buses[i].port.empty()) continue;
-    const emulator::BusStatistics bus = board.bus(robot.buses[i].port);
-    const double busy = static_cast<double>(emulator::to_ns(bus.busy)) / static_cast<double>(board.now_ns());
-    record.buses.push_back({i, bus.transfers, bus.errors, std::min(busy, 1.0)});
+    const Json& bus = json.at("buses").at(port++);
+    record.buses.push_back({i, bus.at("transfers"), bus.at("errors"), bus.at("busy")});
   }
-  return record;
-}
-
-std::optional<RunRecord> run(emulator::Board& board, const emulator::Outfit& outfit, const Robot& robot,
-                             const Forest& forest, const emulator::Image& image,
-                             std::int64_t duration_ns, Diagnostics& diagnostics) {
-  const auto zero = wait_for_first_release(board);
-  if (!zero) {
-    report_stop(emulator::Stop::time, board, diagnostics);
-    return std::nullopt;
+  for (std::size_t i = 0; i < json.at("monitor").size() && i < forest.order.size(); ++i) {
+    const Json& entry = json.at("monitor").at(i);
+    record.monitor.push_back({forest.order[i], entry.at(0), entry.at(1), entry.at(2), entry.at(3)});
   }
-  const std::int64_t rest = *zero + duration_ns - static_cast<std::int64_t>(board.now_ns());
-  const emulator::Stop stop = rest > 0 ? board.run_for(static_cast<std::uint64_t>(rest)) : emulator::Stop::time;
-  if (stop != emulator::Stop::time) {
-    report_stop(stop, board, diagnostics);
-    return std::nullopt;
-  }
-  warn_of_misuse(board, diagnostics);
-  RunRecord record = take_record(board, outfit, robot, forest, *zero, duration_ns);
-  record.resets = board.resets() - outfit.scripted_resets();
-  record.faulty = outfit.injects_faults();
-  record.monitor = read_monitor(board, image, forest);
+  record.resets = json.at("resets");
+  record.faulty = json.at("faulty");
   return record;
 }
 
@@ -130,24 +127,27 @@ std::optional<RunRecord> run(emulator::Board& board, const emulator::Outfit& out
 
 std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, const Forest& forest,
                                  std::int64_t duration_ns, const EmulationOptions& options, Diagnostics& diagnostics) {
-  emulator::BoardOptions board_options;
-  if (options.flash_misses) board_options.flash = emulator::FlashModel::miss_always;
-  emulator::Board board(board_options);
-  emulator::Outfit outfit(board);
-  const emulator::Image loaded = emulator::load_image(image);
-  board.load(loaded);
   const EmulatedParts parts = emulated_parts(robot);
-  outfit.add(parts.scenario);
-  if (!add_scenario(options.scenario, outfit, diagnostics)) return std::nullopt;
-  try {
-    auto record = run(board, outfit, robot, forest, loaded, duration_ns, diagnostics);
-    if (record) record->silent = parts.silent;
-    if (record) record->flash = options.flash_misses ? "miss" : "hit";
-    return record;
-  } catch (const std::invalid_argument& error) {  // an event that cannot happen to its part
-    diagnostics.error(code::bad_scenario, {}, fmt::format("scenario '{}': {}", options.scenario, error.what()));
+  const char* flash = options.flash_misses ? "miss" : "hit";
+  Json job = {{"image", image}, {"flash", flash}, {"duration_ns", duration_ns}, {"ports", ports_of(robot)},
+              {"parts", parts.scenario}};
+  if (!add_scenario(options.scenario, job, diagnostics)) return std::nullopt;
+  const Json json = run_job(job, image, duration_ns, diagnostics);
+  if (json.is_null()) return std::nullopt;
+  if (json.contains("error")) {
+    diagnostics.error(code::bad_scenario, {},
+                      fmt::format("scenario '{}': {}", options.scenario, json.at("error").get<std::string>()));
     return std::nullopt;
   }
+  if (!json.at("stop").is_null()) {
+    report_stop(json, diagnostics);
+    return std::nullopt;
+  }
+  warn_of_misuse(json, diagnostics);
+  RunRecord record = read_record(json, robot, forest);
+  record.silent = parts.silent;
+  record.flash = flash;
+  return record;
 }
 
 }  // namespace finemote::gen

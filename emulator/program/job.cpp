@@ -1,0 +1,139 @@
+#include "emulator/program/job.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "emulator/board.hpp"
+#include "emulator/outfit.hpp"
+
+namespace finemote::emulator {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::uint32_t kCycleCounter = 0xE0001004;     // DWT_CYCCNT, PM0214 4.10
+constexpr std::uint64_t kStep = 1'000'000;              // ns
+constexpr std::uint64_t kLongestStart = 2'000'000'000;  // ns: clocks and parts are up long before
+
+/// Runs until the first stage was traced; returns the time since power-on at which the trace counts 0.
+std::optional<std::int64_t> wait_for_first_release(Board& board) {
+  while (board.now_ns() < kLongestStart) {
+    if (board.run_for(kStep) != Stop::time) return std::nullopt;
+    if (board.stages().empty()) continue;
+    auto& world = board.world();
+    const std::int64_t cycles = world.system().read(kCycleCounter, 4, world.now(), 0);
+    return static_cast<std::int64_t>(board.now_ns()) - cycles * 125 / 21;  // 168 MHz: 21 cycles are 125 ns
+  }
+  return std::nullopt;
+}
+
+const char* text_of(Stop stop) {
+  return stop == Stop::exit     ? "ended itself"
+         : stop == Stop::lockup ? "locked up"
+         : stop == Stop::dead   ? "sleeps with nothing left to wake it"
+                                : "did not come to its first release";
+}
+
+Json reports_of(const Board& board) {
+  Json all = Json::array();
+  for (const Report& report : board.reports()) {
+    all.push_back({{"misuse", name_of(report.misuse)}, {"text", report.text}, {"count", report.count},
+                   {"first_ns", report.first_ns}, {"pc", report.pc}});
+  }
+  return all;
+}
+
+Json stages_of(Board& board, std::int64_t duration_ns) {
+  Json all = Json::array();
+  for (const StageEvent& event : board.stages()) {
+    if (event.t_ns < duration_ns) all.push_back(Json::array({event.t_ns, event.stage, event.begin}));
+  }
+  return all;
+}
+
+Json parts_of(const Outfit& outfit, std::int64_t zero) {
+  Json all = Json::array();
+  for (const PartEvent& event : outfit.events()) {
+    all.push_back({{"part", event.part}, {"output", event.kind == PartEvent::Kind::output}, {"channel", event.channel},
+                   {"from_ns", static_cast<std::int64_t>(event.from_ns) - zero},
+                   {"at_ns", static_cast<std::int64_t>(event.at_ns) - zero}});
+  }
+  return all;
+}
+
+Json expectations_of(const Outfit& outfit) {
+  Json all = Json::array();
+  for (const Expectation& e : outfit.expectations()) {
+    const bool seen = e.looks > 0;
+    all.push_back({{"part", e.part}, {"value", e.value}, {"from_ns", e.from_ns}, {"to_ns", e.to_ns}, {"min", e.min},
+                   {"max", e.max}, {"lowest", seen ? Json(e.lowest) : Json()},
+                   {"highest", seen ? Json(e.highest) : Json()}, {"ok", e.holds()}});
+  }
+  return all;
+}
+
+Json buses_of(Board& board, const Json& ports) {
+  Json all = Json::array();
+  for (const Json& port : ports) {
+    const BusStatistics bus = board.bus(port.get<std::string>());
+    const double busy = static_cast<double>(to_ns(bus.busy)) / static_cast<double>(board.now_ns());
+    all.push_back({{"transfers", bus.transfers}, {"errors", bus.errors}, {"busy", std::min(busy, 1.0)}});
+  }
+  return all;
+}
+
+/// The monitor's records, as finemote/monitor.hpp lays them out; none in an image without them.
+Json monitor_of(Board& board, const Image& image) {
+  constexpr const char* kRecords = "finemote_monitor_records";
+  constexpr std::uint32_t kBytes = 24;
+  Json all = Json::array();
+  const auto records = image.symbol(kRecords);
+  for (std::uint32_t i = 0; records && (i + 1) * kBytes <= records->size; ++i) {
+    const auto word = [&](std::uint32_t offset) { return std::int64_t{board.word(kRecords, i * kBytes + offset)}; };
+    const auto time = [&](std::uint32_t offset) { return word(offset) | word(offset + 4) << 32; };
+    all.push_back(Json::array({time(0), time(8), word(16), word(20)}));
+  }
+  return all;
+}
+
+Json run(Board& board, const Outfit& outfit, const Image& image, const Json& job) {
+  const auto duration_ns = job.at("duration_ns").get<std::int64_t>();
+  const auto zero = wait_for_first_release(board);
+  Stop stop = Stop::time;
+  if (zero) {
+    const std::int64_t rest = *zero + duration_ns - static_cast<std::int64_t>(board.now_ns());
+    if (rest > 0) stop = board.run_for(static_cast<std::uint64_t>(rest));
+  }
+  if (!zero || stop != Stop::time) return {{"stop", text_of(stop)}, {"reports", reports_of(board)}};
+  return {{"stop", nullptr},
+          {"reports", reports_of(board)},
+          {"resets", board.resets() - outfit.scripted_resets()},
+          {"faulty", outfit.injects_faults()},
+          {"stages", stages_of(board, duration_ns)},
+          {"parts", parts_of(outfit, *zero)},
+          {"expectations", expectations_of(outfit)},
+          {"buses", buses_of(board, job.at("ports"))},
+          {"monitor", monitor_of(board, image)}};
+}
+
+}  // namespace
+
+Json run_job(const Json& job) {
+  BoardOptions options;
+  if (job.at("flash") == "miss") options.flash = FlashModel::miss_always;
+  Board board(options);
+  Outfit outfit(board);
+  const Image image = load_image(job.at("image").get<std::string>());
+  board.load(image);
+  outfit.add(job.at("parts"));
+  try {
+    if (job.contains("events")) outfit.add(job.at("events"));
+    return run(board, outfit, image, job);
+  } catch (const std::invalid_argument& error) {  // also an event that cannot happen to its part
+    return {{"error", error.what()}};
+  }
+}
+
+}  // namespace finemote::emulator
