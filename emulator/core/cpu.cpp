@@ -352,7 +352,6 @@ void Cpu::enter(int exception, bool tail_chained, std::uint32_t chained_return) 
     put(20, get(UC_ARM_REG_LR));
     put(24, get(UC_ARM_REG_PC) & ~1U);
     const std::uint32_t it = it_bits(get(UC_ARM_REG_PC) & ~1U);
-    if (it != 0) ++interrupted_it_blocks_count_;
     left_it_blocks_.push_back({it_begin_, it_end_});
     put(28, (get(UC_ARM_REG_XPSR) & ~(0x200U | kItBits)) | it | (pad != 0 ? 0x200U : 0) | 1U << 24);
     if (fp) {

@@ -71,8 +71,6 @@ class Cpu {
   /// Interrupts (and the probe) also come between the instructions of an IT block, as the core allows. Without, they
   /// wait for its end, as in QEMU.
   void interrupt_it_blocks(bool on) { interrupt_it_blocks_ = on; }
-  /// How often one did.
-  [[nodiscard]] unsigned interrupted_it_blocks() const { return interrupted_it_blocks_count_; }
   /// Register 0..15.
   [[nodiscard]] std::uint32_t register_value(unsigned number) const;
   /// Time that a peripheral access costs beyond the instruction.
@@ -132,7 +130,6 @@ class Cpu {
   };
   std::vector<ItBlock> left_it_blocks_;  ///< of what the active exceptions interrupted
   bool interrupt_it_blocks_ = false;
-  unsigned interrupted_it_blocks_count_ = 0;
   bool fp_active_ = false, lazy_frame_ = false, exited_ = false, locked_up_ = false;
   int interrupt_ = -1;             ///< what unicorn stopped for
   std::uint32_t bad_address_ = 0;  ///< of the access that failed

@@ -39,8 +39,11 @@ const char* text_of(Stop stop) {
 Json reports_of(const Board& board) {
   Json all = Json::array();
   for (const Report& report : board.reports()) {
-    all.push_back({{"misuse", name_of(report.misuse)}, {"text", report.text}, {"count", report.count},
-                   {"first_ns", report.first_ns}, {"pc", report.pc}});
+    all.push_back({{"misuse", name_of(report.misuse)},
+                   {"text", report.text},
+                   {"count", report.count},
+                   {"first_ns", report.first_ns},
+                   {"pc", report.pc}});
   }
   return all;
 }
@@ -56,7 +59,9 @@ Json stages_of(Board& board, std::int64_t duration_ns) {
 Json parts_of(const Outfit& outfit, std::int64_t zero) {
   Json all = Json::array();
   for (const PartEvent& event : outfit.events()) {
-    all.push_back({{"part", event.part}, {"output", event.kind == PartEvent::Kind::output}, {"channel", event.channel},
+    all.push_back({{"part", event.part},
+                   {"output", event.kind == PartEvent::Kind::output},
+                   {"channel", event.channel},
                    {"from_ns", static_cast<std::int64_t>(event.from_ns) - zero},
                    {"at_ns", static_cast<std::int64_t>(event.at_ns) - zero}});
   }
@@ -67,9 +72,15 @@ Json expectations_of(const Outfit& outfit) {
   Json all = Json::array();
   for (const Expectation& e : outfit.expectations()) {
     const bool seen = e.looks > 0;
-    all.push_back({{"part", e.part}, {"value", e.value}, {"from_ns", e.from_ns}, {"to_ns", e.to_ns}, {"min", e.min},
-                   {"max", e.max}, {"lowest", seen ? Json(e.lowest) : Json()},
-                   {"highest", seen ? Json(e.highest) : Json()}, {"ok", e.holds()}});
+    all.push_back({{"part", e.part},
+                   {"value", e.value},
+                   {"from_ns", e.from_ns},
+                   {"to_ns", e.to_ns},
+                   {"min", e.min},
+                   {"max", e.max},
+                   {"lowest", seen ? Json(e.lowest) : Json()},
+                   {"highest", seen ? Json(e.highest) : Json()},
+                   {"ok", e.holds()}});
   }
   return all;
 }

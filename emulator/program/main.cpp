@@ -1,6 +1,7 @@
 // finemote-emulator JOB RECORD: runs the job in the file JOB and writes what the board did to the file RECORD.
 //
-// A program of its own because it links libunicorn, whose licence (GPL-2.0) is not the tool's; `finemote run` starts it.
+// A program of its own because it links libunicorn, whose licence (GPL-2.0) is not the tool's; `finemote run` starts
+// it.
 #include <cstdio>
 #include <exception>
 #include <fstream>

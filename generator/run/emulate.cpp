@@ -74,11 +74,11 @@ void report_stop(const Json& record, Diagnostics& diagnostics) {
 
 void warn_of_misuse(const Json& record, Diagnostics& diagnostics) {
   for (const Json& report : record.at("reports")) {
-    diagnostics.warning(code::hardware_misuse, {},
-                        fmt::format("{}: {} ({} times, first at {} ns, pc {:#010x})",
-                                    report.at("misuse").get<std::string>(), report.at("text").get<std::string>(),
-                                    report.at("count").get<std::uint32_t>(),
-                                    report.at("first_ns").get<std::uint64_t>(), report.at("pc").get<std::uint32_t>()));
+    diagnostics.warning(
+        code::hardware_misuse, {},
+        fmt::format("{}: {} ({} times, first at {} ns, pc {:#010x})", report.at("misuse").get<std::string>(),
+                    report.at("text").get<std::string>(), report.at("count").get<std::uint32_t>(),
+                    report.at("first_ns").get<std::uint64_t>(), report.at("pc").get<std::uint32_t>()));
   }
 }
 
@@ -106,7 +106,8 @@ RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest
   RunRecord record;
   record.events = events_of(json, forest);
   for (const Json& part : json.at("parts")) {
-    record.parts.push_back({part.at("part"), part.at("output"), part.at("channel"), part.at("from_ns"), part.at("at_ns")});
+    record.parts.push_back(
+        {part.at("part"), part.at("output"), part.at("channel"), part.at("from_ns"), part.at("at_ns")});
   }
   record.expectations = expectations_of(json);
   for (std::size_t i = 0, port = 0; i < robot.buses.size(); ++i) {
@@ -129,7 +130,10 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
                                  std::int64_t duration_ns, const EmulationOptions& options, Diagnostics& diagnostics) {
   const EmulatedParts parts = emulated_parts(robot);
   const char* flash = options.flash_misses ? "miss" : "hit";
-  Json job = {{"image", image}, {"flash", flash}, {"duration_ns", duration_ns}, {"ports", ports_of(robot)},
+  Json job = {{"image", image},
+              {"flash", flash},
+              {"duration_ns", duration_ns},
+              {"ports", ports_of(robot)},
               {"parts", parts.scenario}};
   if (!add_scenario(options.scenario, job, diagnostics)) return std::nullopt;
   const Json json = run_job(job, image, duration_ns, diagnostics);

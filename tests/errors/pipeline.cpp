@@ -68,7 +68,7 @@ Outcome Pipeline::run(const std::string& text, bool is_xacro) {
   Diagnostics findings;
   lint(*robot, {}, findings);
   const ProvenBounds bounds = prove_bounds(*robot, forest, schedule);
-  const auto files = render_files({*robot, forest, schedule}, bounds, kSource + "/templates");
+  const auto files = render_files({*robot, forest, schedule}, bounds, kSource, diagnostics);
   if (findings.has_errors()) return outcome(Outcome::Kind::refused, findings);
   if (files.empty() || !is_explained(findings)) return outcome(Outcome::Kind::unexplained, findings);
   const bool is_good = timing->schedulable && timing->requirements_hold();

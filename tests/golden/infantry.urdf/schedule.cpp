@@ -101,16 +101,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 188000, finemote::kUnbounded, nullptr},  // imu
-    {0, 185540, 28282090, &gimbal::yaw.command},  // yaw
-    {0, 179962, 28276512, &gimbal::pitch.command},  // pitch
-    {1, 233328, finemote::kUnbounded, nullptr},  // gimbal
-    {2, 348046, 26444596, &chassis::front_left.command},  // front_left
-    {2, 324586, 26421136, &chassis::front_right.command},  // front_right
-    {2, 319926, 26416476, &chassis::rear_left.command},  // rear_left
-    {2, 315266, 26411816, &chassis::rear_right.command},  // rear_right
-    {2, 310606, finemote::kUnbounded, nullptr},  // chassis
-    {3, 364002, finemote::kUnbounded, nullptr},  // remote
+    {0, 141000, finemote::kUnbounded, nullptr},  // imu
+    {0, 138540, 28188090, &gimbal::yaw.command},  // yaw
+    {0, 132962, 28182512, &gimbal::pitch.command},  // pitch
+    {1, 183828, finemote::kUnbounded, nullptr},  // gimbal
+    {2, 301046, 26350596, &chassis::front_left.command},  // front_left
+    {2, 277586, 26327136, &chassis::front_right.command},  // front_right
+    {2, 272926, 26322476, &chassis::rear_left.command},  // rear_left
+    {2, 268266, 26317816, &chassis::rear_right.command},  // rear_right
+    {2, 263606, finemote::kUnbounded, nullptr},  // chassis
+    {3, 317002, finemote::kUnbounded, nullptr},  // remote
 };
 
 }  // namespace

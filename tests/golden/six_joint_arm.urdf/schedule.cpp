@@ -70,14 +70,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 255146, finemote::kUnbounded, nullptr},  // sticks
-    {0, 215908, 27286958, &arm::base.command},  // base
-    {0, 211248, 27282298, &arm::shoulder.command},  // shoulder
-    {0, 185288, 27256338, &arm::elbow.command},  // elbow
-    {0, 180628, 27251678, &arm::wrist_roll.command},  // wrist_roll
-    {0, 175968, 27247018, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 171308, 27242358, &arm::flange.command},  // flange
-    {0, 166648, finemote::kUnbounded, nullptr},  // arm
+    {1, 186846, finemote::kUnbounded, nullptr},  // sticks
+    {0, 166408, 27190458, &arm::base.command},  // base
+    {0, 161748, 27185798, &arm::shoulder.command},  // shoulder
+    {0, 138288, 27162338, &arm::elbow.command},  // elbow
+    {0, 133628, 27157678, &arm::wrist_roll.command},  // wrist_roll
+    {0, 128968, 27153018, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 124308, 27148358, &arm::flange.command},  // flange
+    {0, 119648, finemote::kUnbounded, nullptr},  // arm
 };
 
 }  // namespace

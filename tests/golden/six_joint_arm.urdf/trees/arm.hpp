@@ -18,41 +18,41 @@
 namespace six_joint_arm::arm {
 
 /// sticks: sbus on 'receiver', every 10 ms
-/// response <= 211.746 us
+/// response <= 162.246 us
 FINEMOTE_CONSTINIT inline finemote::Sbus sticks{::six_joint_arm::receiver};
 
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
-/// response <= 174.208 us; data age <= 27.246 ms when handle() ends, <= 28.139 ms at the output (oldest: sticks)
+/// response <= 127.208 us; data age <= 27.152 ms when handle() ends, <= 27.904 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 base{
     finemote::DjiM3508::Config{/*gear*/ 57.61f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::base};
 
 /// shoulder: dji_m3508 on 'arm_can' id 2, every 2 ms
-/// response <= 171.648 us; data age <= 27.243 ms when handle() ends, <= 28.139 ms at the output (oldest: sticks)
+/// response <= 124.648 us; data age <= 27.149 ms when handle() ends, <= 27.904 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 shoulder{
     finemote::DjiM3508::Config{/*gear*/ 57.61f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::shoulder};
 
 /// elbow: dji_m3508 on 'arm_can' id 3, every 2 ms
-/// response <= 169.088 us; data age <= 27.241 ms when handle() ends, <= 28.139 ms at the output (oldest: sticks)
+/// response <= 122.088 us; data age <= 27.147 ms when handle() ends, <= 27.904 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 elbow{
     finemote::DjiM3508::Config{/*gear*/ 38.406f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::elbow};
 
 /// wrist_roll: dji_m3508 on 'wrist_can' id 1, every 2 ms
-/// response <= 166.528 us; data age <= 27.238 ms when handle() ends, <= 28.139 ms at the output (oldest: sticks)
+/// response <= 119.528 us; data age <= 27.144 ms when handle() ends, <= 27.904 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{
     finemote::DjiM3508::Config{/*gear*/ 19.2032086f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::wrist_roll};
 
 /// wrist_pitch: dji_m2006 on 'wrist_can' id 2, every 2 ms
-/// response <= 163.968 us; data age <= 27.236 ms when handle() ends, <= 28.139 ms at the output (oldest: sticks)
+/// response <= 116.968 us; data age <= 27.142 ms when handle() ends, <= 27.904 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{
     finemote::DjiM2006::Config{/*gear*/ 36.0f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::wrist_pitch};
 
 /// flange: dji_m2006 on 'wrist_can' id 3, every 2 ms
-/// response <= 161.408 us; data age <= 27.233 ms when handle() ends, <= 28.139 ms at the output (oldest: sticks)
+/// response <= 114.408 us; data age <= 27.139 ms when handle() ends, <= 27.904 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{
     finemote::DjiM2006::Config{/*gear*/ 36.0f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::flange};
@@ -72,7 +72,7 @@ inline constexpr finemote::Port<finemote::Motor> arm_joints[] = {
 }  // namespace ports
 
 /// arm: serial_arm, every 2 ms
-/// response <= 140.048 us
+/// response <= 93.048 us
 FINEMOTE_CONSTINIT inline finemote::SerialArm arm{
     finemote::SerialArm::Config{
         /*max_speed*/ 1.0f,
