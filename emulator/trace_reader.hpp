@@ -39,8 +39,8 @@ class TraceReader {
   World& world_;
   std::optional<std::uint32_t> control_;
   std::vector<StageEvent> events_;
-  std::int64_t cycles_ = 0;  ///< of the last event, unwrapped, since the firmware's clock began
-  bool begins_ = true;       ///< no event yet since the start or restart
+  std::int64_t cycles_ = 0;           ///< of the last event, unwrapped, since the firmware's clock began
+  bool begins_ = true;                ///< no event yet since the start or restart
   std::optional<std::int64_t> zero_;  ///< when the first start's clock began, in cycles since power-on
   std::int64_t offset_ = 0;           ///< by which the present start's clock began later
 };

@@ -1,11 +1,11 @@
 // Turns a job (an image, what hangs on the board, how long) into a record of what the board did.
 //
 // Both are JSON documents between this program and the one that starts it, of the same build, so without a version.
-// Job: `image` (path of an ELF), `flash` (hit or miss), `duration_ns` from the first release on, `parts` and, where there
-// is one, `events` (documents finemote.scenario/1), `ports` (the buses to account for).
-// Record: `stop` (null when the time was over), `error` (instead of everything else: `events` cannot be used), `reports`,
-// `resets`, `faulty`, `stages`, `parts`, `expectations`, `buses`, `monitor`. Times are ns since the first release, those
-// of reports and expectations since power-on.
+// Job: `image` (path of an ELF), `flash` (hit or miss), `duration_ns` from the first release on, `parts` and, where
+// there is one, `events` (documents finemote.scenario/1), `ports` (the buses to account for). Record: `stop` (null when
+// the time was over), `error` (instead of everything else: `events` cannot be used), `reports`, `resets`, `faulty`,
+// `stages`, `parts`, `expectations`, `buses`, `monitor`. Times are ns since the first release, those of reports and
+// expectations since power-on.
 #pragma once
 
 #include <nlohmann/json.hpp>

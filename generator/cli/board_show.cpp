@@ -36,8 +36,8 @@ void print_board(Context& context, const Board& board) {
   }
   std::vector<std::string> lines;
   for (const SpareLine& line : board.lines) lines.push_back(fmt::format("{} ({})", line.number, line.name));
-  context.out << fmt::format("\nperiod buckets: priority levels {} to {}, interrupt lines {}\n", board.first_bucket_level,
-                             board.last_bucket_level, joined(lines));
+  context.out << fmt::format("\nperiod buckets: priority levels {} to {}, interrupt lines {}\n",
+                             board.first_bucket_level, board.last_bucket_level, joined(lines));
 }
 
 Json to_json(const Board& board) {
@@ -53,12 +53,9 @@ Json to_json(const Board& board) {
   }
   Json lines = Json::array();
   for (const SpareLine& line : board.lines) lines.push_back({{"line", line.number}, {"name", line.name}});
-  return Json{{"name", board.name},
-              {"summary", board.summary},
-              {"cpu_hz", board.cpu_hz},
-              {"ports", ports},
-              {"bucket_lines", lines},
-              {"bucket_levels", {board.first_bucket_level, board.last_bucket_level}}};
+  return Json{{"name", board.name},     {"summary", board.summary},
+              {"cpu_hz", board.cpu_hz}, {"ports", ports},
+              {"bucket_lines", lines},  {"bucket_levels", {board.first_bucket_level, board.last_bucket_level}}};
 }
 
 }  // namespace

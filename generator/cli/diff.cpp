@@ -56,11 +56,13 @@ std::optional<Side> folder_side(Context& context, const std::string& folder) {
   const auto text = read_bytes(folder + "/" + kManifestName);
   const auto manifest = text ? parse_manifest(*text) : std::nullopt;
   if (!manifest) {
-    context.diagnostics.error(code::broken_manifest, {}, fmt::format("'{}' is no folder that finemote generated", folder));
+    context.diagnostics.error(code::broken_manifest, {},
+                              fmt::format("'{}' is no folder that finemote generated", folder));
     return std::nullopt;
   }
   Side side;
-  for (const HashedFile& file : manifest->outputs) side.texts[file.name] = read_bytes(folder + "/" + file.name).value_or("");
+  for (const HashedFile& file : manifest->outputs)
+    side.texts[file.name] = read_bytes(folder + "/" + file.name).value_or("");
   return side;
 }
 

@@ -31,13 +31,15 @@ class PageWriter {
     const std::string text = with_made_part(old, "# " + title, made);
     if (old == text) return;
     different_.push_back(name);
-    if (context_.options.format == Format::text) context_.out << (context_.options.dry_run ? "stale: " : "written: ") << name << "\n";
+    if (context_.options.format == Format::text)
+      context_.out << (context_.options.dry_run ? "stale: " : "written: ") << name << "\n";
     if (context_.options.dry_run) return;
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
     std::ofstream file(path, std::ios::binary);
     if (!(file << text) || error)
-      context_.diagnostics.error(code::output_not_writable, {}, fmt::format("cannot write '{}'", path.generic_string()));
+      context_.diagnostics.error(code::output_not_writable, {},
+                                 fmt::format("cannot write '{}'", path.generic_string()));
   }
   [[nodiscard]] const std::vector<std::string>& different() const { return different_; }
 
@@ -57,7 +59,8 @@ int run_docs(Context& context) {
   PageWriter pages(context);
   for (const std::string& name : device_type_names(*library)) {
     const DeviceType* type = find_device_type(*library, name, context.sources, context.diagnostics);
-    if (type != nullptr) pages.write("devices/" + name + ".md", "`" + name + "`", device_page(type->raw_json, type->include));
+    if (type != nullptr)
+      pages.write("devices/" + name + ".md", "`" + name + "`", device_page(type->raw_json, type->include));
   }
   for (const std::string& name : board_names(*library)) {
     const Board* board = find_board(*library, name, context.sources, context.diagnostics);
@@ -67,7 +70,8 @@ int run_docs(Context& context) {
   }
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   const bool stale = context.options.dry_run && !pages.different().empty();
-  return finish(context, stale ? kExitNo : kExitYes, Json{{"schema", "finemote.docs/1"}, {"different", pages.different()}});
+  return finish(context, stale ? kExitNo : kExitYes,
+                Json{{"schema", "finemote.docs/1"}, {"different", pages.different()}});
 }
 
 }  // namespace finemote::gen

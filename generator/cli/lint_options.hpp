@@ -10,6 +10,7 @@ namespace finemote::gen {
 LintOptions lint_options(Context& context, const Verdict& verdict);
 
 /// Prints lint's findings and settles the exit status: kExitNo when one is denied.
-int finish_lint(Context& context, const Diagnostics& findings, const std::vector<std::string>& mended, std::size_t fixable);
+int finish_lint(Context& context, const Diagnostics& findings, const std::vector<std::string>& mended,
+                std::size_t fixable);
 
 }  // namespace finemote::gen

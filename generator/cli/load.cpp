@@ -45,7 +45,8 @@ bool refuse_arguments(Context& context) {
   if (arguments.empty()) return false;
   const auto& [name, value] = arguments.front();
   context.diagnostics
-      .error(code::usage, {}, fmt::format("'{}:={}' is for xacro, and '{}' is not read as xacro", name, value, context.options.input))
+      .error(code::usage, {},
+             fmt::format("'{}:={}' is for xacro, and '{}' is not read as xacro", name, value, context.options.input))
       .hint("give the file the suffix .xacro");
   return true;
 }
@@ -62,8 +63,8 @@ std::optional<xml::Document> read_document(Context& context) {
   if (file == nullptr) return std::nullopt;
   if (!is_xacro(input)) return xml::parse(*file, context.diagnostics);
   xacro::Dependencies dependencies;
-  return xacro::expand(*file, xacro_arguments(context.options), package_path(context), context.sources, context.diagnostics,
-                       dependencies, &context.err);
+  return xacro::expand(*file, xacro_arguments(context.options), package_path(context), context.sources,
+                       context.diagnostics, dependencies, &context.err);
 }
 
 /// The nearest folder at or above `folder` that is a ROS package; empty when there is none.
@@ -118,7 +119,8 @@ std::optional<Loaded> load_robot(Context& context) {
 
   const auto document = read_document(context);
   if (!document) return std::nullopt;
-  const LibraryOptions folders{loaded.data_dir, input_folder(context.options.input).string(), context.options.device_paths, {}};
+  const LibraryOptions folders{
+      loaded.data_dir, input_folder(context.options.input).string(), context.options.device_paths, {}};
   auto library = load_library(folders, context.sources, context.diagnostics);
   if (!library) return std::nullopt;
   loaded.library = std::move(*library);
@@ -148,7 +150,8 @@ std::vector<HashedFile> input_files(const Context& context, const Loaded& loaded
   for (const SourceFile& file : context.sources.files()) {
     const bool is_stdin = file.path.empty() || file.path == "-";
     const auto bytes = is_stdin ? std::optional(file.text) : read_bytes(file.path);
-    files.push_back({is_stdin ? "stdin" : manifest_name(file.path, input_dir, loaded.data_dir), sha256(bytes.value_or(file.text))});
+    files.push_back(
+        {is_stdin ? "stdin" : manifest_name(file.path, input_dir, loaded.data_dir), sha256(bytes.value_or(file.text))});
   }
   std::sort(files.begin(), files.end(), [](const HashedFile& a, const HashedFile& b) { return a.name < b.name; });
   files.erase(std::unique(files.begin(), files.end()), files.end());

@@ -178,7 +178,8 @@ void add_run(CLI::App& app, Options& options) {
   command->add_option("--flash", options.flash, "emulated board: fetches hit the flash accelerator, or miss it always")
       ->check(CLI::IsMember({"hit", "miss"}));
   command->add_option("--keep", options.keep, "keep generated sources and build in this folder");
-  command->add_flag("--monitor", options.monitor, "build the monitor in: worst response and data age beside their bounds");
+  command->add_flag("--monitor", options.monitor,
+                    "build the monitor in: worst response and data age beside their bounds");
   command->add_flag("--build-only", options.build_only, "stop after the image is built");
 }
 

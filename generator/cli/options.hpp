@@ -15,42 +15,42 @@ enum class ColorMode { automatic, always, never };
 /// Everything the user can say. One flat value: each command reads what concerns it.
 struct Options {
   std::string command;
-  std::string input;                         ///< IN, or the first of two
-  std::string other;                         ///< the second of two
+  std::string input;                                           ///< IN, or the first of two
+  std::string other;                                           ///< the second of two
   std::vector<std::pair<std::string, std::string>> arguments;  ///< name:=value, for xacro
-  std::vector<std::string> packages;         ///< name=dir
+  std::vector<std::string> packages;                           ///< name=dir
   std::vector<std::string> device_paths;
-  std::string data_dir;                      ///< --data-dir; empty: found
-  std::string board;                         ///< --board
+  std::string data_dir;  ///< --data-dir; empty: found
+  std::string board;     ///< --board
   Format format = Format::text;
   ColorMode color = ColorMode::automatic;
   bool quiet = false;
   bool verbose = false;
   bool warnings_are_errors = false;
 
-  std::string out;                           ///< -o
+  std::string out;  ///< -o
   std::string depfile;
   bool list = false;
   bool dry_run = false;
   bool allow_unschedulable = false;
   bool diff = false;
-  std::string duration;                      ///< --duration
-  std::string flash = "hit";                 ///< --flash: what fetches from the emulated flash cost, hit or miss
-  std::string keep;                          ///< --keep: folder for the sources and build of `run`
-  std::string scenario;                      ///< --scenario: stimuli and faults for `run`
-  bool deps = false;                         ///< xacro --deps
-  bool in_order = false;                     ///< xacro --inorder
-  int verbosity = 1;                         ///< xacro --verbosity
-  std::vector<std::string> chains;           ///< --chain a->b
-  std::string profile;                       ///< --profile
-  std::string assume_wcet;                   ///< --assume-wcet
+  std::string duration;             ///< --duration
+  std::string flash = "hit";        ///< --flash: what fetches from the emulated flash cost, hit or miss
+  std::string keep;                 ///< --keep: folder for the sources and build of `run`
+  std::string scenario;             ///< --scenario: stimuli and faults for `run`
+  bool deps = false;                ///< xacro --deps
+  bool in_order = false;            ///< xacro --inorder
+  int verbosity = 1;                ///< xacro --verbosity
+  std::vector<std::string> chains;  ///< --chain a->b
+  std::string profile;              ///< --profile
+  std::string assume_wcet;          ///< --assume-wcet
   bool slack = false;
-  bool fix = false;                          ///< lint --fix
-  std::vector<std::string> allow, deny;      ///< lint --allow, --deny
+  bool fix = false;                      ///< lint --fix
+  std::vector<std::string> allow, deny;  ///< lint --allow, --deny
   bool suggest_order = false;
-  std::uint64_t seed = 1;                    ///< simulate --seed
-  bool monitor = false;                      ///< --monitor: the firmware holds itself to its bounds
-  bool build_only = false;                   ///< --build-only: stop after the image
+  std::uint64_t seed = 1;   ///< simulate --seed
+  bool monitor = false;     ///< --monitor: the firmware holds itself to its bounds
+  bool build_only = false;  ///< --build-only: stop after the image
 };
 
 /// What the words ask for: a command to run, or a text to print and stop (help, version, or a usage error).

@@ -75,7 +75,8 @@ std::optional<std::int64_t> duration_of(Context& context, const Schedule& schedu
   if (context.options.duration.empty()) return default_duration(schedule);
   const auto parsed = units::parse_duration(context.options.duration);
   if (parsed && *parsed > 0) return *parsed;
-  context.diagnostics.error(code::usage, {}, fmt::format("--duration '{}' is no time above zero", context.options.duration))
+  context.diagnostics
+      .error(code::usage, {}, fmt::format("--duration '{}' is no time above zero", context.options.duration))
       .hint("write for example --duration 100ms");
   return std::nullopt;
 }
@@ -126,7 +127,8 @@ bool all_constant(const Robot& robot) {
 /// With --keep, what hangs on the board stays beside the image.
 void keep_parts(const Context& context, const Robot& robot, const std::string& folder) {
   if (context.options.keep.empty()) return;
-  std::ofstream(folder + "/parts.json", std::ios::binary | std::ios::trunc) << emulated_parts(robot).scenario.dump(2) << "\n";
+  std::ofstream(folder + "/parts.json", std::ios::binary | std::ios::trunc)
+      << emulated_parts(robot).scenario.dump(2) << "\n";
 }
 
 /// Bounds of the image as it runs: with the cost of its trace.
@@ -156,14 +158,15 @@ bool write_trace(Context& context, const RunResult& result) {
   std::ofstream file(context.options.out, std::ios::binary | std::ios::trunc);
   file << run_trace(result).dump() << "\n";
   file.close();
-  if (!file) context.diagnostics.error(code::output_not_writable, {}, fmt::format("cannot write '{}'", context.options.out));
+  if (!file)
+    context.diagnostics.error(code::output_not_writable, {}, fmt::format("cannot write '{}'", context.options.out));
   return static_cast<bool>(file);
 }
 
 std::optional<RunRecord> run_image(Context& context, const Loaded& loaded, const std::string& board,
                                    const std::string& image, std::int64_t duration) {
   if (board == "robomaster_type_c") {
-    return emulate(image, loaded.robot, loaded.forest, duration, 
+    return emulate(image, loaded.robot, loaded.forest, duration,
                    {context.options.scenario, context.options.flash == "miss"}, context.diagnostics);
   }
   return execute(image, board, loaded.forest, duration, context.diagnostics);
@@ -174,8 +177,11 @@ int finish_build(Context& context, const ImageFacts& image, const std::string& b
   return finish(context, kExitYes,
                 Json{{"schema", "finemote.build/1"},
                      {"board", board},
-                     {"image", {{"sha256", image.sha256}, {"flash", image.flash}, {"ram", image.ram},
-                                {"stack", image.stack ? Json(*image.stack) : Json(nullptr)}}}});
+                     {"image",
+                      {{"sha256", image.sha256},
+                       {"flash", image.flash},
+                       {"ram", image.ram},
+                       {"stack", image.stack ? Json(*image.stack) : Json(nullptr)}}}});
 }
 
 }  // namespace
@@ -207,8 +213,8 @@ int run_run(Context& context) {
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   auto record = run_image(context, *loaded, board, *path, *duration);
   if (!record) return finish(context, kExitInvalid);
-  RunResult result{loaded->robot, loaded->forest, loaded->schedule, board, *duration, *duration, *image, std::move(*record), {},
-                   monitored_bounds(context, *loaded)};
+  RunResult result{loaded->robot, loaded->forest, loaded->schedule,   board, *duration,
+                   *duration,     *image,         std::move(*record), {},    monitored_bounds(context, *loaded)};
   if (timing) result.chains = measure_chains(loaded->robot, loaded->forest, *timing, result.record);
   if (const auto whole = hyperperiod(loaded->schedule, *duration)) result.shown_ns = std::min(2 * *whole, *duration);
   if (!write_trace(context, result)) return finish(context, kExitInvalid);

@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Row {
-  std::string name;  ///< with the lines of the tree before it
+  std::string name;       ///< with the lines of the tree before it
   std::size_t width = 0;  ///< of `name` in columns, not bytes
   std::size_t device = 0;
 };
@@ -54,7 +54,8 @@ void print_trees(Context& context, const Loaded& loaded) {
     context.out << "\n";
     for (const Row& row : rows) {
       context.out << fmt::format("{}{}  {:>8}  {}\n", row.name, std::string(widest - row.width, ' '),
-                                 period_text(loaded.robot.devices[row.device].period_ns), device_comment(plan, row.device));
+                                 period_text(loaded.robot.devices[row.device].period_ns),
+                                 device_comment(plan, row.device));
     }
   }
 }
@@ -87,12 +88,13 @@ Json document(const Loaded& loaded) {
     Json devices = Json::array();
     for (std::size_t index : tree.devices) {
       const Device& device = robot.devices[index];
-      devices.push_back({{"name", device.name.text},
-                         {"parent", device.parent ? Json(robot.devices[*device.parent].name.text) : Json(nullptr)},
-                         {"type", device.type->name},
-                         {"role", device.role ? Json(robot.devices[*device.parent].type->roles[*device.role].name) : Json(nullptr)},
-                         {"period_ns", device.period_ns},
-                         {"bus", device.segment ? Json(robot.segments[*device.segment].name.text) : Json(nullptr)}});
+      devices.push_back(
+          {{"name", device.name.text},
+           {"parent", device.parent ? Json(robot.devices[*device.parent].name.text) : Json(nullptr)},
+           {"type", device.type->name},
+           {"role", device.role ? Json(robot.devices[*device.parent].type->roles[*device.role].name) : Json(nullptr)},
+           {"period_ns", device.period_ns},
+           {"bus", device.segment ? Json(robot.segments[*device.segment].name.text) : Json(nullptr)}});
     }
     trees.push_back({{"root", robot.devices[tree.root].name.text}, {"devices", devices}});
   }

@@ -42,9 +42,9 @@ struct NamedPin {
   std::vector<std::string> functions;  ///< input, output, interrupt, pwm, analog
   bool active_low = false;
   std::string summary;
-  std::string converter;            ///< analog: its port, `adc3`; empty: not analog
-  std::uint32_t input = 0;          ///< analog: of the converter
-  std::int64_t full_scale_mv = 0;   ///< analog: what the highest code means, dividers included
+  std::string converter;           ///< analog: its port, `adc3`; empty: not analog
+  std::uint32_t input = 0;         ///< analog: of the converter
+  std::int64_t full_scale_mv = 0;  ///< analog: what the highest code means, dividers included
 };
 
 /// An interrupt line no used peripheral needs; a period bucket may run in it.

@@ -11,8 +11,8 @@
 namespace finemote::gen {
 
 struct LibraryOptions {
-  std::string data_dir;                   ///< holds `schemas/`
-  std::string input_dir;                  ///< folder of the robot's file; `devices/` in it is searched; empty: none
+  std::string data_dir;   ///< holds `schemas/`
+  std::string input_dir;  ///< folder of the robot's file; `devices/` in it is searched; empty: none
   std::vector<std::string> device_paths = {};  ///< further folders of device descriptors, as on the command line
   std::vector<std::string> board_paths = {};   ///< further folders of board files
 };

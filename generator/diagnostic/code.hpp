@@ -59,7 +59,7 @@ inline constexpr Code xacro_macro_prefix{1058};       // warning: a macro's name
 inline constexpr Code too_many_buckets{3201};      // more periods than interrupt lines or priority levels
 inline constexpr Code generated_name_clash{3202};  // two names of generated code are the same
 // Retired: 3203 (FM2006 says it), 3204 (FM3102 says it).
-inline constexpr Code link_too_large{3205};        // a link to a computer carries more than its frames hold
+inline constexpr Code link_too_large{3205};  // a link to a computer carries more than its frames hold
 
 // 5xxx: output and check
 inline constexpr Code broken_manifest{5001};          // finemote.manifest.json cannot be used
@@ -67,40 +67,40 @@ inline constexpr Code output_not_writable{5002};      // a link, no folder, no p
 inline constexpr Code folder_of_another_robot{5003};  // two robots into one folder
 
 // 40xx: timing
-inline constexpr Code json_malformed{4001};       // no JSON, or nested too deeply
+inline constexpr Code json_malformed{4001};  // no JSON, or nested too deeply
 inline constexpr Code json_repeated_key{4002};
 inline constexpr Code json_unknown_member{4003};
 inline constexpr Code json_missing_member{4004};
-inline constexpr Code json_type{4005};            // a string where an integer is expected, 1e6, 1.5, ...
+inline constexpr Code json_type{4005};  // a string where an integer is expected, 1e6, 1.5, ...
 inline constexpr Code json_number_range{4006};
-inline constexpr Code timing_name{4007};          // empty, or used twice
-inline constexpr Code timing_parent{4008};        // a device or bus that does not exist, or stands in the wrong order
-inline constexpr Code timing_period{4009};        // no multiple of the tick, or nobody's period
-inline constexpr Code timing_overflow{4010};      // a sum, product or least common multiple beyond 64 bits
-inline constexpr Code timing_too_long{4011};      // the analysis would exceed its budget of steps
-inline constexpr Code timing_frame_time{4012};    // a frame shorter than 1 ns
+inline constexpr Code timing_name{4007};        // empty, or used twice
+inline constexpr Code timing_parent{4008};      // a device or bus that does not exist, or stands in the wrong order
+inline constexpr Code timing_period{4009};      // no multiple of the tick, or nobody's period
+inline constexpr Code timing_overflow{4010};    // a sum, product or least common multiple beyond 64 bits
+inline constexpr Code timing_too_long{4011};    // the analysis would exceed its budget of steps
+inline constexpr Code timing_frame_time{4012};  // a frame shorter than 1 ns
 inline constexpr Code timing_no_device{4013};
-inline constexpr Code timing_cycle{4014};         // reads and parents form a cycle
-inline constexpr Code timing_unschedulable{4015}; // a bucket may run over its period
-inline constexpr Code timing_requirement{4016};   // a <require> does not hold
-inline constexpr Code timing_closed_form{4017};   // a safe closed form stands in for the exact maximum
-inline constexpr Code timing_chain{4018};         // a chain operand names nothing, or nothing leads from a to b
-inline constexpr Code timing_profile{4019};       // profile target asked of a model without its fields
-inline constexpr Code timing_assumed{4020};       // the verdict depends on assumed execution times
+inline constexpr Code timing_cycle{4014};          // reads and parents form a cycle
+inline constexpr Code timing_unschedulable{4015};  // a bucket may run over its period
+inline constexpr Code timing_requirement{4016};    // a <require> does not hold
+inline constexpr Code timing_closed_form{4017};    // a safe closed form stands in for the exact maximum
+inline constexpr Code timing_chain{4018};          // a chain operand names nothing, or nothing leads from a to b
+inline constexpr Code timing_profile{4019};        // profile target asked of a model without its fields
+inline constexpr Code timing_assumed{4020};        // the verdict depends on assumed execution times
 // 20xx: links and joints of the URDF
-inline constexpr Code urdf_rejected{2001};     // urdfdom, which ROS tools use, refuses the links and joints
+inline constexpr Code urdf_rejected{2001};  // urdfdom, which ROS tools use, refuses the links and joints
 inline constexpr Code unknown_link{2002};
 inline constexpr Code unknown_joint{2003};
-inline constexpr Code joint_fixed{2004};       // a joint that must move cannot
-inline constexpr Code not_a_robot{2005};       // the root element is no <robot name="...">
-inline constexpr Code joint_needed{2006};      // geometry is asked of a device that names no joint
-inline constexpr Code duplicate_in_urdf{2007}; // two links or two joints of one name
-inline constexpr Code urdf_number{2008};       // xyz, rpy, axis or limit is malformed
+inline constexpr Code joint_fixed{2004};        // a joint that must move cannot
+inline constexpr Code not_a_robot{2005};        // the root element is no <robot name="...">
+inline constexpr Code joint_needed{2006};       // geometry is asked of a device that names no joint
+inline constexpr Code duplicate_in_urdf{2007};  // two links or two joints of one name
+inline constexpr Code urdf_number{2008};        // xyz, rpy, axis or limit is malformed
 inline constexpr Code joint_type{2009};
-inline constexpr Code link_parents{2010};      // a link is the child of two joints
+inline constexpr Code link_parents{2010};  // a link is the child of two joints
 
 // 30xx: the <finemote> extension: structure
-inline constexpr Code no_extension{3001};      // no <finemote> in the robot
+inline constexpr Code no_extension{3001};  // no <finemote> in the robot
 inline constexpr Code version_missing{3002};
 inline constexpr Code version_unknown{3003};
 inline constexpr Code period_missing{3004};
@@ -110,16 +110,16 @@ inline constexpr Code unknown_board{3007};
 inline constexpr Code unknown_element{3008};
 inline constexpr Code unknown_attribute{3009};
 inline constexpr Code attribute_missing{3010};
-inline constexpr Code bad_choice{3011};        // a value that is not one of the few possible
+inline constexpr Code bad_choice{3011};  // a value that is not one of the few possible
 inline constexpr Code unknown_port{3012};
-inline constexpr Code silkscreen_port{3013};   // the label on the board instead of the port's name
-inline constexpr Code port_kind{3014};         // the port cannot serve this kind of bus
+inline constexpr Code silkscreen_port{3013};  // the label on the board instead of the port's name
+inline constexpr Code port_kind{3014};        // the port cannot serve this kind of bus
 inline constexpr Code port_twice{3015};
-inline constexpr Code resource_conflict{3016}; // two ports need one pin, DMA stream, timer or interrupt
-inline constexpr Code rate_unreachable{3017};  // more than 2 % away from what the port can make
-inline constexpr Code attribute_unused{3018};  // does not apply here
+inline constexpr Code resource_conflict{3016};  // two ports need one pin, DMA stream, timer or interrupt
+inline constexpr Code rate_unreachable{3017};   // more than 2 % away from what the port can make
+inline constexpr Code attribute_unused{3018};   // does not apply here
 inline constexpr Code unknown_bus{3019};
-inline constexpr Code bus_kind{3020};          // the device cannot sit on this kind of bus
+inline constexpr Code bus_kind{3020};  // the device cannot sit on this kind of bus
 inline constexpr Code unknown_device_type{3021};
 inline constexpr Code element_twice{3022};
 inline constexpr Code unknown_param{3023};
@@ -135,8 +135,8 @@ inline constexpr Code quantity_malformed{3033};
 inline constexpr Code quantity_overflow{3034};
 inline constexpr Code bare_integer{3035};
 inline constexpr Code period_zero{3036};
-inline constexpr Code period_tick{3037};       // no multiple of the tick
-inline constexpr Code tick_cycles{3038};       // not a whole number of CPU cycles
+inline constexpr Code period_tick{3037};  // no multiple of the tick
+inline constexpr Code tick_cycles{3038};  // not a whole number of CPU cycles
 
 // 304x: names and the forest
 inline constexpr Code nested_and_parent{3040};
@@ -146,9 +146,9 @@ inline constexpr Code reads_cycle{3043};
 inline constexpr Code unknown_device{3044};
 inline constexpr Code reads_own_subtree{3045};
 inline constexpr Code duplicate_name{3046};
-inline constexpr Code name_clash{3047};        // different names, one C++ name
-inline constexpr Code name_invalid{3048};      // no C++ name: keyword, `__`, leading `_X`, empty
-inline constexpr Code name_reserved{3049};     // generated code uses it
+inline constexpr Code name_clash{3047};     // different names, one C++ name
+inline constexpr Code name_invalid{3048};   // no C++ name: keyword, `__`, leading `_X`, empty
+inline constexpr Code name_reserved{3049};  // generated code uses it
 
 // 305x: roles
 inline constexpr Code unknown_role{3051};
@@ -160,42 +160,42 @@ inline constexpr Code role_too_many{3056};
 inline constexpr Code role_without_parent{3057};
 
 // 306x: places on buses
-inline constexpr Code address_8bit{3061};      // an 8-bit I2C address where the 7-bit one belongs
+inline constexpr Code address_8bit{3061};  // an 8-bit I2C address where the 7-bit one belongs
 inline constexpr Code address_range{3062};
 inline constexpr Code address_conflict{3063};
 inline constexpr Code channel_range{3064};
 inline constexpr Code channel_twice{3065};
-inline constexpr Code bus_shared{3066};        // two devices on a bus that carries one
+inline constexpr Code bus_shared{3066};  // two devices on a bus that carries one
 inline constexpr Code id_range{3067};
 inline constexpr Code id_conflict{3068};
-inline constexpr Code frame_split{3069};       // one CAN frame would be filled by two buckets
+inline constexpr Code frame_split{3069};  // one CAN frame would be filled by two buckets
 inline constexpr Code unknown_use{3070};
 inline constexpr Code use_missing{3071};
-inline constexpr Code use_endpoint{3072};      // `use` names no bus or pin, or the wrong kind
+inline constexpr Code use_endpoint{3072};  // `use` names no bus or pin, or the wrong kind
 inline constexpr Code pin_invalid{3073};
-inline constexpr Code mux_nested{3074};        // a mux behind a mux
-inline constexpr Code bus_needed{3075};        // the device needs a bus
-inline constexpr Code pin_function{3076};      // the board's pin cannot be what the device makes of it
-inline constexpr Code no_device{3077};         // a robot without a device: nothing to generate
+inline constexpr Code mux_nested{3074};    // a mux behind a mux
+inline constexpr Code bus_needed{3075};    // the device needs a bus
+inline constexpr Code pin_function{3076};  // the board's pin cannot be what the device makes of it
+inline constexpr Code no_device{3077};     // a robot without a device: nothing to generate
 
 // 308x: requirements and schedule limits
-inline constexpr Code require_operand{3081};   // names nothing
-inline constexpr Code require_shape{3082};     // not exactly one of latency, utilization, jitter
+inline constexpr Code require_operand{3081};  // names nothing
+inline constexpr Code require_shape{3082};    // not exactly one of latency, utilization, jitter
 
 // 310x: descriptors and board files
 inline constexpr Code descriptor_malformed{3101};
 inline constexpr Code descriptor_schema{3102};
 inline constexpr Code descriptor_contradiction{3103};
-inline constexpr Code descriptor_version{3104};      // unknown "schema"
-inline constexpr Code header_missing{3105};    // the C++ header a descriptor names is not there
-inline constexpr Code type_twice{3106};        // two descriptors of one name, or one that hides a shipped type
-inline constexpr Code descriptor_name{3107};         // the file's name and the name inside differ
+inline constexpr Code descriptor_version{3104};  // unknown "schema"
+inline constexpr Code header_missing{3105};      // the C++ header a descriptor names is not there
+inline constexpr Code type_twice{3106};          // two descriptors of one name, or one that hides a shipped type
+inline constexpr Code descriptor_name{3107};     // the file's name and the name inside differ
 
 // 315x: lint: allowed, and rarely meant
 inline constexpr Code lint_order{3151};         // a sensor after actuators of its period
 inline constexpr Code lint_period_ratio{3152};  // neither multiple nor divisor of the parent's
 inline constexpr Code lint_no_wcet{3153};
-inline constexpr Code lint_conversion{3154};    // longer than the period
+inline constexpr Code lint_conversion{3154};  // longer than the period
 inline constexpr Code lint_bus_load{3155};
 inline constexpr Code lint_unused_bus{3156};
 // 6xxx: firmware and emulator

@@ -26,15 +26,17 @@ std::vector<std::string> texts(const Json& values) {
 std::string pins_text(const Json& port) {
   std::vector<std::string> parts;
   for (const Json& pin : list(port, "pins"))
-    parts.push_back(fmt::format("{} {} (alternate function {})", pin["signal"].get<std::string>(), pin["pin"].get<std::string>(), pin["af"].get<int>()));
+    parts.push_back(fmt::format("{} {} (alternate function {})", pin["signal"].get<std::string>(),
+                                pin["pin"].get<std::string>(), pin["af"].get<int>()));
   return joined(parts);
 }
 
 std::string dma_text(const Json& port) {
   std::vector<std::string> parts;
   for (const Json& dma : list(port, "dma"))
-    parts.push_back(fmt::format("{} {} stream {} channel {}", dma["signal"].get<std::string>(), dma["controller"].get<std::string>(),
-                                dma["stream"].get<int>(), dma["channel"].get<int>()));
+    parts.push_back(fmt::format("{} {} stream {} channel {}", dma["signal"].get<std::string>(),
+                                dma["controller"].get<std::string>(), dma["stream"].get<int>(),
+                                dma["channel"].get<int>()));
   return joined(parts);
 }
 
@@ -78,7 +80,8 @@ BoardPage port_page(const Json& board, const Json& port) {
   text += row({"labels, which are no names of ports", joined(labels)});
   text += row({"pins", pins_text(port)});
   if (port.contains("timer"))
-    text += row({"timer", fmt::format("{} channel {}", port["timer"]["name"].get<std::string>(), port["timer"]["channel"].get<int>())});
+    text += row({"timer", fmt::format("{} channel {}", port["timer"]["name"].get<std::string>(),
+                                      port["timer"]["channel"].get<int>())});
   text += row({"DMA", dma_text(port)});
   text += row({"interrupt lines", lines_text(port)});
   text += row({"clock", port["clock_hz"].dump() + " Hz"});
@@ -87,7 +90,8 @@ BoardPage port_page(const Json& board, const Json& port) {
     const Json& driver = board.at("drivers").at(bus);
     text += row({fmt::format("driver `{}`", bus),
                  fmt::format("{}{}; an interrupt takes at most {}", driver["summary"].get<std::string>(),
-                             driver.value("assumed", false) ? " (assumed)" : "", time_text(driver["isr_wcet_ns"].get<std::int64_t>()))});
+                             driver.value("assumed", false) ? " (assumed)" : "",
+                             time_text(driver["isr_wcet_ns"].get<std::int64_t>()))});
   }
   text += "\n```xml\n";
   for (const std::string& bus : buses) text += example(port, bus);
@@ -96,7 +100,8 @@ BoardPage port_page(const Json& board, const Json& port) {
 
 BoardPage pins_page(const Json& board) {
   std::string text =
-      "Pins with a name. A device uses one as `<use role=\"...\" pin=\"key\"/>`; any other pin of the chip can be an input or an\n"
+      "Pins with a name. A device uses one as `<use role=\"...\" pin=\"key\"/>`; any other pin of the chip can be an "
+      "input or an\n"
       "output by its own name, `pin=\"PI0\"`.\n\n" +
       table({"name", "pin", "can be", "active", "what"});
   for (const Json& pin : list(board, "pins")) {
@@ -104,8 +109,8 @@ BoardPage pins_page(const Json& board) {
     if (pin.contains("analog"))
       what += fmt::format("; full scale {} mV at {} input {}", pin["analog"]["full_scale_mv"].dump(),
                           pin["analog"]["converter"].get<std::string>(), pin["analog"]["input"].dump());
-    text += row({"`" + pin["name"].get<std::string>() + "`", pin["pin"].get<std::string>(), joined(texts(pin["functions"])),
-                 pin["active"].get<std::string>(), what});
+    text += row({"`" + pin["name"].get<std::string>() + "`", pin["pin"].get<std::string>(),
+                 joined(texts(pin["functions"])), pin["active"].get<std::string>(), what});
   }
   return {"pins", "Single pins", text};
 }
@@ -118,7 +123,8 @@ std::vector<BoardPage> board_pages(const std::string& text) {
   std::string index = sentence(board["summary"].get<std::string>()) + "\n\n" + table({"port", "serves", "connector"});
   for (const Json& port : board["ports"]) {
     const std::string name = port["name"].get<std::string>();
-    index += row({fmt::format("[`{}`]({}.md)", name, name), joined(texts(port["buses"])), port["connector"].get<std::string>()});
+    index += row(
+        {fmt::format("[`{}`]({}.md)", name, name), joined(texts(port["buses"])), port["connector"].get<std::string>()});
     pages.push_back(port_page(board, port));
   }
   index += "\n[Single pins](pins.md): key, battery, LEDs and what else has a name.\n";

@@ -27,7 +27,8 @@ std::string as_written(const Json& value) { return value.is_string() ? value.get
 
 std::string range_of(const Json& value) {
   const auto bound = [&](const char* key) { return value.contains(key) ? value.at(key).dump() : std::string(); };
-  return value.contains("min") || value.contains("max") ? fmt::format("{}..{}", bound("min"), bound("max")) : "required";
+  return value.contains("min") || value.contains("max") ? fmt::format("{}..{}", bound("min"), bound("max"))
+                                                        : "required";
 }
 
 std::string bus_text(const Json& device) {
@@ -50,7 +51,8 @@ std::string bus_text(const Json& device) {
   if (bus->contains("mode")) parts.push_back("mode " + bus->at("mode").dump());
   if (bus->contains("max_clock_hz")) parts.push_back("at most " + bus->at("max_clock_hz").dump() + " Hz");
   if (bus->contains("receives")) {
-    parts.push_back(fmt::format("its frames have the identifier {:#05x} + `id`", bus->at("receives").at("base").get<int>()));
+    parts.push_back(
+        fmt::format("its frames have the identifier {:#05x} + `id`", bus->at("receives").at("base").get<int>()));
   }
   return joined(parts, "; ");
 }
@@ -58,7 +60,8 @@ std::string bus_text(const Json& device) {
 std::string provides_text(const Json& device) {
   std::vector<std::string> parts;
   for (const Json& it : list(device, "provides"))
-    parts.push_back("`" + it["interface"].get<std::string>() + "`" + (it.value("command", false) ? " with command" : ""));
+    parts.push_back("`" + it["interface"].get<std::string>() + "`" +
+                    (it.value("command", false) ? " with command" : ""));
   return joined(parts, ", ", "its age, to roles that take any device");
 }
 
@@ -74,7 +77,8 @@ std::string with_summary(std::string text, const Json& value) {
 }
 
 std::string role_row(const Json& role) {
-  const std::string interface = role["interface"] == "any" ? "any device" : "`" + role["interface"].get<std::string>() + "`";
+  const std::string interface =
+      role["interface"] == "any" ? "any device" : "`" + role["interface"].get<std::string>() + "`";
   return row({"role `" + role["name"].get<std::string>() + "`",
               with_summary(fmt::format("{} × {}", arity(role), interface), role)});
 }
@@ -88,8 +92,10 @@ std::string use_row(const Json& use) {
 
 std::string sample_text(const Json& acquisition) {
   std::string text = acquisition["model"] == "streamed" ? "sent by the part" : "asked for by update()";
-  if (acquisition.contains("interval_ns")) text += ", every " + time_text(acquisition["interval_ns"].get<std::int64_t>());
-  if (acquisition.contains("periods")) text += fmt::format(", published {} own period(s) later", acquisition["periods"].get<int>());
+  if (acquisition.contains("interval_ns"))
+    text += ", every " + time_text(acquisition["interval_ns"].get<std::int64_t>());
+  if (acquisition.contains("periods"))
+    text += fmt::format(", published {} own period(s) later", acquisition["periods"].get<int>());
   if (acquisition.value("latency_ns", std::int64_t{0}) > 0)
     text += ", up to " + time_text(acquisition["latency_ns"].get<std::int64_t>()) + " old inside the part";
   return text;
@@ -100,7 +106,8 @@ std::string frame_text(const Json& frame) {
   if (frame.value("write", 0) > 0) parts.push_back(fmt::format("{} bytes out", frame["write"].get<int>()));
   if (frame.value("read", 0) > 0) parts.push_back(fmt::format("{} bytes in", frame["read"].get<int>()));
   std::string when = frame["stage"].get<std::string>();
-  if (frame.contains("min_interval_ns")) when += ", at least " + time_text(frame["min_interval_ns"].get<std::int64_t>()) + " apart";
+  if (frame.contains("min_interval_ns"))
+    when += ", at least " + time_text(frame["min_interval_ns"].get<std::int64_t>()) + " apart";
   return with_summary(fmt::format("{}: {}", when, joined(parts)), frame);
 }
 
@@ -126,7 +133,8 @@ std::string param_row(const Json& param) {
   const std::string unit = param.value("unit", "");
   if (!unit.empty() && std::find(exact.begin(), exact.end(), unit) == exact.end()) meaning += " [" + unit + "]";
   return row({"`" + param["name"].get<std::string>() + "`",
-              param.contains("default") ? "`" + as_written(param["default"]) + "`" : "required", range_text(param), meaning});
+              param.contains("default") ? "`" + as_written(param["default"]) + "`" : "required", range_text(param),
+              meaning});
 }
 
 }  // namespace
@@ -140,7 +148,8 @@ std::string device_page(const std::string& descriptor, const std::string& includ
   for (const Json& role : list(device, "roles")) text += role_row(role);
   for (const Json& use : list(device, "uses")) text += use_row(use);
   for (const Json& geometry : list(device, "geometry"))
-    text += row({"geometry", fmt::format("{} of `{}`", geometry["kind"].get<std::string>(), geometry["role"].get<std::string>())});
+    text += row({"geometry",
+                 fmt::format("{} of `{}`", geometry["kind"].get<std::string>(), geometry["role"].get<std::string>())});
   if (device.contains("link"))
     text += row({"link", "states and commands of `" + device["link"]["role"].get<std::string>() + "`, to a computer"});
   if (device.value("actuator", false)) text += row({"actuator", "yes: has `safe()`"});
@@ -148,8 +157,9 @@ std::string device_page(const std::string& descriptor, const std::string& includ
   for (const Json& frame : list(device, "frames")) text += row({"on the wire", frame_text(frame)});
   for (const Json& interrupt : list(device, "interrupts")) text += row({"interrupt", interrupt_text(interrupt)});
   if (device.contains("wcet")) {
-    text += row({"assumed without `<wcet>`", fmt::format("update {}, handle {}", time_text(device["wcet"]["update_ns"].get<std::int64_t>()),
-                                                         time_text(device["wcet"]["handle_ns"].get<std::int64_t>()))});
+    text += row({"assumed without `<wcet>`",
+                 fmt::format("update {}, handle {}", time_text(device["wcet"]["update_ns"].get<std::int64_t>()),
+                             time_text(device["wcet"]["handle_ns"].get<std::int64_t>()))});
   }
   if (!list(device, "params").empty()) text += "\n## Parameters\n\n" + table({"name", "default", "range", "meaning"});
   for (const Json& param : list(device, "params")) text += param_row(param);

@@ -46,7 +46,8 @@ std::string bound_comment(const Plan& plan, const RobotBounds& bounds, std::size
   if (!of.has_input) return text;
   if (!of.age_ns) return text + "; no bound on the age of its command";
   text += fmt::format("; data age <= {} when handle() ends", bound_text(*of.age_ns));
-  text += of.output_ns ? fmt::format(", <= {} at the output", bound_text(*of.output_ns)) : ", without bound at the output";
+  text +=
+      of.output_ns ? fmt::format(", <= {} at the output", bound_text(*of.output_ns)) : ", without bound at the output";
   return text + fmt::format(" (oldest: {})", plan.robot.devices[*of.oldest].name.text);
 }
 
@@ -59,8 +60,9 @@ std::vector<std::string> bound_constants(const Plan& plan, const RobotBounds& bo
   std::vector<std::string> lines;
   for (const std::size_t device : plan.forest.order) {
     const DeviceBounds& of = bounds.devices[device];
-    lines.push_back(fmt::format("inline constexpr finemote::Bounds {}{{{}, {}, {}}};", plan.robot.devices[device].name.cpp,
-                                constant(of.response_ns), constant(of.age_ns), constant(of.output_ns)));
+    lines.push_back(fmt::format("inline constexpr finemote::Bounds {}{{{}, {}, {}}};",
+                                plan.robot.devices[device].name.cpp, constant(of.response_ns), constant(of.age_ns),
+                                constant(of.output_ns)));
   }
   return lines;
 }
@@ -71,10 +73,9 @@ std::vector<std::string> monitored_lines(const Plan& plan, const RobotBounds& bo
     const DeviceBounds& of = bounds.devices[device];
     const Device& d = plan.robot.devices[device];
     const std::string space = plan.forest.trees[plan.forest.tree_of[device]].space;
-    const std::string command =
-        d.parent && d.type->has_command()
-            ? fmt::format("&{}::{}.{}", space, d.name.cpp, d.type->provides.front().command)
-            : "nullptr";
+    const std::string command = d.parent && d.type->has_command()
+                                    ? fmt::format("&{}::{}.{}", space, d.name.cpp, d.type->provides.front().command)
+                                    : "nullptr";
     lines.push_back(fmt::format("{{{}, {}, {}, {}}},  // {}", plan.schedule.bucket_of[device], constant(of.response_ns),
                                 constant(of.age_ns), command, d.name.text));
   }

@@ -10,7 +10,7 @@ namespace {
 /// What each kind of bus is called in the runtime.
 struct KindNames {
   const char* bus;
-  const char* slot;     ///< null: devices use the bus itself
+  const char* slot;  ///< null: devices use the bus itself
   const char* include;
   const char* rate_unit;  ///< null: has no rate
   bool starts;
@@ -26,14 +26,22 @@ const KindNames* kind_names(BusKind kind) {
   static constexpr KindNames kPwm{"PwmBus", nullptr, "<finemote/pwm.hpp>", nullptr, true, false};
   static constexpr KindNames kGpio{"GpioBus", nullptr, "<finemote/gpio.hpp>", nullptr, true, false};
   switch (kind) {
-    case BusKind::uart: return &kUart;
-    case BusKind::rs485: return &kRs485;
-    case BusKind::i2c: return &kI2c;
-    case BusKind::spi: return &kSpi;
-    case BusKind::can: return &kCan;
-    case BusKind::pwm: return &kPwm;
-    case BusKind::gpio: return &kGpio;
-    case BusKind::virtual_bus: break;
+    case BusKind::uart:
+      return &kUart;
+    case BusKind::rs485:
+      return &kRs485;
+    case BusKind::i2c:
+      return &kI2c;
+    case BusKind::spi:
+      return &kSpi;
+    case BusKind::can:
+      return &kCan;
+    case BusKind::pwm:
+      return &kPwm;
+    case BusKind::gpio:
+      return &kGpio;
+    case BusKind::virtual_bus:
+      break;
   }
   return nullptr;
 }
@@ -113,7 +121,9 @@ std::vector<std::string> route_lines(const Plan& plan) {
 
 /// What the device on a uart, or the device that uses it, says about its line; 8N1 when nobody does.
 std::string line_format(const Plan& plan, std::size_t bus) {
-  const auto here = [&](std::optional<std::size_t> segment) { return segment && plan.robot.segments[*segment].bus == bus; };
+  const auto here = [&](std::optional<std::size_t> segment) {
+    return segment && plan.robot.segments[*segment].bus == bus;
+  };
   for (const Device& device : plan.robot.devices) {
     if (here(device.segment)) return device.type->format;
     for (const Use& use : device.uses) {
@@ -134,7 +144,8 @@ std::string bus_definition(const Plan& plan, std::size_t index) {
   const Bus& bus = plan.robot.buses[index];
   const KindNames& names = *kind_names(bus.kind);
   std::string arguments = "finemote::ports::" + (bus.kind == BusKind::gpio ? "gpio" : bus.port);
-  if (const Port* port = plan.robot.board->port(bus.port); bus.kind == BusKind::pwm && port->period_ns != kServoPeriod) {
+  if (const Port* port = plan.robot.board->port(bus.port);
+      bus.kind == BusKind::pwm && port->period_ns != kServoPeriod) {
     arguments += fmt::format(", {} /* ns */", port->period_ns);
   }
   if (names.rate_unit != nullptr) arguments += fmt::format(", {} /* {} */", bus.rate, names.rate_unit);
@@ -164,7 +175,8 @@ Data bus_list(const Plan& plan) {
   };
   for (std::size_t i = 0; i < plan.robot.buses.size(); ++i) {
     const Bus& bus = plan.robot.buses[i];
-    if (const KindNames* names = kind_names(bus.kind)) add(names->bus, bus.name.cpp, bus_comment(bus), bus_definition(plan, i));
+    if (const KindNames* names = kind_names(bus.kind))
+      add(names->bus, bus.name.cpp, bus_comment(bus), bus_definition(plan, i));
   }
   for (const Expander& expander : plan.robot.expanders) {
     if (is_object(expander)) {
@@ -174,11 +186,14 @@ Data bus_list(const Plan& plan) {
   return list;
 }
 
-/// `finemote::ports::gpio.configure(finemote::pin_number('A', 0), finemote::PinSetting::kInputPullUp);`: idle is inactive.
+/// `finemote::ports::gpio.configure(finemote::pin_number('A', 0), finemote::PinSetting::kInputPullUp);`: idle is
+/// inactive.
 std::string configure_line(const std::string& pin, const NamedPin* named, bool is_output) {
   const bool idle_high = named != nullptr && named->active_low;
-  const char* mode = is_output ? (idle_high ? "kOutputHigh" : "kOutputLow")
-                     : named == nullptr ? "kInput" : idle_high ? "kInputPullUp" : "kInputPullDown";
+  const char* mode = is_output          ? (idle_high ? "kOutputHigh" : "kOutputLow")
+                     : named == nullptr ? "kInput"
+                     : idle_high        ? "kInputPullUp"
+                                        : "kInputPullDown";
   return fmt::format("finemote::ports::gpio.configure({}, finemote::PinSetting::{});", pin_number(pin), mode);
 }
 
@@ -188,7 +203,8 @@ std::string start_line(const Use& use) {
     return fmt::format("finemote::ports::exti{}.start(/*falling*/ {});", use.pin.substr(2), active_low);
   }
   if (use.spec->function == "analog") {
-    return fmt::format("finemote::ports::{}.start({}, {});", use.named->converter, use.named->input, pin_number(use.pin));
+    return fmt::format("finemote::ports::{}.start({}, {});", use.named->converter, use.named->input,
+                       pin_number(use.pin));
   }
   return configure_line(use.pin, use.named, use.spec->function == "output");
 }
@@ -219,7 +235,7 @@ std::vector<std::string> pin_lines(const Plan& plan) {
   return lines;
 }
 
-std::vector<std::string> call_lines(const Plan& plan, bool KindNames::* wanted, const char* call) {
+std::vector<std::string> call_lines(const Plan& plan, bool KindNames::*wanted, const char* call) {
   std::vector<std::string> lines;
   for (const Bus& bus : plan.robot.buses) {
     const KindNames* names = kind_names(bus.kind);

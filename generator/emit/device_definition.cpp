@@ -35,12 +35,18 @@ std::string quoted(const std::string& text) {
 
 const char* unit_comment(const ParamSpec& spec) {
   switch (spec.unit) {
-    case Unit::time_ns: return " [ns]";
-    case Unit::frequency_hz: return " [Hz]";
-    case Unit::bit_rate: return " [bit/s]";
-    case Unit::bits: return " [bit]";
-    case Unit::percent: return " [%]";
-    case Unit::none: break;
+    case Unit::time_ns:
+      return " [ns]";
+    case Unit::frequency_hz:
+      return " [Hz]";
+    case Unit::bit_rate:
+      return " [bit/s]";
+    case Unit::bits:
+      return " [bit]";
+    case Unit::percent:
+      return " [%]";
+    case Unit::none:
+      break;
   }
   return "";
 }
@@ -87,7 +93,8 @@ std::string pin_on_bus(const Plan& plan, std::uint32_t channel) {
 
 /// A pin that a device uses by its name.
 std::string used_pin(const Use& use) {
-  if (use.spec->function == "interrupt") return fmt::format("finemote::EdgePin{{finemote::ports::exti{}}}", use.pin.substr(2));
+  if (use.spec->function == "interrupt")
+    return fmt::format("finemote::EdgePin{{finemote::ports::exti{}}}", use.pin.substr(2));
   if (use.spec->function != "analog") return level_pin(use.pin, use.named);
   return fmt::format("finemote::AnalogPin{{finemote::ports::{}, /*input*/ {}, /*full scale [V]*/ {}}}",
                      use.named->converter, use.named->input,
@@ -109,14 +116,19 @@ std::string value_class(const Plan& plan, const Use& use) {
 std::string endpoint(const Plan& plan, const Segment& segment, const std::string& slot, std::uint32_t channel) {
   const std::string bus = bus_reference(plan, segment.name.cpp);
   switch (segment.bus_kind) {
-    case BusKind::uart: return bus;
-    case BusKind::pwm: return fmt::format("finemote::PwmChannel{{{}, {}}}", bus, channel);
-    case BusKind::gpio: return pin_on_bus(plan, channel);
-    case BusKind::virtual_bus: return {};
+    case BusKind::uart:
+      return bus;
+    case BusKind::pwm:
+      return fmt::format("finemote::PwmChannel{{{}, {}}}", bus, channel);
+    case BusKind::gpio:
+      return pin_on_bus(plan, channel);
+    case BusKind::virtual_bus:
+      return {};
     case BusKind::rs485:
     case BusKind::i2c:
     case BusKind::spi:
-    case BusKind::can: break;
+    case BusKind::can:
+      break;
   }
   return bus_reference(plan, "slots::" + slot);
 }
@@ -127,7 +139,8 @@ std::string use_endpoint(const Plan& plan, const Device& device, const Use& use)
                   use.channel.value_or(0));
 }
 
-/// The name, in `ports`, of the object that stands for an optional value endpoint: a pointer needs something to point to.
+/// The name, in `ports`, of the object that stands for an optional value endpoint: a pointer needs something to point
+/// to.
 std::string use_object(const Device& device, const UseSpec& spec) { return device.name.cpp + "_use_" + spec.role; }
 
 void add_use_objects(const Plan& plan, const Device& device, std::vector<std::string>& lines) {
@@ -160,7 +173,8 @@ void add_endpoints(const Plan& plan, const Device& device, std::vector<std::stri
   }
 }
 
-std::string port(const Plan& plan, std::size_t owner, const RoleBinding& role, const Binding& binding, bool inside_ports) {
+std::string port(const Plan& plan, std::size_t owner, const RoleBinding& role, const Binding& binding,
+                 bool inside_ports) {
   const std::string ports = inside_ports ? "" : "ports::";
   const std::string target = device_reference(plan, owner, binding.device);
   const std::string state = binding.state_crossing ? ports + plan.schedule.crossings[*binding.state_crossing].name
@@ -181,7 +195,8 @@ std::string period_of(const Plan& plan, std::size_t device) {
 
 std::string crossing_comment(const Plan& plan, const Crossing& crossing) {
   const auto& devices = plan.robot.devices;
-  return fmt::format("// {}: {} ({}) -> {} ({})", crossing.direction == Crossing::Direction::state ? "state" : "command",
+  return fmt::format("// {}: {} ({}) -> {} ({})",
+                     crossing.direction == Crossing::Direction::state ? "state" : "command",
                      devices[crossing.producer].name.text, period_of(plan, crossing.producer),
                      devices[crossing.consumer].name.text, period_of(plan, crossing.consumer));
 }
@@ -239,7 +254,8 @@ std::string device_definition(const Plan& plan, std::size_t index, const std::ve
   if (!device.params.empty()) arguments.push_back(config(device));
   for (const Constant& constant : constants) {
     if (constant.device != index) continue;
-    arguments.push_back(constant.in_tree ? "ports::" + constant.name : bus_reference(plan, "constants::" + constant.name));
+    arguments.push_back(constant.in_tree ? "ports::" + constant.name
+                                         : bus_reference(plan, "constants::" + constant.name));
   }
   add_endpoints(plan, device, arguments);
   for (const RoleBinding& role : plan.schedule.roles[index]) {

@@ -18,9 +18,9 @@ Eigen::Isometry3d transform(const Pose& pose) {
   return t;
 }
 
-const Joint* joint_where(const Robot& robot, const std::string Joint::* field, const std::string& value) {
-  const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
-                                  [&](const Joint& joint) { return joint.*field == value; });
+const Joint* joint_where(const Robot& robot, const std::string Joint::*field, const std::string& value) {
+  const auto found =
+      std::find_if(robot.joints.begin(), robot.joints.end(), [&](const Joint& joint) { return joint.*field == value; });
   return found == robot.joints.end() ? nullptr : &*found;
 }
 

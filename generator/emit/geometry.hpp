@@ -20,9 +20,9 @@ struct Axis {
 /// None when the joint does not exist or its chain does not end.
 std::optional<Axis> joint_axis(const Robot& robot, const std::string& joint);
 
-/// Thruster allocation: column n of the wrench matrix is (direction; point x direction) of actuator n; the result is its
-/// Moore-Penrose pseudo-inverse, one row of six per actuator, so that forces = result * (fx fy fz mx my mz).
-/// Forces in N for wrenches in N and Nm. Singular directions (below 1e-9 of the largest) get no force.
+/// Thruster allocation: column n of the wrench matrix is (direction; point x direction) of actuator n; the result is
+/// its Moore-Penrose pseudo-inverse, one row of six per actuator, so that forces = result * (fx fy fz mx my mz). Forces
+/// in N for wrenches in N and Nm. Singular directions (below 1e-9 of the largest) get no force.
 Eigen::MatrixXd allocation(const std::vector<Axis>& actuators);
 
 }  // namespace finemote::gen

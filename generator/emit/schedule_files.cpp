@@ -88,7 +88,8 @@ std::vector<std::string> crossing_lines(const Plan& plan) {
                                                                  : "latch, read faster than written";
     lines.push_back(fmt::format("{}.{} ({}) -> {} ({}): {}", producer.name.text,
                                 crossing.direction == Crossing::Direction::state ? "update" : "handle",
-                                period_text(producer.period_ns), consumer.name.text, period_text(consumer.period_ns), how));
+                                period_text(producer.period_ns), consumer.name.text, period_text(consumer.period_ns),
+                                how));
   }
   return lines;
 }

@@ -53,8 +53,7 @@ class KeyCheck {
 
   void skip(const std::string& key) {
     Tag tag;
-    while (next(tag) && !(tag.kind == '/' && tag.key == key)) {
-    }
+    while (next(tag) && !(tag.kind == '/' && tag.key == key)) {}
   }
 
   void section(std::vector<const Data*>& context, const std::string& end) {

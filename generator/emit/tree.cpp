@@ -94,7 +94,9 @@ std::string own_header(const Tree& tree) { return "\"trees/" + tree.space + ".hp
 /// Trees whose objects or latches the sequences of `tree` touch.
 std::vector<std::string> touched_headers(const Plan& plan, const Tree& tree) {
   std::vector<std::string> headers{"<finemote/stage.hpp>", own_header(tree)};
-  const auto inside = [&](std::size_t device) { return plan.forest.trees[plan.forest.tree_of[device]].root == tree.root; };
+  const auto inside = [&](std::size_t device) {
+    return plan.forest.trees[plan.forest.tree_of[device]].root == tree.root;
+  };
   for (const Crossing& crossing : plan.schedule.crossings) {
     if (inside(crossing.producer)) headers.push_back(own_header(plan.forest.trees[plan.forest.tree_of[crossing.home]]));
     const bool copied = crossing.kind == Crossing::Kind::copy && inside(crossing.consumer);

@@ -51,7 +51,9 @@ std::string changed_inputs(const Manifest& previous, const Manifest& now) {
 class Checker {
  public:
   Checker(const std::string& folder, const Output& output, const Manifest& previous)
-      : root_(folder), listed_(by_name(previous.outputs)), wanted_(by_name(output.manifest.outputs)),
+      : root_(folder),
+        listed_(by_name(previous.outputs)),
+        wanted_(by_name(output.manifest.outputs)),
         why_(changed_inputs(previous, output.manifest)) {}
 
   std::vector<Finding> run(const Manifest& previous, const Output& output) {
@@ -105,7 +107,8 @@ class Checker {
       if (listed_.count(name) == 0 && wanted_.count(name) == 0) orphans.push_back(name);
     }
     std::sort(orphans.begin(), orphans.end());
-    for (const std::string& name : orphans) add(Finding::State::orphan, name, "carries our header, not in the manifest");
+    for (const std::string& name : orphans)
+      add(Finding::State::orphan, name, "carries our header, not in the manifest");
   }
 
   fs::path root_;
@@ -118,11 +121,16 @@ class Checker {
 
 const char* state_name(Finding::State state) {
   switch (state) {
-    case Finding::State::missing: return "missing";
-    case Finding::State::hand_edited: return "hand-edited";
-    case Finding::State::line_endings: return "line-endings";
-    case Finding::State::stale: return "stale";
-    case Finding::State::orphan: return "orphan";
+    case Finding::State::missing:
+      return "missing";
+    case Finding::State::hand_edited:
+      return "hand-edited";
+    case Finding::State::line_endings:
+      return "line-endings";
+    case Finding::State::stale:
+      return "stale";
+    case Finding::State::orphan:
+      return "orphan";
   }
   return "";
 }
@@ -134,7 +142,8 @@ CheckResult check_output(const std::string& folder, const Output& output, Diagno
   if (!previous) {
     result.findings.push_back({Finding::State::missing, kManifestName, "nothing was generated here"});
     for (const OutputFile& file : output.files) {
-      if (!read_bytes(folder + "/" + file.name)) result.findings.push_back({Finding::State::missing, file.name, "not there"});
+      if (!read_bytes(folder + "/" + file.name))
+        result.findings.push_back({Finding::State::missing, file.name, "not there"});
     }
     return result;
   }

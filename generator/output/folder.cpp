@@ -19,7 +19,8 @@ void report_kind(const fs::path& path, const char* wanted, Diagnostics& diagnost
   std::error_code error;
   const fs::file_status status = fs::symlink_status(path, error);
   if (fs::is_symlink(status)) {
-    diagnostics.error(code::output_not_writable, {}, fmt::format("output '{}' is a symbolic link", path.generic_string()))
+    diagnostics
+        .error(code::output_not_writable, {}, fmt::format("output '{}' is a symbolic link", path.generic_string()))
         .hint("remove the link, or give the real folder with -o");
   } else if (fs::exists(status) && std::string_view(wanted) == "folder" && !fs::is_directory(status)) {
     diagnostics.error(code::output_not_writable, {}, fmt::format("output '{}' is not a folder", path.generic_string()))

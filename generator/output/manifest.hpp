@@ -12,7 +12,7 @@ namespace finemote::gen {
 inline constexpr const char* kManifestName = "finemote.manifest.json";
 
 struct HashedFile {
-  std::string name;    ///< inputs: as in Robot::inputs; outputs: below the output folder
+  std::string name;  ///< inputs: as in Robot::inputs; outputs: below the output folder
   std::string sha256;
   friend bool operator==(const HashedFile&, const HashedFile&) = default;
 };

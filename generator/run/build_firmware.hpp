@@ -10,9 +10,9 @@
 namespace finemote::gen {
 
 struct FirmwareRequest {
-  std::string folder;     ///< work folder: `generated` in it holds the sources, `build` is made
-  std::string data_dir;   ///< holds runtime and cmake
-  std::string board;      ///< folder below runtime/boards
+  std::string folder;            ///< work folder: `generated` in it holds the sources, `build` is made
+  std::string data_dir;          ///< holds runtime and cmake
+  std::string board;             ///< folder below runtime/boards
   std::int64_t duration_ns = 0;  ///< the run ends by itself; 0: never
   bool trace = true;
   bool monitor = false;
@@ -20,8 +20,8 @@ struct FirmwareRequest {
   std::vector<std::string> sources;       ///< and their sources
 };
 
-/// Builds and returns the path of the executable. Reports FM0006 when CMake, Ninja or the compiler is missing and FM6001
-/// with the compiler's words when the sources do not compile.
+/// Builds and returns the path of the executable. Reports FM0006 when CMake, Ninja or the compiler is missing and
+/// FM6001 with the compiler's words when the sources do not compile.
 std::optional<std::string> build_firmware(const FirmwareRequest& request, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -9,9 +9,22 @@ namespace {
 
 /// QEMU counts instructions: shift=3 is 8 ns for each, the same on every machine and under any load.
 std::vector<std::string> qemu_command(const std::string& image) {
-  return {"qemu-system-arm", "-M", "netduinoplus2", "-nographic", "-monitor", "none", "-serial", "none",
-          "-chardev", "stdio,id=sh", "-semihosting-config", "enable=on,target=native,chardev=sh",
-          "-icount", "shift=3,align=off,sleep=off", "-kernel", image};
+  return {"qemu-system-arm",
+          "-M",
+          "netduinoplus2",
+          "-nographic",
+          "-monitor",
+          "none",
+          "-serial",
+          "none",
+          "-chardev",
+          "stdio,id=sh",
+          "-semihosting-config",
+          "enable=on,target=native,chardev=sh",
+          "-icount",
+          "shift=3,align=off,sleep=off",
+          "-kernel",
+          image};
 }
 
 }  // namespace
@@ -31,10 +44,10 @@ std::optional<RunRecord> execute(const std::string& program, const std::string& 
   }
   auto record = parse_record(result.output, forest, duration_ns);
   if (result.timed_out || result.exit_status != 0) {
-    auto& finding = diagnostics.error(
-        code::firmware_stopped, {},
-        result.timed_out ? fmt::format("the firmware did not end within {} s", limit.count())
-                         : fmt::format("the firmware ended with status {}", result.exit_status));
+    auto& finding =
+        diagnostics.error(code::firmware_stopped, {},
+                          result.timed_out ? fmt::format("the firmware did not end within {} s", limit.count())
+                                           : fmt::format("the firmware ended with status {}", result.exit_status));
     if (record) {
       for (const std::string& fault : record->faults) finding.note("fault: " + fault);
     }

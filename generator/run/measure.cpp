@@ -27,8 +27,8 @@ std::vector<Interval> intervals(const RunRecord& record, std::size_t device, boo
 
 /// The last run that was finished at `time`.
 const Interval* finished_by(const std::vector<Interval>& runs, std::int64_t time) {
-  const auto after = std::upper_bound(runs.begin(), runs.end(), time,
-                                      [](std::int64_t t, const Interval& run) { return t < run.end; });
+  const auto after =
+      std::upper_bound(runs.begin(), runs.end(), time, [](std::int64_t t, const Interval& run) { return t < run.end; });
   return after == runs.begin() ? nullptr : &*std::prev(after);
 }
 
@@ -97,8 +97,10 @@ std::optional<ChainPath> find_chain(const Robot& robot, std::size_t from, std::s
 
 std::vector<DecisionSample> decision_samples(const RunRecord& record, const ChainPath& path) {
   std::vector<std::vector<Interval>> hops;  // from the actuator's handle back to the source's update
-  for (auto device = path.down.rbegin(); device != path.down.rend(); ++device) hops.push_back(intervals(record, *device, true));
-  for (auto device = path.up.rbegin(); device != path.up.rend(); ++device) hops.push_back(intervals(record, *device, false));
+  for (auto device = path.down.rbegin(); device != path.down.rend(); ++device)
+    hops.push_back(intervals(record, *device, true));
+  for (auto device = path.up.rbegin(); device != path.up.rend(); ++device)
+    hops.push_back(intervals(record, *device, false));
 
   std::vector<DecisionSample> samples;
   for (const Interval& last : hops.front()) {

@@ -38,8 +38,8 @@ struct DecisionSample {
   std::int64_t handle_end_ns = 0;    ///< end of the actuator's handle()
 };
 
-/// One sample per handle() of the chain's end. Every hop takes the latest value finished before the reader's stage began
-/// (paper, definition 3). Jobs at the start whose data comes from no update yet are left out.
+/// One sample per handle() of the chain's end. Every hop takes the latest value finished before the reader's stage
+/// began (paper, definition 3). Jobs at the start whose data comes from no update yet are left out.
 std::vector<DecisionSample> decision_samples(const RunRecord& record, const ChainPath& path);
 
 }  // namespace finemote::gen

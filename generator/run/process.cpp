@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t kMostOutput = std::size_t{256} << 20;
 constexpr int kNoSuchProgram = 127;
 
-[[noreturn]] void become(const std::vector<std::string>& command, const std::vector<std::string>& environment, int out) {
+[[noreturn]] void become(const std::vector<std::string>& command, const std::vector<std::string>& environment,
+                         int out) {
   setpgid(0, 0);
   const int nothing = open("/dev/null", O_RDONLY);
   dup2(nothing, STDIN_FILENO);
@@ -66,8 +67,7 @@ ProcessResult run_process(const std::vector<std::string>& command, std::chrono::
   if (result.timed_out) kill(-child, SIGKILL);
   close(pipes[0]);
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
   result.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   result.started = result.exit_status != kNoSuchProgram;
   return result;

@@ -8,10 +8,10 @@
 namespace finemote::gen {
 
 struct ProcessResult {
-  int exit_status = 0;      ///< 128 + signal when it was killed
-  bool started = false;     ///< false: no such program
-  bool timed_out = false;   ///< killed because the time was over
-  std::string output;       ///< stdout and stderr in the order written
+  int exit_status = 0;     ///< 128 + signal when it was killed
+  bool started = false;    ///< false: no such program
+  bool timed_out = false;  ///< killed because the time was over
+  std::string output;      ///< stdout and stderr in the order written
 };
 
 /// Looks `command[0]` up in PATH, gives it no input, and waits at most `limit`; then the whole process group is killed.

@@ -63,12 +63,23 @@ std::optional<RunRecord> parse_record(const std::string& text, const Forest& for
     std::istringstream words(line.substr(2));
     bool good = true;
     switch (line[0]) {
-      case 'E': good = read_event(words, forest, record); break;
-      case 'O': good = read_overruns(words, record); break;
-      case 'B': good = read_bus(words, duration_ns, record); break;
-      case 'F': good = read_fault(words, record); break;
-      case 'M': good = read_monitor(words, forest, record); break;
-      default: break;
+      case 'E':
+        good = read_event(words, forest, record);
+        break;
+      case 'O':
+        good = read_overruns(words, record);
+        break;
+      case 'B':
+        good = read_bus(words, duration_ns, record);
+        break;
+      case 'F':
+        good = read_fault(words, record);
+        break;
+      case 'M':
+        good = read_monitor(words, forest, record);
+        break;
+      default:
+        break;
     }
     if (!good) return std::nullopt;
   }

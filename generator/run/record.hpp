@@ -26,8 +26,8 @@ struct BusRecord {
 
 /// Something a part did, by which the ends of a chain are measured.
 struct PartRecord {
-  std::string part;       ///< named like its device or expander
-  bool is_output = false; ///< an output took a value; else a quantity was sampled
+  std::string part;        ///< named like its device or expander
+  bool is_output = false;  ///< an output took a value; else a quantity was sampled
   std::uint32_t channel = 0;
   std::int64_t from_ns = 0;  ///< when the quantity was sampled
   std::int64_t at_ns = 0;    ///< when its last bit could be read, or the output took its value
@@ -54,18 +54,19 @@ struct RunRecord {
   std::vector<Event> events;            ///< in time order
   std::vector<std::uint64_t> overruns;  ///< per bucket
   std::vector<BusRecord> buses;
-  std::vector<PartRecord> parts;        ///< in time order per part; emulated board only
-  std::vector<MonitorEntry> monitor;    ///< in schedule order; empty without the monitor
-  unsigned resets = 0;                  ///< by the watchdog or the firmware; emulated board only
+  std::vector<PartRecord> parts;                ///< in time order per part; emulated board only
+  std::vector<MonitorEntry> monitor;            ///< in schedule order; empty without the monitor
+  unsigned resets = 0;                          ///< by the watchdog or the firmware; emulated board only
   std::vector<ExpectationRecord> expectations;  ///< of the scenario; emulated board only
-  std::string flash;                    ///< hit or miss: how the emulated board counted fetches
-  bool faulty = false;                  ///< the scenario injects faults: bounds need not hold
-  std::vector<std::string> silent;      ///< devices without a model on the emulated board
-  std::vector<std::string> faults;      ///< `module 3, number 2, 5 times`
+  std::string flash;                            ///< hit or miss: how the emulated board counted fetches
+  bool faulty = false;                          ///< the scenario injects faults: bounds need not hold
+  std::vector<std::string> silent;              ///< devices without a model on the emulated board
+  std::vector<std::string> faults;              ///< `module 3, number 2, 5 times`
 };
 
-/// Reads the lines the firmware prints: `E <ns> <stage> B|E`, `O <bucket> <count>`, `B <bus> <transfers> <errors> <busy ns>`,
-/// `F <module> <number> <count>`, `M <device> <worst response> <worst age> <late> <old>`; other lines are ignored. None when a line is broken or a stage does not exist.
+/// Reads the lines the firmware prints: `E <ns> <stage> B|E`, `O <bucket> <count>`, `B <bus> <transfers> <errors> <busy
+/// ns>`, `F <module> <number> <count>`, `M <device> <worst response> <worst age> <late> <old>`; other lines are
+/// ignored. None when a line is broken or a stage does not exist.
 std::optional<RunRecord> parse_record(const std::string& text, const Forest& forest, std::int64_t duration_ns);
 
 }  // namespace finemote::gen

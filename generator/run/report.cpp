@@ -12,7 +12,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::string& name_of(const RunResult& result, std::size_t device) { return result.robot.devices[device].name.text; }
+const std::string& name_of(const RunResult& result, std::size_t device) {
+  return result.robot.devices[device].name.text;
+}
 
 Json statistics(const Measured& figure) {
   const Statistics& s = figure.observed;
@@ -166,8 +168,9 @@ void print_instructions(const RunResult& result, std::ostream& out) {
   for (const MeasuredChain& chain : result.chains) {
     const Statistics& s = chain.decide.observed;
     if (s.count == 0) continue;
-    out << fmt::format("  {:<28} {} to {}, jitter {}\n", name_of(result, chain.from) + " -> " + name_of(result, chain.to),
-                       s.min_ns / kInstruction, s.max_ns / kInstruction, (s.max_ns - s.min_ns) / kInstruction);
+    out << fmt::format("  {:<28} {} to {}, jitter {}\n",
+                       name_of(result, chain.from) + " -> " + name_of(result, chain.to), s.min_ns / kInstruction,
+                       s.max_ns / kInstruction, (s.max_ns - s.min_ns) / kInstruction);
   }
 }
 
@@ -189,8 +192,8 @@ void print_monitor(const RunResult& result, std::ostream& out) {
     return ns ? fmt::format("{:.3f}", static_cast<double>(*ns) / 1e3) : "-";
   };
   out << "\nmonitored in the firmware, us: release to end of handle, and age of the data behind the command\n";
-  out << fmt::format("  {:<28} {:>11} {:>11} {:>7} {:>11} {:>11} {:>7}\n", "device", "response", "bound", "above", "age",
-                     "bound", "above");
+  out << fmt::format("  {:<28} {:>11} {:>11} {:>7} {:>11} {:>11} {:>7}\n", "device", "response", "bound", "above",
+                     "age", "bound", "above");
   for (const MonitorEntry& entry : result.record.monitor) {
     const timing::DeviceBounds& of = result.bounds.devices[entry.device];
     const auto age = entry.age_max_ns > 0 ? std::optional<std::int64_t>(entry.age_max_ns) : std::nullopt;
@@ -215,31 +218,31 @@ std::uint64_t RunResult::overruns() const {
 bool RunResult::good() const {
   const bool bounds_hold = std::all_of(chains.begin(), chains.end(), [](const MeasuredChain& c) { return c.holds(); });
   const auto& expected = record.expectations;
-  const bool as_expected = std::all_of(expected.begin(), expected.end(), [](const ExpectationRecord& e) { return e.ok; });
-  return overruns() == 0 && record.resets == 0 &&
-         ((violations() == 0 && bounds_hold) || record.faulty) && as_expected;
+  const bool as_expected =
+      std::all_of(expected.begin(), expected.end(), [](const ExpectationRecord& e) { return e.ok; });
+  return overruns() == 0 && record.resets == 0 && ((violations() == 0 && bounds_hold) || record.faulty) && as_expected;
 }
 
 Json run_document(const RunResult& result) {
   const bool is_arm = result.image.flash > 0;
   Json document = {{"schema", "finemote.run/1"},
-          {"image",
-           {{"sha256", result.image.sha256},
-            {"flash", is_arm ? Json(result.image.flash) : Json(nullptr)},
-            {"ram", is_arm ? Json(result.image.ram) : Json(nullptr)},
-            {"stack", result.image.stack ? Json(*result.image.stack) : Json(nullptr)}}},
-          {"board", result.board},
-          {"duration_ns", result.duration_ns},
-          {"stages", stage_list(result)},
-          {"events", event_list(result)},
-          {"chains", chain_list(result)},
-          {"overruns", result.overruns()},
-          {"resets", result.record.resets},
-          {"buses", bus_list(result)},
-          {"flash", result.record.flash.empty() ? Json(nullptr) : Json(result.record.flash)},
-          {"faults", result.record.faulty},
-          {"expectations", expectation_list(result)},
-          {"silent", result.record.silent}};
+                   {"image",
+                    {{"sha256", result.image.sha256},
+                     {"flash", is_arm ? Json(result.image.flash) : Json(nullptr)},
+                     {"ram", is_arm ? Json(result.image.ram) : Json(nullptr)},
+                     {"stack", result.image.stack ? Json(*result.image.stack) : Json(nullptr)}}},
+                   {"board", result.board},
+                   {"duration_ns", result.duration_ns},
+                   {"stages", stage_list(result)},
+                   {"events", event_list(result)},
+                   {"chains", chain_list(result)},
+                   {"overruns", result.overruns()},
+                   {"resets", result.record.resets},
+                   {"buses", bus_list(result)},
+                   {"flash", result.record.flash.empty() ? Json(nullptr) : Json(result.record.flash)},
+                   {"faults", result.record.faulty},
+                   {"expectations", expectation_list(result)},
+                   {"silent", result.record.silent}};
   if (!result.record.monitor.empty()) document["monitor"] = monitor_list(result);
   return document;
 }

@@ -46,9 +46,9 @@ struct Binding {
   bool is_read = false;
   std::optional<std::size_t> state_crossing;    ///< index into Schedule::crossings; none: direct reference
   std::optional<std::size_t> command_crossing;  ///< the same for the command
-  bool has_command = false;  ///< the role's port carries a command
-  bool sink = false;         ///< the command goes nowhere: an observed device, or a sensor in a role of `any`
-  std::string sink_name;     ///< `rov_depth_sink_1`
+  bool has_command = false;                     ///< the role's port carries a command
+  bool sink = false;      ///< the command goes nowhere: an observed device, or a sensor in a role of `any`
+  std::string sink_name;  ///< `rov_depth_sink_1`
   std::string state_member, command_member;
 };
 

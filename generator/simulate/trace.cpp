@@ -69,9 +69,7 @@ void TraceWriter::slice(std::size_t track, const std::string& name, Ns begin, Ns
                    stamp(end - begin), quoted(name)));
 }
 
-std::size_t TraceWriter::bucket_track(std::size_t device) const {
-  return job_track(set_.bucket_of[device]);
-}
+std::size_t TraceWriter::bucket_track(std::size_t device) const { return job_track(set_.bucket_of[device]); }
 
 void TraceWriter::job(std::size_t bucket, Ns begin, Ns end) { slice(job_track(bucket), "job", begin, end); }
 

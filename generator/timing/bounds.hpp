@@ -15,9 +15,9 @@ struct DeviceBounds {
 };
 
 struct RobotBounds {
-  std::vector<DeviceBounds> devices;          ///< per Robot::devices
-  std::vector<std::optional<Ns>> jobs;        ///< per Schedule::buckets: release to end of a job
-  bool answered = false;                      ///< the analysis came to an end
+  std::vector<DeviceBounds> devices;    ///< per Robot::devices
+  std::vector<std::optional<Ns>> jobs;  ///< per Schedule::buckets: release to end of a job
+  bool answered = false;                ///< the analysis came to an end
 };
 
 /// The bounds of profile `target`. Never fails: what the analysis cannot answer has no bound.

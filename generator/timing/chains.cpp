@@ -272,7 +272,8 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(std::size_t tree,
   const std::size_t root = topology_.roots[tree];
   const Ns root_period = model_.devices[root].period_ns;
   const auto walk_groups = [&](const std::function<void(const HandOverGroup&)>& visit) {
-    walk_tree(model_, topology_, profile_.responses, profile_.set, profile_.table, root, *profile_.hand_overs, effort_, visit);
+    walk_tree(model_, topology_, profile_.responses, profile_.set, profile_.table, root, *profile_.hand_overs, effort_,
+              visit);
   };
   std::map<std::size_t, std::vector<Oldest>> by_length;
   Oldest closed;

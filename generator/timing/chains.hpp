@@ -37,8 +37,8 @@ class ChainAnalysis {
   [[nodiscard]] std::vector<ChainResult> defaults() const;
 
   /// For every device below another that takes a command: the chain from the oldest data its command can rest on, of
-  /// all devices with a sample of their own whose data reach it, over `reads` edges too. Where too many pairs would have
-  /// to be looked at and groups of them cannot stand in, the chain is without bounds. Throws Overflow, TooLong.
+  /// all devices with a sample of their own whose data reach it, over `reads` edges too. Where too many pairs would
+  /// have to be looked at and groups of them cannot stand in, the chain is without bounds. Throws Overflow, TooLong.
   [[nodiscard]] std::vector<ChainResult> oldest_inputs() const;
 
  private:

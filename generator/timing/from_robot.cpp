@@ -94,6 +94,7 @@ class Adapter {
     out.name = bus.name.text;
     out.at = bus.at;
     out.baud_bps = bus.rate;
+    out.arbitrated = bus.kind == BusKind::can;
     out.min_frame_bits = std::max<Ns>(bus.min_frame_bits.value_or(driver.value("min_frame_bits", Ns{1})), 1);
     out.wcet_ns = bus.isr_wcet_ns.value_or(driver.value("isr_wcet_ns", Ns{0}));
     out.frame_ns = frame_time(out.min_frame_bits, bus.rate);
@@ -215,13 +216,22 @@ class Adapter {
     const bool muxed = robot_.segments[*device.segment].kind == Segment::Kind::mux_channel;
     for (auto& [key, use] : units) {
       if (key.first == "flush") continue;  // one for all devices of the bucket: add_flush
-      if (muxed) use.add(rate, 1, 0);      // the switch is set ahead of the unit
+      if (muxed) add_selection(*bus, rate, use);
       add_transfer(place, *bus, kind, key.first, use);
     }
   }
 
-  /// Lines of the device's own, each named by a use, as further sources of the bus it sits on. What the driver raises for
-  /// frames is in the board file.
+  /// A mux is set ahead of the unit; where there are several, the one set before is switched off first.
+  void add_selection(std::size_t bus, const WireRate& rate, WireUse& use) const {
+    const auto muxes = std::count_if(robot_.expanders.begin(), robot_.expanders.end(), [&](const Expander& e) {
+      return e.model == Expander::Model::tca9548a && bus_of(e.segment) == bus;
+    });
+    use.add(rate, 1, 0);
+    if (muxes > 1) use.add(rate, 1, 0);
+  }
+
+  /// Lines of the device's own, each named by a use, as further sources of the bus it sits on. What the driver raises
+  /// for frames is in the board file.
   void add_interrupts(const gen::Device& device, const Json& descriptor) {
     const auto bus = bus_of(*device.segment);
     const auto interrupts = descriptor.find("interrupts");
@@ -229,7 +239,7 @@ class Adapter {
     for (const Json& entry : *interrupts) {
       const std::string role = entry.value("use", std::string());
       const bool given = !role.empty() && std::any_of(device.uses.begin(), device.uses.end(),
-                                                     [&](const Use& use) { return use.spec->role == role; });
+                                                      [&](const Use& use) { return use.spec->role == role; });
       if (!given) continue;
       const bool autonomous = entry.at("arrival") == "autonomous";
       const Ns interval = autonomous ? entry.value("min_interval_ns", Ns{1})
@@ -291,8 +301,8 @@ class Adapter {
     Ns channels = 0;
     for (const std::size_t d : bucket.devices) {
       const gen::Device& device = robot_.devices[d];
-      const auto used = std::count_if(device.uses.begin(), device.uses.end(),
-                                      [&](const Use& use) { return use.segment == segment; });
+      const auto used =
+          std::count_if(device.uses.begin(), device.uses.end(), [&](const Use& use) { return use.segment == segment; });
       const Ns mine = (device.segment == segment ? 1 : 0) + used;
       if (mine == 0) continue;
       flush.devices.push_back(forest_.rank[d]);
@@ -303,7 +313,7 @@ class Adapter {
     if (output.kind == Segment::Kind::pwm_expander) {
       set_expander_burst(output, segment, flush);
     } else if (output.bus_kind == BusKind::can) {
-      set_can_frames(segment, bucket, flush);
+      set_can_frames(segment, flush);
     }
     model_.flushes.push_back(std::move(flush));
   }
@@ -324,23 +334,27 @@ class Adapter {
     }
     const Json descriptor = Json::parse(expander.type->raw_json);
     const Json frames = descriptor.value("frames", Json::object());
-    const auto bytes = [&](const char* what) { return frames.value(what, Json::object()).value("write", Ns{0}); };
+    const auto bytes = [&](const char* what, const char* way = "write") {
+      return frames.value(what, Json::object()).value(way, Ns{0});
+    };
     WireUse use;
     const WireRate rate{BusKind::i2c, model_.buses[*bus].baud_bps, 9};
     use.add(rate, bytes("per_flush") + bytes("per_channel") * (last - first + 1), 0);
-    if (robot_.segments[expander.segment].kind == Segment::Kind::mux_channel) use.add(rate, 1, 0);
+    if (robot_.segments[expander.segment].kind == Segment::Kind::mux_channel) add_selection(*bus, rate, use);
+    flush.output = output.name.text;
     flush.bus = bus;
+    add_budget(*bus, flush.devices.front(), use.interrupts);  // without the check: docs/timing.md, not covered
+    if (frames.contains("check")) use.add(rate, bytes("check"), bytes("check", "read"));
     flush.wire_ns = use.wire_ns;
     flush.interrupts = use.interrupts;
-    add_budget(*bus, flush.devices.front(), use.interrupts);
   }
 
-  void set_can_frames(std::size_t segment, const gen::Bucket& bucket, Flush& flush) {
+  /// A flush sends whatever has changed, also of a slower bucket it preempts: at most every shared frame of the bus.
+  void set_can_frames(std::size_t segment, Flush& flush) {
     const auto bus = bus_of(segment);
     if (!bus) return;
     std::set<std::uint32_t> identifiers;
-    for (const std::size_t d : bucket.devices) {
-      const gen::Device& device = robot_.devices[d];
+    for (const gen::Device& device : robot_.devices) {
       if (device.segment != segment || device.type == nullptr) continue;
       for (const SharedFrame& f : device.type->shared_frames) {
         const std::uint32_t id = device.id.value_or(0);

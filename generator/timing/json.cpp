@@ -52,6 +52,7 @@ Json source_json(const Model& model, const InterruptSource& source) {
 Json bus_json(const Model& model, const Bus& bus) {
   Json out{
       {"name", bus.name}, {"baud_bps", bus.baud_bps}, {"min_frame_bits", bus.min_frame_bits}, {"wcet_ns", bus.wcet_ns}};
+  if (bus.arbitrated) out["arbitrated"] = true;
   if (bus.sources) {
     Json& list = out["sources"] = Json::array();
     for (const InterruptSource& s : *bus.sources) list.push_back(source_json(model, s));
@@ -98,6 +99,7 @@ Json flush_json(const Model& model, const Flush& f) {
   if (f.bus) out["bus"] = model.buses[*f.bus].name;
   add_if(out, "wire_ns", f.wire_ns);
   if (f.interrupts != 1) out["interrupts"] = f.interrupts;
+  if (!f.output.empty()) out["output"] = f.output;
   for (const std::size_t d : f.devices) out["devices"].push_back(model.devices[d].name);
   return out;
 }

@@ -200,8 +200,7 @@ class TreeBound {
     if (group.exact != nullptr && group.exact->oldest.empty()) {
       const std::size_t any = group.devices.front();
       const Ns most = responses_.bucket[set_.bucket_of[any]];
-      group.exact->oldest =
-          OldestUses(*group.exact, group.period, any, table_).find(most, root_period, effort_);
+      group.exact->oldest = OldestUses(*group.exact, group.period, any, table_).find(most, root_period, effort_);
     }
     for (const std::size_t d : group.devices) {
       if (topology_.children[d].empty()) set_path(result_.paths[place_.at(d)], group, d);

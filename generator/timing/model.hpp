@@ -32,11 +32,12 @@ struct Bus {
   Ns wcet_ns = 0;                                       ///< one run of the service routine
   Ns frame_ns = 1;                                      ///< floor(min_frame_bits * 1e9 / baud_bps), >= 1
   std::optional<std::vector<InterruptSource>> sources;  ///< target; none: one source of frame_ns and wcet_ns
+  bool arbitrated = false;  ///< identifiers, which are not known here, decide what goes first (CAN)
   Position at;
 };
 
 /// Use of a bus once per period of the device (or, sent by the part itself, once per interval). Everything that waits
-/// for a bus is taken in rate-monotonic order, a begun transfer runs to its end.
+/// for a bus is taken in rate-monotonic order (where the bus is not arbitrated), a begun transfer runs to its end.
 struct Transfer {
   enum class After { update, handle, bucket, autonomous };  ///< what hands it to the bus
   std::size_t bus = 0;                                      ///< index into Model::buses
@@ -101,6 +102,8 @@ struct Flush {
   Ns wire_ns = 0;
   Ns interrupts = 1;
   std::vector<std::size_t> devices;  ///< whose commands it carries
+  /// Flushes with the same name here fill one slot: one that finds it taken leaves its data to the next of them.
+  std::string output;
 };
 
 struct Model {

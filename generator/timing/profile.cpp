@@ -46,7 +46,8 @@ ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Pr
   result.profile = profile;
   summarise(set, responses, table, result);
   auto hand_overs = std::make_shared<HandOverStore>();
-  result.trees = bound_latencies(model, topology, set, responses, table, profile == Profile::paper, *hand_overs, effort);
+  result.trees =
+      bound_latencies(model, topology, set, responses, table, profile == Profile::paper, *hand_overs, effort);
   return {std::move(result), std::move(set), std::move(responses), std::move(table), std::move(hand_overs)};
 }
 

@@ -135,12 +135,13 @@ class Reader {
     const std::size_t index = model_.buses.size();
     Bus& bus = model_.buses.emplace_back();
     if (!check_object(v, "a bus")) return;
-    check_members(v, "a bus", {"name", "baud_bps", "min_frame_bits", "wcet_ns", "sources"});
+    check_members(v, "a bus", {"name", "baud_bps", "min_frame_bits", "wcet_ns", "arbitrated", "sources"});
     bus.at = v.at;
     bus.name = name(v, "bus", bus_names_, index);
     bus.baud_bps = required(v, "a bus", "baud_bps", 1);
     bus.min_frame_bits = required(v, "a bus", "min_frame_bits", 1);
     bus.wcet_ns = required(v, "a bus", "wcet_ns", 0);
+    bus.arbitrated = flag(v, "arbitrated", false);
     if (v.find("baud_bps") != nullptr && v.find("min_frame_bits") != nullptr) set_frame_time(bus, v);
     if (const Value* sources = optional_array(v, "sources")) {
       bus.sources.emplace();
@@ -365,7 +366,7 @@ class Reader {
   }
 
   void read_flush(const Value& v) {
-    check_members(v, "a flush", {"period_ns", "wcet_ns", "bus", "wire_ns", "interrupts", "devices"});
+    check_members(v, "a flush", {"period_ns", "wcet_ns", "bus", "wire_ns", "interrupts", "devices", "output"});
     const std::size_t index = model_.flushes.size();
     model_.flushes.emplace_back();
     Flush& flush = model_.flushes.back();
@@ -373,6 +374,7 @@ class Reader {
     flush.wcet_ns = required(v, "a flush", "wcet_ns", 0);
     flush.wire_ns = extension(v, "wire_ns");
     flush.interrupts = extension(v, "interrupts", 1);
+    if (v.find("output") != nullptr) flush.output = text(v, "a flush", "output");
     const bool known = std::any_of(model_.devices.begin(), model_.devices.end(),
                                    [&](const Device& d) { return d.period_ns == flush.period_ns; });
     if (!known) error(code::timing_period, v, "no device has the period of this flush");

@@ -24,8 +24,8 @@ class ReleaseTable {
   /// Rows of a device's bucket, and which one a release has.
   [[nodiscard]] std::size_t rows(std::size_t device) const { return buckets_[bucket_of_[device]].rows.size(); }
   [[nodiscard]] std::size_t row(std::size_t device, Ns release) const;
-  /// The same in two steps, for those who go from release to release: its turn in one repetition, and the row of a turn.
-  /// Only where there is more than one row.
+  /// The same in two steps, for those who go from release to release: its turn in one repetition, and the row of a
+  /// turn. Only where there is more than one row.
   [[nodiscard]] std::size_t turns(std::size_t device) const { return buckets_[bucket_of_[device]].row_of.size(); }
   [[nodiscard]] std::size_t turn(std::size_t device, Ns release) const {
     const Bucket& bucket = buckets_[bucket_of_[device]];

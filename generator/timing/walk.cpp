@@ -7,7 +7,7 @@
 namespace finemote::gen::timing {
 namespace {
 
-constexpr Ns kMostEntries = 1'000'000;        ///< of one hand-over
+constexpr Ns kMostEntries = 1'000'000;  ///< of one hand-over
 
 /// How long after its release a slower producer's data is there for sure, per row of its release table, in whole
 /// multiples of the common divisor of both periods (releases of both only differ by such). Empty: at once, because the

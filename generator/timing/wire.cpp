@@ -5,6 +5,13 @@
 #include "generator/timing/utilization.hpp"
 
 namespace finemote::gen::timing {
+namespace {
+
+bool share_slot(const Flush& a, const Flush& b) {
+  return a.bus && a.bus == b.bus && !a.output.empty() && a.output == b.output;
+}
+
+}  // namespace
 
 WireAnalysis::WireAnalysis(const Model& model, const ProfileAnalysis& profile, Effort& effort)
     : model_(model), profile_(profile), effort_(effort) {
@@ -33,6 +40,7 @@ void WireAnalysis::collect() {
   const auto add_item = [&](Item item, Ns interrupts) {
     item.pure = item.wire;
     item.wire = with_service(item.wire, interrupts);
+    if (model_.buses[item.bus].arbitrated) item.rank = 0;
     items_.push_back(item);
     return items_.size() - 1;
   };
@@ -55,11 +63,21 @@ void WireAnalysis::collect() {
   for (const Flush& f : model_.flushes) {
     flush_item_.emplace_back();
     if (!f.bus) continue;
-    std::size_t w = 0;
-    while (profile_.set.buckets[w].period != f.period_ns) ++w;
+    const std::size_t w = bucket_of(f);
+    // The slot has the urgency of the fastest bucket that fills it, whoever does.
+    std::size_t rank = w + 1;
+    for (const Flush& other : model_.flushes) {
+      if (share_slot(f, other)) rank = std::min(rank, bucket_of(other) + 1);
+    }
     flush_item_.back() =
-        add_item({*f.bus, false, false, f.period_ns, r.bucket[w], f.wire_ns, 0, w + 1, r.ok(w)}, f.interrupts);
+        add_item({*f.bus, false, false, f.period_ns, r.bucket[w], f.wire_ns, 0, rank, r.ok(w)}, f.interrupts);
   }
+}
+
+std::size_t WireAnalysis::bucket_of(const Flush& flush) const {
+  std::size_t w = 0;
+  while (profile_.set.buckets[w].period != flush.period_ns) ++w;
+  return w;
 }
 
 void WireAnalysis::add_load() {
@@ -110,8 +128,29 @@ std::optional<Ns> WireAnalysis::response(std::size_t device, std::size_t transfe
   return bound(item_of_[device][transfer]);
 }
 
+/// One slot filled by several buckets. A flush leaves its data behind where the slot is still taken, or where it
+/// preempts another flush. With L the longest time a flush lasts and w the longest a transfer does: what was handed
+/// over without our data is handed over within L and over after another w; a flush that began before that has ended
+/// after another L. The next flush of the fastest bucket (within T + R) sends our data, or finds them sent, or preempts
+/// a flush that sends them within L.
 std::optional<Ns> WireAnalysis::flush_response(std::size_t flush) const {
-  return flush_item_[flush] ? bound(*flush_item_[flush]) : std::optional<Ns>(0);
+  if (!flush_item_[flush]) return 0;
+  const Flush& own = model_.flushes[flush];
+  std::size_t sharers = 0, fastest = bucket_of(own);
+  Ns wire = 0, last = 0;
+  for (std::size_t f = 0; f < model_.flushes.size(); ++f) {
+    if (f != flush && !share_slot(own, model_.flushes[f])) continue;
+    const auto transfer = bound(*flush_item_[f]);
+    const auto end = end_of_job(bucket_of(model_.flushes[f]), 0);
+    if (!transfer || !end) return std::nullopt;
+    wire = std::max(wire, *transfer);
+    last = std::max(last, *end);
+    fastest = std::min(fastest, bucket_of(model_.flushes[f]));
+    ++sharers;
+  }
+  if (sharers == 1) return wire;
+  const Ns next = add(profile_.set.buckets[fastest].period, profile_.responses.bucket[fastest]);
+  return add(add(multiply(2, wire), multiply(3, last)), next);
 }
 
 /// From the end of handle(device) to the end of the job: nothing more urgent is pending when a stage ends, so only
@@ -119,11 +158,18 @@ std::optional<Ns> WireAnalysis::flush_response(std::size_t flush) const {
 std::optional<Ns> WireAnalysis::rest_of_job(std::size_t device) const {
   const TaskSet& set = profile_.set;
   const std::size_t w = set.bucket_of[device];
-  if (!profile_.responses.ok(w)) return std::nullopt;
-  Ns work = add(set.buckets[w].after, set.blocking);
+  Ns handles = 0;
   for (const std::size_t d : set.buckets[w].devices) {
-    if (d < device) work = add(work, set.handle[d]);
+    if (d < device) handles = add(handles, set.handle[d]);
   }
+  return end_of_job(w, handles);
+}
+
+/// The same from where so much of its handles is left, and the flush.
+std::optional<Ns> WireAnalysis::end_of_job(std::size_t w, Ns handles) const {
+  const TaskSet& set = profile_.set;
+  if (!profile_.responses.ok(w)) return std::nullopt;
+  const Ns work = add(add(set.buckets[w].after, set.blocking), handles);
   if (work == 0) return 0;
   Demand demand(effort_);
   demand.add_streams(set.streams);

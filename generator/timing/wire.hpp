@@ -12,7 +12,7 @@ struct BusLoad {
 
 /// Everything that goes over the buses, with its worst wait. A bus takes what is queued in rate-monotonic order, as the
 /// runtime's interrupt does, and finishes what it began. Frames a part sends by itself count as more urgent than
-/// anything: on CAN the identifier decides, which is not known here.
+/// anything; where identifiers decide (CAN), everything counts as more urgent than everything else.
 ///
 /// Source: non-preemptive fixed priorities with release jitter, sufficient form (Davis, Burns, Bril and Lukkien,
 /// Real-Time Systems 35(3), 2007, section 3.4): the longest transfer of lower or own urgency blocks once.
@@ -20,7 +20,8 @@ class WireAnalysis {
  public:
   WireAnalysis(const Model& model, const ProfileAnalysis& profile, Effort& effort);
 
-  /// Hand-over to last bit of a transfer; none where one may still be queued when the next is handed over.
+  /// Hand-over to last bit of a transfer; none where one may still be queued when the next is handed over. Of a flush:
+  /// from the end of its job to the last bit that carries what its job computed.
   [[nodiscard]] std::optional<Ns> response(std::size_t device, std::size_t transfer) const;
   [[nodiscard]] std::optional<Ns> flush_response(std::size_t flush) const;
 
@@ -52,6 +53,8 @@ class WireAnalysis {
   Ns with_service(Ns wire, Ns interrupts);
   [[nodiscard]] std::optional<Ns> bound(std::size_t item) const;
   [[nodiscard]] std::optional<Ns> rest_of_job(std::size_t device) const;
+  [[nodiscard]] std::optional<Ns> end_of_job(std::size_t bucket, Ns handles) const;
+  [[nodiscard]] std::size_t bucket_of(const Flush& flush) const;
 
   const Model& model_;
   const ProfileAnalysis& profile_;

@@ -64,7 +64,8 @@ TEST_CASE("a deleted file is missing") {
 TEST_CASE("CR line ends alone are line-endings") {
   const Generated generated;
   std::string text;
-  for (const char c : read_file(generated.out + "/schedule.hpp")) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  for (const char c : read_file(generated.out + "/schedule.hpp"))
+    text += c == '\n' ? std::string("\r\n") : std::string(1, c);
   write_file(generated.out + "/schedule.hpp", text);
   check_one_finding(generated.check(), "line-endings", "schedule.hpp");
 }

@@ -28,7 +28,8 @@ TEST_CASE("the same input gives the same bytes from another folder, in another l
     const auto first = files_below(folder.path("one"));
     REQUIRE(first.size() >= 7);
 
-    REQUIRE(run_finemote({"generate", input, "-o", folder.path("two")}, {"LC_ALL=de_DE.UTF-8", "LANG=de_DE.UTF-8"}).exit_status == 0);
+    REQUIRE(run_finemote({"generate", input, "-o", folder.path("two")}, {"LC_ALL=de_DE.UTF-8", "LANG=de_DE.UTF-8"})
+                .exit_status == 0);
     CHECK(files_below(folder.path("two")) == first);
 
     const fs::path before = fs::current_path();
@@ -62,7 +63,8 @@ TEST_CASE("a file whose bytes are right is not touched, a changed one is mended,
 
 TEST_CASE("an invalid robot writes nothing") {
   TemporaryFolder folder;
-  write_file(folder.path("bad.urdf"), "<robot name='r'><finemote version='1'><board name='nowhere'/></finemote></robot>");
+  write_file(folder.path("bad.urdf"),
+             "<robot name='r'><finemote version='1'><board name='nowhere'/></finemote></robot>");
   const auto result = run_finemote({"generate", folder.path("bad.urdf"), "-o", folder.path("out")});
   CHECK(result.exit_status == 2);
   CHECK(result.output.find("nowhere") != std::string::npos);
@@ -95,7 +97,8 @@ TEST_CASE("--list names exactly the files that are written, --dry-run writes non
   CHECK(dry.exit_status == 0);
   CHECK_FALSE(fs::exists(folder.path("out")));
   const auto list = run_finemote({"generate", folder.path("twin.urdf"), "--list"});
-  REQUIRE(run_finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out"), "--depfile", folder.path("d")}).exit_status == 0);
+  REQUIRE(run_finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out"), "--depfile", folder.path("d")})
+              .exit_status == 0);
   std::string names;
   for (const auto& [name, text] : files_below(folder.path("out"))) {
     CHECK(list.output.find(name + "\n") != std::string::npos);
@@ -110,10 +113,14 @@ TEST_CASE("--list names exactly the files that are written, --dry-run writes non
 
 TEST_CASE("FinsROV written with macros is FinsROV") {
   TemporaryFolder folder;
-  const auto result = finemote_json({"diff", source_path("examples/finsrov.urdf"), source_path("examples/finsrov.urdf.xacro")});
+  const auto result =
+      finemote_json({"diff", source_path("examples/finsrov.urdf"), source_path("examples/finsrov.urdf.xacro")});
   CHECK(result["changes"].empty());
-  REQUIRE(run_finemote({"generate", source_path("examples/finsrov.urdf"), "-o", folder.path("plain")}).exit_status == 0);
-  REQUIRE(run_finemote({"generate", source_path("examples/finsrov.urdf.xacro"), "-o", folder.path("xacro")}).exit_status == 0);
+  REQUIRE(run_finemote({"generate", source_path("examples/finsrov.urdf"), "-o", folder.path("plain")}).exit_status ==
+          0);
+  REQUIRE(
+      run_finemote({"generate", source_path("examples/finsrov.urdf.xacro"), "-o", folder.path("xacro")}).exit_status ==
+      0);
   auto plain = files_below(folder.path("plain"));
   auto expanded = files_below(folder.path("xacro"));
   plain.erase("finemote.manifest.json");

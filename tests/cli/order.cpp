@@ -43,7 +43,8 @@ std::string order_mistake(const json& tree, const json& run) {
       if (prescribed[bucket][next[bucket]] != stage) {
         return "began " + stage + " where " + prescribed[bucket][next[bucket]] + " was due" + where;
       }
-      if (!running.empty() && running.back() <= bucket) return stage + " began inside a bucket as urgent or more" + where;
+      if (!running.empty() && running.back() <= bucket)
+        return stage + " began inside a bucket as urgent or more" + where;
       for (std::size_t faster = 0; faster < bucket; ++faster) {
         if (next[faster] != 0) return stage + " began between stages of a faster bucket" + where;
       }

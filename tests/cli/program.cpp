@@ -39,7 +39,8 @@ std::map<std::string, std::string> files_below(const std::string& folder) {
   std::map<std::string, std::string> files;
   if (!fs::exists(folder)) return files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file()) files[entry.path().lexically_relative(folder).generic_string()] = read_file(entry.path().string());
+    if (entry.is_regular_file())
+      files[entry.path().lexically_relative(folder).generic_string()] = read_file(entry.path().string());
   }
   return files;
 }

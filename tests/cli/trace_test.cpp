@@ -19,7 +19,7 @@ std::int64_t nanoseconds(const Json& microseconds) { return std::llround(microse
 struct Trace {
   std::map<int, std::string> names;
   std::map<int, std::vector<Slice>> slices;
-  std::map<int, std::vector<std::int64_t>> begins;  ///< of stages, as they stand in the file
+  std::map<int, std::vector<std::int64_t>> begins;           ///< of stages, as they stand in the file
   std::map<int, std::pair<int, std::int64_t>> starts, ends;  ///< of flows by id: track, time
   bool well_formed = true;
 

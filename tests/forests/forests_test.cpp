@@ -20,10 +20,13 @@ std::size_t how_many() {
 
 /// One project with a firmware per robot; the runtime is compiled once.
 std::string project_text(const std::vector<RandomForest>& forests) {
-  std::string text = "cmake_minimum_required(VERSION 3.25)\nproject(forests LANGUAGES CXX)\n"
-                     "include(" + source_path("cmake/FinemoteFirmware.cmake") + ")\n";
+  std::string text =
+      "cmake_minimum_required(VERSION 3.25)\nproject(forests LANGUAGES CXX)\n"
+      "include(" +
+      source_path("cmake/FinemoteFirmware.cmake") + ")\n";
   for (const RandomForest& forest : forests) {
-    text += "finemote_add_firmware(" + forest.name + " GENERATED ${CMAKE_CURRENT_SOURCE_DIR}/" + forest.name + " BOARD host)\n";
+    text += "finemote_add_firmware(" + forest.name + " GENERATED ${CMAKE_CURRENT_SOURCE_DIR}/" + forest.name +
+            " BOARD host)\n";
     text += "set_target_properties(" + forest.name + " PROPERTIES UNITY_BUILD ON)\n";  // one compiler call for each
   }
   return text;
@@ -79,7 +82,8 @@ TEST_CASE("random forests generate, compile and run in the prescribed order") {
       const RandomForest forest = random_forest(seed);
       INFO(to_urdf(forest));
       write_file(folder.path(forest.name + ".urdf"), to_urdf(forest));
-      const auto generated = run_finemote({"generate", folder.path(forest.name + ".urdf"), "-o", folder.path(forest.name), "--allow-unschedulable"});
+      const auto generated = run_finemote(
+          {"generate", folder.path(forest.name + ".urdf"), "-o", folder.path(forest.name), "--allow-unschedulable"});
       INFO(generated.output);
       REQUIRE(generated.exit_status == 0);
       trees.push_back(finemote_json({"tree", folder.path(forest.name + ".urdf")}));
@@ -88,7 +92,8 @@ TEST_CASE("random forests generate, compile and run in the prescribed order") {
     write_file(folder.path("CMakeLists.txt"), project_text(forests));
     const std::chrono::seconds limit(900);
     const std::string build = folder.path("build");
-    const std::vector<std::string> configure{"cmake", "-S", folder.path(), "-B", build, "-G", "Ninja", "-DCMAKE_CXX_FLAGS=-O0 -g0"};
+    const std::vector<std::string> configure{"cmake", "-S", folder.path(), "-B",
+                                             build,   "-G", "Ninja",       "-DCMAKE_CXX_FLAGS=-O0 -g0"};
     REQUIRE(finemote::gen::run_process(configure, limit).exit_status == 0);
     const auto built = finemote::gen::run_process({"cmake", "--build", build}, limit);
     INFO(built.output);

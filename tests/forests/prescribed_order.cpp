@@ -23,9 +23,11 @@ std::map<int, std::vector<std::string>> prescribed_order(const RandomForest& for
     if (!forest.devices[device].parent) leaf_to_root(forest, tags, device, sequence);
   }
   std::map<int, std::vector<std::string>> jobs;
-  for (std::size_t device : sequence) jobs[forest.devices[device].period_ms].push_back("+" + forest.devices[device].name);
+  for (std::size_t device : sequence)
+    jobs[forest.devices[device].period_ms].push_back("+" + forest.devices[device].name);
   std::reverse(sequence.begin(), sequence.end());
-  for (std::size_t device : sequence) jobs[forest.devices[device].period_ms].push_back("-" + forest.devices[device].name);
+  for (std::size_t device : sequence)
+    jobs[forest.devices[device].period_ms].push_back("-" + forest.devices[device].name);
   return jobs;
 }
 

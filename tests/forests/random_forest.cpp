@@ -37,13 +37,15 @@ void add_reads(RandomForest& forest, Random& random) {
   for (std::size_t reader = 0; reader < forest.devices.size(); ++reader) {
     if (!random.one_in(4)) continue;
     const auto seen = static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(forest.devices.size()) - 1));
-    if (root_of(seen) < root_of(reader) && !is_above(forest, seen, reader)) forest.devices[reader].reads.push_back(seen);
+    if (root_of(seen) < root_of(reader) && !is_above(forest, seen, reader))
+      forest.devices[reader].reads.push_back(seen);
   }
 }
 
 void write_device(const RandomForest& forest, std::size_t index, const std::string& indent, std::string& text) {
   const RandomDevice& device = forest.devices[index];
-  text += indent + "<device name=\"" + device.name + "\" type=\"sim_load\" period=\"" + std::to_string(device.period_ms) + "ms\"";
+  text += indent + "<device name=\"" + device.name + "\" type=\"sim_load\" period=\"" +
+          std::to_string(device.period_ms) + "ms\"";
   if (device.by_attribute) text += " parent=\"" + forest.devices[*device.parent].name + "\" role=\"children\"";
   text += ">\n" + indent + "  <param name=\"update\">" + std::to_string(device.update_us) + "us</param>\n" + indent +
           "  <param name=\"handle\">" + std::to_string(device.handle_us) + "us</param>\n";

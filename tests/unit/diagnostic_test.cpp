@@ -8,7 +8,9 @@ TEST_CASE("a message names place, excerpt, caret, notes and hints") {
   Sources sources;
   const SourceFile* file = sources.add(SourceFile{"robot.urdf", "", "<robot>\n  <bus port=\"i2c9\"/>\n"});
   Diagnostics diagnostics;
-  diagnostics.error(Code{3012}, {file, 2, 14}, "board 'x' has no port 'i2c9'").underline(4).hint("did you mean 'i2c2'?");
+  diagnostics.error(Code{3012}, {file, 2, 14}, "board 'x' has no port 'i2c9'")
+      .underline(4)
+      .hint("did you mean 'i2c2'?");
   CHECK(render_text(diagnostics, false) ==
         "robot.urdf:2:14: error[FM3012]: board 'x' has no port 'i2c9'\n"
         "    2 |   <bus port=\"i2c9\"/>\n"
@@ -29,7 +31,8 @@ TEST_CASE("findings are reported in file order, an expansion where its call stan
   CHECK(sorted[0].message == "first");
   CHECK(sorted[1].message == "middle");
   CHECK(sorted[2].message == "last");
-  CHECK(render_text(diagnostics, false).find("note: expanded from macro 'thruster' at a.xacro:3:1") != std::string::npos);
+  CHECK(render_text(diagnostics, false).find("note: expanded from macro 'thruster' at a.xacro:3:1") !=
+        std::string::npos);
 }
 
 TEST_CASE("the nearest names come first") {

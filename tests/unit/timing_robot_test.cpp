@@ -74,7 +74,8 @@ TEST_CASE("finsrov is schedulable with the costs of the board, and keeps its req
   CHECK(timing->asked == Profile::target);
   CHECK(timing->schedulable);
   CHECK(timing->requirements_hold());
-  CHECK(timing->chains.size() == 16);  // by default the worst sensor of each thruster; the requirement's eight, one of them asked for as well
+  CHECK(timing->chains.size() ==
+        16);  // by default the worst sensor of each thruster; the requirement's eight, one of them asked for as well
 
   // Costs come on top of the work alone, whatever the interrupts do.
   for (std::size_t d = 0; d < 14; ++d) {
@@ -105,4 +106,36 @@ TEST_CASE("finsrov simulates below its bounds") {
 TEST_CASE("tracing costs time") {
   Robots plain("finsrov.urdf"), traced("finsrov.urdf", {true, false, {}});
   CHECK(traced.model.costs.stage_ns > plain.model.costs.stage_ns);
+}
+
+TEST_CASE("an expander driven from two buckets may send a command with a later flush") {
+  Robots finsrov("finsrov.urdf");
+  const auto wire_of = [](const timing::Model& model) {
+    AnalysisRequest request;
+    request.chains = {{0, 5}};
+    Diagnostics diagnostics;
+    const auto timing = analyse(model, request, diagnostics);
+    REQUIRE(timing);
+    REQUIRE(timing->target->devices[5].r_minus_ns);
+    return chain(*timing, model.devices[0].name, model.devices[5].name).wire_ns;
+  };
+  timing::Model model = finsrov.model;
+  REQUIRE(model.flushes.size() == 1);
+  REQUIRE(model.flushes[0].output == "pwm");
+  model.flushes[0].wire_ns = 100'000;
+  model.flushes[0].interrupts = 1;
+  const auto alone = wire_of(model);
+  REQUIRE(alone);
+  Flush fast = model.flushes[0];
+  fast.period_ns = 5'000'000;
+  fast.devices = {0};
+  model.flushes.push_back(fast);
+  const auto shared = wire_of(model);
+  REQUIRE(shared);
+  CHECK(*shared > 5'000'000 + model.flushes[0].wire_ns);  // T of the fastest; its urgency is higher than alone
+  CHECK(*shared < 2 * *alone + 3 * 1'000'000 + 5'000'000 + 1'000'000);  // and not much more
+  model.flushes.back().output = "another";
+  const auto apart = wire_of(model);
+  REQUIRE(apart);
+  CHECK(*apart < *shared);
 }

@@ -27,14 +27,14 @@ inline constexpr finemote::Bounds baro_1{211866, finemote::kUnbounded, finemote:
 inline constexpr finemote::Bounds baro_2{211706, finemote::kUnbounded, finemote::kUnbounded};
 inline constexpr finemote::Bounds baro_3{211546, finemote::kUnbounded, finemote::kUnbounded};
 inline constexpr finemote::Bounds baro_4{211386, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds thruster_1{211226, 30244036, 35413764};
-inline constexpr finemote::Bounds thruster_2{202266, 30241976, 35413764};
-inline constexpr finemote::Bounds thruster_3{200206, 30233016, 35406864};
-inline constexpr finemote::Bounds thruster_4{198146, 30228456, 35404364};
-inline constexpr finemote::Bounds thruster_5{193586, 30226396, 35404364};
-inline constexpr finemote::Bounds thruster_6{191526, 30224336, 35404364};
-inline constexpr finemote::Bounds thruster_7{189466, 30222276, 35416264};
-inline constexpr finemote::Bounds thruster_8{173006, 30220216, 35416264};
+inline constexpr finemote::Bounds thruster_1{211226, 30244036, 35870664};
+inline constexpr finemote::Bounds thruster_2{202266, 30241976, 35870664};
+inline constexpr finemote::Bounds thruster_3{200206, 30233016, 35863764};
+inline constexpr finemote::Bounds thruster_4{198146, 30228456, 35861264};
+inline constexpr finemote::Bounds thruster_5{193586, 30226396, 35861264};
+inline constexpr finemote::Bounds thruster_6{191526, 30224336, 35861264};
+inline constexpr finemote::Bounds thruster_7{189466, 30222276, 35873164};
+inline constexpr finemote::Bounds thruster_8{173006, 30220216, 35873164};
 inline constexpr finemote::Bounds rov{170946, finemote::kUnbounded, finemote::kUnbounded};
 }  // namespace bounds
 

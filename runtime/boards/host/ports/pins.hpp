@@ -20,7 +20,7 @@ struct PwmHardware {
 };
 
 struct GpioHardware {
-  std::map<std::uint8_t, bool> levels;    ///< outputs as written, inputs as the test set them; absent: low
+  std::map<std::uint8_t, bool> levels;          ///< outputs as written, inputs as the test set them; absent: low
   std::map<std::uint8_t, PinSetting> settings;  ///< as configured
 };
 

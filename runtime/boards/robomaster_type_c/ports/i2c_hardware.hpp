@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "finemote/ports.hpp"
-#include "runtime/boards/robomaster_type_c/registers/i2c.hpp"
 #include "runtime/boards/robomaster_type_c/pin.hpp"
+#include "runtime/boards/robomaster_type_c/registers/i2c.hpp"
 
 namespace finemote {
 namespace robomaster_type_c {

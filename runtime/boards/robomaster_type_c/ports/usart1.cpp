@@ -26,7 +26,9 @@ constexpr UartSetup kSetup{{0x40011000},
                            4,
                            37,
                            68,
-                           false, ring, transmit_buffer};
+                           false,
+                           ring,
+                           transmit_buffer};
 UartHardware hardware{kSetup};
 
 }  // namespace

@@ -26,7 +26,9 @@ constexpr UartSetup kSetup{{0x40004800},
                            4,
                            39,
                            12,
-                           true, ring, transmit_buffer};
+                           true,
+                           ring,
+                           transmit_buffer};
 UartHardware hardware{kSetup};
 
 }  // namespace

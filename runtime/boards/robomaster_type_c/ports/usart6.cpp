@@ -26,7 +26,9 @@ constexpr UartSetup kSetup{{0x40011400},
                            5,
                            71,
                            57,
-                           false, ring, transmit_buffer};
+                           false,
+                           ring,
+                           transmit_buffer};
 UartHardware hardware{kSetup};
 
 }  // namespace

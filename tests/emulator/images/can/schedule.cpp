@@ -8,8 +8,8 @@ extern "C" {
 void finemote_line_48();
 /// Milliseconds between two looks at the buses: set by the test.
 std::uint32_t supervised_every = 1;
-/// Read by the test: frames received on CAN1, its last first byte; the same for CAN2; milliseconds; off the bus, transmit
-/// errors and recoveries of CAN1.
+/// Read by the test: frames received on CAN1, its last first byte; the same for CAN2; milliseconds; off the bus,
+/// transmit errors and recoveries of CAN1.
 std::uint32_t seen[8];
 }
 

@@ -47,7 +47,7 @@ FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_4{
     ::FinsROV::slots::baro_4};
 
 /// thruster_1: pwm_esc on 'pwm' channel 0, every 10 ms
-/// response <= 211.226 us; data age <= 30.245 ms when handle() ends, <= 35.414 ms at the output (oldest: baro_2)
+/// response <= 211.226 us; data age <= 30.245 ms when handle() ends, <= 35.871 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_1{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
@@ -59,7 +59,7 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_1{
     finemote::PwmChannel{::FinsROV::pwm, 0}};
 
 /// thruster_2: pwm_esc on 'pwm' channel 1, every 10 ms
-/// response <= 202.266 us; data age <= 30.242 ms when handle() ends, <= 35.414 ms at the output (oldest: baro_2)
+/// response <= 202.266 us; data age <= 30.242 ms when handle() ends, <= 35.871 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_2{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
@@ -71,7 +71,7 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_2{
     finemote::PwmChannel{::FinsROV::pwm, 1}};
 
 /// thruster_3: pwm_esc on 'pwm' channel 2, every 10 ms
-/// response <= 200.206 us; data age <= 30.234 ms when handle() ends, <= 35.407 ms at the output (oldest: baro_2)
+/// response <= 200.206 us; data age <= 30.234 ms when handle() ends, <= 35.864 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_3{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
@@ -83,7 +83,7 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_3{
     finemote::PwmChannel{::FinsROV::pwm, 2}};
 
 /// thruster_4: pwm_esc on 'pwm' channel 3, every 10 ms
-/// response <= 198.146 us; data age <= 30.229 ms when handle() ends, <= 35.405 ms at the output (oldest: baro_2)
+/// response <= 198.146 us; data age <= 30.229 ms when handle() ends, <= 35.862 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_4{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
@@ -95,7 +95,7 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_4{
     finemote::PwmChannel{::FinsROV::pwm, 3}};
 
 /// thruster_5: pwm_esc on 'pwm' channel 4, every 10 ms
-/// response <= 193.586 us; data age <= 30.227 ms when handle() ends, <= 35.405 ms at the output (oldest: baro_2)
+/// response <= 193.586 us; data age <= 30.227 ms when handle() ends, <= 35.862 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_5{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
@@ -107,7 +107,7 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_5{
     finemote::PwmChannel{::FinsROV::pwm, 4}};
 
 /// thruster_6: pwm_esc on 'pwm' channel 5, every 10 ms
-/// response <= 191.526 us; data age <= 30.225 ms when handle() ends, <= 35.405 ms at the output (oldest: baro_2)
+/// response <= 191.526 us; data age <= 30.225 ms when handle() ends, <= 35.862 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_6{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
@@ -119,7 +119,7 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_6{
     finemote::PwmChannel{::FinsROV::pwm, 5}};
 
 /// thruster_7: pwm_esc on 'pwm' channel 6, every 10 ms
-/// response <= 189.466 us; data age <= 30.223 ms when handle() ends, <= 35.417 ms at the output (oldest: baro_2)
+/// response <= 189.466 us; data age <= 30.223 ms when handle() ends, <= 35.874 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_7{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
@@ -131,7 +131,7 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_7{
     finemote::PwmChannel{::FinsROV::pwm, 6}};
 
 /// thruster_8: pwm_esc on 'pwm' channel 7, every 10 ms
-/// response <= 173.006 us; data age <= 30.221 ms when handle() ends, <= 35.417 ms at the output (oldest: baro_2)
+/// response <= 173.006 us; data age <= 30.221 ms when handle() ends, <= 35.874 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_8{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
