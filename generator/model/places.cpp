@@ -163,8 +163,16 @@ class AddressTable {
     const Name& bus = reading_.robot.buses[segment.bus].name;
     finding.note(same_segment ? fmt::format("both sit on '{}'", segment.name.text)
                               : fmt::format("what sits on '{}' itself is seen through every mux channel", bus.text));
-    finding.hint(same_segment ? "put one on another bus, or behind a channel of a tca9548a"
-                              : "set another address at one of them, here and in the part");
+    finding.hint(!same_segment                   ? "set another address at one of them, here and in the part"
+                 : segment.name.text != bus.text ? "put one on another channel, or on another bus"
+                                                 : behind_a_mux(bus.text));
+  }
+
+  static std::string behind_a_mux(const std::string& bus) {
+    return fmt::format(
+        "put one on another bus, or behind a multiplexer: <expander name=\"mux\" model=\"tca9548a\" bus=\"{}\" "
+        "address=\"0x70\"><channel index=\"0\" name=\"mux_0\"/></expander>, and bus=\"mux_0\"",
+        bus);
   }
 
   Reading& reading_;
