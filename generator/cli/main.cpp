@@ -4,6 +4,10 @@
 #include <string>
 #include <vector>
 
+#ifdef __GLIBC__  // known once a header of the library was read
+#include <malloc.h>
+#endif
+
 #include "generator/cli/commands.hpp"
 #include "generator/cli/exit_status.hpp"
 #include "generator/diagnostic/render.hpp"
@@ -34,9 +38,19 @@ int run(const Options& options) {
   return kCommands.at(options.command)(context);
 }
 
+/// The tool lives for milliseconds: memory comes from the system in few large pieces, one pool for all threads.
+void prepare_memory() {
+#ifdef __GLIBC__
+  constexpr int piece = 8 << 20;
+  mallopt(M_ARENA_MAX, 1);
+  mallopt(M_TOP_PAD, piece);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  prepare_memory();
   std::ios::sync_with_stdio(false);
   try {
     const ParsedCommandLine parsed = parse_command_line(std::vector<std::string>(argv + 1, argv + argc));

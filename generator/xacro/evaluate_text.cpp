@@ -12,38 +12,56 @@ namespace finemote::gen::xacro {
 
 std::string Expander::text_of(const std::string& text, const Position& at, Scope& scope) {
   if (text.find('$') == std::string::npos) return text;
-  return to_text(runtime_, value_of(text, at, scope));
+  const Text& cut = cut_of(text);
+  if (evaluation_depth_ == 0) runtime_.budget.begin_expression();
+  return text_of_pieces(cut, at, text, scope);
 }
 
 Value Expander::value_of(const std::string& text, const Position& at, Scope& scope) {
   if (text.find('$') == std::string::npos) return text;
-  auto& cut = texts_[text];
-  if (!cut) cut = std::make_unique<const Text>(cut_text(text));
+  const Text& cut = cut_of(text);
   if (evaluation_depth_ == 0) runtime_.budget.begin_expression();
-  return evaluate_pieces(*cut, at, text, scope);
+  return evaluate_pieces(cut, at, text, scope);
 }
 
+/// The text cut once for all its uses.
+const Text& Expander::cut_of(const std::string& text) {
+  auto& cut = texts_[text];
+  if (!cut) cut = std::make_unique<const Text>(cut_text(text));
+  return *cut;
+}
+
+/// A text that is one expression has the expression's value; all others are text.
 Value Expander::evaluate_pieces(const Text& text, const Position& at, const std::string& whole, Scope& scope) {
-  const auto check = [&](std::size_t i) {
-    if (i >= text.pieces.size() || text.pieces[i].kind != Piece::Kind::malformed) return;
-    const Piece& piece = text.pieces[i];
-    std::vector<std::string> hints;
-    if (piece.text.starts_with("${")) hints.push_back("close it with '}'; for the text itself write '$${'");
-    if (piece.text.starts_with("$(")) hints.push_back("close it with ')'; for the text itself write '$$('");
-    throw Failure{
-        code::xacro_text, "invalid expression: " + piece.text, inside(at, whole, piece.offset), {}, std::move(hints)};
-  };
-  check(0);
+  if (text.pieces.size() != 1) return text_of_pieces(text, at, whole, scope);
+  check_piece(text, 0, at, whole);
+  return evaluate_piece(text.pieces[0], at, whole, scope);
+}
+
+std::string Expander::text_of_pieces(const Text& text, const Position& at, const std::string& whole, Scope& scope) {
+  if (text.pieces.size() == 1) return to_text(runtime_, evaluate_pieces(text, at, whole, scope));
+  check_piece(text, 0, at, whole);
   std::string joined;
   for (std::size_t i = 0; i < text.pieces.size(); ++i) {
-    check(i + 1);  // before this piece is evaluated, as ROS xacro reads one piece ahead
-    Value value = evaluate_piece(text.pieces[i], at, whole, scope);
-    if (text.pieces.size() == 1) return value;
-    joined += to_text(runtime_, value);
+    check_piece(text, i + 1, at, whole);  // before this piece is evaluated, as ROS xacro reads one piece ahead
+    const Piece& piece = text.pieces[i];
+    joined +=
+        piece.kind == Piece::Kind::plain ? piece.text : to_text(runtime_, evaluate_piece(piece, at, whole, scope));
     if (joined.size() > kMaxText) fail_limit("the text is too long");
   }
   runtime_.budget.spend(joined.size() / 16);
   return joined;
+}
+
+/// Fails if piece `i` is an opening bracket without its closing one.
+void Expander::check_piece(const Text& text, std::size_t i, const Position& at, const std::string& whole) {
+  if (i >= text.pieces.size() || text.pieces[i].kind != Piece::Kind::malformed) return;
+  const Piece& piece = text.pieces[i];
+  std::vector<std::string> hints;
+  if (piece.text.starts_with("${")) hints.push_back("close it with '}'; for the text itself write '$${'");
+  if (piece.text.starts_with("$(")) hints.push_back("close it with ')'; for the text itself write '$$('");
+  throw Failure{
+      code::xacro_text, "invalid expression: " + piece.text, inside(at, whole, piece.offset), {}, std::move(hints)};
 }
 
 Value Expander::evaluate_piece(const Piece& piece, const Position& at, const std::string& whole, Scope& scope) {
@@ -71,7 +89,7 @@ Value Expander::evaluate_piece(const Piece& piece, const Position& at, const std
 }
 
 std::string Expander::inner_of(const Piece& piece, const Position& at, const std::string& whole, Scope& scope) {
-  return piece.inner ? to_text(runtime_, evaluate_pieces(*piece.inner, at, whole, scope)) : piece.text;
+  return piece.inner ? text_of_pieces(*piece.inner, at, whole, scope) : piece.text;
 }
 
 Value Expander::evaluate_expression(const Piece& piece, const Position& at, const std::string& whole, Scope& scope) {
@@ -97,8 +115,8 @@ Value Expander::property_value(const Scope::Found& found, const std::string& nam
                     fmt::join(open, " -> "), name));
   }
   open.push_back(name);
-  const std::string text = *property.value.text();
-  Value value = literal_of(value_of(text, property.at, *found.scope));
+  const Value::Text text = *property.value.as<Value::Text>();  // keeps it: evaluation may replace the property
+  Value value = literal_of(value_of(*text, property.at, *found.scope));
   open.pop_back();
   property.value = value;
   property.is_unevaluated = false;

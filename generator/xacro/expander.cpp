@@ -95,7 +95,7 @@ void Expander::expand_children(const Node& source, const Context& context, Sink&
         break;
       case Node::Kind::text:
         expand_text(child, context, out);
-        if (!xml::is_blank_text(child.text)) comments_evaluated = false;
+        comments_evaluated = comments_evaluated && xml::is_blank_text(child.text);
         break;
       case Node::Kind::comment:
         expand_comment(child, context, out, comments_evaluated);
@@ -131,6 +131,7 @@ void Expander::expand_plain_element(const Node& source, const Context& context, 
   element.name = source.name;
   element.at = place(source.at, context);
   expand_attributes(source, context, element);
+  element.children.reserve(source.children.size());
   Sink sink{element, ++elements_};
   expand_children(source, context, sink);
   emit(std::move(element), out.element);
@@ -199,6 +200,7 @@ void Expander::expand_attribute(const Node& source, const Context& context, Sink
 }
 
 void Expander::expand_attributes(const Node& source, const Context& context, Node& out) {
+  out.attributes.reserve(source.attributes.size());
   for (const xml::Attribute& a : source.attributes) {
     if (a.name.starts_with(kPrefix) || a.name == "xmlns:xacro") continue;
     const Position value_at = place(a.value_at, context);

@@ -91,7 +91,10 @@ class Expander : private Host, private SubstitutionHost {
   // ---- texts: evaluate_text.cpp ----
   std::string text_of(const std::string& text, const Position& at, Scope& scope);
   Value value_of(const std::string& text, const Position& at, Scope& scope);
+  const Text& cut_of(const std::string& text);
   Value evaluate_pieces(const Text& text, const Position& at, const std::string& whole, Scope& scope);
+  std::string text_of_pieces(const Text& text, const Position& at, const std::string& whole, Scope& scope);
+  static void check_piece(const Text& text, std::size_t i, const Position& at, const std::string& whole);
   Value evaluate_piece(const Piece& piece, const Position& at, const std::string& whole, Scope& scope);
   std::string inner_of(const Piece& piece, const Position& at, const std::string& whole, Scope& scope);
   Value evaluate_expression(const Piece& piece, const Position& at, const std::string& whole, Scope& scope);

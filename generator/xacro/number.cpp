@@ -1,7 +1,6 @@
 #include "generator/xacro/number.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <limits>
 #include <string>
@@ -11,8 +10,8 @@
 namespace finemote::gen::xacro {
 namespace {
 
-bool is_alnum(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_alnum(char c) { return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 std::string lower(std::string_view text) {
   std::string out(text);
@@ -66,6 +65,7 @@ std::string_view stripped(std::string_view text) {
 }
 
 std::optional<std::string> without_underscores(std::string_view digits) {
+  if (digits.find('_') == std::string_view::npos) return std::string(digits);
   std::string out;
   for (std::size_t i = 0; i < digits.size(); ++i) {
     if (digits[i] != '_') {
@@ -82,6 +82,7 @@ std::optional<Integer> parse_integer(std::string_view text) {
   text = stripped(text);
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
+  if (text.empty() || !is_digit(text[0])) return std::nullopt;
   const auto digits = without_underscores(text);
   if (!digits) return std::nullopt;
   auto value = parse_digits(*digits, 10);
@@ -93,9 +94,13 @@ std::optional<double> parse_real(std::string_view text) {
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
   const double sign = negative ? -1.0 : 1.0;
-  const std::string word = lower(text);
-  if (word == "inf" || word == "infinity") return sign * std::numeric_limits<double>::infinity();
-  if (word == "nan") return std::numeric_limits<double>::quiet_NaN();
+  if (text.empty()) return std::nullopt;
+  if (!is_digit(text[0]) && text[0] != '.') {
+    const std::string word = text.size() <= std::string_view("infinity").size() ? lower(text) : std::string();
+    if (word == "inf" || word == "infinity") return sign * std::numeric_limits<double>::infinity();
+    if (word == "nan") return std::numeric_limits<double>::quiet_NaN();
+    return std::nullopt;
+  }
   const auto digits = without_underscores(text);
   if (!digits || !is_decimal(*digits)) return std::nullopt;
   double value = 0;

@@ -22,6 +22,7 @@ ExpressionPtr make(Kind kind) {
 template <typename... Operands>
 ExpressionPtr make(Kind kind, ExpressionPtr first, Operands... rest) {
   auto e = make(kind);
+  e->operands.reserve(1 + sizeof...(rest));
   e->operands.push_back(std::move(first));
   (e->operands.push_back(std::move(rest)), ...);
   return e;
@@ -32,19 +33,25 @@ struct Spelled {
   Operator op;
 };
 
-/// Left-associative operators, from the loosest to the tightest.
-constexpr std::array<std::array<Spelled, 5>, 6> kLevels = {{
-    {{{"|", Operator::bit_or}}},
-    {{{"^", Operator::bit_xor}}},
-    {{{"&", Operator::bit_and}}},
-    {{{"<<", Operator::shift_left}, {">>", Operator::shift_right}}},
-    {{{"+", Operator::add}, {"-", Operator::subtract}}},
-    {{{"*", Operator::multiply},
-      {"/", Operator::divide},
-      {"//", Operator::floor_divide},
-      {"%", Operator::modulo},
-      {"@", Operator::matrix_multiply}}},
-}};
+struct BinaryOperator {
+  std::string_view symbol;
+  Operator op;
+  std::size_t precedence;  // higher binds tighter
+};
+
+/// All are left-associative.
+constexpr std::array<BinaryOperator, 12> kBinaryOperators = {{{"|", Operator::bit_or, 0},
+                                                              {"^", Operator::bit_xor, 1},
+                                                              {"&", Operator::bit_and, 2},
+                                                              {"<<", Operator::shift_left, 3},
+                                                              {">>", Operator::shift_right, 3},
+                                                              {"+", Operator::add, 4},
+                                                              {"-", Operator::subtract, 4},
+                                                              {"*", Operator::multiply, 5},
+                                                              {"/", Operator::divide, 5},
+                                                              {"//", Operator::floor_divide, 5},
+                                                              {"%", Operator::modulo, 5},
+                                                              {"@", Operator::matrix_multiply, 5}}};
 
 constexpr std::array<Spelled, 6> kComparisons = {{{"<", Operator::less},
                                                   {"<=", Operator::less_equal},
@@ -197,6 +204,7 @@ class Parser {
   }
 
   std::optional<Operator> comparison_operator() {
+    if (peek().kind == Token::Kind::end) return std::nullopt;
     for (const auto& [symbol, op] : kComparisons) {
       if (accept_symbol(symbol)) return op;
     }
@@ -209,19 +217,24 @@ class Parser {
     return std::nullopt;
   }
 
-  ExpressionPtr binary(std::size_t level) {
-    if (level == kLevels.size()) return unary();
-    auto left = binary(level + 1);
-    for (;;) {
-      const auto& spellings = kLevels[level];
-      const auto found = std::find_if(spellings.begin(), spellings.end(),
-                                      [&](const Spelled& s) { return !s.symbol.empty() && is_symbol(s.symbol); });
-      if (found == spellings.end()) return left;
+  /// Operands joined by operators that bind at least as tight as `precedence`.
+  ExpressionPtr binary(std::size_t precedence) {
+    auto left = unary();
+    for (const BinaryOperator* next = binary_operator(); next != nullptr && next->precedence >= precedence;
+         next = binary_operator()) {
       ++at_;
-      left = make(Kind::binary, std::move(left), binary(level + 1));
-      left->operators.push_back(found->op);
+      left = make(Kind::binary, std::move(left), binary(next->precedence + 1));
+      left->operators.push_back(next->op);
       if (++chained_ > kMaxChain) fail_limit("the expression is too long");
     }
+    return left;
+  }
+
+  [[nodiscard]] const BinaryOperator* binary_operator() const {
+    if (peek().kind != Token::Kind::symbol) return nullptr;
+    const auto* found = std::find_if(kBinaryOperators.begin(), kBinaryOperators.end(),
+                                     [&](const BinaryOperator& o) { return o.symbol == peek().spelling; });
+    return found != kBinaryOperators.end() ? found : nullptr;
   }
 
   ExpressionPtr unary() {

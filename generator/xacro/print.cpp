@@ -202,7 +202,9 @@ std::string real_to_text(double value) {
   const std::string_view shortest(buffer, static_cast<std::size_t>(end - buffer));
   const auto mark = shortest.find('e');
   const std::string_view written = shortest.substr(0, mark);
-  const int exponent = std::stoi(std::string(shortest.substr(mark + 1)));
+  const std::size_t sign_size = shortest[mark + 1] == '+' ? 1 : 0;  // from_chars reads no '+'
+  int exponent = 0;
+  std::from_chars(buffer + mark + 1 + sign_size, end, exponent);
   if (exponent < -4 || exponent >= 16) {
     return fmt::format("{}e{}{:02}", written, exponent < 0 ? '-' : '+', std::abs(exponent));
   }

@@ -6,7 +6,7 @@
 
 namespace finemote::gen::xacro {
 
-Scope::Found Scope::find(std::string_view name) {
+Scope::Found Scope::find(const HashedName& name) {
   for (Scope* scope = this; scope != nullptr; scope = scope->parent_) {
     if (scope->kind_ == Kind::builtins && fallback_ != nullptr) return fallback_->find(name);
     const auto found = scope->properties_.find(name);
@@ -29,12 +29,7 @@ std::vector<std::string> Scope::names() const {
 }
 
 void Scope::set(std::string_view name, Property property) {
-  const auto found = properties_.find(name);
-  if (found != properties_.end()) {
-    found->second = std::move(property);
-  } else {
-    properties_.emplace(std::string(name), std::move(property));
-  }
+  properties_.insert_or_assign(std::string(name), std::move(property));
 }
 
 void Scope::remove(std::string_view name) {

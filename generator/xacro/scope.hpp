@@ -18,10 +18,19 @@ struct Property {
   Position at;                  ///< of its text
 };
 
+/// A name with its hash, so that a search through many scopes computes it once.
+struct HashedName {
+  std::string_view text;
+  std::size_t hash;
+  explicit HashedName(std::string_view name) : text(name), hash(std::hash<std::string_view>{}(name)) {}
+  friend bool operator==(const std::string& a, const HashedName& b) { return a == b.text; }
+};
+
 /// Lets maps be searched with a view.
 struct TextHash {
   using is_transparent = void;
   std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
+  std::size_t operator()(const HashedName& name) const { return name.hash; }
 };
 
 /// One level of names. A macro call opens one, a namespace is one; the outermost holds the built-ins.
@@ -43,7 +52,7 @@ class Scope {
     explicit operator bool() const { return property != nullptr; }
   };
   /// The innermost property of that name.
-  [[nodiscard]] Found find(std::string_view name);
+  [[nodiscard]] Found find(std::string_view name) { return find(HashedName(name)); }
 
   /// All names visible here, sorted: for suggestions.
   [[nodiscard]] std::vector<std::string> names() const;
@@ -60,6 +69,8 @@ class Scope {
   bool is_kept = false;  ///< something refers to the scope beyond its macro call
 
  private:
+  [[nodiscard]] Found find(const HashedName& name);
+
   Kind kind_;
   Scope* parent_;
   Scope* fallback_ = nullptr;

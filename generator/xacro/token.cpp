@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 34> kSymbols = {
     "|",  "^",  "~",  "<",  ">",  "(",  ")",  "[",  "]",  "{",  "}", ",", ":", ".", ";", "=", "\\"};
 
 bool is_name_start(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_' || static_cast<unsigned char>(c) >= 0x80;
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<unsigned char>(c) >= 0x80;
 }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_name_part(char c) { return is_name_start(c) || is_digit(c); }
@@ -37,6 +37,7 @@ class Tokenizer {
   explicit Tokenizer(std::string_view source) : source_(source) {}
 
   std::vector<Token> run() {
+    tokens_.reserve(source_.size() / 3 + 2);
     for (skip_blanks(); at_ < source_.size(); skip_blanks()) read_token();
     if (!open_.empty()) fail_syntax(fmt::format("'{}' was never closed", open_.back().symbol), open_.back().line);
     tokens_.push_back({Token::Kind::end, {}, {}, line_});
@@ -253,6 +254,9 @@ void fail_syntax(std::string_view message, std::size_t line) {
 }
 
 bool is_keyword(std::string_view word) {
+  constexpr std::size_t shortest = 2;
+  constexpr std::size_t longest = 8;
+  if (word.size() < shortest || word.size() > longest) return false;
   return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
 }
 

@@ -133,6 +133,7 @@ class Builder {
     const bool in_source = tag < file_.text.size() && file_.text[tag] == '<';
     const auto written = static_cast<std::size_t>(XML_GetSpecifiedAttributeCount(parser_.get()));
     TagScanner scanner(file_.text, tag);
+    element.attributes.reserve(written);
     for (std::size_t i = 0; attributes[i] != nullptr; i += 2) {
       Attribute a{attributes[i], attributes[i + 1], element.at, element.at};
       if (in_source && i < written) {

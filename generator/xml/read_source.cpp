@@ -1,6 +1,7 @@
 #include "generator/xml/read_source.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -121,11 +122,18 @@ File open_file(const Request& request) {
   return file;
 }
 
+/// One byte more than a regular file holds, so that one read sees its end; a block for pipes and devices.
+std::size_t first_block(std::FILE* file) {
+  struct stat status {};
+  const bool is_regular = ::fstat(::fileno(file), &status) == 0 && S_ISREG(status.st_mode);
+  return is_regular ? static_cast<std::size_t>(std::clamp<off_t>(status.st_size + 1, 1, 1 << 20)) : 1 << 16;
+}
+
 std::optional<std::string> read_all(std::FILE* file, const Request& request) {
   std::string text;
   std::size_t size = 0;
   do {
-    text.resize(std::max<std::size_t>(size * 2, 1 << 16));
+    text.resize(size == 0 ? first_block(file) : std::max<std::size_t>(size * 2, 1 << 16));
     size += std::fread(text.data() + size, 1, text.size() - size, file);
     if (size > kMaxFileSize) {
       request.fail(code::file_too_large, fmt::format("'{}' is larger than {} MiB", request.name, kMaxFileSize >> 20));
@@ -140,10 +148,22 @@ std::optional<std::string> read_all(std::FILE* file, const Request& request) {
   return text;
 }
 
+/// How many bytes at the beginning are ASCII; looks at eight at a time.
+std::size_t ascii_length(std::string_view text) {
+  constexpr std::uint64_t high_bits = 0x8080808080808080;
+  std::size_t i = 0;
+  for (std::uint64_t eight = 0; i + sizeof eight <= text.size(); i += sizeof eight) {
+    std::memcpy(&eight, text.data() + i, sizeof eight);
+    if ((eight & high_bits) != 0) break;
+  }
+  while (i < text.size() && static_cast<unsigned char>(text[i]) < 0x80) ++i;
+  return i;
+}
+
 }  // namespace
 
 std::size_t find_invalid_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
+  for (std::size_t i = ascii_length(text); i < text.size(); i += ascii_length(text.substr(i))) {
     const std::size_t length = sequence_length(static_cast<unsigned char>(text[i]));
     if (!is_valid_sequence(text.substr(i, 4), length)) return i;
     i += length;

@@ -9,25 +9,31 @@ namespace {
 
 constexpr std::string_view kIndentStep = "  ";
 
-void append_escaped(std::string& out, std::string_view text) {
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
+std::string_view reference_for(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    default:
+      return {};
   }
+}
+
+void append_escaped(std::string& out, std::string_view text) {
+  std::size_t copied = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string_view reference = reference_for(text[i]);
+    if (reference.empty()) continue;
+    out.append(text, copied, i - copied);
+    out += reference;
+    copied = i + 1;
+  }
+  out.append(text, copied);
 }
 
 class Writer {
@@ -94,6 +100,7 @@ class Writer {
 
   void attributes(const Node& e) {
     std::vector<const Attribute*> sorted;
+    sorted.reserve(e.attributes.size());
     for (const Attribute& a : e.attributes) sorted.push_back(&a);
     std::sort(sorted.begin(), sorted.end(), [](const auto* a, const auto* b) { return a->name < b->name; });
     for (const Attribute* a : sorted) {
@@ -129,6 +136,7 @@ std::string banner(std::string_view name) {
 std::size_t blank_length(std::string_view text) {
   const char c = text[0];
   if (c == ' ' || (c >= '\t' && c <= '\r') || (c >= '\x1c' && c <= '\x1f')) return 1;
+  if (static_cast<unsigned char>(c) < 0x80) return 0;
   constexpr std::string_view kTwo[] = {"\xC2\x85", "\xC2\xA0"};
   constexpr std::string_view kThree[] = {"\xE1\x9A\x80", "\xE2\x80\xA8", "\xE2\x80\xA9",
                                          "\xE2\x80\xAF", "\xE2\x81\x9F", "\xE3\x80\x80"};
