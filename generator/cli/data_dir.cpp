@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "generator/run/program_folder.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -26,8 +28,7 @@ std::string find_data_dir(const Options& options, Diagnostics& diagnostics) {
   } else if (environment != nullptr && *environment != '\0') {
     places = {environment};
   } else {
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+    const fs::path program = program_folder();
     places = {program / "share", program.parent_path() / "share" / "finemote"};
   }
   for (const fs::path& place : places) {

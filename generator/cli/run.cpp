@@ -13,6 +13,7 @@
 #include "generator/cli/load.hpp"
 #include "generator/output/write.hpp"
 #include "generator/run/build_firmware.hpp"
+#include "generator/run/check_wcet.hpp"
 #include "generator/run/emulate.hpp"
 #include "generator/run/execute.hpp"
 #include "generator/run/parts.hpp"
@@ -131,12 +132,16 @@ void keep_parts(const Context& context, const Robot& robot, const std::string& f
       << emulated_parts(robot).scenario.dump(2) << "\n";
 }
 
-/// Bounds of the image as it runs: with the cost of its trace.
-std::optional<timing::Timing> bounds(const Context& context, const Loaded& loaded, Diagnostics& diagnostics) {
+/// The image as it runs: with the cost of its trace.
+timing::Model model_of_image(const Context& context, const Loaded& loaded) {
   timing::RobotTimingOptions options;
   options.trace = true;
   options.monitor = context.options.monitor;
-  const timing::Model model = timing::make_timing_model(loaded.robot, loaded.forest, loaded.schedule, options);
+  return timing::make_timing_model(loaded.robot, loaded.forest, loaded.schedule, options);
+}
+
+std::optional<timing::Timing> bounds(const Context& context, const Loaded& loaded, const timing::Model& model,
+                                     Diagnostics& diagnostics) {
   timing::AnalysisRequest request;
   request.requirements = timing::timing_requirements(loaded.robot, loaded.forest);
   for (const std::string& text : context.options.chains) {
@@ -206,13 +211,15 @@ int run_run(Context& context) {
   if (context.options.build_only) return finish_build(context, *image, board);
   // What the analysis finds wrong is analyze's answer, not this one's: a run that goes well is a good run.
   Diagnostics analysis;
-  const auto timing = bounds(context, *loaded, analysis);
+  const timing::Model model = model_of_image(context, *loaded);
+  const auto timing = bounds(context, *loaded, model, analysis);
   for (const Diagnostic& finding : analysis.in_file_order()) {
     if (finding.code == code::timing_chain) context.diagnostics.error(finding.code, finding.at, finding.message);
   }
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   auto record = run_image(context, *loaded, board, *path, *duration);
   if (!record) return finish(context, kExitInvalid);
+  if (board == "robomaster_type_c") check_wcet(loaded->robot, *record, model.costs.stage_ns, context.diagnostics);
   RunResult result{loaded->robot, loaded->forest, loaded->schedule,   board, *duration,
                    *duration,     *image,         std::move(*record), {},    monitored_bounds(context, *loaded)};
   if (timing) result.chains = measure_chains(loaded->robot, loaded->forest, *timing, result.record);

@@ -204,6 +204,7 @@ inline constexpr Code firmware_stopped{6002};       // a fault, or it did not en
 inline constexpr Code bad_scenario{6004};           // a scenario file that cannot be used
 inline constexpr Code hardware_misuse{6005};        // what the hardware would not forgive
 inline constexpr Code broken_record{6003};          // the run's trace cannot be read
+inline constexpr Code wcet_exceeded{6006};          // a stage runs longer than the WCET its bounds were made from
 
 // 61xx: the linked image
 inline constexpr Code bad_image{6101};         // not a linked Arm image, or not readable

@@ -8,18 +8,13 @@
 
 #include "generator/run/parts.hpp"
 #include "generator/run/process.hpp"
+#include "generator/run/program_folder.hpp"
 
 namespace finemote::gen {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/// The program of the emulated board lies beside this one.
-fs::path emulator_program() {
-  std::error_code error;
-  return fs::read_symlink("/proc/self/exe", error).parent_path() / "finemote-emulator";
-}
 
 bool add_scenario(const std::string& path, Json& job, Diagnostics& diagnostics) {
   if (path.empty()) return true;
@@ -48,7 +43,7 @@ Json run_job(const Json& job, const std::string& image, std::int64_t duration_ns
   std::ofstream(job_file, std::ios::binary | std::ios::trunc) << job << "\n";
   fs::remove(record_file);
   const std::chrono::seconds limit(120 + 60 * (duration_ns / 1'000'000'000));
-  const std::string program = emulator_program().string();
+  const std::string program = (program_folder() / "finemote-emulator").string();
   const ProcessResult result = run_process({program, job_file, record_file}, limit);
   std::ifstream file(record_file);
   if (result.started && !result.timed_out && result.exit_status == 0 && file) return Json::parse(file);

@@ -70,20 +70,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 74688, finemote::kUnbounded, nullptr},  // imu
-    {1, 285866, finemote::kUnbounded, nullptr},  // baro_1
-    {1, 281106, finemote::kUnbounded, nullptr},  // baro_2
-    {1, 278846, finemote::kUnbounded, nullptr},  // baro_3
-    {1, 269686, finemote::kUnbounded, nullptr},  // baro_4
-    {1, 267426, 30300836, &rov::thruster_1.command},  // thruster_1
-    {1, 258266, 30296676, &rov::thruster_2.command},  // thruster_2
-    {1, 247206, 30287516, &rov::thruster_3.command},  // thruster_3
-    {1, 243046, 30276456, &rov::thruster_4.command},  // thruster_4
-    {1, 236386, 30269796, &rov::thruster_5.command},  // thruster_5
-    {1, 232226, 30265636, &rov::thruster_6.command},  // thruster_6
-    {1, 221166, 30254576, &rov::thruster_7.command},  // thruster_7
-    {1, 214506, 30247916, &rov::thruster_8.command},  // thruster_8
-    {1, 210346, finemote::kUnbounded, nullptr},  // rov
+    {0, 148788, finemote::kUnbounded, nullptr},  // imu
+    {1, 581966, finemote::kUnbounded, nullptr},  // baro_1
+    {1, 578006, finemote::kUnbounded, nullptr},  // baro_2
+    {1, 574046, finemote::kUnbounded, nullptr},  // baro_3
+    {1, 560686, finemote::kUnbounded, nullptr},  // baro_4
+    {1, 556726, 30616536, &rov::thruster_1.command},  // thruster_1
+    {1, 538666, 30602876, &rov::thruster_2.command},  // thruster_2
+    {1, 515606, 30584816, &rov::thruster_3.command},  // thruster_3
+    {1, 506946, 30571756, &rov::thruster_4.command},  // thruster_4
+    {1, 488886, 30555596, &rov::thruster_5.command},  // thruster_5
+    {1, 470826, 30535036, &rov::thruster_6.command},  // thruster_6
+    {1, 462166, 30519476, &rov::thruster_7.command},  // thruster_7
+    {1, 444106, 30501416, &rov::thruster_8.command},  // thruster_8
+    {1, 423546, finemote::kUnbounded, nullptr},  // rov
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48, 1 device;
-/// a job ends within 61.088 us of its release.
+/// a job ends within 144.588 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49, 13 devices;
-/// a job ends within 215.466 us of its release.
+/// a job ends within 511.566 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{61088, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds baro_1{211866, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds baro_2{211706, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds baro_3{211546, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds baro_4{211386, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds thruster_1{211226, 30244036, 35870664};
-inline constexpr finemote::Bounds thruster_2{202266, 30241976, 35870664};
-inline constexpr finemote::Bounds thruster_3{200206, 30233016, 35863764};
-inline constexpr finemote::Bounds thruster_4{198146, 30228456, 35861264};
-inline constexpr finemote::Bounds thruster_5{193586, 30226396, 35861264};
-inline constexpr finemote::Bounds thruster_6{191526, 30224336, 35861264};
-inline constexpr finemote::Bounds thruster_7{189466, 30222276, 35873164};
-inline constexpr finemote::Bounds thruster_8{173006, 30220216, 35873164};
-inline constexpr finemote::Bounds rov{170946, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds imu{144588, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds baro_1{507966, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds baro_2{506106, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds baro_3{494846, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds baro_4{492986, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds thruster_1{491126, 30562236, 36279164};
+inline constexpr finemote::Bounds thruster_2{484566, 30546276, 36269764};
+inline constexpr finemote::Bounds thruster_3{468606, 30527816, 36272264};
+inline constexpr finemote::Bounds thruster_4{462046, 30518756, 36272264};
+inline constexpr finemote::Bounds thruster_5{446086, 30502796, 36269764};
+inline constexpr finemote::Bounds thruster_6{439526, 30496236, 36272264};
+inline constexpr finemote::Bounds thruster_7{421066, 30480276, 36269764};
+inline constexpr finemote::Bounds thruster_8{412006, 30471216, 36269764};
+inline constexpr finemote::Bounds rov{398546, finemote::kUnbounded, finemote::kUnbounded};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -19,35 +19,35 @@
 namespace FinsROV::rov {
 
 /// imu: h30_imu on 'imu_uart', every 5 ms
-/// response <= 61.088 us
+/// response <= 144.588 us
 FINEMOTE_CONSTINIT inline finemote::H30Imu imu{::FinsROV::imu_uart};
 
 /// baro_1: ms5837 on 'segment_0' at 0x76, every 10 ms
-/// response <= 211.866 us
+/// response <= 507.966 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_1{
     finemote::Ms5837::Config{/*variant*/ finemote::Ms5837::Variant::k30BA, /*oversampling*/ 1024},
     ::FinsROV::slots::baro_1};
 
 /// baro_2: ms5837 on 'segment_1' at 0x76, every 10 ms
-/// response <= 211.706 us
+/// response <= 506.106 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_2{
     finemote::Ms5837::Config{/*variant*/ finemote::Ms5837::Variant::k30BA, /*oversampling*/ 1024},
     ::FinsROV::slots::baro_2};
 
 /// baro_3: ms5837 on 'segment_2' at 0x76, every 10 ms
-/// response <= 211.546 us
+/// response <= 494.846 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_3{
     finemote::Ms5837::Config{/*variant*/ finemote::Ms5837::Variant::k30BA, /*oversampling*/ 1024},
     ::FinsROV::slots::baro_3};
 
 /// baro_4: ms5837 on 'segment_3' at 0x76, every 10 ms
-/// response <= 211.386 us
+/// response <= 492.986 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_4{
     finemote::Ms5837::Config{/*variant*/ finemote::Ms5837::Variant::k30BA, /*oversampling*/ 1024},
     ::FinsROV::slots::baro_4};
 
 /// thruster_1: pwm_esc on 'pwm' channel 0, every 10 ms
-/// response <= 211.226 us; data age <= 30.245 ms when handle() ends, <= 35.871 ms at the output (oldest: baro_2)
+/// response <= 491.126 us; data age <= 30.563 ms when handle() ends, <= 36.28 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_1{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
@@ -59,7 +59,7 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_1{
     finemote::PwmChannel{::FinsROV::pwm, 0}};
 
 /// thruster_2: pwm_esc on 'pwm' channel 1, every 10 ms
-/// response <= 202.266 us; data age <= 30.242 ms when handle() ends, <= 35.871 ms at the output (oldest: baro_2)
+/// response <= 484.566 us; data age <= 30.547 ms when handle() ends, <= 36.27 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_2{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
@@ -71,7 +71,7 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_2{
     finemote::PwmChannel{::FinsROV::pwm, 1}};
 
 /// thruster_3: pwm_esc on 'pwm' channel 2, every 10 ms
-/// response <= 200.206 us; data age <= 30.234 ms when handle() ends, <= 35.864 ms at the output (oldest: baro_2)
+/// response <= 468.606 us; data age <= 30.528 ms when handle() ends, <= 36.273 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_3{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
@@ -83,7 +83,7 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_3{
     finemote::PwmChannel{::FinsROV::pwm, 2}};
 
 /// thruster_4: pwm_esc on 'pwm' channel 3, every 10 ms
-/// response <= 198.146 us; data age <= 30.229 ms when handle() ends, <= 35.862 ms at the output (oldest: baro_2)
+/// response <= 462.046 us; data age <= 30.519 ms when handle() ends, <= 36.273 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_4{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
@@ -95,7 +95,7 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_4{
     finemote::PwmChannel{::FinsROV::pwm, 3}};
 
 /// thruster_5: pwm_esc on 'pwm' channel 4, every 10 ms
-/// response <= 193.586 us; data age <= 30.227 ms when handle() ends, <= 35.862 ms at the output (oldest: baro_2)
+/// response <= 446.086 us; data age <= 30.503 ms when handle() ends, <= 36.27 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_5{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
@@ -107,7 +107,7 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_5{
     finemote::PwmChannel{::FinsROV::pwm, 4}};
 
 /// thruster_6: pwm_esc on 'pwm' channel 5, every 10 ms
-/// response <= 191.526 us; data age <= 30.225 ms when handle() ends, <= 35.862 ms at the output (oldest: baro_2)
+/// response <= 439.526 us; data age <= 30.497 ms when handle() ends, <= 36.273 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_6{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
@@ -119,7 +119,7 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_6{
     finemote::PwmChannel{::FinsROV::pwm, 5}};
 
 /// thruster_7: pwm_esc on 'pwm' channel 6, every 10 ms
-/// response <= 189.466 us; data age <= 30.223 ms when handle() ends, <= 35.874 ms at the output (oldest: baro_2)
+/// response <= 421.066 us; data age <= 30.481 ms when handle() ends, <= 36.27 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_7{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
@@ -131,7 +131,7 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_7{
     finemote::PwmChannel{::FinsROV::pwm, 6}};
 
 /// thruster_8: pwm_esc on 'pwm' channel 7, every 10 ms
-/// response <= 173.006 us; data age <= 30.221 ms when handle() ends, <= 35.874 ms at the output (oldest: baro_2)
+/// response <= 412.006 us; data age <= 30.472 ms when handle() ends, <= 36.27 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_8{
     finemote::PwmEsc::Config{
         /*neutral [ns]*/ 1500000,
@@ -165,7 +165,7 @@ inline constexpr finemote::Port<finemote::Thruster> rov_thrusters[] = {
 }  // namespace ports
 
 /// rov: finsrov, every 10 ms
-/// response <= 170.946 us
+/// response <= 398.546 us
 FINEMOTE_CONSTINIT inline finemote::FinsRov rov{
     finemote::FinsRov::Config{
         /*surface_pressure*/ 101325.0f,
