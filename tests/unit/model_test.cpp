@@ -74,7 +74,7 @@ TEST_CASE("finsrov is fourteen devices on three buses") {
   CHECK(robot.segments[*thruster.segment].kind == Segment::Kind::pwm_expander);
   CHECK(robot.buses[robot.segments[*thruster.segment].bus].name.text == "i2c");
   CHECK(thruster.channel == 7U);
-  CHECK(thruster.wcet.update_ns == 600);
+  CHECK(thruster.wcet.update_ns == 4000);
   CHECK(thruster.wcet.source == Wcet::Source::budget);
 
   const Device& rov = finsrov.device("rov");
@@ -84,7 +84,7 @@ TEST_CASE("finsrov is fourteen devices on three buses") {
   REQUIRE(robot.requirements.size() == 2);
   CHECK(robot.requirements[0].to.size() == 8);
   CHECK(robot.requirements[0].kind == Requirement::Kind::latency_decision);
-  CHECK(robot.requirements[1].max_fraction == 0.25);
+  CHECK(robot.requirements[1].max_fraction == 0.3);
 }
 
 TEST_CASE("the inputs of a robot are every file that was read") {
