@@ -3,49 +3,44 @@
 namespace finemote::emulator {
 namespace {
 
-/// Start, identifier, RTR, IDE, r0, length and data: what the checksum covers.
-std::vector<bool> covered_bits(const CanFrame& frame) {
-  std::vector<bool> bits;
-  const auto put = [&bits](std::uint32_t value, unsigned count) {
-    for (unsigned i = count; i-- > 0;) bits.push_back((value >> i & 1) != 0);
-  };
-  put(0, 1);
-  put(frame.id, 11);
-  put(0, 3);
-  put(frame.size, 4);
-  for (unsigned i = 0; i < frame.size; ++i) put(frame.data[i], 8);
-  return bits;
-}
-
-std::uint32_t crc15(const std::vector<bool>& bits) {
-  std::uint32_t crc = 0;
-  for (const bool bit : bits) {
-    const bool invert = bit != ((crc >> 14 & 1) != 0);
-    crc = crc << 1 & 0x7FFF;
-    if (invert) crc ^= 0x4599;
+/// Bits of a frame as they come: counts them, with their stuff bits, and forms the checksum.
+class FrameBits {
+ public:
+  void put(std::uint32_t value, unsigned count) {
+    for (unsigned i = count; i-- > 0;) put_bit(value >> i & 1);
   }
-  return crc;
-}
+  [[nodiscard]] std::uint32_t crc() const { return crc_; }
+  [[nodiscard]] unsigned count() const { return count_; }
+
+ private:
+  void put_bit(std::uint32_t bit) {
+    crc_ = (crc_ << 1 & 0x7FFF) ^ ((bit ^ crc_ >> 14) != 0 ? 0x4599 : 0);
+    run_ = bit == last_ ? run_ + 1 : 1;
+    last_ = bit;
+    ++count_;
+    if (run_ == 5) {  // a bit of the other kind follows, and begins a run itself
+      ++count_;
+      last_ = bit ^ 1;
+      run_ = 1;
+    }
+  }
+
+  std::uint32_t crc_ = 0, last_ = 1;
+  unsigned run_ = 0, count_ = 0;
+};
 
 }  // namespace
 
 unsigned can_frame_bits(const CanFrame& frame) {
-  std::vector<bool> bits = covered_bits(frame);
-  const std::uint32_t crc = crc15(bits);
-  for (unsigned i = 15; i-- > 0;) bits.push_back((crc >> i & 1) != 0);
-  unsigned stuffed = 0, run = 0;
-  bool last = true;
-  for (const bool bit : bits) {
-    run = bit == last ? run + 1 : 1;
-    last = bit;
-    if (run == 5) {  // a bit of the other kind follows, and begins a run itself
-      ++stuffed;
-      last = !bit;
-      run = 1;
-    }
-  }
+  FrameBits bits;
+  bits.put(0, 1);  // start, identifier, RTR, IDE, r0, length and data: what the checksum covers
+  bits.put(frame.id, 11);
+  bits.put(0, 3);
+  bits.put(frame.size, 4);
+  for (unsigned i = 0; i < frame.size; ++i) bits.put(frame.data[i], 8);
+  bits.put(bits.crc(), 15);
   constexpr unsigned kTail = 1 + 2 + 7 + 3;  // CRC delimiter, acknowledge, end of frame, intermission
-  return static_cast<unsigned>(bits.size()) + stuffed + kTail;
+  return bits.count() + kTail;
 }
 
 /// All nodes that ask at the same time take part in the same arbitration.

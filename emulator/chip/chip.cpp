@@ -12,6 +12,8 @@ std::string hex(std::uint32_t value) {
 /// Cycles an access waits for the bus bridge: APB2 at half, APB1 at a quarter of the core clock. A documented choice.
 constexpr unsigned wait_of(ClockBus bus) { return bus == ClockBus::apb1 ? 4 : bus == ClockBus::apb2 ? 2 : 0; }
 
+constexpr std::uint32_t kFirst = 0x40000000;  ///< address of the first peripheral
+
 /// A flag cleared fewer cycles than this before the return may still raise its line.
 constexpr unsigned kLateCycles = 8;
 
@@ -98,6 +100,9 @@ Chip::Chip(World& world)
 
 void Chip::place(std::uint32_t base, Peripheral& peripheral, ClockBus bus, unsigned bit, std::uint32_t bytes) {
   slots_.push_back(Slot{base, bytes, &peripheral, bus, bit});
+  const std::size_t first = (base - kFirst) / 0x400, end = first + (bytes + 0x3FF) / 0x400;
+  if (slot_at_.size() < end) slot_at_.resize(end);
+  for (std::size_t at = first; at < end; ++at) slot_at_[at] = static_cast<std::uint8_t>(slots_.size());
 }
 
 /// The pins of a bus as they are when the master takes them from the peripheral to clock by hand.
@@ -115,15 +120,15 @@ void Chip::reset() {
 }
 
 const Chip::Slot* Chip::find(std::uint32_t address) const {
-  for (const Slot& slot : slots_) {
-    if (address - slot.base < slot.bytes) return &slot;
-  }
-  return nullptr;
+  const std::size_t at = (address - kFirst) / 0x400;
+  const unsigned number = at < slot_at_.size() ? slot_at_[at] : 0;
+  if (number == 0) return nullptr;
+  const Slot& slot = slots_[number - 1];
+  return address - slot.base < slot.bytes ? &slot : nullptr;
 }
 
 /// @param value  to write; null to read
-std::uint32_t Chip::access(std::uint32_t address, unsigned bytes, const std::uint32_t* value) {
-  const Slot* slot = find(address);
+std::uint32_t Chip::access(const Slot* slot, std::uint32_t address, unsigned bytes, const std::uint32_t* value) {
   if (slot == nullptr) {
     world_.report(Misuse::unmodelled, "peripheral address " + hex(address & ~0x3FFU));
     return 0;
@@ -143,8 +148,9 @@ std::uint32_t Chip::access(std::uint32_t address, unsigned bytes, const std::uin
 
 std::uint32_t Chip::read(std::uint32_t address, unsigned bytes) {
   lowered_line_ = -1;
-  if (const Slot* slot = find(address)) world_.cpu().add_wait(wait_of(slot->bus));
-  return access(address, bytes, nullptr);
+  const Slot* slot = find(address);
+  if (slot != nullptr) world_.cpu().add_wait(wait_of(slot->bus));
+  return access(slot, address, bytes, nullptr);
 }
 
 void Chip::write(std::uint32_t address, unsigned bytes, std::uint32_t value) {

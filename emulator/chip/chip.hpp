@@ -79,7 +79,10 @@ class Chip : public PeripheralBus {
 
   void place(std::uint32_t base, Peripheral& peripheral, ClockBus bus, unsigned bit, std::uint32_t bytes = 0x400);
   [[nodiscard]] const Slot* find(std::uint32_t address) const;
-  std::uint32_t access(std::uint32_t address, unsigned bytes, const std::uint32_t* value);
+  std::uint32_t access(std::uint32_t address, unsigned bytes, const std::uint32_t* value) {
+    return access(find(address), address, bytes, value);
+  }
+  std::uint32_t access(const Slot* slot, std::uint32_t address, unsigned bytes, const std::uint32_t* value);
   void connect_wires(I2c& i2c, char port, unsigned scl, char sda_port, unsigned sda);
   bool serve_dma(DmaRequest request) { return dma1_->serve(request) || dma2_->serve(request); }
 
@@ -95,6 +98,7 @@ class Chip : public PeripheralBus {
   std::unique_ptr<Can> can1_, can2_;
   std::vector<std::unique_ptr<Timer>> timers_;
   std::vector<Slot> slots_;
+  std::vector<std::uint8_t> slot_at_;  ///< by KiB from kFirst: index in slots_ and 1; 0: none
   Time lowered_at_ = 0;
   int lowered_line_ = -1;
 };

@@ -13,6 +13,7 @@ struct InstructionInfo {
   static constexpr std::uint8_t kMovesStack = 8;     ///< may move the stack pointer down
   static constexpr std::uint8_t kIfThen = 16;        ///< IT: the next 1..4 instructions are conditional
   static constexpr std::uint8_t kBarrier = 32;       ///< DSB, ISB, DMB
+  static constexpr std::uint8_t kLoadsPc = 64;       ///< LDR to the PC
 
   std::uint8_t cycles = 0;  ///< 0: not decoded yet
   std::uint8_t flags = 0;

@@ -33,18 +33,19 @@ class Nvic {
   void enable(int exception, bool on);
   void set_priority(int exception, std::uint8_t register_value) {
     priority_[index(exception)] = register_value & 0xF0;
+    active_priority_ = lowest_active();
     changed_ = true;
   }
 
-  [[nodiscard]] bool is_pending(int exception) const { return pending_[index(exception)]; }
-  [[nodiscard]] bool is_enabled(int exception) const { return enabled_[index(exception)]; }
-  [[nodiscard]] bool is_active(int exception) const { return active_[index(exception)]; }
+  [[nodiscard]] bool is_pending(int exception) const { return pending_.has(exception); }
+  [[nodiscard]] bool is_enabled(int exception) const { return enabled_.has(exception); }
+  [[nodiscard]] bool is_active(int exception) const { return active_.has(exception); }
   [[nodiscard]] std::uint8_t priority_register(int exception) const { return priority_[index(exception)]; }
 
   /// Effective priority, smaller is more urgent; -3..-1 are reset, NMI and hard fault.
   [[nodiscard]] int priority(int exception) const;
   /// Of what runs now; 256 in thread mode. Masking registers not included.
-  [[nodiscard]] int active_priority() const;
+  [[nodiscard]] int active_priority() const { return active_priority_; }
   /// The most urgent pending and enabled exception; 0 when there is none. Equal priorities: the lowest number.
   [[nodiscard]] int most_urgent() const;
 
@@ -71,10 +72,22 @@ class Nvic {
 
   template <class T>
   using Table = std::array<T, kExceptions>;
-  Table<bool> pending_{}, enabled_{}, active_{}, level_{};
+  /// A set of exceptions, looked through from the lowest number.
+  struct Set {
+    std::array<std::uint64_t, 2> words{};
+    [[nodiscard]] bool has(int exception) const { return (words[index(exception) / 64] >> (exception % 64) & 1) != 0; }
+    void put(int exception, bool in) {
+      const std::uint64_t bit = std::uint64_t{1} << (exception % 64);
+      std::uint64_t& word = words[index(exception) / 64];
+      word = in ? word | bit : word & ~bit;
+    }
+  };
+  [[nodiscard]] int lowest_active() const;
+
+  Set pending_, enabled_, active_, level_;
   Table<std::uint8_t> priority_{};
   Table<unsigned> entered_{};
-  int pending_count_ = 0;
+  int active_priority_ = 256;
   int lowered_ = -1;
   bool changed_ = false;
 };

@@ -1,6 +1,6 @@
 // finemote-emulator JOB RECORD: runs the job in the file JOB and writes what the board did to the file RECORD.
 //
-// A program of its own because it links libunicorn, whose licence (GPL-2.0) is not the tool's; `finemote run` starts
+// A program of its own, so that whatever an image makes of the board cannot take the tool along; `finemote run` starts
 // it.
 #include <cstdio>
 #include <exception>

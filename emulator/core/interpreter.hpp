@@ -1,0 +1,152 @@
+// Runs Thumb instructions on the registers and memories of the core, until something outside of them is needed.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "emulator/core/operation.hpp"
+#include "emulator/core/pace.hpp"
+#include "emulator/core/registers.hpp"
+
+namespace finemote::emulator {
+
+/// Why the interpreter stopped. `Registers::next` is where it goes on, unless said otherwise.
+enum class Halt {
+  asked,             ///< `Outside::stops` said so
+  sleep,             ///< WFI
+  supervisor_call,   ///< SVC
+  breakpoint,        ///< BKPT; next is the instruction itself
+  exception_return,  ///< a jump to an EXC_RETURN value, which `next` holds
+  undefined,         ///< no such instruction; next is the instruction itself
+  no_fpu,            ///< a floating-point instruction while the FPU is off; next is the instruction itself
+  bad_state,         ///< a jump to an even address
+  no_instruction,    ///< `next` is not in executable memory
+  bad_access,        ///< no memory at `bad_address()`; next is the instruction itself
+};
+
+/// What lies behind the interpreter.
+class Outside {
+ public:
+  virtual ~Outside() = default;
+  /// An address that is no memory. @return false: nothing is there
+  virtual bool read(std::uint32_t address, unsigned bytes, std::uint32_t& value) = 0;
+  virtual bool write(std::uint32_t address, unsigned bytes, std::uint32_t value) = 0;
+  /// Asked before the instruction at `address` once `Pace::stop_at` is reached.
+  virtual bool stops(std::uint32_t address) = 0;
+  /// What interrupts are let through may have changed.
+  virtual void masks_changed() = 0;
+  /// The stack pointer is below `Interpreter::stack_alarm`.
+  virtual void stack_moved() = 0;
+  virtual void report_unmodelled(const char* what) = 0;
+};
+
+/// The memories of the STM32F407 (RM0090 2.3.1); they outlive the interpreter.
+struct Memories {
+  static constexpr std::uint32_t kFlashBase = 0x08000000, kFlashBytes = 0x100000;  ///< also at 0
+  static constexpr std::uint32_t kRamBase = 0x20000000, kRamBytes = 0x20000;
+  static constexpr std::uint32_t kCoreRamBase = 0x10000000, kCoreRamBytes = 0x10000;  ///< not executable
+  static constexpr std::uint32_t kSystemBase = 0x1FFF7000, kSystemBytes = 0x1000;     ///< read only
+
+  std::uint8_t *flash, *ram, *core_ram, *system;
+};
+
+class Interpreter {
+ public:
+  Interpreter(const Memories& memories, Outside& outside) : memories_(memories), outside_(outside) {}
+
+  Registers registers;
+  Pace pace;
+  bool fpu_on = false;      ///< the image has turned it on in CPACR
+  bool fp_active = false;   ///< floating point was used since the last exception entry
+  bool lazy_frame = false;  ///< the space for its registers is reserved, not filled
+  std::uint32_t stack_alarm = 0;
+
+  /// The first `bytes` of flash hold another image.
+  void forget_flash(std::uint32_t bytes) {
+    operations_.assign(bytes / 2 + 1, {});
+    known_ = operations_.data();
+    known_count_ = bytes / 2 + 1;
+  }
+  /// Runs until it has to stop.
+  Halt run();
+
+  /// The instruction begun last.
+  [[nodiscard]] std::uint32_t pc() const { return registers.r[15] - 4; }
+  [[nodiscard]] std::uint32_t bad_address() const { return bad_address_; }
+
+  /// An exception that costs time to save registers lazily: PM0214 2.3.7, Cortex-M4 TRM 7.2.3.
+  static constexpr unsigned kLazyCycles = 17;
+
+ private:
+  template <CostModel Cost, FlashModel Flash>
+  Halt run_with();
+  const Operation* operation_at(std::uint32_t address, Operation& outside_image);
+  const Operation* take_apart_at(std::uint32_t address, Operation& into) const;
+  void pass_skipped(std::uint32_t from, std::uint32_t address);
+  [[nodiscard]] bool condition(unsigned code) const;
+  void begin_it(std::uint32_t address, std::uint32_t state);
+
+  /// Where `bytes` at `address` lie in RAM or core-coupled RAM; null when they do not.
+  [[nodiscard]] std::uint8_t* in_ram(std::uint32_t address, std::uint32_t bytes) const {
+    if (const std::uint32_t at = address - Memories::kRamBase; at <= Memories::kRamBytes - bytes)
+      return memories_.ram + at;
+    const std::uint32_t at = address - Memories::kCoreRamBase;
+    return at <= Memories::kCoreRamBytes - bytes ? memories_.core_ram + at : nullptr;
+  }
+  template <class T>
+  bool load(std::uint32_t address, std::uint32_t& value) {
+    const std::uint8_t* from = in_ram(address, sizeof(T));
+    if (from == nullptr) {
+      const std::uint32_t at = address - Memories::kFlashBase;
+      if (at > Memories::kFlashBytes - sizeof(T)) return load_elsewhere(address, sizeof(T), value);
+      from = memories_.flash + at;
+    }
+    T item;
+    std::memcpy(&item, from, sizeof(T));
+    value = item;
+    return true;
+  }
+  template <class T>
+  bool store(std::uint32_t address, std::uint32_t value) {
+    std::uint8_t* to = in_ram(address, sizeof(T));
+    if (to == nullptr) return store_elsewhere(address, sizeof(T), value);
+    const T item = static_cast<T>(value);
+    std::memcpy(to, &item, sizeof(T));
+    return true;
+  }
+  bool load_elsewhere(std::uint32_t address, unsigned bytes, std::uint32_t& value);
+  bool store_elsewhere(std::uint32_t address, unsigned bytes, std::uint32_t value);
+  /// `which` counts as in Opcode, from ldr to strh.
+  template <bool Load>
+  bool transfer(unsigned which, std::uint32_t address, unsigned t);
+  bool load_multiple(const Operation& o, std::uint32_t& target);
+  bool store_multiple(const Operation& o);
+  bool dual(const Operation& o, bool loads);
+  bool indexed(const Operation& o);
+  bool exclusive(const Operation& o);
+  bool float_memory(const Operation& o);
+  void media(const Operation& o);
+  void parallel_add(const Operation& o);
+  void bit_field(const Operation& o);
+  void saturate(const Operation& o);
+  void multiply_long(const Operation& o);
+  void read_special(const Operation& o);
+  void write_special(const Operation& o);
+  void floating(const Operation& o);
+  void float_transfer(const Operation& o);
+  void float_compare(std::uint32_t a, std::uint32_t b, bool signals);
+  [[nodiscard]] std::uint32_t shifted(const Operation& o, std::uint32_t& carry) const;
+  [[nodiscard]] std::uint32_t shift_by(Shift how, std::uint32_t value, std::uint32_t amount,
+                                       std::uint32_t& carry) const;
+
+  Memories memories_;
+  Outside& outside_;
+  std::vector<Operation> operations_;  ///< one per halfword of the image
+  Operation* known_ = nullptr;         ///< the same, at hand
+  std::uint32_t known_count_ = 0;
+  Operation elsewhere_;  ///< of an instruction outside of it
+  std::uint32_t bad_address_ = 0;
+};
+
+}  // namespace finemote::emulator

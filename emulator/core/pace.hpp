@@ -1,0 +1,56 @@
+// How instructions become time: counts them, charges their cycles, jumps and flash fetches.
+#pragma once
+
+#include <cstdint>
+
+#include "emulator/core/cost.hpp"
+#include "emulator/core/instruction.hpp"
+#include "emulator/time.hpp"
+
+namespace finemote::emulator {
+
+struct Pace {
+  static constexpr unsigned kFlashWait = 5;  ///< wait states of 168 MHz: RM0090 3.5.1, table 10
+  static constexpr Time kQemuInstruction = from_ns(8);
+
+  CostModel cost = CostModel::cortex_m4;
+  FlashModel flash = FlashModel::hit;
+  Time time = 0;
+  Time cycle = 0;                          ///< of the core clock
+  Time stop_at = 0;                        ///< the interpreter asks before the first instruction at or after this time
+  std::uint32_t expected = 0;              ///< where the next instruction is without a jump
+  std::uint32_t line = 0;                  ///< of flash, fetched last
+  std::uint32_t it_begin = 0, it_end = 0;  ///< the IT instruction seen last, and the end of its block
+  std::uint64_t instructions = 0;
+
+  void charge(unsigned cycles) {
+    if (cost != CostModel::qemu) time += cycles * cycle;
+  }
+
+  /// Inside the block of an IT instruction, behind its first boundary.
+  [[nodiscard]] bool in_it_block(std::uint32_t address) const { return address > it_begin && address < it_end; }
+
+  /// @tparam Cost, Flash  what `cost` and `flash` say
+  /// @param follows  where the instruction is without a jump
+  /// @param skipped  charges the conditional instructions passed over from there to `address`
+  template <CostModel Cost, FlashModel Flash, class Skipped>
+  void account(std::uint32_t address, std::uint32_t follows, const InstructionInfo& info, Skipped skipped) {
+    if (address != follows) {
+      if (address > follows && address <= it_end && follows > it_begin) {
+        skipped();
+      } else if constexpr (Cost != CostModel::qemu) {
+        time += kRefillCycles * cycle;
+      }
+    }
+    if constexpr (Flash == FlashModel::miss_always) {
+      if ((address >> 4) != line) {
+        line = address >> 4;
+        time += kFlashWait * cycle;
+      }
+    }
+    time += Cost == CostModel::qemu ? kQemuInstruction : info.cycles * cycle;
+    ++instructions;
+  }
+};
+
+}  // namespace finemote::emulator
