@@ -1,6 +1,7 @@
 // The interpreter against libunicorn: the same instruction on the same registers and memory must leave the same.
 #include <unicorn/unicorn.h>
 
+#include <bit>
 #include <random>
 #include <string>
 #include <vector>
@@ -19,11 +20,12 @@ class Nothing : public Outside {
  public:
   bool read(std::uint32_t, unsigned, std::uint32_t&) override { return false; }
   bool write(std::uint32_t, unsigned, std::uint32_t) override { return false; }
-  bool stops(std::uint32_t) override { return left-- == 0; }
+  bool stops(std::uint32_t address) override { return address == end || left-- == 0; }
   void masks_changed() override {}
   void stack_moved() override {}
   void report_unmodelled(const char*) override {}
   unsigned left = 0;
+  std::uint32_t end = 0;
 };
 
 struct State {
@@ -47,8 +49,9 @@ class Ours {
     core_.pace.cycle = 1;
   }
 
+  /// @param instructions  to run at most; 0: as many as there are before `end`
   /// @return false: no such instruction, or no such memory
-  bool step(State& state, unsigned instructions) {
+  bool step(State& state, unsigned instructions, std::uint32_t end = 0) {
     Registers& g = core_.registers;
     g = Registers{};
     std::copy(state.r, state.r + 15, g.r.begin());
@@ -57,7 +60,8 @@ class Ours {
     g.fpscr = state.float_flags;
     g.next = state.r[15];
     core_.forget_flash(0);
-    nothing_.left = instructions;
+    nothing_.left = instructions != 0 ? instructions : 100;
+    nothing_.end = end;
     const Halt why = core_.run();
     if (why != Halt::asked && why != Halt::no_instruction) return false;
     std::copy(g.r.begin(), g.r.begin() + 15, state.r);
@@ -89,15 +93,15 @@ class Theirs {
   Theirs(const Theirs&) = delete;
   Theirs& operator=(const Theirs&) = delete;
 
-  bool step(State& state, unsigned instructions) {
-    uc_ctl_remove_cache(uc_, kCode, kCode + 8);
+  bool step(State& state, unsigned instructions, std::uint32_t end = 0xFFFFFFFE) {
+    uc_ctl_remove_cache(uc_, kCode, kCode + 24);
     for (int i = 0; i < 13; ++i) set(UC_ARM_REG_R0 + i, state.r[i]);
     set(UC_ARM_REG_SP, state.r[13]);
     set(UC_ARM_REG_LR, state.r[14]);
     set(UC_ARM_REG_XPSR, state.flags | 1U << 24);
     for (int i = 0; i < 32; ++i) set(UC_ARM_REG_S0 + i, state.s[i]);
     set(UC_ARM_REG_FPSCR, state.float_flags);
-    if (uc_emu_start(uc_, state.r[15] | 1, 0xFFFFFFFE, 0, instructions) != UC_ERR_OK) return false;
+    if (uc_emu_start(uc_, state.r[15] | 1, end, 0, instructions) != UC_ERR_OK) return false;
     for (int i = 0; i < 13; ++i) state.r[i] = get(UC_ARM_REG_R0 + i);
     state.r[13] = get(UC_ARM_REG_SP);
     state.r[14] = get(UC_ARM_REG_LR);
@@ -140,11 +144,12 @@ bool left_out(const Operation& o, std::uint16_t first, std::uint16_t second) {
     case Opcode::blx:
     case Opcode::mov_pc:
     case Opcode::add_pc:
-    case Opcode::tbb:
-    case Opcode::tbh:
     case Opcode::nop:
     case Opcode::vmsr:
       return true;
+    case Opcode::tbb:
+    case Opcode::tbh:
+      return odd(o.n) || odd(o.m) || o.n == o.m;
     case Opcode::b:
     case Opcode::b_cond:
     case Opcode::bl:
@@ -297,8 +302,8 @@ TEST_CASE("every instruction leaves what it leaves on libunicorn", "[core]") {
       const auto first = static_cast<std::uint16_t>(code >> 16), second = static_cast<std::uint16_t>(code);
       const Operation o = take_apart(first, second);
       if (left_out(o, first, second)) continue;
-      const bool memory =
-          (o.kind >= Opcode::ldr_imm && o.kind <= Opcode::strd) || (o.kind >= Opcode::vldr && o.kind <= Opcode::vstm);
+      const bool memory = (o.kind >= Opcode::ldr_imm && o.kind <= Opcode::strd) || o.kind == Opcode::tbb ||
+                          o.kind == Opcode::tbh || (o.kind >= Opcode::vldr && o.kind <= Opcode::vstm);
       State state{};
       for (std::uint32_t& r : state.r) r = memory ? chance.below(64) : chance.value();
       if (memory) state.r[o.n & 0xF] = kScratch + kScratchBytes / 2 + 4 * chance.below(64);
@@ -343,5 +348,82 @@ TEST_CASE("every instruction leaves what it leaves on libunicorn", "[core]") {
     }
     INFO(family.name);
     CHECK(compared + (failed != 0 ? family.count : 0) >= family.count);
+  }
+}
+
+namespace {
+
+/// A few instructions in a row, as halfwords.
+using Sequence = std::vector<std::uint16_t>;
+
+void put(Sequence& sequence, std::uint32_t code) {
+  sequence.push_back(static_cast<std::uint16_t>(code >> 16));
+  if (code >> 16 >= 0xE800) sequence.push_back(static_cast<std::uint16_t>(code));
+}
+
+/// An IT instruction and its block of sums, shifts, comparisons and immediates.
+Sequence it_block(Chance& chance) {
+  const std::uint32_t mask = 1 + chance.below(15);
+  Sequence result{static_cast<std::uint16_t>(0xBF00 | chance.below(14) << 4 | mask)};
+  for (int left = 4 - std::countr_zero(mask); left > 0;) {
+    constexpr Family kInside[] = {kFamilies[0], kFamilies[1], kFamilies[4]};
+    const Family& family = kInside[chance.below(3)];
+    const std::uint32_t code = family.fixed | (chance() & family.free);
+    const Operation o = take_apart(static_cast<std::uint16_t>(code >> 16), static_cast<std::uint16_t>(code));
+    const bool zero_shift = o.kind == Opcode::mov_reg && o.amount == 0 && code >> 16 < 0xE800;  // not to be in a block
+    if (left_out(o, static_cast<std::uint16_t>(code >> 16), static_cast<std::uint16_t>(code)) || zero_shift) continue;
+    put(result, code);
+    --left;
+  }
+  return result;
+}
+
+/// LDREX{B,H} r1 and STREX{B,H} r3 = r2 at r0, both, one, or with a CLREX between.
+Sequence exclusives(Chance& chance) {
+  static constexpr std::uint32_t kLoads[] = {0xE8501F00, 0xE8D01F4F, 0xE8D01F5F};
+  static constexpr std::uint32_t kStores[] = {0xE8402300, 0xE8C02F43, 0xE8C02F53};
+  const std::uint32_t size = chance.below(3);
+  Sequence result;
+  if (chance.below(4) != 0) put(result, kLoads[size]);
+  if (chance.below(4) == 0) put(result, 0xF3BF8F2F);
+  put(result, kStores[size]);
+  if (chance.below(2) == 0) put(result, kStores[size]);
+  return result;
+}
+
+std::string difference_after(Ours& ours, Theirs& theirs, const Sequence& sequence, const State& before) {
+  const std::size_t scratch = kScratch - Memories::kRamBase;
+  for (Memory* m : {&ours.memory, &theirs.memory}) {
+    std::memcpy(&m->flash[kCode - Memories::kFlashBase], sequence.data(), 2 * sequence.size());
+    std::memset(&m->ram[scratch], 0x5A, kScratchBytes);
+  }
+  const auto end = static_cast<std::uint32_t>(kCode + 2 * sequence.size());
+  State a = before, b = before;
+  if (!ours.step(a, 0, end)) return "not run";
+  if (!theirs.step(b, 0, end)) return "not run by libunicorn";
+  const bool same = std::memcmp(&ours.memory.ram[scratch], &theirs.memory.ram[scratch], kScratchBytes) == 0;
+  return difference(a, b) + (same ? "" : "memory");
+}
+
+}  // namespace
+
+TEST_CASE("IT blocks and exclusive accesses leave what they leave on libunicorn", "[core]") {
+  Ours ours;
+  Theirs theirs;
+  Chance chance;
+  for (unsigned i = 0; i < 6000; ++i) {
+    State state{};
+    for (std::uint32_t& r : state.r) r = chance.value();
+    const bool in_it = i % 4 != 0;
+    if (!in_it) state.r[0] = kScratch + 4 * chance.below(64);
+    state.r[13] = kScratch;
+    state.r[15] = kCode;
+    state.flags = chance() & 0xF8000000U;
+    const Sequence sequence = in_it ? it_block(chance) : exclusives(chance);
+    std::string code;
+    for (const std::uint16_t half : sequence) code += text(" ", 0, half, 0).substr(5, 4) + " ";
+    INFO(code);
+    const std::string found = difference_after(ours, theirs, sequence, state);
+    REQUIRE(found == "");
   }
 }
