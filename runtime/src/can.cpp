@@ -9,6 +9,9 @@ namespace {
 /// Of module can.
 enum CanFault : std::uint8_t { kBusOff = 1, kNoGroup };
 
+/// The count of errors above which a controller is passive: ISO 11898-1.
+constexpr std::uint8_t kErrorPassive = 127;
+
 /// 128 sequences of eleven recessive bits: ISO 11898-1.
 constexpr std::int64_t kRecoveryBits = 128 * 11;
 
@@ -121,6 +124,9 @@ void CanBus::flush() {
 void CanBus::supervise() {
   if (!port_->bus_off()) {
     recovering_ = false;
+    // Error passive: nobody acknowledges, and what waits in the mailboxes grows old, for ever on an empty bus. It goes;
+    // the next flush sends what holds then.
+    if (transmit_errors() > kErrorPassive) port_->abort();
     return;
   }
   const Time at = now();

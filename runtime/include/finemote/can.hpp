@@ -62,7 +62,8 @@ class CanBus {
 
   /// Context: init.
   void start();
-  /// Brings a controller that went off the bus back, with groups set to zero first. Context: fastest bucket.
+  /// Brings a controller that went off the bus back, with groups set to zero first; drops frames that nobody
+  /// acknowledges. Context: fastest bucket.
   void supervise();
   /// Context: interrupt.
   void on_frame(const CanFrame& frame, Time at);

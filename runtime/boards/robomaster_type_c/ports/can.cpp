@@ -18,8 +18,8 @@ using robomaster_type_c::CanSetup;
 using robomaster_type_c::wait_for;
 
 enum class CanFault : std::uint8_t {
-  init = 1,  ///< the controller does not enter its initialisation mode
-  overrun,   ///< a frame came while the FIFO was full
+  init = 16,  ///< the controller does not enter its initialisation mode
+  overrun,    ///< a frame came while the FIFO was full
 };
 
 constexpr std::uint8_t kPriority = cortex_m4::kBusPriority;
@@ -44,7 +44,8 @@ std::uint32_t filter_entry(std::uint16_t id) { return static_cast<std::uint32_t>
 
 /// Lists of four identifiers per bank; more than fit: one bank that lets everything in.
 void set_filters(std::uint32_t first, const std::uint16_t* ids, std::size_t count) {
-  can::fmr.write(kBanks << can::kSplitShift | can::kFilterInit);
+  // The other bits keep their reset value: RM0090 32.9.4.
+  can::fmr.modify(can::kSplitMask | can::kFilterInit, kBanks << can::kSplitShift | can::kFilterInit);
   const std::uint32_t mine = ((1U << kBanks) - 1) << first;
   can::fa1r.clear(mine);
   can::fs1r.clear(mine);   // 16 bits
@@ -68,7 +69,7 @@ void set_filters(std::uint32_t first, const std::uint16_t* ids, std::size_t coun
     can::filter(number, 1).write(entry[3] << 16 | entry[2]);
     can::fa1r.set(stm32f407::bit(number));
   }
-  can::fmr.write(kBanks << can::kSplitShift);
+  can::fmr.clear(can::kFilterInit);
 }
 
 std::uint32_t word_of(const std::uint8_t* bytes) {

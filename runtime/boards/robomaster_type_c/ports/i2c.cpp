@@ -23,8 +23,8 @@ using robomaster_type_c::PinPull;
 using robomaster_type_c::PinSetup;
 
 enum class I2cFault : std::uint8_t {
-  bus_error = 1,  ///< misplaced START or STOP seen; ES0182: may be spurious in master mode, so the exchange goes on
-  stop_late,      ///< the STOP before was not sent in time
+  bus_error = 16,  ///< misplaced START or STOP seen; ES0182: may be spurious in master mode, so the exchange goes on
+  stop_late,       ///< the STOP before was not sent in time
 };
 
 constexpr std::uint8_t kPriority = cortex_m4::kSlowBusPriority;

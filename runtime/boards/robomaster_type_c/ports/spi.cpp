@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "finemote/fault.hpp"
 #include "runtime/boards/cortex_m4/core.hpp"
 #include "runtime/boards/robomaster_type_c/interrupt.hpp"
 #include "runtime/boards/robomaster_type_c/ports/spi_hardware.hpp"
@@ -22,6 +23,10 @@ using robomaster_type_c::PinMode;
 using robomaster_type_c::PinPull;
 using robomaster_type_c::PinSetup;
 using robomaster_type_c::SpiSetup;
+
+enum class SpiFault : std::uint8_t {
+  dma_stuck = 16,  ///< a stream did not stop
+};
 
 constexpr std::uint8_t kPriority = cortex_m4::kSlowBusPriority;
 constexpr std::uint32_t kStopPolls = 1'000, kSlowest = 7;
@@ -42,7 +47,9 @@ std::uint32_t divider_for(std::uint32_t clock_hz, std::uint32_t wanted_hz) {
 
 void stop_stream(const stm32f407::DmaStream& stream) {
   stream.cr().clear(dma::kEnable);
-  static_cast<void>(robomaster_type_c::wait_for(stream.cr(), dma::kEnable, 0, kStopPolls));
+  if (!robomaster_type_c::wait_for(stream.cr(), dma::kEnable, 0, kStopPolls)) {
+    count_fault(Module::spi, static_cast<std::uint8_t>(SpiFault::dma_stuck));
+  }
   stream.clear_flags(dma::kFlagsAll);
 }
 

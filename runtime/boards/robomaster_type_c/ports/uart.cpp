@@ -17,8 +17,8 @@ using robomaster_type_c::kUartTransmit;
 using robomaster_type_c::UartSetup;
 
 enum class UartFault : std::uint8_t {
-  inverted = 1,  ///< an inverted format on a port without inverter: the chip cannot invert
-  dma_stuck,     ///< a stream did not stop
+  inverted = 16,  ///< an inverted format on a port without inverter: the chip cannot invert
+  dma_stuck,      ///< a stream did not stop
 };
 
 constexpr std::uint8_t kPriority = cortex_m4::kBusPriority;

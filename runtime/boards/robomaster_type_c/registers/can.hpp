@@ -46,7 +46,7 @@ inline constexpr std::uint32_t kExtendedOrRemote = bit(2) | bit(1);
 /// The filters, 32.9.4, in CAN1's registers for both controllers.
 inline constexpr Register fmr{0x40006600}, fm1r{0x40006604}, fs1r{0x4000660C}, ffa1r{0x40006614}, fa1r{0x4000661C};
 constexpr Register filter(std::uint32_t bank, std::uint32_t half) { return Register{0x40006640 + 8 * bank + 4 * half}; }
-inline constexpr std::uint32_t kFilterInit = bit(0), kSplitShift = 8;
+inline constexpr std::uint32_t kFilterInit = bit(0), kSplitShift = 8, kSplitMask = 0x3FU << kSplitShift;
 }  // namespace can
 
 }  // namespace finemote::stm32f407
