@@ -19,13 +19,18 @@ class EventQueue {
 
   [[nodiscard]] Time next() const { return events_.empty() ? kNever : events_.top().time; }
 
+  /// When the event that runs now was due; kNever while none does.
+  [[nodiscard]] Time running() const { return running_; }
+
   /// Runs everything due at `now` or before, including what is added for then while running.
   void run(Time now) {
     while (!events_.empty() && events_.top().time <= now) {
       Action action = std::move(const_cast<Event&>(events_.top()).action);  // popped on the next line
+      running_ = events_.top().time;
       events_.pop();
       action();
     }
+    running_ = kNever;
   }
 
  private:
@@ -42,6 +47,7 @@ class EventQueue {
 
   std::priority_queue<Event, std::vector<Event>, Later> events_;
   std::uint64_t sequence_ = 0;
+  Time running_ = kNever;
 };
 
 }  // namespace finemote::emulator

@@ -17,6 +17,7 @@ constexpr std::pair<const char*, MakeElement> kModels[] = {
     {"ms5837", make_ms5837},
     {"pca9685", make_pca9685},
     {"pwm_output", make_pwm_output},
+    {"register_bank", make_register_bank},
     {"sbus_receiver", make_sbus_receiver},
     {"standing_body", make_standing_body},
     {"submerged_body", make_submerged_body},
@@ -159,13 +160,18 @@ void Outfit::happen_to_port(const Json& event, const std::string& port) {
   if (Usart* usart = board_.chip().usart(port)) {
     if (what == "silent") return void(usart->silent = maybe(event, "on", true));
     if (what == "noise") return void(usart->noisy_bytes = need<unsigned>(event, "bytes"));
+    if (what == "dma_error") return void(board_.chip().break_dma(port));
   } else if (I2c* i2c = board_.chip().i2c(port)) {
     if (what == "nack") return i2c->line.nack(need<std::uint8_t>(event, "address"), need<unsigned>(event, "times"));
     if (what == "hold_sda") return i2c->line.hold_sda(maybe(event, "clocks", I2cLine::kForever));
     if (what == "release_sda") return i2c->line.hold_sda(0);
     if (what == "disturb") return void(i2c->disturbed_starts = need<unsigned>(event, "starts"));
+    if (what == "lose") return void(i2c->lost_starts = need<unsigned>(event, "starts"));
   } else if (Can* can = board_.chip().can(port)) {
     if (what == "disturb") return void(can->line.disturbed_frames = need<unsigned>(event, "frames"));
+    if (what == "silent") return void(can->line.cut = maybe(event, "on", true));
+  } else if (board_.chip().spi(port) != nullptr) {
+    if (what == "dma_error") return void(board_.chip().break_dma(port));
   } else if (Adc* adc = board_.chip().adc(port)) {
     if (what == "silent") return void(adc->dead = maybe(event, "on", true));
     if (what == "volts") {

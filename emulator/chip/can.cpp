@@ -2,7 +2,7 @@
 
 namespace finemote::emulator {
 namespace {
-constexpr std::uint32_t kInit = 1, kSleep = 2;
+constexpr std::uint32_t kInit = 1, kSleep = 2, kNoRetransmission = 16, kAutomaticRecovery = 64, kMasterReset = 1U << 15;
 constexpr std::uint32_t kTransmitInterrupt = 1, kReceiveInterrupt = 2, kBusOffInterrupt = 1U << 10,
                         kErrorInterrupt = 1U << 15;
 
@@ -44,7 +44,8 @@ Can::Can(World& world, std::string name, Lines lines, CanFilters& filters, bool 
       filters_(filters),
       second_(second),
       clock_hz_(std::move(clock_hz)) {
-  line.attach(CanLine::Node{[this] { return next(); }, [this](const CanFrame& f, bool ok) { sent(f, ok); },
+  line.attach(CanLine::Node{[this] { return next(); },
+                            [this](const CanFrame& f, CanOutcome outcome) { sent(f, outcome); },
                             [this](const CanFrame& f) { received(f); }});
   reset();
 }
@@ -84,25 +85,40 @@ std::optional<CanFrame> Can::next() const {
   return best;
 }
 
-void Can::sent(const CanFrame& frame, bool ok) {
-  if (!ok) return count_error();
-  if (transmit_errors_ > 0) --transmit_errors_;
+void Can::sent(const CanFrame& frame, CanOutcome outcome) {
+  const bool ok = outcome == CanOutcome::received;
+  if (!ok) count_error(outcome);
+  if (!ok && (mcr_ & kNoRetransmission) == 0) return;  // the mailbox tries again
+  if (ok && transmit_errors_ > 0) --transmit_errors_;
   for (unsigned i = 0; i < 3; ++i) {
     if (!mailboxes_[i].waiting || mailboxes_[i].words[0] >> 21 != frame.id) continue;
     mailboxes_[i].waiting = false;
-    completed_ |= 3U << (8 * i);
+    completed_ |= (ok ? 3U : 9U) << (8 * i);  // RQCP with TXOK or TERR
     break;
   }
   update();
 }
 
-/// A failed transmission: eight more; above 255 the controller leaves the bus (ISO 11898-1).
-void Can::count_error() {
+/// A failed transmission: eight more; above 255 the controller leaves the bus. Not so when nobody acknowledges an
+/// error-passive node: its count stays (ISO 11898-1).
+void Can::count_error(CanOutcome outcome) {
+  if (outcome == CanOutcome::unacknowledged && transmit_errors_ >= 128) return;
   transmit_errors_ += 8;
   if (transmit_errors_ <= 255) return;
   esr_ |= 4;
   error_flag_ = error_flag_ || (ier_ & kBusOffInterrupt) != 0;
+  if ((mcr_ & kAutomaticRecovery) != 0) recover();
   update();
+}
+
+/// Back on the bus after 128 times eleven recessive bits: RM0090 32.7.6.
+void Can::recover() {
+  world_.after(128 * 11 * line.bit_time(), [this] {
+    if (initialising_) return;
+    esr_ &= ~4U;
+    transmit_errors_ = 0;
+    line.request();
+  });
 }
 
 void Can::received(const CanFrame& frame) {
@@ -116,22 +132,14 @@ void Can::received(const CanFrame& frame) {
 }
 
 void Can::write_mcr(std::uint32_t value) {
-  only(value, 0x000180FF, "MCR");
+  only(value, kInit | kSleep | kNoRetransmission | kAutomaticRecovery | kMasterReset | 0x10000, "MCR");
+  if ((value & kMasterReset) != 0) return reset();
   const bool was = initialising_;
   mcr_ = value;
   initialising_ = (value & (kInit | kSleep)) != 0;
-  if (!was && initialising_) return;
-  if (was && !initialising_) {
-    line.set_bitrate(bitrate());
-    if (!bus_off()) return line.request();
-    // 128 times eleven recessive bits: RM0090 32.7.6.
-    world_.after(128 * 11 * line.bit_time(), [this] {
-      if (initialising_) return;
-      esr_ &= ~4U;
-      transmit_errors_ = 0;
-      line.request();
-    });
-  }
+  if (!was || initialising_) return;
+  line.set_bitrate(bitrate());
+  bus_off() ? recover() : line.request();
 }
 
 std::uint32_t Can::read_filter(std::uint32_t offset) {
@@ -169,6 +177,7 @@ void Can::write_filter(std::uint32_t offset, std::uint32_t value) {
       filters_.scale = value;
       return;
     case 0x214:
+      only(value, 0, "FFA1R");
       filters_.fifo = value;
       return;
     case 0x21C:
@@ -256,6 +265,7 @@ void Can::write(std::uint32_t offset, std::uint32_t value) {
       if ((value & 32) != 0 && !fifo_.empty()) fifo_.pop_front();
       break;
     case 0x14:
+      only(value, kTransmitInterrupt | kReceiveInterrupt | kBusOffInterrupt | kErrorInterrupt, "IER");
       ier_ = value;
       break;
     case 0x18:
@@ -263,6 +273,7 @@ void Can::write(std::uint32_t offset, std::uint32_t value) {
     case 0x1C:
       if ((mcr_ & kInit) == 0)
         world_.report(Misuse::protocol, name() + " bit timing is written outside the initialisation mode");
+      only(value, 0x037F03FF, "BTR");
       btr_ = value;
       break;
     default:

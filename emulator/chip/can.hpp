@@ -41,9 +41,10 @@ class Can : public Peripheral {
   };
   [[nodiscard]] bool on_bus() const { return !initialising_ && !bus_off(); }
   [[nodiscard]] std::optional<CanFrame> next() const;
-  void sent(const CanFrame& frame, bool ok);
+  void sent(const CanFrame& frame, CanOutcome outcome);
   void received(const CanFrame& frame);
-  void count_error();
+  void count_error(CanOutcome outcome);
+  void recover();
   void write_mcr(std::uint32_t value);
   void write_filter(std::uint32_t offset, std::uint32_t value);
   [[nodiscard]] std::uint32_t read_filter(std::uint32_t offset);

@@ -57,7 +57,7 @@ void CanLine::begin() {
   if (busy_) return;
   std::optional<CanFrame> best;
   std::size_t sender = 0;
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+  for (std::size_t i = 0; i < reachable(); ++i) {
     const auto frame = nodes_[i].next ? nodes_[i].next() : std::nullopt;
     if (frame && (!best || frame->id < best->id)) {
       best = frame;
@@ -68,19 +68,23 @@ void CanLine::begin() {
   busy_ = true;
   const bool disturbed = disturbed_frames != 0;
   if (disturbed) --disturbed_frames;
-  const bool ok = !disturbed && nodes_.size() > 1;  // alone nobody acknowledges
+  const CanOutcome outcome = disturbed          ? CanOutcome::destroyed
+                             : reachable() == 1 ? CanOutcome::unacknowledged
+                                                : CanOutcome::received;
+  const bool ok = outcome == CanOutcome::received;
   // A destroyed frame ends in an error frame: on average half of it, 20 bits, and the intermission.
   const Time duration = (ok ? can_frame_bits(*best) : can_frame_bits(*best) / 2 + 23) * bit_time();
   statistics_.busy += duration;
-  world_.after(duration, [this, sender, frame = *best, ok] { end(sender, frame, ok); });
+  world_.after(duration, [this, sender, frame = *best, outcome] { end(sender, frame, outcome); });
 }
 
-void CanLine::end(std::size_t sender, const CanFrame& frame, bool ok) {
+void CanLine::end(std::size_t sender, const CanFrame& frame, CanOutcome outcome) {
+  const bool ok = outcome == CanOutcome::received;
   busy_ = false;
   ok ? ++statistics_.transfers : ++statistics_.errors;
   if (ok) statistics_.bytes += frame.size;
-  if (nodes_[sender].sent) nodes_[sender].sent(frame, ok);
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+  if (nodes_[sender].sent) nodes_[sender].sent(frame, outcome);
+  for (std::size_t i = 0; i < reachable(); ++i) {
     if (ok && i != sender && nodes_[i].received) nodes_[i].received(frame);
   }
   begin();

@@ -22,12 +22,19 @@ struct CanFrame {
 /// Bits of a frame on the wire with its stuff bits and the three bits of intermission: ISO 11898-1.
 unsigned can_frame_bits(const CanFrame& frame);
 
+/// How a transmission went.
+enum class CanOutcome {
+  received,        ///< by everybody else
+  destroyed,       ///< on the wire
+  unacknowledged,  ///< nobody else is there
+};
+
 class CanLine {
  public:
   /// What takes part: asked for its most urgent frame, told how its frame went, and given everybody else's.
   struct Node {
     std::function<std::optional<CanFrame>()> next;
-    std::function<void(const CanFrame&, bool ok)> sent;
+    std::function<void(const CanFrame&, CanOutcome)> sent;
     std::function<void(const CanFrame&)> received;
   };
 
@@ -43,12 +50,14 @@ class CanLine {
   void request();
 
   unsigned disturbed_frames = 0;  ///< the next frames are destroyed on the wire
+  bool cut = false;               ///< the wire ends behind the controller, the first node: nobody hears it
   [[nodiscard]] const BusStatistics& statistics() const { return statistics_; }
   [[nodiscard]] Time bit_time() const { return period_of(bitrate_); }
 
  private:
   void begin();
-  void end(std::size_t sender, const CanFrame& frame, bool ok);
+  void end(std::size_t sender, const CanFrame& frame, CanOutcome outcome);
+  [[nodiscard]] std::size_t reachable() const { return cut ? 1 : nodes_.size(); }
 
   World& world_;
   std::vector<Node> nodes_;

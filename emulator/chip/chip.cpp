@@ -22,11 +22,6 @@ constexpr unsigned kLateCycles = 8;
 // Addresses: RM0090 2.3, table 1. Clock enable bits: RM0090 7.3.10 to 7.3.14. Lines: RM0090 12.2, table 62.
 Chip::Chip(World& world)
     : rcc(world), flash(world), pwr(world), exti(world), syscfg(world), iwdg(world), world_(world), dma_side_(*this) {
-  const auto apb1 = [this] { return rcc.apb1_hz(); };
-  const auto apb2 = [this] { return rcc.apb2_hz(); };
-  const auto timer1 = [this] { return rcc.timer_hz(ClockBus::apb1); };
-  const auto timer2 = [this] { return rcc.timer_hz(ClockBus::apb2); };
-  const auto dma = [this](DmaRequest request) { return serve_dma(request); };
   place(0x40023800, rcc, ClockBus::always, 0);
   place(0x40023C00, flash, ClockBus::always, 0);
   place(0x40003000, iwdg, ClockBus::always, 0);
@@ -45,45 +40,47 @@ Chip::Chip(World& world)
   dma2_ = std::make_unique<Dma>(world, 2, dma_side_);
   place(0x40026000, *dma1_, ClockBus::ahb1, 21);
   place(0x40026400, *dma2_, ClockBus::ahb1, 22);
-  usart1_ = std::make_unique<Usart>(world, "usart1",
-                                    Usart::Wiring{37, DmaRequest::usart1_rx, DmaRequest::usart1_tx, apb2, dma});
-  usart3_ = std::make_unique<Usart>(world, "usart3",
-                                    Usart::Wiring{39, DmaRequest::usart3_rx, DmaRequest::usart3_tx, apb1, dma});
-  usart6_ = std::make_unique<Usart>(world, "usart6",
-                                    Usart::Wiring{71, DmaRequest::usart6_rx, DmaRequest::usart6_tx, apb2, dma});
-  place(0x40011000, *usart1_, ClockBus::apb2, 4);
-  place(0x40004800, *usart3_, ClockBus::apb1, 18);
-  place(0x40011400, *usart6_, ClockBus::apb2, 5);
-  i2c2_ = std::make_unique<I2c>(world, "i2c2", 33, 34, apb1);
-  i2c3_ = std::make_unique<I2c>(world, "i2c3", 72, 73, apb1);
-  place(0x40005800, *i2c2_, ClockBus::apb1, 22);
-  place(0x40005C00, *i2c3_, ClockBus::apb1, 23);
-  connect_wires(*i2c2_, 'F', 1, 'F', 0);
-  connect_wires(*i2c3_, 'A', 8, 'C', 9);
-  can1_ = std::make_unique<Can>(world, "can1", Can::Lines{19, 20, 22}, can_filters_, false, apb1);
-  can2_ = std::make_unique<Can>(world, "can2", Can::Lines{63, 64, 66}, can_filters_, true, apb1);
-  place(0x40006400, *can1_, ClockBus::apb1, 25);
-  place(0x40006800, *can2_, ClockBus::apb1, 26);
-  spi1_ = std::make_unique<Spi>(world, "spi1", Spi::Wiring{35, DmaRequest::spi1_rx, DmaRequest::spi1_tx, apb2, dma});
-  spi2_ = std::make_unique<Spi>(world, "spi2", Spi::Wiring{36, DmaRequest::spi2_rx, DmaRequest::spi2_tx, apb1, dma});
-  place(0x40013000, *spi1_, ClockBus::apb2, 12);
-  place(0x40003800, *spi2_, ClockBus::apb1, 14);
-  const auto add_timer = [&](std::uint32_t base, const char* name, ClockBus bus, unsigned bit, int line) {
-    const bool advanced = bit < 2 && bus == ClockBus::apb2;
-    timers_.push_back(std::make_unique<Timer>(
-        world, name, advanced,
-        bus == ClockBus::apb1 ? std::function<std::uint32_t()>(timer1) : std::function<std::uint32_t()>(timer2), line));
-    place(base, *timers_.back(), bus, bit);
-  };
-  add_timer(0x40010000, "tim1", ClockBus::apb2, 0, 25);
-  add_timer(0x40010400, "tim8", ClockBus::apb2, 1, 44);
-  add_timer(0x40000800, "tim4", ClockBus::apb1, 2, 30);
-  add_timer(0x40000C00, "tim5", ClockBus::apb1, 3, 50);
-  add_timer(0x40014400, "tim10", ClockBus::apb2, 17, 25);
+  const ClockBus one = ClockBus::apb1, two = ClockBus::apb2;
+  using R = DmaRequest;
+  add_usart(0x40011000, "usart1", two, 4, 37, R::usart1_rx, R::usart1_tx);
+  add_usart(0x40004800, "usart3", one, 18, 39, R::usart3_rx, R::usart3_tx);
+  add_usart(0x40011400, "usart6", two, 5, 71, R::usart6_rx, R::usart6_tx);
+  add_i2c(0x40005800, "i2c2", 22, 33, 34);
+  add_i2c(0x40005C00, "i2c3", 23, 72, 73);
+  connect_wires(*i2c("i2c2"), 'F', 1, 'F', 0);
+  connect_wires(*i2c("i2c3"), 'A', 8, 'C', 9);
+  can1_ = std::make_unique<Can>(world, "can1", Can::Lines{19, 20, 22}, can_filters_, false, clock_of(one));
+  can2_ = std::make_unique<Can>(world, "can2", Can::Lines{63, 64, 66}, can_filters_, true, clock_of(one));
+  place(0x40006400, *can1_, one, 25);
+  place(0x40006800, *can2_, one, 26);
+  add_spi(0x40013000, "spi1", two, 12, 35, R::spi1_rx, R::spi1_tx);
+  add_spi(0x40003800, "spi2", one, 14, 36, R::spi2_rx, R::spi2_tx);
+  const TimerKind advanced{true, false}, wide{false, true};
+  add_timer(0x40010000, "tim1", two, 0, 25, advanced);
+  add_timer(0x40010400, "tim8", two, 1, 44, advanced);
+  add_timer(0x40000800, "tim4", one, 2, 30);
+  add_timer(0x40000C00, "tim5", one, 3, 50, wide);
+  add_timer(0x40014400, "tim10", two, 17, 25);
   // The clock of ADC3 stands for the block: bit 10, RM0090 7.3.14. Input 8 is PF10: DS8626 table 7.
-  adc3_ = std::make_unique<Adc>(
-      world, "adc3", Adc::Wiring{apb2, [this](unsigned input) { return input == 8 && gpio('F').mode(10) == 3; }});
+  adc3_ = std::make_unique<Adc>(world, "adc3", Adc::Wiring{clock_of(two), [this](unsigned input) {
+                                                             return input == 8 && gpio('F').mode(10) == 3;
+                                                           }});
   place(0x40012000, *adc3_, ClockBus::apb2, 10);
+  // What the board leaves unconnected: for images of others.
+  add_usart(0x40004400, "usart2", one, 17, 38, R::usart2_rx, R::usart2_tx);
+  add_usart(0x40004C00, "uart4", one, 19, 52, R::uart4_rx, R::uart4_tx);
+  add_usart(0x40005000, "uart5", one, 20, 53, R::uart5_rx, R::uart5_tx);
+  add_i2c(0x40005400, "i2c1", 21, 31, 32);
+  add_spi(0x40003C00, "spi3", one, 15, 51, R::spi3_rx, R::spi3_tx);
+  add_timer(0x40000000, "tim2", one, 0, 28, wide);
+  add_timer(0x40000400, "tim3", one, 1, 29);
+  add_timer(0x40001000, "tim6", one, 4, 54);
+  add_timer(0x40001400, "tim7", one, 5, 55);
+  add_timer(0x40001800, "tim12", one, 6, 43);
+  add_timer(0x40001C00, "tim13", one, 7, 44);
+  add_timer(0x40002000, "tim14", one, 8, 45);
+  add_timer(0x40014000, "tim9", two, 16, 24);
+  add_timer(0x40014800, "tim11", two, 18, 26);
   const auto poll = [this] {
     for (const Slot& slot : slots_) slot.peripheral->poll_dma();
   };
@@ -103,6 +100,40 @@ void Chip::place(std::uint32_t base, Peripheral& peripheral, ClockBus bus, unsig
   const std::size_t first = (base - kFirst) / 0x400, end = first + (bytes + 0x3FF) / 0x400;
   if (slot_at_.size() < end) slot_at_.resize(end);
   for (std::size_t at = first; at < end; ++at) slot_at_[at] = static_cast<std::uint8_t>(slots_.size());
+}
+
+std::function<std::uint32_t()> Chip::clock_of(ClockBus bus) {
+  return [this, bus] { return bus == ClockBus::apb1 ? rcc.apb1_hz() : rcc.apb2_hz(); };
+}
+
+void Chip::add_usart(std::uint32_t base, const char* name, ClockBus bus, unsigned bit, int line, DmaRequest rx,
+                     DmaRequest tx) {
+  const auto dma = [this](DmaRequest request) { return serve_dma(request); };
+  usarts_.push_back(std::make_unique<Usart>(world_, name, Usart::Wiring{line, rx, tx, clock_of(bus), dma}));
+  place(base, *usarts_.back(), bus, bit);
+}
+
+void Chip::add_spi(std::uint32_t base, const char* name, ClockBus bus, unsigned bit, int line, DmaRequest rx,
+                   DmaRequest tx) {
+  const auto dma = [this](DmaRequest request) { return serve_dma(request); };
+  spis_.push_back(std::make_unique<Spi>(world_, name, Spi::Wiring{line, rx, tx, clock_of(bus), dma}));
+  place(base, *spis_.back(), bus, bit);
+}
+
+void Chip::add_i2c(std::uint32_t base, const char* name, unsigned bit, int event_line, int error_line) {
+  i2cs_.push_back(std::make_unique<I2c>(world_, name, event_line, error_line, clock_of(ClockBus::apb1)));
+  place(base, *i2cs_.back(), ClockBus::apb1, bit);
+}
+
+void Chip::add_timer(std::uint32_t base, const char* name, ClockBus bus, unsigned bit, int line, TimerKind kind) {
+  const auto set_line = [this, line](bool high) {
+    unsigned& holders = timer_lines_[static_cast<std::size_t>(line)];
+    holders += high ? 1 : -1U;
+    world_.set_line(line, holders != 0);
+  };
+  timers_.push_back(std::make_unique<Timer>(
+      world_, name, kind, [this, bus] { return rcc.timer_hz(bus); }, set_line));
+  place(base, *timers_.back(), bus, bit);
 }
 
 /// The pins of a bus as they are when the master takes them from the peripheral to clock by hand.
@@ -140,9 +171,10 @@ std::uint32_t Chip::access(const Slot* slot, std::uint32_t address, unsigned byt
   const std::uint32_t offset = (address - slot->base) & ~3U, shift = (address & 3) * 8;
   const std::uint32_t mask = bytes == 4 ? ~0U : (1U << (8 * bytes)) - 1;
   if (value == nullptr) return slot->peripheral->read(offset) >> shift & mask;
-  if (shift != 0)
-    world_.report(Misuse::unmodelled, slot->peripheral->name() + " is written in the middle of a register");
-  slot->peripheral->write(offset, *value & mask);
+  if (bytes == 4)
+    slot->peripheral->write(offset, *value);
+  else
+    slot->peripheral->write_part(offset, mask << shift, (*value & mask) << shift);
   return 0;
 }
 
@@ -172,15 +204,15 @@ void Chip::returning(int exception) {
 }
 
 Usart* Chip::usart(const std::string& name) {
-  for (Usart* usart : {usart1_.get(), usart3_.get(), usart6_.get()}) {
-    if (usart->name() == name) return usart;
+  for (const auto& usart : usarts_) {
+    if (usart->name() == name) return usart.get();
   }
   return nullptr;
 }
 
 I2c* Chip::i2c(const std::string& name) {
-  for (I2c* i2c : {i2c2_.get(), i2c3_.get()}) {
-    if (i2c->name() == name) return i2c;
+  for (const auto& i2c : i2cs_) {
+    if (i2c->name() == name) return i2c.get();
   }
   return nullptr;
 }
@@ -190,7 +222,10 @@ Can* Chip::can(const std::string& name) {
 }
 
 Spi* Chip::spi(const std::string& name) {
-  return name == "spi1" ? spi1_.get() : name == "spi2" ? spi2_.get() : nullptr;
+  for (const auto& spi : spis_) {
+    if (spi->name() == name) return spi.get();
+  }
+  return nullptr;
 }
 
 void Chip::attach_spi(Spi& spi, char port, unsigned pin, SpiPart part) {
@@ -209,6 +244,17 @@ bool Chip::attach_spi(const std::string& name, unsigned select, SpiPart part) {
     if (name != it.spi || select-- != 0) continue;
     attach_spi(*spi(name), it.port, it.pin, std::move(part));
     return true;
+  }
+  return false;
+}
+
+bool Chip::break_dma(const std::string& port) {
+  constexpr std::pair<const char*, DmaRequest> kReceiving[] = {
+      {"usart1", DmaRequest::usart1_rx}, {"usart3", DmaRequest::usart3_rx}, {"usart6", DmaRequest::usart6_rx},
+      {"spi1", DmaRequest::spi1_rx},     {"spi2", DmaRequest::spi2_rx},
+  };
+  for (const auto& [name, request] : kReceiving) {
+    if (port == name) return dma1_->break_stream(request) || dma2_->break_stream(request);
   }
   return false;
 }

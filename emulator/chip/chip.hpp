@@ -33,6 +33,12 @@ class Chip : public PeripheralBus {
   /// Everything but the clock controller's memory of why.
   void reset();
 
+  // All of a kind, for those who look on.
+  [[nodiscard]] const std::vector<std::unique_ptr<Usart>>& usarts() const { return usarts_; }
+  [[nodiscard]] const std::vector<std::unique_ptr<I2c>>& i2cs() const { return i2cs_; }
+  [[nodiscard]] const std::vector<std::unique_ptr<Spi>>& spis() const { return spis_; }
+  [[nodiscard]] const std::vector<std::unique_ptr<Timer>>& timers() const { return timers_; }
+
   Gpio& gpio(char port) { return *gpios_[static_cast<std::size_t>(port - 'A')]; }
   /// By port name: `usart6`, `i2c2`; null when there is none.
   Usart* usart(const std::string& name);
@@ -41,13 +47,15 @@ class Chip : public PeripheralBus {
   Spi* spi(const std::string& name);
   /// Puts a part on an SPI port, behind a pin as its chip select.
   void attach_spi(Spi& spi, char port, unsigned pin, SpiPart part);
+  /// A fault: the DMA stream that receives for this port (`usart1`, `spi1`) meets a bus error. @return false: no such
+  /// port, or its stream is off
+  bool break_dma(const std::string& port);
   /// Analog input by port name: `adc3`; null when there is none.
   Adc* adc(const std::string& name) { return name == "adc3" ? adc3_.get() : nullptr; }
-  /// Timer and channel of a pulse output: a PWM header `pwm1`..`pwm7`, or `led_red led_green led_blue buzzer
-  /// imu_heater`.
   /// The same by names, behind a chip select of the board. @return false: there is no such port or select
   bool attach_spi(const std::string& name, unsigned select, SpiPart part);
-  /// Timer and channel of a PWM header `pwm1`..`pwm7`.
+  /// Timer and channel of a pulse output: a PWM header `pwm1`..`pwm7`, or `led_red led_green led_blue buzzer
+  /// imu_heater`.
   std::pair<Timer*, unsigned> pwm(const std::string& name);
 
   Rcc rcc;
@@ -83,6 +91,13 @@ class Chip : public PeripheralBus {
     return access(find(address), address, bytes, value);
   }
   std::uint32_t access(const Slot* slot, std::uint32_t address, unsigned bytes, const std::uint32_t* value);
+  void add_usart(std::uint32_t base, const char* name, ClockBus bus, unsigned bit, int line, DmaRequest rx,
+                 DmaRequest tx);
+  void add_spi(std::uint32_t base, const char* name, ClockBus bus, unsigned bit, int line, DmaRequest rx,
+               DmaRequest tx);
+  void add_i2c(std::uint32_t base, const char* name, unsigned bit, int event_line, int error_line);
+  void add_timer(std::uint32_t base, const char* name, ClockBus bus, unsigned bit, int line, TimerKind kind = {});
+  [[nodiscard]] std::function<std::uint32_t()> clock_of(ClockBus bus);
   void connect_wires(I2c& i2c, char port, unsigned scl, char sda_port, unsigned sda);
   bool serve_dma(DmaRequest request) { return dma1_->serve(request) || dma2_->serve(request); }
 
@@ -90,13 +105,14 @@ class Chip : public PeripheralBus {
   DmaSide dma_side_;
   std::vector<std::unique_ptr<Gpio>> gpios_;
   std::unique_ptr<Dma> dma1_, dma2_;
-  std::unique_ptr<Usart> usart1_, usart3_, usart6_;
-  std::unique_ptr<I2c> i2c2_, i2c3_;
-  std::unique_ptr<Spi> spi1_, spi2_;
+  std::vector<std::unique_ptr<Usart>> usarts_;
+  std::vector<std::unique_ptr<I2c>> i2cs_;
+  std::vector<std::unique_ptr<Spi>> spis_;
   std::unique_ptr<Adc> adc3_;
   CanFilters can_filters_;
   std::unique_ptr<Can> can1_, can2_;
   std::vector<std::unique_ptr<Timer>> timers_;
+  std::array<unsigned, kExceptions> timer_lines_{};  ///< how many timers hold a line up
   std::vector<Slot> slots_;
   std::vector<std::uint8_t> slot_at_;  ///< by KiB from kFirst: index in slots_ and 1; 0: none
   Time lowered_at_ = 0;

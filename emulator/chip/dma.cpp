@@ -17,15 +17,22 @@ struct Route {
 };
 constexpr Route kRoutes[] = {
     {DmaRequest::usart1_rx, 2, 2, 4}, {DmaRequest::usart1_rx, 2, 5, 4}, {DmaRequest::usart1_tx, 2, 7, 4},
-    {DmaRequest::usart3_rx, 1, 1, 4}, {DmaRequest::usart3_tx, 1, 3, 4}, {DmaRequest::usart3_tx, 1, 4, 7},
-    {DmaRequest::usart6_rx, 2, 1, 5}, {DmaRequest::usart6_rx, 2, 2, 5}, {DmaRequest::usart6_tx, 2, 6, 5},
-    {DmaRequest::usart6_tx, 2, 7, 5}, {DmaRequest::spi1_rx, 2, 0, 3},   {DmaRequest::spi1_rx, 2, 2, 3},
-    {DmaRequest::spi1_tx, 2, 3, 3},   {DmaRequest::spi1_tx, 2, 5, 3},   {DmaRequest::spi2_rx, 1, 3, 0},
-    {DmaRequest::spi2_tx, 1, 4, 0},   {DmaRequest::i2c2_rx, 1, 2, 7},   {DmaRequest::i2c2_rx, 1, 3, 7},
-    {DmaRequest::i2c2_tx, 1, 7, 7},   {DmaRequest::i2c3_rx, 1, 2, 3},   {DmaRequest::i2c3_tx, 1, 4, 3},
+    {DmaRequest::usart2_rx, 1, 5, 4}, {DmaRequest::usart2_tx, 1, 6, 4}, {DmaRequest::usart3_rx, 1, 1, 4},
+    {DmaRequest::usart3_tx, 1, 3, 4}, {DmaRequest::usart3_tx, 1, 4, 7}, {DmaRequest::usart6_rx, 2, 1, 5},
+    {DmaRequest::usart6_rx, 2, 2, 5}, {DmaRequest::usart6_tx, 2, 6, 5}, {DmaRequest::usart6_tx, 2, 7, 5},
+    {DmaRequest::spi1_rx, 2, 0, 3},   {DmaRequest::spi1_rx, 2, 2, 3},   {DmaRequest::spi1_tx, 2, 3, 3},
+    {DmaRequest::spi1_tx, 2, 5, 3},   {DmaRequest::spi2_rx, 1, 3, 0},   {DmaRequest::spi2_tx, 1, 4, 0},
+    {DmaRequest::i2c2_rx, 1, 2, 7},   {DmaRequest::i2c2_rx, 1, 3, 7},   {DmaRequest::uart4_rx, 1, 2, 4},
+    {DmaRequest::uart4_tx, 1, 4, 4},  {DmaRequest::uart5_rx, 1, 0, 4},  {DmaRequest::uart5_tx, 1, 7, 4},
+    {DmaRequest::spi3_rx, 1, 0, 0},   {DmaRequest::spi3_rx, 1, 2, 0},   {DmaRequest::spi3_tx, 1, 5, 0},
+    {DmaRequest::spi3_tx, 1, 7, 0},   {DmaRequest::i2c2_tx, 1, 7, 7},   {DmaRequest::i2c3_rx, 1, 2, 3},
+    {DmaRequest::i2c3_tx, 1, 4, 3},
 };
 
 constexpr int kLines[2][8] = {{11, 12, 13, 14, 15, 16, 17, 47}, {56, 57, 58, 59, 60, 68, 69, 70}};
+
+/// In direct mode PSIZE counts for both sides: RM0090 10.3.10, 10.5.5.
+unsigned item_bytes(std::uint32_t control) { return 1U << (control >> 11 & 3); }
 
 unsigned shift_of(unsigned stream) { return stream % 4 / 2 * 16 + stream % 2 * 6; }
 
@@ -64,7 +71,7 @@ std::uint32_t Dma::read(std::uint32_t offset) {
     case 0x00:
       return s.control;
     case 0x04:
-      return (s.control & kEnable) != 0 ? s.left : s.count;
+      return s.left;
     case 0x08:
       return s.peripheral;
     case 0x0C:
@@ -94,7 +101,7 @@ void Dma::write(std::uint32_t offset, std::uint32_t value) {
     world_.report(Misuse::protocol, name() + " stream " + std::to_string(index) + " is set up while it is on");
   switch (field) {
     case 0x04:
-      s.count = value & 0xFFFF;
+      s.count = s.left = value & 0xFFFF;
       return;
     case 0x08:
       s.peripheral = value;
@@ -114,21 +121,31 @@ void Dma::write(std::uint32_t offset, std::uint32_t value) {
 void Dma::write_control(unsigned index, std::uint32_t value) {
   Stream& s = streams_[index];
   const bool was = (s.control & kEnable) != 0, on = (value & kEnable) != 0;
-  only(value, 0x0E070000U | 0x7FFF, "SxCR");  // single bursts, one buffer
-  if (was && !on) s.count = s.left;           // RM0090 10.3.17: NDTR keeps what is left
+  only(value, 0x0E030000U | 0x7FDF, "SxCR");  // single bursts, one buffer, the DMA counts
   s.control = value;
-  if (on && !was) {
-    if ((flags_[index] & 0x3D) != 0)
-      world_.report(Misuse::protocol,
-                    name() + " stream " + std::to_string(index) + " is turned on with flags of its last transfer set");
-    if (number_ == 1 && (value & kDirection) == kFromMemoryToMemory)
-      world_.report(Misuse::protocol, "dma1 cannot move memory to memory");
-    s.left = s.count;
-    s.position = 0;
-    if (s.left == 0) s.control &= ~kEnable;
-    if (on_enable) on_enable();
-  }
+  if (was && !on) raise(index, kFlagComplete);  // turned off before its end: RM0090 10.3.14
+  if (on && !was) turn_on(index);
   update_line(index);
+}
+
+void Dma::turn_on(unsigned index) {
+  Stream& s = streams_[index];
+  const std::string stream = name() + " stream " + std::to_string(index);
+  if ((flags_[index] & 0x3D) != 0)
+    world_.report(Misuse::protocol, stream + " is turned on with flags of its last transfer set");
+  if ((s.fifo & 4) != 0) world_.report(Misuse::unmodelled, stream + " FIFO mode");
+  s.left = s.count;  // also again: RM0090 10.5.6
+  s.position = 0;
+  if (s.left == 0) s.control &= ~kEnable;
+  if (on_enable) on_enable();
+  if ((s.control & kDirection) != kFromMemoryToMemory) return;
+  if (number_ == 1) return world_.report(Misuse::protocol, "dma1 cannot move memory to memory");
+  // A read and a write of two cycles each per item: RM0090 10.3.6 gives no figure, a documented choice.
+  world_.after(s.left * 4 * world_.system().clock().period(), [this, index] { move_all(index); });
+}
+
+void Dma::move_all(unsigned index) {
+  while ((streams_[index].control & (kEnable | kDirection)) == (kEnable | kFromMemoryToMemory)) move(index);
 }
 
 bool Dma::serve(DmaRequest request) {
@@ -142,30 +159,54 @@ bool Dma::serve(DmaRequest request) {
   return false;
 }
 
-/// Between the peripheral and `memory`; false: the memory cannot be reached.
-bool Dma::transfer(Stream& s, std::uint32_t memory) {
-  const unsigned bytes = 1U << (s.control >> 13 & 3);
-  const std::uint32_t peripheral = s.peripheral + ((s.control & kPeripheralIncrement) != 0 ? s.position * bytes : 0);
-  std::uint8_t* p = Cpu::dma_reaches(memory) ? world_.cpu().memory(memory, bytes) : nullptr;
-  const bool flash = memory >= 0x08000000 && memory < 0x10000000;
-  if (p == nullptr || (flash && (s.control & kFromMemory) == 0)) {
-    world_.report(Misuse::dma_unreachable, name() + " cannot reach " + hex(memory));
-    return false;
+bool Dma::break_stream(DmaRequest request) {
+  for (const Route& route : kRoutes) {
+    Stream& s = streams_[route.stream];
+    if (route.request != request || route.controller != number_) continue;
+    if ((s.control & kEnable) == 0 || (s.control >> 25 & 7) != route.channel) continue;
+    s.control &= ~kEnable;
+    raise(route.stream, kFlagError);
+    return true;
   }
-  if ((s.control & kFromMemory) != 0) {
-    std::uint32_t value = 0;
+  return false;
+}
+
+/// Memory that DMA can use; null and a report where it cannot.
+std::uint8_t* Dma::reachable(std::uint32_t address, unsigned bytes, bool written) {
+  std::uint8_t* p = Cpu::dma_reaches(address) ? world_.cpu().memory(address, bytes) : nullptr;
+  const bool flash = address >= 0x08000000 && address < 0x10000000;
+  if (p != nullptr && !(flash && written)) return p;
+  world_.report(Misuse::dma_unreachable, name() + " cannot reach " + hex(address));
+  return nullptr;
+}
+
+/// Between the peripheral (or the first memory) and `memory`; false: the memory cannot be reached.
+bool Dma::transfer(Stream& s, std::uint32_t memory) {
+  const unsigned bytes = item_bytes(s.control);
+  const std::uint32_t peripheral = s.peripheral + ((s.control & kPeripheralIncrement) != 0 ? s.position * bytes : 0);
+  const std::uint32_t direction = s.control & kDirection;
+  std::uint8_t* p = reachable(memory, bytes, direction != kFromMemory);
+  if (p == nullptr) return false;
+  std::uint32_t value = 0;
+  if (direction == kFromMemory) {
     std::memcpy(&value, p, bytes);
     bus_.write(peripheral, bytes, value);
-  } else {
-    const std::uint32_t value = bus_.read(peripheral, bytes);
-    std::memcpy(p, &value, bytes);
+    return true;
   }
+  if (direction == kFromMemoryToMemory) {
+    const std::uint8_t* source = reachable(peripheral, bytes, false);
+    if (source == nullptr) return false;
+    std::memcpy(&value, source, bytes);
+  } else {
+    value = bus_.read(peripheral, bytes);
+  }
+  std::memcpy(p, &value, bytes);
   return true;
 }
 
 void Dma::move(unsigned index) {
   Stream& s = streams_[index];
-  const unsigned bytes = 1U << (s.control >> 13 & 3);
+  const unsigned bytes = item_bytes(s.control);
   const std::uint32_t memory = s.memory0 + ((s.control & kMemoryIncrement) != 0 ? s.position * bytes : 0);
   // The count goes first: what the peripheral does with the item may ask for the next one at once.
   ++s.position;
@@ -187,7 +228,6 @@ void Dma::move(unsigned index) {
       s.left = s.count;
     } else {
       s.control &= ~kEnable;
-      s.count = 0;
     }
   }
   if (flags != 0) raise(index, flags);

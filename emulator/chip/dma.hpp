@@ -1,4 +1,5 @@
-// The two DMA controllers: moves one item per request of a peripheral. RM0090 10.
+// The two DMA controllers: moves one item per request of a peripheral, or memory to memory. RM0090 10.
+// FIFO, bursts and double buffers are not modelled.
 #pragma once
 
 #include <array>
@@ -12,14 +13,22 @@ namespace finemote::emulator {
 enum class DmaRequest {
   usart1_rx,
   usart1_tx,
+  usart2_rx,
+  usart2_tx,
   usart3_rx,
   usart3_tx,
   usart6_rx,
   usart6_tx,
+  uart4_rx,
+  uart4_tx,
+  uart5_rx,
+  uart5_tx,
   spi1_rx,
   spi1_tx,
   spi2_rx,
   spi2_tx,
+  spi3_rx,
+  spi3_tx,
   i2c2_rx,
   i2c2_tx,
   i2c3_rx,
@@ -37,20 +46,25 @@ class Dma : public Peripheral {
 
   /// One item for this request, if a stream that serves it is on. @return whether it was moved
   bool serve(DmaRequest request);
+  /// A bus error of the stream that serves this request: it stops, with its error flag. @return whether there was one
+  bool break_stream(DmaRequest request);
   /// Called when a stream is turned on.
   std::function<void()> on_enable;
 
  private:
   struct Stream {
     std::uint32_t control = 0, count = 0, peripheral = 0, memory0 = 0, memory1 = 0, fifo = 0x21;
-    std::uint32_t left = 0;      ///< items still to move
+    std::uint32_t left = 0;      ///< items still to move; `count` is what was programmed last
     std::uint32_t position = 0;  ///< items moved in this lap
   };
   void write_control(unsigned index, std::uint32_t value);
+  void turn_on(unsigned index);
+  void move_all(unsigned index);
   void move(unsigned index);
   void raise(unsigned index, std::uint32_t flags);
   void update_line(unsigned index);
   bool transfer(Stream& stream, std::uint32_t memory);
+  std::uint8_t* reachable(std::uint32_t address, unsigned bytes, bool written);
 
   unsigned number_;
   PeripheralBus& bus_;

@@ -18,8 +18,9 @@ class Exti : public Peripheral {
     if (offset > 0x14) return unmodelled_write(offset, value);
     if (offset == 0x14) {
       pending_ &= ~value;
+      registers_[4] &= ~value;  // SWIER goes with it: RM0090 12.3.5
     } else {
-      if (offset == 0x10) pending_ |= value & registers_[0];
+      if (offset == 0x10) pending_ |= value & ~registers_[4] & registers_[0];
       registers_[offset / 4] = value;
     }
     update();

@@ -4,7 +4,7 @@ namespace finemote::emulator {
 
 void Gpio::reset() {  // RM0090 8.4: ports A and B hold the debug pins
   moder_ = port_ == 'A' ? 0xA8000000U : port_ == 'B' ? 0x280U : 0;
-  ospeedr_ = port_ == 'B' ? 0xC0U : 0;
+  ospeedr_ = port_ == 'A' ? 0x0C000000U : port_ == 'B' ? 0xC0U : 0;
   pupdr_ = port_ == 'A' ? 0x64000000U : port_ == 'B' ? 0x100U : 0;
   otyper_ = odr_ = 0;
   afr_ = {};
@@ -32,7 +32,9 @@ void Gpio::changed() {
     const bool output = mode(pin) == 1, high = (odr_ >> pin & 1) != 0;
     const std::uint32_t now = (output ? 2U : 0U) | (high ? 1U : 0U);
     drive |= now << (2 * pin);
-    if (watcher[pin] && (last_drive_ >> (2 * pin) & 3) != now) watcher[pin](output, high);
+    if ((last_drive_ >> (2 * pin) & 3) == now) continue;
+    if (watcher[pin]) watcher[pin](output, high);
+    if (on_output) on_output(pin, output, high);
   }
   last_drive_ = drive;
   std::uint32_t levels = 0;
@@ -72,6 +74,11 @@ std::uint32_t Gpio::read(std::uint32_t offset) {
     default:
       return unmodelled_read(offset);
   }
+}
+
+/// Bytes and halfwords are allowed (RM0090 8.4); of BSRR the rest reads as zero.
+void Gpio::write_part(std::uint32_t offset, std::uint32_t mask, std::uint32_t value) {
+  write(offset, (offset == 0x18 ? 0 : read(offset) & ~mask) | value);
 }
 
 void Gpio::write(std::uint32_t offset, std::uint32_t value) {

@@ -17,6 +17,7 @@ class Gpio : public Peripheral {
 
   std::uint32_t read(std::uint32_t offset) override;
   void write(std::uint32_t offset, std::uint32_t value) override;
+  void write_part(std::uint32_t offset, std::uint32_t mask, std::uint32_t value) override;
   void reset() override;
 
   /// What the outside does with a pin; -1: leaves it alone. A driven-low open-drain pin stays low.
@@ -30,6 +31,8 @@ class Gpio : public Peripheral {
   std::array<std::function<bool()>, 16> wire;
   /// Told after every change of an output pin or its mode.
   std::array<std::function<void(bool output, bool high)>, 16> watcher;
+  /// The same for all pins, for those who look on.
+  std::function<void(unsigned pin, bool output, bool high)> on_output;
   /// Told after every change of a level, for EXTI.
   std::function<void(unsigned pin, bool high)> on_level;
 

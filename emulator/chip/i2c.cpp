@@ -87,6 +87,12 @@ void I2c::start_done() {
     ++statistics_.transfers;
   }
   cr1_ &= ~kStart;
+  if (lost_starts != 0) {  // back to slave mode; the other master is soon done: RM0090 27.3.4
+    --lost_starts;
+    sr2_ = 0;
+    fail(kArlo);
+    return go(State::idle);
+  }
   sr2_ |= kMaster | kBusy;
   sr2_ &= ~kTransmitter;
   sr1_ |= kSb;
@@ -101,7 +107,9 @@ void I2c::start_done() {
 
 void I2c::address_done() {
   reading_ = (shift_ & 1) != 0;
-  if (line.select(static_cast<std::uint8_t>(shift_ >> 1), reading_)) {
+  const bool answered = line.select(static_cast<std::uint8_t>(shift_ >> 1), reading_);
+  tell("address", shift_, answered);
+  if (answered) {
     sr1_ |= kAddr;
     if (!reading_) sr2_ |= kTransmitter;
     addr_seen_ = false;
@@ -135,7 +143,9 @@ void I2c::begin_send() {
 
 void I2c::byte_sent() {
   ++statistics_.bytes;
-  if (!line.write(shift_)) {
+  const bool taken = line.write(shift_);
+  tell("write", shift_, taken);
+  if (!taken) {
     fail(kAf);
     go(State::send_wait);
     return;
@@ -158,6 +168,7 @@ void I2c::byte_received() {
   // POS: the bit speaks of the next byte, so the present one is acknowledged (RM0090 27.6.1).
   last_acknowledged_ = (cr1_ & kPos) != 0 && byte_index_ == 0 ? true : (cr1_ & kAck) != 0;
   ++byte_index_;
+  tell("read", byte, last_acknowledged_);
   if ((sr1_ & kRxne) == 0) {
     data_ = byte;
     sr1_ |= kRxne;
@@ -205,6 +216,7 @@ void I2c::begin_stop() {
 
 void I2c::stop_done() {
   line.stop();
+  tell("stop", 0, true);
   statistics_.busy += world_.now() - busy_since_;
   cr1_ &= ~kStop;
   sr2_ = 0;

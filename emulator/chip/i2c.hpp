@@ -23,6 +23,8 @@ class I2c : public Peripheral {
   void reset() override;
 
   I2cLine line;
+  /// Told of every step on the wire, for those who look on: `address`, `write`, `read` with their byte, or `stop`.
+  std::function<void(const char* what, std::uint8_t byte, bool acknowledged)> on_wire;
   /// A part is in the middle of sending a byte.
   [[nodiscard]] bool receiving() const { return state_ == State::receiving; }
   [[nodiscard]] BusStatistics statistics() const;
@@ -30,6 +32,8 @@ class I2c : public Peripheral {
   [[nodiscard]] std::uint32_t bus_hz() const;
   /// The next START is seen misplaced: BERR, as a disturbed wire causes it.
   unsigned disturbed_starts = 0;
+  /// The next STARTs lose the bus to another master: ARLO.
+  unsigned lost_starts = 0;
 
  private:
   enum class State {
@@ -62,6 +66,9 @@ class I2c : public Peripheral {
   void begin_stop();
   void stop_done();
   void fail(std::uint32_t error);
+  void tell(const char* what, std::uint8_t byte, bool acknowledged) const {
+    if (on_wire) on_wire(what, byte, acknowledged);
+  }
   void update();
   [[nodiscard]] bool on() const { return (cr1_ & 1) != 0; }
 

@@ -34,8 +34,9 @@ class World {
   void connect(Cpu& cpu) { cpu_ = &cpu; }
 
  private:
-  /// Events run a little late when an instruction straddles them; what follows them counts from the processor's time.
-  [[nodiscard]] Time event_time() const { return now(); }
+  /// Events run a little late when an instruction straddles them; what follows them counts from their own time, so that
+  /// a byte follows the one before without a gap.
+  [[nodiscard]] Time event_time() const { return queue_.running() != kNever ? queue_.running() : now(); }
 
   EventQueue queue_;
   Reports reports_;
@@ -55,6 +56,15 @@ class Peripheral {
   /// Word access; `offset` is a multiple of 4.
   virtual std::uint32_t read(std::uint32_t offset) = 0;
   virtual void write(std::uint32_t offset, std::uint32_t value) = 0;
+  /// A byte or halfword of the register, `value` and `mask` in its place. Most registers take words only.
+  virtual void write_part(std::uint32_t offset, std::uint32_t mask, std::uint32_t value) {
+    if ((mask & 1) == 0) world_.report(Misuse::unmodelled, name_ + " is written in the middle of a register");
+    while ((mask & 1) == 0) {
+      mask >>= 1;
+      value >>= 1;
+    }
+    write(offset, value);
+  }
   virtual void reset() = 0;
   /// A DMA stream was turned on: peripherals that wait for one ask again.
   virtual void poll_dma() {}

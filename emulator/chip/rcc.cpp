@@ -57,7 +57,9 @@ bool Rcc::clocked(ClockBus bus, unsigned bit) const {
 
 void Rcc::start(std::uint32_t ready_bit, Time delay) {
   world_.after(delay, [this, ready_bit] {
-    if ((cr_ & ready_bit >> 1) != 0) cr_ |= ready_bit;
+    if ((cr_ & ready_bit >> 1) == 0) return;
+    cr_ |= ready_bit;
+    switch_core();  // it may have been waited for: RM0090 7.2.6
   });
 }
 
@@ -74,13 +76,22 @@ void Rcc::write_cr(std::uint32_t value) {
   }
   if ((cr_ & kHseOn) == 0) cr_ &= ~kHseReady;
   if ((cr_ & kPllOn) == 0) cr_ &= ~kPllReady;
+  cr_ = (cr_ & kHsiOn) != 0 ? cr_ | kHsiReady : cr_ & ~kHsiReady;
 }
 
 void Rcc::write_cfgr(std::uint32_t value) {
   cfgr_ = (cfgr_ & 0xC) | (value & ~0xCU);
-  const std::uint32_t wanted = value & 3;
+  only(value, 0xFFFF & ~0x30CU, "CFGR");  // the clock outputs are not modelled
+  switch_core();
+  apply();
+}
+
+/// The core changes over to the clock that was asked for, as soon as that is ready.
+void Rcc::switch_core() {
+  const std::uint32_t wanted = cfgr_ & 3;
   const bool ready = wanted == 0 || (wanted == 1 && (cr_ & kHseReady) != 0) || (wanted == 2 && (cr_ & kPllReady) != 0);
-  if (ready && wanted != (cfgr_ >> 2 & 3)) cfgr_ = (cfgr_ & ~0xCU) | wanted << 2;
+  if (!ready || wanted == (cfgr_ >> 2 & 3)) return;
+  cfgr_ = (cfgr_ & ~0xCU) | wanted << 2;
   apply();
 }
 

@@ -45,6 +45,7 @@ class Rcc : public Peripheral {
   void write_cr(std::uint32_t value);
   void write_cfgr(std::uint32_t value);
   void apply();
+  void switch_core();
   void write_reset(ClockBus bus, std::uint32_t& field, std::uint32_t value);
 
   std::uint32_t cr_ = 0, pllcfgr_ = 0, cfgr_ = 0, csr_ = 0;

@@ -8,7 +8,7 @@ constexpr std::uint32_t kReceived = 1, kEmpty = 2, kOverrun = 64, kBusy = 128;
 void Spi::reset() {
   cr1_ = cr2_ = 0;
   sr_ = kEmpty;
-  full_ = shifting_ = false;
+  full_ = shifting_ = overrun_read_ = false;
   ++token_;
   update();
 }
@@ -39,15 +39,14 @@ void Spi::shift() {
   shifting_ = true;
   full_ = false;
   sr_ |= kEmpty | kBusy;
-  const Time duration = 8 * period_of(clock_hz());
+  const Time duration = (wide() ? 16 : 8) * period_of(clock_hz());
   statistics_.busy += duration;
   world_.after(duration, [this, out = out_, token = token_] {
     if (token == token_) shifted(out);
   });
 }
 
-void Spi::shifted(std::uint8_t out) {
-  shifting_ = false;
+std::uint8_t Spi::exchange(std::uint8_t out) {
   ++statistics_.bytes;
   std::uint8_t in = 0xFF;
   unsigned answering = 0;
@@ -57,6 +56,15 @@ void Spi::shifted(std::uint8_t out) {
     ++answering;
   }
   if (answering > 1) world_.report(Misuse::wire, name() + " has two chip selects low");
+  return in;
+}
+
+void Spi::shifted(std::uint16_t out) {
+  shifting_ = false;
+  std::uint16_t in = 0;
+  if (wide()) in = static_cast<std::uint16_t>(exchange(static_cast<std::uint8_t>(out >> 8)) << 8);
+  in = static_cast<std::uint16_t>(in | exchange(static_cast<std::uint8_t>(out)));
+  if (on_frame) on_frame(wide() ? out : out & 0xFF, in, wide() ? 16 : 8);
   if ((sr_ & kReceived) != 0) {
     sr_ |= kOverrun;
     ++statistics_.errors;
@@ -79,10 +87,16 @@ std::uint32_t Spi::read(std::uint32_t offset) {
       return cr1_;
     case 0x04:
       return cr2_;
-    case 0x08:
-      return sr_;
+    case 0x08: {
+      const std::uint32_t status = sr_;
+      if (overrun_read_) sr_ &= ~kOverrun;  // DR, then SR: RM0090 28.3.10
+      overrun_read_ = false;
+      update();
+      return status;
+    }
     case 0x0C:
-      sr_ &= ~(kReceived | kOverrun);
+      overrun_read_ = (sr_ & kOverrun) != 0;
+      sr_ &= ~kReceived;
       update();
       return in_;
     default:
@@ -90,28 +104,35 @@ std::uint32_t Spi::read(std::uint32_t offset) {
   }
 }
 
+void Spi::write_cr1(std::uint32_t value) {
+  only(value, 0xB7F, "CR1");
+  if (on() && (value & 0x40) != 0 && ((value ^ cr1_) & 0x83B) != 0)
+    world_.report(Misuse::protocol, name() + " mode or clock is changed while it is on");
+  cr1_ = value;
+  const bool held_high = (cr1_ & 0x200) != 0 ? (cr1_ & 0x100) != 0 : (cr2_ & 4) != 0;  // SSM: SSI, else SSOE
+  if (on() && !held_high)
+    world_.report(Misuse::protocol, name() + " sees its own select low: mode fault (RM0090 28.3.10)");
+  if ((value & 0x40) != 0) return;
+  if (shifting_) world_.report(Misuse::protocol, name() + " is turned off in the middle of a byte");
+  ++token_;
+  shifting_ = full_ = false;
+  sr_ = (sr_ | kEmpty) & ~kBusy;
+}
+
 void Spi::write(std::uint32_t offset, std::uint32_t value) {
   switch (offset) {
     case 0x00:
-      if (on() && (value & 0x40) != 0 && ((value ^ cr1_) & 0x3B) != 0)
-        world_.report(Misuse::protocol, name() + " mode or clock is changed while it is on");
-      if ((value & 0x800) != 0) world_.report(Misuse::unmodelled, name() + " 16-bit frames");
-      cr1_ = value;
-      if ((value & 0x40) == 0) {
-        if (shifting_) world_.report(Misuse::protocol, name() + " is turned off in the middle of a byte");
-        ++token_;
-        shifting_ = full_ = false;
-        sr_ = (sr_ | kEmpty) & ~kBusy;
-      }
+      write_cr1(value);
       break;
     case 0x04:
+      only(value, 0xE7, "CR2");
       cr2_ = value;
       break;
     case 0x08:
       break;
     case 0x0C:
       if (!on()) return world_.report(Misuse::protocol, name() + " is given a byte while it is off");
-      out_ = static_cast<std::uint8_t>(value);
+      out_ = static_cast<std::uint16_t>(value);
       full_ = true;
       sr_ &= ~kEmpty;
       if (!shifting_) shift();

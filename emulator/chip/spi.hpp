@@ -1,4 +1,5 @@
-// An SPI master: eight clocks a byte, both ways at once, to the part whose chip select is low. RM0090 28.
+// An SPI master: eight clocks a byte, both ways at once, to the part whose chip select is low; frames of 16 bits are
+// two bytes. RM0090 28. Slave, half-duplex, CRC and I2S modes are not modelled.
 #pragma once
 
 #include <functional>
@@ -36,6 +37,8 @@ class Spi : public Peripheral {
     parts_.push_back(Attached{std::move(part), false});
     return parts_.size() - 1;
   }
+  /// Told of every frame, for those who look on.
+  std::function<void(std::uint16_t out, std::uint16_t in, unsigned bits)> on_frame;
   /// The chip select of a part changes its level.
   void selected(std::size_t part, bool low);
   [[nodiscard]] const BusStatistics& statistics() const { return statistics_; }
@@ -48,16 +51,19 @@ class Spi : public Peripheral {
     bool selected;
   };
   [[nodiscard]] bool on() const { return (cr1_ & 0x44) == 0x44; }  // SPE, MSTR
+  [[nodiscard]] bool wide() const { return (cr1_ & 0x800) != 0; }  // DFF
+  std::uint8_t exchange(std::uint8_t out);
+  void write_cr1(std::uint32_t value);
   void shift();
-  void shifted(std::uint8_t out);
+  void shifted(std::uint16_t out);
   void ask_dma();
   void update();
 
   Wiring wiring_;
   std::vector<Attached> parts_;
   std::uint32_t cr1_ = 0, cr2_ = 0, sr_ = 2;
-  std::uint8_t out_ = 0, in_ = 0;
-  bool full_ = false, shifting_ = false;
+  std::uint16_t out_ = 0, in_ = 0;
+  bool full_ = false, shifting_ = false, overrun_read_ = false;
   std::uint64_t token_ = 0;
   BusStatistics statistics_;
 };

@@ -4,6 +4,8 @@ namespace finemote::emulator {
 namespace {
 enum Offset : std::uint32_t {
   kCr1 = 0x00,
+  kCr2 = 0x04,
+  kSmcr = 0x08,
   kDier = 0x0C,
   kSr = 0x10,
   kEgr = 0x14,
@@ -16,26 +18,30 @@ enum Offset : std::uint32_t {
   kBdtr = 0x44,
   kLast = 0x50
 };
-}
+// CR1: RM0090 17.4.1, 18.4.1.
+constexpr std::uint32_t kEnable = 1, kNoUpdates = 2, kOnlyOverflow = 4, kOnePulse = 8, kPreload = 128;
+constexpr unsigned kPwm1 = 6, kPwm2 = 7;  // CCMR: RM0090 17.4.7
+}  // namespace
 
 void Timer::reset() {
   registers_ = {};
-  registers_[kArr / 4] = 0xFFFF;
-  psc_active_ = 0;
-  arr_active_ = 0xFFFF;
+  registers_[kArr / 4] = kind_.wide ? 0xFFFFFFFFU : 0xFFFF;
+  psc_active_ = held_ = 0;
+  arr_active_ = registers_[kArr / 4];
   ccr_active_ = {};
   ++token_;
-  world_.set_line(update_line_, false);
+  update_line();
 }
 
 Timer::Pulse Timer::pulse(unsigned channel) const {
   const unsigned index = channel - 1;
   const std::uint32_t mode = registers_[kCcmr1 / 4 + index / 2] >> (index % 2 * 8 + 4) & 7;
-  const bool output = (registers_[kCcer / 4] >> (4 * index) & 1) != 0, counting = (registers_[kCr1 / 4] & 1) != 0;
-  const bool main_on = !advanced_ || (registers_[kBdtr / 4] >> 15 & 1) != 0;
-  if (!output || !counting || !main_on || mode != 6) return {};
-  const std::uint32_t top = arr_active_ + 1, high = ccr_active_[index] < top ? ccr_active_[index] : top;
-  return Pulse{to_ns(high * count_time()), to_ns(top * count_time())};
+  const bool output = (registers_[kCcer / 4] >> (4 * index) & 1) != 0;
+  const bool main_on = !kind_.advanced || (registers_[kBdtr / 4] >> 15 & 1) != 0;
+  if (!output || !counts() || !main_on || (mode != kPwm1 && mode != kPwm2)) return {};
+  const std::uint64_t top = std::uint64_t{arr_active_} + 1;
+  const std::uint64_t before = ccr_active_[index] < top ? ccr_active_[index] : top;
+  return Pulse{to_ns((mode == kPwm1 ? before : top - before) * count_time()), to_ns(top * count_time())};
 }
 
 void Timer::announce() {
@@ -47,51 +53,114 @@ void Timer::announce() {
   }
 }
 
-void Timer::update_event() {
+/// The line is up while an update is flagged and asked for: RM0090 17.4.4, 17.4.5.
+void Timer::update_line() {
+  const bool high = (registers_[kDier / 4] & registers_[kSr / 4] & 1) != 0;
+  if (high != line_) set_line_(high);
+  line_ = high;
+}
+
+/// Preloads take effect; the counter has been 0 since `at`.
+void Timer::update_event(Time at) {
   psc_active_ = registers_[kPsc / 4];
   arr_active_ = registers_[kArr / 4];
   for (unsigned i = 0; i < 4; ++i) ccr_active_[i] = registers_[kCcr1 / 4 + i];
-  zero_ = world_.now();
-  registers_[kSr / 4] |= 1;
-  if ((registers_[kDier / 4] & 1) != 0) world_.set_line(update_line_, true);
-  announce();
+  zero_ = at;
+  held_ = 0;
+}
+
+/// The counter begins again; with UDIS without an update event (RM0090 17.4.1).
+void Timer::overflow(Time at) {
+  if ((registers_[kCr1 / 4] & kNoUpdates) != 0) {
+    zero_ = at;
+  } else {
+    update_event(at);
+    registers_[kSr / 4] |= 1;
+    if ((registers_[kCr1 / 4] & kOnePulse) != 0) registers_[kCr1 / 4] &= ~kEnable;
+    update_line();
+    announce();
+  }
   schedule();
 }
 
 void Timer::schedule() {
   ++token_;
-  if ((registers_[kCr1 / 4] & 1) == 0) return;
-  world_.at(zero_ + (Time{arr_active_} + 1) * count_time(), [this, token = token_] {
-    if (token == token_) update_event();
+  if (!counts() || arr_active_ == 0) return;  // a period of 0 stops the counter: RM0090 17.4.12
+  const Time at = zero_ + (Time{arr_active_} + 1) * count_time();
+  world_.at(at, [this, at, token = token_] {
+    if (token == token_) overflow(at);
   });
+}
+
+std::uint32_t Timer::count() const {
+  return counts() ? static_cast<std::uint32_t>((world_.now() - zero_) / count_time()) : held_;
 }
 
 std::uint32_t Timer::read(std::uint32_t offset) {
   if (offset > kLast) return unmodelled_read(offset);
-  if (offset == kCnt && (registers_[kCr1 / 4] & 1) != 0)
-    return static_cast<std::uint32_t>((world_.now() - zero_) / count_time());
-  return registers_[offset / 4];
+  return offset == kCnt ? count() : registers_[offset / 4];
+}
+
+void Timer::write_cr1(std::uint32_t value) {
+  const std::uint32_t held = count();
+  const bool was = counts();
+  registers_[kCr1 / 4] = value;
+  if (was && !counts()) held_ = held;
+  if (!was && counts()) zero_ = world_.now() - held_ * count_time();
+  if (was != counts()) schedule();
+}
+
+/// What a value asks for that the model does not have.
+void Timer::check(std::uint32_t offset, std::uint32_t value) {
+  if (offset == kCr1) only(value, kEnable | kNoUpdates | kOnlyOverflow | kOnePulse | kPreload, "CR1");
+  if (offset == kCr2) only(value, 0, "CR2");
+  if (offset == kSmcr) only(value, 0, "SMCR");
+  if (offset == kDier) only(value, 1, "DIER");
+  if (offset != kCcmr1 && offset != kCcmr1 + 4) return;
+  only(value, 0xFCFC, "CCMR");  // outputs, no inputs
+  for (unsigned i = 0; i < 2; ++i) {
+    const std::uint32_t mode = value >> (8 * i + 4) & 7;
+    if (mode != 0 && mode < kPwm1) world_.report(Misuse::unmodelled, name() + " compare mode " + hex(mode));
+  }
 }
 
 void Timer::write(std::uint32_t offset, std::uint32_t value) {
   if (offset > kLast) return unmodelled_write(offset, value);
-  if (offset == kSr) {
-    registers_[kSr / 4] &= value;
-    if ((registers_[kSr / 4] & 1) == 0) world_.set_line(update_line_, false);
-    return;
+  check(offset, value);
+  switch (offset) {
+    case kCr1:
+      write_cr1(value);
+      break;
+    case kSr:  // rc_w0
+      registers_[kSr / 4] &= value;
+      return update_line();
+    case kEgr:
+      if ((value & 1) == 0) return;
+      update_event(world_.now());
+      if ((registers_[kCr1 / 4] & kOnlyOverflow) == 0) registers_[kSr / 4] |= 1;  // URS: RM0090 17.4.1
+      update_line();
+      schedule();
+      break;
+    case kCnt:
+      held_ = value;
+      zero_ = world_.now() - value * count_time();
+      schedule();
+      break;
+    case kDier:
+      registers_[kDier / 4] = value;
+      return update_line();
+    case kArr:
+      registers_[kArr / 4] = kind_.wide ? value : value & 0xFFFF;
+      if ((registers_[kCr1 / 4] & kPreload) == 0) {  // works at once: RM0090 17.3.1
+        arr_active_ = registers_[kArr / 4];
+        schedule();
+      }
+      break;
+    default:
+      registers_[offset / 4] = value;
+      break;
   }
-  if (offset == kEgr) {
-    if ((value & 1) != 0) update_event();
-    return;
-  }
-  const bool was = (registers_[kCr1 / 4] & 1) != 0;
-  registers_[offset / 4] = value;
-  if (offset == kCr1 && !was && (value & 1) != 0) {
-    zero_ = world_.now();
-    arr_active_ = registers_[kArr / 4];
-    schedule();
-  }
-  // Without preload a value works at once: RM0090 17.3.1, 17.4.7.
+  // Without preload a value works at once: RM0090 17.4.7.
   if (offset >= kCcr1 && offset < kCcr1 + 16) {
     const unsigned index = (offset - kCcr1) / 4;
     if ((registers_[kCcmr1 / 4 + index / 2] >> (index % 2 * 8 + 3) & 1) == 0) ccr_active_[index] = value;

@@ -1,4 +1,5 @@
-// A timer as a PWM generator: prescaler, period and preloaded compare values become pulses. RM0090 17, 18, 19.
+// A timer that counts up: prescaler, period and preloaded compare values become pulses and updates. RM0090 17 to 20.
+// Input capture, slave modes and counting down are not modelled.
 #pragma once
 
 #include <array>
@@ -8,13 +9,20 @@
 
 namespace finemote::emulator {
 
+/// What tells one timer of the chip from another.
+struct TimerKind {
+  bool advanced = false;  ///< TIM1, TIM8: a main output enable
+  bool wide = false;      ///< TIM2, TIM5: 32 bits
+};
+
 class Timer : public Peripheral {
  public:
-  Timer(World& world, std::string name, bool advanced, std::function<std::uint32_t()> clock_hz, int update_line)
+  Timer(World& world, std::string name, TimerKind kind, std::function<std::uint32_t()> clock_hz,
+        std::function<void(bool)> set_line)
       : Peripheral(world, std::move(name)),
-        advanced_(advanced),
+        kind_(kind),
         clock_hz_(std::move(clock_hz)),
-        update_line_(update_line) {}
+        set_line_(std::move(set_line)) {}
 
   std::uint32_t read(std::uint32_t offset) override;
   void write(std::uint32_t offset, std::uint32_t value) override;
@@ -30,19 +38,27 @@ class Timer : public Peripheral {
   std::function<void(unsigned channel, Pulse)> on_pulse;
 
  private:
-  void update_event();
+  void update_event(Time at);
+  void overflow(Time at);
   void schedule();
+  void write_cr1(std::uint32_t value);
+  void check(std::uint32_t offset, std::uint32_t value);
+  void update_line();
+  [[nodiscard]] bool counts() const { return (registers_[0] & 1) != 0; }
+  [[nodiscard]] std::uint32_t count() const;
   [[nodiscard]] Time count_time() const { return period_of(clock_hz_()) * (psc_active_ + 1); }
   void announce();
 
-  bool advanced_;
+  TimerKind kind_;
   std::function<std::uint32_t()> clock_hz_;
-  int update_line_;
+  std::function<void(bool)> set_line_;  ///< told of changes: some timers share their line
+  bool line_ = false;
   std::array<std::uint32_t, 21> registers_{};
   std::uint32_t psc_active_ = 0, arr_active_ = 0xFFFF;
   std::array<std::uint32_t, 4> ccr_active_{};
   std::array<std::uint64_t, 4> last_{};
-  Time zero_ = 0;
+  Time zero_ = 0;           ///< when the counter was 0, while it counts
+  std::uint32_t held_ = 0;  ///< the counter while it stands
   std::uint64_t token_ = 0;
 };
 

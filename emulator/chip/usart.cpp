@@ -1,5 +1,6 @@
 #include "emulator/chip/usart.hpp"
 
+#include <bit>
 #include <cmath>
 
 namespace finemote::emulator {
@@ -7,7 +8,8 @@ namespace {
 constexpr std::uint32_t kParity = 1, kFraming = 2, kNoise = 4, kOverrun = 8, kIdle = 16, kReceived = 32, kComplete = 64,
                         kEmpty = 128;
 constexpr std::uint32_t kReceiver = 4, kTransmitter = 8, kIdleInterrupt = 16, kReceivedInterrupt = 32,
-                        kCompleteInterrupt = 64, kEmptyInterrupt = 128, kParityInterrupt = 256;
+                        kCompleteInterrupt = 64, kEmptyInterrupt = 128, kParityInterrupt = 256, kOddParity = 512,
+                        kParityOn = 1024, kNineBits = 4096;
 constexpr std::uint32_t kErrorInterrupt = 1, kDmaReceive = 64, kDmaTransmit = 128;
 constexpr double kTolerance = 0.03;  // RM0090 30.3.5: receiver tolerance about 3 to 4 %
 }  // namespace
@@ -20,9 +22,12 @@ void Usart::reset() {
   update();
 }
 
+/// Clocks of a bit: BRR counts sixteenths of 16 samples, or with OVER8 eighths of 8 (RM0090 30.3.4).
+std::uint32_t Usart::divider() const { return (cr1_ >> 15 & 1) == 0 ? brr_ : (brr_ >> 4) * 8 + (brr_ & 7); }
+
 SerialFormat Usart::format() const {
   SerialFormat format;
-  format.baud = brr_ == 0 ? 1 : wiring_.clock_hz() / brr_;
+  format.baud = divider() == 0 ? 1 : wiring_.clock_hz() / divider();
   format.even_parity = (cr1_ >> 10 & 1) != 0;
   format.stop_bits = (cr2_ >> 12 & 3) == 2 ? 2 : 1;
   return format;
@@ -45,7 +50,7 @@ void Usart::update() {
 
 void Usart::ask_dma() {
   if ((cr3_ & kDmaReceive) != 0 && (sr_ & kReceived) != 0) wiring_.dma(wiring_.rx);
-  while (on() && (cr1_ & kTransmitter) != 0 && (cr3_ & kDmaTransmit) != 0 && (sr_ & kEmpty) != 0) {
+  while (sends() && (cr3_ & kDmaTransmit) != 0 && (sr_ & kEmpty) != 0) {
     if (!wiring_.dma(wiring_.tx)) break;
   }
 }
@@ -107,7 +112,8 @@ std::uint32_t Usart::read(std::uint32_t offset) {
       status_read_ = false;
       sr_ &= ~kReceived;
       update();
-      return received_;
+      // With nine bits the ninth is the parity as received: RM0090 30.6.2.
+      return (cr1_ & kNineBits) == 0 ? received_ : received_ | (std::popcount(received_) % 2U) << 8;
     case 0x08:
       return brr_;
     case 0x0C:
@@ -129,7 +135,7 @@ void Usart::write(std::uint32_t offset, std::uint32_t value) {
       sr_ &= value | ~(kComplete | kReceived);
       break;  // rc_w0 bits
     case 0x04:
-      if (!on() || (cr1_ & kTransmitter) == 0) {
+      if (!sends()) {
         world_.report(Misuse::protocol, name() + " is given a byte while its transmitter is off");
         return;
       }
@@ -144,14 +150,14 @@ void Usart::write(std::uint32_t offset, std::uint32_t value) {
       brr_ = value & 0xFFFF;
       break;
     case 0x0C:
-      only(value, 0xF7FF, "CR1");
-      if ((value >> 15 & 1) != 0) world_.report(Misuse::unmodelled, name() + " oversampling by 8");
-      cr1_ = value;
+      write_cr1(value);
       break;
     case 0x10:
+      only(value, 0x2000, "CR2");  // one stop bit or two
       cr2_ = value;
       break;
     case 0x14:
+      only(value, kErrorInterrupt | kDmaReceive | kDmaTransmit | 0x800, "CR3");
       cr3_ = value;
       break;
     case 0x18:
@@ -163,6 +169,28 @@ void Usart::write(std::uint32_t offset, std::uint32_t value) {
   update();
   if (offset == 0x0C || offset == 0x14) ask_dma();
   update();
+}
+
+void Usart::write_cr1(std::uint32_t value) {
+  only(value, 0xF7FC, "CR1");  // no break, no mute mode
+  const bool sent = sends();
+  cr1_ = value;
+  const bool parity = (cr1_ & kParityOn) != 0, nine = (cr1_ & kNineBits) != 0;
+  if (on() && parity != nine)
+    world_.report(Misuse::unmodelled, name() + (nine ? " nine data bits" : " seven data bits"));
+  if (on() && parity && (cr1_ & kOddParity) != 0) world_.report(Misuse::unmodelled, name() + " odd parity");
+  if (!sent && sends() && !shifting_) idle_frame();
+}
+
+/// What a transmitter sends first when it is turned on: RM0090 30.3.2.
+void Usart::idle_frame() {
+  shifting_ = true;
+  world_.after(format().byte_time(), [this] {
+    if (!shifting_) return;  // reset meanwhile
+    shifting_ = false;
+    if (data_full_) start_shift();
+    update();
+  });
 }
 
 void Usart::start_shift() {

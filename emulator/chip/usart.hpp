@@ -50,11 +50,15 @@ class Usart : public Peripheral {
  private:
   void arrive(std::uint8_t byte, const SerialFormat& sender);
   void line_idle(std::uint64_t token);
+  void write_cr1(std::uint32_t value);
   void start_shift();
+  void idle_frame();
   void shifted(std::uint8_t byte);
   void ask_dma();
   void update();
   [[nodiscard]] bool on() const { return (cr1_ >> 13 & 1) != 0; }
+  [[nodiscard]] bool sends() const { return (cr1_ & 0x2008) == 0x2008; }  // UE, TE
+  [[nodiscard]] std::uint32_t divider() const;
 
   Wiring wiring_;
   std::uint32_t sr_ = 0xC0, brr_ = 0, cr1_ = 0, cr2_ = 0, cr3_ = 0, gtpr_ = 0;

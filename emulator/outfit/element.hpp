@@ -78,6 +78,7 @@ std::unique_ptr<Element> make_sbus_receiver(Outfit& outfit, const Json& part, co
 std::unique_ptr<Element> make_tca9548a(Outfit& outfit, const Json& part, const std::string& name);
 std::unique_ptr<Element> make_ms5837(Outfit& outfit, const Json& part, const std::string& name);
 std::unique_ptr<Element> make_ist8310(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_register_bank(Outfit& outfit, const Json& part, const std::string& name);
 std::unique_ptr<Element> make_pca9685(Outfit& outfit, const Json& part, const std::string& name);
 std::unique_ptr<Element> make_pwm_output(Outfit& outfit, const Json& part, const std::string& name);
 std::unique_ptr<Element> make_thruster(Outfit& outfit, const Json& part, const std::string& name);

@@ -3,6 +3,7 @@
 #include "emulator/parts/ist8310.hpp"
 #include "emulator/parts/ms5837.hpp"
 #include "emulator/parts/pca9685.hpp"
+#include "emulator/parts/register_bank.hpp"
 #include "emulator/parts/tca9548a.hpp"
 
 namespace finemote::emulator {
@@ -151,8 +152,43 @@ class CompassElement : public Element {
   Ist8310 model_;
 };
 
+/// `r0`..`r255`: what the part is described by and asked for.
+class RegisterElement : public Element {
+ public:
+  RegisterElement(Outfit& outfit, const Json& part) : model_(need<std::uint8_t>(part, "address")) {
+    for (const auto& [key, value] : part.items()) {
+      if (const auto number = register_of(key)) model_.bytes[*number] = need<std::uint8_t>(part, key.c_str());
+    }
+    outfit.line_of(part).attach(model_);
+  }
+  bool happen(const std::string& what, const Json& event) override {
+    if (what != "set") return false;
+    for (const auto& [key, value] : event.items()) {
+      if (const auto number = register_of(key)) model_.bytes[*number] = need<std::uint8_t>(event, key.c_str());
+    }
+    return true;
+  }
+  std::optional<double> value(const std::string& quantity) override {
+    if (const auto number = register_of(quantity)) return model_.bytes[*number];
+    return std::nullopt;
+  }
+
+ private:
+  static std::optional<unsigned> register_of(const std::string& key) {
+    const bool digits = key.size() >= 2 && key.size() <= 4 && key[0] == 'r' &&
+                        key.find_first_not_of("0123456789", 1) == std::string::npos;
+    if (!digits || std::stoul(key.substr(1)) > 255) return std::nullopt;
+    return static_cast<unsigned>(std::stoul(key.substr(1)));
+  }
+
+  RegisterBank model_;
+};
+
 }  // namespace
 
+std::unique_ptr<Element> make_register_bank(Outfit& outfit, const Json& part, const std::string&) {
+  return std::make_unique<RegisterElement>(outfit, part);
+}
 std::unique_ptr<Element> make_tca9548a(Outfit& outfit, const Json& part, const std::string&) {
   return std::make_unique<MuxElement>(outfit, part);
 }

@@ -20,8 +20,8 @@ void put(CanFrame& frame, unsigned at, double value) {
 DjiMotor::DjiMotor(World& world, CanLine& line, const Figures& figures, const MotorShaft::Parameters& shaft)
     : world_(world), line_(line), figures_(figures), shaft_(shaft) {
   line_.attach(CanLine::Node{[this] { return waiting_; },
-                             [this](const CanFrame&, bool ok) {
-                               if (!ok) return;  // tried again
+                             [this](const CanFrame&, CanOutcome outcome) {
+                               if (outcome != CanOutcome::received) return;  // tried again
                                waiting_.reset();
                                if (on_report) on_report(sampled_);
                              },

@@ -12,8 +12,8 @@ constexpr std::uint64_t kMs = 1'000'000;
 struct Motor {
   explicit Motor(CanLine& bus) : line(bus) {
     line.attach(CanLine::Node{[this] { return answer; },
-                              [this](const CanFrame&, bool ok) {
-                                if (ok) answer.reset();
+                              [this](const CanFrame&, CanOutcome outcome) {
+                                if (outcome == CanOutcome::received) answer.reset();
                               },
                               [this](const CanFrame& frame) { hear(frame); }});
   }
@@ -127,6 +127,25 @@ TEST_CASE("a bus that is lost again before anybody looks is recovered all the sa
   bench.left.heard.clear();
   bench.board.run_for(20 * kMs);
   CHECK(bench.left.heard.size() >= 19);
+}
+
+TEST_CASE("a bus nobody acknowledges on stays on, and the first frame after that is a fresh one") {
+  Bench bench;
+  bench.board.run_for(50 * kMs);
+  Can& can = *bench.board.chip().can("can1");
+  can.line.cut = true;
+  bench.board.run_for(500 * kMs);
+  CHECK(!can.bus_off());
+  CHECK(bench.seen(6) == 128);  // error passive, and no further: ISO 11898-1
+  CHECK(bench.seen(7) == 0);
+  can.line.cut = false;
+  bench.left.heard.clear();
+  const std::uint32_t at = bench.seen(4);
+  bench.board.run_for(20 * kMs);
+  REQUIRE(bench.left.heard.size() >= 19);
+  const auto& first = bench.left.heard.front();
+  CHECK(static_cast<std::uint32_t>(first.data[0] * 256 + first.data[1]) + 2 >= at);
+  CHECK(bench.seen(6) < 128);
 }
 
 TEST_CASE("an empty bus stops nothing") {

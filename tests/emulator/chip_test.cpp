@@ -1,4 +1,6 @@
 // The emulated chip itself, register by register: what it refuses, and what it does in time.
+#include <cstdlib>
+
 #include "catch.hpp"
 #include "emulator/board.hpp"
 
@@ -39,6 +41,7 @@ struct Bench {
 };
 
 constexpr std::uint32_t kAhb1 = 0x40023830, kApb2 = 0x40023844, kApb1 = 0x40023840;
+constexpr std::uint32_t kTim2 = 0x40000000, kSpi1 = 0x40013000, kGpioD = 0x40020C00;
 constexpr std::uint32_t kUsart6 = 0x40011400, kDma2 = 0x40026400, kI2c2 = 0x40005800;
 
 }  // namespace
@@ -185,4 +188,170 @@ TEST_CASE("a pin shows what drives it, and its pull-up when nothing does") {
   CHECK((bench.read(0x40020010) & 1) == 1);
   bench.write(0x40020018, 1U << 16);
   CHECK((bench.read(0x40020010) & 1) == 0);
+}
+
+TEST_CASE("a prescaler waits for an update, and the first period of a timer is short without one") {
+  Bench bench;
+  bench.write(kApb1, 1);
+  bench.write(kTim2 + 0x28, 99);    // PSC
+  bench.write(kTim2 + 0x2C, 1599);  // ARR: 1600 counts of 16 MHz are 100 us
+  bench.write(kTim2 + 0x00, 1);
+  bench.run(95'000);
+  CHECK((bench.read(kTim2 + 0x10) & 1) == 0);
+  bench.run(10'000);
+  CHECK((bench.read(kTim2 + 0x10) & 1) == 1);
+  bench.write(kTim2 + 0x10, 0);
+  bench.run(9'985'000);  // 10 ms with the prescaler
+  CHECK((bench.read(kTim2 + 0x10) & 1) == 0);
+  bench.run(20'000);
+  CHECK((bench.read(kTim2 + 0x10) & 1) == 1);
+}
+
+TEST_CASE("a period without preload works at once, one with preload after the update") {
+  Bench bench;
+  bench.write(kApb1, 1);
+  bench.write(kTim2 + 0x2C, 0xFFFFFFFF);  // 32 bits
+  bench.write(kTim2 + 0x00, 1);
+  bench.write(kTim2 + 0x2C, 159);  // 10 us
+  bench.run(12'000);
+  CHECK((bench.read(kTim2 + 0x10) & 1) == 1);
+  bench.write(kTim2 + 0x00, 1 | 1U << 7);
+  bench.write(kTim2 + 0x2C, 1599);
+  bench.write(kTim2 + 0x10, 0);
+  bench.run(10'000);
+  CHECK((bench.read(kTim2 + 0x10) & 1) == 1);
+  bench.write(kTim2 + 0x10, 0);
+  bench.run(50'000);
+  CHECK((bench.read(kTim2 + 0x10) & 1) == 0);
+}
+
+TEST_CASE("an update flagged before its interrupt is asked for raises it then") {
+  Bench bench;
+  bench.write(kApb1, 1);
+  bench.write(kTim2 + 0x14, 1);  // UG
+  Nvic& nvic = bench.board.world().system().nvic();
+  CHECK(!nvic.is_pending(16 + 28));
+  bench.write(kTim2 + 0x0C, 1);
+  CHECK(nvic.is_pending(16 + 28));
+}
+
+TEST_CASE("a counter that is stopped holds its value and goes on from there") {
+  Bench bench;
+  bench.write(kApb1, 1);
+  bench.write(kTim2 + 0x00, 1);
+  bench.run(10'000);
+  bench.write(kTim2 + 0x00, 0);
+  const std::uint32_t held = bench.read(kTim2 + 0x24);
+  CHECK(held >= 159);
+  CHECK(held <= 170);
+  bench.run(10'000);
+  CHECK(bench.read(kTim2 + 0x24) == held);
+  bench.write(kTim2 + 0x24, 1000);
+  bench.write(kTim2 + 0x00, 1);
+  bench.run(1'000);
+  CHECK(bench.read(kTim2 + 0x24) >= 1015);
+}
+
+TEST_CASE("what a timer has and the model has not is reported") {
+  Bench bench;
+  bench.write(kApb1, 1);
+  bench.write(kTim2 + 0x18, 1);  // an input
+  CHECK(bench.reported(Misuse::unmodelled));
+}
+
+TEST_CASE("the core changes over when the clock it was told to take is ready") {
+  Bench bench;
+  bench.write(0x40023800, 0x83 | 1U << 16);
+  bench.write(0x40023808, 1);
+  CHECK(bench.board.chip().rcc.core_hz() == 16'000'000);
+  bench.run(3'000'000);
+  CHECK(bench.board.chip().rcc.core_hz() == 12'000'000);
+  CHECK((bench.read(0x40023808) & 0xC) == 4);
+}
+
+TEST_CASE("memory moves to memory, an ended stream takes its count again, a stopped one says so") {
+  Bench bench;
+  bench.write(kAhb1, 1U << 22);
+  const std::uint32_t stream = kDma2 + 0x10, control = 2U << 6 | 1U << 9 | 1U << 10;
+  std::uint8_t* ram = bench.board.cpu().memory(0x20002000, 64);
+  for (unsigned i = 0; i < 16; ++i) ram[i] = static_cast<std::uint8_t>(i + 1);
+  bench.write(stream + 0x08, 0x20002000);
+  bench.write(stream + 0x0C, 0x20002020);
+  bench.write(stream + 0x04, 16);
+  bench.write(stream, control | 1);
+  bench.run(100'000);
+  CHECK(bench.read(stream + 4) == 0);
+  CHECK((bench.read(kDma2) & 0x20) != 0);  // TCIF0
+  CHECK(ram[0x20] == 1);
+  CHECK(ram[0x2F] == 16);
+  bench.write(kDma2 + 8, 0x3D);
+  ram[0] = 99;
+  bench.write(stream, control | 1);
+  bench.run(100'000);
+  CHECK(ram[0x20] == 99);
+  bench.write(kDma2 + 8, 0x3D);
+  bench.write(stream, 4U << 25 | 1);  // a peripheral that asks for nothing
+  bench.write(stream, 4U << 25);
+  CHECK((bench.read(kDma2) & 0x20) != 0);
+}
+
+TEST_CASE("a transmitter begins with an idle frame, bytes follow without a gap, the ninth bit is the parity") {
+  Bench bench;
+  bench.write(kApb2, 1U << 5);
+  bench.write(kUsart6 + 0x08, 139);
+  std::vector<std::uint64_t> sent;
+  bench.board.chip().usart("usart6")->on_sent = [&](std::uint8_t) { sent.push_back(bench.board.now_ns()); };
+  bench.write(kUsart6 + 0x0C, 0x200C);
+  const std::uint64_t begin = bench.board.now_ns(), byte = 10 * 139 * 1000 / 16;
+  bench.write(kUsart6 + 0x04, 0x55);
+  for (int i = 0; i < 3; ++i) {
+    while ((bench.read(kUsart6) & 0x80) == 0) bench.run(1'000);
+    bench.write(kUsart6 + 0x04, 0x55);
+  }
+  bench.run(1'000'000);
+  REQUIRE(sent.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) CHECK(std::llabs(static_cast<long long>(sent[i] - begin - (i + 2) * byte)) < 500);
+  bench.write(kUsart6 + 0x0C, 0x200C | 1U << 12 | 1U << 10);
+  bench.board.chip().usart("usart6")->send_in({0x07}, SerialFormat{115108, true, 1});
+  bench.run(1'000'000);
+  CHECK(bench.read(kUsart6 + 4) == 0x107);
+}
+
+TEST_CASE("an overrun of SPI stays until data and status are read; frames may have sixteen bits") {
+  Bench bench;
+  bench.write(kApb2, 1U << 12);
+  std::vector<unsigned> frames;
+  bench.board.chip().spi("spi1")->on_frame = [&](std::uint16_t out, std::uint16_t, unsigned bits) {
+    frames.push_back(bits << 16 | out);
+  };
+  bench.write(kSpi1, 0x344);
+  bench.write(kSpi1 + 0x0C, 0xA1);
+  bench.run(10'000);
+  bench.write(kSpi1 + 0x0C, 0xA2);
+  bench.run(10'000);
+  CHECK((bench.read(kSpi1 + 8) & 0x41) == 0x41);
+  bench.read(kSpi1 + 0x0C);
+  CHECK((bench.read(kSpi1 + 8) & 0x41) == 0x40);
+  CHECK((bench.read(kSpi1 + 8) & 0x41) == 0);
+  bench.write(kSpi1, 0);
+  bench.write(kSpi1, 0xB44);
+  bench.write(kSpi1 + 0x0C, 0xBEEF);
+  bench.run(10'000);
+  CHECK(frames == std::vector<unsigned>{8U << 16 | 0xA1, 8U << 16 | 0xA2, 16U << 16 | 0xBEEF});
+  CHECK(!bench.reported(Misuse::protocol));
+  bench.write(kSpi1, 0x244);  // software select, low
+  CHECK(bench.reported(Misuse::protocol));
+}
+
+TEST_CASE("pins take bytes and halfwords") {
+  Bench bench;
+  bench.write(kAhb1, 1U << 3);
+  bench.write(kGpioD, 0x55555555);
+  bench.board.chip().write(kGpioD + 0x18, 2, 0x8001);
+  CHECK(bench.read(kGpioD + 0x14) == 0x8001);
+  bench.board.chip().write(kGpioD + 0x1A, 2, 0x0001);
+  CHECK(bench.read(kGpioD + 0x14) == 0x8000);
+  bench.board.chip().write(kGpioD + 0x14, 1, 0x42);
+  CHECK(bench.read(kGpioD + 0x14) == 0x8042);
+  CHECK(bench.board.reports().empty());
 }

@@ -131,3 +131,25 @@ TEST_CASE("a mux that lost its setting is set again after the failure it causes"
   CHECK(mini.observed(kPressureValid) == 1);
   CHECK(mini.pwm.pulse_ns(3) == Approx(1'600'000).margin(3'000));
 }
+
+TEST_CASE("a bus lost to another master costs one transfer, and the next one has it again") {
+  MiniBoard mini;
+  mini.board.run_for(300 * kMs);
+  const auto before = mini.observed(kI2cErrors);
+  mini.board.chip().i2c("i2c2")->lost_starts = 2;
+  mini.board.run_for(200 * kMs);
+  CHECK(mini.board.chip().i2c("i2c2")->lost_starts == 0);
+  CHECK(mini.observed(kI2cErrors) >= before + 2);
+  CHECK(mini.observed(kPressureValid) == 1);
+  CHECK(mini.pwm.pulse_ns(3) == Approx(1'600'000).margin(3'000));
+}
+
+TEST_CASE("a receiving DMA stream that meets a bus error is started again by the next job") {
+  MiniBoard mini;
+  mini.board.run_for(300 * kMs);
+  REQUIRE(mini.board.chip().break_dma("usart1"));
+  const unsigned frames = mini.observed(kImuFrames);
+  mini.board.run_for(100 * kMs);
+  CHECK(mini.observed(kImuFrames) >= frames + 17);  // of 20: two at most are lost with what lay in the ring
+  CHECK(mini.observed(kImuValid) == 1);
+}
