@@ -53,6 +53,19 @@ TEST_CASE("whatever fails on the infantry's buses, its motors have no current wi
   run("infantry", "infantry_faults", "4300ms", 15);
 }
 
+TEST_CASE(
+    "PWM part, mux, damaged frames, lost arbitration and DMA errors cost the vehicle its thrust for a bounded time") {
+  run("finsrov", "rov_more_faults", "7500ms", 11);
+}
+
+TEST_CASE("damaged frames, silent controllers, a cut bus and a restarted sensor leave the infantry without current") {
+  run("infantry", "infantry_more_faults", "5s", 24);
+}
+
+TEST_CASE("whatever fails at the arm's receiver, buses and motors, its joints have no torque within a bound") {
+  run("six_joint_arm", "arm_faults", "6s", 32);
+}
+
 TEST_CASE("a run that is not as its scenario expects is a no, one that cannot happen is an error") {
   const TemporaryFolder folder;
   const std::string robot = source_path("examples/two_devices.urdf");
