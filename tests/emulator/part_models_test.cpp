@@ -101,7 +101,7 @@ TEST_CASE("a DJI motor takes its word of the group and reports angle, speed and 
   std::vector<CanFrame> heard;
   line.attach({{}, {}, [&](const CanFrame& frame) { heard.push_back(frame); }});
   std::optional<CanFrame> order;
-  line.attach({[&] { return order; }, [&](const CanFrame&, bool) { order.reset(); }, {}});
+  line.attach({[&] { return order; }, [&](const CanFrame&, CanOutcome) { order.reset(); }, {}});
   DjiMotor::Figures f;
   f.feedback_id = 0x203;
   f.word = 2;

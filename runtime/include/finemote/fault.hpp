@@ -13,8 +13,8 @@
 
 namespace finemote {
 
-/// Who reports a fault. A number means one thing in its module: a bus counts from 1, the board's driver of its port from
-/// 16 (PWM the other way round). docs/reference/faults.md lists them.
+/// Who reports a fault. A number means one thing in its module: a bus counts from 1, the board's driver of its port
+/// from 16 (PWM the other way round). docs/reference/faults.md lists them.
 enum class Module : std::uint8_t {
   core = 1,  ///< processor faults, unexpected interrupts, stack guard: see CoreFault
   schedule,  ///< the schedule cannot run on this board, or overran
