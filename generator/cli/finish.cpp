@@ -38,10 +38,11 @@ void print_for_ci(Context& context, const Diagnostics& diagnostics) {
 }  // namespace
 
 void add_findings(const Diagnostics& from, Diagnostics& to) {
-  for (const Diagnostic& finding : from.in_file_order()) {
-    const bool is_error = finding.severity == Severity::error;
-    (is_error ? to.error(finding.code, finding.at, {}) : to.warning(finding.code, finding.at, {})) = finding;
-  }
+  for (const Diagnostic& finding : from.in_file_order()) to.add(finding);
+}
+
+bool is_refused(const Context& context) {
+  return context.diagnostics.has_errors() || (context.options.warnings_are_errors && context.diagnostics.size() > 0);
 }
 
 std::string render_findings(const Context& context) { return render_findings(context, context.diagnostics); }
@@ -55,9 +56,7 @@ int finish(Context& context, int status, nlohmann::ordered_json document) {
 }
 
 int finish_with(Context& context, int status, const Diagnostics& judged, nlohmann::ordered_json document) {
-  const bool fails =
-      context.diagnostics.has_errors() || (context.options.warnings_are_errors && context.diagnostics.size() > 0);
-  if (fails) status = kExitInvalid;
+  if (is_refused(context)) status = kExitInvalid;
   Diagnostics all;
   add_findings(context.diagnostics, all);
   add_findings(judged, all);

@@ -15,6 +15,9 @@ std::string render_findings(const Context& context, const Diagnostics& findings)
 /// Copies all findings of `from` behind those of `to`.
 void add_findings(const Diagnostics& from, Diagnostics& to);
 
+/// Whether the command has no answer: errors, or warnings under -W error.
+bool is_refused(const Context& context);
+
 /// Prints the findings as the options say and returns the exit status: kExitInvalid when there are errors (or warnings
 /// under -W error), else `status`. With --format json `document` is printed to stdout, with the findings in its
 /// `diagnostics`, unless the status is 2 or 3; a null document prints nothing.

@@ -88,10 +88,11 @@ int run_generate(Context& context) {
   if (!options.allow_unschedulable) {
     const auto verdict = timing_verdict(context, *loaded);
     if (!verdict) return finish(context, kExitInvalid);
+    for (const Diagnostic& overload : verdict->overloads) context.diagnostics.add(overload);
     if (!verdict->schedulable) return refuse_unschedulable(context, *verdict);
   }
   auto files = render_robot(context, *loaded);
-  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  if (is_refused(context)) return finish(context, kExitInvalid);
   const Output output = make_output(std::move(files), input_files(context, *loaded), loaded->robot.name.text);
   const WriteResult result = write_output(options.out, output, options.dry_run, context.diagnostics);
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);

@@ -22,8 +22,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr Code kLintCodes[] = {code::lint_order,      code::lint_period_ratio, code::lint_no_wcet,
-                               code::lint_conversion, code::lint_bus_load,     code::lint_unused_bus};
+constexpr Code kLintCodes[] = {code::lint_order,         code::lint_period_ratio, code::lint_no_wcet,
+                               code::lint_conversion,    code::lint_bus_load,     code::lint_unused_bus,
+                               code::timing_bus_overload};
 
 /// `FM3151` or `3151`: one of lint's own codes.
 std::vector<Code> codes(Context& context, const char* option, const std::vector<std::string>& words) {
@@ -68,6 +69,7 @@ LintOptions lint_options(Context& context, const Verdict& verdict) {
   options.allow = codes(context, "--allow", context.options.allow);
   options.deny = codes(context, "--deny", context.options.deny);
   options.bus_load = verdict.bus_load;
+  options.overloads = verdict.overloads;
   return options;
 }
 

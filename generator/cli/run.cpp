@@ -172,7 +172,7 @@ std::optional<RunRecord> run_image(Context& context, const Loaded& loaded, const
                                    const std::string& image, std::int64_t duration) {
   if (board == "robomaster_type_c") {
     return emulate(image, loaded.robot, loaded.forest, duration,
-                   {context.options.scenario, context.options.flash == "miss"}, context.diagnostics);
+                   {context.options.scenario, context.options.flash == "miss"}, context.sources, context.diagnostics);
   }
   return execute(image, board, loaded.forest, duration, context.diagnostics);
 }

@@ -36,7 +36,14 @@ std::optional<Verdict> timing_verdict(Context& context, const Loaded& loaded) {
   verdict.schedulable = timing->schedulable;
   verdict.requirements_hold = timing->requirements_hold();
   verdict.bus_load = bus_loads(loaded.robot, *timing);
-  if (findings.has_errors()) verdict.reasons = std::move(findings);
+  Diagnostics reasons;
+  for (const Diagnostic& finding : findings.in_file_order()) {
+    if (finding.code == code::timing_bus_overload)
+      verdict.overloads.push_back(finding);
+    else
+      reasons.add(finding);
+  }
+  if (reasons.has_errors()) verdict.reasons = std::move(reasons);
   return verdict;
 }
 

@@ -11,8 +11,9 @@ namespace finemote::gen {
 struct Verdict {
   bool schedulable = false;
   bool requirements_hold = false;
-  std::vector<double> bus_load;  ///< 0..1, per Robot::buses; empty when there is no answer
-  Diagnostics reasons;           ///< the findings behind a no; empty after a yes
+  std::vector<double> bus_load;       ///< 0..1, per Robot::buses; empty when there is no answer
+  std::vector<Diagnostic> overloads;  ///< FM4021, of buses that are asked for more than their time
+  Diagnostics reasons;                ///< the findings behind a no, without those; empty after a yes
 };
 
 /// Analyses the robot in its default profile. None when the analysis gives no answer (an overflow); then the reason is

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "generator/json/parse.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -150,14 +152,18 @@ class DuplicateKeys {
   bool found_ = false;
 };
 
-/// nlohmann's words without its prefix: `[json.exception.parse_error.101] parse error at line 1, column 2: syntax error
-/// ...`
-std::string words_of(const Json::parse_error& problem) {
-  std::string words = problem.what();
-  const std::size_t colon = words.find(": ");
-  if (colon != std::string::npos) words.erase(0, colon + 2);
-  std::replace(words.begin(), words.end(), '\n', ' ');
-  return words;
+/// nlohmann reads no further, and says so in the words of its parser: ours say it again, at the same place or nearer.
+void report_malformed(const SourceFile& source, const Json::parse_error& problem, Diagnostics& diagnostics) {
+  Diagnostics findings;
+  json::parse(source, findings);
+  for (const Diagnostic& finding : findings.in_file_order()) {
+    if (finding.code != code::json_malformed) continue;
+    diagnostics.error(code::descriptor_malformed, finding.at, "this is not JSON: " + finding.message);
+    return;
+  }
+  const std::size_t offset = problem.byte > 0 ? problem.byte - 1 : 0;
+  diagnostics.error(code::descriptor_malformed, position_at(source, std::min(offset, source.text.size())),
+                    "this is not JSON");
 }
 
 }  // namespace
@@ -175,11 +181,7 @@ std::optional<JsonFile> parse_json(const SourceFile& source, Diagnostics& diagno
   try {
     file.value = Json::parse(source.text);
   } catch (const Json::parse_error& problem) {
-    const std::size_t offset = problem.byte > 0 ? problem.byte - 1 : 0;
-    diagnostics
-        .error(code::descriptor_malformed, position_at(source, std::min(offset, source.text.size())),
-               "this is not JSON")
-        .note(words_of(problem));
+    report_malformed(source, problem, diagnostics);
     return {};
   }
   DuplicateKeys duplicates(source, diagnostics);

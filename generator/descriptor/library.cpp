@@ -11,6 +11,7 @@
 #include "generator/descriptor/json_file.hpp"
 #include "generator/descriptor/read_board.hpp"
 #include "generator/descriptor/read_device_type.hpp"
+#include "generator/descriptor/repair.hpp"
 #include "generator/descriptor/schema_check.hpp"
 #include "generator/xml/read_source.hpp"
 
@@ -106,7 +107,10 @@ class FileReader {
     return json;
   }
   bool is_valid(const JsonFile& json, const LibraryFile& file, const Format& format) {
-    if (file.builtin && !always_validate_) return true;
+    return mistakes(json, file, format).empty();
+  }
+  std::vector<SchemaMistake> mistakes(const JsonFile& json, const LibraryFile& file, const Format& format) {
+    if (file.builtin && !always_validate_) return {};
     const std::string schema = read_text(fs::path(library_.schema_dir) / format.schema_file);
     return check_schema(json.value, schema, *json.source, diagnostics_);
   }
@@ -168,39 +172,62 @@ bool guarded(const JsonFile& json, Diagnostics& diagnostics, Read read) {
   }
 }
 
-/// The header of a user's type has to be there; shipped ones are part of the runtime.
-bool check_header(const JsonFile& json, const LibraryFile& file, DeviceType& type, Diagnostics& diagnostics) {
+/// The same for a file whose mistakes were reported.
+template <typename Read>
+bool succeeds(Read read) {
+  try {
+    read();
+    return true;
+  } catch (const Json::exception&) {
+    return false;
+  }
+}
+
+/// Where the header of a type is found.
+void place_header(const JsonFile& json, const LibraryFile& file, DeviceType& type) {
   type.builtin = file.builtin;
   type.display_path = file.display;
-  if (file.builtin) return true;
   const auto header = json.value.at("header").get<std::string>();
+  if (file.builtin || header.find("runtime/include/") != std::string::npos) return;
   const fs::path path = fs::path(file.path).parent_path() / header;
-  if (header.find("runtime/include/") == std::string::npos)
-    type.include_dir = path.parent_path().lexically_normal().generic_string();
+  type.include_dir = path.parent_path().lexically_normal().generic_string();
+}
+
+/// The header of a user's type has to be there; shipped ones are part of the runtime.
+void check_header(const JsonFile& json, const LibraryFile& file, Diagnostics& diagnostics) {
+  const auto member = json.value.find("header");
+  if (file.builtin || member == json.value.end() || !member->is_string()) return;
+  const auto header = member->get<std::string>();
   std::error_code problem;
-  if (fs::is_regular_file(path, problem)) return true;
+  if (header.empty() || fs::is_regular_file(fs::path(file.path).parent_path() / header, problem)) return;
   const Extent extent = find_value(*json.source, {"header"});
   diagnostics.error(code::header_missing, extent.at, fmt::format("there is no header '{}' beside this file", header))
       .underline(extent.length)
       .note("the path is relative to the descriptor");
-  return false;
 }
 
 bool read_device(Library& library, LibraryFile& file, Sources& sources, Diagnostics& diagnostics,
                  bool always_validate) {
   FileReader reader(library, sources, diagnostics, always_validate);
   const std::size_t findings = diagnostics.size();
-  const auto json = reader.read(file, kDeviceFormat);
-  if (!json || !reader.is_valid(*json, file, kDeviceFormat) || !reader.has_name(*json, file, kDeviceFormat))
-    return false;
+  auto json = reader.read(file, kDeviceFormat);
+  if (!json) return false;
+  const std::vector<SchemaMistake> mistakes = reader.mistakes(*json, file, kDeviceFormat);
+  reader.has_name(*json, file, kDeviceFormat);
+  if (!mistakes.empty()) check_header(*json, file, diagnostics);
+  if (!mistakes.empty() && !repair_device(json->value, mistakes, file.name)) return false;
   auto type = std::make_unique<DeviceType>();
-  const bool complete = guarded(*json, diagnostics, [&] {
+  const auto read = [&] {
     *type = read_device_type(json->value, *json->source, diagnostics);
-    check_header(*json, file, *type, diagnostics);
-  });
-  if (!complete || diagnostics.size() != findings) return false;
-  library.device_types.push_back(std::move(type));
-  return true;
+    place_header(*json, file, *type);
+    if (mistakes.empty()) check_header(*json, file, diagnostics);
+  };
+  if (mistakes.empty() ? !guarded(*json, diagnostics, read) : !succeeds(read)) return false;
+  type->name = file.name;
+  const bool is_right = diagnostics.size() == findings;
+  if (!is_right) relax(*type);
+  library.device_types.push_back(std::move(type));  // with mistakes too: the robot is judged by the rest
+  return is_right;
 }
 
 bool read_expander(Library& library, LibraryFile& file, Sources& sources, Diagnostics& diagnostics,
@@ -272,7 +299,7 @@ const T* find_or_load(const std::vector<std::unique_ptr<T>>& loaded, std::vector
   LibraryFile* file = find_file(files, name);
   if (file == nullptr || file->failed) return nullptr;
   file->failed = !load(*file);
-  return file->failed ? nullptr : loaded.back().get();
+  return !loaded.empty() && loaded.back()->name == name ? loaded.back().get() : nullptr;
 }
 
 std::vector<std::string> names_of(const std::vector<LibraryFile>& files) {

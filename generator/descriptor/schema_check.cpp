@@ -20,7 +20,9 @@ struct Violation {
   JsonPath path;
   std::string words;
   bool is_unknown = false;  ///< the path ends in a member that should not be there
+  bool is_missing = false;  ///< the object at the path lacks one
   std::string note, hint;
+  std::string meant;
 };
 
 /// What a schema says of the values at a path: walks `properties`, `items` and `$ref` into its definitions.
@@ -86,13 +88,21 @@ const Plain* value_at(const Plain& root, const JsonPath& path) {
 
 std::string as_text(const Plain& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
+/// The only name that is near; empty when there is none, or several.
+std::string only_near(const std::string& word, const std::vector<std::string>& candidates) {
+  const std::vector<std::string> near = nearest_names(word, candidates);
+  return near.size() == 1 ? near.front() : std::string();
+}
+
 /// Adds what the schema says of the place: the values or the type it wants, and its description.
 void add_advice(Violation& violation, const SchemaView& schema, const Plain& document) {
   if (violation.is_unknown) {
     const JsonPath parent(violation.path.begin(), violation.path.end() - 1);
     violation.hint = did_you_mean(violation.path.back(), schema.members(parent));
+    violation.meant = only_near(violation.path.back(), schema.members(parent));
     return;
   }
+  if (violation.is_missing) return;
   const Plain* node = schema.at(violation.path);
   const Plain* value = value_at(document, violation.path);
   if (node == nullptr || value == nullptr) return;
@@ -103,6 +113,7 @@ void add_advice(Violation& violation, const SchemaView& schema, const Plain& doc
   if (const auto only = node->find("const"); only != node->end()) choices.push_back(as_text(*only));
   if (!choices.empty()) {
     violation.hint = did_you_mean(as_text(*value), choices);
+    violation.meant = only_near(as_text(*value), choices);
   } else if (const auto type = node->find("type"); type != node->end() && type->is_string()) {
     violation.hint = "expected: " + type->get<std::string>();
   }
@@ -133,10 +144,11 @@ std::string last_quoted(const std::string& words) {
 
 /// valijson's words to ours; a violation that only says that something below is wrong has none.
 std::optional<Violation> reword(const valijson::ValidationResults::Error& error) {
-  Violation violation{to_path(error.context), error.description, false, {}, {}};
+  Violation violation{to_path(error.context), error.description, false, false, {}, {}, {}};
   const std::string& words = error.description;
   if (starts_with(words, "Failed to validate")) return {};
   if (starts_with(words, "Missing required property")) {
+    violation.is_missing = true;
     violation.words = "the member '" + last_quoted(words) + "' is missing";
   } else if (starts_with(words, "Object contains a property")) {
     violation.path.push_back(last_quoted(words));
@@ -165,7 +177,7 @@ std::vector<Violation> collect(valijson::ValidationResults& results) {
                           });
     if (violation && !is_known) all.push_back(std::move(*violation));
   }
-  if (all.empty()) all.push_back({{}, "it is not of the form the schema describes", false, {}, {}});
+  if (all.empty()) all.push_back({{}, "it is not of the form the schema describes", false, false, {}, {}, {}});
   return all;
 }
 
@@ -177,8 +189,8 @@ std::string shown(const JsonPath& path) {
 
 }  // namespace
 
-bool check_schema(const Json& value, const std::string& schema_text, const SourceFile& source,
-                  Diagnostics& diagnostics) {
+std::vector<SchemaMistake> check_schema(const Json& value, const std::string& schema_text, const SourceFile& source,
+                                        Diagnostics& diagnostics) {
   // valijson knows nlohmann's unordered values only
   const auto schema_json = nlohmann::json::parse(schema_text);
   const auto plain = nlohmann::json::parse(value.dump());
@@ -187,7 +199,8 @@ bool check_schema(const Json& value, const std::string& schema_text, const Sourc
   parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
   valijson::Validator validator;
   valijson::ValidationResults results;
-  if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(plain), &results)) return true;
+  if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(plain), &results)) return {};
+  std::vector<SchemaMistake> mistakes;
   for (Violation& violation : collect(results)) {
     add_advice(violation, SchemaView(schema_json), plain);
     const Extent extent = find_value(source, violation.path);
@@ -196,8 +209,9 @@ bool check_schema(const Json& value, const std::string& schema_text, const Sourc
     finding.underline(extent.length);
     if (!violation.note.empty()) finding.note(violation.note);
     if (!violation.hint.empty()) finding.hint(violation.hint);
+    mistakes.push_back({violation.path, violation.is_unknown, violation.meant});
   }
-  return false;
+  return mistakes;
 }
 
 }  // namespace finemote::gen

@@ -43,6 +43,11 @@ class Diagnostics {
   Diagnostic& warning(Code code, Position at, std::string message) {
     return add(Severity::warning, code, at, std::move(message));
   }
+  /// A finding made elsewhere.
+  void add(const Diagnostic& finding) {
+    if (finding.severity == Severity::error) ++errors_;
+    list_.push_back(finding);
+  }
   [[nodiscard]] bool has_errors() const { return errors_ > 0; }
   [[nodiscard]] std::size_t size() const { return list_.size(); }
 

@@ -32,12 +32,14 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-/// `baudrate` for `baud`, `addr` for `address`: one word begins with the other.
+/// `baudrate` for `baud`, `addr` for `address`: one word begins with the other; `buadrate`: with one mistake in it.
 bool begins_alike(std::string_view a, std::string_view b) {
-  constexpr std::size_t kShortest = 3;
+  constexpr std::size_t kShortest = 3, kShortestMistaken = 4;
   const std::string_view shorter = a.size() < b.size() ? a : b;
   const std::string_view longer = a.size() < b.size() ? b : a;
-  return shorter.size() >= kShortest && longer.substr(0, shorter.size()) == shorter;
+  const std::string_view begin = longer.substr(0, shorter.size());
+  return shorter.size() >= kShortest &&
+         (begin == shorter || (shorter.size() >= kShortestMistaken && distance(begin, shorter) <= kStep));
 }
 
 std::string quoted_list(const std::vector<std::string>& names, std::string_view last_separator) {

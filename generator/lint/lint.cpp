@@ -62,6 +62,9 @@ class Linter {
       return;
     }
     if (index >= options_.bus_load.size() || options_.bus_load[index] <= options_.most_bus_load) return;
+    for (const Diagnostic& overload : options_.overloads) {
+      if (overload.at.line == bus.at.line && overload.at.column == bus.at.column) return report_overload(overload);
+    }
     Diagnostic* finding =
         report(code::lint_bus_load, bus.at,
                fmt::format("bus '{}' is busy for {:.0f} % of the time", bus.name.text, options_.bus_load[index] * 100));
@@ -70,6 +73,13 @@ class Linter {
         .note(fmt::format("above {:.0f} % there is little room for repeats after a disturbance",
                           options_.most_bus_load * 100))
         .hint("lengthen periods on it, raise its rate, or move devices to another bus");
+  }
+
+  void report_overload(Diagnostic finding) {
+    if (contains(options_.allow, finding.code)) return;
+    const bool is_denied = contains(options_.deny, finding.code) || contains(options_.deny, code::lint_bus_load);
+    if (is_denied) finding.severity = Severity::error;
+    diagnostics_.add(finding);
   }
 
   [[nodiscard]] static bool is_actuator(const Device& device) {

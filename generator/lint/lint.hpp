@@ -14,7 +14,8 @@ struct LintOptions {
   std::vector<Code> allow;  ///< not reported
   std::vector<Code> deny;   ///< reported as errors
   double most_bus_load = 0.7;
-  std::vector<double> bus_load;  ///< 0..1, per Robot::buses, from the timing analysis; empty: not known
+  std::vector<double> bus_load;       ///< 0..1, per Robot::buses, from the timing analysis; empty: not known
+  std::vector<Diagnostic> overloads;  ///< FM4021 of the timing analysis, instead of FM3155 for these buses
 };
 
 /// Looks for what is allowed and yet rarely meant. Reports, in document order:
@@ -22,6 +23,7 @@ struct LintOptions {
 /// FM3152 a child's period that is neither multiple nor divisor of its parent's,
 /// FM3153 a leaf without <wcet>, FM3154 a conversion longer than the device's period,
 /// FM3155 a bus that is busy for more than `most_bus_load`, FM3156 a bus nobody uses.
+/// FM4021 for those of more than 100 %; who denies FM3155 denies these.
 /// @return  edits for FM3151 and FM3156, where the text was written by hand and not by a macro.
 std::vector<Edit> lint(const Robot& robot, const LintOptions& options, Diagnostics& diagnostics);
 

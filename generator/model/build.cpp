@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/descriptor/library.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/names.hpp"
 #include "generator/model/reading.hpp"
@@ -24,6 +25,13 @@ std::optional<std::size_t> Reading::segment_named(std::string_view name) const {
       std::find_if(list.begin(), list.end(), [&](const Segment& segment) { return segment.name.text == name; });
   if (found == list.end()) return {};
   return static_cast<std::size_t>(found - list.begin());
+}
+
+void Reading::report_unknown_bus(const xml::Attribute& name) {
+  const auto& lost = tags.lost_buses;
+  if (std::find(lost.begin(), lost.end(), name.value) != lost.end()) return;
+  suggest(at_value(diagnostics, code::unknown_bus, name, fmt::format("there is no bus '{}'", name.value)), name.value,
+          segment_names());
 }
 
 std::vector<std::string> Reading::device_names() const {
@@ -138,6 +146,7 @@ void read_all(Reading& reading) {
   resolve_places(reading);
   check_resources(reading);
   check_joints(reading);
+  check_arities(reading);
   read_requirements(reading);
 }
 
@@ -153,7 +162,7 @@ std::optional<Robot> build_model(const xml::Document& document, Library& library
                   options,
                   sources,
                   diagnostics,
-                  read_tags(root, options.from_xacro, diagnostics),
+                  read_tags(root, options.from_xacro, expander_type_names(library), diagnostics),
                   read_urdf(root, diagnostics),
                   {},
                   false,

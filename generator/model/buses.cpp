@@ -5,9 +5,11 @@
 #include <cmath>
 
 #include "generator/descriptor/bus_kind.hpp"
+#include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/names.hpp"
+#include "generator/model/offers.hpp"
 #include "generator/model/pins.hpp"
 #include "generator/model/reading.hpp"
 #include "generator/units/units.hpp"
@@ -111,27 +113,6 @@ class PortFinder {
   std::optional<BusKind> kind_;
 };
 
-/// The attribute that holds the rate of a kind of bus; empty when the kind has none.
-std::string_view rate_attribute(BusKind kind) {
-  switch (kind) {
-    case BusKind::uart:
-    case BusKind::rs485:
-      return "baud";
-    case BusKind::i2c:
-    case BusKind::spi:
-      return "clock";
-    case BusKind::can:
-      return "bitrate";
-    default:
-      return {};
-  }
-}
-
-std::string_view rate_unit(BusKind kind) {
-  const std::string_view attribute = rate_attribute(kind);
-  return attribute == "clock" ? "Hz" : attribute == "baud" ? "baud" : "bit/s";
-}
-
 /// The rate nearest to the one asked for that the port can make. UART: the clock over a whole divider >= 16 (RM0090
 /// 30.3.4); I2C: over 3 times (above 100 kHz) or 2 times a whole divider (27.6.8); SPI: over 2 to 256, powers of two
 /// (28.5.1); CAN: one of the port's list.
@@ -158,15 +139,6 @@ double nearest_rate(const Port& port, BusKind kind, double wanted) {
   return clock / std::max(16.0, std::round(clock / wanted));
 }
 
-/// A rate as the attribute writes it, in the largest unit that divides it: `400kHz`, `1Mbit/s`, `115200baud`.
-std::string rate_text(BusKind kind, std::int64_t rate) {
-  const std::string_view unit = rate_unit(kind);
-  if (unit == "baud") return fmt::format("{}baud", rate);
-  if (rate % 1'000'000 == 0) return fmt::format("{}M{}", rate / 1'000'000, unit);
-  if (rate % 1'000 == 0) return fmt::format("{}k{}", rate / 1'000, unit);
-  return fmt::format("{}{}", rate, unit);
-}
-
 void check_rate(Reading& reading, const xml::Attribute& attribute, const Port& port, const Bus& bus) {
   const auto report = [&]() -> Diagnostic& {
     return at_value(reading.diagnostics, code::rate_unreachable, attribute,
@@ -190,6 +162,40 @@ void check_rate(Reading& reading, const xml::Attribute& attribute, const Port& p
   finding.hint(has_slower ? fmt::format("write {}=\"{}\", or the next slower one, \"{}\"", attribute.name, nearest,
                                         rate_text(bus.kind, std::llround(made / 2)))
                           : fmt::format("write {}=\"{}\"", attribute.name, nearest));
+}
+
+/// Types of the devices that say they sit on the bus, as far as there are such types.
+std::vector<const DeviceType*> types_on(Reading& reading, std::string_view bus) {
+  const std::vector<std::string> known = device_type_names(reading.library);
+  std::vector<const DeviceType*> types;
+  for (const DeviceTag& tag : reading.tags.devices) {
+    const std::string name(value_of(*tag.node, "type"));
+    if (value_of(*tag.node, "bus") != bus || std::find(known.begin(), known.end(), name) == known.end()) continue;
+    const DeviceType* type = find_device_type(reading.library, name, reading.sources, reading.diagnostics);
+    if (type != nullptr) types.push_back(type);
+  }
+  return types;
+}
+
+/// A rate that the devices on the bus can do; a usual one where they leave it open.
+std::string example_rate(Reading& reading, const Bus& bus, const Port* port) {
+  constexpr std::int64_t kUsualBaud = 115200;
+  constexpr std::int64_t kUsualClock = 5'250'000;
+  const std::vector<const DeviceType*> types = types_on(reading, bus.name.text);
+  if (bus.kind != BusKind::spi) {
+    for (const DeviceType* type : types) {
+      const auto& rates = type->rates;
+      if (rates.empty() || std::find(rates.begin(), rates.end(), kUsualBaud) != rates.end()) continue;
+      return rate_text(bus.kind, rates.front());
+    }
+    return rate_text(bus.kind, kUsualBaud);
+  }
+  std::int64_t clock = kUsualClock;
+  for (const DeviceType* type : types) clock = std::min(clock, type->max_clock_hz.value_or(clock));
+  if (port == nullptr || !port->clock_hz) return rate_text(bus.kind, clock);
+  std::int64_t divider = 2;
+  while (divider < 256 && *port->clock_hz / divider > clock) divider *= 2;
+  return rate_text(bus.kind, *port->clock_hz / divider);
 }
 
 /// The rate of kinds that run at one usual speed may be left out: the fastest the port makes.
@@ -220,7 +226,7 @@ void read_rate(Reading& reading, const xml::Node& tag, Bus& bus, Reading::BusSta
     } else if (!has_default) {
       at_tag(reading.diagnostics, code::attribute_missing, tag,
              fmt::format("bus '{}' has no '{}'", bus.name.text, wanted))
-          .hint(fmt::format("add for example {}=\"{}\"", wanted, bus.kind == BusKind::spi ? "5250kHz" : "115200baud"));
+          .hint(fmt::format("add for example {}=\"{}\"", wanted, example_rate(reading, bus, state.port)));
     }
     return;
   }

@@ -93,8 +93,7 @@ class DeviceReader {
     const auto segment = reading_.segment_named(bus->value);
     state_.bus_is_wrong = true;
     if (!segment) {
-      suggest(at_value(diagnostics_, code::unknown_bus, *bus, fmt::format("there is no bus '{}'", bus->value)),
-              bus->value, reading_.segment_names());
+      reading_.report_unknown_bus(*bus);
       return;
     }
     if (device_.type == nullptr || !sits_on(*bus, reading_.robot.segments[*segment])) return;
@@ -250,8 +249,7 @@ class DeviceReader {
   bool read_use_bus(const xml::Attribute& bus, Use& use) {
     use.segment = reading_.segment_named(bus.value);
     if (!use.segment) {
-      suggest(at_value(diagnostics_, code::unknown_bus, bus, fmt::format("there is no bus '{}'", bus.value)), bus.value,
-              reading_.segment_names());
+      reading_.report_unknown_bus(bus);
       return false;
     }
     const Segment& segment = reading_.robot.segments[*use.segment];

@@ -1,6 +1,7 @@
 // The <expander> elements: FM3011, FM3019, FM3020, FM3061, FM3062, FM3064, FM3065, FM3074, FM3018.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "generator/descriptor/bus_kind.hpp"
@@ -85,7 +86,22 @@ class ExpanderReader {
     if (is_fresh) return;
     at_value(diagnostics_, code::channel_twice, attribute,
              fmt::format("channel {} of expander '{}' is used twice", index, expander_.name.text))
-        .note("the first time here", first->second->at);
+        .note("the first time here", first->second->at)
+        .hint(free_indices());
+  }
+  /// Channels that no <channel> of the tag names.
+  [[nodiscard]] std::string free_indices() const {
+    std::string list;
+    const std::uint32_t count = expander_.type != nullptr ? expander_.type->channels : 0;
+    for (std::uint32_t index = 0; index < count; ++index) {
+      const bool is_named = std::any_of(tag_.children.begin(), tag_.children.end(), [&](const xml::Node& child) {
+        if (!child.is_element("channel")) return false;
+        const auto named = units::parse_bare(value_of(child, "index"));
+        return named && *named == index;
+      });
+      if (!is_named) list += (list.empty() ? "" : ", ") + std::to_string(index);
+    }
+    return list.empty() ? "all are used: add a second part at another address" : "channels that are free: " + list;
   }
   void add_segments() {
     auto& segments = reading_.robot.segments;
@@ -104,6 +120,33 @@ class ExpanderReader {
   Expander expander_;
 };
 
+/// `<bus type="pca9685">`: how the part is written.
+void report_misnamed(Reading& reading, const xml::Node& tag) {
+  const xml::Attribute& type = *tag.attribute("type");
+  const std::string model = fold_case(type.value);
+  auto& finding = at_value(reading.diagnostics, code::bad_choice, type,
+                           fmt::format("'{}' is a part on a bus that provides buses, not a type of <bus>", type.value));
+  const ExpanderType* part = find_expander_type(reading.library, model, reading.sources, reading.diagnostics);
+  if (part == nullptr) return;
+  const auto given = [&](const char* name, const std::string& otherwise) {
+    const std::string_view value = value_of(tag, name);
+    return value.empty() ? otherwise : std::string(value);
+  };
+  std::string bus = "i2c";
+  for (const Bus& other : reading.robot.buses) {
+    if (other.kind != BusKind::i2c) continue;
+    bus = other.name.text;
+    break;
+  }
+  const std::string name = given("name", part->named_channels ? "mux" : "pwm");
+  const std::string address = part->addresses.empty() ? "0x70" : fmt::format("0x{:02x}", part->addresses.front());
+  const std::string start = fmt::format("<expander name=\"{}\" model=\"{}\" bus=\"{}\" address=\"{}\"", name, model,
+                                        given("bus", bus), given("address", address));
+  finding.hint(part->named_channels
+                   ? fmt::format("write {}><channel index=\"0\" name=\"{}_0\"/></expander>", start, name)
+                   : fmt::format("write {}/>", start));
+}
+
 /// Finds the bus an expander sits on; all names are known now, so it may stand further down.
 void attach(Reading& reading, std::size_t index) {
   Expander& expander = reading.robot.expanders[index];
@@ -111,8 +154,7 @@ void attach(Reading& reading, std::size_t index) {
   if (bus == nullptr) return;
   const auto segment = reading.segment_named(bus->value);
   if (!segment) {
-    suggest(at_value(reading.diagnostics, code::unknown_bus, *bus, fmt::format("there is no bus '{}'", bus->value)),
-            bus->value, reading.segment_names());
+    reading.report_unknown_bus(*bus);
     return;
   }
   const Segment& target = reading.robot.segments[*segment];
@@ -149,6 +191,7 @@ void find_physical_bus(Robot& robot, Segment& segment) {
 }  // namespace
 
 void read_expanders(Reading& reading) {
+  for (const xml::Node* tag : reading.tags.misnamed_expanders) report_misnamed(reading, *tag);
   for (const xml::Node* tag : reading.tags.expanders) ExpanderReader(reading, *tag).read();
   for (std::size_t i = 0; i < reading.robot.expanders.size(); ++i) attach(reading, i);
   for (Segment& segment : reading.robot.segments) {

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "generator/model/address.hpp"
 #include "generator/model/attributes.hpp"
+#include "generator/model/offers.hpp"
 #include "generator/model/reading.hpp"
 #include "generator/units/units.hpp"
 
@@ -59,20 +61,11 @@ class PlaceReader {
     // a wrong address that was surely meant as another one takes part in the search for conflicts as that
     if (is_good || is_8bit_address(*address, type_.addresses)) device_.address = is_good ? *address : *address >> 1;
   }
-  /// Channels of what the device sits on: an expander's, or those of a PWM port.
-  [[nodiscard]] std::uint32_t channels() const {
-    const Segment& segment = reading_.robot.segments[*device_.segment];
-    if (segment.kind == Segment::Kind::pwm_expander) return reading_.robot.expanders[*segment.expander].type->channels;
-    const Board* board = reading_.robot.board;
-    if (segment.bus_kind == BusKind::gpio) return board != nullptr ? static_cast<std::uint32_t>(board->pins.size()) : 0;
-    const Port* port = reading_.buses[segment.bus].port;
-    return port != nullptr ? std::max(1U, port->channels) : 0;
-  }
   void read_channel() {
     if (!applies("channel", type_.needs_channel)) return;
     const xml::Attribute* attribute = tag_.attribute("channel");
     const bool has_place = device_.segment.has_value() && !bus_is_wrong_;
-    const std::uint32_t count = has_place ? channels() : 0;
+    const std::uint32_t count = has_place ? channel_count(reading_, *device_.segment) : 0;
     if (attribute == nullptr) {
       if (count == 1) device_.channel = 0;
       if (count > 1) report_missing("channel", "0");
@@ -224,11 +217,8 @@ const xml::Node& use_tag(const Reading& reading, std::size_t device, const Use& 
 }
 
 /// Pulse channels of a segment; 0: it has none, or they are not known.
-std::uint32_t pulse_channels(const Reading& reading, const Segment& segment) {
-  if (segment.bus_kind != BusKind::pwm) return 0;
-  if (segment.kind == Segment::Kind::pwm_expander) return reading.robot.expanders[*segment.expander].type->channels;
-  const Port* port = reading.buses[segment.bus].port;
-  return port != nullptr ? std::max(1U, port->channels) : 0;
+std::uint32_t pulse_channels(const Reading& reading, std::size_t segment) {
+  return reading.robot.segments[segment].bus_kind == BusKind::pwm ? channel_count(reading, segment) : 0;
 }
 
 /// The channel of a pulse output that a device uses: as one that it sits on.
@@ -237,7 +227,7 @@ void resolve_use_channels(Reading& reading) {
     for (Use& use : reading.robot.devices[i].uses) {
       if (!use.segment) continue;
       const Segment& segment = reading.robot.segments[*use.segment];
-      const std::uint32_t count = pulse_channels(reading, segment);
+      const std::uint32_t count = pulse_channels(reading, *use.segment);
       if (count == 0) continue;
       const xml::Node& tag = use_tag(reading, i, use);
       const xml::Attribute* attribute = tag.attribute("channel");
@@ -282,15 +272,27 @@ void check_exclusive(Reading& reading) {
   }
 }
 
+/// What could be written instead of a channel that is taken.
+std::string other_channels(const Reading& reading, std::size_t segment) {
+  constexpr std::size_t kMost = 8;
+  const std::vector<std::uint32_t> free = free_channels(reading, segment, channel_count(reading, segment));
+  std::string list;
+  for (std::size_t i = 0; i < free.size() && i < kMost; ++i) list += (i > 0 ? ", " : "") + std::to_string(free[i]);
+  if (list.empty()) return "no channel of it is free: put one of them on another bus";
+  return fmt::format("channels that are free here: {}{}", list, free.size() > kMost ? ", ..." : "");
+}
+
 /// A pulse output, a chip select or a pin belongs to one device, in one role.
 void check_channels(Reading& reading) {
   std::map<std::pair<std::size_t, std::uint32_t>, Occupant> users;
   const auto take = [&](std::size_t segment, std::uint32_t channel, const Occupant& self) {
     const auto [first, is_fresh] = users.emplace(std::make_pair(segment, channel), self);
     if (is_fresh) return;
-    at_place(reading.diagnostics, code::channel_twice, self, "channel",
-             fmt::format("channel {} of '{}' is used twice", channel, reading.robot.segments[segment].name.text))
-        .note(fmt::format("{} uses it already", first->second.what), first->second.tag->at);
+    auto& finding =
+        at_place(reading.diagnostics, code::channel_twice, self, "channel",
+                 fmt::format("channel {} of '{}' is used twice", channel, reading.robot.segments[segment].name.text));
+    finding.note(fmt::format("{} uses it already", first->second.what), first->second.tag->at);
+    if (reading.robot.segments[segment].bus_kind == BusKind::pwm) finding.hint(other_channels(reading, segment));
   };
   for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
     const Device& device = reading.robot.devices[i];
@@ -305,67 +307,85 @@ void check_channels(Reading& reading) {
   }
 }
 
-/// Ids on one bus: the same id of one type, and frames of different types that would carry one identifier.
-class IdTable {
- public:
-  explicit IdTable(Reading& reading) : reading_(reading) {
-    for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
-      const Device& device = reading.robot.devices[i];
-      if (!device.segment || !device.id) continue;
-      users_.push_back({reading.robot.segments[*device.segment].bus, *device.id, device.type, describe(reading, i)});
-    }
-  }
-
-  void report() {
-    for (std::size_t i = 0; i < users_.size(); ++i) {
-      const auto first = std::find_if(users_.begin(), users_.begin() + static_cast<std::ptrdiff_t>(i),
-                                      [&](const User& other) { return clash(users_[i], other); });
-      if (first != users_.begin() + static_cast<std::ptrdiff_t>(i)) report(users_[i], *first);
-    }
-  }
-
- private:
-  struct User {
-    std::size_t bus;
-    std::uint32_t id;
-    const DeviceType* type;
-    Occupant occupant;
-  };
-
-  static bool receive_alike(const User& a, const User& b) { return a.type->receives_base && b.type->receives_base; }
-  static bool clash(const User& a, const User& b) {
-    if (a.bus != b.bus) return false;
-    if (receive_alike(a, b)) return *a.type->receives_base + a.id == *b.type->receives_base + b.id;
-    return a.type == b.type && a.id == b.id;
-  }
-
-  void report(const User& self, const User& first) {
-    auto& finding =
-        at_place(reading_.diagnostics, code::id_conflict, self.occupant, "id",
-                 fmt::format("{} and {} cannot be told apart on one bus", self.occupant.what, first.occupant.what));
-    if (receive_alike(self, first))
-      finding.note(fmt::format("both send frames with the identifier 0x{:03X}", *self.type->receives_base + self.id));
-    finding.note(fmt::format("{} stands here", first.occupant.what), first.occupant.tag->at).hint(free_ids(self));
-  }
-
-  /// What could be written instead; in the part it has to be set as well.
-  std::string free_ids(User self) const {
-    constexpr std::uint32_t kMost = 16;
-    std::string list;
-    const std::uint32_t least = self.type->id_min.value_or(0);
-    for (self.id = least; self.id <= self.type->id_max.value_or(0) && self.id < least + kMost; ++self.id) {
-      const bool is_free = std::none_of(users_.begin(), users_.end(), [&](const User& u) { return clash(self, u); });
-      if (is_free) list += (list.empty() ? "" : ", ") + std::to_string(self.id);
-    }
-    if (list.empty()) return "no id of '" + self.type->name + "' is free here: put one of them on another bus";
-    return fmt::format("ids of '{}' that are free here: {}; set the same in the part", self.type->name, list);
-  }
-
-  Reading& reading_;
-  std::vector<User> users_;
+/// A device with an id on a bus.
+struct IdUser {
+  std::size_t bus;
+  std::uint32_t id;
+  const DeviceType* type;
 };
 
-void check_ids(Reading& reading) { IdTable(reading).report(); }
+bool receive_alike(const DeviceType& a, const DeviceType& b) { return a.receives_base && b.receives_base; }
+
+/// The same id of one type, or frames of different types that would carry one identifier.
+bool clash(const IdUser& a, const IdUser& b) {
+  if (a.bus != b.bus) return false;
+  if (receive_alike(*a.type, *b.type)) return *a.type->receives_base + a.id == *b.type->receives_base + b.id;
+  return a.type == b.type && a.id == b.id;
+}
+
+std::optional<IdUser> id_user(const Reading& reading, const Device& device) {
+  if (!device.segment || !device.id || device.type == nullptr) return {};
+  return IdUser{reading.robot.segments[*device.segment].bus, *device.id, device.type};
+}
+
+/// `: 'can_b'`, buses of the same kind; where there are none, one to add; empty where nothing can be added.
+std::string another_bus_for(const Reading& reading, const Segment& segment) {
+  const Bus& bus = reading.robot.buses[segment.bus];
+  std::string list;
+  std::vector<std::string> used;
+  for (std::size_t i = 0; i < reading.robot.buses.size(); ++i) {
+    const Bus& other = reading.robot.buses[i];
+    used.emplace_back(value_of(*reading.tags.buses[i], "port"));
+    if (i == segment.bus || other.kind != bus.kind || !reading.buses[i].kind_is_known) continue;
+    list += (list.empty() ? ": '" : ", '") + other.name.text + "'";
+  }
+  if (!list.empty() || reading.robot.board == nullptr) return list;
+  const std::string fresh = another_bus(*reading.robot.board, used, bus.kind, bus.rate);
+  return fresh.empty() ? fresh : ": " + fresh;
+}
+
+/// What could be written instead; in the part it has to be set as well.
+void offer_ids(const Reading& reading, const Device& device, Diagnostic& finding) {
+  const Segment& segment = reading.robot.segments[*device.segment];
+  std::string list;
+  for (const std::uint32_t id : free_ids(reading, *device.type, *device.segment))
+    list += (list.empty() ? "" : ", ") + std::to_string(id);
+  if (!list.empty()) {
+    finding.hint(fmt::format("ids of '{}' that are free on '{}': {}; set the same in the part", device.type->name,
+                             segment.name.text, list));
+  }
+  const std::string other = another_bus_for(reading, segment);
+  if (other.empty() && !list.empty()) return;
+  finding.hint(
+      (list.empty() ? "no id is free here: put one of them on another bus" : "or put one of them on another bus") +
+      other);
+}
+
+void report_ids(Reading& reading, std::size_t index, std::size_t first) {
+  const Device& device = reading.robot.devices[index];
+  const Device& other = reading.robot.devices[first];
+  const Name& bus = reading.robot.buses[reading.robot.segments[*device.segment].bus].name;
+  auto& finding = at_place(reading.diagnostics, code::id_conflict, describe(reading, index), "id",
+                           fmt::format("device '{}' with id {} answers as device '{}' with id {} does on bus '{}'",
+                                       device.name.text, *device.id, other.name.text, *other.id, bus.text));
+  if (receive_alike(*device.type, *other.type))
+    finding.note(
+        fmt::format("both send frames with the identifier 0x{:03X}", *device.type->receives_base + *device.id));
+  finding.note(fmt::format("device '{}' stands here", other.name.text), other.at);
+  offer_ids(reading, device, finding);
+}
+
+void check_ids(Reading& reading) {
+  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+    const auto self = id_user(reading, reading.robot.devices[i]);
+    for (std::size_t first = 0; self && first < i; ++first) {
+      const auto other = id_user(reading, reading.robot.devices[first]);
+      if (!other || !clash(*self, *other)) continue;
+      report_ids(reading, i, first);
+      break;
+    }
+  }
+}
 
 /// Devices that fill one frame have to run in one bucket: the frame is sent once per period.
 void check_shared_frames(Reading& reading) {
@@ -395,6 +415,45 @@ void check_shared_frames(Reading& reading) {
 }
 
 }  // namespace
+
+std::uint32_t channel_count(const Reading& reading, std::size_t index) {
+  const Segment& segment = reading.robot.segments[index];
+  if (segment.kind == Segment::Kind::pwm_expander) return reading.robot.expanders[*segment.expander].type->channels;
+  const Board* board = reading.robot.board;
+  if (segment.bus_kind == BusKind::gpio) return board != nullptr ? static_cast<std::uint32_t>(board->pins.size()) : 0;
+  const Port* port = reading.buses[segment.bus].port;
+  return port != nullptr ? std::max(1U, port->channels) : 0;
+}
+
+std::vector<std::uint32_t> free_channels(const Reading& reading, std::size_t segment, std::uint32_t count) {
+  std::set<std::uint32_t> taken;
+  for (const Device& device : reading.robot.devices) {
+    if (device.segment == segment && device.channel) taken.insert(*device.channel);
+    for (const Use& use : device.uses) {
+      if (use.segment == segment && use.channel) taken.insert(*use.channel);
+    }
+  }
+  std::vector<std::uint32_t> free;
+  for (std::uint32_t channel = 0; channel < count; ++channel) {
+    if (!taken.contains(channel)) free.push_back(channel);
+  }
+  return free;
+}
+
+std::vector<std::uint32_t> free_ids(const Reading& reading, const DeviceType& type, std::size_t segment) {
+  constexpr std::uint32_t kMost = 16;
+  const std::uint32_t least = type.id_min.value_or(0);
+  std::vector<std::uint32_t> free;
+  for (std::uint32_t id = least; id <= type.id_max.value_or(0) && id < least + kMost; ++id) {
+    const IdUser wanted{reading.robot.segments[segment].bus, id, &type};
+    const bool is_free = std::none_of(reading.robot.devices.begin(), reading.robot.devices.end(), [&](const Device& d) {
+      const auto user = id_user(reading, d);
+      return user && clash(wanted, *user);
+    });
+    if (is_free) free.push_back(id);
+  }
+  return free;
+}
 
 void resolve_places(Reading& reading) {
   for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {

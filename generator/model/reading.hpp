@@ -47,6 +47,8 @@ struct Reading {
 
   [[nodiscard]] std::optional<std::size_t> device_named(std::string_view name) const;
   [[nodiscard]] std::optional<std::size_t> segment_named(std::string_view name) const;
+  /// FM3019, unless the bus is missing because of another mistake.
+  void report_unknown_bus(const xml::Attribute& name);
   [[nodiscard]] std::vector<std::string> device_names() const;
   [[nodiscard]] std::vector<std::string> segment_names() const;
   [[nodiscard]] const xml::Node& device_tag(std::size_t index) const { return *tags.devices[index].node; }
@@ -62,8 +64,18 @@ void resolve_parents(Reading& reading);    // parents.cpp: the forest and inheri
 void resolve_roles(Reading& reading);      // roles.cpp: children and reads to roles
 void resolve_places(Reading& reading);     // places.cpp: addresses, channels, ids
 void check_resources(Reading& reading);    // resources.cpp: ports, pins, DMA streams
+void check_arities(Reading& reading);      // arity.cpp: how many children each role has
 void check_joints(Reading& reading);       // joints.cpp
 void read_requirements(Reading& reading);  // requirements.cpp
+
+bool satisfies(const DeviceType& child, const RoleSpec& role);  // roles.cpp: it provides the role's interface
+
+/// Channels of a segment: an expander's, those of a PWM port, pins; 0: none, or not known (places.cpp).
+std::uint32_t channel_count(const Reading& reading, std::size_t segment);
+/// Those of `count` channels of a segment that no device uses (places.cpp).
+std::vector<std::uint32_t> free_channels(const Reading& reading, std::size_t segment, std::uint32_t count);
+/// Ids of the type that clash with no device on the segment's bus, the first 16 (places.cpp).
+std::vector<std::uint32_t> free_ids(const Reading& reading, const DeviceType& type, std::size_t segment);
 
 /// Reads the `<param>` children of a tag by their specs; the result is complete, in the order of the specs. `owner`
 /// is how messages call it: `device 'imu'`.

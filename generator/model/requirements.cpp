@@ -1,6 +1,8 @@
 // The <require> elements: FM3081 (an operand that names nothing) and FM3082 (not exactly one question).
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/model/attributes.hpp"
 #include "generator/model/reading.hpp"
 #include "generator/units/units.hpp"
@@ -96,6 +98,8 @@ class RequirementReader {
       if (reading_.robot.buses[i].name.text == attribute.value) return i;
       names.push_back(reading_.robot.buses[i].name.text);
     }
+    const auto& lost = reading_.tags.lost_buses;
+    if (std::find(lost.begin(), lost.end(), attribute.value) != lost.end()) return {};
     auto& finding =
         at_value(diagnostics_, code::require_operand, attribute, fmt::format("there is no bus '{}'", attribute.value));
     const auto segment = reading_.segment_named(attribute.value);

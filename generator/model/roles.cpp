@@ -1,4 +1,4 @@
-// Children and `reads` to the roles of their parent and reader: FM3043 to FM3045, FM3051 to FM3057.
+// Children and `reads` to the roles of their parent and reader: FM3043 to FM3045, FM3051 to FM3054, FM3057.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,13 +7,13 @@
 #include "generator/model/reading.hpp"
 
 namespace finemote::gen {
-namespace {
-
 bool satisfies(const DeviceType& child, const RoleSpec& role) {
   if (role.interface == "any") return true;
   return std::any_of(child.provides.begin(), child.provides.end(),
                      [&](const Interface& provided) { return provided.name == role.interface; });
 }
+
+namespace {
 
 std::vector<std::string> names_of(const std::vector<RoleSpec>& roles) {
   std::vector<std::string> names;
@@ -161,41 +161,6 @@ void read_all_reads(Reading& reading, std::size_t index) {
   }
 }
 
-/// Children and reads of one role, counted against its bounds.
-void check_arity(Reading& reading, std::size_t index) {
-  const Device& device = reading.robot.devices[index];
-  if (device.type == nullptr) return;
-  // a device whose parent="..." names nothing may be the one that is missed here
-  const bool has_lost_child = std::any_of(reading.devices.begin(), reading.devices.end(),
-                                          [](const Reading::DeviceState& state) { return state.parent_is_wrong; });
-  for (std::size_t role = 0; role < device.type->roles.size(); ++role) {
-    const RoleSpec& spec = device.type->roles[role];
-    std::vector<Position> members;
-    for (const std::size_t child : device.children) {
-      if (reading.robot.devices[child].role == role) members.push_back(reading.robot.devices[child].at);
-    }
-    for (const Read& read : device.reads) {
-      if (read.role == role) members.push_back(read.at);
-    }
-    if (spec.max && members.size() > *spec.max) {
-      reading.diagnostics
-          .error(code::role_too_many, members[*spec.max],
-                 fmt::format("device '{}' takes {} in the role '{}', this is number {}", device.name.text, *spec.max,
-                             spec.name, *spec.max + 1))
-          .underline(7)
-          .note(fmt::format("{} are given", members.size()));
-    }
-    if (members.size() >= spec.min || reading.devices[index].is_incomplete || has_lost_child) continue;
-    at_tag(reading.diagnostics, code::role_too_few, reading.device_tag(index),
-           fmt::format("device '{}' needs {} in the role '{}' and has {}", device.name.text, spec.min, spec.name,
-                       members.size()))
-        .hint(fmt::format(
-            "nest {} in it: <device name=\"...\" type=\"...\" role=\"{}\"/>",
-            spec.interface == "any" ? "a device" : fmt::format("a device that provides '{}'", spec.interface),
-            spec.name));
-  }
-}
-
 /// Looks for a way from a device back to itself over data that goes up: child to parent, and read device to reader.
 class DataCycles {
  public:
@@ -276,7 +241,6 @@ void resolve_roles(Reading& reading) {
     if (!reading.devices[i].in_cycle) resolve_child(reading, i);
   }
   for (std::size_t i = 0; i < count; ++i) read_all_reads(reading, i);
-  for (std::size_t i = 0; i < count; ++i) check_arity(reading, i);
   DataCycles(reading).run();
 }
 

@@ -7,6 +7,7 @@
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/grammar.hpp"
+#include "generator/model/names.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -18,7 +19,8 @@ bool starts_with(std::string_view text, std::string_view prefix) { return text.s
 
 class TagReader {
  public:
-  TagReader(bool from_xacro, Diagnostics& diagnostics) : from_xacro_(from_xacro), diagnostics_(diagnostics) {}
+  TagReader(bool from_xacro, const std::vector<std::string>& expander_models, Diagnostics& diagnostics)
+      : from_xacro_(from_xacro), expander_models_(expander_models), diagnostics_(diagnostics) {}
 
   Tags read(const xml::Node& robot) {
     find_xacro(robot);
@@ -65,11 +67,22 @@ class TagReader {
     check(block);
     for (const xml::Node& child : block.children) {
       if (child.is_element("board")) take(child, tags_.boards);
-      if (child.is_element("bus")) take(child, tags_.buses);
+      if (child.is_element("bus") && !is_misnamed_expander(child)) take(child, tags_.buses);
       if (child.is_element("expander")) take(child, tags_.expanders);
       if (child.is_element("require")) take(child, tags_.requirements);
       if (child.is_element("device")) take_device(child, {});
     }
+  }
+  /// `<bus type="tca9548a">`: said once, by the reader of expanders; what else is odd about it follows from that.
+  bool is_misnamed_expander(const xml::Node& node) {
+    const std::string type = fold_case(value_of(node, "type"));
+    if (std::find(expander_models_.begin(), expander_models_.end(), type) == expander_models_.end()) return false;
+    tags_.misnamed_expanders.push_back(&node);
+    tags_.lost_buses.emplace_back(value_of(node, "name"));
+    for (const xml::Node& child : node.children) {
+      if (child.is_element()) tags_.lost_buses.emplace_back(value_of(child, "name"));
+    }
+    return true;
   }
   void take(const xml::Node& node, std::vector<const xml::Node*>& list) {
     list.push_back(&node);
@@ -162,14 +175,16 @@ class TagReader {
   }
 
   bool from_xacro_;
+  const std::vector<std::string>& expander_models_;
   Diagnostics& diagnostics_;
   Tags tags_;
 };
 
 }  // namespace
 
-Tags read_tags(const xml::Node& robot, bool from_xacro, Diagnostics& diagnostics) {
-  return TagReader(from_xacro, diagnostics).read(robot);
+Tags read_tags(const xml::Node& robot, bool from_xacro, const std::vector<std::string>& expander_models,
+               Diagnostics& diagnostics) {
+  return TagReader(from_xacro, expander_models, diagnostics).read(robot);
 }
 
 }  // namespace finemote::gen

@@ -24,7 +24,10 @@ struct Tags {
   std::vector<const xml::Node*> expanders;
   std::vector<const xml::Node*> requirements;
   std::vector<DeviceTag> devices;  ///< by start tag
-  bool has_xacro = false;          ///< xacro is left over: what else is wrong may follow from it
+  /// A <bus> whose type is a model of <expander>, and the names of buses that go with it: what names them is right.
+  std::vector<const xml::Node*> misnamed_expanders;
+  std::vector<std::string> lost_buses;
+  bool has_xacro = false;  ///< xacro is left over: what else is wrong may follow from it
 
   /// Attributes that an unknown one was probably meant to be: they are not missing as well.
   std::vector<std::pair<const xml::Node*, std::string>> misspelt;
@@ -38,6 +41,7 @@ struct Tags {
 
 /// Collects the tags below `<robot>`, which has to outlive them. Reports FM3008 (unknown elements), FM3009 and FM3010
 /// (unknown and missing attributes), FM3028 (text where none belongs), FM1002 (xacro left over).
-Tags read_tags(const xml::Node& robot, bool from_xacro, Diagnostics& diagnostics);
+Tags read_tags(const xml::Node& robot, bool from_xacro, const std::vector<std::string>& expander_models,
+               Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -6,9 +6,11 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "generator/json/parse.hpp"
 #include "generator/run/parts.hpp"
 #include "generator/run/process.hpp"
 #include "generator/run/program_folder.hpp"
+#include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -16,17 +18,49 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-bool add_scenario(const std::string& path, Json& job, Diagnostics& diagnostics) {
-  if (path.empty()) return true;
-  std::ifstream file(path);
-  try {
-    if (!file) throw std::invalid_argument("cannot be read");
-    job["events"] = Json::parse(file);
-    return true;
-  } catch (const std::exception& error) {
-    diagnostics.error(code::bad_scenario, {}, fmt::format("scenario '{}': {}", path, error.what()));
-    return false;
+/// The scenario file as text, as a tree that knows places, and as the tree the emulated board is sent.
+struct Scenario {
+  const SourceFile* file = nullptr;
+  json::Value tree;
+  Json value;
+};
+
+/// None where there is no scenario, or a wrong one, which is reported.
+std::optional<Scenario> read_scenario(const std::string& path, Sources& sources, Diagnostics& diagnostics) {
+  if (path.empty()) return std::nullopt;
+  Scenario scenario;
+  scenario.file = xml::read_source(path, sources, diagnostics);
+  if (scenario.file == nullptr) return std::nullopt;
+  Diagnostics findings;
+  auto tree = json::parse(*scenario.file, findings);
+  for (Diagnostic finding : findings.in_file_order()) {
+    finding.code = code::bad_scenario;
+    if (!tree) finding.message = "this is not JSON: " + finding.message;
+    diagnostics.add(finding);
   }
+  if (!tree || findings.has_errors()) return std::nullopt;
+  scenario.tree = std::move(*tree);
+  scenario.value = Json::parse(scenario.file->text, nullptr, false);
+  if (!scenario.value.is_discarded()) return scenario;
+  diagnostics.error(code::bad_scenario, scenario.tree.at, "this is not JSON");
+  return std::nullopt;
+}
+
+/// The emulated board ends a complaint with the entry it is about: that is found again, and shown instead.
+void report_scenario(const Scenario& scenario, std::string words, Diagnostics& diagnostics) {
+  Position at = scenario.tree.at;
+  for (const char* list : {"parts", "events", "expect"}) {
+    const json::Value* entries = scenario.tree.find(list);
+    if (entries == nullptr || !scenario.value.contains(list)) continue;
+    for (std::size_t i = 0; i < entries->items.size(); ++i) {
+      const std::string shown = ": " + scenario.value.at(list).at(i).dump();
+      if (!words.ends_with(shown)) continue;
+      words.erase(words.size() - shown.size());
+      at = entries->items[i].at;
+    }
+  }
+  diagnostics.error(code::bad_scenario, at, words)
+      .hint("docs/reference/emulator.md lists the parts, events and expectations of a scenario");
 }
 
 Json ports_of(const Robot& robot) {
@@ -122,7 +156,8 @@ RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest
 }  // namespace
 
 std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, const Forest& forest,
-                                 std::int64_t duration_ns, const EmulationOptions& options, Diagnostics& diagnostics) {
+                                 std::int64_t duration_ns, const EmulationOptions& options, Sources& sources,
+                                 Diagnostics& diagnostics) {
   const EmulatedParts parts = emulated_parts(robot);
   const char* flash = options.flash_misses ? "miss" : "hit";
   Json job = {{"image", image},
@@ -130,12 +165,13 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
               {"duration_ns", duration_ns},
               {"ports", ports_of(robot)},
               {"parts", parts.scenario}};
-  if (!add_scenario(options.scenario, job, diagnostics)) return std::nullopt;
+  const auto scenario = read_scenario(options.scenario, sources, diagnostics);
+  if (!scenario && !options.scenario.empty()) return std::nullopt;
+  if (scenario) job["events"] = scenario->value;
   const Json json = run_job(job, image, duration_ns, diagnostics);
   if (json.is_null()) return std::nullopt;
   if (json.contains("error")) {
-    diagnostics.error(code::bad_scenario, {},
-                      fmt::format("scenario '{}': {}", options.scenario, json.at("error").get<std::string>()));
+    report_scenario(scenario.value_or(Scenario{}), json.at("error").get<std::string>(), diagnostics);
     return std::nullopt;
   }
   if (!json.at("stop").is_null()) {

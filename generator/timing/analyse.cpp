@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "generator/timing/explain.hpp"
+
 namespace finemote::gen::timing {
 namespace {
 
@@ -42,30 +44,46 @@ class Evaluation {
       : model_(model), profile_(profile), chains_(chains), loads_(loads) {}
 
   RequirementResult evaluate(const Requirement& r) const {
-    RequirementResult result{r, {}, {}, false};
+    RequirementResult result;
+    result.requirement = r;
     if (r.kind == Requirement::Kind::utilization) {
       result.fraction = r.bus ? loads_[*r.bus].utilization : processor_share(profile_.set);
       result.ok = *result.fraction <= r.max_fraction;
       return result;
     }
-    result.value_ns = r.kind == Requirement::Kind::jitter ? jitter(model_, profile_, r.to.front()) : latency(r);
+    if (r.kind == Requirement::Kind::jitter)
+      result.value_ns = jitter(model_, profile_, r.to.front());
+    else
+      find_latency(r, result);
     result.ok = result.value_ns && *result.value_ns <= r.max_ns;
     return result;
   }
 
  private:
-  std::optional<Ns> latency(const Requirement& r) const {
-    Ns worst = 0;
+  /// The largest of all pairs; none when one of them has none.
+  void find_latency(const Requirement& r, RequirementResult& result) const {
+    const auto value_of = [&](const ChainResult& chain) {
+      return r.kind == Requirement::Kind::latency_decision ? chain.decide_ns : chain.end_to_end_ns;
+    };
+    Ns worst = 0, decide = 0;
+    bool decides = true;
     for (const std::size_t from : r.from) {
       for (const std::size_t to : r.to) {
-        if (!chains_.connected(from, to)) return std::nullopt;
+        if (!chains_.connected(from, to)) {
+          result.unconnected = ChainRequest{from, to};
+          return;
+        }
         const ChainResult chain = chains_.bound(from, to);
-        const auto value = r.kind == Requirement::Kind::latency_decision ? chain.decide_ns : chain.end_to_end_ns;
-        if (!value) return std::nullopt;
-        worst = std::max(worst, *value);
+        decides &= chain.decide_ns.has_value();
+        decide = std::max(decide, chain.decide_ns.value_or(0));
+        const auto value = value_of(chain);
+        const bool is_worst = !result.chain || (value_of(*result.chain) && (!value || *value > worst));
+        if (is_worst) result.chain = chain;
+        worst = std::max(worst, value.value_or(0));
       }
     }
-    return worst;
+    if (decides) result.decide_ns = decide;
+    if (result.chain && value_of(*result.chain)) result.value_ns = worst;
   }
 
   const Model& model_;
@@ -101,19 +119,6 @@ void report_buckets(const Timing& timing, const ProfileAnalysis& asked, Diagnost
                        static_cast<double>(own * 100), static_cast<double>(urgent * 100),
                        static_cast<double>(std::max(buses, 0.0L) * 100), profile_name(asked.result.profile)));
     d.hint("give these devices a longer period, or shorten the work of this and of faster periods");
-  }
-}
-
-void report_requirements(const Timing& timing, Diagnostics& diagnostics) {
-  for (const RequirementResult& r : timing.requirements) {
-    if (r.ok) continue;
-    const std::string limit =
-        r.fraction ? fmt::format("{:.4g} %", r.requirement.max_fraction * 100) : milliseconds(r.requirement.max_ns);
-    const std::string value = r.fraction   ? fmt::format("{:.4g} %", *r.fraction * 100)
-                              : r.value_ns ? milliseconds(*r.value_ns)
-                                           : std::string("unbounded");
-    diagnostics.error(code::timing_requirement, r.requirement.at,
-                      fmt::format("'{}' is {}, required are at most {}", r.requirement.text, value, limit));
   }
 }
 
@@ -210,6 +215,7 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
                                                   : *target,
                  diagnostics);
   report_requirements(timing, diagnostics);
+  report_bus_overloads(timing, diagnostics);
   report_remarks(timing, diagnostics);
   return timing;
 }

@@ -19,15 +19,18 @@ struct Requirement {
   Position at;
 };
 
+struct ChainRequest {
+  std::size_t from = 0, to = 0;
+};
+
 struct RequirementResult {
   Requirement requirement;
   std::optional<Ns> value_ns;      ///< latency, jitter
   std::optional<double> fraction;  ///< utilization
   bool ok = false;
-};
-
-struct ChainRequest {
-  std::size_t from = 0, to = 0;
+  std::optional<ChainResult> chain;         ///< latency: the worst one, or one without a bound
+  std::optional<Ns> decide_ns;              ///< latency: the worst decision among all pairs
+  std::optional<ChainRequest> unconnected;  ///< latency: a pair no data leads along
 };
 
 struct AnalysisRequest {
@@ -58,7 +61,8 @@ struct Timing {
 
 /// Analyses a model that read_model accepts. Reports FM4010 and FM4011 (no result), FM4015 (a bucket of the asked
 /// profile may overrun), FM4016 (a requirement fails), FM4018 (a chain that leads nowhere; no result), FM4019 (target
-/// asked of a plain model; no result), and as warnings FM4017 (closed forms) and FM4020 (assumed execution times).
+/// asked of a plain model; no result), and as warnings FM4017 (closed forms), FM4020 (assumed execution times) and
+/// FM4021 (a bus asked for more than its time).
 std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics);
 
 /// Largest factor, in thousandths, all execution times of devices (`only`: of one) can be multiplied with such that

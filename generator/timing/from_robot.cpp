@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "generator/model/offers.hpp"
 #include "generator/timing/wire_time.hpp"
 
 namespace finemote::gen::timing {
@@ -108,8 +109,34 @@ class Adapter {
                                 {}});
       }
     }
+    out.advice = advice(index);
     bus_of_[index] = model_.buses.size();
     model_.buses.push_back(std::move(out));
+  }
+
+  /// The fastest rate the port and all that sits on the bus can do, and another bus of the kind.
+  [[nodiscard]] BusAdvice advice(std::size_t index) const {
+    const gen::Bus& bus = robot_.buses[index];
+    const Port* port = robot_.board != nullptr ? robot_.board->port(bus.port) : nullptr;
+    if (port == nullptr) return {};
+    std::int64_t fastest = port->max_rate.value_or(bus.rate);
+    const auto limit = [&](std::optional<std::int64_t> clock, const std::vector<std::int64_t>& rates) {
+      if (clock) fastest = std::min(fastest, *clock);
+      if (!rates.empty()) fastest = std::min(fastest, *std::max_element(rates.begin(), rates.end()));
+    };
+    for (const gen::Device& device : robot_.devices) {
+      if (device.segment && robot_.segments[*device.segment].bus == index && device.type != nullptr)
+        limit(device.type->max_clock_hz, device.type->rates);
+    }
+    for (const Expander& expander : robot_.expanders) {
+      if (robot_.segments[expander.segment].bus == index) limit(expander.type->max_clock_hz, {});
+    }
+    BusAdvice result;
+    result.other_port = another_bus(*robot_.board, used_ports(robot_), bus.kind, bus.rate);
+    if (fastest <= bus.rate) return result;
+    result.rate = std::string(rate_attribute(bus.kind)) + "=\"" + rate_text(bus.kind, fastest) + "\"";
+    result.rate_bps = fastest;
+    return result;
   }
 
   static Ns frame_time(Ns bits, Ns rate) { return std::max<Ns>(multiply(bits, 1'000'000'000) / rate, 1); }

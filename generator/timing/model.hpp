@@ -25,6 +25,13 @@ struct InterruptSource {
   std::vector<FrameBudget> budgets;  ///< empty: only the interval bounds it
 };
 
+/// What a message can offer where a bus is too slow; empty where nobody knows.
+struct BusAdvice {
+  std::string rate;        ///< `clock="400kHz"`: the fastest its port and its devices make
+  Ns rate_bps = 0;         ///< the same as a number
+  std::string other_port;  ///< `<bus ... port="i2c3" .../>`: another one of its kind
+};
+
 struct Bus {
   std::string name;
   Ns baud_bps = 1;
@@ -34,6 +41,7 @@ struct Bus {
   std::optional<std::vector<InterruptSource>> sources;  ///< target; none: one source of frame_ns and wcet_ns
   bool arbitrated = false;  ///< identifiers, which are not known here, decide what goes first (CAN)
   Position at;
+  BusAdvice advice;
 };
 
 /// Use of a bus once per period of the device (or, sent by the part itself, once per interval). Everything that waits

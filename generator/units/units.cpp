@@ -343,4 +343,20 @@ std::string format_duration(std::int64_t nanoseconds) {
   return fmt::format("{}ns", nanoseconds);
 }
 
+std::string readable_duration(std::int64_t nanoseconds) {
+  struct Scale {
+    std::int64_t ns;
+    int digits;
+    const char* name;
+  };
+  for (const Scale& scale : {Scale{1'000'000'000, 9, "s"}, Scale{1'000'000, 6, "ms"}, Scale{1'000, 3, "us"}}) {
+    if (nanoseconds / scale.ns == 0) continue;
+    if (nanoseconds % scale.ns == 0) return fmt::format("{}{}", nanoseconds / scale.ns, scale.name);
+    std::string text = fmt::format("{}.{:0{}}", nanoseconds / scale.ns, nanoseconds % scale.ns, scale.digits);
+    text.erase(text.find_last_not_of('0') + 1);
+    return text + scale.name;
+  }
+  return format_duration(nanoseconds);
+}
+
 }  // namespace finemote::gen::units

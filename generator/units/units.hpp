@@ -53,4 +53,7 @@ Result<double> parse_real(std::string_view text, std::string_view unit = {});
 /// `2500000` -> `2500us`: the largest of s, ms, us, ns that divides it; 0 -> `0s`.
 std::string format_duration(std::int64_t nanoseconds);
 
+/// `2500001` -> `2.500001ms`: exact as well, in the largest unit that leaves a number above 1; 0 -> `0s`.
+std::string readable_duration(std::int64_t nanoseconds);
+
 }  // namespace finemote::gen::units

@@ -64,17 +64,38 @@ void Expander::check_piece(const Text& text, std::size_t i, const Position& at, 
       code::xacro_text, "invalid expression: " + piece.text, inside(at, whole, piece.offset), {}, std::move(hints)};
 }
 
+/// Tells the built-ins where they are called, for as long as one piece is evaluated.
+class Expander::CurrentPiece {
+ public:
+  CurrentPiece(Expander& expander, const Position& at, const std::string& whole, std::size_t offset)
+      : expander_(expander), at_(expander.current_), text_(expander.current_text_), offset_(expander.current_offset_) {
+    expander_.current_ = at;
+    expander_.current_text_ = &whole;
+    expander_.current_offset_ = offset;
+  }
+  ~CurrentPiece() {
+    expander_.current_ = at_;
+    expander_.current_text_ = text_;
+    expander_.current_offset_ = offset_;
+  }
+  CurrentPiece(const CurrentPiece&) = delete;
+  CurrentPiece& operator=(const CurrentPiece&) = delete;
+
+ private:
+  Expander& expander_;
+  Position at_;
+  const std::string* text_;
+  std::size_t offset_;
+};
+
 Value Expander::evaluate_piece(const Piece& piece, const Position& at, const std::string& whole, Scope& scope) {
   if (piece.kind == Piece::Kind::plain) return piece.text;
   const Level level(evaluation_depth_, kMaxNestedCalls, "maximum recursion depth exceeded in expressions");
-  const Position outer = current_;
-  current_ = at;
+  const CurrentPiece current(*this, at, whole, piece.offset);
   const bool is_expression = piece.kind == Piece::Kind::expression;
   try {
-    Value value = is_expression ? evaluate_expression(piece, at, whole, scope)
-                                : Value(substitute(*this, inner_of(piece, at, whole, scope)));
-    current_ = outer;
-    return value;
+    return is_expression ? evaluate_expression(piece, at, whole, scope)
+                         : Value(substitute(*this, inner_of(piece, at, whole, scope)));
   } catch (Failure& failure) {
     if (is_expression) failure.message += fmt::format(" when evaluating expression '{}'", piece.text);
     const bool is_elsewhere = failure.at.file != nullptr && (failure.at.file != at.file || failure.at.line != at.line);

@@ -89,6 +89,7 @@ class Expander : private Host, private SubstitutionHost {
   void add_dependency(const std::string& file);
 
   // ---- texts: evaluate_text.cpp ----
+  class CurrentPiece;
   std::string text_of(const std::string& text, const Position& at, Scope& scope);
   Value value_of(const std::string& text, const Position& at, Scope& scope);
   const Text& cut_of(const std::string& text);
@@ -102,6 +103,10 @@ class Expander : private Host, private SubstitutionHost {
   Value property_value(const Scope::Found& found, const std::string& name);
   bool boolean_of(const Value& value, const std::string& condition, const Position& at);
   static Position inside(Position at, const std::string& whole, std::size_t offset);
+  /// Of the `${` or `$(` being evaluated.
+  Position current_piece() const {
+    return current_text_ == nullptr ? current_ : inside(current_, *current_text_, current_offset_);
+  }
 
   // ---- Host and SubstitutionHost: host.cpp ----
   Value load_yaml(const std::string& file) override;
@@ -144,10 +149,12 @@ class Expander : private Host, private SubstitutionHost {
   std::unordered_map<std::string, std::shared_ptr<const Expression>> expressions_;
 
   CommentMark mark_;
-  std::vector<std::string> files_;        // the file being processed, last
-  std::vector<const Macro*> calls_open_;  // the macro being expanded, last
-  Position current_;                      // of the text being evaluated
-  std::uint64_t elements_ = 0;            // built so far
+  std::vector<std::string> files_;             // the file being processed, last
+  std::vector<const Macro*> calls_open_;       // the macro being expanded, last
+  Position current_;                           // of the text being evaluated
+  const std::string* current_text_ = nullptr;  // that text, and where in it the piece begins
+  std::size_t current_offset_ = 0;
+  std::uint64_t elements_ = 0;  // built so far
   std::size_t calls_ = 0;
   std::size_t output_size_ = 0;
   std::size_t output_depth_ = 0;

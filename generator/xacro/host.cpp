@@ -55,7 +55,7 @@ const std::string* Expander::argument(const std::string& name) {
 
 void Expander::say(MessageKind kind, const std::string& text, bool with_location) {
   if (kind != MessageKind::message) {
-    warn(code::xacro_message, current_, kind == MessageKind::error ? "error: " + text : text);
+    warn(code::xacro_message, current_piece(), kind == MessageKind::error ? "error: " + text : text);
     return;
   }
   if (messages_ == nullptr) return;
@@ -65,7 +65,7 @@ void Expander::say(MessageKind kind, const std::string& text, bool with_location
 }
 
 void Expander::deprecated(std::string_view name, std::string_view name_space) {
-  warn(code::xacro_deprecated, current_,
+  warn(code::xacro_deprecated, current_piece(),
        fmt::format("Using {0}() directly is deprecated. Use {1}.{0}() instead.", name, name_space));
 }
 
@@ -91,7 +91,7 @@ std::string Expander::package_folder(const std::string& name) {
     throw failure;
   }
   if (!found->others.empty()) {
-    Diagnostic* warning = warn(code::xacro_duplicate_package, current_,
+    Diagnostic* warning = warn(code::xacro_duplicate_package, current_piece(),
                                fmt::format("package '{}' is in {} places", name, found->others.size() + 1));
     if (warning != nullptr) {
       warning->note(fmt::format("used: {}", found->folder));

@@ -38,7 +38,7 @@ Failure failure_of(const xml::Malformed& malformed, const Expansion* via) {
   }
   if (!malformed.open_name.empty()) {
     failure.notes.push_back({fmt::format("<{}> is still open", malformed.open_name), malformed.open});
-    failure.hints.push_back(fmt::format("close it with </{0}>, or end its start tag in '/>'", malformed.open_name));
+    failure.hints.push_back(xml::closing_hint(malformed));
   }
   if (malformed.words == "unbound prefix") {
     failure.hints.push_back(

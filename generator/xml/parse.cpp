@@ -95,7 +95,8 @@ class Builder {
             static_cast<std::uint32_t>(XML_GetCurrentColumnNumber(parser_.get())),
             code,
             {},
-            {}};
+            {},
+            false};
   }
 
   Malformed describe_parser_failure() {
@@ -109,6 +110,8 @@ class Builder {
     if (!is_about_tags || open_.empty()) return failure;
     failure.open = open_.back().at;
     failure.open_name = open_.back().name;
+    failure.open_has_children = std::any_of(open_.back().children.begin(), open_.back().children.end(),
+                                            [](const Node& child) { return child.is_element(); });
     return failure;
   }
 
@@ -203,6 +206,11 @@ class Builder {
 
 }  // namespace
 
+std::string closing_hint(const Malformed& malformed) {
+  const std::string hint = "close it with </" + malformed.open_name + ">";
+  return malformed.open_has_children ? hint : hint + ", or end its start tag in '/>'";
+}
+
 std::variant<Document, Malformed> read_document(const SourceFile& file) { return Builder(file).run(); }
 
 std::optional<Document> parse(const SourceFile& file, Diagnostics& diagnostics) {
@@ -211,8 +219,7 @@ std::optional<Document> parse(const SourceFile& file, Diagnostics& diagnostics) 
   const auto& failure = std::get<Malformed>(result);
   auto& finding = diagnostics.error(failure.code, failure.at, failure.words);
   if (!failure.open_name.empty()) {
-    finding.note("<" + failure.open_name + "> is still open", failure.open)
-        .hint("close it with </" + failure.open_name + ">, or end its start tag in '/>'");
+    finding.note("<" + failure.open_name + "> is still open", failure.open).hint(closing_hint(failure));
   }
   return std::nullopt;
 }

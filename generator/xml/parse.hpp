@@ -23,7 +23,12 @@ struct Malformed {
   Code code;
   Position open = {};  ///< the start tag that is still open, when an end tag is wrong or missing
   std::string open_name;
+  bool open_has_children = false;
 };
+
+/// How to close the element that is still open: `close it with </device>`; an element that holds others cannot end in
+/// `/>`.
+std::string closing_hint(const Malformed& malformed);
 
 /// Reads one document; the namespace prefixes have to be declared, the names stay as written.
 std::variant<Document, Malformed> read_document(const SourceFile& file);

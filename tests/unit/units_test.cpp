@@ -120,4 +120,11 @@ TEST_CASE("durations are written in the largest unit that divides them") {
   CHECK(format_duration(2'000'000'000) == "2s");
   CHECK(format_duration(17) == "17ns");
   CHECK(format_duration(0) == "0s");
+  CHECK(readable_duration(10'000'000) == "10ms");
+  CHECK(readable_duration(2'500'001) == "2.500001ms");
+  CHECK(readable_duration(87'060) == "87.06us");
+  CHECK(readable_duration(999) == "999ns");
+  CHECK(readable_duration(0) == "0s");
+  for (const std::int64_t ns : {1LL, 1'500LL, 123'456'789LL, 10'000'000'001LL, 9'223'372'036'854'775'807LL})
+    CHECK(*parse_duration(readable_duration(ns)) == ns);
 }

@@ -1,0 +1,86 @@
+#include "generator/model/offers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/descriptor/bus_kind.hpp"
+
+namespace finemote::gen {
+namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool meet(const Port& a, const Port& b) {
+  return std::any_of(a.resources.begin(), a.resources.end(), [&](const Resource& mine) {
+    return std::any_of(b.resources.begin(), b.resources.end(),
+                       [&](const Resource& other) { return mine.kind == other.kind && mine.name == other.name; });
+  });
+}
+
+bool makes(const Port& port, std::int64_t rate) {
+  if (rate == 0) return true;
+  if (rate < port.min_rate.value_or(0) || rate > port.max_rate.value_or(INT64_MAX)) return false;
+  return port.rates.empty() || std::find(port.rates.begin(), port.rates.end(), rate) != port.rates.end();
+}
+
+}  // namespace
+
+std::string_view rate_attribute(BusKind kind) {
+  switch (kind) {
+    case BusKind::uart:
+    case BusKind::rs485:
+      return "baud";
+    case BusKind::i2c:
+    case BusKind::spi:
+      return "clock";
+    case BusKind::can:
+      return "bitrate";
+    default:
+      return {};
+  }
+}
+
+std::string rate_text(BusKind kind, std::int64_t rate) {
+  const std::string_view attribute = rate_attribute(kind);
+  if (attribute == "baud") return fmt::format("{}baud", rate);
+  const std::string_view unit = attribute == "clock" ? "Hz" : "bit/s";
+  if (rate % 1'000'000 == 0) return fmt::format("{}M{}", rate / 1'000'000, unit);
+  if (rate % 1'000 == 0) return fmt::format("{}k{}", rate / 1'000, unit);
+  return fmt::format("{}{}", rate, unit);
+}
+
+std::vector<std::string> free_ports(const Board& board, const std::vector<std::string>& used, BusKind kind) {
+  std::vector<std::string> names;
+  for (const Port& port : board.ports) {
+    const bool serves = std::find(port.kinds.begin(), port.kinds.end(), kind) != port.kinds.end();
+    const bool is_taken = std::any_of(board.ports.begin(), board.ports.end(), [&](const Port& other) {
+      return contains(used, other.name) && (other.name == port.name || meet(port, other));
+    });
+    if (serves && !is_taken) names.push_back(port.name);
+  }
+  return names;
+}
+
+std::string another_bus(const Board& board, const std::vector<std::string>& used, BusKind kind, std::int64_t rate) {
+  for (const std::string& name : free_ports(board, used, kind)) {
+    if (!makes(*board.port(name), rate)) continue;
+    const std::string_view attribute = rate_attribute(kind);
+    const std::string written =
+        rate == 0 || attribute.empty() ? std::string() : fmt::format(" {}=\"{}\"", attribute, rate_text(kind, rate));
+    return fmt::format("<bus name=\"{}\" type=\"{}\" port=\"{}\"{}/>", name, bus_kind_name(kind), name, written);
+  }
+  return {};
+}
+
+std::vector<std::string> used_ports(const Robot& robot) {
+  std::vector<std::string> names;
+  for (const Bus& bus : robot.buses) {
+    if (!bus.port.empty()) names.push_back(bus.port);
+  }
+  return names;
+}
+
+}  // namespace finemote::gen

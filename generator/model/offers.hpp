@@ -1,0 +1,29 @@
+// Ports, rates and buses that could be written instead, for hints that can be pasted.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/model/robot.hpp"
+
+namespace finemote::gen {
+
+/// The attribute that holds the rate of a kind of bus: `baud`, `clock`, `bitrate`; empty when the kind has none.
+std::string_view rate_attribute(BusKind kind);
+
+/// A rate as the attribute writes it, in the largest unit that divides it: `400kHz`, `1Mbit/s`, `115200baud`.
+std::string rate_text(BusKind kind, std::int64_t rate);
+
+/// Ports of the board that serve the kind, are not among the `used` ones and need nothing that those occupy.
+std::vector<std::string> free_ports(const Board& board, const std::vector<std::string>& used, BusKind kind);
+
+/// `<bus name="can2" type="can" port="can2" bitrate="1Mbit/s"/>` at the first free port that makes the rate (0: none is
+/// written), under its own name; empty when there is no such port.
+std::string another_bus(const Board& board, const std::vector<std::string>& used, BusKind kind, std::int64_t rate);
+
+/// Ports that buses of the robot are at.
+std::vector<std::string> used_ports(const Robot& robot);
+
+}  // namespace finemote::gen
