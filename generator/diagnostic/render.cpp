@@ -55,13 +55,48 @@ std::string printable(std::string_view text) {
 
 bool continues_a_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-/// The source line and a caret line below it; nothing when the place has no line.
-std::string excerpt(const Diagnostic& finding, const Palette& paint) {
-  const Position& at = finding.at;
+/// Lines of files, asked for mostly in rising order: each file is walked through once, not once for every finding.
+class Lines {
+ public:
+  std::string_view at(const SourceFile& file, std::uint32_t line) {
+    if (&file != file_ || line < line_) file_ = &file, line_ = 1, offset_ = 0;
+    const std::string_view text = file.text;
+    for (; line_ < line; ++line_) {
+      const std::size_t end = text.find('\n', offset_);
+      if (end == std::string_view::npos) return {};
+      offset_ = end + 1;
+    }
+    std::string_view found = text.substr(offset_, text.find('\n', offset_) - offset_);
+    if (!found.empty() && found.back() == '\r') found.remove_suffix(1);
+    return found;
+  }
+
+ private:
+  const SourceFile* file_ = nullptr;
+  std::uint32_t line_ = 1;
+  std::size_t offset_ = 0;
+};
+
+/// Of a long line, what stands around a column (from 1), which moves with it.
+std::string_view window(std::string_view line, std::size_t& column) {
+  constexpr std::size_t kWidest = 200, kBefore = 70, kShown = 150;
+  if (line.size() <= kWidest || column > line.size() + 1) return line.substr(0, kWidest);
+  std::size_t begin = column > kBefore ? column - 1 - kBefore : 0;
+  while (begin > 0 && continues_a_letter(line[begin])) --begin;
+  std::size_t end = std::min(begin + kShown, line.size());
+  while (end < line.size() && continues_a_letter(line[end])) ++end;
+  column -= std::min(column, begin);
+  return line.substr(begin, end - begin);
+}
+
+/// The source line (of a long one, a part) and a caret line below it; nothing when the place has no line.
+std::string excerpt(const Diagnostic& finding, Lines& lines, const Palette& paint) {
+  Position at = finding.at;
   if (at.file == nullptr || at.line == 0) return {};
-  const std::string line = printable(at.file->line(at.line));
-  constexpr std::size_t kWidest = 200;
-  if (line.empty() || line.size() > kWidest) return {};
+  std::size_t column = at.column;
+  const std::string line = printable(window(lines.at(*at.file, at.line), column));
+  at.column = static_cast<std::uint32_t>(column);
+  if (line.empty()) return {};
 
   const std::string margin = fmt::format("{:>5} | ", at.line);
   std::string text = margin + line + "\n";
@@ -100,12 +135,12 @@ std::string render_way(const Expansion* innermost, const Palette& paint) {
   return text;
 }
 
-std::string render_one(const Diagnostic& finding, const Palette& paint) {
+std::string render_one(const Diagnostic& finding, Lines& lines, const Palette& paint) {
   const bool is_error = finding.severity == Severity::error;
   std::string text = fmt::format("{}{}:{} {}{}[{}]{}: {}\n", paint.bold, place(finding.at), paint.reset,
                                  is_error ? paint.red : paint.yellow, is_error ? "error" : "warning",
                                  code_name(finding.code), paint.reset, finding.message);
-  text += excerpt(finding, paint);
+  text += excerpt(finding, lines, paint);
   text += render_way(finding.at.via, paint);
   for (const Note& note : finding.notes) {
     const std::string where = note.at.file ? fmt::format(" ({})", place(note.at)) : "";
@@ -123,7 +158,9 @@ std::string code_name(Code code) { return fmt::format("FM{:04}", code.number); }
 
 std::string render_text(const Diagnostics& diagnostics, bool color) {
   std::string text;
-  for (const Diagnostic& finding : diagnostics.in_file_order()) text += render_one(finding, color ? kColor : kPlain);
+  Lines lines;
+  for (const Diagnostic& finding : diagnostics.in_file_order())
+    text += render_one(finding, lines, color ? kColor : kPlain);
   return text;
 }
 

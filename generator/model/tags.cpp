@@ -118,8 +118,7 @@ class TagReader {
     for (const xml::Attribute& attribute : node.attributes) {
       if (attribute.name == "xmlns" || starts_with(attribute.name, "xmlns:")) continue;
       if (std::find(names.begin(), names.end(), attribute.name) != names.end()) continue;
-      for (std::string& near : nearest_names(attribute.name, names))
-        tags_.misspelt.emplace_back(&node, std::move(near));
+      for (std::string& near : nearest_names(attribute.name, names)) tags_.misspelt.emplace(&node, std::move(near));
       report_unknown_attribute(node, attribute, names);
     }
     for (const AttributeRule& known : rule.attributes) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,12 +31,9 @@ struct Tags {
   bool has_xacro = false;  ///< xacro is left over: what else is wrong may follow from it
 
   /// Attributes that an unknown one was probably meant to be: they are not missing as well.
-  std::vector<std::pair<const xml::Node*, std::string>> misspelt;
+  std::set<std::pair<const xml::Node*, std::string>> misspelt;
   [[nodiscard]] bool is_misspelt(const xml::Node& node, std::string_view attribute) const {
-    for (const auto& [tag, meant] : misspelt) {
-      if (tag == &node && meant == attribute) return true;
-    }
-    return false;
+    return !misspelt.empty() && misspelt.contains({&node, std::string(attribute)});
   }
 };
 
