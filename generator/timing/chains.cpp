@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "generator/timing/walk.hpp"
+#include "generator/timing/oldest.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -47,6 +47,7 @@ ChainAnalysis::ChainAnalysis(const Model& model, const Topology& topology, const
     if (device.source == WcetSource::assumed) assumed_from_ = std::min(assumed_from_, device.period_ns);
     acquire_.push_back(wire.acquisition(d));
   }
+  find_hand_overs();
   updates_from_.resize(model.devices.size());
   handles_from_.resize(model.devices.size());
   for (const TaskBucket& bucket : profile.set.buckets) {
@@ -54,6 +55,22 @@ ChainAnalysis::ChainAnalysis(const Model& model, const Topology& topology, const
     for (auto d = bucket.devices.rbegin(); d != bucket.devices.rend(); ++d) {
       updates_from_[*d] = updates = add(updates, profile.set.update[*d]);
       handles_from_[*d] = handles = add(handles, profile.set.handle[*d]);
+    }
+  }
+}
+
+/// Of every device of a tree that was walked, unless closed forms stand in, and unless other ways lead through reads.
+void ChainAnalysis::find_hand_overs() {
+  reads_in_tree_of_.resize(model_.devices.size());
+  for (std::size_t d = 0; d < model_.devices.size(); ++d) {
+    if (!model_.devices[d].reads.empty()) reads_in_tree_of_[topology_.root_of[d]] = true;
+  }
+  hand_over_.resize(model_.devices.size());
+  for (const std::size_t root : topology_.roots) {
+    const auto* groups = reads_in_tree_of_[root] ? nullptr : profile_.hand_overs->walked(root);
+    if (groups == nullptr) continue;
+    for (const HandOverGroup& group : *groups) {
+      for (const std::size_t d : group.devices) hand_over_[d] = group.exact;
     }
   }
 }
@@ -137,12 +154,45 @@ Ns ChainAnalysis::pair_window(std::size_t from, std::size_t to, Ns release) cons
   work = add(work, add(updates_from_[from], handles_from_[to]));
   Demand demand(effort_);
   demand.add_streams(set.streams);
+  const Ns length = response - 1 + extra;
+  const bool is_any_release = profile_.table.is_general(w);  // as many as fit, wherever the release is
   for (std::size_t v = 0; v < w; ++v) {
     const Ns period = set.buckets[v].period;
-    const Ns inside = floor_div(release + response - 1 + extra, period) - floor_div(release, period);
+    const Ns inside =
+        is_any_release ? ceil_div(length, period) : floor_div(release + length, period) - floor_div(release, period);
     demand.add({0, period, set.buckets[v].cost, inside});
   }
   return std::min(least_fit(demand, work, std::max<Ns>(work, 1), kNever - 1) - extra, response);
+}
+
+/// The same maximum from what the latency analysis walked; kNone where it repeats too late.
+Ns ChainAnalysis::join_hand_overs(std::size_t from, std::size_t to) const {
+  const Staircase &down = *hand_over_[to]->down, &up = *hand_over_[from]->up;
+  const ReleaseTable& table = profile_.table;
+  const Ns length = lcm(down.length, up.length);
+  const Ns repetition = table.rows(to) > 1 ? lcm(length, table.repeat(to)) : length;
+  if (repetition / model_.devices[topology_.root_of[to]].period_ns > kMostEntries) return kNone;
+  const Ns period = model_.devices[to].period_ns;
+  const bool one_bucket = profile_.set.bucket_of[from] == profile_.set.bucket_of[to];
+  const Ns most = table.r_minus_range(to).most;
+  std::vector<bool> seen(table.rows(to));  // releases in one row have one window
+  Ns worst = 0;
+  const std::vector<TerminalUse> uses = join(down, up, length);
+  effort_.spend(add(static_cast<Ns>(uses.size()), repetition / length));
+  for (const TerminalUse& use : uses) {
+    const Ns last = use.next - period, age = last - use.source;
+    for (Ns t = last; add(age, most) > worst && t < last + repetition; t += length) {
+      const std::size_t row = table.row(to, t);
+      const Ns response = table.r_minus_in_row(to, row);
+      if (age > 0 || !one_bucket) {
+        worst = std::max(worst, add(age, response));
+      } else if (!seen[row] && response > worst) {
+        seen[row] = true;
+        worst = std::max(worst, pair_window(from, to, t));
+      }
+    }
+  }
+  return worst;
 }
 
 /// Exact maximum over the root's releases in one repetition of everything on the route.
@@ -198,8 +248,12 @@ Ns ChainAnalysis::closed_form(const Route& r) const {
 }
 
 ChainAnalysis::Decision ChainAnalysis::decide(std::size_t from, std::size_t to) const {
-  const Route r = route(from, to);
   Decision result;
+  if (hand_over_[from] && hand_over_[to] && topology_.root_of[from] == topology_.root_of[to]) {
+    const Ns age = join_hand_overs(from, to);
+    if (age != kNone) return {age, false, false};
+  }
+  const Route r = route(from, to);
   result.through_reads = r.through_reads;
   Ns common = 1;
   for (const auto* devices : {&r.down, &r.up}) {
@@ -258,74 +312,40 @@ std::vector<ChainResult> ChainAnalysis::worst_of_pairs(const std::vector<std::si
   return results;
 }
 
-/// The same for large trees: per root release the oldest sample of any source, then per terminal its latest use. Two
-/// repetitions of different length meet modulo their common divisor. Windows within one job are not used.
+/// The same for large trees: per root release the oldest sample of any source, then per terminal its latest use.
+/// Windows within one job are not used.
 std::vector<ChainResult> ChainAnalysis::worst_of_groups(std::size_t tree,
                                                         const std::vector<std::size_t>& terminals) const {
-  struct Oldest {
-    Ns age = std::numeric_limits<Ns>::min() / 2;  ///< root release less source release, plus acquisition
-    std::size_t source = 0;
-    void offer(Ns new_age, std::size_t new_source) {
-      if (new_age > age || (new_age == age && new_source < source)) age = new_age, source = new_source;
-    }
-  };
   const std::size_t root = topology_.roots[tree];
-  const Ns root_period = model_.devices[root].period_ns;
   const auto walk_groups = [&](const std::function<void(const HandOverGroup&)>& visit) {
     walk_tree(model_, topology_, profile_.responses, profile_.set, profile_.table, root, *profile_.hand_overs, effort_,
               visit);
   };
-  std::map<std::size_t, std::vector<Oldest>> by_length;
-  Oldest closed;
   bool complete_tree = true;
   for (const std::size_t leaf : topology_.leaves[tree]) {
     complete_tree &= profile_.responses.ok(profile_.set.bucket_of[leaf]) && acquire_[leaf].has_value();
   }
+  OldestSources sources(model_.devices[root].period_ns);
   walk_groups([&](const HandOverGroup& group) {
-    Oldest best;
+    OldestSources::Oldest best;
     for (const std::size_t d : group.devices) {
-      if (topology_.children[d].empty() && acquire_[d]) best.offer(*acquire_[d], d);
+      if (topology_.children[d].empty() && acquire_[d]) best.offer({*acquire_[d], d});
     }
-    if (best.age < 0) return;
-    if (group.exact == nullptr) return closed.offer(add(group.up, best.age), best.source);
-    auto& list = by_length[group.exact->source.size()];
-    list.resize(group.exact->source.size());
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      list[i].offer(static_cast<Ns>(i) * root_period - group.exact->source[i] + best.age, best.source);
-    }
+    if (best.age >= 0) sources.add_group(group, best);
   });
-  // Per number of terminal entries: the oldest of all sources at every entry.
-  std::map<std::size_t, std::vector<Oldest>> by_entries;
-  const auto oldest_at = [&](std::size_t n) -> const std::vector<Oldest>& {
-    auto& combined = by_entries[n];
-    if (!combined.empty()) return combined;
-    combined.resize(n, closed);
-    for (const auto& [m, list] : by_length) {
-      const std::size_t common = std::gcd(n, m);
-      std::vector<Oldest> folded(common);
-      for (std::size_t block = 0; block < m; block += common) {
-        for (std::size_t i = 0; i < common; ++i) folded[i].offer(list[block + i].age, list[block + i].source);
-      }
-      for (std::size_t block = 0; block < n; block += common) {
-        for (std::size_t i = 0; i < common; ++i) combined[block + i].offer(folded[i].age, folded[i].source);
-      }
-    }
-    return combined;
-  };
+  const std::set<std::size_t> wanted(terminals.begin(), terminals.end());
   std::map<std::size_t, ChainResult> found;
   walk_groups([&](const HandOverGroup& group) {
-    const std::size_t n = group.exact ? group.exact->next.size() : 1;
-    const std::vector<Oldest>& oldest = oldest_at(n);
-    Oldest worst;
-    for (std::size_t i = 0; i < n; ++i) {
-      const Ns down = group.exact ? group.exact->next[i] - group.period - static_cast<Ns>(i) * root_period : group.down;
-      worst.offer(down + oldest[i].age, oldest[i].source);
-    }
-    effort_.spend(static_cast<Ns>(n));
+    const auto is_wanted = [&](std::size_t d) { return wanted.contains(d); };
+    if (std::none_of(group.devices.begin(), group.devices.end(), is_wanted)) return;
+    const OldestSources::Oldest worst = sources.worst(group);
+    effort_.spend(group.exact ? static_cast<Ns>(group.exact->down->steps.size()) : 1);
     if (worst.age < 0) return;
     for (const std::size_t d : group.devices) {
+      if (!is_wanted(d)) continue;
       const Ns decide = worst.age - *acquire_[worst.source] + profile_.responses.r_minus[d];
-      found.emplace(d, complete(worst.source, d, {decide, group.exact == nullptr || closed.age >= 0, false}));
+      const bool is_closed = group.exact == nullptr || sources.has_closed_form();
+      found.emplace(d, complete(worst.source, d, {decide, is_closed, false}));
     }
   });
   std::vector<ChainResult> results;
@@ -367,7 +387,8 @@ std::vector<ChainResult> ChainAnalysis::defaults() const {
     if (terminals.empty()) terminals.push_back(topology_.roots[tree]);
     const std::size_t pairs = sources.size() * terminals.size();
     const bool small = pairs <= most_pairs_ && repetition[tree] <= kMostPairEntries / static_cast<Ns>(pairs);
-    if (!small && has_reads(tree)) {  // groups know tree edges only, and another way may be older
+    if (!small &&
+        reads_in_tree_of_[topology_.roots[tree]]) {  // groups know tree edges only, and another way may be older
       for (const std::size_t to : terminals) results.push_back(complete(sources.front(), to, {}));
       continue;
     }
@@ -376,13 +397,6 @@ std::vector<ChainResult> ChainAnalysis::defaults() const {
     }
   }
   return results;
-}
-
-bool ChainAnalysis::has_reads(std::size_t tree) const {
-  for (std::size_t d = 0; d < model_.devices.size(); ++d) {
-    if (topology_.root_of[d] == topology_.roots[tree] && !model_.devices[d].reads.empty()) return true;
-  }
-  return false;
 }
 
 /// Devices with a sample of their own whose data reach `root`: those without children, and those that measure. Data of
@@ -438,7 +452,7 @@ std::vector<ChainResult> ChainAnalysis::oldest_inputs() const {
     const Ns entries = repetition(concerned) / model_.devices[root].period_ns;
     if (pairs <= most_pairs_ && entries <= kMostPairEntries / static_cast<Ns>(pairs)) {
       for (ChainResult& r : worst_of_pairs(sources, terminals[tree])) results.push_back(r);
-    } else if (sources == topology_.leaves[tree] && !has_reads(tree)) {
+    } else if (sources == topology_.leaves[tree] && !reads_in_tree_of_[topology_.roots[tree]]) {
       for (ChainResult& r : worst_of_groups(tree, terminals[tree])) results.push_back(r);
     } else {
       for (const std::size_t to : terminals[tree]) results.push_back(complete(sources.front(), to, {}));

@@ -43,6 +43,7 @@ class ChainAnalysis {
 
  private:
   struct Route;
+  void find_hand_overs();
   struct Decision {
     std::optional<Ns> ns;
     bool closed_form = false;
@@ -51,6 +52,7 @@ class ChainAnalysis {
 
   [[nodiscard]] Route route(std::size_t from, std::size_t to) const;
   [[nodiscard]] Decision decide(std::size_t from, std::size_t to) const;
+  [[nodiscard]] Ns join_hand_overs(std::size_t from, std::size_t to) const;
   [[nodiscard]] Ns walk(const Route& route, Ns entries) const;
   [[nodiscard]] Ns closed_form(const Route& route) const;
   [[nodiscard]] Ns hand_down(Ns release, std::size_t producer, std::size_t consumer) const;
@@ -62,7 +64,6 @@ class ChainAnalysis {
   [[nodiscard]] std::vector<ChainResult> worst_of_groups(std::size_t tree,
                                                          const std::vector<std::size_t>& terminals) const;
   [[nodiscard]] std::vector<Ns> entries() const;
-  [[nodiscard]] bool has_reads(std::size_t tree) const;
   [[nodiscard]] std::vector<std::size_t> sources_of(std::size_t root) const;
   [[nodiscard]] Ns repetition(const std::vector<std::size_t>& devices) const;
   [[nodiscard]] bool is_assumed(std::size_t from, std::size_t to) const;
@@ -76,7 +77,9 @@ class ChainAnalysis {
   std::vector<std::vector<std::size_t>> consumers_;  ///< per device: its parent, and who reads it
   std::vector<std::optional<Ns>> acquire_;           ///< per device
   std::vector<Ns> updates_from_, handles_from_;      ///< per device: stages of it and of later devices of its bucket
-  Ns assumed_from_ = kNever;                         ///< shortest period of a device whose execution times are assumed
+  std::vector<std::shared_ptr<const HandOver>> hand_over_;  ///< per device; null: not known
+  std::vector<bool> reads_in_tree_of_;                      ///< per root
+  Ns assumed_from_ = kNever;  ///< shortest period of a device whose execution times are assumed
 };
 
 }  // namespace finemote::gen::timing

@@ -25,7 +25,7 @@ class Effort {
 };
 
 /// Work of all streams and of some more urgent buckets in a window [0, x), as a staircase walked from left to right:
-/// between two steps a query costs one comparison, at a step one or two divisions per stream.
+/// between two steps a query costs one comparison, at a step a division for every stream or term that steps there.
 class Demand {
  public:
   /// One term: `cost` for each of the arrivals at first, first + period, ... below x.
@@ -38,17 +38,32 @@ class Demand {
 
   explicit Demand(Effort& effort) : effort_(&effort) {}
 
-  void add_streams(const std::vector<Stream>& streams) { streams_ = &streams; }
-  void add(const Term& term) { terms_.push_back(term); }
-  void clear_terms() { terms_.clear(), rewind(); }
+  void add_streams(const std::vector<Stream>& streams) {
+    streams_ = &streams;
+    stream_steps_.resize(streams.size());
+    rewind();
+  }
+  void add(const Term& term) {
+    terms_.push_back(term);
+    term_steps_.emplace_back();
+    rewind();
+  }
+  void clear_terms() { terms_.clear(), term_steps_.clear(), rewind(); }
 
   /// Sets how many arrivals of a term there are at most.
   void allow(std::size_t term, Ns most) {
-    if (terms_[term].most != most) terms_[term].most = most, rewind();
+    if (terms_[term].most == most) return;
+    terms_[term].most = most;
+    term_steps_[term] = {};
+    begin_ = kNever, end_ = 0;
   }
 
   /// Lets the next query be smaller than the last one.
-  void rewind() { begin_ = kNever, end_ = 0; }
+  void rewind() {
+    begin_ = kNever, end_ = 0;
+    std::fill(stream_steps_.begin(), stream_steps_.end(), Step{});
+    std::fill(term_steps_.begin(), term_steps_.end(), Step{});
+  }
 
   /// Work in [0, x) for x >= 1. Throws Overflow, TooLong.
   Ns at(Ns x) {
@@ -57,45 +72,67 @@ class Demand {
   }
 
  private:
+  /// The part of one stream or term: `value` up to and including `end`.
+  struct Step {
+    Ns end = 0;
+    Ns value = 0;
+  };
+
   void evaluate(Ns x) {
+    if (x < begin_ && begin_ != kNever) rewind();
     begin_ = x;
     end_ = kNever;
     value_ = 0;
-    if (streams_ != nullptr) {
-      for (const Stream& s : *streams_) value_ = timing::add(value_, multiply(arrivals(s, x), s.cost));
+    for (std::size_t i = 0; i < stream_steps_.size(); ++i) {
+      if (x > stream_steps_[i].end) stream_steps_[i] = step((*streams_)[i], x);
+      take(stream_steps_[i]);
     }
-    for (const Term& t : terms_) {
-      const Ns arrived = x > t.first ? ceil_div(x - t.first, t.period) : 0;
-      limit(t.first, arrived, t.period);
-      const Ns count = std::min(arrived, t.most);
-      value_ = timing::add(value_, multiply(count, t.cost));
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      if (x > term_steps_[i].end) term_steps_[i] = step(terms_[i], x);
+      take(term_steps_[i]);
     }
     effort_->spend(static_cast<std::int64_t>(terms_.size()) + 4);
   }
 
-  Ns arrivals(const Stream& s, Ns x) {
+  void take(const Step& step) {
+    value_ = timing::add(value_, step.value);
+    end_ = std::min(end_, step.end);
+  }
+
+  static Step step(const Term& t, Ns x) {
+    const Ns arrived = x > t.first ? ceil_div(x - t.first, t.period) : 0;
+    return {arrived >= t.most ? kNever : flat_to(t.first, arrived, t.period),
+            multiply(std::min(arrived, t.most), t.cost)};
+  }
+
+  static Step step(const Stream& s, Ns x) {
     const Ns by_separation = ceil_div(x, s.separation);
-    limit(0, by_separation, s.separation);
-    if (s.budgets.empty()) return by_separation;
-    Ns by_budget = 0;
-    for (const Stream::Budget& b : s.budgets) {
-      const Ns periods = ceil_div(x, b.period);
-      limit(0, periods, b.period);
-      by_budget = timing::add(by_budget, multiply(b.count, timing::add(periods, b.carry_in)));
+    Step step{flat_to(0, by_separation, s.separation), 0};
+    Ns arrived = by_separation;
+    if (!s.budgets.empty()) {
+      Ns by_budget = 0;
+      for (const Stream::Budget& b : s.budgets) {
+        const Ns periods = ceil_div(x, b.period);
+        step.end = std::min(step.end, flat_to(0, periods, b.period));
+        by_budget = timing::add(by_budget, multiply(b.count, timing::add(periods, b.carry_in)));
+      }
+      arrived = std::min(arrived, by_budget);
     }
-    return std::min(by_separation, by_budget);
+    step.value = multiply(arrived, s.cost);
+    return step;
   }
 
   /// The staircase is flat up to and including first + count * period.
-  void limit(Ns first, Ns count, Ns period) {
-    Ns step = 0;
-    if (__builtin_mul_overflow(count, period, &step) || __builtin_add_overflow(step, first, &step)) return;
-    end_ = std::min(end_, step);
+  static Ns flat_to(Ns first, Ns count, Ns period) {
+    Ns end = 0;
+    if (__builtin_mul_overflow(count, period, &end) || __builtin_add_overflow(end, first, &end)) return kNever;
+    return end;
   }
 
   Effort* effort_;
   const std::vector<Stream>* streams_ = nullptr;
   std::vector<Term> terms_;
+  std::vector<Step> stream_steps_, term_steps_;
   Ns begin_ = kNever;  ///< value_ holds for x in [begin_, end_]
   Ns end_ = 0;
   Ns value_ = 0;

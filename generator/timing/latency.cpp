@@ -1,7 +1,8 @@
 #include "generator/timing/latency.hpp"
 
 #include <algorithm>
-#include <map>
+
+#include "generator/timing/oldest.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -13,38 +14,41 @@ using Use = HandOver::Use;
 
 /// Keeps the older use; of equally old ones the first in [0, repetition).
 void offer(Use& worst, Ns age, Ns release, Ns source) {
-  if (age > worst.age || (age == worst.age && release < worst.release)) worst = {age, release, source};
+  if (age > worst.age || (age == worst.age && release < worst.release)) {
+    worst.age = age, worst.release = release, worst.source = source;
+  }
 }
 
 /// The oldest use per row of the release table of one period: with the same R and W, an older source is worse. Leaves
-/// that share the hand-over share this, whatever their R- is (at most `most_response`).
+/// that share the hand-over share this, whatever their R- is, as R- of one leaf varies by at most `spread`.
 class OldestUses {
  public:
   OldestUses(const HandOver& over, Ns period, std::size_t leaf, const ReleaseTable& table)
-      : over_(over), period_(period), leaf_(leaf), table_(table), oldest_(table.rows(leaf)) {}
+      : over_(over), period_(period), leaf_(leaf), table_(table), oldest_(table.rows(leaf)) {
+    for (std::size_t row = 0; row < oldest_.size(); ++row) oldest_[row] = {kLowest, 0, 0, row};
+  }
 
-  std::vector<Use> find(Ns most_response, Ns root_period, Effort& effort) {
+  std::vector<Use> find(Ns spread, Effort& effort) {
     repetition_ = oldest_.size() > 1 ? lcm(over_.length, table_.repeat(leaf_)) : over_.length;
-    effort.spend(repetition_ / root_period);
-    const auto entries = over_.next.size();
-    Ns worst = kLowest;
-    for (std::size_t i = 0; i < entries; ++i) worst = std::max(worst, over_.next[i] - period_ - over_.source[i]);
-    const Ns least = worst - most_response;  // ages below cannot be part of a maximum
-    for (std::size_t i = 0; i < entries; ++i) {
-      const Ns before = i > 0 ? over_.next[i - 1] : over_.next.back() - over_.length;
-      // All terminals that use this root release, last one first; mostly the last one alone is old enough.
-      for (Ns t = over_.next[i] - period_; t - over_.source[i] >= least; t -= period_) {
-        for (Ns shift = 0; shift < repetition_; shift += over_.length) use(t + shift, over_.source[i] + shift);
-        if (t - period_ < before) break;
+    const std::vector<TerminalUse> uses = join(*over_.down, *over_.up, over_.length);
+    effort.spend(add(static_cast<Ns>(uses.size()), repetition_ / over_.length));
+    const Ns least = oldest_age(uses) - period_ - spread;  // ages below cannot be part of a maximum
+    Ns before = uses.back().next - over_.length;
+    for (const TerminalUse& use : uses) {
+      // Last one first; mostly the last one alone is old enough.
+      for (Ns t = use.next - period_; t - use.source >= least && t >= before; t -= period_) {
+        for (Ns shift = 0; shift < repetition_; shift += over_.length) take(t + shift, t - use.source);
       }
+      before = use.next;
     }
+    std::erase_if(oldest_, [](const Use& use) { return use.age == kLowest; });
+    std::sort(oldest_.begin(), oldest_.end(), [](const Use& a, const Use& b) { return a.age > b.age; });
     return std::move(oldest_);
   }
 
  private:
-  void use(Ns t, Ns x) {
+  void take(Ns t, Ns age) {
     Use& oldest = oldest_[oldest_.size() > 1 ? table_.row(leaf_, t) : 0];
-    const Ns age = t - x;
     if (age < oldest.age) return;
     const Ns first = t - round_down(t, repetition_);
     offer(oldest, age, first, first - age);
@@ -60,113 +64,47 @@ class OldestUses {
 
 /// Of one leaf: `age` is the latency.
 Use worst_use(const std::vector<Use>& oldest, std::size_t leaf, const ReleaseTable& table) {
-  Use result;
-  for (std::size_t row = 0; row < oldest.size(); ++row) {
-    if (oldest[row].age == kLowest) continue;
-    const Ns response = table.r_minus_in_row(leaf, row);
-    const Ns latency =
-        oldest[row].age == 0 ? std::min(response, table.window_in_row(leaf, row)) : add(oldest[row].age, response);
-    offer(result, latency, oldest[row].release, oldest[row].source);
+  Use result{kLowest, 0, 0, 0};
+  const Ns most = table.r_minus_range(leaf).most;
+  for (const Use& use : oldest) {
+    if (use.age + most < result.age) break;  // and so are all that follow
+    const Ns response = table.r_minus_in_row(leaf, use.row);
+    const Ns latency = use.age == 0 ? std::min(response, table.window_in_row(leaf, use.row)) : add(use.age, response);
+    offer(result, latency, use.release, use.source);
   }
   return result;
 }
 
-/// Worst sum of one terminal's and one source's age over all pairs of leaves of a tree. Two repetitions meet where
-/// their entries agree modulo the common divisor of their lengths (Chinese remainder), so none is unrolled.
-class CrossBound {
- public:
-  void add_group(const HandOverGroup& group, Ns most_response, Ns root_period) {
-    if (group.exact == nullptr) {
-      closed_ = true;
-      most_down_ = std::max(most_down_, add(group.down, most_response));
-      most_up_ = std::max(most_up_, group.up);
-      return;
-    }
-    const std::size_t n = group.exact->next.size();
-    auto& [down, up] = ages_[n];
-    down.resize(n, kLowest);
-    up.resize(n, kLowest);
-    Ns x = 0;
-    for (std::size_t i = 0; i < n; ++i, x += root_period) {
-      down[i] = std::max(down[i], add(group.exact->next[i] - group.period - x, most_response));
-      up[i] = std::max(up[i], x - group.exact->source[i]);
-    }
-  }
-
-  /// Pairs of lengths are looked at in the order of what they can reach at most, until none can reach more.
-  Ns worst() {
-    struct Pair {
-      Ns most;
-      const std::vector<Ns>* down;
-      const std::vector<Ns>* up;
-    };
-    std::vector<Pair> pairs;
-    for (const auto& [n, first] : ages_) {
-      const Ns down = *std::max_element(first.down.begin(), first.down.end());
-      most_down_ = std::max(most_down_, down);
-      most_up_ = std::max(most_up_, *std::max_element(first.up.begin(), first.up.end()));
-      for (const auto& [m, second] : ages_) {
-        pairs.push_back({add(down, *std::max_element(second.up.begin(), second.up.end())), &first.down, &second.up});
-      }
-    }
-    if (closed_) return add(most_down_, most_up_);
-    std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.most > b.most; });
-    Ns result = 0;
-    for (const Pair& pair : pairs) {
-      if (pair.most <= result) break;
-      result = std::max(result, worst_pair(*pair.down, *pair.up));
-    }
-    return result;
-  }
-
- private:
-  static Ns worst_pair(const std::vector<Ns>& down, const std::vector<Ns>& up) {
-    const std::size_t common = std::gcd(down.size(), up.size());
-    const std::vector<Ns> a = fold(down, common), b = fold(up, common);
-    Ns result = 0;
-    for (std::size_t i = 0; i < common; ++i) result = std::max(result, add(a[i], b[i]));
-    return result;
-  }
-
-  static std::vector<Ns> fold(const std::vector<Ns>& ages, std::size_t common) {
-    std::vector<Ns> folded(ages.begin(), ages.begin() + static_cast<std::ptrdiff_t>(common));
-    for (std::size_t block = common; block < ages.size(); block += common) {
-      for (std::size_t i = 0; i < common; ++i) folded[i] = std::max(folded[i], ages[block + i]);
-    }
-    return folded;
-  }
-
-  struct Ages {
-    std::vector<Ns> down, up;
-  };
-  std::map<std::size_t, Ages> ages_;  ///< by number of entries
-  Ns most_down_ = 0, most_up_ = 0;
-  bool closed_ = false;
-};
-
 class TreeBound {
  public:
   TreeBound(const Model& model, const Topology& topology, const TaskSet& set, const Responses& responses,
-            const ReleaseTable& table, std::size_t tree, bool corollaries, HandOverStore& store, Effort& effort)
+            const ReleaseTable& table, bool corollaries, HandOverStore& store, Effort& effort)
       : model_(model),
         topology_(topology),
         set_(set),
         responses_(responses),
         table_(table),
-        tree_(tree),
         corollaries_(corollaries),
         store_(store),
-        effort_(effort) {}
+        effort_(effort),
+        place_(model.devices.size()),
+        spread_(set.buckets.size()) {
+    for (std::size_t d = 0; d < model.devices.size(); ++d) {
+      const ReleaseTable::Range range = table.r_minus_range(d);
+      Ns& spread = spread_[set.bucket_of[d]];
+      spread = std::max(spread, range.most - range.least);
+    }
+  }
 
-  TreeResult find() {
-    result_.root = topology_.roots[tree_];
+  TreeResult find(std::size_t tree) {
+    result_ = {};
+    result_.root = topology_.roots[tree];
     classify();
-    for (const std::size_t leaf : topology_.leaves[tree_]) {
+    for (const std::size_t leaf : topology_.leaves[tree]) {
       place_[leaf] = result_.paths.size();
       result_.paths.push_back({leaf, {}, {}, {}, false});
     }
-    walk_tree(model_, topology_, responses_, set_, table_, result_.root, store_, effort_,
-              [this](const HandOverGroup& group) { visit(group); });
+    walk([this](const HandOverGroup& group) { visit(group); });
     summarise();
     return std::move(result_);
   }
@@ -190,22 +128,29 @@ class TreeBound {
                               : TreeResult::Class::general;
   }
 
-  void visit(const HandOverGroup& group) {
-    const Ns root_period = model_.devices[result_.root].period_ns;
-    Ns most_response = kNone;
+  void walk(const std::function<void(const HandOverGroup&)>& visit) {
+    walk_tree(model_, topology_, responses_, set_, table_, result_.root, store_, effort_, visit);
+  }
+
+  /// The latest of the group's leaves; kNone where it has none.
+  [[nodiscard]] Ns latest_leaf(const HandOverGroup& group) const {
+    Ns most = kNone;
     for (const std::size_t d : group.devices) {
-      if (topology_.children[d].empty()) most_response = std::max(most_response, responses_.r_minus[d]);
+      if (topology_.children[d].empty()) most = std::max(most, responses_.r_minus[d]);
     }
-    if (most_response == kNone) return;  // no leaf
+    return most;
+  }
+
+  void visit(const HandOverGroup& group) {
+    if (latest_leaf(group) == kNone) return;
     if (group.exact != nullptr && group.exact->oldest.empty()) {
       const std::size_t any = group.devices.front();
-      const Ns most = responses_.bucket[set_.bucket_of[any]];
-      group.exact->oldest = OldestUses(*group.exact, group.period, any, table_).find(most, root_period, effort_);
+      const Ns spread = spread_[set_.bucket_of[any]];
+      group.exact->oldest = OldestUses(*group.exact, group.period, any, table_).find(spread, effort_);
     }
     for (const std::size_t d : group.devices) {
-      if (topology_.children[d].empty()) set_path(result_.paths[place_.at(d)], group, d);
+      if (topology_.children[d].empty()) set_path(result_.paths[place_[d]], group, d);
     }
-    if (corollaries_) cross_.add_group(group, most_response, root_period);
   }
 
   void set_path(PathResult& path, const HandOverGroup& group, std::size_t leaf) {
@@ -235,8 +180,22 @@ class TreeBound {
     }
     result_.latency_ns = worst;
     if (!corollaries_) return;
-    result_.cross_latency_ns = cross_.worst();
+    result_.cross_latency_ns = cross_latency();
     if (result_.kind != TreeResult::Class::general) result_.corollary_ns = corollary();
+  }
+
+  /// Over all pairs of leaves: what the terminal uses of the oldest source, and its response.
+  Ns cross_latency() {
+    OldestSources sources(model_.devices[result_.root].period_ns);
+    walk([&](const HandOverGroup& group) {
+      if (latest_leaf(group) != kNone) sources.add_group(group, {0, 0});
+    });
+    Ns worst = 0;
+    walk([&](const HandOverGroup& group) {
+      const Ns response = latest_leaf(group);
+      if (response != kNone) worst = std::max(worst, add(sources.worst(group).age, response));
+    });
+    return worst;
   }
 
   /// The paper's corollaries: in a same-period tree the worst R- of a leaf; in a harmonic tree every handle() of a
@@ -263,13 +222,12 @@ class TreeBound {
   const TaskSet& set_;
   const Responses& responses_;
   const ReleaseTable& table_;
-  std::size_t tree_;
   bool corollaries_;
   HandOverStore& store_;
   Effort& effort_;
   TreeResult result_;
-  CrossBound cross_;
-  std::map<std::size_t, std::size_t> place_;  ///< leaf -> index into result_.paths
+  std::vector<std::size_t> place_;  ///< of a leaf in result_.paths
+  std::vector<Ns> spread_;          ///< per bucket: how much R- of one of its devices varies over the releases
 };
 
 }  // namespace
@@ -277,10 +235,9 @@ class TreeBound {
 std::vector<TreeResult> bound_latencies(const Model& model, const Topology& topology, const TaskSet& set,
                                         const Responses& responses, const ReleaseTable& table, bool corollaries,
                                         HandOverStore& store, Effort& effort) {
+  TreeBound bound(model, topology, set, responses, table, corollaries, store, effort);
   std::vector<TreeResult> trees;
-  for (std::size_t tree = 0; tree < topology.roots.size(); ++tree) {
-    trees.push_back(TreeBound(model, topology, set, responses, table, tree, corollaries, store, effort).find());
-  }
+  for (std::size_t tree = 0; tree < topology.roots.size(); ++tree) trees.push_back(bound.find(tree));
   return trees;
 }
 

@@ -184,23 +184,49 @@ class ReleaseTable::Builder {
     }
   }
 
-  /// Releases of `u` strictly inside (t, t + length] when its first one at or after t is `first` later.
-  static Ns releases_inside(const Urgent& u, Ns first, Ns length) {
-    if (first == 0) return length / u.period;
-    return length < first ? 0 : (length - first) / u.period + 1;
-  }
+  /// Releases of a more urgent bucket strictly inside (t, t + length], for lengths that mostly grow.
+  class Inside {
+   public:
+    /// @param first  how much later than t the first release at or after t is
+    Inside(const Urgent& urgent, Ns first) : period_(urgent.period), first_(first == 0 ? period_ : first) {}
+    /// Up to which length there are no more of them.
+    [[nodiscard]] Ns end() const { return end_; }
+    Ns count(Ns length) {
+      if (length >= begin_ && length <= end_) return count_;
+      count_ = length < first_ ? 0 : (length - first_) / period_ + 1;
+      begin_ = count_ == 0 ? 0 : first_ + (count_ - 1) * period_;
+      if (__builtin_add_overflow(count_ == 0 ? first_ - 1 : begin_, count_ == 0 ? 0 : period_ - 1, &end_))
+        end_ = kNever;
+      return count_;
+    }
+
+   private:
+    Ns period_, first_;
+    Ns count_ = 0;
+    Ns begin_ = 1, end_ = 0;  ///< lengths with this count
+  };
 
   /// Windows from R-(t), from the last device (the shortest window) to the first.
   void set_windows(const std::vector<Ns>& firsts, std::vector<Cell>& cells) {
     demand_.clear_terms();
-    for (const Urgent& u : urgent_) demand_.add({0, u.period, u.cost, 0});
-    Ns work = 0, x = 1;
+    std::vector<Inside> inside;
+    for (std::size_t u = 0; u < urgent_.size(); ++u) {
+      demand_.add({0, urgent_[u].period, urgent_[u].cost, 0});
+      inside.emplace_back(urgent_[u], firsts[u]);
+    }
+    Ns work = 0, x = 1, begin = kNever, end = 0;
     for (std::size_t i = cells.size(); i-- > 0;) {
       const std::size_t d = bucket_.devices[i];
       const Ns extra = set_.handle[d] == 0 ? 1 : 0;
       work = add(work, add(set_.update[d], set_.handle[d]));
-      for (std::size_t u = 0; u < urgent_.size(); ++u) {
-        demand_.allow(u, releases_inside(urgent_[u], firsts[u], cells[i].r_minus - 1 + extra));
+      const Ns length = cells[i].r_minus - 1 + extra;
+      if (length < begin || length > end) {
+        begin = length;
+        end = kNever;
+        for (std::size_t u = 0; u < urgent_.size(); ++u) {
+          demand_.allow(u, inside[u].count(length));
+          end = std::min(end, inside[u].end());
+        }
       }
       const Ns base = add(work, extra);
       x = least_fit(demand_, base, std::max(x, base), kNever - 1);

@@ -1,0 +1,57 @@
+// Hand-overs of a tree to its oldest data: per release of the root, the source with the oldest sample.
+#pragma once
+
+#include <limits>
+#include <map>
+
+#include "generator/timing/walk.hpp"
+
+namespace finemote::gen::timing {
+
+/// First every source is added, then terminals are asked for. Two repetitions of different length meet where their
+/// root releases agree modulo the common divisor of their lengths (Chinese remainder), so none is unrolled.
+class OldestSources {
+ public:
+  struct Oldest {
+    Ns age = std::numeric_limits<Ns>::min() / 2;  ///< below every age: none; two of them add without overflow
+    std::size_t source = 0;                       ///< of equally old ones the first
+    void offer(Ns new_age, std::size_t new_source) {
+      const bool is_older = (new_age > age) | ((new_age == age) & (new_source < source));  // either is likely
+      age = is_older ? new_age : age;
+      source = is_older ? new_source : source;
+    }
+    void offer(const Oldest& other) { offer(other.age, other.source); }
+  };
+
+  explicit OldestSources(Ns root_period) : root_period_(root_period) {}
+
+  /// @param best  of the devices of the group: how old its sample is when its update() begins, and which device it is.
+  void add_group(const HandOverGroup& group, const Oldest& best);
+
+  /// The oldest sample a device of the group uses, at its own release: the sum of its use of a root release and of what
+  /// that release uses. Not one nanosecond younger than what is possible, and with closed forms maybe older.
+  Oldest worst(const HandOverGroup& group);
+
+  [[nodiscard]] bool has_closed_form() const { return closed_.age >= 0; }
+
+ private:
+  using List = std::vector<Oldest>;  ///< per root release of one repetition
+
+  void spread(List& list) const;
+  void gather();
+  const List& folded(std::size_t whole, std::size_t common);
+
+  Ns root_period_;
+  struct Source {
+    std::shared_ptr<const Staircase> up;
+    Oldest best;
+  };
+  std::vector<Source> sources_;
+  std::vector<List> wholes_;  ///< of lengths that do not divide each other, with everything of a length that divides
+  std::map<std::pair<std::size_t, std::size_t>, List> folded_;  ///< by place in wholes_ and entries
+  Oldest closed_;
+  Oldest oldest_;  ///< of all root releases
+  bool is_gathered_ = false;
+};
+
+}  // namespace finemote::gen::timing
