@@ -54,7 +54,8 @@ class MotorElement : public Element, public ShaftSource {
     if (what == "disturb") return model_.shaft().disturb(outfit_.now(), need<double>(event, "torque")), true;
     return false;
   }
-  /// `angle` [rad], `speed` [rad/s], `torque` [N m] of the output; `current` [A] and `command` as ordered; `commands`.
+  /// `angle` [rad], `speed` [rad/s], `torque` [N m] of the output; `current` [A] and `command` as ordered; `commands`;
+  /// `resumed_with`.
   std::optional<double> value(const std::string& quantity) override {
     const Time now = outfit_.now();
     if (quantity == "angle") return model_.shaft().angle(now);
@@ -63,6 +64,7 @@ class MotorElement : public Element, public ShaftSource {
     if (quantity == "current") return model_.current();
     if (quantity == "command") return model_.command();
     if (quantity == "commands") return model_.commands();
+    if (quantity == "resumed_with") return model_.resumed_with();
     return std::nullopt;
   }
 

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kSteps = 8192;  // of the rotor's encoder
+constexpr Time kPause = from_ns(8'000'000);
 
 void put(CanFrame& frame, unsigned at, double value) {
   const auto word = static_cast<std::uint16_t>(std::lround(std::clamp(value, -32768.0, 32767.0)));
@@ -57,6 +58,8 @@ void DjiMotor::hear(const CanFrame& frame) {
   const int full = static_cast<int>(figures_.full_word);
   command_ = std::clamp<int>(word, -full, full);
   ++commands_;
+  if (world_.now() - heard_ > kPause) resumed_with_ = command_;
+  heard_ = world_.now();
   shaft_.drive(world_.now(), current() * figures_.torque_per_ampere);
   if (on_command) on_command(word);
 }

@@ -31,6 +31,8 @@ class DjiMotor {
   [[nodiscard]] int command() const { return command_; }
   [[nodiscard]] double current() const { return command_ * figures_.full_current / figures_.full_word; }
   [[nodiscard]] unsigned commands() const { return commands_; }
+  /// The first command after the last pause of more than 8 ms; 0 before there was one.
+  [[nodiscard]] int resumed_with() const { return resumed_with_; }
 
   /// Told when a command has arrived, and when a report sampled at `from` has.
   std::function<void(int word)> on_command;
@@ -50,6 +52,8 @@ class DjiMotor {
   MotorShaft shaft_;
   int command_ = 0;
   unsigned commands_ = 0;
+  int resumed_with_ = 0;
+  Time heard_ = 0;
   std::optional<CanFrame> waiting_;
   Time sampled_ = 0;
 };

@@ -259,6 +259,8 @@ void print_run(const RunResult& result, std::ostream& out) {
   if (!result.record.flash.empty())
     out << fmt::format("times are derived from instructions; fetches from flash {}\n",
                        result.record.flash == "hit" ? "hit its accelerator" : "always miss its accelerator");
+  if (result.record.flash == "miss")
+    out << "bounds are those of the execution times that are declared or assumed, whatever the fetches cost\n";
   print_order(result, out);
   print_chains(result, out);
   print_monitor(result, out);

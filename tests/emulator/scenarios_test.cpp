@@ -86,3 +86,33 @@ TEST_CASE("a run that is not as its scenario expects is a no, one that cannot ha
   CHECK(impossible.exit_status == 2);
   CHECK(impossible.output.find("FM6004") != std::string::npos);
 }
+
+TEST_CASE("bounds hold with every fetch from flash missed when execution times are declared for that") {
+  const TemporaryFolder folder;
+  const auto robot_with = [&](const std::string& fast, const std::string& slow) {
+    const auto load = [](const std::string& name, const std::string& period, const std::string& wcet,
+                         const std::string& children) {
+      return "<device name=\"" + name + "\" type=\"sim_load\" period=\"" + period + "\">" + wcet +
+             "<param name=\"update\">20us</param> <param name=\"handle\">20us</param>" + children + "</device>";
+    };
+    write_file(folder.path("r.urdf"),
+               R"(<robot name="r"><link name="base"/><finemote version="1"><board name="robomaster_type_c"/>)" +
+                   load("slow", "5ms", slow, load("fast", "1ms", fast, "") + load("other", "2ms", fast, "")) +
+                   "</finemote></robot>");
+    return folder.path("r.urdf");
+  };
+  const auto run_missing = [](const std::string& robot) {
+    return run_finemote({"run", robot, "--flash", "miss", "--duration", "200ms"});
+  };
+  const std::string roomy = R"(<wcet update="30us" handle="30us" source="measured"/>)";
+  const auto holds = run_missing(robot_with(roomy, roomy));
+  INFO(holds.output);
+  CHECK(holds.exit_status == 0);
+  CHECK(holds.output.find("FM6006") == std::string::npos);
+  CHECK(holds.output.find("bounds are those of the execution times that are declared") != std::string::npos);
+
+  const std::string tight = R"(<wcet update="20us" handle="20us" source="measured"/>)";
+  const auto late = run_missing(robot_with(tight, tight));
+  INFO(late.output);
+  CHECK(late.output.find("FM6006") != std::string::npos);
+}
