@@ -73,6 +73,16 @@ int refuse_unschedulable(Context& context, const Verdict& verdict) {
   return status;
 }
 
+/// A requirement that fails refuses nothing here, but nobody should believe that it holds.
+void warn_of_requirements(Context& context, const Verdict& verdict) {
+  for (Diagnostic finding : verdict.reasons.in_file_order()) {
+    if (finding.code != code::timing_requirement) continue;
+    finding.severity = Severity::warning;
+    finding.note("generate writes the files all the same; analyze and check answer no");
+    context.diagnostics.add(finding);
+  }
+}
+
 }  // namespace
 
 int run_generate(Context& context) {
@@ -90,6 +100,7 @@ int run_generate(Context& context) {
     if (!verdict) return finish(context, kExitInvalid);
     for (const Diagnostic& overload : verdict->overloads) context.diagnostics.add(overload);
     if (!verdict->schedulable) return refuse_unschedulable(context, *verdict);
+    warn_of_requirements(context, *verdict);
   }
   auto files = render_robot(context, *loaded);
   if (is_refused(context)) return finish(context, kExitInvalid);

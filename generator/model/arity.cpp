@@ -38,11 +38,42 @@ class MissingChild {
       if (device.role == role_ && device.type != nullptr) sibling = &device;
     }
     const DeviceType* type = sibling != nullptr ? sibling->type : types.empty() ? nullptr : types.front();
-    return fmt::format("<device name=\"...\" type=\"{}\" role=\"{}\"{}/>", type != nullptr ? type->name : "sim_load",
-                       parent_.type->roles[role_].name, type != nullptr ? place(*type, sibling) : "");
+    const std::string name = free_name(sibling);
+    return fmt::format("<device name=\"{}\" type=\"{}\" role=\"{}\"{}{}/>", name,
+                       type != nullptr ? type->name : "sim_load", parent_.type->roles[role_].name,
+                       type != nullptr ? place(*type, sibling) : "", joint(name));
   }
 
  private:
+  /// The sibling's name with the next number that is free: `thruster_8`; without a sibling that of the role.
+  std::string free_name(const Device* sibling) const {
+    std::string stem = sibling != nullptr ? sibling->name.text : parent_.type->roles[role_].name;
+    while (!stem.empty() && stem.back() >= '0' && stem.back() <= '9') stem.pop_back();
+    const bool has_mark = !stem.empty() && (stem.back() == '_' || stem.back() == '-');
+    const bool was_numbered = sibling != nullptr && stem.size() < sibling->name.text.size();
+    if (!has_mark && !was_numbered) stem += '_';
+    const auto taken = [&](const std::string& name) {
+      return std::any_of(reading_.robot.devices.begin(), reading_.robot.devices.end(),
+                         [&](const Device& device) { return device.name.text == name; });
+    };
+    std::size_t number = 1;
+    while (taken(stem + std::to_string(number))) ++number;
+    return stem + std::to_string(number);
+  }
+
+  /// ` joint="thruster_8_joint"` where the parent computes something from it.
+  std::string joint(const std::string& name) const {
+    const std::string& role = parent_.type->roles[role_].name;
+    const bool is_needed = std::any_of(parent_.type->geometry.begin(), parent_.type->geometry.end(),
+                                       [&](const GeometrySpec& geometry) { return geometry.role == role; });
+    if (!is_needed) return {};
+    const std::vector<std::string> free = free_joints(reading_);
+    const auto namesake = std::find_if(free.begin(), free.end(),
+                                       [&](const std::string& joint) { return joint.find(name) != std::string::npos; });
+    const std::string found = namesake != free.end() ? *namesake : free.empty() ? "..." : free.front();
+    return fmt::format(" joint=\"{}\"", found);
+  }
+
   /// ` bus="pwm" channel="7"`: on the bus of the sibling where there is room, else on the first with room.
   std::string place(const DeviceType& type, const Device* sibling) const {
     if (type.buses.empty()) return {};

@@ -9,6 +9,7 @@
 #include "generator/descriptor/library.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/names.hpp"
+#include "generator/model/offers.hpp"
 #include "generator/model/pins.hpp"
 #include "generator/model/reading.hpp"
 #include "generator/units/units.hpp"
@@ -145,10 +146,13 @@ class DeviceReader {
       return;
     std::string rates;
     for (const std::int64_t rate : type.rates) rates += fmt::format("{}{}", rates.empty() ? "" : ", ", rate);
+    const std::int64_t fastest = *std::max_element(type.rates.begin(), type.rates.end());
     at_value(diagnostics_, code::rate_unreachable, bus,
              fmt::format("bus '{}' runs at {} bit/s, which '{}' cannot", physical.name.text, physical.rate, type.name))
         .note("the bus stands here", physical.at)
-        .hint(fmt::format("it can {} bit/s", rates));
+        .hint(fmt::format("write {}=\"{}\" at the bus{}", rate_attribute(segment.bus_kind),
+                          rate_text(segment.bus_kind, fastest),
+                          type.rates.size() > 1 ? fmt::format("; the part can run at {} bit/s", rates) : ""));
   }
 
   void read_period() {

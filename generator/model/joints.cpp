@@ -1,6 +1,8 @@
 // `link` and `joint` of devices against the URDF: FM2002 to FM2004, FM2006.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/model/attributes.hpp"
 #include "generator/model/reading.hpp"
 
@@ -39,6 +41,16 @@ void check_joint(Reading& reading, const Device& device, const xml::Node& tag) {
       .hint("make the joint type=\"continuous\" for what spins, \"revolute\" or \"prismatic\" for what has an end");
 }
 
+std::string joint_hint(const Reading& reading) {
+  const std::vector<std::string> free = free_joints(reading);
+  if (free.empty()) return "add joint=\"...\" with the name of the joint it moves; all joints that move are taken";
+  std::string others;
+  for (std::size_t i = 1; i < free.size(); ++i) others += fmt::format("{}'{}'", i > 1 ? ", " : "", free[i]);
+  return fmt::format("add joint=\"{}\"{}", free.front(),
+                     others.empty() ? ", the only one that moves and that no device drives"
+                                    : ", or another that no device drives: " + others);
+}
+
 /// Children that geometry is computed of have to say which joint they drive.
 void check_geometry(Reading& reading, const Device& parent) {
   for (const GeometrySpec& geometry : parent.type->geometry) {
@@ -50,12 +62,22 @@ void check_geometry(Reading& reading, const Device& parent) {
              fmt::format("device '{}' has no 'joint'", device.name.text))
           .note(fmt::format("the {} of device '{}' is computed from origin and axis of the joints of its {}",
                             geometry.kind, parent.name.text, geometry.role))
-          .hint("add joint=\"...\"");
+          .hint(joint_hint(reading));
     }
   }
 }
 
 }  // namespace
+
+std::vector<std::string> free_joints(const Reading& reading) {
+  std::vector<std::string> free;
+  for (const Joint& joint : reading.kinematics.joints) {
+    const bool is_driven = std::any_of(reading.robot.devices.begin(), reading.robot.devices.end(),
+                                       [&](const Device& device) { return device.joint == joint.name; });
+    if (joint.type != "fixed" && !is_driven) free.push_back(joint.name);
+  }
+  return free;
+}
 
 void check_joints(Reading& reading) {
   for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {

@@ -156,16 +156,44 @@ class AddressTable {
     const Name& bus = reading_.robot.buses[segment.bus].name;
     finding.note(same_segment ? fmt::format("both sit on '{}'", segment.name.text)
                               : fmt::format("what sits on '{}' itself is seen through every mux channel", bus.text));
-    finding.hint(!same_segment                   ? "set another address at one of them, here and in the part"
-                 : segment.name.text != bus.text ? "put one on another channel, or on another bus"
-                                                 : behind_a_mux(bus.text));
+    if (!same_segment) {
+      const bool is_upstream = segment.kind == Segment::Kind::bus;
+      finding.hint(to_a_channel(is_upstream ? occupant.what : other.occupant.what,
+                                is_upstream ? reading_.robot.segments[other.segment] : segment));
+      return;
+    }
+    if (segment.name.text != bus.text) return void(finding.hint("put one on another channel, or on another bus"));
+    finding.hint(behind_a_mux(bus.text));
+    const Bus& physical = reading_.robot.buses[segment.bus];
+    const std::string elsewhere =
+        another_bus(*reading_.robot.board, used_ports(reading_.robot), physical.kind, physical.rate);
+    if (!elsewhere.empty()) finding.hint("or put one on a bus of its own: " + elsewhere);
   }
 
   static std::string behind_a_mux(const std::string& bus) {
     return fmt::format(
-        "put one on another bus, or behind a multiplexer: <expander name=\"mux\" model=\"tca9548a\" bus=\"{}\" "
-        "address=\"0x70\"><channel index=\"0\" name=\"mux_0\"/></expander>, and bus=\"mux_0\"",
+        "put both behind a multiplexer, each on a channel of its own: <expander name=\"mux\" model=\"tca9548a\" "
+        "bus=\"{}\" address=\"0x70\"><channel index=\"0\" name=\"mux_0\"/><channel index=\"1\" "
+        "name=\"mux_1\"/></expander>, then bus=\"mux_0\" at the one and bus=\"mux_1\" at the other",
         bus);
+  }
+
+  /// How what sits on the bus itself gets a channel of the multiplexer that `channel` is of.
+  [[nodiscard]] std::string to_a_channel(const std::string& what, const Segment& channel) const {
+    if (!channel.expander) return "put one of them on another bus";
+    const Expander& mux = reading_.robot.expanders[*channel.expander];
+    std::uint32_t index = 0;
+    const auto taken = [&] {
+      return std::any_of(mux.channels.begin(), mux.channels.end(), [&](const auto& c) { return c.index == index; });
+    };
+    while (taken()) ++index;
+    constexpr std::uint32_t kChannels = 8;
+    if (index >= kChannels)
+      return fmt::format("put {} on another bus: all channels of '{}' are named", what, mux.name.text);
+    return fmt::format(
+        "put {0} behind a channel of its own: <channel index=\"{1}\" name=\"{2}_{1}\"/> in '{2}', and "
+        "bus=\"{2}_{1}\"",
+        what, index, mux.name.text);
   }
 
   Reading& reading_;

@@ -73,6 +73,7 @@ bool satisfies(const DeviceType& child, const RoleSpec& role);  // roles.cpp: it
 /// Channels of a segment: an expander's, those of a PWM port, pins; 0: none, or not known (places.cpp).
 std::uint32_t channel_count(const Reading& reading, std::size_t segment);
 /// Those of `count` channels of a segment that no device uses (places.cpp).
+std::vector<std::string> free_joints(const Reading& reading);  ///< that move and that no device drives, in file order
 std::vector<std::uint32_t> free_channels(const Reading& reading, std::size_t segment, std::uint32_t count);
 /// Ids of the type that clash with no device on the segment's bus, the first 16 (places.cpp).
 std::vector<std::uint32_t> free_ids(const Reading& reading, const DeviceType& type, std::size_t segment);

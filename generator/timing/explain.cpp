@@ -34,10 +34,10 @@ struct Share {
 };
 
 void add_share(std::vector<Share>& shares, const std::string& who, double load, bool autonomous) {
-  const auto known = std::find_if(shares.begin(), shares.end(), [&](const Share& s) { return s.who == who; });
+  const auto known = std::find_if(shares.begin(), shares.end(),
+                                  [&](const Share& s) { return s.who == who && s.autonomous == autonomous; });
   if (known == shares.end()) return shares.push_back({who, load, autonomous});
   known->load += load;
-  known->autonomous |= autonomous;
 }
 
 double ratio(Ns part, Ns whole) { return static_cast<double>(part) / static_cast<double>(std::max<Ns>(whole, 1)); }
@@ -70,10 +70,11 @@ std::vector<Share> bus_shares(const Model& model, std::size_t bus) {
 }
 
 std::string shares_text(const std::vector<Share>& shares) {
-  constexpr std::size_t kMost = 5;
+  constexpr std::size_t kMost = 12;
   std::string text;
   for (std::size_t i = 0; i < shares.size() && i < kMost; ++i) {
-    text += fmt::format("{}{}: {}", i > 0 ? ", " : "", shares[i].who, tenths_percent(shares[i].load));
+    text += fmt::format("{}{}{}: {}", i > 0 ? ", " : "", shares[i].who, shares[i].autonomous ? " by itself" : "",
+                        tenths_percent(shares[i].load));
   }
   if (shares.size() > kMost) text += fmt::format(" and {} more", shares.size() - kMost);
   return text;
@@ -84,19 +85,28 @@ void add_room_hints(const Timing& timing, std::size_t index, Diagnostic& finding
   const Bus& bus = timing.model.buses[index];
   const double load = timing.bus_loads[index].utilization;
   const std::vector<Share> shares = bus_shares(timing.model, index);
-  const bool autonomous =
-      !shares.empty() && std::all_of(shares.begin(), shares.end(), [](const Share& s) { return s.autonomous; });
-  const double factor = std::max(2.0, std::ceil(load / wanted));
-  finding.hint(autonomous ? fmt::format("let the parts on it send less often: {:.0f} times as rarely is {}", factor,
-                                        whole_percent(load / factor))
-                          : fmt::format("longer periods of the devices on it: {:.0f} times as long is {}", factor,
-                                        whole_percent(load / factor)));
+  double fixed = 0;  // what the parts send by themselves, whatever the periods of their devices
+  for (const Share& share : shares) fixed += share.autonomous ? share.load : 0;
+  const double ours = load - fixed;
+  if (ours > 0 && fixed < wanted) {
+    const double factor = std::max(2.0, std::ceil(ours / (wanted - fixed)));
+    finding.hint(fmt::format("longer periods of the devices on it: {:.0f} times as long is {}", factor,
+                             whole_percent(fixed + ours / factor)));
+  } else {
+    const double factor = std::max(2.0, std::ceil(fixed / std::max(wanted - ours, wanted / 2)));
+    finding.hint(
+        fmt::format("set the parts themselves, not this file, to send less often: {:.0f} times as rarely is {}", factor,
+                    whole_percent(ours + fixed / factor)));
+  }
   if (!bus.advice.rate.empty()) {
     finding.hint(fmt::format("write {}, which is about {}", bus.advice.rate,
                              whole_percent(load * ratio(bus.baud_bps, bus.advice.rate_bps))));
   }
-  finding.hint(bus.advice.other_port.empty() ? std::string("move devices to another bus")
-                                             : "move devices to another bus: " + bus.advice.other_port);
+  const std::string busiest = shares.empty() ? std::string() : shares.front().who;
+  const bool is_alone = std::all_of(shares.begin(), shares.end(), [&](const Share& s) { return s.who == busiest; });
+  if (is_alone) return;
+  finding.hint(fmt::format("move devices, {} first, to another bus{}", busiest,
+                           bus.advice.other_port.empty() ? "" : ": " + bus.advice.other_port));
 }
 
 /// The bus something goes over; none where its output is a pin of the chip.
