@@ -106,6 +106,7 @@ std::string frame_text(const Json& frame) {
   if (frame.value("write", 0) > 0) parts.push_back(fmt::format("{} bytes out", frame["write"].get<int>()));
   if (frame.value("read", 0) > 0) parts.push_back(fmt::format("{} bytes in", frame["read"].get<int>()));
   std::string when = frame["stage"].get<std::string>();
+  if (frame.contains("use")) when += ", over the use `" + frame["use"].get<std::string>() + "`";
   if (frame.contains("min_interval_ns"))
     when += ", at least " + time_text(frame["min_interval_ns"].get<std::int64_t>()) + " apart";
   return with_summary(fmt::format("{}: {}", when, joined(parts)), frame);

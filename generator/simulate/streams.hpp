@@ -59,12 +59,13 @@ class ArrivalGenerator {
       for (std::size_t i = 0; i < used_.size(); ++i) {
         const timing::Stream::Budget& b = stream_.budgets[i];
         const timing::Ns period = next_ / b.period;
-        const timing::Ns count = used_[i].period == period ? used_[i].count : 0;
-        if (count < b.count) {
-          used_[i] = {period, count + 1};
+        const bool is_next = used_[i].period == kNoPeriod || period >= used_[i].period + b.every;
+        if (is_next) used_[i] = {period, 0};
+        if (used_[i].period == period && used_[i].count < b.count) {
+          ++used_[i].count;
           return;
         }
-        const timing::Ns later = (period + 1) * b.period;
+        const timing::Ns later = (used_[i].period + b.every) * b.period;
         if (b.count > 0 && (soonest < 0 || later < soonest)) soonest = later;
       }
       if (soonest < 0) {
@@ -76,7 +77,7 @@ class ArrivalGenerator {
   }
 
   struct Used {
-    timing::Ns period = kNoPeriod;
+    timing::Ns period = kNoPeriod;  ///< the last one with room
     timing::Ns count = 0;
   };
 

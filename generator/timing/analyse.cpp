@@ -15,7 +15,8 @@ double processor_share(const TaskSet& set) {
   for (const Stream& s : set.streams) {
     long double rate = 1.0L / static_cast<long double>(s.separation), budget = 0;
     for (const Stream::Budget& b : s.budgets)
-      budget += static_cast<long double>(b.count) / static_cast<long double>(b.period);
+      budget +=
+          static_cast<long double>(b.count) / static_cast<long double>(b.period) / static_cast<long double>(b.every);
     if (!s.budgets.empty()) rate = std::min(rate, budget);
     share += rate * static_cast<long double>(s.cost);
   }

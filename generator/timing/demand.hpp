@@ -114,7 +114,7 @@ class Demand {
       for (const Stream::Budget& b : s.budgets) {
         const Ns periods = ceil_div(x, b.period);
         step.end = std::min(step.end, flat_to(0, periods, b.period));
-        by_budget = timing::add(by_budget, multiply(b.count, timing::add(periods, b.carry_in)));
+        by_budget = timing::add(by_budget, multiply(b.count, ceil_div(timing::add(periods, b.carry_in), b.every)));
       }
       arrived = std::min(arrived, by_budget);
     }

@@ -168,7 +168,10 @@ class Adapter {
     if (device.type == nullptr || device.type->raw_json.empty()) return;
     const Json descriptor = Json::parse(device.type->raw_json);
     add_acquisition(device, descriptor, model_.devices[place]);
-    if (device.segment) add_frames(device, descriptor, place);
+    if (device.segment) add_frames(device, descriptor, *device.segment, "", place);
+    for (const Use& use : device.uses) {
+      if (use.segment) add_frames(device, descriptor, *use.segment, use.spec->role, place);
+    }
     if (device.segment) add_interrupts(device, descriptor);
   }
 
@@ -220,32 +223,54 @@ class Adapter {
     return {};
   }
 
-  /// Entries of one unit become one transfer; entries of unit 0 stand alone.
-  void add_frames(const gen::Device& device, const Json& descriptor, std::size_t place) {
-    const auto bus = bus_of(*device.segment);
-    const auto frames = descriptor.find("frames");
+  /// Frames of a device over its own bus, or (`role`) over that of a use: entries of one unit become one transfer,
+  /// entries of unit 0 stand alone. A device that says nothing may send anything: its bus has no budgets.
+  void add_frames(const gen::Device& device, const Json& descriptor, std::size_t segment, const std::string& role,
+                  std::size_t place) {
+    const auto bus = bus_of(segment);
     if (!bus) return;
-    if (frames == descriptor.end()) {
-      undeclared_.insert(*bus);
-      return;
-    }
-    const BusKind kind = robot_.buses[robot_.segments[*device.segment].bus].kind;
-    const WireRate rate{kind, model_.buses[*bus].baud_bps, bits_per_byte(device.type->format)};
+    const Json frames = frames_over(descriptor, role);
+    const bool is_silent = role.empty() ? descriptor.contains("frames") : shares_own_bus(device, segment, role);
+    if (frames.empty() && !is_silent) undeclared_.insert(*bus);
+    if (frames.empty()) return;
+    const BusKind kind = robot_.buses[robot_.segments[segment].bus].kind;
+    const WireRate rate{kind, model_.buses[*bus].baud_bps, bits_per_byte(format_of(device, role))};
     std::map<std::pair<std::string, int>, WireUse> units;
     int alone = -1;
-    for (const Json& f : *frames) {
+    for (const Json& f : frames) {
       const int unit = f.value("unit", 0);
       WireUse& use = units[{f.at("stage").get<std::string>(), unit > 0 ? unit : alone--}];
       use.add(rate, f.value("write", Ns{0}), f.value("read", Ns{0}));
       use.min_interval_ns = std::max(use.min_interval_ns, f.value("min_interval_ns", Ns{0}));
       if (f.value("write", Ns{0}) > 0 && f.at("stage") != "autonomous") transmits_.insert(*bus);
     }
-    const bool muxed = robot_.segments[*device.segment].kind == Segment::Kind::mux_channel;
+    const bool muxed = robot_.segments[segment].kind == Segment::Kind::mux_channel;
     for (auto& [key, use] : units) {
       if (key.first == "flush") continue;  // one for all devices of the bucket: add_flush
       if (muxed) add_selection(*bus, rate, use);
       add_transfer(place, *bus, kind, key.first, use);
+      if (!role.empty()) model_.devices[place].transfers.back().command = false;
     }
+  }
+
+  static Json frames_over(const Json& descriptor, const std::string& role) {
+    Json frames = Json::array();
+    for (const Json& f : descriptor.value("frames", Json::array())) {
+      if (f.value("use", std::string()) == role) frames.push_back(f);
+    }
+    return frames;
+  }
+
+  /// A second chip select on the own bus: its frames may be declared with those of the first.
+  [[nodiscard]] bool shares_own_bus(const gen::Device& device, std::size_t segment, const std::string& role) const {
+    return !role.empty() && device.segment && bus_of(*device.segment) == bus_of(segment);
+  }
+
+  static const std::string& format_of(const gen::Device& device, const std::string& role) {
+    for (const Use& use : device.uses) {
+      if (use.spec->role == role) return use.spec->format;
+    }
+    return device.type->format;
   }
 
   /// A mux is set ahead of the unit; where there are several, the one set before is switched off first.
@@ -304,10 +329,11 @@ class Adapter {
     return false;
   }
 
-  /// On I2C and SPI every interrupt belongs to a transfer the robot asked for, once per period and slot.
-  void add_budget(std::size_t bus, std::size_t place, Ns count) {
+  /// On I2C and SPI every interrupt belongs to a transfer the robot asked for, once per period and slot (or in `every`
+  /// periods).
+  void add_budget(std::size_t bus, std::size_t place, Ns count, Ns every = 1) {
     if (!model_.buses[bus].sources || model_.buses[bus].sources->size() != 1 || undeclared_.contains(bus)) return;
-    model_.buses[bus].sources->front().budgets.push_back({place, count});
+    model_.buses[bus].sources->front().budgets.push_back({place, count, every});
   }
 
   void add_crossings() {
@@ -370,10 +396,24 @@ class Adapter {
     if (robot_.segments[expander.segment].kind == Segment::Kind::mux_channel) add_selection(*bus, rate, use);
     flush.output = output.name.text;
     flush.bus = bus;
-    add_budget(*bus, flush.devices.front(), use.interrupts);  // without the check: docs/timing.md, not covered
-    if (frames.contains("check")) use.add(rate, bytes("check"), bytes("check", "read"));
+    add_budget(*bus, flush.devices.front(), use.interrupts);
+    if (frames.contains("check")) {
+      WireUse check;
+      check.add(rate, bytes("check"), bytes("check", "read"));
+      add_budget(*bus, flush.devices.front(), check.interrupts, flushes_per_check(expander));
+      use.add(rate, bytes("check"), bytes("check", "read"));
+    }
     flush.wire_ns = use.wire_ns;
     flush.interrupts = use.interrupts;
+  }
+
+  /// The driver counts its flushes, whichever bucket they are of: the jobs of one bucket check no more often than this.
+  static Ns flushes_per_check(const Expander& expander) {
+    for (const Param& p : expander.params) {
+      const auto* number = std::get_if<std::int64_t>(&p.value);
+      if (p.spec != nullptr && p.spec->name == "refresh" && number != nullptr) return std::max<Ns>(*number, 1);
+    }
+    return 1;
   }
 
   /// A flush sends whatever has changed, also of a slower bucket it preempts: at most every shared frame of the bus.

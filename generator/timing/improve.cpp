@@ -73,7 +73,11 @@ std::vector<std::size_t> registration(const Siblings& siblings) {
   return order;
 }
 
-constexpr int kMostTrials = 400;
+/// Orders that are tried: fewer where one analysis takes long.
+int most_trials(std::size_t devices) {
+  constexpr std::size_t kMost = 400, kLeast = 8, kDevices = 200'000;  // devices analysed in all
+  return static_cast<int>(std::clamp(kDevices / std::max<std::size_t>(devices, 1), kLeast, kMost));
+}
 
 }  // namespace
 
@@ -120,6 +124,7 @@ std::vector<std::size_t> suggest_order(const Model& model, Profile profile) {
   std::iota(best.begin(), best.end(), std::size_t{0});
   Score best_score = score(model, profile);
   int trials = 0;
+  const int most = most_trials(model.devices.size());
   const auto try_order = [&] {
     ++trials;
     std::vector<std::size_t> order = registration(siblings);
@@ -129,10 +134,10 @@ std::vector<std::size_t> suggest_order(const Model& model, Profile profile) {
     best = std::move(order);
     return true;
   };
-  for (bool better = true; better && trials < kMostTrials;) {
+  for (bool better = true; better && trials < most;) {
     better = false;
     for (auto& list : siblings.lists) {
-      for (std::size_t i = 0; i + 1 < list.size() && trials < kMostTrials; ++i) {
+      for (std::size_t i = 0; i + 1 < list.size() && trials < most; ++i) {
         // A device registered later starts later and ends earlier: move one behind its siblings at a time.
         const auto before = list;
         std::rotate(list.begin() + static_cast<std::ptrdiff_t>(i), list.begin() + static_cast<std::ptrdiff_t>(i) + 1,

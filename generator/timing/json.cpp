@@ -44,7 +44,9 @@ void add_if(Json& out, const char* key, Ns value) {
 Json source_json(const Model& model, const InterruptSource& source) {
   Json out{{"name", source.name}, {"wcet_ns", source.wcet_ns}, {"min_interval_ns", source.min_interval_ns}};
   for (const FrameBudget& b : source.budgets) {
-    out["budgets"].push_back(Json{{"device", model.devices[b.device].name}, {"count", b.count}});
+    Json budget{{"device", model.devices[b.device].name}, {"count", b.count}};
+    if (b.every != 1) budget["every"] = b.every;
+    out["budgets"].push_back(std::move(budget));
   }
   return out;
 }

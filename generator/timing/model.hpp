@@ -11,10 +11,12 @@
 
 namespace finemote::gen::timing {
 
-/// At most `count` interrupts of a source in every period of `device`; the driver counts and refuses more.
+/// At most `count` interrupts of a source in one of any `every` consecutive periods of `device`, none in the others;
+/// the driver counts and refuses more.
 struct FrameBudget {
   std::size_t device = 0;  ///< index into Model::devices
   Ns count = 0;
+  Ns every = 1;  ///< >= 1
 };
 
 /// One interrupt of a bus (receive, transmit complete, ...). Only profile `target` tells sources apart.

@@ -179,14 +179,15 @@ class Reader {
 
   void read_budget(std::size_t bus, std::size_t source, const Value& v) {
     if (!check_object(v, "a budget")) return;
-    check_members(v, "a budget", {"device", "count"});
+    check_members(v, "a budget", {"device", "count", "every"});
     const std::string device = text(v, "a budget", "device");
     const Ns count = required(v, "a budget", "count", 0);
+    const Ns every = v.find("every") != nullptr ? required(v, "a budget", "every", 1) : 1;
     const Value* where = v.find("device");
     if (device.empty()) return;
-    later_.emplace_back([this, bus, source, device, count, where] {
+    later_.emplace_back([this, bus, source, device, count, every, where] {
       if (const auto d = find_device(device, *where)) {
-        (*model_.buses[bus].sources)[source].budgets.push_back({*d, count});
+        (*model_.buses[bus].sources)[source].budgets.push_back({*d, count, every});
       }
     });
   }

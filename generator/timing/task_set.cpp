@@ -17,7 +17,7 @@ void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
     for (const InterruptSource& source : *bus.sources) {
       Stream stream{source.min_interval_ns, add(source.wcet_ns, entry), {}, bus.name + "." + source.name};
       for (const FrameBudget& b : source.budgets) {
-        stream.budgets.push_back({b.count, model.devices[b.device].period_ns, 1});
+        stream.budgets.push_back({b.count, model.devices[b.device].period_ns, 1, b.every});
       }
       set.streams.push_back(std::move(stream));
     }
@@ -31,7 +31,7 @@ void add_release_streams(const Model& model, TaskSet& set) {
   Stream release{1, model.costs.release_ns, {}, "release"};
   for (const TaskBucket& bucket : set.buckets) {
     distance = std::gcd(distance, bucket.period);
-    release.budgets.push_back({1, bucket.period, 0});
+    release.budgets.push_back({1, bucket.period, 0, 1});
     set.streams.push_back({bucket.period, model.costs.release_per_bucket_ns, {}, "release"});
   }
   release.separation = distance;

@@ -10,12 +10,13 @@
 namespace finemote::gen::timing {
 
 /// Interrupts of one source in any window of length L: at most ceil(L/separation) and, with budgets, at most
-/// sum count * (ceil(L/period) + carry_in).
+/// sum count * ceil((ceil(L/period) + carry_in) / every).
 struct Stream {
   struct Budget {
     Ns count = 0;
     Ns period = 1;
     Ns carry_in = 0;
+    Ns every = 1;  ///< in so many periods that follow one another
   };
   Ns separation = 1;
   Ns cost = 0;

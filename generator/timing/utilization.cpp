@@ -76,12 +76,14 @@ bool hyperbolic_holds(const std::vector<Share>& list) {
 /// Adds the long-run rate of a stream: of its separation, or of its budgets where they are slower.
 void add_rate(const Stream& stream, Fraction& total) {
   Fraction budgets;
-  for (const Stream::Budget& b : stream.budgets) budgets.add({multiply(b.count, stream.cost), b.period});
+  for (const Stream::Budget& b : stream.budgets)
+    budgets.add({multiply(b.count, stream.cost), multiply(b.period, b.every)});
   const Share separation{stream.cost, stream.separation};
   const bool slower =
       !stream.budgets.empty() && budgets.numerator() * separation.period < budgets.denominator() * separation.cost;
   if (!slower) return total.add(separation);
-  for (const Stream::Budget& b : stream.budgets) total.add({multiply(b.count, stream.cost), b.period});
+  for (const Stream::Budget& b : stream.budgets)
+    total.add({multiply(b.count, stream.cost), multiply(b.period, b.every)});
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ void WireAnalysis::collect() {
   const auto add_item = [&](Item item, Ns interrupts) {
     item.pure = item.wire;
     item.wire = with_service(item.wire, interrupts);
-    if (model_.buses[item.bus].arbitrated) item.rank = 0;
+    item.arbitrated = model_.buses[item.bus].arbitrated;
+    if (item.arbitrated) item.rank = 0;
     items_.push_back(item);
     return items_.size() - 1;
   };

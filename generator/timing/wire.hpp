@@ -39,13 +39,15 @@ class WireAnalysis {
     bool receive = false;
     bool autonomous = false;
     Ns period = 1;
-    Ns jitter = 0;         ///< release to hand-over
-    Ns wire = 0;           ///< occupation of the bus, service routines included
-    Ns pure = 0;           ///< the same without them
-    std::size_t rank = 0;  ///< 0 is the most urgent
-    bool bounded = true;   ///< its bucket is ok
-    /// How long it keeps others off the wire: a part that sends by itself does not wait for our service routines.
-    [[nodiscard]] Ns on_wire() const { return autonomous ? pure : wire; }
+    Ns jitter = 0;            ///< release to hand-over
+    Ns wire = 0;              ///< occupation of the bus, service routines included
+    Ns pure = 0;              ///< the same without them
+    std::size_t rank = 0;     ///< 0 is the most urgent
+    bool bounded = true;      ///< its bucket is ok
+    bool arbitrated = false;  ///< on a bus that arbitrates frame by frame
+    /// How long it keeps others off the wire. Neither a part that sends by itself nor a frame in a mailbox of the
+    /// controller waits for our service routines on the wire; between frames the wire is free for others.
+    [[nodiscard]] Ns on_wire() const { return autonomous || arbitrated ? pure : wire; }
   };
 
   void collect();

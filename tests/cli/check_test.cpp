@@ -107,3 +107,15 @@ TEST_CASE("a manifest that cannot be trusted is an error") {
   CHECK(result.exit_status == 2);
   CHECK(result.output.find("FM5001") != std::string::npos);
 }
+
+TEST_CASE("every example keeps what it requires of itself") {
+  std::size_t robots = 0;
+  for (const auto& entry : fs::directory_iterator(source_path("examples"))) {
+    if (entry.path().extension() != ".urdf") continue;
+    INFO(entry.path());
+    const auto result = run_finemote({"analyze", entry.path().string()});
+    CHECK(result.exit_status == 0);
+    ++robots;
+  }
+  CHECK(robots >= 6);
+}

@@ -143,3 +143,46 @@ TEST_CASE("division rounds to minus infinity, with and without a prepared diviso
     }
   }
 }
+
+TEST_CASE("a window between two devices of a bucket holds at every release, also where there are too many to look at") {
+  // Both periods repeat after a million releases; only some of the slower bucket's jobs are preempted.
+  Model model;
+  model.devices.resize(3);
+  const auto set = [&](std::size_t d, const char* name, Ns period, Ns wcet) {
+    model.devices[d].name = name;
+    model.devices[d].period_ns = period;
+    model.devices[d].update_wcet_ns = model.devices[d].handle_wcet_ns = wcet;
+  };
+  set(0, "fast", 1'000'003, 1'000);
+  set(1, "leaf", 1'999'993, 10);
+  set(2, "root", 1'999'993, 10);
+  model.devices[1].parent = 2;
+  AnalysisRequest request;
+  request.chains = {{1, 1}};
+  Diagnostics diagnostics;
+  const auto timing = analyse(model, request, diagnostics);
+  REQUIRE(timing);
+  for (const ChainResult& chain : timing->chains) {
+    if (chain.to == 1) CHECK(*chain.decide_ns == 2'040);
+  }
+  CHECK(*timing->tight.devices[1].window_ns == 2'040);
+}
+
+TEST_CASE("a budget may count interrupts that come in one of so many periods") {
+  const std::string text = R"({"tick_ns":10,"costs":{"masked_ns":1},"buses":[{"name":"b","baud_bps":1000000000,
+      "min_frame_bits":10,"wcet_ns":2,"sources":[{"name":"s","wcet_ns":2,"min_interval_ns":10,"budgets":[
+      {"device":"a","count":3},{"device":"a","count":7,"every":50}]}]}],
+      "devices":[{"name":"a","period_ns":1000,"update_wcet_ns":100,"handle_wcet_ns":100}]})";
+  Sources sources;
+  Diagnostics diagnostics;
+  const auto model = read_model(*sources.add({"m.json", "", text}), diagnostics);
+  REQUIRE(model);
+  const auto timing = analyse(*model, {}, diagnostics);
+  REQUIRE(timing);
+  // In a window of two periods: three in each of them, and the seven once.
+  CHECK(*timing->target->devices[0].r_minus_ns == 200 + 1 + (2 * 3 + 7) * 2);
+  CHECK(
+      messages(R"({"tick_ns":10,"buses":[{"name":"b","baud_bps":1,"min_frame_bits":1,"wcet_ns":0,"sources":[{"name":"s",
+"wcet_ns":0,"min_interval_ns":1,"budgets":[{"device":"a","count":1,"every":0}]}]}],"devices":[{"name":"a","period_ns":10,
+"update_wcet_ns":1,"handle_wcet_ns":1}]})") != "");
+}

@@ -48,7 +48,7 @@ class RandomForest {
         InterruptSource source{"source", random_.between(0, 4), random_.between(5, 80), {}};
         if (random_.one_in(2)) {
           const auto device = static_cast<std::size_t>(random_.between(0, static_cast<Ns>(model.devices.size()) - 1));
-          source.budgets.push_back({device, random_.between(0, 3)});
+          source.budgets.push_back({device, random_.between(0, 3), random_.between(1, 3)});
         }
         bus.sources->push_back(source);
       }

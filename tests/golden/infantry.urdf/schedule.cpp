@@ -105,10 +105,10 @@ constexpr finemote::Monitored kMonitored[] = {
     {0, 138540, 28188090, &gimbal::yaw.command},  // yaw
     {0, 132962, 28182512, &gimbal::pitch.command},  // pitch
     {1, 183828, finemote::kUnbounded, nullptr},  // gimbal
-    {2, 301046, finemote::kUnbounded, &chassis::front_left.command},  // front_left
-    {2, 277586, finemote::kUnbounded, &chassis::front_right.command},  // front_right
-    {2, 272926, finemote::kUnbounded, &chassis::rear_left.command},  // rear_left
-    {2, 268266, finemote::kUnbounded, &chassis::rear_right.command},  // rear_right
+    {2, 301046, 26350596, &chassis::front_left.command},  // front_left
+    {2, 277586, 26327136, &chassis::front_right.command},  // front_right
+    {2, 272926, 26322476, &chassis::rear_left.command},  // rear_left
+    {2, 268266, 26317816, &chassis::rear_right.command},  // rear_right
     {2, 263606, finemote::kUnbounded, nullptr},  // chassis
     {3, 317002, finemote::kUnbounded, nullptr},  // remote
 };

@@ -31,13 +31,13 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
 inline constexpr finemote::Bounds imu{131400, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds yaw{131040, 28180590, 28932000};
-inline constexpr finemote::Bounds pitch{127562, 28177112, 28932000};
+inline constexpr finemote::Bounds yaw{131040, 28180590, 28862450};
+inline constexpr finemote::Bounds pitch{127562, 28177112, 28862450};
 inline constexpr finemote::Bounds gimbal{170028, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds front_left{234646, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds front_right{232086, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds rear_left{229526, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds rear_right{226966, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds front_left{234646, 26284196, 27336574};
+inline constexpr finemote::Bounds front_right{232086, 26281636, 27336574};
+inline constexpr finemote::Bounds rear_left{229526, 26279076, 27336574};
+inline constexpr finemote::Bounds rear_right{226966, 26276516, 27336574};
 inline constexpr finemote::Bounds chassis{224406, finemote::kUnbounded, finemote::kUnbounded};
 inline constexpr finemote::Bounds remote{265202, finemote::kUnbounded, finemote::kUnbounded};
 }  // namespace bounds

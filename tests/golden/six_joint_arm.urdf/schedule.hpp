@@ -23,12 +23,12 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
 inline constexpr finemote::Bounds sticks{162246, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds base{127208, 27151258, 27903608};
-inline constexpr finemote::Bounds shoulder{124648, 27148698, 27903608};
-inline constexpr finemote::Bounds elbow{122088, 27146138, 27903608};
-inline constexpr finemote::Bounds wrist_roll{119528, 27143578, 27903608};
-inline constexpr finemote::Bounds wrist_pitch{116968, 27141018, 27903608};
-inline constexpr finemote::Bounds flange{114408, 27138458, 27903608};
+inline constexpr finemote::Bounds base{127208, 27151258, 27879558};
+inline constexpr finemote::Bounds shoulder{124648, 27148698, 27879558};
+inline constexpr finemote::Bounds elbow{122088, 27146138, 27879558};
+inline constexpr finemote::Bounds wrist_roll{119528, 27143578, 27879558};
+inline constexpr finemote::Bounds wrist_pitch{116968, 27141018, 27879558};
+inline constexpr finemote::Bounds flange{114408, 27138458, 27879558};
 inline constexpr finemote::Bounds arm{93048, finemote::kUnbounded, finemote::kUnbounded};
 }  // namespace bounds
 

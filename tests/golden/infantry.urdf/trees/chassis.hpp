@@ -17,25 +17,25 @@
 namespace infantry::chassis {
 
 /// front_left: dji_m3508 on 'wheel_can' id 1, every 5 ms
-/// response <= 234.646 us; no bound on the age of its command
+/// response <= 234.646 us; data age <= 26.285 ms when handle() ends, <= 27.337 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_left{
     finemote::DjiM3508::Config{/*gear*/ 19.2032086f, /*max_age [ns]*/ 100000000},
     ::infantry::slots::front_left};
 
 /// front_right: dji_m3508 on 'wheel_can' id 2, every 5 ms
-/// response <= 232.086 us; no bound on the age of its command
+/// response <= 232.086 us; data age <= 26.282 ms when handle() ends, <= 27.337 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_right{
     finemote::DjiM3508::Config{/*gear*/ 19.2032086f, /*max_age [ns]*/ 100000000},
     ::infantry::slots::front_right};
 
 /// rear_left: dji_m3508 on 'wheel_can' id 3, every 5 ms
-/// response <= 229.526 us; no bound on the age of its command
+/// response <= 229.526 us; data age <= 26.28 ms when handle() ends, <= 27.337 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_left{
     finemote::DjiM3508::Config{/*gear*/ 19.2032086f, /*max_age [ns]*/ 100000000},
     ::infantry::slots::rear_left};
 
 /// rear_right: dji_m3508 on 'wheel_can' id 4, every 5 ms
-/// response <= 226.966 us; no bound on the age of its command
+/// response <= 226.966 us; data age <= 26.277 ms when handle() ends, <= 27.337 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_right{
     finemote::DjiM3508::Config{/*gear*/ 19.2032086f, /*max_age [ns]*/ 100000000},
     ::infantry::slots::rear_right};

@@ -33,13 +33,13 @@ FINEMOTE_CONSTINIT inline finemote::Bmi088 imu{
     /*ready*/ nullptr};
 
 /// yaw: dji_gm6020 on 'gimbal_can' id 1, every 1 ms
-/// response <= 131.04 us; data age <= 28.181 ms when handle() ends, <= 28.932 ms at the output (oldest: remote)
+/// response <= 131.04 us; data age <= 28.181 ms when handle() ends, <= 28.863 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiGm6020 yaw{
     finemote::DjiGm6020::Config{/*max_age [ns]*/ 100000000},
     ::infantry::slots::yaw};
 
 /// pitch: dji_gm6020 on 'gimbal_can' id 2, every 1 ms
-/// response <= 127.562 us; data age <= 28.178 ms when handle() ends, <= 28.932 ms at the output (oldest: remote)
+/// response <= 127.562 us; data age <= 28.178 ms when handle() ends, <= 28.863 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiGm6020 pitch{
     finemote::DjiGm6020::Config{/*max_age [ns]*/ 100000000},
     ::infantry::slots::pitch};

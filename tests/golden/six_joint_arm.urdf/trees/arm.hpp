@@ -22,37 +22,37 @@ namespace six_joint_arm::arm {
 FINEMOTE_CONSTINIT inline finemote::Sbus sticks{::six_joint_arm::receiver};
 
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
-/// response <= 127.208 us; data age <= 27.152 ms when handle() ends, <= 27.904 ms at the output (oldest: sticks)
+/// response <= 127.208 us; data age <= 27.152 ms when handle() ends, <= 27.88 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 base{
     finemote::DjiM3508::Config{/*gear*/ 57.61f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::base};
 
 /// shoulder: dji_m3508 on 'arm_can' id 2, every 2 ms
-/// response <= 124.648 us; data age <= 27.149 ms when handle() ends, <= 27.904 ms at the output (oldest: sticks)
+/// response <= 124.648 us; data age <= 27.149 ms when handle() ends, <= 27.88 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 shoulder{
     finemote::DjiM3508::Config{/*gear*/ 57.61f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::shoulder};
 
 /// elbow: dji_m3508 on 'arm_can' id 3, every 2 ms
-/// response <= 122.088 us; data age <= 27.147 ms when handle() ends, <= 27.904 ms at the output (oldest: sticks)
+/// response <= 122.088 us; data age <= 27.147 ms when handle() ends, <= 27.88 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 elbow{
     finemote::DjiM3508::Config{/*gear*/ 38.406f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::elbow};
 
 /// wrist_roll: dji_m3508 on 'wrist_can' id 1, every 2 ms
-/// response <= 119.528 us; data age <= 27.144 ms when handle() ends, <= 27.904 ms at the output (oldest: sticks)
+/// response <= 119.528 us; data age <= 27.144 ms when handle() ends, <= 27.88 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{
     finemote::DjiM3508::Config{/*gear*/ 19.2032086f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::wrist_roll};
 
 /// wrist_pitch: dji_m2006 on 'wrist_can' id 2, every 2 ms
-/// response <= 116.968 us; data age <= 27.142 ms when handle() ends, <= 27.904 ms at the output (oldest: sticks)
+/// response <= 116.968 us; data age <= 27.142 ms when handle() ends, <= 27.88 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{
     finemote::DjiM2006::Config{/*gear*/ 36.0f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::wrist_pitch};
 
 /// flange: dji_m2006 on 'wrist_can' id 3, every 2 ms
-/// response <= 114.408 us; data age <= 27.139 ms when handle() ends, <= 27.904 ms at the output (oldest: sticks)
+/// response <= 114.408 us; data age <= 27.139 ms when handle() ends, <= 27.88 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{
     finemote::DjiM2006::Config{/*gear*/ 36.0f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::flange};
