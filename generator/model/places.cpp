@@ -156,6 +156,11 @@ class AddressTable {
     const Name& bus = reading_.robot.buses[segment.bus].name;
     finding.note(same_segment ? fmt::format("both sit on '{}'", segment.name.text)
                               : fmt::format("what sits on '{}' itself is seen through every mux channel", bus.text));
+    for (const Occupant* each : {&occupant, &other.occupant}) {
+      if (!each->tag->is_element("expander")) continue;
+      finding.hint(fmt::format("set another address at {}, here and at the pins of the part", each->what));
+      return;
+    }
     if (!same_segment) {
       const bool is_upstream = segment.kind == Segment::Kind::bus;
       finding.hint(to_a_channel(is_upstream ? occupant.what : other.occupant.what,
