@@ -1,4 +1,3 @@
-#define EIGEN_DONT_VECTORIZE  // one order of operations on every machine: generated files are compared byte for byte
 #include "generator/emit/geometry.hpp"
 
 #include <Eigen/Geometry>
