@@ -8,8 +8,7 @@ void Gpio::reset() {  // RM0090 8.4: ports A and B hold the debug pins
   pupdr_ = port_ == 'A' ? 0x64000000U : port_ == 'B' ? 0x100U : 0;
   otyper_ = odr_ = 0;
   afr_ = {};
-  outside_.fill(-1);
-  last_levels_ = last_drive_ = 0;
+  changed();  // what drives a pin from outside goes on
 }
 
 bool Gpio::level(unsigned pin) const {

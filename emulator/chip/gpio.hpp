@@ -12,6 +12,7 @@ class Gpio : public Peripheral {
  public:
   Gpio(World& world, char port)
       : Peripheral(world, std::string("gpio") + static_cast<char>(port - 'A' + 'a')), port_(port) {
+    outside_.fill(-1);
     reset();
   }
 

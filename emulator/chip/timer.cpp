@@ -31,6 +31,7 @@ void Timer::reset() {
   ccr_active_ = {};
   ++token_;
   update_line();
+  announce();
 }
 
 Timer::Pulse Timer::pulse(unsigned channel) const {
