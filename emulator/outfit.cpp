@@ -109,16 +109,19 @@ void Outfit::listen_to_pulses(const Json& part, PulseSource::Listener listener) 
   if (timer == nullptr) refuse(part, "the board has no such PWM header");
   headers_[{timer, channel}].push_back(std::move(listener));
   timer->on_pulse = [this, timer = timer](unsigned which, Timer::Pulse pulse) {
-    for (const auto& tell : headers_[{timer, which}]) tell(pulse.width_ns);
+    for (const auto& tell : headers_[{timer, which}]) tell(pulse);
   };
+}
+
+bool Outfit::is_pin(const std::string& pin) {
+  const bool digits = pin.size() >= 3 && pin.size() <= 4 && pin.find_first_not_of("0123456789", 2) == std::string::npos;
+  return digits && pin[0] == 'P' && pin[1] >= 'A' && pin[1] <= 'I' && std::stoul(pin.substr(2)) <= 15;
 }
 
 /// `PA0` to `PI15`, driven `high` or `low`, or `release`d.
 void Outfit::check_pin(const Json& event) {
   const auto pin = need<std::string>(event, "pin"), what = need<std::string>(event, "do");
-  const bool digits = pin.size() >= 3 && pin.size() <= 4 && pin.find_first_not_of("0123456789", 2) == std::string::npos;
-  if (!digits || pin[0] != 'P' || pin[1] < 'A' || pin[1] > 'I' || std::stoul(pin.substr(2)) > 15)
-    refuse(event, "'pin' is a pin of the chip, PA0 to PI15");
+  if (!is_pin(pin)) refuse(event, "'pin' is a pin of the chip, PA0 to PI15");
   if (what != "high" && what != "low" && what != "release") refuse(event, "'" + what + "' cannot happen to a pin");
 }
 

@@ -80,6 +80,8 @@ class Outfit {
   I2cLine& line_of(const Json& part);
   /// Calls the listener for every change of the PWM output the part is connected to.
   void listen_to_pulses(const Json& part, PulseSource::Listener listener);
+  /// A pin of the chip, `PA0` to `PI15`.
+  static bool is_pin(const std::string& pin);
 
  private:
   void add_part(const Json& part);

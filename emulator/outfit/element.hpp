@@ -7,6 +7,7 @@
 #include <string>
 
 #include "emulator/chip/i2c_line.hpp"
+#include "emulator/chip/timer.hpp"
 #include "emulator/outfit/entry.hpp"
 #include "emulator/parts/serial_terminal.hpp"
 #include "emulator/plants/motion.hpp"
@@ -42,7 +43,7 @@ class LineSource {  ///< provides I2C buses
 
 class PulseSource {  ///< provides PWM outputs
  public:
-  using Listener = std::function<void(std::uint64_t pulse_ns)>;
+  using Listener = std::function<void(Timer::Pulse pulse)>;
   virtual ~PulseSource() = default;
   virtual bool listen(unsigned channel, Listener listener) = 0;
 };

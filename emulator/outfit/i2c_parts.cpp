@@ -38,7 +38,7 @@ class PwmElement : public Element, public PulseSource {
     model_.on_pulse = [this, &outfit, name](unsigned channel, std::uint64_t pulse) {
       const std::uint64_t now = outfit.board().now_ns();
       outfit.record(PartEvent{name, PartEvent::Kind::output, channel, now, now, static_cast<double>(pulse)});
-      for (const Listener& tell : listeners_[channel]) tell(pulse);
+      for (const Listener& tell : listeners_[channel]) tell({pulse, model_.period_ns()});
     };
     outfit.line_of(part).attach(model_);
   }

@@ -12,10 +12,10 @@ class OutputElement : public Element {
  public:
   OutputElement(Outfit& outfit, const Json& part, const std::string& name) {
     const bool on_board = part.contains("port");  // an expander records its outputs itself
-    outfit.listen_to_pulses(part, [this, &outfit, name, on_board](std::uint64_t pulse) {
-      pulse_ = pulse;
+    outfit.listen_to_pulses(part, [this, &outfit, name, on_board](Timer::Pulse pulse) {
+      pulse_ = pulse.width_ns;
       const std::uint64_t now = outfit.board().now_ns();
-      if (on_board) outfit.record(PartEvent{name, PartEvent::Kind::output, 0, now, now, static_cast<double>(pulse)});
+      if (on_board) outfit.record(PartEvent{name, PartEvent::Kind::output, 0, now, now, static_cast<double>(pulse_)});
       changed();
     });
   }

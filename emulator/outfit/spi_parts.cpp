@@ -1,48 +1,91 @@
 // Parts on SPI buses.
+#include <map>
+
 #include "emulator/outfit/bodies.hpp"
 #include "emulator/parts/bmi088.hpp"
+#include "emulator/plants/heated_mass.hpp"
 
 namespace finemote::emulator {
 namespace {
+
+HeatedMass::Parameters mass_of(const Json& part) {
+  HeatedMass::Parameters p;
+  p.ambient = maybe(part, "ambient", p.ambient);
+  p.rise = maybe(part, "heater_rise", p.rise);
+  p.time_constant = maybe(part, "heater_time_constant", p.time_constant);
+  if (p.rise < 0 || p.time_constant <= 0) refuse(part, "a figure of the heater is out of range");
+  return p;
+}
 
 class Bmi088Element : public Element {
  public:
   Bmi088Element(Outfit& outfit, const Json& part, const std::string& name)
       : outfit_(outfit),
+        part_(part),
         seat_(part),
-        model_([&outfit] { return outfit.now(); }, [this](Time now) { return seat_.motion(now); }) {
+        mass_(mass_of(part)),
+        model_(
+            {[&outfit] { return outfit.now(); },
+             [&outfit](Time at, EventQueue::Action action) { outfit.board().world().at(at, std::move(action)); }},
+            [this](Time now) { return seat_.motion(now); }, [this](Time now) { return mass_.temperature(now); }) {
     const auto port = need<std::string>(part, "port");
-    const bool placed =
-        outfit.board().chip().attach_spi(port, need<unsigned>(part, "channel"), model_.accelerometer()) &&
-        outfit.board().chip().attach_spi(port, need<unsigned>(part, "gyro"), model_.gyroscope());
+    const auto accelerometer = need<unsigned>(part, "channel"), gyroscope = need<unsigned>(part, "gyro");
+    const bool placed = outfit.board().chip().attach_spi(port, accelerometer, model_.accelerometer()) &&
+                        outfit.board().chip().attach_spi(port, gyroscope, model_.gyroscope());
     if (!placed) refuse(part, "the board has no such SPI port or chip select");
+    // The part on the board is wired, whatever its entry says.
+    const bool on_board = port == "spi1" && accelerometer == 0 && gyroscope == 1;
+    if (on_board) connect_output(Bmi088::Output::int1, "PC4");
+    const std::string ready = on_board ? "PC5" : maybe<std::string>(part, "ready", "");
+    if (!ready.empty()) connect_output(Bmi088::Output::int3, ready);
+    model_.on_output = [this](Bmi088::Output output, int level) { drive(output, level); };
     model_.on_read = [this, name](Time from) {
       outfit_.record(PartEvent{name, PartEvent::Kind::sample, 0, to_ns(from), outfit_.board().now_ns(), 0});
     };
   }
-  void connect(Outfit& outfit) override { seat_.connect(outfit); }
+  void connect(Outfit& outfit) override {
+    seat_.connect(outfit);
+    if (!part_.contains("heater")) return;
+    outfit.listen_to_pulses(need<Json>(part_, "heater"), [this](Timer::Pulse pulse) {
+      const double period = static_cast<double>(pulse.period_ns);
+      mass_.heat(outfit_.now(), pulse.period_ns == 0 ? 0 : static_cast<double>(pulse.width_ns) / period);
+    });
+  }
   bool happen(const std::string& what, const Json& event) override {
     if (what == "silent") return model_.silent = maybe(event, "on", true), true;
     if (what == "power_cycle") return model_.power_cycle(), true;
-    if (what == "heat") return model_.temperature = need<double>(event, "temperature"), true;
+    if (what == "heat") return mass_.set(outfit_.now(), need<double>(event, "temperature")), true;
     if (what == "move") return seat_.move(outfit_.now(), event), true;
     return false;
   }
-  /// `roll` `pitch` `yaw` [deg] of where it sits, `temperature` [degrees Celsius].
+  /// `roll` `pitch` `yaw` [deg] of where it sits, `temperature` [degrees Celsius], `heat`: share of its heater's power.
   std::optional<double> value(const std::string& quantity) override {
     constexpr double kDegree = 0.017453292519943295;
     const Angles angles = angles_of(seat_.motion(outfit_.now()).attitude);
     if (quantity == "roll") return angles.roll / kDegree;
     if (quantity == "pitch") return angles.pitch / kDegree;
     if (quantity == "yaw") return angles.yaw / kDegree;
-    if (quantity == "temperature") return model_.temperature;
+    if (quantity == "temperature") return mass_.temperature(outfit_.now());
+    if (quantity == "heat") return mass_.share();
     return std::nullopt;
   }
 
  private:
+  void connect_output(Bmi088::Output output, const std::string& pin) {
+    if (!Outfit::is_pin(pin)) refuse(part_, "'ready' is a pin of the chip, PA0 to PI15");
+    wires_[output] = {&outfit_.board().chip().gpio(pin[1]), static_cast<unsigned>(std::stoul(pin.substr(2)))};
+  }
+  void drive(Bmi088::Output output, int level) {
+    const auto wire = wires_.find(output);
+    if (wire != wires_.end()) wire->second.first->drive(wire->second.second, level);
+  }
+
   Outfit& outfit_;
+  Json part_;
   Seat seat_;
+  HeatedMass mass_;
   Bmi088 model_;
+  std::map<Bmi088::Output, std::pair<Gpio*, unsigned>> wires_;
 };
 
 }  // namespace

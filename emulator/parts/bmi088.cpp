@@ -8,13 +8,18 @@ namespace finemote::emulator {
 namespace {
 
 // Accelerometer, data sheet 5.3; gyroscope, 5.5.
-constexpr unsigned kAccelId = 0x00, kAccelData = 0x12, kAccelTime = 0x18, kAccelTemperature = 0x22, kAccelConf = 0x40,
-                   kAccelRange = 0x41, kAccelPowerConf = 0x7C, kAccelPower = 0x7D, kAccelReset = 0x7E;
-constexpr unsigned kGyroId = 0x00, kGyroData = 0x02, kGyroRange = 0x0F, kGyroBandwidth = 0x10, kGyroLowPower = 0x11,
-                   kGyroReset = 0x14;
+constexpr unsigned kAccelId = 0x00, kAccelData = 0x12, kAccelTime = 0x18, kAccelStatus = 0x1D, kAccelTemperature = 0x22,
+                   kAccelConf = 0x40, kAccelRange = 0x41, kAccelInt1 = 0x53, kAccelInt2 = 0x54, kAccelMap = 0x58,
+                   kAccelPowerConf = 0x7C, kAccelPower = 0x7D, kAccelReset = 0x7E;
+constexpr unsigned kGyroId = 0x00, kGyroData = 0x02, kGyroStatus = 0x0A, kGyroRange = 0x0F, kGyroBandwidth = 0x10,
+                   kGyroLowPower = 0x11, kGyroReset = 0x14, kGyroIntControl = 0x15, kGyroIntConf = 0x16,
+                   kGyroIntMap = 0x18;
+constexpr std::uint8_t kDataReady = 0x80;  // in both status registers and in GYRO_INT_CTRL
 constexpr std::uint8_t kSoftReset = 0xB6;
 constexpr std::uint64_t kAccelStartNs = 1'000'000, kGyroStartNs = 30'000'000;  // 4.1, 4.2: after a reset
 constexpr std::uint64_t kTimeStepNs = 39'063;                                  // 39.0625 us per step of the sensor time
+constexpr Time kReadyFor = from_ns(280'000);                                   // 5.5.3: 280 to 400 us
+constexpr Time kTemperaturePeriod = from_ns(1'280'000'000);                    // 5.3.7
 
 void put(std::array<std::uint8_t, 128>& registers, unsigned at, double value) {
   const auto word = static_cast<std::uint16_t>(std::lround(std::clamp(value, -32768.0, 32767.0)));
@@ -36,6 +41,22 @@ Time gyroscope_period(std::uint8_t bandwidth) {
 
 }  // namespace
 
+Bmi088::Bmi088(PartClock clock, std::function<Motion(Time)> motion, std::function<double(Time)> temperature)
+    : clock_(std::move(clock)),
+      motion_(std::move(motion)),
+      temperature_(std::move(temperature)),
+      outputs_{ReadyOutput(clock_, kReadyFor, [this] { return !silent; }),
+               ReadyOutput(clock_, kReadyFor, [this] { return !silent; }),
+               ReadyOutput(clock_, kReadyFor, [this] { return !silent; }),
+               ReadyOutput(clock_, kReadyFor, [this] { return !silent; })} {
+  for (const Output which : {Output::int1, Output::int2, Output::int3, Output::int4}) {
+    output(which).on_level = [this, which](int level) {
+      if (on_output) on_output(which, level);
+    };
+  }
+  power_cycle();
+}
+
 void Bmi088::reset_accelerometer() {
   accel_ = {};
   accel_[kAccelId] = 0x1E;
@@ -43,16 +64,19 @@ void Bmi088::reset_accelerometer() {
   accel_[kAccelRange] = 0x01;
   accel_[kAccelPowerConf] = 0x03;
   accel_[kAccelTemperature] = 0x80;  // not valid yet
-  accel_on_spi_ = false;
-  accel_sampled_ = 0;
-  accel_ready_ = now_() + from_ns(kAccelStartNs);
+  accel_on_spi_ = converts_ = false;
+  accel_sampled_ = accel_noticed_ = 0;
+  accel_ready_ = now() + from_ns(kAccelStartNs);
+  set_accelerometer_outputs();
 }
 
 void Bmi088::reset_gyroscope() {
   gyro_ = {};
   gyro_[kGyroId] = 0x0F;
+  gyro_[kGyroIntConf] = 0x0F;
   gyro_sampled_ = 0;
-  gyro_ready_ = now_() + from_ns(kGyroStartNs);
+  gyro_ready_ = now() + from_ns(kGyroStartNs);
+  set_gyroscope_outputs();
 }
 
 void Bmi088::power_cycle() {
@@ -87,33 +111,67 @@ std::uint8_t Bmi088::accelerometer_byte(std::uint8_t out) {
     x.address = out & 0x7F;
     return 0xFF;
   }
-  if (!accel_on_spi_ || silent || now_() < accel_ready_) return 0xFF;
+  if (!accel_on_spi_ || silent || now() < accel_ready_) return 0xFF;
   if (!x.reading) {
     if (index == 1) write_accelerometer(x.address, out);
     return 0xFF;
   }
   if (index == 1) return 0xA5;  // a byte without meaning comes first: 6.1.2
-  return accel_[(x.address + index - 2) & 0x7F];
+  const unsigned address = (x.address + index - 2) & 0x7F;
+  const std::uint8_t byte = accel_[address];
+  if (address == kAccelStatus) {  // cleared on read: 5.3.6
+    accel_[kAccelStatus] = 0;
+    accel_noticed_ = accel_sampled_;
+    output(Output::int1).notice();
+    output(Output::int2).notice();
+  }
+  return byte;
 }
 
 void Bmi088::write_accelerometer(std::uint8_t address, std::uint8_t value) {
   if (address == kAccelReset && value == kSoftReset) return reset_accelerometer();
-  if (address >= kAccelConf && address != kAccelReset) accel_[address] = value;
+  if (address < kAccelConf) return;
+  accel_[address] = value;
+  set_accelerometer_outputs();
+  if (accelerometer_active() && !converts_) convert_temperature(now(), ++converting_);
+  converts_ = accelerometer_active();
+}
+
+bool Bmi088::accelerometer_active() const { return accel_[kAccelPower] == 0x04 && accel_[kAccelPowerConf] == 0x00; }
+
+/// INT1_IO_CONF and INT2_IO_CONF: level, open drain, output in bits 1 to 3; bits 2 and 6 of INT_MAP_DATA.
+void Bmi088::set_accelerometer_outputs() {
+  const auto settings = [this](unsigned conf, unsigned mapped) {
+    ReadyOutput::Settings s;
+    s.driven = (accel_[conf] & 8) != 0 && (accel_[kAccelMap] & mapped) != 0;
+    s.period = accelerometer_active() ? accelerometer_period(accel_[kAccelConf]) : 0;
+    s.active_high = (accel_[conf] & 2) != 0;
+    s.open_drain = (accel_[conf] & 4) != 0;
+    return s;
+  };
+  output(Output::int1).set(settings(kAccelInt1, 0x04));
+  output(Output::int2).set(settings(kAccelInt2, 0x40));
+}
+
+void Bmi088::convert_temperature(Time at, std::uint64_t token) {
+  if (token != converting_ || !accelerometer_active()) return;
+  const auto word = static_cast<std::uint16_t>(std::lround((temperature_(at) - 23) * 8));  // 11 bits, 0.125 K
+  accel_[kAccelTemperature] = static_cast<std::uint8_t>(word >> 3);
+  accel_[kAccelTemperature + 1] = static_cast<std::uint8_t>(word << 5);
+  const Time next = at + kTemperaturePeriod;
+  clock_.at(next, [this, next, token] { convert_temperature(next, token); });
 }
 
 void Bmi088::sample_acceleration() {
-  const bool active = accel_[kAccelPower] == 0x04 && accel_[kAccelPowerConf] == 0x00;
-  if (!active || now_() < accel_ready_) return;
+  if (!accelerometer_active() || now() < accel_ready_) return;
   const Time period = accelerometer_period(accel_[kAccelConf]);
-  accel_sampled_ = now_() / period * period;
+  accel_sampled_ = now() / period * period;
   const Motion motion = motion_(accel_sampled_);
   const double full = 3.0 * (1 << (accel_[kAccelRange] & 3)) * kGravity;
   for (unsigned i = 0; i < 3; ++i) put(accel_, kAccelData + 2 * i, motion.force[i] / full * 32768);
-  const std::uint64_t steps = to_ns(now_()) / kTimeStepNs;
+  const std::uint64_t steps = to_ns(now()) / kTimeStepNs;
   for (unsigned i = 0; i < 3; ++i) accel_[kAccelTime + i] = static_cast<std::uint8_t>(steps >> (8 * i));
-  const auto word = static_cast<std::uint16_t>(std::lround((temperature - 23) * 8));  // 11 bits, 0.125 K
-  accel_[kAccelTemperature] = static_cast<std::uint8_t>(word >> 3);
-  accel_[kAccelTemperature + 1] = static_cast<std::uint8_t>(word << 5);
+  accel_[kAccelStatus] = accel_sampled_ != accel_noticed_ ? kDataReady : 0;
 }
 
 void Bmi088::gyroscope_selected(bool selected) {
@@ -133,7 +191,7 @@ std::uint8_t Bmi088::gyroscope_byte(std::uint8_t out) {
     x.address = out & 0x7F;
     return 0xFF;
   }
-  if (silent || now_() < gyro_ready_) return 0xFF;
+  if (silent || now() < gyro_ready_) return 0xFF;
   if (x.reading) return gyro_[(x.address + index - 1) & 0x7F];
   if (index == 1) write_gyroscope(x.address, out);
   return 0xFF;
@@ -141,16 +199,36 @@ std::uint8_t Bmi088::gyroscope_byte(std::uint8_t out) {
 
 void Bmi088::write_gyroscope(std::uint8_t address, std::uint8_t value) {
   if (address == kGyroReset && value == kSoftReset) return reset_gyroscope();
-  if (address >= kGyroRange) gyro_[address] = address == kGyroBandwidth ? value | 0x80 : value;
+  if (address < kGyroRange) return;
+  gyro_[address] = address == kGyroBandwidth ? value | 0x80 : value;
+  set_gyroscope_outputs();
+}
+
+/// INT3_INT4_IO_CONF: level and open drain of INT3 in bits 0 and 1, of INT4 in 2 and 3; bits 0 and 7 of
+/// INT3_INT4_IO_MAP.
+void Bmi088::set_gyroscope_outputs() {
+  const auto settings = [this](unsigned shift, unsigned mapped) {
+    const bool samples = gyro_[kGyroLowPower] == 0 && (gyro_[kGyroIntControl] & kDataReady) != 0;
+    ReadyOutput::Settings s;
+    s.driven = (gyro_[kGyroIntMap] & mapped) != 0;
+    s.period = samples ? gyroscope_period(gyro_[kGyroBandwidth]) : 0;
+    s.active_high = (gyro_[kGyroIntConf] >> shift & 1) != 0;
+    s.open_drain = (gyro_[kGyroIntConf] >> shift & 2) != 0;
+    return s;
+  };
+  output(Output::int3).set(settings(0, 0x01));
+  output(Output::int4).set(settings(2, 0x80));
 }
 
 void Bmi088::sample_rates() {
-  if (gyro_[kGyroLowPower] != 0 || now_() < gyro_ready_) return;
+  if (gyro_[kGyroLowPower] != 0 || now() < gyro_ready_) return;
   const Time period = gyroscope_period(gyro_[kGyroBandwidth]);
-  gyro_sampled_ = now_() / period * period;
+  gyro_sampled_ = now() / period * period;
   const Motion motion = motion_(gyro_sampled_);
   const double full = 2000.0 / (1 << std::min(gyro_[kGyroRange] & 7, 4)) * std::numbers::pi / 180;
   for (unsigned i = 0; i < 3; ++i) put(gyro_, kGyroData + 2 * i, motion.rate[i] / full * 32768);
+  const bool told = (gyro_[kGyroIntControl] & kDataReady) != 0 && now() - gyro_sampled_ < kReadyFor;
+  gyro_[kGyroStatus] = told ? kDataReady : 0;
 }
 
 }  // namespace finemote::emulator

@@ -55,10 +55,15 @@ void add_identifiers(const Device& device, Json& part) {
   }
 }
 
-/// Further hardware by its role: a chip select's number, or a pin.
-void add_uses(const Device& device, Json& part) {
+/// Further hardware by its role: the place of a pulse output, a chip select's number, or a pin.
+void add_uses(const Robot& robot, const Device& device, Json& part) {
   for (const Use& use : device.uses) {
-    if (use.channel) {
+    if (use.segment && robot.segments[*use.segment].bus_kind == BusKind::pwm) {
+      Json output = Json::object();
+      add_place(robot, *use.segment, output);
+      if (use.channel) output["channel"] = *use.channel;
+      part[use.spec->role] = output;
+    } else if (use.channel) {
       part[use.spec->role] = *use.channel;
     } else if (!use.pin.empty()) {
       part[use.spec->role] = use.pin;
@@ -77,7 +82,7 @@ void add_bus(const Robot& robot, const Device& device, Json& part) {
   if (device.address) part["address"] = *device.address;
   if (device.channel) part["channel"] = *device.channel;
   add_identifiers(device, part);
-  add_uses(device, part);
+  add_uses(robot, device, part);
 }
 
 void add_params(const Device& device, const Json& emulation, Json& part) {

@@ -1,5 +1,6 @@
 // The models of RoboMaster parts and the plants behind them, against figures from data sheets and from mechanics.
 #include <algorithm>
+#include <map>
 #include <numbers>
 
 #include "catch.hpp"
@@ -8,6 +9,7 @@
 #include "emulator/parts/dji_motor.hpp"
 #include "emulator/parts/ist8310.hpp"
 #include "emulator/parts/remote.hpp"
+#include "emulator/plants/heated_mass.hpp"
 #include "emulator/plants/mount.hpp"
 #include "emulator/plants/standing_body.hpp"
 #include "emulator/plants/submerged_body.hpp"
@@ -133,7 +135,8 @@ TEST_CASE("the inertial sensor wakes up as its data sheet asks, and gives accele
   Time now = 0;
   Motion motion;
   motion.rate = {1.0, -2.0, 0.5};
-  Bmi088 part([&] { return now; }, [&](Time) { return motion; });
+  Bmi088 part(
+      {[&] { return now; }, [](Time, EventQueue::Action) {}}, [&](Time) { return motion; }, [](Time) { return 25; });
   SpiPart accelerometer = part.accelerometer(), gyroscope = part.gyroscope();
   const auto exchange = [](SpiPart& chip, const std::vector<int>& bytes) {
     std::vector<int> answer;
@@ -167,6 +170,191 @@ TEST_CASE("the inertial sensor wakes up as its data sheet asks, and gives accele
   CHECK(exchange(gyroscope, {0x80, 0})[1] == 0xFF);  // starting again
   part.silent = true;
   CHECK(exchange(accelerometer, {0x80, 0, 0})[2] == 0xFF);
+}
+
+namespace {
+
+/// An inertial sensor whose outputs are watched, set up through its registers, with a clock that jumps from event to
+/// event.
+struct WatchedSensor {
+  struct Change {
+    Time at;
+    int level;
+  };
+  WatchedSensor() {
+    part.on_output = [this](Bmi088::Output which, int level) { changes[which].push_back({now, level}); };
+    run(40 * kMs);
+    write(accelerometer, 0, 0);  // the first select turns it to SPI
+    write(accelerometer, 0x7D, 0x04);
+    write(accelerometer, 0x7C, 0x00);
+    write(accelerometer, 0x40, 0xAB);  // 800 Hz
+    write(gyroscope, 0x10, 0x82);      // 1000 Hz
+  }
+  void run(Time until) {
+    while (queue.next() <= until) {
+      now = queue.next();
+      queue.run(now);
+    }
+    now = until;
+  }
+  static void write(SpiPart& chip, int address, int value) {
+    chip.select(true);
+    chip.exchange(static_cast<std::uint8_t>(address));
+    chip.exchange(static_cast<std::uint8_t>(value));
+    chip.select(false);
+  }
+  std::uint8_t read_accelerometer(int address) {
+    accelerometer.select(true);
+    accelerometer.exchange(static_cast<std::uint8_t>(address | 0x80));
+    accelerometer.exchange(0);
+    const std::uint8_t byte = accelerometer.exchange(0);
+    accelerometer.select(false);
+    return byte;
+  }
+  std::uint8_t read_gyroscope(int address) {
+    gyroscope.select(true);
+    gyroscope.exchange(static_cast<std::uint8_t>(address | 0x80));
+    const std::uint8_t byte = gyroscope.exchange(0);
+    gyroscope.select(false);
+    return byte;
+  }
+  /// Gyroscope: data ready on INT3, with these levels.
+  void announce(int conf) {
+    write(gyroscope, 0x16, conf);
+    write(gyroscope, 0x18, 0x01);
+    write(gyroscope, 0x15, 0x80);
+  }
+  std::vector<Change>& of(Bmi088::Output which) { return changes[which]; }
+
+  Time now = 0;
+  EventQueue queue;
+  double celsius = 25;
+  Bmi088 part{{[this] { return now; }, [this](Time at, EventQueue::Action action) { queue.at(at, std::move(action)); }},
+              [](Time) { return Motion{}; },
+              [this](Time) { return celsius; }};
+  SpiPart accelerometer = part.accelerometer(), gyroscope = part.gyroscope();
+  std::map<Bmi088::Output, std::vector<Change>> changes;
+};
+
+using Output = Bmi088::Output;
+
+}  // namespace
+
+TEST_CASE("the gyroscope's output says every sample for 280 us, at the level and with the drive it is set to") {
+  const auto [conf, idle, active] =
+      GENERATE(table<int, int, int>({{0x00, 1, 0}, {0x01, 0, 1}, {0x02, -1, 0}, {0x03, 0, -1}}));
+  INFO("INT3_INT4_IO_CONF " << conf);
+  WatchedSensor sensor;
+  sensor.run(50 * kMs + 1);
+  CHECK(sensor.of(Output::int3).empty());
+  sensor.announce(conf);
+  if (idle != -1) {
+    REQUIRE(sensor.of(Output::int3).size() == 1);  // it is driven, and waits
+    CHECK(sensor.of(Output::int3)[0].level == idle);
+  }
+  sensor.of(Output::int3).clear();
+  sensor.run(60 * kMs);
+  const auto& seen = sensor.of(Output::int3);
+  REQUIRE(seen.size() == 19);  // 51, 52, ... 59 ms, on and off; 60 ms on
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    CHECK(seen[i].level == (i % 2 == 0 ? active : idle));
+    CHECK(seen[i].at == (51 + i / 2) * kMs + (i % 2) * from_ns(280'000));
+  }
+  CHECK(sensor.of(Output::int4).empty());
+  CHECK(sensor.of(Output::int1).empty());
+  CHECK(sensor.read_gyroscope(0x0A) == 0x80);
+  sensor.run(60 * kMs + from_ns(281'000));
+  CHECK(sensor.read_gyroscope(0x0A) == 0);
+}
+
+TEST_CASE("data ready can go to the other output, and comes as often as the part samples") {
+  WatchedSensor sensor;
+  WatchedSensor::write(sensor.gyroscope, 0x10, 0x80);  // 2000 Hz
+  WatchedSensor::write(sensor.gyroscope, 0x16, 0x04);  // INT4 push-pull, active high
+  WatchedSensor::write(sensor.gyroscope, 0x18, 0x80);
+  WatchedSensor::write(sensor.gyroscope, 0x15, 0x80);
+  sensor.of(Output::int4).clear();
+  sensor.run(50 * kMs + from_ns(400'000));
+  CHECK(sensor.of(Output::int4).size() == 2 * 20);
+  CHECK(sensor.of(Output::int3).empty());
+  WatchedSensor::write(sensor.gyroscope, 0x11, 0x80);  // suspended
+  sensor.of(Output::int4).clear();
+  sensor.run(60 * kMs);
+  CHECK(sensor.of(Output::int4).empty());
+}
+
+TEST_CASE("a silent part says nothing, and one that lost its supply has forgotten where to say it") {
+  WatchedSensor sensor;
+  sensor.announce(0x00);
+  sensor.run(50 * kMs + from_ns(100'000));
+  sensor.part.silent = true;  // in the middle of a pulse, which ends
+  sensor.of(Output::int3).clear();
+  sensor.run(70 * kMs);
+  REQUIRE(sensor.of(Output::int3).size() == 1);
+  CHECK(sensor.of(Output::int3)[0].level == 1);
+  sensor.part.silent = false;
+  sensor.run(71 * kMs);
+  CHECK(sensor.of(Output::int3).back().level == 0);
+  sensor.part.power_cycle();
+  CHECK(sensor.of(Output::int3).back().level == -1);
+  sensor.of(Output::int3).clear();
+  sensor.run(200 * kMs);
+  CHECK(sensor.of(Output::int3).empty());
+}
+
+TEST_CASE("the accelerometer's output says its samples until their status is read") {
+  WatchedSensor sensor;
+  WatchedSensor::write(sensor.accelerometer, 0x58, 0x04);
+  sensor.run(45 * kMs);
+  CHECK(sensor.of(Output::int1).empty());  // not an output yet
+  WatchedSensor::write(sensor.accelerometer, 0x53, 0x08);
+  REQUIRE(sensor.of(Output::int1).size() == 1);
+  CHECK(sensor.of(Output::int1)[0].level == 1);
+  sensor.run(46 * kMs + from_ns(250'000) + from_ns(100'000));  // 37 * 1.25 ms
+  REQUIRE(sensor.of(Output::int1).size() == 2);
+  CHECK(sensor.of(Output::int1)[1].at == 37 * from_ns(1'250'000));
+  CHECK(sensor.of(Output::int1)[1].level == 0);
+  CHECK(sensor.read_accelerometer(0x1D) == 0x80);
+  CHECK(sensor.of(Output::int1).back().level == 1);
+  CHECK(sensor.of(Output::int1).size() == 3);
+  CHECK(sensor.read_accelerometer(0x1D) == 0);
+  sensor.run(48 * kMs);
+  CHECK(sensor.of(Output::int1).size() == 5);  // without a read it ends by itself
+  CHECK(sensor.read_accelerometer(0x1D) == 0x80);
+  WatchedSensor::write(sensor.accelerometer, 0x7E, 0xB6);
+  CHECK(sensor.of(Output::int1).back().level == -1);
+}
+
+TEST_CASE("the temperature register is not valid before the part is on, and then new every 1.28 s") {
+  WatchedSensor sensor;
+  const auto celsius = [&] {
+    const auto word = static_cast<std::int16_t>(sensor.read_accelerometer(0x22) << 8 | sensor.read_accelerometer(0x23));
+    return (word >> 5) * 0.125 + 23;
+  };
+  CHECK(celsius() == 25);
+  sensor.celsius = -12.5;
+  sensor.run(1300 * kMs);
+  CHECK(celsius() == 25);
+  sensor.run(1321 * kMs);
+  CHECK(celsius() == -12.5);
+  sensor.part.power_cycle();
+  sensor.run(1400 * kMs);
+  WatchedSensor::write(sensor.accelerometer, 0, 0);
+  CHECK(celsius() == -105);  // 0x8000
+}
+
+TEST_CASE("a heated mass warms along its exponential, and whatever it is asked between does not matter") {
+  HeatedMass mass({20, 80, 30}), looked_at({20, 80, 30});
+  CHECK(mass.temperature(0) == 20);
+  mass.heat(1000 * kMs, 0.5);
+  looked_at.heat(1000 * kMs, 0.5);
+  for (int i = 1; i < 600; ++i) CHECK(looked_at.temperature((1000 + i * 50) * kMs) < 60);
+  CHECK(mass.temperature(31'000 * kMs) == Approx(60 - 40 * std::exp(-1.0)));
+  CHECK(looked_at.temperature(31'000 * kMs) == Approx(mass.temperature(31'000 * kMs)).epsilon(1e-12));
+  mass.set(31'000 * kMs, 100);
+  mass.heat(31'000 * kMs, 0);
+  CHECK(mass.temperature(61'000 * kMs) == Approx(20 + 80 * std::exp(-1.0)));
+  CHECK(mass.temperature(600'000 * kMs) == Approx(20).margin(1e-5));
 }
 
 TEST_CASE("the compass answers at its address with its identity, and turns the field into its own axes") {
