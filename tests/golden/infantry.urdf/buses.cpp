@@ -42,12 +42,15 @@ FINEMOTE_CONSTINIT finemote::Uart dbus{finemote::ports::usart3, 100000 /* baud *
 FINEMOTE_CONSTINIT finemote::CanBus wheel_can{finemote::ports::can1, 1000000 /* bit/s */, wheel_can_slots};
 FINEMOTE_CONSTINIT finemote::CanBus gimbal_can{finemote::ports::can2, 1000000 /* bit/s */, gimbal_can_slots};
 FINEMOTE_CONSTINIT finemote::SpiBus imu_spi{finemote::ports::spi1, 5250000 /* Hz */, imu_spi_slots};
+FINEMOTE_CONSTINIT finemote::PwmBus imu_warmth{finemote::ports::imu_heater, 1000000 /* ns */};
 
 void start_buses() {
   dbus.start();
   wheel_can.start();
   gimbal_can.start();
   imu_spi.start();
+  imu_warmth.start();
+  finemote::ports::exti5.start(/*falling*/ true);  // imu (ready): bmi088_int_gyro
 }
 
 void supervise_buses() {

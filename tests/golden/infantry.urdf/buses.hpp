@@ -5,6 +5,7 @@
 #pragma once
 
 #include <finemote/can.hpp>
+#include <finemote/pwm.hpp>
 #include <finemote/spi.hpp>
 #include <finemote/uart.hpp>
 
@@ -14,6 +15,7 @@ extern finemote::Uart dbus;  // port usart3, 100000 baud
 extern finemote::CanBus wheel_can;  // port can1, 1000000 bit/s
 extern finemote::CanBus gimbal_can;  // port can2, 1000000 bit/s
 extern finemote::SpiBus imu_spi;  // port spi1, 5250000 Hz
+extern finemote::PwmBus imu_warmth;  // port imu_heater
 
 namespace slots {  // one transfer slot per device and bus, most urgent first
 extern finemote::CanSlot front_left;

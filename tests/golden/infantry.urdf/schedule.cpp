@@ -25,6 +25,7 @@ void run_1ms() {
   gimbal::update_1ms();
   gimbal::handle_1ms();
   gimbal_can.flush();
+  imu_warmth.flush();
 }
 
 void run_2ms() {
@@ -54,6 +55,7 @@ void safe_outputs() {
   gimbal::imu.safe();
   wheel_can.flush();
   gimbal_can.flush();
+  imu_warmth.flush();
 }
 
 extern "C" void finemote_line_48() {
@@ -101,16 +103,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 141000, finemote::kUnbounded, nullptr},  // imu
-    {0, 138540, 28188090, &gimbal::yaw.command},  // yaw
-    {0, 132962, 28182512, &gimbal::pitch.command},  // pitch
-    {1, 183828, finemote::kUnbounded, nullptr},  // gimbal
-    {2, 301046, 26350596, &chassis::front_left.command},  // front_left
-    {2, 277586, 26327136, &chassis::front_right.command},  // front_right
-    {2, 272926, 26322476, &chassis::rear_left.command},  // rear_left
-    {2, 268266, 26317816, &chassis::rear_right.command},  // rear_right
-    {2, 263606, finemote::kUnbounded, nullptr},  // chassis
-    {3, 317002, finemote::kUnbounded, nullptr},  // remote
+    {0, 165000, finemote::kUnbounded, nullptr},  // imu
+    {0, 140840, 28192690, &gimbal::yaw.command},  // yaw
+    {0, 135262, 28187112, &gimbal::pitch.command},  // pitch
+    {1, 212528, finemote::kUnbounded, nullptr},  // gimbal
+    {2, 308446, 26360296, &chassis::front_left.command},  // front_left
+    {2, 303786, 26355636, &chassis::front_right.command},  // front_right
+    {2, 280326, 26332176, &chassis::rear_left.command},  // rear_left
+    {2, 275666, 26327516, &chassis::rear_right.command},  // rear_right
+    {2, 271006, finemote::kUnbounded, nullptr},  // chassis
+    {3, 324402, finemote::kUnbounded, nullptr},  // remote
 };
 
 }  // namespace

@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48, 3 devices;
-/// a job ends within 133.8 us of its release.
+/// a job ends within 160 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49, 1 device;
-/// a job ends within 170.028 us of its release.
+/// a job ends within 177.428 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51, 5 devices;
-/// a job ends within 256.246 us of its release.
+/// a job ends within 263.646 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52, 1 device;
-/// a job ends within 265.202 us of its release.
+/// a job ends within 272.602 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{131400, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds yaw{131040, 28180590, 28862450};
-inline constexpr finemote::Bounds pitch{127562, 28177112, 28862450};
-inline constexpr finemote::Bounds gimbal{170028, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds front_left{234646, 26284196, 27336574};
-inline constexpr finemote::Bounds front_right{232086, 26281636, 27336574};
-inline constexpr finemote::Bounds rear_left{229526, 26279076, 27336574};
-inline constexpr finemote::Bounds rear_right{226966, 26276516, 27336574};
-inline constexpr finemote::Bounds chassis{224406, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds remote{265202, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds imu{136600, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds yaw{133340, 28185190, 28876750};
+inline constexpr finemote::Bounds pitch{129862, 28181712, 28876750};
+inline constexpr finemote::Bounds gimbal{177428, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds front_left{260846, 26312696, 27374774};
+inline constexpr finemote::Bounds front_right{258286, 26310136, 27374774};
+inline constexpr finemote::Bounds rear_left{255726, 26307576, 27374774};
+inline constexpr finemote::Bounds rear_right{234366, 26286216, 27355974};
+inline constexpr finemote::Bounds chassis{231806, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds remote{272602, finemote::kUnbounded, finemote::kUnbounded};
 }  // namespace bounds
 
 }  // namespace infantry
