@@ -208,7 +208,7 @@ std::uint32_t Can::read(std::uint32_t offset) {
       return mcr_;
     case 0x04:
       return ((mcr_ & kInit) != 0 ? 1U : 0) | ((mcr_ & (kInit | kSleep)) == kSleep ? 2U : 0) | (error_flag_ ? 4U : 0) |
-             0x800;
+             0xC00;  // RX and SAMP: the bus is recessive
     case 0x08: {
       std::uint32_t empty = 0;
       for (unsigned i = 0; i < 3; ++i) empty |= mailboxes_[i].waiting ? 0 : 1U << (26 + i);

@@ -9,13 +9,16 @@ std::string hex(std::uint32_t value) {
   return text;
 }
 
-/// Cycles an access waits for the bus bridge: APB2 at half, APB1 at a quarter of the core clock. A documented choice.
-constexpr unsigned wait_of(ClockBus bus) { return bus == ClockBus::apb1 ? 4 : bus == ClockBus::apb2 ? 2 : 0; }
-
 constexpr std::uint32_t kFirst = 0x40000000;  ///< address of the first peripheral
 
-/// A flag cleared fewer cycles than this before the return may still raise its line.
-constexpr unsigned kLateCycles = 8;
+/// The bridge an address lies behind: RM0090 2.3, table 1.
+enum class Bridge { none, apb1, apb2 };
+constexpr Bridge bridge_of(std::uint32_t address) {
+  return address < 0x40010000 ? Bridge::apb1 : address < 0x40020000 ? Bridge::apb2 : Bridge::none;
+}
+
+/// Cycles a read waits for the bridge: APB2 at half, APB1 at a quarter of the core clock. A documented choice.
+constexpr unsigned wait_of(Bridge bridge) { return bridge == Bridge::apb1 ? 4 : bridge == Bridge::apb2 ? 2 : 0; }
 
 }  // namespace
 
@@ -147,6 +150,7 @@ void Chip::connect_wires(I2c& i2c, char port, unsigned scl, char sda_port, unsig
 }
 
 void Chip::reset() {
+  lowered_ = {};
   for (const Slot& slot : slots_) slot.peripheral->reset();
 }
 
@@ -179,28 +183,42 @@ std::uint32_t Chip::access(const Slot* slot, std::uint32_t address, unsigned byt
 }
 
 std::uint32_t Chip::read(std::uint32_t address, unsigned bytes) {
-  lowered_line_ = -1;
+  const Bridge bridge = bridge_of(address);
+  if (bridge == bridge_of(lowered_.address)) lowered_.line = -1;  // it comes after the write that went the same way
   const Slot* slot = find(address);
-  if (slot != nullptr) world_.cpu().add_wait(wait_of(slot->bus));
+  if (slot != nullptr) world_.cpu().add_wait(wait_of(bridge));
   return access(slot, address, bytes, nullptr);
 }
 
 void Chip::write(std::uint32_t address, unsigned bytes, std::uint32_t value) {
   static_cast<void>(world_.system().nvic().take_lowered());
   access(address, bytes, &value);
-  if (const int line = world_.system().nvic().take_lowered(); line >= 0) {
-    lowered_line_ = line;
-    lowered_at_ = world_.now();
-  }
+  if (const int line = world_.system().nvic().take_lowered(); line >= 0) lowered_ = {line, address, world_.now()};
 }
 
+/// Cycles from a store until the interrupt controller sees the line it lowered: two through the write buffer and the
+/// bus matrix, two for the line; a bridge may wait a clock of its bus and takes two for the transfer. A documented
+/// choice, on the safe side.
+unsigned Chip::settling_cycles(std::uint32_t address) const {
+  constexpr unsigned kStore = 2, kLine = 2, kTransfer = 3;
+  const Bridge bridge = bridge_of(address);
+  if (bridge == Bridge::none) return kStore + kLine;
+  const std::uint32_t bus_hz = bridge == Bridge::apb1 ? rcc.apb1_hz() : rcc.apb2_hz();
+  return kStore + kLine + kTransfer * (rcc.core_hz() / bus_hz);
+}
+
+/// The line of a routine that returns may still look high to the interrupt controller, which then enters it again. Not
+/// so when a DSB or a read on the same bus came after the store, or time enough; nor is it the store's fault when the
+/// line has risen since: then the routine is entered again anyway.
 void Chip::returning(int exception) {
-  if (lowered_line_ < 0 || lowered_line_ + 16 != exception) return;
-  if (world_.now() - lowered_at_ < kLateCycles * world_.system().clock().period()) {
-    world_.report(Misuse::late_flag, "line " + std::to_string(lowered_line_) +
-                                         " is cleared as the last thing of its routine, without read-back");
-  }
-  lowered_line_ = -1;
+  const int line = lowered_.line;
+  if (line < 0 || line + 16 != exception) return;
+  lowered_.line = -1;
+  const Nvic& nvic = world_.system().nvic();
+  if (nvic.is_high(line) || nvic.is_pending(exception) || world_.cpu().drained_at() > lowered_.at) return;
+  if (world_.now() - lowered_.at >= settling_cycles(lowered_.address) * world_.system().clock().period()) return;
+  world_.report(Misuse::late_flag,
+                "line " + std::to_string(line) + " is cleared as the last thing of its routine, without read-back");
 }
 
 Usart* Chip::usart(const std::string& name) {

@@ -90,6 +90,7 @@ class Chip : public PeripheralBus {
   std::uint32_t access(std::uint32_t address, unsigned bytes, const std::uint32_t* value) {
     return access(find(address), address, bytes, value);
   }
+  [[nodiscard]] unsigned settling_cycles(std::uint32_t address) const;
   std::uint32_t access(const Slot* slot, std::uint32_t address, unsigned bytes, const std::uint32_t* value);
   void add_usart(std::uint32_t base, const char* name, ClockBus bus, unsigned bit, int line, DmaRequest rx,
                  DmaRequest tx);
@@ -115,8 +116,13 @@ class Chip : public PeripheralBus {
   std::array<unsigned, kExceptions> timer_lines_{};  ///< how many timers hold a line up
   std::vector<Slot> slots_;
   std::vector<std::uint8_t> slot_at_;  ///< by KiB from kFirst: index in slots_ and 1; 0: none
-  Time lowered_at_ = 0;
-  int lowered_line_ = -1;
+  /// The last store of the processor that lowered a line; `line` -1: none, or it has surely arrived.
+  struct Lowered {
+    int line = -1;
+    std::uint32_t address = 0;
+    Time at = 0;
+  };
+  Lowered lowered_;
 };
 
 }  // namespace finemote::emulator

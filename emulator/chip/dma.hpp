@@ -9,7 +9,7 @@
 
 namespace finemote::emulator {
 
-/// What a peripheral can ask for: RM0090 10.3.3, tables 43 and 44.
+/// What a peripheral can ask for: RM0090 10.3.3, tables 42 and 43.
 enum class DmaRequest {
   usart1_rx,
   usart1_tx,

@@ -16,6 +16,7 @@ class Exti : public Peripheral {
   }
   void write(std::uint32_t offset, std::uint32_t value) override {
     if (offset > 0x14) return unmodelled_write(offset, value);
+    if (offset != 0x14) only(value, offset == 0x04 ? 0 : 0xFFFF, offset == 0x04 ? "EMR" : "line");  // pins only
     if (offset == 0x14) {
       pending_ &= ~value;
       registers_[4] &= ~value;  // SWIER goes with it: RM0090 12.3.5
@@ -56,6 +57,7 @@ class Syscfg : public Peripheral {
   }
   void write(std::uint32_t offset, std::uint32_t value) override {
     if (offset > 0x20) return unmodelled_write(offset, value);
+    only(value, offset >= 0x08 && offset <= 0x14 ? 0xFFFF : 0, "register");  // EXTICR1 to 4 alone
     registers_[offset / 4] = value;
   }
   void reset() override { registers_ = {}; }

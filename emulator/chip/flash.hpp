@@ -36,6 +36,7 @@ class Pwr : public Peripheral {
   }
   void write(std::uint32_t offset, std::uint32_t value) override {
     if (offset == 0) {
+      only(value, 0x410C, "CR");  // VOS, DBP and the clearing of flags
       cr_ = value;
     } else if (offset != 4) {
       unmodelled_write(offset, value);

@@ -274,6 +274,7 @@ void I2c::write(std::uint32_t offset, std::uint32_t value) {
       write_cr1(value);
       break;
     case 0x04:
+      only(value, 0x73F, "CR2");  // no DMA
       cr2_ = value;
       break;
     case 0x08:
@@ -304,6 +305,7 @@ void I2c::write(std::uint32_t offset, std::uint32_t value) {
     case 0x1C:
     case 0x20:
       if (on()) world_.report(Misuse::protocol, name() + " timing is set while it is on");
+      only(value, offset == 0x1C ? 0xCFFF : 0x3F, offset == 0x1C ? "CCR" : "TRISE");
       (offset == 0x1C ? ccr_ : trise_) = value;
       break;
     case 0x24:

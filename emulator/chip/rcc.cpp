@@ -25,6 +25,16 @@ std::uint32_t Rcc::pll_hz() const {
   return m == 0 ? 0 : static_cast<std::uint32_t>(std::uint64_t{source} * n / m / p);
 }
 
+/// Limits of the PLL: RM0090 7.3.2, a little wider by DS8626 5.3.10.
+void Rcc::check_pll() {
+  const std::uint32_t m = pllcfgr_ & 0x3F, n = pllcfgr_ >> 6 & 0x1FF;
+  const std::uint32_t source = (pllcfgr_ >> 22 & 1) != 0 ? crystal_hz : 16'000'000;
+  const std::uint32_t in = m < 2 ? source : source / m;
+  const std::uint64_t out = std::uint64_t{in} * n;
+  if (m < 2 || in < 950'000 || in > 2'100'000) world_.report(Misuse::clock, "the PLL's input is not 1 to 2 MHz");
+  if (out < 100'000'000 || out > 432'000'000) world_.report(Misuse::clock, "the PLL's VCO is not at 100 to 432 MHz");
+}
+
 std::uint32_t Rcc::core_hz() const {
   if (fixed_hz != 0) return fixed_hz;
   const std::uint32_t status = cfgr_ >> 2 & 3;
@@ -72,6 +82,7 @@ void Rcc::write_cr(std::uint32_t value) {
     const bool from_crystal = (pllcfgr_ >> 22 & 1) != 0;
     if (from_crystal && (cr_ & kHseReady) == 0)
       world_.report(Misuse::clock, "the PLL is turned on before its source is ready");
+    check_pll();
     start(kPllReady, kPllLock);
   }
   if ((cr_ & kHseOn) == 0) cr_ &= ~kHseReady;
@@ -81,7 +92,7 @@ void Rcc::write_cr(std::uint32_t value) {
 
 void Rcc::write_cfgr(std::uint32_t value) {
   cfgr_ = (cfgr_ & 0xC) | (value & ~0xCU);
-  only(value, 0xFFFF & ~0x30CU, "CFGR");  // the clock outputs are not modelled
+  only(value, 0xFCFF, "CFGR");  // the clock outputs are not modelled; SWS is read-only and comes back with the rest
   switch_core();
   apply();
 }

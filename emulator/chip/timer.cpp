@@ -14,8 +14,10 @@ enum Offset : std::uint32_t {
   kCnt = 0x24,
   kPsc = 0x28,
   kArr = 0x2C,
+  kRcr = 0x30,
   kCcr1 = 0x34,
   kBdtr = 0x44,
+  kDcr = 0x48,
   kLast = 0x50
 };
 // CR1: RM0090 17.4.1, 18.4.1.
@@ -117,6 +119,10 @@ void Timer::check(std::uint32_t offset, std::uint32_t value) {
   if (offset == kCr2) only(value, 0, "CR2");
   if (offset == kSmcr) only(value, 0, "SMCR");
   if (offset == kDier) only(value, 1, "DIER");
+  if (offset == kCcer) only(value, 0x1111, "CCER");  // active high, no complementary outputs
+  if (offset == kRcr) only(value, 0, "RCR");
+  if (offset == kBdtr) only(value, 0x8000, "BDTR");  // MOE alone
+  if (offset >= kDcr) only(value, 0, "DMA");
   if (offset != kCcmr1 && offset != kCcmr1 + 4) return;
   only(value, 0xFCFC, "CCMR");  // outputs, no inputs
   for (unsigned i = 0; i < 2; ++i) {

@@ -172,7 +172,7 @@ void Usart::write(std::uint32_t offset, std::uint32_t value) {
 }
 
 void Usart::write_cr1(std::uint32_t value) {
-  only(value, 0xF7FC, "CR1");  // no break, no mute mode
+  only(value, 0xB7FC, "CR1");  // no break, no mute mode
   const bool sent = sends();
   cr1_ = value;
   const bool parity = (cr1_ & kParityOn) != 0, nine = (cr1_ & kNineBits) != 0;

@@ -73,6 +73,8 @@ class Cpu : private Outside {
   [[nodiscard]] std::uint32_t register_value(unsigned number) const {
     return number < 15 ? core_.registers.r[number] : core_.registers.next;
   }
+  /// When the last DSB was carried out.
+  [[nodiscard]] Time drained_at() const { return core_.drained_at; }
   /// Time that a peripheral access costs beyond the instruction.
   void add_wait(unsigned cycles) { core_.pace.time += cycles * core_.pace.cycle; }
   /// The image asked for a system reset (AIRCR).

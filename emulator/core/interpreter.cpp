@@ -707,6 +707,9 @@ Halt Interpreter::run_with() {
         break;
       case Opcode::nop:
         break;
+      case Opcode::dsb:
+        drained_at = pace.time;
+        break;
       case Opcode::it:
         begin_it(address, o.imm);
         break;

@@ -61,6 +61,7 @@ class Interpreter {
   bool fp_active = false;   ///< floating point was used since the last exception entry
   bool lazy_frame = false;  ///< the space for its registers is reserved, not filled
   std::uint32_t stack_alarm = 0;
+  Time drained_at = 0;  ///< of the last DSB: every store before it has left the core
 
   /// The first `bytes` of flash hold another image.
   void forget_flash(std::uint32_t bytes) {

@@ -40,6 +40,8 @@ class Nvic {
   [[nodiscard]] bool is_pending(int exception) const { return pending_.has(exception); }
   [[nodiscard]] bool is_enabled(int exception) const { return enabled_.has(exception); }
   [[nodiscard]] bool is_active(int exception) const { return active_.has(exception); }
+  /// The peripheral holds its line up.
+  [[nodiscard]] bool is_high(int line) const { return level_.has(16 + line); }
   [[nodiscard]] std::uint8_t priority_register(int exception) const { return priority_[index(exception)]; }
 
   /// Effective priority, smaller is more urgent; -3..-1 are reset, NMI and hard fault.

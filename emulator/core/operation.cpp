@@ -364,7 +364,7 @@ Op branch_or_control(unsigned first, unsigned second) {
     case 0x3A:
       return make((second & 0xFF) == 3 ? Opcode::wfi : Opcode::nop);
     case 0x3B:
-      return make(bits(second, 7, 4) == 2 ? Opcode::clrex : Opcode::nop);
+      return make(bits(second, 7, 4) == 2 ? Opcode::clrex : bits(second, 7, 4) == 4 ? Opcode::dsb : Opcode::nop);
     case 0x3E:
     case 0x3F:
       return make(Opcode::mrs, bits(second, 11, 8), 0, 0, second & 0xFF);

@@ -35,7 +35,7 @@ enum class Opcode : std::uint8_t {
   mul, mla, mls, smull, umull, smlal, umlal, umaal, sdiv, udiv,
   media,                           // the DSP extension; `a`: Media
   // System.
-  nop, it, wfi, cps, mrs, msr, svc, bkpt,
+  nop, dsb, it, wfi, cps, mrs, msr, svc, bkpt,
   // Floating point.
   vldr, vstr, vldm, vstm, vmov_to_core, vmov_from_core, vmov_pair, vmrs, vmsr,
   vmov_imm, vmov, vabs, vneg, vadd, vsub, vmul, vnmul, vdiv, vsqrt,
