@@ -2,43 +2,11 @@
 #include <cstdlib>
 
 #include "catch.hpp"
-#include "emulator/board.hpp"
+#include "tests/emulator/bench.hpp"
 
 using namespace finemote::emulator;
 
 namespace {
-
-/// Two instructions that run for ever: `b .` behind a vector table.
-Image idle_image() {
-  Segment segment{0x08000000, std::vector<std::uint8_t>(0x190, 0)};
-  const auto put = [&](std::size_t at, std::uint32_t value) {
-    for (unsigned i = 0; i < 4; ++i) segment.bytes[at + i] = static_cast<std::uint8_t>(value >> (8 * i));
-  };
-  put(0, 0x20001000);
-  for (std::size_t at = 4; at < 0x188; at += 4) put(at, 0x08000189);
-  put(0x188, 0xE7FEE7FE);
-  Image image;
-  image.segments.push_back(segment);
-  return image;
-}
-
-struct Bench {
-  Bench() {
-    board.load(idle_image());
-    board.run_for(1'000);
-  }
-  std::uint32_t read(std::uint32_t address) { return board.chip().read(address, 4); }
-  void write(std::uint32_t address, std::uint32_t value) { board.chip().write(address, 4, value); }
-  /// As a driver's register access would: what it started may run.
-  void run(std::uint64_t ns) { board.run_for(ns); }
-  bool reported(Misuse misuse) {
-    for (const Report& report : board.reports()) {
-      if (report.misuse == misuse) return true;
-    }
-    return false;
-  }
-  Board board;
-};
 
 constexpr std::uint32_t kAhb1 = 0x40023830, kApb2 = 0x40023844, kApb1 = 0x40023840;
 constexpr std::uint32_t kTim2 = 0x40000000, kSpi1 = 0x40013000, kGpioD = 0x40020C00;
