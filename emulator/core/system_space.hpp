@@ -31,6 +31,7 @@ class SystemSpace {
 
   Nvic& nvic() { return nvic_; }
   CoreClock& clock() { return clock_; }
+  SysTick& systick() { return systick_; }
   void change_clock(Time now, Time period);
   /// The core slept: its cycle counter stood, unless the debug clock was kept on.
   void slept(Time duration);

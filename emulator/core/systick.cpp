@@ -31,9 +31,9 @@ std::uint32_t SysTick::read(std::uint32_t offset, Time now) {
 /// The counter takes `count` at `at`; LOAD 0 stops it.
 void SysTick::load(std::uint32_t count, Time at) {
   ++token_;
-  from_ = count;
+  from_ = dead ? 0 : count;
   from_time_ = at;
-  counting_ = count != 0;
+  counting_ = count != 0 && !dead;
   if (!counting_) return;
   const Time zero = at + count * period();
   queue_.at(zero, [this, token = token_, zero] { reached_zero(token, zero); });

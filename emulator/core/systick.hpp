@@ -20,6 +20,8 @@ class SysTick {
   void write(std::uint32_t offset, std::uint32_t value, Time now);
   /// The core clock has changed: the count goes on at the new rate.
   void clock_changed(Time now);
+  /// A fault: it takes no reload value.
+  bool dead = false;
 
  private:
   [[nodiscard]] Time period() const { return clock_.period() * ((control_ & 4) != 0 ? 1 : 8); }

@@ -1,4 +1,6 @@
 // The image's start on the board: clocks from the crystal, what happens without one, the watchdog, determinism.
+#include <cstring>
+
 #include "catch.hpp"
 #include "tests/emulator/fixture.hpp"
 
@@ -65,6 +67,32 @@ TEST_CASE("two runs are equal in every event") {
     REQUIRE(first.first[i].t_ns == second.first[i].t_ns);
     REQUIRE(first.first[i].stage == second.first[i].stage);
   }
+}
+
+TEST_CASE("a release timer that does not count is a fault, not a start that hangs; the watchdog restarts the board") {
+  constexpr std::uint32_t kCounted = 2U << 24 | 8U << 16 | 1;  // schedule, no_timer, once
+  Board board;
+  board.world().system().systick().dead = true;
+  board.load(test_image("sample"));
+  board.run_for(5'000'000);
+  REQUIRE(board.resets() == 0);
+  unsigned records = 0;
+  const std::uint8_t* ram = board.cpu().memory(0x20000000, 0x20000);
+  for (std::size_t at = 0; at < 0x20000; at += 4) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, ram + at, 4);
+    records += word == kCounted ? 1 : 0;
+  }
+  CHECK(records == 1);
+  board.run_for(1'000'000'000);
+  CHECK(board.stages().empty());
+  CHECK(board.resets() >= 1);
+  CHECK((board.chip().rcc.read(0x74) & Rcc::kWatchdogReset) != 0);
+  const unsigned before = board.resets();
+  board.world().system().systick().dead = false;
+  board.run_for(1'000'000'000);
+  CHECK(board.resets() <= before + 1);  // the start under way may still be lost
+  CHECK(!board.stages().empty());
 }
 
 TEST_CASE("the watchdog resets a board whose releases have stopped, and the image starts again") {

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "finemote/board.hpp"
+#include "finemote/fault.hpp"
 #include "finemote/schedule.hpp"
 #include "runtime/boards/cortex_m4/core.hpp"
 #include "runtime/boards/cortex_m4/registers.hpp"
@@ -141,6 +142,16 @@ __attribute__((noinline)) void take_late(Releases& r, std::uint32_t due, std::ui
   if (late != 0) detail::report_overruns(late, r.bits);
 }
 
+// The count takes its first reload value at the next clock (PM0214 4.5); until then the next one must not be written.
+void wait_for_count() {
+  constexpr std::uint32_t kPolls = 1'000;
+  for (std::uint32_t polls = kPolls; systick::Value::read() == 0; --polls) {
+    if (polls != 0) continue;
+    stop_safely(Module::schedule, static_cast<std::uint8_t>(ScheduleFault::no_timer),
+                FINEMOTE_TEXT("schedule: the release timer does not count"));
+  }
+}
+
 }  // namespace
 
 void start_releases(const Schedule& schedule) {
@@ -153,8 +164,7 @@ void start_releases(const Schedule& schedule) {
   systick::Reload::write(0U - before.stamp - 1);
   systick::Value::write(0);
   systick::Control::write(systick::kEnable | systick::kInterrupt | systick::kCoreClock);
-  while (systick::Value::read() == 0) {  // a few cycles: the count takes its first reload value
-  }
+  wait_for_count();
   systick::Reload::write(r.ring[1].stamp - r.ring[0].stamp - 1);
   for (const Bucket& bucket : schedule.buckets) enable_line(bucket.line, bucket.priority);
 }

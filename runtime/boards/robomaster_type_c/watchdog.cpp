@@ -52,6 +52,11 @@ void start_watchdog(Duration longest_gap) {
   feed_watchdog();
 }
 
-void feed_watchdog() { iwdg::kr.write(iwdg::kKeyReload); }
+// Often the last thing of the release interrupt. A store that still waits for the bus while the interrupt returns may
+// make the core vector to the wrong routine (Arm erratum 838869), and a released bucket would be lost: hence the DSB.
+void feed_watchdog() {
+  iwdg::kr.write(iwdg::kKeyReload);
+  asm volatile("dsb" : : : "memory");
+}
 
 }  // namespace finemote::board

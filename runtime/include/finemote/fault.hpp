@@ -48,6 +48,7 @@ enum class ScheduleFault : std::uint8_t {
   too_many,       ///< more buckets than the scheduler has room for
   not_monotonic,  ///< a longer period has the more urgent priority
   overrun,        ///< a bucket was released while pending or running (counted)
+  no_timer,       ///< the release timer does not count
 };
 
 struct FaultRecord {

@@ -36,9 +36,10 @@ constexpr std::uint32_t kStopPolls = 20 * kCyclesPerUs / 6;
 /// Half a bit of the recovery clock: 100 kHz.
 constexpr std::uint32_t kHalfBit = 5 * kCyclesPerUs;
 
+/// Ends also when the count stands still: a turn takes a cycle at least, in fact five or more.
 void wait_cycles(std::uint32_t count) {
   const std::uint32_t from = cortex_m4::cycles();
-  while (cortex_m4::cycles() - from < count) {}
+  for (std::uint32_t turns = count; turns != 0 && cortex_m4::cycles() - from < count; --turns) {}
 }
 
 /// CCR and TRISE, RM0090 27.6.8 and 27.6.9. Fast mode: low twice as long as high, rise time 300 ns; standard mode:
