@@ -76,7 +76,7 @@ void Rcc::start(std::uint32_t ready_bit, Time delay) {
 void Rcc::write_cr(std::uint32_t value) {
   const std::uint32_t rising = value & ~cr_;
   cr_ = (cr_ & (kHsiReady | kHseReady | kPllReady | 0xFF00)) | (value & (kHsiOn | 0xF8 | kHseOn | 0x000C0000 | kPllOn));
-  only(value, 0xFFFF | kHseOn | kHseReady | 0x000C0000 | kPllOn | kPllReady, "CR");
+  only(value, 0xFFFB | kHseOn | kHseReady | 0x000C0000 | kPllOn | kPllReady, "CR");
   if ((rising & kHseOn) != 0 && !dead_crystal) start(kHseReady, kCrystalStart);
   if ((rising & kPllOn) != 0) {
     const bool from_crystal = (pllcfgr_ >> 22 & 1) != 0;

@@ -124,7 +124,7 @@ void Timer::check(std::uint32_t offset, std::uint32_t value) {
   if (offset == kBdtr) only(value, 0x8000, "BDTR");  // MOE alone
   if (offset >= kDcr) only(value, 0, "DMA");
   if (offset != kCcmr1 && offset != kCcmr1 + 4) return;
-  only(value, 0xFCFC, "CCMR");  // outputs, no inputs
+  only(value, 0x7878, "CCMR");  // mode and preload: no inputs, no clearing from outside
   for (unsigned i = 0; i < 2; ++i) {
     const std::uint32_t mode = value >> (8 * i + 4) & 7;
     if (mode != 0 && mode < kPwm1) world_.report(Misuse::unmodelled, name() + " compare mode " + hex(mode));
