@@ -2,6 +2,7 @@
 #include "runtime/boards/robomaster_type_c/registers/watchdog.hpp"
 #include "finemote/board.hpp"
 #include "runtime/boards/robomaster_type_c/board_fault.hpp"
+#include "runtime/boards/robomaster_type_c/interrupt.hpp"
 #include "runtime/boards/robomaster_type_c/registers/clock.hpp"
 #include "runtime/boards/robomaster_type_c/wait.hpp"
 
@@ -52,11 +53,10 @@ void start_watchdog(Duration longest_gap) {
   feed_watchdog();
 }
 
-// Often the last thing of the release interrupt. A store that still waits for the bus while the interrupt returns may
-// make the core vector to the wrong routine (Arm erratum 838869), and a released bucket would be lost: hence the DSB.
+// Often the last thing of the release interrupt.
 void feed_watchdog() {
   iwdg::kr.write(iwdg::kKeyReload);
-  asm volatile("dsb" : : : "memory");
+  robomaster_type_c::drain();
 }
 
 }  // namespace finemote::board

@@ -1,5 +1,6 @@
 // AdcPort on ADC3: single conversions begun by software, RM0090 13.3.4.
 #include "finemote/ports.hpp"
+#include "runtime/boards/robomaster_type_c/interrupt.hpp"
 #include "runtime/boards/robomaster_type_c/pin.hpp"
 #include "runtime/boards/robomaster_type_c/registers/adc.hpp"
 #include "runtime/boards/robomaster_type_c/registers/clock.hpp"
@@ -42,6 +43,7 @@ void AdcPort::begin(std::uint8_t input) {
   adc3::sqr3.write(input);
   adc3::sr.write(0);  // rc_w0
   adc3::cr2.set(adc3::kCr2Start);
+  robomaster_type_c::drain();
 }
 
 bool AdcPort::take(std::uint8_t input, std::uint16_t& value) {

@@ -120,7 +120,10 @@ bool CanPort::send(const CanFrame& frame) {
   return true;
 }
 
-void CanPort::abort() { hardware_->setup.can.tsr().write(can::kAbort | can::kAbort << 8 | can::kAbort << 16); }
+void CanPort::abort() {
+  hardware_->setup.can.tsr().write(can::kAbort | can::kAbort << 8 | can::kAbort << 16);
+  robomaster_type_c::drain();
+}
 
 bool CanPort::bus_off() const { return hardware_->setup.can.esr().any(can::kBusOff); }
 

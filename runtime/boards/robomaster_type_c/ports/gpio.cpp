@@ -1,5 +1,6 @@
 // GpioPort on the chip's pins, by number: 16 a port, PA0 first.
 #include "finemote/ports.hpp"
+#include "runtime/boards/robomaster_type_c/interrupt.hpp"
 #include "runtime/boards/robomaster_type_c/pin.hpp"
 #include "runtime/boards/robomaster_type_c/registers/clock.hpp"
 
@@ -55,6 +56,7 @@ void GpioPort::configure(std::uint8_t number, PinSetting setting) {
 
 void GpioPort::write(std::uint8_t number, bool high) {
   if (number < kPinCount) chip_pin(number).set(high);
+  robomaster_type_c::drain();
 }
 
 bool GpioPort::read(std::uint8_t number) const { return number < kPinCount && chip_pin(number).is_high(); }

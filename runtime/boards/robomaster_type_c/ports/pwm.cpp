@@ -2,6 +2,7 @@
 // (TIM10).
 #include "finemote/fault.hpp"
 #include "runtime/boards/robomaster_type_c/clock.hpp"
+#include "runtime/boards/robomaster_type_c/interrupt.hpp"
 #include "runtime/boards/robomaster_type_c/ports/pwm_hardware.hpp"
 #include "runtime/boards/robomaster_type_c/registers/clock.hpp"
 
@@ -104,6 +105,7 @@ void PwmPort::write(std::uint32_t pulse) {
   const std::uint32_t top = hardware_->top;
   hardware_->setup.timer.ccr(hardware_->setup.channel)
       .write(wanted < top ? wanted : top);  // preloaded: next repetition
+  robomaster_type_c::drain();
 }
 
 }  // namespace finemote

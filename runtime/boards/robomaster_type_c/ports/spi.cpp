@@ -109,6 +109,7 @@ void SpiPort::begin(const SpiMessage& message) {
 void SpiPort::abort() {
   hardware_->active = false;
   hardware_->stop();
+  robomaster_type_c::drain();
 }
 
 void SpiHardware::stop() {

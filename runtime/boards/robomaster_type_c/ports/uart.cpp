@@ -119,6 +119,7 @@ void UartPort::restart_receive() {
   hardware_->laps.store((last + kUartRing - 1) / kUartRing);
   hardware_->halted.store(false);
   start_receive(hardware_->setup);
+  robomaster_type_c::drain();
 }
 
 void UartPort::drive_with(std::uint8_t pin, bool active_low) {
@@ -146,6 +147,7 @@ void UartPort::transmit(std::size_t size) {
   setup.transmit.cr().write(std::uint32_t{setup.channel} << dma::kChannelShift | dma::kMemoryIncrement |
                             dma::kMemoryToPeripheral | dma::kEnable);
   setup.usart.cr1().set(usart::kCompleteInterrupt);
+  robomaster_type_c::drain();
 }
 
 void UartPort::abort_transmit() {
