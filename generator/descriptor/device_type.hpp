@@ -62,8 +62,10 @@ struct UseSpec {
 
 /// What of the URDF the device needs; the emitter knows kinds, never robots.
 struct GeometrySpec {
-  std::string kind;  ///< `allocation`
-  std::string role;  ///< whose children it speaks of
+  std::string kind;                   ///< `allocation`, `rolling`, `chain`, `axes`, `mount`
+  std::string role;                   ///< whose children it speaks of; empty for `mount`, which speaks of the device
+  bool optional = false;              ///< none without joints: the constructor gets a null pointer
+  std::vector<std::string> replaces;  ///< params that say nothing where it is computed
 };
 
 /// Assumed execution time of a device without `<wcet>`: fixed part, values of params, and a part per child.

@@ -113,6 +113,11 @@ std::optional<WcetDefault> read_wcet(const Json& value) {
   return result;
 }
 
+GeometrySpec read_geometry(const Json& entry) {
+  return GeometrySpec{entry.at("kind").get<std::string>(), entry.value("role", std::string()),
+                      entry.value("optional", false), entry.value("replaces", std::vector<std::string>())};
+}
+
 /// Reports what no schema can see.
 class DescriptorCheck {
  public:
@@ -151,10 +156,19 @@ class DescriptorCheck {
     }
   }
   void check_geometry(const DeviceType& type, std::size_t index) {
-    const std::string& name = type.geometry[index].role;
+    const GeometrySpec& geometry = type.geometry[index];
     const bool exists =
-        std::any_of(type.roles.begin(), type.roles.end(), [&](const RoleSpec& role) { return role.name == name; });
-    if (!exists) contradiction({"geometry", std::to_string(index), "role"}, fmt::format("there is no role '{}'", name));
+        geometry.role.empty() || std::any_of(type.roles.begin(), type.roles.end(),
+                                             [&](const RoleSpec& role) { return role.name == geometry.role; });
+    if (!exists)
+      contradiction({"geometry", std::to_string(index), "role"}, fmt::format("there is no role '{}'", geometry.role));
+    for (std::size_t i = 0; i < geometry.replaces.size(); ++i) {
+      const bool fits = std::any_of(type.params.begin(), type.params.end(),
+                                    [&](const ParamSpec& spec) { return spec.name == geometry.replaces[i]; });
+      if (!fits)
+        contradiction({"geometry", std::to_string(index), "replaces", std::to_string(i)},
+                      fmt::format("there is no param '{}'", geometry.replaces[i]));
+    }
   }
   void check_link(const DeviceType& type) {
     const bool fits = std::any_of(type.roles.begin(), type.roles.end(), [&](const RoleSpec& role) {
@@ -231,9 +245,7 @@ DeviceType read_device_type(const Json& value, const SourceFile& source, Diagnos
   type.roles = read_list<RoleSpec>(value, "roles", read_role);
   type.uses = read_list<UseSpec>(value, "uses", read_use);
   type.params = read_params(value, source, diagnostics);
-  type.geometry = read_list<GeometrySpec>(value, "geometry", [](const Json& entry) {
-    return GeometrySpec{entry.at("kind").get<std::string>(), entry.at("role").get<std::string>()};
-  });
+  type.geometry = read_list<GeometrySpec>(value, "geometry", read_geometry);
   if (const auto link = value.find("link"); link != value.end()) type.link_role = link->at("role").get<std::string>();
   type.actuator = value.value("actuator", false);
   type.constant_init = value.value("constant_init", true);

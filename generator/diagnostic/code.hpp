@@ -99,6 +99,7 @@ inline constexpr Code duplicate_in_urdf{2007};  // two links or two joints of on
 inline constexpr Code urdf_number{2008};        // xyz, rpy, axis or limit is malformed
 inline constexpr Code joint_type{2009};
 inline constexpr Code link_parents{2010};  // a link is the child of two joints
+inline constexpr Code joint_unfit{2011};   // geometry cannot be computed of the joint
 
 // 30xx: the <finemote> extension: structure
 inline constexpr Code no_extension{3001};  // no <finemote> in the robot
@@ -199,6 +200,7 @@ inline constexpr Code lint_no_wcet{3153};
 inline constexpr Code lint_conversion{3154};  // longer than the period
 inline constexpr Code lint_bus_load{3155};
 inline constexpr Code lint_unused_bus{3156};
+inline constexpr Code lint_param_replaced{3157};  // given, and computed from the URDF
 // 6xxx: firmware and emulator
 inline constexpr Code firmware_build_failed{6001};  // generated code or the user's devices do not compile
 inline constexpr Code firmware_stopped{6002};       // a fault, or it did not end in time

@@ -138,6 +138,12 @@ std::string param_row(const Json& param) {
               meaning});
 }
 
+std::string geometry_text(const Json& geometry) {
+  if (!geometry.contains("role")) return "mount: how its `link` is turned against the root link";
+  return fmt::format("{} of `{}`{}", geometry["kind"].get<std::string>(), geometry["role"].get<std::string>(),
+                     geometry.value("optional", false) ? ", where their joints are given" : "");
+}
+
 }  // namespace
 
 std::string device_page(const std::string& descriptor, const std::string& include) {
@@ -148,9 +154,7 @@ std::string device_page(const std::string& descriptor, const std::string& includ
   text += row({"provides", provides_text(device)});
   for (const Json& role : list(device, "roles")) text += role_row(role);
   for (const Json& use : list(device, "uses")) text += use_row(use);
-  for (const Json& geometry : list(device, "geometry"))
-    text += row({"geometry",
-                 fmt::format("{} of `{}`", geometry["kind"].get<std::string>(), geometry["role"].get<std::string>())});
+  for (const Json& geometry : list(device, "geometry")) text += row({"geometry", geometry_text(geometry)});
   if (device.contains("link"))
     text += row({"link", "states and commands of `" + device["link"]["role"].get<std::string>() + "`, to a computer"});
   if (device.value("actuator", false)) text += row({"actuator", "yes: has `safe()`"});

@@ -1,7 +1,6 @@
 // The constants that device types ask for by geometry kind, as C++ text.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -13,12 +12,13 @@ namespace finemote::gen {
 struct Constant {
   std::size_t device = 0;  ///< whose type asked for it
   std::string name;        ///< `rov_allocation`
-  std::string text;        ///< comment and definition
+  std::string text;        ///< comment and definition; empty: there is none, the constructor gets a null pointer
   bool in_tree = false;
+  std::string header;  ///< of the types it is made of; empty: built-in ones
 };
 
 /// All constants, in schedule order of their devices, then in descriptor order.
-/// Every child that geometry is computed of names its joint: the model has seen to that.
+/// Every child that geometry is computed of names its joint, and fits: the model has seen to that.
 std::vector<Constant> make_constants(const Plan& plan);
 
 }  // namespace finemote::gen

@@ -254,6 +254,10 @@ std::string device_definition(const Plan& plan, std::size_t index, const std::ve
   if (!device.params.empty()) arguments.push_back(config(device));
   for (const Constant& constant : constants) {
     if (constant.device != index) continue;
+    if (constant.text.empty()) {
+      arguments.push_back(fmt::format("/*{}*/ nullptr", constant.name.substr(device.name.cpp.size() + 1)));
+      continue;
+    }
     arguments.push_back(constant.in_tree ? "ports::" + constant.name
                                          : bus_reference(plan, "constants::" + constant.name));
   }

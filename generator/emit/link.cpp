@@ -246,7 +246,7 @@ Constant link_constant(const Plan& plan, const DeviceLink& link) {
   const std::string down = add_items(text, name + "_down", link.down, false);
   text += fmt::format("inline constexpr finemote::LinkLayout {}_layout{{{:#010x}, {}, {}, /*blocks*/ {}, {}}};", name,
                       link.number, up, down, link.up_blocks, link.down_blocks);
-  return {link.device, name + "_layout", text, true};
+  return {link.device, name + "_layout", text, true, {}};
 }
 
 Data link_header(const Plan& plan, const DeviceLink& link) {

@@ -14,10 +14,14 @@ namespace {
 
 Data constants_data(const Plan& plan, const std::vector<Constant>& constants) {
   Data data = common_data(plan);
-  std::vector<std::string> texts;
+  std::vector<std::string> texts, headers;
   for (const Constant& constant : constants) {
-    if (!constant.in_tree) texts.push_back(constant.text);
+    if (constant.in_tree || constant.text.empty()) continue;
+    texts.push_back(constant.text);
+    if (!constant.header.empty()) headers.push_back(constant.header);
   }
+  data.set("has_includes", !headers.empty());
+  data.set("includes", include_list(headers));
   data.set("constants", text_list(texts));
   return data;
 }

@@ -116,7 +116,8 @@ std::vector<std::string> object_headers(const Plan& plan, const Tree& tree, cons
     if (!plan.robot.devices[device].type->constant_init) headers.emplace_back("<finemote/order.hpp>");
     for (const Read& read : plan.robot.devices[device].reads) include(*plan.robot.devices[read.device].type);
     for (const Constant& constant : constants) {
-      if (constant.device == device && !constant.in_tree) headers.emplace_back("\"constants.hpp\"");
+      if (constant.device == device && !constant.in_tree && !constant.text.empty())
+        headers.emplace_back("\"constants.hpp\"");
     }
   }
   for (const Crossing& crossing : plan.schedule.crossings) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "generator/geometry/role_joints.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
@@ -27,6 +28,7 @@ class Linter {
       check_periods(robot_.devices[i]);
       check_wcet(robot_.devices[i]);
       check_conversion(robot_.devices[i]);
+      check_replaced(robot_.devices[i]);
     }
     return std::move(edits_);
   }
@@ -186,6 +188,23 @@ class Linter {
         .note("most of its updates will find no new sample")
         .hint(fmt::format("write period=\"{}\" or longer, or choose a shorter conversion",
                           units::format_duration(enough)));
+  }
+
+  void check_replaced(const Device& device) {
+    for (const GeometrySpec& geometry : device.type->geometry) {
+      if (role_joints(robot_, device, geometry).empty()) continue;
+      for (const Param& param : device.params) {
+        const auto& replaced = geometry.replaces;
+        if (!param.given || std::find(replaced.begin(), replaced.end(), param.spec->name) == replaced.end()) continue;
+        Diagnostic* finding =
+            report(code::lint_param_replaced, device.at,
+                   fmt::format("param '{}' of device '{}' says nothing", param.spec->name, device.name.text));
+        if (finding == nullptr) continue;
+        finding->underline(7)
+            .note(fmt::format("it is computed from the joints of the {}", geometry.role))
+            .hint("remove it");
+      }
+    }
   }
 
   const Robot& robot_;

@@ -1,8 +1,10 @@
-// `link` and `joint` of devices against the URDF: FM2002 to FM2004, FM2006.
+// `link` and `joint` of devices against the URDF: FM2002 to FM2004, FM2006, FM2011.
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "generator/geometry/chain.hpp"
+#include "generator/geometry/rolling.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/reading.hpp"
 
@@ -51,19 +53,76 @@ std::string joint_hint(const Reading& reading) {
                                     : ", or another that no device drives: " + others);
 }
 
-/// Children that geometry is computed of have to say which joint they drive.
+const char* what_is_computed(const GeometrySpec& geometry) {
+  if (geometry.kind == "rolling") return "rolling of the wheels";
+  if (geometry.kind == "chain") return "weight on the joints";
+  if (geometry.kind == "axes") return "way of turning";
+  return "allocation";
+}
+
+/// Children of the role, those with a mistake of their own included.
+std::vector<std::size_t> children_in(const Reading& reading, const Device& parent, const std::string& role) {
+  std::vector<std::size_t> children;
+  for (const std::size_t child : parent.children) {
+    const Device& device = reading.robot.devices[child];
+    if (device.role && parent.type->roles[*device.role].name == role) children.push_back(child);
+  }
+  return children;
+}
+
+/// Children that geometry is computed of have to say which joint they drive. @return they all do
+bool check_joints_named(Reading& reading, const Device& parent, const GeometrySpec& geometry,
+                        const std::vector<std::size_t>& children) {
+  bool all = true;
+  for (const std::size_t child : children) {
+    const Device& device = reading.robot.devices[child];
+    all = all && reading.kinematics.joint(device.joint) != nullptr;
+    if (!device.joint.empty() || reading.device_tag(child).attribute("joint") != nullptr) continue;
+    at_tag(reading.diagnostics, code::joint_needed, reading.device_tag(child),
+           fmt::format("device '{}' has no 'joint'", device.name.text))
+        .note(fmt::format("the {} of device '{}' is computed from origin and axis of the joints of its {}",
+                          what_is_computed(geometry), parent.name.text, geometry.role))
+        .hint(joint_hint(reading));
+  }
+  return all;
+}
+
+std::string geometry_problem(const Reading& reading, const GeometrySpec& geometry,
+                             const std::vector<std::string>& joints, std::size_t index) {
+  const Mechanism mechanism(reading.kinematics.links, reading.kinematics.joints);
+  const auto axis = joint_axis(mechanism, joints[index]);
+  if (!axis) return {};  // a chain without end, or no axis: reported
+  if (geometry.kind == "rolling") return wheel_problem(*axis);
+  if (geometry.kind == "chain") return chain_problem(mechanism, joints, index);
+  return {};
+}
+
+void check_joints_fit(Reading& reading, const Device& parent, const GeometrySpec& geometry,
+                      const std::vector<std::size_t>& children) {
+  std::vector<std::string> joints;
+  for (const std::size_t child : children) joints.push_back(reading.robot.devices[child].joint);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const std::string problem = geometry_problem(reading, geometry, joints, i);
+    if (problem.empty()) continue;
+    const Device& device = reading.robot.devices[children[i]];
+    Diagnostic& finding =
+        at_value(reading.diagnostics, code::joint_unfit, *reading.device_tag(children[i]).attribute("joint"),
+                 fmt::format("joint '{}' cannot be one of the {} of device '{}'", device.joint, geometry.role,
+                             parent.name.text));
+    finding.note(problem).note("the joint stands here", reading.kinematics.joint(device.joint)->at);
+    if (geometry.kind == "chain") finding.hint("declare turning joints, base to tip");
+  }
+}
+
 void check_geometry(Reading& reading, const Device& parent) {
   for (const GeometrySpec& geometry : parent.type->geometry) {
-    for (const std::size_t child : parent.children) {
-      const Device& device = reading.robot.devices[child];
-      const bool is_meant = device.role && parent.type->roles[*device.role].name == geometry.role;
-      if (!is_meant || !device.joint.empty() || reading.device_tag(child).attribute("joint") != nullptr) continue;
-      at_tag(reading.diagnostics, code::joint_needed, reading.device_tag(child),
-             fmt::format("device '{}' has no 'joint'", device.name.text))
-          .note(fmt::format("the {} of device '{}' is computed from origin and axis of the joints of its {}",
-                            geometry.kind, parent.name.text, geometry.role))
-          .hint(joint_hint(reading));
-    }
+    if (geometry.role.empty()) continue;
+    const std::vector<std::size_t> children = children_in(reading, parent, geometry.role);
+    const bool none = std::all_of(children.begin(), children.end(), [&](std::size_t child) {
+      return reading.device_tag(child).attribute("joint") == nullptr;
+    });
+    if (geometry.optional && none) continue;
+    if (check_joints_named(reading, parent, geometry, children)) check_joints_fit(reading, parent, geometry, children);
   }
 }
 

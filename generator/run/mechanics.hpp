@@ -25,4 +25,9 @@ nlohmann::ordered_json way_to(const Robot& robot, const std::string& link);
 /// further joint at zero, and `viscous` [N m s], `coulomb` [N m], `lower`, `upper` [rad] where the URDF gives them.
 nlohmann::ordered_json load_of(const Robot& robot, const std::string& joint);
 
+/// The joints that parts turn, each after those that carry it: `part`, the part `before` it, the `way` from there or
+/// from the root link, `axis`, and `mass` [kg] and `centre` [m] of what moves with it but not with those after it.
+/// Without the last of a row where they are balanced: a wheel does not pull at itself.
+nlohmann::ordered_json hanging_joints(const Robot& robot);
+
 }  // namespace finemote::gen

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 
-#include "generator/emit/geometry.hpp"
+#include "generator/geometry/mechanism.hpp"
+#include "generator/run/emulation.hpp"
 #include "generator/run/mechanics.hpp"
 
 namespace finemote::gen {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// `emulation` of a descriptor, or null.
-Json emulation_of(const DeviceType& type) { return Json::parse(type.raw_json).value("emulation", Json()); }
 
 void add_line_format(const Bus& bus, const std::string& format, Json& part) {
   part["baud"] = bus.rate;
@@ -97,7 +95,7 @@ void add_params(const Device& device, const Json& emulation, Json& part) {
 /// What the part feels of the body, or does to it.
 void add_mechanics(const Robot& robot, const Device& device, const Json& emulation, const std::string& body,
                    Json& part) {
-  const auto axis = device.joint.empty() ? std::nullopt : joint_axis(robot, device.joint);
+  const auto axis = device.joint.empty() ? std::nullopt : joint_axis(Mechanism(robot), device.joint);
   if (device.type->actuator && axis) {
     part["body"] = body;
     part["xyz"] = {axis->point.x(), axis->point.y(), axis->point.z()};
@@ -117,18 +115,52 @@ Json terminal_part(const Robot& robot, const Device& device, const Use& use) {
   return part;
 }
 
-/// One body, the root link: of the kind the first device asks for that pushes it, else standing.
+/// Children in a role and where their joints are.
+Json children_at(const Robot& robot, const Device& device, const std::string& role) {
+  Json list = Json::array();
+  for (const std::size_t index : device.children) {
+    const Device& child = robot.devices[index];
+    const auto axis = child.joint.empty() ? std::nullopt : joint_axis(Mechanism(robot), child.joint);
+    if (!child.role || device.type->roles[*child.role].name != role || !axis || !has_part(child)) continue;
+    list.push_back({{"part", child.name.text},
+                    {"xyz", {axis->point.x(), axis->point.y(), axis->point.z()}},
+                    {"axis", {axis->direction.x(), axis->direction.y(), axis->direction.z()}}});
+  }
+  return list;
+}
+
+/// What a device makes of the root link: the kind of body, with what it needs to know; null: nothing.
+Json body_by(const Robot& robot, const Device& device) {
+  const Json emulation = emulation_of(*device.type);
+  if (!emulation.is_object() || !emulation.contains("body")) return {};
+  Json part{{"type", emulation["body"]}};
+  if (emulation.contains("part")) return device.joint.empty() ? Json() : part;
+  const auto role = emulation.value("wheels", std::string());
+  part["wheels"] = children_at(robot, device, role);
+  add_params(device, emulation, part);
+  return part["wheels"].empty() ? Json() : part;
+}
+
+/// One body, the root link: of the kind the first device asks for that moves it, else standing.
 Json body_part(const Robot& robot) {
   const std::string root = root_link(robot);
   if (root.empty()) return {};
   Json part{{"type", "standing_body"}, {"name", root}};
   for (const Device& device : robot.devices) {
-    if (device.name.text == part["name"]) part["name"] = root + ".body";
-    const std::string kind = device.joint.empty() ? "" : emulation_of(*device.type).value("body", std::string());
-    if (!kind.empty()) part["type"] = kind;
+    if (device.name.text == root) part["name"] = root + ".body";
+    const Json wanted = part["type"] == "standing_body" ? body_by(robot, device) : Json();
+    if (wanted.is_object()) part.update(wanted);
   }
   if (part["type"] != "standing_body") part.update(whole_inertia(robot));
   return part;
+}
+
+/// What hangs at driven joints; null: nothing.
+Json weights_part(const Robot& robot, const Json& body) {
+  Json joints = hanging_joints(robot);
+  if (joints.empty()) return {};
+  const auto name = body["name"].get<std::string>();
+  return Json{{"type", "weights"}, {"name", name + ".weights"}, {"body", name}, {"joints", joints}};
 }
 
 }  // namespace
@@ -141,7 +173,7 @@ EmulatedParts emulated_parts(const Robot& robot) {
   for (const Expander& expander : robot.expanders) parts.push_back(expander_part(robot, expander));
   for (const Device& device : robot.devices) {
     const Json emulation = emulation_of(*device.type);
-    if (device.segment && emulation.is_object()) {
+    if (has_part(device)) {
       Json part{{"type", emulation.at("part")}, {"name", device.name.text}};
       add_bus(robot, device, part);
       part.update(emulation.value("values", Json::object()));
@@ -156,6 +188,8 @@ EmulatedParts emulated_parts(const Robot& robot) {
       if (serial) parts.push_back(terminal_part(robot, device, use));
     }
   }
+  const Json weights = body.is_null() ? Json() : weights_part(robot, body);
+  if (!weights.is_null()) parts.push_back(weights);
   result.scenario = Json{{"schema", "finemote.scenario/1"}, {"parts", parts}, {"events", Json::array()}};
   return result;
 }

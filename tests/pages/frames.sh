@@ -130,6 +130,22 @@ frame_FM3032() { in_device '<device name="load" type="sim_load" period="10ms">';
 frame_FM3041() { robot "<device name=\"rov\" type=\"group\" period=\"10ms\"/>$example"; ask; }
 frame_FM3044() { robot "<device name=\"remote\" type=\"dr16\" period=\"10ms\"/><device name=\"base\" type=\"mecanum_chassis\" period=\"10ms\">$example</device>"; ask; }
 frame_FM3049() { robot "$example<device name=\"load\" type=\"sim_load\" period=\"10ms\"/>"; ask; }
+mecanum() {  # [PARAMS]: an example in place of the front left wheel's axis, or among the chassis' params
+  local name x y links= wheels= id=0
+  while read -r name x y axis; do
+    id=$((id + 1))
+    links+="<link name=\"$name\"/><joint name=\"$name.joint\" type=\"continuous\"><parent link=\"base_link\"/><child link=\"$name\"/><origin xyz=\"$x $y 0\"/>${axis:-<axis xyz=\"0 1 0\"/>}</joint>"
+    wheels+="<device name=\"$name\" type=\"dji_m3508\" bus=\"can\" id=\"$id\" joint=\"$name.joint\">$measured</device>"
+  done <<X
+fl 0.2 0.2 $([ -n "${1:-}" ] || echo "$example")
+fr 0.2 -0.2
+rl -0.2 0.2
+rr -0.2 -0.2
+X
+  with_links "$links" "<bus name=\"can\" type=\"can\" port=\"can1\" bitrate=\"1Mbit/s\"/><bus name=\"dbus\" type=\"uart\" port=\"usart3\" baud=\"100000baud\"/><device name=\"base\" type=\"mecanum_chassis\" period=\"10ms\">${1:-}<device name=\"remote\" type=\"dr16\" bus=\"dbus\">$measured</device>$wheels</device>"
+}
+frame_FM2011() { mecanum; }
+frame_FM3157() { mecanum "$example"; }
 finsrov_child() { local child=$example; robot "<device name=\"rov\" type=\"finsrov\" period=\"20ms\">$child</device>"; ask; }
 frame_FM3051() { finsrov_child; }
 frame_FM3054() { finsrov_child; }

@@ -1,0 +1,62 @@
+#include "generator/geometry/mechanism.hpp"
+
+#include <algorithm>
+
+namespace finemote::gen {
+namespace {
+
+template <typename Entry>
+const Entry* where(const std::vector<Entry>& list, const std::string Entry::*field, const std::string& value) {
+  const auto found = std::find_if(list.begin(), list.end(), [&](const Entry& entry) { return entry.*field == value; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const Link* Mechanism::link(const std::string& name) const { return where(links_, &Link::name, name); }
+const Joint* Mechanism::joint(const std::string& name) const { return where(joints_, &Joint::name, name); }
+const Joint* Mechanism::joint_to(const std::string& link) const { return where(joints_, &Joint::child_link, link); }
+
+std::string Mechanism::root() const {
+  const auto found =
+      std::find_if(links_.begin(), links_.end(), [&](const Link& link) { return joint_to(link.name) == nullptr; });
+  return found == links_.end() ? std::string() : found->name;
+}
+
+std::optional<std::vector<const Joint*>> Mechanism::way_to(const std::string& link) const {
+  std::vector<const Joint*> way;
+  for (const Joint* joint = joint_to(link); joint != nullptr; joint = joint_to(joint->parent_link)) {
+    if (way.size() == joints_.size()) return std::nullopt;
+    way.push_back(joint);
+  }
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+std::optional<Eigen::Isometry3d> Mechanism::pose(const std::string& link) const {
+  const auto way = way_to(link);
+  if (!way) return std::nullopt;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  for (const Joint* joint : *way) pose = pose * transform(joint->origin);
+  return pose;
+}
+
+Eigen::Isometry3d transform(const Pose& pose) {
+  Eigen::Isometry3d t = Eigen::Isometry3d::Identity();
+  t.translate(Eigen::Vector3d(pose.xyz[0], pose.xyz[1], pose.xyz[2]));
+  t.rotate(Eigen::AngleAxisd(pose.rpy[2], Eigen::Vector3d::UnitZ()));
+  t.rotate(Eigen::AngleAxisd(pose.rpy[1], Eigen::Vector3d::UnitY()));
+  t.rotate(Eigen::AngleAxisd(pose.rpy[0], Eigen::Vector3d::UnitX()));
+  return t;
+}
+
+std::optional<Axis> joint_axis(const Mechanism& mechanism, const std::string& name) {
+  const Joint* joint = mechanism.joint(name);
+  if (joint == nullptr) return std::nullopt;
+  const Eigen::Vector3d axis(joint->axis[0], joint->axis[1], joint->axis[2]);
+  const auto pose = mechanism.pose(joint->child_link);
+  if (axis.norm() == 0 || !pose) return std::nullopt;
+  return Axis{pose->translation(), pose->linear() * axis.normalized()};
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,51 @@
+// Links and joints to poses: where everything is with every joint at zero.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/model/robot.hpp"
+
+namespace finemote::gen {
+
+/// The URDF's tree; lengths in m, angles in rad. Holds no copy.
+class Mechanism {
+ public:
+  Mechanism(const std::vector<Link>& links, const std::vector<Joint>& joints) : links_(links), joints_(joints) {}
+  explicit Mechanism(const Robot& robot) : Mechanism(robot.links, robot.joints) {}
+
+  [[nodiscard]] const std::vector<Link>& links() const { return links_; }
+  [[nodiscard]] const std::vector<Joint>& joints() const { return joints_; }
+  [[nodiscard]] const Link* link(const std::string& name) const;
+  [[nodiscard]] const Joint* joint(const std::string& name) const;
+  /// The joint that carries a link; null for the root link.
+  [[nodiscard]] const Joint* joint_to(const std::string& link) const;
+  /// The first link that no joint carries; empty in a robot without links.
+  [[nodiscard]] std::string root() const;
+
+  /// Joints from the root link to a link; none when the chain does not end.
+  [[nodiscard]] std::optional<std::vector<const Joint*>> way_to(const std::string& link) const;
+  /// Takes coordinates of the link's frame to the root link's; none when the chain does not end.
+  [[nodiscard]] std::optional<Eigen::Isometry3d> pose(const std::string& link) const;
+
+ private:
+  const std::vector<Link>& links_;
+  const std::vector<Joint>& joints_;
+};
+
+/// Fixed-axis roll, pitch, yaw as URDF defines them.
+Eigen::Isometry3d transform(const Pose& pose);
+
+/// A place and a direction in the base frame: the root link of the URDF.
+struct Axis {
+  Eigen::Vector3d point;      ///< [m]
+  Eigen::Vector3d direction;  ///< unit length
+};
+
+/// Where the joint named `joint` is and which way its axis points. None when the joint does not exist, has no axis, or
+/// its chain does not end.
+std::optional<Axis> joint_axis(const Mechanism& mechanism, const std::string& joint);
+
+}  // namespace finemote::gen
