@@ -40,7 +40,7 @@ void DjiMotor::tick() {
 
 CanFrame DjiMotor::report(Time now) {
   CanFrame frame{figures_.feedback_id, 8, {}};
-  const double turns = shaft_.angle(now) * figures_.gear / kTurn;
+  const double turns = (shaft_.angle(now) * figures_.gear + figures_.zero) / kTurn;
   put(frame, 0, std::min(std::floor((turns - std::floor(turns)) * kSteps), kSteps - 1));
   put(frame, 2, shaft_.speed(now) * figures_.gear / kTurn * 60);
   put(frame, 4, shaft_.torque(now) / figures_.torque_per_ampere / figures_.full_current * figures_.full_word);

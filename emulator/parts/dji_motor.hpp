@@ -22,6 +22,7 @@ class DjiMotor {
     double full_current = 20;        ///< A
     double torque_per_ampere = 0.3;  ///< N m at the output
     double gear = 1;                 ///< turns of the rotor per turn of the output
+    double zero = 0;                 ///< rad, what the encoder reads where the output is at zero
     Time period = from_ns(1'000'000), phase = 0;
   };
 

@@ -50,7 +50,9 @@ void DjiMotor::take(const CanSlot::Received& received) {
 void DjiMotor::count_turns(std::int32_t angle, float rpm, Time at) {
   std::int32_t step = angle - last_angle_;
   if (!counting_) {
-    step = angle;
+    step = angle - static_cast<std::int32_t>(std::lround(zero_ / kRadPerStep));
+    while (step > kTurn / 2) step -= kTurn;
+    while (step <= -kTurn / 2) step += kTurn;
   } else {
     const Duration gap = at - last_at_;
     const float expected = gap <= kLongestGap ? rpm * seconds(gap) * kStepsPerSecond : 0;

@@ -82,12 +82,30 @@ TEST_CASE_METHOD(Fixture, "feedback becomes angle, speed and torque at the outpu
   CHECK(yaw.state.torque == Approx(-1.5 * 0.741).epsilon(1e-4));
 }
 
+TEST_CASE_METHOD(Fixture, "angles count from where the encoder's zero is said to be") {
+  const auto first = [&](int reading) {
+    DjiGm6020 motor{{3.0F}, yaw_slot};
+    host::can1.feed(now() + kMillisecond, feedback(0x207, reading, 0, 0, 30));
+    host::advance(kMillisecond + 1);
+    motor.update();
+    return static_cast<double>(motor.state.angle);
+  };
+  CHECK(first(static_cast<int>(3.0 / (2 * kPi) * 8192)) == Approx(0).margin(1e-3));
+  CHECK(first(0) == Approx(-3).margin(1e-3));
+  CHECK(first(8191) == Approx(-3).margin(2e-3));
+  CHECK(first(8000) == Approx(2 * kPi * 8000 / 8192 - 3).margin(1e-3));
+}
+
 TEST_CASE_METHOD(Fixture, "turns are counted both ways, and at more than half a turn per update") {
   receive(feedback(0x207, 8000, 0, 0, 30));
+  CHECK(yaw.state.angle == Approx(-2 * kPi * 192 / 8192).epsilon(1e-5));  // a little below zero, not a turn above it
   receive(feedback(0x207, 100, 10, 0, 30));
-  CHECK(yaw.state.angle == Approx(2 * kPi * (8192 + 100) / 8192).epsilon(1e-5));
+  CHECK(yaw.state.angle == Approx(2 * kPi * 100 / 8192).epsilon(1e-5));
   receive(feedback(0x207, 8000, -10, 0, 30));
-  CHECK(yaw.state.angle == Approx(2 * kPi * 8000 / 8192).epsilon(1e-5));
+  CHECK(yaw.state.angle == Approx(-2 * kPi * 192 / 8192).epsilon(1e-5));
+  receive(feedback(0x207, 4000, -9000, 0, 30));
+  receive(feedback(0x207, 8100, -9000, 0, 30));
+  CHECK(yaw.state.angle < -2 * kPi * 92 / 8192);
   // 9000 rpm, seen every 10 ms: one and a half turns in between.
   double turns = 0;
   receive(feedback(0x202, 0, 9000, 0, 30));

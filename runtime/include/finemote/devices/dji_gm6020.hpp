@@ -11,9 +11,11 @@ namespace finemote {
 class DjiGm6020 : public DjiMotor {
  public:
   struct Config {
+    float zero = 0;                         ///< rad, what the encoder reads where the joint is at zero; -7..7
     Duration max_age = 100 * kMillisecond;  ///< of the command's origin
   };
-  constexpr DjiGm6020(const Config& config, CanSlot& slot) : DjiMotor(detail::kGm6020, 1, config.max_age, slot) {}
+  constexpr DjiGm6020(const Config& config, CanSlot& slot)
+      : DjiMotor(detail::kGm6020, 1, config.max_age, slot, config.zero) {}
 };
 
 }  // namespace finemote

@@ -22,7 +22,8 @@ struct DjiMotorKind {
 ///
 /// Feedback comes by itself, 1000 times a second: rotor angle 0..8191, speed [rpm], current, temperature. The state's
 /// origin is when the last frame arrived; 20 ms without one, or with impossible values, make it invalid and the motor
-/// unreachable. The angle counts turns, helped by the speed where more than half a turn passes between two updates.
+/// unreachable. The angle counts turns, helped by the speed where more than half a turn passes between two updates; the
+/// first one is within half a turn of the rotor either way of where the encoder's zero is said to be.
 ///
 /// Drives while its command is valid, a number, and made from data not older than `max_age`; otherwise no current. Four
 /// motors share one frame: handle() sets a word, the bus sends the frame once at the end of the bucket.
@@ -39,8 +40,9 @@ class DjiMotor {
   MotorCommand command;
 
  protected:
-  constexpr DjiMotor(const DjiMotorKind& kind, float gear, Duration max_age, CanSlot& slot)
-      : kind_(&kind), slot_(&slot), gear_(gear), max_age_(max_age) {}
+  /// @param zero  what the encoder reads where the angle is zero [rad of the rotor]
+  constexpr DjiMotor(const DjiMotorKind& kind, float gear, Duration max_age, CanSlot& slot, float zero = 0)
+      : kind_(&kind), slot_(&slot), gear_(gear), zero_(zero), max_age_(max_age) {}
 
  private:
   void take(const CanSlot::Received& received);
@@ -50,6 +52,7 @@ class DjiMotor {
   const DjiMotorKind* kind_;
   CanSlot* slot_;
   float gear_;
+  float zero_;
   Duration max_age_;
   std::uint32_t seen_ = 0;
   std::int32_t last_angle_ = 0;
