@@ -128,6 +128,8 @@ void Bmi088::take_sample() {
     state.acceleration[i] = static_cast<float>(word_at(accel_in_ + kAccelDataAt + 2 * i)) * kAccelScale;
     state.rate[i] = static_cast<float>(word_at(gyro_in_ + kGyroDataAt + 2 * i)) * kGyroScale;
   }
+  turn(mount_, state.acceleration);
+  turn(mount_, state.rate);
   const Time at = ready_ != nullptr ? oldest(ended, edge_.at) : ended;
   if (heater_ != nullptr) take_temperature(ended);
   const float dt = sampled_ == 0 ? 0 : seconds(at - sampled_);

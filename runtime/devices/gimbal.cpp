@@ -43,14 +43,14 @@ void Gimbal::handle() {
                                    yaw_wanted - imu_.state.rate[2], 0, dt);
   const float pitch = pitch_rate_.step({config_.pitch_rate_kp, config_.pitch_rate_ki, 0, config_.max_torque},
                                        pitch_wanted - imu_.state.rate[1], 0, dt);
-  command(yaw_, state, drives, yaw);
-  command(pitch_, state, drives, pitch);
+  command(yaw_, state, drives, yaw_way_ * yaw);
+  command(pitch_, state, drives, pitch_way_ * pitch);
 }
 
 void Gimbal::move_aim(float dt) {
   yaw_aim_ = wrap_angle(yaw_aim_ - remote_.state.wheel * config_.max_rate * dt);
-  const float step = -remote_.state.right_y * config_.max_rate * dt;  // positive pitch looks down
-  const float at_zero = imu_.state.pitch - pitch_.state.angle;        // the head's pitch with the motor at 0
+  const float step = -remote_.state.right_y * config_.max_rate * dt;         // positive pitch looks down
+  const float at_zero = imu_.state.pitch - pitch_way_ * pitch_.state.angle;  // the head's pitch with the motor at 0
   pitch_aim_ = clamp(pitch_aim_ + step, at_zero + config_.pitch_lowest, at_zero + config_.pitch_highest);
 }
 

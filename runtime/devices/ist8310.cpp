@@ -65,6 +65,7 @@ void Ist8310::take_field() {
   if (!good) return bad_value();
   bad_values_ = 0;
   for (int i = 0; i < 3; ++i) state.field[i] = static_cast<float>(raw[i]) * kTeslaPerStep;
+  turn(mount_, state.field);
   state.origin = slot_->ended();
   state.valid = true;
 }

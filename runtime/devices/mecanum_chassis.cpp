@@ -4,26 +4,25 @@ namespace finemote {
 
 namespace {
 
-// How forward, left and turning make up each wheel's rolling: front left, front right, rear left, rear right.
-constexpr float kLeft[4] = {-1, 1, 1, -1};
-constexpr float kTurn[4] = {-1, 1, -1, 1};
 constexpr float kLongestStep = 0.1F;  ///< s
 
 }  // namespace
 
-void MecanumChassis::wheel_speeds(const Config& config, const Motion& motion, float (&speeds)[kWheels]) {
+void MecanumChassis::wheel_speeds(const Motion& motion, float (&speeds)[kWheels]) const {
   for (unsigned n = 0; n < kWheels; ++n) {
-    speeds[n] = (motion.forward + kLeft[n] * motion.left + kTurn[n] * config.reach * motion.turn) / config.wheel_radius;
+    const RollingWheel& wheel = rolling_[n];
+    speeds[n] =
+        (wheel.forward * motion.forward + wheel.left * motion.left + wheel.turn * motion.turn) / config_.wheel_radius;
   }
 }
 
-MecanumChassis::Motion MecanumChassis::body_motion(const Config& config, const float (&speeds)[kWheels]) {
+MecanumChassis::Motion MecanumChassis::body_motion(const float (&speeds)[kWheels]) const {
   Motion motion;
   for (unsigned n = 0; n < kWheels; ++n) {
-    const float share = speeds[n] * config.wheel_radius / kWheels;
-    motion.forward += share;
-    motion.left += kLeft[n] * share;
-    motion.turn += kTurn[n] * share / config.reach;
+    const float rolled = speeds[n] * config_.wheel_radius;
+    motion.forward += rolling_[n].to_forward * rolled;
+    motion.left += rolling_[n].to_left * rolled;
+    motion.turn += rolling_[n].to_turn * rolled;
   }
   return motion;
 }
@@ -38,7 +37,7 @@ void MecanumChassis::update() {
     state.origin = oldest(state.origin, wheel.origin);
     state.valid = state.valid && is_fresh(wheel, at, config_.max_age);
   }
-  motion_ = body_motion(config_, speeds);
+  motion_ = body_motion(speeds);
 }
 
 void MecanumChassis::handle() {
@@ -51,7 +50,6 @@ void MecanumChassis::handle() {
 
   float wanted[kWheels];
   wheel_speeds(
-      config_,
       {remote.left_y * config_.max_speed, -remote.left_x * config_.max_speed, -remote.right_x * config_.max_turn},
       wanted);
   for (unsigned n = 0; n < kWheels; ++n) {

@@ -4,7 +4,8 @@ namespace finemote {
 
 namespace {
 constexpr float kLongestStep = 0.1F;  ///< s
-}
+constexpr float kGravity = 9.80665F;  ///< m/s^2
+}  // namespace
 
 unsigned SerialArm::count() const {
   return joints_.size() < kMaxJoints ? static_cast<unsigned>(joints_.size()) : kMaxJoints;
@@ -16,6 +17,28 @@ void SerialArm::update() {
   for (unsigned n = 0; n < count(); ++n) {
     state.origin = oldest(state.origin, joints_[n].state.origin);
     state.valid = state.valid && is_fresh(joints_[n].state, at, config_.max_age);
+  }
+  if (chain_ != nullptr) weigh();
+}
+
+/// From base to tip: how each joint stands. From tip to base: what hangs at it, and how far from its axis.
+void SerialArm::weigh() {
+  Rotation turned;
+  Vector places[kMaxJoints], axes[kMaxJoints], centres[kMaxJoints], place;
+  for (unsigned n = 0; n < count(); ++n) {
+    place = place + turned * chain_[n].offset;
+    places[n] = place;
+    axes[n] = turned * chain_[n].axis;
+    turned = turned * Rotation::about(chain_[n].axis, joints_[n].state.angle);
+    centres[n] = place + turned * chain_[n].centre;
+  }
+  float mass = 0;
+  Vector moment;
+  for (unsigned n = count(); n-- > 0;) {
+    mass += chain_[n].mass;
+    moment = moment + chain_[n].mass * centres[n];
+    const Vector lever = moment - mass * places[n];  // times the mass
+    weights_[n] = kGravity * (axes[n].x * lever.y - axes[n].y * lever.x);
   }
 }
 
@@ -57,8 +80,9 @@ void SerialArm::handle() {
     aims_[n] =
         clamp(aims_[n] + jog(n) * config_.max_speed * dt, joint.angle - config_.lead, joint.angle + config_.lead);
     MotorCommand& command = joints_[n].command;
-    const PidGains gains{config_.kp, config_.ki, config_.kd, config_.max_torque};
-    command.torque = drives ? loops_[n].step(gains, aims_[n] - joint.angle, joint.speed, dt) : 0;
+    const float most = config_.max_torque, carried = clamp(config_.weight * weights_[n], -most, most);
+    const PidGains gains{config_.kp, config_.ki, config_.kd, most - (carried < 0 ? -carried : carried)};
+    command.torque = drives ? carried + loops_[n].step(gains, aims_[n] - joint.angle, joint.speed, dt) : 0;
     command.origin = state.origin;
     command.valid = drives;
   }

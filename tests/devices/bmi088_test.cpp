@@ -65,7 +65,7 @@ struct Fixture {
   SpiSlot gyro_slot{bus, 1, 1}, accel_slot{bus, 0, 1};
   SpiSlot* const table[2] = {&accel_slot, &gyro_slot};
   SpiBus bus{ports::spi1, 10000000, table};
-  Bmi088 imu{{}, accel_slot, gyro_slot};
+  Bmi088 imu{{}, nullptr, accel_slot, gyro_slot};
 };
 
 }  // namespace
@@ -137,7 +137,7 @@ struct Warm : Fixture {
   }
   PwmBus heater{ports::imu_heater, 1'000'000};
   PwmChannel channel{heater, 0};
-  Bmi088 warm{{}, accel_slot, gyro_slot, &channel};
+  Bmi088 warm{{}, nullptr, accel_slot, gyro_slot, &channel};
   float celsius = 25;
   bool sensor_dead = false;
 };
@@ -172,7 +172,7 @@ TEST_CASE_METHOD(Warm, "the heater is off without a new or with an impossible te
 
 TEST_CASE_METHOD(Fixture, "the origin is the data-ready edge, and a line without edges is not valid") {
   EdgePin ready{ports::exti5};
-  Bmi088 timed{{}, accel_slot, gyro_slot, nullptr, &ready};
+  Bmi088 timed{{}, nullptr, accel_slot, gyro_slot, nullptr, &ready};
   bool edges = true;
   for (int i = 0; i < 1000; ++i) {
     bench::at(i * kMillisecond + 700 * kMicrosecond, [&] {
@@ -238,4 +238,27 @@ TEST_CASE("free fall and hard knocks do not turn the attitude") {
   filter.step({}, rate, level, 0.001F);
   for (int i = 0; i < 1000; ++i) filter.step({10, 0}, rate, i % 2 == 0 ? knock : none, 0.001F);
   CHECK(filter.pitch() == Approx(0).margin(1e-4));
+}
+
+TEST_CASE_METHOD(Fixture, "rates, acceleration and attitude are those of the robot, however the part is mounted") {
+  // On its left side, looking back: its x is the robot's -x, its y the robot's z, its z the robot's y.
+  constexpr Rotation mount{{{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}}};
+  Bmi088 turned{{}, &mount, accel_slot, gyro_slot};
+  bench::robot().fast = [&] {
+    bus.supervise();
+    turned.update();
+  };
+  accel.set(0x12, 0, 32768 / 6, 0);
+  gyro.set(0x02, 0, 0, 0);
+  bench::run(600 * kMillisecond);
+  REQUIRE(turned.state.valid);
+  CHECK(turned.state.acceleration[2] == Approx(9.80665).epsilon(1e-3));
+  CHECK(turned.state.roll == Approx(0).margin(0.01));
+  CHECK(turned.state.pitch == Approx(0).margin(0.01));
+  gyro.set(0x02, 0, 1638, 0);
+  bench::at(700 * kMillisecond, [&] {
+    CHECK(turned.state.rate[2] == Approx(1638 * 2000.0 / 32768 * 0.01745329).epsilon(1e-4));
+    CHECK(turned.state.yaw > 0.1F);
+  });
+  bench::run(800 * kMillisecond);
 }

@@ -57,26 +57,42 @@ struct ChassisFixture {
                            {wheel[1].state, wheel[1].command},
                            {wheel[2].state, wheel[2].command},
                            {wheel[3].state, wheel[3].command}};
-  MecanumChassis chassis{{}, wheels, {remote}};
+  MecanumChassis chassis{{}, nullptr, wheels, {remote}};
 };
 
 }  // namespace
 
-TEST_CASE("mecanum kinematics and their inverse") {
-  const MecanumChassis::Config config;
+TEST_CASE_METHOD(ChassisFixture, "mecanum kinematics and their inverse") {
   float speeds[4];
-  MecanumChassis::wheel_speeds(config, {1, 0, 0}, speeds);
+  chassis.wheel_speeds({1, 0, 0}, speeds);
   for (const float s : speeds) CHECK(s == Approx(1 / 0.076));
-  MecanumChassis::wheel_speeds(config, {0, 1, 0}, speeds);  // to the left: front left and rear right backwards
+  chassis.wheel_speeds({0, 1, 0}, speeds);  // to the left: front left and rear right backwards
   CHECK(speeds[0] < 0);
   CHECK(speeds[1] > 0);
   CHECK(speeds[2] > 0);
   CHECK(speeds[3] < 0);
-  MecanumChassis::wheel_speeds(config, {0, 0, 1}, speeds);  // turning left: left wheels backwards
+  chassis.wheel_speeds({0, 0, 1}, speeds);  // turning left: left wheels backwards
   CHECK(speeds[0] == Approx(-0.4 / 0.076));
   CHECK(speeds[1] == Approx(0.4 / 0.076));
-  MecanumChassis::wheel_speeds(config, {0.3F, -0.7F, 1.9F}, speeds);
-  const MecanumChassis::Motion motion = MecanumChassis::body_motion(config, speeds);
+  chassis.wheel_speeds({0.3F, -0.7F, 1.9F}, speeds);
+  const MecanumChassis::Motion motion = chassis.body_motion(speeds);
+  CHECK(motion.forward == Approx(0.3));
+  CHECK(motion.left == Approx(-0.7));
+  CHECK(motion.turn == Approx(1.9));
+}
+
+TEST_CASE_METHOD(ChassisFixture, "wheels whose joints are known may come in any order and turn either way") {
+  // Rear right, its axis to the right; then front left, rear left, front right. Corners at (+-0.3, +-0.2).
+  constexpr RollingWheel known[] = {{-1, 1, -0.5F, -0.25F, 0.25F, -0.5F},
+                                    {1, -1, -0.5F, 0.25F, -0.25F, -0.5F},
+                                    {1, 1, -0.5F, 0.25F, 0.25F, -0.5F},
+                                    {1, 1, 0.5F, 0.25F, 0.25F, 0.5F}};
+  const MecanumChassis other{{}, known, wheels, {remote}};
+  float speeds[4];
+  other.wheel_speeds({0.3F, -0.7F, 1.9F}, speeds);
+  CHECK(speeds[0] * 0.076 == Approx(-(0.3 + 0.7 + 0.95)));
+  CHECK(speeds[3] * 0.076 == Approx(0.3 - 0.7 + 0.95));
+  const MecanumChassis::Motion motion = other.body_motion(speeds);
   CHECK(motion.forward == Approx(0.3));
   CHECK(motion.left == Approx(-0.7));
   CHECK(motion.turn == Approx(1.9));
@@ -124,7 +140,7 @@ TEST_CASE("the gimbal holds its aim, follows the sticks and respects the pitch l
   RemoteState remote;
   ImuState head;
   remote.right_switch = RemoteSwitch::kUp;
-  Gimbal gimbal{{}, {yaw.state, yaw.command}, {pitch.state, pitch.command}, {head}, {remote}};
+  Gimbal gimbal{{}, nullptr, nullptr, {yaw.state, yaw.command}, {pitch.state, pitch.command}, {head}, {remote}};
   double base = 0.5;  // heading of what carries it
   const auto run = [&](int steps) {
     for (int i = 0; i < steps; ++i) {
@@ -177,7 +193,7 @@ TEST_CASE("the arm holds what it finds, jogs its joints, and lets go without fre
   }
   RemoteState remote;
   remote.right_switch = RemoteSwitch::kUp;
-  SerialArm arm{{}, {ports.data(), ports.size()}, {remote}};
+  SerialArm arm{{}, nullptr, {ports.data(), ports.size()}, {remote}};
   pass(arm, plants, remote, 2000);
   for (const Plant& joint : joints) CHECK(joint.angle == Approx(0.3).margin(0.005));
   remote.right_x = 0.5F;
@@ -202,8 +218,91 @@ TEST_CASE("an aim never runs away from a joint that does not move") {
   remote.right_switch = RemoteSwitch::kUp;
   remote.right_x = 1;
   const Port<Motor> ports[] = {{joint.state, joint.command}};
-  SerialArm arm{{}, ports, {remote}};
+  SerialArm arm{{}, nullptr, ports, {remote}};
   pass(arm, {&joint}, remote, 5000);
   CHECK(arm.aim(0) == Approx(0.3).margin(0.01));
   CHECK(joint.command.torque <= 5);
+}
+
+TEST_CASE("a gimbal whose motors turn the other way holds its aim as well") {
+  bench::reset();
+  Plant yaw, pitch;
+  RemoteState remote;
+  ImuState head;
+  remote.right_switch = RemoteSwitch::kUp;
+  constexpr Vector down{0, 0, -1}, right{0, -1, 0};
+  Gimbal gimbal{{}, &down, &right, {yaw.state, yaw.command}, {pitch.state, pitch.command}, {head}, {remote}};
+  double base = 0;
+  const auto run = [&](int steps) {
+    for (int i = 0; i < steps; ++i) {
+      head.yaw = wrap_angle(static_cast<float>(base - yaw.angle));
+      head.pitch = static_cast<float>(-pitch.angle);
+      head.rate[2] = static_cast<float>(-yaw.speed);
+      head.rate[1] = static_cast<float>(-pitch.speed);
+      head.origin = now();
+      head.valid = true;
+      pass(gimbal, {&yaw, &pitch}, remote, 1);
+    }
+  };
+  run(10);
+  base = 0.4;
+  remote.right_y = -1;  // look down, for long
+  run(3000);
+  CHECK(head.yaw == Approx(0).margin(0.01));
+  CHECK(head.pitch == Approx(0.5).margin(0.02));
+}
+
+TEST_CASE("an arm carries its weight in every pose") {
+  bench::reset();
+  // A turning base, an upper arm of 0.4 m with 2 kg at its middle, a forearm with 1 kg 0.3 m ahead.
+  constexpr ChainLink chain[] = {{{0, 0, 0.1F}, {0, 0, 1}, {0, 0, 0.1F}, 3},
+                                 {{0, 0, 0.2F}, {0, 1, 0}, {0, 0, 0.2F}, 2},
+                                 {{0, 0, 0.4F}, {0, -1, 0}, {0, 0, 0.3F}, 1}};
+  Plant joints[3];
+  RemoteState remote;
+  remote.right_switch = RemoteSwitch::kUp;
+  const Port<Motor> ports[] = {
+      {joints[0].state, joints[0].command}, {joints[1].state, joints[1].command}, {joints[2].state, joints[2].command}};
+  SerialArm arm{{}, chain, ports, {remote}};
+  const auto weigh = [&](double base, double shoulder, double elbow) {
+    joints[0].angle = base;
+    joints[1].angle = shoulder;
+    joints[2].angle = elbow;
+    for (Plant& joint : joints) joint.speed = 0;
+    pass(arm, {&joints[0], &joints[1], &joints[2]}, remote, 1);
+  };
+  weigh(0, 0, 0);  // straight up
+  for (unsigned n = 0; n < 3; ++n) CHECK(arm.weight(n) == Approx(0).margin(0.01));
+  weigh(1.1, M_PI / 2, 0);  // stretched out forward, wherever the base points
+  CHECK(arm.weight(0) == Approx(0).margin(0.01));
+  CHECK(arm.weight(1) == Approx(-9.80665 * (2 * 0.2 + 1 * 0.7)).epsilon(1e-3));
+  CHECK(arm.weight(2) == Approx(9.80665 * 0.3).epsilon(1e-3));
+  weigh(-0.4 + 8 * M_PI, M_PI / 2, M_PI / 2);  // the forearm up again
+  CHECK(arm.weight(1) == Approx(-9.80665 * (2 * 0.2 + 1 * 0.4)).epsilon(1e-3));
+  CHECK(arm.weight(2) == Approx(0).margin(0.01));
+  weigh(0, 0.5, 0.2);
+  const double across = 0.4 * std::sin(0.5) + 0.3 * std::sin(0.3);
+  CHECK(arm.weight(1) == Approx(-9.80665 * (2 * 0.2 * std::sin(0.5) + across)).epsilon(1e-3));
+  CHECK(joints[1].command.torque == Approx(arm.weight(1)).margin(0.6));
+  weigh(0, M_PI / 2, 0);  // more than it may give
+  CHECK(joints[1].command.torque == Approx(-5));
+  joints[0].silent = true;
+  pass(arm, {&joints[0], &joints[1], &joints[2]}, remote, 150);
+  for (const Plant& joint : joints) CHECK(joint.command.torque == 0);
+}
+
+TEST_CASE("rotations follow the right hand, and one after the other") {
+  const Vector x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  const auto is = [](const Vector& a, const Vector& b) {
+    CHECK(a.x == Approx(b.x).margin(1e-6));
+    CHECK(a.y == Approx(b.y).margin(1e-6));
+    CHECK(a.z == Approx(b.z).margin(1e-6));
+  };
+  const float quarter = 1.57079633F;
+  is(Rotation::about(z, quarter) * x, y);
+  is(Rotation::about(x, quarter) * y, z);
+  is(Rotation::about(y, quarter) * z, x);
+  is(Rotation::about(z, quarter) * Rotation::about(x, quarter) * y, z);
+  is(Rotation::about(x, quarter) * Rotation::about(z, quarter) * y, -1.0F * x);
+  is(Rotation::about({0.6F, 0, 0.8F}, 3.14159265F) * Vector{0.6F, 0, 0.8F}, {0.6F, 0, 0.8F});
 }

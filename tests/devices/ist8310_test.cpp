@@ -44,7 +44,7 @@ struct Fixture {
   I2cSlot slot{bus, 0x0E, {}, 1};
   I2cSlot* const table[1] = {&slot};
   I2cBus bus{ports::i2c3, 400000, table};
-  Ist8310 compass{slot};
+  Ist8310 compass{nullptr, slot};
 };
 
 }  // namespace

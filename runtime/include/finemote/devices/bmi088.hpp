@@ -6,6 +6,7 @@
 #include "finemote/contract.hpp"
 #include "finemote/control/attitude.hpp"
 #include "finemote/control/pid.hpp"
+#include "finemote/geometry.hpp"
 #include "finemote/gpio.hpp"
 #include "finemote/interfaces/imu.hpp"
 #include "finemote/pwm.hpp"
@@ -20,6 +21,9 @@ namespace finemote {
 /// when the earlier of them ended. Bring-up (resets, settings, identities) is a state with `valid = false`. The
 /// gyroscope's identity and the accelerometer's own clock are read along: a part that stands still, is missing or was
 /// reset is invalid at once and brought up again after kMaxFailures reads.
+///
+/// Rates, acceleration and attitude are in the axes of the root link, wherever the URDF says the part's own link
+/// points.
 ///
 /// With a pulse output in the use `heater` it holds the part at a temperature, so that the gyroscope's offset stays
 /// where it was learned. The heater is off without a temperature that is plausible and new, and in safe(). With the
@@ -40,9 +44,10 @@ class Bmi088 {
   static constexpr Duration kMaxTemperatureAge = 2 * kSecond;  ///< of the read the temperature came with
   static constexpr Duration kMaxEdgeAge = 5 * kMillisecond;    ///< of the data-ready line
 
-  constexpr Bmi088(const Config& config, SpiSlot& accelerometer, SpiSlot& gyroscope, PwmChannel* heater = nullptr,
-                   EdgePin* ready = nullptr)
-      : config_(config), accel_(&accelerometer), gyro_(&gyroscope), heater_(heater), ready_(ready) {}
+  /// @param mount  takes the part's axes to those wanted; null: they are the same
+  constexpr Bmi088(const Config& config, const Rotation* mount, SpiSlot& accelerometer, SpiSlot& gyroscope,
+                   PwmChannel* heater = nullptr, EdgePin* ready = nullptr)
+      : config_(config), mount_(mount), accel_(&accelerometer), gyro_(&gyroscope), heater_(heater), ready_(ready) {}
 
   void update();
   void handle();
@@ -68,6 +73,7 @@ class Bmi088 {
   void begin_again();
 
   Config config_;
+  const Rotation* mount_;
   SpiSlot* accel_;
   SpiSlot* gyro_;
   PwmChannel* heater_;

@@ -3,30 +3,40 @@
 
 #include "finemote/contract.hpp"
 #include "finemote/control/pid.hpp"
+#include "finemote/geometry.hpp"
 #include "finemote/interfaces/imu.hpp"
 #include "finemote/interfaces/motor.hpp"
 #include "finemote/interfaces/remote.hpp"
 
 namespace finemote {
 
-/// The attitude sensor sits on the head, its axes along the motors' at rest: yaw about z, pitch about y. The wheel
-/// moves the yaw aimed at, the right stick's y the pitch (up is away from the operator); the gimbal holds both against
-/// the world. Angle loops ask for rates, rate loops for torques. The pitch aimed at is always one the pitch motor
-/// reaches within its limits. Drives while the right switch is up or in the middle and all inputs are fresh; where it
-/// begins to drive it holds what it finds.
+/// The attitude sensor sits on the head: yaw about z, pitch about y, positive looks down. Which way the motors turn is
+/// the URDF's where their joints are known; without them yaw turns about z, pitch about y. The wheel moves the yaw
+/// aimed at, the right stick's y the pitch (up is away from the operator); the gimbal holds both against the world.
+/// Angle loops ask for rates, rate loops for torques. The pitch aimed at is always one the pitch motor reaches within
+/// its limits. Drives while the right switch is up or in the middle and all inputs are fresh; where it begins to drive
+/// it holds what it finds.
 class Gimbal {
  public:
   struct Config {
     float max_rate = 3;                                ///< rad/s, of the aim at a full stick
-    float pitch_lowest = -0.4F, pitch_highest = 0.5F;  ///< rad, of the pitch motor
+    float pitch_lowest = -0.4F, pitch_highest = 0.5F;  ///< rad, of the head against the turret
     float yaw_kp = 10, yaw_rate_kp = 0.3F, yaw_rate_ki = 1;
     float pitch_kp = 10, pitch_rate_kp = 0.3F, pitch_rate_ki = 1;
     float max_torque = 1.2F;  ///< N m
     Duration max_age = 100 * kMillisecond;
   };
 
-  constexpr Gimbal(const Config& config, Port<Motor> yaw, Port<Motor> pitch, Port<Imu> imu, Port<Remote> remote)
-      : config_(config), yaw_(yaw), pitch_(pitch), imu_(imu), remote_(remote) {}
+  /// @param yaw_axis, pitch_axis  of the joints; null: z, y
+  constexpr Gimbal(const Config& config, const Vector* yaw_axis, const Vector* pitch_axis, Port<Motor> yaw,
+                   Port<Motor> pitch, Port<Imu> imu, Port<Remote> remote)
+      : config_(config),
+        yaw_way_(yaw_axis != nullptr && yaw_axis->z < 0 ? -1.0F : 1.0F),
+        pitch_way_(pitch_axis != nullptr && pitch_axis->y < 0 ? -1.0F : 1.0F),
+        yaw_(yaw),
+        pitch_(pitch),
+        imu_(imu),
+        remote_(remote) {}
 
   void update();
   void handle();
@@ -40,6 +50,7 @@ class Gimbal {
   void move_aim(float dt);
 
   Config config_;
+  float yaw_way_, pitch_way_;  ///< 1 or -1: which way the motors turn the head
   Port<Motor> yaw_, pitch_;
   Port<Imu> imu_;
   Port<Remote> remote_;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "finemote/contract.hpp"
+#include "finemote/geometry.hpp"
 #include "finemote/i2c.hpp"
 #include "finemote/interfaces/magnetometer.hpp"
 
@@ -11,10 +12,12 @@ namespace finemote {
 
 /// iSentek IST8310, 0.3 uT per step. Every update() takes the read of the one before and starts the next; the origin is
 /// when that read ended. Identity and settings are written first, with `valid = false`. Three failed transfers in a
-/// row, or three readings beyond the part's range, lead to a new bring-up.
+/// row, or three readings beyond the part's range, lead to a new bring-up. The field is in the axes of the root link,
+/// wherever the URDF says the part's own link points.
 class Ist8310 {
  public:
-  constexpr explicit Ist8310(I2cSlot& slot) : slot_(&slot) {}
+  /// @param mount  takes the part's axes to those wanted; null: they are the same
+  constexpr Ist8310(const Rotation* mount, I2cSlot& slot) : mount_(mount), slot_(&slot) {}
 
   void update();
   void handle() {}
@@ -29,6 +32,7 @@ class Ist8310 {
   void begin_step();
   void bad_value();
 
+  const Rotation* mount_;
   I2cSlot* slot_;
   Step step_ = Step::kIdentity;
   bool started_ = false;

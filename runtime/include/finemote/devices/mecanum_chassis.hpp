@@ -3,13 +3,15 @@
 
 #include "finemote/contract.hpp"
 #include "finemote/control/pid.hpp"
+#include "finemote/geometry.hpp"
 #include "finemote/interfaces/motor.hpp"
 #include "finemote/interfaces/remote.hpp"
 
 namespace finemote {
 
-/// Wheels in the order front left, front right, rear left, rear right, rollers as an X seen from above; every motor
-/// turns positive when its wheel rolls forward. Frame x forward, y left, z up.
+/// Frame x forward, y left, z up; rollers as an X seen from above. Where the wheels' joints are known, places and ways
+/// of turning are the URDF's, in any order. Without them the wheels come front left, front right, rear left, rear
+/// right, at the corners of a rectangle of `reach`, and every motor turns positive when its wheel rolls forward.
 ///
 /// The left stick moves, the right stick's x turns. Drives while the left switch is up or in the middle; with the
 /// switch down, or without fresh data of remote and wheels, the commands are invalid and the motors stop by themselves.
@@ -20,7 +22,7 @@ class MecanumChassis {
 
   struct Config {
     float wheel_radius = 0.076F;  ///< m
-    float reach = 0.4F;           ///< m, half wheelbase plus half track
+    float reach = 0.4F;           ///< m, half wheelbase plus half track, of wheels without joints
     float max_speed = 2;          ///< m/s, at a full stick
     float max_turn = 4;           ///< rad/s
     float kp = 0.1F;              ///< N m per rad/s of wheel speed
@@ -29,8 +31,11 @@ class MecanumChassis {
     Duration max_age = 100 * kMillisecond;
   };
 
-  constexpr MecanumChassis(const Config& config, Ports<Motor> wheels, Port<Remote> remote)
-      : config_(config), wheels_(wheels), remote_(remote) {}
+  /// @param rolling  of the wheels, in their order; null: a rectangle of `reach`
+  constexpr MecanumChassis(const Config& config, const RollingWheel* rolling, Ports<Motor> wheels, Port<Remote> remote)
+      : config_(config), rolling_{}, wheels_(wheels), remote_(remote) {
+    for (unsigned n = 0; n < kWheels; ++n) rolling_[n] = rolling != nullptr ? rolling[n] : corner(n, config.reach);
+  }
 
   void update();
   void handle();
@@ -44,11 +49,18 @@ class MecanumChassis {
   [[nodiscard]] const Motion& motion() const { return motion_; }
 
   /// Wheel speeds [rad/s] for a motion, in the order of the wheels.
-  static void wheel_speeds(const Config& config, const Motion& motion, float (&speeds)[kWheels]);
-  static Motion body_motion(const Config& config, const float (&speeds)[kWheels]);
+  void wheel_speeds(const Motion& motion, float (&speeds)[kWheels]) const;
+  [[nodiscard]] Motion body_motion(const float (&speeds)[kWheels]) const;
 
  private:
+  /// Of a rectangle: front left, front right, rear left, rear right.
+  static constexpr RollingWheel corner(unsigned n, float reach) {
+    const float left = n == 0 || n == 3 ? -1 : 1, turn = n == 0 || n == 2 ? -1 : 1;
+    return {1, left, turn * reach, 0.25F, left / 4, turn / (4 * reach)};
+  }
+
   Config config_;
+  RollingWheel rolling_[kWheels];
   Ports<Motor> wheels_;
   Port<Remote> remote_;
   Motion motion_;

@@ -3,6 +3,7 @@
 
 #include "finemote/contract.hpp"
 #include "finemote/control/pid.hpp"
+#include "finemote/geometry.hpp"
 #include "finemote/interfaces/motor.hpp"
 #include "finemote/interfaces/remote.hpp"
 
@@ -12,6 +13,9 @@ namespace finemote {
 /// 1..4, the wheel joint 5, or joint 6 with the left switch down; further joints hold. Drives while the right switch is
 /// up or in the middle and all inputs are fresh; where it begins to drive it holds what it finds. The aim never runs
 /// away from the joint by more than `lead`.
+///
+/// Where the joints are known, the motors get the torques that carry the arm's weight in its present pose, of the
+/// URDF's masses, besides those of their loops. The root link stands upright.
 class SerialArm {
  public:
   static constexpr unsigned kMaxJoints = 8;
@@ -23,11 +27,13 @@ class SerialArm {
     float ki = 10;         ///< N m per rad and second
     float kd = 1;          ///< N m per rad/s
     float max_torque = 5;  ///< N m
+    float weight = 1;      ///< share of the weight the motors carry, 0..1; less where springs do
     Duration max_age = 100 * kMillisecond;
   };
 
-  constexpr SerialArm(const Config& config, Ports<Motor> joints, Port<Remote> remote)
-      : config_(config), joints_(joints), remote_(remote) {}
+  /// @param chain  of the joints, in their order; null: nothing is known of its weight
+  constexpr SerialArm(const Config& config, const ChainLink* chain, Ports<Motor> joints, Port<Remote> remote)
+      : config_(config), chain_(chain), joints_(joints), remote_(remote) {}
 
   void update();
   void handle();
@@ -36,16 +42,21 @@ class SerialArm {
 
   /// rad; `joint` counts from 0.
   [[nodiscard]] float aim(unsigned joint) const { return joint < kMaxJoints ? aims_[joint] : 0; }
+  /// Torque that carries what hangs at the joint [N m]; 0 where nothing is known.
+  [[nodiscard]] float weight(unsigned joint) const { return joint < kMaxJoints ? weights_[joint] : 0; }
 
  private:
+  void weigh();
   [[nodiscard]] float jog(unsigned joint) const;
   [[nodiscard]] unsigned count() const;
 
   Config config_;
+  const ChainLink* chain_;
   Ports<Motor> joints_;
   Port<Remote> remote_;
   bool driving_ = false;
   float aims_[kMaxJoints]{};
+  float weights_[kMaxJoints]{};
   Pid loops_[kMaxJoints];
   Time stepped_ = 0;
 };

@@ -6,7 +6,7 @@
 namespace finemote {
 
 struct MagnetometerState : Stamp {
-  float field[3] = {};  ///< T along x, y, z of the part
+  float field[3] = {};  ///< T along x, y, z
 };
 
 struct Magnetometer {

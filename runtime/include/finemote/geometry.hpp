@@ -1,0 +1,25 @@
+// What the generator computes of the URDF's links and joints for a device's constructor, besides thruster allocation.
+//
+// Coordinates are those of the root link (x forward, y left, z up), with every joint at zero. Geometry kind `axes`
+// gives a Vector of unit length per joint, kind `mount` the Rotation from a sensor's axes to those of the root link.
+#pragma once
+
+#include "finemote/control/rotation.hpp"
+
+namespace finemote {
+
+/// A mecanum wheel of a base: geometry kind `rolling`.
+struct RollingWheel {
+  float forward, left, turn;           ///< rolling speed [m/s] for 1 m/s forward, 1 m/s and 1 rad/s to the left
+  float to_forward, to_left, to_turn;  ///< its share in the base's motion, per m/s of rolling speed
+};
+
+/// A joint of a serial chain, with what moves with it but not with the next: geometry kind `chain`.
+struct ChainLink {
+  Vector offset;  ///< from the joint before; the first: from the root link's origin [m]
+  Vector axis;    ///< unit length
+  Vector centre;  ///< of the mass, from the joint [m]
+  float mass;     ///< [kg]
+};
+
+}  // namespace finemote

@@ -1,0 +1,27 @@
+#include "finemote/control/rotation.hpp"
+
+#include <cmath>
+
+#include "finemote/control/pid.hpp"
+
+namespace finemote {
+
+Rotation Rotation::about(const Vector& axis, float angle) {
+  const float within = wrap_angle(angle);  // the time of sine and cosine grows with what they get
+  const float s = std::sin(within), c = std::cos(within);
+  const Vector k = (1 - c) * axis, w = s * axis;
+  return {{{c + k.x * axis.x, k.x * axis.y - w.z, k.x * axis.z + w.y},
+           {k.y * axis.x + w.z, c + k.y * axis.y, k.y * axis.z - w.x},
+           {k.z * axis.x - w.y, k.z * axis.y + w.x, c + k.z * axis.z}}};
+}
+
+Rotation operator*(const Rotation& a, const Rotation& b) {
+  Rotation product;
+  for (unsigned i = 0; i < 3; ++i) {
+    const Vector& row = a.row[i];
+    product.row[i] = row.x * b.row[0] + row.y * b.row[1] + row.z * b.row[2];
+  }
+  return product;
+}
+
+}  // namespace finemote
