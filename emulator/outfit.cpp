@@ -14,6 +14,7 @@ constexpr std::pair<const char*, MakeElement> kModels[] = {
     {"h30_imu", make_h30},
     {"host_terminal", make_host_terminal},
     {"ist8310", make_ist8310},
+    {"mecanum_base", make_mecanum_base},
     {"ms5837", make_ms5837},
     {"pca9685", make_pca9685},
     {"pwm_output", make_pwm_output},
@@ -23,6 +24,7 @@ constexpr std::pair<const char*, MakeElement> kModels[] = {
     {"submerged_body", make_submerged_body},
     {"tca9548a", make_tca9548a},
     {"thruster", make_thruster},
+    {"weights", make_weights},
 };
 
 }  // namespace

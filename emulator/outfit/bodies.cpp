@@ -11,17 +11,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-std::optional<double> motion_value(const Motion& motion, const std::string& quantity) {
-  const Angles angles = angles_of(motion.attitude);
-  if (quantity == "roll") return angles.roll / kDegree;
-  if (quantity == "pitch") return angles.pitch / kDegree;
-  if (quantity == "yaw") return angles.yaw / kDegree;
-  if (quantity == "x") return motion.position.x();
-  if (quantity == "y") return motion.position.y();
-  if (quantity == "depth") return -motion.position.z();
-  return std::nullopt;
-}
-
 class StandingElement : public Element, public BodySource {
  public:
   explicit StandingElement(Outfit& outfit) : outfit_(outfit) {}
@@ -43,11 +32,7 @@ class StandingElement : public Element, public BodySource {
 SubmergedBody::Parameters submerged(const Json& part) {
   SubmergedBody::Parameters p;
   p.mass = maybe(part, "mass", p.mass);
-  if (part.contains("inertia")) {
-    const auto i = need<std::vector<double>>(part, "inertia");
-    if (i.size() != 6) refuse(part, "'inertia' has six numbers: xx xy xz yy yz zz");
-    p.inertia << i[0], i[1], i[2], i[1], i[3], i[4], i[2], i[4], i[5];
-  }
+  p.inertia = inertia_of(part, p.inertia);
   p.added_mass = maybe(part, "added_mass", p.added_mass);
   p.linear_drag = maybe(part, "linear_drag", p.linear_drag);
   p.quadratic_drag = maybe(part, "quadratic_drag", p.quadratic_drag);
@@ -78,6 +63,47 @@ class SubmergedElement : public Element, public BodySource, public ThrustTarget 
 
 }  // namespace
 
+std::optional<double> motion_value(const Motion& motion, const std::string& quantity) {
+  const Angles angles = angles_of(motion.attitude);
+  if (quantity == "roll") return angles.roll / kDegree;
+  if (quantity == "pitch") return angles.pitch / kDegree;
+  if (quantity == "yaw") return angles.yaw / kDegree;
+  if (quantity == "x") return motion.position.x();
+  if (quantity == "y") return motion.position.y();
+  if (quantity == "depth") return -motion.position.z();
+  return std::nullopt;
+}
+
+Eigen::Matrix3d inertia_of(const Json& part, const Eigen::Matrix3d& fallback) {
+  if (!part.contains("inertia")) return fallback;
+  const auto i = need<std::vector<double>>(part, "inertia");
+  if (i.size() != 6) refuse(part, "'inertia' has six numbers: xx xy xz yy yz zz");
+  Eigen::Matrix3d inertia;
+  inertia << i[0], i[1], i[2], i[1], i[3], i[4], i[2], i[4], i[5];
+  return inertia;
+}
+
+std::vector<JointStep> way_of(Outfit& outfit, const Json& list) {
+  std::vector<JointStep> way;
+  for (const Json& entry : list) {
+    const Eigen::Vector3d rpy = vector(entry, "rpy");
+    JointStep step;
+    step.xyz = vector(entry, "xyz");
+    step.rpy = Angles{rpy[0], rpy[1], rpy[2]};
+    step.axis = vector(entry, "axis", step.axis).normalized();
+    if (entry.contains("part")) step.shaft = shaft_of(outfit, entry);
+    way.push_back(step);
+  }
+  return way;
+}
+
+MotorShaft* shaft_of(Outfit& outfit, const Json& entry) {
+  const auto name = need<std::string>(entry, "part");
+  if (outfit.find<Element>(name) == nullptr) refuse(entry, "there is no such part");
+  auto* motor = outfit.find<ShaftSource>(name);
+  return motor == nullptr ? nullptr : &motor->shaft();
+}
+
 void move_by_hand(StandingBody& body, Time now, const Json& event) {
   if (event.contains("roll") || event.contains("pitch") || event.contains("yaw")) {
     const Angles was = angles_of(body.motion(now).attitude);
@@ -95,21 +121,7 @@ void Seat::connect(Outfit& outfit) {
   if (!part_.contains("body")) return;
   auto* source = outfit.find<BodySource>(need<std::string>(part_, "body"));
   if (source == nullptr) refuse(part_, "there is no such body");
-  std::vector<JointStep> way;
-  for (const Json& entry : maybe(part_, "way", Json::array())) {
-    const Eigen::Vector3d rpy = vector(entry, "rpy");
-    JointStep step;
-    step.xyz = vector(entry, "xyz");
-    step.rpy = Angles{rpy[0], rpy[1], rpy[2]};
-    step.axis = vector(entry, "axis", step.axis).normalized();
-    if (entry.contains("part")) {
-      auto* motor = outfit.find<ShaftSource>(need<std::string>(entry, "part"));
-      if (motor == nullptr) refuse(entry, "there is no such motor");
-      step.shaft = &motor->shaft();
-    }
-    way.push_back(step);
-  }
-  mount_ = std::make_unique<Mount>(source->body(), std::move(way));
+  mount_ = std::make_unique<Mount>(source->body(), way_of(outfit, maybe(part_, "way", Json::array())));
 }
 
 /// Moved by an event, it follows its body no more.

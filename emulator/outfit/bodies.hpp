@@ -14,6 +14,18 @@ class ThrustTarget {
   virtual SubmergedBody& hull() = 0;
 };
 
+/// `roll` `pitch` `yaw` [deg], `x` `y` `depth` [m] of a body; none: another quantity.
+std::optional<double> motion_value(const Motion& motion, const std::string& quantity);
+
+/// `inertia` of an entry: xx xy xz yy yz zz [kg m^2].
+Eigen::Matrix3d inertia_of(const Json& part, const Eigen::Matrix3d& fallback);
+
+/// The shaft of the entry's `part`; null: a part that turns nothing. @throws std::invalid_argument: there is none
+MotorShaft* shaft_of(Outfit& outfit, const Json& entry);
+
+/// Joints of an entry: `xyz`, `rpy`, and, of one that is driven, `axis` and `part`; a part that turns nothing stands.
+std::vector<JointStep> way_of(Outfit& outfit, const Json& list);
+
 /// An event's `roll` `pitch` `yaw` [deg], `rate` [deg/s, own axes], `acceleration` [m/s^2, world's axes].
 void move_by_hand(StandingBody& body, Time now, const Json& event);
 

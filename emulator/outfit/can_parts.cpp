@@ -14,6 +14,7 @@ DjiMotor::Figures figures_of(const Json& part) {
   f.full_current = maybe(part, "full_current", f.full_current);
   f.torque_per_ampere = maybe(part, "torque_per_ampere", f.torque_per_ampere);
   f.gear = maybe(part, "gear", f.gear);
+  f.zero = maybe(part, "zero", f.zero);
   // Controllers do not know of each other: their reports are spread over the millisecond.
   const auto period = maybe<std::uint64_t>(part, "period_ns", 1'000'000);
   f.period = from_ns(period);
@@ -47,11 +48,12 @@ class MotorElement : public Element, public ShaftSource {
       outfit_.record(PartEvent{name, PartEvent::Kind::output, 0, now, now, static_cast<double>(word)});
     };
   }
-  Shaft& shaft() override { return model_.shaft(); }
+  MotorShaft& shaft() override { return model_.shaft(); }
   bool happen(const std::string& what, const Json& event) override {
     if (what == "silent") return model_.silent = maybe(event, "on", true), true;
     if (what == "damage") return model_.damaged_reports = need<unsigned>(event, "frames"), true;
-    if (what == "disturb") return model_.shaft().disturb(outfit_.now(), need<double>(event, "torque")), true;
+    if (what == "disturb")
+      return model_.shaft().load(outfit_.now(), MotorShaft::Load::scenario, need<double>(event, "torque")), true;
     return false;
   }
   /// `angle` [rad], `speed` [rad/s], `torque` [N m] of the output; `current` [A] and `command` as ordered; `commands`;

@@ -10,7 +10,7 @@
 #include "emulator/chip/timer.hpp"
 #include "emulator/outfit/entry.hpp"
 #include "emulator/parts/serial_terminal.hpp"
-#include "emulator/plants/motion.hpp"
+#include "emulator/plants/motor_shaft.hpp"
 
 namespace finemote::emulator {
 
@@ -57,7 +57,7 @@ class BodySource {
 class ShaftSource {
  public:
   virtual ~ShaftSource() = default;
-  virtual Shaft& shaft() = 0;
+  virtual MotorShaft& shaft() = 0;
 };
 
 class Hearing {  ///< remembers bytes
@@ -87,5 +87,7 @@ std::unique_ptr<Element> make_bmi088(Outfit& outfit, const Json& part, const std
 std::unique_ptr<Element> make_dji_motor(Outfit& outfit, const Json& part, const std::string& name);
 std::unique_ptr<Element> make_standing_body(Outfit& outfit, const Json& part, const std::string& name);
 std::unique_ptr<Element> make_submerged_body(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_mecanum_base(Outfit& outfit, const Json& part, const std::string& name);
+std::unique_ptr<Element> make_weights(Outfit& outfit, const Json& part, const std::string& name);
 
 }  // namespace finemote::emulator

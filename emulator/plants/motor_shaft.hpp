@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -26,8 +27,13 @@ class MotorShaft : public Shaft {
   /// What the motor gives now, after the back-EMF.
   double torque(Time now) { return advance(now), available(drive_); }
 
-  void drive(Time now, double torque) { advance(now), drive_ = torque; }   ///< N m, from now on
-  void disturb(Time now, double torque) { advance(now), load_ = torque; }  ///< N m from outside, from now on
+  void drive(Time now, double torque) { advance(now), drive_ = torque; }  ///< N m, from now on
+  /// What else turns it: a scenario, what hangs at it, the ground under a wheel.
+  enum class Load : std::uint8_t { scenario, weight, ground };
+  void load(Time now, Load from, double torque) {  ///< N m, from now on
+    advance(now);
+    loads_[static_cast<std::size_t>(from)] = torque;
+  }
 
  private:
   static constexpr Time kStep = from_ns(50'000);
@@ -46,7 +52,7 @@ class MotorShaft : public Shaft {
   }
 
   void move(double dt) {
-    speed_ += (available(drive_) + load_ - p_.viscous * speed_) / p_.inertia * dt;
+    speed_ += (available(drive_) + loads_[0] + loads_[1] + loads_[2] - p_.viscous * speed_) / p_.inertia * dt;
     const double grip = p_.coulomb / p_.inertia * dt;  // friction slows, and holds what is slow
     speed_ = std::abs(speed_) <= grip ? 0 : speed_ - std::copysign(grip, speed_);
     angle_ += speed_ * dt;
@@ -60,7 +66,8 @@ class MotorShaft : public Shaft {
   }
 
   Parameters p_;
-  double angle_ = 0, speed_ = 0, drive_ = 0, load_ = 0;
+  double angle_ = 0, speed_ = 0, drive_ = 0;
+  std::array<double, 3> loads_{};
   Time at_ = 0;
 };
 

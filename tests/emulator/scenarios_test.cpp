@@ -9,10 +9,10 @@ namespace {
 
 std::string scenario(const std::string& name) { return source_path("tests/emulator/scenarios/" + name + ".json"); }
 
-void run(const std::string& robot, const std::string& name, const std::string& duration, std::size_t expectations) {
+void run_file(const std::string& robot, const std::string& name, const std::string& duration,
+              std::size_t expectations) {
   INFO(robot << ", " << name);
-  const auto document = finemote_json(
-      {"run", source_path("examples/" + robot + ".urdf"), "--scenario", scenario(name), "--duration", duration});
+  const auto document = finemote_json({"run", robot, "--scenario", scenario(name), "--duration", duration});
   CHECK(document["expectations"].size() == expectations);
   for (const auto& it : document["expectations"]) {
     INFO(it.dump());
@@ -31,12 +31,36 @@ void run(const std::string& robot, const std::string& name, const std::string& d
   }
 }
 
+void run(const std::string& robot, const std::string& name, const std::string& duration, std::size_t expectations) {
+  run_file(source_path("examples/" + robot + ".urdf"), name, duration, expectations);
+}
+
+/// Puts `now` in place of the first `was` behind `mark`.
+void change(std::string& text, const std::string& mark, const std::string& was, const std::string& now) {
+  const std::size_t at = text.find(was, text.find(mark));
+  REQUIRE(at != std::string::npos);
+  text.replace(at, was.size(), now);
+}
+
 }  // namespace
 
 TEST_CASE("the underwater vehicle dives, turns, and comes back from a push") { run("finsrov", "rov_loops", "14s", 9); }
 
-TEST_CASE("the infantry's wheels reach their speed and its head holds its aim against the world") {
-  run("infantry", "infantry_loops", "4400ms", 12);
+TEST_CASE("the infantry drives where its sticks say and its head holds its aim against the world") {
+  run("infantry", "infantry_loops", "5200ms", 18);
+}
+
+TEST_CASE("the infantry moves the same with motors and encoders turned and a sensor on its side") {
+  const TemporaryFolder folder;
+  std::string robot = read_file(source_path("examples/infantry.urdf"));
+  for (const char* joint : {"wheel_front_right_joint", "wheel_rear_right_joint", "pitch_joint"})
+    change(robot, std::string("\"") + joint + "\" type", "0 1 0", "0 -1 0");
+  change(robot, "\"yaw_joint\" type", "0 0 1\"/>", "0 0 -1\"/>");
+  change(robot, "\"pitch_joint\" type", R"(lower="-0.6" upper="0.7")", R"(lower="-0.7" upper="0.6")");
+  change(robot, "\"imu_joint\"", R"(xyz="0.02 0 0.03")", R"(xyz="0.02 0 0.03" rpy="1.5708 0 -1.5708")");
+  change(robot, "joint=\"pitch_joint\"", ">", R"(><param name="zero">4.5</param>)");
+  write_file(folder.path("other.urdf"), robot);
+  run_file(folder.path("other.urdf"), "infantry_other_way", "4s", 10);
 }
 
 TEST_CASE("the arm's joints go where they are jogged and hold against a load") {

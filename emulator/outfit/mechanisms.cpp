@@ -1,0 +1,101 @@
+// What motors move besides themselves: a base on mecanum wheels, the weight of what hangs at joints.
+#include "emulator/outfit/bodies.hpp"
+#include "emulator/plants/mecanum_base.hpp"
+#include "emulator/plants/weights.hpp"
+
+namespace finemote::emulator {
+namespace {
+
+/// Calls it now, and again after every `period`.
+void every(World& world, Time period, const std::function<void(Time)>& step) {
+  step(world.now());
+  world.after(period, [&world, period, step] { every(world, period, step); });
+}
+
+MecanumBase::Parameters base_of(const Json& part) {
+  MecanumBase::Parameters p;
+  p.mass = maybe(part, "mass", p.mass);
+  p.inertia = inertia_of(part, Eigen::Matrix3d::Identity() * p.inertia)(2, 2);
+  p.grip = maybe(part, "grip", p.grip);
+  p.friction = maybe(part, "friction", p.friction);
+  p.drag = maybe(part, "drag", p.drag);
+  if (p.mass <= 0 || p.inertia <= 0) refuse(part, "mass and inertia are above zero");
+  return p;
+}
+
+class MecanumElement : public Element, public BodySource {
+ public:
+  MecanumElement(Outfit& outfit, const Json& part) : outfit_(outfit), part_(part), body_(base_of(part)) {}
+  Body& body() override { return body_; }
+  void connect(Outfit& outfit) override {
+    const auto radius = need<double>(part_, "wheel_radius");
+    for (const Json& entry : need<Json>(part_, "wheels")) body_.add_wheel(wheel(outfit, entry, radius));
+    every(outfit.board().world(), MecanumBase::kStep, [this](Time now) { body_.step(now); });
+  }
+  bool happen(const std::string& what, const Json& event) override {
+    if (what != "disturb") return false;
+    body_.disturb(outfit_.now(), vector(event, "force"), vector(event, "moment").z());
+    return true;
+  }
+  std::optional<double> value(const std::string& quantity) override {
+    return motion_value(body_.motion(outfit_.now()), quantity);
+  }
+
+ private:
+  /// Rollers as an X seen from above: those at the ground point from a corner of the base to the one across.
+  static MecanumBase::Wheel wheel(Outfit& outfit, const Json& entry, double radius) {
+    const Eigen::Vector3d place = vector(entry, "xyz"), axis = vector(entry, "axis", {0, 1, 0}).normalized();
+    const Eigen::Vector3d way = axis.cross(Eigen::Vector3d::UnitZ());
+    MotorShaft* shaft = shaft_of(outfit, entry);
+    if (shaft == nullptr) refuse(entry, "the part turns no wheel");
+    const double side = place.x() * place.y() > 0 ? -1 : 1;
+    return {shaft, radius, place.head<2>(), way.head<2>(), Eigen::Vector2d(1, side).normalized()};
+  }
+
+  Outfit& outfit_;
+  Json part_;
+  MecanumBase body_;
+};
+
+class WeightsElement : public Element {
+ public:
+  explicit WeightsElement(const Json& part) : part_(part) {}
+  void connect(Outfit& outfit) override {
+    auto* source = outfit.find<BodySource>(need<std::string>(part_, "body"));
+    if (source == nullptr) refuse(part_, "there is no such body");
+    weights_ = std::make_unique<Weights>(source->body());
+    for (const Json& entry : need<Json>(part_, "joints")) add(outfit, entry);
+    every(outfit.board().world(), Weights::kStep, [this](Time now) { weights_->step(now); });
+  }
+
+ private:
+  void add(Outfit& outfit, const Json& entry) {
+    Weights::Node node;
+    node.shaft = shaft_of(outfit, entry);
+    if (entry.contains("before")) {
+      const auto before = numbers_.find(need<std::string>(entry, "before"));
+      if (before == numbers_.end()) refuse(entry, "the joint before it comes after it");
+      node.before = before->second;
+    }
+    node.way = way_of(outfit, maybe(entry, "way", Json::array()));
+    node.axis = vector(entry, "axis", node.axis).normalized();
+    node.mass = need<double>(entry, "mass");
+    node.centre = vector(entry, "centre");
+    numbers_[need<std::string>(entry, "part")] = weights_->add(node);
+  }
+
+  Json part_;
+  std::unique_ptr<Weights> weights_;
+  std::map<std::string, std::size_t> numbers_;
+};
+
+}  // namespace
+
+std::unique_ptr<Element> make_mecanum_base(Outfit& outfit, const Json& part, const std::string&) {
+  return std::make_unique<MecanumElement>(outfit, part);
+}
+std::unique_ptr<Element> make_weights(Outfit&, const Json& part, const std::string&) {
+  return std::make_unique<WeightsElement>(part);
+}
+
+}  // namespace finemote::emulator
