@@ -4,6 +4,18 @@
 // Geometry from the robot description that the firmware uses.
 #pragma once
 
+#include <finemote/geometry.hpp>
+
 namespace six_joint_arm::constants {
+
+/// Joints of the joints of 'arm': offset [m], axis, centre of mass [m], mass [kg].
+inline constexpr finemote::ChainLink arm_chain[6] = {
+    {{0.0f, 0.0f, 0.1f}, {0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.06f}, 1.6f},
+    {{0.0f, 0.0f, 0.12f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 0.12f}, 0.8f},
+    {{0.0f, 0.0f, 0.25f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 0.1f}, 0.5f},
+    {{0.0f, 0.0f, 0.2f}, {0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.04f}, 0.35f},
+    {{0.0f, 0.0f, 0.08f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 0.02f}, 0.2f},
+    {{0.0f, 0.0f, 0.06f}, {0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.02f}, 0.1f},
+};
 
 }  // namespace six_joint_arm::constants

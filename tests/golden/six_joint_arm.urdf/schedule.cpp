@@ -70,14 +70,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 186846, finemote::kUnbounded, nullptr},  // sticks
-    {0, 166408, 27190458, &arm::base.command},  // base
-    {0, 161748, 27185798, &arm::shoulder.command},  // shoulder
-    {0, 138288, 27162338, &arm::elbow.command},  // elbow
-    {0, 133628, 27157678, &arm::wrist_roll.command},  // wrist_roll
-    {0, 128968, 27153018, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 124308, 27148358, &arm::flange.command},  // flange
-    {0, 119648, finemote::kUnbounded, nullptr},  // arm
+    {1, 268946, finemote::kUnbounded, nullptr},  // sticks
+    {0, 229708, 27253758, &arm::base.command},  // base
+    {0, 225048, 27249098, &arm::shoulder.command},  // shoulder
+    {0, 220388, 27244438, &arm::elbow.command},  // elbow
+    {0, 215728, 27239778, &arm::wrist_roll.command},  // wrist_roll
+    {0, 211068, 27235118, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 185108, 27209158, &arm::flange.command},  // flange
+    {0, 180448, finemote::kUnbounded, nullptr},  // arm
 };
 
 }  // namespace

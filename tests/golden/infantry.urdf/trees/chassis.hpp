@@ -13,6 +13,7 @@
 #include <finemote/interfaces.hpp>
 #include <finemote/latch.hpp>
 #include "buses.hpp"
+#include "constants.hpp"
 
 namespace infantry::chassis {
 
@@ -60,10 +61,11 @@ FINEMOTE_CONSTINIT inline finemote::MecanumChassis chassis{
         /*reach*/ 0.4f,
         /*max_speed*/ 2.0f,
         /*max_turn*/ 4.0f,
-        /*kp*/ 0.3f,
+        /*kp*/ 0.8f,
         /*ki*/ 1.0f,
         /*max_torque*/ 3.0f,
         /*max_age [ns]*/ 100000000},
+    ::infantry::constants::chassis_rolling,
     ports::chassis_wheels,
     finemote::Port<finemote::Remote>{ports::remote_to_chassis}};
 

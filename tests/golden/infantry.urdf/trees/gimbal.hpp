@@ -14,6 +14,7 @@
 #include <finemote/interfaces.hpp>
 #include <finemote/latch.hpp>
 #include "buses.hpp"
+#include "constants.hpp"
 
 namespace infantry::gimbal {
 
@@ -32,6 +33,7 @@ FINEMOTE_CONSTINIT inline finemote::Bmi088 imu{
         /*heater_kp*/ 0.2f,
         /*heater_ki*/ 0.005f,
         /*heater_limit*/ 0.5f},
+    /*mount*/ nullptr,
     ::infantry::slots::imu,
     /*gyro*/ ::infantry::slots::imu_gyro,
     /*heater*/ &ports::imu_use_heater,
@@ -40,13 +42,13 @@ FINEMOTE_CONSTINIT inline finemote::Bmi088 imu{
 /// yaw: dji_gm6020 on 'gimbal_can' id 1, every 1 ms
 /// response <= 133.34 us; data age <= 28.186 ms when handle() ends, <= 28.877 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiGm6020 yaw{
-    finemote::DjiGm6020::Config{/*max_age [ns]*/ 100000000},
+    finemote::DjiGm6020::Config{/*zero*/ 0.0f, /*max_age [ns]*/ 100000000},
     ::infantry::slots::yaw};
 
 /// pitch: dji_gm6020 on 'gimbal_can' id 2, every 1 ms
 /// response <= 129.862 us; data age <= 28.182 ms when handle() ends, <= 28.877 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiGm6020 pitch{
-    finemote::DjiGm6020::Config{/*max_age [ns]*/ 100000000},
+    finemote::DjiGm6020::Config{/*zero*/ 0.0f, /*max_age [ns]*/ 100000000},
     ::infantry::slots::pitch};
 
 namespace ports {  // what 'gimbal' sees of others
@@ -85,6 +87,8 @@ FINEMOTE_CONSTINIT inline finemote::Gimbal gimbal{
         /*pitch_rate_ki*/ 1.0f,
         /*max_torque*/ 1.2f,
         /*max_age [ns]*/ 100000000},
+    ::infantry::constants::gimbal_yaw_axes,
+    ::infantry::constants::gimbal_pitch_axes,
     finemote::Port<finemote::Motor>{ports::yaw_to_gimbal, ports::gimbal_to_yaw},
     finemote::Port<finemote::Motor>{ports::pitch_to_gimbal, ports::gimbal_to_pitch},
     finemote::Port<finemote::Imu>{ports::imu_to_gimbal},

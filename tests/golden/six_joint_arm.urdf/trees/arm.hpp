@@ -14,45 +14,46 @@
 #include <finemote/interfaces.hpp>
 #include <finemote/latch.hpp>
 #include "buses.hpp"
+#include "constants.hpp"
 
 namespace six_joint_arm::arm {
 
 /// sticks: sbus on 'receiver', every 10 ms
-/// response <= 162.246 us
+/// response <= 225.546 us
 FINEMOTE_CONSTINIT inline finemote::Sbus sticks{::six_joint_arm::receiver};
 
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
-/// response <= 127.208 us; data age <= 27.152 ms when handle() ends, <= 27.88 ms at the output (oldest: sticks)
+/// response <= 209.308 us; data age <= 27.234 ms when handle() ends, <= 27.962 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 base{
     finemote::DjiM3508::Config{/*gear*/ 57.61f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::base};
 
 /// shoulder: dji_m3508 on 'arm_can' id 2, every 2 ms
-/// response <= 124.648 us; data age <= 27.149 ms when handle() ends, <= 27.88 ms at the output (oldest: sticks)
+/// response <= 185.448 us; data age <= 27.21 ms when handle() ends, <= 27.941 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 shoulder{
     finemote::DjiM3508::Config{/*gear*/ 57.61f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::shoulder};
 
 /// elbow: dji_m3508 on 'arm_can' id 3, every 2 ms
-/// response <= 122.088 us; data age <= 27.147 ms when handle() ends, <= 27.88 ms at the output (oldest: sticks)
+/// response <= 182.888 us; data age <= 27.207 ms when handle() ends, <= 27.941 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 elbow{
     finemote::DjiM3508::Config{/*gear*/ 38.406f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::elbow};
 
 /// wrist_roll: dji_m3508 on 'wrist_can' id 1, every 2 ms
-/// response <= 119.528 us; data age <= 27.144 ms when handle() ends, <= 27.88 ms at the output (oldest: sticks)
+/// response <= 180.328 us; data age <= 27.205 ms when handle() ends, <= 27.941 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{
     finemote::DjiM3508::Config{/*gear*/ 19.2032086f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::wrist_roll};
 
 /// wrist_pitch: dji_m2006 on 'wrist_can' id 2, every 2 ms
-/// response <= 116.968 us; data age <= 27.142 ms when handle() ends, <= 27.88 ms at the output (oldest: sticks)
+/// response <= 177.768 us; data age <= 27.202 ms when handle() ends, <= 27.941 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{
     finemote::DjiM2006::Config{/*gear*/ 36.0f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::wrist_pitch};
 
 /// flange: dji_m2006 on 'wrist_can' id 3, every 2 ms
-/// response <= 114.408 us; data age <= 27.139 ms when handle() ends, <= 27.88 ms at the output (oldest: sticks)
+/// response <= 175.208 us; data age <= 27.2 ms when handle() ends, <= 27.941 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{
     finemote::DjiM2006::Config{/*gear*/ 36.0f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::flange};
@@ -72,7 +73,7 @@ inline constexpr finemote::Port<finemote::Motor> arm_joints[] = {
 }  // namespace ports
 
 /// arm: serial_arm, every 2 ms
-/// response <= 93.048 us
+/// response <= 172.648 us
 FINEMOTE_CONSTINIT inline finemote::SerialArm arm{
     finemote::SerialArm::Config{
         /*max_speed*/ 1.0f,
@@ -81,7 +82,9 @@ FINEMOTE_CONSTINIT inline finemote::SerialArm arm{
         /*ki*/ 10.0f,
         /*kd*/ 1.2f,
         /*max_torque*/ 10.0f,
+        /*weight*/ 1.0f,
         /*max_age [ns]*/ 100000000},
+    ::six_joint_arm::constants::arm_chain,
     ports::arm_joints,
     finemote::Port<finemote::Remote>{ports::sticks_to_arm}};
 
