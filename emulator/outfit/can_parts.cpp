@@ -57,7 +57,7 @@ class MotorElement : public Element, public ShaftSource {
     return false;
   }
   /// `angle` [rad], `speed` [rad/s], `torque` [N m] of the output; `current` [A] and `command` as ordered; `commands`;
-  /// `resumed_with`.
+  /// `resumed_with`, `pauses`.
   std::optional<double> value(const std::string& quantity) override {
     const Time now = outfit_.now();
     if (quantity == "angle") return model_.shaft().angle(now);
@@ -67,6 +67,7 @@ class MotorElement : public Element, public ShaftSource {
     if (quantity == "command") return model_.command();
     if (quantity == "commands") return model_.commands();
     if (quantity == "resumed_with") return model_.resumed_with();
+    if (quantity == "pauses") return model_.pauses();
     return std::nullopt;
   }
 

@@ -40,6 +40,9 @@ class PwmElement : public Element, public PulseSource {
       outfit.record(PartEvent{name, PartEvent::Kind::output, channel, now, now, static_cast<double>(pulse)});
       for (const Listener& tell : listeners_[channel]) tell({pulse, model_.period_ns()});
     };
+    model_.on_write = [this](unsigned channel, std::uint64_t pulse) {
+      if (notes_[channel] < 0) notes_[channel] = static_cast<double>(pulse) / 1000;
+    };
     outfit.line_of(part).attach(model_);
   }
   bool listen(unsigned channel, Listener listener) override {
@@ -48,13 +51,16 @@ class PwmElement : public Element, public PulseSource {
     return true;
   }
   bool happen(const std::string& what, const Json&) override {
-    if (what != "power_cycle") return false;
-    model_.power_cycle();
-    return true;
+    if (what == "power_cycle") return model_.power_cycle(), true;
+    if (what == "note") return notes_.fill(-1), true;
+    return false;
   }
-  /// `pulse_0`..`pulse_15` [us], `bursts`.
+  /// `pulse_0`..`pulse_15` [us], `noted_0`..`noted_15`: the first written after a `note`, -1: none; `bursts`.
   std::optional<double> value(const std::string& quantity) override {
     if (quantity == "bursts") return model_.bursts();
+    for (unsigned channel = 0; channel < notes_.size(); ++channel) {
+      if (quantity == "noted_" + std::to_string(channel)) return notes_[channel];
+    }
     for (unsigned channel = 0; channel < listeners_.size(); ++channel) {
       if (quantity == "pulse_" + std::to_string(channel)) return static_cast<double>(model_.pulse_ns(channel)) / 1000;
     }
@@ -64,6 +70,7 @@ class PwmElement : public Element, public PulseSource {
  private:
   Pca9685 model_;
   std::array<std::vector<Listener>, 16> listeners_;
+  std::array<double, 16> notes_{};
 };
 
 class PressureElement : public Element {
@@ -138,6 +145,7 @@ class CompassElement : public Element {
   void connect(Outfit& outfit) override { seat_.connect(outfit); }
   bool happen(const std::string& what, const Json& event) override {
     if (what == "silent") return model_.dead = maybe(event, "on", true), true;
+    if (what == "power_cycle") return model_.power_cycle(), true;
     if (what == "move") {
       field_ = vector(event, "field", field_);
       return seat_.move(outfit_.now(), event), true;

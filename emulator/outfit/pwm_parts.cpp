@@ -13,21 +13,23 @@ class OutputElement : public Element {
   OutputElement(Outfit& outfit, const Json& part, const std::string& name) {
     const bool on_board = part.contains("port");  // an expander records its outputs itself
     outfit.listen_to_pulses(part, [this, &outfit, name, on_board](Timer::Pulse pulse) {
+      if (pulse_ == 0) resumed_with_ = pulse.width_ns;
       pulse_ = pulse.width_ns;
       const std::uint64_t now = outfit.board().now_ns();
       if (on_board) outfit.record(PartEvent{name, PartEvent::Kind::output, 0, now, now, static_cast<double>(pulse_)});
       changed();
     });
   }
-  /// `pulse` [us].
+  /// `pulse` [us], `resumed_with` [us]: the first one after it was off.
   std::optional<double> value(const std::string& quantity) override {
     if (quantity == "pulse") return static_cast<double>(pulse_) / 1000;
+    if (quantity == "resumed_with") return static_cast<double>(resumed_with_) / 1000;
     return std::nullopt;
   }
 
  protected:
   virtual void changed() {}
-  std::uint64_t pulse_ = 0;
+  std::uint64_t pulse_ = 0, resumed_with_ = 0;
 };
 
 /// A speed controller with its propeller: the pulse's way from neutral is the share of full drive, whose square is the

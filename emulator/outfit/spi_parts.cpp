@@ -54,6 +54,7 @@ class Bmi088Element : public Element {
   bool happen(const std::string& what, const Json& event) override {
     if (what == "silent") return model_.silent = maybe(event, "on", true), true;
     if (what == "power_cycle") return model_.power_cycle(), true;
+    if (what == "cut") return cut(maybe(event, "on", true)), true;
     if (what == "heat") return mass_.set(outfit_.now(), need<double>(event, "temperature")), true;
     if (what == "move") return seat_.move(outfit_.now(), event), true;
     return false;
@@ -75,9 +76,15 @@ class Bmi088Element : public Element {
     if (!Outfit::is_pin(pin)) refuse(part_, "'ready' is a pin of the chip, PA0 to PI15");
     wires_[output] = {&outfit_.board().chip().gpio(pin[1]), static_cast<unsigned>(std::stoul(pin.substr(2)))};
   }
+  /// The wires of its outputs break, or are mended.
+  void cut(bool cut) {
+    cut_ = cut;
+    for (const auto& [output, level] : levels_) drive(output, level);
+  }
   void drive(Bmi088::Output output, int level) {
+    levels_[output] = level;
     const auto wire = wires_.find(output);
-    if (wire != wires_.end()) wire->second.first->drive(wire->second.second, level);
+    if (wire != wires_.end()) wire->second.first->drive(wire->second.second, cut_ ? -1 : level);
   }
 
   Outfit& outfit_;
@@ -86,6 +93,8 @@ class Bmi088Element : public Element {
   HeatedMass mass_;
   Bmi088 model_;
   std::map<Bmi088::Output, std::pair<Gpio*, unsigned>> wires_;
+  std::map<Bmi088::Output, int> levels_;
+  bool cut_ = false;
 };
 
 }  // namespace

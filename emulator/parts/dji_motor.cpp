@@ -58,7 +58,10 @@ void DjiMotor::hear(const CanFrame& frame) {
   const int full = static_cast<int>(figures_.full_word);
   command_ = std::clamp<int>(word, -full, full);
   ++commands_;
-  if (world_.now() - heard_ > kPause) resumed_with_ = command_;
+  if (world_.now() - heard_ > kPause) {
+    resumed_with_ = command_;
+    ++pauses_;
+  }
   heard_ = world_.now();
   shaft_.drive(world_.now(), current() * figures_.torque_per_ampere);
   if (on_command) on_command(word);

@@ -34,6 +34,8 @@ class DjiMotor {
   [[nodiscard]] unsigned commands() const { return commands_; }
   /// The first command after the last pause of more than 8 ms; 0 before there was one.
   [[nodiscard]] int resumed_with() const { return resumed_with_; }
+  /// Such pauses; the time before the first command is one.
+  [[nodiscard]] unsigned pauses() const { return pauses_; }
 
   /// Told when a command has arrived, and when a report sampled at `from` has.
   std::function<void(int word)> on_command;
@@ -52,7 +54,7 @@ class DjiMotor {
   Figures figures_;
   MotorShaft shaft_;
   int command_ = 0;
-  unsigned commands_ = 0;
+  unsigned commands_ = 0, pauses_ = 0;
   int resumed_with_ = 0;
   Time heard_ = 0;
   std::optional<CanFrame> waiting_;

@@ -44,6 +44,7 @@ class Ist8310 : public I2cPart {
     held_ = held;
     if (held) reset();
   }
+  void power_cycle() { reset(); }
   bool dead = false;  ///< acknowledges nothing
   std::function<void(Time from)> on_read;
 

@@ -27,6 +27,8 @@ class Pca9685 : public I2cPart {
   [[nodiscard]] std::uint64_t period_ns() const { return 4096 * count_ns(); }
   /// Told at the STOP that changes an output.
   std::function<void(unsigned channel, std::uint64_t pulse_ns)> on_pulse;
+  /// Told at the STOP for every channel that was written, with its pulse, changed or not.
+  std::function<void(unsigned channel, std::uint64_t pulse_ns)> on_write;
   [[nodiscard]] unsigned bursts() const { return bursts_; }
 
   bool select(std::uint8_t address, bool read) override {
@@ -56,6 +58,10 @@ class Pca9685 : public I2cPart {
     selected_ = changed_ = false;
     ++bursts_;
     announce();
+    for (unsigned c = 0; c < 16 && on_write; ++c) {
+      if ((written_ >> c & 1) != 0) on_write(c, width(c));
+    }
+    written_ = 0;
   }
 
  private:
@@ -90,9 +96,11 @@ class Pca9685 : public I2cPart {
     }
     if (at >= kAllLed && at < kAllLed + 4) {
       for (unsigned c = 0; c < 16; ++c) registers_[kLed0 + 4 * c + (at - kAllLed)] = byte;
+      written_ = 0xFFFF;
       return;
     }
     registers_[at] = byte;
+    if (at >= kLed0 && at < kLed0 + 64) written_ |= 1U << (at - kLed0) / 4;
   }
   /// Auto-increment wraps after LED15: 7.3.1.
   void advance() {
@@ -104,6 +112,7 @@ class Pca9685 : public I2cPart {
   std::array<std::uint8_t, 256> registers_{};
   std::array<std::uint64_t, 16> last_{};
   bool selected_ = false, at_start_ = false, changed_ = false;
+  unsigned written_ = 0;  ///< channels, since the last STOP
   unsigned bursts_ = 0;
 };
 
