@@ -153,3 +153,31 @@ TEST_CASE("a receiving DMA stream that meets a bus error is started again by the
   CHECK(mini.observed(kImuFrames) >= frames + 17);  // of 20: two at most are lost with what lay in the ring
   CHECK(mini.observed(kImuValid) == 1);
 }
+
+TEST_CASE("the first pulses after a reset are those of a robot without sensors, never the ones before it") {
+  MiniBoard mini;
+  mini.board.run_for(300 * kMs);
+  REQUIRE(mini.pwm.pulse_ns(3) > 1'590'000);
+  const auto [timer, channel] = mini.board.chip().pwm("pwm1");
+  std::vector<std::uint64_t> header, expander;
+  timer->on_pulse = [&header, mine = channel](unsigned which, Timer::Pulse pulse) {
+    if (which == mine) header.push_back(pulse.width_ns);
+  };
+  mini.pwm.on_write = [&](unsigned which, std::uint64_t pulse) {
+    if (which == 3) expander.push_back(pulse);
+  };
+  mini.imu.silent = true;
+  mini.board.press_reset();
+  CHECK(timer->pulse(channel).width_ns == 0);
+  mini.board.run_for(100 * kMs);
+  REQUIRE(header.size() == 2);
+  CHECK(header[0] == 0);
+  CHECK(header[1] == Approx(1'600'000).margin(500));
+  REQUIRE(!expander.empty());
+  for (const std::uint64_t pulse : expander) CHECK(pulse == Approx(1'500'000).margin(3'000));
+  mini.imu.silent = false;
+  mini.board.run_for(300 * kMs);
+  CHECK(header.back() == Approx(1'700'000).margin(500));
+  CHECK(expander.back() == Approx(1'600'000).margin(3'000));
+  CHECK(mini.board.resets() == 1);
+}

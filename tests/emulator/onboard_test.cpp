@@ -124,8 +124,10 @@ TEST_CASE("the RS-485 driver is on from the first start bit to the last stop bit
     CHECK(!gpio.level(0));  // the line is free again
     far.send(std::vector<std::uint8_t>{0xA0, 0xB1, static_cast<std::uint8_t>(answered)});
   }
-  CHECK(bench.board.word("answers_seen") >= 15);
-  CHECK(bench.board.word("answers_seen", 4) >> 8 == 0xA0B1);
+  for (const unsigned unit : {0U, 16U}) {
+    CHECK(bench.board.word("answers_seen", unit) >= 15);
+    CHECK(bench.board.word("answers_seen", unit + 4) >> 8 == 0xA0B1);
+  }
   REQUIRE(far.heard().size() >= 8);
   CHECK(far.text().substr(0, 4) == std::string("\x3E\x07\x55\x01", 4));
   std::size_t question = 0;
@@ -142,6 +144,98 @@ TEST_CASE("the RS-485 driver is on from the first start bit to the last stop bit
   }
   CHECK(question >= 15);
   CHECK(bench.board.reports().empty());
+}
+
+namespace {
+
+/// The far end of the RS-485 line: two units, which answer with their number and the count of their questions.
+struct FarEnd {
+  explicit FarEnd(Bench& bench) : bench(bench), terminal(*bench.outfit.terminal("far")) {}
+  /// Answers for so long, at most 0.1 ms after each question.
+  void serve(std::uint64_t ns) {
+    for (std::uint64_t t = 0; t < ns; t += kMs / 10) {
+      bench.board.run_for(kMs / 10);
+      while (terminal.heard().size() / 4 > questions) {
+        const std::uint8_t unit = terminal.heard()[4 * questions++ + 1].byte;
+        ++asked[unit % 2];
+        if (dead == unit) continue;
+        terminal.send(std::vector<std::uint8_t>{unit, 0x5A, static_cast<std::uint8_t>(asked[unit % 2])});
+      }
+    }
+  }
+  struct Seen {
+    std::uint32_t count, last, missing, valid;
+  };
+  Seen seen(unsigned unit) {
+    const std::uint32_t at = unit % 2 == 1 ? 0 : 16;
+    const auto word = [&](std::uint32_t offset) { return bench.board.word("answers_seen", at + offset); };
+    return {word(0), word(4), word(8), word(12)};
+  }
+  Bench& bench;
+  SerialTerminal& terminal;
+  std::size_t questions = 0;
+  unsigned asked[2]{};
+  unsigned dead = 0;  ///< this unit does not answer
+};
+
+}  // namespace
+
+TEST_CASE(
+    "a unit on RS-485 that does not answer is invalid within 20 ms, the other is not, and its answers count again") {
+  Bench bench(R"({"schema": "finemote.scenario/1", "parts": [
+    {"type": "host_terminal", "name": "far", "port": "usart1", "baud": 115200}]})");
+  FarEnd far(bench);
+  far.serve(100 * kMs);
+  REQUIRE(far.seen(7).valid == 1);
+  REQUIRE(far.seen(8).valid == 1);
+  const auto before = far.seen(7), other_before = far.seen(8);
+  far.dead = 7;
+  far.serve(20 * kMs);
+  CHECK(far.seen(7).valid == 0);
+  unsigned driven = 0;
+  for (int i = 0; i < 480; ++i) {
+    far.serve(1 * kMs);
+    CHECK(far.seen(7).valid == 0);
+    CHECK(far.seen(8).valid == 1);
+    driven += bench.board.chip().gpio('I').level(0) ? 1 : 0;
+  }
+  CHECK(driven < 60);  // of 480 looks: two questions of 0.35 ms every 10 ms
+  const auto silent = far.seen(7), other = far.seen(8);
+  CHECK(silent.count <= before.count + 1);
+  CHECK(silent.last == before.last + silent.count - before.count);
+  CHECK(silent.missing - before.missing >= 48);  // asked again every period
+  CHECK(other.count - other_before.count >= 49);
+  CHECK(other.missing == other_before.missing);
+  CHECK(other.last >> 8 == 0x085A);
+  far.dead = 0;
+  far.serve(20 * kMs);
+  CHECK(far.seen(7).valid == 1);
+  CHECK(far.seen(7).last >> 8 == 0x075A);
+  CHECK((far.seen(7).last & 0xFF) >= far.asked[1] - 1);  // of this question, or of the one before
+  CHECK(bench.board.resets() == 0);
+  CHECK(bench.board.reports().empty());
+}
+
+TEST_CASE("an answer on RS-485 that comes after its time is not taken for one to the next question") {
+  Bench bench(R"({"schema": "finemote.scenario/1", "parts": [
+    {"type": "host_terminal", "name": "far", "port": "usart1", "baud": 115200}]})");
+  FarEnd far(bench);
+  far.serve(100 * kMs);
+  far.dead = 7;
+  const unsigned asked = far.asked[1];
+  while (far.asked[1] == asked) far.serve(kMs / 10);
+  const auto before = far.seen(7), other = far.seen(8);
+  far.serve(7 * kMs);  // 3.2 ms are its time: twice that on the wire and 2 ms; the other unit was asked at 5 ms
+  far.terminal.send(std::vector<std::uint8_t>{7, 0x77, 0x77});
+  far.serve(33 * kMs);
+  CHECK(far.seen(7).count <= before.count + 1);
+  CHECK(far.seen(7).last != 0x077777);
+  CHECK(far.seen(8).count >= other.count + 3);
+  CHECK(far.seen(8).last >> 8 == 0x085A);
+  far.dead = 0;
+  far.serve(30 * kMs);
+  CHECK(far.seen(7).valid == 1);
+  CHECK(far.seen(8).valid == 1);
 }
 
 TEST_CASE("a converter that falls silent makes lamps blink or dark in bounded time") {

@@ -1,12 +1,21 @@
-// Asks four bytes on an RS-485 line every update, and keeps the three of the answer.
+// Asks four bytes on an RS-485 line every update, and keeps the three of the answer; without one it is not valid.
 #pragma once
 
 #include <finemote/contract.hpp>
 #include <finemote/rs485.hpp>
 
-/// Read by the test: answers, and the last one's bytes.
+namespace testing {
+
+/// Of one unit: answers, the last one's bytes, questions without one, and whether the state is valid.
+struct Answers {
+  std::uint32_t count, last, missing, valid;
+};
+
+}  // namespace testing
+
+/// Read by the test: of the units with an odd and with an even number.
 extern "C" {
-inline std::uint32_t answers_seen[2]{};
+inline testing::Answers answers_seen[2]{};
 }
 
 namespace testing {
@@ -17,14 +26,17 @@ class Asker {
 
   void update() {
     if (slot_->busy()) return;
-    if (slot_->state() == finemote::SlotState::kDone) {
-      ++answers_seen[0];
+    Answers& seen = answers_seen[1 - slot_->id() % 2];
+    state.valid = slot_->state() == finemote::SlotState::kDone;
+    if (state.valid) {
+      ++seen.count;
       const std::uint8_t* reply = slot_->reply();
-      answers_seen[1] =
-          static_cast<std::uint32_t>(reply[0]) << 16 | static_cast<std::uint32_t>(reply[1]) << 8 | reply[2];
-      state.valid = true;
+      seen.last = static_cast<std::uint32_t>(reply[0]) << 16 | static_cast<std::uint32_t>(reply[1]) << 8 | reply[2];
       state.origin = finemote::now();
+    } else if (slot_->state() != finemote::SlotState::kIdle) {
+      ++seen.missing;
     }
+    seen.valid = state.valid ? 1 : 0;
     question_[1] = slot_->id();
     slot_->start(question_, sizeof question_, 3);
   }
