@@ -14,7 +14,7 @@ class FrameBits {
 
  private:
   void put_bit(std::uint32_t bit) {
-    crc_ = (crc_ << 1 & 0x7FFF) ^ ((bit ^ crc_ >> 14) != 0 ? 0x4599 : 0);
+    crc_ = (crc_ << 1 & 0x7FFF) ^ (0x4599 & (0 - (bit ^ crc_ >> 14)));
     run_ = bit == last_ ? run_ + 1 : 1;
     last_ = bit;
     ++count_;

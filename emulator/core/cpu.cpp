@@ -105,7 +105,7 @@ void Cpu::load(const Image& image) {
     const auto end = static_cast<std::uint32_t>(offset + segment.bytes.size());
     if (end > used) used = end;
   }
-  core_.forget_flash(used);
+  core_.take_apart_flash(used);
 }
 
 std::uint32_t Cpu::vector(int exception) {

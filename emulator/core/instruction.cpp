@@ -15,14 +15,9 @@ Info info(unsigned cycles, unsigned flags, unsigned bytes) {
 
 /// ARMv7-M Architecture Reference Manual A5.2.
 Info decode16(unsigned op) {
-  if ((op & 0xFF00) == 0xBF00) {  // hints and IT, A5.2.5
-    if ((op & 0x000F) != 0) return info(1, Info::kIfThen, 2);
-    return info(1, op == 0xBF30 ? Info::kWaits : 0U, 2);
-  }
   if ((op & 0xFE00) == 0xB400) return info(1 + count(op & 0x1FF), Info::kMovesStack, 2);  // PUSH
   if ((op & 0xFE00) == 0xBC00) return info(1 + count(op & 0x1FF), 0, 2);                  // POP
   if ((op & 0xFF80) == 0xB080) return info(1, Info::kMovesStack, 2);                      // SUB SP
-  if ((op & 0xFFE8) == 0xB660) return info(1, Info::kMasks, 2);                           // CPS
   if ((op & 0xF000) == 0xC000) return info(1 + count(op & 0xFF), 0, 2);                   // LDM, STM
   if ((op & 0xFF87) == 0x4685) return info(1, Info::kMovesStack, 2);                      // MOV SP, Rm
   const bool load_store = (op & 0xF000) == 0x5000 || (op & 0xE000) == 0x6000 || (op & 0xF000) == 0x8000 ||
@@ -70,9 +65,8 @@ Info decode32(unsigned first, unsigned second) {
   }
   if ((first & 0xFFD0) == 0xFB90) return info(12, 0, 4);                                   // SDIV, UDIV: 2 to 12
   if ((first & 0xFFF0) == 0xFB00) return info((second & 0xF000) == 0xF000 ? 1 : 2, 0, 4);  // MUL, MLA
-  if ((first & 0xFFE0) == 0xF380 && (second & 0xD000) == 0x8000) return info(2, Info::kMasks, 4);  // MSR
-  if ((first & 0xFFF0) == 0xF3B0) return info(1, Info::kBarrier, 4);                               // barriers
-  const bool sub_sp = (first & 0xFBEF) == 0xF1AD || (first & 0xFBFF) == 0xF2AD;                    // SUB.W SP, SP, #
+  if ((first & 0xFFE0) == 0xF380 && (second & 0xD000) == 0x8000) return info(2, 0, 4);     // MSR
+  const bool sub_sp = (first & 0xFBEF) == 0xF1AD || (first & 0xFBFF) == 0xF2AD;            // SUB.W SP, SP, #
   if (sub_sp && (second & 0x0F00) == 0x0D00) return info(1, Info::kMovesStack, 4);
   return info(1, 0, 4);
 }

@@ -8,14 +8,12 @@ namespace finemote::emulator {
 /// What is known of an instruction without running it. One byte each: there is a table of them for the whole flash.
 struct InstructionInfo {
   static constexpr std::uint8_t kFloatingPoint = 1;  ///< needs the FPU, makes its context active
-  static constexpr std::uint8_t kMasks = 2;          ///< may change which interrupts are let through
-  static constexpr std::uint8_t kWaits = 4;          ///< WFI
-  static constexpr std::uint8_t kMovesStack = 8;     ///< may move the stack pointer down
-  static constexpr std::uint8_t kIfThen = 16;        ///< IT: the next 1..4 instructions are conditional
-  static constexpr std::uint8_t kBarrier = 32;       ///< DSB, ISB, DMB
-  static constexpr std::uint8_t kLoadsPc = 64;       ///< LDR to the PC
+  static constexpr std::uint8_t kMovesStack = 2;     ///< may move the stack pointer down
+  static constexpr std::uint8_t kJumps = 4;          ///< may go on elsewhere
+  static constexpr std::uint8_t kLoadsPc = 8;        ///< LDR to the PC
+  static constexpr std::uint8_t kAlone = 16;         ///< the next one is not simply the one behind it in the image
 
-  std::uint8_t cycles = 0;  ///< 0: not decoded yet
+  std::uint8_t cycles = 0;
   std::uint8_t flags = 0;
   std::uint8_t bytes = 0;  ///< 2 or 4
 };

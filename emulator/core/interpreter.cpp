@@ -1,9 +1,12 @@
 #include "emulator/core/interpreter.hpp"
 
+#include <array>
 #include <bit>
 
 namespace finemote::emulator {
 namespace {
+
+#define FINEMOTE_INLINE __attribute__((always_inline))
 
 constexpr std::uint32_t kSign = 0x80000000U;
 
@@ -38,6 +41,19 @@ inline std::uint32_t extended(std::uint32_t value, unsigned mode) {
 /// The IT state after one instruction: D6.7.37, ITAdvance.
 constexpr std::uint32_t advanced(std::uint32_t it) { return (it & 7) == 0 ? 0 : (it & 0xE0) | (it << 1 & 0x1F); }
 
+/// The conditions of A7.3.1: for each, a bit for every value of N, Z, C and V (8, 4, 2, 1).
+constexpr std::array<std::uint16_t, 16> kHolds = [] {
+  std::array<std::uint16_t, 16> holds{};
+  for (unsigned nzcv = 0; nzcv < 16; ++nzcv) {
+    const bool n = (nzcv & 8) != 0, z = (nzcv & 4) != 0, c = (nzcv & 2) != 0, v = (nzcv & 1) != 0;
+    const bool even[] = {z, c, n, v, c && !z, n == v, !z && n == v, true};
+    for (unsigned code = 0; code < 16; ++code) {
+      if (code >= 14 || even[code / 2] != (code % 2 != 0)) holds[code] |= static_cast<std::uint16_t>(1U << nzcv);
+    }
+  }
+  return holds;
+}();
+
 inline std::uint32_t reverse_bits(std::uint32_t x) {
   x = (x >> 1 & 0x55555555U) | (x & 0x55555555U) << 1;
   x = (x >> 2 & 0x33333333U) | (x & 0x33333333U) << 2;
@@ -63,15 +79,43 @@ const Operation* Interpreter::take_apart_at(std::uint32_t address, Operation& in
   return &into;
 }
 
+void Interpreter::take_apart_flash(std::uint32_t bytes) {
+  known_count_ = (bytes + 1) / 2;
+  // The last two are what runs off the end: erased flash, or none.
+  operations_.assign(known_count_ + 2, {});
+  for (std::uint32_t n = 0; n < known_count_; ++n) take_apart_at(Memories::kFlashBase + 2 * n, operations_[n]);
+  for (std::uint32_t n = known_count_; n < known_count_ + 2; ++n) operations_[n] = take_apart(0xFFFF, 0xFFFF);
+  known_ = operations_.data();
+}
+
 /// @return null where no instruction can be
-inline const Operation* Interpreter::operation_at(std::uint32_t address, Operation& outside_image) {
-  std::uint32_t index = (address - Memories::kFlashBase) / 2;
-  if (index >= known_count_) {
-    index = address / 2;
-    if (index >= known_count_) return take_apart_at(address, outside_image);
+inline const Operation* Interpreter::operation_at(std::uint32_t address, Operation& outside_image) const {
+  if (const std::uint32_t n = (address - Memories::kFlashBase) / 2; n < known_count_) return known_ + n;
+  if (address / 2 < known_count_) return known_ + address / 2;
+  if (take_apart_at(address, outside_image) == nullptr) return nullptr;
+  outside_image.info.flags |= InstructionInfo::kAlone;
+  return &outside_image;
+}
+
+/// Charges what lies between the last instruction and the one at `address` that does not follow it.
+template <CostModel Cost>
+inline void Interpreter::arrive(std::uint32_t address, std::uint32_t expected) {
+  if (address == expected) return;
+  if (address > expected && address <= pace.it_end && expected > pace.it_begin) {
+    pass_skipped(expected, address);
+  } else if constexpr (Cost != CostModel::qemu) {
+    pace.time += kRefillCycles * pace.cycle;
   }
-  Operation& known = known_[index];
-  return known.info.cycles != 0 ? &known : take_apart_at(address, known);
+}
+
+/// Makes the floating-point context active. @return false: the FPU is off
+inline bool Interpreter::begin_float() {
+  if (!fpu_on) return false;
+  if (!fp_active) registers.fpscr = 0;  // a new context takes FPDSCR, of which nothing else is modelled: B1.5.7
+  fp_active = true;
+  if (lazy_frame) pace.charge(kLazyCycles);
+  lazy_frame = false;
+  return true;
 }
 
 /// Conditional instructions whose condition failed take a cycle each, charged with the one after them.
@@ -89,27 +133,8 @@ void Interpreter::pass_skipped(std::uint32_t from, std::uint32_t address) {
 /// A7.3.1.
 inline bool Interpreter::condition(unsigned code) const {
   const Registers& g = registers;
-  const auto holds = [&]() -> bool {
-    switch (code >> 1) {
-      case 0:
-        return g.z == 0;
-      case 1:
-        return g.c != 0;
-      case 2:
-        return (g.n & kSign) != 0;
-      case 3:
-        return (g.v & kSign) != 0;
-      case 4:
-        return g.c != 0 && g.z != 0;
-      case 5:
-        return ((g.n ^ g.v) & kSign) == 0;
-      case 6:
-        return g.z != 0 && ((g.n ^ g.v) & kSign) == 0;
-      default:
-        return true;
-    }
-  };
-  return code >= 14 || holds() != ((code & 1) != 0);
+  const unsigned nzcv = g.n >> 31 << 3 | static_cast<unsigned>(g.z == 0) << 2 | g.c << 1 | g.v >> 31;
+  return (kHolds[code] >> nzcv & 1) != 0;
 }
 
 void Interpreter::begin_it(std::uint32_t address, std::uint32_t state) {
@@ -207,20 +232,20 @@ bool Interpreter::indexed(const Operation& o) {
 bool Interpreter::load_multiple(const Operation& o, std::uint32_t& target) {
   const std::uint32_t base = registers.r[o.n], moved = (o.mode & 2) != 0 ? base - o.amount : base + o.amount;
   std::uint32_t address = (o.mode & 2) != 0 ? moved : base;
-  std::uint32_t values[16];
-  const unsigned count = o.amount / 4;
-  if (const std::uint8_t* from = in_ram(address, o.amount)) {
-    for (unsigned i = 0; i < count; ++i) std::memcpy(&values[i], from + 4 * i, 4);
-  } else {
-    for (unsigned i = 0; i < count; ++i, address += 4) {
-      if (!load<std::uint32_t>(address, values[i])) return false;
+  std::uint8_t values[64];
+  const std::uint8_t* from = in_ram(address, o.amount);
+  if (from == nullptr) {
+    for (unsigned i = 0; i < o.amount; i += 4, address += 4) {
+      std::uint32_t value = 0;
+      if (!load<std::uint32_t>(address, value)) return false;
+      std::memcpy(values + i, &value, 4);
     }
+    from = values;
   }
   if ((o.mode & 1) != 0) registers.r[o.n] = moved;
-  const std::uint32_t* value = values;
-  for (std::uint32_t list = o.imm & 0x7FFF; list != 0; list &= list - 1)
-    registers.r[static_cast<unsigned>(std::countr_zero(list))] = *value++;
-  if ((o.imm & 0x8000) != 0) target = *value;
+  for (std::uint32_t list = o.imm & 0x7FFF; list != 0; list &= list - 1, from += 4)
+    std::memcpy(&registers.r[static_cast<unsigned>(std::countr_zero(list))], from, 4);
+  if ((o.imm & 0x8000) != 0) std::memcpy(&target, from, 4);
   return true;
 }
 
@@ -402,112 +427,98 @@ template <CostModel Cost, FlashModel Flash>
 Halt Interpreter::run_with() {
   Registers& g = registers;
   std::uint32_t* const r = g.r.data();
-  std::uint32_t next = g.next, expected = pace.expected;
-  const auto stop = [&](Halt why, std::uint32_t at) {
+  std::uint32_t next = g.next;
+  std::uint32_t expected = pace.expected;  // where `next` would be without a jump
+  const auto stop_at = [&](Halt why, std::uint32_t at, std::uint32_t follows) FINEMOTE_INLINE {
     g.next = at;
-    pace.expected = expected;
+    pace.expected = follows;
     return why;
   };
-  for (;;) {
-    const std::uint32_t address = next;
-    const Operation* const found = operation_at(address, elsewhere_);
-    if (found == nullptr) return stop(Halt::no_instruction, address);
-    const Operation& o = *found;
+  for (;;) {  // at the target of a jump, and where it begins
+    const Operation* here = operation_at(next, elsewhere_);
+    if (here == nullptr) return stop_at(Halt::no_instruction, next, expected);
     const std::uint32_t it = g.it;
-    if (it != 0 && !condition(it >> 4)) {
+    if (it != 0) {
       g.it = advanced(it);
-      next = address + o.info.bytes;
-      continue;
-    }
-    r[15] = address + 4;
-    if (pace.time >= pace.stop_at && outside_.stops(address)) return stop(Halt::asked, address);
-    pace.account<Cost, Flash>(address, expected, o.info, [&] { pass_skipped(expected, address); });
-    expected = address + o.info.bytes;
-    if ((o.info.flags & InstructionInfo::kFloatingPoint) != 0) {
-      if (!fpu_on) return stop(Halt::no_fpu, address);
-      if (!fp_active) g.fpscr = 0;  // a new context takes FPDSCR, of which nothing else is modelled: B1.5.7
-      fp_active = true;
-      if (lazy_frame) pace.charge(kLazyCycles);
-      lazy_frame = false;
-    }
-    const bool in_it = it != 0;
-    if (in_it) g.it = advanced(it);
-    next = expected;
-    // The instruction has not happened.
-    const auto stop_again = [&](Halt why) {
-      g.it = it;
-      return stop(why, address);
-    };
-
-    const auto sets = [&] { return o.sets > (in_it ? 1 : 0); };
-    const auto logic = [&](std::uint32_t result, std::uint32_t carry) {
-      r[o.d] = result;
-      if (!sets()) return;
-      g.n = g.z = result;
-      g.c = carry;
-    };
-    const auto test = [&](std::uint32_t result, std::uint32_t carry) {
-      g.n = g.z = result;
-      g.c = carry;
-    };
-    const auto sum = [&](std::uint32_t x, std::uint32_t y, std::uint32_t carry_in) {
-      if (!sets()) {
-        r[o.d] = x + y + carry_in;
-        return;
+      if (!condition(it >> 4)) {
+        next += here->info.bytes;
+        continue;
       }
-      const std::uint32_t result = add(x, y, carry_in, g.c, g.v);
-      g.n = g.z = result;
-      r[o.d] = result;
-    };
-    const auto compare = [&](std::uint32_t x, std::uint32_t y, std::uint32_t carry_in) {
-      g.n = g.z = add(x, y, carry_in, g.c, g.v);
-    };
-    const auto imm_carry = [&] { return o.mode != 0 ? o.imm >> 31 : g.c; };
-    // A jump to a value that tells the state: BX, and loads of the PC.
-    const auto interwork = [&](std::uint32_t target) {
-      next = target & ~1U;
-      if (target >= 0xFFFFFF00U) return stop(Halt::exception_return, target);
-      return (target & 1) == 0 ? stop(Halt::bad_state, target) : Halt::asked;
-    };
+      conditional_ = inside_it(*here);
+      here = &conditional_;
+    }
+    std::uint32_t address = next;
+    r[15] = address + 4;
+    if (pace.time >= pace.stop_at && outside_.stops(address)) {
+      g.it = it;
+      return stop_at(Halt::asked, address, expected);
+    }
+    arrive<Cost>(address, expected);
+    for (;;) {  // straight on
+      const Operation& o = *here;
+      pace.account<Cost, Flash>(address, o.info.cycles);
+      expected = address + o.info.bytes;
+      const auto stop = [&](Halt why, std::uint32_t at) FINEMOTE_INLINE { return stop_at(why, at, expected); };
+      // The instruction has not happened.
+      const auto stop_again = [&](Halt why) FINEMOTE_INLINE {
+        g.it = here == &conditional_ ? it : 0;
+        return stop(why, address);
+      };
 
-#define FINEMOTE_LOGIC(NAME, EXPRESSION)                                            \
-  case Opcode::NAME##_imm: {                                                        \
-    const std::uint32_t x = r[o.n], y = o.imm;                                      \
-    static_cast<void>(x);                                                           \
-    logic(EXPRESSION, imm_carry());                                                 \
-    break;                                                                          \
-  }                                                                                 \
-  case Opcode::NAME##_reg: {                                                        \
-    std::uint32_t carry = g.c;                                                      \
-    const std::uint32_t x = r[o.n], y = o.amount == 0 ? r[o.m] : shifted(o, carry); \
-    static_cast<void>(x);                                                           \
-    logic(EXPRESSION, carry);                                                       \
-    break;                                                                          \
+      const auto set_nz = [&](std::uint32_t result) FINEMOTE_INLINE { g.n = g.z = result; };
+      const auto imm_carry = [&]() FINEMOTE_INLINE { return o.mode != 0 ? o.imm >> 31 : g.c; };
+      // A jump to a value that tells the state: BX, and loads of the PC.
+      const auto interwork = [&](std::uint32_t target) FINEMOTE_INLINE {
+        next = target & ~1U;
+        if (target >= 0xFFFFFF00U) return stop(Halt::exception_return, target);
+        return (target & 1) == 0 ? stop(Halt::bad_state, target) : Halt::asked;
+      };
+
+// One case per last operand: `y` is an immediate, a register, a register shifted.
+#define FINEMOTE_FORMS(NAME, DO, EXPRESSION)                        \
+  case Opcode::NAME##_imm: {                                        \
+    const std::uint32_t x = r[o.n], y = o.imm, carry = imm_carry(); \
+    DO(EXPRESSION)                                                  \
+    break;                                                          \
+  }                                                                 \
+  case Opcode::NAME##_reg: {                                        \
+    const std::uint32_t x = r[o.n], y = r[o.m], carry = g.c;        \
+    DO(EXPRESSION)                                                  \
+    break;                                                          \
+  }                                                                 \
+  case Opcode::NAME##_shifted: {                                    \
+    std::uint32_t carry = g.c;                                      \
+    const std::uint32_t x = r[o.n], y = shifted(o, carry);          \
+    DO(EXPRESSION)                                                  \
+    break;                                                          \
   }
-#define FINEMOTE_TEST(NAME, EXPRESSION)                                             \
-  case Opcode::NAME##_imm: {                                                        \
-    const std::uint32_t x = r[o.n], y = o.imm;                                      \
-    test(EXPRESSION, imm_carry());                                                  \
-    break;                                                                          \
-  }                                                                                 \
-  case Opcode::NAME##_reg: {                                                        \
-    std::uint32_t carry = g.c;                                                      \
-    const std::uint32_t x = r[o.n], y = o.amount == 0 ? r[o.m] : shifted(o, carry); \
-    test(EXPRESSION, carry);                                                        \
-    break;                                                                          \
-  }
-#define FINEMOTE_SUM(NAME, DO, X, Y, CARRY)                                         \
-  case Opcode::NAME##_imm: {                                                        \
-    const std::uint32_t x = r[o.n], y = o.imm;                                      \
-    DO(X, Y, CARRY);                                                                \
-    break;                                                                          \
-  }                                                                                 \
-  case Opcode::NAME##_reg: {                                                        \
-    std::uint32_t carry = g.c;                                                      \
-    const std::uint32_t x = r[o.n], y = o.amount == 0 ? r[o.m] : shifted(o, carry); \
-    DO(X, Y, CARRY);                                                                \
-    break;                                                                          \
-  }
+#define FINEMOTE_PLAIN(EXPRESSION)                \
+  static_cast<void>(x), static_cast<void>(carry); \
+  r[o.d] = EXPRESSION;
+#define FINEMOTE_TEST(EXPRESSION) \
+  static_cast<void>(x);           \
+  set_nz(EXPRESSION);             \
+  g.c = carry;
+#define FINEMOTE_COMPARE(SUM) \
+  static_cast<void>(carry);   \
+  set_nz(SUM);
+#define FINEMOTE_SET_LOGIC(EXPRESSION)     \
+  static_cast<void>(x);                    \
+  const std::uint32_t result = EXPRESSION; \
+  r[o.d] = result;                         \
+  set_nz(result);                          \
+  g.c = carry;
+#define FINEMOTE_SET_SUM(SUM)       \
+  static_cast<void>(carry);         \
+  const std::uint32_t result = SUM; \
+  r[o.d] = result;                  \
+  set_nz(result);
+#define FINEMOTE_LOGIC(NAME, EXPRESSION)           \
+  FINEMOTE_FORMS(NAME, FINEMOTE_PLAIN, EXPRESSION) \
+  FINEMOTE_FORMS(NAME##s, FINEMOTE_SET_LOGIC, EXPRESSION)
+#define FINEMOTE_SUM(NAME, X, Y, CARRY)                     \
+  FINEMOTE_FORMS(NAME, FINEMOTE_PLAIN, (X) + (Y) + (CARRY)) \
+  FINEMOTE_FORMS(NAME##s, FINEMOTE_SET_SUM, add(X, Y, CARRY, g.c, g.v))
 #define FINEMOTE_LOAD(NAME, WHICH)                                                                       \
   case Opcode::NAME##_imm:                                                                               \
     if (!transfer<true>(WHICH, r[o.n] + o.imm, o.d)) return stop_again(Halt::bad_access);                \
@@ -526,236 +537,272 @@ Halt Interpreter::run_with() {
     if (!transfer<false>(WHICH, r[o.n] + (r[o.m] << o.amount), o.d)) return stop_again(Halt::bad_access); \
     break;
 
-    switch (o.kind) {
-      FINEMOTE_LOGIC(and, x & y)
-      FINEMOTE_LOGIC(bic, x & ~y)
-      FINEMOTE_LOGIC(orr, x | y)
-      FINEMOTE_LOGIC(orn, x | ~y)
-      FINEMOTE_LOGIC(eor, x ^ y)
-      FINEMOTE_LOGIC(mov, y)
-      FINEMOTE_LOGIC(mvn, ~y)
-      FINEMOTE_TEST(tst, x & y)
-      FINEMOTE_TEST(teq, x ^ y)
-      FINEMOTE_SUM(add, sum, x, y, 0)
-      FINEMOTE_SUM(adc, sum, x, y, g.c)
-      FINEMOTE_SUM(sub, sum, x, ~y, 1)
-      FINEMOTE_SUM(sbc, sum, x, ~y, g.c)
-      FINEMOTE_SUM(rsb, sum, y, ~x, 1)
-      FINEMOTE_SUM(cmp, compare, x, ~y, 1)
-      FINEMOTE_SUM(cmn, compare, x, y, 0)
-      FINEMOTE_LOAD(ldr, 0)
-      FINEMOTE_LOAD(ldrb, 1)
-      FINEMOTE_LOAD(ldrh, 2)
-      FINEMOTE_LOAD(ldrsb, 3)
-      FINEMOTE_LOAD(ldrsh, 4)
-      FINEMOTE_STORE(str, 5)
-      FINEMOTE_STORE(strb, 6)
-      FINEMOTE_STORE(strh, 7)
-#undef FINEMOTE_LOGIC
-#undef FINEMOTE_TEST
+      switch (o.kind) {
+        FINEMOTE_LOGIC(and, x & y)
+        FINEMOTE_LOGIC(bic, x & ~y)
+        FINEMOTE_LOGIC(orr, x | y)
+        FINEMOTE_LOGIC(orn, x | ~y)
+        FINEMOTE_LOGIC(eor, x ^ y)
+        FINEMOTE_LOGIC(mov, y)
+        FINEMOTE_LOGIC(mvn, ~y)
+        FINEMOTE_FORMS(tst, FINEMOTE_TEST, x & y)
+        FINEMOTE_FORMS(teq, FINEMOTE_TEST, x ^ y)
+        FINEMOTE_FORMS(cmp, FINEMOTE_COMPARE, add(x, ~y, 1, g.c, g.v))
+        FINEMOTE_FORMS(cmn, FINEMOTE_COMPARE, add(x, y, 0, g.c, g.v))
+        FINEMOTE_SUM(add, x, y, 0)
+        FINEMOTE_SUM(adc, x, y, g.c)
+        FINEMOTE_SUM(sub, x, ~y, 1)
+        FINEMOTE_SUM(sbc, x, ~y, g.c)
+        FINEMOTE_SUM(rsb, y, ~x, 1)
+        FINEMOTE_LOAD(ldr, 0)
+        FINEMOTE_LOAD(ldrb, 1)
+        FINEMOTE_LOAD(ldrh, 2)
+        FINEMOTE_LOAD(ldrsb, 3)
+        FINEMOTE_LOAD(ldrsh, 4)
+        FINEMOTE_STORE(str, 5)
+        FINEMOTE_STORE(strb, 6)
+        FINEMOTE_STORE(strh, 7)
 #undef FINEMOTE_SUM
+#undef FINEMOTE_LOGIC
+#undef FINEMOTE_SET_SUM
+#undef FINEMOTE_SET_LOGIC
+#undef FINEMOTE_COMPARE
+#undef FINEMOTE_TEST
+#undef FINEMOTE_PLAIN
+#undef FINEMOTE_FORMS
 #undef FINEMOTE_LOAD
 #undef FINEMOTE_STORE
-      case Opcode::shift_by: {
-        std::uint32_t carry = g.c;
-        const std::uint32_t result = shift_by(o.shift, r[o.n], r[o.m] & 0xFF, carry);
-        logic(result, carry);
-        break;
-      }
-      case Opcode::mov_plain:
-        r[o.d] = r[o.m];
-        break;
-      case Opcode::add_plain:
-        r[o.d] = r[o.n] + r[o.m];
-        break;
-      case Opcode::mov_pc:
-        next = r[o.m] & ~1U;
-        if (next >= 0xFFFFFF00U) return stop(Halt::exception_return, next);
-        break;
-      case Opcode::add_pc:
-        next = (r[15] + r[o.m]) & ~1U;
-        break;
-      case Opcode::movt:
-        r[o.d] = (r[o.d] & 0xFFFF) | o.imm << 16;
-        break;
-      case Opcode::adr:
-        r[o.d] = (r[15] & ~3U) + o.imm;
-        break;
-      case Opcode::b:
-        next = r[15] + o.imm;
-        break;
-      case Opcode::b_cond:
-        if (condition(o.mode)) next = r[15] + o.imm;
-        break;
-      case Opcode::bl:
-        r[14] = next | 1;
-        next = r[15] + o.imm;
-        break;
-      case Opcode::bx:
-        if (const Halt why = interwork(r[o.m]); why != Halt::asked) return why;
-        break;
-      case Opcode::blx: {
-        const std::uint32_t target = r[o.m];
-        r[14] = next | 1;
-        if (const Halt why = interwork(target); why != Halt::asked) return why;
-        break;
-      }
-      case Opcode::cbz:
-        if (r[o.n] == 0) next = r[15] + o.imm;
-        break;
-      case Opcode::cbnz:
-        if (r[o.n] != 0) next = r[15] + o.imm;
-        break;
-      case Opcode::tbb:
-      case Opcode::tbh: {
-        std::uint32_t halves = 0;
-        const bool bytes = o.kind == Opcode::tbb;
-        if (bytes ? !load<std::uint8_t>(r[o.n] + r[o.m], halves) : !load<std::uint16_t>(r[o.n] + 2 * r[o.m], halves))
-          return stop_again(Halt::bad_access);
-        next = r[15] + 2 * halves;
-        break;
-      }
-      case Opcode::indexed:
-        if (!indexed(o)) return stop_again(Halt::bad_access);
-        break;
-      case Opcode::ldm: {
-        std::uint32_t target = 0;
-        if (!load_multiple(o, target)) return stop_again(Halt::bad_access);
-        if ((o.imm & 0x8000) == 0) break;
-        if (const Halt why = interwork(target); why != Halt::asked) return why;
-        break;
-      }
-      case Opcode::stm:
-        if (!store_multiple(o)) return stop_again(Halt::bad_access);
-        break;
-      case Opcode::ldrd:
-      case Opcode::strd:
-        if (!dual(o, o.kind == Opcode::ldrd)) return stop_again(Halt::bad_access);
-        break;
-      case Opcode::ldrex:
-      case Opcode::strex:
-        if (!exclusive(o)) return stop_again(Halt::bad_access);
-        break;
-      case Opcode::clrex:
-        g.exclusive = false;
-        break;
-      case Opcode::ubfx:
-      case Opcode::sbfx:
-      case Opcode::bfi:
-        bit_field(o);
-        break;
-      case Opcode::clz:
-        r[o.d] = static_cast<std::uint32_t>(std::countl_zero(r[o.m]));
-        break;
-      case Opcode::rbit:
-        r[o.d] = reverse_bits(r[o.m]);
-        break;
-      case Opcode::rev:
-        r[o.d] = __builtin_bswap32(r[o.m]);
-        break;
-      case Opcode::rev16:
-        r[o.d] = (r[o.m] & 0x00FF00FFU) << 8 | (r[o.m] >> 8 & 0x00FF00FFU);
-        break;
-      case Opcode::revsh:
-        r[o.d] = static_cast<std::uint32_t>(
-            static_cast<std::int16_t>(__builtin_bswap16(static_cast<std::uint16_t>(r[o.m]))));
-        break;
-      case Opcode::extend: {
-        const std::uint32_t value = extended(std::rotr(r[o.m], o.amount), o.mode);
-        if (o.n == 15) {
-          r[o.d] = value;
-        } else if ((o.mode & Extend::kPair) != 0) {
-          r[o.d] = ((r[o.n] + value) & 0xFFFF) | ((r[o.n] & 0xFFFF0000U) + (value & 0xFFFF0000U));
-        } else {
-          r[o.d] = r[o.n] + value;
-        }
-        break;
-      }
-      case Opcode::ssat:
-      case Opcode::usat:
-        saturate(o);
-        break;
-      case Opcode::mul: {
-        const std::uint32_t result = r[o.n] * r[o.m];
-        r[o.d] = result;
-        if (sets()) g.n = g.z = result;
-        break;
-      }
-      case Opcode::mla:
-        r[o.d] = r[o.a] + r[o.n] * r[o.m];
-        break;
-      case Opcode::mls:
-        r[o.d] = r[o.a] - r[o.n] * r[o.m];
-        break;
-      case Opcode::smull:
-      case Opcode::umull:
-      case Opcode::smlal:
-      case Opcode::umlal:
-      case Opcode::umaal:
-        multiply_long(o);
-        break;
-      case Opcode::sdiv: {
-        const auto n = static_cast<std::int32_t>(r[o.n]), m = static_cast<std::int32_t>(r[o.m]);
-        r[o.d] = m == 0 ? 0 : m == -1 ? 0U - r[o.n] : static_cast<std::uint32_t>(n / m);
-        break;
-      }
-      case Opcode::udiv:
-        r[o.d] = r[o.m] == 0 ? 0 : r[o.n] / r[o.m];
-        break;
-      case Opcode::media:
-        media(o);
-        break;
-      case Opcode::nop:
-        break;
-      case Opcode::dsb:
-        drained_at = pace.time;
-        break;
-      case Opcode::it:
-        begin_it(address, o.imm);
-        break;
-      case Opcode::wfi:
-        return stop(Halt::sleep, next);
-      case Opcode::cps:
-        if ((o.imm & 2) != 0) g.primask = o.mode;
-        if ((o.imm & 1) != 0) g.faultmask = o.mode;
-        outside_.masks_changed();
-        break;
-      case Opcode::mrs:
-        read_special(o);
-        break;
-      case Opcode::msr:
-        write_special(o);
-        break;
-      case Opcode::svc:
-        return stop(Halt::supervisor_call, next);
-      case Opcode::bkpt:
-        return stop_again(Halt::breakpoint);
-      case Opcode::vldr:
-      case Opcode::vstr:
-        if (o.amount == 1 && o.n != 15) {
-          const std::uint32_t place = r[o.n] + o.imm;
-          if (o.kind == Opcode::vldr ? !load<std::uint32_t>(place, g.s[o.d]) : !store<std::uint32_t>(place, g.s[o.d]))
-            return stop_again(Halt::bad_access);
+        case Opcode::shift_by: {
+          std::uint32_t carry = g.c;
+          r[o.d] = shift_by(o.shift, r[o.n], r[o.m] & 0xFF, carry);
           break;
         }
-        [[fallthrough]];
-      case Opcode::vldm:
-      case Opcode::vstm:
-        if (!float_memory(o)) return stop_again(Halt::bad_access);
-        break;
-      case Opcode::undefined:
-        return stop_again(Halt::undefined);
-      default:
-        floating(o);
-        break;
-    }
-    if ((o.info.flags & (InstructionInfo::kMovesStack | InstructionInfo::kLoadsPc)) == 0) continue;
-    if ((o.info.flags & InstructionInfo::kLoadsPc) != 0) {
-      const std::uint32_t target = r[15];
+        case Opcode::shifts_by: {
+          std::uint32_t carry = g.c;
+          r[o.d] = shift_by(o.shift, r[o.n], r[o.m] & 0xFF, carry);
+          set_nz(r[o.d]);
+          g.c = carry;
+          break;
+        }
+        case Opcode::mov_plain:
+          r[o.d] = r[o.m];
+          break;
+        case Opcode::add_plain:
+          r[o.d] = r[o.n] + r[o.m];
+          break;
+        case Opcode::mov_pc:
+          next = r[o.m] & ~1U;
+          if (next >= 0xFFFFFF00U) return stop(Halt::exception_return, next);
+          break;
+        case Opcode::add_pc:
+          next = (r[15] + r[o.m]) & ~1U;
+          break;
+        case Opcode::movt:
+          r[o.d] = (r[o.d] & 0xFFFF) | o.imm << 16;
+          break;
+        case Opcode::adr:
+          r[o.d] = (r[15] & ~3U) + o.imm;
+          break;
+        case Opcode::b:
+          next = r[15] + o.imm;
+          break;
+        case Opcode::b_cond:
+          next = condition(o.mode) ? r[15] + o.imm : expected;
+          break;
+        case Opcode::bl:
+          r[14] = expected | 1;
+          next = r[15] + o.imm;
+          break;
+        case Opcode::bx:
+          if (const Halt why = interwork(r[o.m]); why != Halt::asked) return why;
+          break;
+        case Opcode::blx: {
+          const std::uint32_t target = r[o.m];
+          r[14] = expected | 1;
+          if (const Halt why = interwork(target); why != Halt::asked) return why;
+          break;
+        }
+        case Opcode::cbz:
+          next = r[o.n] == 0 ? r[15] + o.imm : expected;
+          break;
+        case Opcode::cbnz:
+          next = r[o.n] != 0 ? r[15] + o.imm : expected;
+          break;
+        case Opcode::tbb:
+        case Opcode::tbh: {
+          std::uint32_t halves = 0;
+          const bool bytes = o.kind == Opcode::tbb;
+          if (bytes ? !load<std::uint8_t>(r[o.n] + r[o.m], halves) : !load<std::uint16_t>(r[o.n] + 2 * r[o.m], halves))
+            return stop_again(Halt::bad_access);
+          next = r[15] + 2 * halves;
+          break;
+        }
+        case Opcode::indexed:
+          if (!indexed(o)) return stop_again(Halt::bad_access);
+          break;
+        case Opcode::ldm: {
+          std::uint32_t target = 0;
+          if (!load_multiple(o, target)) return stop_again(Halt::bad_access);
+          if ((o.imm & 0x8000) == 0) break;
+          if (const Halt why = interwork(target); why != Halt::asked) return why;
+          break;
+        }
+        case Opcode::stm:
+          if (!store_multiple(o)) return stop_again(Halt::bad_access);
+          break;
+        case Opcode::ldrd:
+        case Opcode::strd:
+          if (!dual(o, o.kind == Opcode::ldrd)) return stop_again(Halt::bad_access);
+          break;
+        case Opcode::ldrex:
+        case Opcode::strex:
+          if (!exclusive(o)) return stop_again(Halt::bad_access);
+          break;
+        case Opcode::clrex:
+          g.exclusive = false;
+          break;
+        case Opcode::ubfx:
+        case Opcode::sbfx:
+        case Opcode::bfi:
+          bit_field(o);
+          break;
+        case Opcode::clz:
+          r[o.d] = static_cast<std::uint32_t>(std::countl_zero(r[o.m]));
+          break;
+        case Opcode::rbit:
+          r[o.d] = reverse_bits(r[o.m]);
+          break;
+        case Opcode::rev:
+          r[o.d] = __builtin_bswap32(r[o.m]);
+          break;
+        case Opcode::rev16:
+          r[o.d] = (r[o.m] & 0x00FF00FFU) << 8 | (r[o.m] >> 8 & 0x00FF00FFU);
+          break;
+        case Opcode::revsh:
+          r[o.d] = static_cast<std::uint32_t>(
+              static_cast<std::int16_t>(__builtin_bswap16(static_cast<std::uint16_t>(r[o.m]))));
+          break;
+        case Opcode::extend: {
+          const std::uint32_t value = extended(std::rotr(r[o.m], o.amount), o.mode);
+          if (o.n == 15) {
+            r[o.d] = value;
+          } else if ((o.mode & Extend::kPair) != 0) {
+            r[o.d] = ((r[o.n] + value) & 0xFFFF) | ((r[o.n] & 0xFFFF0000U) + (value & 0xFFFF0000U));
+          } else {
+            r[o.d] = r[o.n] + value;
+          }
+          break;
+        }
+        case Opcode::ssat:
+        case Opcode::usat:
+          saturate(o);
+          break;
+        case Opcode::mul:
+          r[o.d] = r[o.n] * r[o.m];
+          break;
+        case Opcode::muls:
+          r[o.d] = r[o.n] * r[o.m];
+          set_nz(r[o.d]);
+          break;
+        case Opcode::mla:
+          r[o.d] = r[o.a] + r[o.n] * r[o.m];
+          break;
+        case Opcode::mls:
+          r[o.d] = r[o.a] - r[o.n] * r[o.m];
+          break;
+        case Opcode::smull:
+        case Opcode::umull:
+        case Opcode::smlal:
+        case Opcode::umlal:
+        case Opcode::umaal:
+          multiply_long(o);
+          break;
+        case Opcode::sdiv: {
+          const auto n = static_cast<std::int32_t>(r[o.n]), m = static_cast<std::int32_t>(r[o.m]);
+          r[o.d] = m == 0 ? 0 : m == -1 ? 0U - r[o.n] : static_cast<std::uint32_t>(n / m);
+          break;
+        }
+        case Opcode::udiv:
+          r[o.d] = r[o.m] == 0 ? 0 : r[o.n] / r[o.m];
+          break;
+        case Opcode::media:
+          media(o);
+          break;
+        case Opcode::nop:
+          break;
+        case Opcode::dsb:
+          drained_at = pace.time;
+          break;
+        case Opcode::it:
+          begin_it(address, o.imm);
+          break;
+        case Opcode::wfi:
+          return stop(Halt::sleep, expected);
+        case Opcode::cps:
+          if ((o.imm & 2) != 0) g.primask = o.mode;
+          if ((o.imm & 1) != 0) g.faultmask = o.mode;
+          outside_.masks_changed();
+          break;
+        case Opcode::mrs:
+          read_special(o);
+          break;
+        case Opcode::msr:
+          write_special(o);
+          break;
+        case Opcode::svc:
+          return stop(Halt::supervisor_call, expected);
+        case Opcode::bkpt:
+          return stop_again(Halt::breakpoint);
+        case Opcode::vldr:
+        case Opcode::vstr:
+        case Opcode::vldm:
+        case Opcode::vstm:
+          if (!begin_float()) return stop_again(Halt::no_fpu);
+          if (!float_memory(o)) return stop_again(Halt::bad_access);
+          break;
+        case Opcode::vldr_word:
+          if (!begin_float()) return stop_again(Halt::no_fpu);
+          if (!load<std::uint32_t>(r[o.n] + o.imm, g.s[o.d])) return stop_again(Halt::bad_access);
+          break;
+        case Opcode::vstr_word:
+          if (!begin_float()) return stop_again(Halt::no_fpu);
+          if (!store<std::uint32_t>(r[o.n] + o.imm, g.s[o.d])) return stop_again(Halt::bad_access);
+          break;
+        case Opcode::undefined:
+          return stop_again((o.info.flags & InstructionInfo::kFloatingPoint) != 0 && !fpu_on ? Halt::no_fpu
+                                                                                             : Halt::undefined);
+        // clang-format off
+        case Opcode::vmov_to_core: case Opcode::vmov_from_core: case Opcode::vmov_pair: case Opcode::vmrs:
+        case Opcode::vmsr: case Opcode::vmov_imm: case Opcode::vmov: case Opcode::vabs: case Opcode::vneg:
+        case Opcode::vadd: case Opcode::vsub: case Opcode::vmul: case Opcode::vnmul: case Opcode::vdiv:
+        case Opcode::vsqrt: case Opcode::vmla: case Opcode::vmls: case Opcode::vnmla: case Opcode::vnmls:
+        case Opcode::vfma: case Opcode::vfms: case Opcode::vfnma: case Opcode::vfnms: case Opcode::vcmp:
+        case Opcode::vcmp_zero: case Opcode::vcvt_to_int: case Opcode::vcvt_from_int: case Opcode::vcvt_fixed:
+        case Opcode::vcvt_half:
+          // clang-format on
+          if (!begin_float()) return stop_again(Halt::no_fpu);
+          floating(o);
+          break;
+        default:
+          __builtin_unreachable();
+      }
+      constexpr unsigned kElsewhere = InstructionInfo::kLoadsPc | InstructionInfo::kJumps,
+                         kLook = kElsewhere | InstructionInfo::kMovesStack | InstructionInfo::kAlone;
+      if ((o.info.flags & kLook) != 0) {
+        if ((o.info.flags & kElsewhere) == 0) next = expected;
+        if ((o.info.flags & InstructionInfo::kLoadsPc) != 0) {
+          const std::uint32_t target = r[15];
+          r[15] = address + 4;
+          if (const Halt why = interwork(target); why != Halt::asked) return why;
+        }
+        if (r[13] < stack_alarm) outside_.stack_moved();
+        if (next != expected || (o.info.flags & InstructionInfo::kAlone) != 0) break;
+      }
+      here += o.info.bytes / 2U;
+      address = expected;
       r[15] = address + 4;
-      if (const Halt why = interwork(target); why != Halt::asked) return why;
+      if (pace.time >= pace.stop_at && outside_.stops(address)) return stop(Halt::asked, address);
     }
-    if (r[13] < stack_alarm) outside_.stack_moved();
   }
 }
 

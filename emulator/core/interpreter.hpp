@@ -63,12 +63,8 @@ class Interpreter {
   std::uint32_t stack_alarm = 0;
   Time drained_at = 0;  ///< of the last DSB: every store before it has left the core
 
-  /// The first `bytes` of flash hold another image.
-  void forget_flash(std::uint32_t bytes) {
-    operations_.assign(bytes / 2 + 1, {});
-    known_ = operations_.data();
-    known_count_ = bytes / 2 + 1;
-  }
+  /// The first `bytes` of flash hold an image from now on; none of it changes while it runs.
+  void take_apart_flash(std::uint32_t bytes);
   /// Runs until it has to stop.
   Halt run();
 
@@ -82,9 +78,12 @@ class Interpreter {
  private:
   template <CostModel Cost, FlashModel Flash>
   Halt run_with();
-  const Operation* operation_at(std::uint32_t address, Operation& outside_image);
+  const Operation* operation_at(std::uint32_t address, Operation& outside_image) const;
   const Operation* take_apart_at(std::uint32_t address, Operation& into) const;
+  template <CostModel Cost>
+  void arrive(std::uint32_t address, std::uint32_t expected);
   void pass_skipped(std::uint32_t from, std::uint32_t address);
+  bool begin_float();
   [[nodiscard]] bool condition(unsigned code) const;
   void begin_it(std::uint32_t address, std::uint32_t state);
 
@@ -143,10 +142,10 @@ class Interpreter {
 
   Memories memories_;
   Outside& outside_;
-  std::vector<Operation> operations_;  ///< one per halfword of the image
-  Operation* known_ = nullptr;         ///< the same, at hand
-  std::uint32_t known_count_ = 0;
-  Operation elsewhere_;  ///< of an instruction outside of it
+  std::vector<Operation> operations_;  ///< one per halfword of the image, and what lies behind its end
+  const Operation* known_ = nullptr;   ///< the same, at hand
+  std::uint32_t known_count_ = 0;      ///< halfwords of the image
+  Operation elsewhere_, conditional_;  ///< an instruction outside of it; one inside an IT block
   std::uint32_t bad_address_ = 0;
 };
 

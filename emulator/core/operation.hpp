@@ -10,13 +10,22 @@ namespace finemote::emulator {
 /// What an instruction does. Names are those of the ARMv7-M Architecture Reference Manual, A7.7.
 enum class Opcode : std::uint8_t {
   undefined,
-  // Data processing, first with an immediate, then, in the same order, with a register shifted by a constant.
   // clang-format off
-  and_imm, bic_imm, orr_imm, orn_imm, eor_imm, mov_imm, mvn_imm, tst_imm, teq_imm,
-  add_imm, adc_imm, sub_imm, sbc_imm, rsb_imm, cmp_imm, cmn_imm,
-  and_reg, bic_reg, orr_reg, orn_reg, eor_reg, mov_reg, mvn_reg, tst_reg, teq_reg,
-  add_reg, adc_reg, sub_reg, sbc_reg, rsb_reg, cmp_reg, cmn_reg,
-  shift_by,                        // register by register; `shift` says how
+  // Data processing with an immediate, a register, a register shifted by a constant; then, in the same order, the forms
+  // that set the flags of those that have a result.
+  and_imm, bic_imm, orr_imm, orn_imm, eor_imm, mov_imm, mvn_imm, add_imm, adc_imm, sub_imm, sbc_imm, rsb_imm,
+  tst_imm, teq_imm, cmp_imm, cmn_imm,
+  and_reg, bic_reg, orr_reg, orn_reg, eor_reg, mov_reg, mvn_reg, add_reg, adc_reg, sub_reg, sbc_reg, rsb_reg,
+  tst_reg, teq_reg, cmp_reg, cmn_reg,
+  and_shifted, bic_shifted, orr_shifted, orn_shifted, eor_shifted, mov_shifted, mvn_shifted, add_shifted, adc_shifted,
+  sub_shifted, sbc_shifted, rsb_shifted, tst_shifted, teq_shifted, cmp_shifted, cmn_shifted,
+  ands_imm, bics_imm, orrs_imm, orns_imm, eors_imm, movs_imm, mvns_imm, adds_imm, adcs_imm, subs_imm, sbcs_imm,
+  rsbs_imm,
+  ands_reg, bics_reg, orrs_reg, orns_reg, eors_reg, movs_reg, mvns_reg, adds_reg, adcs_reg, subs_reg, sbcs_reg,
+  rsbs_reg,
+  ands_shifted, bics_shifted, orrs_shifted, orns_shifted, eors_shifted, movs_shifted, mvns_shifted, adds_shifted,
+  adcs_shifted, subs_shifted, sbcs_shifted, rsbs_shifted,
+  shift_by, shifts_by,             // register by register; `shift` says how
   mov_plain, add_plain,            // without flags and shift, low or high registers
   mov_pc, add_pc, movt, adr,       // adr: imm counts from the aligned PC
   // Branches; imm is the distance from the instruction plus 4.
@@ -32,12 +41,12 @@ enum class Opcode : std::uint8_t {
   // Bits and bytes.
   ubfx, sbfx, bfi, clz, rbit, rev, rev16, revsh, extend, // extend: mode bits: see Extend
   ssat, usat,
-  mul, mla, mls, smull, umull, smlal, umlal, umaal, sdiv, udiv,
+  mul, muls, mla, mls, smull, umull, smlal, umlal, umaal, sdiv, udiv,
   media,                           // the DSP extension; `a`: Media
   // System.
   nop, dsb, it, wfi, cps, mrs, msr, svc, bkpt,
   // Floating point.
-  vldr, vstr, vldm, vstm, vmov_to_core, vmov_from_core, vmov_pair, vmrs, vmsr,
+  vldr, vstr, vldm, vstm, vldr_word, vstr_word, vmov_to_core, vmov_from_core, vmov_pair, vmrs, vmsr,
   vmov_imm, vmov, vabs, vneg, vadd, vsub, vmul, vnmul, vdiv, vsqrt,
   vmla, vmls, vnmla, vnmls, vfma, vfms, vfnma, vfnms,
   vcmp, vcmp_zero, vcvt_to_int, vcvt_from_int, vcvt_fixed, vcvt_half,
@@ -71,11 +80,12 @@ enum class Media : std::uint8_t {
 
 /// One instruction, taken apart.
 struct Operation {
-  /// Flags: never, outside an IT block (16-bit encodings), always.
+  /// Flags are set never, outside an IT block (16-bit encodings), always.
   static constexpr std::uint8_t kNever = 0, kOutsideIt = 1, kAlways = 2;
+  static constexpr unsigned kForms = 16, kSettingForms = 12;  ///< of data processing, by their last operand
 
   Opcode kind = Opcode::undefined;
-  InstructionInfo info;  ///< cycles 0: not taken apart yet
+  InstructionInfo info;
   std::uint8_t d = 0, n = 0, m = 0, a = 0;
   Shift shift = Shift::lsl;
   std::uint8_t amount = 0;  ///< of the shift, 0..32
@@ -87,6 +97,9 @@ static_assert(sizeof(Operation) == 16);
 
 /// @param first, second  the halfwords at the instruction; second is ignored for a 16-bit one
 Operation take_apart(std::uint16_t first, std::uint16_t second);
+
+/// What it does inside an IT block.
+Operation inside_it(Operation operation);
 
 /// The part of it for coprocessors 10 and 11; the operation's cost is left to `take_apart`.
 Operation take_apart_float(unsigned first, unsigned second);

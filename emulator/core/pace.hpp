@@ -30,25 +30,16 @@ struct Pace {
   /// Inside the block of an IT instruction, behind its first boundary.
   [[nodiscard]] bool in_it_block(std::uint32_t address) const { return address > it_begin && address < it_end; }
 
-  /// @tparam Cost, Flash  what `cost` and `flash` say
-  /// @param follows  where the instruction is without a jump
-  /// @param skipped  charges the conditional instructions passed over from there to `address`
-  template <CostModel Cost, FlashModel Flash, class Skipped>
-  void account(std::uint32_t address, std::uint32_t follows, const InstructionInfo& info, Skipped skipped) {
-    if (address != follows) {
-      if (address > follows && address <= it_end && follows > it_begin) {
-        skipped();
-      } else if constexpr (Cost != CostModel::qemu) {
-        time += kRefillCycles * cycle;
-      }
-    }
+  /// Charges an instruction. @tparam Cost, Flash  what `cost` and `flash` say
+  template <CostModel Cost, FlashModel Flash>
+  void account(std::uint32_t address, unsigned cycles) {
     if constexpr (Flash == FlashModel::miss_always) {
       if ((address >> 4) != line) {
         line = address >> 4;
         time += kFlashWait * cycle;
       }
     }
-    time += Cost == CostModel::qemu ? kQemuInstruction : info.cycles * cycle;
+    time += Cost == CostModel::qemu ? kQemuInstruction : cycles * cycle;
     ++instructions;
   }
 };

@@ -6,10 +6,11 @@
 namespace finemote::emulator {
 namespace {
 
-/// Calls it now, and again after every `period`.
-void every(World& world, Time period, const std::function<void(Time)>& step) {
-  step(world.now());
-  world.after(period, [&world, period, step] { every(world, period, step); });
+/// Steps it now, and again after every step of its own.
+template <class Plant>
+void keep_stepping(World& world, Plant& plant) {
+  plant.step(world.now());
+  world.after(Plant::kStep, [&world, &plant] { keep_stepping(world, plant); });
 }
 
 MecanumBase::Parameters base_of(const Json& part) {
@@ -30,7 +31,7 @@ class MecanumElement : public Element, public BodySource {
   void connect(Outfit& outfit) override {
     const auto radius = need<double>(part_, "wheel_radius");
     for (const Json& entry : need<Json>(part_, "wheels")) body_.add_wheel(wheel(outfit, entry, radius));
-    every(outfit.board().world(), MecanumBase::kStep, [this](Time now) { body_.step(now); });
+    keep_stepping(outfit.board().world(), body_);
   }
   bool happen(const std::string& what, const Json& event) override {
     if (what != "disturb") return false;
@@ -65,7 +66,7 @@ class WeightsElement : public Element {
     if (source == nullptr) refuse(part_, "there is no such body");
     weights_ = std::make_unique<Weights>(source->body());
     for (const Json& entry : need<Json>(part_, "joints")) add(outfit, entry);
-    every(outfit.board().world(), Weights::kStep, [this](Time now) { weights_->step(now); });
+    keep_stepping(outfit.board().world(), *weights_);
   }
 
  private:

@@ -26,14 +26,23 @@ class Weights {
   /// After the joint that carries it. @return its number
   std::size_t add(const Node& node) {
     nodes_.push_back(node);
+    standing_.emplace_back();
     return nodes_.size() - 1;
   }
   /// Finds the torques until the next step. To be called every kStep.
   void step(Time now);
 
  private:
+  /// A joint as it stands, with what hangs at it.
+  struct Standing {
+    Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();  ///< the joint's, turned, in the body's
+    double mass = 0;                                          ///< kg
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< kg m, in the body's axes
+  };
+
   Body& body_;
   std::vector<Node> nodes_;
+  std::vector<Standing> standing_;  ///< one per node
 };
 
 }  // namespace finemote::emulator

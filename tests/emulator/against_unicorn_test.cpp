@@ -59,7 +59,7 @@ class Ours {
     g.set_flags(state.flags);
     g.fpscr = state.float_flags;
     g.next = state.r[15];
-    core_.forget_flash(0);
+    core_.take_apart_flash(0);
     nothing_.left = instructions != 0 ? instructions : 100;
     nothing_.end = end;
     const Halt why = core_.run();
