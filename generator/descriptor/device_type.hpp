@@ -45,6 +45,7 @@ struct ParamSpec {
   Unit unit = Unit::none;
   std::string unit_text;            ///< for kinds without conversion (`deg`, `mm`): documentation only
   std::optional<double> min, max;   ///< inclusive, base unit
+  std::string at_least;             ///< the param whose value it is not below; empty: none
   std::vector<std::string> values;  ///< allowed spellings of an enumeration, or of an integer given as a list
   std::map<std::string, std::string> enumerators;  ///< spelling -> C++ enumerator
   std::optional<ParamValue> fallback;              ///< the default; none: the param is required

@@ -77,19 +77,6 @@ Parsed parse_enumeration(const ParamSpec& spec, std::string_view text) {
                     did_you_mean(text, spec.values)};
 }
 
-double as_number(const ParamValue& value) {
-  if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
-  if (const auto* real = std::get_if<double>(&value)) return *real;
-  return 0;
-}
-
-std::string in_unit(const ParamSpec& spec, double value) {
-  if (spec.unit == Unit::time_ns) return units::format_duration(static_cast<std::int64_t>(value));
-  if (spec.unit == Unit::percent) return fmt::format("{}%", value * 100);
-  const std::string unit = spec.unit == Unit::none ? "" : spec.unit_text;
-  return fmt::format("{}{}", value, unit);
-}
-
 /// A time without unit: the unit it was probably meant in is the one its default is written in, else one that brings it
 /// into the range.
 std::string meant_time(const ParamSpec& spec, std::string_view text) {
@@ -120,14 +107,15 @@ ParamFault with_meant_unit(const ParamSpec& spec, std::string_view text, ParamFa
 }
 
 std::optional<ParamFault> check_range(const ParamSpec& spec, const ParamValue& value, std::string_view text) {
-  const double number = as_number(value);
+  const double number = number_of(value);
   const bool low = spec.min && number < *spec.min;
   const bool high = spec.max && number > *spec.max;
   if (low || high) {
-    const std::string range = spec.min && spec.max ? fmt::format("write a value from {} to {}",
-                                                                 in_unit(spec, *spec.min), in_unit(spec, *spec.max))
-                              : spec.min           ? fmt::format("the least is {}", in_unit(spec, *spec.min))
-                                                   : fmt::format("the most is {}", in_unit(spec, *spec.max));
+    const std::string range =
+        spec.min && spec.max
+            ? fmt::format("write a value from {} to {}", number_text(spec, *spec.min), number_text(spec, *spec.max))
+        : spec.min ? fmt::format("the least is {}", number_text(spec, *spec.min))
+                   : fmt::format("the most is {}", number_text(spec, *spec.max));
     return ParamFault{code::param_range, fmt::format("'{}' is out of range", text), range};
   }
   const auto* integer = std::get_if<std::int64_t>(&value);
@@ -175,6 +163,7 @@ class SpecReader {
     read_values();
     read_range();
     read_default();
+    spec_.at_least = value_.value("at_least", "");
     return std::move(spec_);
   }
 
@@ -212,7 +201,7 @@ class SpecReader {
   }
   std::optional<double> read_bound(const Json& bound, const std::string& member) {
     const Parsed parsed = parse_number(spec_, as_text(bound));
-    if (parsed.index() == 0) return as_number(std::get<0>(parsed));
+    if (parsed.index() == 0) return number_of(std::get<0>(parsed));
     complain(member, std::get<1>(parsed).code, std::get<1>(parsed).message);
     return {};
   }
@@ -234,7 +223,51 @@ class SpecReader {
   ParamSpec spec_;
 };
 
+/// Why `spec` cannot be at least `lower`; empty: it can.
+std::string fault_of_order(const ParamSpec& spec, const ParamSpec* lower) {
+  const auto is_number = [](ParamKind kind) { return kind == ParamKind::integer || kind == ParamKind::real; };
+  if (lower == nullptr || lower == &spec) return "there is no other param of this name";
+  if (!is_number(spec.kind) || lower->kind != spec.kind || lower->unit_text != spec.unit_text)
+    return "they are not numbers of one type and unit";
+  if (spec.fallback && lower->fallback && number_of(*spec.fallback) < number_of(*lower->fallback))
+    return "the default is below its default";
+  return {};
+}
+
+void check_orders(const std::vector<ParamSpec>& specs, const SourceFile& source, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < specs.size(); ++i) {
+    const std::string& lower = specs[i].at_least;
+    const std::string fault = lower.empty() ? "" : fault_of_order(specs[i], find_spec(specs, lower));
+    if (fault.empty()) continue;
+    const Extent extent = find_value(source, {"params", std::to_string(i), "at_least"});
+    diagnostics
+        .error(code::descriptor_contradiction, extent.at,
+               fmt::format("param '{}' at least '{}': {}", specs[i].name, lower, fault))
+        .underline(extent.length);
+  }
+}
+
 }  // namespace
+
+double number_of(const ParamValue& value) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
+  if (const auto* real = std::get_if<double>(&value)) return *real;
+  return 0;
+}
+
+std::string number_text(const ParamSpec& spec, double value) {
+  if (spec.unit == Unit::time_ns) return units::format_duration(static_cast<std::int64_t>(value));
+  if (spec.unit == Unit::percent) return fmt::format("{}%", value * 100);
+  const std::string unit = spec.unit == Unit::none ? "" : spec.unit_text;
+  return fmt::format("{}{}", value, unit);
+}
+
+const ParamSpec* find_spec(const std::vector<ParamSpec>& specs, std::string_view name) {
+  for (const ParamSpec& spec : specs) {
+    if (spec.name == name) return &spec;
+  }
+  return nullptr;
+}
 
 std::variant<ParamValue, ParamFault> parse_param(const ParamSpec& spec, std::string_view text) {
   if (spec.kind == ParamKind::text) return ParamValue(std::string(text));
@@ -260,6 +293,7 @@ std::vector<ParamSpec> read_params(const Json& owner, const SourceFile& source, 
         .error(code::descriptor_contradiction, extent.at, fmt::format("there are two params '{}'", specs.back().name))
         .underline(extent.length);
   }
+  check_orders(specs, source, diagnostics);
   return specs;
 }
 

@@ -175,6 +175,23 @@ class Linter {
     }
     return 0;
   }
+  [[nodiscard]] bool suits_neighbours(const Device& device, std::int64_t period) const {
+    const auto suits = [&](std::size_t other) {
+      const std::int64_t theirs = robot_.devices[other].period_ns;
+      return period % theirs == 0 || theirs % period == 0;
+    };
+    return (!device.parent || suits(*device.parent)) &&
+           std::all_of(device.children.begin(), device.children.end(), suits);
+  }
+  /// The shortest period of whole ticks from `least` on that suits parent and children, if there is one nearby.
+  [[nodiscard]] std::int64_t suitable_period(const Device& device, std::int64_t least) const {
+    constexpr std::int64_t kTries = 1000;
+    const std::int64_t first = (least + robot_.tick_ns - 1) / robot_.tick_ns * robot_.tick_ns;
+    for (std::int64_t n = 0; n < kTries; ++n) {
+      if (suits_neighbours(device, first + n * robot_.tick_ns)) return first + n * robot_.tick_ns;
+    }
+    return first;
+  }
   void check_conversion(const Device& device) {
     const std::int64_t conversion = conversion_ns(device);
     if (conversion <= device.period_ns) return;
@@ -183,11 +200,10 @@ class Linter {
                fmt::format("a conversion of device '{}' takes {}, longer than its period of {}", device.name.text,
                            units::format_duration(conversion), units::format_duration(device.period_ns)));
     if (finding == nullptr) return;
-    const std::int64_t enough = (conversion + robot_.tick_ns - 1) / robot_.tick_ns * robot_.tick_ns;
     finding->underline(7)
         .note("most of its updates will find no new sample")
         .hint(fmt::format("write period=\"{}\" or longer, or choose a shorter conversion",
-                          units::format_duration(enough)));
+                          units::format_duration(suitable_period(device, conversion))));
   }
 
   void check_replaced(const Device& device) {

@@ -26,6 +26,13 @@ bool makes(const Port& port, std::int64_t rate) {
   return port.rates.empty() || std::find(port.rates.begin(), port.rates.end(), rate) != port.rates.end();
 }
 
+std::vector<std::int64_t> usual_rates(BusKind kind) {
+  const std::string_view attribute = rate_attribute(kind);
+  if (attribute == "bitrate") return {125'000, 250'000, 500'000, 1'000'000};
+  if (attribute == "clock") return {100'000, 400'000, 1'000'000, 2'000'000, 5'000'000, 10'000'000, 20'000'000};
+  return {9'600, 19'200, 38'400, 57'600, 115'200, 230'400, 460'800, 921'600, 1'000'000, 2'000'000, 3'000'000};
+}
+
 }  // namespace
 
 std::string_view rate_attribute(BusKind kind) {
@@ -50,6 +57,24 @@ std::string rate_text(BusKind kind, std::int64_t rate) {
   if (rate % 1'000'000 == 0) return fmt::format("{}M{}", rate / 1'000'000, unit);
   if (rate % 1'000 == 0) return fmt::format("{}k{}", rate / 1'000, unit);
   return fmt::format("{}{}", rate, unit);
+}
+
+std::vector<std::int64_t> faster_rates(const Port& port, BusKind kind, std::int64_t least, const RateLimits& limits) {
+  std::vector<std::int64_t> rates = limits.settings.empty() ? usual_rates(kind) : limits.settings.front();
+  const std::optional<std::int64_t> top = limits.clock ? limits.clock : port.max_rate;
+  if (limits.settings.empty() && rate_attribute(kind) == "clock" && top)
+    rates.push_back(std::min(*top, port.max_rate.value_or(*top)));
+  std::sort(rates.begin(), rates.end());
+  rates.erase(std::unique(rates.begin(), rates.end()), rates.end());
+  const auto serves = [&](std::int64_t rate) {
+    return rate > least && rate <= limits.clock.value_or(rate) && makes(port, rate) &&
+           std::all_of(limits.settings.begin(), limits.settings.end(), [&](const std::vector<std::int64_t>& known) {
+             return std::find(known.begin(), known.end(), rate) != known.end();
+           });
+  };
+  rates.erase(std::remove_if(rates.begin(), rates.end(), [&](std::int64_t rate) { return !serves(rate); }),
+              rates.end());
+  return rates;
 }
 
 std::vector<std::string> free_ports(const Board& board, const std::vector<std::string>& used, BusKind kind) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,16 @@ std::string_view rate_attribute(BusKind kind);
 
 /// A rate as the attribute writes it, in the largest unit that divides it: `400kHz`, `1Mbit/s`, `115200baud`.
 std::string rate_text(BusKind kind, std::int64_t rate);
+
+/// What limits the rate of a bus besides its port.
+struct RateLimits {
+  std::optional<std::int64_t> clock;                ///< the fastest of the slowest part
+  std::vector<std::vector<std::int64_t>> settings;  ///< of parts that know only some rates
+};
+
+/// Rates above `least` that the port makes, rising: the usual ones of the kind and the fastest clock, or those that all
+/// parts with settings have.
+std::vector<std::int64_t> faster_rates(const Port& port, BusKind kind, std::int64_t least, const RateLimits& limits);
 
 /// Ports of the board that serve the kind, are not among the `used` ones and need nothing that those occupy.
 std::vector<std::string> free_ports(const Board& board, const std::vector<std::string>& used, BusKind kind);

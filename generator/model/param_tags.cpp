@@ -10,13 +10,6 @@
 namespace finemote::gen {
 namespace {
 
-const ParamSpec* find_spec(const std::vector<ParamSpec>& specs, std::string_view name) {
-  for (const ParamSpec& spec : specs) {
-    if (spec.name == name) return &spec;
-  }
-  return nullptr;
-}
-
 std::vector<std::string> names_of(const std::vector<ParamSpec>& specs) {
   std::vector<std::string> names;
   for (const ParamSpec& spec : specs) names.push_back(spec.name);
@@ -53,6 +46,34 @@ std::string example_of(const ParamSpec& spec) {
          : spec.unit == Unit::frequency_hz ? "50Hz"
          : spec.unit == Unit::bit_rate     ? "115200baud"
                                            : "1";
+}
+
+/// Said of whichever of the two is given, of the upper one first.
+void check_order(Diagnostics& diagnostics, const std::map<std::string, const xml::Node*>& given, const Param& upper,
+                 const Param& lower, const std::string& owner) {
+  if (number_of(upper.value) >= number_of(lower.value)) return;
+  const Param &named = upper.given ? upper : lower, &other = upper.given ? lower : upper;
+  if (!named.given) return;
+  const TextAt text = element_text(*given.at(named.spec->name));
+  diagnostics
+      .error(code::param_range, text.at,
+             fmt::format("param '{}' of {}: '{}' is {} '{}', which is {}{}", named.spec->name, owner, text.text,
+                         upper.given ? "below" : "above", other.spec->name,
+                         number_text(*other.spec, number_of(other.value)), other.given ? "" : " by default"))
+      .underline(text.text.size())
+      .note(fmt::format("{}: {}", upper.spec->name, upper.spec->summary))
+      .note(fmt::format("{}: {}", lower.spec->name, lower.spec->summary));
+}
+
+void check_orders(Diagnostics& diagnostics, const std::map<std::string, const xml::Node*>& given,
+                  const std::vector<Param>& params, const std::string& owner) {
+  const auto is_known = [&](const Param& param) { return param.given || given.count(param.spec->name) == 0; };
+  for (const Param& upper : params) {
+    for (const Param& lower : params) {
+      if (lower.spec->name == upper.spec->at_least && is_known(upper) && is_known(lower))
+        check_order(diagnostics, given, upper, lower, owner);
+    }
+  }
 }
 
 }  // namespace
@@ -96,6 +117,7 @@ std::vector<Param> read_param_tags(Reading& reading, const xml::Node& tag, const
           .hint(fmt::format("add for example <param name=\"{}\">{}</param>", spec.name, example_of(spec)));
     }
   }
+  check_orders(diagnostics, given, params, owner);
   return params;
 }
 

@@ -377,12 +377,20 @@ std::string another_bus_for(const Reading& reading, const Segment& segment) {
   return fresh.empty() ? fresh : ": " + fresh;
 }
 
+/// Ids that earlier findings offer first, as identifiers on the wire or ids of a type: not to be offered again.
+using Promised = std::vector<IdUser>;
+
 /// What could be written instead; in the part it has to be set as well.
-void offer_ids(const Reading& reading, const Device& device, Diagnostic& finding) {
+void offer_ids(const Reading& reading, const Device& device, Promised& promised, Diagnostic& finding) {
   const Segment& segment = reading.robot.segments[*device.segment];
   std::string list;
-  for (const std::uint32_t id : free_ids(reading, *device.type, *device.segment))
+  for (const std::uint32_t id : free_ids(reading, *device.type, *device.segment)) {
+    const IdUser user{segment.bus, id, device.type};
+    if (std::any_of(promised.begin(), promised.end(), [&](const IdUser& other) { return clash(user, other); }))
+      continue;
+    if (list.empty()) promised.push_back(user);
     list += (list.empty() ? "" : ", ") + std::to_string(id);
+  }
   if (!list.empty()) {
     finding.hint(fmt::format("ids of '{}' that are free on '{}': {}; set the same in the part", device.type->name,
                              segment.name.text, list));
@@ -394,7 +402,7 @@ void offer_ids(const Reading& reading, const Device& device, Diagnostic& finding
       other);
 }
 
-void report_ids(Reading& reading, std::size_t index, std::size_t first) {
+void report_ids(Reading& reading, std::size_t index, std::size_t first, Promised& promised) {
   const Device& device = reading.robot.devices[index];
   const Device& other = reading.robot.devices[first];
   const Name& bus = reading.robot.buses[reading.robot.segments[*device.segment].bus].name;
@@ -405,16 +413,17 @@ void report_ids(Reading& reading, std::size_t index, std::size_t first) {
     finding.note(
         fmt::format("both send frames with the identifier 0x{:03X}", *device.type->receives_base + *device.id));
   finding.note(fmt::format("device '{}' stands here", other.name.text), other.at);
-  offer_ids(reading, device, finding);
+  offer_ids(reading, device, promised, finding);
 }
 
 void check_ids(Reading& reading) {
+  Promised promised;
   for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
     const auto self = id_user(reading, reading.robot.devices[i]);
     for (std::size_t first = 0; self && first < i; ++first) {
       const auto other = id_user(reading, reading.robot.devices[first]);
       if (!other || !clash(*self, *other)) continue;
-      report_ids(reading, i, first);
+      report_ids(reading, i, first, promised);
       break;
     }
   }

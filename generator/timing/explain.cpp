@@ -98,9 +98,11 @@ void add_room_hints(const Timing& timing, std::size_t index, Diagnostic& finding
         fmt::format("set the parts themselves, not this file, to send less often: {:.0f} times as rarely is {}", factor,
                     whole_percent(ours + fixed / factor)));
   }
-  if (!bus.advice.rate.empty()) {
-    finding.hint(fmt::format("write {}, which is about {}", bus.advice.rate,
-                             whole_percent(load * ratio(bus.baud_bps, bus.advice.rate_bps))));
+  const auto load_at = [&](const BusAdvice::Rate& rate) { return load * ratio(bus.baud_bps, rate.bps); };
+  for (const BusAdvice::Rate& rate : bus.advice.rates) {
+    if (load_at(rate) > wanted && rate.bps != bus.advice.rates.back().bps) continue;
+    finding.hint(fmt::format("write {}, which is about {}", rate.text, whole_percent(load_at(rate))));
+    break;
   }
   const std::string busiest = shares.empty() ? std::string() : shares.front().who;
   const bool is_alone = std::all_of(shares.begin(), shares.end(), [&](const Share& s) { return s.who == busiest; });
@@ -194,7 +196,7 @@ class ChainExplainer {
     finding_.note(fmt::format("wire is the largest part: the command of '{}' goes over bus '{}', busy for {}", to,
                               model_.buses[*bus].name, whole_percent(timing_.bus_loads[*bus].utilization)));
     const BusAdvice& advice = model_.buses[*bus].advice;
-    if (!advice.rate.empty()) finding_.hint(fmt::format("write {} at the bus", advice.rate));
+    if (!advice.rates.empty()) finding_.hint(fmt::format("write {} at the bus", advice.rates.back().text));
     if (!advice.other_port.empty())
       finding_.hint("move what need not be on this bus to another one: " + advice.other_port);
   }

@@ -114,28 +114,27 @@ class Adapter {
     model_.buses.push_back(std::move(out));
   }
 
-  /// The fastest rate the port and all that sits on the bus can do, and another bus of the kind.
+  /// Faster rates that the port and all that sits on the bus can do, and another bus of the kind.
   [[nodiscard]] BusAdvice advice(std::size_t index) const {
     const gen::Bus& bus = robot_.buses[index];
     const Port* port = robot_.board != nullptr ? robot_.board->port(bus.port) : nullptr;
     if (port == nullptr) return {};
-    std::int64_t fastest = port->max_rate.value_or(bus.rate);
-    const auto limit = [&](std::optional<std::int64_t> clock, const std::vector<std::int64_t>& rates) {
-      if (clock) fastest = std::min(fastest, *clock);
-      if (!rates.empty()) fastest = std::min(fastest, *std::max_element(rates.begin(), rates.end()));
+    RateLimits limits;
+    const auto limit = [&](std::optional<std::int64_t> clock) {
+      if (clock) limits.clock = std::min(*clock, limits.clock.value_or(*clock));
     };
     for (const gen::Device& device : robot_.devices) {
-      if (device.segment && robot_.segments[*device.segment].bus == index && device.type != nullptr)
-        limit(device.type->max_clock_hz, device.type->rates);
+      if (!device.segment || robot_.segments[*device.segment].bus != index || device.type == nullptr) continue;
+      limit(device.type->max_clock_hz);
+      if (!device.type->rates.empty()) limits.settings.push_back(device.type->rates);
     }
     for (const Expander& expander : robot_.expanders) {
-      if (robot_.segments[expander.segment].bus == index) limit(expander.type->max_clock_hz, {});
+      if (robot_.segments[expander.segment].bus == index) limit(expander.type->max_clock_hz);
     }
     BusAdvice result;
     result.other_port = another_bus(*robot_.board, used_ports(robot_), bus.kind, bus.rate);
-    if (fastest <= bus.rate) return result;
-    result.rate = std::string(rate_attribute(bus.kind)) + "=\"" + rate_text(bus.kind, fastest) + "\"";
-    result.rate_bps = fastest;
+    for (const std::int64_t rate : faster_rates(*port, bus.kind, bus.rate, limits))
+      result.rates.push_back({std::string(rate_attribute(bus.kind)) + "=\"" + rate_text(bus.kind, rate) + "\"", rate});
     return result;
   }
 

@@ -29,9 +29,12 @@ struct InterruptSource {
 
 /// What a message can offer where a bus is too slow; empty where nobody knows.
 struct BusAdvice {
-  std::string rate;        ///< `clock="400kHz"`: the fastest its port and its devices make
-  Ns rate_bps = 0;         ///< the same as a number
-  std::string other_port;  ///< `<bus ... port="i2c3" .../>`: another one of its kind
+  struct Rate {
+    std::string text;  ///< `clock="400kHz"`
+    Ns bps = 0;
+  };
+  std::vector<Rate> rates;  ///< faster ones that its port and its devices make, rising
+  std::string other_port;   ///< `<bus ... port="i2c3" .../>`: another one of its kind
 };
 
 struct Bus {
