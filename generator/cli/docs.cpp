@@ -60,12 +60,12 @@ int run_docs(Context& context) {
   for (const std::string& name : device_type_names(*library)) {
     const DeviceType* type = find_device_type(*library, name, context.sources, context.diagnostics);
     if (type != nullptr)
-      pages.write("devices/" + name + ".md", "`" + name + "`", device_page(type->raw_json, type->include));
+      pages.write("devices/" + name + ".md", "`" + name + "`", device_page(*type->descriptor, type->include));
   }
   for (const std::string& name : board_names(*library)) {
     const Board* board = find_board(*library, name, context.sources, context.diagnostics);
-    if (board == nullptr || Json::parse(board->raw_json).value("watchdog", Json()).is_null()) continue;  // no hardware
-    for (const BoardPage& page : board_pages(board->raw_json))
+    if (board == nullptr || board->file->value("watchdog", Json()).is_null()) continue;  // no hardware
+    for (const BoardPage& page : board_pages(*board->file))
       pages.write(fmt::format("boards/{}/{}.md", name, page.name), page.title, page.text);
   }
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -64,7 +66,8 @@ struct Board {
   std::vector<SpareLine> lines;                                 ///< in order of use
   std::uint32_t first_bucket_level = 0, last_bucket_level = 0;  ///< NVIC priority levels for buckets, inclusive
   std::vector<ParamSpec> params;                                ///< of the `<board>` element
-  std::string raw_json;  ///< the whole file, with the board it extends: costs, driver data, watchdog, errata
+  /// The whole file, with the board it extends: costs, driver data, watchdog, errata.
+  std::shared_ptr<const nlohmann::ordered_json> file;
 
   [[nodiscard]] const Port* port(std::string_view port_name) const {
     for (const Port& p : ports) {

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -113,7 +115,7 @@ struct DeviceType {
   bool actuator = false;
   bool constant_init = true;
   std::optional<WcetDefault> wcet;
-  std::string raw_json;  ///< the whole descriptor: acquisition, interrupts and frames for the timing stage
+  std::shared_ptr<const nlohmann::ordered_json> descriptor;  ///< all of it: acquisition, interrupts, frames, ...
 
   [[nodiscard]] bool has_command() const { return !provides.empty() && provides.front().has_command; }
 };
@@ -131,7 +133,7 @@ struct ExpanderType {
   std::uint32_t channels = 0;
   bool named_channels = false;  ///< each `<channel>` is a bus; otherwise the part itself is
   std::vector<ParamSpec> params;
-  std::string raw_json;
+  std::shared_ptr<const nlohmann::ordered_json> descriptor;
 };
 
 }  // namespace finemote::gen

@@ -251,7 +251,7 @@ DeviceType read_device_type(const Json& value, const SourceFile& source, Diagnos
   type.constant_init = value.value("constant_init", true);
   type.wcet = read_wcet(value);
   read_shared_frames(value, type);
-  type.raw_json = source.text;
+  type.descriptor = std::make_shared<const Json>(value);
   DescriptorCheck(source, diagnostics).check(value, type);
   return type;
 }
@@ -270,7 +270,7 @@ ExpanderType read_expander_type(const Json& value, const SourceFile& source, Dia
   type.channels = provides.at("channels").get<std::uint32_t>();
   type.named_channels = provides.at("named").get<bool>();
   type.params = read_params(value, source, diagnostics);
-  type.raw_json = source.text;
+  type.descriptor = std::make_shared<const Json>(value);
   return type;
 }
 

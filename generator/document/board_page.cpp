@@ -117,8 +117,7 @@ BoardPage pins_page(const Json& board) {
 
 }  // namespace
 
-std::vector<BoardPage> board_pages(const std::string& text) {
-  const Json board = Json::parse(text);
+std::vector<BoardPage> board_pages(const Json& board) {
   std::vector<BoardPage> pages;
   std::string index = sentence(board["summary"].get<std::string>()) + "\n\n" + table({"port", "serves", "connector"});
   for (const Json& port : board["ports"]) {

@@ -1,6 +1,7 @@
 // A board file to one reference page per peripheral, and their index.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,8 @@ struct BoardPage {
   std::string text;
 };
 
-/// `board` is the text of the merged JSON document. The index first, then the ports in the order of the file, then the
+/// `board` is the merged JSON document. The index first, then the ports in the order of the file, then the
 /// single pins.
-std::vector<BoardPage> board_pages(const std::string& board);
+std::vector<BoardPage> board_pages(const nlohmann::ordered_json& board);
 
 }  // namespace finemote::gen

@@ -147,8 +147,7 @@ std::string geometry_text(const Json& geometry) {
 
 }  // namespace
 
-std::string device_page(const std::string& descriptor, const std::string& include) {
-  const Json device = Json::parse(descriptor);
+std::string device_page(const Json& device, const std::string& include) {
   std::string text = sentence(device["summary"].get<std::string>()) + "\n\n" + table({"", ""});
   text += row({"class", fmt::format("`{}` in `<{}>`", device["class"].get<std::string>(), include)});
   text += row({"bus", bus_text(device)});

@@ -55,8 +55,7 @@ std::vector<LinkField> read_fields(const json& list) {
 /// interfaces does. None: only its Stamp is known.
 std::optional<std::vector<LinkField>> fields_of(const DeviceType& type, const json& interfaces, const char* what) {
   if (type.provides.empty()) return std::nullopt;
-  const json descriptor = json::parse(type.raw_json);
-  const json& provided = descriptor.at("provides").at(0);
+  const json& provided = type.descriptor->at("provides").at(0);
   const auto own = provided.find(std::string(what) + "_fields");
   if (own != provided.end()) return read_fields(*own);
   const auto known = interfaces.at("interfaces").find(type.provides.front().name);

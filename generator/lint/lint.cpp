@@ -161,8 +161,9 @@ class Linter {
 
   /// The longest conversion the descriptor gives for the params of this device.
   [[nodiscard]] static std::int64_t conversion_ns(const Device& device) {
-    const auto json = nlohmann::json::parse(device.type->raw_json, nullptr, false);
-    if (!json.is_object() || !json.contains("acquisition") || !json["acquisition"].contains("conversion")) return 0;
+    if (device.type->descriptor == nullptr) return 0;
+    const auto& json = *device.type->descriptor;
+    if (!json.contains("acquisition") || !json["acquisition"].contains("conversion")) return 0;
     const auto& conversion = json["acquisition"]["conversion"];
     if (conversion.contains("ns")) return conversion["ns"].get<std::int64_t>();
     if (!conversion.contains("param") || !conversion.contains("ns_by_value")) return 0;

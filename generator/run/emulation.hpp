@@ -9,7 +9,7 @@ namespace finemote::gen {
 
 /// `emulation` of a descriptor, or null.
 inline nlohmann::ordered_json emulation_of(const DeviceType& type) {
-  return nlohmann::ordered_json::parse(type.raw_json).value("emulation", nlohmann::ordered_json());
+  return type.descriptor->value("emulation", nlohmann::ordered_json());
 }
 
 /// A model of its part is on a bus of the board.

@@ -74,7 +74,7 @@ void add_bus(const Robot& robot, const Device& device, Json& part) {
   const Segment& segment = robot.segments[*device.segment];
   if (segment.bus_kind == BusKind::uart) {
     add_line_format(robot.buses[segment.bus], device.type->format, part);
-    const Json acquisition = Json::parse(device.type->raw_json).value("acquisition", Json::object());
+    const Json acquisition = device.type->descriptor->value("acquisition", Json::object());
     part["period_ns"] = acquisition.value("interval_ns", device.period_ns);
   }
   if (device.address) part["address"] = *device.address;

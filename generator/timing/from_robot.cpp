@@ -52,7 +52,7 @@ class Adapter {
         forest_(forest),
         schedule_(schedule),
         options_(options),
-        board_(robot.board != nullptr ? Json::parse(robot.board->raw_json) : Json::object()) {}
+        board_(robot.board != nullptr ? *robot.board->file : no_board_) {}
 
   Model make() {
     model_.tick_ns = robot_.tick_ns;
@@ -164,8 +164,8 @@ class Adapter {
     for (const Read& r : device.reads) out.reads.push_back(forest_.rank[r.device]);
     const std::size_t place = model_.devices.size();
     model_.devices.push_back(std::move(out));
-    if (device.type == nullptr || device.type->raw_json.empty()) return;
-    const Json descriptor = Json::parse(device.type->raw_json);
+    if (device.type == nullptr || device.type->descriptor == nullptr) return;
+    const Json& descriptor = *device.type->descriptor;
     add_acquisition(device, descriptor, model_.devices[place]);
     if (device.segment) add_frames(device, descriptor, *device.segment, "", place);
     for (const Use& use : device.uses) {
@@ -384,8 +384,7 @@ class Adapter {
       note(d.segment, d.channel);
       for (const Use& use : d.uses) note(use.segment, use.channel);
     }
-    const Json descriptor = Json::parse(expander.type->raw_json);
-    const Json frames = descriptor.value("frames", Json::object());
+    const Json frames = expander.type->descriptor->value("frames", Json::object());
     const auto bytes = [&](const char* what, const char* way = "write") {
       return frames.value(what, Json::object()).value(way, Ns{0});
     };
@@ -460,7 +459,8 @@ class Adapter {
   const Forest& forest_;
   const Schedule& schedule_;
   const RobotTimingOptions& options_;
-  Json board_;
+  const Json no_board_ = Json::object();
+  const Json& board_;
   Model model_;
   std::map<std::size_t, std::size_t> bus_of_;  ///< Robot bus -> model bus
   std::set<std::size_t> undeclared_;           ///< model buses with a device that does not say what it sends

@@ -14,7 +14,7 @@ struct RobotTimingOptions {
 };
 
 /// The model in registration order. Buses are the physical ones that have a rate; interrupts, frames and costs come
-/// from `Board::raw_json` and `DeviceType::raw_json`, which their schemas have accepted. `has_target` is set.
+/// from `Board::file` and `DeviceType::descriptor`, which their schemas have accepted. `has_target` is set.
 Model make_timing_model(const Robot& robot, const Forest& forest, const Schedule& schedule,
                         const RobotTimingOptions& options = {});
 
