@@ -30,8 +30,10 @@ class Scanner {
   std::string take_string() {
     const std::size_t begin = at_;
     skip_string();
-    const Json decoded = Json::parse(text_.substr(begin, at_ - begin), nullptr, false);
+    const std::string_view raw = text_.substr(begin, at_ - begin);
     skip_blanks();
+    if (raw.size() >= 2 && raw.find('\\') == std::string_view::npos) return std::string(raw.substr(1, raw.size() - 2));
+    const Json decoded = Json::parse(raw, nullptr, false);
     return decoded.is_string() ? decoded.get<std::string>() : std::string();
   }
   /// Goes behind the value that begins here, without recursion.

@@ -29,11 +29,9 @@ echo
 echo "== xacro (to reach: 20,000 macro calls within 1 s of processor time, linear)"
 "$build/tests/bench/xacro/xacro_bench"
 
-if [ -x "$build/tests/bench/timing/timing_bench" ]; then
-  echo
-  echo "== timing analysis (to reach: 10,000 devices within 0.3 s; bound / worst simulated as in the design)"
-  "$build/tests/bench/timing/timing_bench"
-fi
+echo
+echo "== timing analysis (to reach: 10,000 devices within 0.3 s; bound / worst simulated as in the design)"
+"$build/tests/bench/timing/timing_bench"
 
 echo
 echo "== emulator speed on the infantry (to reach: 50 M instructions per second of processor time)"
