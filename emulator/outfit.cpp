@@ -107,12 +107,25 @@ void Outfit::listen_to_pulses(const Json& part, PulseSource::Listener listener) 
       refuse(part, "there is no such PWM output");
     return;
   }
-  const auto [timer, channel] = board_.chip().pwm(need<std::string>(part, "port"));
-  if (timer == nullptr) refuse(part, "the board has no such PWM header");
-  headers_[{timer, channel}].push_back(std::move(listener));
-  timer->on_pulse = [this, timer = timer](unsigned which, Timer::Pulse pulse) {
+  const Header header = header_of(part);
+  headers_[header].push_back(std::move(listener));
+  header.first->on_pulse = [this, timer = header.first](unsigned which, Timer::Pulse pulse) {
     for (const auto& tell : headers_[{timer, which}]) tell(pulse);
   };
+}
+
+void Outfit::listen_to_writes(const Json& part, std::function<void(std::uint64_t)> listener) {
+  const Header header = header_of(part);
+  writes_[header].push_back(std::move(listener));
+  header.first->on_compare = [this, timer = header.first](unsigned which, std::uint64_t width_ns) {
+    for (const auto& tell : writes_[{timer, which}]) tell(width_ns);
+  };
+}
+
+Outfit::Header Outfit::header_of(const Json& part) {
+  const auto [timer, channel] = board_.chip().pwm(need<std::string>(part, "port"));
+  if (timer == nullptr) refuse(part, "the board has no such PWM header");
+  return {timer, channel};
 }
 
 bool Outfit::is_pin(const std::string& pin) {

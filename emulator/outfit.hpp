@@ -80,6 +80,8 @@ class Outfit {
   I2cLine& line_of(const Json& part);
   /// Calls the listener for every change of the PWM output the part is connected to.
   void listen_to_pulses(const Json& part, PulseSource::Listener listener);
+  /// Calls the listener for every pulse width [ns] written for the PWM header the part is connected to.
+  void listen_to_writes(const Json& part, std::function<void(std::uint64_t width_ns)> listener);
   /// A pin of the chip, `PA0` to `PI15`.
   static bool is_pin(const std::string& pin);
 
@@ -95,7 +97,11 @@ class Outfit {
 
   Board& board_;
   std::map<std::string, std::unique_ptr<Element>> elements_;
-  std::map<std::pair<Timer*, unsigned>, std::vector<PulseSource::Listener>> headers_;
+  using Header = std::pair<Timer*, unsigned>;
+  Header header_of(const Json& part);
+
+  std::map<Header, std::vector<PulseSource::Listener>> headers_;
+  std::map<Header, std::vector<std::function<void(std::uint64_t)>>> writes_;
   std::vector<PartEvent> events_;
   std::vector<Expectation> expectations_;
   unsigned scripted_resets_ = 0;

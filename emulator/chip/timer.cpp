@@ -36,15 +36,21 @@ void Timer::reset() {
   announce();
 }
 
+unsigned Timer::mode(unsigned index) const { return registers_[kCcmr1 / 4 + index / 2] >> (index % 2 * 8 + 4) & 7; }
+
+/// @param top  counts of a period
+std::uint64_t Timer::width_ns(unsigned index, std::uint32_t compare, std::uint64_t top) const {
+  const std::uint64_t before = compare < top ? compare : top;
+  return to_ns((mode(index) == kPwm1 ? before : top - before) * count_time());
+}
+
 Timer::Pulse Timer::pulse(unsigned channel) const {
   const unsigned index = channel - 1;
-  const std::uint32_t mode = registers_[kCcmr1 / 4 + index / 2] >> (index % 2 * 8 + 4) & 7;
   const bool output = (registers_[kCcer / 4] >> (4 * index) & 1) != 0;
   const bool main_on = !kind_.advanced || (registers_[kBdtr / 4] >> 15 & 1) != 0;
-  if (!output || !counts() || !main_on || (mode != kPwm1 && mode != kPwm2)) return {};
+  if (!output || !counts() || !main_on || (mode(index) != kPwm1 && mode(index) != kPwm2)) return {};
   const std::uint64_t top = std::uint64_t{arr_active_} + 1;
-  const std::uint64_t before = ccr_active_[index] < top ? ccr_active_[index] : top;
-  return Pulse{to_ns((mode == kPwm1 ? before : top - before) * count_time()), to_ns(top * count_time())};
+  return Pulse{width_ns(index, ccr_active_[index], top), to_ns(top * count_time())};
 }
 
 void Timer::announce() {
@@ -170,6 +176,7 @@ void Timer::write(std::uint32_t offset, std::uint32_t value) {
   // Without preload a value works at once: RM0090 17.4.7.
   if (offset >= kCcr1 && offset < kCcr1 + 16) {
     const unsigned index = (offset - kCcr1) / 4;
+    if (on_compare) on_compare(index + 1, width_ns(index, value, std::uint64_t{registers_[kArr / 4]} + 1));
     if ((registers_[kCcmr1 / 4 + index / 2] >> (index % 2 * 8 + 3) & 1) == 0) ccr_active_[index] = value;
   }
   announce();

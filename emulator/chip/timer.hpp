@@ -36,6 +36,8 @@ class Timer : public Peripheral {
   [[nodiscard]] Pulse pulse(unsigned channel) const;
   /// Told when the output of a channel changes, at the repetition from which it does.
   std::function<void(unsigned channel, Pulse)> on_pulse;
+  /// Told of every compare value written, with the width of the pulses it asks for: with preload they begin later.
+  std::function<void(unsigned channel, std::uint64_t width_ns)> on_compare;
 
  private:
   void update_event(Time at);
@@ -48,6 +50,8 @@ class Timer : public Peripheral {
   [[nodiscard]] std::uint32_t count() const;
   [[nodiscard]] Time count_time() const { return period_of(clock_hz_()) * (psc_active_ + 1); }
   void announce();
+  [[nodiscard]] unsigned mode(unsigned index) const;
+  [[nodiscard]] std::uint64_t width_ns(unsigned index, std::uint32_t compare, std::uint64_t top) const;
 
   TimerKind kind_;
   std::function<std::uint32_t()> clock_hz_;

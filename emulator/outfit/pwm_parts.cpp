@@ -11,13 +11,15 @@ namespace {
 class OutputElement : public Element {
  public:
   OutputElement(Outfit& outfit, const Json& part, const std::string& name) {
-    const bool on_board = part.contains("port");  // an expander records its outputs itself
-    outfit.listen_to_pulses(part, [this, &outfit, name, on_board](Timer::Pulse pulse) {
+    outfit.listen_to_pulses(part, [this](Timer::Pulse pulse) {
       if (pulse_ == 0) resumed_with_ = pulse.width_ns;
       pulse_ = pulse.width_ns;
-      const std::uint64_t now = outfit.board().now_ns();
-      if (on_board) outfit.record(PartEvent{name, PartEvent::Kind::output, 0, now, now, static_cast<double>(pulse_)});
       changed();
+    });
+    if (!part.contains("port")) return;  // an expander records its outputs itself
+    outfit.listen_to_writes(part, [&outfit, name](std::uint64_t width_ns) {
+      const std::uint64_t now = outfit.board().now_ns();
+      outfit.record(PartEvent{name, PartEvent::Kind::output, 0, now, now, static_cast<double>(width_ns)});
     });
   }
   /// `pulse` [us], `resumed_with` [us]: the first one after it was off.
@@ -43,7 +45,7 @@ class ThrusterElement : public OutputElement {
     max_ = maybe(part, "max", max_);
     full_thrust_ = maybe(part, "full_thrust", full_thrust_);
     reverse_ = maybe(part, "reverse", reverse_);
-    if (min_ >= neutral_ || max_ <= neutral_) refuse(part, "'neutral' lies between 'min' and 'max'");
+    if (min_ > neutral_ || max_ < neutral_) refuse(part, "'neutral' lies between 'min' and 'max'");
   }
   void connect(Outfit& outfit) override {
     if (!part_.contains("body")) return;
@@ -64,7 +66,8 @@ class ThrusterElement : public OutputElement {
   [[nodiscard]] double drive() const {
     if (pulse_ == 0) return 0;
     const double way = static_cast<double>(pulse_) - neutral_;
-    const double share = std::clamp(way > 0 ? way / (max_ - neutral_) : way / (neutral_ - min_), -1.0, 1.0);
+    const double full = way > 0 ? max_ - neutral_ : neutral_ - min_;  // 0: it does not turn that way
+    const double share = full > 0 ? std::clamp(way / full, -1.0, 1.0) : 0;
     return reverse_ ? -share : share;
   }
   [[nodiscard]] double thrust() const { return full_thrust_ * drive() * std::abs(drive()); }

@@ -103,6 +103,10 @@ class PortFinder {
     auto& finding = at_value(reading_.diagnostics, code::unknown_port, name,
                              fmt::format("board '{}' has no port '{}'", board.name, name.value));
     const auto fitting = ports_for(board, kind_);
+    if (kind_ == BusKind::gpio && fitting.empty()) {
+      finding.note("no port of this board serves gpio").hint("remove the bus: a <use> names its pin itself");
+      return;
+    }
     const auto all = ports_for(board, {});
     suggest(finding, name.value,
             nearest_names(name.value, fitting).empty() && !nearest_names(name.value, all).empty() ? all : fitting);

@@ -196,9 +196,19 @@ class DeviceReader {
       if (!spec.required || given.count(spec.role) > 0) continue;
       at_tag(diagnostics_, code::use_missing, tag_, fmt::format("{} needs <use role=\"{}\">", owner_, spec.role))
           .note(fmt::format("it takes: {}", kinds_text(spec.buses)))
-          .hint(fmt::format("add <use role=\"{}\" {}=\"...\"/>", spec.role,
-                            contains(spec.buses, BusKind::gpio) ? "pin" : "bus"));
+          .hint(fmt::format(
+              "add for example <use role=\"{}\" {}/>", spec.role,
+              contains(spec.buses, BusKind::gpio) ? "pin=\"" + example_pin(spec.function) + "\"" : "bus=\"...\""));
     }
+  }
+  /// A pin of the board wired for the function, by its name.
+  [[nodiscard]] std::string example_pin(const std::string& function) const {
+    if (reading_.robot.board != nullptr) {
+      for (const NamedPin& pin : reading_.robot.board->pins) {
+        if (std::find(pin.functions.begin(), pin.functions.end(), function) != pin.functions.end()) return pin.name;
+      }
+    }
+    return "PA4";
   }
   void read_use(const xml::Node& child, const xml::Attribute& role, std::set<std::string>& given) {
     const auto& specs = device_.type->uses;
@@ -227,11 +237,20 @@ class DeviceReader {
     const xml::Attribute* pin = child.attribute("pin");
     const bool wants_pin = contains(use.spec->buses, BusKind::gpio);
     const bool wants_bus = use.spec->buses.size() > (wants_pin ? 1U : 0U);
-    if ((bus != nullptr) == (pin != nullptr)) {
+    if (bus != nullptr && pin != nullptr) {
+      at_tag(diagnostics_, code::use_endpoint, child,
+             fmt::format("<use role=\"{}\"> names a bus and a pin", use.spec->role))
+          .hint(!wants_bus   ? fmt::format("remove bus=\"{}\"", bus->value)
+                : !wants_pin ? fmt::format("remove pin=\"{}\"", pin->value)
+                             : "remove one of them");
+      return false;
+    }
+    if (bus == nullptr && pin == nullptr) {
       const std::string what = wants_pin && wants_bus ? "either 'bus' or 'pin'" : wants_pin ? "a 'pin'" : "a 'bus'";
       at_tag(diagnostics_, code::use_endpoint, child,
              fmt::format("<use role=\"{}\"> has to name {}", use.spec->role, what))
-          .hint(fmt::format("write <use role=\"{}\" {}/>", use.spec->role, wants_bus ? "bus=\"...\"" : "pin=\"PA4\""));
+          .hint(fmt::format("write <use role=\"{}\" {}/>", use.spec->role,
+                            wants_bus ? "bus=\"...\"" : "pin=\"" + example_pin(use.spec->function) + "\""));
       return false;
     }
     if (pin != nullptr) return read_pin(*pin, use, wants_pin);

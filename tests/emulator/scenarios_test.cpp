@@ -48,6 +48,29 @@ void change(std::string& text, const std::string& mark, const std::string& was, 
 
 TEST_CASE("the underwater vehicle dives, turns, and comes back from a push") { run("finsrov", "rov_loops", "14s", 9); }
 
+TEST_CASE("thrusters on headers of the board and on an expander obey within their bounds") {
+  const TemporaryFolder folder;
+  std::string robot = read_file(source_path("examples/finsrov.urdf"));
+  for (int n = 1; n <= 4; ++n) {
+    const std::string number = std::to_string(n);
+    change(robot, "<bus name=\"i2c\"", "<bus",
+           "<bus name=\"out" + number + "\" type=\"pwm\" port=\"pwm" + number + "\"/>\n    <bus");
+    change(robot, "<device name=\"thruster_" + number, "bus=\"pwm\" channel=\"" + std::to_string(n - 1) + "\"",
+           "bus=\"out" + number + "\"");
+  }
+  write_file(folder.path("mixed.urdf"), robot);
+  const auto document = run_file(folder.path("mixed.urdf"), "rov_loops", "14s", 9);
+  unsigned chains = 0;
+  for (const auto& chain : document["chains"]) {
+    if (chain["to"].get<std::string>().rfind("thruster_", 0) != 0 || chain["from"] != "imu") continue;
+    INFO(chain.dump());
+    CHECK(!chain["wire"]["max_ns"].is_null());  // there were commands that changed the pulse
+    CHECK(!chain["wire"]["bound_ns"].is_null());
+    ++chains;
+  }
+  CHECK(chains == 8);
+}
+
 TEST_CASE("the infantry drives where its sticks say and its head holds its aim against the world") {
   run("infantry", "infantry_loops", "5200ms", 18);
 }
