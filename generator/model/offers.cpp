@@ -26,8 +26,14 @@ bool makes(const Port& port, std::int64_t rate) {
   return port.rates.empty() || std::find(port.rates.begin(), port.rates.end(), rate) != port.rates.end();
 }
 
-std::vector<std::int64_t> usual_rates(BusKind kind) {
+/// SPI: its clock over powers of two from 2 to 256 (RM0090 28.5.1).
+std::vector<std::int64_t> usual_rates(const Port& port, BusKind kind) {
   const std::string_view attribute = rate_attribute(kind);
+  if (kind == BusKind::spi && port.clock_hz) {
+    std::vector<std::int64_t> rates;
+    for (int power = 1; power <= 8; ++power) rates.push_back(*port.clock_hz >> power);
+    return rates;
+  }
   if (attribute == "bitrate") return {125'000, 250'000, 500'000, 1'000'000};
   if (attribute == "clock") return {100'000, 400'000, 1'000'000, 2'000'000, 5'000'000, 10'000'000, 20'000'000};
   return {9'600, 19'200, 38'400, 57'600, 115'200, 230'400, 460'800, 921'600, 1'000'000, 2'000'000, 3'000'000};
@@ -60,9 +66,9 @@ std::string rate_text(BusKind kind, std::int64_t rate) {
 }
 
 std::vector<std::int64_t> faster_rates(const Port& port, BusKind kind, std::int64_t least, const RateLimits& limits) {
-  std::vector<std::int64_t> rates = limits.settings.empty() ? usual_rates(kind) : limits.settings.front();
+  std::vector<std::int64_t> rates = limits.settings.empty() ? usual_rates(port, kind) : limits.settings.front();
   const std::optional<std::int64_t> top = limits.clock ? limits.clock : port.max_rate;
-  if (limits.settings.empty() && rate_attribute(kind) == "clock" && top)
+  if (limits.settings.empty() && kind == BusKind::i2c && top)
     rates.push_back(std::min(*top, port.max_rate.value_or(*top)));
   std::sort(rates.begin(), rates.end());
   rates.erase(std::unique(rates.begin(), rates.end()), rates.end());

@@ -119,10 +119,10 @@ std::optional<Ns> WireAnalysis::bound(std::size_t index) const {
     stable = need <= wait;
     wait = std::max(wait, need);
   }
-  const Ns total = add(wait, own.wire);
-  // The slot must be free again before it is filled the next time.
-  if (add(total, own.jitter) > own.period) return std::nullopt;
-  return total;
+  // The slot must be free again before it is filled the next time. That of a part that sends by itself, and the mailbox
+  // of a controller that arbitrates, are free when the frame has left the wire, whenever it is served.
+  if (add(add(wait, own.on_wire()), own.jitter) > own.period) return std::nullopt;
+  return add(wait, own.wire);
 }
 
 std::optional<Ns> WireAnalysis::response(std::size_t device, std::size_t transfer) const {
