@@ -136,7 +136,7 @@ class CompassElement : public Element {
       outfit_.record(PartEvent{name, PartEvent::Kind::sample, 0, to_ns(from), outfit_.board().now_ns(), 0});
     };
     outfit.line_of(part).attach(model_);
-    if (need<std::string>(part, "port") == "i2c3") {  // the part on the board has its reset at PG6
+    if (maybe<std::string>(part, "port", "") == "i2c3") {  // the part on the board has its reset at PG6
       outfit.board().chip().gpio('G').watcher[6] = [this](bool output, bool high) {
         model_.hold_reset(output && !high);
       };

@@ -28,7 +28,7 @@ struct Port {
   std::vector<std::string> dma;
   std::vector<std::string> interrupts;
   std::vector<Resource> resources;       ///< pins, DMA streams, timer channel and interrupt lines together
-  std::uint32_t channels = 0;            ///< PWM outputs; 0: not a PWM port
+  std::uint32_t channels = 0;            ///< PWM outputs, chip selects; 0: neither
   std::int64_t period_ns = 20'000'000;   ///< how often a PWM port repeats its pulse
   std::optional<std::int64_t> clock_hz;  ///< kernel clock the rate is divided from
   std::optional<std::int64_t> min_rate;  ///< of baud, clock or bitrate

@@ -249,18 +249,19 @@ const xml::Node& use_tag(const Reading& reading, std::size_t device, const Use& 
   return tag;
 }
 
-/// Pulse channels of a segment; 0: it has none, or they are not known.
-std::uint32_t pulse_channels(const Reading& reading, std::size_t segment) {
-  return reading.robot.segments[segment].bus_kind == BusKind::pwm ? channel_count(reading, segment) : 0;
+/// Pulse outputs or chip selects of a segment; 0: it has none, or they are not known.
+std::uint32_t use_channels(const Reading& reading, std::size_t segment) {
+  const BusKind kind = reading.robot.segments[segment].bus_kind;
+  return kind == BusKind::pwm || kind == BusKind::spi ? channel_count(reading, segment) : 0;
 }
 
-/// The channel of a pulse output that a device uses: as one that it sits on.
+/// The pulse output or chip select that a device uses: as one that it sits on.
 void resolve_use_channels(Reading& reading) {
   for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
     for (Use& use : reading.robot.devices[i].uses) {
       if (!use.segment) continue;
       const Segment& segment = reading.robot.segments[*use.segment];
-      const std::uint32_t count = pulse_channels(reading, *use.segment);
+      const std::uint32_t count = use_channels(reading, *use.segment);
       if (count == 0) continue;
       const xml::Node& tag = use_tag(reading, i, use);
       const xml::Attribute* attribute = tag.attribute("channel");

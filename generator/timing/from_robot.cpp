@@ -65,6 +65,7 @@ class Adapter {
       for (const std::size_t segment : bucket.flushes) add_flush(bucket, segment);
     }
     drop_silent_transmitters();
+    drop_idle_masters();
     return std::move(model_);
   }
 
@@ -452,6 +453,24 @@ class Adapter {
     for (const std::size_t bus : undeclared_) {
       if (!model_.buses[bus].sources) continue;
       for (InterruptSource& s : *model_.buses[bus].sources) s.budgets.clear();
+    }
+  }
+
+  /// An I2C or SPI bus that nothing sits on: nobody begins a transfer, so nothing interrupts.
+  void drop_idle_masters() {
+    std::set<std::size_t> used;
+    const auto note = [&](std::optional<std::size_t> segment) {
+      if (segment) used.insert(robot_.segments[*segment].bus);
+    };
+    for (const gen::Device& device : robot_.devices) {
+      note(device.segment);
+      for (const Use& use : device.uses) note(use.segment);
+    }
+    for (const Expander& expander : robot_.expanders) note(expander.segment);
+    for (const auto& [index, bus] : bus_of_) {
+      const BusKind kind = robot_.buses[index].kind;
+      const bool is_master = kind == BusKind::i2c || kind == BusKind::spi;
+      if (is_master && !used.contains(index) && model_.buses[bus].sources) model_.buses[bus].sources->clear();
     }
   }
 

@@ -71,6 +71,21 @@ TEST_CASE("thrusters on headers of the board and on an expander obey within thei
   CHECK(chains == 8);
 }
 
+TEST_CASE("robots of all device types meet their schedules, bounds and default execution times") {
+  for (const char* robot : {"rover", "rig", "crane"}) {
+    const std::string file = source_path("tests/emulator/robots/" + std::string(robot) + ".urdf");
+    INFO(file);
+    const auto document = finemote_json({"run", file, "--duration", "400ms"});
+    CHECK(document["overruns"] == 0);
+    CHECK(document["resets"] == 0);
+    CHECK(document["chains"].size() >= 2);
+    for (const auto& finding : document["diagnostics"]) {
+      INFO(finding.dump());
+      CHECK(finding["code"] != "FM6006");  // the shortest run seen takes longer than the default says
+    }
+  }
+}
+
 TEST_CASE("the infantry drives where its sticks say and its head holds its aim against the world") {
   run("infantry", "infantry_loops", "5200ms", 18);
 }
