@@ -33,7 +33,7 @@ struct Robots {
   explicit Robots(const std::string& name, const RobotTimingOptions& options = {}) {
     library = load_library({kSource, kSource + "/examples", {}}, sources, diagnostics);
     REQUIRE(library);
-    const SourceFile* file = xml::read_source(kSource + "/examples/" + name, sources, diagnostics, name);
+    const SourceFile* file = xml::read_source(kSource + "/" + name, sources, diagnostics, name);
     REQUIRE(file);
     const auto document = xml::parse(*file, diagnostics);
     REQUIRE(document);
@@ -57,7 +57,7 @@ const ChainResult& chain(const Timing& timing, const std::string& from, const st
 }  // namespace
 
 TEST_CASE("finsrov is schedulable with the costs of the board, and keeps its requirements") {
-  Robots finsrov("finsrov.urdf");
+  Robots finsrov("examples/finsrov.urdf");
   REQUIRE(finsrov.model.devices.size() == 14);
   CHECK(finsrov.model.devices.front().name == "imu");
   CHECK(finsrov.model.devices.back().name == "rov");
@@ -90,7 +90,7 @@ TEST_CASE("finsrov is schedulable with the costs of the board, and keeps its req
 }
 
 TEST_CASE("finsrov simulates below its bounds") {
-  Robots finsrov("finsrov.urdf");
+  Robots finsrov("examples/finsrov.urdf");
   SimulateOptions options;
   options.duration_ns = 2'000'000'000;
   std::ostringstream out, trace;
@@ -104,12 +104,12 @@ TEST_CASE("finsrov simulates below its bounds") {
 }
 
 TEST_CASE("tracing costs time") {
-  Robots plain("finsrov.urdf"), traced("finsrov.urdf", {true, false, {}});
+  Robots plain("examples/finsrov.urdf"), traced("examples/finsrov.urdf", {true, false, {}});
   CHECK(traced.model.costs.stage_ns > plain.model.costs.stage_ns);
 }
 
 TEST_CASE("an expander driven from two buckets may send a command with a later flush") {
-  Robots finsrov("finsrov.urdf");
+  Robots finsrov("examples/finsrov.urdf");
   const auto wire_of = [](const timing::Model& model) {
     AnalysisRequest request;
     request.chains = {{0, 5}};
@@ -138,4 +138,23 @@ TEST_CASE("an expander driven from two buckets may send a command with a later f
   const auto apart = wire_of(model);
   REQUIRE(apart);
   CHECK(*apart < *shared);
+}
+
+TEST_CASE("a bus with a clock interrupts when something sits on it, and only then") {
+  const Robots rig("tests/emulator/robots/rig.urdf"), idle("tests/unit/idle_buses.urdf");
+  for (const timing::Bus& bus : rig.model.buses) {
+    INFO(bus.name);
+    REQUIRE(bus.sources);
+    CHECK_FALSE(bus.sources->empty());
+  }
+  REQUIRE(idle.model.buses.size() == 3);
+  for (const timing::Bus& bus : idle.model.buses) {
+    INFO(bus.name);
+    REQUIRE(bus.sources);
+    CHECK(bus.sources->empty() == (bus.name != "line"));  // anybody may send on a serial line
+  }
+  Diagnostics findings;
+  const auto timing = analyse(idle.model, {}, findings);
+  REQUIRE(timing);
+  CHECK(timing->schedulable);
 }
