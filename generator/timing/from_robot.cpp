@@ -66,6 +66,7 @@ class Adapter {
     }
     drop_silent_transmitters();
     drop_idle_masters();
+    forget_crowded_identifiers();
     return std::move(model_);
   }
 
@@ -249,8 +250,18 @@ class Adapter {
       if (key.first == "flush") continue;  // one for all devices of the bucket: add_flush
       if (muxed) add_selection(*bus, rate, use);
       add_transfer(place, *bus, kind, key.first, use);
+      if (role.empty()) model_.devices[place].transfers.back().identifier = own_identifier(device, frames, key.first);
       if (!role.empty()) model_.devices[place].transfers.back().command = false;
     }
+  }
+
+  /// Of the one frame that a part on CAN sends by itself; none where it may be another.
+  static std::optional<Ns> own_identifier(const gen::Device& device, const Json& frames, const std::string& stage) {
+    const auto by_itself = std::count_if(frames.begin(), frames.end(),
+                                         [](const Json& frame) { return frame.at("stage") == "autonomous"; });
+    const auto base = device.type->receives_base;
+    if (stage != "autonomous" || by_itself != 1 || !base || !device.id) return std::nullopt;
+    return Ns{*base} + *device.id;
   }
 
   static Json frames_over(const Json& descriptor, const std::string& role) {
@@ -434,6 +445,7 @@ class Adapter {
     flush.bus = bus;
     flush.wire_ns = use.wire_ns;
     flush.interrupts = use.interrupts;
+    flush.identifiers.assign(identifiers.begin(), identifiers.end());
     transmits_.insert(*bus);
   }
 
@@ -453,6 +465,20 @@ class Adapter {
     for (const std::size_t bus : undeclared_) {
       if (!model_.buses[bus].sources) continue;
       for (InterruptSource& s : *model_.buses[bus].sources) s.budgets.clear();
+    }
+  }
+
+  /// The controller sends by identifier among three mailboxes. With more frames of ours than those, or with others than
+  /// the shared ones, one that waits for a mailbox may be the more urgent.
+  void forget_crowded_identifiers() {
+    constexpr std::size_t kMailboxes = 3;
+    for (Flush& flush : model_.flushes) {
+      const bool alone = std::all_of(model_.devices.begin(), model_.devices.end(), [&](const Device& device) {
+        return std::all_of(device.transfers.begin(), device.transfers.end(), [&](const Transfer& t) {
+          return t.bus != flush.bus || t.after == Transfer::After::autonomous;
+        });
+      });
+      if (!alone || flush.identifiers.size() > kMailboxes) flush.identifiers.clear();
     }
   }
 

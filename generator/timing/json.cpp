@@ -66,6 +66,7 @@ Json transfer_json(const Model& model, const Transfer& t) {
   Json out{{"bus", model.buses[t.bus].name}, {"wire_ns", t.wire_ns}, {"after", after_name(t.after)}};
   add_if(out, "min_interval_ns", t.min_interval_ns);
   if (t.interrupts != 1) out["interrupts"] = t.interrupts;
+  if (t.identifier) out["identifier"] = *t.identifier;
   if (t.command) out["command"] = true;
   if (t.receive) out["receive"] = true;
   return out;
@@ -101,6 +102,7 @@ Json flush_json(const Model& model, const Flush& f) {
   if (f.bus) out["bus"] = model.buses[*f.bus].name;
   add_if(out, "wire_ns", f.wire_ns);
   if (f.interrupts != 1) out["interrupts"] = f.interrupts;
+  if (!f.identifiers.empty()) out["identifiers"] = f.identifiers;
   if (!f.output.empty()) out["output"] = f.output;
   for (const std::size_t d : f.devices) out["devices"].push_back(model.devices[d].name);
   return out;

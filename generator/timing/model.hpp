@@ -56,10 +56,11 @@ struct Transfer {
   std::size_t bus = 0;                                      ///< index into Model::buses
   Ns wire_ns = 0;  ///< first to last bit of the whole unit, mux selection included
   After after = After::handle;
-  Ns min_interval_ns = 0;  ///< autonomous: between two of them; 0: the device's period
-  Ns interrupts = 1;       ///< service routines on its way that the wire waits for
-  bool command = false;    ///< carries the device's command: its last bit is the end of a chain
-  bool receive = false;    ///< on the receive line of a bus with two lines: meets nothing that is sent
+  Ns min_interval_ns = 0;        ///< autonomous: between two of them; 0: the device's period
+  Ns interrupts = 1;             ///< service routines on its way that the wire waits for
+  bool command = false;          ///< carries the device's command: its last bit is the end of a chain
+  bool receive = false;          ///< on the receive line of a bus with two lines: meets nothing that is sent
+  std::optional<Ns> identifier;  ///< of its one frame on a bus that arbitrates; none: more urgent than any other
 };
 
 /// How old a sample can be when update() reads it.
@@ -114,6 +115,7 @@ struct Flush {
   std::optional<std::size_t> bus;  ///< where its transfer goes; none: no transfer
   Ns wire_ns = 0;
   Ns interrupts = 1;
+  std::vector<Ns> identifiers;       ///< of its frames, all equally long, on a bus that arbitrates; empty: not known
   std::vector<std::size_t> devices;  ///< whose commands it carries
   /// Flushes with the same name here fill one slot: one that finds it taken leaves its data to the next of them.
   std::string output;

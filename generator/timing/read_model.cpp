@@ -315,12 +315,14 @@ class Reader {
 
   void read_transfer(std::size_t index, const Value& v) {
     if (!check_object(v, "a transfer")) return;
-    check_members(v, "a transfer", {"bus", "wire_ns", "after", "min_interval_ns", "interrupts", "command", "receive"});
+    check_members(v, "a transfer",
+                  {"bus", "wire_ns", "after", "min_interval_ns", "interrupts", "command", "receive", "identifier"});
     Transfer t;
     const std::string bus = text(v, "a transfer", "bus");
     t.wire_ns = required(v, "a transfer", "wire_ns", 0);
     t.min_interval_ns = extension(v, "min_interval_ns");
     t.interrupts = extension(v, "interrupts", 1);
+    if (v.find("identifier") != nullptr) t.identifier = extension(v, "identifier");
     t.command = flag(v, "command", false);
     t.receive = flag(v, "receive", false);
     read_after(t, v);
@@ -367,7 +369,8 @@ class Reader {
   }
 
   void read_flush(const Value& v) {
-    check_members(v, "a flush", {"period_ns", "wcet_ns", "bus", "wire_ns", "interrupts", "devices", "output"});
+    check_members(v, "a flush",
+                  {"period_ns", "wcet_ns", "bus", "wire_ns", "interrupts", "identifiers", "devices", "output"});
     const std::size_t index = model_.flushes.size();
     model_.flushes.emplace_back();
     Flush& flush = model_.flushes.back();
@@ -375,6 +378,10 @@ class Reader {
     flush.wcet_ns = required(v, "a flush", "wcet_ns", 0);
     flush.wire_ns = extension(v, "wire_ns");
     flush.interrupts = extension(v, "interrupts", 1);
+    if (const Value* identifiers = optional_array(v, "identifiers")) {
+      model_.has_target = true;
+      for (const Value& i : identifiers->items) flush.identifiers.push_back(integer(i, "identifiers", 0));
+    }
     if (v.find("output") != nullptr) flush.output = text(v, "a flush", "output");
     const bool known = std::any_of(model_.devices.begin(), model_.devices.end(),
                                    [&](const Device& d) { return d.period_ns == flush.period_ns; });

@@ -58,6 +58,7 @@ void WireAnalysis::collect() {
         item.bounded = true;
         if (t.min_interval_ns > 0) item.period = t.min_interval_ns;
       }
+      if (t.identifier) item.identifiers = {*t.identifier, *t.identifier};
       item_of_[d].push_back(add_item(item, t.interrupts));
     }
   }
@@ -70,8 +71,13 @@ void WireAnalysis::collect() {
     for (const Flush& other : model_.flushes) {
       if (share_slot(f, other)) rank = std::min(rank, bucket_of(other) + 1);
     }
-    flush_item_.back() =
-        add_item({*f.bus, false, false, f.period_ns, r.bucket[w], f.wire_ns, 0, rank, r.ok(w)}, f.interrupts);
+    Item item{*f.bus, false, false, f.period_ns, r.bucket[w], f.wire_ns, 0, rank, r.ok(w)};
+    if (!f.identifiers.empty()) {
+      const auto [first, last] = std::minmax_element(f.identifiers.begin(), f.identifiers.end());
+      item.identifiers = {*first, *last};
+      item.frames = static_cast<Ns>(f.identifiers.size());
+    }
+    flush_item_.back() = add_item(item, f.interrupts);
   }
 }
 
@@ -101,16 +107,18 @@ std::optional<Ns> WireAnalysis::bound(std::size_t index) const {
   bool alone = true;
   for (std::size_t i = 0; i < items_.size(); ++i) {
     alone &= i == index || !competes(items_[i]);
-    if (competes(items_[i]) && items_[i].rank >= own.rank) blocking = std::max(blocking, items_[i].on_wire());
+    if (competes(items_[i]) && items_[i].yields_to(own))
+      blocking = std::max(blocking, own.yields_to(items_[i]) ? items_[i].on_wire() : items_[i].frame());
   }
   if (alone) blocking = 0;
-  Ns wait = blocking;
+  const Ns before_last = own.on_wire() - own.frame();  // of its own; more urgent ones may come between
+  Ns wait = add(blocking, before_last);
   for (bool stable = false; !stable;) {
-    Ns need = blocking;
+    Ns need = add(blocking, before_last);
     for (std::size_t i = 0; i < items_.size(); ++i) {
       const Item& other = items_[i];
       // Of equal rank the order of the slots decides; counting both ways is safe.
-      if (i == index || !competes(other) || other.rank > own.rank) continue;
+      if (i == index || !competes(other) || !own.yields_to(other)) continue;
       if (!other.bounded) return std::nullopt;
       need = add(need, multiply(add(wait, other.jitter) / other.period + 1, other.on_wire()));
     }
@@ -121,8 +129,8 @@ std::optional<Ns> WireAnalysis::bound(std::size_t index) const {
   }
   // The slot must be free again before it is filled the next time. That of a part that sends by itself, and the mailbox
   // of a controller that arbitrates, are free when the frame has left the wire, whenever it is served.
-  if (add(add(wait, own.on_wire()), own.jitter) > own.period) return std::nullopt;
-  return add(wait, own.wire);
+  if (add(add(wait, own.frame()), own.jitter) > own.period) return std::nullopt;
+  return add(wait, own.wire - before_last);
 }
 
 std::optional<Ns> WireAnalysis::response(std::size_t device, std::size_t transfer) const {

@@ -45,6 +45,15 @@ class WireAnalysis {
     std::size_t rank = 0;     ///< 0 is the most urgent
     bool bounded = true;      ///< its bucket is ok
     bool arbitrated = false;  ///< on a bus that arbitrates frame by frame
+    /// Identifiers of its first and last frame there; none: not known.
+    std::optional<std::pair<Ns, Ns>> identifiers = std::nullopt;
+    Ns frames = 1;  ///< that it is sent in, all equally long
+    [[nodiscard]] Ns frame() const { return (on_wire() + frames - 1) / frames; }
+    /// Whether `other` goes first where both wait.
+    [[nodiscard]] bool yields_to(const Item& other) const {
+      if (!arbitrated) return other.rank <= rank;
+      return !identifiers || !other.identifiers || other.identifiers->first <= identifiers->second;
+    }
     /// How long it keeps others off the wire. Neither a part that sends by itself nor a frame in a mailbox of the
     /// controller waits for our service routines on the wire; between frames the wire is free for others.
     [[nodiscard]] Ns on_wire() const { return autonomous || arbitrated ? pure : wire; }

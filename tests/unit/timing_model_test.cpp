@@ -1,4 +1,6 @@
 // The strict model reader: every mistake found where it stands, all of them at once.
+#include <algorithm>
+
 #include "catch.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/timing/analyse.hpp"
@@ -185,4 +187,63 @@ TEST_CASE("a budget may count interrupts that come in one of so many periods") {
       messages(R"({"tick_ns":10,"buses":[{"name":"b","baud_bps":1,"min_frame_bits":1,"wcet_ns":0,"sources":[{"name":"s",
 "wcet_ns":0,"min_interval_ns":1,"budgets":[{"device":"a","count":1,"every":0}]}]}],"devices":[{"name":"a","period_ns":10,
 "update_wcet_ns":1,"handle_wcet_ns":1}]})") != "");
+}
+
+namespace {
+
+/// Three parts that report themselves on a bus that arbitrates, and one frame or two of commands for them.
+std::string can_model(bool known, const std::string& commands, int wire) {
+  const auto part = [&](int n) {
+    const std::string id = known ? R"(,"identifier":)" + std::to_string(0x200 + n) : "";
+    return R"({"name":"m)" + std::to_string(n) + R"(","period_ns":1000,"update_wcet_ns":0,"handle_wcet_ns":0,
+        "takes_command":true,"acquisition":{"interval_ns":1000},
+        "transfers":[{"bus":"can","wire_ns":135,"after":"autonomous","interrupts":0)" +
+           id + "}]}";
+  };
+  return R"({"tick_ns":1000,"buses":[{"name":"can","baud_bps":1000000000,"min_frame_bits":47,"wcet_ns":0,"arbitrated":true,
+      "sources":[]}],"flushes":[{"period_ns":1000,"wcet_ns":0,"bus":"can","interrupts":0,"wire_ns":)" +
+         std::to_string(wire) + (known ? R"(,"identifiers":)" + commands : "") +
+         R"(,"devices":["m1","m3"]}],"devices":[)" + part(1) + "," + part(2) + "," + part(3) + "]}";
+}
+
+struct OnCan {
+  Ns report, command;
+};
+
+OnCan on_can(const std::string& text, std::size_t part) {
+  Sources sources;
+  Diagnostics diagnostics;
+  const auto model = read_model(*sources.add({"m.json", "", text}), diagnostics);
+  INFO(render_text(diagnostics, false));
+  REQUIRE(model);
+  AnalysisRequest request;
+  request.chains = {{part, part}};
+  const auto timing = analyse(*model, request, diagnostics);
+  REQUIRE(timing);
+  const auto found = std::find_if(timing->chains.begin(), timing->chains.end(),
+                                  [&](const ChainResult& c) { return c.from == part && c.to == part; });
+  REQUIRE(found != timing->chains.end());
+  const ChainResult& chain = *found;
+  REQUIRE(chain.acquire_ns);
+  REQUIRE(chain.wire_ns);
+  return {*chain.acquire_ns - 1000, *chain.wire_ns};
+}
+
+}  // namespace
+
+TEST_CASE("identifiers say which frames go first on a bus that arbitrates") {
+  // One frame that has begun, then those with smaller identifiers, then its own.
+  const std::string one = can_model(true, "[512]", 135);
+  CHECK(on_can(one, 0).report == 3 * 135);
+  CHECK(on_can(one, 2).report == 5 * 135);
+  CHECK(on_can(one, 0).command == 2 * 135);
+  // Of two frames of commands the second may wait for the first; both go before every report.
+  const std::string two = can_model(true, "[511,512]", 270);
+  CHECK(on_can(two, 0).report == 4 * 135);
+  CHECK(on_can(two, 2).report == 6 * 135);
+  CHECK(on_can(two, 0).command == 4 * 135);
+  // Unknown ones may all be more urgent.
+  const std::string unknown = can_model(false, "", 135);
+  CHECK(on_can(unknown, 0).report == 5 * 135);
+  CHECK(on_can(unknown, 0).command == 5 * 135);
 }

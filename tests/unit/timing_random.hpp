@@ -40,7 +40,7 @@ class RandomForest {
       d.handle_extra_ns = random_.between(0, 2);
     }
     if (random_.one_in(2))
-      model.flushes.push_back({model.devices.front().period_ns, random_.between(0, 6), {}, 0, 1, {}, {}});
+      model.flushes.push_back({model.devices.front().period_ns, random_.between(0, 6), {}, 0, 1, {}, {}, {}});
     for (Bus& bus : model.buses) {
       if (random_.one_in(3)) continue;
       bus.sources.emplace();

@@ -31,13 +31,13 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
 inline constexpr finemote::Bounds imu{136600, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds yaw{133340, 28185190, 28876750};
-inline constexpr finemote::Bounds pitch{129862, 28181712, 28876750};
+inline constexpr finemote::Bounds yaw{133340, 28185190, 28606750};
+inline constexpr finemote::Bounds pitch{129862, 28181712, 28606750};
 inline constexpr finemote::Bounds gimbal{177428, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds front_left{260846, 26312696, 27374774};
-inline constexpr finemote::Bounds front_right{258286, 26310136, 27374774};
-inline constexpr finemote::Bounds rear_left{255726, 26307576, 27374774};
-inline constexpr finemote::Bounds rear_right{234366, 26286216, 27355974};
+inline constexpr finemote::Bounds front_left{260846, 26312696, 26834774};
+inline constexpr finemote::Bounds front_right{258286, 26310136, 26834774};
+inline constexpr finemote::Bounds rear_left{255726, 26307576, 26834774};
+inline constexpr finemote::Bounds rear_right{234366, 26286216, 26815974};
 inline constexpr finemote::Bounds chassis{231806, finemote::kUnbounded, finemote::kUnbounded};
 inline constexpr finemote::Bounds remote{272602, finemote::kUnbounded, finemote::kUnbounded};
 }  // namespace bounds

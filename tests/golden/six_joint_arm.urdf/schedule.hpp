@@ -23,12 +23,12 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
 inline constexpr finemote::Bounds sticks{225546, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds base{209308, 27233358, 27961658};
-inline constexpr finemote::Bounds shoulder{185448, 27209498, 27940358};
-inline constexpr finemote::Bounds elbow{182888, 27206938, 27940358};
-inline constexpr finemote::Bounds wrist_roll{180328, 27204378, 27940358};
-inline constexpr finemote::Bounds wrist_pitch{177768, 27201818, 27940358};
-inline constexpr finemote::Bounds flange{175208, 27199258, 27940358};
+inline constexpr finemote::Bounds base{209308, 27233358, 27556658};
+inline constexpr finemote::Bounds shoulder{185448, 27209498, 27535358};
+inline constexpr finemote::Bounds elbow{182888, 27206938, 27535358};
+inline constexpr finemote::Bounds wrist_roll{180328, 27204378, 27535358};
+inline constexpr finemote::Bounds wrist_pitch{177768, 27201818, 27535358};
+inline constexpr finemote::Bounds flange{175208, 27199258, 27535358};
 inline constexpr finemote::Bounds arm{172648, finemote::kUnbounded, finemote::kUnbounded};
 }  // namespace bounds
 

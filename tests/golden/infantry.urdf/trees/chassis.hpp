@@ -18,25 +18,25 @@
 namespace infantry::chassis {
 
 /// front_left: dji_m3508 on 'wheel_can' id 1, every 5 ms
-/// response <= 260.846 us; data age <= 26.313 ms when handle() ends, <= 27.375 ms at the output (oldest: remote)
+/// response <= 260.846 us; data age <= 26.313 ms when handle() ends, <= 26.835 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_left{
     finemote::DjiM3508::Config{/*gear*/ 19.2032086f, /*max_age [ns]*/ 100000000},
     ::infantry::slots::front_left};
 
 /// front_right: dji_m3508 on 'wheel_can' id 2, every 5 ms
-/// response <= 258.286 us; data age <= 26.311 ms when handle() ends, <= 27.375 ms at the output (oldest: remote)
+/// response <= 258.286 us; data age <= 26.311 ms when handle() ends, <= 26.835 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_right{
     finemote::DjiM3508::Config{/*gear*/ 19.2032086f, /*max_age [ns]*/ 100000000},
     ::infantry::slots::front_right};
 
 /// rear_left: dji_m3508 on 'wheel_can' id 3, every 5 ms
-/// response <= 255.726 us; data age <= 26.308 ms when handle() ends, <= 27.375 ms at the output (oldest: remote)
+/// response <= 255.726 us; data age <= 26.308 ms when handle() ends, <= 26.835 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_left{
     finemote::DjiM3508::Config{/*gear*/ 19.2032086f, /*max_age [ns]*/ 100000000},
     ::infantry::slots::rear_left};
 
 /// rear_right: dji_m3508 on 'wheel_can' id 4, every 5 ms
-/// response <= 234.366 us; data age <= 26.287 ms when handle() ends, <= 27.356 ms at the output (oldest: remote)
+/// response <= 234.366 us; data age <= 26.287 ms when handle() ends, <= 26.816 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_right{
     finemote::DjiM3508::Config{/*gear*/ 19.2032086f, /*max_age [ns]*/ 100000000},
     ::infantry::slots::rear_right};

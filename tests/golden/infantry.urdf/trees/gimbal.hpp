@@ -40,13 +40,13 @@ FINEMOTE_CONSTINIT inline finemote::Bmi088 imu{
     /*ready*/ &ports::imu_use_ready};
 
 /// yaw: dji_gm6020 on 'gimbal_can' id 1, every 1 ms
-/// response <= 133.34 us; data age <= 28.186 ms when handle() ends, <= 28.877 ms at the output (oldest: remote)
+/// response <= 133.34 us; data age <= 28.186 ms when handle() ends, <= 28.607 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiGm6020 yaw{
     finemote::DjiGm6020::Config{/*zero*/ 0.0f, /*max_age [ns]*/ 100000000},
     ::infantry::slots::yaw};
 
 /// pitch: dji_gm6020 on 'gimbal_can' id 2, every 1 ms
-/// response <= 129.862 us; data age <= 28.182 ms when handle() ends, <= 28.877 ms at the output (oldest: remote)
+/// response <= 129.862 us; data age <= 28.182 ms when handle() ends, <= 28.607 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiGm6020 pitch{
     finemote::DjiGm6020::Config{/*zero*/ 0.0f, /*max_age [ns]*/ 100000000},
     ::infantry::slots::pitch};

@@ -23,37 +23,37 @@ namespace six_joint_arm::arm {
 FINEMOTE_CONSTINIT inline finemote::Sbus sticks{::six_joint_arm::receiver};
 
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
-/// response <= 209.308 us; data age <= 27.234 ms when handle() ends, <= 27.962 ms at the output (oldest: sticks)
+/// response <= 209.308 us; data age <= 27.234 ms when handle() ends, <= 27.557 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 base{
     finemote::DjiM3508::Config{/*gear*/ 57.61f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::base};
 
 /// shoulder: dji_m3508 on 'arm_can' id 2, every 2 ms
-/// response <= 185.448 us; data age <= 27.21 ms when handle() ends, <= 27.941 ms at the output (oldest: sticks)
+/// response <= 185.448 us; data age <= 27.21 ms when handle() ends, <= 27.536 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 shoulder{
     finemote::DjiM3508::Config{/*gear*/ 57.61f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::shoulder};
 
 /// elbow: dji_m3508 on 'arm_can' id 3, every 2 ms
-/// response <= 182.888 us; data age <= 27.207 ms when handle() ends, <= 27.941 ms at the output (oldest: sticks)
+/// response <= 182.888 us; data age <= 27.207 ms when handle() ends, <= 27.536 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 elbow{
     finemote::DjiM3508::Config{/*gear*/ 38.406f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::elbow};
 
 /// wrist_roll: dji_m3508 on 'wrist_can' id 1, every 2 ms
-/// response <= 180.328 us; data age <= 27.205 ms when handle() ends, <= 27.941 ms at the output (oldest: sticks)
+/// response <= 180.328 us; data age <= 27.205 ms when handle() ends, <= 27.536 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{
     finemote::DjiM3508::Config{/*gear*/ 19.2032086f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::wrist_roll};
 
 /// wrist_pitch: dji_m2006 on 'wrist_can' id 2, every 2 ms
-/// response <= 177.768 us; data age <= 27.202 ms when handle() ends, <= 27.941 ms at the output (oldest: sticks)
+/// response <= 177.768 us; data age <= 27.202 ms when handle() ends, <= 27.536 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{
     finemote::DjiM2006::Config{/*gear*/ 36.0f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::wrist_pitch};
 
 /// flange: dji_m2006 on 'wrist_can' id 3, every 2 ms
-/// response <= 175.208 us; data age <= 27.2 ms when handle() ends, <= 27.941 ms at the output (oldest: sticks)
+/// response <= 175.208 us; data age <= 27.2 ms when handle() ends, <= 27.536 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{
     finemote::DjiM2006::Config{/*gear*/ 36.0f, /*max_age [ns]*/ 100000000},
     ::six_joint_arm::slots::flange};
