@@ -196,10 +196,7 @@ std::string example_rate(Reading& reading, const Bus& bus, const Port* port) {
   }
   std::int64_t clock = kUsualClock;
   for (const DeviceType* type : types) clock = std::min(clock, type->max_clock_hz.value_or(clock));
-  if (port == nullptr || !port->clock_hz) return rate_text(bus.kind, clock);
-  std::int64_t divider = 2;
-  while (divider < 256 && *port->clock_hz / divider > clock) divider *= 2;
-  return rate_text(bus.kind, *port->clock_hz / divider);
+  return fastest_clock(port, bus.kind, clock);
 }
 
 /// The rate of kinds that run at one usual speed may be left out: the fastest the port makes.

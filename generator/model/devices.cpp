@@ -130,13 +130,6 @@ class DeviceReader {
                                bus_kind_name(type.buses.front())));
     return false;
   }
-  /// What the port makes and is not above `most`.
-  [[nodiscard]] std::string fastest_clock(const Segment& segment, std::int64_t most) const {
-    const Port* port = reading_.buses[segment.bus].port;
-    const auto rates =
-        port != nullptr ? faster_rates(*port, segment.bus_kind, 0, {most, {}}) : std::vector<std::int64_t>{};
-    return rate_text(segment.bus_kind, rates.empty() ? most : rates.back());
-  }
   /// The bus may not be faster than the part, and a serial line has to run at one of its rates.
   void check_bus_speed(const xml::Attribute& bus, const Segment& segment) {
     if (segment.kind == Segment::Kind::pwm_expander || !reading_.buses[segment.bus].rate_is_known) return;
@@ -147,7 +140,8 @@ class DeviceReader {
                fmt::format("bus '{}' runs at {} Hz, '{}' at most at {} Hz", physical.name.text, physical.rate,
                            type.name, *type.max_clock_hz))
           .note("the bus stands here", physical.at)
-          .hint(fmt::format("write clock=\"{}\" at the bus", fastest_clock(segment, *type.max_clock_hz)));
+          .hint(fmt::format("write clock=\"{}\" at the bus",
+                            fastest_clock(reading_.buses[segment.bus].port, segment.bus_kind, *type.max_clock_hz)));
     }
     if (type.rates.empty() || std::find(type.rates.begin(), type.rates.end(), physical.rate) != type.rates.end())
       return;

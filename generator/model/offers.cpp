@@ -83,6 +83,11 @@ std::vector<std::int64_t> faster_rates(const Port& port, BusKind kind, std::int6
   return rates;
 }
 
+std::string fastest_clock(const Port* port, BusKind kind, std::int64_t most) {
+  const auto rates = port != nullptr ? faster_rates(*port, kind, 0, {most, {}}) : std::vector<std::int64_t>{};
+  return rate_text(kind, rates.empty() ? most : rates.back());
+}
+
 std::vector<std::string> free_ports(const Board& board, const std::vector<std::string>& used, BusKind kind) {
   std::vector<std::string> names;
   for (const Port& port : board.ports) {

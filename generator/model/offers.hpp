@@ -27,6 +27,10 @@ struct RateLimits {
 /// parts with settings have.
 std::vector<std::int64_t> faster_rates(const Port& port, BusKind kind, std::int64_t least, const RateLimits& limits);
 
+/// The fastest clock up to `most` that the port makes, as the attribute writes it; `most` where it makes none or is not
+/// known.
+std::string fastest_clock(const Port* port, BusKind kind, std::int64_t most);
+
 /// Ports of the board that serve the kind, are not among the `used` ones and need nothing that those occupy.
 std::vector<std::string> free_ports(const Board& board, const std::vector<std::string>& used, BusKind kind);
 

@@ -468,17 +468,18 @@ class Adapter {
     }
   }
 
-  /// The controller sends by identifier among three mailboxes. With more frames of ours than those, or with others than
+  /// The controller sends by identifier among its mailboxes. With more frames of ours than those, or with others than
   /// the shared ones, one that waits for a mailbox may be the more urgent.
   void forget_crowded_identifiers() {
-    constexpr std::size_t kMailboxes = 3;
+    const Json driver = board_.value("drivers", Json::object()).value("can", Json::object());
+    const auto mailboxes = driver.value("mailboxes", std::size_t{0});
     for (Flush& flush : model_.flushes) {
       const bool alone = std::all_of(model_.devices.begin(), model_.devices.end(), [&](const Device& device) {
         return std::all_of(device.transfers.begin(), device.transfers.end(), [&](const Transfer& t) {
           return t.bus != flush.bus || t.after == Transfer::After::autonomous;
         });
       });
-      if (!alone || flush.identifiers.size() > kMailboxes) flush.identifiers.clear();
+      if (!alone || flush.identifiers.size() > mailboxes) flush.identifiers.clear();
     }
   }
 
