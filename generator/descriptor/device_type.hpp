@@ -109,7 +109,7 @@ struct DeviceType {
   std::vector<Interface> provides;  ///< first one is the default
   std::vector<RoleSpec> roles;      ///< constructor order
   std::vector<UseSpec> uses;
-  std::vector<ParamSpec> params;  ///< Config order
+  std::vector<ParamSpec> params;  ///< members of Config, by name
   std::vector<GeometrySpec> geometry;
   std::string link_role;  ///< whose states and commands go over its link; empty: it is none
   bool actuator = false;

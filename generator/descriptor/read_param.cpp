@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "generator/descriptor/cpp_words.hpp"
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/units/units.hpp"
 
@@ -156,6 +157,8 @@ class SpecReader {
 
   ParamSpec read() {
     spec_.name = value_.at("name").get<std::string>();
+    if (const auto fault = invalid_name(spec_.name))
+      complain("name", code::descriptor_contradiction, "the name " + *fault + ", so no member of Config can have it");
     spec_.kind = kind_named(value_.at("type").get<std::string>());
     spec_.unit_text = value_.value("unit", "");
     spec_.unit = exact_unit(spec_.unit_text);

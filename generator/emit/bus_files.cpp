@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/emit/device_definition.hpp"
+#include "generator/emit/config.hpp"
+#include "generator/version.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -156,9 +157,8 @@ std::string bus_definition(const Plan& plan, std::size_t index) {
 
 std::string expander_definition(const Plan& plan, const Expander& expander) {
   std::string arguments = bus_reference(plan, "slots::" + expander.name.cpp);
-  std::string fields;
-  for (const Param& param : expander.params) fields += (fields.empty() ? "" : ", ") + param_literal(param);
-  if (!fields.empty()) arguments += fmt::format(",\n    finemote::Pca9685::Config{{{}}}", fields);
+  if (!expander.params.empty())
+    arguments += ",\n    " + config_expression("finemote::Pca9685", expander.params, /*is_shipped*/ true);
   return fmt::format("FINEMOTE_CONSTINIT finemote::Pca9685 {}{{{}}};", expander.name.cpp, arguments);
 }
 
@@ -248,7 +248,8 @@ std::vector<std::string> call_lines(const Plan& plan, bool KindNames::*wanted, c
 
 Data bus_header(const Plan& plan) {
   Data data = common_data(plan);
-  std::vector<std::string> includes;
+  data.set("format", std::to_string(kOutputFormat));
+  std::vector<std::string> includes{"<finemote/generated_format.hpp>"};
   for (const Bus& bus : plan.robot.buses) {
     if (const KindNames* names = kind_names(bus.kind)) includes.emplace_back(names->include);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/emit/config.hpp"
 #include "generator/emit/number.hpp"
 #include "generator/schedule/period.hpp"
 
@@ -16,67 +17,6 @@ std::string join(const std::vector<std::string>& parts, const std::string& separ
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i) text += (i > 0 ? separator : "") + parts[i];
   return text;
-}
-
-std::string quoted(const std::string& text) {
-  std::string literal = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      literal += std::string("\\") + c;
-    } else if (byte < 0x20 || byte == 0x7f) {
-      literal += fmt::format("\\{:03o}", byte);
-    } else {
-      literal += c;
-    }
-  }
-  return literal + "\"";
-}
-
-const char* unit_comment(const ParamSpec& spec) {
-  switch (spec.unit) {
-    case Unit::time_ns:
-      return " [ns]";
-    case Unit::frequency_hz:
-      return " [Hz]";
-    case Unit::bit_rate:
-      return " [bit/s]";
-    case Unit::bits:
-      return " [bit]";
-    case Unit::percent:
-      return " [%]";
-    case Unit::none:
-      break;
-  }
-  return "";
-}
-
-std::string enumerator(const ParamSpec& spec, const std::string& value) {
-  const auto found = spec.enumerators.find(value);
-  return found == spec.enumerators.end() ? quoted(value) : found->second;
-}
-
-std::string value_literal(const Param& param) {
-  struct {
-    const ParamSpec& spec;
-    std::string operator()(std::int64_t value) const {
-      return spec.kind == ParamKind::real ? float_literal(static_cast<double>(value)) : std::to_string(value);
-    }
-    std::string operator()(double value) const { return float_literal(value); }
-    std::string operator()(bool value) const { return value ? "true" : "false"; }
-    std::string operator()(const std::string& value) const {
-      return spec.kind == ParamKind::enumeration ? enumerator(spec, value) : quoted(value);
-    }
-  } visitor{*param.spec};
-  return std::visit(visitor, param.value);
-}
-
-std::string config(const Device& device) {
-  std::vector<std::string> fields;
-  for (const Param& param : device.params) fields.push_back(param_literal(param));
-  std::string text = fmt::format("{}::Config{{{}}}", device.type->cpp_class, join(fields, ", "));
-  if (text.size() + 4 <= kWidest) return text;
-  return fmt::format("{}::Config{{\n        {}}}", device.type->cpp_class, join(fields, ",\n        "));
 }
 
 std::string level_pin(const std::string& pin, const NamedPin* named) {
@@ -233,10 +173,6 @@ void add_array(const Plan& plan, std::size_t device, const RoleBinding& role, st
 
 }  // namespace
 
-std::string param_literal(const Param& param) {
-  return fmt::format("/*{}{}*/ {}", param.spec->name, unit_comment(*param.spec), value_literal(param));
-}
-
 std::vector<std::string> port_lines(const Plan& plan, std::size_t device) {
   std::vector<std::string> lines;
   add_crossings(plan, device, lines);
@@ -251,7 +187,8 @@ std::vector<std::string> port_lines(const Plan& plan, std::size_t device) {
 std::string device_definition(const Plan& plan, std::size_t index, const std::vector<Constant>& constants) {
   const Device& device = plan.robot.devices[index];
   std::vector<std::string> arguments;
-  if (!device.params.empty()) arguments.push_back(config(device));
+  if (!device.params.empty())
+    arguments.push_back(config_expression(device.type->cpp_class, device.params, device.type->builtin));
   for (const Constant& constant : constants) {
     if (constant.device != index) continue;
     if (constant.text.empty()) {

@@ -16,7 +16,4 @@ std::string device_definition(const Plan& plan, std::size_t device, const std::v
 /// Lines of namespace `ports` that must stand before the device: copies, latches, sinks, arrays.
 std::vector<std::string> port_lines(const Plan& plan, std::size_t device);
 
-/// A param as its Config field: `/*oversampling*/ 1024`.
-std::string param_literal(const Param& param);
-
 }  // namespace finemote::gen

@@ -89,6 +89,46 @@ Data sequences(const Plan& plan, const Tree& tree) {
   return list;
 }
 
+/// What must be defined before `device`: its children, and devices of its own tree that its ports refer to directly.
+std::vector<std::size_t> made_from(const Plan& plan, std::size_t device) {
+  std::vector<std::size_t> sources = plan.robot.devices[device].children;
+  for (const RoleBinding& role : plan.schedule.roles[device]) {
+    for (const Binding& binding : role.bindings) {
+      if (binding.is_read && !binding.state_crossing) sources.push_back(binding.device);
+    }
+  }
+  return sources;
+}
+
+/// Leaf to root, and a device that another one of the tree reads before its reader: schedule order but for those that
+/// read what runs after them. Data never go in circles: the model has seen to that. Iterative: depth is the input's.
+std::vector<std::size_t> definition_order(const Plan& plan, const Tree& tree) {
+  struct Visit {
+    std::size_t device;
+    std::vector<std::size_t> sources;
+    std::size_t next = 0;
+  };
+  std::vector<std::size_t> order;
+  std::set<std::size_t> seen;
+  std::vector<Visit> way;
+  const auto enter = [&](std::size_t device) {
+    if (seen.insert(device).second) way.push_back({device, made_from(plan, device)});
+  };
+  for (const std::size_t start : tree.devices) {
+    enter(start);
+    while (!way.empty()) {
+      Visit& visit = way.back();
+      if (visit.next < visit.sources.size()) {
+        enter(visit.sources[visit.next++]);
+      } else {
+        order.push_back(visit.device);
+        way.pop_back();
+      }
+    }
+  }
+  return order;
+}
+
 std::string own_header(const Tree& tree) { return "\"trees/" + tree.space + ".hpp\""; }
 
 /// Trees whose objects or latches the sequences of `tree` touch.
@@ -112,8 +152,10 @@ std::vector<std::string> object_headers(const Plan& plan, const Tree& tree, cons
     headers.push_back("<" + type.include + ">");  // never the tree's own file, whatever the root is called
   };
   for (std::size_t device : tree.devices) {
-    include(*plan.robot.devices[device].type);
-    if (!plan.robot.devices[device].type->constant_init) headers.emplace_back("<finemote/order.hpp>");
+    const DeviceType& type = *plan.robot.devices[device].type;
+    include(type);
+    if (!type.builtin && !type.params.empty()) headers.emplace_back("<finemote/config.hpp>");
+    if (!type.constant_init) headers.emplace_back("<finemote/order.hpp>");
     for (const Read& read : plan.robot.devices[device].reads) include(*plan.robot.devices[read.device].type);
     for (const Constant& constant : constants) {
       if (constant.device == device && !constant.in_tree && !constant.text.empty())
@@ -143,7 +185,7 @@ Data tree_header(const Plan& plan, const Tree& tree, const std::vector<Constant>
   data.set("space", tree.space);
   data.set("includes", include_list(object_headers(plan, tree, constants)));
   Data devices(Data::type::list);
-  for (std::size_t device : tree.devices) {
+  for (std::size_t device : definition_order(plan, tree)) {
     std::vector<std::string> lines = port_lines(plan, device);
     for (const Constant& constant : constants) {
       if (constant.device == device && constant.in_tree) lines.push_back(constant.text);

@@ -11,28 +11,6 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// C++17 keywords, alternative tokens and what later standards add (generated code should compile as those too).
-constexpr std::array kKeywords{
-    "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
-    "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
-    "char32_t",    "char8_t",  "class",      "co_await",  "co_return", "co_yield",     "compl",
-    "concept",     "const",    "const_cast", "consteval", "constexpr", "constinit",    "continue",
-    "decltype",    "default",  "delete",     "do",        "double",    "dynamic_cast", "else",
-    "enum",        "explicit", "export",     "extern",    "false",     "float",        "for",
-    "friend",      "goto",     "if",         "inline",    "int",       "long",         "mutable",
-    "namespace",   "new",      "noexcept",   "not",       "not_eq",    "nullptr",      "operator",
-    "or",          "or_eq",    "private",    "protected", "public",    "register",     "reinterpret_cast",
-    "requires",    "return",   "short",      "signed",    "sizeof",    "static",       "static_assert",
-    "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
-    "true",        "try",      "typedef",    "typeid",    "typename",  "union",        "unsigned",
-    "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
-    "xor_eq"};
-
-/// Macros of the C library and of compilers in their GNU modes.
-constexpr std::array kMacros{"NULL",       "EOF",    "assert",  "errno", "stdin",    "stdout",   "stderr",
-                             "offsetof",   "setjmp", "signbit", "isnan", "isinf",    "isfinite", "isnormal",
-                             "fpclassify", "unix",   "linux",   "i386",  "INFINITY", "NAN",      "HUGE_VAL"};
-
 /// Names the C library declares beside a robot's namespace.
 constexpr std::array kLibrary{
     "abort",  "abs",     "acos",    "acosh",     "asin",      "asinh",  "atan",   "atan2",   "atanh",    "atexit",
@@ -68,20 +46,6 @@ std::string cpp_name(std::string_view text) {
   std::string name = !text.empty() && is_digit(text.front()) ? "n_" : "";
   for (const char c : text) name += is_digit(c) || is_letter(c) ? c : '_';
   return name;
-}
-
-std::optional<std::string> invalid_name(std::string_view cpp) {
-  if (cpp.empty()) return "is empty";
-  if (contains(kKeywords, cpp)) return "is a keyword of C++";
-  if (cpp == "main") return "is where a C++ program begins";
-  if (contains(kMacros, cpp)) return "is a macro of the C library or of a compiler";
-  if (cpp.find("__") != std::string_view::npos) return "has two underscores in a row, which C++ keeps for itself";
-  if (cpp.size() > 1 && cpp[0] == '_' && cpp[1] >= 'A' && cpp[1] <= 'Z')
-    return "begins with an underscore and a capital, which C++ keeps for itself";
-  if (std::none_of(cpp.begin(), cpp.end(), [](char c) { return is_letter(c) || is_digit(c); }))
-    return "has neither letter nor digit";
-  if (cpp.substr(0, 9) == "FINEMOTE_") return "begins as the macros of FineMote do";
-  return {};
 }
 
 std::optional<std::string> reserved_name(std::string_view cpp, NameScope scope) {

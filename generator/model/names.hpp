@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "generator/descriptor/cpp_words.hpp"
 #include "generator/model/robot.hpp"
 
 namespace finemote::gen {
@@ -20,9 +21,6 @@ enum class NameScope {
   in_robot,  ///< buses, expanders and tree namespaces
   in_tree,   ///< devices
 };
-
-/// Why a C++ name cannot be used at all: keyword, alternative token, `main`, `__`, leading `_X`, a macro, empty.
-std::optional<std::string> invalid_name(std::string_view cpp);
 
 /// Why generated code does not leave the name free in that place.
 std::optional<std::string> reserved_name(std::string_view cpp, NameScope scope);

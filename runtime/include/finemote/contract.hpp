@@ -9,9 +9,10 @@
 // A device knows no period and no bucket; where an edge crosses periods the generated code moves copies.
 // No heap, no exceptions, no RTTI, no recursion; the class is trivially destructible.
 //
-// The constructor takes, in this order and leaving out what does not apply: `const Config&` (the parameters in the
-// order of the descriptor), geometry constants, the bus endpoint, the `use` endpoints, one port per role: `Port<I>` for
-// a role with exactly one child, `Ports<I>` for every other. It is constexpr wherever the class allows.
+// The constructor takes, in this order and leaving out what does not apply: `const Config&` (for every param of the
+// descriptor a member of its name, which generated code assigns), geometry constants, the bus endpoint, the `use`
+// endpoints, one port per role: `Port<I>` for a role with exactly one child, `Ports<I>` for every other. It is
+// constexpr wherever the class allows.
 #pragma once
 
 #include <cstddef>

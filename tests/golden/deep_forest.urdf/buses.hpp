@@ -4,6 +4,10 @@
 // The buses of robot 'deep_forest': one object per bus, bound to its port.
 #pragma once
 
+#include <finemote/generated_format.hpp>
+
+static_assert(finemote::kGeneratedFormat == 2, "made for another version of the runtime: run `finemote generate`");
+
 namespace deep_forest {
 
 /// Configures every bus; called once, before the first release.

@@ -4,9 +4,12 @@
 // The buses of robot 'FinsROV': one object per bus, bound to its port.
 #pragma once
 
+#include <finemote/generated_format.hpp>
 #include <finemote/i2c.hpp>
 #include <finemote/pca9685.hpp>
 #include <finemote/uart.hpp>
+
+static_assert(finemote::kGeneratedFormat == 2, "made for another version of the runtime: run `finemote generate`");
 
 namespace FinsROV {
 

@@ -32,7 +32,7 @@ FINEMOTE_CONSTINIT finemote::Uart imu_uart{finemote::ports::usart1, 921600 /* ba
 FINEMOTE_CONSTINIT finemote::Uart tether{finemote::ports::usart6, 115200 /* baud */, finemote::UartFormat::k8E1};
 FINEMOTE_CONSTINIT finemote::I2cBus i2c{finemote::ports::i2c2, 400000 /* Hz */, i2c_slots};
 FINEMOTE_CONSTINIT finemote::Pca9685 pwm{::FinsROV::slots::pwm,
-    finemote::Pca9685::Config{/*frequency [Hz]*/ 50, /*oscillator [Hz]*/ 25000000, /*refresh*/ 50}};
+    finemote::Pca9685::Config{}};
 
 void start_buses() {
   imu_uart.start();

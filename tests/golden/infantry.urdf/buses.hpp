@@ -5,9 +5,12 @@
 #pragma once
 
 #include <finemote/can.hpp>
+#include <finemote/generated_format.hpp>
 #include <finemote/pwm.hpp>
 #include <finemote/spi.hpp>
 #include <finemote/uart.hpp>
+
+static_assert(finemote::kGeneratedFormat == 2, "made for another version of the runtime: run `finemote generate`");
 
 namespace infantry {
 

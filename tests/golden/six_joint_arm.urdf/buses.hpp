@@ -5,7 +5,10 @@
 #pragma once
 
 #include <finemote/can.hpp>
+#include <finemote/generated_format.hpp>
 #include <finemote/uart.hpp>
+
+static_assert(finemote::kGeneratedFormat == 2, "made for another version of the runtime: run `finemote generate`");
 
 namespace six_joint_arm {
 

@@ -4,6 +4,10 @@
 // The buses of robot 'line_follower': one object per bus, bound to its port.
 #pragma once
 
+#include <finemote/generated_format.hpp>
+
+static_assert(finemote::kGeneratedFormat == 2, "made for another version of the runtime: run `finemote generate`");
+
 namespace line_follower {
 
 /// Configures every bus; called once, before the first release.

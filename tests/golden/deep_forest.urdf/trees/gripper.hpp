@@ -17,7 +17,7 @@ namespace deep_forest::gripper {
 /// finger: sim_load, every 10 ms
 /// response <= 415.138 us; data age <= 10.416 ms when handle() ends, <= 10.416 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::SimLoad finger{
-    finemote::SimLoad::Config{/*update [ns]*/ 100000, /*handle [ns]*/ 10000},
+    [] { finemote::SimLoad::Config c{}; c.update = 100 * finemote::kMicrosecond; return c; }(),
     finemote::Ports<finemote::Any>{}};
 
 namespace ports {  // what 'gripper' sees of others
@@ -44,9 +44,7 @@ inline constexpr finemote::Port<finemote::Any> gripper_children[] = {
 
 /// gripper: sim_load, every 4 ms
 /// response <= 194.96 us
-FINEMOTE_CONSTINIT inline finemote::SimLoad gripper{
-    finemote::SimLoad::Config{/*update [ns]*/ 10000, /*handle [ns]*/ 10000},
-    ports::gripper_children};
+FINEMOTE_CONSTINIT inline finemote::SimLoad gripper{finemote::SimLoad::Config{}, ports::gripper_children};
 
 void update_4ms();
 void handle_4ms();

@@ -16,7 +16,12 @@ namespace deep_forest::remote {
 /// remote: sim_load, every 10 ms
 /// response <= 486.354 us
 FINEMOTE_CONSTINIT inline finemote::SimLoad remote{
-    finemote::SimLoad::Config{/*update [ns]*/ 20000, /*handle [ns]*/ 5000},
+    [] {
+      finemote::SimLoad::Config c{};
+      c.update = 20 * finemote::kMicrosecond;
+      c.handle = 5 * finemote::kMicrosecond;
+      return c;
+    }(),
     finemote::Ports<finemote::Any>{}};
 
 void update_10ms();

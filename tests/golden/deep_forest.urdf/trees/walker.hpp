@@ -18,15 +18,11 @@ namespace deep_forest::walker {
 
 /// hip-left: sim_load, every 2 ms
 /// response <= 140.198 us; data age <= 16.141 ms when handle() ends, <= 16.141 ms at the output (oldest: hip-left)
-FINEMOTE_CONSTINIT inline finemote::SimLoad hip_left{
-    finemote::SimLoad::Config{/*update [ns]*/ 10000, /*handle [ns]*/ 10000},
-    finemote::Ports<finemote::Any>{}};
+FINEMOTE_CONSTINIT inline finemote::SimLoad hip_left{finemote::SimLoad::Config{}, finemote::Ports<finemote::Any>{}};
 
 /// knee-left: sim_load, every 2 ms
 /// response <= 128.02 us; data age <= 16.129 ms when handle() ends, <= 16.129 ms at the output (oldest: hip-left)
-FINEMOTE_CONSTINIT inline finemote::SimLoad knee_left{
-    finemote::SimLoad::Config{/*update [ns]*/ 10000, /*handle [ns]*/ 10000},
-    finemote::Ports<finemote::Any>{}};
+FINEMOTE_CONSTINIT inline finemote::SimLoad knee_left{finemote::SimLoad::Config{}, finemote::Ports<finemote::Any>{}};
 
 namespace ports {  // what 'leg-left' sees of others
 // state: hip-left (2 ms) -> leg-left (4 ms)
@@ -53,15 +49,11 @@ FINEMOTE_CONSTINIT inline finemote::Group leg_left{ports::leg_left_children};
 
 /// hip-right: sim_load, every 2 ms
 /// response <= 115.842 us; data age <= 16.116 ms when handle() ends, <= 16.116 ms at the output (oldest: hip-left)
-FINEMOTE_CONSTINIT inline finemote::SimLoad hip_right{
-    finemote::SimLoad::Config{/*update [ns]*/ 10000, /*handle [ns]*/ 10000},
-    finemote::Ports<finemote::Any>{}};
+FINEMOTE_CONSTINIT inline finemote::SimLoad hip_right{finemote::SimLoad::Config{}, finemote::Ports<finemote::Any>{}};
 
 /// knee-right: sim_load, every 2 ms
 /// response <= 103.664 us; data age <= 16.104 ms when handle() ends, <= 16.104 ms at the output (oldest: hip-left)
-FINEMOTE_CONSTINIT inline finemote::SimLoad knee_right{
-    finemote::SimLoad::Config{/*update [ns]*/ 10000, /*handle [ns]*/ 10000},
-    finemote::Ports<finemote::Any>{}};
+FINEMOTE_CONSTINIT inline finemote::SimLoad knee_right{finemote::SimLoad::Config{}, finemote::Ports<finemote::Any>{}};
 
 namespace ports {  // what 'leg-right' sees of others
 // state: hip-right (2 ms) -> leg-right (4 ms)
@@ -96,13 +88,23 @@ inline constexpr finemote::Port<finemote::Any> front_children[] = {
 /// front: sim_load, every 4 ms
 /// response <= 222.738 us; data age <= 12.223 ms when handle() ends, <= 12.223 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad front{
-    finemote::SimLoad::Config{/*update [ns]*/ 15000, /*handle [ns]*/ 25000},
+    [] {
+      finemote::SimLoad::Config c{};
+      c.update = 15 * finemote::kMicrosecond;
+      c.handle = 25 * finemote::kMicrosecond;
+      return c;
+    }(),
     ports::front_children};
 
 /// tilt: sim_load, every 2 ms
 /// response <= 91.486 us; data age <= 12.092 ms when handle() ends, <= 12.092 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad tilt{
-    finemote::SimLoad::Config{/*update [ns]*/ 30000, /*handle [ns]*/ 0},
+    [] {
+      finemote::SimLoad::Config c{};
+      c.update = 30 * finemote::kMicrosecond;
+      c.handle = finemote::Duration{0};
+      return c;
+    }(),
     finemote::Ports<finemote::Any>{}};
 
 namespace ports {  // what 'body' sees of others
@@ -142,7 +144,12 @@ inline constexpr finemote::Port<finemote::Any> walker_children[] = {
 /// walker: sim_load, every 10 ms
 /// response <= 476.998 us
 FINEMOTE_CONSTINIT inline finemote::SimLoad walker{
-    finemote::SimLoad::Config{/*update [ns]*/ 40000, /*handle [ns]*/ 60000},
+    [] {
+      finemote::SimLoad::Config c{};
+      c.update = 40 * finemote::kMicrosecond;
+      c.handle = 60 * finemote::kMicrosecond;
+      return c;
+    }(),
     ports::walker_children};
 
 void update_2ms();

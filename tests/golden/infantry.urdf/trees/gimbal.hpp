@@ -26,13 +26,7 @@ FINEMOTE_CONSTINIT inline finemote::EdgePin imu_use_ready{finemote::ports::exti5
 /// imu: bmi088 on 'imu_spi' channel 0, every 1 ms
 /// response <= 136.6 us
 FINEMOTE_CONSTINIT inline finemote::Bmi088 imu{
-    finemote::Bmi088::Config{
-        /*kp*/ 0.5f,
-        /*ki*/ 0.01f,
-        /*temperature*/ 40.0f,
-        /*heater_kp*/ 0.2f,
-        /*heater_ki*/ 0.005f,
-        /*heater_limit*/ 0.5f},
+    finemote::Bmi088::Config{},
     /*mount*/ nullptr,
     ::infantry::slots::imu,
     /*gyro*/ ::infantry::slots::imu_gyro,
@@ -41,15 +35,11 @@ FINEMOTE_CONSTINIT inline finemote::Bmi088 imu{
 
 /// yaw: dji_gm6020 on 'gimbal_can' id 1, every 1 ms
 /// response <= 133.34 us; data age <= 28.186 ms when handle() ends, <= 28.607 ms at the output (oldest: remote)
-FINEMOTE_CONSTINIT inline finemote::DjiGm6020 yaw{
-    finemote::DjiGm6020::Config{/*zero*/ 0.0f, /*max_age [ns]*/ 100000000},
-    ::infantry::slots::yaw};
+FINEMOTE_CONSTINIT inline finemote::DjiGm6020 yaw{finemote::DjiGm6020::Config{}, ::infantry::slots::yaw};
 
 /// pitch: dji_gm6020 on 'gimbal_can' id 2, every 1 ms
 /// response <= 129.862 us; data age <= 28.182 ms when handle() ends, <= 28.607 ms at the output (oldest: remote)
-FINEMOTE_CONSTINIT inline finemote::DjiGm6020 pitch{
-    finemote::DjiGm6020::Config{/*zero*/ 0.0f, /*max_age [ns]*/ 100000000},
-    ::infantry::slots::pitch};
+FINEMOTE_CONSTINIT inline finemote::DjiGm6020 pitch{finemote::DjiGm6020::Config{}, ::infantry::slots::pitch};
 
 namespace ports {  // what 'gimbal' sees of others
 // state: yaw (1 ms) -> gimbal (2 ms)
@@ -75,18 +65,7 @@ FINEMOTE_CONSTINIT inline finemote::Remote::State remote_to_gimbal{};
 /// gimbal: gimbal, every 2 ms
 /// response <= 177.428 us
 FINEMOTE_CONSTINIT inline finemote::Gimbal gimbal{
-    finemote::Gimbal::Config{
-        /*max_rate*/ 3.0f,
-        /*pitch_lowest*/ -0.4f,
-        /*pitch_highest*/ 0.5f,
-        /*yaw_kp*/ 10.0f,
-        /*yaw_rate_kp*/ 0.3f,
-        /*yaw_rate_ki*/ 1.0f,
-        /*pitch_kp*/ 10.0f,
-        /*pitch_rate_kp*/ 0.3f,
-        /*pitch_rate_ki*/ 1.0f,
-        /*max_torque*/ 1.2f,
-        /*max_age [ns]*/ 100000000},
+    finemote::Gimbal::Config{},
     ::infantry::constants::gimbal_yaw_axes,
     ::infantry::constants::gimbal_pitch_axes,
     finemote::Port<finemote::Motor>{ports::yaw_to_gimbal, ports::gimbal_to_yaw},

@@ -25,38 +25,36 @@ FINEMOTE_CONSTINIT inline finemote::Sbus sticks{::six_joint_arm::receiver};
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
 /// response <= 209.308 us; data age <= 27.234 ms when handle() ends, <= 27.557 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 base{
-    finemote::DjiM3508::Config{/*gear*/ 57.61f, /*max_age [ns]*/ 100000000},
+    [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     ::six_joint_arm::slots::base};
 
 /// shoulder: dji_m3508 on 'arm_can' id 2, every 2 ms
 /// response <= 185.448 us; data age <= 27.21 ms when handle() ends, <= 27.536 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 shoulder{
-    finemote::DjiM3508::Config{/*gear*/ 57.61f, /*max_age [ns]*/ 100000000},
+    [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     ::six_joint_arm::slots::shoulder};
 
 /// elbow: dji_m3508 on 'arm_can' id 3, every 2 ms
 /// response <= 182.888 us; data age <= 27.207 ms when handle() ends, <= 27.536 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 elbow{
-    finemote::DjiM3508::Config{/*gear*/ 38.406f, /*max_age [ns]*/ 100000000},
+    [] { finemote::DjiM3508::Config c{}; c.gear = 38.406f; return c; }(),
     ::six_joint_arm::slots::elbow};
 
 /// wrist_roll: dji_m3508 on 'wrist_can' id 1, every 2 ms
 /// response <= 180.328 us; data age <= 27.205 ms when handle() ends, <= 27.536 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{
-    finemote::DjiM3508::Config{/*gear*/ 19.2032086f, /*max_age [ns]*/ 100000000},
+    finemote::DjiM3508::Config{},
     ::six_joint_arm::slots::wrist_roll};
 
 /// wrist_pitch: dji_m2006 on 'wrist_can' id 2, every 2 ms
 /// response <= 177.768 us; data age <= 27.202 ms when handle() ends, <= 27.536 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{
-    finemote::DjiM2006::Config{/*gear*/ 36.0f, /*max_age [ns]*/ 100000000},
+    finemote::DjiM2006::Config{},
     ::six_joint_arm::slots::wrist_pitch};
 
 /// flange: dji_m2006 on 'wrist_can' id 3, every 2 ms
 /// response <= 175.208 us; data age <= 27.2 ms when handle() ends, <= 27.536 ms at the output (oldest: sticks)
-FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{
-    finemote::DjiM2006::Config{/*gear*/ 36.0f, /*max_age [ns]*/ 100000000},
-    ::six_joint_arm::slots::flange};
+FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{finemote::DjiM2006::Config{}, ::six_joint_arm::slots::flange};
 
 namespace ports {  // what 'arm' sees of others
 // state: sticks (10 ms) -> arm (2 ms)
@@ -75,15 +73,14 @@ inline constexpr finemote::Port<finemote::Motor> arm_joints[] = {
 /// arm: serial_arm, every 2 ms
 /// response <= 172.648 us
 FINEMOTE_CONSTINIT inline finemote::SerialArm arm{
-    finemote::SerialArm::Config{
-        /*max_speed*/ 1.0f,
-        /*lead*/ 0.2f,
-        /*kp*/ 16.0f,
-        /*ki*/ 10.0f,
-        /*kd*/ 1.2f,
-        /*max_torque*/ 10.0f,
-        /*weight*/ 1.0f,
-        /*max_age [ns]*/ 100000000},
+    [] {
+      finemote::SerialArm::Config c{};
+      c.lead = 0.2f;  // [rad]
+      c.kp = 16.0f;  // [N m]
+      c.kd = 1.2f;  // [N m s]
+      c.max_torque = 10.0f;  // [N m]
+      return c;
+    }(),
     ::six_joint_arm::constants::arm_chain,
     ports::arm_joints,
     finemote::Port<finemote::Remote>{ports::sticks_to_arm}};

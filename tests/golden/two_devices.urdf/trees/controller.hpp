@@ -17,7 +17,12 @@ namespace two_devices::controller {
 /// sensor: sim_load, every 5 ms
 /// response <= 59.306 us; data age <= 10.06 ms when handle() ends, <= 10.06 ms at the output (oldest: sensor)
 FINEMOTE_CONSTINIT inline finemote::SimLoad sensor{
-    finemote::SimLoad::Config{/*update [ns]*/ 40000, /*handle [ns]*/ 5000},
+    [] {
+      finemote::SimLoad::Config c{};
+      c.update = 40 * finemote::kMicrosecond;
+      c.handle = 5 * finemote::kMicrosecond;
+      return c;
+    }(),
     finemote::Ports<finemote::Any>{}};
 
 namespace ports {  // what 'controller' sees of others
@@ -35,7 +40,12 @@ inline constexpr finemote::Port<finemote::Any> controller_children[] = {
 /// controller: sim_load, every 10 ms
 /// response <= 122.062 us
 FINEMOTE_CONSTINIT inline finemote::SimLoad controller{
-    finemote::SimLoad::Config{/*update [ns]*/ 20000, /*handle [ns]*/ 30000},
+    [] {
+      finemote::SimLoad::Config c{};
+      c.update = 20 * finemote::kMicrosecond;
+      c.handle = 30 * finemote::kMicrosecond;
+      return c;
+    }(),
     ports::controller_children};
 
 void update_5ms();

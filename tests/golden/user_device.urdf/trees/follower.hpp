@@ -5,6 +5,7 @@
 // This file and all other generated files belong to the user of the generator.
 #pragma once
 
+#include <finemote/config.hpp>
 #include <finemote/constinit.hpp>
 #include <finemote/contract.hpp>
 #include <finemote/devices/group.hpp>
@@ -18,13 +19,16 @@ namespace line_follower::follower {
 /// line: line_sensor, every 5 ms
 /// response <= 31.36 us
 FINEMOTE_CONSTINIT inline example::LineSensor line{
-    example::LineSensor::Config{/*threshold*/ 0.25f, /*hold [ns]*/ 20000000}};
+    [] {
+      example::LineSensor::Config c{};
+      c.threshold = finemote::exact<decltype(c.threshold)>(0.25f);
+      c.hold = finemote::exact<decltype(c.hold)>(20 * finemote::kMillisecond);
+      return c;
+    }()};
 
 /// drive: sim_load, every 5 ms
 /// response <= 30.3 us; data age <= 29 us when handle() ends, <= 29 us at the output (oldest: line)
-FINEMOTE_CONSTINIT inline finemote::SimLoad drive{
-    finemote::SimLoad::Config{/*update [ns]*/ 10000, /*handle [ns]*/ 10000},
-    finemote::Ports<finemote::Any>{}};
+FINEMOTE_CONSTINIT inline finemote::SimLoad drive{finemote::SimLoad::Config{}, finemote::Ports<finemote::Any>{}};
 
 namespace ports {  // what 'follower' sees of others
 FINEMOTE_CONSTINIT inline finemote::Any::Command follower_children_sink_0{};  // goes nowhere

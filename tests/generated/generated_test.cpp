@@ -1,0 +1,61 @@
+// Robots whose generated sources once did not compile, and robots of former versions.
+#include "catch.hpp"
+#include "cli/order.hpp"
+#include "cli/program.hpp"
+#include "generated/compiler.hpp"
+
+using namespace finemote::test;
+
+namespace {
+
+/// Generates and compiles for host and board; a complaint fails the test.
+void check_compiles(const std::string& robot, const std::vector<std::string>& includes = {}) {
+  const TemporaryFolder folder;
+  const auto generated = run_finemote({"generate", robot, "-o", folder.path()});
+  INFO(generated.output);
+  REQUIRE(generated.exit_status == 0);
+  for (const Compiler& compiler : compilers()) CHECK(complaint_about(compiler, folder.path(), includes) == "");
+}
+
+std::string robot_of(const std::string& devices) {
+  return R"(<robot name="r"><link name="l"/><finemote version="1"><board name="robomaster_type_c"/>)" + devices +
+         "</finemote></robot>";
+}
+
+}  // namespace
+
+TEST_CASE("a device may read one that comes later in its tree") {
+  const TemporaryFolder folder;
+  write_file(folder.path("r.urdf"), robot_of(R"(<device name="root" type="group" period="5ms">
+    <device name="line" type="sim_load"><reads device="tilt" role="children"/></device>
+    <device name="slow" type="sim_load" period="10ms"><reads device="tilt" role="children"/></device>
+    <device name="tilt" type="sim_load"><reads device="last" role="children"/>
+      <device name="deep" type="sim_load" period="10ms"/></device>
+    <device name="last" type="sim_load"/></device>)"));
+  check_compiles(folder.path("r.urdf"));
+  const auto tree = finemote_json({"tree", folder.path("r.urdf")});
+  const auto run = finemote_json({"run", folder.path("r.urdf"), "--board", "host"});
+  CHECK(order_mistake(tree, run) == "");  // the schedule stays that of the document
+}
+
+TEST_CASE("the user's device of version 0.1.0 still generates and compiles") {
+  const std::string folder = source_path("tests/generated/user_device_0_1");
+  check_compiles(folder + "/user_device.urdf", {folder + "/devices"});
+}
+
+TEST_CASE("the example's device runs without its params") {
+  const TemporaryFolder folder;
+  std::string robot = read_file(source_path("examples/user_device.urdf"));
+  for (auto at = robot.find("<param "); at != std::string::npos; at = robot.find("<param "))
+    robot.erase(at, robot.find("</param>", at) + 8 - at);
+  write_file(folder.path("r.urdf"), robot);
+  const std::string devices = source_path("examples/devices");
+  const auto run = run_finemote({"run", folder.path("r.urdf"), "--board", "host", "--device-path", devices});
+  INFO(run.output);
+  CHECK(run.exit_status == 0);
+  REQUIRE(run_finemote({"generate", folder.path("r.urdf"), "-o", folder.path("out"), "--device-path", devices})
+              .exit_status == 0);
+  const std::string header = read_file(folder.path("out/trees/follower.hpp"));
+  CHECK(header.find("c.threshold = finemote::exact<decltype(c.threshold)>(0.5f);\n") != std::string::npos);
+  CHECK(header.find("c.hold = finemote::exact<decltype(c.hold)>(50 * finemote::kMillisecond);\n") != std::string::npos);
+}
