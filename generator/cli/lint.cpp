@@ -22,9 +22,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr Code kLintCodes[] = {code::lint_order,         code::lint_period_ratio, code::lint_no_wcet,
-                               code::lint_conversion,    code::lint_bus_load,     code::lint_unused_bus,
-                               code::timing_bus_overload};
+constexpr Code kLintCodes[] = {code::lint_order,          code::lint_period_ratio, code::lint_no_wcet,
+                               code::lint_conversion,     code::lint_bus_load,     code::lint_unused_bus,
+                               code::lint_param_replaced, code::lint_command_age,  code::timing_bus_overload};
 
 /// `FM3151` or `3151`: one of lint's own codes.
 std::vector<Code> codes(Context& context, const char* option, const std::vector<std::string>& words) {
@@ -70,6 +70,7 @@ LintOptions lint_options(Context& context, const Verdict& verdict) {
   options.deny = codes(context, "--deny", context.options.deny);
   options.bus_load = verdict.bus_load;
   options.overloads = verdict.overloads;
+  options.command_ages = verdict.command_ages;
   return options;
 }
 

@@ -18,8 +18,8 @@
 #include "generator/run/execute.hpp"
 #include "generator/run/parts.hpp"
 #include "generator/run/report.hpp"
-#include "generator/timing/command.hpp"
 #include "generator/timing/from_robot.hpp"
+#include "generator/timing/operands.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
@@ -144,11 +144,8 @@ std::optional<timing::Timing> bounds(const Context& context, const Loaded& loade
                                      Diagnostics& diagnostics) {
   timing::AnalysisRequest request;
   request.requirements = timing::timing_requirements(loaded.robot, loaded.forest);
-  for (const std::string& text : context.options.chains) {
-    const auto chain = timing::parse_chain(model, text, diagnostics);
-    if (!chain) return std::nullopt;
-    request.chains.push_back(*chain);
-  }
+  request.chains = timing::parse_chains(model, context.options.chains, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
   return timing::analyse(model, request, diagnostics);
 }
 

@@ -18,11 +18,21 @@ std::vector<double> bus_loads(const Robot& robot, const timing::Timing& timing) 
   return loads;
 }
 
+std::vector<std::optional<CommandAge>> command_ages(const Loaded& loaded, const timing::Timing& timing) {
+  std::vector<std::optional<CommandAge>> ages(loaded.robot.devices.size());
+  for (const timing::ChainResult& input : timing.inputs) {
+    if (!input.acquire_ns || !input.decide_ns) continue;
+    ages[loaded.forest.order[input.to]] = {*input.acquire_ns + *input.decide_ns, loaded.forest.order[input.from]};
+  }
+  return ages;
+}
+
 }  // namespace
 
 std::optional<Verdict> timing_verdict(Context& context, const Loaded& loaded) {
   timing::AnalysisRequest request;
   request.requirements = timing::timing_requirements(loaded.robot, loaded.forest);
+  request.inputs = true;
   Diagnostics findings;
   const auto timing =
       timing::analyse(timing::make_timing_model(loaded.robot, loaded.forest, loaded.schedule), request, findings);
@@ -36,6 +46,7 @@ std::optional<Verdict> timing_verdict(Context& context, const Loaded& loaded) {
   verdict.schedulable = timing->schedulable;
   verdict.requirements_hold = timing->requirements_hold();
   verdict.bus_load = bus_loads(loaded.robot, *timing);
+  verdict.command_ages = command_ages(loaded, *timing);
   Diagnostics reasons;
   for (const Diagnostic& finding : findings.in_file_order()) {
     if (finding.code == code::timing_bus_overload)

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "generator/cli/load.hpp"
+#include "generator/lint/lint.hpp"
 #include "generator/timing/analyse.hpp"
 
 namespace finemote::gen {
@@ -11,9 +12,10 @@ namespace finemote::gen {
 struct Verdict {
   bool schedulable = false;
   bool requirements_hold = false;
-  std::vector<double> bus_load;       ///< 0..1, per Robot::buses; empty when there is no answer
-  std::vector<Diagnostic> overloads;  ///< FM4021, of buses that are asked for more than their time
-  Diagnostics reasons;                ///< the findings behind a no, without those; empty after a yes
+  std::vector<double> bus_load;                         ///< 0..1, per Robot::buses; empty when there is no answer
+  std::vector<std::optional<CommandAge>> command_ages;  ///< per Robot::devices; none where there is no bound
+  std::vector<Diagnostic> overloads;                    ///< FM4021, of buses that are asked for more than their time
+  Diagnostics reasons;                                  ///< the findings behind a no, without those; empty after a yes
 };
 
 /// Analyses the robot in its default profile. None when the analysis gives no answer (an overflow); then the reason is

@@ -31,6 +31,7 @@ struct RoleSpec {
   std::string interface;  ///< Interface::name, or `any`
   std::uint32_t min = 0;
   std::optional<std::uint32_t> max;  ///< none: unbounded
+  bool passes = true;                ///< what its children measure becomes part of the commands the device sends
 };
 
 /// Base units of params: everything is stored exactly in the base unit.
@@ -48,6 +49,7 @@ struct ParamSpec {
   std::string unit_text;            ///< for kinds without conversion (`deg`, `mm`): documentation only
   std::optional<double> min, max;   ///< inclusive, base unit
   std::string at_least;             ///< the param whose value it is not below; empty: none
+  bool limits_command_age = false;  ///< with older data behind its command the device goes to its safe output
   std::vector<std::string> values;  ///< allowed spellings of an enumeration, or of an integer given as a list
   std::map<std::string, std::string> enumerators;  ///< spelling -> C++ enumerator
   std::optional<ParamValue> fallback;              ///< the default; none: the param is required

@@ -39,7 +39,7 @@ Interface read_interface(const Json& value) {
 
 RoleSpec read_role(const Json& value) {
   return {value.at("name").get<std::string>(), value.at("interface").get<std::string>(), value.value("min", 0U),
-          optional_member<std::uint32_t>(value, "max")};
+          optional_member<std::uint32_t>(value, "max"), value.value("passes", true)};
 }
 
 UseSpec read_use(const Json& value) {

@@ -167,6 +167,7 @@ class SpecReader {
     read_range();
     read_default();
     spec_.at_least = value_.value("at_least", "");
+    spec_.limits_command_age = value_.contains("limits");
     return std::move(spec_);
   }
 

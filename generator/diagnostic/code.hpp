@@ -201,6 +201,7 @@ inline constexpr Code lint_conversion{3154};  // longer than the period
 inline constexpr Code lint_bus_load{3155};
 inline constexpr Code lint_unused_bus{3156};
 inline constexpr Code lint_param_replaced{3157};  // given, and computed from the URDF
+inline constexpr Code lint_command_age{3161};     // data may get older than the device accepts
 // 6xxx: firmware and emulator
 inline constexpr Code firmware_build_failed{6001};  // generated code or the user's devices do not compile
 inline constexpr Code firmware_stopped{6002};       // a fault, or it did not end in time

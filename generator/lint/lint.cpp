@@ -29,6 +29,7 @@ class Linter {
       check_wcet(robot_.devices[i]);
       check_conversion(robot_.devices[i]);
       check_replaced(robot_.devices[i]);
+      check_command_age(i);
     }
     return std::move(edits_);
   }
@@ -222,6 +223,32 @@ class Linter {
             .hint("remove it");
       }
     }
+  }
+
+  /// A limit that data exceed in regular operation sends the device to its safe output time and again.
+  void check_command_age(std::size_t index) {
+    if (index >= options_.command_ages.size() || !options_.command_ages[index]) return;
+    const Device& device = robot_.devices[index];
+    const CommandAge& age = *options_.command_ages[index];
+    for (const Param& param : device.params) {
+      const auto* most = std::get_if<std::int64_t>(&param.value);
+      if (!param.spec->limits_command_age || most == nullptr || age.ns <= *most) continue;
+      report_command_age(device, param, *most, age);
+    }
+  }
+  void report_command_age(const Device& device, const Param& param, std::int64_t most, const CommandAge& age) {
+    constexpr std::int64_t kStep = 1'000'000;
+    Diagnostic* finding = report(
+        code::lint_command_age, device.at,
+        fmt::format("data behind the commands of device '{}' can be {} old, and its '{}' is {}", device.name.text,
+                    units::format_duration(age.ns), param.spec->name, units::format_duration(most)));
+    if (finding == nullptr) return;
+    finding->underline(7)
+        .note("it goes to its safe output although nothing has failed")
+        .note(fmt::format("the oldest of these data come from '{}'", robot_.devices[age.source].name.text),
+              robot_.devices[age.source].at)
+        .hint(fmt::format("allow <param name=\"{}\">{}</param> or more, or make the data fresher", param.spec->name,
+                          units::format_duration((age.ns + kStep - 1) / kStep * kStep)));
   }
 
   const Robot& robot_;

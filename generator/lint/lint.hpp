@@ -1,6 +1,8 @@
 // A correct robot to warnings that save robots, and to the edits that mend the mechanical ones.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,11 +12,18 @@
 
 namespace finemote::gen {
 
+/// The oldest data behind a device's command, at the end of its handle().
+struct CommandAge {
+  std::int64_t ns = 0;
+  std::size_t source = 0;  ///< whose sample: index into Robot::devices
+};
+
 struct LintOptions {
   std::vector<Code> allow;  ///< not reported
   std::vector<Code> deny;   ///< reported as errors
   double most_bus_load = 0.7;
-  std::vector<double> bus_load;       ///< 0..1, per Robot::buses, from the timing analysis; empty: not known
+  std::vector<double> bus_load;  ///< 0..1, per Robot::buses, from the timing analysis; empty: not known
+  std::vector<std::optional<CommandAge>> command_ages;  ///< proven, per Robot::devices; empty: not known
   std::vector<Diagnostic> overloads;  ///< FM4021 of the timing analysis, instead of FM3155 for these buses
 };
 
@@ -23,6 +32,7 @@ struct LintOptions {
 /// FM3152 a child's period that is neither multiple nor divisor of its parent's,
 /// FM3153 a leaf without <wcet>, FM3154 a conversion longer than the device's period,
 /// FM3155 a bus that is busy for more than `most_bus_load`, FM3156 a bus nobody uses.
+/// FM3157 a param that is computed from the URDF, FM3161 a limit on the age of commands below the proven age.
 /// FM4021 for those of more than 100 %; who denies FM3155 denies these.
 /// @return  edits for FM3151 and FM3156, where the text was written by hand and not by a macro.
 std::vector<Edit> lint(const Robot& robot, const LintOptions& options, Diagnostics& diagnostics);

@@ -7,8 +7,8 @@
 
 #include "generator/diagnostic/render.hpp"
 #include "generator/simulate/trace.hpp"
-#include "generator/timing/command.hpp"
 #include "generator/timing/json.hpp"
+#include "generator/timing/operands.hpp"
 #include "generator/timing/table.hpp"
 
 namespace finemote::gen {
@@ -96,11 +96,8 @@ std::string table(const Outcome& outcome, const SimulateOptions& options) {
 int run_simulate(const timing::Model& model, const SimulateOptions& options, Diagnostics& diagnostics,
                  std::ostream& out) {
   timing::AnalysisRequest request{options.profile, {}, {}};
-  for (const std::string& text : options.chains) {
-    const auto chain = timing::parse_chain(model, text, diagnostics);
-    if (!chain) return 2;
-    request.chains.push_back(*chain);
-  }
+  request.chains = timing::parse_chains(model, options.chains, diagnostics);
+  if (diagnostics.has_errors()) return 2;
   const std::optional<timing::Timing> timing = timing::analyse(model, request, diagnostics);
   if (!timing) return 2;
   // The paper's buses interrupt more often than any wire can; what happens is what profile tight describes.

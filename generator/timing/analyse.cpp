@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generator/timing/explain.hpp"
+#include "generator/timing/operands.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -155,9 +156,9 @@ void report_remarks(const Timing& timing, Diagnostics& diagnostics) {
 }
 
 /// The chains a user named: on the command line, and by requirements.
-std::vector<ChainRequest> asked_chains(const AnalysisRequest& request) {
+std::vector<ChainRequest> asked_chains(const AnalysisRequest& request, const std::vector<Requirement>& requirements) {
   std::vector<ChainRequest> chains = request.chains;
-  for (const Requirement& requirement : request.requirements) {
+  for (const Requirement& requirement : requirements) {
     const bool is_latency = requirement.kind == Requirement::Kind::latency_end_to_end ||
                             requirement.kind == Requirement::Kind::latency_decision;
     if (!is_latency) continue;
@@ -198,9 +199,10 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
         fmt::format("no data leads from '{}' to '{}'", model.devices[c.from].name, model.devices[c.to].name));
   }
   if (diagnostics.has_errors()) return std::nullopt;
-  for (const ChainRequest& c : asked_chains(request)) add_chain(chains, c, timing.chains);
+  const std::vector<Requirement> requirements = reach_actuators(request.requirements, model, topology);
+  for (const ChainRequest& c : asked_chains(request, requirements)) add_chain(chains, c, timing.chains);
   const Evaluation evaluation(model, best, chains, wire.loads());
-  for (const Requirement& r : request.requirements) timing.requirements.push_back(evaluation.evaluate(r));
+  for (const Requirement& r : requirements) timing.requirements.push_back(evaluation.evaluate(r));
   timing.bus_loads = wire.loads();
   for (std::size_t d = 0; d < model.devices.size(); ++d) {
     if (model.devices[d].source == WcetSource::assumed) timing.assumed.push_back(d);

@@ -20,6 +20,11 @@ std::optional<Ns> sum(std::optional<Ns> a, std::optional<Ns> b) {
 /// Orders bounds, unbounded last.
 bool less(std::optional<Ns> a, std::optional<Ns> b) { return a && (!b || *a < *b); }
 
+/// Whether the data of `a` are older when the command is made.
+bool is_older(const ChainResult& a, const ChainResult& b) {
+  return less(sum(b.acquire_ns, b.decide_ns), sum(a.acquire_ns, a.decide_ns));
+}
+
 }  // namespace
 
 /// The devices of a chain: down from the root to the terminal, and everything between the source and the root.
@@ -75,15 +80,23 @@ void ChainAnalysis::find_hand_overs() {
   }
 }
 
+bool ChainAnalysis::ends_at(std::size_t producer, std::size_t consumer) const {
+  const auto& ends = model_.devices[consumer].ends_here;
+  return std::find(ends.begin(), ends.end(), producer) != ends.end();
+}
+
 bool ChainAnalysis::connected(std::size_t from, std::size_t to) const {
-  const std::size_t goal = topology_.root_of[to];
+  std::set<std::size_t> goals{to};  // every device whose handle() has a part in the command of `to`
+  for (std::size_t d = to; model_.devices[d].parent; d = *model_.devices[d].parent)
+    goals.insert(*model_.devices[d].parent);
   std::vector<std::size_t> stack{from};
   std::set<std::size_t> seen{from};
   while (!stack.empty()) {
     const std::size_t device = stack.back();
     stack.pop_back();
-    if (device == goal) return true;
+    if (goals.contains(device)) return true;
     for (const std::size_t consumer : consumers_[device]) {
+      if (consumer != to && ends_at(device, consumer)) continue;
       if (seen.insert(consumer).second) stack.push_back(consumer);
     }
   }
@@ -305,7 +318,7 @@ std::vector<ChainResult> ChainAnalysis::worst_of_pairs(const std::vector<std::si
     ChainResult worst = bound(sources.front(), to);
     for (std::size_t s = 1; s < sources.size(); ++s) {
       ChainResult other = bound(sources[s], to);
-      if (less(sum(worst.acquire_ns, worst.decide_ns), sum(other.acquire_ns, other.decide_ns))) worst = other;
+      if (is_older(other, worst)) worst = other;
     }
     results.push_back(worst);
   }
@@ -314,22 +327,22 @@ std::vector<ChainResult> ChainAnalysis::worst_of_pairs(const std::vector<std::si
 
 /// The same for large trees: per root release the oldest sample of any source, then per terminal its latest use.
 /// Windows within one job are not used.
-std::vector<ChainResult> ChainAnalysis::worst_of_groups(std::size_t tree,
+std::vector<ChainResult> ChainAnalysis::worst_of_groups(std::size_t root, const std::vector<std::size_t>& leaves,
                                                         const std::vector<std::size_t>& terminals) const {
-  const std::size_t root = topology_.roots[tree];
   const auto walk_groups = [&](const std::function<void(const HandOverGroup&)>& visit) {
     walk_tree(model_, topology_, profile_.responses, profile_.set, profile_.table, root, *profile_.hand_overs, effort_,
               visit);
   };
   bool complete_tree = true;
-  for (const std::size_t leaf : topology_.leaves[tree]) {
+  for (const std::size_t leaf : leaves) {
     complete_tree &= profile_.responses.ok(profile_.set.bucket_of[leaf]) && acquire_[leaf].has_value();
   }
   OldestSources sources(model_.devices[root].period_ns);
   walk_groups([&](const HandOverGroup& group) {
     OldestSources::Oldest best;
     for (const std::size_t d : group.devices) {
-      if (topology_.children[d].empty() && acquire_[d]) best.offer({*acquire_[d], d});
+      const bool is_source = std::binary_search(leaves.begin(), leaves.end(), d);
+      if (is_source && acquire_[d]) best.offer({*acquire_[d], d});
     }
     if (best.age >= 0) sources.add_group(group, best);
   });
@@ -351,71 +364,9 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(std::size_t tree,
   std::vector<ChainResult> results;
   for (const std::size_t to : terminals) {
     const auto entry = found.find(to);
-    const std::size_t any = topology_.leaves[tree].front();
-    results.push_back(entry != found.end() && complete_tree ? entry->second : complete(any, to, {}));
+    results.push_back(entry != found.end() && complete_tree ? entry->second : complete(leaves.front(), to, {}));
   }
   return results;
-}
-
-/// Per tree: root releases until everything in it repeats; kNever when that leaves the range of numbers.
-std::vector<Ns> ChainAnalysis::entries() const {
-  std::map<std::size_t, Ns> common;
-  for (std::size_t d = 0; d < model_.devices.size(); ++d) {
-    Ns& length = common.try_emplace(topology_.root_of[d], 1).first->second;
-    try {
-      if (length != kNever) length = lcm(length, profile_.table.repeat(d));
-    } catch (const Overflow&) {
-      length = kNever;
-    }
-  }
-  std::vector<Ns> result;
-  for (const std::size_t root : topology_.roots) {
-    result.push_back(common[root] == kNever ? kNever : common[root] / model_.devices[root].period_ns);
-  }
-  return result;
-}
-
-std::vector<ChainResult> ChainAnalysis::defaults() const {
-  std::vector<ChainResult> results;
-  const std::vector<Ns> repetition = entries();
-  for (std::size_t tree = 0; tree < topology_.roots.size(); ++tree) {
-    const auto& sources = topology_.leaves[tree];
-    std::vector<std::size_t> terminals;
-    for (const std::size_t leaf : sources) {
-      if (model_.devices[leaf].takes_command) terminals.push_back(leaf);
-    }
-    if (terminals.empty()) terminals.push_back(topology_.roots[tree]);
-    const std::size_t pairs = sources.size() * terminals.size();
-    const bool small = pairs <= most_pairs_ && repetition[tree] <= kMostPairEntries / static_cast<Ns>(pairs);
-    if (!small &&
-        reads_in_tree_of_[topology_.roots[tree]]) {  // groups know tree edges only, and another way may be older
-      for (const std::size_t to : terminals) results.push_back(complete(sources.front(), to, {}));
-      continue;
-    }
-    for (ChainResult& r : small ? worst_of_pairs(sources, terminals) : worst_of_groups(tree, terminals)) {
-      results.push_back(r);
-    }
-  }
-  return results;
-}
-
-/// Devices with a sample of their own whose data reach `root`: those without children, and those that measure. Data of
-/// any other device are as old as what it was made from.
-std::vector<std::size_t> ChainAnalysis::sources_of(std::size_t root) const {
-  std::vector<std::size_t> stack{root}, sources;
-  std::set<std::size_t> seen{root};
-  while (!stack.empty()) {
-    const std::size_t device = stack.back();
-    stack.pop_back();
-    if (topology_.children[device].empty() || model_.devices[device].acquisition) sources.push_back(device);
-    std::vector<std::size_t> producers = topology_.children[device];
-    producers.insert(producers.end(), model_.devices[device].reads.begin(), model_.devices[device].reads.end());
-    for (const std::size_t producer : producers) {
-      if (seen.insert(producer).second) stack.push_back(producer);
-    }
-  }
-  std::sort(sources.begin(), sources.end());
-  return sources;
 }
 
 /// Nanoseconds until everything about these devices repeats; kNever when that leaves the range of numbers.
@@ -429,34 +380,107 @@ Ns ChainAnalysis::repetition(const std::vector<std::size_t>& devices) const {
   return length;
 }
 
-std::vector<ChainResult> ChainAnalysis::oldest_inputs() const {
-  std::vector<std::vector<std::size_t>> terminals(topology_.roots.size());
-  std::vector<std::size_t> tree_of_root(model_.devices.size());
-  for (std::size_t tree = 0; tree < topology_.roots.size(); ++tree) tree_of_root[topology_.roots[tree]] = tree;
-  for (std::size_t d = 0; d < model_.devices.size(); ++d) {
-    if (model_.devices[d].takes_command && model_.devices[d].parent) {
-      terminals[tree_of_root[topology_.root_of[d]]].push_back(d);
+/// The root, everything below an edge that data end at, and the terminal where data end at itself: whatever is between
+/// two of them is reached from the upper one.
+ChainAnalysis::Turns ChainAnalysis::turns_above(std::size_t to) const {
+  Turns turns;
+  if (!model_.devices[to].ends_here.empty()) turns.end = to;
+  std::size_t d = to;
+  for (; model_.devices[d].parent; d = *model_.devices[d].parent) {
+    if (ends_at(d, *model_.devices[d].parent) || turns.end == d) turns.devices.push_back(d);
+  }
+  turns.devices.push_back(d);
+  return turns;
+}
+
+/// Devices with a sample of their own whose data reach one of the turns: those without children, and those that
+/// measure. Data of any other device are as old as what it was made from.
+std::vector<std::size_t> ChainAnalysis::sources_of(const Turns& turns) const {
+  std::vector<std::size_t> stack = turns.devices, sources;
+  std::set<std::size_t> seen(stack.begin(), stack.end());
+  while (!stack.empty()) {
+    const std::size_t device = stack.back();
+    stack.pop_back();
+    if (topology_.children[device].empty() || model_.devices[device].acquisition) sources.push_back(device);
+    std::vector<std::size_t> producers = topology_.children[device];
+    producers.insert(producers.end(), model_.devices[device].reads.begin(), model_.devices[device].reads.end());
+    for (const std::size_t producer : producers) {
+      if (device != turns.end && ends_at(producer, device)) continue;
+      if (seen.insert(producer).second) stack.push_back(producer);
     }
   }
+  std::sort(sources.begin(), sources.end());
+  return sources;
+}
+
+/// The source with the largest bound, per terminal; all terminals are of one tree.
+std::vector<ChainResult> ChainAnalysis::worst_of(const std::vector<std::size_t>& sources,
+                                                 const std::vector<std::size_t>& terminals) const {
+  const std::size_t root = topology_.root_of[terminals.front()];
+  std::vector<std::size_t> concerned = sources;
+  for (const std::size_t source : sources) {
+    for (std::size_t d = source; model_.devices[d].parent; d = *model_.devices[d].parent)
+      concerned.push_back(*model_.devices[d].parent);
+  }
+  concerned.insert(concerned.end(), terminals.begin(), terminals.end());
+  const std::size_t pairs = sources.size() * terminals.size();
+  const Ns entries = repetition(concerned) / model_.devices[root].period_ns;
+  if (pairs <= most_pairs_ && entries <= kMostPairEntries / static_cast<Ns>(pairs))
+    return worst_of_pairs(sources, terminals);
+
+  std::vector<std::size_t> leaves, others;
+  for (const std::size_t s : sources) (topology_.children[s].empty() ? leaves : others).push_back(s);
+  // Groups know tree edges only, and another way may be older.
+  const bool is_known = !reads_in_tree_of_[root] && !leaves.empty() && others.size() * terminals.size() <= most_pairs_;
   std::vector<ChainResult> results;
-  for (std::size_t tree = 0; tree < terminals.size(); ++tree) {
-    if (terminals[tree].empty()) continue;
-    const std::size_t root = topology_.roots[tree];
-    const std::vector<std::size_t> sources = sources_of(root);
-    std::vector<std::size_t> concerned = sources;
-    for (const std::size_t source : sources) {
-      for (std::size_t d = source; model_.devices[d].parent; d = *model_.devices[d].parent) concerned.push_back(d);
+  if (!is_known) {
+    for (const std::size_t to : terminals) results.push_back(complete(sources.front(), to, {}));
+    return results;
+  }
+  results = worst_of_groups(root, leaves, terminals);
+  if (others.empty()) return results;
+  const std::vector<ChainResult> measured = worst_of_pairs(others, terminals);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (is_older(measured[i], results[i])) results[i] = measured[i];
+  }
+  return results;
+}
+
+/// In the order of `terminals`, which are of one tree; those that the same data reach are looked at together.
+std::vector<ChainResult> ChainAnalysis::worst_of_all(const std::vector<std::size_t>& terminals) const {
+  std::map<Turns, std::vector<std::size_t>> places;  // of terminals
+  for (std::size_t i = 0; i < terminals.size(); ++i) places[turns_above(terminals[i])].push_back(i);
+  std::vector<ChainResult> results(terminals.size());
+  for (const auto& [turns, members] : places) {
+    std::vector<std::size_t> of_group;
+    for (const std::size_t i : members) of_group.push_back(terminals[i]);
+    const std::vector<ChainResult> worst = worst_of(sources_of(turns), of_group);
+    for (std::size_t k = 0; k < members.size(); ++k) results[members[k]] = worst[k];
+  }
+  return results;
+}
+
+std::vector<ChainResult> ChainAnalysis::defaults() const {
+  std::vector<ChainResult> results;
+  for (std::size_t tree = 0; tree < topology_.roots.size(); ++tree) {
+    std::vector<std::size_t> terminals;
+    for (const std::size_t leaf : topology_.leaves[tree]) {
+      if (model_.devices[leaf].takes_command) terminals.push_back(leaf);
     }
-    concerned.insert(concerned.end(), terminals[tree].begin(), terminals[tree].end());
-    const std::size_t pairs = sources.size() * terminals[tree].size();
-    const Ns entries = repetition(concerned) / model_.devices[root].period_ns;
-    if (pairs <= most_pairs_ && entries <= kMostPairEntries / static_cast<Ns>(pairs)) {
-      for (ChainResult& r : worst_of_pairs(sources, terminals[tree])) results.push_back(r);
-    } else if (sources == topology_.leaves[tree] && !reads_in_tree_of_[topology_.roots[tree]]) {
-      for (ChainResult& r : worst_of_groups(tree, terminals[tree])) results.push_back(r);
-    } else {
-      for (const std::size_t to : terminals[tree]) results.push_back(complete(sources.front(), to, {}));
-    }
+    if (terminals.empty()) terminals.push_back(topology_.roots[tree]);
+    for (ChainResult& r : worst_of_all(terminals)) results.push_back(r);
+  }
+  return results;
+}
+
+std::vector<ChainResult> ChainAnalysis::oldest_inputs() const {
+  std::vector<std::vector<std::size_t>> terminals(model_.devices.size());  // per root
+  for (std::size_t d = 0; d < model_.devices.size(); ++d) {
+    if (model_.devices[d].takes_command && model_.devices[d].parent) terminals[topology_.root_of[d]].push_back(d);
+  }
+  std::vector<ChainResult> results;
+  for (const std::size_t root : topology_.roots) {
+    for (ChainResult& r : worst_of_all(terminals[root])) results.push_back(r);
   }
   return results;
 }

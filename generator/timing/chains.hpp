@@ -32,17 +32,23 @@ class ChainAnalysis {
   /// Requires connected(from, to). Throws Overflow, TooLong.
   [[nodiscard]] ChainResult bound(std::size_t from, std::size_t to) const;
 
-  /// For every leaf that takes a command (every root where its tree has none): the source leaf of its tree with the
-  /// largest bound. Throws Overflow, TooLong.
+  /// For every leaf that takes a command (every root where its tree has none): the chain from the oldest data its
+  /// command can rest on, of all sources whose data reach it, over `reads` edges too. A source has no children, or
+  /// samples of its own. Where too many pairs would have to be looked at and groups of them cannot stand in, the chain
+  /// is without bounds. Throws Overflow, TooLong.
   [[nodiscard]] std::vector<ChainResult> defaults() const;
 
-  /// For every device below another that takes a command: the chain from the oldest data its command can rest on, of
-  /// all devices with a sample of their own whose data reach it, over `reads` edges too. Where too many pairs would
-  /// have to be looked at and groups of them cannot stand in, the chain is without bounds. Throws Overflow, TooLong.
+  /// The same for every device below another that takes a command, leaf or not. Throws Overflow, TooLong.
   [[nodiscard]] std::vector<ChainResult> oldest_inputs() const;
 
  private:
   struct Route;
+  /// Where data can turn from going up to going down to a terminal.
+  struct Turns {
+    std::optional<std::size_t> end;    ///< the terminal, where some of its children's data end at it
+    std::vector<std::size_t> devices;  ///< the root last
+    auto operator<=>(const Turns&) const = default;
+  };
   void find_hand_overs();
   struct Decision {
     std::optional<Ns> ns;
@@ -61,10 +67,14 @@ class ChainAnalysis {
   [[nodiscard]] ChainResult complete(std::size_t from, std::size_t to, const Decision& decision) const;
   [[nodiscard]] std::vector<ChainResult> worst_of_pairs(const std::vector<std::size_t>& sources,
                                                         const std::vector<std::size_t>& terminals) const;
-  [[nodiscard]] std::vector<ChainResult> worst_of_groups(std::size_t tree,
+  [[nodiscard]] std::vector<ChainResult> worst_of_groups(std::size_t root, const std::vector<std::size_t>& leaves,
                                                          const std::vector<std::size_t>& terminals) const;
-  [[nodiscard]] std::vector<Ns> entries() const;
-  [[nodiscard]] std::vector<std::size_t> sources_of(std::size_t root) const;
+  [[nodiscard]] std::vector<ChainResult> worst_of(const std::vector<std::size_t>& sources,
+                                                  const std::vector<std::size_t>& terminals) const;
+  [[nodiscard]] std::vector<ChainResult> worst_of_all(const std::vector<std::size_t>& terminals) const;
+  [[nodiscard]] bool ends_at(std::size_t producer, std::size_t consumer) const;
+  [[nodiscard]] Turns turns_above(std::size_t to) const;
+  [[nodiscard]] std::vector<std::size_t> sources_of(const Turns& turns) const;
   [[nodiscard]] Ns repetition(const std::vector<std::size_t>& devices) const;
   [[nodiscard]] bool is_assumed(std::size_t from, std::size_t to) const;
 

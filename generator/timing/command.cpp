@@ -6,31 +6,14 @@
 #include <ostream>
 
 #include "generator/diagnostic/render.hpp"
-#include "generator/diagnostic/suggest.hpp"
 #include "generator/timing/json.hpp"
+#include "generator/timing/operands.hpp"
 #include "generator/timing/table.hpp"
 
 namespace finemote::gen::timing {
 namespace {
 
 constexpr std::size_t kMostDevicesForSlack = 500;  ///< every device is bisected on its own
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
-std::optional<std::size_t> find_device(const Model& model, std::string_view name, Diagnostics& diagnostics) {
-  std::vector<std::string> names;
-  for (std::size_t d = 0; d < model.devices.size(); ++d) {
-    if (model.devices[d].name == name) return d;
-    names.push_back(model.devices[d].name);
-  }
-  auto& d = diagnostics.error(code::timing_chain, {}, fmt::format("there is no device '{}'", name));
-  if (const std::string hint = did_you_mean(name, names); !hint.empty()) d.hint(hint);
-  return std::nullopt;
-}
 
 struct Slack {
   Ns all = 0;
@@ -95,17 +78,6 @@ void assume(Model& model, Ns wcet) {
   }
 }
 
-bool parse_chains(const Model& model, const AnalyzeOptions& options, AnalysisRequest& request,
-                  Diagnostics& diagnostics) {
-  bool good = true;
-  for (const std::string& text : options.chains) {
-    const auto chain = parse_chain(model, text, diagnostics);
-    good &= chain.has_value();
-    if (chain) request.chains.push_back(*chain);
-  }
-  return good;
-}
-
 }  // namespace
 
 std::optional<Profile> profile_of(std::string_view name) {
@@ -115,23 +87,12 @@ std::optional<Profile> profile_of(std::string_view name) {
   return std::nullopt;
 }
 
-std::optional<ChainRequest> parse_chain(const Model& model, std::string_view text, Diagnostics& diagnostics) {
-  const auto arrow = text.find("->");
-  if (arrow == std::string_view::npos) {
-    diagnostics.error(code::timing_chain, {}, fmt::format("'{}' is no chain", text)).hint("--chain 'sensor->actuator'");
-    return std::nullopt;
-  }
-  const auto from = find_device(model, trimmed(text.substr(0, arrow)), diagnostics);
-  const auto to = find_device(model, trimmed(text.substr(arrow + 2)), diagnostics);
-  if (!from || !to) return std::nullopt;
-  return ChainRequest{*from, *to};
-}
-
 int run_analyze(Model model, const std::vector<Requirement>& requirements, const AnalyzeOptions& options,
                 Diagnostics& diagnostics, std::ostream& out) {
   if (options.assume_wcet_ns) assume(model, *options.assume_wcet_ns);
   AnalysisRequest request{options.profile, {}, requirements};
-  if (!parse_chains(model, options, request, diagnostics)) return 2;
+  request.chains = parse_chains(model, options.chains, diagnostics);
+  if (diagnostics.has_errors()) return 2;
   const std::optional<Timing> timing = analyse(model, request, diagnostics);
   if (!timing) return 2;
   std::optional<Slack> slack;

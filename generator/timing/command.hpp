@@ -21,9 +21,6 @@ struct AnalyzeOptions {
 /// `paper`, `tight`, `target`; none for other words.
 std::optional<Profile> profile_of(std::string_view name);
 
-/// `a->b` (blanks allowed) by device names; reports FM4018 and returns nothing when an end does not exist.
-std::optional<ChainRequest> parse_chain(const Model& model, std::string_view text, Diagnostics& diagnostics);
-
 /// Analyses and writes the table or the JSON document to `out`; findings go to `diagnostics` (and into the document).
 /// Returns the exit status: 0, 1 (not schedulable in the asked profile, or a requirement fails), 2 (no answer; nothing
 /// is written).

@@ -164,6 +164,7 @@ class Adapter {
     if (options_.monitor) out.handle_extra_ns = monitor_cost("monitor_handle");
     out.takes_command = device.type != nullptr && device.type->has_command();
     for (const Read& r : device.reads) out.reads.push_back(forest_.rank[r.device]);
+    add_roles(device, out);
     const std::size_t place = model_.devices.size();
     model_.devices.push_back(std::move(out));
     if (device.type == nullptr || device.type->descriptor == nullptr) return;
@@ -174,6 +175,19 @@ class Adapter {
       if (use.segment) add_frames(device, descriptor, *use.segment, use.spec->role, place);
     }
     if (device.segment) add_interrupts(device, descriptor);
+  }
+
+  /// The device's own role in its parent, and whose data end at it.
+  void add_roles(const gen::Device& device, Device& out) const {
+    if (device.parent && device.role) out.role = robot_.devices[*device.parent].type->roles[*device.role].name;
+    if (device.type == nullptr) return;
+    const auto note = [&](std::size_t producer, std::size_t role) {
+      if (!device.type->roles[role].passes) out.ends_here.push_back(forest_.rank[producer]);
+    };
+    for (const std::size_t child : device.children) {
+      if (robot_.devices[child].role) note(child, *robot_.devices[child].role);
+    }
+    for (const Read& r : device.reads) note(r.device, r.role);
   }
 
   static WcetSource source_of(Wcet::Source source) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <tuple>
 
 #include "generator/timing/analyse.hpp"
 
@@ -37,18 +38,32 @@ bool survives(const Model& model, Profile profile, std::optional<std::size_t> on
   return is_schedulable(trial, profile);
 }
 
-/// Orders are judged by the worst tree latency first, then by the sum over all paths; unbounded is worst.
+/// Orders are judged by the worst tree latency, then by the sum over all paths; unbounded is worst. Before all that
+/// come readers registered before what they observe in the same period: their data are a whole period older, which no
+/// latency of a tree shows.
 struct Score {
+  std::size_t late_reads = 0;
   Ns worst = 0;
   long double total = 0;
   friend bool operator<(const Score& a, const Score& b) {
-    return a.worst != b.worst ? a.worst < b.worst : a.total < b.total;
+    return std::tie(a.late_reads, a.worst, a.total) < std::tie(b.late_reads, b.worst, b.total);
   }
 };
 
+std::size_t count_late_reads(const Model& model) {
+  std::size_t late = 0;
+  for (std::size_t d = 0; d < model.devices.size(); ++d) {
+    const Device& reader = model.devices[d];
+    late += static_cast<std::size_t>(std::count_if(reader.reads.begin(), reader.reads.end(), [&](std::size_t observed) {
+      return observed > d && model.devices[observed].period_ns == reader.period_ns;
+    }));
+  }
+  return late;
+}
+
 Score score(const Model& model, Profile profile) {
   const ProfileAnalysis analysis = analyse_profile(model, make_topology(model), profile);
-  Score s;
+  Score s{count_late_reads(model)};
   for (const TreeResult& tree : analysis.result.trees) {
     s.worst = std::max(s.worst, tree.latency_ns.value_or(kNever));
     for (const PathResult& path : tree.paths) s.total += static_cast<long double>(path.latency_ns.value_or(kNever));
@@ -101,6 +116,7 @@ Model reorder(const Model& model, const std::vector<std::size_t>& order) {
     Device& d = result.devices[i] = model.devices[order[i]];
     if (d.parent) d.parent = place[*d.parent];
     for (std::size_t& read : d.reads) read = place[read];
+    for (std::size_t& end : d.ends_here) end = place[end];
   }
   for (Bus& bus : result.buses) {
     if (!bus.sources) continue;

@@ -92,6 +92,9 @@ struct Device {
   Ns output_ns = 0;        ///< end of handle() to the output where no bus is in between (a timer's next period)
   bool takes_command = true;
   std::vector<std::size_t> reads;  ///< observed devices outside the own subtree
+  /// Children and observed devices whose data end here: they are no part of the commands this device sends.
+  std::vector<std::size_t> ends_here;
+  std::string role;  ///< in the parent; empty: not known
   std::optional<Acquisition> acquisition;
   std::vector<Transfer> transfers;
   WcetSource source = WcetSource::unknown;

@@ -189,7 +189,9 @@ void HostLink::send() {
   ++sequence_;
   ++state.sent;
   block_ = static_cast<std::uint8_t>(block_ + 1 < layout_->up_blocks ? block_ + 1 : 0);
-  next_send_ = at + config_.interval;
+  // Frames are due on a fixed grid: a job that starts a little sooner after its release than the last one misses none.
+  next_send_ += config_.interval;
+  if (next_send_ <= at) next_send_ = at - (at - next_send_) % config_.interval + config_.interval;
 }
 
 }  // namespace finemote

@@ -247,3 +247,24 @@ TEST_CASE("identifiers say which frames go first on a bus that arbitrates") {
   CHECK(on_can(unknown, 0).report == 5 * 135);
   CHECK(on_can(unknown, 0).command == 5 * 135);
 }
+
+TEST_CASE("a suggested order keeps what is read before its readers") {
+  Sources sources;
+  Diagnostics diagnostics;
+  // By its trees alone the order would not matter; the reader behind the remote uses data of the same release.
+  auto model = read_model(
+      *sources.add(
+          {"m.json", "",
+           R"({"tick_ns":10,"devices":[{"name":"remote","period_ns":1000,"update_wcet_ns":9,"handle_wcet_ns":1},
+          {"name":"wheel","parent":"chassis","period_ns":1000,"update_wcet_ns":2,"handle_wcet_ns":2},
+          {"name":"chassis","period_ns":1000,"update_wcet_ns":50,"handle_wcet_ns":9}]})"}),
+      diagnostics);
+  REQUIRE(model);
+  const auto free = suggest_order(*model, Profile::tight);
+  CHECK(free.front() != 0);  // the remote behind the slower tree ends sooner after it begins
+  model->devices[2].reads = {0};
+  const auto bound = suggest_order(*model, Profile::tight);
+  CHECK(bound == std::vector<std::size_t>{0, 1, 2});
+  const Model late = reorder(*model, {1, 2, 0});
+  CHECK(suggest_order(late, Profile::tight).front() == 2);  // and it moves a remote that stands behind its reader
+}

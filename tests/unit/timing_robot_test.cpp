@@ -2,59 +2,13 @@
 #include <sstream>
 
 #include "catch.hpp"
-#include "generator/descriptor/library.hpp"
-#include "generator/diagnostic/render.hpp"
-#include "generator/forest/forest.hpp"
-#include "generator/model/build.hpp"
-#include "generator/schedule/schedule.hpp"
 #include "generator/simulate/command.hpp"
 #include "generator/timing/command.hpp"
-#include "generator/timing/from_robot.hpp"
 #include "generator/timing/table.hpp"
-#include "generator/xml/parse.hpp"
-#include "generator/xml/read_source.hpp"
+#include "unit/timing_robots.hpp"
 
 using namespace finemote::gen;
 using namespace finemote::gen::timing;
-
-namespace {
-
-const std::string kSource = FINEMOTE_SOURCE_DIR;
-
-struct Robots {
-  Sources sources;
-  Diagnostics diagnostics;
-  std::optional<Library> library;
-  std::optional<Robot> robot;
-  Forest forest;
-  Schedule schedule;
-  timing::Model model;
-
-  explicit Robots(const std::string& name, const RobotTimingOptions& options = {}) {
-    library = load_library({kSource, kSource + "/examples", {}}, sources, diagnostics);
-    REQUIRE(library);
-    const SourceFile* file = xml::read_source(kSource + "/" + name, sources, diagnostics, name);
-    REQUIRE(file);
-    const auto document = xml::parse(*file, diagnostics);
-    REQUIRE(document);
-    robot = build_model(*document, *library, {}, sources, diagnostics);
-    INFO(render_text(diagnostics, false));
-    REQUIRE(robot);
-    forest = build_forest(*robot);
-    schedule = plan_schedule(*robot, forest, diagnostics);
-    model = make_timing_model(*robot, forest, schedule, options);
-  }
-};
-
-const ChainResult& chain(const Timing& timing, const std::string& from, const std::string& to) {
-  for (const ChainResult& c : timing.chains) {
-    if (timing.model.devices[c.from].name == from && timing.model.devices[c.to].name == to) return c;
-  }
-  FAIL("no chain " << from << " -> " << to);
-  return timing.chains.front();
-}
-
-}  // namespace
 
 TEST_CASE("finsrov is schedulable with the costs of the board, and keeps its requirements") {
   Robots finsrov("examples/finsrov.urdf");

@@ -1,0 +1,155 @@
+#include "generator/timing/operands.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/diagnostic/suggest.hpp"
+
+namespace finemote::gen::timing {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+bool sends_itself(const Device& device) {
+  return std::any_of(device.transfers.begin(), device.transfers.end(), [](const Transfer& t) { return t.command; });
+}
+
+/// One end of a chain: whom it names, and whether it did so by role.
+struct Operand {
+  std::vector<std::size_t> devices;
+  bool is_role = false;
+};
+
+class OperandReader {
+ public:
+  OperandReader(const Model& model, Diagnostics& diagnostics) : model_(model), diagnostics_(diagnostics) {}
+
+  /// A device's own name may hold a dot: it goes before a role.
+  Operand read(std::string_view text) {
+    const std::size_t dot = text.rfind('.');
+    const auto device = find(text);
+    if (device) return {{*device}, false};
+    const auto parent = dot == std::string_view::npos ? std::nullopt : find(text.substr(0, dot));
+    if (parent) return {children_in(*parent, text.substr(dot + 1)), true};
+    report_unknown(dot == std::string_view::npos ? text : text.substr(0, dot));
+    return {};
+  }
+
+ private:
+  [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const {
+    for (std::size_t d = 0; d < model_.devices.size(); ++d) {
+      if (model_.devices[d].name == name) return d;
+    }
+    return std::nullopt;
+  }
+
+  std::vector<std::size_t> children_in(std::size_t parent, std::string_view role) {
+    std::vector<std::size_t> found;
+    std::vector<std::string> roles;
+    for (std::size_t d = 0; d < model_.devices.size(); ++d) {
+      const Device& device = model_.devices[d];
+      if (device.parent != parent || device.role.empty()) continue;
+      if (device.role == role) found.push_back(d);
+      if (std::find(roles.begin(), roles.end(), device.role) == roles.end()) roles.push_back(device.role);
+    }
+    if (found.empty()) {
+      suggest(diagnostics_.error(
+                  code::timing_chain, model_.devices[parent].at,
+                  fmt::format("device '{}' has no child in the role '{}'", model_.devices[parent].name, role)),
+              role, roles);
+    }
+    return found;
+  }
+
+  void report_unknown(std::string_view name) {
+    std::vector<std::string> names;
+    for (const Device& device : model_.devices) names.push_back(device.name);
+    suggest(diagnostics_.error(code::timing_chain, {}, fmt::format("there is no device '{}'", name)), name, names);
+  }
+
+  static void suggest(Diagnostic& finding, std::string_view word, const std::vector<std::string>& candidates) {
+    if (const std::string hint = did_you_mean(word, candidates); !hint.empty()) finding.hint(hint);
+  }
+
+  const Model& model_;
+  Diagnostics& diagnostics_;
+};
+
+std::vector<std::size_t> actuators_of_all(const Model& model, const std::vector<std::size_t>& devices) {
+  const Topology topology = make_topology(model);
+  std::vector<std::size_t> all;
+  for (const std::size_t d : devices) {
+    const auto reached = actuators_of(model, topology, d);
+    all.insert(all.end(), reached.begin(), reached.end());
+  }
+  return all;
+}
+
+std::vector<ChainRequest> parse_chain(const Model& model, std::string_view text, Diagnostics& diagnostics) {
+  const auto arrow = text.find("->");
+  if (arrow == std::string_view::npos) {
+    diagnostics.error(code::timing_chain, {}, fmt::format("'{}' is no chain", text)).hint("--chain 'sensor->actuator'");
+    return {};
+  }
+  OperandReader reader(model, diagnostics);
+  const Operand from = reader.read(trimmed(text.substr(0, arrow)));
+  Operand to = reader.read(trimmed(text.substr(arrow + 2)));
+  if (to.is_role) to.devices = actuators_of_all(model, to.devices);
+  std::vector<ChainRequest> chains;
+  for (const std::size_t a : from.devices) {
+    for (const std::size_t b : to.devices) chains.push_back({a, b});
+  }
+  return chains;
+}
+
+}  // namespace
+
+std::vector<std::size_t> actuators_of(const Model& model, const Topology& topology, std::size_t device) {
+  std::vector<std::size_t> found, stack{device};
+  while (!stack.empty()) {
+    const std::size_t d = stack.back();
+    stack.pop_back();
+    bool is_passed_on = false;
+    for (const std::size_t child : topology.children[d]) {
+      if (!model.devices[child].takes_command) continue;
+      is_passed_on = true;
+      stack.push_back(child);
+    }
+    if (!is_passed_on || sends_itself(model.devices[d])) found.push_back(d);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<Requirement> reach_actuators(std::vector<Requirement> requirements, const Model& model,
+                                         const Topology& topology) {
+  for (Requirement& requirement : requirements) {
+    const bool is_latency = requirement.kind == Requirement::Kind::latency_end_to_end ||
+                            requirement.kind == Requirement::Kind::latency_decision;
+    if (!is_latency) continue;
+    std::vector<std::size_t> ends;
+    for (const std::size_t to : requirement.to) {
+      const auto reached = actuators_of(model, topology, to);
+      ends.insert(ends.end(), reached.begin(), reached.end());
+    }
+    requirement.to = std::move(ends);
+  }
+  return requirements;
+}
+
+std::vector<ChainRequest> parse_chains(const Model& model, const std::vector<std::string>& texts,
+                                       Diagnostics& diagnostics) {
+  std::vector<ChainRequest> chains;
+  for (const std::string& text : texts) {
+    const auto named = parse_chain(model, text, diagnostics);
+    chains.insert(chains.end(), named.begin(), named.end());
+  }
+  return chains;
+}
+
+}  // namespace finemote::gen::timing
