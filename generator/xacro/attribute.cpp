@@ -9,9 +9,12 @@
 #include "generator/xacro/parameters.hpp"
 #include "generator/xacro/runtime.hpp"
 #include "generator/xacro/scope.hpp"
+#include "generator/xacro/subscript.hpp"
 
 namespace finemote::gen::xacro {
 namespace {
+
+constexpr Method kIndices{"indices", slice_indices};
 
 const Method* find_method(const Value& value, std::string_view name) {
   switch (value.type()) {
@@ -31,6 +34,8 @@ const Method* find_method(const Value& value, std::string_view name) {
       return find_number_method(name, false);
     case Type::real:
       return find_number_method(name, true);
+    case Type::slice:
+      return name == kIndices.name ? &kIndices : nullptr;
     default:
       return nullptr;
   }
@@ -60,6 +65,19 @@ Value bit_length(Runtime& /*runtime*/, const Value& self, CallArguments& argumen
   if (i.is_zero()) return 0;
   const std::string bits = (i.is_negative() ? -i : i).to_string(2);
   return static_cast<std::int64_t>(bits.size());
+}
+
+/// `start`, `stop` and `step` of a slice or range.
+std::optional<Value> bound_of(const Value& value, std::string_view name) {
+  constexpr std::string_view names[] = {"start", "stop", "step"};
+  const auto* found = std::find(std::begin(names), std::end(names), name);
+  if (found == std::end(names)) return std::nullopt;
+  const auto place = static_cast<std::size_t>(found - std::begin(names));
+  if (const auto* slice = value.object<const Slice>()) return (*slice->bounds)[place];
+  const auto* range = value.object<const Range>();
+  if (range == nullptr) return std::nullopt;
+  const std::int64_t bounds[] = {range->start, range->stop, range->step};
+  return Value(bounds[place]);
 }
 
 constexpr Method kIsInteger{"is_integer", is_integer};
@@ -115,6 +133,7 @@ Value attribute_of(Runtime& runtime, const Value& value, const std::string& name
   }
   if (name == "real" && as_integer(value)) return *as_integer(value);
   if (name == "real" && as_real(value) != nullptr) return value;
+  if (auto bound = bound_of(value, name)) return std::move(*bound);
   if (const auto* type = value.as<Type>()) {
     fail_eval(fmt::format("type object '{}' has no attribute '{}'", type_name(*type), name));
   }

@@ -13,6 +13,7 @@ inline constexpr std::size_t kMaxTotalSteps = 100'000'000;         ///< operatio
 inline constexpr std::size_t kMaxText = std::size_t{64} << 20;     ///< bytes of one text value
 inline constexpr std::size_t kMaxItems = 4'000'000;                ///< items of one list, range or repetition
 inline constexpr std::size_t kMaxCalls = 300'000;                  ///< macro calls of one expansion
+inline constexpr std::size_t kMaxParameters = 1 << 20;             ///< bytes of the parameters of one macro
 inline constexpr std::size_t kMaxNestedCalls = 2'000;              ///< macro calls inside macro calls
 inline constexpr std::size_t kMaxOutput = std::size_t{512} << 20;  ///< bytes of names, values and texts of the result
 inline constexpr std::size_t kMaxOutputDepth = 2'000;              ///< elements inside elements of the result

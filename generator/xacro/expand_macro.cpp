@@ -26,7 +26,13 @@ void Expander::define_macro(const Node& source, const Context& context, Sink& ou
   }
   macro->file = files_.back();
   macro->body = std::shared_ptr<const Node>(std::shared_ptr<const Node>(), &source);
-  if (const auto* parameters = source.attribute("params")) macro->parameters = parse_parameters(parameters->value);
+  if (const auto* parameters = source.attribute("params")) {
+    if (parameters->value.size() > kMaxParameters) {
+      throw Failure{code::xacro_limit, "the parameters of the macro are too long",
+                    place(parameters->value_at, context)};
+    }
+    macro->parameters = parse_parameters(parameters->value);
+  }
   context.macros->define(std::move(macro));
 }
 

@@ -233,7 +233,8 @@ void Expander::expand_block(const Node& source, const Context& context, Sink& ou
   if (held == nullptr) {
     std::vector<std::string> blocks;
     for (const std::string& visible : context.scope->names()) {
-      if (visible.starts_with('*')) blocks.push_back(visible.substr(visible.find_first_not_of('*')));
+      const auto plain = visible.find_first_not_of('*');
+      if (plain != 0 && plain != std::string::npos) blocks.push_back(visible.substr(plain));
     }
     const std::string hint = did_you_mean(name.value, blocks);
     throw Failure{code::xacro_block,

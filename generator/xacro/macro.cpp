@@ -9,97 +9,115 @@ constexpr std::string_view kBlanks = " \t\r\n\f\v";
 
 bool is_blank(char c) { return kBlanks.find(c) != std::string_view::npos; }
 
-std::string_view without_leading_blanks(std::string_view text) {
-  return text.substr(std::min(text.find_first_not_of(kBlanks), text.size()));
-}
-
 bool ends_at(std::string_view text, std::size_t at) { return at >= text.size() || is_blank(text[at]); }
 
-/// Length of `${...}` or `$(...)` that a blank or the end follows, or 0.
-std::size_t bracketed_length(std::string_view text, char open, char close) {
-  if (!text.starts_with('$') || text.size() < 2 || text[1] != open) return 0;
-  for (std::size_t at = 2; at < text.size() && text[at] != '\n'; ++at) {
-    if (text[at] == close && ends_at(text, at + 1)) return at + 1;
-  }
-  return 0;
-}
-
-/// Length of words and quoted texts in a row that a blank or the end follows, or 0.
-std::size_t concatenation_length(std::string_view text) {
-  std::size_t at = 0;
-  while (!ends_at(text, at)) {
-    if (text[at] != '\'' && text[at] != '"') {
-      ++at;
-      continue;
+/// Where a default that begins at each byte of a text may end: behind it is a blank or the end of the text.
+///
+/// One pass from the end, so that no text takes more than time proportional to its length. A default stays in its line.
+class DefaultEnds {
+ public:
+  explicit DefaultEnds(std::string_view text) : text_(text), at_(text.size() + 1) {
+    std::size_t brace = kNone, parenthesis = kNone, quote = kNone, double_quote = kNone;
+    at_[text.size()].words = text.size();
+    for (std::size_t i = text.size(); i-- > 0;) {
+      const char c = text[i];
+      if (c == '\n') brace = parenthesis = quote = double_quote = kNone;
+      at_[i] = {brace, parenthesis, words_end(i, c == '"' ? double_quote : quote)};
+      if (c == '}' && ends_at(text, i + 1)) brace = i + 1;
+      if (c == ')' && ends_at(text, i + 1)) parenthesis = i + 1;
+      if (c == '\'' && at_[i + 1].words != kNone) quote = i + 1;
+      if (c == '"' && at_[i + 1].words != kNone) double_quote = i + 1;
     }
-    const auto close = text.find(text[at], at + 1);
-    const auto line_end = text.find('\n', at);
-    if (close == std::string_view::npos || line_end < close) return 0;
-    at = close + 1;
   }
-  return at;
-}
 
-/// Length of the default at the start of a text; nothing when there is none of a known form.
-std::optional<std::size_t> default_length(std::string_view text) {
-  if (const std::size_t length = bracketed_length(text, '{', '}'); length > 0) return length;
-  if (const std::size_t length = bracketed_length(text, '(', ')'); length > 0) return length;
-  if (const std::size_t length = concatenation_length(text); length > 0) return length;
-  return ends_at(text, 0) ? std::optional<std::size_t>(0) : std::nullopt;
-}
+  /// End of the default that begins at `at`; nothing when there is none of a known form. Empty: at a blank or the end.
+  [[nodiscard]] std::optional<std::size_t> find(std::size_t at) const {
+    const std::string_view rest = text_.substr(at);
+    if (rest.starts_with("${") && at_[at + 1].brace != kNone) return at_[at + 1].brace;
+    if (rest.starts_with("$(") && at_[at + 1].parenthesis != kNone) return at_[at + 1].parenthesis;
+    return at_[at].words != kNone ? std::optional(at_[at].words) : std::nullopt;
+  }
 
-/// A parameter with a default, and how long it is; nothing when the text does not begin with one.
-struct Parsed {
-  Parameter parameter;
-  std::size_t length;
+ private:
+  static constexpr std::size_t kNone = std::string_view::npos;
+
+  struct Ends {
+    std::size_t brace = kNone;        ///< of the nearest `}` further on
+    std::size_t parenthesis = kNone;  ///< of the nearest `)`
+    std::size_t words = kNone;        ///< of words and quoted texts in a row
+  };
+
+  [[nodiscard]] std::size_t words_end(std::size_t at, std::size_t behind_quoted) const {
+    const char c = text_[at];
+    if (is_blank(c)) return at;
+    if (c != '\'' && c != '"') return at_[at + 1].words;
+    return behind_quoted == kNone ? kNone : at_[behind_quoted].words;
+  }
+
+  std::string_view text_;
+  std::vector<Ends> at_;
 };
 
-std::optional<Parsed> parse_with_default(std::string_view text) {
-  const auto name_end = text.find_first_of(":= \t\r\n\f\v");
-  if (name_end == 0 || name_end == std::string_view::npos) return std::nullopt;
-  Parsed parsed{{std::string(text.substr(0, name_end)), false, std::nullopt}, 0};
-  std::size_t at = name_end;
-  while (at < text.size() && is_blank(text[at])) ++at;
-  if (at < text.size() && text[at] == ':') ++at;
-  if (at >= text.size() || text[at] != '=') return std::nullopt;
-  ++at;
+/// Cuts a text into parameters, from its begin.
+class ParameterCutter {
+ public:
+  explicit ParameterCutter(std::string_view text) : text_(text), ends_(text) {}
 
-  const std::size_t after_sign = at;
-  while (at < text.size() && is_blank(text[at])) ++at;
-  if (at < text.size() && text[at] == '^') {
-    parsed.parameter.is_forwarded = true;
-    ++at;
-    if (at < text.size() && text[at] == '|') ++at;
+  std::vector<Parameter> run() {
+    std::vector<Parameter> parameters;
+    for (skip_blanks(at_); at_ < text_.size(); skip_blanks(at_)) {
+      if (auto parameter = take_with_default()) {
+        parameters.push_back(std::move(*parameter));
+        continue;
+      }
+      const auto end = std::min(text_.find_first_of(kBlanks, at_), text_.size());
+      parameters.push_back({std::string(text_.substr(at_, end - at_)), false, std::nullopt});
+      at_ = end;
+    }
+    return parameters;
   }
-  // `a:= b` gives a the default b, as the pattern of ROS xacro does; `a:=` at the end gives the empty one.
-  auto length = default_length(text.substr(at));
-  if (!length) {
-    at = after_sign;
-    length = default_length(text.substr(at));
-    if (!length) return std::nullopt;
+
+ private:
+  void skip_blanks(std::size_t& at) const { at = std::min(text_.find_first_not_of(kBlanks, at), text_.size()); }
+  [[nodiscard]] bool is_at(std::size_t at, char c) const { return at < text_.size() && text_[at] == c; }
+
+  /// A parameter with a default; nothing, and nothing taken, when the text does not go on with one.
+  std::optional<Parameter> take_with_default() {
+    const auto name_end = text_.find_first_of(":= \t\r\n\f\v", at_);
+    if (name_end == at_ || name_end == std::string_view::npos) return std::nullopt;
+    Parameter parameter{std::string(text_.substr(at_, name_end - at_)), false, std::nullopt};
+    std::size_t at = name_end;
+    skip_blanks(at);
+    if (is_at(at, ':')) ++at;
+    if (!is_at(at, '=')) return std::nullopt;
+    const std::size_t after_sign = ++at;
+    skip_blanks(at);
+    if (is_at(at, '^')) {
+      parameter.is_forwarded = true;
+      at += is_at(at + 1, '|') ? 2 : 1;
+    }
+    // `a:= b` gives a the default b, as the pattern of ROS xacro does; `a:=` at the end gives the empty one.
+    auto end = ends_.find(at);
+    if (!end) {
+      at = after_sign;
+      parameter.is_forwarded = false;
+      end = ends_.find(at);
+    }
+    if (!end) return std::nullopt;
+    const std::string_view value = text_.substr(at, *end - at);
+    if (!value.empty() || !parameter.is_forwarded) parameter.default_text = value;
+    at_ = *end;
+    return parameter;
   }
-  const std::string_view value = text.substr(at, *length);
-  if (!value.empty() || !parsed.parameter.is_forwarded) parsed.parameter.default_text = value;
-  parsed.length = at + *length;
-  return parsed;
-}
+
+  std::string_view text_;
+  DefaultEnds ends_;
+  std::size_t at_ = 0;
+};
 
 }  // namespace
 
-std::vector<Parameter> parse_parameters(std::string_view text) {
-  std::vector<Parameter> parameters;
-  for (text = without_leading_blanks(text); !text.empty(); text = without_leading_blanks(text)) {
-    if (auto parsed = parse_with_default(text)) {
-      parameters.push_back(std::move(parsed->parameter));
-      text.remove_prefix(parsed->length);
-    } else {
-      const auto end = std::min(text.find_first_of(kBlanks), text.size());
-      parameters.push_back({std::string(text.substr(0, end)), false, std::nullopt});
-      text.remove_prefix(end);
-    }
-  }
-  return parameters;
-}
+std::vector<Parameter> parse_parameters(std::string_view text) { return ParameterCutter(text).run(); }
 
 void MacroScope::define(std::shared_ptr<const Macro> macro) {
   const std::string name = macro->name;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/xacro/parameters.hpp"
 #include "generator/xacro/print.hpp"
 #include "generator/xacro/runtime.hpp"
 #include "generator/xacro/utf8.hpp"
@@ -73,12 +74,15 @@ Value range_item(const Range& range, const Value& key) {
     return range.at(
         static_cast<std::int64_t>(checked_index(index_of(key, "range"), size, "range object index out of range")));
   }
-  if (size > kMaxItems) fail_limit("the range has too many items");
-  const auto places = slice_places(*slice, size);
-  const std::int64_t step = bound((*slice->bounds)[2], 1);
-  const std::int64_t start = places.empty() ? 0 : range.at(static_cast<std::int64_t>(places.front()));
-  const auto count = static_cast<std::int64_t>(places.size());
-  return std::make_shared<const Range>(Range{start, start + count * step * range.step, step * range.step});
+  const SliceWalk walk = walk_of(*slice, size);
+  const auto reached = [&range](std::int64_t places, std::int64_t from) {
+    std::int64_t sum = 0;
+    const bool is_too_far = __builtin_mul_overflow(places, range.step, &sum) || __builtin_add_overflow(from, sum, &sum);
+    if (is_too_far) fail_limit("the range reaches beyond 64 bits");
+    return sum;
+  };
+  return std::make_shared<const Range>(
+      Range{reached(walk.start, range.start), reached(walk.stop, range.start), reached(walk.step, 0)});
 }
 
 Value dict_item(Runtime& runtime, const Dict& dict, const Value& key) {
@@ -104,7 +108,7 @@ std::size_t checked_index(const Integer& index, std::size_t size, const char* me
   return static_cast<std::size_t>(at);
 }
 
-std::vector<std::size_t> slice_places(const Slice& slice, std::size_t size) {
+SliceWalk walk_of(const Slice& slice, std::size_t size) {
   const auto length = static_cast<std::int64_t>(size);
   const std::int64_t step = bound((*slice.bounds)[2], 1);
   if (step == 0) fail_eval("slice step cannot be zero");
@@ -113,14 +117,28 @@ std::vector<std::size_t> slice_places(const Slice& slice, std::size_t size) {
   const std::int64_t highest = forward ? length : length - 1;
   const Value& first = (*slice.bounds)[0];
   const Value& last = (*slice.bounds)[1];
-  const std::int64_t start =
-      first.is_none() ? (forward ? lowest : highest) : clamp_bound(bound(first, 0), length, lowest, highest);
-  const std::int64_t stop =
-      last.is_none() ? (forward ? highest : lowest) : clamp_bound(bound(last, 0), length, lowest, highest);
+  return {first.is_none() ? (forward ? lowest : highest) : clamp_bound(bound(first, 0), length, lowest, highest),
+          last.is_none() ? (forward ? highest : lowest) : clamp_bound(bound(last, 0), length, lowest, highest), step};
+}
+
+std::vector<std::size_t> slice_places(const Slice& slice, std::size_t size) {
+  const auto [start, stop, step] = walk_of(slice, size);
   std::vector<std::size_t> places;
-  for (std::int64_t at = start; forward ? at < stop : at > stop; at += step)
+  for (std::int64_t at = start; step > 0 ? at < stop : at > stop; at += step)
     places.push_back(static_cast<std::size_t>(at));
   return places;
+}
+
+Value slice_indices(Runtime& /*runtime*/, const Value& self, CallArguments& arguments) {
+  const Parameters p(arguments, "indices", {"len"}, 1);
+  const auto length = as_integer(p.at(0));
+  if (!length) fail_eval(fmt::format("'{}' object cannot be interpreted as an integer", type_name(p.at(0))));
+  if (length->is_negative()) fail_eval("length should not be negative");
+  if (!length->is_small() || length->small() > kFar) fail_limit("the length is too large");
+  const auto& slice = *self.object<const Slice>();
+  const SliceWalk walk = walk_of(slice, static_cast<std::size_t>(length->small()));
+  const auto step = as_integer((*slice.bounds)[2]);
+  return make_tuple({walk.start, walk.stop, step ? *step : Integer(walk.step)});
 }
 
 Value subscript(Runtime& runtime, const Value& container, const Value& key) {

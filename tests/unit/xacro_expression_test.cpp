@@ -295,3 +295,27 @@ TEST_CASE("xacro expression: work is bounded") {
   CHECK(is_bounded("(lambda l: l.append(l))([])"));
   CHECK(is_bounded("python.sum([10**4000 for i in python.range(10**7)])"));
 }
+
+TEST_CASE("xacro expression: a slice fits itself to a length") {
+  CHECK(value_of("python.slice(1, None, 2).indices(5)") == "(1, 5, 2)");
+  CHECK(value_of("python.slice(None, None, -1).indices(3)") == "(2, -1, -1)");
+  CHECK(value_of("python.slice(-10**30, 10**30).indices(4)") == "(0, 4, 1)");
+  CHECK(value_of("python.slice(None, None, 10**30).indices(3)") == "(0, 3, 1000000000000000000000000000000)");
+  CHECK(value_of("python.range(*python.slice(7).indices(3))") == "range(0, 3)");
+  CHECK(value_of("[python.slice(1, 2).start, python.slice(1, 2).stop, python.slice(1, 2).step]") == "[1, 2, None]");
+  CHECK(value_of("[python.range(1, 9, 2).start, python.range(1, 9, 2).stop, python.range(1, 9, 2).step]") ==
+        "[1, 9, 2]");
+  CHECK(error_of("python.slice(1).indices(-1)") == "length should not be negative");
+  CHECK(error_of("python.slice(1).indices('a')") == "'str' object cannot be interpreted as an integer");
+  CHECK(error_of("python.slice(0, 1, 0).indices(3)") == "slice step cannot be zero");
+  CHECK(error_of("python.slice('a').indices(3)") ==
+        "slice indices must be integers or None or have an __index__ method");
+  CHECK(error_of("python.slice(1).indices()") == "indices() missing required argument 'len' (pos 1)");
+}
+
+TEST_CASE("xacro expression: a slice of a range does not leave 64 bits") {
+  CHECK(value_of("python.range(0, 10, 2)[::2]") == "range(0, 10, 4)");
+  CHECK(value_of("python.range(1, 10, 3)[::-1]") == "range(7, -2, -3)");
+  CHECK(value_of("python.range(10)[5:2]") == "range(5, 2)");
+  CHECK(error_of("python.range(0, 4 * 10**12, 10**12)[::10**12]") == "the range reaches beyond 64 bits");
+}

@@ -2,12 +2,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <random>
+#include <regex>
 #include <sstream>
 
 #include "catch.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/xacro/command.hpp"
 #include "generator/xacro/expand.hpp"
+#include "generator/xacro/macro.hpp"
 #include "generator/xml/write.hpp"
 
 using namespace finemote::gen;
@@ -367,4 +370,78 @@ TEST_CASE("xacro: warnings do not fail, and -q drops them") {
   CHECK(loud.err.find("warning[FM1050]: xacro:property: unknown attribute(s): extra") != std::string::npos);
   options.verbosity = 0;
   CHECK(run(options).err.empty());
+}
+
+namespace {
+
+/// A text of some of the pieces that parameters of macros are made of, and some that they are not.
+std::string random_parameters(std::mt19937& random) {
+  constexpr std::string_view pieces[] = {"a",  "b",  "n",    "*",     "**", "*b",  "**b", ":=", "=",     ":",  "^",
+                                         "^|", "|",  "${1}", "$(x)",  "${", "}",   "$(",  ")",  "'",     "\"", " ",
+                                         "  ", "\n", "\t",   "'q r'", "é",  "1.5", "$",   ".",  "xacro:"};
+  std::string text;
+  const auto count = random() % 9;
+  for (std::uint32_t i = 0; i < count; ++i) text += pieces[random() % std::size(pieces)];
+  return text;
+}
+
+std::string in_attribute(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '"' ? "&quot;" : c == '\n' ? "&#10;" : c == '\t' ? "&#9;" : std::string(1, c);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("xacro: any text as parameters ends in a document or in one located error") {
+  std::mt19937 random(13);
+  for (int i = 0; i < 3000; ++i) {
+    const std::string parameters = random_parameters(random);
+    CAPTURE(parameters);
+    const std::string body = "<xacro:insert_block name='" +
+                             std::string(i % 3 == 0   ? ""
+                                         : i % 3 == 1 ? "b"
+                                                      : "*") +
+                             "'/>";
+    const auto e = expand("<xacro:macro name='m' params=\"" + in_attribute(parameters) + "\"><x v='${a}'/>" + body +
+                          "</xacro:macro><xacro:m><o/></xacro:m>");
+    CHECK(e.document.has_value() != e.diagnostics.has_errors());
+    CHECK(e.diagnostics.size() <= 1);
+    if (!e.document) CHECK(e.report().find("in.xacro:1:") == 0);
+  }
+}
+
+TEST_CASE("xacro: parameters are cut as the pattern of ROS xacro cuts them") {
+  // Its pattern for a parameter with a default; a text it does not match is a name up to the next blank.
+  const std::regex with_default(
+      R"re(^\s*([^\s:=]+?)\s*:?=\s*(\^\|?)?(\$\{.*?\}|\$\(.*?\)|(?:'.*?'|".*?"|[^\s'"]+)+|)(?:\s+|$))re");
+  std::mt19937 random(17);
+  for (int i = 0; i < 3000; ++i) {
+    const std::string text = random_parameters(random);
+    CAPTURE(text);
+    std::string rest = text;
+    for (const xacro::Parameter& parameter : xacro::parse_parameters(text)) {
+      std::smatch found;
+      if (std::regex_search(rest, found, with_default)) {
+        CHECK(parameter.name == found[1]);
+        CHECK(parameter.is_forwarded == found[2].matched);
+        CHECK(parameter.default_text.value_or("") == found[3]);
+        rest = found.suffix();
+      } else {
+        const auto begin = rest.find_first_not_of(" \t\n");
+        const auto end = std::min(rest.find_first_of(" \t\n", begin), rest.size());
+        CHECK(parameter.name == rest.substr(begin, end - begin));
+        CHECK_FALSE(parameter.has_default());
+        rest = rest.substr(end);
+      }
+    }
+    CHECK(rest.find_first_not_of(" \t\n") == std::string::npos);
+  }
+}
+
+TEST_CASE("xacro: a block whose name is only stars is named like any other block that is missing") {
+  const auto e = expand(
+      "<xacro:macro name='m' params='*origin **=rest n'><xacro:insert_block name='nope'/></xacro:macro>"
+      "<xacro:m n='1'><origin/><o/></xacro:m>");
+  CHECK(e.report().find("error[FM1025]: Undefined block \"nope\"") != std::string::npos);
 }
