@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <map>
 
@@ -16,15 +15,12 @@
 #include "generator/diagnostic/catalogue.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/diagnostic/suggest.hpp"
+#include "generator/lint/codes.hpp"
 
 namespace finemote::gen {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr Code kLintCodes[] = {code::lint_order,          code::lint_period_ratio, code::lint_no_wcet,
-                               code::lint_conversion,     code::lint_bus_load,     code::lint_unused_bus,
-                               code::lint_param_replaced, code::lint_command_age,  code::timing_bus_overload};
 
 /// `FM3151` or `3151`: one of lint's own codes.
 std::vector<Code> codes(Context& context, const char* option, const std::vector<std::string>& words) {
@@ -33,7 +29,7 @@ std::vector<Code> codes(Context& context, const char* option, const std::vector<
   for (const Code code : kLintCodes) names.push_back(code_name(code));
   for (const std::string& word : words) {
     const auto code = parse_code(word);
-    if (code && std::find(std::begin(kLintCodes), std::end(kLintCodes), *code) != std::end(kLintCodes)) {
+    if (code && is_lint_code(*code)) {
       list.push_back(*code);
     } else {
       context.diagnostics.error(code::usage, {}, fmt::format("{} '{}' is no code of lint", option, word))

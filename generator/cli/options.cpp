@@ -2,12 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cctype>
-#include <map>
 #include <sstream>
 
+#include "generator/cli/command_words.hpp"
 #include "generator/cli/exit_status.hpp"
-#include "generator/diagnostic/render.hpp"
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/version.hpp"
 
@@ -21,20 +19,8 @@ std::string version_text() {
   return text.str();
 }
 
-/// Takes every `name:=value` out of the words: they may stand anywhere and are meant for xacro.
-std::vector<std::string> take_arguments(const std::vector<std::string>& words, Options& options) {
-  std::vector<std::string> rest;
-  for (const std::string& word : words) {
-    const auto at = word.find(":=");
-    const bool is_argument = at != std::string::npos && at > 0 && word.front() != '-';
-    if (is_argument) {
-      options.arguments.emplace_back(word.substr(0, at), word.substr(at + 2));
-    } else {
-      rest.push_back(word);
-    }
-  }
-  return rest;
-}
+constexpr const char* kArgumentsHelp =
+    "name:=value, any number and anywhere: the value of a <xacro:arg> (of a file that is read as xacro)";
 
 void add_load_options(CLI::App& command, Options& options) {
   command.add_option("--board", options.board, "use this board instead of the one the robot names");
@@ -44,6 +30,7 @@ void add_load_options(CLI::App& command, Options& options) {
 
 void add_input_options(CLI::App& command, Options& options) {
   command.add_option("IN", options.input, "robot description: .urdf, .xacro, or - for standard input")->required();
+  command.footer(kArgumentsHelp);
   add_load_options(command, options);
 }
 
@@ -51,7 +38,9 @@ void add_input_options(CLI::App& command, Options& options) {
 template <typename Value>
 CLI::Option* add_choice(CLI::App& app, const char* name, const std::vector<std::pair<std::string, Value>>& choices,
                         Value& target, const char* help) {
-  return app.add_option(
+  std::string words_text;
+  for (const auto& [word, value] : choices) words_text += (words_text.empty() ? "" : "|") + word;
+  CLI::Option* option = app.add_option(
       name,
       [name, choices, &target](const CLI::results_t& words) {
         std::vector<std::string> valid;
@@ -62,6 +51,7 @@ CLI::Option* add_choice(CLI::App& app, const char* name, const std::vector<std::
         throw CLI::ValidationError(name, "'" + words.back() + "': " + did_you_mean(words.back(), valid));
       },
       help);
+  return option->option_text(words_text);
 }
 
 void add_global_options(CLI::App& app, Options& options) {
@@ -71,17 +61,14 @@ void add_global_options(CLI::App& app, Options& options) {
                       {"sarif", Format::sarif},
                       {"github", Format::github},
                       {"gcc", Format::gcc}},
-                     options.format, "text, json, or for diagnostics sarif, github, gcc")
-      ->option_text("FORMAT");
+                     options.format, "of the result: text or json; of the diagnostics alone: sarif, github or gcc");
   add_choice<ColorMode>(app, "--color",
                         {{"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}},
-                        options.color, "auto, always or never")
-      ->option_text("WHEN");
+                        options.color, "colour of the diagnostics");
   app.add_option("--data-dir", options.data_dir, "folder with schemas, templates and runtime");
   app.add_flag("-q,--quiet", options.quiet, "print no summary");
   app.add_flag("-v,--verbose", options.verbose, "say what is done");
-  add_choice<bool>(app, "-W", {{"error", true}}, options.warnings_are_errors, "error: treat warnings as errors")
-      ->option_text("error");
+  add_choice<bool>(app, "-W", {{"error", true}}, options.warnings_are_errors, "treat warnings as errors");
 }
 
 void add_generate(CLI::App& app, Options& options) {
@@ -114,6 +101,7 @@ void add_views(CLI::App& app, Options& options) {
 void add_xacro(CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand("xacro", "expand a xacro file, as ROS xacro does");
   command->add_option("FILE", options.input, "xacro file, or - for standard input")->required();
+  command->footer(kArgumentsHelp);
   command->add_option("-o", options.out, "file to write instead of standard output");
   command->add_option("--package", options.packages, "name=dir: where a package lies");
   command->add_flag("--deps", options.deps, "print the names of all files read");
@@ -127,7 +115,7 @@ void add_timing(CLI::App& app, Options& options) {
   for (CLI::App* command : {analyze, simulate}) {
     add_input_options(*command, options);
     command->add_option("--chain", options.chains, "a->b: a chain beside the default ones");
-    command->add_option("--profile", options.profile, "paper, tight or target: whose verdict counts");
+    command->add_option("--profile", options.profile, "whose verdict counts")->option_text("paper|tight|target");
     command->add_option("--assume-wcet", options.assume_wcet,
                         "time for every stage without a known one, for example 50us");
   }
@@ -175,105 +163,18 @@ void add_run(CLI::App& app, Options& options) {
   command->add_option("--chain", options.chains, "a->b: a chain beside the default ones");
   command->add_option("--scenario", options.scenario, "file with stimuli and faults (emulated Type C board)");
   command->add_option("-o", options.out, "write a trace for Perfetto to this file");
-  command->add_option("--flash", options.flash, "emulated board: fetches hit the flash accelerator, or miss it always")
-      ->check(CLI::IsMember({"hit", "miss"}));
+  add_choice<std::string>(*command, "--flash", {{"hit", "hit"}, {"miss", "miss"}}, options.flash,
+                          "emulated board: fetches hit the flash accelerator, or miss it always");
   command->add_option("--keep", options.keep, "keep generated sources and build in this folder");
   command->add_flag("--monitor", options.monitor,
                     "build the monitor in: worst response and data age beside their bounds");
   command->add_flag("--build-only", options.build_only, "stop after the image is built");
 }
 
-std::string chosen_command(const CLI::App& app) {
-  std::string name;
-  for (const CLI::App* level = &app; !level->get_subcommands().empty(); level = level->get_subcommands().front()) {
-    name += (name.empty() ? "" : " ") + level->get_subcommands().front()->get_name();
-  }
-  return name;
-}
-
-/// The command the words chose, or the program itself.
-const CLI::App& deepest(const CLI::App& app) {
-  const CLI::App* level = &app;
-  while (!level->get_subcommands().empty()) level = level->get_subcommands().front();
-  return *level;
-}
-
-std::vector<std::string> option_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* level : {&deepest(app), &app}) {
-    for (const CLI::Option* option : level->get_options()) {
-      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-      for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-    }
-  }
-  return names;
-}
-
-struct UsageMistake {
-  std::string message;
-  std::string hint;
-};
-
-/// Words that no option and no operand takes: the first option among them, else the first of them.
-UsageMistake describe_extra(const CLI::App& app, const std::vector<std::string>& words) {
-  const std::vector<std::string> extra = app.remaining(true);
-  const std::string help = "finemote " + chosen_command(app) + " --help";
-  const auto is_extra = [&](const std::string& w) { return std::find(extra.begin(), extra.end(), w) != extra.end(); };
-  const auto option = std::find_if(words.begin(), words.end(),
-                                   [&](const std::string& w) { return !w.empty() && w.front() == '-' && is_extra(w); });
-  if (option != words.end()) {
-    const std::string name = option->substr(0, option->find('='));
-    const auto near = near_hint(name, option_names(app));
-    return {"command '" + chosen_command(app) + "' has no option '" + name + "'", near.empty() ? help : near.front()};
-  }
-  const auto word = std::find_if(words.begin(), words.end(), is_extra);
-  return {"'" + (word == words.end() ? std::string() : *word) + "' is one word too many", help};
-}
-
-/// What CLI11 says, with the command it is about, in the manner of our own messages.
-UsageMistake describe_other(const CLI::App& app, const CLI::ParseError& error) {
-  std::string reason = error.what();
-  const std::string command = chosen_command(app);
-  const bool begins_with_word = reason.size() > 1 && std::islower(static_cast<unsigned char>(reason[1])) != 0;
-  if (begins_with_word) reason[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(reason[0])));
-  if (command.empty()) return {reason, "finemote --help"};
-  return {"command '" + command + "': " + reason, "finemote " + command + " --help"};
-}
-
-UsageMistake describe_mistake(const CLI::App& app, const std::vector<std::string>& words,
-                              const CLI::ParseError& error) {
-  std::vector<std::string> commands;
-  for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
-  const auto word =
-      std::find_if(words.begin(), words.end(), [](const std::string& w) { return w.empty() || w.front() != '-'; });
-  const bool has_command = !app.get_subcommands().empty();
-  const auto further = has_command ? deepest(app).get_subcommands({}) : std::vector<const CLI::App*>{};
-  if (!further.empty()) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : further) names.push_back(chosen_command(app) + " " + command->get_name());
-    return {"command '" + chosen_command(app) + "' needs a second word", did_you_mean("", names)};
-  }
-  if (word == words.end() && !has_command) return {"a command is needed", did_you_mean("", commands)};
-  if (!has_command && std::find(commands.begin(), commands.end(), *word) == commands.end()) {
-    return {"there is no command '" + *word + "'", did_you_mean(*word, commands)};
-  }
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return describe_extra(app, words);
-  return describe_other(app, error);
-}
-
-/// The message for wrong words, in the form of all others.
-std::string usage_error(const CLI::App& app, const std::vector<std::string>& words, const CLI::ParseError& error) {
-  const UsageMistake mistake = describe_mistake(app, words, error);
-  Diagnostics diagnostics;
-  diagnostics.error(code::usage, {}, mistake.message).hint(mistake.hint);
-  return render_text(diagnostics, false);
-}
-
-}  // namespace
-
-ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
-  Options options;
-  CLI::App app{"From a robot description to firmware with a proven bound on how old every command can be.", "finemote"};
+/// The whole definition; the values of a parse go to `options`.
+void define_command_line(CLI::App& app, Options& options) {
+  app.description("From a robot description to firmware with a proven bound on how old every command can be.");
+  app.name("finemote");
   app.require_subcommand(1);
   app.fallthrough();
   app.set_version_flag("--version", version_text());
@@ -288,17 +189,30 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
   add_reference(app, options);
   add_xacro(app, options);
   add_timing(app, options);
+}
 
-  std::vector<std::string> rest = take_arguments(words, options);
-  std::reverse(rest.begin(), rest.end());  // CLI11 takes the words last first
+}  // namespace
+
+CommandWords command_line_words() {
+  Options options;
+  CLI::App app;
+  define_command_line(app, options);
+  return words_of(app);
+}
+
+ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
+  Options options;
+  CLI::App app;
+  define_command_line(app, options);
+  const std::vector<std::string> ordered = command_first(app, take_arguments(words, options.arguments));
   try {
-    app.parse(rest);
+    app.parse(std::vector<std::string>(ordered.rbegin(), ordered.rend()));  // CLI11 takes the words last first
   } catch (const CLI::ParseError& error) {
     std::ostringstream out;
     std::ostringstream err;
-    const bool asked = app.exit(error, out, err) == 0;
+    const bool asked = app.exit(error, out, err) == 0 && app.remaining(true).empty();
     if (asked) return {std::nullopt, kExitYes, out.str()};
-    return {std::nullopt, kExitInvalid, usage_error(app, words, error)};
+    return {std::nullopt, kExitInvalid, usage_error(app, ordered, error)};
   }
   options.command = chosen_command(app);
   return {std::move(options), kExitYes, {}};

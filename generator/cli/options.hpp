@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "generator/cli/command_words.hpp"
+
 namespace finemote::gen {
 
 enum class Format { text, json, sarif, github, gcc };
@@ -60,6 +62,11 @@ struct ParsedCommandLine {
   std::string text;  ///< for stdout when the status is 0, else for stderr
 };
 
+/// Options may stand before or after the command, `name:=value` anywhere. Words that mean nothing are a usage error
+/// (FM0001) even beside --help and --version.
 ParsedCommandLine parse_command_line(const std::vector<std::string>& words);
+
+/// Every command and option there is, for the test of the page that describes them.
+CommandWords command_line_words();
 
 }  // namespace finemote::gen

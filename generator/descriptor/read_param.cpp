@@ -35,17 +35,8 @@ Parsed wrap(const units::Result<T>& result) {
 
 /// A number whose unit is documentation: the unit may follow, it need not.
 Parsed parse_documented(const ParamSpec& spec, std::string_view text) {
-  const bool has_unit = !spec.unit_text.empty() && text.size() > spec.unit_text.size() &&
-                        text.substr(text.size() - spec.unit_text.size()) == spec.unit_text;
-  const std::string_view number = has_unit ? text.substr(0, text.size() - spec.unit_text.size()) : text;
-  const std::string_view bare =
-      has_unit && !number.empty() && number.back() == ' ' ? number.substr(0, number.size() - 1) : number;
-  const auto parse = [&](std::string_view part) {
-    return spec.kind == ParamKind::integer ? wrap(units::parse_integer(part)) : wrap(units::parse_real(part));
-  };
-  Parsed whole = parse(text);
-  if (!has_unit || whole.index() == 0) return whole;  // a unit of digits ("1") is never written
-  return parse(bare);
+  return spec.kind == ParamKind::integer ? wrap(units::parse_integer(text, spec.unit_text))
+                                         : wrap(units::parse_real(text, spec.unit_text));
 }
 
 Parsed parse_number(const ParamSpec& spec, std::string_view text) {

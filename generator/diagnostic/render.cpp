@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "generator/diagnostic/place.hpp"
+#include "generator/diagnostic/repeats.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -18,14 +21,6 @@ struct Palette {
 
 constexpr Palette kPlain;
 constexpr Palette kColor{"\033[1m", "\033[1;31m", "\033[1;33m", "\033[36m", "\033[0m"};
-
-std::string place(const Position& at) {
-  if (at.file == nullptr) return "finemote";
-  std::string text = at.file->name;
-  if (at.line > 0) text += fmt::format(":{}", at.line);
-  if (at.line > 0 && at.column > 0) text += fmt::format(":{}", at.column);
-  return text;
-}
 
 /// Text that is safe on any terminal: control characters and bytes that are no UTF-8 become '?'. Tabs stay.
 std::string printable(std::string_view text) {
@@ -116,7 +111,7 @@ std::string excerpt(const Diagnostic& finding, Lines& lines, const Palette& pain
 
 std::string describe(const Expansion& step) {
   const char* verb = step.kind == Expansion::Kind::macro ? "expanded from macro" : "included as";
-  return fmt::format("{} '{}' at {}", verb, step.name, place(step.at));
+  return fmt::format("{} '{}' at {}", verb, step.name, place_text(step.at));
 }
 
 /// The steps from the text outwards; of a deep recursion only the innermost ones and the outermost one.
@@ -135,15 +130,17 @@ std::string render_way(const Expansion* innermost, const Palette& paint) {
   return text;
 }
 
-std::string render_one(const Diagnostic& finding, Lines& lines, const Palette& paint) {
+std::string render_one(const Message& message, Lines& lines, const Palette& paint) {
+  const Diagnostic& finding = message.finding;
   const bool is_error = finding.severity == Severity::error;
-  std::string text = fmt::format("{}{}:{} {}{}[{}]{}: {}\n", paint.bold, place(finding.at), paint.reset,
+  std::string text = fmt::format("{}{}:{} {}{}[{}]{}: {}\n", paint.bold, place_text(finding.at), paint.reset,
                                  is_error ? paint.red : paint.yellow, is_error ? "error" : "warning",
                                  code_name(finding.code), paint.reset, finding.message);
   text += excerpt(finding, lines, paint);
   text += render_way(finding.at.via, paint);
+  if (!message.repeats.empty()) text += fmt::format("  {}note:{} {}\n", paint.cyan, paint.reset, repeats_text(message));
   for (const Note& note : finding.notes) {
-    const std::string where = note.at.file ? fmt::format(" ({})", place(note.at)) : "";
+    const std::string where = note.at.file ? fmt::format(" ({})", place_text(note.at)) : "";
     text += fmt::format("  {}note:{} {}{}\n", paint.cyan, paint.reset, note.message, where);
   }
   for (const std::string& hint : finding.hints) {
@@ -159,28 +156,44 @@ std::string code_name(Code code) { return fmt::format("FM{:04}", code.number); }
 std::string render_text(const Diagnostics& diagnostics, bool color) {
   std::string text;
   Lines lines;
-  for (const Diagnostic& finding : diagnostics.in_file_order())
-    text += render_one(finding, lines, color ? kColor : kPlain);
+  for (const Message& message : messages_of(diagnostics)) text += render_one(message, lines, color ? kColor : kPlain);
   return text;
 }
 
-nlohmann::ordered_json render_json(const Diagnostics& diagnostics) {
-  using Json = nlohmann::ordered_json;
-  Json list = Json::array();
-  for (const Diagnostic& finding : diagnostics.in_file_order()) {
-    Json notes = Json::array();
-    for (const Expansion* step = finding.at.via; step != nullptr; step = step->at.via) notes.push_back(describe(*step));
-    for (const Note& note : finding.notes) notes.push_back(note.message);
-    const Position& at = finding.at;
-    list.push_back({{"severity", finding.severity == Severity::error ? "error" : "warning"},
-                    {"code", code_name(finding.code)},
-                    {"message", finding.message},
-                    {"file", at.file ? Json(at.file->name) : Json(nullptr)},
-                    {"line", at.line > 0 ? Json(at.line) : Json(nullptr)},
-                    {"column", at.column > 0 ? Json(at.column) : Json(nullptr)},
-                    {"notes", notes},
-                    {"hints", finding.hints}});
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void put_place(const Position& at, Json& json) {
+  json["file"] = at.file ? Json(at.file->name) : Json(nullptr);
+  json["line"] = at.line > 0 ? Json(at.line) : Json(nullptr);
+  json["column"] = at.column > 0 ? Json(at.column) : Json(nullptr);
+}
+
+Json json_of(const Message& message) {
+  const Diagnostic& finding = message.finding;
+  Json json{{"severity", finding.severity == Severity::error ? "error" : "warning"},
+            {"code", code_name(finding.code)},
+            {"message", finding.message}};
+  put_place(finding.at, json);
+  Json notes = Json::array();
+  for (const Expansion* step = finding.at.via; step != nullptr; step = step->at.via) notes.push_back(describe(*step));
+  for (const Note& note : finding.notes) notes.push_back(note.message);
+  json["notes"] = std::move(notes);
+  json["hints"] = finding.hints;
+  for (const Diagnostic& repeat : message.repeats) {
+    Json other{{"message", repeat.message}};
+    put_place(outermost(repeat.at), other);
+    json["repeats"].push_back(std::move(other));
   }
+  return json;
+}
+
+}  // namespace
+
+nlohmann::ordered_json render_json(const Diagnostics& diagnostics) {
+  Json list = Json::array();
+  for (const Message& message : messages_of(diagnostics)) list.push_back(json_of(message));
   return list;
 }
 

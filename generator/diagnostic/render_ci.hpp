@@ -8,6 +8,9 @@
 
 namespace finemote::gen {
 
+// Repeats of a finding in further expansions of one macro (repeats.hpp) stand with the first: as notes at the calls for
+// gcc, in the message for GitHub, as `relatedLocations` and `occurrenceCount` for SARIF.
+
 /// `file:line:col: error: message [FMnnnn]`, with notes as further lines: what editors know from compilers.
 std::string render_gcc(const Diagnostics& diagnostics);
 

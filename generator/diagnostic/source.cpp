@@ -2,6 +2,8 @@
 
 #include <tuple>
 
+#include "generator/diagnostic/place.hpp"
+
 namespace finemote::gen {
 
 std::string_view SourceFile::line(std::uint32_t line) const {
@@ -16,15 +18,6 @@ std::string_view SourceFile::line(std::uint32_t line) const {
   if (!rest.empty() && rest.back() == '\r') rest.remove_suffix(1);
   return rest;
 }
-
-namespace {
-
-Position outermost(Position at) {
-  while (at.via != nullptr) at = at.via->at;
-  return at;
-}
-
-}  // namespace
 
 bool before(const Position& a, const Position& b) {
   const auto key = [](const Position& p) {

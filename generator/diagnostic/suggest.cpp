@@ -10,6 +10,19 @@ constexpr std::size_t kStep = 2;  // cost of one edit; a change of letter case c
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
+std::string in_lower_case(std::string_view text) {
+  std::string lowered(text);
+  std::transform(lowered.begin(), lowered.end(), lowered.begin(), lower);
+  return lowered;
+}
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+/// Of a token in lower case: whether the word begins with it.
+bool starts_with_token(std::string_view word, std::string_view token) {
+  return in_lower_case(word.substr(0, token.size())) == token;
+}
+
 std::size_t replace_cost(char a, char b) {
   if (a == b) return 0;
   return lower(a) == lower(b) ? kStep / 2 : kStep;
@@ -42,6 +55,37 @@ bool begins_alike(std::string_view a, std::string_view b) {
          (begin == shorter || (shorter.size() >= kShortestMistaken && distance(begin, shorter) <= kStep));
 }
 
+/// `m3508` for `dji_m3508`, `radius` for `wheel_radius`: one word holds the other.
+bool holds(std::string_view a, std::string_view b) {
+  constexpr std::size_t kShortest = 3;
+  const std::string small = in_lower_case(a.size() < b.size() ? a : b);
+  return small.size() >= kShortest && in_lower_case(a.size() < b.size() ? b : a).find(small) != std::string::npos;
+}
+
+/// `dm4310` -> `dm`, `4310`; `h30_imu` -> `30`, `imu`: runs of letters or of digits, of at least two, in lower case.
+std::vector<std::string> tokens(std::string_view word) {
+  std::vector<std::string> found;
+  const auto kind = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0 ? 1 : is_letter(c) ? 2 : 0; };
+  for (std::size_t begin = 0, end = 0; begin < word.size(); begin = end) {
+    while (end < word.size() && kind(word[end]) == kind(word[begin])) ++end;
+    if (kind(word[begin]) != 0 && end - begin >= 2) found.push_back(in_lower_case(word.substr(begin, end - begin)));
+  }
+  return found;
+}
+
+/// `rm_imu` for `h30_imu`, `dm4310` for `dm_motor`: a part of one is a part of the other. The names of families are
+/// short: two letters count where both words begin with them.
+bool share_token(std::string_view a, std::string_view b) {
+  constexpr std::size_t kShortest = 3;
+  const auto mine = tokens(a), theirs = tokens(b);
+  if (!mine.empty() && !theirs.empty() && mine.front() == theirs.front() && starts_with_token(a, mine.front()) &&
+      starts_with_token(b, mine.front()))
+    return true;
+  return std::any_of(mine.begin(), mine.end(), [&](const std::string& token) {
+    return token.size() >= kShortest && std::find(theirs.begin(), theirs.end(), token) != theirs.end();
+  });
+}
+
 std::string quoted_list(const std::vector<std::string>& names, std::string_view last_separator) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -57,12 +101,19 @@ std::vector<std::string> nearest_names(std::string_view word, const std::vector<
   constexpr std::size_t kLongest = 100;  // longer words are not typing mistakes of these names
   if (word.size() > kLongest) return {};
   const std::size_t allowed = kStep * std::max<std::size_t>(2, word.size() / 3);
-  std::vector<std::pair<std::size_t, std::string>> near;
+  std::vector<std::pair<std::size_t, std::string>> mistyped, related;
   for (const std::string& candidate : candidates) {
-    std::size_t steps = distance(word, candidate);
-    if (steps > allowed && begins_alike(word, candidate)) steps = allowed;
-    if (steps <= allowed && steps < kStep * candidate.size()) near.emplace_back(steps, candidate);
+    const std::size_t steps = distance(word, candidate);
+    if (steps <= allowed && steps < kStep * candidate.size())
+      mistyped.emplace_back(steps, candidate);
+    else if (begins_alike(word, candidate))
+      mistyped.emplace_back(allowed, candidate);
+    else if (holds(word, candidate))
+      related.emplace_back(0, candidate);
+    else if (share_token(word, candidate))
+      related.emplace_back(1, candidate);
   }
+  auto& near = mistyped.empty() ? related : mistyped;
   std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> names;
   for (auto& [steps, name] : near) {

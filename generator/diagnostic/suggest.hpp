@@ -7,8 +7,8 @@
 
 namespace finemote::gen {
 
-/// The candidates within a small edit distance (insert, delete, replace, swap of neighbours; a third of the
-/// length, at least 2) of `word`, nearest first, at most three; letter case alone counts as half a step.
+/// At most three candidates within a small edit distance (a third of the length, at least 2; letter case counts half);
+/// without such, those that hold the word or lie in it (`m3508`), then those that share a part with it (`rm_imu`).
 std::vector<std::string> nearest_names(std::string_view word, const std::vector<std::string>& candidates);
 
 /// `did you mean 'a' or 'b'?`; when nothing is near, `valid here: 'a', 'b', ...` (at most twelve); empty for no

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "generator/geometry/role_joints.hpp"
+#include "generator/lint/codes.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
@@ -36,10 +37,10 @@ class Linter {
 
  private:
   /// A place to note and hint at; null when the code is allowed.
-  Diagnostic* report(Code code, Position at, std::string message) {
-    if (contains(options_.allow, code)) return nullptr;
-    Diagnostic& finding = contains(options_.deny, code) ? diagnostics_.error(code, at, std::move(message))
-                                                        : diagnostics_.warning(code, at, std::move(message));
+  Diagnostic* report(LintCode lint, Position at, std::string message) {
+    if (contains(options_.allow, lint.code)) return nullptr;
+    Diagnostic& finding = contains(options_.deny, lint.code) ? diagnostics_.error(lint.code, at, std::move(message))
+                                                             : diagnostics_.warning(lint.code, at, std::move(message));
     return &finding;
   }
 

@@ -126,6 +126,28 @@ bool is_descendant(const Robot& robot, std::size_t device, std::size_t of) {
   return false;
 }
 
+/// <reads> of the reader itself, of a child (which reaches it by role), or of a device further down (which does not).
+void report_own_subtree(Reading& reading, const xml::Attribute& name, std::size_t reader, std::size_t target) {
+  const auto& devices = reading.robot.devices;
+  const std::string& reads = devices[reader].name.text;
+  const std::string& read = devices[target].name.text;
+  const bool is_self = target == reader;
+  const bool is_child = !is_self && devices[target].parent == reader;
+  const std::string what = is_self ? "state" : is_child ? "child" : "descendant";
+  auto& finding = at_value(reading.diagnostics, code::reads_own_subtree, name,
+                           fmt::format("device '{}' reads its own {}", reads, what));
+  if (is_self || is_child) {
+    finding.note("children reach their parent by role; <reads> is for devices elsewhere").hint("remove the <reads>");
+    return;
+  }
+  std::size_t child = target;
+  while (devices[child].parent != reader) child = *devices[child].parent;
+  finding.note("a device sees the states of its children; what is further down reaches it through the child between")
+      .hint(fmt::format("let the type of '{}' copy what it reads of '{}' into its own State", devices[child].name.text,
+                        read))
+      .hint(fmt::format("or declare '{}' directly below '{}'", read, reads));
+}
+
 void read_reads(Reading& reading, std::size_t index, const xml::Node& tag) {
   Device& reader = reading.robot.devices[index];
   const xml::Attribute* name = tag.attribute("device");
@@ -137,12 +159,7 @@ void read_reads(Reading& reading, std::size_t index, const xml::Node& tag) {
         name->value, reading.device_names());
   }
   const bool is_own = target && is_descendant(reading.robot, *target, index);
-  if (is_own) {
-    at_value(reading.diagnostics, code::reads_own_subtree, *name,
-             fmt::format("device '{}' reads its own {}", reader.name.text, *target == index ? "state" : "descendant"))
-        .note("children reach their parent by role; <reads> is for devices elsewhere")
-        .hint("remove the <reads>");
-  }
+  if (is_own) report_own_subtree(reading, *name, index, *target);
   std::optional<std::size_t> found;
   if (reader.type != nullptr && role != nullptr) {
     const DeviceType* target_type = target ? reading.robot.devices[*target].type : nullptr;

@@ -8,6 +8,8 @@
 #include <limits>
 #include <span>
 
+#include "generator/units/physical.hpp"
+
 namespace finemote::gen::units {
 namespace {
 
@@ -145,23 +147,14 @@ std::string_view meant_unit(std::string_view unit, const Kind& kind) {
   return {};
 }
 
-Fault other_unit(std::string_view number, std::string_view unit, const Kind& kind) {
-  std::string hint = fmt::format("units are {}", unit_list(kind));
-  for (const UnitName& candidate : kind.units) {
-    if (equal_ignoring_case(unit, candidate.text))
-      hint = fmt::format("units are case-sensitive: write '{}{}'", number, candidate.text);
-  }
-  const std::string_view meant = meant_unit(unit, kind);
-  if (!meant.empty()) hint = fmt::format("write '{}{}'; {}", number, meant, hint);
-  return {code::unit_wrong, fmt::format("'{}' is not a unit of {}", shown(unit), kind.article_name), hint};
-}
-
 /// A number and its unit, separated.
 struct Parts {
   std::string_view number;
   int exponent = 0;
   std::string_view unit;
 };
+
+Fault other_unit(std::string_view number, std::string_view unit, const Kind& kind);
 
 Result<Parts> split(std::string_view text, const Kind& kind) {
   const std::size_t length = number_length(text);
@@ -220,6 +213,47 @@ Result<std::int64_t> exact(std::string_view text, const Kind& kind) {
                     append_digits(value, std::string(static_cast<std::size_t>(zeros), '0'));
   if (!fits) return too_large(text);
   return value;
+}
+
+std::string in_largest_unit(std::int64_t value, std::string_view base) {
+  if (value % 1'000'000 == 0) return fmt::format("{}M{}", value / 1'000'000, base);
+  if (value % 1'000 == 0) return fmt::format("{}k{}", value / 1'000, base);
+  return fmt::format("{}{}", value, base);
+}
+
+/// `500Hz` where a duration belongs -> `2ms`; `1MHz` where a bit rate does -> `1Mbit/s`: what was said, if it is exact
+/// in a unit of the wanted kind. Empty when it is no quantity of a related kind.
+std::string related(std::string_view number, std::string_view unit, const Kind& kind) {
+  constexpr std::int64_t kNanoseconds = 1'000'000'000;
+  for (const Kind* other : {&kDurationKind, &kFrequencyKind, &kBitrateKind}) {
+    const bool is_theirs = std::any_of(other->units.begin(), other->units.end(),
+                                       [&](const UnitName& name) { return equal_ignoring_case(name.text, unit); });
+    if (!is_theirs || other->base == kind.base) continue;
+    std::string written(number);
+    for (const UnitName& name : other->units) {
+      if (equal_ignoring_case(name.text, unit)) written += name.text;
+    }
+    const Result<std::int64_t> value = exact(written, *other);
+    if (!value || *value == 0) return {};
+    const bool inverts = (kind.base == "ns") != (other->base == "ns");
+    if (inverts && kNanoseconds % *value != 0) return {};
+    const std::int64_t meant = inverts ? kNanoseconds / *value : *value;
+    if (kind.base == "ns") return format_duration(meant);
+    if (kind.base == "Hz" || kind.base == "bit/s") return in_largest_unit(meant, kind.base);
+  }
+  return {};
+}
+
+Fault other_unit(std::string_view number, std::string_view unit, const Kind& kind) {
+  std::string hint = fmt::format("units are {}", unit_list(kind));
+  for (const UnitName& candidate : kind.units) {
+    if (equal_ignoring_case(unit, candidate.text))
+      hint = fmt::format("units are case-sensitive: write '{}{}'", number, candidate.text);
+  }
+  const std::string_view foreign = meant_unit(unit, kind);
+  const std::string meant = foreign.empty() ? related(number, unit, kind) : fmt::format("{}{}", number, foreign);
+  if (!meant.empty()) hint = fmt::format("write '{}'; {}", meant, hint);
+  return {code::unit_wrong, fmt::format("'{}' is not a unit of {}", shown(unit), kind.article_name), hint};
 }
 
 }  // namespace
@@ -281,19 +315,36 @@ std::size_t real_length(std::string_view text) {
   return end;
 }
 
-/// Nothing when `rest`, which follows a number, is the unit; else the fault.
+constexpr std::string_view kWholeNumber = "a whole number";
+
+/// What follows a number (`rest`) although it is neither nothing nor `unit`.
+Fault not_the_unit(std::string_view text, std::string_view rest, std::string_view unit, std::string_view noun) {
+  const std::string_view number = text.substr(0, text.size() - rest.size());
+  if (rest.front() == ' ') rest.remove_prefix(1);
+  if (!looks_like_unit(rest)) {
+    std::string pointed(text);
+    std::replace(pointed.begin(), pointed.end(), ',', '.');
+    const bool has_comma = rest.front() == ',' && real_length(pointed) == pointed.size();
+    return {code::quantity_malformed, fmt::format("'{}' is not {}", shown(text), noun),
+            has_comma ? fmt::format("write '{}'", pointed) : std::string()};
+  }
+  std::string converted = convert(number, rest, unit);
+  if (noun == kWholeNumber && converted.find_first_of(".e") != std::string::npos) converted.clear();
+  if (is_bare(unit)) {
+    return {code::unit_wrong, fmt::format("'{}' has a unit, expected {} without one", shown(text), noun),
+            converted.empty() ? std::string() : fmt::format("write '{}'", converted)};
+  }
+  const std::string base = fmt::format("the unit is {}", unit);
+  return {code::unit_wrong, fmt::format("'{}' is not {} in '{}'", shown(text), noun, unit),
+          converted.empty() ? base : fmt::format("write '{} {}'; {}", converted, unit, base)};
+}
+
+/// Nothing when the unit, or nothing, follows the number; else the fault.
 std::optional<Fault> check_unit(std::string_view text, std::string_view rest, std::string_view unit,
                                 std::string_view noun) {
-  if (rest == unit) return {};
-  if (!unit.empty() && rest.empty()) {
-    return Fault{code::unit_missing, fmt::format("'{}' has no unit", shown(text)),
-                 fmt::format("write '{}{}'", shown(text), unit)};
-  }
-  if (!unit.empty() && rest.front() == ' ' && rest.substr(1) == unit) return {};
-  if (unit.empty()) return Fault{code::quantity_malformed, fmt::format("'{}' is not {}", shown(text), noun), {}};
-  const std::string number(text.substr(0, text.size() - rest.size()));
-  return Fault{code::unit_wrong, fmt::format("'{}' does not end in the unit '{}'", shown(text), unit),
-               fmt::format("write '{}{}'", number, unit)};
+  const bool has_unit = !is_bare(unit) && (rest == unit || (rest.substr(0, 1) == " " && rest.substr(1) == unit));
+  if (rest.empty() || has_unit) return {};
+  return not_the_unit(text, rest, unit, noun);
 }
 
 Fault not_a(std::string_view text, std::string_view noun) {
@@ -306,10 +357,9 @@ Fault not_a(std::string_view text, std::string_view noun) {
 }  // namespace
 
 Result<std::int64_t> parse_integer(std::string_view text, std::string_view unit) {
-  constexpr std::string_view kNoun = "a whole number";
   const std::size_t length = integer_length(text);
-  if (length == 0) return not_a(text, kNoun);
-  if (auto fault = check_unit(text, text.substr(length), unit, kNoun)) return *fault;
+  if (length == 0) return not_a(text, kWholeNumber);
+  if (auto fault = check_unit(text, text.substr(length), unit, kWholeNumber)) return *fault;
   std::string_view digits = text.substr(0, length);
   const bool negative = digits.front() == '-';
   if (negative || digits.front() == '+') digits.remove_prefix(1);

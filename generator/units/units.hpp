@@ -46,7 +46,7 @@ Result<double> parse_percent(std::string_view text);          ///< % -> fraction
 Result<std::uint32_t> parse_bare(std::string_view text);
 
 /// A signed decimal or 0x integer, or a signed decimal number with optional exponent: values of params without
-/// conversion. `unit` has to follow when it is not empty. Faults: FM3030, FM3031, FM3033, FM3034.
+/// conversion. `unit` may follow; empty or "1": none may. Faults: FM3031 (converts where known), FM3033, FM3034.
 Result<std::int64_t> parse_integer(std::string_view text, std::string_view unit = {});
 Result<double> parse_real(std::string_view text, std::string_view unit = {});
 

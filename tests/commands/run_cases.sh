@@ -1,11 +1,15 @@
 #!/usr/bin/env bash
-# run_cases.sh FINEMOTE SOURCE [PATTERN]: runs the cases (without PATTERN, those not named _slow) of this folder in an empty folder and compares all it says with the
-# file beside it. A case FMnnnn_name.sh is a few commands; FMnnnn_name.expected holds what comes on stderr, then on stdout if
-# anything does, then the exit status. The number must be among what is said. FINEMOTE_UPDATE_GOLDEN=1 rewrites.
+# run_cases.sh FINEMOTE SOURCE quick|slow [FOLDER [PATTERN]]: runs cases of FOLDER (this one) and compares all they say with
+# the files beside them. `slow` runs those whose names end in _slow, `quick` all others: every case is run by one of the two,
+# whatever it is called. A case FMnnnn_name.sh is a few commands, run in an empty folder; FMnnnn_name.expected holds what comes
+# on stderr, then on stdout if anything does, then the exit status. The number must be among what is said.
+# FINEMOTE_UPDATE_GOLDEN=1 rewrites.
 set -u
 finemote=$(realpath "$1")
 source=$(realpath "$2")
-cases=$(cd "$(dirname "$0")" && pwd)
+selection=$3
+cases=$(cd "${4:-$(dirname "$0")}" && pwd)
+pattern=${5:-*}
 PATH=$(dirname "$finemote"):$PATH
 export source cases LC_ALL=C
 unset NO_COLOR FINEMOTE_DATA ROS_PACKAGE_PATH AMENT_PREFIX_PATH
@@ -43,8 +47,19 @@ say() {  # the whole answer of one case
   echo "-- exit $status"
 }
 
-for script in "$cases"/${3:-FM*[!w]}.sh; do
-  name=$(basename "$script" .sh)
+# the names of all cases of the selection, by their scripts or their answers: neither may be without the other
+names() {
+  local file name
+  for file in "$cases"/*.sh "$cases"/*.expected; do
+    name=$(basename "${file%.*}")
+    case $selection:$name in *:run_cases | quick:*_slow) continue ;; slow:*_slow | quick:*) echo "$name" ;; esac
+  done | grep -v '^\*$' | sort -u
+}
+
+for name in $(names); do
+  case $name in $pattern) ;; *) continue ;; esac
+  script=$cases/$name.sh
+  [ -e "$script" ] || { echo "FAILED $name: there is no $name.sh"; failed=$((failed + 1)); continue; }
   folder=$(mktemp -d)
   mkdir "$folder/work"
   say "$folder/work" "$script" >"$folder/said"

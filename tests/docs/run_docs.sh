@@ -17,7 +17,7 @@ run_page() {
     case $in_block:$line in
       :'<!-- file: '*) pending=${line#'<!-- file: '}; pending=${pending%' -->'} ;;
       :'```console') in_block=console ;;
-      :'```'*) in_block=text; file=$pending; pending=; [ -z "$file" ] || : >"$folder/$file" ;;
+      :'```'*) in_block=text; file=$pending; pending=; [ -z "$file" ] || { mkdir -p "$(dirname "$folder/$file")"; : >"$folder/$file"; } ;;
       ?*:'```') in_block=; file= ;;
       console:'$ '*)
         if (cd "$folder" && bash -c "${line#'$ '}") >"$folder/.said" 2>&1; then

@@ -41,3 +41,18 @@ TEST_CASE("the nearest names come first") {
   CHECK(did_you_mean("zzzzzz", {"a", "b"}) == "valid here: 'a', 'b'");
   CHECK(did_you_mean("x", {}).empty());
 }
+
+TEST_CASE("a name known in part is found: by a part of it, by a family, by a word they share") {
+  const std::vector<std::string> types{"dji_gm6020", "dji_m2006", "dji_m3508",
+                                       "dm_motor",   "h30_imu",   "mecanum_chassis"};
+  CHECK(did_you_mean("m3508", types) == "did you mean 'dji_m3508'?");
+  CHECK(did_you_mean("M3508_motor", types) == "did you mean 'dji_m3508' or 'dm_motor'?");
+  CHECK(did_you_mean("dm4310", types) == "did you mean 'dm_motor'?");
+  CHECK(did_you_mean("rm_imu", types) == "did you mean 'h30_imu'?");
+  CHECK(did_you_mean("chassis_mecanum", types) == "did you mean 'mecanum_chassis'?");
+  CHECK(did_you_mean("3508", types) == "did you mean 'dji_m3508'?");
+  CHECK(did_you_mean("GM6020", types) == "did you mean 'dji_gm6020'?");
+  CHECK(did_you_mean("type_c", {"host", "qemu_f405", "robomaster_type_c"}) == "did you mean 'robomaster_type_c'?");
+  CHECK(did_you_mean("radius", {"reach", "wheel_radius"}) == "did you mean 'wheel_radius'?");
+  CHECK(did_you_mean("xy", {"proxy_name", "xylophone"}) == "valid here: 'proxy_name', 'xylophone'");
+}

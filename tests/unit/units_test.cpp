@@ -53,7 +53,49 @@ TEST_CASE("a quantity without unit, or with another one, says what to write") {
   refuses(parse_duration("5min"), code::unit_wrong, "'min' is not a unit of a duration", "units are ns, us, ms, s");
   refuses(parse_frequency("400khz"), code::unit_wrong, "'khz' is not a unit of a frequency",
           "units are case-sensitive: write '400kHz'");
-  refuses(parse_duration("400kHz"), code::unit_wrong, "'kHz' is not a unit of a duration", "units are ns, us, ms, s");
+  refuses(parse_duration("400kHz"), code::unit_wrong, "'kHz' is not a unit of a duration",
+          "write '2500ns'; units are ns, us, ms, s");
+}
+
+TEST_CASE("a rate for a period, and quantities of other neighbours, are offered converted where that is exact") {
+  const std::string times = "units are ns, us, ms, s";
+  refuses(parse_duration("500Hz"), code::unit_wrong, "'Hz' is not a unit of a duration", "write '2ms'; " + times);
+  refuses(parse_duration("1khz"), code::unit_wrong, "'khz' is not a unit of a duration", "write '1ms'; " + times);
+  refuses(parse_duration("300Hz"), code::unit_wrong, "'Hz' is not a unit of a duration", times);
+  refuses(parse_duration("0Hz"), code::unit_wrong, "'Hz' is not a unit of a duration", times);
+  refuses(parse_frequency("20ms"), code::unit_wrong, "'ms' is not a unit of a frequency",
+          "write '50Hz'; units are Hz, kHz, MHz");
+  refuses(parse_frequency("400kbit/s"), code::unit_wrong, "'kbit/s' is not a unit of a frequency",
+          "write '400kHz'; units are Hz, kHz, MHz");
+  refuses(parse_bitrate("1MHz"), code::unit_wrong, "'MHz' is not a unit of a bit rate",
+          "write '1Mbit/s'; units are bit/s, kbit/s, Mbit/s, baud");
+}
+
+TEST_CASE("a value in another unit than its param's is offered converted") {
+  accepts(parse_real("0.076", "m"), 0.076);
+  accepts(parse_real("0.076m", "m"), 0.076);
+  accepts(parse_real("0.3 N m", "N m"), 0.3);
+  accepts(parse_integer("5rad", "rad"), std::int64_t{5});
+  refuses(parse_real("76mm", "m"), code::unit_wrong, "'76mm' is not a number in 'm'", "write '0.076 m'; the unit is m");
+  refuses(parse_real("7.6 cm", "m"), code::unit_wrong, "'7.6 cm' is not a number in 'm'",
+          "write '0.076 m'; the unit is m");
+  refuses(parse_real("-90deg", "rad"), code::unit_wrong, "'-90deg' is not a number in 'rad'",
+          "write '-1.57079632679 rad'; the unit is rad");
+  refuses(parse_real("3000rpm", "rad/s"), code::unit_wrong, "'3000rpm' is not a number in 'rad/s'",
+          "write '314.159265359 rad/s'; the unit is rad/s");
+  refuses(parse_real("0.3Nm", "N m"), code::unit_wrong, "'0.3Nm' is not a number in 'N m'",
+          "write '0.3 N m'; the unit is N m");
+  refuses(parse_real("300mN*m", "N m"), code::unit_wrong, "'300mN*m' is not a number in 'N m'",
+          "write '0.3 N m'; the unit is N m");
+  refuses(parse_real("1013mbar", "Pa"), code::unit_wrong, "'1013mbar' is not a number in 'Pa'",
+          "write '101300 Pa'; the unit is Pa");
+  refuses(parse_real("3parsec", "m"), code::unit_wrong, "'3parsec' is not a number in 'm'", "the unit is m");
+  refuses(parse_real("12%", ""), code::unit_wrong, "'12%' has a unit, expected a number without one", "write '0.12'");
+  refuses(parse_real("5V", "1"), code::unit_wrong, "'5V' has a unit, expected a number without one", "");
+  refuses(parse_integer("76mm", "m"), code::unit_wrong, "'76mm' is not a whole number in 'm'", "the unit is m");
+  refuses(parse_real("0,076", "m"), code::quantity_malformed, "'0,076' is not a number", "write '0.076'");
+  refuses(parse_real("5 1", "1"), code::quantity_malformed, "'5 1' is not a number", "");
+  refuses(parse_real("0x10", ""), code::quantity_malformed, "'0x10' is not a number", "");
 }
 
 TEST_CASE("what is no quantity at all") {

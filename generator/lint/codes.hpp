@@ -1,0 +1,28 @@
+// The findings of lint: one table, from which the command line knows what can be allowed and denied.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "generator/diagnostic/code.hpp"
+
+namespace finemote::gen {
+
+/// Each can be allowed and denied.
+inline constexpr std::array kLintCodes{code::lint_order,          code::lint_period_ratio, code::lint_no_wcet,
+                                       code::lint_conversion,     code::lint_bus_load,     code::lint_unused_bus,
+                                       code::lint_param_replaced, code::lint_command_age,  code::timing_bus_overload};
+
+constexpr bool is_lint_code(Code code) {
+  return std::find(kLintCodes.begin(), kLintCodes.end(), code) != kLintCodes.end();
+}
+
+/// A code of the table: lint reports with these alone, so a finding that nobody can allow does not compile.
+struct LintCode {
+  Code code;
+  consteval LintCode(Code listed) : code(listed) {  // NOLINT(google-explicit-constructor)
+    if (!is_lint_code(listed)) throw "add the code to kLintCodes";
+  }
+};
+
+}  // namespace finemote::gen

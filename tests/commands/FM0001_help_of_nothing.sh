@@ -1,0 +1,4 @@
+finemote frobnicate --help
+finemote --format json frobnicat
+finemote board frob
+finemote tree --bogus --help
