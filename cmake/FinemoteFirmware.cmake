@@ -28,6 +28,19 @@ function(finemote_nanoseconds text result)
   set(${result} ${value} PARENT_SCOPE)
 endfunction()
 
+# Stops where the compiler is not one for the family of boards: it would fail in every assembler line.
+function(finemote_check_compiler board family)
+  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -dumpmachine OUTPUT_VARIABLE machine OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(family STREQUAL "host" AND machine MATCHES "^arm-none-eabi")
+    message(FATAL_ERROR "finemote_add_firmware: board 'host' runs on this computer, and the compiler is one for '${machine}'; "
+                        "configure without cmake/toolchain-arm-none-eabi.cmake")
+  elseif(NOT family STREQUAL "host" AND NOT machine MATCHES "^arm-none-eabi")
+    message(FATAL_ERROR "finemote_add_firmware: board '${board}' needs a compiler for 'arm-none-eabi', and this one is for "
+                        "'${machine}'; in an empty build folder configure with\n"
+                        "  -DCMAKE_TOOLCHAIN_FILE=${FINEMOTE_ROOT}/cmake/toolchain-arm-none-eabi.cmake")
+  endif()
+endfunction()
+
 # What does not depend on the robot: compiled once per board and optimisation level of a project. Devices and ports the
 # robot does not use stay out of the image: the linker takes from this library what it needs.
 function(finemote_runtime_library name board optimize)
@@ -68,6 +81,7 @@ function(finemote_add_firmware target)
   unset(FINEMOTE_BOARD_DEFINITIONS)
   include(${board}/board.cmake)  # sets FINEMOTE_BOARD_FAMILY (host or cortex_m4), may set FINEMOTE_BOARD_DEFINITIONS
   set(family ${FINEMOTE_BOARD_FAMILY})
+  finemote_check_compiler(${arg_BOARD} ${family})
   if(NOT arg_OPTIMIZE)
     set(arg_OPTIMIZE -Os)
   endif()

@@ -1,6 +1,11 @@
 # Cross-compiles for a Cortex-M4 with single-precision FPU, with newlib-nano.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR cortex-m4)
+find_program(FINEMOTE_ARM_COMPILER arm-none-eabi-g++)
+if(NOT FINEMOTE_ARM_COMPILER)
+  message(FATAL_ERROR "there is no 'arm-none-eabi-g++' in PATH; install it, for example: "
+                      "apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib")
+endif()
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(CMAKE_CXX_FLAGS_INIT

@@ -35,6 +35,16 @@ bool vector_at(const std::uint8_t* bytes, std::int32_t limit, float unit, float 
   return true;
 }
 
+/// Pitch, roll and yaw in this order; false, and nothing is changed, when one is out of range.
+bool angles_at(const std::uint8_t* bytes, ImuState& out) {
+  float pitch_roll_yaw[3] = {};
+  if (!vector_at(bytes, kMaxAngle, kMicroDegree, pitch_roll_yaw) || !within(int32_at(bytes), kMaxPitch)) return false;
+  out.pitch = pitch_roll_yaw[0];
+  out.roll = pitch_roll_yaw[1];
+  out.yaw = pitch_roll_yaw[2];
+  return true;
+}
+
 }  // namespace
 
 void H30Imu::update() {
@@ -111,7 +121,6 @@ bool H30Imu::decode(std::size_t payload, ImuState& out) const {
     const bool known = type == kAcceleration || type == kRates || type == kAngles;
     if (!known) continue;
     if (length != kVector) return false;
-    float pitch_roll_yaw[3];
     switch (type) {
       case kAcceleration:
         acceleration = vector_at(data, kMaxAcceleration, kMicro, out.acceleration);
@@ -120,10 +129,7 @@ bool H30Imu::decode(std::size_t payload, ImuState& out) const {
         rates = vector_at(data, kMaxRate, kMicroDegree, out.rate);
         break;
       default:
-        angles = vector_at(data, kMaxAngle, kMicroDegree, pitch_roll_yaw) && within(int32_at(data), kMaxPitch);
-        out.pitch = pitch_roll_yaw[0];
-        out.roll = pitch_roll_yaw[1];
-        out.yaw = pitch_roll_yaw[2];
+        angles = angles_at(data, out);
         break;
     }
   }
