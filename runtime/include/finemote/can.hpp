@@ -18,7 +18,7 @@ class CanSlot {
  public:
   /// @param id        the device's `id` in the URDF
   /// @param receives  identifier of the frames it sends to us
-  /// @param priority  1 is the most urgent
+  /// @param priority  0 is the most urgent: the index of the bucket, shortest period first
   constexpr CanSlot(CanBus& bus, std::uint16_t id, std::uint16_t receives, std::uint8_t priority)
       : bus_(&bus), id_(id), receives_(receives), priority_(priority) {}
 
@@ -59,6 +59,7 @@ class CanBus {
   }
   constexpr CanBus(CanPort& port, std::int64_t bitrate) : port_(&port), slots_(nullptr), count_(0), bitrate_(bitrate) {}
   static constexpr std::size_t kMaxSlots = 32;
+  static constexpr std::size_t kGroups = 5;  ///< shared command frames
 
   /// Context: init.
   void start();
@@ -87,7 +88,6 @@ class CanBus {
 
  private:
   friend class CanSlot;
-  static constexpr std::size_t kGroups = 5;
   struct Group {
     Shared<std::uint16_t> id{0};  ///< 0: free
     Shared<std::uint16_t> words[4];

@@ -41,7 +41,8 @@ class I2cSlot {
  public:
   /// @param address   of the device, 7 bit
   /// @param route     how to reach it
-  /// @param priority  1 is the most urgent; the bus's table is sorted by it
+  /// @param priority  0 is the most urgent: the index of the bucket, shortest period first; the bus's table is sorted
+  /// by it
   constexpr I2cSlot(I2cBus& bus, std::uint8_t address, MuxRoute route, std::uint8_t priority)
       : bus_(&bus), address_(address), priority_(priority), route_(route) {}
 

@@ -20,7 +20,7 @@ class Rs485Slot {
   static constexpr std::size_t kMaxReply = 32;
 
   /// @param id        the device's `id` in the URDF
-  /// @param priority  1 is the most urgent
+  /// @param priority  0 is the most urgent: the index of the bucket, shortest period first
   constexpr Rs485Slot(Rs485& bus, std::uint8_t id, std::uint8_t priority) : bus_(&bus), id_(id), priority_(priority) {}
 
   /// Asks: sends `size` bytes, then takes `reply_size` <= kMaxReply bytes. The bytes must not change while busy().

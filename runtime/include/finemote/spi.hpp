@@ -19,7 +19,7 @@ class SpiBus;
 class SpiSlot {
  public:
   /// @param select    chip select of the port, in the order of the board file
-  /// @param priority  1 is the most urgent
+  /// @param priority  0 is the most urgent: the index of the bucket, shortest period first
   constexpr SpiSlot(SpiBus& bus, std::uint8_t select, std::uint8_t priority, std::uint8_t mode = 3)
       : bus_(&bus), select_(select), priority_(priority), mode_(mode) {}
 
