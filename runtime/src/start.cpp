@@ -41,7 +41,7 @@ void check_buckets(const Schedule& schedule, const ReleaseTimer& timer) {
   const Bucket* before = nullptr;
   for (const Bucket& bucket : schedule.buckets) {
     const Ticks ticks = ticks_in(bucket.period, static_cast<std::uint32_t>(schedule.tick));
-    if (bucket.period <= 0 || !ticks.exact || ticks.count > 0x7FFF'FFFF) {
+    if (bucket.period <= 0 || !ticks.exact || ticks.count > kMaxPeriodTicks) {
       refuse(ScheduleFault::bad_period, FINEMOTE_TEXT("schedule: a period is no multiple of the tick"));
     }
     if (timer.one_word && bucket.line / 32 != schedule.buckets[0].line / 32) {

@@ -110,6 +110,7 @@ extern "C" [[noreturn]] __attribute__((used)) void finemote_fault(const std::uin
   last.lr = frame_valid ? frame[5] : 0;  // r0 r1 r2 r3 r12 lr pc xpsr: PM0214 2.3.7
   last.pc = frame_valid ? frame[6] : 0;
   last.magic = kFaultMagic;
+  count_fault(Module::core, static_cast<std::uint8_t>(last.fault));
   board::say(FINEMOTE_TEXT(text_of(last.fault)));
   board::stopped();
   barrier();

@@ -219,6 +219,7 @@ void print_run() {
     const FaultRecord record = fault_record(i);
     std::printf("F %u %u %u\n", static_cast<unsigned>(record.module), record.number, record.count);
   }
+  if (!stop_text().empty()) std::printf("S %lld\n", static_cast<long long>(now()));
 #ifdef FINEMOTE_MONITOR
   for (unsigned i = 0; i < finemote_monitor.devices.size(); ++i) {
     const MonitorRecord& record = finemote_monitor.records[i];

@@ -17,6 +17,7 @@ void say(const char* text) {
 }
 void stopped() {
   qemu_f405::report_run();
+  qemu_f405::report_stop();
   qemu_f405::exit(1);
 }
 

@@ -97,4 +97,6 @@ void report_run() {
 #endif
 }
 
+void report_stop() { Line('S').number(static_cast<std::uint64_t>(now())).write(); }
+
 }  // namespace finemote::qemu_f405

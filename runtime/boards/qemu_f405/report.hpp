@@ -10,4 +10,7 @@ void report_events();
 /// for every bus that counts in the order they were started, `F <module> <number> <count>`, `L <lost events>` if any.
 void report_run();
 
+/// `S <ns>`: the time of the safe stop.
+void report_stop();
+
 }  // namespace finemote::qemu_f405

@@ -42,8 +42,8 @@ const std::string& stop_text();
 void reset();
 
 /// The run protocol on stdout: `E <ns> <stage> B|E`, then `O <bucket> <overruns>`, `B <bus> <transfers> <errors>`
-/// for every bus that counts in the order they were started, `F <module> <number> <count>`, and with
-/// the monitor `M <device> <worst response> <worst age> <late> <old>`.
+/// for every bus that counts in the order they were started, `F <module> <number> <count>`, `S <ns>` where
+/// it stopped itself, and with the monitor `M <device> <worst response> <worst age> <late> <old>`.
 void print_run();
 
 }  // namespace finemote::host

@@ -237,12 +237,16 @@ class CanPort {
 
 // ---------------------------------------------------------------------------------------------------------- PWM, pins
 
+/// How often pulses can repeat [ns].
+inline constexpr std::uint32_t kShortestPwmPeriod = 1'000, kLongestPwmPeriod = 400'000'000;
+
 /// One timer channel that repeats a pulse.
 class PwmPort {
  public:
   constexpr explicit PwmPort(PwmHardware& hardware) : hardware_(&hardware) {}
 
-  /// Clock, pin and repetition period [ns]; the output stays low until the first write(). Context: init.
+  /// Clock, pin and repetition period [ns], in range and one for all outputs of a timer (Module::pwm); the output stays
+  /// low until the first write(). Context: init.
   void start(Duration period);
   /// Pulse width [ns] from the next repetition on; 0 keeps the output low. Context: bucket.
   void write(std::uint32_t pulse);

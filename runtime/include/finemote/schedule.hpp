@@ -38,6 +38,8 @@ struct Schedule {
 };
 
 inline constexpr unsigned kMaxBuckets = 11;
+/// Longest period of a bucket [ticks].
+inline constexpr std::uint32_t kMaxPeriodTicks = 0x7FFF'FFFF;
 
 /// The end of a job of this bucket (index in Schedule::buckets). Costs nothing: the interrupt controller knows which
 /// buckets are pending or running, and the release interrupt asks it. Only the monitor wants to know.

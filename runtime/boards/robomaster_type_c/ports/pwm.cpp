@@ -14,11 +14,9 @@ namespace timer = stm32f407::timer;
 using robomaster_type_c::PwmSetup;
 
 enum class PwmFault : std::uint8_t {
-  period = 1,   ///< out of 1 us .. 400 ms
+  period = 1,   ///< out of kShortestPwmPeriod .. kLongestPwmPeriod
   two_periods,  ///< outputs of one timer share its period: the later one is refused
 };
-
-constexpr std::uint32_t kShortest = 1'000, kLongest = 400'000'000;
 
 // 168 MHz are 21 counts in 125 ns, 84 MHz in 250 ns, so that 32 bits are enough: 400 ms are 67,200,000 counts.
 constexpr std::uint32_t kCounts = 21, kNanoseconds2 = 125, kNanoseconds1 = 250;
@@ -64,7 +62,7 @@ void turn_on(const PwmSetup& setup) {
 
 void PwmPort::start(Duration period) {
   const PwmSetup& setup = hardware_->setup;
-  if (period < kShortest || period > kLongest) {
+  if (period < kShortestPwmPeriod || period > kLongestPwmPeriod) {
     stop_safely(Module::pwm, static_cast<std::uint8_t>(PwmFault::period), "a PWM period is out of range");
   }
   const Division division = divide(setup, static_cast<std::uint32_t>(period));
@@ -92,7 +90,7 @@ void PwmPort::start(Duration period) {
 bool PwmPort::tune(std::uint32_t period) {
   const PwmSetup& setup = hardware_->setup;
   const std::uint32_t own = 0xFU << ((setup.channel - 1) * 4);
-  if (period < kShortest || period > kLongest || setup.timer.ccer().any(0xFFFFU & ~own)) return false;
+  if (period < kShortestPwmPeriod || period > kLongestPwmPeriod || setup.timer.ccer().any(0xFFFFU & ~own)) return false;
   const Division division = divide(setup, period);
   setup.timer.psc().write(division.divider - 1);  // both are preloaded: next repetition
   setup.timer.arr().write(division.top - 1);
