@@ -238,18 +238,20 @@ class Linter {
     }
   }
   void report_command_age(const Device& device, const Param& param, std::int64_t most, const CommandAge& age) {
-    constexpr std::int64_t kStep = 1'000'000;
-    Diagnostic* finding = report(
-        code::lint_command_age, device.at,
-        fmt::format("data behind the commands of device '{}' can be {} old, and its '{}' is {}", device.name.text,
-                    units::format_duration(age.ns), param.spec->name, units::format_duration(most)));
+    const auto rounded_up = [&](std::int64_t step) {
+      return units::format_duration((age.ns + step - 1) / step * step);
+    };
+    Diagnostic* finding =
+        report(code::lint_command_age, device.at,
+               fmt::format("data behind the commands of device '{}' can be {} old, and its '{}' is {}",
+                           device.name.text, rounded_up(1'000), param.spec->name, units::format_duration(most)));
     if (finding == nullptr) return;
     finding->underline(7)
         .note("it goes to its safe output although nothing has failed")
         .note(fmt::format("the oldest of these data come from '{}'", robot_.devices[age.source].name.text),
               robot_.devices[age.source].at)
         .hint(fmt::format("allow <param name=\"{}\">{}</param> or more, or make the data fresher", param.spec->name,
-                          units::format_duration((age.ns + kStep - 1) / kStep * kStep)));
+                          rounded_up(1'000'000)));
   }
 
   const Robot& robot_;

@@ -163,6 +163,7 @@ class Adapter {
     }
     if (options_.monitor) out.handle_extra_ns = monitor_cost("monitor_handle");
     out.takes_command = device.type != nullptr && device.type->has_command();
+    out.actuator = device.type != nullptr && device.type->actuator;
     for (const Read& r : device.reads) out.reads.push_back(forest_.rank[r.device]);
     add_roles(device, out);
     const std::size_t place = model_.devices.size();

@@ -15,8 +15,9 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-bool sends_itself(const Device& device) {
-  return std::any_of(device.transfers.begin(), device.transfers.end(), [](const Transfer& t) { return t.command; });
+bool is_actuator(const Device& device) {
+  return device.actuator ||
+         std::any_of(device.transfers.begin(), device.transfers.end(), [](const Transfer& t) { return t.command; });
 }
 
 /// One end of a chain: whom it names, and whether it did so by role.
@@ -114,14 +115,12 @@ std::vector<std::size_t> actuators_of(const Model& model, const Topology& topolo
   while (!stack.empty()) {
     const std::size_t d = stack.back();
     stack.pop_back();
-    bool is_passed_on = false;
+    if (is_actuator(model.devices[d])) found.push_back(d);
     for (const std::size_t child : topology.children[d]) {
-      if (!model.devices[child].takes_command) continue;
-      is_passed_on = true;
-      stack.push_back(child);
+      if (model.devices[child].takes_command) stack.push_back(child);
     }
-    if (!is_passed_on || sends_itself(model.devices[d])) found.push_back(d);
   }
+  if (found.empty()) found.push_back(device);
   std::sort(found.begin(), found.end());
   return found;
 }

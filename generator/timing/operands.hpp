@@ -9,8 +9,8 @@
 
 namespace finemote::gen::timing {
 
-/// Where commands of `device` come out: every device at or below it that has no child taking a command, and those that
-/// send one over a bus themselves. `device` itself where nothing below it takes a command. In registration order.
+/// Where commands of `device` come out: the actuators at and below it, in registration order; `device` itself where
+/// there is none.
 std::vector<std::size_t> actuators_of(const Model& model, const Topology& topology, std::size_t device);
 
 /// The requirements with every latency that ends in a composite asked of the composite's actuators instead.
