@@ -91,7 +91,7 @@ struct Device {
   Ns handle_extra_ns = 0;  ///< the same around handle()
   Ns output_ns = 0;        ///< end of handle() to the output where no bus is in between (a timer's next period)
   bool takes_command = true;
-  bool actuator = false;  ///< its command leaves the robot's software here
+  bool actuator = false;           ///< its command leaves the robot's software here
   std::vector<std::size_t> reads;  ///< observed devices outside the own subtree
   /// Children and observed devices whose data end here: they are no part of the commands this device sends.
   std::vector<std::size_t> ends_here;
