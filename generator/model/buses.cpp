@@ -36,6 +36,24 @@ std::vector<std::string> ports_for(const Board& board, std::optional<BusKind> ki
   return names;
 }
 
+/// Of these ports, those that no bus of the robot names, whether it stands before or after; all when none is left.
+std::vector<std::string> unclaimed(const Reading& reading, const std::vector<std::string>& ports) {
+  std::vector<std::string> names;
+  for (const std::string& port : ports) {
+    const auto& tags = reading.tags.buses;
+    const auto claims = [&](const xml::Node* tag) { return value_of(*tag, "port") == port; };
+    if (std::none_of(tags.begin(), tags.end(), claims)) names.push_back(port);
+  }
+  return names.empty() ? ports : names;
+}
+
+/// The port offered to a bus that names none; nothing where the board has none of the kind.
+std::string example_port(const Reading& reading, std::optional<BusKind> kind) {
+  const Board* board = reading.robot.board;
+  const auto names = board != nullptr ? unclaimed(reading, ports_for(*board, kind)) : std::vector<std::string>{};
+  return names.empty() ? std::string() : names.front();
+}
+
 /// Finds the port a bus names and says what is wrong with the name.
 class PortFinder {
  public:
@@ -64,12 +82,10 @@ class PortFinder {
   }
   void report_missing() {
     if (reading_.tags.is_misspelt(tag_, "port")) return;
-    const Board* board = reading_.robot.board;
-    const auto names = board != nullptr ? ports_for(*board, kind_) : std::vector<std::string>{};
-    const std::string example = names.empty() ? "usart1" : names.front();
+    const std::string example = example_port(reading_, kind_);
     at_tag(reading_.diagnostics, code::attribute_missing, tag_,
            fmt::format("bus '{}' has no 'port'", value_of(tag_, "name")))
-        .hint(fmt::format("add for example port=\"{}\"", example));
+        .hint(fmt::format("add for example port=\"{}\"", example.empty() ? "usart1" : example));
   }
   const Port* look_up(const Board& board, const xml::Attribute& name) {
     const Port* port = board.port(name.value);
@@ -102,12 +118,12 @@ class PortFinder {
   void report_unknown(const Board& board, const xml::Attribute& name) {
     auto& finding = at_value(reading_.diagnostics, code::unknown_port, name,
                              fmt::format("board '{}' has no port '{}'", board.name, name.value));
-    const auto fitting = ports_for(board, kind_);
+    const auto fitting = unclaimed(reading_, ports_for(board, kind_));
     if (kind_ == BusKind::gpio && fitting.empty()) {
       finding.note("no port of this board serves gpio").hint("remove the bus: a <use> names its pin itself");
       return;
     }
-    const auto all = ports_for(board, {});
+    const auto all = unclaimed(reading_, ports_for(board, {}));
     suggest(finding, name.value,
             nearest_names(name.value, fitting).empty() && !nearest_names(name.value, all).empty() ? all : fitting);
   }
@@ -143,6 +159,11 @@ double nearest_rate(const Port& port, BusKind kind, double wanted) {
   return clock / std::max(16.0, std::round(clock / wanted));
 }
 
+/// How far what the port makes is from what is asked for, as a fraction of that.
+double rate_error(const Port& port, BusKind kind, double wanted) {
+  return std::abs(nearest_rate(port, kind, wanted) - wanted) / wanted;
+}
+
 void check_rate(Reading& reading, const xml::Attribute& attribute, const Port& port, const Bus& bus) {
   const auto report = [&]() -> Diagnostic& {
     return at_value(reading.diagnostics, code::rate_unreachable, attribute,
@@ -156,7 +177,7 @@ void check_rate(Reading& reading, const xml::Attribute& attribute, const Port& p
   }
   const auto wanted = static_cast<double>(bus.rate);
   const double made = nearest_rate(port, bus.kind, wanted);
-  const double error = std::abs(made - wanted) / wanted;
+  const double error = rate_error(port, bus.kind, wanted);
   if (error * 1e6 <= static_cast<double>(port.max_rate_error_ppm)) return;
   const std::string nearest = rate_text(bus.kind, std::llround(made));
   auto& finding = report();
@@ -181,19 +202,35 @@ std::vector<const DeviceType*> types_on(Reading& reading, std::string_view bus) 
   return types;
 }
 
-/// A rate that the devices on the bus can do; a usual one where they leave it open.
-std::string example_rate(Reading& reading, const Bus& bus, const Port* port) {
+/// Whether the port makes the rate, nearly enough.
+bool is_made(const Port& port, BusKind kind, std::int64_t rate) {
+  if (rate < port.min_rate.value_or(1) || rate > port.max_rate.value_or(INT64_MAX)) return false;
+  return rate_error(port, kind, static_cast<double>(rate)) * 1e6 <= static_cast<double>(port.max_rate_error_ppm);
+}
+
+/// A baud rate that every device on the bus can do and the port makes; the usual one when none is.
+std::string example_baud(const Bus& bus, const Port* port, const std::vector<const DeviceType*>& types) {
   constexpr std::int64_t kUsualBaud = 115200;
+  std::vector<std::int64_t> candidates{kUsualBaud};
+  for (const DeviceType* type : types) candidates.insert(candidates.end(), type->rates.begin(), type->rates.end());
+  const auto suits = [&](std::int64_t rate) {
+    return (port == nullptr || is_made(*port, bus.kind, rate)) &&
+           std::all_of(types.begin(), types.end(), [&](const DeviceType* type) {
+             return type->rates.empty() || std::find(type->rates.begin(), type->rates.end(), rate) != type->rates.end();
+           });
+  };
+  const auto found = std::find_if(candidates.begin(), candidates.end(), suits);
+  return rate_text(bus.kind, found == candidates.end() ? kUsualBaud : *found);
+}
+
+/// A rate that the devices on the bus can do and the port makes, as the bus would write it; empty when there is none.
+/// Without a port, one of the port that is offered for it.
+std::string example_rate(Reading& reading, const Bus& bus, const Port* port) {
   constexpr std::int64_t kUsualClock = 5'250'000;
   const std::vector<const DeviceType*> types = types_on(reading, bus.name.text);
-  if (bus.kind != BusKind::spi) {
-    for (const DeviceType* type : types) {
-      const auto& rates = type->rates;
-      if (rates.empty() || std::find(rates.begin(), rates.end(), kUsualBaud) != rates.end()) continue;
-      return rate_text(bus.kind, rates.front());
-    }
-    return rate_text(bus.kind, kUsualBaud);
-  }
+  const std::string offered = port == nullptr ? example_port(reading, bus.kind) : std::string();
+  if (!offered.empty()) port = reading.robot.board->port(offered);
+  if (bus.kind != BusKind::spi) return example_baud(bus, port, types);
   std::int64_t clock = kUsualClock;
   for (const DeviceType* type : types) clock = std::min(clock, type->max_clock_hz.value_or(clock));
   return fastest_clock(port, bus.kind, clock);
@@ -225,9 +262,11 @@ void read_rate(Reading& reading, const xml::Node& tag, Bus& bus, Reading::BusSta
       bus.rate = state.port->max_rate.value_or(0);
       state.rate_is_known = true;
     } else if (!has_default) {
+      const std::string example = example_rate(reading, bus, state.port);
       at_tag(reading.diagnostics, code::attribute_missing, tag,
              fmt::format("bus '{}' has no '{}'", bus.name.text, wanted))
-          .hint(fmt::format("add for example {}=\"{}\"", wanted, example_rate(reading, bus, state.port)));
+          .hint(example.empty() ? fmt::format("no {} of this port suits all devices on it: choose another port", wanted)
+                                : fmt::format("add for example {}=\"{}\"", wanted, example));
     }
     return;
   }

@@ -130,6 +130,14 @@ class DeviceReader {
                                bus_kind_name(type.buses.front())));
     return false;
   }
+  /// A clock of at most `most` that the bus's port makes, as the bus would write it.
+  std::string slower_clock(const Segment& segment, std::int64_t most) {
+    const Port* port = reading_.buses[segment.bus].port;
+    const std::string clock = fastest_clock(port, segment.bus_kind, most);
+    if (!clock.empty()) return fmt::format("write clock=\"{}\" at the bus", clock);
+    return fmt::format("port '{}' makes no clock that slow: choose another port", port->name);
+  }
+
   /// The bus may not be faster than the part, and a serial line has to run at one of its rates.
   void check_bus_speed(const xml::Attribute& bus, const Segment& segment) {
     if (segment.kind == Segment::Kind::pwm_expander || !reading_.buses[segment.bus].rate_is_known) return;
@@ -140,8 +148,7 @@ class DeviceReader {
                fmt::format("bus '{}' runs at {} Hz, '{}' at most at {} Hz", physical.name.text, physical.rate,
                            type.name, *type.max_clock_hz))
           .note("the bus stands here", physical.at)
-          .hint(fmt::format("write clock=\"{}\" at the bus",
-                            fastest_clock(reading_.buses[segment.bus].port, segment.bus_kind, *type.max_clock_hz)));
+          .hint(slower_clock(segment, *type.max_clock_hz));
     }
     if (type.rates.empty() || std::find(type.rates.begin(), type.rates.end(), physical.rate) != type.rates.end())
       return;
@@ -164,8 +171,13 @@ class DeviceReader {
     }
     device_.period_at = attribute->value_at;
     state_.period_is_wrong = true;
-    const auto period = read_quantity(tag_, "period", units::parse_duration, diagnostics_);
-    if (!period) return;
+    const auto period = units::parse_duration(attribute->value);
+    if (!period) {
+      const units::Fault& fault = period.fault();
+      auto& finding = at_value(diagnostics_, fault.code, *attribute, "period: " + fault.message);
+      if (!fault.hint.empty()) finding.hint(in_ticks(fault.hint));
+      return;
+    }
     if (*period == 0) {
       at_value(diagnostics_, code::period_zero, *attribute, fmt::format("the period of {} is zero", owner_))
           .hint("write for example period=\"10ms\"");
@@ -178,12 +190,30 @@ class DeviceReader {
   void check_tick(const xml::Attribute& attribute, std::int64_t period) {
     const std::int64_t tick = reading_.robot.tick_ns;
     if (!reading_.tick_is_known || period % tick == 0) return;
-    const std::int64_t below = period / tick * tick;
-    const std::string above = period > INT64_MAX - tick ? "" : units::format_duration(below + tick);
+    const auto [below, above] = ticks_beside(period);
     at_value(diagnostics_, code::period_tick, attribute,
              fmt::format("the period of {} is no multiple of the tick of {}", owner_, units::format_duration(tick)))
-        .hint(below > 0 ? fmt::format("write period=\"{}\" or period=\"{}\"", units::format_duration(below), above)
-                        : fmt::format("write period=\"{}\"", above));
+        .hint(below.empty() ? fmt::format("write period=\"{}\"", above)
+                            : fmt::format("write period=\"{}\" or period=\"{}\"", below, above));
+  }
+  /// The multiples of the tick below and above a period; empty when there is none.
+  [[nodiscard]] std::pair<std::string, std::string> ticks_beside(std::int64_t period) const {
+    const std::int64_t tick = reading_.robot.tick_ns;
+    const std::int64_t below = period / tick * tick;
+    return {below > 0 ? units::format_duration(below) : "",
+            period > INT64_MAX - tick ? "" : units::format_duration(below + tick)};
+  }
+  /// A hint that offers a quantity (`write '2500us'; ...`), with multiples of the tick in its place.
+  [[nodiscard]] std::string in_ticks(const std::string& hint) const {
+    constexpr std::string_view kOffer = "write '";
+    const std::size_t begin = hint.find(kOffer) + kOffer.size();
+    const std::size_t end = hint.find('\'', begin);
+    if (hint.find(kOffer) == std::string::npos || end == std::string::npos || !reading_.tick_is_known) return hint;
+    const auto offered = units::parse_duration(std::string_view(hint).substr(begin, end - begin));
+    if (!offered || *offered % reading_.robot.tick_ns == 0) return hint;
+    const auto [below, above] = ticks_beside(*offered);
+    return fmt::format("write '{}{}{}'; the tick is {}", below, below.empty() ? "" : "' or '", above,
+                       units::format_duration(reading_.robot.tick_ns));
   }
 
   void read_uses() {

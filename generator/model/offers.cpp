@@ -85,7 +85,8 @@ std::vector<std::int64_t> faster_rates(const Port& port, BusKind kind, std::int6
 
 std::string fastest_clock(const Port* port, BusKind kind, std::int64_t most) {
   const auto rates = port != nullptr ? faster_rates(*port, kind, 0, {most, {}}) : std::vector<std::int64_t>{};
-  return rate_text(kind, rates.empty() ? most : rates.back());
+  if (port != nullptr && rates.empty()) return {};
+  return rate_text(kind, port == nullptr ? most : rates.back());
 }
 
 std::vector<std::string> free_ports(const Board& board, const std::vector<std::string>& used, BusKind kind) {

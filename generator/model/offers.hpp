@@ -27,8 +27,8 @@ struct RateLimits {
 /// parts with settings have.
 std::vector<std::int64_t> faster_rates(const Port& port, BusKind kind, std::int64_t least, const RateLimits& limits);
 
-/// The fastest clock up to `most` that the port makes, as the attribute writes it; `most` where it makes none or is not
-/// known.
+/// The fastest clock up to `most` that the port makes, as the attribute writes it; empty where it makes none, `most`
+/// where the port is not known.
 std::string fastest_clock(const Port* port, BusKind kind, std::int64_t most);
 
 /// Ports of the board that serve the kind, are not among the `used` ones and need nothing that those occupy.

@@ -1,6 +1,7 @@
 // The <param> elements of one tag: FM3023 to FM3027, and FM3030 to FM3034 for quantities.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "generator/descriptor/read_param.hpp"
@@ -10,10 +11,24 @@
 namespace finemote::gen {
 namespace {
 
-std::vector<std::string> names_of(const std::vector<ParamSpec>& specs) {
+/// The names of params that the tag does not give yet.
+std::vector<std::string> free_names(const std::vector<ParamSpec>& specs, const xml::Node& tag) {
   std::vector<std::string> names;
-  for (const ParamSpec& spec : specs) names.push_back(spec.name);
+  for (const ParamSpec& spec : specs) {
+    const bool is_given = std::any_of(tag.children.begin(), tag.children.end(), [&](const xml::Node& child) {
+      return child.is_element("param") && value_of(child, "name") == spec.name;
+    });
+    if (!is_given) names.push_back(spec.name);
+  }
   return names;
+}
+
+void report_unknown(Diagnostic& finding, const std::vector<ParamSpec>& specs, const xml::Node& tag,
+                    std::string_view name) {
+  const std::vector<std::string> names = free_names(specs, tag);
+  suggest(finding, name, names);
+  if (!names.empty()) return;
+  finding.note(specs.empty() ? "it takes no params" : "all params it takes are given").hint("remove the <param>");
 }
 
 std::optional<ParamValue> read_value(Diagnostics& diagnostics, const xml::Node& tag, const ParamSpec& spec,
@@ -91,8 +106,7 @@ std::vector<Param> read_param_tags(Reading& reading, const xml::Node& tag, const
     if (spec == nullptr) {
       auto& finding =
           at_value(diagnostics, code::unknown_param, *name, fmt::format("{} has no param '{}'", owner, name->value));
-      suggest(finding, name->value, names_of(specs));
-      if (specs.empty()) finding.note("it takes no params").hint("remove the <param>");
+      report_unknown(finding, specs, tag, name->value);
       continue;
     }
     const auto [first, is_fresh] = given.emplace(name->value, &child);

@@ -28,14 +28,21 @@ std::string pins_that_can(const Board& board, const std::string& function) {
   return able;
 }
 
-void report_unknown(const Board* board, const std::string& name, const Position& at, Diagnostics& diagnostics) {
+/// A named pin is wired for something; any other of the chip can be an input or an output.
+bool is_plain(const std::string& function) { return function == "input" || function == "output"; }
+
+void report_unknown(const Board* board, const std::string& name, const Position& at, const std::string& function,
+                    Diagnostics& diagnostics) {
   auto& finding = diagnostics.error(code::pin_invalid, at, fmt::format("'{}' is no pin", name)).underline(name.size());
   std::vector<std::string> names;
   if (board != nullptr) {
-    for (const NamedPin& pin : board->pins) names.push_back(pin.name);
+    for (const NamedPin& pin : board->pins) {
+      if (has(pin, function)) names.push_back(pin.name);
+    }
   }
   suggest(finding, name, names);
-  finding.hint("or write a pin of the chip, PA0 to PI15");
+  if (is_plain(function))
+    finding.hint(names.empty() ? "write a pin of the chip, PA0 to PI15" : "or write a pin of the chip, PA0 to PI15");
 }
 
 }  // namespace
@@ -44,12 +51,10 @@ PlacedPin find_pin(const Board* board, const std::string& name, const Position& 
                    const std::string& function, Diagnostics& diagnostics) {
   const NamedPin* named = board != nullptr ? board->named_pin(name) : nullptr;
   if (named == nullptr && !is_chip_pin(name)) {
-    report_unknown(board, name, at, diagnostics);
+    report_unknown(board, name, at, function, diagnostics);
     return {};
   }
-  // A named pin is wired for something; any other of the chip can be an input or an output.
-  const bool is_plain = function == "input" || function == "output";
-  if (board == nullptr || (named == nullptr ? is_plain : has(*named, function)))
+  if (board == nullptr || (named == nullptr ? is_plain(function) : has(*named, function)))
     return {named != nullptr ? named->pin : name, named};
   auto& finding =
       diagnostics

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "generator/model/attributes.hpp"
 #include "generator/model/reading.hpp"
@@ -65,8 +66,7 @@ class RequirementReader {
     const std::string_view text = attribute.value;
     const std::size_t arrow = text.find("->");
     if (arrow == std::string_view::npos) {
-      at_value(diagnostics_, code::require_operand, attribute, "latency wants two devices")
-          .hint("write latency=\"a -> b\"");
+      at_value(diagnostics_, code::require_operand, attribute, "latency wants two devices").hint(example());
     } else {
       requirement_.from = read_devices(operand_at(attribute, text.substr(0, arrow)), attribute);
       requirement_.to = read_devices(operand_at(attribute, text.substr(arrow + 2)), attribute);
@@ -116,9 +116,15 @@ class RequirementReader {
     if (operand.text.empty()) return at_value(diagnostics_, code::require_operand, attribute, std::move(message));
     return diagnostics_.error(code::require_operand, operand.at, std::move(message)).underline(operand.text.size());
   }
+  /// A latency between two devices there are: the first and the last.
+  std::string example() {
+    const std::vector<std::string> names = reading_.device_names();
+    if (names.empty()) return "declare devices first";
+    return fmt::format("write for example latency=\"{} -> {}\"", names.front(), names.back());
+  }
   std::optional<std::size_t> find_device(const Operand& operand, const xml::Attribute& attribute) {
     if (operand.text.empty()) {
-      at_operand(operand, attribute, "a device is missing").hint("write latency=\"a -> b\"");
+      at_operand(operand, attribute, "a device is missing").hint(example());
       return {};
     }
     const auto device = reading_.device_named(operand.text);
@@ -142,20 +148,23 @@ class RequirementReader {
   std::vector<std::size_t> children_in(std::size_t owner, std::string_view role, const Operand& operand,
                                        const xml::Attribute& attribute) {
     const Device& device = reading_.robot.devices[owner];
-    std::vector<std::string> roles;
+    std::vector<std::string> filled;  // operands with roles that have children
     std::vector<std::size_t> children;
     bool exists = false;
     for (std::size_t i = 0; i < device.type->roles.size(); ++i) {
-      roles.push_back(device.type->roles[i].name);
-      if (roles.back() != role) continue;
+      const std::string& name = device.type->roles[i].name;
+      const auto has_role = [&](std::size_t child) { return reading_.robot.devices[child].role == i; };
+      if (std::any_of(device.children.begin(), device.children.end(), has_role))
+        filled.push_back(device.name.text + "." + name);
+      if (name != role) continue;
       exists = true;
-      for (const std::size_t child : device.children) {
-        if (reading_.robot.devices[child].role == i) children.push_back(child);
-      }
+      std::copy_if(device.children.begin(), device.children.end(), std::back_inserter(children), has_role);
     }
     if (!exists) {
-      suggest(at_operand(operand, attribute, fmt::format("device '{}' has no role '{}'", device.name.text, role)), role,
-              roles);
+      auto& finding =
+          at_operand(operand, attribute, fmt::format("device '{}' has no role '{}'", device.name.text, role));
+      suggest(finding, operand.text, filled);
+      if (filled.empty()) finding.note("it has no children; name the device itself, or another one");
     } else if (children.empty() && !reading_.devices[owner].is_incomplete) {
       at_operand(operand, attribute, fmt::format("device '{}' has no child in the role '{}'", device.name.text, role));
     }
