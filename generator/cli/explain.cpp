@@ -2,13 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/data_dir.hpp"
 #include "generator/cli/exit_status.hpp"
 #include "generator/cli/finish.hpp"
+#include "generator/diagnostic/catalogue.hpp"
+#include "generator/diagnostic/render.hpp"
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/output/folder.hpp"
 
@@ -53,8 +54,8 @@ int run_explain(Context& context) {
     }
     return finish(context, kExitYes, Json{{"schema", "finemote.explain/1"}, {"codes", list}});
   }
-  std::string wanted = context.options.input;
-  std::transform(wanted.begin(), wanted.end(), wanted.begin(), [](unsigned char c) { return std::toupper(c); });
+  const auto code = parse_code(context.options.input);  // `FM3012`, `fm3012`, or `3012`, as `lint --allow` takes it
+  const std::string wanted = code ? code_name(*code) : context.options.input;
   if (std::find(names.begin(), names.end(), wanted) == names.end()) {
     context.diagnostics.error(code::usage, {}, fmt::format("there is no diagnostic '{}'", context.options.input))
         .hint(did_you_mean(wanted, names));
