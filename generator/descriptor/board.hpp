@@ -34,6 +34,7 @@ struct Port {
   std::optional<std::int64_t> min_rate;  ///< of baud, clock or bitrate
   std::optional<std::int64_t> max_rate;
   std::vector<std::int64_t> rates;           ///< the only ones, where not every one in range can be made
+  bool has_inverter = false;                 ///< uart: the board inverts the receive line
   std::int64_t max_rate_error_ppm = 20'000;  ///< how far the rate made may be from the rate asked for
 };
 

@@ -7,6 +7,7 @@
 
 #include "generator/descriptor/bus_kind.hpp"
 #include "generator/descriptor/read_param.hpp"
+#include "generator/descriptor/runtime_limits.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -66,6 +67,7 @@ Port read_port(const Json& value) {
   port.clock_hz = optional_member<std::int64_t>(value, "clock_hz");
   port.min_rate = optional_member<std::int64_t>(value, "min_rate");
   port.max_rate = optional_member<std::int64_t>(value, "max_rate");
+  port.has_inverter = optional_member<bool>(value, "inverter").value_or(false);
   for (const Json& rate : array_member(value, "rates")) port.rates.push_back(rate.get<std::int64_t>());
   port.max_rate_error_ppm =
       optional_member<std::int64_t>(value, "max_rate_error_ppm").value_or(port.max_rate_error_ppm);
@@ -96,7 +98,10 @@ class BoardCheck {
     check_port_names(board);
     check_rates(board);
     check_lines(value, board);
+    check_line_words(board);
     check_levels(board);
+    check_tick(board);
+    check_pulses(value, board);
   }
 
  private:
@@ -143,6 +148,46 @@ class BoardCheck {
   void check_levels(const Board& board) {
     if (board.first_bucket_level > board.last_bucket_level)
       contradiction({"priorities", "buckets"}, "the last level for buckets is below the first");
+  }
+
+  /// One store to a register of the interrupt controller, which has 32 lines, releases all buckets of an instant.
+  void check_line_words(const Board& board) {
+    for (std::size_t i = 0; i < board.lines.size(); ++i) {
+      const std::uint32_t line = board.lines[i].number, first = board.lines.front().number;
+      if (line / 32 != first / 32) {
+        contradiction({"spare_lines", std::to_string(i), "line"},
+                      fmt::format("lines {} and {} are not in one register of 32 lines", first, line));
+        break;
+      }
+    }
+    if (board.lines.size() > runtime_limits::kBuckets) {
+      contradiction({"spare_lines"}, fmt::format("{} lines; the scheduler has room for {} buckets", board.lines.size(),
+                                                 runtime_limits::kBuckets));
+    }
+  }
+  void check_tick(const Board& board) {
+    const auto cycles = static_cast<double>(board.max_tick_ns) * static_cast<double>(board.cpu_hz) / 1e9;
+    if (cycles > static_cast<double>(runtime_limits::kTickCycles)) {
+      contradiction({"tick", "max_ns"},
+                    fmt::format("the release timer counts {} core cycles at most", runtime_limits::kTickCycles));
+    }
+  }
+  /// How often pulses repeat: in the range of the driver, and one period for all outputs of a timer.
+  void check_pulses(const Json& value, const Board& board) {
+    std::map<std::string, const Port*> timers;
+    for (std::size_t i = 0; i < board.ports.size(); ++i) {
+      const Port& port = board.ports[i];
+      const JsonPath path{"ports", std::to_string(i), "period_ns"};
+      if (port.period_ns < runtime_limits::kShortestPwmPeriod || port.period_ns > runtime_limits::kLongestPwmPeriod)
+        contradiction(path, fmt::format("port '{}': pulses repeat every 1 us to 400 ms", port.name));
+      const auto timer = value.at("ports").at(i).find("timer");
+      if (timer == value.at("ports").at(i).end() || !timer->is_object()) continue;
+      const Port& first = *timers.emplace(timer->at("name").get<std::string>(), &port).first->second;
+      if (first.period_ns != port.period_ns) {
+        contradiction(path,
+                      fmt::format("ports '{}' and '{}' share a timer and need one period", first.name, port.name));
+      }
+    }
   }
 
   const SourceFile& source_;

@@ -175,13 +175,17 @@ inline constexpr Code unknown_use{3070};
 inline constexpr Code use_missing{3071};
 inline constexpr Code use_endpoint{3072};  // `use` names no bus or pin, or the wrong kind
 inline constexpr Code pin_invalid{3073};
-inline constexpr Code mux_nested{3074};    // a mux behind a mux
-inline constexpr Code bus_needed{3075};    // the device needs a bus
-inline constexpr Code pin_function{3076};  // the board's pin cannot be what the device makes of it
-inline constexpr Code no_device{3077};     // a robot without a device: nothing to generate
+inline constexpr Code mux_nested{3074};       // a mux behind a mux
+inline constexpr Code bus_needed{3075};       // the device needs a bus
+inline constexpr Code pin_function{3076};     // the board's pin cannot be what the device makes of it
+inline constexpr Code no_device{3077};        // a robot without a device: nothing to generate
+inline constexpr Code line_inverted{3078};    // the port has no inverter, or one too many
+inline constexpr Code period_too_long{3079};  // more ticks than the scheduler counts
+inline constexpr Code too_many_frames{3080};  // more command frames on a CAN bus than its driver keeps
 
 // 308x: requirements and schedule limits
 inline constexpr Code require_operand{3081};  // names nothing
+inline constexpr Code bus_full{3083};         // more devices than the driver of a bus serves
 inline constexpr Code require_shape{3082};    // not exactly one of latency, utilization, jitter
 
 // 310x: descriptors and board files

@@ -145,6 +145,7 @@ void read_all(Reading& reading) {
   resolve_roles(reading);
   resolve_places(reading);
   check_resources(reading);
+  check_driver_limits(reading);
   check_joints(reading);
   check_arities(reading);
   read_requirements(reading);

@@ -7,6 +7,7 @@
 
 #include "generator/descriptor/bus_kind.hpp"
 #include "generator/descriptor/library.hpp"
+#include "generator/descriptor/runtime_limits.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/names.hpp"
 #include "generator/model/offers.hpp"
@@ -186,6 +187,7 @@ class DeviceReader {
     device_.period_ns = *period;
     state_.period_is_wrong = false;
     check_tick(*attribute, *period);
+    check_length(*attribute, *period);
   }
   void check_tick(const xml::Attribute& attribute, std::int64_t period) {
     const std::int64_t tick = reading_.robot.tick_ns;
@@ -214,6 +216,15 @@ class DeviceReader {
     const auto [below, above] = ticks_beside(*offered);
     return fmt::format("write '{}{}{}'; the tick is {}", below, below.empty() ? "" : "' or '", above,
                        units::format_duration(reading_.robot.tick_ns));
+  }
+  /// The scheduler counts the ticks of a period in 31 bits.
+  void check_length(const xml::Attribute& attribute, std::int64_t period) {
+    const std::int64_t tick = reading_.robot.tick_ns;
+    if (!reading_.tick_is_known || period / tick <= runtime_limits::kPeriodTicks) return;
+    at_value(diagnostics_, code::period_too_long, attribute,
+             fmt::format("the period of {} is longer than {} ticks of {}", owner_, runtime_limits::kPeriodTicks,
+                         units::format_duration(tick)))
+        .hint("write a shorter period");
   }
 
   void read_uses() {

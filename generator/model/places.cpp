@@ -240,15 +240,6 @@ void check_addresses(Reading& reading) {
   }
 }
 
-/// The tag of a device's `<use>`.
-const xml::Node& use_tag(const Reading& reading, std::size_t device, const Use& use) {
-  const xml::Node& tag = reading.device_tag(device);
-  for (const xml::Node& child : tag.children) {
-    if (child.is_element("use") && child.at.line == use.at.line && child.at.column == use.at.column) return child;
-  }
-  return tag;
-}
-
 /// Pulse outputs or chip selects of a segment; 0: it has none, or they are not known.
 std::uint32_t use_channels(const Reading& reading, std::size_t segment) {
   const BusKind kind = reading.robot.segments[segment].bus_kind;
@@ -458,6 +449,14 @@ void check_shared_frames(Reading& reading) {
 }
 
 }  // namespace
+
+const xml::Node& use_tag(const Reading& reading, std::size_t device, const Use& use) {
+  const xml::Node& tag = reading.device_tag(device);
+  for (const xml::Node& child : tag.children) {
+    if (child.is_element("use") && child.at.line == use.at.line && child.at.column == use.at.column) return child;
+  }
+  return tag;
+}
 
 std::uint32_t channel_count(const Reading& reading, std::size_t index) {
   const Segment& segment = reading.robot.segments[index];

@@ -55,18 +55,19 @@ struct Reading {
 };
 
 // The parts, in order. Each header comment of the .cpp of the same name says what it reports.
-void read_board_tag(Reading& reading);     // board_tag.cpp
-void read_buses(Reading& reading);         // buses.cpp
-void read_expanders(Reading& reading);     // expanders.cpp
-void read_devices(Reading& reading);       // devices.cpp: what each device says of itself
-void check_names(Reading& reading);        // name_check.cpp
-void resolve_parents(Reading& reading);    // parents.cpp: the forest and inherited periods
-void resolve_roles(Reading& reading);      // roles.cpp: children and reads to roles
-void resolve_places(Reading& reading);     // places.cpp: addresses, channels, ids
-void check_resources(Reading& reading);    // resources.cpp: ports, pins, DMA streams
-void check_arities(Reading& reading);      // arity.cpp: how many children each role has
-void check_joints(Reading& reading);       // joints.cpp
-void read_requirements(Reading& reading);  // requirements.cpp
+void read_board_tag(Reading& reading);       // board_tag.cpp
+void read_buses(Reading& reading);           // buses.cpp
+void read_expanders(Reading& reading);       // expanders.cpp
+void read_devices(Reading& reading);         // devices.cpp: what each device says of itself
+void check_names(Reading& reading);          // name_check.cpp
+void resolve_parents(Reading& reading);      // parents.cpp: the forest and inherited periods
+void resolve_roles(Reading& reading);        // roles.cpp: children and reads to roles
+void resolve_places(Reading& reading);       // places.cpp: addresses, channels, ids
+void check_resources(Reading& reading);      // resources.cpp: ports, pins, DMA streams
+void check_driver_limits(Reading& reading);  // driver_limits.cpp: inverters, frames, numbers of devices
+void check_arities(Reading& reading);        // arity.cpp: how many children each role has
+void check_joints(Reading& reading);         // joints.cpp
+void read_requirements(Reading& reading);    // requirements.cpp
 
 bool satisfies(const DeviceType& child, const RoleSpec& role);  // roles.cpp: it provides the role's interface
 
@@ -77,6 +78,9 @@ std::vector<std::string> free_joints(const Reading& reading);  ///< that move an
 std::vector<std::uint32_t> free_channels(const Reading& reading, std::size_t segment, std::uint32_t count);
 /// Ids of the type that clash with no device on the segment's bus, the first 16 (places.cpp).
 std::vector<std::uint32_t> free_ids(const Reading& reading, const DeviceType& type, std::size_t segment);
+
+/// The tag of a device's `<use>` (places.cpp).
+const xml::Node& use_tag(const Reading& reading, std::size_t device, const Use& use);
 
 /// Reads the `<param>` children of a tag by their specs; the result is complete, in the order of the specs. `owner`
 /// is how messages call it: `device 'imu'`.

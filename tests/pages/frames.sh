@@ -169,6 +169,24 @@ frame_host() {
   robot "$host_line$use</device>"
   ask
 }
+# the text of the page, with a type `servo` of the user's on CAN
+can_servos() {  # MEMBERS
+  local text=$example
+  servo <<<', "bus": { "types": ["can"], "id": { "min": 1, "max": 40 }, "receives": { "base": 768 } }'"${1:-}"
+  example=$text robot "$text"
+  ask
+}
+frame_FM3080() {
+  can_servos ', "frames": [{ "stage": "flush", "write": 8, "identifiers": [
+    { "ids": [1, 1], "identifier": 257 }, { "ids": [2, 2], "identifier": 258 }, { "ids": [3, 3], "identifier": 259 },
+    { "ids": [4, 4], "identifier": 260 }, { "ids": [5, 5], "identifier": 261 }, { "ids": [6, 6], "identifier": 262 }] }]'
+}
+frame_FM3083() {
+  local id count=32
+  [ $which = Right ] || count=33
+  for id in $(seq $count); do example+="<device name=\"m$id\" type=\"servo\" bus=\"can\" id=\"$id\" period=\"10ms\"/>"; done
+  can_servos
+}
 frame_FM3070() { frame_host; }
 frame_FM3072() { frame_host; }
 frame_FM3073() { frame_host; }

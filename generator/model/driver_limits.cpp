@@ -1,0 +1,142 @@
+// What a port or its driver cannot do for the devices on it: FM3078 (an inverted line), FM3080 (more command frames
+// than a CAN bus holds), FM3083 (more devices than a bus serves). The firmware would stop at its start, or be silent.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "generator/descriptor/bus_kind.hpp"
+#include "generator/descriptor/runtime_limits.hpp"
+#include "generator/model/attributes.hpp"
+#include "generator/model/offers.hpp"
+#include "generator/model/reading.hpp"
+
+namespace finemote::gen {
+namespace {
+
+bool is_inverted(const std::string& format) { return format.ends_with("_inverted"); }
+
+/// Somebody on a serial line, with the tag that names the bus.
+struct LineUser {
+  std::size_t bus;
+  const Device& device;
+  const std::string& format;
+  const xml::Node& tag;
+};
+
+/// The other ports for uart that have an inverter, or have none.
+std::vector<std::string> ports_with(const Board& board, bool inverter) {
+  std::vector<std::string> names;
+  for (const Port& port : board.ports) {
+    const bool serves = std::find(port.kinds.begin(), port.kinds.end(), BusKind::uart) != port.kinds.end();
+    if (serves && port.has_inverter == inverter) names.push_back(port.name);
+  }
+  return names;
+}
+
+void check_line(Reading& reading, const LineUser& user) {
+  const Port* port = reading.buses[user.bus].port;
+  const bool inverted = is_inverted(user.format);
+  if (port == nullptr || port->has_inverter == inverted) return;
+  const xml::Attribute* bus_name = user.tag.attribute("bus");
+  const std::string& device = user.device.name.text;
+  const std::string message =
+      inverted ? fmt::format("device '{}' needs an inverted line, and port '{}' has no inverter", device, port->name)
+               : fmt::format("port '{}' inverts its line, and device '{}' needs a plain one", port->name, device);
+  Diagnostic& finding = bus_name != nullptr ? at_value(reading.diagnostics, code::line_inverted, *bus_name, message)
+                                            : at_tag(reading.diagnostics, code::line_inverted, user.tag, message);
+  const Bus& bus = reading.robot.buses[user.bus];
+  finding.note(fmt::format("bus '{}' stands here", bus.name.text), bus.at);
+  std::string ports;
+  for (const std::string& name : ports_with(*reading.robot.board, inverted))
+    ports += fmt::format("{}port=\"{}\"", ports.empty() ? "" : " or ", name);
+  finding.hint(ports.empty() ? fmt::format("board '{}' has no such port", reading.robot.board->name)
+                             : fmt::format("write {} at bus '{}'", ports, bus.name.text));
+}
+
+void check_lines(Reading& reading) {
+  const auto check = [&](std::optional<std::size_t> segment, const Device& device, const std::string& format,
+                         const xml::Node& tag) {
+    if (!segment || reading.robot.segments[*segment].bus_kind != BusKind::uart) return;
+    check_line(reading, {reading.robot.segments[*segment].bus, device, format, tag});
+  };
+  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+    const Device& device = reading.robot.devices[i];
+    if (device.type == nullptr) continue;
+    check(device.segment, device, device.type->format, reading.device_tag(i));
+    for (const Use& use : device.uses) check(use.segment, device, use.spec->format, use_tag(reading, i, use));
+  }
+}
+
+std::string frames_text(const std::vector<std::uint32_t>& identifiers) {
+  std::string text;
+  for (const std::uint32_t identifier : identifiers)
+    text += fmt::format("{}0x{:03X}", text.empty() ? "" : ", ", identifier);
+  return text;
+}
+
+void report_frame(Reading& reading, std::size_t index, std::uint32_t identifier,
+                  const std::vector<std::uint32_t>& others) {
+  const Device& device = reading.robot.devices[index];
+  const Bus& bus = reading.robot.buses[reading.robot.segments[*device.segment].bus];
+  at_tag(reading.diagnostics, code::too_many_frames, reading.device_tag(index),
+         fmt::format("device '{}' needs command frame 0x{:03X} on bus '{}', which has {} others", device.name.text,
+                     identifier, bus.name.text, others.size()))
+      .note(fmt::format("{}; the driver of a CAN bus keeps {} command frames", frames_text(others),
+                        runtime_limits::kCanGroups))
+      .hint("put the device on another bus, or give it an id whose frame is there already");
+}
+
+/// The command frames that the devices of each CAN bus fill together.
+void check_frames(Reading& reading) {
+  std::map<std::size_t, std::vector<std::uint32_t>> frames;
+  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+    const Device& device = reading.robot.devices[i];
+    if (device.type == nullptr || !device.segment || !device.id) continue;
+    std::vector<std::uint32_t>& known = frames[reading.robot.segments[*device.segment].bus];
+    for (const SharedFrame& frame : device.type->shared_frames) {
+      const bool is_filled = *device.id >= frame.id_min && *device.id <= frame.id_max;
+      if (!is_filled || std::find(known.begin(), known.end(), frame.identifier) != known.end()) continue;
+      if (known.size() < runtime_limits::kCanGroups) {
+        known.push_back(frame.identifier);
+      } else {
+        report_frame(reading, i, frame.identifier, known);
+      }
+    }
+  }
+}
+
+std::vector<std::size_t> devices_per_bus(const Reading& reading) {
+  std::vector<std::size_t> counts(reading.robot.buses.size());
+  const auto count = [&](std::size_t segment) { ++counts[reading.robot.segments[segment].bus]; };
+  for (const Device& device : reading.robot.devices) {
+    if (device.segment) count(*device.segment);
+    for (const Use& use : device.uses) {
+      if (use.segment) count(*use.segment);
+    }
+  }
+  return counts;
+}
+
+void check_counts(Reading& reading) {
+  const std::vector<std::size_t> counts = devices_per_bus(reading);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const Bus& bus = reading.robot.buses[i];
+    const std::size_t most = bus.kind == BusKind::can ? runtime_limits::kCanSlots : runtime_limits::kSlots;
+    if (counts[i] <= most || bus.kind == BusKind::virtual_bus) continue;
+    at_tag(reading.diagnostics, code::bus_full, *reading.tags.buses[i],
+           fmt::format("bus '{}' has {} devices; its driver serves {}", bus.name.text, counts[i], most))
+        .hint("put some of them on another bus");
+  }
+}
+
+}  // namespace
+
+void check_driver_limits(Reading& reading) {
+  if (reading.robot.board == nullptr) return;
+  check_lines(reading);
+  check_frames(reading);
+  check_counts(reading);
+}
+
+}  // namespace finemote::gen
