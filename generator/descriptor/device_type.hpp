@@ -56,13 +56,17 @@ struct ParamSpec {
   std::string summary;
 };
 
+/// The SPI clock mode of parts whose descriptor names none, as finemote::SpiSlot takes it by itself.
+inline constexpr std::uint32_t kUsualSpiMode = 3;
+
 /// Further hardware of a device, named by `<use role=...>`.
 struct UseSpec {
   std::string role;
   std::vector<BusKind> buses;
   bool required = false;
-  std::string format = "8N1";  ///< uart
-  std::string function;        ///< gpio: what it does with the pin: input, output, interrupt or analog
+  std::string format = "8N1";             ///< uart
+  std::string function;                   ///< gpio: what it does with the pin: input, output, interrupt or analog
+  std::optional<std::uint32_t> spi_mode;  ///< none: that of the device
 };
 
 /// What of the URDF the device needs; the emitter knows kinds, never robots.
@@ -107,9 +111,9 @@ struct DeviceType {
   std::string format = "8N1";                  ///< uart
   std::vector<std::int64_t> rates;             ///< uart, rs485, can: what the part can be set to; empty: any
   std::optional<std::int64_t> max_clock_hz;    ///< i2c, spi
-  std::optional<std::uint32_t> spi_mode;
-  std::vector<Interface> provides;  ///< first one is the default
-  std::vector<RoleSpec> roles;      ///< constructor order
+  std::uint32_t spi_mode = kUsualSpiMode;      ///< clock mode: CPOL * 2 + CPHA
+  std::vector<Interface> provides;             ///< first one is the default
+  std::vector<RoleSpec> roles;                 ///< constructor order
   std::vector<UseSpec> uses;
   std::vector<ParamSpec> params;  ///< members of Config, by name
   std::vector<GeometrySpec> geometry;

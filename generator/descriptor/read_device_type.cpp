@@ -43,8 +43,9 @@ RoleSpec read_role(const Json& value) {
 }
 
 UseSpec read_use(const Json& value) {
-  return {value.at("name").get<std::string>(), read_kinds(value.at("types")), value.value("min", 0) > 0,
-          value.value("format", "8N1"), value.value("function", "input")};
+  return {value.at("name").get<std::string>(), read_kinds(value.at("types")),
+          value.value("min", 0) > 0,           value.value("format", "8N1"),
+          value.value("function", "input"),    optional_member<std::uint32_t>(value, "mode")};
 }
 
 std::vector<std::uint32_t> read_addresses(const Json& address) {
@@ -79,7 +80,7 @@ void read_bus(const Json& bus, DeviceType& type) {
   type.format = bus.value("format", "8N1");
   if (const auto rates = bus.find("rates"); rates != bus.end()) type.rates = rates->get<std::vector<std::int64_t>>();
   type.max_clock_hz = optional_member<std::int64_t>(bus, "max_clock_hz");
-  type.spi_mode = optional_member<std::uint32_t>(bus, "mode");
+  type.spi_mode = bus.value("mode", kUsualSpiMode);
 }
 
 void read_shared_frames(const Json& value, DeviceType& type) {

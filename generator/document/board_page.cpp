@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/document/markdown.hpp"
+#include "generator/document/param_table.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -83,6 +84,9 @@ BoardPage port_page(const Json& board, const Json& port) {
     text += row({"timer", fmt::format("{} channel {}", port["timer"]["name"].get<std::string>(),
                                       port["timer"]["channel"].get<int>())});
   text += row({"DMA", dma_text(port)});
+  if (port.value("inverter", false))
+    text += row({"line", "inverted by the board: for inverted formats, and only those"});
+  if (port.contains("channels") && buses.front() == "spi") text += row({"chip selects", port["channels"].dump()});
   text += row({"interrupt lines", lines_text(port)});
   text += row({"clock", port["clock_hz"].dump() + " Hz"});
   text += row({"rates", rate_text(port, buses.front())});
@@ -126,7 +130,7 @@ std::vector<BoardPage> board_pages(const Json& board) {
         {fmt::format("[`{}`]({}.md)", name, name), joined(texts(port["buses"])), port["connector"].get<std::string>()});
     pages.push_back(port_page(board, port));
   }
-  index += "\n[Single pins](pins.md): key, battery, LEDs and what else has a name.\n";
+  index += "\n[Single pins](pins.md): key, battery, LEDs and what else has a name.\n" + param_table(board);
   pages.push_back(pins_page(board));
   pages.insert(pages.begin(), {"README", "Peripherals of `" + board["name"].get<std::string>() + "`", index});
   return pages;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/document/markdown.hpp"
+#include "generator/document/param_table.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -22,8 +23,6 @@ std::vector<std::string> texts(const Json& values) {
   for (const Json& value : values) result.push_back(value.get<std::string>());
   return result;
 }
-
-std::string as_written(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
 std::string range_of(const Json& value) {
   const auto bound = [&](const char* key) { return value.contains(key) ? value.at(key).dump() : std::string(); };
@@ -120,26 +119,6 @@ std::string interrupt_text(const Json& interrupt) {
   return text;
 }
 
-std::string range_text(const Json& param) {
-  std::vector<std::string> values;
-  for (const Json& value : list(param, "values")) values.push_back("`" + as_written(value) + "`");
-  if (!values.empty()) return joined(values);
-  const auto range = param.find("range");
-  return range == param.end() ? "" : fmt::format("`{}`..`{}`", as_written(range->at(0)), as_written(range->at(1)));
-}
-
-std::string param_row(const Json& param) {
-  static const std::vector<std::string> exact{"ns", "Hz", "bit/s", "bit", "%"};
-  std::string meaning = param.value("summary", "");
-  const std::string unit = param.value("unit", "");
-  if (!unit.empty() && std::find(exact.begin(), exact.end(), unit) == exact.end()) meaning += " [" + unit + "]";
-  if (param.contains("limits")) meaning += "; lint compares it with the proven age";
-  if (param.contains("at_least")) meaning += fmt::format("; at least `{}`", param["at_least"].get<std::string>());
-  return row({"`" + param["name"].get<std::string>() + "`",
-              param.contains("default") ? "`" + as_written(param["default"]) + "`" : "required", range_text(param),
-              meaning});
-}
-
 std::string geometry_text(const Json& geometry) {
   if (!geometry.contains("role")) return "mount: how its `link` is turned against the root link";
   return fmt::format("{} of `{}`{}", geometry["kind"].get<std::string>(), geometry["role"].get<std::string>(),
@@ -167,9 +146,7 @@ std::string device_page(const Json& device, const std::string& include) {
                  fmt::format("update {}, handle {}", time_text(device["wcet"]["update_ns"].get<std::int64_t>()),
                              time_text(device["wcet"]["handle_ns"].get<std::int64_t>()))});
   }
-  if (!list(device, "params").empty()) text += "\n## Parameters\n\n" + table({"name", "default", "range", "meaning"});
-  for (const Json& param : list(device, "params")) text += param_row(param);
-  return text;
+  return text + param_table(device);
 }
 
 }  // namespace finemote::gen

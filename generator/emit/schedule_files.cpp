@@ -9,8 +9,17 @@
 namespace finemote::gen {
 namespace {
 
+/// The value of a param of <board>; `fallback` where the board has no such param.
+template <typename T>
+T board_param(const Plan& plan, std::string_view name, T fallback) {
+  for (const Param& param : plan.robot.board_params) {
+    if (param.spec->name == name) return std::get<T>(param.value);
+  }
+  return fallback;
+}
+
 /// A bucket starves when it completed no job in this many of its own periods; then the watchdog is not fed.
-constexpr int kWatchdogPeriods = 3;
+std::int64_t watchdog_periods(const Plan& plan) { return board_param<std::int64_t>(plan, "watchdog_periods", 3); }
 
 /// Trees with a device in the bucket, in order.
 std::vector<const Tree*> trees_in(const Plan& plan, std::size_t bucket) {
@@ -49,7 +58,7 @@ Data bucket_list(const Plan& plan, const ProvenBounds& bounds) {
     entry.set("period_ns", std::to_string(bucket.period_ns));
     entry.set("priority", std::to_string(bucket.priority));
     entry.set("line", std::to_string(bucket.line));
-    entry.set("watchdog", std::to_string(kWatchdogPeriods));
+    entry.set("watchdog", std::to_string(watchdog_periods(plan)));
     entry.set("count_text", fmt::format("{} device{}", count, count == 1 ? "" : "s"));
     entry.set("lines", text_list(job_lines(plan, i)));
     entry.set("bound", job_comment(bounds.plain, i));
@@ -110,12 +119,7 @@ std::vector<std::string> order_checks(const Plan& plan) {
   return lines;
 }
 
-std::string overrun_policy(const Plan& plan) {
-  for (const Param& param : plan.robot.board_params) {
-    if (param.spec->name == "overrun") return std::get<std::string>(param.value);
-  }
-  return "skip";
-}
+std::string overrun_policy(const Plan& plan) { return board_param<std::string>(plan, "overrun", "skip"); }
 
 bool has_assumed(const Robot& robot) {
   return std::any_of(robot.devices.begin(), robot.devices.end(),

@@ -67,6 +67,7 @@ struct Slot {
   std::uint32_t address = 0;                    ///< i2c address, CAN id or chip select
   std::uint32_t priority = 0;                   ///< index of the fastest bucket that uses it: 0 is the most urgent
   std::string name;                             ///< C++ name in namespace slots
+  std::uint32_t spi_mode = kUsualSpiMode;       ///< spi: clock mode of its transfers, CPOL * 2 + CPHA
 };
 
 struct Schedule {

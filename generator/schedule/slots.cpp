@@ -47,12 +47,14 @@ std::vector<Slot> plan_slots(const Robot& robot, const Forest& forest, const Sch
     const Device& owner = robot.devices[device];
     const auto priority = static_cast<std::uint32_t>(schedule.bucket_of[device]);
     if (owner.segment && has_slots(robot.segments[*owner.segment].bus_kind)) {
-      slots.push_back({*owner.segment, device, std::nullopt, selector(owner), priority, owner.name.cpp});
+      slots.push_back(
+          {*owner.segment, device, std::nullopt, selector(owner), priority, owner.name.cpp, owner.type->spi_mode});
     }
     for (const Use& use : owner.uses) {
       if (!use.segment || !has_slots(robot.segments[*use.segment].bus_kind)) continue;
       const std::string name = owner.name.cpp + "_" + use.spec->role;
-      slots.push_back({*use.segment, device, std::nullopt, use.channel.value_or(0), priority, name});
+      slots.push_back({*use.segment, device, std::nullopt, use.channel.value_or(0), priority, name,
+                       use.spec->spi_mode.value_or(owner.type->spi_mode)});
     }
   }
   for (std::size_t i = 0; i < robot.expanders.size(); ++i) {

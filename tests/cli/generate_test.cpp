@@ -132,3 +132,43 @@ TEST_CASE("FinsROV written with macros is FinsROV") {
   }
   CHECK(plain == expanded);
 }
+
+TEST_CASE("the clock mode of a part on SPI and the patience of the watchdog arrive in the generated files") {
+  TemporaryFolder folder;
+  fs::create_directories(folder.path("devices"));
+  write_file(folder.path("devices/gauge.hpp"), "#pragma once\n");
+  write_file(folder.path("devices/gauge.json"), R"({
+  "schema": "finemote.device/1", "type": "gauge", "summary": "for tests", "class": "Gauge", "header": "gauge.hpp",
+  "bus": { "types": ["spi"], "channel": {}, "mode": 1 },
+  "uses": [{ "name": "memory", "types": ["spi"], "mode": 0 }, { "name": "more", "types": ["spi"] }]
+})");
+  write_file(folder.path("robot.urdf"), R"(<robot name="twin"><finemote version="1">
+  <board name="robomaster_type_c"><param name="watchdog_periods">7</param></board>
+  <bus name="spi" type="spi" port="spi1" clock="5250kHz"/><bus name="other" type="spi" port="spi2" clock="5250kHz"/>
+  <device name="gauge" type="gauge" period="10ms" bus="spi" channel="0">
+    <use role="memory" bus="spi" channel="1"/><use role="more" bus="other"/>
+  </device>
+  <device name="imu" type="sim_load" period="5ms"/>
+</finemote></robot>
+)");
+  REQUIRE(run_finemote({"generate", folder.path("robot.urdf"), "-o", folder.path("out")}).exit_status == 0);
+  const std::string buses = read_file(folder.path("out/buses.cpp"));
+  CHECK(buses.find("gauge{spi, 0x00, /*priority*/ 1, /*mode*/ 1}") != std::string::npos);
+  CHECK(buses.find("gauge_memory{spi, 0x01, /*priority*/ 1, /*mode*/ 0}") != std::string::npos);
+  CHECK(buses.find("gauge_more{other, 0x00, /*priority*/ 1, /*mode*/ 1}") != std::string::npos);
+  const std::string schedule = read_file(folder.path("out/schedule.cpp"));
+  CHECK(schedule.find("5000000, 48, 4, 7}") != std::string::npos);
+  CHECK(schedule.find("10000000, 49, 5, 7}") != std::string::npos);
+}
+
+TEST_CASE("a param of the board outside its range is refused") {
+  TemporaryFolder folder;
+  write_file(folder.path("robot.urdf"), R"(<robot name="twin"><finemote version="1">
+  <board name="robomaster_type_c"><param name="watchdog_periods">101</param></board>
+  <device name="imu" type="sim_load" period="5ms"/>
+</finemote></robot>
+)");
+  const auto result = run_finemote({"generate", folder.path("robot.urdf"), "-o", folder.path("out")});
+  CHECK(result.exit_status == 2);
+  CHECK(result.output.find("FM3025") != std::string::npos);
+}
