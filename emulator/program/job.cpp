@@ -17,10 +17,25 @@ constexpr std::uint32_t kCycleCounter = 0xE0001004;     // DWT_CYCCNT, PM0214 4.
 constexpr std::uint64_t kStep = 1'000'000;              // ns
 constexpr std::uint64_t kLongestStart = 2'000'000'000;  // ns: clocks and parts are up long before
 
-/// Runs until the first stage was traced; returns the time since power-on at which the trace counts 0.
-std::optional<std::int64_t> wait_for_first_release(Board& board) {
+/// The faults the firmware counted since its last start, as runtime/src/faults.cpp keeps them: `[module, number,
+/// count]`.
+Json faults_of(Board& board, const Image& image) {
+  constexpr const char* kRecords = "_ZN8finemote12_GLOBAL__N_17recordsE";
+  Json all = Json::array();
+  const auto records = image.symbol(kRecords);
+  for (std::uint32_t offset = 0; records && offset + 4 <= records->size; offset += 4) {
+    const std::uint32_t word = board.word(kRecords, offset);
+    if (word != 0) all.push_back(Json::array({word >> 24, word >> 16 & 0xFF, word & 0xFFFF}));
+  }
+  return all;
+}
+
+/// Runs until the first stage was traced; returns the time since power-on at which the trace counts 0. `fault_ns` is
+/// when a fault was first seen, not more than a step late; null: none.
+std::optional<std::int64_t> wait_for_first_release(Board& board, const Image& image, Json& fault_ns) {
   while (board.now_ns() < kLongestStart) {
     if (board.run_for(kStep) != Stop::time) return std::nullopt;
+    if (fault_ns.is_null() && !faults_of(board, image).empty()) fault_ns = board.now_ns();
     if (board.stages().empty()) continue;
     auto& world = board.world();
     const std::int64_t cycles = world.system().read(kCycleCounter, 4, world.now(), 0);
@@ -111,17 +126,24 @@ Json monitor_of(Board& board, const Image& image) {
 
 Json run(Board& board, const Outfit& outfit, const Image& image, const Json& job) {
   const auto duration_ns = job.at("duration_ns").get<std::int64_t>();
-  const auto zero = wait_for_first_release(board);
+  Json fault_ns;
+  const auto zero = wait_for_first_release(board, image, fault_ns);
   Stop stop = Stop::time;
   if (zero) {
     const std::int64_t rest = *zero + duration_ns - static_cast<std::int64_t>(board.now_ns());
     if (rest > 0) stop = board.run_for(static_cast<std::uint64_t>(rest));
   }
-  if (!zero || stop != Stop::time) return {{"stop", text_of(stop)}, {"reports", reports_of(board)}};
+  if (!zero || stop != Stop::time) {
+    return {{"stop", text_of(stop)},
+            {"reports", reports_of(board)},
+            {"fault_counts", faults_of(board, image)},
+            {"fault_ns", fault_ns}};
+  }
   return {{"stop", nullptr},
           {"reports", reports_of(board)},
           {"resets", board.resets() - outfit.scripted_resets()},
           {"faulty", outfit.injects_faults()},
+          {"fault_counts", faults_of(board, image)},
           {"stages", stages_of(board, duration_ns)},
           {"parts", parts_of(outfit, *zero)},
           {"expectations", expectations_of(outfit)},

@@ -4,8 +4,9 @@
 // Job: `image` (path of an ELF), `flash` (hit or miss), `duration_ns` from the first release on, `parts` and, where
 // there is one, `events` (documents finemote.scenario/1), `ports` (the buses to account for). Record: `stop` (null when
 // the time was over), `error` (instead of everything else: `events` cannot be used), `reports`, `resets`, `faulty`,
-// `stages`, `parts`, `expectations`, `buses`, `monitor`. Times are ns since the first release, those of reports and
-// expectations since power-on.
+// `fault_counts`, `stages`, `parts`, `expectations`, `buses`, `monitor`; with a `stop` only `reports`, `fault_counts`
+// and `fault_ns`, when the first fault was seen. Times are ns since the first release, those of reports, expectations
+// and faults since power-on.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -11,6 +11,8 @@
 #include "generator/cli/exit_status.hpp"
 #include "generator/cli/finish.hpp"
 #include "generator/cli/load.hpp"
+#include "generator/descriptor/library.hpp"
+#include "generator/model/attributes.hpp"
 #include "generator/output/write.hpp"
 #include "generator/run/build_firmware.hpp"
 #include "generator/run/check_wcet.hpp"
@@ -166,12 +168,13 @@ bool write_trace(Context& context, const RunResult& result) {
 }
 
 std::optional<RunRecord> run_image(Context& context, const Loaded& loaded, const std::string& board,
-                                   const std::string& image, std::int64_t duration) {
+                                   const std::string& image, const FaultTable& faults, std::int64_t duration) {
   if (board == "robomaster_type_c") {
     return emulate(image, loaded.robot, loaded.forest, duration,
-                   {context.options.scenario, context.options.flash == "miss"}, context.sources, context.diagnostics);
+                   {faults, context.options.scenario, context.options.flash == "miss"}, context.sources,
+                   context.diagnostics);
   }
-  return execute(image, board, loaded.forest, duration, context.diagnostics);
+  return execute(image, board, loaded.forest, duration, faults, context.diagnostics);
 }
 
 int finish_build(Context& context, const ImageFacts& image, const std::string& board) {
@@ -186,6 +189,15 @@ int finish_build(Context& context, const ImageFacts& image, const std::string& b
                        {"stack", image.stack ? Json(*image.stack) : Json(nullptr)}}}});
 }
 
+/// --board names a board, or nothing.
+bool is_board(Context& context, const Loaded& loaded) {
+  const std::string& name = context.options.board;
+  const std::vector<std::string> known = board_names(loaded.library);
+  if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) return true;
+  suggest(context.diagnostics.error(code::unknown_board, {}, fmt::format("there is no board '{}'", name)), name, known);
+  return false;
+}
+
 }  // namespace
 
 int run_run(Context& context) {
@@ -195,6 +207,7 @@ int run_run(Context& context) {
   Context load_context{load_options, context.sources, context.diagnostics, context.out, context.err};
   const auto loaded = load_robot(load_context);
   if (!loaded) return finish(context, kExitInvalid);
+  if (!is_board(context, *loaded)) return finish(context, kExitInvalid);
   const std::string board = context.options.board.empty() ? loaded->robot.board->name : context.options.board;
   const auto duration = duration_of(context, loaded->schedule);
   if (!duration) return finish(context, kExitInvalid);
@@ -214,11 +227,21 @@ int run_run(Context& context) {
     if (finding.code == code::timing_chain) context.diagnostics.error(finding.code, finding.at, finding.message);
   }
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
-  auto record = run_image(context, *loaded, board, *path, *duration);
+  const FaultTable faults = load_fault_table(loaded->data_dir);
+  auto record = run_image(context, *loaded, board, *path, faults, *duration);
   if (!record) return finish(context, kExitInvalid);
   if (board == "robomaster_type_c") check_wcet(loaded->robot, *record, model.costs.stage_ns, context.diagnostics);
-  RunResult result{loaded->robot, loaded->forest, loaded->schedule,   board, *duration,
-                   *duration,     *image,         std::move(*record), {},    monitored_bounds(context, *loaded)};
+  RunResult result{loaded->robot,
+                   loaded->forest,
+                   loaded->schedule,
+                   board,
+                   *duration,
+                   *duration,
+                   *image,
+                   std::move(*record),
+                   {},
+                   faults,
+                   monitored_bounds(context, *loaded)};
   if (timing) result.chains = measure_chains(loaded->robot, loaded->forest, *timing, result.record);
   if (const auto whole = hyperperiod(loaded->schedule, *duration)) result.shown_ns = std::min(2 * *whole, *duration);
   if (!write_trace(context, result)) return finish(context, kExitInvalid);

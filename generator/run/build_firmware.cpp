@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -45,6 +46,29 @@ std::string messages_of(const std::string& output) {
   return messages;
 }
 
+/// FM0006, once, for the first of the programs that cannot be started.
+bool are_there(const std::vector<std::pair<std::string, std::string>>& programs, Diagnostics& diagnostics) {
+  for (const auto& [program, packages] : programs) {
+    if (run_process({program, "--version"}, std::chrono::seconds(10)).started) continue;
+    diagnostics.error(code::missing_tool, {}, fmt::format("cannot start '{}'", program))
+        .hint("install it, for example: apt-get install " + packages);
+    return false;
+  }
+  return true;
+}
+
+/// What a build for the board needs, with the packages of Debian it comes in. On the host CMake finds a compiler under
+/// many names.
+std::vector<std::pair<std::string, std::string>> tools_for(const std::string& board) {
+  std::vector<std::pair<std::string, std::string>> tools{{"cmake", "cmake"}, {"ninja", "ninja-build"}};
+  if (board == "host") {
+    if (std::getenv("CXX") == nullptr) tools.emplace_back("c++", "g++");
+  } else {
+    tools.emplace_back("arm-none-eabi-g++", "gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib");
+  }
+  return tools;
+}
+
 /// Runs one step; false and a diagnostic when it fails.
 bool step(const std::vector<std::string>& command, const char* what, Diagnostics& diagnostics) {
   const ProcessResult result = run_process(command, kLongestBuild, {"CCACHE_NOHASHDIR=1"});
@@ -67,6 +91,7 @@ bool step(const std::vector<std::string>& command, const char* what, Diagnostics
 }  // namespace
 
 std::optional<std::string> build_firmware(const FirmwareRequest& request, Diagnostics& diagnostics) {
+  if (!are_there(tools_for(request.board), diagnostics)) return std::nullopt;
   write_project(request);
   const fs::path build = fs::path(request.folder) / "build";
   std::vector<std::string> configure{"cmake", "-S", request.folder, "-B", build.string(), "-G", "Ninja"};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 #include "generator/run/parts.hpp"
 #include "generator/run/process.hpp"
 #include "generator/run/program_folder.hpp"
+#include "generator/units/units.hpp"
 #include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
@@ -92,9 +94,45 @@ Json run_job(const Json& job, const std::string& image, std::int64_t duration_ns
   return {};
 }
 
-void report_stop(const Json& record, Diagnostics& diagnostics) {
+std::vector<FaultCount> faults_of(const Json& record) {
+  std::vector<FaultCount> faults;
+  for (const Json& fault : record.at("fault_counts")) faults.push_back({fault.at(0), fault.at(1), fault.at(2)});
+  return faults;
+}
+
+bool overrun_stops(const Robot& robot) {
+  return std::any_of(robot.board_params.begin(), robot.board_params.end(), [](const Param& param) {
+    return param.spec->name == "overrun" && std::get<std::string>(param.value) == "safe_stop";
+  });
+}
+
+/// A firmware that came to its first release and is in its safe stop now; one that a scenario put there is left alone.
+bool is_stopped_later(const Json& record, const Robot& robot, const FaultTable& table, Diagnostics& diagnostics) {
+  const std::vector<FaultCount> faults = faults_of(record);
+  const FaultCount* stop = stopping_fault(table, faults, overrun_stops(robot));
+  if (stop == nullptr || record.at("faulty").get<bool>()) return false;
+  const Json& stages = record.at("stages");
+  const std::int64_t last = stages.empty() ? 0 : stages.back().at(0).get<std::int64_t>();
+  report_safe_stop(table, faults, *stop, fmt::format("after its last stage at {}", units::format_duration(last)),
+                   diagnostics);
+  return true;
+}
+
+/// The emulated board looks for faults once a millisecond.
+std::string when_at_start(const Json& record) {
+  const Json& fault_ns = record.at("fault_ns");
+  if (fault_ns.is_null()) return "before its first release";
+  return fmt::format("before its first release, within {} of power-on",
+                     units::format_duration(fault_ns.get<std::int64_t>() / 1'000'000 * 1'000'000));
+}
+
+void report_stop(const Json& record, const FaultTable& table, Diagnostics& diagnostics) {
+  const std::vector<FaultCount> faults = faults_of(record);
+  if (const FaultCount* stop = stopping_fault(table, faults, false))
+    return report_safe_stop(table, faults, *stop, when_at_start(record), diagnostics);
   auto& finding = diagnostics.error(code::firmware_stopped, {},
                                     fmt::format("the firmware {}", record.at("stop").get<std::string>()));
+  for (const FaultCount& fault : faults) finding.note("it counted: " + fault_text(table, fault));
   for (const Json& report : record.at("reports")) {
     finding.note(fmt::format("{} at {} ns: {}", report.at("misuse").get<std::string>(),
                              report.at("first_ns").get<std::uint64_t>(), report.at("text").get<std::string>()));
@@ -175,9 +213,10 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
     return std::nullopt;
   }
   if (!json.at("stop").is_null()) {
-    report_stop(json, diagnostics);
+    report_stop(json, options.faults, diagnostics);
     return std::nullopt;
   }
+  if (is_stopped_later(json, robot, options.faults, diagnostics)) return std::nullopt;
   warn_of_misuse(json, diagnostics);
   RunRecord record = read_record(json, robot, forest);
   record.silent = parts.silent;

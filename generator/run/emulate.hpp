@@ -10,6 +10,7 @@
 namespace finemote::gen {
 
 struct EmulationOptions {
+  const FaultTable& faults;   ///< what the firmware's faults mean
   std::string scenario;       ///< file; empty: none
   bool flash_misses = false;  ///< every new line of flash costs its wait states; else the accelerator always has it
 };

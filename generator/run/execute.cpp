@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "generator/run/process.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -27,10 +28,26 @@ std::vector<std::string> qemu_command(const std::string& image) {
           image};
 }
 
+/// A firmware that ended by itself, or not at all.
+void report_end(const ProcessResult& result, std::chrono::seconds limit, const std::optional<RunRecord>& record,
+                const FaultTable& faults, Diagnostics& diagnostics) {
+  auto& finding =
+      diagnostics.error(code::firmware_stopped, {},
+                        result.timed_out ? fmt::format("the firmware did not end within {} s", limit.count())
+                                         : fmt::format("the firmware ended with status {}", result.exit_status));
+  if (record) {
+    for (const FaultCount& fault : record->faults) finding.note("it counted: " + fault_text(faults, fault));
+  }
+  const auto last_line = result.output.find_last_not_of('\n');
+  if (last_line == std::string::npos) return;
+  const auto begin = result.output.find_last_of('\n', last_line);
+  finding.note("its last words: " + result.output.substr(begin == std::string::npos ? 0 : begin + 1));
+}
+
 }  // namespace
 
 std::optional<RunRecord> execute(const std::string& program, const std::string& board, const Forest& forest,
-                                 std::int64_t duration_ns, Diagnostics& diagnostics) {
+                                 std::int64_t duration_ns, const FaultTable& faults, Diagnostics& diagnostics) {
   // An emulated second takes well under a second; the limit only ends images that hang.
   const std::chrono::seconds limit(60 + 10 * (duration_ns / 1'000'000'000));
   const bool on_host = board == "host";
@@ -44,17 +61,11 @@ std::optional<RunRecord> execute(const std::string& program, const std::string& 
   }
   auto record = parse_record(result.output, forest, duration_ns);
   if (result.timed_out || result.exit_status != 0) {
-    auto& finding =
-        diagnostics.error(code::firmware_stopped, {},
-                          result.timed_out ? fmt::format("the firmware did not end within {} s", limit.count())
-                                           : fmt::format("the firmware ended with status {}", result.exit_status));
-    if (record) {
-      for (const std::string& fault : record->faults) finding.note("fault: " + fault);
-    }
-    const auto last_line = result.output.find_last_not_of('\n');
-    if (last_line != std::string::npos) {
-      const auto begin = result.output.find_last_of('\n', last_line);
-      finding.note("its last words: " + result.output.substr(begin == std::string::npos ? 0 : begin + 1));
+    const FaultCount* stop = record && record->stopped_ns ? stopping_fault(faults, record->faults, true) : nullptr;
+    if (stop != nullptr) {
+      report_safe_stop(faults, record->faults, *stop, "at " + units::format_duration(*record->stopped_ns), diagnostics);
+    } else {
+      report_end(result, limit, record, faults, diagnostics);
     }
     return std::nullopt;
   }

@@ -1,7 +1,5 @@
 #include "generator/run/record.hpp"
 
-#include <fmt/format.h>
-
 #include <sstream>
 
 namespace finemote::gen {
@@ -35,11 +33,16 @@ bool read_bus(std::istringstream& words, std::int64_t duration_ns, RunRecord& re
 }
 
 bool read_fault(std::istringstream& words, RunRecord& record) {
-  unsigned module = 0;
-  unsigned number = 0;
-  unsigned count = 0;
-  if (!(words >> module >> number >> count)) return false;
-  record.faults.push_back(fmt::format("module {}, number {}, {} times", module, number, count));
+  FaultCount fault;
+  if (!(words >> fault.module >> fault.number >> fault.count)) return false;
+  record.faults.push_back(fault);
+  return true;
+}
+
+bool read_stop(std::istringstream& words, RunRecord& record) {
+  std::int64_t at = 0;
+  if (!(words >> at)) return false;
+  record.stopped_ns = at;
   return true;
 }
 
@@ -74,6 +77,9 @@ std::optional<RunRecord> parse_record(const std::string& text, const Forest& for
         break;
       case 'F':
         good = read_fault(words, record);
+        break;
+      case 'S':
+        good = read_stop(words, record);
         break;
       case 'M':
         good = read_monitor(words, forest, record);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/forest/forest.hpp"
+#include "generator/run/fault_table.hpp"
 
 namespace finemote::gen {
 
@@ -61,12 +62,13 @@ struct RunRecord {
   std::string flash;                            ///< hit or miss: how the emulated board counted fetches
   bool faulty = false;                          ///< the scenario injects faults: bounds need not hold
   std::vector<std::string> silent;              ///< devices without a model on the emulated board
-  std::vector<std::string> faults;              ///< `module 3, number 2, 5 times`
+  std::vector<FaultCount> faults;               ///< in the order of their first times; host and qemu_f405 only
+  std::optional<std::int64_t> stopped_ns;       ///< it went to its safe stop; host and qemu_f405 only
 };
 
 /// Reads the lines the firmware prints: `E <ns> <stage> B|E`, `O <bucket> <count>`, `B <bus> <transfers> <errors> <busy
-/// ns>`, `F <module> <number> <count>`, `M <device> <worst response> <worst age> <late> <old>`; other lines are
-/// ignored. None when a line is broken or a stage does not exist.
+/// ns>`, `F <module> <number> <count>`, `S <ns>`, `M <device> <worst response> <worst age> <late> <old>`; other lines
+/// are ignored. None when a line is broken or a stage does not exist.
 std::optional<RunRecord> parse_record(const std::string& text, const Forest& forest, std::int64_t duration_ns);
 
 }  // namespace finemote::gen

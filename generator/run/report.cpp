@@ -276,7 +276,8 @@ void print_run(const RunResult& result, std::ostream& out) {
   for (const std::string& device : result.record.silent)
     out << fmt::format("\nnote: the emulated board has no model of '{}': its bus is silent\n", device);
   out << fmt::format("\noverruns {}, resets {}\n", result.overruns(), result.record.resets);
-  for (const std::string& fault : result.record.faults) out << "fault: " << fault << "\n";
+  for (const FaultCount& fault : result.record.faults)
+    out << "fault: " << fault_text(result.fault_table, fault) << "\n";
 }
 
 Json run_trace(const RunResult& result) {

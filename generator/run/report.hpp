@@ -23,6 +23,7 @@ struct RunResult {
   ImageFacts image;
   RunRecord record;
   std::vector<MeasuredChain> chains;
+  FaultTable fault_table;
   timing::RobotBounds bounds;  ///< what a monitor in the image held it to
 
   [[nodiscard]] std::uint64_t overruns() const;
