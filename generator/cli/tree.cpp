@@ -7,6 +7,8 @@
 #include "generator/cli/exit_status.hpp"
 #include "generator/cli/finish.hpp"
 #include "generator/cli/load.hpp"
+#include "generator/geometry/frame.hpp"
+#include "generator/geometry/role_joints.hpp"
 #include "generator/schedule/period.hpp"
 
 namespace finemote::gen {
@@ -43,6 +45,21 @@ std::vector<Row> rows_of(const Robot& robot, std::size_t root) {
   return rows;
 }
 
+/// The link whose frame the constants computed for a device are in; empty where there are none.
+std::string link_of(const Robot& robot, const Device& device) {
+  const Mechanism mechanism(robot);
+  for (const GeometrySpec& geometry : device.type->geometry) {
+    const std::vector<std::string> joints = role_joints(robot, device, geometry);
+    if (!joints.empty()) return geometry_link(mechanism, device, geometry, joints);
+  }
+  return {};
+}
+
+std::string comment_of(const Plan& plan, std::size_t index) {
+  const std::string link = link_of(plan.robot, plan.robot.devices[index]);
+  return device_comment(plan, index) + (link.empty() ? "" : fmt::format(", geometry about link '{}'", link));
+}
+
 void print_trees(Context& context, const Loaded& loaded) {
   const Plan plan = loaded.plan();
   context.out << fmt::format("{} on {}, tick {}\n", loaded.robot.name.text, loaded.robot.board->name,
@@ -54,8 +71,7 @@ void print_trees(Context& context, const Loaded& loaded) {
     context.out << "\n";
     for (const Row& row : rows) {
       context.out << fmt::format("{}{}  {:>8}  {}\n", row.name, std::string(widest - row.width, ' '),
-                                 period_text(loaded.robot.devices[row.device].period_ns),
-                                 device_comment(plan, row.device));
+                                 period_text(loaded.robot.devices[row.device].period_ns), comment_of(plan, row.device));
     }
   }
 }
@@ -88,12 +104,14 @@ Json document(const Loaded& loaded) {
     Json devices = Json::array();
     for (std::size_t index : tree.devices) {
       const Device& device = robot.devices[index];
+      const std::string link = link_of(robot, device);
       devices.push_back(
           {{"name", device.name.text},
            {"parent", device.parent ? Json(robot.devices[*device.parent].name.text) : Json(nullptr)},
            {"type", device.type->name},
            {"role", device.role ? Json(robot.devices[*device.parent].type->roles[*device.role].name) : Json(nullptr)},
            {"period_ns", device.period_ns},
+           {"geometry_link", link.empty() ? Json(nullptr) : Json(link)},
            {"bus", device.segment ? Json(robot.segments[*device.segment].name.text) : Json(nullptr)}});
     }
     trees.push_back({{"root", robot.devices[tree.root].name.text}, {"devices", devices}});

@@ -71,10 +71,15 @@ struct UseSpec {
 
 /// What of the URDF the device needs; the emitter knows kinds, never robots.
 struct GeometrySpec {
-  std::string kind;                   ///< `allocation`, `rolling`, `chain`, `axes`, `mount`
-  std::string role;                   ///< whose children it speaks of; empty for `mount`, which speaks of the device
+  std::string kind;                   ///< `allocation`, `rolling`, `chain`, `axes`, `mount`, `range`
+  std::string role;                   ///< whose children it speaks of; empty where it speaks of the device itself
   bool optional = false;              ///< none without joints: the constructor gets a null pointer
   std::vector<std::string> replaces;  ///< params that say nothing where it is computed
+  double tolerance_deg = 1;           ///< how far a direction may be off
+  std::vector<std::string> commands;  ///< allocation: axes of the wrench it commands; empty: all
+  std::string along;                  ///< axes: `x`, `y` or `z`, which the joints turn about; empty: any
+  std::string behind;                 ///< axes: the role whose joint carries these; empty: none
+  std::string param;                  ///< rolling: radius of a wheel [m]; range: angle between the ends [rad]
 };
 
 /// Assumed execution time of a device without `<wcet>`: fixed part, values of params, and a part per child.

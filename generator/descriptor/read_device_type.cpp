@@ -115,8 +115,17 @@ std::optional<WcetDefault> read_wcet(const Json& value) {
 }
 
 GeometrySpec read_geometry(const Json& entry) {
-  return GeometrySpec{entry.at("kind").get<std::string>(), entry.value("role", std::string()),
-                      entry.value("optional", false), entry.value("replaces", std::vector<std::string>())};
+  GeometrySpec spec;
+  spec.kind = entry.at("kind").get<std::string>();
+  spec.role = entry.value("role", std::string());
+  spec.optional = entry.value("optional", false);
+  spec.replaces = entry.value("replaces", std::vector<std::string>());
+  spec.tolerance_deg = entry.value("tolerance", spec.tolerance_deg);
+  spec.commands = entry.value("commands", std::vector<std::string>());
+  spec.along = entry.value("along", std::string());
+  spec.behind = entry.value("behind", std::string());
+  spec.param = entry.value(spec.kind == "rolling" ? "radius" : "travel", std::string());
+  return spec;
 }
 
 /// Reports what no schema can see.
@@ -158,18 +167,25 @@ class DescriptorCheck {
   }
   void check_geometry(const DeviceType& type, std::size_t index) {
     const GeometrySpec& geometry = type.geometry[index];
+    const std::string entry = std::to_string(index);
+    check_role_named(type, geometry.role, {"geometry", entry, "role"});
+    check_role_named(type, geometry.behind, {"geometry", entry, "behind"});
+    for (std::size_t i = 0; i < geometry.replaces.size(); ++i)
+      check_param_named(type, geometry.replaces[i], false, {"geometry", entry, "replaces", std::to_string(i)});
+    const char* member = geometry.kind == "rolling" ? "radius" : "travel";
+    check_param_named(type, geometry.param, true, {"geometry", entry, member});
+  }
+  void check_role_named(const DeviceType& type, const std::string& name, const JsonPath& path) {
     const bool exists =
-        geometry.role.empty() || std::any_of(type.roles.begin(), type.roles.end(),
-                                             [&](const RoleSpec& role) { return role.name == geometry.role; });
-    if (!exists)
-      contradiction({"geometry", std::to_string(index), "role"}, fmt::format("there is no role '{}'", geometry.role));
-    for (std::size_t i = 0; i < geometry.replaces.size(); ++i) {
-      const bool fits = std::any_of(type.params.begin(), type.params.end(),
-                                    [&](const ParamSpec& spec) { return spec.name == geometry.replaces[i]; });
-      if (!fits)
-        contradiction({"geometry", std::to_string(index), "replaces", std::to_string(i)},
-                      fmt::format("there is no param '{}'", geometry.replaces[i]));
-    }
+        std::any_of(type.roles.begin(), type.roles.end(), [&](const RoleSpec& role) { return role.name == name; });
+    if (!name.empty() && !exists) contradiction(path, fmt::format("there is no role '{}'", name));
+  }
+  void check_param_named(const DeviceType& type, const std::string& name, bool is_real, const JsonPath& path) {
+    const auto found =
+        std::find_if(type.params.begin(), type.params.end(), [&](const ParamSpec& spec) { return spec.name == name; });
+    if (name.empty()) return;
+    if (found == type.params.end()) return contradiction(path, fmt::format("there is no param '{}'", name));
+    if (is_real && found->kind != ParamKind::real) contradiction(path, fmt::format("param '{}' is no float", name));
   }
   void check_link(const DeviceType& type) {
     const bool fits = std::any_of(type.roles.begin(), type.roles.end(), [&](const RoleSpec& role) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -115,6 +116,8 @@ std::optional<ParamFault> check_range(const ParamSpec& spec, const ParamValue& v
   const bool fits = integer == nullptr || (*integer >= std::numeric_limits<std::int32_t>::min() &&
                                            *integer <= std::numeric_limits<std::int32_t>::max());
   if (is_plain && !fits) return ParamFault{code::param_range, fmt::format("'{}' does not fit 32 bits", text), {}};
+  if (spec.kind == ParamKind::real && !(std::fabs(number) <= static_cast<double>(std::numeric_limits<float>::max())))
+    return ParamFault{code::param_range, fmt::format("'{}' is larger than a float holds", text), {}};
   return {};
 }
 

@@ -98,8 +98,13 @@ inline constexpr Code joint_needed{2006};       // geometry is asked of a device
 inline constexpr Code duplicate_in_urdf{2007};  // two links or two joints of one name
 inline constexpr Code urdf_number{2008};        // xyz, rpy, axis or limit is malformed
 inline constexpr Code joint_type{2009};
-inline constexpr Code link_parents{2010};  // a link is the child of two joints
-inline constexpr Code joint_unfit{2011};   // geometry cannot be computed of the joint
+inline constexpr Code link_parents{2010};     // a link is the child of two joints
+inline constexpr Code joint_unfit{2011};      // the joint cannot be what it is needed for
+inline constexpr Code urdf_range{2012};       // a length, mass or angle that nothing has
+inline constexpr Code axis_direction{2013};   // an axis without direction
+inline constexpr Code joint_limits{2014};     // lower above upper, or out of reach of what drives the joint
+inline constexpr Code body_link{2015};        // a wrench about the world, or about what a thruster turns
+inline constexpr Code geometry_number{2016};  // a constant that no float holds
 
 // 30xx: the <finemote> extension: structure
 inline constexpr Code no_extension{3001};  // no <finemote> in the robot
@@ -205,6 +210,9 @@ inline constexpr Code lint_conversion{3154};  // longer than the period
 inline constexpr Code lint_bus_load{3155};
 inline constexpr Code lint_unused_bus{3156};
 inline constexpr Code lint_param_replaced{3157};  // given, and computed from the URDF
+inline constexpr Code lint_wrench_axis{3158};     // the actuators do not produce it
+inline constexpr Code lint_wrench_effort{3159};   // they nearly do not: it takes many times its force
+inline constexpr Code lint_out_of_reach{3160};    // joint limits that what drives the joint does not reach
 inline constexpr Code lint_command_age{3161};     // data may get older than the device accepts
 // 6xxx: firmware and emulator
 inline constexpr Code firmware_build_failed{6001};  // generated code or the user's devices do not compile

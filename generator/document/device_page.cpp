@@ -119,10 +119,20 @@ std::string interrupt_text(const Json& interrupt) {
   return text;
 }
 
+/// The kind, with what the type asks of it: docs/reference/geometry.md says the rest.
 std::string geometry_text(const Json& geometry) {
-  if (!geometry.contains("role")) return "mount: how its `link` is turned against the root link";
-  return fmt::format("{} of `{}`{}", geometry["kind"].get<std::string>(), geometry["role"].get<std::string>(),
-                     geometry.value("optional", false) ? ", where their joints are given" : "");
+  const auto kind = geometry["kind"].get<std::string>();
+  std::string text = fmt::format("[{0}](../geometry.md#{0})", kind);
+  if (kind == "mount") return text + ": how its `link` is turned";
+  const std::string tolerance = fmt::format("; tolerance {:g} degree{}", geometry.value("tolerance", 1.0),
+                                            geometry.value("tolerance", 1.0) == 1 ? "" : "s");
+  if (kind == "range") return text + ": how far its `joint` may turn" + tolerance;
+  text += fmt::format(" of `{}`", geometry["role"].get<std::string>());
+  if (geometry.value("optional", false)) text += ", where their joints are given";
+  if (geometry.contains("along")) text += fmt::format("; along {}", geometry["along"].get<std::string>());
+  if (geometry.contains("behind")) text += fmt::format(", behind `{}`", geometry["behind"].get<std::string>());
+  if (geometry.contains("commands")) text += "; commands " + joined(texts(geometry["commands"]), ", ");
+  return kind == "chain" ? text : text + tolerance;
 }
 
 }  // namespace

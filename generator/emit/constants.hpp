@@ -18,7 +18,8 @@ struct Constant {
 };
 
 /// All constants, in schedule order of their devices, then in descriptor order.
-/// Every child that geometry is computed of names its joint, and fits: the model has seen to that.
-std::vector<Constant> make_constants(const Plan& plan);
+/// Every child that geometry is computed of names its joint, and fits: the model has seen to that. Reports FM2016 for
+/// one that holds a number which no float holds, and leaves it out.
+std::vector<Constant> make_constants(const Plan& plan, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace finemote::gen {
 
+NoFloat::NoFloat(double value) : std::domain_error(fmt::format("{:.6g}, which no float holds", value)) {}
+
 std::string float_literal(double value) {
+  if (!(std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max()))) throw NoFloat(value);
   if (std::fabs(value) < 1e-12) value = 0;  // also turns -0 into 0
   std::string text = fmt::format("{:.9g}", value);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";

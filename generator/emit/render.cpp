@@ -38,7 +38,7 @@ nlohmann::json read_interfaces(const std::string& data_dir) {
 std::vector<OutputFile> render_files(const Plan& plan, const ProvenBounds& bounds, const std::string& data_dir,
                                      Diagnostics& diagnostics) {
   const std::string templates = data_dir + "/templates";
-  std::vector<Constant> constants = make_constants(plan);
+  std::vector<Constant> constants = make_constants(plan, diagnostics);
   const std::vector<DeviceLink> links = plan_links(plan, read_interfaces(data_dir), diagnostics);
   for (const DeviceLink& link : links) constants.push_back(link_constant(plan, link));
   std::vector<OutputFile> files;

@@ -23,6 +23,18 @@ std::string Mechanism::root() const {
   return found == links_.end() ? std::string() : found->name;
 }
 
+std::string Mechanism::base() const {
+  std::string base = root();
+  for (std::size_t steps = 0; steps < joints_.size(); ++steps) {
+    const auto free = std::find_if(joints_.begin(), joints_.end(), [&](const Joint& joint) {
+      return joint.parent_link == base && (joint.type == "floating" || joint.type == "planar");
+    });
+    if (free == joints_.end()) break;
+    base = free->child_link;
+  }
+  return base;
+}
+
 std::optional<std::vector<const Joint*>> Mechanism::way_to(const std::string& link) const {
   std::vector<const Joint*> way;
   for (const Joint* joint = joint_to(link); joint != nullptr; joint = joint_to(joint->parent_link)) {
@@ -33,11 +45,14 @@ std::optional<std::vector<const Joint*>> Mechanism::way_to(const std::string& li
   return way;
 }
 
-std::optional<Eigen::Isometry3d> Mechanism::pose(const std::string& link) const {
-  const auto way = way_to(link);
-  if (!way) return std::nullopt;
+std::optional<Eigen::Isometry3d> Mechanism::pose(const std::string& link, const std::string& of) const {
+  const auto way = way_to(link), way_of = way_to(of);
+  if (!way || !way_of) return std::nullopt;
+  const auto shared = std::mismatch(way->begin(), way->end(), way_of->begin(), way_of->end());
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  for (const Joint* joint : *way) pose = pose * transform(joint->origin);
+  for (auto joint = way_of->rbegin(); joint.base() != shared.second; ++joint)
+    pose = pose * transform((*joint)->origin).inverse();
+  for (auto joint = shared.first; joint != way->end(); ++joint) pose = pose * transform((*joint)->origin);
   return pose;
 }
 
@@ -50,13 +65,13 @@ Eigen::Isometry3d transform(const Pose& pose) {
   return t;
 }
 
-std::optional<Axis> joint_axis(const Mechanism& mechanism, const std::string& name) {
+std::optional<Axis> joint_axis(const Mechanism& mechanism, const std::string& name, const std::string& of) {
   const Joint* joint = mechanism.joint(name);
   if (joint == nullptr) return std::nullopt;
   const Eigen::Vector3d axis(joint->axis[0], joint->axis[1], joint->axis[2]);
-  const auto pose = mechanism.pose(joint->child_link);
-  if (axis.norm() == 0 || !pose) return std::nullopt;
-  return Axis{pose->translation(), pose->linear() * axis.normalized()};
+  const auto pose = mechanism.pose(joint->child_link, of);
+  if (axis.stableNorm() == 0 || !pose) return std::nullopt;
+  return Axis{pose->translation(), pose->linear() * axis.stableNormalized()};
 }
 
 }  // namespace finemote::gen

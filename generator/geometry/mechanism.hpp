@@ -24,11 +24,15 @@ class Mechanism {
   [[nodiscard]] const Joint* joint_to(const std::string& link) const;
   /// The first link that no joint carries; empty in a robot without links.
   [[nodiscard]] std::string root() const;
+  /// The link the robot stands on or moves with: the root, or, where the root is the world it moves in, the link that a
+  /// floating or planar joint of the root carries.
+  [[nodiscard]] std::string base() const;
 
   /// Joints from the root link to a link; none when the chain does not end.
   [[nodiscard]] std::optional<std::vector<const Joint*>> way_to(const std::string& link) const;
-  /// Takes coordinates of the link's frame to the root link's; none when the chain does not end.
-  [[nodiscard]] std::optional<Eigen::Isometry3d> pose(const std::string& link) const;
+  /// Takes coordinates of the link's frame to those of the link `of`; none when a chain does not end. Only joints
+  /// between the two count: where the robot stands in its world changes no digit.
+  [[nodiscard]] std::optional<Eigen::Isometry3d> pose(const std::string& link, const std::string& of) const;
 
  private:
   const std::vector<Link>& links_;
@@ -38,14 +42,14 @@ class Mechanism {
 /// Fixed-axis roll, pitch, yaw as URDF defines them.
 Eigen::Isometry3d transform(const Pose& pose);
 
-/// A place and a direction in the base frame: the root link of the URDF.
+/// A place and a direction in the frame of a link.
 struct Axis {
   Eigen::Vector3d point;      ///< [m]
   Eigen::Vector3d direction;  ///< unit length
 };
 
-/// Where the joint named `joint` is and which way its axis points. None when the joint does not exist, has no axis, or
-/// its chain does not end.
-std::optional<Axis> joint_axis(const Mechanism& mechanism, const std::string& joint);
+/// Where the joint named `joint` is and which way its axis points, in the frame of the link `of`. None when the joint
+/// does not exist, has no axis, or its chain does not end.
+std::optional<Axis> joint_axis(const Mechanism& mechanism, const std::string& joint, const std::string& of);
 
 }  // namespace finemote::gen

@@ -13,14 +13,19 @@ struct Rolling {
 };
 
 /// Why a wheel with this axis cannot be one of a mecanum base; empty: it can.
-std::string wheel_problem(const Axis& wheel);
+/// @param tolerance  how far its axis may point away from the base's y axis [rad]
+std::string wheel_problem(const Axis& wheel, double tolerance);
+
+/// Whether wheels, each without wheel_problem(), leave a motion forward, sideways or round that none of them resists:
+/// then the wheels' speeds do not say how the base moves.
+bool leave_a_motion_free(const std::vector<Axis>& wheels);
 
 /// Wheels with rollers at 45 degrees, set up as an X seen from above: at the ground, those of the front left wheel hold
 /// against motion forward and to the right, as do those of the rear right one, the other two forward and to the left.
 /// A wheel turns positive about its joint's axis, wherever that points. With d the way a wheel rolls and s the roller's
 /// axis at the ground, the contact does not slide along s: s . (v + w x p) = (s . d) * rolling speed.
 /// (K. Lynch, F. Park, Modern Robotics, 13.2.1.)
-/// @param wheels  each without wheel_problem()
+/// @param wheels  each without wheel_problem(), and not leave_a_motion_free()
 Rolling rolling(const std::vector<Axis>& wheels);
 
 }  // namespace finemote::gen

@@ -8,6 +8,7 @@
 
 #include "generator/geometry/role_joints.hpp"
 #include "generator/lint/codes.hpp"
+#include "generator/lint/mechanics.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
@@ -31,6 +32,7 @@ class Linter {
       check_conversion(robot_.devices[i]);
       check_replaced(robot_.devices[i]);
       check_command_age(i);
+      for (const Diagnostic& finding : mechanics_findings(robot_, robot_.devices[i])) add(finding);
     }
     return std::move(edits_);
   }
@@ -42,6 +44,13 @@ class Linter {
     Diagnostic& finding = contains(options_.deny, lint.code) ? diagnostics_.error(lint.code, at, std::move(message))
                                                              : diagnostics_.warning(lint.code, at, std::move(message));
     return &finding;
+  }
+
+  /// A finding made elsewhere, unless its code is allowed.
+  void add(Diagnostic finding) {
+    if (contains(options_.allow, finding.code)) return;
+    if (contains(options_.deny, finding.code)) finding.severity = Severity::error;
+    diagnostics_.add(finding);
   }
 
   [[nodiscard]] bool is_used(std::size_t bus) const {

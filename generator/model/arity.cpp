@@ -67,11 +67,8 @@ class MissingChild {
     const bool is_needed = std::any_of(parent_.type->geometry.begin(), parent_.type->geometry.end(),
                                        [&](const GeometrySpec& geometry) { return geometry.role == role; });
     if (!is_needed) return {};
-    const std::vector<std::string> free = free_joints(reading_);
-    const auto namesake = std::find_if(free.begin(), free.end(),
-                                       [&](const std::string& joint) { return joint.find(name) != std::string::npos; });
-    const std::string found = namesake != free.end() ? *namesake : free.empty() ? "..." : free.front();
-    return fmt::format(" joint=\"{}\"", found);
+    const std::vector<std::string> offers = offered_joints(reading_, parent_, role, name, true);
+    return fmt::format(" joint=\"{}\"", offers.empty() ? "..." : offers.front());
   }
 
   /// ` bus="pwm" channel="7"`: on the bus of the sibling where there is room, else on the first with room.

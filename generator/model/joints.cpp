@@ -1,21 +1,27 @@
-// `link` and `joint` of devices against the URDF: FM2002 to FM2004, FM2006, FM2011.
+// `link` and `joint` of devices against the URDF: FM2002 to FM2004, FM2011, FM2013, FM2014.
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "generator/geometry/chain.hpp"
-#include "generator/geometry/rolling.hpp"
+#include "generator/geometry/fit.hpp"
+#include "generator/geometry/range.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/reading.hpp"
 
 namespace finemote::gen {
 namespace {
 
+constexpr double kShortestAxis = 1e-9;  // any shorter one is none
+
 template <typename Entry>
 std::vector<std::string> names_of(const std::vector<Entry>& list) {
   std::vector<std::string> names;
   for (const Entry& entry : list) names.push_back(entry.name);
   return names;
+}
+
+bool drives(const Device& device) {
+  return device.type != nullptr && (device.type->actuator || device.type->has_command());
 }
 
 void check_link(Reading& reading, const xml::Node& tag) {
@@ -25,126 +31,143 @@ void check_link(Reading& reading, const xml::Node& tag) {
           link->value, names_of(reading.kinematics.links));
 }
 
-void check_joint(Reading& reading, const Device& device, const xml::Node& tag) {
-  const xml::Attribute* name = tag.attribute("joint");
+/// Is one of the two, at any depth, a child of the other? Then they drive the joint together.
+bool is_related(const Reading& reading, std::size_t one, std::size_t other) {
+  const auto is_above = [&](std::size_t above, std::size_t below) {
+    std::optional<std::size_t> device = below;
+    for (std::size_t steps = 0; device && steps <= reading.robot.devices.size(); ++steps) {
+      if (*device == above) return true;
+      device = reading.robot.devices[*device].parent;
+    }
+    return false;
+  };
+  return is_above(one, other) || is_above(other, one);
+}
+
+/// What drives the joint of device `index` and stands before it.
+const Device* other_driver(const Reading& reading, std::size_t index) {
+  for (std::size_t other = 0; other < index; ++other) {
+    const Device& device = reading.robot.devices[other];
+    const bool is_same = device.joint == reading.robot.devices[index].joint;
+    if (is_same && drives(device) && !is_related(reading, other, index)) return &device;
+  }
+  return nullptr;
+}
+
+/// What speaks against driving a joint, whatever for.
+class DrivenJoint {
+ public:
+  DrivenJoint(Reading& reading, std::size_t index, const Joint& joint)
+      : reading_(reading),
+        index_(index),
+        device_(reading.robot.devices[index]),
+        name_(*reading.device_tag(index).attribute("joint")),
+        joint_(joint) {}
+
+  void check() {
+    if (joint_.type == "fixed") return report_fixed();
+    if (!joint_.mimic.empty()) return report_mimic();
+    if (const Device* other = other_driver(reading_, index_)) return report_second(*other);
+    const auto& a = joint_.axis;
+    if (Eigen::Vector3d(a[0], a[1], a[2]).norm() < kShortestAxis) return report_no_axis();
+    if (joint_.lower.value_or(0) > joint_.upper.value_or(0)) return report_limits();
+    for (const GeometrySpec& geometry : device_.type->geometry) {
+      if (geometry.kind == "range") check_range(geometry);
+    }
+  }
+
+ private:
+  Diagnostic& report(Code code, std::string message) {
+    reading_.devices[index_].joint_is_wrong = true;
+    return at_value(reading_.diagnostics, code, name_, std::move(message));
+  }
+  Diagnostic& report_unfit() {
+    return report(code::joint_unfit,
+                  fmt::format("joint '{}' cannot be driven by device '{}'", joint_.name, device_.name.text));
+  }
+  void report_fixed() {
+    if (!device_.type->actuator) return;
+    report(code::joint_fixed,
+           fmt::format("joint '{}' is fixed, but device '{}' moves it", joint_.name, device_.name.text))
+        .note("the joint stands here", joint_.at)
+        .hint("make the joint type=\"continuous\" for what spins, \"revolute\" or \"prismatic\" for what has an end");
+  }
+  void report_mimic() {
+    report_unfit()
+        .note(fmt::format("it follows joint '{}' (<mimic>), and has no motion of its own", joint_.mimic))
+        .note("the joint stands here", joint_.at)
+        .hint(
+            fmt::format("write joint=\"{}\", or remove the <mimic> if the joint has a drive of its own", joint_.mimic));
+  }
+  void report_second(const Device& other) {
+    report_unfit()
+        .note(fmt::format("device '{}' drives it already", other.name.text), other.at)
+        .hint("name the joint that this one drives; for two motors that share a joint add a joint in the URDF");
+  }
+  void report_no_axis() {
+    report(code::axis_direction, fmt::format("the axis of joint '{}' has no direction", joint_.name))
+        .note("the joint stands here", joint_.at)
+        .hint("write for example <axis xyz=\"0 0 1\"/>");
+  }
+  void report_limits() {
+    report(code::joint_limits, fmt::format("the limits of joint '{}' leave it no position", joint_.name))
+        .note(limits_text())
+        .note("the joint stands here", joint_.at)
+        .hint("write lower and upper so that lower < upper");
+  }
+  [[nodiscard]] std::string limits_text() const {
+    return fmt::format("lower is {:g}{}, upper is {:g}{}", joint_.lower.value_or(0), joint_.lower ? "" : " by default",
+                       joint_.upper.value_or(0), joint_.upper ? "" : " by default");
+  }
+  void check_range(const GeometrySpec& geometry) {
+    if (!turns(joint_)) {
+      report_unfit()
+          .note(fmt::format("it is {}; a joint that turns is revolute or continuous", joint_.type))
+          .note("the joint stands here", joint_.at);
+      return;
+    }
+    const auto limits = limits_of(joint_);
+    if (!limits) return;
+    if (limits->lower >= limits->upper) return report_limits();
+    const double travel = geometry_param(device_, geometry);
+    const Range range = within_travel(*limits, travel);
+    if (range.lower < range.upper) return;
+    report(code::joint_limits,
+           fmt::format("device '{}' reaches no angle within the limits of joint '{}'", device_.name.text, joint_.name))
+        .note(fmt::format("the joint turns from {:g} to {:g} rad, the device from {:.4g} to {:.4g} rad", limits->lower,
+                          limits->upper, -travel / 2, travel / 2))
+        .note("the joint stands here", joint_.at)
+        .hint(fmt::format("measure the joint's angle from the middle of the travel, or set '{}'", geometry.param));
+  }
+
+  Reading& reading_;
+  std::size_t index_;
+  const Device& device_;
+  const xml::Attribute& name_;
+  const Joint& joint_;
+};
+
+void check_joint(Reading& reading, std::size_t index) {
+  const xml::Attribute* name = reading.device_tag(index).attribute("joint");
   if (name == nullptr) return;
   const Joint* joint = reading.kinematics.joint(name->value);
-  if (joint == nullptr) {
-    suggest(
-        at_value(reading.diagnostics, code::unknown_joint, *name, fmt::format("there is no joint '{}'", name->value)),
-        name->value, names_of(reading.kinematics.joints));
+  if (joint != nullptr) {
+    if (drives(reading.robot.devices[index])) DrivenJoint(reading, index, *joint).check();
     return;
   }
-  const bool must_move = device.type != nullptr && device.type->actuator;
-  if (!must_move || joint->type != "fixed") return;
-  at_value(reading.diagnostics, code::joint_fixed, *name,
-           fmt::format("joint '{}' is fixed, but device '{}' moves it", name->value, device.name.text))
-      .note("the joint stands here", joint->at)
-      .hint("make the joint type=\"continuous\" for what spins, \"revolute\" or \"prismatic\" for what has an end");
-}
-
-std::string joint_hint(const Reading& reading) {
-  const std::vector<std::string> free = free_joints(reading);
-  if (free.empty()) return "add joint=\"...\" with the name of the joint it moves; all joints that move are taken";
-  std::string others;
-  for (std::size_t i = 1; i < free.size(); ++i) others += fmt::format("{}'{}'", i > 1 ? ", " : "", free[i]);
-  return fmt::format("add joint=\"{}\"{}", free.front(),
-                     others.empty() ? ", the only one that moves and that no device drives"
-                                    : ", or another that no device drives: " + others);
-}
-
-const char* what_is_computed(const GeometrySpec& geometry) {
-  if (geometry.kind == "rolling") return "rolling of the wheels";
-  if (geometry.kind == "chain") return "weight on the joints";
-  if (geometry.kind == "axes") return "way of turning";
-  return "allocation";
-}
-
-/// Children of the role, those with a mistake of their own included.
-std::vector<std::size_t> children_in(const Reading& reading, const Device& parent, const std::string& role) {
-  std::vector<std::size_t> children;
-  for (const std::size_t child : parent.children) {
-    const Device& device = reading.robot.devices[child];
-    if (device.role && parent.type->roles[*device.role].name == role) children.push_back(child);
-  }
-  return children;
-}
-
-/// Children that geometry is computed of have to say which joint they drive. @return they all do
-bool check_joints_named(Reading& reading, const Device& parent, const GeometrySpec& geometry,
-                        const std::vector<std::size_t>& children) {
-  bool all = true;
-  for (const std::size_t child : children) {
-    const Device& device = reading.robot.devices[child];
-    all = all && reading.kinematics.joint(device.joint) != nullptr;
-    if (!device.joint.empty() || reading.device_tag(child).attribute("joint") != nullptr) continue;
-    at_tag(reading.diagnostics, code::joint_needed, reading.device_tag(child),
-           fmt::format("device '{}' has no 'joint'", device.name.text))
-        .note(fmt::format("the {} of device '{}' is computed from origin and axis of the joints of its {}",
-                          what_is_computed(geometry), parent.name.text, geometry.role))
-        .hint(joint_hint(reading));
-  }
-  return all;
-}
-
-std::string geometry_problem(const Reading& reading, const GeometrySpec& geometry,
-                             const std::vector<std::string>& joints, std::size_t index) {
-  const Mechanism mechanism(reading.kinematics.links, reading.kinematics.joints);
-  const auto axis = joint_axis(mechanism, joints[index]);
-  if (!axis) return {};  // a chain without end, or no axis: reported
-  if (geometry.kind == "rolling") return wheel_problem(*axis);
-  if (geometry.kind == "chain") return chain_problem(mechanism, joints, index);
-  return {};
-}
-
-void check_joints_fit(Reading& reading, const Device& parent, const GeometrySpec& geometry,
-                      const std::vector<std::size_t>& children) {
-  std::vector<std::string> joints;
-  for (const std::size_t child : children) joints.push_back(reading.robot.devices[child].joint);
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    const std::string problem = geometry_problem(reading, geometry, joints, i);
-    if (problem.empty()) continue;
-    const Device& device = reading.robot.devices[children[i]];
-    Diagnostic& finding =
-        at_value(reading.diagnostics, code::joint_unfit, *reading.device_tag(children[i]).attribute("joint"),
-                 fmt::format("joint '{}' cannot be one of the {} of device '{}'", device.joint, geometry.role,
-                             parent.name.text));
-    finding.note(problem).note("the joint stands here", reading.kinematics.joint(device.joint)->at);
-    if (geometry.kind == "chain") finding.hint("declare turning joints, base to tip");
-  }
-}
-
-void check_geometry(Reading& reading, const Device& parent) {
-  for (const GeometrySpec& geometry : parent.type->geometry) {
-    if (geometry.role.empty()) continue;
-    const std::vector<std::size_t> children = children_in(reading, parent, geometry.role);
-    const bool none = std::all_of(children.begin(), children.end(), [&](std::size_t child) {
-      return reading.device_tag(child).attribute("joint") == nullptr;
-    });
-    if (geometry.optional && none) continue;
-    if (check_joints_named(reading, parent, geometry, children)) check_joints_fit(reading, parent, geometry, children);
-  }
+  reading.devices[index].joint_is_wrong = true;
+  suggest(at_value(reading.diagnostics, code::unknown_joint, *name, fmt::format("there is no joint '{}'", name->value)),
+          name->value, names_of(reading.kinematics.joints));
 }
 
 }  // namespace
 
-std::vector<std::string> free_joints(const Reading& reading) {
-  std::vector<std::string> free;
-  for (const Joint& joint : reading.kinematics.joints) {
-    const bool is_driven = std::any_of(reading.robot.devices.begin(), reading.robot.devices.end(),
-                                       [&](const Device& device) { return device.joint == joint.name; });
-    if (joint.type != "fixed" && !is_driven) free.push_back(joint.name);
-  }
-  return free;
-}
-
 void check_joints(Reading& reading) {
   for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
-    const Device& device = reading.robot.devices[i];
     check_link(reading, reading.device_tag(i));
-    check_joint(reading, device, reading.device_tag(i));
-    if (device.type != nullptr) check_geometry(reading, device);
+    check_joint(reading, i);
   }
+  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) check_geometry(reading, i);
 }
 
 }  // namespace finemote::gen

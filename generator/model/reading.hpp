@@ -38,6 +38,7 @@ struct Reading {
   struct DeviceState {
     bool parent_is_wrong = false;  ///< a mistake in `parent`: neither root nor child
     bool role_is_wrong = false;
+    bool joint_is_wrong = false;  ///< a mistake in `joint`, reported
     bool bus_is_wrong = false;
     bool period_is_wrong = false;  ///< a mistake in `period`, here or where it is inherited from
     bool in_cycle = false;
@@ -55,32 +56,37 @@ struct Reading {
 };
 
 // The parts, in order. Each header comment of the .cpp of the same name says what it reports.
-void read_board_tag(Reading& reading);       // board_tag.cpp
-void read_buses(Reading& reading);           // buses.cpp
-void read_expanders(Reading& reading);       // expanders.cpp
-void read_devices(Reading& reading);         // devices.cpp: what each device says of itself
-void check_names(Reading& reading);          // name_check.cpp
-void resolve_parents(Reading& reading);      // parents.cpp: the forest and inherited periods
-void resolve_roles(Reading& reading);        // roles.cpp: children and reads to roles
-void resolve_places(Reading& reading);       // places.cpp: addresses, channels, ids
-void check_resources(Reading& reading);      // resources.cpp: ports, pins, DMA streams
-void check_driver_limits(Reading& reading);  // driver_limits.cpp: inverters, frames, numbers of devices
-void check_arities(Reading& reading);        // arity.cpp: how many children each role has
-void check_joints(Reading& reading);         // joints.cpp
-void read_requirements(Reading& reading);    // requirements.cpp
+void read_board_tag(Reading& reading);                      // board_tag.cpp
+void read_buses(Reading& reading);                          // buses.cpp
+void read_expanders(Reading& reading);                      // expanders.cpp
+void read_devices(Reading& reading);                        // devices.cpp: what each device says of itself
+void check_names(Reading& reading);                         // name_check.cpp
+void resolve_parents(Reading& reading);                     // parents.cpp: the forest and inherited periods
+void resolve_roles(Reading& reading);                       // roles.cpp: children and reads to roles
+void resolve_places(Reading& reading);                      // places.cpp: addresses, channels, ids
+void check_resources(Reading& reading);                     // resources.cpp: ports, pins, DMA streams
+void check_driver_limits(Reading& reading);                 // driver_limits.cpp: inverters, frames, numbers of devices
+void check_arities(Reading& reading);                       // arity.cpp: how many children each role has
+void check_joints(Reading& reading);                        // joints.cpp
+void check_geometry(Reading& reading, std::size_t device);  // geometry.cpp: of check_joints(), for one device
+void read_requirements(Reading& reading);                   // requirements.cpp
 
 bool satisfies(const DeviceType& child, const RoleSpec& role);  // roles.cpp: it provides the role's interface
 
 /// Channels of a segment: an expander's, those of a PWM port, pins; 0: none, or not known (places.cpp).
 std::uint32_t channel_count(const Reading& reading, std::size_t segment);
 /// Those of `count` channels of a segment that no device uses (places.cpp).
-std::vector<std::string> free_joints(const Reading& reading);  ///< that move and that no device drives, in file order
 std::vector<std::uint32_t> free_channels(const Reading& reading, std::size_t segment, std::uint32_t count);
 /// Ids of the type that clash with no device on the segment's bus, the first 16 (places.cpp).
 std::vector<std::uint32_t> free_ids(const Reading& reading, const DeviceType& type, std::size_t segment);
 
 /// The tag of a device's `<use>` (places.cpp).
 const xml::Node& use_tag(const Reading& reading, std::size_t device, const Use& use);
+
+/// Joints for a child `child` in a role of `parent` whose geometry is computed: they fit, and no device drives them.
+/// Those named like the child or its siblings; without any all that fit, unless `only_alike` (joint_offers.cpp).
+std::vector<std::string> offered_joints(const Reading& reading, const Device& parent, const std::string& role,
+                                        const std::string& child, bool only_alike);
 
 /// Reads the `<param>` children of a tag by their specs; the result is complete, in the order of the specs. `owner`
 /// is how messages call it: `device 'imu'`.

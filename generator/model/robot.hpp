@@ -41,6 +41,7 @@ struct Joint {
   std::array<double, 3> axis{1, 0, 0};
   std::optional<double> lower, upper, effort, velocity;
   std::optional<double> damping, friction;
+  std::string mimic;  ///< the joint whose angle it takes over; empty: it moves by itself
   Position at;
 };
 

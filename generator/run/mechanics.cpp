@@ -49,12 +49,22 @@ void leave_out_balanced(Json& joints) {
   }
 }
 
+/// Joints from the body to a link; those from the world to the body say where it starts, not how it is built.
+std::optional<std::vector<const Joint*>> way_from_body(const Mechanism& mechanism, const std::string& link) {
+  auto way = mechanism.way_to(link);
+  const auto above = mechanism.way_to(mechanism.base());
+  if (!way || !above) return std::nullopt;
+  const auto shared = std::mismatch(way->begin(), way->end(), above->begin(), above->end());
+  way->erase(way->begin(), shared.first);
+  return way;
+}
+
 }  // namespace
 
-std::string root_link(const Robot& robot) { return Mechanism(robot).root(); }
+std::string body_link(const Robot& robot) { return Mechanism(robot).base(); }
 
 Json whole_inertia(const Robot& robot) {
-  const Mass sum = mass_behind(Mechanism(robot), root_link(robot));
+  const Mass sum = mass_behind(Mechanism(robot), body_link(robot));
   if (sum.mass <= 0 || sum.inertia.determinant() <= 0) return Json::object();
   const auto& i = sum.inertia;
   return Json{{"mass", sum.mass}, {"inertia", {i(0, 0), i(0, 1), i(0, 2), i(1, 1), i(1, 2), i(2, 2)}}};
@@ -62,7 +72,7 @@ Json whole_inertia(const Robot& robot) {
 
 Json way_to(const Robot& robot, const std::string& link) {
   Json way = Json::array();
-  const auto joints = Mechanism(robot).way_to(link);
+  const auto joints = way_from_body(Mechanism(robot), link);
   if (!joints) return way;
   for (const Joint* joint : *joints) {
     Json step = step_of(*joint);
@@ -98,7 +108,7 @@ Json hanging_joints(const Robot& robot) {
   std::map<std::pair<std::size_t, std::string>, Json> by_depth;
   for (const auto& [name, part] : turned) {
     const Joint* joint = mechanism.joint(name);
-    const auto way = mechanism.way_to(joint->child_link);
+    const auto way = way_from_body(mechanism, joint->child_link);
     if (!way) continue;
     Json entry{{"part", part}, {"way", Json::array()}};
     for (const Joint* step : *way) {

@@ -10,14 +10,14 @@
 
 namespace finemote::gen {
 
-/// The link that is nobody's child; empty when the robot has no links.
-std::string root_link(const Robot& robot);
+/// The link that moves as the plant's body: Mechanism::base(); empty when the robot has no links.
+std::string body_link(const Robot& robot);
 
-/// `mass` [kg] and `inertia` (xx xy xz yy yz zz, about the root link's origin [kg m^2]) of the whole robot with every
+/// `mass` [kg] and `inertia` (xx xy xz yy yz zz, about the body link's origin [kg m^2]) of the whole robot with every
 /// joint at zero. Nothing where no link has a mass.
 nlohmann::ordered_json whole_inertia(const Robot& robot);
 
-/// The joints from the root link to `link`, outermost first: `xyz`, `rpy`, and `axis` with the `part` that turns it
+/// The joints from the body link to `link`, outermost first: `xyz`, `rpy`, and `axis` with the `part` that turns it
 /// where an actuator drives it.
 nlohmann::ordered_json way_to(const Robot& robot, const std::string& link);
 
@@ -26,7 +26,7 @@ nlohmann::ordered_json way_to(const Robot& robot, const std::string& link);
 nlohmann::ordered_json load_of(const Robot& robot, const std::string& joint);
 
 /// The joints that parts turn, each after those that carry it: `part`, the part `before` it, the `way` from there or
-/// from the root link, `axis`, and `mass` [kg] and `centre` [m] of what moves with it but not with those after it.
+/// from the body link, `axis`, and `mass` [kg] and `centre` [m] of what moves with it but not with those after it.
 /// Without the last of a row where they are balanced: a wheel does not pull at itself.
 nlohmann::ordered_json hanging_joints(const Robot& robot);
 

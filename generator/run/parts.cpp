@@ -95,7 +95,7 @@ void add_params(const Device& device, const Json& emulation, Json& part) {
 /// What the part feels of the body, or does to it.
 void add_mechanics(const Robot& robot, const Device& device, const Json& emulation, const std::string& body,
                    Json& part) {
-  const auto axis = device.joint.empty() ? std::nullopt : joint_axis(Mechanism(robot), device.joint);
+  const auto axis = device.joint.empty() ? std::nullopt : joint_axis(Mechanism(robot), device.joint, body_link(robot));
   if (device.type->actuator && axis) {
     part["body"] = body;
     part["xyz"] = {axis->point.x(), axis->point.y(), axis->point.z()};
@@ -120,7 +120,7 @@ Json children_at(const Robot& robot, const Device& device, const std::string& ro
   Json list = Json::array();
   for (const std::size_t index : device.children) {
     const Device& child = robot.devices[index];
-    const auto axis = child.joint.empty() ? std::nullopt : joint_axis(Mechanism(robot), child.joint);
+    const auto axis = child.joint.empty() ? std::nullopt : joint_axis(Mechanism(robot), child.joint, body_link(robot));
     if (!child.role || device.type->roles[*child.role].name != role || !axis || !has_part(child)) continue;
     list.push_back({{"part", child.name.text},
                     {"xyz", {axis->point.x(), axis->point.y(), axis->point.z()}},
@@ -129,7 +129,7 @@ Json children_at(const Robot& robot, const Device& device, const std::string& ro
   return list;
 }
 
-/// What a device makes of the root link: the kind of body, with what it needs to know; null: nothing.
+/// What a device makes of the body: the kind of body, with what it needs to know; null: nothing.
 Json body_by(const Robot& robot, const Device& device) {
   const Json emulation = emulation_of(*device.type);
   if (!emulation.is_object() || !emulation.contains("body")) return {};
@@ -141,9 +141,9 @@ Json body_by(const Robot& robot, const Device& device) {
   return part["wheels"].empty() ? Json() : part;
 }
 
-/// One body, the root link: of the kind the first device asks for that moves it, else standing.
+/// One body: of the kind the first device asks for that moves it, else standing.
 Json body_part(const Robot& robot) {
-  const std::string root = root_link(robot);
+  const std::string root = body_link(robot);
   if (root.empty()) return {};
   Json part{{"type", "standing_body"}, {"name", root}};
   for (const Device& device : robot.devices) {

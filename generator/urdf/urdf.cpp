@@ -54,12 +54,32 @@ std::vector<double> parse_numbers(std::string_view text) {
   }
 }
 
+/// What a robot has in m, rad, kg or kg m^2 is between these; beyond them sums and products leave the range of a float.
+constexpr double kLargest = 1e9;
+
+bool check_range(const xml::Node& node, const xml::Attribute& found, const std::vector<double>& numbers, double least,
+                 Diagnostics& diagnostics) {
+  for (const double number : numbers) {
+    if (number >= least && number <= kLargest) continue;
+    diagnostics
+        .error(code::urdf_range, found.value_at,
+               fmt::format("'{}' of <{}> is out of range: {:g}", found.name, node.name, number))
+        .underline(found.value.size())
+        .hint(fmt::format("write {} from {:g} to {:g}", numbers.size() == 1 ? "a number" : "numbers", least, kLargest));
+    return false;
+  }
+  return true;
+}
+
 std::optional<std::array<double, 3>> read_triple(const xml::Node& node, std::string_view attribute,
                                                  Diagnostics& diagnostics) {
   const xml::Attribute* found = node.attribute(attribute);
   if (found == nullptr) return {};
   const std::vector<double> numbers = parse_numbers(found->value);
-  if (numbers.size() == 3) return std::array<double, 3>{numbers[0], numbers[1], numbers[2]};
+  if (numbers.size() == 3) {
+    if (!check_range(node, *found, numbers, -kLargest, diagnostics)) return {};
+    return std::array<double, 3>{numbers[0], numbers[1], numbers[2]};
+  }
   diagnostics
       .error(code::urdf_number, found->value_at,
              fmt::format("'{}' of <{}> has to be three numbers", attribute, node.name))
@@ -77,6 +97,13 @@ std::optional<double> read_number(const xml::Node& node, std::string_view attrib
       .error(code::urdf_number, found->value_at, fmt::format("'{}' of <{}> has to be a number", attribute, node.name))
       .underline(found->value.size());
   return {};
+}
+
+/// A number of an inertial.
+double read_amount(const xml::Node& node, std::string_view attribute, double least, Diagnostics& diagnostics) {
+  const auto number = read_number(node, attribute, diagnostics);
+  const bool is_right = number && check_range(node, *node.attribute(attribute), {*number}, least, diagnostics);
+  return is_right ? *number : 0;
 }
 
 Pose read_origin(const xml::Node& joint, Diagnostics& diagnostics) {
@@ -109,12 +136,11 @@ std::optional<Inertial> read_inertial(const xml::Node& link, Diagnostics& diagno
   if (tag == nullptr) return std::nullopt;
   Inertial inertial;
   inertial.origin = read_origin(*tag, diagnostics);
-  if (const xml::Node* mass = child_element(*tag, "mass"))
-    inertial.mass = read_number(*mass, "value", diagnostics).value_or(0);
+  if (const xml::Node* mass = child_element(*tag, "mass")) inertial.mass = read_amount(*mass, "value", 0, diagnostics);
   if (const xml::Node* inertia = child_element(*tag, "inertia")) {
     constexpr const char* kMoments[] = {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"};
     for (std::size_t i = 0; i < inertial.inertia.size(); ++i)
-      inertial.inertia[i] = read_number(*inertia, kMoments[i], diagnostics).value_or(0);
+      inertial.inertia[i] = read_amount(*inertia, kMoments[i], -kLargest, diagnostics);
   }
   return inertial;
 }
@@ -190,6 +216,9 @@ Joint read_joint(const xml::Node& tag, const std::vector<Link>& links, Diagnosti
     joint.axis = read_triple(*axis, "xyz", diagnostics).value_or(joint.axis);
   read_limit(tag, joint, diagnostics);
   read_dynamics(tag, joint, diagnostics);
+  if (const xml::Node* mimic = child_element(tag, "mimic")) {
+    if (const xml::Attribute* leader = mimic->attribute("joint")) joint.mimic = leader->value;
+  }
   return joint;
 }
 

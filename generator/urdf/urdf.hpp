@@ -22,8 +22,8 @@ struct Kinematics {
 ///
 /// Lengths in m, angles in rad, whatever the locale. Reports FM2002 (a joint names a link that does not exist), FM2007
 /// (a name used twice), FM2008 (malformed numbers), FM2009 (unknown joint type), FM2010 (a link with two parents),
-/// FM3010 (a missing name, type, parent or child) and, when all that is right, FM2001 with urdfdom's own words.
-/// A robot without links is accepted: it has firmware only.
+/// FM2012 (a number nothing has), FM3010 (a missing name, type, parent or child) and, when all that is right, FM2001
+/// with urdfdom's own words. A robot without links is accepted: it has firmware only.
 Kinematics read_urdf(const xml::Node& robot, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -15,7 +15,7 @@ void PwmServo::update() {
 
 void PwmServo::handle() {
   if (!is_fresh(command, now(), config_.max_age) || !std::isfinite(command.angle)) return safe();
-  angle_ = clamp(command.angle, -config_.travel / 2, config_.travel / 2);
+  angle_ = clamp(command.angle, lowest_, highest_);
   channel_.set(pulse(angle_));
 }
 
@@ -24,8 +24,8 @@ void PwmServo::safe() {
     case OnLoss::kHold:
       return;
     case OnLoss::kCentre:
-      angle_ = 0;
-      channel_.set(pulse(0));
+      angle_ = clamp(0.0F, lowest_, highest_);
+      channel_.set(pulse(angle_));
       return;
     case OnLoss::kRelease:
       channel_.set(0);

@@ -53,3 +53,15 @@ TEST_CASE_METHOD(Fixture, "without fresh data it stays, goes to the middle, or f
   CHECK(drive(servo, 3) == 2500000);
   CHECK(drive(servo, NAN) == expected);
 }
+
+TEST_CASE_METHOD(Fixture, "angles beyond the limits of the joint are cut, on loss of data too") {
+  const JointRange range{0.25F, 1.0F};
+  PwmServo servo{config(OnLoss::kCentre), &range, {bus, 0}};
+  CHECK(drive(servo, 3) == servo.pulse(1.0F));
+  CHECK(servo.state.angle == 1.0F);
+  CHECK(drive(servo, -3) == servo.pulse(0.25F));
+  CHECK(drive(servo, 1, 500 * kMillisecond + 1) == servo.pulse(0.25F));
+  const JointRange wide{-9, 9};
+  PwmServo free{config(OnLoss::kCentre), &wide, {bus, 0}};
+  CHECK(drive(free, 9) == 2500000);
+}

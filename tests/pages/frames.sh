@@ -145,6 +145,31 @@ X
   with_links "$links" "<bus name=\"can\" type=\"can\" port=\"can1\" bitrate=\"1Mbit/s\"/><bus name=\"dbus\" type=\"uart\" port=\"usart3\" baud=\"100000baud\"/><device name=\"base\" type=\"mecanum_chassis\" period=\"10ms\">${1:-}<device name=\"remote\" type=\"dr16\" bus=\"dbus\">$measured</device>$wheels</device>"
 }
 frame_FM2011() { mecanum; }
+with_joint() {  # TYPE JOINT DEVICE: the example inside a joint, and what drives it
+  with_links "$prop<joint name=\"j\" type=\"$1\"><parent link=\"base_link\"/><child link=\"prop\"/>$2$example</joint>" "$3"
+}
+servo_at='<bus name="led" type="pwm" port="pwm1"/><device name="servo" type="pwm_servo" period="20ms" bus="led" joint="j"/>'
+frame_FM2012() { links "<link name=\"base_link\">$example</link>" '<device name="load" type="sim_load" period="10ms"/>'; ask; }
+frame_FM2013() { with_joint continuous '' "$servo_at"; }
+frame_FM2014() { with_joint revolute '' "$servo_at"; }
+frame_FM2015() {  # FinsROV with this start tag
+  sed "s#<device name=\"rov\" .*#$example#" "$source/examples/finsrov.urdf" >robot.urdf
+  ask
+}
+hull() {  # GEOMETRY AXIS: two thrusters
+  local links= axis n=0
+  mkdir -p devices
+  echo '#pragma once' >devices/hull.hpp
+  echo "{ \"schema\": \"finemote.device/1\", \"type\": \"hull\", \"summary\": \"x\", \"class\": \"Hull\", \"header\": \"hull.hpp\", \"roles\": [{ \"name\": \"thrusters\", \"interface\": \"Thruster\" }], $1 }" >devices/hull.json
+  for axis in '<axis xyz="0 0 1"/>' "$2"; do
+    n=$((n + 1))
+    links+="<link name=\"l$n\"/><joint name=\"j$n\" type=\"continuous\"><parent link=\"base_link\"/><child link=\"l$n\"/>$axis</joint>"
+  done
+  with_links "$links" '<bus name="pwm" type="i2c" port="i2c3"/><expander name="outputs" model="pca9685" bus="pwm" address="0x40"/><device name="hull" type="hull" period="20ms"><device name="t1" type="pwm_esc" bus="outputs" channel="0" joint="j1"/><device name="t2" type="pwm_esc" bus="outputs" channel="1" joint="j2"/></device>'
+}
+frame_FM3158() { hull "$example" '<axis xyz="0 0 1"/>'; }
+frame_FM3159() { hull '"geometry": [{ "kind": "allocation", "role": "thrusters" }]' "$example"; }
+frame_FM3160() { with_joint revolute '' "$servo_at"; }
 frame_FM3157() { mecanum "$example"; }
 finsrov_child() { local child=$example; robot "<device name=\"rov\" type=\"finsrov\" period=\"20ms\">$child</device>"; ask; }
 frame_FM3051() { finsrov_child; }

@@ -1,10 +1,16 @@
 // Geometry from links and joints: poses, masses, wheels, chains, against numbers worked out by hand.
+#include <Eigen/SVD>
 #include <cmath>
+#include <random>
 
 #include "catch.hpp"
 #include "generator/geometry/allocation.hpp"
+#include "generator/geometry/angle.hpp"
 #include "generator/geometry/chain.hpp"
+#include "generator/geometry/fit.hpp"
+#include "generator/geometry/frame.hpp"
 #include "generator/geometry/mass.hpp"
+#include "generator/geometry/range.hpp"
 #include "generator/geometry/rolling.hpp"
 
 using namespace finemote::gen;
@@ -22,6 +28,8 @@ Joint joint(const std::string& name, const std::string& parent, const std::strin
   j.axis = axis;
   return j;
 }
+
+constexpr double kDegree = M_PI / 180;
 
 Link link(const std::string& name, double mass = 0, std::array<double, 3> centre = {}) {
   Link l;
@@ -44,12 +52,13 @@ TEST_CASE("a pose follows the joints from the root, and ends where they do not")
   const Mechanism mechanism(links, joints);
   CHECK(mechanism.root() == "base");
   CHECK(mechanism.way_to("b")->size() == 2);
-  check(mechanism.pose("b")->translation(), {0, 1, 2});
-  check(joint_axis(mechanism, "to_a")->direction, {0, 1, 0});
-  CHECK_FALSE(joint_axis(mechanism, "to_c"));
+  check(mechanism.pose("b", "base")->translation(), {0, 1, 2});
+  check(mechanism.pose("base", "b")->translation(), {-1, 0, -2});
+  check(joint_axis(mechanism, "to_a", "base")->direction, {0, 1, 0});
+  CHECK_FALSE(joint_axis(mechanism, "to_c", "base"));
   joints[1].parent_link = "b";  // a ring
-  CHECK_FALSE(mechanism.pose("a"));
-  CHECK_FALSE(joint_axis(mechanism, "to_b"));
+  CHECK_FALSE(mechanism.pose("a", "base"));
+  CHECK_FALSE(joint_axis(mechanism, "to_b", "base"));
   CHECK(mechanism.root() == "base");
 }
 
@@ -75,7 +84,8 @@ TEST_CASE("wheels roll as their places, axes and rollers say") {
                                  {{0.2, -0.3, -0.1}, {0, -1, 0}},  // its axis points to the right
                                  {{-0.2, 0.3, -0.1}, {0, 1, 0}},
                                  {{-0.2, -0.3, -0.1}, {0, 1, 0}}};
-  for (const Axis& wheel : wheels) CHECK(wheel_problem(wheel).empty());
+  for (const Axis& wheel : wheels) CHECK(wheel_problem(wheel, kDegree).empty());
+  CHECK_FALSE(leave_a_motion_free(wheels));
   const Rolling all = rolling(wheels);
   const double rows[4][3] = {{1, -1, -0.5}, {-1, -1, -0.5}, {1, 1, -0.5}, {1, -1, 0.5}};
   for (int n = 0; n < 4; ++n) {
@@ -88,10 +98,25 @@ TEST_CASE("wheels roll as their places, axes and rollers say") {
 }
 
 TEST_CASE("what cannot be a mecanum wheel is said") {
-  CHECK(wheel_problem({{0.2, 0.2, 0}, {0, 0, 1}}).find("level") != std::string::npos);
-  CHECK(wheel_problem({{0.2, 0.2, 0}, {1, 0, 0}}).find("across") != std::string::npos);
-  CHECK(wheel_problem({{0, 0.2, 0}, {0, 1, 0}}).find("rollers") != std::string::npos);
-  CHECK(wheel_problem({{0.2, 0, 0}, {0, 1, 0}}).find("rollers") != std::string::npos);
+  CHECK(wheel_problem({{0.2, 0.2, 0}, {0, 0, 1}}, kDegree).find("points 90 degrees away") != std::string::npos);
+  CHECK(wheel_problem({{0.2, 0.2, 0}, {1, 0, 0}}, kDegree).find("points 90 degrees away") != std::string::npos);
+  CHECK(wheel_problem({{0.2, 0.2, 0}, {0.6, 0.8, 0}}, kDegree).find("points 36.9 degrees away") != std::string::npos);
+  CHECK(wheel_problem({{0, 0.2, 0}, {0, 1, 0}}, kDegree).find("rollers") != std::string::npos);
+  CHECK(wheel_problem({{0.2, 0, 0}, {0, 1, 0}}, kDegree).find("rollers") != std::string::npos);
+  const auto turned = [](double degrees) {
+    return Axis{{0.2, 0.2, 0}, {std::sin(radians(degrees)), std::cos(radians(degrees)), 0}};
+  };
+  CHECK(wheel_problem(turned(0.99), kDegree).empty());
+  CHECK_FALSE(wheel_problem(turned(1.01), kDegree).empty());
+}
+
+TEST_CASE("wheels that leave a motion free are found") {
+  const Eigen::Vector3d across(0, 1, 0);
+  CHECK(leave_a_motion_free({{{0.2, 0.2, 0}, across}, {{-0.2, -0.2, 0}, across}}));  // two for three motions
+  CHECK(leave_a_motion_free({{{0.2, 0.2, 0}, across},
+                             {{0.3, 0.1, 0}, across},
+                             {{-0.2, -0.2, 0}, across},
+                             {{-0.3, -0.1, 0}, across}}));  // all rollers one way
 }
 
 TEST_CASE("a chain says what each joint carries, in axes of the base") {
@@ -102,7 +127,7 @@ TEST_CASE("a chain says what each joint carries, in axes of the base") {
                             joint("elbow", "bracket", "fore", {0, 0, 0.2}, {0, 0, 2})};
   const Mechanism mechanism(links, joints);
   for (std::size_t i = 0; i < 2; ++i) CHECK(chain_problem(mechanism, {"shoulder", "elbow"}, i).empty());
-  const auto all = chain(mechanism, {"shoulder", "elbow"});
+  const auto all = chain(mechanism, {"shoulder", "elbow"}, "base");
   REQUIRE(all.size() == 2);
   check(all[0].offset, {0, 0, 1});
   check(all[0].axis, {-1, 0, 0});
@@ -112,6 +137,180 @@ TEST_CASE("a chain says what each joint carries, in axes of the base") {
   check(all[1].axis, {0, 0, 1});
   check(all[1].centre, {0, 0, 0.2});
   CHECK(chain_problem(mechanism, {"elbow", "shoulder"}, 1).find("behind joint 'elbow'") != std::string::npos);
+  CHECK_FALSE(chain_problem(mechanism, {"elbow", "elbow"}, 1).empty());
+  GeometrySpec geometry;
+  geometry.kind = "chain";
   joints[2].type = "prismatic";
-  CHECK(chain_problem(mechanism, {"shoulder", "elbow"}, 1).find("prismatic") != std::string::npos);
+  CHECK(joint_problem({mechanism, geometry, "base", {"shoulder", "elbow"}, {}, 0}, 1).find("it is prismatic") == 0);
+}
+
+TEST_CASE("a wrench is about the link that carries most of the joints") {
+  const std::vector<Link> links{link("world"), link("hull"), link("pod_1"), link("pod_2"), link("a"),
+                                link("b"),     link("c"),    link("d"),     link("e")};
+  std::vector<Joint> joints{joint("swim", "world", "hull", {1, 2, -5}, {0, 0, 1}),
+                            joint("to_1", "hull", "pod_1", {0, 1, 0}, {0, 0, 1}),
+                            joint("to_2", "hull", "pod_2", {0, -1, 0}, {0, 0, 1}),
+                            joint("a", "pod_1", "a", {}, {1, 0, 0}),
+                            joint("b", "pod_1", "b", {}, {1, 0, 0}),
+                            joint("c", "pod_2", "c", {}, {1, 0, 0}),
+                            joint("d", "pod_2", "d", {}, {1, 0, 0}),
+                            joint("e", "world", "e", {}, {1, 0, 0})};
+  joints[0].type = "floating";
+  const Mechanism mechanism(links, joints);
+  CHECK(mechanism.base() == "hull");
+  CHECK(carrier(mechanism, {"a", "b", "c"}) == "pod_1");
+  CHECK(carrier(mechanism, {"a", "b", "c", "d"}) == "hull");  // as many each
+  CHECK(carrier(mechanism, {"d", "a"}) == "hull");
+  CHECK(carrier(mechanism, {"a", "e"}) == "world");
+  CHECK(carrier(mechanism, {}).empty());
+  Device device;
+  GeometrySpec geometry;
+  geometry.kind = "allocation";
+  CHECK(geometry_link(mechanism, device, geometry, {"a", "b"}) == "pod_1");
+  device.link = "hull";
+  CHECK(geometry_link(mechanism, device, geometry, {"a", "b"}) == "hull");
+  CHECK(body_problem(mechanism, "hull", {"a", "b"}).empty());
+  CHECK(body_problem(mechanism, "world", {"a"}) == "link 'world' is the world, which stands still");
+  CHECK(body_problem(mechanism, "e", {"a"}) == "link 'e' is the world, which stands still");
+  CHECK(body_problem(mechanism, "a", {"b", "a"}) == "joint 'a' moves link 'a' against the body");
+}
+
+TEST_CASE("a servo turns within the joint's limits and its own travel") {
+  Joint turning = joint("pan", "base", "head", {}, {0, 0, 1});
+  turning.lower = -1.5;
+  turning.upper = 3;
+  const Range range = within_travel(limits_of(turning).value(), 3);
+  CHECK(range.lower == Approx(-1.5));
+  CHECK(range.upper == Approx(1.5));
+  turning.lower = 2;
+  CHECK(within_travel(*limits_of(turning), 3).lower >= within_travel(*limits_of(turning), 3).upper);
+  turning.type = "continuous";
+  CHECK_FALSE(limits_of(turning));
+}
+
+namespace {
+
+/// A hull with thrusters anywhere, some on pods, pointing anywhere.
+struct RandomHull {
+  explicit RandomHull(std::mt19937& random, std::size_t thrusters) {
+    std::uniform_real_distribution<double> place(-1, 1), angle(-M_PI, M_PI);
+    links = {link("hull"), link("pod")};
+    joints = {joint("to_pod", "hull", "pod", {place(random), place(random), place(random)}, {0, 0, 1},
+                    {angle(random), angle(random), angle(random)})};
+    for (std::size_t n = 0; n < thrusters; ++n) {
+      const std::string name = "t" + std::to_string(n);
+      names.push_back(name);
+      links.push_back(link(name));
+      joints.push_back(joint(name, n % 3 == 2 ? "pod" : "hull", name, {place(random), place(random), place(random)},
+                             {place(random), place(random), place(random)},
+                             {angle(random), angle(random), angle(random)}));
+    }
+  }
+  [[nodiscard]] std::vector<Axis> axes(const std::string& of) const {
+    const Mechanism mechanism(links, joints);
+    std::vector<Axis> axes;
+    for (const std::string& name : names) axes.push_back(joint_axis(mechanism, name, of).value());
+    return axes;
+  }
+  std::vector<Link> links;
+  std::vector<Joint> joints;
+  std::vector<std::string> names;
+};
+
+/// By another way than the product's: A^T (A A^T)^+ from the eigenvectors of A A^T, and for few thrusters (A^T A)^+
+/// A^T.
+Eigen::MatrixXd inverse_by_eigenvectors(const Eigen::MatrixXd& a) {
+  const bool wide = a.cols() >= a.rows();
+  const Eigen::MatrixXd square = wide ? Eigen::MatrixXd(a * a.transpose()) : Eigen::MatrixXd(a.transpose() * a);
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(square, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::VectorXd values = svd.singularValues();
+  for (double& value : values) value = value > 1e-12 * svd.singularValues()[0] ? 1 / value : 0;
+  const Eigen::MatrixXd inverse = svd.matrixV() * values.asDiagonal() * svd.matrixU().transpose();
+  return wide ? Eigen::MatrixXd(a.transpose() * inverse) : Eigen::MatrixXd(inverse * a.transpose());
+}
+
+}  // namespace
+
+TEST_CASE("an allocation is the pseudo-inverse, finite, wherever the thrusters are") {
+  std::mt19937 random(13);
+  for (std::size_t round = 0; round < 400; ++round) {
+    const RandomHull hull(random, 1 + round % 10);
+    const std::vector<Axis> axes = hull.axes("hull");
+    const Eigen::MatrixXd matrix = allocation(axes);
+    REQUIRE(matrix.allFinite());
+    const Eigen::MatrixXd other = inverse_by_eigenvectors(wrench_matrix(axes));
+    INFO("round " << round << "\n" << matrix << "\n" << other);
+    CHECK((matrix - other).norm() <= 1e-6 * std::max(1.0, matrix.squaredNorm()));
+    const Eigen::MatrixXd produced = wrench_matrix(axes) * matrix;
+    const auto yields = axis_yields(axes);
+    for (Eigen::Index k = 0; k < 6; ++k)
+      CHECK(yields[static_cast<std::size_t>(k)].fraction == Approx(produced(k, k)).margin(1e-9));
+  }
+}
+
+TEST_CASE("an allocation stays the same, to the bit, when the hull floats in a world") {
+  std::mt19937 random(14);
+  std::uniform_real_distribution<double> far(-1e6, 1e6);
+  for (int round = 0; round < 50; ++round) {
+    RandomHull hull(random, 8);
+    const Eigen::MatrixXd before = allocation(hull.axes("hull"));
+    hull.links.insert(hull.links.begin(), link("world"));
+    hull.joints.insert(hull.joints.begin(),
+                       joint("swim", "world", "hull", {far(random), far(random), far(random)}, {1, 0, 0}, {1, 2, 3}));
+    hull.joints[0].type = "floating";
+    const Mechanism mechanism(hull.links, hull.joints);
+    CHECK(carrier(mechanism, hull.names) == "hull");
+    CHECK(allocation(hull.axes("hull")) == before);
+  }
+}
+
+TEST_CASE("an allocation turns with the robot") {
+  std::mt19937 random(15);
+  std::uniform_real_distribution<double> angle(-M_PI, M_PI);
+  for (int round = 0; round < 50; ++round) {
+    RandomHull hull(random, 8);
+    hull.links.push_back(link("turned"));
+    hull.joints.push_back(
+        joint("turn", "hull", "turned", {}, {0, 0, 1}, {angle(random), angle(random), angle(random)}));
+    const Eigen::Matrix3d to_hull = Mechanism(hull.links, hull.joints).pose("turned", "hull")->linear();
+    Eigen::Matrix<double, 6, 6> wrench = Eigen::Matrix<double, 6, 6>::Zero();
+    wrench.topLeftCorner<3, 3>() = wrench.bottomRightCorner<3, 3>() = to_hull;
+    const Eigen::MatrixXd there = allocation(hull.axes("turned")), here = allocation(hull.axes("hull"));
+    CHECK((there - here * wrench).norm() <= 1e-6 * std::max(1.0, here.squaredNorm()));
+  }
+}
+
+TEST_CASE("what actuators cannot do is said as a fraction of the command") {
+  const Eigen::Vector3d up(0, 0, 1);
+  const std::vector<Axis> quad{{{0.2, 0.2, 0}, up}, {{0.2, -0.2, 0}, up}, {{-0.2, 0.2, 0}, up}, {{-0.2, -0.2, 0}, up}};
+  const double fractions[6] = {0, 0, 1, 1, 1, 0};
+  for (std::size_t k = 0; k < 6; ++k) CHECK(axis_yields(quad)[k].fraction == Approx(fractions[k]).margin(1e-12));
+  CHECK(axis_yields({{{0, 0, 0}, up}, {{0, 0, 0}, up}})[2].fraction == Approx(1));
+  CHECK(axis_yields({{{0, 0, 0}, up}, {{0, 0, 0}, up}})[3].fraction == 0);
+  CHECK(axis_yields({})[0].fraction == 0);
+  // half a degree of tilt makes fx with 1 / sin(0.5 degrees) times the force of each pair
+  const Eigen::Vector3d tilted(std::sin(kDegree / 2), 0, std::cos(kDegree / 2));
+  const auto yields = axis_yields({{{0, 0, 0}, up}, {{0, 0, 0}, tilted}});
+  CHECK(yields[0].fraction == Approx(1));
+  CHECK(yields[0].effort == Approx(1 / std::tan(kDegree / 2)).epsilon(0.01));
+}
+
+TEST_CASE("a gimbal's axes point where its loops think, one behind the other") {
+  const std::vector<Link> links{link("base"), link("turret"), link("head")};
+  const std::vector<Joint> joints{joint("yaw", "base", "turret", {}, {0, 0, -1}),
+                                  joint("pitch", "turret", "head", {}, {0, 1, 0.01})};
+  const Mechanism mechanism(links, joints);
+  GeometrySpec yaw, pitch;
+  yaw.kind = pitch.kind = "axes";
+  yaw.role = "yaw";
+  yaw.along = "z";
+  pitch.role = "pitch";
+  pitch.along = "y";
+  pitch.behind = "yaw";
+  CHECK(joint_problem({mechanism, yaw, "base", {"yaw"}, {}, 0}, 0).empty());
+  CHECK(joint_problem({mechanism, pitch, "base", {"pitch"}, "yaw", 0}, 0).empty());
+  CHECK(joint_problem({mechanism, yaw, "base", {"pitch"}, {}, 0}, 0).find("points 89.4 degrees away") !=
+        std::string::npos);
+  CHECK(joint_problem({mechanism, pitch, "base", {"pitch"}, "pitch", 0}, 0) ==
+        "it does not hang behind joint 'pitch', which turns the yaw");
 }

@@ -1,7 +1,8 @@
 // What the generator computes of the URDF's links and joints for a device's constructor, besides thruster allocation.
 //
-// Coordinates are those of the root link (x forward, y left, z up), with every joint at zero. Geometry kind `axes`
-// gives a Vector of unit length per joint, kind `mount` the Rotation from a sensor's axes to those of the root link.
+// Coordinates are those of a link (x forward, y left, z up) that constants.hpp names, with every joint at zero:
+// docs/reference/geometry.md. Geometry kind `axes` gives a Vector of unit length per joint, kind `mount` the Rotation
+// from a sensor's axes to those of the robot's base.
 #pragma once
 
 #include "finemote/control/rotation.hpp"
@@ -16,10 +17,15 @@ struct RollingWheel {
 
 /// A joint of a serial chain, with what moves with it but not with the next: geometry kind `chain`.
 struct ChainLink {
-  Vector offset;  ///< from the joint before; the first: from the root link's origin [m]
+  Vector offset;  ///< from the joint before; the first: from that link's origin [m]
   Vector axis;    ///< unit length
   Vector centre;  ///< of the mass, from the joint [m]
   float mass;     ///< [kg]
+};
+
+/// How far a joint may turn, within the reach of what drives it: geometry kind `range`.
+struct JointRange {
+  float lower, upper;  ///< rad; lower < upper
 };
 
 }  // namespace finemote

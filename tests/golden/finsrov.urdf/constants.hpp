@@ -6,7 +6,8 @@
 
 namespace FinsROV::constants {
 
-/// Allocation of 'rov': force of each of its thrusters (rows) for a wrench fx fy fz [N] mx my mz [Nm] in the base frame.
+/// Allocation of 'rov': force [N] of each of its thrusters (rows) for a wrench fx fy fz [N] mx my mz [Nm]
+/// in the axes of link 'base_link' and about its origin.
 inline constexpr float rov_allocation[8][6] = {
     {0.353553391f, -0.353553391f, 0.0f, 0.0f, 0.0f, -1.35982073f},
     {0.0f, 0.0f, 0.25f, 2.27272727f, -2.08333333f, 0.0f},

@@ -8,17 +8,18 @@
 
 namespace infantry::constants {
 
-/// Joint axis of the yaw of 'gimbal'.
+/// Joint axis of the yaw of 'gimbal', in the axes of link 'base_link'.
 inline constexpr finemote::Vector gimbal_yaw_axes[1] = {
     {0.0f, 0.0f, 1.0f},
 };
 
-/// Joint axis of the pitch of 'gimbal'.
+/// Joint axis of the pitch of 'gimbal', in the axes of link 'base_link'.
 inline constexpr finemote::Vector gimbal_pitch_axes[1] = {
     {0.0f, 1.0f, 0.0f},
 };
 
-/// Rolling of the wheels of 'chassis' for forward [m/s], left [m/s], turn [rad/s], and their shares in the base's motion.
+/// Rolling of the wheels of 'chassis' for forward [m/s], left [m/s], turn [rad/s], and their shares in the base's motion:
+/// in the axes of link 'base_link' and about its origin.
 inline constexpr finemote::RollingWheel chassis_rolling[4] = {
     {1.0f, -1.0f, -0.4f, 0.25f, -0.25f, -0.625f},
     {1.0f, 1.0f, 0.4f, 0.25f, 0.25f, 0.625f},

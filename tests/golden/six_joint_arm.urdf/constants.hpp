@@ -8,7 +8,7 @@
 
 namespace six_joint_arm::constants {
 
-/// Joints of the joints of 'arm': offset [m], axis, centre of mass [m], mass [kg].
+/// Joints of the joints of 'arm': offset [m], axis, centre of mass [m], mass [kg]; in the axes of link 'base_link'.
 inline constexpr finemote::ChainLink arm_chain[6] = {
     {{0.0f, 0.0f, 0.1f}, {0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.06f}, 1.6f},
     {{0.0f, 0.0f, 0.12f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 0.12f}, 0.8f},

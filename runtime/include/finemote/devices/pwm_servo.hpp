@@ -4,13 +4,15 @@
 #include <cstdint>
 
 #include "finemote/contract.hpp"
+#include "finemote/geometry.hpp"
 #include "finemote/interfaces/servo.hpp"
 #include "finemote/pwm.hpp"
 
 namespace finemote {
 
-/// Angle 0 is the middle between `min` and `max`; `travel` is the angle between them. Angles beyond it are cut. What
-/// happens without fresh data is a choice: stay, go to the middle, or fall limp (no pulse).
+/// Angle 0 is the middle between `min` and `max`; `travel` is the angle between them. Angles beyond it, or beyond the
+/// limits of the joint, are cut. What happens without fresh data is a choice: stay, go to the middle (or as near as the
+/// joint may turn), or fall limp (no pulse).
 class PwmServo {
  public:
   enum class OnLoss : std::uint8_t { kHold, kCentre, kRelease };
@@ -24,7 +26,13 @@ class PwmServo {
     OnLoss on_loss = OnLoss::kHold;
   };
 
-  constexpr PwmServo(const Config& config, PwmChannel channel) : config_(config), channel_(channel) {}
+  /// @param range  of the joint; null: the whole travel
+  constexpr PwmServo(const Config& config, const JointRange* range, PwmChannel channel)
+      : config_(config),
+        lowest_(range != nullptr && range->lower > -config.travel / 2 ? range->lower : -config.travel / 2),
+        highest_(range != nullptr && range->upper < config.travel / 2 ? range->upper : config.travel / 2),
+        channel_(channel) {}
+  constexpr PwmServo(const Config& config, PwmChannel channel) : PwmServo(config, nullptr, channel) {}
 
   void update();
   void handle();
@@ -39,6 +47,7 @@ class PwmServo {
 
  private:
   Config config_;
+  float lowest_, highest_;  ///< rad
   PwmChannel channel_;
   float angle_ = 0;
 };

@@ -15,7 +15,7 @@ namespace finemote {
 /// away from the joint by more than `lead`.
 ///
 /// Where the joints are known, the motors get the torques that carry the arm's weight in its present pose, of the
-/// URDF's masses, besides those of their loops. The root link stands upright.
+/// URDF's masses, besides those of their loops. The base link stands upright.
 class SerialArm {
  public:
   static constexpr unsigned kMaxJoints = 8;

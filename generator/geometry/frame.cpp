@@ -1,0 +1,77 @@
+#include "generator/geometry/frame.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+
+namespace finemote::gen {
+namespace {
+
+/// Names ROS gives to what stands still (REP 105, and the habit of simulators).
+constexpr std::array<std::string_view, 4> kWorlds{"world", "map", "odom", "earth"};
+
+/// From the root to the link itself.
+std::vector<std::string> links_to(const Mechanism& mechanism, const std::string& link) {
+  const auto way = mechanism.way_to(link);
+  if (!way) return {};
+  std::vector<std::string> links{way->empty() ? link : way->front()->parent_link};
+  for (const Joint* joint : *way) links.push_back(joint->child_link);
+  return links;
+}
+
+/// The last link that is on the ways to all; empty without any.
+std::string nearest_common(const Mechanism& mechanism, const std::vector<std::string>& links) {
+  std::vector<std::string> common;
+  for (const std::string& link : links) {
+    const std::vector<std::string> way = links_to(mechanism, link);
+    if (&link == &links.front()) common = way;
+    const auto shared = std::mismatch(common.begin(), common.end(), way.begin(), way.end());
+    common.erase(shared.first, common.end());
+  }
+  return common.empty() ? std::string() : common.back();
+}
+
+}  // namespace
+
+std::string carrier(const Mechanism& mechanism, const std::vector<std::string>& joints) {
+  std::map<std::string, std::size_t> carried;
+  for (const std::string& name : joints) {
+    if (const Joint* joint = mechanism.joint(name)) ++carried[joint->parent_link];
+  }
+  std::size_t most = 0;
+  for (const auto& [link, count] : carried) most = std::max(most, count);
+  std::vector<std::string> links;
+  for (const auto& [link, count] : carried) {
+    if (count == most) links.push_back(link);
+  }
+  return nearest_common(mechanism, links);
+}
+
+bool is_about_body(const GeometrySpec& geometry) { return geometry.kind == "allocation" || geometry.kind == "rolling"; }
+
+std::string geometry_link(const Mechanism& mechanism, const Device& device, const GeometrySpec& geometry,
+                          const std::vector<std::string>& joints) {
+  if (geometry.kind == "range") return {};
+  if (geometry.kind == "mount") return mechanism.base();
+  if (!device.link.empty()) return device.link;
+  return is_about_body(geometry) ? carrier(mechanism, joints) : mechanism.base();
+}
+
+std::string body_problem(const Mechanism& mechanism, const std::string& link, const std::vector<std::string>& joints) {
+  const bool is_root = link == mechanism.root();
+  const bool is_called_world = std::find(kWorlds.begin(), kWorlds.end(), link) != kWorlds.end();
+  const std::vector<std::string> way = links_to(mechanism, link);
+  const bool moves = std::find(way.begin(), way.end(), mechanism.base()) != way.end();
+  if ((is_root && is_called_world) || !moves) return fmt::format("link '{}' is the world, which stands still", link);
+  for (const std::string& name : joints) {
+    const Joint* joint = mechanism.joint(name);
+    if (joint != nullptr && std::find(way.begin(), way.end(), joint->child_link) != way.end())
+      return fmt::format("joint '{}' moves link '{}' against the body", name, link);
+  }
+  return {};
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,144 @@
+// What a device's type computes of the URDF against the joints of its children: FM2006, FM2011, FM2015.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/geometry/fit.hpp"
+#include "generator/geometry/frame.hpp"
+#include "generator/geometry/range.hpp"
+#include "generator/model/attributes.hpp"
+#include "generator/model/reading.hpp"
+
+namespace finemote::gen {
+namespace {
+
+const char* what_is_computed(const GeometrySpec& geometry) {
+  if (geometry.kind == "rolling") return "rolling of the wheels";
+  if (geometry.kind == "chain") return "weight on the joints";
+  if (geometry.kind == "axes") return "way of turning";
+  return "allocation";
+}
+
+/// Children of the role, those with a mistake of their own included.
+std::vector<std::size_t> children_in(const Reading& reading, const Device& parent, const std::string& role) {
+  std::vector<std::size_t> children;
+  for (const std::size_t child : parent.children) {
+    const Device& device = reading.robot.devices[child];
+    if (device.role && parent.type->roles[*device.role].name == role) children.push_back(child);
+  }
+  return children;
+}
+
+std::string joint_hint(const Reading& reading, const Device& parent, const GeometrySpec& geometry,
+                       const std::string& child) {
+  const std::vector<std::string> free = offered_joints(reading, parent, geometry.role, child, false);
+  if (free.empty()) return "add joint=\"...\" with the name of the joint it moves; no other joint fits";
+  std::string others;
+  for (std::size_t i = 1; i < free.size(); ++i) others += fmt::format("{}'{}'", i > 1 ? ", " : "", free[i]);
+  return fmt::format("add joint=\"{}\"{}", free.front(),
+                     others.empty() ? ", the only one that fits and that no device drives"
+                                    : ", or another that fits and that no device drives: " + others);
+}
+
+/// Children that geometry is computed of have to say which joint they drive.
+/// @return  all do, and nothing is wrong with these joints
+bool check_joints_named(Reading& reading, const Device& parent, const GeometrySpec& geometry,
+                        const std::vector<std::size_t>& children) {
+  bool all = true;
+  for (const std::size_t child : children) {
+    const Device& device = reading.robot.devices[child];
+    all = all && reading.kinematics.joint(device.joint) != nullptr;
+    if (!device.joint.empty() || reading.device_tag(child).attribute("joint") != nullptr) continue;
+    at_tag(reading.diagnostics, code::joint_needed, reading.device_tag(child),
+           fmt::format("device '{}' has no 'joint'", device.name.text))
+        .note(fmt::format("the {} of device '{}' is computed from origin and axis of the joints of its {}",
+                          what_is_computed(geometry), parent.name.text, geometry.role))
+        .hint(joint_hint(reading, parent, geometry, device.name.text));
+  }
+  return all;
+}
+
+Placement placement_of(const Reading& reading, const Mechanism& mechanism, const Device& parent,
+                       const GeometrySpec& geometry, const std::vector<std::size_t>& children) {
+  std::vector<std::string> joints;
+  for (const std::size_t child : children) joints.push_back(reading.robot.devices[child].joint);
+  std::string behind;
+  for (const std::size_t child : children_in(reading, parent, geometry.behind)) {
+    const std::string& joint = reading.robot.devices[child].joint;
+    if (reading.kinematics.joint(joint) != nullptr) behind = joint;
+  }
+  return {mechanism, geometry, geometry_link(mechanism, parent, geometry, joints),
+          joints,    behind,   geometry_param(parent, geometry)};
+}
+
+/// @return  a link that the numbers may be about
+bool check_body(Reading& reading, std::size_t index, const Placement& placement) {
+  if (!is_about_body(placement.geometry)) return true;
+  const std::string problem = body_problem(placement.mechanism, placement.link, placement.joints);
+  if (problem.empty()) return true;
+  const Device& device = reading.robot.devices[index];
+  const xml::Node& tag = reading.device_tag(index);
+  const xml::Attribute* link = tag.attribute("link");
+  const std::string message = fmt::format("the {} of device '{}' cannot be about link '{}'",
+                                          what_is_computed(placement.geometry), device.name.text, placement.link);
+  Diagnostic& finding = link != nullptr ? at_value(reading.diagnostics, code::body_link, *link, message)
+                                        : at_tag(reading.diagnostics, code::body_link, tag, message);
+  finding.note(problem);
+  if (link == nullptr)
+    finding.note(fmt::format("it is the link that carries the joints of the {}", placement.geometry.role));
+  finding.hint("write link=\"...\" with the name of the robot's body");
+  return false;
+}
+
+void report_unfit(Reading& reading, const Device& parent, const Placement& placement, std::size_t child,
+                  const std::string& problem) {
+  const Device& device = reading.robot.devices[child];
+  Diagnostic& finding = at_value(reading.diagnostics, code::joint_unfit, *reading.device_tag(child).attribute("joint"),
+                                 fmt::format("joint '{}' cannot be {} {} of device '{}'", device.joint,
+                                             parent.type->roles[*device.role].max == 1 ? "the" : "one of the",
+                                             placement.geometry.role, parent.name.text));
+  finding.note(problem);
+  if (is_about_body(placement.geometry)) finding.note(fmt::format("x, y and z are those of link '{}'", placement.link));
+  finding.note("the joint stands here", reading.kinematics.joint(device.joint)->at);
+  if (placement.geometry.kind == "chain") finding.hint("declare turning joints, base to tip");
+}
+
+void check_joints_fit(Reading& reading, std::size_t index, const Placement& placement,
+                      const std::vector<std::size_t>& children) {
+  const Device& parent = reading.robot.devices[index];
+  bool all = true;
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    const bool is_wrong = reading.devices[children[i]].joint_is_wrong;  // which was reported
+    const std::string problem = is_wrong ? std::string() : joint_problem(placement, i);
+    all = all && !is_wrong && problem.empty();
+    if (!problem.empty()) report_unfit(reading, parent, placement, children[i], problem);
+  }
+  const std::string problem = all ? joints_problem(placement) : std::string();
+  if (problem.empty()) return;
+  at_tag(
+      reading.diagnostics, code::joint_unfit, reading.device_tag(index),
+      fmt::format("the joints of the {} of device '{}' do not fit together", placement.geometry.role, parent.name.text))
+      .note(problem);
+}
+
+}  // namespace
+
+void check_geometry(Reading& reading, std::size_t index) {
+  const Device& parent = reading.robot.devices[index];
+  if (parent.type == nullptr) return;
+  const Mechanism mechanism(reading.kinematics.links, reading.kinematics.joints);
+  for (const GeometrySpec& geometry : parent.type->geometry) {
+    if (geometry.role.empty()) continue;
+    const std::vector<std::size_t> children = children_in(reading, parent, geometry.role);
+    const bool none = std::all_of(children.begin(), children.end(), [&](std::size_t child) {
+      return reading.device_tag(child).attribute("joint") == nullptr;
+    });
+    if (children.empty() || (geometry.optional && none)) continue;
+    if (!check_joints_named(reading, parent, geometry, children)) continue;
+    const Placement placement = placement_of(reading, mechanism, parent, geometry, children);
+    const bool has_link = reading.kinematics.link(placement.link) != nullptr;  // else reported
+    if (has_link && check_body(reading, index, placement)) check_joints_fit(reading, index, placement, children);
+  }
+}
+
+}  // namespace finemote::gen
