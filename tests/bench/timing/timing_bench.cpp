@@ -1,4 +1,4 @@
-// Prints how tight the bounds are and what the analysis costs (docs/timing.md, "How good it is"). Ratios have fixed
+// Prints how tight the bounds are and what the analysis costs (docs/timing.md, "How tight the bounds are"). Ratios have fixed
 // seeds and effort and are the same on every machine; times are only for people.
 #include <fmt/format.h>
 
