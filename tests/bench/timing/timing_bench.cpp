@@ -1,5 +1,5 @@
-// Prints how tight the bounds are and what the analysis costs (docs/timing.md, "How tight the bounds are"). Ratios have fixed
-// seeds and effort and are the same on every machine; times are only for people.
+// Prints how tight the bounds are and what the analysis costs (docs/timing.md, "How tight the bounds are"). Ratios have
+// fixed seeds and effort and are the same on every machine; times are only for people.
 #include <fmt/format.h>
 
 #include <algorithm>
