@@ -12,6 +12,8 @@
 
 #include "catch.hpp"
 #include "errors/pipeline.hpp"
+#include "errors/structure_mutator.hpp"
+#include "generator/xml/parse.hpp"
 
 using namespace finemote::gen;
 namespace fs = std::filesystem;
@@ -57,7 +59,7 @@ struct Bench {
   }
 };
 
-/// An element of a text: from `<` to behind its end tag, or of one of its attributes with the blank before it.
+/// An attribute of a text, with the blank before it.
 struct Stretch {
   std::size_t begin, end;
 };
@@ -70,17 +72,6 @@ std::vector<Stretch> find_attributes(const std::string& text) {
     if (begin == std::string::npos || close == std::string::npos) break;
     found.push_back({begin, close + 1});
     quote = close + 1;
-  }
-  return found;
-}
-
-/// Tags that close themselves, and whole lines: what can be removed, doubled or moved with the text mostly well-formed.
-std::vector<Stretch> find_tags(const std::string& text) {
-  std::vector<Stretch> found;
-  for (std::size_t open = text.find('<'); open != std::string::npos; open = text.find('<', open + 1)) {
-    const std::size_t close = text.find('>', open);
-    if (close == std::string::npos) break;
-    if (text[close - 1] == '/') found.push_back({open, close + 1});
   }
   return found;
 }
@@ -117,44 +108,6 @@ int effort() {
   const char* wish = std::getenv("FINEMOTE_MUTANTS");
   return wish == nullptr ? 1 : std::max(1, std::atoi(wish));
 }
-
-/// One damaged text: a tag or attribute exchanged for another one, doubled, removed, or a few bytes changed.
-class Mutator {
- public:
-  explicit Mutator(const std::string& text) : text_(text), attributes_(find_attributes(text)), tags_(find_tags(text)) {}
-
-  std::string operator()(std::mt19937& random) const {
-    const auto pick = [&](std::size_t size) { return static_cast<std::size_t>(random() % size); };
-    const std::size_t kind = pick(8);
-    if (kind == 7) return with_value(random);
-    const auto& pieces = kind % 2 == 0 ? tags_ : attributes_;
-    if (pieces.empty()) return text_;
-    const Stretch& at = pieces[pick(pieces.size())];
-    const Stretch& other = pieces[pick(pieces.size())];
-    const std::string instead = kind < 2 ? piece(other) : kind < 4 ? piece(at) + piece(other) : "";
-    return text_.substr(0, at.begin) + instead + text_.substr(at.end);
-  }
-
- private:
-  [[nodiscard]] std::string piece(const Stretch& stretch) const {
-    return text_.substr(stretch.begin, stretch.end - stretch.begin);
-  }
-  /// One attribute gets a value somebody might write, from any other place of the grammar.
-  std::string with_value(std::mt19937& random) const {
-    static const std::vector<std::string> kValues{
-        "",        " ",           "0",        "-1",     "1e9",        "0x7f",      "18446744073709551616",
-        "1ns",     "9223372036s", "0.5us",    "1 kHz",  "100%",       "base_link", "rov",
-        "imu",     "class",       "__x",      "a -> b", "rov -> rov", "i2c2",      "usart1",
-        "1Mbit/s", "finemote",    "\xc3\xb6", "true",   "NaN"};
-    if (attributes_.empty()) return text_;
-    const Stretch& at = attributes_[random() % attributes_.size()];
-    const std::size_t quote = text_.find('"', at.begin);
-    return text_.substr(0, quote + 1) + kValues[random() % kValues.size()] + text_.substr(at.end - 1);
-  }
-
-  const std::string& text_;
-  std::vector<Stretch> attributes_, tags_;
-};
 
 /// A descriptor in which one value became another one, or one member lost its name or itself.
 class DescriptorMutator {
@@ -257,18 +210,17 @@ TEST_CASE("every attribute of every example may be missing") {
   CHECK(bench.refused > 100);
 }
 
-TEST_CASE("values and tags of the examples may be exchanged, doubled and removed, one or several at once") {
+TEST_CASE("values and elements of the examples may be exchanged, copied, moved and removed, one or several at once") {
   std::mt19937 random(20240607);  // fixed: the same mutants on every run
   Bench bench;
+  const StructureMutator::FindType find_type = [&](std::string_view name) { return bench.pipeline.device_type(name); };
   for (const Example& example : examples()) {
-    for (int i = 0; i < kMutants * effort(); ++i) {
-      std::string text = Mutator(example.text)(random);
-      for (int further = i % 4; further > 0; --further) {
-        const std::string before = text;
-        text = Mutator(before)(random);
-      }
-      bench.run(text, example.is_xacro);
-    }
+    const SourceFile file{"example", "", example.text};
+    Diagnostics diagnostics;
+    const auto document = xml::parse(file, diagnostics);
+    REQUIRE(document);
+    const StructureMutator mutate(*document, find_type);
+    for (int i = 0; i < kMutants * effort(); ++i) bench.run(mutate(random, static_cast<unsigned>(i)), example.is_xacro);
   }
   bench.check();
   CHECK(bench.refused > 100);

@@ -30,7 +30,7 @@ bool is_explained(const Diagnostics& diagnostics) {
 Outcome outcome(Outcome::Kind kind, const Diagnostics& diagnostics) {
   const bool must_explain = kind == Outcome::Kind::refused || kind == Outcome::Kind::unschedulable;
   const bool is_good = is_explained(diagnostics) && (!must_explain || diagnostics.has_errors());
-  return {is_good ? kind : Outcome::Kind::unexplained, render_text(diagnostics, false)};
+  return {is_good ? kind : Outcome::Kind::unexplained, render_text(diagnostics, false), {}, {}};
 }
 
 std::optional<xml::Document> read(const SourceFile& file, bool is_xacro, Sources& sources, Diagnostics& diagnostics) {
@@ -41,9 +41,13 @@ std::optional<xml::Document> read(const SourceFile& file, bool is_xacro, Sources
 
 }  // namespace
 
-Pipeline::Pipeline(const std::string& folder)
-    : library_(load_library({kSource, folder, {}, {}}, library_sources_, library_diagnostics_)) {
+Pipeline::Pipeline(const std::string& folder, std::vector<std::string> device_paths)
+    : library_(load_library({kSource, folder, std::move(device_paths), {}}, library_sources_, library_diagnostics_)) {
   if (!library_) throw std::runtime_error(render_text(library_diagnostics_, false));
+}
+
+const DeviceType* Pipeline::device_type(std::string_view name) {
+  return find_device_type(*library_, name, library_sources_, library_diagnostics_);
 }
 
 Outcome Pipeline::run(const std::string& text, bool is_xacro) {
@@ -68,11 +72,16 @@ Outcome Pipeline::run(const std::string& text, bool is_xacro) {
   Diagnostics findings;
   lint(*robot, {}, findings);
   const ProvenBounds bounds = prove_bounds(*robot, forest, schedule);
-  const auto files = render_files({*robot, forest, schedule}, bounds, kSource, diagnostics);
+  Diagnostics rendering;
+  auto files = render_files({*robot, forest, schedule}, bounds, kSource, rendering);
+  if (rendering.has_errors()) return outcome(Outcome::Kind::refused, rendering);
   if (findings.has_errors()) return outcome(Outcome::Kind::refused, findings);
   if (files.empty() || !is_explained(findings)) return outcome(Outcome::Kind::unexplained, findings);
   const bool is_good = timing->schedulable && timing->requirements_hold();
-  return outcome(is_good ? Outcome::Kind::generated : Outcome::Kind::unschedulable, diagnostics);
+  Outcome result = outcome(is_good ? Outcome::Kind::generated : Outcome::Kind::unschedulable, diagnostics);
+  result.files = std::move(files);
+  result.space = robot->name.cpp;
+  return result;
 }
 
 }  // namespace finemote::gen
