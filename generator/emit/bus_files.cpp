@@ -106,7 +106,8 @@ Data slot_list(const Plan& plan) {
   return list;
 }
 
-std::string routes_name(const Bus& bus) { return bus.name.cpp + "_slots"; }
+/// Beside the buses: a name that no bus can have.
+std::string routes_name(const Bus& bus) { return "finemote_" + bus.name.cpp + "_slots"; }
 
 std::vector<std::string> route_lines(const Plan& plan) {
   std::vector<std::string> lines;

@@ -6,25 +6,11 @@
 #include <cstdint>
 #include <limits>
 
+#include "generator/emit/names.hpp"
 #include "generator/emit/number.hpp"
 
 namespace finemote::gen {
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string literal = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      literal += std::string("\\") + c;
-    } else if (byte < 0x20 || byte == 0x7f) {
-      literal += fmt::format("\\{:03o}", byte);
-    } else {
-      literal += c;
-    }
-  }
-  return literal + "\"";
-}
 
 /// `20 * finemote::kMillisecond`: in the largest unit that divides it.
 std::string duration_expression(std::int64_t ns) {
@@ -49,9 +35,9 @@ std::string integer_expression(const ParamSpec& spec, std::int64_t value) {
 }
 
 std::string text_expression(const ParamSpec& spec, const std::string& value) {
-  if (spec.kind != ParamKind::enumeration) return quoted(value);
+  if (spec.kind != ParamKind::enumeration) return string_literal(value);
   const auto found = spec.enumerators.find(value);
-  return found == spec.enumerators.end() ? quoted(value) : found->second;
+  return found == spec.enumerators.end() ? string_literal(value) : found->second;
 }
 
 /// `  // [Hz]` behind an assignment that does not say its unit.

@@ -83,11 +83,14 @@ class Planner {
   }
 
  private:
+  /// A device that is read twice goes over the link once.
   void add(DeviceLink& link, const Binding& binding) {
     const Device& device = plan_.robot.devices[binding.device];
     const std::string target = device_reference(plan_, link.device, binding.device);
     LinkItem item;
     item.name = device.name.cpp;
+    const auto is_here = [&](const LinkItem& other) { return other.name == item.name; };
+    if (std::any_of(link.up.begin(), link.up.end(), is_here)) return;
     item.interface = device.type->provides.empty() ? "" : device.type->provides.front().name;
     item.fields = fields_of(*device.type, interfaces_, "state").value_or(std::vector<LinkField>{});
     item.expression = binding.state_crossing ? plan_.schedule.crossings[*binding.state_crossing].name

@@ -35,6 +35,21 @@ std::string pin_number(const std::string& pin) {
   return fmt::format("finemote::pin_number('{}', {})", pin.at(1), pin.substr(2));
 }
 
+std::string string_literal(const std::string& text) {
+  std::string literal = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      literal += std::string("\\") + c;
+    } else if (byte < 0x20 || byte == 0x7f) {
+      literal += fmt::format("\\{:03o}", byte);
+    } else {
+      literal += c;
+    }
+  }
+  return literal + "\"";
+}
+
 std::string device_comment(const Plan& plan, std::size_t device) {
   const Device& d = plan.robot.devices[device];
   if (!d.segment) return d.type->name;
@@ -50,6 +65,7 @@ Data common_data(const Plan& plan) {
   Data data;
   data.set("source", plan.robot.source);
   data.set("robot", plan.robot.name.text);
+  data.set("robot_literal", string_literal(plan.robot.name.text));
   data.set("robot_space", plan.robot.name.cpp);
   return data;
 }

@@ -31,6 +31,9 @@ std::string device_comment(const Plan& plan, std::size_t device);
 /// `finemote::pin_number('A', 0)` for PA0.
 std::string pin_number(const std::string& pin);
 
+/// `"a \"b\""`: the text as C++ writes it, quotes included.
+std::string string_literal(const std::string& text);
+
 /// What every template begins with: source, robot, robot_space.
 Data common_data(const Plan& plan);
 

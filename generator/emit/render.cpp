@@ -1,6 +1,9 @@
 #include "generator/emit/render.hpp"
 
+#include <fmt/format.h>
+
 #include <fstream>
+#include <map>
 #include <stdexcept>
 
 #include "generator/emit/bus_files.hpp"
@@ -26,6 +29,24 @@ Data constants_data(const Plan& plan, const std::vector<Constant>& constants) {
   return data;
 }
 
+/// Two devices may ask for constants of one name: `a` for `yaw_axes`, and `a_yaw` for `axes`.
+void check_names(const Plan& plan, const std::vector<Constant>& constants, Diagnostics& diagnostics) {
+  std::map<std::string, std::size_t> owners;
+  for (const Constant& constant : constants) {
+    if (constant.text.empty()) continue;
+    const auto [first, is_fresh] = owners.emplace(constant.name, constant.device);
+    if (is_fresh) continue;
+    const Device& device = plan.robot.devices[constant.device];
+    const Device& other = plan.robot.devices[first->second];
+    diagnostics
+        .error(code::generated_name_clash, device.at,
+               fmt::format("the generated name '{}' for device '{}' is already taken", constant.name, device.name.text))
+        .underline(7)
+        .note(fmt::format("device '{}' has it", other.name.text), other.at)
+        .hint("rename one of the devices that share it");
+  }
+}
+
 nlohmann::json read_interfaces(const std::string& data_dir) {
   const std::string path = data_dir + "/schemas/interfaces.json";
   std::ifstream file(path);
@@ -39,6 +60,7 @@ std::vector<OutputFile> render_files(const Plan& plan, const ProvenBounds& bound
                                      Diagnostics& diagnostics) {
   const std::string templates = data_dir + "/templates";
   std::vector<Constant> constants = make_constants(plan, diagnostics);
+  check_names(plan, constants, diagnostics);
   const std::vector<DeviceLink> links = plan_links(plan, read_interfaces(data_dir), diagnostics);
   for (const DeviceLink& link : links) constants.push_back(link_constant(plan, link));
   std::vector<OutputFile> files;

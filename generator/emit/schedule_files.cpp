@@ -112,9 +112,9 @@ std::vector<std::string> order_checks(const Plan& plan) {
     if (!child.parent || child.type->constant_init) continue;
     const Device& parent = plan.robot.devices[*child.parent];
     if (parent.type->constant_init) continue;
-    lines.push_back(fmt::format("{{{}.construction_number(), {}.construction_number(), \"{}\", \"{}\"}},",
-                                qualified(plan, device), qualified(plan, *child.parent), child.name.text,
-                                parent.name.text));
+    lines.push_back(fmt::format("{{{}.construction_number(), {}.construction_number(), {}, {}}},",
+                                qualified(plan, device), qualified(plan, *child.parent),
+                                string_literal(child.name.text), string_literal(parent.name.text)));
   }
   return lines;
 }

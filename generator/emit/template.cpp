@@ -88,6 +88,16 @@ std::string without_double_blanks(const std::string& text) {
   return result;
 }
 
+/// A name at the end of a comment may end in a backslash, which would make the next line part of the comment.
+std::string with_ended_lines(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\n' && !result.empty() && result.back() == '\\') result += " //";
+    result += c;
+  }
+  return result;
+}
+
 }  // namespace
 
 Data text_list(const std::vector<std::string>& lines) {
@@ -102,7 +112,7 @@ std::string fill_template(const std::string& folder, const std::string& name, co
   kainjow::mustache::mustache filler(text);
   if (!filler.is_valid()) throw std::logic_error("template " + name + ": " + filler.error_message());
   filler.set_custom_escape([](const std::string& raw) { return raw; });
-  return without_double_blanks(filler.render(data));
+  return with_ended_lines(without_double_blanks(filler.render(data)));
 }
 
 }  // namespace finemote::gen

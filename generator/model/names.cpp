@@ -50,8 +50,8 @@ std::string cpp_name(std::string_view text) {
 
 std::optional<std::string> reserved_name(std::string_view cpp, NameScope scope) {
   constexpr std::array kOutermost{"finemote", "std"};
-  constexpr std::array kInRobot{"slots",           "constants",    "bounds", "start_buses",
-                                "supervise_buses", "safe_outputs", "buckets"};
+  constexpr std::array kInRobot{"slots",        "constants", "bounds",   "start_buses", "supervise_buses",
+                                "safe_outputs", "buckets",   "kBuckets", "kOrder",      "kMonitored"};
   constexpr std::array kInTree{"ports", "slots", "constants", "Stage"};
   if (contains(kOutermost, cpp)) return "is a namespace generated code uses";
   if (cpp.substr(0, 9) == "finemote_") return "begins as names of the runtime do";

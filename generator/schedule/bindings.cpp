@@ -50,6 +50,22 @@ class Binder {
       }
       schedule_.roles[owner].push_back(std::move(bound));
     }
+    claim_others(owner);
+  }
+
+  /// What the emitter puts into `ports` besides: objects for optional uses, and the tables of a link.
+  void claim_others(std::size_t owner) {
+    const Device& d = device(owner);
+    for (const Use& use : d.uses) {
+      if (!use.spec->required) claim(owner, d.name.cpp + "_use_" + use.spec->role);
+    }
+    if (d.type->link_role.empty()) return;
+    claim(owner, d.name.cpp + "_layout");
+    for (const char* way : {"_up", "_down"}) {
+      claim(owner, d.name.cpp + way);
+      for (std::size_t i = 0; i < d.children.size() + d.reads.size(); ++i)
+        claim(owner, fmt::format("{}{}_{}", d.name.cpp, way, i));
+    }
   }
 
   static std::string interface_name(const RoleSpec& spec) {

@@ -140,7 +140,9 @@ class Mutation {
     if (!place) return;
     const std::string old = text_of(place->node(), "name");
     const std::string name =
-        chance(3) ? some_device() + "_" + any({"children", "link", "latch", "to_x", "slots"}) : any(kNames);
+        chance(3) ? some_device() + "_" +
+                        any({"children", "link", "latch", "slots", "up", "up_0", "down", "layout", "yaw", "use_line"})
+                  : any(kNames);
     const bool everywhere = !chance(5);
     if (!everywhere) return set(place->node(), "name", name);
     for (const Place& other : all()) {
@@ -308,7 +310,7 @@ class Mutation {
     if (chance(4)) {
       attributes.erase(attributes.begin() + static_cast<std::ptrdiff_t>(index));
     } else {
-      attributes[index].value = chance(2) ? any(kWild) : any(kNumbers);
+      attributes[index].value = attributes[index].name == "name" ? any(kNames) : chance(2) ? any(kWild) : any(kNumbers);
     }
   }
   /// Any element below any other.

@@ -38,6 +38,57 @@ TEST_CASE("a device may read one that comes later in its tree") {
   CHECK(order_mistake(tree, run) == "");  // the schedule stays that of the document
 }
 
+TEST_CASE("names of any characters do not disturb generated code") {
+  const TemporaryFolder folder;
+  std::string robot = read_file(source_path("tests/generated/robots/probes.urdf"));
+  for (const auto& [name, instead] : {std::pair<const char*, const char*>{"probes", "a &quot;b\\"},
+                                      {"oven", "oven \\"},
+                                      {"plate", "pl&quot;ate\\"},
+                                      {"upper", "up&#10;per"},
+                                      {"console", "*/ x\\"},
+                                      {"second", "// se?\?/"}}) {
+    const std::string old = "\"" + std::string(name) + "\"";
+    for (auto at = robot.find(old); at != std::string::npos; at = robot.find(old))
+      robot.replace(at, old.size(), "\"" + std::string(instead) + "\"");
+  }
+  write_file(folder.path("r.urdf"), robot);
+  const std::string devices = source_path("tests/generated/robots/devices");
+  const auto generated =
+      run_finemote({"generate", folder.path("r.urdf"), "-o", folder.path("out"), "--device-path", devices});
+  INFO(generated.output);
+  REQUIRE(generated.exit_status == 0);
+  for (const Compiler& compiler : compilers()) CHECK(complaint_about(compiler, folder.path("out"), {devices}) == "");
+}
+
+TEST_CASE("a bus may be called as tables beside buses are, and a device be read twice over a link") {
+  const TemporaryFolder folder;
+  write_file(folder.path("r.urdf"), robot_of(R"(<bus name="i2c" type="i2c" port="i2c2" clock="400kHz"/>
+    <bus name="i2c_slots" type="i2c" port="i2c3" clock="400kHz"/>
+    <bus name="tether" type="uart" port="usart6" baud="460800baud"/>
+    <device name="link" type="host_link" bus="tether" period="10ms">
+      <device name="deep" type="ms5837" bus="i2c" address="0x76"/>
+      <reads device="other" role="children"/><reads device="other" role="children"/></device>
+    <device name="other" type="ms5837" bus="i2c_slots" address="0x76" period="10ms"/>)"));
+  check_compiles(folder.path("r.urdf"));
+}
+
+TEST_CASE("names that generated code takes are refused") {
+  const TemporaryFolder folder;
+  const auto said = [&](const std::string& devices) {
+    write_file(folder.path("r.urdf"), robot_of(devices));
+    const auto generated = run_finemote({"generate", folder.path("r.urdf"), "-o", folder.path("out")});
+    CHECK(generated.exit_status == 2);
+    return generated.output;
+  };
+  const std::string link = R"(<bus name="tether" type="uart" port="usart6" baud="460800baud"/>
+    <device name="link" type="host_link" bus="tether" period="10ms"><device name="link_up" type="sim_load"/></device>)";
+  CHECK(said(link).find("error[FM3202]: the generated name 'link_up' for device 'link' is already taken\n") !=
+        std::string::npos);
+  CHECK(said(R"(<bus name="kBuckets" type="uart" port="usart6" baud="9600baud"/>
+    <device name="a" type="sim_load" period="1ms"/>)")
+            .find("error[FM3049]: the name 'kBuckets' is taken\n") != std::string::npos);
+}
+
 TEST_CASE("the user's device of version 0.1.0 still generates and compiles") {
   const std::string folder = source_path("tests/generated/user_device_0_1");
   check_compiles(folder + "/user_device.urdf", {folder + "/devices"});

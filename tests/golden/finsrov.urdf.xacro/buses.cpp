@@ -18,7 +18,7 @@ FINEMOTE_CONSTINIT finemote::I2cSlot pwm{::FinsROV::i2c, 0x40, finemote::MuxRout
 namespace {
 
 // Who is on which bus, most urgent first.
-constexpr finemote::I2cSlot* i2c_slots[] = {
+constexpr finemote::I2cSlot* finemote_i2c_slots[] = {
     &slots::baro_1,
     &slots::baro_2,
     &slots::baro_3,
@@ -30,7 +30,7 @@ constexpr finemote::I2cSlot* i2c_slots[] = {
 
 FINEMOTE_CONSTINIT finemote::Uart imu_uart{finemote::ports::usart1, 921600 /* baud */, finemote::UartFormat::k8N1};
 FINEMOTE_CONSTINIT finemote::Uart tether{finemote::ports::usart6, 115200 /* baud */, finemote::UartFormat::k8E1};
-FINEMOTE_CONSTINIT finemote::I2cBus i2c{finemote::ports::i2c2, 400000 /* Hz */, i2c_slots};
+FINEMOTE_CONSTINIT finemote::I2cBus i2c{finemote::ports::i2c2, 400000 /* Hz */, finemote_i2c_slots};
 FINEMOTE_CONSTINIT finemote::Pca9685 pwm{::FinsROV::slots::pwm,
     finemote::Pca9685::Config{}};
 

@@ -21,17 +21,17 @@ FINEMOTE_CONSTINIT finemote::SpiSlot imu_gyro{::infantry::imu_spi, 0x01, /*prior
 namespace {
 
 // Who is on which bus, most urgent first.
-constexpr finemote::CanSlot* wheel_can_slots[] = {
+constexpr finemote::CanSlot* finemote_wheel_can_slots[] = {
     &slots::front_left,
     &slots::front_right,
     &slots::rear_left,
     &slots::rear_right,
 };
-constexpr finemote::CanSlot* gimbal_can_slots[] = {
+constexpr finemote::CanSlot* finemote_gimbal_can_slots[] = {
     &slots::yaw,
     &slots::pitch,
 };
-constexpr finemote::SpiSlot* imu_spi_slots[] = {
+constexpr finemote::SpiSlot* finemote_imu_spi_slots[] = {
     &slots::imu,
     &slots::imu_gyro,
 };
@@ -39,9 +39,9 @@ constexpr finemote::SpiSlot* imu_spi_slots[] = {
 }  // namespace
 
 FINEMOTE_CONSTINIT finemote::Uart dbus{finemote::ports::usart3, 100000 /* baud */, finemote::UartFormat::k8E1Inverted};
-FINEMOTE_CONSTINIT finemote::CanBus wheel_can{finemote::ports::can1, 1000000 /* bit/s */, wheel_can_slots};
-FINEMOTE_CONSTINIT finemote::CanBus gimbal_can{finemote::ports::can2, 1000000 /* bit/s */, gimbal_can_slots};
-FINEMOTE_CONSTINIT finemote::SpiBus imu_spi{finemote::ports::spi1, 5250000 /* Hz */, imu_spi_slots};
+FINEMOTE_CONSTINIT finemote::CanBus wheel_can{finemote::ports::can1, 1000000 /* bit/s */, finemote_wheel_can_slots};
+FINEMOTE_CONSTINIT finemote::CanBus gimbal_can{finemote::ports::can2, 1000000 /* bit/s */, finemote_gimbal_can_slots};
+FINEMOTE_CONSTINIT finemote::SpiBus imu_spi{finemote::ports::spi1, 5250000 /* Hz */, finemote_imu_spi_slots};
 FINEMOTE_CONSTINIT finemote::PwmBus imu_warmth{finemote::ports::imu_heater, 1000000 /* ns */};
 
 void start_buses() {

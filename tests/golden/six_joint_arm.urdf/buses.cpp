@@ -19,12 +19,12 @@ FINEMOTE_CONSTINIT finemote::CanSlot flange{::six_joint_arm::wrist_can, 0x03, /*
 namespace {
 
 // Who is on which bus, most urgent first.
-constexpr finemote::CanSlot* arm_can_slots[] = {
+constexpr finemote::CanSlot* finemote_arm_can_slots[] = {
     &slots::base,
     &slots::shoulder,
     &slots::elbow,
 };
-constexpr finemote::CanSlot* wrist_can_slots[] = {
+constexpr finemote::CanSlot* finemote_wrist_can_slots[] = {
     &slots::wrist_roll,
     &slots::wrist_pitch,
     &slots::flange,
@@ -33,8 +33,8 @@ constexpr finemote::CanSlot* wrist_can_slots[] = {
 }  // namespace
 
 FINEMOTE_CONSTINIT finemote::Uart receiver{finemote::ports::usart3, 100000 /* baud */, finemote::UartFormat::k8E2Inverted};
-FINEMOTE_CONSTINIT finemote::CanBus arm_can{finemote::ports::can1, 1000000 /* bit/s */, arm_can_slots};
-FINEMOTE_CONSTINIT finemote::CanBus wrist_can{finemote::ports::can2, 1000000 /* bit/s */, wrist_can_slots};
+FINEMOTE_CONSTINIT finemote::CanBus arm_can{finemote::ports::can1, 1000000 /* bit/s */, finemote_arm_can_slots};
+FINEMOTE_CONSTINIT finemote::CanBus wrist_can{finemote::ports::can2, 1000000 /* bit/s */, finemote_wrist_can_slots};
 
 void start_buses() {
   receiver.start();
