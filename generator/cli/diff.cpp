@@ -11,6 +11,7 @@
 #include "generator/output/folder.hpp"
 #include "generator/output/unified_diff.hpp"
 #include "generator/schedule/period.hpp"
+#include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -53,7 +54,8 @@ Side robot_side(const Loaded& loaded, const std::vector<OutputFile>& files) {
 }
 
 std::optional<Side> folder_side(Context& context, const std::string& folder) {
-  const auto text = read_bytes(folder + "/" + kManifestName);
+  const files::Access& access = context.sources.access();
+  const auto text = access.read(folder + "/" + kManifestName, xml::kMaxFileSize);
   const auto manifest = text ? parse_manifest(*text) : std::nullopt;
   if (!manifest) {
     context.diagnostics.error(code::broken_manifest, {},
@@ -62,13 +64,13 @@ std::optional<Side> folder_side(Context& context, const std::string& folder) {
   }
   Side side;
   for (const HashedFile& file : manifest->outputs)
-    side.texts[file.name] = read_bytes(folder + "/" + file.name).value_or("");
+    side.texts[file.name] = access.read(folder + "/" + file.name, xml::kMaxFileSize).value_or("");
   return side;
 }
 
 /// A `.json` model: every device and bus member is a fact, the document itself the text.
 std::optional<Side> model_side(Context& context, const std::string& path) {
-  const auto text = read_bytes(path);
+  const auto text = context.sources.access().read(path, xml::kMaxFileSize);
   const Json json = Json::parse(text.value_or(""), nullptr, false);
   if (!text || json.is_discarded() || !json.is_object()) {
     context.diagnostics.error(code::unreadable_file, {}, fmt::format("'{}' is no model", path));

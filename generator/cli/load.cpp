@@ -31,7 +31,8 @@ fs::path input_folder(const std::string& input) {
 
 /// `name=dir` words, the environment, and the package IN lies in. Reports words of another form.
 xacro::PackagePath package_path(Context& context) {
-  xacro::PackagePath packages = xacro::PackagePath::from_environment();
+  const bool is_sandbox = context.sources.access().is_sandbox();
+  xacro::PackagePath packages = is_sandbox ? xacro::PackagePath() : xacro::PackagePath::from_environment();
   for (const auto& [name, folder] : package_folders(context)) packages.add(name, folder);
   packages.set_entry(context.options.input);
   return packages;
@@ -149,7 +150,8 @@ std::vector<HashedFile> input_files(const Context& context, const Loaded& loaded
   const fs::path input_dir = input_folder(context.options.input);
   for (const SourceFile& file : context.sources.files()) {
     const bool is_stdin = file.path.empty() || file.path == "-";
-    const auto bytes = is_stdin ? std::optional(file.text) : read_bytes(file.path);
+    const auto bytes =
+        is_stdin ? std::optional(file.text) : context.sources.access().read(file.path, xml::kMaxFileSize);
     files.push_back(
         {is_stdin ? "stdin" : manifest_name(file.path, input_dir, loaded.data_dir), sha256(bytes.value_or(file.text))});
   }

@@ -1,6 +1,7 @@
 // finemote: from a robot description to firmware.
 #include <iostream>
 #include <map>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,8 @@
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/exit_status.hpp"
+#include "generator/cli/finish.hpp"
+#include "generator/cli/sandbox.hpp"
 #include "generator/diagnostic/render.hpp"
 
 namespace {
@@ -32,10 +35,18 @@ int run(const Options& options) {
       {"analyze", run_analyze_command},
       {"simulate", run_simulate_command},
   };
-  Sources sources;
   Diagnostics diagnostics;
+  Sources sources(read_access(options, diagnostics));
   Context context{options, sources, diagnostics, std::cout, std::cerr};
-  return kCommands.at(options.command)(context);
+  if (diagnostics.has_errors()) return finish(context, kExitInvalid);
+  if (!options.sandbox) return kCommands.at(options.command)(context);
+  bound_resources();
+  try {
+    return kCommands.at(options.command)(context);
+  } catch (const std::bad_alloc&) {
+    report_memory_limit(diagnostics);
+    return finish(context, kExitInvalid);
+  }
 }
 
 /// The tool lives for milliseconds: memory comes from the system in few large pieces, one pool for all threads.

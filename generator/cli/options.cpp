@@ -28,6 +28,20 @@ void add_load_options(CLI::App& command, Options& options) {
   command.add_option("--package", options.packages, "name=dir: where a package lies");
 }
 
+/// For commands that read a stranger's file and start nothing.
+void add_sandbox(CLI::App& command, Options& options) {
+  command.add_flag("--sandbox", options.sandbox,
+                   "read only below the folder of IN, packages named with --package, and shipped data");
+}
+
+/// For commands that compile or run what the file describes: whoever asks for a sandbox must not believe in one.
+void refuse_sandbox(CLI::App& command) {
+  command.add_flag_callback(
+      "--sandbox",
+      [] { throw CLI::ValidationError("--sandbox", "it compiles the robot's own code, which no sandbox holds"); },
+      "refused: this command compiles the robot's own code");
+}
+
 void add_input_options(CLI::App& command, Options& options) {
   command.add_option("IN", options.input, "robot description: .urdf, .xacro, or - for standard input")->required();
   command.footer(kArgumentsHelp);
@@ -76,6 +90,7 @@ void add_generate(CLI::App& app, Options& options) {
   add_input_options(*command, options);
   command->add_option("-o,--output", options.out, "folder to write to");
   command->add_option("--depfile", options.depfile, "write a Makefile rule with every input");
+  add_sandbox(*command, options);
   command->add_flag("--list", options.list, "print the names of the files and write nothing");
   command->add_flag("--dry-run", options.dry_run, "say what would be written and write nothing");
   command->add_flag("--allow-unschedulable", options.allow_unschedulable, "write even when a deadline can be missed");
@@ -85,13 +100,16 @@ void add_check(CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand("check", "say whether generated files are what would be generated now");
   add_input_options(*command, options);
   command->add_option("-o,--output", options.out, "folder that was generated")->required();
+  add_sandbox(*command, options);
   command->add_flag("--diff", options.diff, "print a unified diff of what would change");
   command->add_option("--allow", options.allow, "lint code that is not reported");
   command->add_option("--deny", options.deny, "lint code that makes the exit status 1");
 }
 
 void add_views(CLI::App& app, Options& options) {
-  add_input_options(*app.add_subcommand("tree", "show the device trees and the order they run in"), options);
+  CLI::App* tree = app.add_subcommand("tree", "show the device trees and the order they run in");
+  add_input_options(*tree, options);
+  add_sandbox(*tree, options);
   CLI::App* board = app.add_subcommand("board", "show boards");
   board->require_subcommand(1);
   CLI::App* show = board->add_subcommand("show", "ports, pins, DMA streams and interrupt lines of a board");
@@ -104,6 +122,7 @@ void add_xacro(CLI::App& app, Options& options) {
   command->footer(kArgumentsHelp);
   command->add_option("-o", options.out, "file to write instead of standard output");
   command->add_option("--package", options.packages, "name=dir: where a package lies");
+  add_sandbox(*command, options);
   command->add_flag("--deps", options.deps, "print the names of all files read");
   command->add_flag("-i,--inorder", options.in_order, "accepted for compatibility: processing is always in order");
   command->add_option("--verbosity", options.verbosity, "0: no warnings, 1: default, 2 and above: more");
@@ -114,6 +133,7 @@ void add_timing(CLI::App& app, Options& options) {
   CLI::App* simulate = app.add_subcommand("simulate", "run the schedule with random execution times beside its bounds");
   for (CLI::App* command : {analyze, simulate}) {
     add_input_options(*command, options);
+    add_sandbox(*command, options);
     command->add_option("--chain", options.chains, "a->b: a chain beside the default ones");
     command->add_option("--profile", options.profile, "whose verdict counts")->option_text("paper|tight|target");
     command->add_option("--assume-wcet", options.assume_wcet,
@@ -146,7 +166,8 @@ void add_lint(CLI::App& app, Options& options) {
   add_input_options(*command, options);
   command->add_option("--allow", options.allow, "code that is not reported, for example FM3153");
   command->add_option("--deny", options.deny, "code that makes the exit status 1");
-  command->add_flag("--fix", options.fix, "mend the mechanical findings in the files");
+  add_sandbox(*command, options);
+  command->add_flag("--fix", options.fix, "mend the mechanical findings in the files")->excludes("--sandbox");
 }
 
 void add_diff(CLI::App& app, Options& options) {
@@ -154,11 +175,13 @@ void add_diff(CLI::App& app, Options& options) {
   command->add_option("A", options.input, "robot, model (.json) or generated folder")->required();
   command->add_option("B", options.other, "the other one")->required();
   add_load_options(*command, options);
+  add_sandbox(*command, options);
 }
 
 void add_run(CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand("run", "generate, compile, run and measure the firmware of a robot");
   add_input_options(*command, options);
+  refuse_sandbox(*command);
   command->add_option("--duration", options.duration, "time to run on the board, for example 100ms");
   command->add_option("--chain", options.chains, "a->b: a chain beside the default ones");
   command->add_option("--scenario", options.scenario, "file with stimuli and faults (emulated Type C board)");

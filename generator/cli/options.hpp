@@ -29,6 +29,7 @@ struct Options {
   bool quiet = false;
   bool verbose = false;
   bool warnings_are_errors = false;
+  bool sandbox = false;  ///< --sandbox: read only what the user named, and not without end
 
   std::string out;  ///< -o
   std::string depfile;

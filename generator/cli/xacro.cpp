@@ -18,6 +18,7 @@ int run_xacro_command(Context& context) {
   request.in_order = options.in_order;
   request.verbosity = options.quiet ? 0 : options.verbosity + (options.verbose ? 1 : 0);
   request.packages = package_folders(context);
+  request.access = context.sources.access();
   request.color = options.color == ColorMode::always;
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   return xacro::run_xacro(request, context.out, context.err);

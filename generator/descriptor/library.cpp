@@ -20,13 +20,13 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Every `*.json` of a folder, by name; a folder that does not exist has none.
-std::vector<LibraryFile> list_folder(const fs::path& folder, const std::string& display, bool builtin) {
+std::vector<LibraryFile> list_folder(const fs::path& folder, const std::string& display, bool builtin,
+                                     const files::Access& access, files::Denial& denial) {
   std::vector<LibraryFile> files;
-  std::error_code problem;
-  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
-    if (entry->path().extension() != ".json") continue;
-    files.push_back({entry->path().stem().string(), entry->path().string(), display + entry->path().filename().string(),
-                     builtin, false});
+  for (const std::string& name : access.list(folder.string(), denial)) {
+    const fs::path file = folder / name;
+    if (file.extension() == ".json")
+      files.push_back({file.stem().string(), file.string(), display + name, builtin, false});
   }
   std::sort(files.begin(), files.end(), [](const LibraryFile& a, const LibraryFile& b) { return a.name < b.name; });
   return files;
@@ -50,7 +50,13 @@ struct UserFolder {
 /// Adds a user's folder; a name that is already there is an error at the later file.
 void add_user_folder(const UserFolder& added, const std::string& input_dir, Sources& sources,
                      Diagnostics& diagnostics) {
-  for (LibraryFile& file : list_folder(added.folder, display_folder(added.folder, input_dir), false)) {
+  files::Denial denial;
+  auto found = list_folder(added.folder, display_folder(added.folder, input_dir), false, sources.access(), denial);
+  if (denial.is_outside) {
+    diagnostics.error(code::outside_sandbox, {},
+                      fmt::format("cannot read folder '{}': {}", added.folder.generic_string(), denial.reason));
+  }
+  for (LibraryFile& file : found) {
     const auto same = std::find_if(added.files.begin(), added.files.end(),
                                    [&](const LibraryFile& other) { return other.name == file.name; });
     if (same == added.files.end()) {
@@ -71,8 +77,7 @@ void add_user_folder(const UserFolder& added, const std::string& input_dir, Sour
 void add_user_folders(const std::vector<std::string>& folders, const char* what, std::vector<LibraryFile>& files,
                       const std::string& input_dir, Sources& sources, Diagnostics& diagnostics) {
   for (const std::string& folder : folders) {
-    std::error_code problem;
-    if (fs::is_directory(folder, problem)) {
+    if (sources.access().holds_folder(folder)) {
       add_user_folder({folder, what, files}, input_dir, sources, diagnostics);
     } else {
       diagnostics.error(code::unreadable_file, {}, fmt::format("{} path '{}' is not a folder", what, folder));
@@ -194,13 +199,19 @@ void place_header(const JsonFile& json, const LibraryFile& file, DeviceType& typ
 }
 
 /// The header of a user's type has to be there; shipped ones are part of the runtime.
-void check_header(const JsonFile& json, const LibraryFile& file, Diagnostics& diagnostics) {
+void check_header(const JsonFile& json, const LibraryFile& file, const Sources& sources, Diagnostics& diagnostics) {
   const auto member = json.value.find("header");
   if (file.builtin || member == json.value.end() || !member->is_string()) return;
   const auto header = member->get<std::string>();
-  std::error_code problem;
-  if (header.empty() || fs::is_regular_file(fs::path(file.path).parent_path() / header, problem)) return;
+  if (header.empty()) return;
+  const auto denial = sources.access().why_not((fs::path(file.path).parent_path() / header).string());
+  if (!denial) return;
   const Extent extent = find_value(*json.source, {"header"});
+  if (denial->is_outside) {
+    diagnostics.error(code::outside_sandbox, extent.at, fmt::format("cannot read '{}': {}", header, denial->reason))
+        .underline(extent.length);
+    return;
+  }
   diagnostics.error(code::header_missing, extent.at, fmt::format("there is no header '{}' beside this file", header))
       .underline(extent.length)
       .note("the path is relative to the descriptor");
@@ -214,13 +225,13 @@ bool read_device(Library& library, LibraryFile& file, Sources& sources, Diagnost
   if (!json) return false;
   const std::vector<SchemaMistake> mistakes = reader.mistakes(*json, file, kDeviceFormat);
   reader.has_name(*json, file, kDeviceFormat);
-  if (!mistakes.empty()) check_header(*json, file, diagnostics);
+  if (!mistakes.empty()) check_header(*json, file, sources, diagnostics);
   if (!mistakes.empty() && !repair_device(json->value, mistakes, file.name)) return false;
   auto type = std::make_unique<DeviceType>();
   const auto read = [&] {
     *type = read_device_type(json->value, *json->source, diagnostics);
     place_header(*json, file, *type);
-    if (mistakes.empty()) check_header(*json, file, diagnostics);
+    if (mistakes.empty()) check_header(*json, file, sources, diagnostics);
   };
   if (mistakes.empty() ? !guarded(*json, diagnostics, read) : !succeeds(read)) return false;
   type->name = file.name;
@@ -315,9 +326,10 @@ std::optional<Library> load_library(const LibraryOptions& options, Sources& sour
   Library library;
   const fs::path schemas = fs::path(options.data_dir) / "schemas";
   library.schema_dir = schemas.string();
-  library.device_files = list_folder(schemas / "devices", "builtin:devices/", true);
-  library.board_files = list_folder(schemas / "boards", "builtin:boards/", true);
-  library.expander_files = list_folder(schemas / "expanders", "builtin:expanders/", true);
+  files::Denial denial;  // shipped data is never outside
+  library.device_files = list_folder(schemas / "devices", "builtin:devices/", true, sources.access(), denial);
+  library.board_files = list_folder(schemas / "boards", "builtin:boards/", true, sources.access(), denial);
+  library.expander_files = list_folder(schemas / "expanders", "builtin:expanders/", true, sources.access(), denial);
   if (library.board_files.empty()) {
     diagnostics
         .error(code::data_not_found, {}, fmt::format("no board files in '{}'", (schemas / "boards").generic_string()))

@@ -21,8 +21,10 @@ inline constexpr Code unreadable_file{2};  // missing, a folder, or no permissio
 inline constexpr Code empty_file{3};
 inline constexpr Code not_utf8{4};
 inline constexpr Code file_too_large{5};
-inline constexpr Code missing_tool{6};    // a compiler or emulator that `run` needs
-inline constexpr Code data_not_found{7};  // schemas, templates, runtime
+inline constexpr Code missing_tool{6};     // a compiler or emulator that `run` needs
+inline constexpr Code data_not_found{7};   // schemas, templates, runtime
+inline constexpr Code outside_sandbox{8};  // --sandbox: a file the run may not read
+inline constexpr Code sandbox_limit{9};    // --sandbox: memory or processor time
 
 // 1xxx: XML and xacro
 inline constexpr Code malformed_xml{1001};
@@ -35,6 +37,7 @@ inline constexpr Code xacro_text{1013};          // ${ or $( without end, $$ bef
 inline constexpr Code xacro_substitution{1014};  // $(...) of an unknown kind or with wrong words
 inline constexpr Code xacro_argument{1015};      // $(arg x) without a value
 inline constexpr Code xacro_package{1016};       // $(find x): there is no such package
+inline constexpr Code xacro_environment{1017};   // --sandbox: $(env x)
 inline constexpr Code xacro_attribute{1020};     // an attribute of a xacro tag is missing
 inline constexpr Code xacro_property{1021};      // a property's name or options are wrong
 inline constexpr Code xacro_macro{1022};         // a macro's name or parameters are wrong
@@ -54,6 +57,8 @@ inline constexpr Code xacro_ignored{1055};            // warning: part of the in
 inline constexpr Code xacro_message{1056};  // warning: the file itself called xacro.warning() or xacro.error()
 inline constexpr Code xacro_duplicate_package{1057};  // warning: a package is found in two places
 inline constexpr Code xacro_macro_prefix{1058};       // warning: a macro's name begins with xacro:
+inline constexpr Code xacro_unknown_argument{1059};   // warning: no xacro:arg declares a name:=value
+inline constexpr Code xacro_lost_attribute{1060};     // warning: ROS xacro loses this xacro:attribute
 
 // 32xx: schedule
 inline constexpr Code too_many_buckets{3201};      // more periods than interrupt lines or priority levels

@@ -5,6 +5,9 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "generator/file/access.hpp"
 
 namespace finemote::gen {
 
@@ -36,11 +39,12 @@ struct Expansion {
   Position at;       ///< the macro call or the include tag; at.via is the next step outwards
 };
 
-/// Owns all texts and expansion steps of one run, so that positions stay small and valid.
-/// Move-only: positions point into it.
+/// Owns all texts and expansion steps of one run, so that positions stay small and valid, and knows which files may
+/// become such texts. Move-only: positions point into it.
 class Sources {
  public:
   Sources() = default;
+  explicit Sources(files::Access access) : access_(std::move(access)) {}
   Sources(const Sources&) = delete;
   Sources& operator=(const Sources&) = delete;
   Sources(Sources&&) = default;
@@ -49,8 +53,10 @@ class Sources {
   const SourceFile* add(SourceFile file) { return &files_.emplace_back(std::move(file)); }
   const Expansion* add(Expansion step) { return &steps_.emplace_back(std::move(step)); }
   [[nodiscard]] const std::deque<SourceFile>& files() const { return files_; }
+  [[nodiscard]] const files::Access& access() const { return access_; }
 
  private:
+  files::Access access_;
   std::deque<SourceFile> files_;
   std::deque<Expansion> steps_;
 };

@@ -38,7 +38,7 @@ void print(const Diagnostics& diagnostics, const XacroOptions& options, std::ost
 }
 
 PackagePath packages_of(const XacroOptions& options) {
-  PackagePath packages = PackagePath::from_environment();
+  PackagePath packages = options.access.is_sandbox() ? PackagePath() : PackagePath::from_environment();
   for (const auto& [name, folder] : options.packages) packages.add(name, folder);
   if (options.input != "-") packages.set_entry(options.input);
   return packages;
@@ -85,7 +85,7 @@ int run_xacro(const XacroOptions& options, std::ostream& out, std::ostream& err)
   constexpr int done = 0;
   constexpr int failed = 2;
   if (options.in_order) err << "xacro: in-order processing became default in ROS Melodic. You can drop the option.\n";
-  Sources sources;
+  Sources sources(options.access);
   Diagnostics diagnostics;
   Dependencies dependencies;
   const SourceFile* entry = xml::read_source(options.input, sources, diagnostics);

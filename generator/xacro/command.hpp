@@ -19,6 +19,7 @@ struct XacroOptions {
   bool in_order = false;           ///< `-i`, `--inorder`: accepted, a remark only
   int verbosity = 1;               ///< `-q` is 0: no warnings
   std::vector<std::pair<std::string, std::string>> packages;  ///< `--package name=folder`
+  files::Access access = {};  ///< which files may be read; in a sandbox the environment names no packages
   bool color = false;
 };
 

@@ -1,36 +1,15 @@
 // xacro:include.
 #include <fmt/format.h>
-#include <glob.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 
 #include "generator/xacro/expander.hpp"
 #include "generator/xacro/print.hpp"
 #include "generator/xacro/source_failure.hpp"
 
 namespace finemote::gen::xacro {
-namespace {
-
-struct FreeGlob {
-  glob_t* found;
-  ~FreeGlob() { globfree(found); }
-};
-
-/// The files a wild card matches, in byte order of their names.
-std::vector<std::string> matching_files(const std::string& pattern) {
-  glob_t found{};
-  const FreeGlob guard{&found};
-  std::vector<std::string> files;
-  if (glob(pattern.c_str(), GLOB_NOSORT, nullptr, &found) == 0)
-    files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-}  // namespace
 
 void Expander::expand_include(const Node& source, const Context& context, Sink& out, bool has_next) {
   const xml::Attribute& name = required(source, "filename", context);
@@ -57,7 +36,9 @@ void Expander::expand_include(const Node& source, const Context& context, Sink& 
 std::vector<std::string> Expander::files_of(const std::string& specification, const Position& at) {
   const std::string path = absolute_name(specification);
   if (path.find_first_of("*[?") == std::string::npos) return {path};
-  auto files = matching_files(path);
+  files::Denial denial;
+  auto files = sources_.access().match(path, denial);
+  if (denial.is_outside) fail_outside(specification, denial, at);
   if (files.empty()) {
     warn(code::xacro_no_match, at, fmt::format("Include tag's filename spec \"{}\" matched no files.", path));
   }
@@ -87,7 +68,7 @@ void Expander::include_file(const Node& source, const std::string& file, bool is
         fmt::format("'{}' is included inside itself without end, or {} includes are nested", file, kMaxIncludes), at};
   }
   add_dependency(file);
-  const SystemError missing = why_unreadable(file);
+  const SystemError missing = why_unreadable(file, sources_, at);
   if (missing.number != 0) {
     if (is_optional) return;
     throw Failure{code::xacro_include,
@@ -100,6 +81,7 @@ void Expander::include_file(const Node& source, const std::string& file, bool is
   inner.is_placed = false;
   Node root;  // dropped but for its namespaces
   expand_attributes(document->root, inner, root);
+  warn_of_lost_attributes(document->root, inner, out);
   Sink content{out.element, out.id, out.end()};
   expand_children(document->root, inner, content);
   lift_namespaces(root, out.element, at);

@@ -109,6 +109,7 @@ void Expander::run_macro(const Node& source, const Call& call, Sink& out) {
   const Expansion* via = sources_.add(Expansion{Expansion::Kind::macro, macro.name, place(source.at, call.body)});
   const Context inner{scope.get(), macros.get(), via, false};
   lift_namespaces(*macro.body, out.element, via->at);
+  warn_of_lost_attributes(*macro.body, inner, out);
   Sink content{out.element, out.id, out.end()};
   expand_children(*macro.body, inner, content);
   release(std::move(scope), std::move(macros));

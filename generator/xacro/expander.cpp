@@ -65,8 +65,23 @@ xml::Document Expander::run() {
     set_attribute(result.root, {"xmlns", text_of(target->value, target->value_at, top_), target->at, target->value_at});
   }
   Sink sink{result.root, ++elements_};
+  const Arguments given = arguments_;
   expand_children(source.root, context, sink);
+  warn_of_unknown_arguments(given);
   return result;
+}
+
+/// ROS xacro is silent about a `name:=value` that nobody asked for; it is mostly a slip of the pen.
+void Expander::warn_of_unknown_arguments(const Arguments& given) {
+  const std::vector<std::string> known(asked_.begin(), asked_.end());
+  for (const auto& [name, value] : given) {
+    if (asked_.contains(name)) continue;
+    Diagnostic* warning =
+        warn(code::xacro_unknown_argument, {&entry_},
+             fmt::format("argument '{}:={}' has no effect: no <xacro:arg> declares '{}'", name, value, name));
+    if (warning == nullptr) continue;
+    warning->hint(known.empty() ? "the file takes no arguments" : did_you_mean(name, known));
+  }
 }
 
 std::vector<std::string> Expander::location() const {
@@ -166,10 +181,22 @@ void Expander::expand_condition(const Node& source, const Context& context, Sink
   if (holds == (source.name == "xacro:if")) {
     // ROS xacro evaluates the attribute once more here; that shows only where a call has an effect.
     if (value.value.find('(') != std::string::npos) value_of(value.value, at, *context.scope);
+    warn_of_lost_attributes(source, context, out);
     Sink content{out.element, out.id, out.end()};
     expand_children(source, context, content);
   }
   mark_.set(out, mark);
+}
+
+/// ROS xacro sets an attribute on the element its tag is in; where that one is replaced by its content, it is lost.
+void Expander::warn_of_lost_attributes(const Node& source, const Context& context, const Sink& out) {
+  for (const Node& child : source.children) {
+    if (!child.is_element("xacro:attribute")) continue;
+    Diagnostic* warning =
+        warn(code::xacro_lost_attribute, place(child.at, context),
+             fmt::format("ROS xacro loses this attribute: it sets it on <{}>, which it removes", source.name));
+    if (warning != nullptr) warning->note(fmt::format("here it is set on <{}>", out.element.name));
+  }
 }
 
 /// xacro:element: the element gets the name its attribute evaluates to, and is then processed as any other.
@@ -214,6 +241,7 @@ void Expander::expand_argument(const Node& source, const Context& context, Sink&
   const xml::Attribute& name = required(source, "name", context);
   const xml::Attribute& otherwise = required(source, "default", context);
   check_attributes(source, {"name", "default"}, context);
+  asked_.insert(name.value);
   if (!arguments_.contains(name.value)) {
     arguments_[name.value] = text_of(otherwise.value, place(otherwise.value_at, context), *context.scope);
   }
@@ -250,6 +278,7 @@ void Expander::expand_block(const Node& source, const Context& context, Sink& ou
   const std::shared_ptr<const Block> block = *held;
   const Context inner{context.scope, context.macros, block->via, block->is_placed};
   if (!content_only) return expand_plain_element(*block->node, inner, out);
+  warn_of_lost_attributes(*block->node, inner, out);
   Sink content{out.element, out.id, out.end()};
   expand_children(*block->node, inner, content);
 }

@@ -51,6 +51,8 @@ class Expander : private Host, private SubstitutionHost {
   void expand_condition(const Node& source, const Context& context, Sink& out, bool has_next);
   void expand_renamed(const Node& source, const Context& context, Sink& out, bool has_next);
   void expand_attribute(const Node& source, const Context& context, Sink& out);
+  void warn_of_lost_attributes(const Node& source, const Context& context, const Sink& out);
+  void warn_of_unknown_arguments(const Arguments& given);
   void expand_attributes(const Node& source, const Context& context, Node& out);
   void expand_argument(const Node& source, const Context& context, Sink& out, bool has_next);
   void expand_block(const Node& source, const Context& context, Sink& out);
@@ -117,6 +119,8 @@ class Expander : private Host, private SubstitutionHost {
   std::optional<Value> look_up(Scope& scope, const std::string& name) override;
   void keep(Scope& scope) override;
   std::string package_folder(const std::string& name) override;
+  std::optional<std::string> environment(const std::string& name) override;
+  [[nodiscard]] bool hides_environment() const override;
   std::string evaluate(const std::string& expression) override;
   void define_builtins();
   void define_name_space(const char* name, std::vector<std::pair<std::string, Value>> symbols);
@@ -134,6 +138,7 @@ class Expander : private Host, private SubstitutionHost {
   Dependencies& dependencies_;
   std::ostream* messages_;
   Arguments arguments_;
+  std::set<std::string> asked_;  // names of arguments that the document declares or reads
   Runtime runtime_;
 
   // Scopes that outlive their macro call, first in, last out.

@@ -1,7 +1,8 @@
 // What expressions and substitutions may ask of the expansion around them.
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <algorithm>
+#include <cstdlib>
 #include <ostream>
 
 #include "generator/xacro/builtins.hpp"
@@ -31,13 +32,13 @@ void Expander::define_name_space(const char* name, Symbols symbols) {
 Value Expander::load_yaml(const std::string& name) {
   const std::string file = absolute_name(name);
   add_dependency(file);
-  const SystemError missing = why_unreadable(file);
+  const SystemError missing = why_unreadable(file, sources_, current_piece());
   if (missing.number != 0) {
     fail(code::xacro_yaml, fmt::format("[Errno {}] {}: '{}'", missing.number, missing.text, file));
   }
-  std::error_code ignored;
-  if (std::filesystem::file_size(file, ignored) == 0) return {};
-  const SourceFile* source = read_text(file, sources_, current_);
+  constexpr std::size_t none = 0;
+  if (sources_.access().read(file, none) == "") return {};
+  const SourceFile* source = read_text(file, sources_, current_piece());
   return read_yaml(runtime_, *source, [&](const std::string& text) { return evaluate_source(text, builtins_); });
 }
 
@@ -48,10 +49,30 @@ std::string Expander::absolute_name(const std::string& file) {
   return slash == std::string::npos ? file : current.substr(0, slash + 1) + file;
 }
 
+std::optional<std::string> Expander::environment(const std::string& name) {
+  if (sources_.access().is_sandbox()) return std::nullopt;
+  const char* value = std::getenv(name.c_str());
+  return value != nullptr ? std::optional<std::string>(value) : std::nullopt;
+}
+
+bool Expander::hides_environment() const { return sources_.access().is_sandbox(); }
+
 const std::string* Expander::argument(const std::string& name) {
+  asked_.insert(name);
   const auto found = arguments_.find(name);
   return found != arguments_.end() ? &found->second : nullptr;
 }
+
+namespace {
+
+/// A stranger's words for the log of a CI: one line that no terminal and no runner takes for a command.
+std::string harmless(std::string text) {
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+  std::replace_if(text.begin(), text.end(), is_control, '?');
+  return "message: " + text;
+}
+
+}  // namespace
 
 void Expander::say(MessageKind kind, const std::string& text, bool with_location) {
   if (kind != MessageKind::message) {
@@ -59,7 +80,7 @@ void Expander::say(MessageKind kind, const std::string& text, bool with_location
     return;
   }
   if (messages_ == nullptr) return;
-  if (!text.empty() || !with_location) *messages_ << text << '\n';
+  if (!text.empty() || !with_location) *messages_ << (hides_environment() ? harmless(text) : text) << '\n';
   if (!with_location) return;
   for (const std::string& line : location()) *messages_ << line << '\n';
 }
@@ -80,14 +101,14 @@ void Expander::keep(Scope& scope) {
 }
 
 std::string Expander::package_folder(const std::string& name) {
-  const auto found = packages_.find(name);
+  const auto found = packages_.find(name, sources_.access());
   if (!found) {
     Failure failure{code::xacro_package, fmt::format("package '{}' not found", name)};
     const auto places = packages_.places();
-    failure.hints.push_back(
-        places.empty()
-            ? fmt::format("say where it is: --package {}=FOLDER, or set ROS_PACKAGE_PATH", name)
-            : fmt::format("searched: {}; say where it is: --package {}=FOLDER", fmt::join(places, ", "), name));
+    failure.hints.push_back(places.empty() ? fmt::format("say where it is: --package {}=FOLDER{}", name,
+                                                         hides_environment() ? "" : ", or set ROS_PACKAGE_PATH")
+                                           : fmt::format("searched: {}; say where it is: --package {}=FOLDER",
+                                                         fmt::join(places, ", "), name));
     throw failure;
   }
   if (!found->others.empty()) {
@@ -124,6 +145,9 @@ std::string Expander::evaluate(const std::string& expression) {
     fail(code::xacro_substitution, "$(eval ...) may not contain double underscore expressions");
   }
   Scope scope(Scope::Kind::builtins, nullptr);
+  for (const auto& [name, value] : arguments_) {
+    if (expression.find(name) != std::string::npos) asked_.insert(name);
+  }
   for (const auto& [name, value] : arguments_) scope.set(name, {typed_argument(value), false, {}});
   for (auto& [name, value] : math_symbols()) scope.set(name, {std::move(value), false, {}});
   for (const auto& [name, type] :

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 namespace finemote::gen::xacro {
@@ -40,13 +39,11 @@ std::string name_in(std::string text) {
 }
 
 /// What the package in `folder` calls itself; empty when it is none.
-std::string package_name(const fs::path& folder) {
-  std::ifstream file(folder / "package.xml", std::ios::binary);
-  if (!file) return {};
-  std::string text(std::size_t{1} << 16, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  std::string name = name_in(std::move(text));
+std::string package_name(const fs::path& folder, const files::Access& access) {
+  constexpr std::size_t largest = 1 << 20;
+  auto text = access.read((folder / "package.xml").string(), largest);
+  if (!text) return {};
+  std::string name = name_in(std::move(*text));
   return name.empty() ? folder.filename().string() : name;
 }
 
@@ -67,7 +64,7 @@ class Crawler {
     if (depth > kDeepest || ++visited_ > kMostFolders) return;
     std::error_code ignored;
     if (fs::is_regular_file(folder / "package.xml", ignored)) {
-      add(package_name(folder), folder.string());
+      add(package_name(folder, {}), folder.string());
       return;
     }
     for (const fs::path& inner : folders_in(folder)) {
@@ -105,12 +102,13 @@ std::string variable(const char* name) {
 }
 
 /// The nearest folder at or above `file` that is the package `name`.
-std::optional<std::string> enclosing_package(const std::string& file, const std::string& name) {
+std::optional<std::string> enclosing_package(const std::string& file, const std::string& name,
+                                             const files::Access& access) {
   std::error_code failed;
   fs::path folder = fs::absolute(file, failed).parent_path();
   if (file.empty() || failed) return std::nullopt;
   for (;; folder = folder.parent_path()) {
-    const std::string found = package_name(folder);
+    const std::string found = package_name(folder, access);
     if (found == name) return folder.string();
     if (!found.empty() || folder == folder.parent_path()) return std::nullopt;
   }
@@ -143,7 +141,7 @@ const PackagePath::Index& PackagePath::crawled() const {
   return *crawled_;
 }
 
-std::optional<PackagePath::Found> PackagePath::find(const std::string& name) const {
+std::optional<PackagePath::Found> PackagePath::find(const std::string& name, const files::Access& access) const {
   if (const auto given = explicit_folders_.find(name); given != explicit_folders_.end())
     return Found{given->second, {}};
   const Index& index = crawled();
@@ -156,7 +154,7 @@ std::optional<PackagePath::Found> PackagePath::find(const std::string& name) con
     fs::path folder = fs::path(prefix) / "share" / name;
     if (is_plain && fs::is_directory(folder, ignored)) return Found{folder.string(), {}};
   }
-  if (auto own = enclosing_package(entry_, name)) return Found{std::move(*own), {}};
+  if (auto own = enclosing_package(entry_, name, access)) return Found{std::move(*own), {}};
   return std::nullopt;
 }
 

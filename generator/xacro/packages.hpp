@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/file/access.hpp"
+
 namespace finemote::gen::xacro {
 
 /// Where packages are looked for, in this order:
@@ -31,7 +33,8 @@ class PackagePath {
     std::string folder;
     std::vector<std::string> others;  ///< further folders on the same path that call themselves so
   };
-  [[nodiscard]] std::optional<Found> find(const std::string& name) const;
+  /// @param access  which package.xml may be read; in a sandbox explicit_folders and the entry's own package count
+  [[nodiscard]] std::optional<Found> find(const std::string& name, const files::Access& access) const;
 
   /// The places looked at, for messages.
   [[nodiscard]] std::vector<std::string> places() const;

@@ -2,22 +2,26 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
 
 #include "generator/xml/read_source.hpp"
 
 namespace finemote::gen::xacro {
 
-SystemError why_unreadable(const std::string& file) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) return {EISDIR, std::strerror(EISDIR)};
-  std::FILE* opened = std::fopen(file.c_str(), "rb");
-  if (opened == nullptr) return {errno, std::strerror(errno)};
-  std::fclose(opened);
-  return {};
+void fail_outside(const std::string& file, const files::Denial& denial, const Position& at) {
+  throw Failure{code::outside_sandbox,
+                fmt::format("cannot read '{}': {}", file, denial.reason),
+                at,
+                {},
+                {"with --sandbox name the package the file is in: --package NAME=FOLDER"}};
+}
+
+SystemError why_unreadable(const std::string& file, const Sources& sources, const Position& at) {
+  const auto denial = sources.access().why_not(file);
+  if (!denial) return {};
+  if (denial->is_outside) fail_outside(file, *denial, at);
+  if (denial->error != 0) return {denial->error, std::strerror(denial->error)};
+  throw Failure{code::unreadable_file, fmt::format("cannot read '{}': {}", file, denial->reason), at};
 }
 
 const SourceFile* read_text(const std::string& file, Sources& sources, const Position& at) {

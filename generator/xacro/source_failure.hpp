@@ -13,8 +13,13 @@ struct SystemError {
   std::string text;  ///< "No such file or directory"
 };
 
-/// Why a file cannot be opened.
-SystemError why_unreadable(const std::string& file);
+/// Why a file cannot be opened, when the system says so. Fails with FM0008 when the sandbox of `sources` does not let
+/// it, and with FM0002 when it is no regular file.
+/// @param at  who asked for it
+SystemError why_unreadable(const std::string& file, const Sources& sources, const Position& at);
+
+/// Fails with FM0008 at `at`.
+[[noreturn]] void fail_outside(const std::string& file, const files::Denial& denial, const Position& at);
 
 /// The checked text of a file; fails as xml::read_source() reports.
 /// @param at  who asked for it

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -31,11 +30,6 @@ Words words_of(const std::string& text) {
 
 [[noreturn]] void fail_words(const std::string& message) { fail(code::xacro_substitution, message); }
 
-std::optional<std::string> environment(const std::string& name) {
-  const char* value = std::getenv(name.c_str());
-  return value != nullptr ? std::optional<std::string>(value) : std::nullopt;
-}
-
 std::string find_package(SubstitutionHost& host, const Words& words, const std::string& all) {
   if (words.size() != 2) fail_words(fmt::format("$(find pkg) accepts exactly one argument [{}]", all));
   return host.package_folder(words[1]);
@@ -55,16 +49,23 @@ std::string argument(SubstitutionHost& host, const Words& words, const std::stri
                              words[1])}};
 }
 
-std::string environment_variable(const Words& words, const std::string& all) {
+std::string environment_variable(SubstitutionHost& host, const Words& words, const std::string& all) {
   if (words.size() != 2) fail_words(fmt::format("$(env var) command only accepts one argument [{}]", all));
-  const auto value = environment(words[1]);
+  if (host.hides_environment()) {
+    throw Failure{code::xacro_environment,
+                  fmt::format("environment variable '{}' is hidden by the sandbox", words[1]),
+                  {},
+                  {},
+                  {fmt::format("$(optenv {} DEFAULT) gives the default here", words[1])}};
+  }
+  const auto value = host.environment(words[1]);
   if (!value) fail_words(fmt::format("environment variable '{}' is not set", words[1]));
   return *value;
 }
 
-std::string optional_variable(const Words& words, const std::string& all) {
+std::string optional_variable(SubstitutionHost& host, const Words& words, const std::string& all) {
   if (words.size() < 2) fail_words(fmt::format("$(optenv var) must specify an environment variable [{}]", all));
-  if (const auto value = environment(words[1])) return *value;
+  if (const auto value = host.environment(words[1])) return *value;
   return fmt::format("{}", fmt::join(words.begin() + 2, words.end(), " "));
 }
 
@@ -79,8 +80,8 @@ std::optional<std::string> resolve(SubstitutionHost& host, const std::string& in
   }
   if (only_find) return std::nullopt;
   if (command == "arg") return argument(host, words, inside);
-  if (command == "env") return environment_variable(words, inside);
-  if (command == "optenv") return optional_variable(words, inside);
+  if (command == "env") return environment_variable(host, words, inside);
+  if (command == "optenv") return optional_variable(host, words, inside);
   fail_words("Cannot substitute $(dirname),no file/directory information available.");
 }
 

@@ -1,6 +1,7 @@
 // $(find p), $(arg a), $(env V), $(optenv V default), $(eval e), $(cwd): the words between the brackets to a text.
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace finemote::gen::xacro {
@@ -9,9 +10,11 @@ namespace finemote::gen::xacro {
 class SubstitutionHost {
  public:
   virtual ~SubstitutionHost() = default;
-  virtual const std::string* argument(const std::string& name) = 0;  ///< null when it has no value
-  virtual std::string package_folder(const std::string& name) = 0;   ///< fails when there is none
-  virtual std::string evaluate(const std::string& expression) = 0;   ///< the result of $(eval) as a text
+  virtual const std::string* argument(const std::string& name) = 0;             ///< null when it has no value
+  virtual std::optional<std::string> environment(const std::string& name) = 0;  ///< of the process; none when hidden
+  [[nodiscard]] virtual bool hides_environment() const = 0;                     ///< the sandbox has none
+  virtual std::string package_folder(const std::string& name) = 0;              ///< fails when there is none
+  virtual std::string evaluate(const std::string& expression) = 0;              ///< the result of $(eval) as a text
 };
 
 /// @param inside  the text between `$(` and `)`

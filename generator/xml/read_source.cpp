@@ -2,26 +2,17 @@
 
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <memory>
 #include <optional>
 
 #include "generator/xml/locate.hpp"
 
 namespace finemote::gen::xml {
 namespace {
-
-struct CloseFile {
-  void operator()(std::FILE* file) const {
-    if (file != stdin) std::fclose(file);
-  }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
 
 /// Length of the UTF-8 sequence a byte begins, or 0.
 std::size_t sequence_length(unsigned char lead) {
@@ -106,44 +97,53 @@ struct Request {
   }
 };
 
-File open_file(const Request& request) {
-  if (request.path == "-") return File(stdin);
-  std::error_code ignored;
-  if (std::filesystem::is_directory(request.path, ignored)) {
-    request.fail(code::unreadable_file, fmt::format("cannot read '{}': it is a folder", request.name));
-    return nullptr;
-  }
-  File file(std::fopen(request.path.c_str(), "rb"));
-  if (!file) {
-    std::string reason = std::strerror(errno);
-    reason[0] = static_cast<char>(reason[0] | 0x20);
-    request.fail(code::unreadable_file, fmt::format("cannot read '{}': {}", request.name, reason));
-  }
+files::Handle open_file(const Request& request) {
+  if (request.path == "-") return files::Handle(::dup(STDIN_FILENO));
+  const files::Asked asked = request.at.file == nullptr ? files::Asked::by_user : files::Asked::by_file;
+  files::Denial denial;
+  files::Handle file = request.sources.access().open(request.path, asked, denial);
+  if (file) return file;
+  const std::string message = fmt::format("cannot read '{}': {}", request.name, denial.reason);
+  request.fail(denial.is_outside ? code::outside_sandbox : code::unreadable_file, message);
   return file;
 }
 
 /// One byte more than a regular file holds, so that one read sees its end; a block for pipes and devices.
-std::size_t first_block(std::FILE* file) {
+std::size_t first_block(int file) {
   struct stat status {};
-  const bool is_regular = ::fstat(::fileno(file), &status) == 0 && S_ISREG(status.st_mode);
+  const bool is_regular = ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
   return is_regular ? static_cast<std::size_t>(std::clamp<off_t>(status.st_size + 1, 1, 1 << 20)) : 1 << 16;
 }
 
-std::optional<std::string> read_all(std::FILE* file, const Request& request) {
+/// Fills `text` from `size` on, as far as the file reaches. Returns how many bytes, or -1.
+ssize_t read_block(int file, std::string& text, std::size_t size) {
+  std::size_t filled = size;
+  while (filled < text.size()) {
+    const ssize_t count = ::read(file, text.data() + filled, text.size() - filled);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return -1;
+    if (count == 0) break;
+    filled += static_cast<std::size_t>(count);
+  }
+  return static_cast<ssize_t>(filled - size);
+}
+
+std::optional<std::string> read_all(int file, const Request& request) {
   std::string text;
   std::size_t size = 0;
   do {
     text.resize(size == 0 ? first_block(file) : std::max<std::size_t>(size * 2, 1 << 16));
-    size += std::fread(text.data() + size, 1, text.size() - size, file);
+    const ssize_t count = read_block(file, text, size);
+    if (count < 0) {
+      request.fail(code::unreadable_file, fmt::format("cannot read '{}': {}", request.name, std::strerror(errno)));
+      return std::nullopt;
+    }
+    size += static_cast<std::size_t>(count);
     if (size > kMaxFileSize) {
       request.fail(code::file_too_large, fmt::format("'{}' is larger than {} MiB", request.name, kMaxFileSize >> 20));
       return std::nullopt;
     }
   } while (size == text.size());
-  if (std::ferror(file) != 0) {
-    request.fail(code::unreadable_file, fmt::format("cannot read '{}': {}", request.name, std::strerror(errno)));
-    return std::nullopt;
-  }
   text.resize(size);
   return text;
 }
@@ -177,7 +177,7 @@ const SourceFile* read_source(const std::string& path, Sources& sources, Diagnos
   if (path == "-" && name.empty()) shown = "<stdin>";
   const Request request{path, std::move(shown), at, sources, diagnostics};
 
-  const File file = open_file(request);
+  const files::Handle file = open_file(request);
   if (!file) return nullptr;
   auto text = read_all(file.get(), request);
   if (!text) return nullptr;

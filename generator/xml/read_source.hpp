@@ -16,8 +16,8 @@ inline constexpr std::size_t kMaxFileSize = std::size_t{64} << 20;  ///< bytes
 ///
 /// @param name  how messages call the file; `path` when empty, `<stdin>` for "-".
 /// @param at    who asked for the file: where the error is put; the file itself when it points nowhere.
-/// Reports FM0002 (missing, a folder, no permission), FM0003 (empty), FM0004 (no UTF-8; at the first wrong byte),
-/// FM0005 (over kMaxFileSize) and returns null.
+/// Reports FM0002 (missing, a folder, a pipe, a device, no permission), FM0008 (the sandbox of `sources`), FM0003
+/// (empty), FM0004 (no UTF-8; at the first wrong byte), FM0005 (over kMaxFileSize) and returns null.
 const SourceFile* read_source(const std::string& path, Sources& sources, Diagnostics& diagnostics,
                               std::string_view name = {}, Position at = {});
 

@@ -40,6 +40,16 @@ frame_FM1016() {
   xacro_robot '<xacro:include filename="$(find arm_description)/arm.xacro"/>'
   eval "${example//..\/arm_description/arm/arm_description}"
 }
+frame_FM0008() {
+  mkdir robot arm_description
+  echo '<robot/>' >arm_description/arm.xacro
+  cd robot
+  [ $which = Wrong ] && name=../arm_description || name='$(find arm_description)'
+  xacro_robot "<xacro:include filename=\"$name/arm.xacro\"/>"
+  eval "$example"
+}
+frame_FM1017() { xacro_robot; finemote xacro --sandbox robot.urdf.xacro; }
+frame_FM1059() { xacro_robot '<xacro:arg name="wheel_radius" default="0.05"/>'; eval "$example"; }
 frame_FM1023() { echo '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="wheel"><link name="wheel"/></xacro:macro></robot>' >wheel.xacro; default_frame; }
 frame_FM1024() { [ $which = Wrong ] || example="<xacro:macro name=\"wheel\" params=\"name *origin\"/>$example"; default_frame; }
 frame_FM1026() { xacro_with '<xacro:property name="answer" value="no"/>'; }

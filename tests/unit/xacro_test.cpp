@@ -284,16 +284,16 @@ TEST_CASE("xacro: packages are found by the first of four ways") {
   packages.add_ros_path(folder / "ws");
   packages.add_ament_path(folder / "prefix");
   packages.set_entry(folder / "own/urdf/in.xacro");
-  REQUIRE(packages.find("arm_description"));
-  CHECK(packages.find("arm_description")->folder == folder / "ws/src/deep/arm");
-  CHECK(packages.find("arm_description")->others == std::vector<std::string>{folder / "ws/src/other"});
-  CHECK(packages.find("base")->folder == folder / "prefix/share/base");
-  CHECK(packages.find("own_pkg")->folder == folder / "own");
-  CHECK_FALSE(packages.find("hidden"));
-  CHECK_FALSE(packages.find("skipped_pkg"));
-  CHECK_FALSE(packages.find("../share"));
+  REQUIRE(packages.find("arm_description", {}));
+  CHECK(packages.find("arm_description", {})->folder == folder / "ws/src/deep/arm");
+  CHECK(packages.find("arm_description", {})->others == std::vector<std::string>{folder / "ws/src/other"});
+  CHECK(packages.find("base", {})->folder == folder / "prefix/share/base");
+  CHECK(packages.find("own_pkg", {})->folder == folder / "own");
+  CHECK_FALSE(packages.find("hidden", {}));
+  CHECK_FALSE(packages.find("skipped_pkg", {}));
+  CHECK_FALSE(packages.find("../share", {}));
   packages.add("arm_description", "/given");
-  CHECK(packages.find("arm_description")->folder == "/given");
+  CHECK(packages.find("arm_description", {})->folder == "/given");
 }
 
 TEST_CASE("xacro: a missing package is an error with a hint") {
