@@ -56,9 +56,9 @@ class Sources {
   [[nodiscard]] const files::Access& access() const { return access_; }
 
  private:
-  files::Access access_;
   std::deque<SourceFile> files_;
   std::deque<Expansion> steps_;
+  files::Access access_;
 };
 
 /// True when `a` stands before `b` in reading order: files in order of first use, then line, then column.
