@@ -3,15 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <string_view>
 
 namespace finemote::gen {
 namespace {
-
-/// Names ROS gives to what stands still (REP 105, and the habit of simulators).
-constexpr std::array<std::string_view, 4> kWorlds{"world", "map", "odom", "earth"};
 
 /// From the root to the link itself.
 std::vector<std::string> links_to(const Mechanism& mechanism, const std::string& link) {
@@ -62,10 +57,10 @@ std::string geometry_link(const Mechanism& mechanism, const Device& device, cons
 
 std::string body_problem(const Mechanism& mechanism, const std::string& link, const std::vector<std::string>& joints) {
   const bool is_root = link == mechanism.root();
-  const bool is_called_world = std::find(kWorlds.begin(), kWorlds.end(), link) != kWorlds.end();
   const std::vector<std::string> way = links_to(mechanism, link);
   const bool moves = std::find(way.begin(), way.end(), mechanism.base()) != way.end();
-  if ((is_root && is_called_world) || !moves) return fmt::format("link '{}' is the world, which stands still", link);
+  if ((is_root && is_world_name(link)) || !moves)
+    return fmt::format("link '{}' is the world, which stands still", link);
   for (const std::string& name : joints) {
     const Joint* joint = mechanism.joint(name);
     if (joint != nullptr && std::find(way.begin(), way.end(), joint->child_link) != way.end())

@@ -1,6 +1,8 @@
 #include "generator/geometry/mechanism.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace finemote::gen {
 namespace {
@@ -11,7 +13,12 @@ const Entry* where(const std::vector<Entry>& list, const std::string Entry::*fie
   return found == list.end() ? nullptr : &*found;
 }
 
+/// Names ROS gives to what stands still (REP 105, and the habit of simulators).
+constexpr std::array<std::string_view, 4> kWorlds{"world", "map", "odom", "earth"};
+
 }  // namespace
+
+bool is_world_name(const std::string& link) { return std::find(kWorlds.begin(), kWorlds.end(), link) != kWorlds.end(); }
 
 const Link* Mechanism::link(const std::string& name) const { return where(links_, &Link::name, name); }
 const Joint* Mechanism::joint(const std::string& name) const { return where(joints_, &Joint::name, name); }
@@ -23,16 +30,19 @@ std::string Mechanism::root() const {
   return found == links_.end() ? std::string() : found->name;
 }
 
+bool Mechanism::is_world(const std::string& name) const {
+  const Link* found = link(name);
+  const auto carried =
+      std::count_if(joints_.begin(), joints_.end(), [&](const Joint& joint) { return joint.parent_link == name; });
+  return is_world_name(name) || (found != nullptr && !found->inertial && carried == 1);
+}
+
 std::string Mechanism::base() const {
-  std::string base = root();
-  for (std::size_t steps = 0; steps < joints_.size(); ++steps) {
-    const auto free = std::find_if(joints_.begin(), joints_.end(), [&](const Joint& joint) {
-      return joint.parent_link == base && (joint.type == "floating" || joint.type == "planar");
-    });
-    if (free == joints_.end()) break;
-    base = free->child_link;
-  }
-  return base;
+  const std::string root_link = root();
+  const auto free = std::find_if(joints_.begin(), joints_.end(), [&](const Joint& joint) {
+    return joint.parent_link == root_link && (joint.type == "floating" || joint.type == "planar");
+  });
+  return free != joints_.end() && is_world(root_link) ? free->child_link : root_link;
 }
 
 std::optional<std::vector<const Joint*>> Mechanism::way_to(const std::string& link) const {

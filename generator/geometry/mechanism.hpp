@@ -25,7 +25,8 @@ class Mechanism {
   /// The first link that no joint carries; empty in a robot without links.
   [[nodiscard]] std::string root() const;
   /// The link the robot stands on or moves with: the root, or, where the root is the world it moves in, the link that a
-  /// floating or planar joint of the root carries.
+  /// floating or planar joint of the root carries. A root is a world by its name, or if it has no mass and that joint
+  /// alone.
   [[nodiscard]] std::string base() const;
 
   /// Joints from the root link to a link; none when the chain does not end.
@@ -35,9 +36,14 @@ class Mechanism {
   [[nodiscard]] std::optional<Eigen::Isometry3d> pose(const std::string& link, const std::string& of) const;
 
  private:
+  [[nodiscard]] bool is_world(const std::string& name) const;
+
   const std::vector<Link>& links_;
   const std::vector<Joint>& joints_;
 };
+
+/// `world`, `map`, `odom`, `earth`.
+bool is_world_name(const std::string& link);
 
 /// Fixed-axis roll, pitch, yaw as URDF defines them.
 Eigen::Isometry3d transform(const Pose& pose);

@@ -163,6 +163,13 @@ TEST_CASE("a wrench is about the link that carries most of the joints") {
   CHECK(carrier(mechanism, {"d", "a"}) == "hull");
   CHECK(carrier(mechanism, {"a", "e"}) == "world");
   CHECK(carrier(mechanism, {}).empty());
+  const auto base_of = [](std::vector<Link> all, std::vector<Joint> on) { return Mechanism(all, on).base(); };
+  Joint ball = joint("ball", "base_link", "payload", {}, {0, 0, 1}),
+        arm = joint("arm", "base_link", "arm", {}, {0, 0, 1});
+  ball.type = "floating";
+  CHECK(base_of({link("base_link"), link("payload"), link("arm")}, {arm, ball}) == "base_link");
+  CHECK(base_of({link("base_link", 3), link("payload")}, {ball}) == "base_link");
+  CHECK(base_of({link("base_link"), link("payload")}, {ball}) == "payload");
   Device device;
   GeometrySpec geometry;
   geometry.kind = "allocation";
