@@ -42,6 +42,7 @@ std::array<AxisYield, 6> axis_yields(const std::vector<Axis>& actuators) {
 }
 
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& matrix) {
+  if (matrix.size() == 0) return Eigen::MatrixXd::Zero(matrix.cols(), matrix.rows());
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
   Eigen::VectorXd inverse = svd.singularValues();
   const double smallest = 1e-9 * (inverse.size() > 0 ? inverse[0] : 0);

@@ -31,11 +31,6 @@ std::string fraction_text(double fraction) {
   return fraction > 0.9995 ? fmt::format("{:.6f}", fraction) : fmt::format("{:.3g}", fraction);
 }
 
-/// A command on one axis, as people say it.
-std::string unit_command(std::size_t axis) {
-  return fmt::format("1 {} of '{}'", axis < 3 ? "N" : "Nm", kWrenchAxes[axis]);
-}
-
 /// An axis counts as produced where it lies within the tolerance of what the actuators produce, and as hardly produced
 /// where only what lies within the tolerance of not producing it does.
 void check_axis(const Device& device, const GeometrySpec& geometry, const std::string& link, std::size_t axis,
@@ -54,9 +49,8 @@ void check_axis(const Device& device, const GeometrySpec& geometry, const std::s
         finding(code::lint_wrench_effort, device,
                 fmt::format("the {} of device '{}' hardly produce '{}': one of them pushes {:.3g} times as hard",
                             geometry.role, device.name.text, kWrenchAxes[axis], yield.effort))
-            .note(fmt::format("{} counts as such where the joints' axes are right to {}", unit_command(axis),
-                              degrees_text(tolerance)))
-            .hint("check the origins and axes of their joints"));
+            .note(fmt::format("it comes from axes that are less than {} apart", degrees_text(tolerance)))
+            .hint("write axes that are meant to be parallel exactly so"));
   }
 }
 

@@ -93,11 +93,16 @@ class DrivenJoint {
         .hint("make the joint type=\"continuous\" for what spins, \"revolute\" or \"prismatic\" for what has an end");
   }
   void report_mimic() {
+    const auto& devices = reading_.robot.devices;
+    const bool is_driven = std::any_of(devices.begin(), devices.end(), [&](const Device& device) {
+      return drives(device) && device.joint == joint_.mimic;
+    });
     report_unfit()
         .note(fmt::format("it follows joint '{}' (<mimic>), and has no motion of its own", joint_.mimic))
         .note("the joint stands here", joint_.at)
-        .hint(
-            fmt::format("write joint=\"{}\", or remove the <mimic> if the joint has a drive of its own", joint_.mimic));
+        .hint(is_driven ? "remove the device, or the <mimic> if the joint has a drive of its own"
+                        : fmt::format("write joint=\"{}\", or remove the <mimic> if the joint has a drive of its own",
+                                      joint_.mimic));
   }
   void report_second(const Device& other) {
     report_unfit()

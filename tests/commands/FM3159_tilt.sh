@@ -24,6 +24,13 @@ cat >robot.urdf <<'X'
     <parent link="base_link"/>
     <child link="b_link"/>
     <origin xyz="-0.2 0 0"/>
+    <axis xyz="0 0 1"/>
+  </joint>
+  <link name="c_link"/>
+  <joint name="c_joint" type="continuous">
+    <parent link="base_link"/>
+    <child link="c_link"/>
+    <origin xyz="0 0 0"/>
     <axis xyz="0.002 0 1"/>
   </joint>
   <finemote version="1">
@@ -33,6 +40,7 @@ cat >robot.urdf <<'X'
     <device name="hull" type="hull" period="20ms">
       <device name="t0_hull" type="pwm_esc" bus="pwm" channel="0" joint="a_joint"/>
       <device name="t1_hull" type="pwm_esc" bus="pwm" channel="1" joint="b_joint"/>
+      <device name="t2_hull" type="pwm_esc" bus="pwm" channel="2" joint="c_joint"/>
     </device>
   </finemote>
 </robot>
