@@ -16,28 +16,28 @@ cat >robot.urdf <<'X'
   <joint name="f1_joint" type="continuous">
     <parent link="base_link"/>
     <child link="f1_link"/>
-    <origin xyz="0.156 0.111 0"/>
+    <origin xyz="0.156 0.111 0.07"/>
     <axis xyz="0.7071 -0.7071 0"/>
   </joint>
   <link name="f2_link"/>
   <joint name="f2_joint" type="continuous">
     <parent link="base_link"/>
     <child link="f2_link"/>
-    <origin xyz="0.156 -0.111 0"/>
+    <origin xyz="0.156 -0.111 0.07"/>
     <axis xyz="0.7071 0.7071 0"/>
   </joint>
   <link name="f3_link"/>
   <joint name="f3_joint" type="continuous">
     <parent link="base_link"/>
     <child link="f3_link"/>
-    <origin xyz="-0.156 0.111 0"/>
+    <origin xyz="-0.156 0.111 0.07"/>
     <axis xyz="0.7071 0.7071 0"/>
   </joint>
   <link name="f4_link"/>
   <joint name="f4_joint" type="continuous">
     <parent link="base_link"/>
     <child link="f4_link"/>
-    <origin xyz="-0.156 -0.111 0"/>
+    <origin xyz="-0.156 -0.111 0.07"/>
     <axis xyz="0.7071 -0.7071 0"/>
   </joint>
   <link name="v1_link"/>
@@ -71,5 +71,5 @@ cat >robot.urdf <<'X'
 X
 finemote lint robot.urdf --allow FM3153
 finemote lint robot.urdf --allow FM3153 --deny 3158 | head -1
-finemote lint robot.urdf --allow FM3153,FM3158
-finemote tree robot.urdf --format json | grep geometry_link | head -1
+finemote lint robot.urdf --allow FM3153 --allow FM3158
+finemote tree robot.urdf --format json | grep base_link
