@@ -28,7 +28,7 @@ bool commands(const GeometrySpec& geometry, const std::string& axis) {
 /// 0.999 is not 1: as many digits as tell them apart.
 std::string fraction_text(double fraction) {
   if (fraction < 1e-9) return "nothing";
-  return fraction > 0.9995 ? fmt::format("{:.6f}", fraction) : fmt::format("{:.3g}", fraction);
+  return fraction > 0.9995 ? fmt::format("only {:.6f}", fraction) : fmt::format("only {:.3g}", fraction);
 }
 
 /// An axis counts as produced where it lies within the tolerance of what the actuators produce, and as hardly produced
@@ -39,8 +39,8 @@ void check_axis(const Device& device, const GeometrySpec& geometry, const std::s
   if (yield.fraction < std::cos(tolerance) * std::cos(tolerance)) {
     findings.push_back(
         finding(code::lint_wrench_axis, device,
-                fmt::format("the {} of device '{}' do not produce '{}': of a unit command they yield {}", geometry.role,
-                            device.name.text, kWrenchAxes[axis], fraction_text(yield.fraction)))
+                fmt::format("the {} of device '{}' yield {} of a unit command on '{}'", geometry.role, device.name.text,
+                            fraction_text(yield.fraction), kWrenchAxes[axis]))
             .note(fmt::format("the wrench is in the axes of link '{}' and about its origin", link))
             .hint("check the origins and axes of their joints, name the body with link=\"...\", or list the axes it "
                   "commands under 'commands' in the descriptor's geometry"));
