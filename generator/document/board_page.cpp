@@ -78,7 +78,7 @@ BoardPage port_page(const Json& board, const Json& port) {
   text += row({"serves", joined(buses)});
   std::vector<std::string> labels;
   for (const std::string& label : texts(list(port, "silkscreen"))) labels.push_back("`" + label + "`");
-  text += row({"labels, which are no names of ports", joined(labels)});
+  text += row({"printed labels (not port names)", joined(labels)});
   text += row({"pins", pins_text(port)});
   if (port.contains("timer"))
     text += row({"timer", fmt::format("{} channel {}", port["timer"]["name"].get<std::string>(),

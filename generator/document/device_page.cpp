@@ -90,11 +90,11 @@ std::string use_row(const Json& use) {
 }
 
 std::string sample_text(const Json& acquisition) {
-  std::string text = acquisition["model"] == "streamed" ? "sent by the part" : "asked for by update()";
+  std::string text = acquisition["model"] == "streamed" ? "sent by the part" : "requested by update()";
   if (acquisition.contains("interval_ns"))
     text += ", every " + time_text(acquisition["interval_ns"].get<std::int64_t>());
   if (acquisition.contains("periods"))
-    text += fmt::format(", published {} own period(s) later", acquisition["periods"].get<int>());
+    text += fmt::format(", published {} period(s) later", acquisition["periods"].get<int>());
   if (acquisition.value("latency_ns", std::int64_t{0}) > 0)
     text += ", up to " + time_text(acquisition["latency_ns"].get<std::int64_t>()) + " old inside the part";
   return text;
