@@ -16,18 +16,44 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The command that makes the files what they should be.
+std::string way_back(const Context& context, const CheckResult& result) {
+  bool is_written = false, is_edited = false;
+  for (const Finding& finding : result.findings) {
+    is_written |= finding.state != Finding::State::orphan;
+    is_edited |= finding.state == Finding::State::hand_edited && finding.file != kManifestName;
+  }
+  if (!is_written) return "remove the files that are orphans\n";
+  std::string command = fmt::format("finemote generate {} -o {}", context.options.input, context.options.out);
+  for (const std::string& option : output_options(context.options)) command += " " + option;
+  if (!is_edited) return "run: " + command + "\n";
+  return "run: " + command + " --force  (edited files are kept as NAME.orig)\n";
+}
+
 void print_findings(Context& context, const CheckResult& result) {
   for (const Finding& finding : result.findings) {
     context.out << fmt::format("{:<12} {}: {}\n", state_name(finding.state), finding.file, finding.reason);
   }
-  if (result.findings.empty() && !context.options.quiet) {
-    context.out << "fresh\n";
-    if (result.tool_changed)
-      context.out << "tool-changed: written by " << result.previous_tool << ", with the same bytes\n";
-  }
-  if (!result.findings.empty() && !context.options.quiet) {
-    context.err << fmt::format("run: finemote generate {} -o {}\n", context.options.input, context.options.out);
-  }
+  if (!result.findings.empty() && !context.options.quiet) context.err << way_back(context, result);
+}
+
+/// Says that the files are what they should be, and what makes the answer no all the same.
+void print_fresh(Context& context, const CheckResult& result, const std::string& objections) {
+  if (!result.findings.empty() || context.options.quiet) return;
+  context.out << (objections.empty() ? "fresh\n" : "files are fresh, but " + objections + "\n");
+  if (result.tool_changed)
+    context.out << "tool-changed: written by " << result.previous_tool << ", with the same bytes\n";
+}
+
+std::string objections(const Verdict& verdict, bool denied) {
+  std::string text;
+  const auto add = [&](bool holds, const char* words) {
+    if (!holds) text += (text.empty() ? "" : ", ") + std::string(words);
+  };
+  add(verdict.schedulable, "the robot is not schedulable");
+  add(verdict.requirements_hold, "a requirement does not hold");
+  add(!denied, "lint has findings that are denied");
+  return text;
 }
 
 Json document(const Context& context, const CheckResult& result, const std::string& diff) {
@@ -51,15 +77,11 @@ int run_check(Context& context) {
   if (!loaded) return finish(context, kExitInvalid);
   auto files = render_robot(context, *loaded);
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
-  const Output output = make_output(std::move(files), input_files(context, *loaded), loaded->robot.name.text);
+  const Output output = make_output(std::move(files), input_files(context, *loaded), loaded->robot.name.text,
+                                    output_options(context.options));
   const CheckResult result = check_output(context.options.out, output, context.diagnostics);
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
 
-  const std::string diff = context.options.diff ? unified_diff(context.options.out, output, result) : std::string();
-  if (context.options.format == Format::text) {
-    print_findings(context, result);
-    context.out << diff;
-  }
   const auto verdict = timing_verdict(context, *loaded);
   if (!verdict) return finish(context, kExitInvalid);
   Diagnostics lint_findings;
@@ -69,7 +91,16 @@ int run_check(Context& context) {
   add_findings(lint_findings, judged);
 
   const bool denied = lint_findings.has_errors() || (context.options.warnings_are_errors && lint_findings.size() > 0);
-  const bool good = result.findings.empty() && verdict->schedulable && verdict->requirements_hold && !denied;
+  const std::string objection = objections(*verdict, denied);
+  const bool good = result.findings.empty() && objection.empty();
+  const std::string diff = context.options.diff ? unified_diff(context.options.out, output, result) : std::string();
+  if (context.options.format == Format::text) {
+    print_findings(context, result);
+    print_fresh(context, result, objection);
+    context.out << diff;
+  } else {
+    add_findings(as_diagnostics(context.options.out, result, context.sources), judged);
+  }
   Json json = document(context, result, diff);
   json["schedulable"] = verdict->schedulable;
   json["requirements_hold"] = verdict->requirements_hold;

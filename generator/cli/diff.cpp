@@ -130,12 +130,23 @@ std::vector<std::string> changes(const Side& a, const Side& b) {
   return lines;
 }
 
+/// The text with the line that names the input like that of `other`: two inputs are two names, and no difference.
+std::string with_source_of(std::string text, const std::string& other) {
+  const std::string line = std::string(kGeneratedHeader) + "\n// Source: ";
+  if (text.rfind(line, 0) != 0 || other.rfind(line, 0) != 0) return text;
+  const auto name_of = [&](const std::string& whole) {
+    return whole.substr(line.size(), whole.find('\n', line.size()) - line.size());
+  };
+  return text.replace(line.size(), name_of(text).size(), name_of(other));
+}
+
 std::string text_diff(const Side& a, const Side& b) {
   std::map<std::string, std::pair<std::string, std::string>> pairs;
   for (const auto& [name, text] : a.texts) pairs[name].first = text;
   for (const auto& [name, text] : b.texts) pairs[name].second = text;
   std::string diff;
-  for (const auto& [name, texts] : pairs) diff += unified_diff("a/" + name, texts.first, "b/" + name, texts.second);
+  for (const auto& [name, texts] : pairs)
+    diff += unified_diff("a/" + name, texts.first, "b/" + name, with_source_of(texts.second, texts.first));
   return diff;
 }
 

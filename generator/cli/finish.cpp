@@ -1,5 +1,6 @@
 #include "generator/cli/finish.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -7,6 +8,7 @@
 #include "generator/cli/exit_status.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/diagnostic/render_ci.hpp"
+#include "generator/file/replace_file.hpp"
 #include "generator/version.hpp"
 
 namespace finemote::gen {
@@ -39,6 +41,16 @@ void print_for_ci(Context& context, const Diagnostics& diagnostics) {
 
 void add_findings(const Diagnostics& from, Diagnostics& to) {
   for (const Diagnostic& finding : from.in_file_order()) to.add(finding);
+}
+
+void report_unwritten(Context& context, const std::string& path, const std::string& reason) {
+  context.diagnostics.error(code::output_not_writable, {}, fmt::format("cannot write '{}': {}", path, reason));
+}
+
+bool write_result(Context& context, const std::string& path, std::string_view text) {
+  const auto reason = replace_file(path, text);
+  if (reason) report_unwritten(context, path, *reason);
+  return !reason;
 }
 
 bool is_refused(const Context& context) {

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "generator/cli/context.hpp"
 
@@ -14,6 +15,12 @@ std::string render_findings(const Context& context, const Diagnostics& findings)
 
 /// Copies all findings of `from` behind those of `to`.
 void add_findings(const Diagnostics& from, Diagnostics& to);
+
+/// Writes `text` as the whole of a file a user asked for, all or nothing; reports FM5002 with the system's reason.
+bool write_result(Context& context, const std::string& path, std::string_view text);
+
+/// Reports FM5002 for a file that could not be written, with the system's reason.
+void report_unwritten(Context& context, const std::string& path, const std::string& reason);
 
 /// Whether the command has no answer: errors, or warnings under -W error.
 bool is_refused(const Context& context);

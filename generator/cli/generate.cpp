@@ -1,9 +1,6 @@
 // finemote generate: writes the files of a robot.
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "generator/cli/commands.hpp"
 #include "generator/cli/exit_status.hpp"
 #include "generator/cli/finish.hpp"
@@ -32,13 +29,7 @@ void write_depfile(Context& context, const std::string& out) {
   for (const SourceFile& file : context.sources.files()) {
     if (!file.path.empty() && file.path != "-") rule += " \\\n  " + make_escaped(file.path);
   }
-  std::ofstream file(context.options.depfile, std::ios::binary);
-  file << rule << "\n";
-  file.close();
-  if (!file) {
-    context.diagnostics.error(code::output_not_writable, {},
-                              fmt::format("cannot write depfile '{}'", context.options.depfile));
-  }
+  write_result(context, context.options.depfile, rule + "\n");
 }
 
 int list_names(Context& context, const Loaded& loaded) {
@@ -56,6 +47,8 @@ void print_summary(Context& context, const WriteResult& result) {
   for (const std::string& name : result.written) {
     if (context.options.dry_run || context.options.verbose) context.out << verb << " " << name << "\n";
   }
+  for (const auto& [from, to] : result.moved)
+    context.out << (context.options.dry_run ? "would move " : "moved ") << from << " to " << to << "\n";
   for (const std::string& name : result.removed) {
     context.out << (context.options.dry_run ? "would remove " : "removed ") << name << "\n";
   }
@@ -71,6 +64,12 @@ int refuse_unschedulable(Context& context, const Verdict& verdict) {
                   Json{{"schema", "finemote.generate/1"}, {"output", context.options.out}, {"schedulable", false}});
   context.err << "nothing was written; --allow-unschedulable writes all the same\n";
   return status;
+}
+
+Json moved_list(const WriteResult& result) {
+  Json list = Json::array();
+  for (const auto& [from, to] : result.moved) list.push_back({{"from", from}, {"to", to}});
+  return list;
 }
 
 /// A requirement that fails refuses nothing here, but nobody should believe that it holds.
@@ -104,9 +103,12 @@ int run_generate(Context& context) {
   }
   auto files = render_robot(context, *loaded);
   if (is_refused(context)) return finish(context, kExitInvalid);
-  const Output output = make_output(std::move(files), input_files(context, *loaded), loaded->robot.name.text);
-  const WriteResult result = write_output(options.out, output, options.dry_run, context.diagnostics);
-  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  const Output output =
+      make_output(std::move(files), input_files(context, *loaded), loaded->robot.name.text, output_options(options));
+  const WriteResult result =
+      write_output(options.out, output, {options.dry_run, options.force, options.warnings_are_errors}, context.sources,
+                   context.diagnostics);
+  if (is_refused(context)) return finish(context, kExitInvalid);
   if (!options.depfile.empty() && !options.dry_run) write_depfile(context, options.out);
   print_summary(context, result);
   return finish(context, kExitYes,
@@ -114,7 +116,8 @@ int run_generate(Context& context) {
                      {"output", options.out},
                      {"written", result.written},
                      {"unchanged", result.unchanged},
-                     {"removed", result.removed}});
+                     {"removed", result.removed},
+                     {"moved", moved_list(result)}});
 }
 
 }  // namespace finemote::gen

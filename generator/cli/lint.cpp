@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <map>
 
 #include "generator/cli/commands.hpp"
@@ -49,11 +48,7 @@ std::vector<std::string> write_edits(Context& context, const std::vector<Edit>& 
   }
   std::vector<std::string> names;
   for (const auto& [path, entry] : files) {
-    std::ofstream file(path, std::ios::binary | std::ios::trunc);
-    file << apply_edits(*entry.first, entry.second);
-    file.close();
-    if (!file) context.diagnostics.error(code::output_not_writable, {}, fmt::format("cannot write '{}'", path));
-    names.push_back(path);
+    if (write_result(context, path, apply_edits(*entry.first, entry.second))) names.push_back(path);
   }
   return names;
 }

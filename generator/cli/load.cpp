@@ -160,4 +160,12 @@ std::vector<HashedFile> input_files(const Context& context, const Loaded& loaded
   return files;
 }
 
+std::vector<std::string> output_options(const Options& options) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : xacro_arguments(options)) words.push_back(name + ":=" + value);
+  std::sort(words.begin(), words.end());
+  if (!options.board.empty()) words.insert(words.begin(), "--board " + options.board);
+  return words;
+}
+
 }  // namespace finemote::gen

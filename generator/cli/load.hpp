@@ -39,4 +39,8 @@ xacro::Arguments xacro_arguments(const Options& options);
 /// `builtin:` for shipped data) and hashed; sorted by name.
 std::vector<HashedFile> input_files(const Context& context, const Loaded& loaded);
 
+/// The words of the command line that change what is generated beside the inputs: `--board NAME`, `name:=value`;
+/// sorted.
+std::vector<std::string> output_options(const Options& options);
+
 }  // namespace finemote::gen

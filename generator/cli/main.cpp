@@ -1,4 +1,8 @@
 // finemote: from a robot description to firmware.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <new>
@@ -14,12 +18,14 @@
 #include "generator/cli/finish.hpp"
 #include "generator/cli/sandbox.hpp"
 #include "generator/diagnostic/render.hpp"
+#include "generator/file/descriptor_buffer.hpp"
+#include "generator/file/system_reason.hpp"
 
 namespace {
 
 using namespace finemote::gen;
 
-int run(const Options& options) {
+int run(const Options& options, std::ostream& out) {
   static const std::map<std::string, int (*)(Context&)> kCommands{
       {"generate", run_generate},
       {"check", run_check},
@@ -37,7 +43,7 @@ int run(const Options& options) {
   };
   Diagnostics diagnostics;
   Sources sources(read_access(options, diagnostics));
-  Context context{options, sources, diagnostics, std::cout, std::cerr};
+  Context context{options, sources, diagnostics, out, std::cerr};
   if (diagnostics.has_errors()) return finish(context, kExitInvalid);
   if (!options.sandbox) return kCommands.at(options.command)(context);
   bound_resources();
@@ -58,21 +64,51 @@ void prepare_memory() {
 #endif
 }
 
+/// A stream that is closed stays so: no file that is opened may get its number, and be written to by mistake.
+void occupy_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) >= 0) continue;
+    const int wrong_way = stream == STDIN_FILENO ? O_WRONLY : O_RDONLY;
+    if (open("/dev/null", wrong_way) < 0) return;
+  }
+}
+
+int report(Code code, const std::string& message, const char* hint, int status) {
+  Diagnostics diagnostics;
+  Diagnostic& finding = diagnostics.error(code, {}, message);
+  if (hint != nullptr) finding.hint(hint);
+  std::cerr << render_text(diagnostics, false);
+  return status;
+}
+
+int run_words(const std::vector<std::string>& words, std::ostream& out) {
+  try {
+    const ParsedCommandLine parsed = parse_command_line(words);
+    if (parsed.options) return run(*parsed.options, out);
+    (parsed.exit_status == kExitYes ? out : std::cerr) << parsed.text;
+    return parsed.exit_status;
+  } catch (const std::filesystem::filesystem_error& error) {
+    return report(code::unreadable_file,
+                  "cannot use '" + error.path1().generic_string() + "': " + system_reason(error.code().value()),
+                  nullptr, kExitInvalid);
+  } catch (const std::exception& error) {
+    return report(code::internal, std::string("internal error: ") + error.what(),
+                  "this is a defect of finemote; please report it with the input that shows it", kExitInternal);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   prepare_memory();
+  occupy_standard_streams();
   std::ios::sync_with_stdio(false);
-  try {
-    const ParsedCommandLine parsed = parse_command_line(std::vector<std::string>(argv + 1, argv + argc));
-    if (parsed.options) return run(*parsed.options);
-    (parsed.exit_status == kExitYes ? std::cout : std::cerr) << parsed.text;
-    return parsed.exit_status;
-  } catch (const std::exception& error) {
-    Diagnostics diagnostics;
-    diagnostics.error(code::internal, {}, std::string("internal error: ") + error.what())
-        .hint("this is a defect of finemote; please report it with the input that shows it");
-    std::cerr << render_text(diagnostics, false);
-    return kExitInternal;
-  }
+  DescriptorBuffer standard_output(STDOUT_FILENO);
+  std::ostream out(&standard_output);
+  const int status = run_words(std::vector<std::string>(argv + 1, argv + argc), out);
+  out.flush();
+  if (standard_output.error() == 0) return status;
+  // Whoever reads the result would take what is there for all of it.
+  return report(code::output_not_writable, "cannot write to standard output: " + system_reason(standard_output.error()),
+                nullptr, kExitInvalid);
 }

@@ -93,6 +93,7 @@ void add_generate(CLI::App& app, Options& options) {
   add_sandbox(*command, options);
   command->add_flag("--list", options.list, "print the names of the files and write nothing");
   command->add_flag("--dry-run", options.dry_run, "say what would be written and write nothing");
+  command->add_flag("--force", options.force, "keep files of yours that are in the way as NAME.orig, and write");
   command->add_flag("--allow-unschedulable", options.allow_unschedulable, "write even when a deadline can be missed");
 }
 

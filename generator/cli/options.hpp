@@ -35,6 +35,7 @@ struct Options {
   std::string depfile;
   bool list = false;
   bool dry_run = false;
+  bool force = false;  ///< generate --force
   bool allow_unschedulable = false;
   bool diff = false;
   std::string duration;             ///< --duration

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <numeric>
 
 #include "generator/cli/commands.hpp"
@@ -12,6 +12,7 @@
 #include "generator/cli/finish.hpp"
 #include "generator/cli/load.hpp"
 #include "generator/descriptor/library.hpp"
+#include "generator/file/system_reason.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/output/write.hpp"
 #include "generator/run/build_firmware.hpp"
@@ -30,23 +31,33 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// A work folder that is removed at the end unless the user keeps it.
+/// A work folder that is removed at the end unless the user keeps it. Reports FM5002 when it cannot be made.
 class WorkFolder {
  public:
-  explicit WorkFolder(const std::string& keep) : path_(keep), keep_(!keep.empty()) {
+  explicit WorkFolder(Context& context) : path_(context.options.keep), keep_(!context.options.keep.empty()) {
+    std::error_code failed;
     if (keep_) {
-      fs::create_directories(path_);
+      fs::create_directories(path_, failed);
+      if (failed) report_unwritten(context, path_.generic_string(), system_reason(failed.value()));
       return;
     }
-    std::string pattern = (fs::temp_directory_path() / "finemote-run-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
-    path_ = pattern;
+    const fs::path folder = fs::temp_directory_path(failed);
+    std::string pattern = (folder / "finemote-run-XXXXXX").string();
+    if (!failed && mkdtemp(pattern.data()) == nullptr) failed.assign(errno, std::generic_category());
+    if (!failed) {
+      path_ = pattern;
+      return;
+    }
+    context.diagnostics
+        .error(code::output_not_writable, {},
+               fmt::format("cannot make a temporary folder: {}", system_reason(failed.value())))
+        .hint("set TMPDIR to a folder that can be written, or give one with --keep");
   }
   WorkFolder(const WorkFolder&) = delete;
   WorkFolder& operator=(const WorkFolder&) = delete;
   ~WorkFolder() {
     std::error_code ignored;
-    if (!keep_) fs::remove_all(path_, ignored);
+    if (!keep_ && !path_.empty()) fs::remove_all(path_, ignored);
   }
   [[nodiscard]] std::string path() const { return path_.string(); }
 
@@ -104,12 +115,28 @@ std::vector<std::string> user_sources(const std::vector<std::string>& dirs) {
   return sources;
 }
 
+/// What stands beside `generated` in the work folder; with --keep, what hangs on the board stays as well.
+std::vector<OutputFile> project_files(const Context& context, const Robot& robot, const FirmwareRequest& request) {
+  std::vector<OutputFile> files{{"CMakeLists.txt", project_text(request)}};
+  if (!context.options.keep.empty()) files.push_back({"parts.json", emulated_parts(robot).scenario.dump(2) + "\n"});
+  return files;
+}
+
+WriteOptions options_for_work() {
+  WriteOptions options;
+  options.way_out = "give --keep an empty folder, or one that finemote made";
+  return options;
+}
+
 std::optional<std::string> make_image(Context& context, const Loaded& loaded, const std::string& board,
                                       std::int64_t duration, const WorkFolder& work) {
   auto files = render_robot(context, loaded);
   if (context.diagnostics.has_errors()) return std::nullopt;
-  const Output output = make_output(std::move(files), input_files(context, loaded), loaded.robot.name.text);
-  write_output(work.path() + "/generated", output, false, context.diagnostics);
+  const auto inputs = input_files(context, loaded);
+  Options options = context.options;
+  options.board.clear();  // chooses what is built of the files, not what is in them
+  const Output output = make_output(std::move(files), inputs, loaded.robot.name.text, output_options(options));
+  write_output(work.path() + "/generated", output, options_for_work(), context.sources, context.diagnostics);
   if (context.diagnostics.has_errors()) return std::nullopt;
   FirmwareRequest request;
   request.folder = work.path();
@@ -120,18 +147,14 @@ std::optional<std::string> make_image(Context& context, const Loaded& loaded, co
   request.monitor = context.options.monitor;
   request.include_dirs = user_include_dirs(loaded.robot);
   request.sources = user_sources(request.include_dirs);
+  const Output project = make_output(project_files(context, loaded.robot, request), inputs, loaded.robot.name.text);
+  write_output(work.path(), project, options_for_work(), context.sources, context.diagnostics);
+  if (context.diagnostics.has_errors()) return std::nullopt;
   return build_firmware(request, context.diagnostics);
 }
 
 bool all_constant(const Robot& robot) {
   return std::all_of(robot.devices.begin(), robot.devices.end(), [](const Device& d) { return d.type->constant_init; });
-}
-
-/// With --keep, what hangs on the board stays beside the image.
-void keep_parts(const Context& context, const Robot& robot, const std::string& folder) {
-  if (context.options.keep.empty()) return;
-  std::ofstream(folder + "/parts.json", std::ios::binary | std::ios::trunc)
-      << emulated_parts(robot).scenario.dump(2) << "\n";
 }
 
 /// The image as it runs: with the cost of its trace.
@@ -159,12 +182,7 @@ timing::RobotBounds monitored_bounds(const Context& context, const Loaded& loade
 
 bool write_trace(Context& context, const RunResult& result) {
   if (context.options.out.empty()) return true;
-  std::ofstream file(context.options.out, std::ios::binary | std::ios::trunc);
-  file << run_trace(result).dump() << "\n";
-  file.close();
-  if (!file)
-    context.diagnostics.error(code::output_not_writable, {}, fmt::format("cannot write '{}'", context.options.out));
-  return static_cast<bool>(file);
+  return write_result(context, context.options.out, run_trace(result).dump() + "\n");
 }
 
 std::optional<RunRecord> run_image(Context& context, const Loaded& loaded, const std::string& board,
@@ -212,12 +230,12 @@ int run_run(Context& context) {
   const auto duration = duration_of(context, loaded->schedule);
   if (!duration) return finish(context, kExitInvalid);
 
-  const WorkFolder work(context.options.keep);
+  const WorkFolder work(context);
+  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   const auto path = make_image(context, *loaded, board, *duration, work);
   if (!path) return finish(context, kExitInvalid);
   const auto image = image_facts(*path, board != "host", !all_constant(loaded->robot), context.diagnostics);
   if (!image || context.diagnostics.has_errors()) return finish(context, kExitInvalid);
-  keep_parts(context, loaded->robot, work.path());
   if (context.options.build_only) return finish_build(context, *image, board);
   // What the analysis finds wrong is analyze's answer, not this one's: a run that goes well is a good run.
   Diagnostics analysis;

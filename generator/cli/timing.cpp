@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/exit_status.hpp"
 #include "generator/cli/finish.hpp"
 #include "generator/cli/load.hpp"
+#include "generator/file/replace_file.hpp"
 #include "generator/simulate/command.hpp"
 #include "generator/timing/command.hpp"
 #include "generator/timing/from_robot.hpp"
@@ -106,17 +106,15 @@ int run_simulate_command(Context& context) {
   const auto question = read_question(context, assumed);
   if (!question) return finish(context, kExitInvalid);
 
-  std::ofstream trace;
-  if (!context.options.out.empty()) {
-    trace.open(context.options.out, std::ios::binary | std::ios::trunc);
-    if (!trace) {
-      context.diagnostics.error(code::output_not_writable, {}, fmt::format("cannot write '{}'", context.options.out));
-      return finish(context, kExitInvalid);
-    }
-    request.trace = &trace;
-  }
+  std::optional<ReplacedFile> trace;
+  if (!context.options.out.empty()) request.trace = &trace.emplace(context.options.out).stream();
   std::ostringstream result;
   const int status = run_simulate(question->model, request, context.diagnostics, result);
+  if (trace && status != kExitInvalid) {
+    const auto reason = trace->commit();
+    if (reason) report_unwritten(context, context.options.out, *reason);
+    if (reason) return finish(context, kExitInvalid);
+  }
   return finish_analysis(context, status, result.str());
 }
 

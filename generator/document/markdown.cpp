@@ -42,12 +42,16 @@ std::string sentence(std::string text) {
   return text + ".";
 }
 
+bool has_made_part(const std::string& page) {
+  const std::size_t begin = page.find(kBegin);
+  return begin != std::string::npos && page.find(kEnd, begin) != std::string::npos;
+}
+
 std::string with_made_part(const std::optional<std::string>& page, const std::string& title, const std::string& made) {
   const std::string part = kBegin + made + kEnd;
-  const std::size_t begin = page ? page->find(kBegin) : std::string::npos;
-  const std::size_t end = page ? page->find(kEnd) : std::string::npos;
-  if (begin == std::string::npos || end == std::string::npos || end < begin) return title + "\n\n" + part;
-  return page->substr(0, begin) + part + page->substr(end + std::string(kEnd).size());
+  if (!page || !has_made_part(*page)) return title + "\n\n" + part;
+  const std::size_t begin = page->find(kBegin);
+  return page->substr(0, begin) + part + page->substr(page->find(kEnd, begin) + std::string(kEnd).size());
 }
 
 }  // namespace finemote::gen

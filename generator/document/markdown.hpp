@@ -24,6 +24,9 @@ std::string time_text(std::int64_t ns);
 /// The first letter large, a full stop at the end.
 std::string sentence(std::string text);
 
+/// Whether a page has the marks.
+bool has_made_part(const std::string& page);
+
 /// `page` with what stands between the marks replaced by `made`; the marks stay. A page without marks, or none, becomes
 /// the title, the marks and `made`.
 std::string with_made_part(const std::optional<std::string>& page, const std::string& title, const std::string& made);

@@ -9,9 +9,10 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <string_view>
+
+#include "generator/file/system_reason.hpp"
 
 namespace finemote::gen::files {
 namespace {
@@ -21,11 +22,7 @@ namespace fs = std::filesystem;
 constexpr const char* kOutside = "it lies outside the sandbox";
 constexpr int kReading = O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
 
-Denial system_denial(int error) {
-  std::string reason = std::strerror(error);
-  reason[0] = static_cast<char>(reason[0] | 0x20);
-  return {error, std::move(reason), false};
-}
+Denial system_denial(int error) { return {error, system_reason(error), false}; }
 
 Denial outside(const char* reason = kOutside) { return {0, reason, true}; }
 

@@ -66,6 +66,12 @@ std::string possible_name(const std::string& cpp) {
   return invalid_name(name) ? name + (name.back() == '_' ? "1" : "_1") : name;
 }
 
+/// A name near to one that is taken, and not taken: `slots` -> `slots_1`, `finemote_imu` -> `my_finemote_imu`.
+std::string free_name(const std::string& cpp, NameScope scope) {
+  const std::string behind = possible_name(cpp + "_1");
+  return reserved_name(behind, scope) ? possible_name("my_" + cpp) : behind;
+}
+
 /// Whether the name can be used at all.
 bool check_one(Diagnostics& diagnostics, const Named& entry, NameScope scope) {
   const xml::Attribute* attribute = entry.tag->attribute("name");
@@ -80,7 +86,8 @@ bool check_one(Diagnostics& diagnostics, const Named& entry, NameScope scope) {
   }
   if (const auto reason = reserved_name(cpp, scope)) {
     at_value(diagnostics, code::name_reserved, *attribute, fmt::format("the name '{}' is taken", entry.name->text))
-        .note(fmt::format("{} {}", becomes, *reason));
+        .note(fmt::format("{} {}", becomes, *reason))
+        .hint(fmt::format("write for example name=\"{}\"", free_name(cpp, scope)));
     return false;
   }
   return true;
@@ -93,7 +100,8 @@ std::string described(const char* what, const Name& name) { return fmt::format("
 void check_names(Reading& reading) {
   Diagnostics& diagnostics = reading.diagnostics;
   const Robot& robot = reading.robot;
-  check_one(diagnostics, {&robot.name, &reading.root, "robot"}, NameScope::robot);
+  const Named whole{&robot.name, &reading.root, "robot"};
+  if (check_one(diagnostics, whole, NameScope::robot)) check_one(diagnostics, whole, NameScope::file);
 
   NameTable buses(diagnostics);    // what `bus=` can name, and names beside the tree namespaces
   NameTable devices(diagnostics);  // what `parent=` and `device=` can name
@@ -124,7 +132,7 @@ void check_names(Reading& reading) {
     if (!is_fresh) continue;
     if (!is_root) {
       slots.compare(entry);
-    } else if (check_one(diagnostics, entry, NameScope::in_robot)) {
+    } else if (check_one(diagnostics, entry, NameScope::in_robot) && check_one(diagnostics, entry, NameScope::file)) {
       buses.add(entry);  // its tree's namespace stands beside them
     }
   }

@@ -40,6 +40,15 @@ bool is_period_name(std::string_view name, std::string_view prefix) {
   return digits > 0 && contains(kUnits, name.substr(digits));
 }
 
+/// Names Windows keeps for devices in every folder, whatever the extension: such a file cannot be made there, and a
+/// repository that holds one cannot be checked out. Source: Microsoft, "Naming Files, Paths, and Namespaces".
+bool is_windows_device(std::string_view name) {
+  const std::string folded = fold_case(name);
+  if (contains(std::array{"con", "prn", "aux", "nul"}, folded)) return true;
+  const bool is_numbered = folded.rfind("com", 0) == 0 || folded.rfind("lpt", 0) == 0;
+  return is_numbered && folded.size() == 4 && folded[3] >= '1' && folded[3] <= '9';
+}
+
 }  // namespace
 
 std::string cpp_name(std::string_view text) {
@@ -53,6 +62,10 @@ std::optional<std::string> reserved_name(std::string_view cpp, NameScope scope) 
   constexpr std::array kInRobot{"slots",        "constants", "bounds",   "start_buses", "supervise_buses",
                                 "safe_outputs", "buckets",   "kBuckets", "kOrder",      "kMonitored"};
   constexpr std::array kInTree{"ports", "slots", "constants", "Stage"};
+  if (scope == NameScope::file)
+    return is_windows_device(cpp)
+               ? std::optional<std::string>("names a device of Windows, where no file can be called so")
+               : std::nullopt;
   if (contains(kOutermost, cpp)) return "is a namespace generated code uses";
   if (cpp.substr(0, 9) == "finemote_") return "begins as names of the runtime do";
   if (scope == NameScope::robot && cpp.front() == '_')

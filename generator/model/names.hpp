@@ -19,6 +19,7 @@ inline Name make_name(std::string_view text) { return {std::string(text), cpp_na
 enum class NameScope {
   robot,     ///< the outermost namespace, beside the C library
   in_robot,  ///< buses, expanders and tree namespaces
+  file,      ///< roots and robots, after which files are named
   in_tree,   ///< devices
 };
 

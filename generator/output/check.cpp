@@ -7,6 +7,8 @@
 #include <fstream>
 #include <map>
 
+#include "generator/diagnostic/code_output.hpp"
+#include "generator/output/lock.hpp"
 #include "generator/output/sha256.hpp"
 
 namespace finemote::gen {
@@ -14,18 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string without_carriage_returns(std::string text) {
-  text.erase(std::remove(text.begin(), text.end(), '\r'), text.end());
-  return text;
-}
-
 std::map<std::string, std::string> by_name(const std::vector<HashedFile>& files) {
   std::map<std::string, std::string> map;
   for (const HashedFile& file : files) map[file.name] = file.sha256;
   return map;
 }
 
-/// Why the output should be different now: which inputs changed since the manifest was written.
+/// Which inputs changed since the manifest was written; empty: none.
 std::string changed_inputs(const Manifest& previous, const Manifest& now) {
   const auto before = by_name(previous.inputs);
   const auto after = by_name(now.inputs);
@@ -44,19 +41,39 @@ std::string changed_inputs(const Manifest& previous, const Manifest& now) {
   for (const auto& [name, hash] : before) {
     if (after.count(name) == 0) add(name, "is gone");
   }
-  if (!names.empty()) return names;
-  return previous.tool == now.tool ? "the generator writes it differently" : "written by " + previous.tool;
+  return names;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  return words.empty() ? "no options" : fmt::format("{}", fmt::join(words, " "));
+}
+
+/// Why the output should be different now, as far as that can be known.
+std::string changes(const Manifest& previous, const Manifest& now) {
+  std::string reason = changed_inputs(previous, now);
+  if (previous.options != now.options) {
+    reason += fmt::format("{}generated with {}, checked with {}", reason.empty() ? "" : "; ", joined(previous.options),
+                          joined(now.options));
+  }
+  if (!reason.empty()) return reason;
+  if (previous.tool != now.tool) return "written by " + previous.tool;
+  return "same inputs and options, but the environment or the build of finemote differs";
 }
 
 class Checker {
  public:
-  Checker(const std::string& folder, const Output& output, const Manifest& previous)
-      : root_(folder),
-        listed_(by_name(previous.outputs)),
+  Checker(const Folder& folder, const Output& output)
+      : root_(folder.root),
+        has_manifest_(folder.memory == Folder::Memory::complete),
+        listed_(by_name(folder.previous.outputs)),
         wanted_(by_name(output.manifest.outputs)),
-        why_(changed_inputs(previous, output.manifest)) {}
+        why_(has_manifest_ ? changes(folder.previous, output.manifest) : "nothing was generated here") {}
 
-  std::vector<Finding> run(const Manifest& previous, const Output& output) {
+  std::vector<Finding> run(const Folder& folder, const Output& output) {
+    const Manifest& previous = folder.previous;
+    if (folder.memory == Folder::Memory::none) add(Finding::State::missing, kManifestName, why_);
+    if (folder.memory == Folder::Memory::broken)
+      add(Finding::State::hand_edited, kManifestName, "cannot be used: what was generated is not known");
     for (const HashedFile& file : output.manifest.outputs) compare(file.name);
     for (const HashedFile& file : previous.outputs) {
       if (wanted_.count(file.name) == 0) compare(file.name);
@@ -75,11 +92,7 @@ class Checker {
     const auto wanted = wanted_.find(name);
     const auto listed = listed_.find(name);
     const auto text = read_bytes((root_ / name).string());
-    if (listed == listed_.end()) {
-      if (text && sha256(*text) == wanted->second) return add(Finding::State::stale, name, "not in the manifest");
-      return text ? add(Finding::State::hand_edited, name, "not in the manifest, and not what would be generated")
-                  : add(Finding::State::missing, name, "would be new: " + why_);
-    }
+    if (listed == listed_.end()) return compare_unlisted(name, text, wanted->second);
     if (!text) return add(Finding::State::missing, name, "listed in the manifest, but not there");
     if (sha256(*text) != listed->second) {
       const bool only_endings = sha256(without_carriage_returns(*text)) == listed->second;
@@ -88,6 +101,21 @@ class Checker {
     }
     if (wanted == wanted_.end()) return add(Finding::State::stale, name, "would no longer be generated: " + why_);
     if (wanted->second != listed->second) add(Finding::State::stale, name, why_);
+  }
+
+  void compare_unlisted(const std::string& name, const std::optional<std::string>& text, const std::string& wanted) {
+    if (!text) return add(Finding::State::missing, name, has_manifest_ ? "would be new: " + why_ : "not there");
+    const bool is_same = sha256(*text) == wanted;
+    if (is_same && has_manifest_) add(Finding::State::stale, name, "not in the manifest");
+    if (is_same) return;
+    if (sha256(without_carriage_returns(*text)) == wanted)
+      return add(Finding::State::line_endings, name, "has CR line ends; generated files have LF");
+    add(Finding::State::hand_edited, name, "not in the manifest, and not what would be generated");
+  }
+
+  /// Names of files that `generate --force` kept, or that a killed run left.
+  static bool is_left_over(const std::string& name) {
+    return name.find(".orig") != std::string::npos || name.find(kTemporaryMark) != std::string::npos;
   }
 
   static bool carries_our_header(const fs::path& path) {
@@ -102,6 +130,7 @@ class Checker {
     std::error_code error;
     std::vector<std::string> orphans;
     for (fs::recursive_directory_iterator entry(root_, error), end; !error && entry != end; entry.increment(error)) {
+      if (is_left_over(entry->path().filename().string())) continue;
       if (!entry->is_regular_file(error) || !carries_our_header(entry->path())) continue;
       const std::string name = entry->path().lexically_relative(root_).generic_string();
       if (listed_.count(name) == 0 && wanted_.count(name) == 0) orphans.push_back(name);
@@ -112,10 +141,19 @@ class Checker {
   }
 
   fs::path root_;
+  bool has_manifest_;
   std::map<std::string, std::string> listed_, wanted_;
   std::string why_;
   std::vector<Finding> findings_;
 };
+
+/// The state as it stands in a sentence.
+const char* state_words(Finding::State state) {
+  if (state == Finding::State::hand_edited) return "edited by hand";
+  if (state == Finding::State::line_endings) return "changed in its line ends";
+  if (state == Finding::State::orphan) return "an orphan";
+  return state_name(state);
+}
 
 }  // namespace
 
@@ -137,20 +175,26 @@ const char* state_name(Finding::State state) {
 
 CheckResult check_output(const std::string& folder, const Output& output, Diagnostics& diagnostics) {
   CheckResult result;
-  const auto previous = open_folder(folder, output, diagnostics);
+  const FolderLock lock(folder_path(folder), FolderLock::Use::look, diagnostics);
   if (diagnostics.has_errors()) return result;
-  if (!previous) {
-    result.findings.push_back({Finding::State::missing, kManifestName, "nothing was generated here"});
-    for (const OutputFile& file : output.files) {
-      if (!read_bytes(folder + "/" + file.name))
-        result.findings.push_back({Finding::State::missing, file.name, "not there"});
-    }
-    return result;
-  }
-  result.findings = Checker(folder, output, *previous).run(*previous, output);
-  result.previous_tool = previous->tool;
-  result.tool_changed = result.findings.empty() && previous->tool != output.manifest.tool;
+  const auto found = open_folder(folder, output, diagnostics);
+  if (!found) return result;
+  result.findings = Checker(*found, output).run(*found, output);
+  result.previous_tool = found->previous.tool;
+  result.tool_changed = result.findings.empty() && result.previous_tool != output.manifest.tool;
   return result;
+}
+
+Diagnostics as_diagnostics(const std::string& folder, const CheckResult& result, Sources& sources) {
+  static constexpr Code kCodes[] = {code::output_missing, code::output_edited, code::output_line_ends,
+                                    code::output_stale, code::output_orphan};
+  Diagnostics diagnostics;
+  for (const Finding& finding : result.findings) {
+    const std::string path = (folder_path(folder) / finding.file).generic_string();
+    diagnostics.error(kCodes[static_cast<std::size_t>(finding.state)], {sources.add({path, path, {}})},
+                      fmt::format("'{}' is {}: {}", finding.file, state_words(finding.state), finding.reason));
+  }
+  return diagnostics;
 }
 
 }  // namespace finemote::gen

@@ -22,11 +22,14 @@ struct CheckResult {
   std::string previous_tool;
 };
 
-/// Reports what open_folder reports; the folder is only read.
+/// Reports what open_folder and FolderLock report; the folder is only read.
 CheckResult check_output(const std::string& folder, const Output& output, Diagnostics& diagnostics);
 
 /// `hand-edited`, `line-endings`, ...
 const char* state_name(Finding::State state);
+
+/// The findings as errors FM5007 to FM5011, each at its file below `folder`; `sources` keeps their names.
+Diagnostics as_diagnostics(const std::string& folder, const CheckResult& result, Sources& sources);
 
 /// Unified diff from the files on disk to those a fresh run would write, for the findings.
 std::string unified_diff(const std::string& folder, const Output& output, const CheckResult& result);

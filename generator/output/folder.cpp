@@ -1,12 +1,17 @@
 #include "generator/output/folder.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include <filesystem>
+#include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <set>
 #include <sstream>
 
+#include "generator/diagnostic/code_output.hpp"
+#include "generator/file/system_reason.hpp"
 #include "generator/output/sha256.hpp"
 #include "generator/version.hpp"
 
@@ -15,28 +20,84 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void report_kind(const fs::path& path, const char* wanted, Diagnostics& diagnostics) {
-  std::error_code error;
-  const fs::file_status status = fs::symlink_status(path, error);
-  if (fs::is_symlink(status)) {
-    diagnostics
-        .error(code::output_not_writable, {}, fmt::format("output '{}' is a symbolic link", path.generic_string()))
+enum class Kind { folder, file };
+
+void report_unreadable(const fs::path& path, int error, Diagnostics& diagnostics) {
+  diagnostics.error(code::output_not_readable, {},
+                    fmt::format("cannot read '{}': {}", path.generic_string(), system_reason(error)));
+}
+
+/// Reports what stands there and cannot be an output; nothing is there yet is fine.
+void check_kind(const fs::path& path, Kind wanted, Diagnostics& diagnostics) {
+  std::error_code failed;
+  const fs::file_status status = fs::symlink_status(path, failed);
+  const std::string name = path.generic_string();
+  if (status.type() == fs::file_type::none) {
+    report_unreadable(path, failed.value(), diagnostics);
+  } else if (fs::is_symlink(status)) {
+    diagnostics.error(code::output_not_writable, {}, fmt::format("output '{}' is a symbolic link", name))
         .hint("remove the link, or give the real folder with -o");
-  } else if (fs::exists(status) && std::string_view(wanted) == "folder" && !fs::is_directory(status)) {
-    diagnostics.error(code::output_not_writable, {}, fmt::format("output '{}' is not a folder", path.generic_string()))
+  } else if (fs::exists(status) && wanted == Kind::folder && !fs::is_directory(status)) {
+    diagnostics.error(code::output_not_writable, {}, fmt::format("output '{}' is not a folder", name))
         .hint("give another folder with -o");
-  } else if (fs::exists(status) && std::string_view(wanted) == "file" && !fs::is_regular_file(status)) {
-    diagnostics.error(code::output_not_writable, {}, fmt::format("output '{}' is not a file", path.generic_string()));
+  } else if (fs::exists(status) && wanted == Kind::file && !fs::is_regular_file(status)) {
+    diagnostics.error(code::output_not_writable, {}, fmt::format("output '{}' is not a file", name))
+        .hint("give another folder with -o");
   }
+}
+
+void check_readable(const fs::path& path, int how, Diagnostics& diagnostics) {
+  if (::faccessat(AT_FDCWD, path.c_str(), how, AT_EACCESS) == 0 || errno == ENOENT) return;
+  report_unreadable(path, errno, diagnostics);
+}
+
+/// All folders between the root and the files, the outer ones first.
+std::set<fs::path> inner_folders(const fs::path& root, const Output& output, const Manifest& previous) {
+  std::set<fs::path> folders;
+  const auto add = [&](const std::string& name) {
+    for (fs::path path = fs::path(name).parent_path(); !path.empty(); path = path.parent_path())
+      folders.insert(root / path);
+  };
+  for (const OutputFile& file : output.files) add(file.name);
+  for (const HashedFile& file : previous.outputs) {
+    std::error_code ignored;
+    const fs::file_status status = fs::symlink_status((root / file.name).parent_path(), ignored);
+    if (fs::is_directory(status) || fs::is_symlink(status)) add(file.name);  // else the file is gone
+  }
+  return folders;
+}
+
+void read_memory(Folder& folder, Diagnostics& diagnostics) {
+  const fs::path path = folder.root / kManifestName;
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return;
+  folder.memory = Folder::Memory::broken;
+  const std::string name = path.generic_string();
+  const auto text = read_bytes(path.string());
+  if (!text) {
+    diagnostics
+        .warning(code::broken_manifest, {}, fmt::format("cannot read manifest '{}': {}", name, system_reason(errno)))
+        .hint("generate writes it anew; it replaces only files that hold what it would write");
+    return;
+  }
+  if (auto manifest = parse_manifest(*text)) {
+    folder.previous = std::move(*manifest);
+    folder.memory = Folder::Memory::complete;
+    return;
+  }
+  diagnostics.warning(code::broken_manifest, {}, fmt::format("'{}' is no manifest of this version", name))
+      .hint("generate writes it anew; it replaces only files that hold what it would write");
 }
 
 }  // namespace
 
-Output make_output(std::vector<OutputFile> files, std::vector<HashedFile> inputs, const std::string& robot) {
+Output make_output(std::vector<OutputFile> files, std::vector<HashedFile> inputs, const std::string& robot,
+                   std::vector<std::string> options) {
   Output output;
   output.files = std::move(files);
   output.manifest.tool = std::string("finemote ") + kVersion;
   output.manifest.robot = robot;
+  output.manifest.options = std::move(options);
   output.manifest.inputs = std::move(inputs);
   for (const OutputFile& file : output.files) output.manifest.outputs.push_back({file.name, sha256(file.text)});
   return output;
@@ -52,37 +113,49 @@ std::optional<std::string> read_bytes(const std::string& path) {
   return text.str();
 }
 
-std::optional<Manifest> open_folder(const std::string& folder, const Output& output, Diagnostics& diagnostics) {
+std::string without_carriage_returns(std::string text) {
+  text.erase(std::remove(text.begin(), text.end(), '\r'), text.end());
+  return text;
+}
+
+fs::path folder_path(const std::string& folder) {
   // A trailing separator would make the system look behind a link.
   fs::path root = fs::path(folder).lexically_normal();
-  if (!root.has_filename()) root = root.parent_path();
-  report_kind(root, "folder", diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-  std::set<fs::path> folders;
-  for (const OutputFile& file : output.files) {
-    const fs::path path = root / file.name;
-    if (path.parent_path() != root) folders.insert(path.parent_path());
-    report_kind(path, "file", diagnostics);
-  }
-  for (const fs::path& path : folders) report_kind(path, "folder", diagnostics);
-  report_kind(root / kManifestName, "file", diagnostics);
+  return root.has_filename() ? root : root.parent_path();
+}
 
-  const auto text = read_bytes((root / kManifestName).string());
-  if (!text) return std::nullopt;
-  const auto manifest = parse_manifest(*text);
-  if (!manifest) {
-    diagnostics
-        .error(code::broken_manifest, {},
-               fmt::format("'{}' in '{}' is no manifest of this version", kManifestName, root.generic_string()))
-        .hint("delete the folder and generate again");
-  } else if (manifest->robot != output.manifest.robot) {
+bool check_root(const fs::path& root, Diagnostics& diagnostics) {
+  check_kind(root, Kind::folder, diagnostics);
+  if (!diagnostics.has_errors()) check_readable(root, R_OK | X_OK, diagnostics);
+  return !diagnostics.has_errors();
+}
+
+std::optional<Folder> open_folder(const std::string& folder, const Output& output, Diagnostics& diagnostics) {
+  Folder found;
+  found.root = folder_path(folder);
+  if (!check_root(found.root, diagnostics)) return std::nullopt;
+
+  check_kind(found.root / kManifestName, Kind::file, diagnostics);
+  if (!diagnostics.has_errors()) read_memory(found, diagnostics);
+  for (const fs::path& path : inner_folders(found.root, output, found.previous)) {
+    check_kind(path, Kind::folder, diagnostics);
+    if (!diagnostics.has_errors()) check_readable(path, R_OK | X_OK, diagnostics);
+  }
+  if (diagnostics.has_errors()) return std::nullopt;  // what lies below would repeat it
+  for (const OutputFile& file : output.files) {
+    check_kind(found.root / file.name, Kind::file, diagnostics);
+    check_readable(found.root / file.name, R_OK, diagnostics);
+  }
+  const std::string& owner = found.previous.robot;
+  if (found.memory == Folder::Memory::complete && owner != output.manifest.robot) {
     diagnostics
         .error(code::folder_of_another_robot, {},
-               fmt::format("'{}' holds the output of robot '{}', not of '{}'", root.generic_string(), manifest->robot,
+               fmt::format("'{}' holds the output of robot '{}', not of '{}'", found.root.generic_string(), owner,
                            output.manifest.robot))
         .hint("give each robot a folder of its own with -o");
   }
-  return manifest;
+  if (diagnostics.has_errors()) return std::nullopt;
+  return found;
 }
 
 }  // namespace finemote::gen

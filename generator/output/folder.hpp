@@ -1,6 +1,7 @@
 // The output folder as it is on disk, and the files it should hold.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,13 +18,37 @@ struct Output {
 };
 
 /// Hashes the rendered files and the inputs (names beside their bytes) into a manifest.
-Output make_output(std::vector<OutputFile> files, std::vector<HashedFile> inputs, const std::string& robot);
+Output make_output(std::vector<OutputFile> files, std::vector<HashedFile> inputs, const std::string& robot,
+                   std::vector<std::string> options = {});
 
-/// The bytes of a file; none when there is no such regular file.
+/// The bytes of a file; none when there is no such regular file, or it cannot be read.
 std::optional<std::string> read_bytes(const std::string& path);
 
-/// The manifest in `folder`; none when there is none. Reports FM5001 for one that cannot be used, FM5002 when `folder`
-/// or a file in it that we would write is a symbolic link or no folder, FM5003 when it belongs to another robot.
-std::optional<Manifest> open_folder(const std::string& folder, const Output& output, Diagnostics& diagnostics);
+/// In the name of every file that is not complete yet: `NAME.finemote-tmp-PID`.
+inline constexpr const char* kTemporaryMark = ".finemote-tmp";
+
+/// The text without CR: what is left of a difference between two systems' line ends.
+std::string without_carriage_returns(std::string text);
+
+/// What an earlier run left in the folder.
+struct Folder {
+  enum class Memory { none, broken, complete };
+
+  std::filesystem::path root;
+  Memory memory = Memory::none;  ///< of the manifest: not there, not usable, usable
+  Manifest previous;             ///< empty unless complete
+};
+
+/// `folder` in normal form, without a separator at its end.
+std::filesystem::path folder_path(const std::string& folder);
+
+/// Whether a folder can be there: reports FM5002 for a symbolic link and what is no folder, FM5006 for what cannot be
+/// read.
+bool check_root(const std::filesystem::path& root, Diagnostics& diagnostics);
+
+/// Looks at the folder, which may not exist. Reports FM5001 (a warning) for a manifest that cannot be used, FM5002 when
+/// the folder or a file in it that we would write is a symbolic link or of another kind, FM5003 when it belongs to
+/// another robot, FM5006 when the folder or such a file cannot be read; none after an error.
+std::optional<Folder> open_folder(const std::string& folder, const Output& output, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

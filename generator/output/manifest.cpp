@@ -1,5 +1,7 @@
 #include "generator/output/manifest.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 namespace finemote::gen {
@@ -22,37 +24,39 @@ std::vector<HashedFile> read_list(const Json& list) {
   return files;
 }
 
-/// A relative name without `..`: what generate itself could have written.
-bool stays_inside(const std::string& name) {
-  if (name.empty() || name.front() == '/' || name.find('\\') != std::string::npos) return false;
-  return ("/" + name + "/").find("/../") == std::string::npos;
+/// A relative name in normal form without `..`: what generate itself could have written.
+bool could_be_ours(const HashedFile& file) {
+  const std::string& name = file.name;
+  const bool is_plain = !name.empty() && name.front() != '/' && name.back() != '/' && name != "." &&
+                        name.find('\\') == std::string::npos && name.find('\0') == std::string::npos;
+  if (!is_plain || name == kManifestName) return false;
+  const std::string normal = std::filesystem::path(name).lexically_normal().generic_string();
+  return normal == name && name != ".." && name.rfind("../", 0) != 0;
 }
 
 }  // namespace
 
 std::string manifest_text(const Manifest& manifest) {
-  const Json json{{"schema", kSchema},
-                  {"tool", manifest.tool},
-                  {"format", manifest.format},
-                  {"robot", manifest.robot},
-                  {"inputs", file_list(manifest.inputs)},
-                  {"outputs", file_list(manifest.outputs)}};
+  Json json{{"schema", kSchema}, {"tool", manifest.tool}, {"format", manifest.format}, {"robot", manifest.robot}};
+  if (!manifest.options.empty()) json["options"] = manifest.options;
+  json["inputs"] = file_list(manifest.inputs);
+  json["outputs"] = file_list(manifest.outputs);
   return json.dump(2) + "\n";
 }
 
 std::optional<Manifest> parse_manifest(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded() || !json.is_object() || json.value("schema", "") != kSchema) return std::nullopt;
+  if (json.is_discarded() || !json.is_object()) return std::nullopt;
   try {
+    if (json.at("schema").get<std::string>() != kSchema) return std::nullopt;
     Manifest manifest;
     manifest.tool = json.at("tool").get<std::string>();
     manifest.format = json.at("format").get<int>();
     manifest.robot = json.at("robot").get<std::string>();
+    if (json.contains("options")) manifest.options = json.at("options").get<std::vector<std::string>>();
     manifest.inputs = read_list(json.at("inputs"));
     manifest.outputs = read_list(json.at("outputs"));
-    for (const HashedFile& file : manifest.outputs) {
-      if (!stays_inside(file.name)) return std::nullopt;
-    }
+    if (!std::all_of(manifest.outputs.begin(), manifest.outputs.end(), could_be_ours)) return std::nullopt;
     return manifest;
   } catch (const Json::exception&) {
     return std::nullopt;

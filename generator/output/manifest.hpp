@@ -21,6 +21,9 @@ struct Manifest {
   std::string tool;   ///< `finemote 0.1.0`
   int format = 1;     ///< of the generated files
   std::string robot;  ///< two robots never share a folder
+  /// What else the output depends on, as on the command line: `period:=20ms`, `--board qemu_f405`. Written only when
+  /// there is any.
+  std::vector<std::string> options;
   std::vector<HashedFile> inputs, outputs;
 };
 
@@ -28,7 +31,7 @@ struct Manifest {
 std::string manifest_text(const Manifest& manifest);
 
 /// Reads a manifest's bytes; none when they are no manifest of a format this version knows, or name a file that
-/// would lie outside the folder.
+/// generate cannot have written: outside the folder, not in normal form, or the manifest itself.
 std::optional<Manifest> parse_manifest(const std::string& text);
 
 }  // namespace finemote::gen

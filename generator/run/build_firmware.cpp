@@ -4,7 +4,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "generator/run/process.hpp"
@@ -20,18 +19,6 @@ std::string cmake_list(const char* keyword, const std::vector<std::string>& valu
   std::string text = std::string(" ") + keyword;
   for (const std::string& value : values) text += fmt::format(" [==[{}]==]", fs::absolute(value).generic_string());
   return text;
-}
-
-void write_project(const FirmwareRequest& request) {
-  std::ofstream project(fs::path(request.folder) / "CMakeLists.txt");
-  project << "cmake_minimum_required(VERSION 3.25)\n"
-          << "project(firmware LANGUAGES CXX" << (request.board == "host" ? "" : " ASM") << ")\n"
-          << fmt::format("include([==[{}/cmake/FinemoteFirmware.cmake]==])\n",
-                         fs::absolute(request.data_dir).generic_string())
-          << "finemote_add_firmware(firmware GENERATED ${CMAKE_CURRENT_SOURCE_DIR}/generated BOARD " << request.board
-          << (request.trace ? " TRACE" : "") << (request.monitor ? " MONITOR" : "")
-          << (request.duration_ns > 0 ? fmt::format(" DURATION {}ns", request.duration_ns) : "")
-          << cmake_list("INCLUDES", request.include_dirs) << cmake_list("SOURCES", request.sources) << ")\n";
 }
 
 /// What a build said without its progress and its commands: what is left are the compiler's messages.
@@ -90,9 +77,21 @@ bool step(const std::vector<std::string>& command, const char* what, Diagnostics
 
 }  // namespace
 
+std::string project_text(const FirmwareRequest& request) {
+  std::ostringstream project;
+  project << "cmake_minimum_required(VERSION 3.25)\n"
+          << "project(firmware LANGUAGES CXX" << (request.board == "host" ? "" : " ASM") << ")\n"
+          << fmt::format("include([==[{}/cmake/FinemoteFirmware.cmake]==])\n",
+                         fs::absolute(request.data_dir).generic_string())
+          << "finemote_add_firmware(firmware GENERATED ${CMAKE_CURRENT_SOURCE_DIR}/generated BOARD " << request.board
+          << (request.trace ? " TRACE" : "") << (request.monitor ? " MONITOR" : "")
+          << (request.duration_ns > 0 ? fmt::format(" DURATION {}ns", request.duration_ns) : "")
+          << cmake_list("INCLUDES", request.include_dirs) << cmake_list("SOURCES", request.sources) << ")\n";
+  return project.str();
+}
+
 std::optional<std::string> build_firmware(const FirmwareRequest& request, Diagnostics& diagnostics) {
   if (!are_there(tools_for(request.board), diagnostics)) return std::nullopt;
-  write_project(request);
   const fs::path build = fs::path(request.folder) / "build";
   std::vector<std::string> configure{"cmake", "-S", request.folder, "-B", build.string(), "-G", "Ninja"};
   if (run_process({"ccache", "--version"}, std::chrono::seconds(10)).started) {

@@ -10,7 +10,7 @@
 namespace finemote::gen {
 
 struct FirmwareRequest {
-  std::string folder;            ///< work folder: `generated` in it holds the sources, `build` is made
+  std::string folder;            ///< work folder: holds CMakeLists.txt and `generated`; `build` is made
   std::string data_dir;          ///< holds runtime and cmake
   std::string board;             ///< folder below runtime/boards
   std::int64_t duration_ns = 0;  ///< the run ends by itself; 0: never
@@ -19,6 +19,9 @@ struct FirmwareRequest {
   std::vector<std::string> include_dirs;  ///< of the user's own device types
   std::vector<std::string> sources;       ///< and their sources
 };
+
+/// The CMakeLists.txt of the work folder.
+std::string project_text(const FirmwareRequest& request);
 
 /// Builds and returns the path of the executable. Reports FM0006 when CMake, Ninja or the compiler is missing and
 /// FM6001 with the compiler's words when the sources do not compile.

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "generator/file/replace_file.hpp"
 #include "generator/json/parse.hpp"
 #include "generator/run/parts.hpp"
 #include "generator/run/process.hpp"
@@ -76,7 +77,10 @@ Json ports_of(const Robot& robot) {
 /// Runs the job; null and FM0006 or FM6003 where the program is missing or fails.
 Json run_job(const Json& job, const std::string& image, std::int64_t duration_ns, Diagnostics& diagnostics) {
   const std::string job_file = image + ".job.json", record_file = image + ".record.json";
-  std::ofstream(job_file, std::ios::binary | std::ios::trunc) << job << "\n";
+  if (const auto reason = replace_file(job_file, job.dump() + "\n")) {
+    diagnostics.error(code::output_not_writable, {}, fmt::format("cannot write '{}': {}", job_file, *reason));
+    return {};
+  }
   fs::remove(record_file);
   const std::chrono::seconds limit(120 + 60 * (duration_ns / 1'000'000'000));
   const std::string program = (program_folder() / "finemote-emulator").string();

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <ostream>
 
 #include "generator/diagnostic/render.hpp"
+#include "generator/file/replace_file.hpp"
+#include "generator/file/system_reason.hpp"
 #include "generator/xml/read_source.hpp"
 #include "generator/xml/write.hpp"
 
@@ -44,29 +42,15 @@ PackagePath packages_of(const XacroOptions& options) {
   return packages;
 }
 
-/// Writes beside the file first, so that a failure leaves the old one.
-bool write_file(const std::string& path, const std::string& text, Diagnostics& diagnostics, Sources& sources) {
-  namespace fs = std::filesystem;
-  const fs::path target(path);
+/// Makes the folders around the file, as ROS xacro does; a failure leaves the old file.
+void write_file(const std::string& path, const std::string& text, Diagnostics& diagnostics, Sources& sources) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::error_code failed;
-  if (target.has_parent_path()) fs::create_directories(target.parent_path(), failed);
-  const bool is_special = fs::exists(target, failed) && !fs::is_regular_file(target, failed);  // /dev/null, a pipe
-  const fs::path written = is_special ? target : fs::path(path + ".tmp");
-  errno = 0;
-  std::ofstream file(written, std::ios::binary);
-  file << text;
-  file.close();
-  bool ok = !file.fail();
-  const int reason = errno;
-  if (ok && !is_special) {
-    fs::rename(written, target, failed);
-    ok = !failed;
-  }
-  if (ok) return true;
-  if (!is_special) fs::remove(written, failed);
-  const SourceFile* place = sources.add(SourceFile{path, path, {}});
-  diagnostics.error(code::xacro_output, {place}, fmt::format("Failed to open output: {}", std::strerror(reason)));
-  return false;
+  if (!folder.empty()) std::filesystem::create_directories(folder, failed);
+  auto reason = failed ? std::optional(system_reason(failed.value())) : replace_file(path, text);
+  if (!reason) return;
+  diagnostics.error(code::xacro_output, {sources.add(SourceFile{path, path, {}})},
+                    fmt::format("Failed to open output: {}", *reason));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST_CASE("a file whose bytes are right is not touched, a changed one is mended,
   REQUIRE(run_finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out")}).exit_status == 0);
   const auto files = files_below(folder.path("out"));
   const auto stamp = fs::last_write_time(folder.path("out/schedule.cpp"));
-  write_file(folder.path("out/trees/a.cpp"), "edited");
+  fs::remove(folder.path("out/trees/a.cpp"));
   write_file(folder.path("out/mine.txt"), "the user's own file");
   REQUIRE(run_finemote({"generate", folder.path("twin.urdf"), "-o", folder.path("out")}).exit_status == 0);
   CHECK(fs::last_write_time(folder.path("out/schedule.cpp")) == stamp);

@@ -26,9 +26,10 @@ std::string read(const fs::path& path) {
   return text.str();
 }
 
-/// Name -> number of every constant in code.hpp.
+/// Name -> number of every constant in code.hpp and code_output.hpp.
 std::map<std::string, int> declared_codes() {
-  const std::string text = read(fs::path(kSource) / "generator/diagnostic/code.hpp");
+  const fs::path folder = fs::path(kSource) / "generator/diagnostic";
+  const std::string text = read(folder / "code.hpp") + read(folder / "code_output.hpp");
   const std::regex declaration(R"(inline constexpr Code (\w+)\{(\d+)\})");
   std::map<std::string, int> codes;
   for (std::sregex_iterator match(text.begin(), text.end(), declaration), end; match != end; ++match) {

@@ -279,6 +279,24 @@ frame_FM4020() { example=$(with_period); robot; finemote analyze robot.urdf; }
 frame_FM4021() { robot "$example"; finemote analyze robot.urdf; }
 
 # ---- output
+# robot.urdf, generated into out, before the example
+generated() { any_robot; finemote -q generate robot.urdf -o out; eval "$example"; }
+frame_FM5004() { any_robot; mkdir out; echo 'int mine;' >out/buses.cpp; eval "$example"; }
+frame_FM5007() { generated; }
+frame_FM5008() { generated; }
+frame_FM5009() { generated; }
+frame_FM5010() { generated; }
+frame_FM5011() { generated; }
+# the superuser can read everything: as somebody else
+frame_FM5006() {
+  any_robot
+  finemote -q generate robot.urdf -o out
+  chmod -R a+rwX "$PWD"
+  [ "$(id -u)" != 0 ] || finemote() { setpriv --reuid 65534 --clear-groups "$(type -P finemote)" "$@"; }
+  eval "$example"
+  chmod 755 out
+  unset -f finemote
+}
 frame_FM5001() { any_robot; finemote generate robot.urdf -o out; [ $which = Right ] || sed -i 's/schema/shcema/' out/finemote.manifest.json; eval "$example"; }
 frame_FM5002() { any_robot; mkdir elsewhere; ln -s elsewhere out; eval "$example"; }
 frame_FM5003() {
