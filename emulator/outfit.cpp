@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include "emulator/outfit/ports.hpp"
+#include "emulator/scenario/read.hpp"
+#include "generator/diagnostic/render.hpp"
+
 namespace finemote::emulator {
 namespace {
 
@@ -27,28 +31,27 @@ constexpr std::pair<const char*, MakeElement> kModels[] = {
     {"weights", make_weights},
 };
 
-}  // namespace
-
-MakeElement find_model(const std::string& type) {
+MakeElement maker_of(const std::string& type) {
   for (const auto& [name, make] : kModels) {
     if (type == name) return make;
   }
-  return nullptr;
+  throw std::logic_error("nothing makes a part of type '" + type + "'");
 }
 
+/// @throws std::invalid_argument with every mistake
+void check(const Json& document, const std::map<std::string, const scenario::Model*>& models) {
+  scenario::World world;
+  for (const auto& [name, model] : models) world.parts.push_back({name, model->type});
+  gen::Diagnostics diagnostics;
+  const gen::SourceFile text{"scenario", "", document.dump(2)};
+  if (!scenario::read(text, world, diagnostics)) throw std::invalid_argument(gen::render_text(diagnostics, false));
+}
+
+}  // namespace
+
 void Outfit::add(const Json& document) {
-  if (!document.is_object() || maybe<std::string>(document, "schema", "") != "finemote.scenario/1")
-    throw std::invalid_argument("a scenario begins with \"schema\": \"finemote.scenario/1\"");
-  for (const auto& [key, value] : document.items()) {
-    if (key != "schema" && key != "parts" && key != "events" && key != "expect")
-      throw std::invalid_argument("a scenario has no member '" + key + "'");
-    if (key != "schema" && !value.is_array()) throw std::invalid_argument("'" + key + "' is a list");
-  }
-  const Json none = Json::array();
-  const auto list = [&](const char* key) -> const Json& {
-    const auto found = document.find(key);
-    return found == document.end() ? none : *found;
-  };
+  check(document, models_);
+  const auto list = [&](const char* key) { return document.value(key, Json::array()); };
   for (const Json& part : list("parts")) add_part(part);
   for (const Json& part : list("parts")) elements_.at(need<std::string>(part, "name"))->connect(*this);
   for (const Json& event : list("events")) add_event(event);
@@ -57,10 +60,9 @@ void Outfit::add(const Json& document) {
 
 void Outfit::add_part(const Json& part) {
   const auto type = need<std::string>(part, "type"), name = need<std::string>(part, "name");
-  const MakeElement make = find_model(type);
-  if (make == nullptr) refuse(part, "no model of a part of type '" + type + "'");
-  if (elements_.count(name) != 0) refuse(part, "there is a part of this name already");
-  elements_[name] = make(*this, part, name);
+  elements_[name] = maker_of(type)(*this, part, name);
+  models_[name] = scenario::find_model(type);
+  elements_[name]->check_complete(*models_[name]);
 }
 
 double Outfit::value(const std::string& part, const std::string& quantity) {
@@ -128,79 +130,29 @@ Outfit::Header Outfit::header_of(const Json& part) {
   return {timer, channel};
 }
 
-bool Outfit::is_pin(const std::string& pin) {
-  const bool digits = pin.size() >= 3 && pin.size() <= 4 && pin.find_first_not_of("0123456789", 2) == std::string::npos;
-  return digits && pin[0] == 'P' && pin[1] >= 'A' && pin[1] <= 'I' && std::stoul(pin.substr(2)) <= 15;
-}
-
-/// `PA0` to `PI15`, driven `high` or `low`, or `release`d.
-void Outfit::check_pin(const Json& event) {
-  const auto pin = need<std::string>(event, "pin"), what = need<std::string>(event, "do");
-  if (!is_pin(pin)) refuse(event, "'pin' is a pin of the chip, PA0 to PI15");
-  if (what != "high" && what != "low" && what != "release") refuse(event, "'" + what + "' cannot happen to a pin");
+bool Outfit::is_fault(const Json& event) const {
+  const auto what = need<std::string>(event, "do");
+  const auto& verbs = event.contains("part")   ? models_.at(need<std::string>(event, "part"))->verbs
+                      : event.contains("port") ? scenario::kind_of_port(need<std::string>(event, "port"))->verbs
+                      : event.contains("pin")  ? scenario::pin_verbs()
+                                               : scenario::board_verbs();
+  return scenario::find_verb(verbs, what)->is_fault;
 }
 
 void Outfit::add_event(const Json& event) {
-  const auto at = need<std::uint64_t>(event, "t_ns");
-  const auto what = need<std::string>(event, "do");
-  const bool to_part = event.contains("part"), to_pin = event.contains("pin");
-  const int targets = to_part + to_pin + event.contains("port");
-  if (targets != 1 && !(targets == 0 && what == "reset"))
-    refuse(event, "an event happens to a 'part', to a 'port' or to a 'pin'");
-  if (to_pin) check_pin(event);
-  if (to_part && find<Element>(need<std::string>(event, "part")) == nullptr) refuse(event, "there is no such part");
-  const bool stimulus = to_pin || what == "volts" ||
-                        (to_part && (what == "move" || what == "send" || what == "disturb" || what == "heat"));
-  injects_faults_ = injects_faults_ || !stimulus;
-  board_.world().at(from_ns(at), [this, event] { happen(event); });
+  injects_faults_ = injects_faults_ || is_fault(event);
+  board_.world().at(from_ns(need<std::uint64_t>(event, "t_ns")), [this, event] { happen(event); });
 }
 
 void Outfit::happen(const Json& event) {
-  if (event.contains("port")) return happen_to_port(event, need<std::string>(event, "port"));
-  if (event.contains("pin")) return happen_to_pin(event, need<std::string>(event, "pin"));
-  const auto what = need<std::string>(event, "do");
-  if (!event.contains("part")) {
-    ++scripted_resets_;
-    return board_.press_reset();
+  if (event.contains("port")) return happen_to_port(board_, event);
+  if (event.contains("pin")) return happen_to_pin(board_, event);
+  if (event.contains("part")) {
+    elements_.at(need<std::string>(event, "part"))->happen(need<std::string>(event, "do"), event);
+    return;
   }
-  if (!find<Element>(need<std::string>(event, "part"))->happen(what, event))
-    refuse(event, "'" + what + "' cannot happen to this part");
-}
-
-/// A pin is driven from outside, or left alone.
-void Outfit::happen_to_pin(const Json& event, const std::string& pin) {
-  const int level = need<std::string>(event, "do") == "release" ? -1 : need<std::string>(event, "do") == "high" ? 1 : 0;
-  board_.chip().gpio(pin[1]).drive(static_cast<unsigned>(std::stoul(pin.substr(2))), level);
-}
-
-void Outfit::happen_to_port(const Json& event, const std::string& port) {
-  const auto what = need<std::string>(event, "do");
-  if (Usart* usart = board_.chip().usart(port)) {
-    if (what == "silent") return void(usart->silent = maybe(event, "on", true));
-    if (what == "noise") return void(usart->noisy_bytes = need<unsigned>(event, "bytes"));
-    if (what == "dma_error") return void(board_.chip().break_dma(port));
-  } else if (I2c* i2c = board_.chip().i2c(port)) {
-    if (what == "nack") return i2c->line.nack(need<std::uint8_t>(event, "address"), need<unsigned>(event, "times"));
-    if (what == "hold_sda") return i2c->line.hold_sda(maybe(event, "clocks", I2cLine::kForever));
-    if (what == "release_sda") return i2c->line.hold_sda(0);
-    if (what == "disturb") return void(i2c->disturbed_starts = need<unsigned>(event, "starts"));
-    if (what == "lose") return void(i2c->lost_starts = need<unsigned>(event, "starts"));
-  } else if (Can* can = board_.chip().can(port)) {
-    if (what == "disturb") return void(can->line.disturbed_frames = need<unsigned>(event, "frames"));
-    if (what == "silent") return void(can->line.cut = maybe(event, "on", true));
-  } else if (board_.chip().spi(port) != nullptr) {
-    if (what == "dma_error") return void(board_.chip().break_dma(port));
-  } else if (Adc* adc = board_.chip().adc(port)) {
-    if (what == "silent") return void(adc->dead = maybe(event, "on", true));
-    if (what == "volts") {
-      const auto input = need<unsigned>(event, "input");
-      if (input > 15) refuse(event, "'input' is 0 to 15");
-      return void(adc->volts[input] = need<double>(event, "volts"));
-    }
-  } else {
-    refuse(event, "the board has no bus at port '" + port + "'");
-  }
-  refuse(event, "'" + what + "' cannot happen to this port");
+  ++scripted_resets_;
+  board_.press_reset();
 }
 
 void Outfit::add_expectation(const Json& entry) {
@@ -211,11 +163,7 @@ void Outfit::add_expectation(const Json& entry) {
   e.to_ns = maybe(entry, "to_ns", e.from_ns);
   e.min = need<double>(entry, "min");
   e.max = need<double>(entry, "max");
-  if (e.to_ns < e.from_ns || e.max < e.min) refuse(entry, "its end lies before its begin");
-  Element* element = find<Element>(e.part);
-  if (element == nullptr) refuse(entry, "there is no such part");
-  if (!element->value(e.value)) refuse(entry, "the part has no such value");
-  e.needed = static_cast<unsigned>((e.to_ns - e.from_ns) / kLookEvery + 1);
+  e.needed = (e.to_ns - e.from_ns) / kLookEvery + 1;
   expectations_.push_back(e);
   board_.world().at(from_ns(e.from_ns), [this, index = expectations_.size() - 1] { look(index); });
 }

@@ -36,7 +36,7 @@ struct Expectation {
   std::uint64_t from_ns = 0, to_ns = 0;
   double min = 0, max = 0;
   double lowest = 0, highest = 0;  ///< seen; both 0 before the first look
-  unsigned looks = 0, needed = 0;
+  std::uint64_t looks = 0, needed = 0;
   std::uint64_t broken_ns = 0;  ///< first look outside; 0: none
   [[nodiscard]] bool holds() const { return looks == needed && broken_ns == 0; }
 };
@@ -48,7 +48,7 @@ class Outfit {
   Outfit& operator=(const Outfit&) = delete;
 
   /// Adds the document's parts, then plans its events and looks; may be called again with further documents.
-  /// @throws std::invalid_argument naming the entry and what is wrong with it
+  /// @throws std::invalid_argument with every mistake in it, as emulator/scenario/read.hpp reports them
   void add(const Json& document);
 
   /// In the order they happened.
@@ -82,8 +82,6 @@ class Outfit {
   void listen_to_pulses(const Json& part, PulseSource::Listener listener);
   /// Calls the listener for every pulse width [ns] written for the PWM header the part is connected to.
   void listen_to_writes(const Json& part, std::function<void(std::uint64_t width_ns)> listener);
-  /// A pin of the chip, `PA0` to `PI15`.
-  static bool is_pin(const std::string& pin);
 
  private:
   void add_part(const Json& part);
@@ -91,12 +89,11 @@ class Outfit {
   void add_expectation(const Json& entry);
   void look(std::size_t expectation);
   void happen(const Json& event);
-  static void check_pin(const Json& event);
-  void happen_to_pin(const Json& event, const std::string& pin);
-  void happen_to_port(const Json& event, const std::string& port);
+  [[nodiscard]] bool is_fault(const Json& event) const;
 
   Board& board_;
   std::map<std::string, std::unique_ptr<Element>> elements_;
+  std::map<std::string, const scenario::Model*> models_;  ///< of the elements
   using Header = std::pair<Timer*, unsigned>;
   Header header_of(const Json& part);
 

@@ -269,7 +269,8 @@ bool Chip::attach_spi(const std::string& name, unsigned select, SpiPart part) {
 bool Chip::break_dma(const std::string& port) {
   constexpr std::pair<const char*, DmaRequest> kReceiving[] = {
       {"usart1", DmaRequest::usart1_rx}, {"usart3", DmaRequest::usart3_rx}, {"usart6", DmaRequest::usart6_rx},
-      {"spi1", DmaRequest::spi1_rx},     {"spi2", DmaRequest::spi2_rx},
+      {"usart2", DmaRequest::usart2_rx}, {"uart4", DmaRequest::uart4_rx},   {"uart5", DmaRequest::uart5_rx},
+      {"spi1", DmaRequest::spi1_rx},     {"spi2", DmaRequest::spi2_rx},     {"spi3", DmaRequest::spi3_rx},
   };
   for (const auto& [name, request] : kReceiving) {
     if (port == name) return dma1_->break_stream(request) || dma2_->break_stream(request);

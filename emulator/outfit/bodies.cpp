@@ -11,21 +11,14 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-class StandingElement : public Element, public BodySource {
+class StandingElement : public BodyElement {
  public:
-  explicit StandingElement(Outfit& outfit) : outfit_(outfit) {}
+  explicit StandingElement(Outfit& outfit) : BodyElement(outfit) {
+    on("move", [this, &outfit](const Json& event) { move_by_hand(body_, outfit.now(), event); });
+  }
   Body& body() override { return body_; }
-  bool happen(const std::string& what, const Json& event) override {
-    if (what != "move") return false;
-    move_by_hand(body_, outfit_.now(), event);
-    return true;
-  }
-  std::optional<double> value(const std::string& quantity) override {
-    return motion_value(body_.motion(outfit_.now()), quantity);
-  }
 
  private:
-  Outfit& outfit_;
   StandingBody body_;
 };
 
@@ -42,36 +35,32 @@ SubmergedBody::Parameters submerged(const Json& part) {
   return p;
 }
 
-class SubmergedElement : public Element, public BodySource, public ThrustTarget {
+class SubmergedElement : public BodyElement, public ThrustTarget {
  public:
-  SubmergedElement(Outfit& outfit, const Json& part) : outfit_(outfit), body_(submerged(part)) {}
+  SubmergedElement(Outfit& outfit, const Json& part) : BodyElement(outfit), body_(submerged(part)) {
+    on("disturb", [this, &outfit](const Json& event) {
+      body_.disturb(outfit.now(), vector(event, "force"), vector(event, "moment"));
+    });
+  }
   Body& body() override { return body_; }
   SubmergedBody& hull() override { return body_; }
-  bool happen(const std::string& what, const Json& event) override {
-    if (what != "disturb") return false;
-    body_.disturb(outfit_.now(), vector(event, "force"), vector(event, "moment"));
-    return true;
-  }
-  std::optional<double> value(const std::string& quantity) override {
-    return motion_value(body_.motion(outfit_.now()), quantity);
-  }
 
  private:
-  Outfit& outfit_;
   SubmergedBody body_;
 };
 
 }  // namespace
 
-std::optional<double> motion_value(const Motion& motion, const std::string& quantity) {
-  const Angles angles = angles_of(motion.attitude);
-  if (quantity == "roll") return angles.roll / kDegree;
-  if (quantity == "pitch") return angles.pitch / kDegree;
-  if (quantity == "yaw") return angles.yaw / kDegree;
-  if (quantity == "x") return motion.position.x();
-  if (quantity == "y") return motion.position.y();
-  if (quantity == "depth") return -motion.position.z();
-  return std::nullopt;
+double degrees_of(const Motion& motion, double Angles::*axis) { return angles_of(motion.attitude).*axis / kDegree; }
+
+BodyElement::BodyElement(Outfit& outfit) {
+  const auto now = [this, &outfit] { return body().motion(outfit.now()); };
+  show("roll", [now] { return degrees_of(now(), &Angles::roll); });
+  show("pitch", [now] { return degrees_of(now(), &Angles::pitch); });
+  show("yaw", [now] { return degrees_of(now(), &Angles::yaw); });
+  show("x", [now] { return now().position.x(); });
+  show("y", [now] { return now().position.y(); });
+  show("depth", [now] { return -now().position.z(); });
 }
 
 Eigen::Matrix3d inertia_of(const Json& part, const Eigen::Matrix3d& fallback) {

@@ -14,8 +14,14 @@ class ThrustTarget {
   virtual SubmergedBody& hull() = 0;
 };
 
-/// `roll` `pitch` `yaw` [deg], `x` `y` `depth` [m] of a body; none: another quantity.
-std::optional<double> motion_value(const Motion& motion, const std::string& quantity);
+/// An element that shows where a body is and how it lies: `roll` `pitch` `yaw` [deg], `x` `y` `depth` [m].
+class BodyElement : public Element, public BodySource {
+ protected:
+  explicit BodyElement(Outfit& outfit);
+};
+
+/// Degrees of an attitude about one axis.
+double degrees_of(const Motion& motion, double Angles::*axis);
 
 /// `inertia` of an entry: xx xy xz yy yz zz [kg m^2].
 Eigen::Matrix3d inertia_of(const Json& part, const Eigen::Matrix3d& fallback);

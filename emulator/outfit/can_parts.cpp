@@ -47,29 +47,21 @@ class MotorElement : public Element, public ShaftSource {
       const std::uint64_t now = outfit_.board().now_ns();
       outfit_.record(PartEvent{name, PartEvent::Kind::output, 0, now, now, static_cast<double>(word)});
     };
+    on("silent", [this](const Json& event) { model_.silent = maybe(event, "on", true); });
+    on("damage", [this](const Json& event) { model_.damaged_reports = need<unsigned>(event, "frames"); });
+    on("disturb", [this](const Json& event) {
+      model_.shaft().load(outfit_.now(), MotorShaft::Load::scenario, need<double>(event, "torque"));
+    });
+    show("angle", [this] { return model_.shaft().angle(outfit_.now()); });
+    show("speed", [this] { return model_.shaft().speed(outfit_.now()); });
+    show("torque", [this] { return model_.shaft().torque(outfit_.now()); });
+    show("current", [this] { return model_.current(); });
+    show("command", [this] { return model_.command(); });
+    show("commands", [this] { return model_.commands(); });
+    show("resumed_with", [this] { return model_.resumed_with(); });
+    show("pauses", [this] { return model_.pauses(); });
   }
   MotorShaft& shaft() override { return model_.shaft(); }
-  bool happen(const std::string& what, const Json& event) override {
-    if (what == "silent") return model_.silent = maybe(event, "on", true), true;
-    if (what == "damage") return model_.damaged_reports = need<unsigned>(event, "frames"), true;
-    if (what == "disturb")
-      return model_.shaft().load(outfit_.now(), MotorShaft::Load::scenario, need<double>(event, "torque")), true;
-    return false;
-  }
-  /// `angle` [rad], `speed` [rad/s], `torque` [N m] of the output; `current` [A] and `command` as ordered; `commands`;
-  /// `resumed_with`, `pauses`.
-  std::optional<double> value(const std::string& quantity) override {
-    const Time now = outfit_.now();
-    if (quantity == "angle") return model_.shaft().angle(now);
-    if (quantity == "speed") return model_.shaft().speed(now);
-    if (quantity == "torque") return model_.shaft().torque(now);
-    if (quantity == "current") return model_.current();
-    if (quantity == "command") return model_.command();
-    if (quantity == "commands") return model_.commands();
-    if (quantity == "resumed_with") return model_.resumed_with();
-    if (quantity == "pauses") return model_.pauses();
-    return std::nullopt;
-  }
 
  private:
   static DjiMotor::Figures at_output(DjiMotor::Figures figures) {

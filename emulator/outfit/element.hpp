@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "emulator/outfit/entry.hpp"
 #include "emulator/parts/serial_terminal.hpp"
 #include "emulator/plants/motor_shaft.hpp"
+#include "emulator/scenario/grammar.hpp"
 
 namespace finemote::emulator {
 
@@ -22,15 +24,24 @@ class Element {
   /// Finds what it refers to, once all parts of its document exist.
   virtual void connect(Outfit& outfit) { static_cast<void>(outfit); }
   /// Makes `what` happen, with the members of `event`. @return false: that cannot happen to it
-  virtual bool happen(const std::string& what, const Json& event) {
-    static_cast<void>(what), static_cast<void>(event);
-    return false;
-  }
-  /// A quantity by name (docs/reference/emulator.md); none: it has no such quantity.
-  virtual std::optional<double> value(const std::string& quantity) {
-    static_cast<void>(quantity);
-    return std::nullopt;
-  }
+  bool happen(const std::string& what, const Json& event) const;
+  /// A quantity by name; none: it has no such quantity.
+  [[nodiscard]] std::optional<double> value(const std::string& quantity) const;
+  /// Holds it to the table: everything it says of the model, and nothing else.
+  /// @throws std::logic_error  naming the action or value that only one of them has
+  void check_complete(const scenario::Model& model) const;
+
+ protected:
+  using Handler = std::function<void(const Json& event)>;
+  using Look = std::function<double()>;
+  /// What a verb of its model does. The event was checked.
+  void on(const std::string& verb, Handler handler) { handlers_[verb] = std::move(handler); }
+  /// Where a quantity of its model comes from; it may be looked at at any time.
+  void show(const std::string& quantity, Look look) { looks_[quantity] = std::move(look); }
+
+ private:
+  std::map<std::string, Handler> handlers_;
+  std::map<std::string, Look> looks_;
 };
 
 // What elements can be to others.
@@ -67,9 +78,6 @@ class Hearing {  ///< remembers bytes
 };
 
 using MakeElement = std::unique_ptr<Element> (*)(Outfit& outfit, const Json& part, const std::string& name);
-
-/// By the `type` of a part; null: there is no model of it.
-MakeElement find_model(const std::string& type);
 
 // One file each.
 std::unique_ptr<Element> make_h30(Outfit& outfit, const Json& part, const std::string& name);

@@ -15,17 +15,10 @@ class MuxElement : public Element, public LineSource {
  public:
   MuxElement(Outfit& outfit, const Json& part) : model_(maybe<std::uint8_t>(part, "address", 0x70)) {
     outfit.line_of(part).attach(model_);
+    on("power_cycle", [this](const Json&) { model_.power_cycle(); });
+    show("control", [this] { return model_.control(); });
   }
   I2cLine* line(unsigned channel) override { return channel < 8 ? &model_.channel(channel) : nullptr; }
-  bool happen(const std::string& what, const Json&) override {
-    if (what != "power_cycle") return false;
-    model_.power_cycle();
-    return true;
-  }
-  std::optional<double> value(const std::string& quantity) override {
-    if (quantity == "control") return model_.control();
-    return std::nullopt;
-  }
 
  private:
   Tca9548a model_;
@@ -44,27 +37,18 @@ class PwmElement : public Element, public PulseSource {
       if (notes_[channel] < 0) notes_[channel] = static_cast<double>(pulse) / 1000;
     };
     outfit.line_of(part).attach(model_);
+    on("power_cycle", [this](const Json&) { model_.power_cycle(); });
+    on("note", [this](const Json&) { notes_.fill(-1); });
+    show("bursts", [this] { return model_.bursts(); });
+    for (unsigned i = 0; i < notes_.size(); ++i) {
+      show("noted_" + std::to_string(i), [this, i] { return notes_[i]; });
+      show("pulse_" + std::to_string(i), [this, i] { return static_cast<double>(model_.pulse_ns(i)) / 1000; });
+    }
   }
   bool listen(unsigned channel, Listener listener) override {
     if (channel >= listeners_.size()) return false;
     listeners_[channel].push_back(std::move(listener));
     return true;
-  }
-  bool happen(const std::string& what, const Json&) override {
-    if (what == "power_cycle") return model_.power_cycle(), true;
-    if (what == "note") return notes_.fill(-1), true;
-    return false;
-  }
-  /// `pulse_0`..`pulse_15` [us], `noted_0`..`noted_15`: the first written after a `note`, -1: none; `bursts`.
-  std::optional<double> value(const std::string& quantity) override {
-    if (quantity == "bursts") return model_.bursts();
-    for (unsigned channel = 0; channel < notes_.size(); ++channel) {
-      if (quantity == "noted_" + std::to_string(channel)) return notes_[channel];
-    }
-    for (unsigned channel = 0; channel < listeners_.size(); ++channel) {
-      if (quantity == "pulse_" + std::to_string(channel)) return static_cast<double>(model_.pulse_ns(channel)) / 1000;
-    }
-    return std::nullopt;
   }
 
  private:
@@ -81,30 +65,22 @@ class PressureElement : public Element {
         follows_(part.contains("body")),
         pressure_(maybe(part, "pressure", kSurfacePascal)),
         model_(
-            need_variant(part), [&outfit] { return outfit.now(); },
-            [this, name](Time now) { return feel(now, name); }) {
+            variant_of(part), [&outfit] { return outfit.now(); }, [this, name](Time now) { return feel(now, name); }) {
     outfit.line_of(part).attach(model_);
+    on("silent", [this](const Json& event) { model_.dead = maybe(event, "on", true); });
+    on("damage", [this](const Json& event) { model_.prom_damage = need<std::uint16_t>(event, "bits"); });
+    on("move", [this](const Json& event) {
+      pressure_ = need<double>(event, "pressure");
+      follows_ = false;
+    });
+    show("pressure", [this] { return pressure(outfit_.now()); });
+    show("conversions", [this] { return model_.conversions(); });
   }
   void connect(Outfit& outfit) override { seat_.connect(outfit); }
-  bool happen(const std::string& what, const Json& event) override {
-    if (what == "silent") return model_.dead = maybe(event, "on", true), true;
-    if (what == "damage") return model_.prom_damage = need<std::uint16_t>(event, "bits"), true;
-    if (what != "move") return false;
-    pressure_ = need<double>(event, "pressure");
-    follows_ = false;
-    return true;
-  }
-  std::optional<double> value(const std::string& quantity) override {
-    if (quantity == "pressure") return pressure(outfit_.now());
-    if (quantity == "conversions") return model_.conversions();
-    return std::nullopt;
-  }
 
  private:
-  static Ms5837::Variant need_variant(const Json& part) {
-    const auto variant = maybe<std::string>(part, "variant", "30BA");
-    if (variant != "30BA" && variant != "02BA") refuse(part, "'variant' is 30BA or 02BA");
-    return variant == "02BA" ? Ms5837::Variant::k02BA : Ms5837::Variant::k30BA;
+  static Ms5837::Variant variant_of(const Json& part) {
+    return maybe<std::string>(part, "variant", "30BA") == "02BA" ? Ms5837::Variant::k02BA : Ms5837::Variant::k30BA;
   }
   double pressure(Time now) {
     if (!follows_) return pressure_;
@@ -136,6 +112,12 @@ class CompassElement : public Element {
       outfit_.record(PartEvent{name, PartEvent::Kind::sample, 0, to_ns(from), outfit_.board().now_ns(), 0});
     };
     outfit.line_of(part).attach(model_);
+    on("silent", [this](const Json& event) { model_.dead = maybe(event, "on", true); });
+    on("power_cycle", [this](const Json&) { model_.power_cycle(); });
+    on("move", [this](const Json& event) {
+      field_ = vector(event, "field", field_);
+      seat_.move(outfit_.now(), event);
+    });
     if (maybe<std::string>(part, "port", "") == "i2c3") {  // the part on the board has its reset at PG6
       outfit.board().chip().gpio('G').watcher[6] = [this](bool output, bool high) {
         model_.hold_reset(output && !high);
@@ -143,15 +125,6 @@ class CompassElement : public Element {
     }
   }
   void connect(Outfit& outfit) override { seat_.connect(outfit); }
-  bool happen(const std::string& what, const Json& event) override {
-    if (what == "silent") return model_.dead = maybe(event, "on", true), true;
-    if (what == "power_cycle") return model_.power_cycle(), true;
-    if (what == "move") {
-      field_ = vector(event, "field", field_);
-      return seat_.move(outfit_.now(), event), true;
-    }
-    return false;
-  }
 
  private:
   Outfit& outfit_;
@@ -164,29 +137,17 @@ class CompassElement : public Element {
 class RegisterElement : public Element {
  public:
   RegisterElement(Outfit& outfit, const Json& part) : model_(need<std::uint8_t>(part, "address")) {
-    for (const auto& [key, value] : part.items()) {
-      if (const auto number = register_of(key)) model_.bytes[*number] = need<std::uint8_t>(part, key.c_str());
-    }
+    set(part);
     outfit.line_of(part).attach(model_);
-  }
-  bool happen(const std::string& what, const Json& event) override {
-    if (what != "set") return false;
-    for (const auto& [key, value] : event.items()) {
-      if (const auto number = register_of(key)) model_.bytes[*number] = need<std::uint8_t>(event, key.c_str());
-    }
-    return true;
-  }
-  std::optional<double> value(const std::string& quantity) override {
-    if (const auto number = register_of(quantity)) return model_.bytes[*number];
-    return std::nullopt;
+    on("set", [this](const Json& event) { set(event); });
+    for (unsigned i = 0; i < model_.bytes.size(); ++i) show(name_of(i), [this, i] { return model_.bytes[i]; });
   }
 
  private:
-  static std::optional<unsigned> register_of(const std::string& key) {
-    const bool digits = key.size() >= 2 && key.size() <= 4 && key[0] == 'r' &&
-                        key.find_first_not_of("0123456789", 1) == std::string::npos;
-    if (!digits || std::stoul(key.substr(1)) > 255) return std::nullopt;
-    return static_cast<unsigned>(std::stoul(key.substr(1)));
+  static std::string name_of(unsigned number) { return "r" + std::to_string(number); }
+  void set(const Json& entry) {
+    for (unsigned i = 0; i < model_.bytes.size(); ++i)
+      model_.bytes[i] = maybe(entry, name_of(i).c_str(), model_.bytes[i]);
   }
 
   RegisterBank model_;

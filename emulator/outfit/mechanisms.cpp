@@ -24,22 +24,18 @@ MecanumBase::Parameters base_of(const Json& part) {
   return p;
 }
 
-class MecanumElement : public Element, public BodySource {
+class MecanumElement : public BodyElement {
  public:
-  MecanumElement(Outfit& outfit, const Json& part) : outfit_(outfit), part_(part), body_(base_of(part)) {}
+  MecanumElement(Outfit& outfit, const Json& part) : BodyElement(outfit), part_(part), body_(base_of(part)) {
+    on("disturb", [this, &outfit](const Json& event) {
+      body_.disturb(outfit.now(), vector(event, "force"), vector(event, "moment").z());
+    });
+  }
   Body& body() override { return body_; }
   void connect(Outfit& outfit) override {
     const auto radius = need<double>(part_, "wheel_radius");
     for (const Json& entry : need<Json>(part_, "wheels")) body_.add_wheel(wheel(outfit, entry, radius));
     keep_stepping(outfit.board().world(), body_);
-  }
-  bool happen(const std::string& what, const Json& event) override {
-    if (what != "disturb") return false;
-    body_.disturb(outfit_.now(), vector(event, "force"), vector(event, "moment").z());
-    return true;
-  }
-  std::optional<double> value(const std::string& quantity) override {
-    return motion_value(body_.motion(outfit_.now()), quantity);
   }
 
  private:
@@ -53,7 +49,6 @@ class MecanumElement : public Element, public BodySource {
     return {shaft, radius, place.head<2>(), way.head<2>(), Eigen::Vector2d(1, side).normalized()};
   }
 
-  Outfit& outfit_;
   Json part_;
   MecanumBase body_;
 };

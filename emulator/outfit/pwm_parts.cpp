@@ -16,17 +16,13 @@ class OutputElement : public Element {
       pulse_ = pulse.width_ns;
       changed();
     });
+    show("pulse", [this] { return static_cast<double>(pulse_) / 1000; });
+    show("resumed_with", [this] { return static_cast<double>(resumed_with_) / 1000; });
     if (!part.contains("port")) return;  // an expander records its outputs itself
     outfit.listen_to_writes(part, [&outfit, name](std::uint64_t width_ns) {
       const std::uint64_t now = outfit.board().now_ns();
       outfit.record(PartEvent{name, PartEvent::Kind::output, 0, now, now, static_cast<double>(width_ns)});
     });
-  }
-  /// `pulse` [us], `resumed_with` [us]: the first one after it was off.
-  std::optional<double> value(const std::string& quantity) override {
-    if (quantity == "pulse") return static_cast<double>(pulse_) / 1000;
-    if (quantity == "resumed_with") return static_cast<double>(resumed_with_) / 1000;
-    return std::nullopt;
   }
 
  protected:
@@ -45,6 +41,8 @@ class ThrusterElement : public OutputElement {
     max_ = maybe(part, "max", max_);
     full_thrust_ = maybe(part, "full_thrust", full_thrust_);
     reverse_ = maybe(part, "reverse", reverse_);
+    show("drive", [this] { return drive(); });
+    show("thrust", [this] { return thrust(); });
     if (min_ > neutral_ || max_ < neutral_) refuse(part, "'neutral' lies between 'min' and 'max'");
   }
   void connect(Outfit& outfit) override {
@@ -54,12 +52,6 @@ class ThrusterElement : public OutputElement {
     hull_ = &target->hull();
     number_ = hull_->add_thruster(vector(part_, "xyz"), vector(part_, "axis", {1, 0, 0}).normalized(),
                                   maybe(part_, "lag", 0.05));
-  }
-  /// `pulse` [us], `drive` (-1..1, along the axis), `thrust` [N].
-  std::optional<double> value(const std::string& quantity) override {
-    if (quantity == "drive") return drive();
-    if (quantity == "thrust") return thrust();
-    return OutputElement::value(quantity);
   }
 
  private:

@@ -32,19 +32,13 @@ class H30Element : public Element {
         format_(format_of(part)),
         model_(outfit.board().world(), outfit.usart_of(part), format_, period_of_part(part, 5'000'000),
                from_ns(maybe<std::uint64_t>(part, "phase_ns", 0)), [this, name](Time now) { return feel(now, name); }) {
+    on("silent", [this](const Json& event) { model_.silent = maybe(event, "on", true); });
+    on("damage", [this](const Json& event) { model_.damaged_frames = need<unsigned>(event, "frames"); });
+    on("move", [this](const Json& event) { seat_.move(outfit_.now(), event); });
+    show("frames", [this] { return model_.frames(); });
   }
 
   void connect(Outfit& outfit) override { seat_.connect(outfit); }
-  bool happen(const std::string& what, const Json& event) override {
-    if (what == "silent") return model_.silent = maybe(event, "on", true), true;
-    if (what == "damage") return model_.damaged_frames = need<unsigned>(event, "frames"), true;
-    if (what == "move") return seat_.move(outfit_.now(), event), true;
-    return false;
-  }
-  std::optional<double> value(const std::string& quantity) override {
-    if (quantity == "frames") return model_.frames();
-    return std::nullopt;
-  }
 
  private:
   Attitude feel(Time now, const std::string& name) {
@@ -73,15 +67,9 @@ class H30Element : public Element {
 class TerminalElement : public Element, public Hearing {
  public:
   TerminalElement(Outfit& outfit, const Json& part)
-      : model_(outfit.board().world(), outfit.usart_of(part), format_of(part)) {}
-  bool happen(const std::string& what, const Json& event) override {
-    if (what != "send") return false;
-    model_.send(need<std::string>(event, "text"));
-    return true;
-  }
-  std::optional<double> value(const std::string& quantity) override {
-    if (quantity == "heard") return static_cast<double>(model_.heard().size());
-    return std::nullopt;
+      : model_(outfit.board().world(), outfit.usart_of(part), format_of(part)) {
+    on("send", [this](const Json& event) { model_.send(need<std::string>(event, "text")); });
+    show("heard", [this] { return static_cast<double>(model_.heard().size()); });
   }
   SerialTerminal& terminal() override { return model_; }
 
@@ -90,12 +78,8 @@ class TerminalElement : public Element, public Hearing {
 };
 
 Hands::Switch switch_of(const Json& event, const char* key, Hands::Switch fallback) {
-  if (!event.contains(key)) return fallback;
-  const auto text = need<std::string>(event, key);
-  if (text == "up") return Hands::kUp;
-  if (text == "middle") return Hands::kMiddle;
-  if (text == "down") return Hands::kDown;
-  refuse(event, std::string("'") + key + "' is up, middle or down");
+  const auto word = maybe<std::string>(event, key, "");
+  return word == "up" ? Hands::kUp : word == "middle" ? Hands::kMiddle : word == "down" ? Hands::kDown : fallback;
 }
 
 void change(Hands& hands, const Json& event) {
@@ -112,24 +96,20 @@ void change(Hands& hands, const Json& event) {
 class RemoteElement : public Element {
  public:
   RemoteElement(Outfit& outfit, const Json& part, const std::string& name, RemoteReceiver::Encode encode)
-      : has_failsafe_(encode == sbus_frame),
-        model_(outfit.board().world(), outfit.usart_of(part), format_of(part), encode, period_of_part(part, 14'000'000),
+      : model_(outfit.board().world(), outfit.usart_of(part), format_of(part), encode, period_of_part(part, 14'000'000),
                from_ns(maybe<std::uint64_t>(part, "phase_ns", 0))) {
     // Neither has a length: the end of a frame is known by the silence of one byte after it.
     model_.on_frame = [&outfit, name, byte = format_of(part).byte_time()](Time begin, Time end) {
       outfit.record(PartEvent{name, PartEvent::Kind::sample, 0, to_ns(begin), to_ns(end + byte), 0});
     };
-  }
-  bool happen(const std::string& what, const Json& event) override {
-    if (what == "silent") return model_.silent = maybe(event, "on", true), true;
-    if (what == "damage") return model_.damaged_frames = need<unsigned>(event, "frames"), true;
-    if (what == "move") return change(model_.hands, event), true;
-    if (what == "failsafe" && has_failsafe_) return model_.hands.failsafe = maybe(event, "on", true), true;
-    return false;
+    on("silent", [this](const Json& event) { model_.silent = maybe(event, "on", true); });
+    on("damage", [this](const Json& event) { model_.damaged_frames = need<unsigned>(event, "frames"); });
+    on("move", [this](const Json& event) { change(model_.hands, event); });
+    if (encode == sbus_frame)
+      on("failsafe", [this](const Json& event) { model_.hands.failsafe = maybe(event, "on", true); });
   }
 
  private:
-  bool has_failsafe_;
   RemoteReceiver model_;
 };
 

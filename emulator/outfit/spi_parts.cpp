@@ -38,6 +38,8 @@ class Bmi088Element : public Element {
     if (on_board) connect_output(Bmi088::Output::int1, "PC4");
     const std::string ready = on_board ? "PC5" : maybe<std::string>(part, "ready", "");
     if (!ready.empty()) connect_output(Bmi088::Output::int3, ready);
+    add_actions();
+    add_values();
     model_.on_output = [this](Bmi088::Output output, int level) { drive(output, level); };
     model_.on_read = [this, name](Time from) {
       outfit_.record(PartEvent{name, PartEvent::Kind::sample, 0, to_ns(from), outfit_.board().now_ns(), 0});
@@ -51,29 +53,24 @@ class Bmi088Element : public Element {
       mass_.heat(outfit_.now(), pulse.period_ns == 0 ? 0 : static_cast<double>(pulse.width_ns) / period);
     });
   }
-  bool happen(const std::string& what, const Json& event) override {
-    if (what == "silent") return model_.silent = maybe(event, "on", true), true;
-    if (what == "power_cycle") return model_.power_cycle(), true;
-    if (what == "cut") return cut(maybe(event, "on", true)), true;
-    if (what == "heat") return mass_.set(outfit_.now(), need<double>(event, "temperature")), true;
-    if (what == "move") return seat_.move(outfit_.now(), event), true;
-    return false;
-  }
-  /// `roll` `pitch` `yaw` [deg] of where it sits, `temperature` [degrees Celsius], `heat`: share of its heater's power.
-  std::optional<double> value(const std::string& quantity) override {
-    constexpr double kDegree = 0.017453292519943295;
-    const Angles angles = angles_of(seat_.motion(outfit_.now()).attitude);
-    if (quantity == "roll") return angles.roll / kDegree;
-    if (quantity == "pitch") return angles.pitch / kDegree;
-    if (quantity == "yaw") return angles.yaw / kDegree;
-    if (quantity == "temperature") return mass_.temperature(outfit_.now());
-    if (quantity == "heat") return mass_.share();
-    return std::nullopt;
-  }
 
  private:
+  void add_actions() {
+    on("silent", [this](const Json& event) { model_.silent = maybe(event, "on", true); });
+    on("power_cycle", [this](const Json&) { model_.power_cycle(); });
+    on("cut", [this](const Json& event) { cut(maybe(event, "on", true)); });
+    on("heat", [this](const Json& event) { mass_.set(outfit_.now(), need<double>(event, "temperature")); });
+    on("move", [this](const Json& event) { seat_.move(outfit_.now(), event); });
+  }
+  void add_values() {
+    const auto now = [this] { return seat_.motion(outfit_.now()); };
+    show("roll", [now] { return degrees_of(now(), &Angles::roll); });
+    show("pitch", [now] { return degrees_of(now(), &Angles::pitch); });
+    show("yaw", [now] { return degrees_of(now(), &Angles::yaw); });
+    show("temperature", [this] { return mass_.temperature(outfit_.now()); });
+    show("heat", [this] { return mass_.share(); });
+  }
   void connect_output(Bmi088::Output output, const std::string& pin) {
-    if (!Outfit::is_pin(pin)) refuse(part_, "'ready' is a pin of the chip, PA0 to PI15");
     wires_[output] = {&outfit_.board().chip().gpio(pin[1]), static_cast<unsigned>(std::stoul(pin.substr(2)))};
   }
   /// The wires of its outputs break, or are mended.

@@ -130,7 +130,7 @@ Json run(Board& board, const Outfit& outfit, const Image& image, const Json& job
   const auto zero = wait_for_first_release(board, image, fault_ns);
   Stop stop = Stop::time;
   if (zero) {
-    const std::int64_t rest = *zero + duration_ns - static_cast<std::int64_t>(board.now_ns());
+    const std::int64_t rest = *zero + job.at("run_ns").get<std::int64_t>() - static_cast<std::int64_t>(board.now_ns());
     if (rest > 0) stop = board.run_for(static_cast<std::uint64_t>(rest));
   }
   if (!zero || stop != Stop::time) {
@@ -155,18 +155,19 @@ Json run(Board& board, const Outfit& outfit, const Image& image, const Json& job
 
 Json run_job(const Json& job) {
   BoardOptions options;
-  if (job.at("flash") == "miss") options.flash = FlashModel::miss_always;
+  if (job.value("flash", "hit") == "miss") options.flash = FlashModel::miss_always;
   Board board(options);
   Outfit outfit(board);
-  const Image image = load_image(job.at("image").get<std::string>());
-  board.load(image);
   outfit.add(job.at("parts"));
   try {
     if (job.contains("events")) outfit.add(job.at("events"));
-    return run(board, outfit, image, job);
-  } catch (const std::invalid_argument& error) {  // also an event that cannot happen to its part
+  } catch (const std::invalid_argument& error) {
     return {{"error", error.what()}};
   }
+  if (!job.contains("image")) return Json::object();
+  const Image image = load_image(job.at("image").get<std::string>());
+  board.load(image);
+  return run(board, outfit, image, job);
 }
 
 }  // namespace finemote::emulator

@@ -3,10 +3,13 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "emulator/board.hpp"
 #include "emulator/outfit.hpp"
+#include "emulator/scenario/read.hpp"
+#include "generator/diagnostic/render.hpp"
 
 namespace finemote::emulator {
 namespace {
@@ -100,6 +103,19 @@ void summarise(Board& board, Stop stop, std::ostream& out) {
   }
 }
 
+/// Mistakes are shown at their words; warnings go to stderr. @throws std::invalid_argument with all of them
+Json read_scenario(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw std::invalid_argument("cannot read '" + path + "'");
+  const gen::SourceFile file{path, path, {std::istreambuf_iterator<char>(in), {}}};
+  gen::Diagnostics diagnostics;
+  const bool good = scenario::read(file, {}, diagnostics).has_value();
+  const std::string findings = gen::render_text(diagnostics, false);
+  if (!good) throw std::invalid_argument(findings);
+  std::fputs(findings.c_str(), stderr);
+  return Json::parse(file.text);
+}
+
 }  // namespace
 
 bool watch(const WatchOptions& options, std::ostream& out) {
@@ -111,9 +127,7 @@ bool watch(const WatchOptions& options, std::ostream& out) {
   Outfit outfit(board);
   board.load(load_image(options.image));
   if (!options.scenario.empty()) {
-    std::ifstream file(options.scenario);
-    if (!file) throw std::invalid_argument("cannot read '" + options.scenario + "'");
-    outfit.add(Json::parse(file));
+    outfit.add(read_scenario(options.scenario));
   }
   Log log(board, out);
   watch_pins(board, log);

@@ -151,9 +151,8 @@ void add_reference(CLI::App& app, Options& options) {
   CLI::App* explain =
       app.add_subcommand("explain", "what a diagnostic means and how to mend it; without a code, all of them");
   explain->add_option("CODE", options.input, "for example FM3012");
-  CLI::App* schema = app.add_subcommand("schema", "print a schema for editors");
-  schema->add_option("KIND", options.input, "xsd: the <finemote> elements; json: device descriptors; board; expander")
-      ->required();
+  CLI::App* schema = app.add_subcommand("schema", "print a schema for editors; without a name, list them");
+  schema->add_option("NAME", options.input, "device, expander, board, scenario or xsd");
 }
 
 void add_docs(CLI::App& app, Options& options) {

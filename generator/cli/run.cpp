@@ -12,6 +12,7 @@
 #include "generator/cli/finish.hpp"
 #include "generator/cli/load.hpp"
 #include "generator/descriptor/library.hpp"
+#include "generator/diagnostic/code_scenario.hpp"
 #include "generator/file/system_reason.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/output/write.hpp"
@@ -30,6 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+constexpr const char* kEmulatedBoard = "robomaster_type_c";
 
 /// A work folder that is removed at the end unless the user keeps it. Reports FM5002 when it cannot be made.
 class WorkFolder {
@@ -142,7 +144,7 @@ std::optional<std::string> make_image(Context& context, const Loaded& loaded, co
   request.folder = work.path();
   request.data_dir = loaded.data_dir;
   request.board = board;
-  request.duration_ns = context.options.build_only || board == "robomaster_type_c" ? 0 : duration;
+  request.duration_ns = context.options.build_only || board == kEmulatedBoard ? 0 : duration;
   request.trace = !context.options.build_only;
   request.monitor = context.options.monitor;
   request.include_dirs = user_include_dirs(loaded.robot);
@@ -185,11 +187,25 @@ bool write_trace(Context& context, const RunResult& result) {
   return write_result(context, context.options.out, run_trace(result).dump() + "\n");
 }
 
+/// The scenario that was asked for, judged before anything is generated; nothing: none, or a wrong one.
+std::optional<Scenario> checked_scenario(Context& context, const Loaded& loaded, const std::string& board,
+                                         std::int64_t duration) {
+  if (context.options.scenario.empty()) return std::nullopt;
+  if (board != kEmulatedBoard) {
+    context.diagnostics
+        .error(code::scenario_unjudged, {}, fmt::format("nothing can play a scenario on the board '{}'", board))
+        .note("it has no parts on its buses")
+        .hint(fmt::format("--board {}", kEmulatedBoard));
+    return std::nullopt;
+  }
+  return read_scenario(context.options.scenario, loaded.robot, duration, context.sources, context.diagnostics);
+}
+
 std::optional<RunRecord> run_image(Context& context, const Loaded& loaded, const std::string& board,
-                                   const std::string& image, const FaultTable& faults, std::int64_t duration) {
-  if (board == "robomaster_type_c") {
-    return emulate(image, loaded.robot, loaded.forest, duration,
-                   {faults, context.options.scenario, context.options.flash == "miss"}, context.sources,
+                                   const std::string& image, const FaultTable& faults, std::int64_t duration,
+                                   const Scenario* scenario) {
+  if (board == kEmulatedBoard) {
+    return emulate(image, loaded.robot, loaded.forest, duration, {faults, scenario, context.options.flash == "miss"},
                    context.diagnostics);
   }
   return execute(image, board, loaded.forest, duration, faults, context.diagnostics);
@@ -230,8 +246,15 @@ int run_run(Context& context) {
   const auto duration = duration_of(context, loaded->schedule);
   if (!duration) return finish(context, kExitInvalid);
 
+  const auto scenario = checked_scenario(context, *loaded, board, *duration);
+  if (!scenario && !context.options.scenario.empty()) return finish(context, kExitInvalid);
+
+  if (board == kEmulatedBoard) warn_of_undriven(loaded->robot, context.diagnostics);
+
   const WorkFolder work(context);
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  if (scenario && !rehearse(*scenario, loaded->robot, work.path() + "/scenario", context.diagnostics))
+    return finish(context, kExitInvalid);
   const auto path = make_image(context, *loaded, board, *duration, work);
   if (!path) return finish(context, kExitInvalid);
   const auto image = image_facts(*path, board != "host", !all_constant(loaded->robot), context.diagnostics);
@@ -246,9 +269,9 @@ int run_run(Context& context) {
   }
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   const FaultTable faults = load_fault_table(loaded->data_dir);
-  auto record = run_image(context, *loaded, board, *path, faults, *duration);
+  auto record = run_image(context, *loaded, board, *path, faults, *duration, scenario ? &*scenario : nullptr);
   if (!record) return finish(context, kExitInvalid);
-  if (board == "robomaster_type_c") check_wcet(loaded->robot, *record, model.costs.stage_ns, context.diagnostics);
+  if (board == kEmulatedBoard) check_wcet(loaded->robot, *record, model.costs.stage_ns, context.diagnostics);
   RunResult result{loaded->robot,
                    loaded->forest,
                    loaded->schedule,

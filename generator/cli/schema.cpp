@@ -1,31 +1,52 @@
 // finemote schema: the schemas that editors and other tools use.
 #include <fmt/format.h>
 
-#include <map>
-
 #include "generator/cli/commands.hpp"
 #include "generator/cli/data_dir.hpp"
 #include "generator/cli/exit_status.hpp"
 #include "generator/cli/finish.hpp"
+#include "generator/diagnostic/suggest.hpp"
 #include "generator/output/folder.hpp"
 
 namespace finemote::gen {
+namespace {
+
+struct Schema {
+  const char *name, *file, *of;
+};
+constexpr Schema kSchemas[] = {
+    {"device", "device.schema.json", "device descriptors (JSON Schema)"},
+    {"expander", "expander.schema.json", "expander descriptors (JSON Schema)"},
+    {"board", "board.schema.json", "board files (JSON Schema)"},
+    {"scenario", "scenario.schema.json", "scenarios of the emulated board (JSON Schema)"},
+    {"xsd", "finemote.xsd", "the <finemote> elements of a URDF (XML Schema)"},
+    {"json", "device.schema.json", "another name of 'device'"},
+};
+
+}  // namespace
 
 int run_schema(Context& context) {
-  static const std::map<std::string, std::string> kFiles{{"xsd", "finemote.xsd"},
-                                                         {"json", "device.schema.json"},
-                                                         {"board", "board.schema.json"},
-                                                         {"expander", "expander.schema.json"}};
+  if (context.options.input.empty()) {
+    for (const Schema& schema : kSchemas) context.out << fmt::format("{:<9} {}\n", schema.name, schema.of);
+    return finish(context, kExitYes);
+  }
   const std::string data_dir = find_data_dir(context.options, context.diagnostics);
   if (data_dir.empty()) return finish(context, kExitInvalid);
-  const auto file = kFiles.find(context.options.input);
-  if (file == kFiles.end()) {
-    context.diagnostics.error(code::usage, {}, fmt::format("there is no schema '{}'", context.options.input))
-        .hint("valid here: 'xsd', 'json', 'board', 'expander'");
-    return finish(context, kExitInvalid);
+  std::vector<std::string> names;
+  for (const Schema& schema : kSchemas) {
+    names.emplace_back(schema.name);
+    if (context.options.input != schema.name) continue;
+    const std::string path = data_dir + "/schemas/" + schema.file;
+    if (const auto text = read_bytes(path)) {
+      context.out << *text;
+    } else {
+      context.diagnostics.error(code::data_not_found, {}, fmt::format("cannot read '{}'", path));
+    }
+    return finish(context, context.diagnostics.has_errors() ? kExitInvalid : kExitYes);
   }
-  context.out << read_bytes(data_dir + "/schemas/" + file->second).value_or("");
-  return finish(context, kExitYes);
+  context.diagnostics.error(code::usage, {}, fmt::format("there is no schema '{}'", context.options.input))
+      .hint(did_you_mean(context.options.input, names));
+  return finish(context, kExitInvalid);
 }
 
 }  // namespace finemote::gen

@@ -1,4 +1,5 @@
 #include "generator/run/emulate.hpp"
+#include "generator/diagnostic/code_scenario.hpp"
 
 #include <fmt/format.h>
 
@@ -8,63 +9,16 @@
 #include <stdexcept>
 
 #include "generator/file/replace_file.hpp"
-#include "generator/json/parse.hpp"
 #include "generator/run/parts.hpp"
 #include "generator/run/process.hpp"
 #include "generator/run/program_folder.hpp"
 #include "generator/units/units.hpp"
-#include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/// The scenario file as text, as a tree that knows places, and as the tree the emulated board is sent.
-struct Scenario {
-  const SourceFile* file = nullptr;
-  json::Value tree;
-  Json value;
-};
-
-/// None where there is no scenario, or a wrong one, which is reported.
-std::optional<Scenario> read_scenario(const std::string& path, Sources& sources, Diagnostics& diagnostics) {
-  if (path.empty()) return std::nullopt;
-  Scenario scenario;
-  scenario.file = xml::read_source(path, sources, diagnostics);
-  if (scenario.file == nullptr) return std::nullopt;
-  Diagnostics findings;
-  auto tree = json::parse(*scenario.file, findings);
-  for (Diagnostic finding : findings.in_file_order()) {
-    finding.code = code::bad_scenario;
-    if (!tree) finding.message = "this is not JSON: " + finding.message;
-    diagnostics.add(finding);
-  }
-  if (!tree || findings.has_errors()) return std::nullopt;
-  scenario.tree = std::move(*tree);
-  scenario.value = Json::parse(scenario.file->text, nullptr, false);
-  if (!scenario.value.is_discarded()) return scenario;
-  diagnostics.error(code::bad_scenario, scenario.tree.at, "this is not JSON");
-  return std::nullopt;
-}
-
-/// The emulated board ends a complaint with the entry it is about: that is found again, and shown instead.
-void report_scenario(const Scenario& scenario, std::string words, Diagnostics& diagnostics) {
-  Position at = scenario.tree.at;
-  for (const char* list : {"parts", "events", "expect"}) {
-    const json::Value* entries = scenario.tree.find(list);
-    if (entries == nullptr || !scenario.value.contains(list)) continue;
-    for (std::size_t i = 0; i < entries->items.size(); ++i) {
-      const std::string shown = ": " + scenario.value.at(list).at(i).dump();
-      if (!words.ends_with(shown)) continue;
-      words.erase(words.size() - shown.size());
-      at = entries->items[i].at;
-    }
-  }
-  diagnostics.error(code::bad_scenario, at, words)
-      .hint("docs/reference/emulator.md lists the parts, events and expectations of a scenario");
-}
 
 Json ports_of(const Robot& robot) {
   Json ports = Json::array();
@@ -75,8 +29,8 @@ Json ports_of(const Robot& robot) {
 }
 
 /// Runs the job; null and FM0006 or FM6003 where the program is missing or fails.
-Json run_job(const Json& job, const std::string& image, std::int64_t duration_ns, Diagnostics& diagnostics) {
-  const std::string job_file = image + ".job.json", record_file = image + ".record.json";
+Json run_job(const Json& job, const std::string& stem, std::int64_t duration_ns, Diagnostics& diagnostics) {
+  const std::string job_file = stem + ".job.json", record_file = stem + ".record.json";
   if (const auto reason = replace_file(job_file, job.dump() + "\n")) {
     diagnostics.error(code::output_not_writable, {}, fmt::format("cannot write '{}': {}", job_file, *reason));
     return {};
@@ -197,25 +151,36 @@ RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest
 
 }  // namespace
 
+void warn_of_undriven(const Robot& robot, Diagnostics& diagnostics) {
+  for (const UndrivenBody& body : emulated_parts(robot).undriven) {
+    auto& finding = diagnostics.warning(code::undriven_plant, body.at, body.message);
+    for (const std::string& note : body.notes) finding.note(note);
+  }
+}
+
+bool rehearse(const Scenario& scenario, const Robot& robot, const std::string& stem, Diagnostics& diagnostics) {
+  const Json job{{"parts", emulated_parts(robot).scenario}, {"events", scenario.document}};
+  const Json json = run_job(job, stem, 0, diagnostics);
+  if (json.is_null()) return false;
+  if (json.contains("error"))
+    diagnostics.error(code::bad_scenario, {scenario.file, 1, 1, nullptr}, json.at("error").get<std::string>());
+  return !json.contains("error");
+}
+
 std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, const Forest& forest,
-                                 std::int64_t duration_ns, const EmulationOptions& options, Sources& sources,
-                                 Diagnostics& diagnostics) {
+                                 std::int64_t duration_ns, const EmulationOptions& options, Diagnostics& diagnostics) {
   const EmulatedParts parts = emulated_parts(robot);
   const char* flash = options.flash_misses ? "miss" : "hit";
+  const std::int64_t last_event_ns = options.scenario == nullptr ? 0 : options.scenario->last_event_ns;
   Json job = {{"image", image},
               {"flash", flash},
               {"duration_ns", duration_ns},
+              {"run_ns", std::max(duration_ns, last_event_ns)},
               {"ports", ports_of(robot)},
               {"parts", parts.scenario}};
-  const auto scenario = read_scenario(options.scenario, sources, diagnostics);
-  if (!scenario && !options.scenario.empty()) return std::nullopt;
-  if (scenario) job["events"] = scenario->value;
-  const Json json = run_job(job, image, duration_ns, diagnostics);
+  if (options.scenario != nullptr) job["events"] = options.scenario->document;
+  const Json json = run_job(job, image, job.at("run_ns"), diagnostics);
   if (json.is_null()) return std::nullopt;
-  if (json.contains("error")) {
-    report_scenario(scenario.value_or(Scenario{}), json.at("error").get<std::string>(), diagnostics);
-    return std::nullopt;
-  }
   if (!json.at("stop").is_null()) {
     report_stop(json, options.faults, diagnostics);
     return std::nullopt;

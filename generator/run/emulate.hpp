@@ -6,21 +6,27 @@
 
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/run/record.hpp"
+#include "generator/run/scenario.hpp"
 
 namespace finemote::gen {
 
 struct EmulationOptions {
-  const FaultTable& faults;   ///< what the firmware's faults mean
-  std::string scenario;       ///< file; empty: none
+  const FaultTable& faults;            ///< what the firmware's faults mean
+  const Scenario* scenario = nullptr;  ///< null: none
   bool flash_misses = false;  ///< every new line of flash costs its wait states; else the accelerator always has it
 };
 
-/// Runs `image` for `duration_ns` from its first release on, with the robot's parts on the buses and the events of the
-/// scenario file, if any. Reports FM6002 when the firmware locks up, resets or ends, FM6004 for a scenario that cannot
-/// be used, at the entry that is wrong (`sources` keeps the file), and FM6005 as a warning for every wrong use of the
-/// hardware.
+/// Reports FM6012 as a warning for every body whose wheels do not all drive it.
+void warn_of_undriven(const Robot& robot, Diagnostics& diagnostics);
+
+/// Hangs the robot's parts and those of the scenario on a board without an image: what only the wiring shows is
+/// reported before anything is compiled, as FM6004. `stem`: of the files it exchanges with the emulator.
+bool rehearse(const Scenario& scenario, const Robot& robot, const std::string& stem, Diagnostics& diagnostics);
+
+/// Runs `image` for `duration_ns` from its first release on, or until the scenario's last event where that is later,
+/// with the robot's parts on the buses. Reports FM6002 when the firmware locks up, resets or ends, FM6005 as a warning
+/// for every wrong use of the hardware.
 std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, const Forest& forest,
-                                 std::int64_t duration_ns, const EmulationOptions& options, Sources& sources,
-                                 Diagnostics& diagnostics);
+                                 std::int64_t duration_ns, const EmulationOptions& options, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -1,7 +1,11 @@
 #include "generator/run/parts.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
+#include "emulator/scenario/grammar.hpp"
 #include "generator/geometry/mechanism.hpp"
 #include "generator/run/emulation.hpp"
 #include "generator/run/mechanics.hpp"
@@ -95,12 +99,12 @@ void add_params(const Device& device, const Json& emulation, Json& part) {
 /// What the part feels of the body, or does to it.
 void add_mechanics(const Robot& robot, const Device& device, const Json& emulation, const std::string& body,
                    Json& part) {
-  const auto axis = device.joint.empty() ? std::nullopt : joint_axis(Mechanism(robot), device.joint, body_link(robot));
-  if (device.type->actuator && axis) {
+  const std::string joint = device.type->actuator ? driven_joint(robot, device) : std::string();
+  if (const auto axis = joint.empty() ? std::nullopt : joint_axis(Mechanism(robot), joint, body_link(robot))) {
     part["body"] = body;
     part["xyz"] = {axis->point.x(), axis->point.y(), axis->point.z()};
     part["axis"] = {axis->direction.x(), axis->direction.y(), axis->direction.z()};
-    part.update(load_of(robot, device.joint));
+    part.update(load_of(robot, joint));
   } else if (!emulation.contains("body") && !body.empty()) {
     part["body"] = body;
     part["way"] = way_to(robot, device.link);
@@ -115,44 +119,81 @@ Json terminal_part(const Robot& robot, const Device& device, const Use& use) {
   return part;
 }
 
-/// Children in a role and where their joints are.
-Json children_at(const Robot& robot, const Device& device, const std::string& role) {
+/// The part that turns a child's joint, and where that is; null, with the reason, where nothing does.
+Json wheel_of(const Robot& robot, const Device& child, std::string& reason) {
+  const auto actuators = actuators_in(robot, child);
+  const std::string joint = actuators.size() == 1 ? driven_joint(robot, *actuators[0]) : std::string();
+  const auto axis = joint.empty() ? std::nullopt : joint_axis(Mechanism(robot), joint, body_link(robot));
+  if (axis) {
+    return Json{{"part", actuators[0]->name.text},
+                {"xyz", {axis->point.x(), axis->point.y(), axis->point.z()}},
+                {"axis", {axis->direction.x(), axis->direction.y(), axis->direction.z()}}};
+  }
+  reason = actuators.empty()      ? "has no actuator with a model"
+           : actuators.size() > 1 ? "has several actuators"
+           : joint.empty()        ? "has no 'joint'"
+                                  : fmt::format("turns no axis: its joint is '{}'", joint);
+  return {};
+}
+
+/// Wheels in a role of a device; what drives none is in `notes`.
+Json wheels_of(const Robot& robot, const Device& device, const std::string& role, std::vector<std::string>& notes) {
   Json list = Json::array();
   for (const std::size_t index : device.children) {
     const Device& child = robot.devices[index];
-    const auto axis = child.joint.empty() ? std::nullopt : joint_axis(Mechanism(robot), child.joint, body_link(robot));
-    if (!child.role || device.type->roles[*child.role].name != role || !axis || !has_part(child)) continue;
-    list.push_back({{"part", child.name.text},
-                    {"xyz", {axis->point.x(), axis->point.y(), axis->point.z()}},
-                    {"axis", {axis->direction.x(), axis->direction.y(), axis->direction.z()}}});
+    if (!child.role || device.type->roles[*child.role].name != role) continue;
+    std::string reason;
+    const Json wheel = wheel_of(robot, child, reason);
+    if (wheel.is_null())
+      notes.push_back(fmt::format("'{}' {}", child.name.text, reason));
+    else
+      list.push_back(wheel);
   }
   return list;
 }
 
 /// What a device makes of the body: the kind of body, with what it needs to know; null: nothing.
-Json body_by(const Robot& robot, const Device& device) {
+Json body_by(const Robot& robot, const Device& device, std::vector<UndrivenBody>& undriven) {
   const Json emulation = emulation_of(*device.type);
   if (!emulation.is_object() || !emulation.contains("body")) return {};
   Json part{{"type", emulation["body"]}};
-  if (emulation.contains("part")) return device.joint.empty() ? Json() : part;
-  const auto role = emulation.value("wheels", std::string());
-  part["wheels"] = children_at(robot, device, role);
+  if (emulation.contains("part")) return driven_joint(robot, device).empty() ? Json() : part;
+  UndrivenBody finding{device.at, {}, {}};
+  part["wheels"] = wheels_of(robot, device, emulation.value("wheels", std::string()), finding.notes);
   add_params(device, emulation, part);
+  if (!finding.notes.empty() || part["wheels"].empty()) {
+    finding.message =
+        fmt::format("on the emulated board {} wheel{} of '{}' drive{} the robot's body",
+                    part["wheels"].empty() ? "no" : "only " + std::to_string(part["wheels"].size()),
+                    part["wheels"].size() == 1 ? "" : "s", device.name.text, part["wheels"].size() == 1 ? "s" : "");
+    undriven.push_back(finding);
+  }
   return part["wheels"].empty() ? Json() : part;
 }
 
 /// One body: of the kind the first device asks for that moves it, else standing.
-Json body_part(const Robot& robot) {
+Json body_part(const Robot& robot, std::vector<UndrivenBody>& undriven) {
   const std::string root = body_link(robot);
   if (root.empty()) return {};
   Json part{{"type", "standing_body"}, {"name", root}};
   for (const Device& device : robot.devices) {
     if (device.name.text == root) part["name"] = root + ".body";
-    const Json wanted = part["type"] == "standing_body" ? body_by(robot, device) : Json();
+    const Json wanted = part["type"] == "standing_body" ? body_by(robot, device, undriven) : Json();
     if (wanted.is_object()) part.update(wanted);
   }
   if (part["type"] != "standing_body") part.update(whole_inertia(robot));
   return part;
+}
+
+/// Leaves of the places and mechanics what the part's model has a figure for.
+void leave_known(const std::string& type, Json& part) {
+  const scenario::Model* model = scenario::find_model(type);
+  if (model == nullptr) return;
+  for (auto it = part.begin(); it != part.end();) {
+    const bool is_known =
+        scenario::find_member(model->figures, it.key()) != nullptr || it.key() == "type" || it.key() == "name";
+    it = is_known ? std::next(it) : part.erase(it);
+  }
 }
 
 /// What hangs at driven joints; null: nothing.
@@ -168,7 +209,7 @@ Json weights_part(const Robot& robot, const Json& body) {
 EmulatedParts emulated_parts(const Robot& robot) {
   EmulatedParts result;
   Json parts = Json::array();
-  const Json body = body_part(robot);
+  const Json body = body_part(robot, result.undriven);
   if (!body.is_null()) parts.push_back(body);
   for (const Expander& expander : robot.expanders) parts.push_back(expander_part(robot, expander));
   for (const Device& device : robot.devices) {
@@ -176,9 +217,10 @@ EmulatedParts emulated_parts(const Robot& robot) {
     if (has_part(device)) {
       Json part{{"type", emulation.at("part")}, {"name", device.name.text}};
       add_bus(robot, device, part);
+      add_mechanics(robot, device, emulation, body.is_null() ? "" : body["name"], part);
+      leave_known(part["type"], part);
       part.update(emulation.value("values", Json::object()));
       add_params(device, emulation, part);
-      add_mechanics(robot, device, emulation, body.is_null() ? "" : body["name"], part);
       parts.push_back(part);
     } else if (device.segment) {
       result.silent.push_back(device.name.text);

@@ -9,6 +9,13 @@
 
 namespace finemote::gen {
 
+/// A body that stands although a device says that it moves.
+struct UndrivenBody {
+  Position at;  ///< of the device
+  std::string message;
+  std::vector<std::string> notes;  ///< one per child that drives nothing
+};
+
 /// What hangs on the board.
 struct EmulatedParts {
   /// A `finemote.scenario/1` document (docs/reference/emulator.md): the body, every expander, and every device whose
@@ -16,6 +23,7 @@ struct EmulatedParts {
   nlohmann::ordered_json scenario;
   /// Devices on a bus without a model: their wire stays silent.
   std::vector<std::string> silent;
+  std::vector<UndrivenBody> undriven;
 };
 
 EmulatedParts emulated_parts(const Robot& robot);

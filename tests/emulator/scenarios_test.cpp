@@ -144,6 +144,17 @@ TEST_CASE("whatever fails at the arm's receiver, buses and motors, its joints ha
   run("six_joint_arm", "arm_faults", "6s", 36);
 }
 
+TEST_CASE("a chassis of the user's own moves on wheels whose motors are in composites") {
+  const auto document =
+      finemote_json({"run", source_path("tests/emulator/composite_wheels/robot.urdf"), "--scenario",
+                     source_path("tests/emulator/composite_wheels/straight.json"), "--duration", "800ms"});
+  CHECK(document["expectations"].size() == 3);
+  for (const auto& it : document["expectations"]) {
+    INFO(it.dump());
+    CHECK(it["ok"] == true);
+  }
+}
+
 TEST_CASE("a run that is not as its scenario expects is a no, one that cannot happen is an error") {
   const TemporaryFolder folder;
   const std::string robot = source_path("examples/two_devices.urdf");
@@ -162,7 +173,16 @@ TEST_CASE("a run that is not as its scenario expects is a no, one that cannot ha
   const auto impossible = with(R"("parts": [{"type": "standing_body", "name": "hand"}],
                                   "events": [{"t_ns": 30000000, "part": "hand", "do": "explode"}])");
   CHECK(impossible.exit_status == 2);
-  CHECK(impossible.output.find("FM6004") != std::string::npos);
+  CHECK(impossible.output.find("FM6007") != std::string::npos);
+  // An event after the end lengthens the run; what is looked at until then is judged.
+  const auto longer = with(R"("parts": [{"type": "standing_body", "name": "hand"}],
+                              "events": [{"t_ns": 120000000, "part": "hand", "do": "move", "yaw": 5}],
+                              "expect": [{"from_ns": 90000000, "part": "hand", "value": "yaw", "min": -1, "max": 2}])");
+  CHECK(longer.exit_status == 0);
+  // Parts that cannot be wired are found before anything is compiled.
+  const auto twice = with(R"("parts": [{"type": "thruster", "name": "t", "port": "pwm1", "min": 1600000}])");
+  CHECK(twice.exit_status == 2);
+  CHECK(twice.output.find("'neutral' lies between 'min' and 'max'") != std::string::npos);
 }
 
 TEST_CASE("bounds hold with every fetch from flash missed when execution times are declared for that") {

@@ -54,6 +54,22 @@ TEST_CASE("a scenario hangs parts on the buses, also ones that are nothing but r
   CHECK(ran.says("# mux r1 as expected: 0 to 0"));
 }
 
+TEST_CASE("a scenario with mistakes is refused at their words, before the image runs") {
+  const std::string scenario = kImages + "/wrong.json";
+  FILE* file = fopen(scenario.c_str(), "w");
+  REQUIRE(file != nullptr);
+  fputs(
+      "{\"schema\": \"finemote.scenario/1\",\n \"events\": [{\"t_ns\": 1, \"port\": \"usart9\", \"do\": \"silent\"}]}",
+      file);
+  fclose(file);
+  const Ran ran = emulator("--image " + kImages + "/mini.elf --duration 20 --scenario " + scenario);
+  INFO(ran.output);
+  CHECK(ran.status == 2);
+  CHECK(ran.says("wrong.json:2:34: error[FM6007]: the board has no port 'usart9'"));
+  CHECK(ran.says("did you mean"));
+  CHECK(!ran.says("# the time is over"));
+}
+
 TEST_CASE("a crystal of another frequency is another clock, and too fast a core is reported") {
   const Ran ran = emulator("--image " + kImages + "/mini.elf --duration 10 --crystal 16000000");
   INFO(ran.output);

@@ -26,10 +26,11 @@ std::string read(const fs::path& path) {
   return text.str();
 }
 
-/// Name -> number of every constant in code.hpp and code_output.hpp.
+/// Name -> number of every constant in code.hpp and its parts.
 std::map<std::string, int> declared_codes() {
   const fs::path folder = fs::path(kSource) / "generator/diagnostic";
-  const std::string text = read(folder / "code.hpp") + read(folder / "code_output.hpp");
+  const std::string text =
+      read(folder / "code.hpp") + read(folder / "code_output.hpp") + read(folder / "code_scenario.hpp");
   const std::regex declaration(R"(inline constexpr Code (\w+)\{(\d+)\})");
   std::map<std::string, int> codes;
   for (std::sregex_iterator match(text.begin(), text.end(), declaration), end; match != end; ++match) {
@@ -63,11 +64,13 @@ const std::map<int, std::string> kWithoutExample{
 /// `#include "..."` lines name constants; only uses count.
 bool is_used(const std::string& name) {
   const std::regex use("code::" + name + R"(\b)");
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(kSource) / "generator")) {
-    const auto extension = entry.path().extension();
-    if (extension != ".cpp" && extension != ".hpp") continue;
-    const std::string text = read(entry.path());
-    if (text.find("code::" + name) != std::string::npos && std::regex_search(text, use)) return true;
+  for (const char* folder : {"generator", "emulator"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(kSource) / folder)) {
+      const auto extension = entry.path().extension();
+      if (extension != ".cpp" && extension != ".hpp") continue;
+      const std::string text = read(entry.path());
+      if (text.find("code::" + name) != std::string::npos && std::regex_search(text, use)) return true;
+    }
   }
   return false;
 }

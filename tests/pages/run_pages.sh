@@ -12,7 +12,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 
 # Pages whose examples stand for something that cannot be run in a moment: their codes have cases in tests/commands and
 # tests/unit.
-not_run='FM0005 FM0006 FM0007 FM0009 FM2016 FM3205 FM4011 FM5005 FM6001 FM6002 FM6003 FM6004 FM6005 FM6006 FM6101 FM6102 FM6103 FM6104 FM6105 FM6106 FM6107 FM9001'
+not_run='FM0005 FM0006 FM0007 FM0009 FM2016 FM3205 FM4011 FM5005 FM6001 FM6002 FM6003 FM6004 FM6005 FM6006 FM6007 FM6009 FM6010 FM6011 FM6012 FM6101 FM6102 FM6103 FM6104 FM6105 FM6106 FM6107 FM9001'
 
 # the block behind "Wrong:" or "Right:" of a page
 block() {

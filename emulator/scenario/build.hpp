@@ -1,0 +1,85 @@
+// Rows of the scenario's table in a few words each.
+#pragma once
+
+#include <utility>
+
+#include "emulator/scenario/grammar.hpp"
+
+namespace finemote::scenario {
+
+using Kind = Member::Kind;
+
+inline Member row(Kind kind, const char* name, const char* unit, const char* summary) {
+  Member member;
+  member.name = name;
+  member.kind = kind;
+  member.unit = unit;
+  member.summary = summary;
+  return member;
+}
+inline Member flag(const char* name, const char* summary) { return row(Kind::flag, name, "", summary); }
+inline Member text(const char* name, const char* summary) { return row(Kind::text, name, "", summary); }
+inline Member vector(const char* name, const char* unit, const char* summary) {
+  return row(Kind::vector, name, unit, summary);
+}
+inline Member number(const char* name, const char* unit, const char* summary, double min = -kAny, double max = kAny) {
+  Member member = row(Kind::number, name, unit, summary);
+  member.min = min, member.max = max;
+  return member;
+}
+inline Member positive(const char* name, const char* unit, const char* summary) {
+  Member member = number(name, unit, summary, 0);
+  member.above_min = true;
+  return member;
+}
+inline Member integer(const char* name, const char* unit, const char* summary, double min, double max) {
+  Member member = number(name, unit, summary, min, max);
+  member.kind = Kind::integer;
+  return member;
+}
+inline Member choice(const char* name, const char* summary, std::vector<std::string> choices) {
+  Member member = row(Kind::choice, name, "", summary);
+  member.choices = std::move(choices);
+  return member;
+}
+/// The name of another part, which is `what` to this one.
+inline Member part(const char* name, const char* what, const char* summary) {
+  Member member = row(Kind::part, name, "", summary);
+  member.choices = {what};
+  return member;
+}
+inline Member port(const char* kind) {
+  Member member = row(Kind::port, "port", "", "");
+  member.choices = {kind};
+  return member;
+}
+inline Member list(Kind kind, const char* name, const char* summary, std::vector<Member> members) {
+  Member member = row(kind, name, "", summary);
+  member.members = std::move(members);
+  return member;
+}
+inline Member required(Member member) {
+  member.required = true;
+  return member;
+}
+inline Member family(Member member, int last) {
+  member.last = last;
+  return member;
+}
+inline Verb stimulus(const char* name, const char* summary, std::vector<Member> members) {
+  return Verb{name, summary, std::move(members), false, false};
+}
+inline Verb fault(const char* name, const char* summary, std::vector<Member> members) {
+  return Verb{name, summary, std::move(members), true, false};
+}
+inline Verb with_member(Verb verb) {
+  verb.needs_member = true;
+  return verb;
+}
+inline Verb silent(const char* summary) { return fault("silent", summary, {flag("on", "false ends it")}); }
+inline std::vector<Member> operator+(std::vector<Member> a, const std::vector<Member>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+}  // namespace finemote::scenario

@@ -1,0 +1,29 @@
+// A scenario's tree to everything that is wrong with it, each at its word.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/diagnostic/diagnostics.hpp"
+#include "generator/json/value.hpp"
+
+namespace finemote::scenario {
+
+/// What is there before the scenario is read.
+struct World {
+  struct Part {
+    std::string name;
+    std::string type;  ///< of its model; empty: a device without one
+  };
+  std::vector<Part> parts;
+  std::optional<std::vector<std::string>> ports;  ///< of the robot's buses; none: every port of the board is in use
+  std::optional<std::int64_t> duration_ns;        ///< of the run; none: not known
+};
+
+/// Reports FM6004 (another form or type, a member missing), FM6007 (a name of nothing, with what was likely meant) and
+/// FM6009 (a value out of range).
+void check(const gen::json::Value& document, const World& world, gen::Diagnostics& diagnostics);
+
+}  // namespace finemote::scenario

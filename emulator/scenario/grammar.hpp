@@ -1,0 +1,103 @@
+// What a scenario can say: the parts it may place, what can happen to them, and what can be looked at.
+//
+// One table. The checker, the JSON Schema (schemas/scenario.schema.json) and the tables of docs/reference/emulator.md
+// are made from it, and every element of the emulated board is held to it: Element::check_complete.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace finemote::scenario {
+
+inline constexpr const char* kFormat = "finemote.scenario/1";
+inline constexpr double kAny = std::numeric_limits<double>::infinity();
+inline constexpr double kLongest = 86'400e9;  ///< ns: a day; latest time a scenario can name
+
+/// A member of an entry: what may stand there.
+struct Member {
+  enum class Kind {
+    flag,       ///< true or false
+    integer,    ///< also written 1e9
+    number,     ///<
+    text,       ///<
+    choice,     ///< one of `choices`
+    vector,     ///< three numbers
+    six,        ///< six numbers: xx xy xz yy yz zz
+    part,       ///< name of a part that is one of `choices`; of any where there are none
+    reference,  ///< name of a part this entry stands for: it may turn nothing
+    port,       ///< a port of the kind `choices[0]`
+    pin,        ///< PA0 to PI15
+    object,     ///< of `members`
+    list,       ///< of objects of `members`
+  };
+  std::string name;
+  Kind kind;
+  std::string unit, summary;
+  double min = -kAny, max = kAny;
+  bool above_min = false;  ///< `min` itself is too small
+  bool required = false;
+  int last = -1;  ///< not negative: a family, the name followed by 0 to `last`
+  std::vector<std::string> choices;
+  std::vector<Member> members;
+  std::vector<std::string> one_of;  ///< of an object: exactly one of these members
+};
+
+/// Something that can happen: the row behind a `do`.
+struct Verb {
+  std::string name, summary;
+  std::vector<Member> members;
+  bool is_fault = true;       ///< what bounds presume does not hold any more; else a stimulus
+  bool needs_member = false;  ///< says nothing without at least one of its members
+};
+
+/// Something that can be looked at: the row behind a `value`.
+struct Quantity {
+  std::string name, unit, summary;
+  int last = -1;  ///< as Member::last
+};
+
+/// A part or plant that can stand in a scenario.
+struct Model {
+  std::string type, summary;
+  std::vector<std::string> is;  ///< what others can refer to it as: body, hull, mux, pwm, shaft
+  std::vector<Member> figures;  ///< beside `type` and `name`
+  std::vector<std::string> one_of;
+  std::vector<Verb> verbs;
+  std::vector<Quantity> values;
+};
+
+/// A kind of port, with the ports of that kind and what can happen at them.
+struct PortKind {
+  std::string name, title;
+  std::vector<std::string> ports;
+  std::vector<Verb> verbs;
+};
+
+/// All models, by type.
+const std::vector<Model>& models();
+/// Null: there is no model of this type.
+const Model* find_model(std::string_view type);
+const std::vector<PortKind>& port_kinds();
+/// Null: the board has no such port.
+const PortKind* kind_of_port(std::string_view port);
+/// What can happen to a pin of the chip, and to the board as a whole.
+const std::vector<Verb>& pin_verbs();
+const std::vector<Verb>& board_verbs();
+/// Members of every part beside its model's figures.
+const std::vector<Member>& part_members();
+/// Members of every event beside those of its verb and its target, and of every expectation.
+const std::vector<Member>& event_members();
+const std::vector<Member>& expectation_members();
+
+/// Null: none of this name.
+const Verb* find_verb(const std::vector<Verb>& verbs, std::string_view name);
+/// The row of a member or quantity whose name, or family, this is; null: none.
+const Member* find_member(const std::vector<Member>& members, std::string_view name);
+const Quantity* find_quantity(const std::vector<Quantity>& values, std::string_view name);
+/// The names a row stands for: its own, or those of its family.
+std::vector<std::string> names_of(const std::string& name, int last);
+
+}  // namespace finemote::scenario

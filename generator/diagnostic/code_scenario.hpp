@@ -1,0 +1,14 @@
+// Numbers of what is said of scenarios and of the robot on the emulated board; the others are in code.hpp.
+#pragma once
+
+#include "generator/diagnostic/code.hpp"
+
+namespace finemote::gen::code {
+
+inline constexpr Code scenario_name{6007};      // names nothing: a member, part, port, action or value
+inline constexpr Code scenario_range{6009};     // a value outside what its member can be
+inline constexpr Code scenario_time{6010};      // times that are rarely meant
+inline constexpr Code scenario_unjudged{6011};  // nothing of it would be judged
+inline constexpr Code undriven_plant{6012};     // wheels that drive nothing on the emulated board
+
+}  // namespace finemote::gen::code

@@ -1,0 +1,25 @@
+// A scenario file to a document that the emulated board can play to its end.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "generator/diagnostic/diagnostics.hpp"
+#include "generator/model/robot.hpp"
+
+namespace finemote::gen {
+
+struct Scenario {
+  const SourceFile* file = nullptr;
+  nlohmann::ordered_json document;
+  std::int64_t last_event_ns = 0;  ///< since power-on; 0 without events
+};
+
+/// Reads the file and checks it against the robot's parts and buses. `duration_ns`: of the run. Nothing is generated or
+/// compiled for it. Reports what xml::read_source and scenario::read report; nothing after an error.
+std::optional<Scenario> read_scenario(const std::string& path, const Robot& robot, std::int64_t duration_ns,
+                                      Sources& sources, Diagnostics& diagnostics);
+
+}  // namespace finemote::gen
