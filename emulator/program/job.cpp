@@ -158,6 +158,8 @@ Json run_job(const Json& job) {
   if (job.value("flash", "hit") == "miss") options.flash = FlashModel::miss_always;
   Board board(options);
   Outfit outfit(board);
+  const Image image = job.contains("image") ? load_image(job.at("image").get<std::string>()) : Image();
+  if (job.contains("image")) board.load(image);
   outfit.add(job.at("parts"));
   try {
     if (job.contains("events")) outfit.add(job.at("events"));
@@ -165,8 +167,6 @@ Json run_job(const Json& job) {
     return {{"error", error.what()}};
   }
   if (!job.contains("image")) return Json::object();
-  const Image image = load_image(job.at("image").get<std::string>());
-  board.load(image);
   return run(board, outfit, image, job);
 }
 

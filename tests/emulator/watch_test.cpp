@@ -65,7 +65,7 @@ TEST_CASE("a scenario with mistakes is refused at their words, before the image 
   const Ran ran = emulator("--image " + kImages + "/mini.elf --duration 20 --scenario " + scenario);
   INFO(ran.output);
   CHECK(ran.status == 2);
-  CHECK(ran.says("wrong.json:2:34: error[FM6007]: the board has no port 'usart9'"));
+  CHECK(ran.says("wrong.json:2:33: error[FM6007]: the board has no port 'usart9'"));
   CHECK(ran.says("did you mean"));
   CHECK(!ran.says("# the time is over"));
 }
