@@ -135,12 +135,15 @@ void Checker::collect(const Value& parts) {
     const Value *name = word_of(entry, "name"), *type = word_of(entry, "type"), *port = word_of(entry, "port");
     if (port != nullptr && ports_) ports_->push_back(port->text);
     if (name == nullptr) continue;
-    const bool is_known =
-        std::any_of(parts_.begin(), parts_.end(), [&](const auto& it) { return it.name == name->text; });
-    if (is_known)
-      at(code::bad_scenario, *name, fmt::format("there is a part '{}' already", name->text));
+    const auto known =
+        std::find_if(parts_.begin(), parts_.end(), [&](const auto& it) { return it.name == name->text; });
+    const std::string model = type == nullptr ? "" : type->text;
+    if (known == parts_.end())
+      parts_.push_back({name->text, model});
+    else if (known->type.empty())  // stands in for a device without a model
+      known->type = model;
     else
-      parts_.push_back({name->text, type == nullptr ? "" : type->text});
+      at(code::bad_scenario, *name, fmt::format("there is a part '{}' already", name->text));
   }
 }
 

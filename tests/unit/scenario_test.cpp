@@ -334,6 +334,11 @@ TEST_CASE("times that are rarely meant, and scenarios that say nothing, are warn
             .findings.empty());
 }
 
+TEST_CASE("a part of the scenario may stand in for a device without a model") {
+  const std::string parts = R"("parts": [{"type": "standing_body", "name": "chassis"}], )";
+  CHECK(check(with(parts + R"("events": [{"t_ns": 1, "part": "chassis", "do": "move", "yaw": 5}])"), kWorld).good);
+}
+
 TEST_CASE("numbers may be written as JSON allows, with equal meaning") {
   CHECK(check(event(R"("t_ns": 1e6, "part": "imu", "do": "damage", "frames": 3.0)"), kWorld).good);
   CHECK(check(event(R"("t_ns": 0, "part": "remote", "do": "move", "left_y": -0.0)"), kWorld).good);
