@@ -170,24 +170,33 @@ std::vector<std::string> Access::list(const std::string& folder, Denial& denial)
   return names;
 }
 
+/// A pattern on its way through the folders of the sandbox.
+struct Access::Matching {
+  std::vector<std::string> parts;
+  std::vector<std::string> files = {};
+  std::size_t folders_left = 1'000;  ///< `*/../*/..` would go through the same ones without end
+};
+
 /// Adds what `begun` and the components from `next` on match. As glob() does it, but it sees nothing outside: so nobody
 /// learns which files are there.
-void Access::add_matches(const std::string& begun, const std::vector<std::string>& parts, std::size_t next,
-                         std::vector<std::string>& files) const {
+void Access::add_matches(const std::string& begun, std::size_t next, Matching& matching) const {
+  const auto& parts = matching.parts;
   if (next == parts.size()) {
     const auto denial = why_not(begun);
     const bool is_there = !denial || (!denial->is_outside && denial->error != ENOENT && denial->error != ENOTDIR);
-    if (is_there) files.push_back(begun);
+    if (is_there) matching.files.push_back(begun);
     return;
   }
   const auto joined = [&begun](const std::string& name) {
     return begun.empty() || begun == "/" ? begun + name : begun + "/" + name;
   };
-  if (!is_wild(parts[next])) return add_matches(joined(parts[next]), parts, next + 1, files);
+  if (!is_wild(parts[next])) return add_matches(joined(parts[next]), next + 1, matching);
+  if (matching.folders_left == 0) return;
+  --matching.folders_left;
   Denial unseen;
   for (const std::string& name : list(begun.empty() ? "." : begun, unseen)) {
     const bool matches = ::fnmatch(parts[next].c_str(), name.c_str(), FNM_PERIOD) == 0;
-    if (matches) add_matches(joined(name), parts, next + 1, files);
+    if (matches) add_matches(joined(name), next + 1, matching);
   }
 }
 
@@ -197,7 +206,10 @@ std::vector<std::string> Access::match(const std::string& pattern, Denial& denia
     const auto slash = pattern.rfind('/', pattern.find_first_of("*?["));
     const std::string begin = slash == std::string::npos ? "." : pattern.substr(0, slash + 1);
     if (!locate(begin)) return denial = outside(), files;
-    add_matches(pattern.starts_with('/') ? "/" : "", components(pattern), 0, files);
+    Matching matching{components(pattern)};
+    add_matches(pattern.starts_with('/') ? "/" : "", 0, matching);
+    if (matching.folders_left == 0) return denial = outside("it goes through too many folders"), files;
+    files = std::move(matching.files);
   } else {
     glob_t found{};
     const FreeGlob guard{&found};

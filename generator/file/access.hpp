@@ -59,7 +59,7 @@ class Access {
   /// Names in a folder, in byte order; none when it does not exist. A filled `denial` when it may not be read.
   std::vector<std::string> list(const std::string& folder, Denial& denial) const;
   /// Files that match a pattern of the shell, in byte order. A filled `denial` when the pattern begins outside; further
-  /// on, folders outside count as empty.
+  /// on, folders outside count as empty. No match goes through more than 1,000 folders.
   std::vector<std::string> match(const std::string& pattern, Denial& denial) const;
   /// Whether a folder is there, and may be looked into.
   [[nodiscard]] bool holds_folder(const std::string& folder) const;
@@ -73,8 +73,8 @@ class Access {
     std::vector<std::string> way;
   };
   [[nodiscard]] std::optional<Inside> locate(const std::string& path) const;
-  void add_matches(const std::string& begun, const std::vector<std::string>& parts, std::size_t next,
-                   std::vector<std::string>& files) const;
+  struct Matching;
+  void add_matches(const std::string& begun, std::size_t next, Matching& matching) const;
   [[nodiscard]] int open_inside(const std::string& path, int flags, Denial& denial) const;
   [[nodiscard]] int open_any(const std::string& path, int flags, Denial& denial) const;
 

@@ -20,6 +20,8 @@ for name in ../secret/token "$PWD/../secret/token" linked/token token.xacro dang
   'file:///etc/passwd' '$(find nowhere)/token'; do
   ask "<xacro:include filename=\"$name\"/>"
 done
+mkdir d1 d2 d3 d4 d5 d6 d7 d8 d9
+ask '<xacro:include filename="*/../*/../*/../*/../x"/>'
 ask '<xacro:include filename="../secret/token" optional="true"/>'
 ask '<a v="${xacro.load_yaml('"'../secret/token'"')}"/>'
 ask '<a v="${xacro.load_yaml('"'.git/config'"')}"/>'
