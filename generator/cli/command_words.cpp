@@ -80,7 +80,7 @@ UsageMistake describe_extra(const CLI::App& app, const std::vector<std::string>&
     return {"command '" + chosen_command(app) + "' has no option '" + name + "'", near.empty() ? help : near.front()};
   }
   const auto word = std::find_if(words.begin(), words.end(), is_extra);
-  return {"'" + (word == words.end() ? std::string() : *word) + "' is one word too many", help};
+  return {"unexpected argument '" + (word == words.end() ? std::string() : *word) + "'", help};
 }
 
 /// What CLI11 says, with the command it is about, in the manner of our own messages.
@@ -103,7 +103,8 @@ UsageMistake describe_missing_command(const CLI::App& app, const std::vector<std
   }
   const std::size_t at = operand(app, words, chosen.empty() ? 0 : 1);
   if (at == words.size()) {
-    const std::string message = chosen.empty() ? "a command is needed" : "command '" + chosen + "' needs a second word";
+    const std::string message =
+        chosen.empty() ? "a command is missing" : "command '" + chosen + "' needs a second word";
     return {message, did_you_mean("", commands)};
   }
   const std::string asked = (chosen.empty() ? "" : chosen + " ") + words[at];

@@ -36,8 +36,8 @@ std::string find_data_dir(const Options& options, Diagnostics& diagnostics) {
   }
   auto& finding =
       diagnostics.error(code::data_not_found, {}, "cannot find the folder with schemas, templates and runtime");
-  for (const fs::path& place : places) finding.note(fmt::format("looked in '{}'", place.generic_string()));
-  finding.hint("give it with --data-dir or the environment variable FINEMOTE_DATA");
+  for (const fs::path& place : places) finding.note(fmt::format("searched in '{}'", place.generic_string()));
+  finding.hint("set --data-dir or the environment variable FINEMOTE_DATA");
   return {};
 }
 

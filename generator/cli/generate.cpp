@@ -62,7 +62,7 @@ int refuse_unschedulable(Context& context, const Verdict& verdict) {
   const int status =
       finish_with(context, kExitNo, verdict.reasons,
                   Json{{"schema", "finemote.generate/1"}, {"output", context.options.out}, {"schedulable", false}});
-  context.err << "nothing was written; --allow-unschedulable writes all the same\n";
+  context.err << "nothing was written; --allow-unschedulable writes anyway\n";
   return status;
 }
 
@@ -77,7 +77,7 @@ void warn_of_requirements(Context& context, const Verdict& verdict) {
   for (Diagnostic finding : verdict.reasons.in_file_order()) {
     if (finding.code != code::timing_requirement) continue;
     finding.severity = Severity::warning;
-    finding.note("generate writes the files all the same; analyze and check answer no");
+    finding.note("generate still writes the files; analyze and check exit with status 1");
     context.diagnostics.add(finding);
   }
 }

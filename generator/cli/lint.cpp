@@ -31,7 +31,7 @@ std::vector<Code> codes(Context& context, const char* option, const std::vector<
     if (code && is_lint_code(*code)) {
       list.push_back(*code);
     } else {
-      context.diagnostics.error(code::usage, {}, fmt::format("{} '{}' is no code of lint", option, word))
+      context.diagnostics.error(code::usage, {}, fmt::format("{} '{}' is not a lint code", option, word))
           .hint(did_you_mean(word, names));
     }
   }
@@ -84,9 +84,9 @@ int finish_lint(Context& context, const Diagnostics& findings, const std::vector
                 std::size_t fixable) {
   const bool denied = findings.has_errors() || (context.options.warnings_are_errors && findings.size() > 0);
   if (context.options.format == Format::text && !context.options.quiet) {
-    for (const std::string& name : mended) context.out << "mended " << name << "\n";
+    for (const std::string& name : mended) context.out << "fixed " << name << "\n";
     context.out << fmt::format("{} finding{}\n", findings.size(), findings.size() == 1 ? "" : "s");
-    if (mended.empty() && fixable > 0) context.out << "lint --fix mends the mechanical ones\n";
+    if (mended.empty() && fixable > 0) context.out << "run 'finemote lint --fix' to fix the mechanical ones\n";
   }
   return finish_with(context, denied ? kExitNo : kExitYes, findings,
                      Json{{"schema", "finemote.lint/1"}, {"findings", findings.size()}, {"mended", mended}});

@@ -94,7 +94,7 @@ void add_generate(CLI::App& app, Options& options) {
   command->add_flag("--list", options.list, "print the names of the files and write nothing");
   command->add_flag("--dry-run", options.dry_run, "say what would be written and write nothing");
   command->add_flag("--force", options.force, "keep files of yours that are in the way as NAME.orig, and write");
-  command->add_flag("--allow-unschedulable", options.allow_unschedulable, "write even when a deadline can be missed");
+  command->add_flag("--allow-unschedulable", options.allow_unschedulable, "write even if a deadline can be missed");
 }
 
 void add_check(CLI::App& app, Options& options) {
@@ -136,20 +136,21 @@ void add_timing(CLI::App& app, Options& options) {
     add_input_options(*command, options);
     add_sandbox(*command, options);
     command->add_option("--chain", options.chains, "a->b: a chain beside the default ones");
-    command->add_option("--profile", options.profile, "whose verdict counts")->option_text("paper|tight|target");
+    command->add_option("--profile", options.profile, "profile that decides the verdict")
+        ->option_text("paper|tight|target");
     command->add_option("--assume-wcet", options.assume_wcet,
                         "time for every stage without a known one, for example 50us");
   }
-  analyze->add_flag("--slack", options.slack, "how much longer execution times may get");
-  analyze->add_flag("--suggest-order", options.suggest_order, "orders of siblings and trees with shorter bounds");
+  analyze->add_flag("--slack", options.slack, "the factor by which execution times may grow");
+  analyze->add_flag("--suggest-order", options.suggest_order,
+                    "suggest an order of siblings and trees with shorter bounds");
   simulate->add_option("--seed", options.seed, "of the random numbers");
   simulate->add_option("--duration", options.duration, "simulated time, for example 10s");
   simulate->add_option("-o", options.out, "write a trace for Perfetto to this file");
 }
 
 void add_reference(CLI::App& app, Options& options) {
-  CLI::App* explain =
-      app.add_subcommand("explain", "what a diagnostic means and how to mend it; without a code, all of them");
+  CLI::App* explain = app.add_subcommand("explain", "explain a diagnostic and how to fix it; without a code, list all");
   explain->add_option("CODE", options.input, "for example FM3012");
   CLI::App* schema = app.add_subcommand("schema", "print a schema for editors; without a name, list them");
   schema->add_option("NAME", options.input, "device, expander, board, scenario or xsd");
@@ -162,12 +163,12 @@ void add_docs(CLI::App& app, Options& options) {
 }
 
 void add_lint(CLI::App& app, Options& options) {
-  CLI::App* command = app.add_subcommand("lint", "what is allowed and rarely meant");
+  CLI::App* command = app.add_subcommand("lint", "warn about valid but suspicious descriptions");
   add_input_options(*command, options);
   command->add_option("--allow", options.allow, "code that is not reported, for example FM3153");
   command->add_option("--deny", options.deny, "code that makes the exit status 1");
   add_sandbox(*command, options);
-  command->add_flag("--fix", options.fix, "mend the mechanical findings in the files")->excludes("--sandbox");
+  command->add_flag("--fix", options.fix, "fix the mechanical findings in the files")->excludes("--sandbox");
 }
 
 void add_diff(CLI::App& app, Options& options) {

@@ -92,7 +92,8 @@ std::optional<std::int64_t> duration_of(Context& context, const Schedule& schedu
   const auto parsed = units::parse_duration(context.options.duration);
   if (parsed && *parsed > 0) return *parsed;
   context.diagnostics
-      .error(code::usage, {}, fmt::format("--duration '{}' is no time above zero", context.options.duration))
+      .error(code::usage, {},
+             fmt::format("--duration must be a time greater than zero, got '{}'", context.options.duration))
       .hint("write for example --duration 100ms");
   return std::nullopt;
 }

@@ -29,7 +29,7 @@ std::optional<std::int64_t> time_option(Context& context, const char* option, co
   if (text.empty()) return std::nullopt;
   const auto parsed = units::parse_duration(text);
   if (parsed && *parsed > 0) return *parsed;
-  context.diagnostics.error(code::usage, {}, fmt::format("{} '{}' is no time above zero", option, text))
+  context.diagnostics.error(code::usage, {}, fmt::format("{} must be a time greater than zero, got '{}'", option, text))
       .hint(fmt::format("write for example {} 50us", option));
   return std::nullopt;
 }

@@ -67,8 +67,8 @@ void add_user_folder(const UserFolder& added, const std::string& input_dir, Sour
     if (fs::equivalent(same->path, file.path, problem)) continue;
     const SourceFile* source = sources.add(SourceFile{file.display, file.path, {}});
     diagnostics
-        .error(code::type_twice, {source, 0, 0, nullptr}, fmt::format("{} '{}' exists already", added.what, file.name))
-        .note(same->builtin ? "it is one of those that come with FineMote" : fmt::format("also in {}", same->display))
+        .error(code::type_twice, {source, 0, 0, nullptr}, fmt::format("{} '{}' already exists", added.what, file.name))
+        .note(same->builtin ? "FineMote ships one of this name" : fmt::format("also in {}", same->display))
         .hint("give this one another name, in the file and of the file");
   }
 }

@@ -185,7 +185,7 @@ class DescriptorCheck {
         std::find_if(type.params.begin(), type.params.end(), [&](const ParamSpec& spec) { return spec.name == name; });
     if (name.empty()) return;
     if (found == type.params.end()) return contradiction(path, fmt::format("there is no param '{}'", name));
-    if (is_real && found->kind != ParamKind::real) contradiction(path, fmt::format("param '{}' is no float", name));
+    if (is_real && found->kind != ParamKind::real) contradiction(path, fmt::format("param '{}' is not a float", name));
   }
   void check_link(const DeviceType& type) {
     const bool fits = std::any_of(type.roles.begin(), type.roles.end(), [&](const RoleSpec& role) {

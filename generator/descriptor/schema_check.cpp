@@ -153,13 +153,13 @@ std::optional<Violation> reword(const valijson::ValidationResults::Error& error)
   } else if (starts_with(words, "Object contains a property")) {
     violation.path.push_back(last_quoted(words));
     violation.is_unknown = true;
-    violation.words = "there is no member of this name";
+    violation.words = "unknown member";
   } else if (starts_with(words, "Value type")) {
-    violation.words = "the value is of another type";
+    violation.words = "the value has the wrong type";
   } else if (starts_with(words, "Failed to match regex")) {
-    violation.words = "the text is not of the right form";
+    violation.words = "the text does not have the right form";
   } else if (starts_with(words, "Failed to match against any enum")) {
-    violation.words = "the value is not one of those possible";
+    violation.words = "the value is not one of the allowed values";
   } else {
     violation.words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(violation.words[0])));
     while (violation.words.back() == '.') violation.words.pop_back();
@@ -177,7 +177,7 @@ std::vector<Violation> collect(valijson::ValidationResults& results) {
                           });
     if (violation && !is_known) all.push_back(std::move(*violation));
   }
-  if (all.empty()) all.push_back({{}, "it is not of the form the schema describes", false, false, {}, {}, {}});
+  if (all.empty()) all.push_back({{}, "it does not match the schema", false, false, {}, {}, {}});
   return all;
 }
 

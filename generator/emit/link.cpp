@@ -127,7 +127,7 @@ class Planner {
         .error(code::link_too_large, device.at,
                fmt::format("device '{}' cannot carry all this: {}", device.name.text, what))
         .note(fmt::format("a frame holds {} bytes, and there are at most {} frames each way", kMaxPayload, kMaxBlocks))
-        .hint("put less under one link, or give the robot a second one");
+        .hint("put fewer devices under one link, or add a second link");
   }
 
   /// FNV-1a of everything that decides where a byte stands.

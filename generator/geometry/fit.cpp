@@ -49,7 +49,7 @@ std::string place_problem(const Placement& placement, std::size_t index, const A
   for (std::size_t before = 0; before < index; ++before) {
     const auto other = joint_axis(placement.mechanism, placement.joints[before], placement.link);
     if (other && (wheel.point - other->point).norm() < radius)
-      return fmt::format("it stands where the wheel of joint '{}' stands", placement.joints[before]);
+      return fmt::format("it is in the same place as the wheel of joint '{}'", placement.joints[before]);
   }
   return {};
 }

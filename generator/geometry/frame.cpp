@@ -60,7 +60,7 @@ std::string body_problem(const Mechanism& mechanism, const std::string& link, co
   const std::vector<std::string> way = links_to(mechanism, link);
   const bool moves = std::find(way.begin(), way.end(), mechanism.base()) != way.end();
   if ((is_root && is_world_name(link)) || !moves)
-    return fmt::format("link '{}' is the world, which stands still", link);
+    return fmt::format("link '{}' is the world, which does not move", link);
   for (const std::string& name : joints) {
     const Joint* joint = mechanism.joint(name);
     if (joint != nullptr && std::find(way.begin(), way.end(), joint->child_link) != way.end())

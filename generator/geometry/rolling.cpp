@@ -33,7 +33,7 @@ std::string wheel_problem(const Axis& wheel, double tolerance) {
     return fmt::format("its axis points {} away from the base's y axis; a mecanum wheel rolls forward, within {}",
                        degrees_text(off), degrees_text(tolerance));
   if (std::fabs(wheel.point.x()) < kBesideMiddle || std::fabs(wheel.point.y()) < kBesideMiddle)
-    return "a wheel stands before or behind the middle of the base, and left or right of it: its rollers follow from "
+    return "a wheel lies ahead of or behind the middle of the base, and left or right of it: its rollers follow from "
            "that";
   return {};
 }

@@ -86,7 +86,7 @@ void check_image(const Image& image, const StackBound& stack, ImagePromises prom
   if (stack.known && stack.bytes > reserved) {
     diagnostics
         .error(code::stack_too_small, {},
-               fmt::format("the stack needs {} bytes at worst, {} are reserved", stack.bytes, reserved))
+               fmt::format("the stack needs {} bytes in the worst case, but {} are reserved", stack.bytes, reserved))
         .hint(fmt::format("link with -Wl,--defsym=finemote_stack_size={}", (stack.bytes + 255) / 256 * 256));
   }
 }

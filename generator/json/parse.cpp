@@ -56,7 +56,7 @@ class Parser {
   }
 
   bool fail_expected(std::string_view what) {
-    if (pos_ >= text_.size()) return fail(fmt::format("the file ends where {} is expected", what));
+    if (pos_ >= text_.size()) return fail(fmt::format("unexpected end of file, expected {}", what));
     const auto c = static_cast<unsigned char>(peek());
     if (c < 0x20 || c >= 0x7F) return fail(fmt::format("found byte 0x{:02x} where {} is expected", c, what));
     return fail(fmt::format("found '{}' where {} is expected", peek(), what));

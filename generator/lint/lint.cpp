@@ -68,7 +68,7 @@ class Linter {
   void check_bus(std::size_t index) {
     const Bus& bus = robot_.buses[index];
     if (!is_used(index)) {
-      Diagnostic* finding = report(code::lint_unused_bus, bus.at, fmt::format("nothing uses bus '{}'", bus.name.text));
+      Diagnostic* finding = report(code::lint_unused_bus, bus.at, fmt::format("bus '{}' is unused", bus.name.text));
       if (finding == nullptr) return;
       finding->underline(4).hint("remove it: it costs start-up code and interrupts");
       if (const auto extent = find_element(bus.at)) edits_.push_back({bus.at.file, extent->begin, extent->end, {}});
@@ -115,13 +115,13 @@ class Linter {
   void report_order(const Device& actuator, const Device& sensor) {
     Diagnostic* finding =
         report(code::lint_order, sensor.at,
-               fmt::format("sensor '{}' stands after actuator '{}'", sensor.name.text, actuator.name.text));
+               fmt::format("sensor '{}' is declared after actuator '{}'", sensor.name.text, actuator.name.text));
     if (finding == nullptr) return;
     finding->underline(7)
         .note(
             "handles run in the reverse order of declaration, so the actuator is commanded only after the sensor's "
             "handle()")
-        .note(fmt::format("actuator '{}' stands here", actuator.name.text), actuator.at)
+        .note(fmt::format("actuator '{}' is declared here", actuator.name.text), actuator.at)
         .hint(fmt::format("declare '{}' before '{}'", sensor.name.text, actuator.name.text));
     auto from = find_element(sensor.at);
     auto to = find_element(actuator.at);
@@ -141,11 +141,11 @@ class Linter {
     const std::string other = units::format_duration(parent.period_ns);
     Diagnostic* finding =
         report(code::lint_period_ratio, child.period_at,
-               fmt::format("the period of device '{}' ({}) is neither multiple nor divisor of its parent's ({})",
+               fmt::format("the period of device '{}' ({}) is neither a multiple nor a divisor of its parent's ({})",
                            child.name.text, own, other));
     if (finding == nullptr) return;
     finding->note("the age of what crosses between them then varies from job to job, and its worst case is long")
-        .note(fmt::format("parent '{}' stands here", parent.name.text), parent.at);
+        .note(fmt::format("parent '{}' is declared here", parent.name.text), parent.at);
     const std::int64_t times =
         std::max<std::int64_t>(1, child.period_ns > parent.period_ns ? child.period_ns / parent.period_ns
                                                                      : parent.period_ns / child.period_ns);
@@ -226,7 +226,7 @@ class Linter {
         if (!param.given || std::find(replaced.begin(), replaced.end(), param.spec->name) == replaced.end()) continue;
         Diagnostic* finding =
             report(code::lint_param_replaced, device.at,
-                   fmt::format("param '{}' of device '{}' says nothing", param.spec->name, device.name.text));
+                   fmt::format("param '{}' of device '{}' has no effect", param.spec->name, device.name.text));
         if (finding == nullptr) continue;
         finding->underline(7)
             .note(fmt::format("it is computed from the joints of the {}", geometry.role))

@@ -81,7 +81,7 @@ void check_range(const Robot& robot, const Device& device, const GeometrySpec& g
               fmt::format("device '{}' does not reach the limits of joint '{}'", device.name.text, joint->name))
           .note(fmt::format("the joint turns from {:g} to {:g} rad, the device from {:.4g} to {:.4g} rad",
                             limits->lower, limits->upper, -travel / 2, travel / 2))
-          .note("the joint stands here", joint->at)
+          .note("the joint is declared here", joint->at)
           .hint(fmt::format("set '{}' to what the part can do, or narrow the joint's limits", geometry.param)));
 }
 

@@ -67,7 +67,7 @@ std::optional<std::string> read_choice(const xml::Node& node, std::string_view n
   if (attribute == nullptr) return {};
   if (std::find(choices.begin(), choices.end(), attribute->value) != choices.end()) return attribute->value;
   suggest(at_value(diagnostics, code::bad_choice, *attribute,
-                   fmt::format("'{}' is no {} of <{}>", attribute->value, name, node.name)),
+                   fmt::format("'{}' is not a valid {} of <{}>", attribute->value, name, node.name)),
           attribute->value, choices);
   // letter case alone: what was meant is clear, and the rest can be judged by it
   const auto meant = std::find_if(choices.begin(), choices.end(), [&](const std::string& choice) {

@@ -96,7 +96,7 @@ void read_board_tag(Reading& reading) {
   if (boards.empty()) return report_missing(reading);
   for (std::size_t i = 1; i < boards.size(); ++i) {
     at_tag(reading.diagnostics, code::board_twice, *boards[i], "the robot has a second <board>")
-        .note("the first one stands here", boards.front()->at);
+        .note("the first one is declared here", boards.front()->at);
   }
   const xml::Node& tag = *boards.front();
   reading.robot.board = find_named_board(reading, tag);

@@ -58,7 +58,7 @@ bool check_root(const xml::Node& root, Diagnostics& diagnostics) {
   }
   if (root.attribute("name") != nullptr) return true;
   at_tag(diagnostics, code::not_a_robot, root, "the robot has no 'name'")
-      .hint("write <robot name=\"...\">: generated code stands in a namespace of that name");
+      .hint("write <robot name=\"...\">: generated code is in a namespace of that name");
   return false;
 }
 
@@ -81,13 +81,13 @@ void check_version_is_given(const Tags& tags, Diagnostics& diagnostics) {
   for (const xml::Node* block : tags.blocks) {
     if (block->attribute("version") != nullptr || tags.is_misspelt(*block, "version")) return;
   }
-  at_tag(diagnostics, code::version_missing, *tags.blocks.front(), "no <finemote> says its version")
+  at_tag(diagnostics, code::version_missing, *tags.blocks.front(), "no <finemote> element has a version")
       .hint(fmt::format("write <finemote version=\"{}\">", kVersion));
 }
 
 void report_no_extension(const xml::Node& root, Diagnostics& diagnostics) {
   at_tag(diagnostics, code::no_extension, root, "the robot has no <finemote> element")
-      .note("it says which board, buses and devices the robot has; ROS tools pass over it")
+      .note("it describes the robot's board, buses and devices; ROS tools ignore it")
       .hint("add <finemote version=\"1\"> ... </finemote> inside <robot>");
 }
 

@@ -167,7 +167,7 @@ double rate_error(const Port& port, BusKind kind, double wanted) {
 void check_rate(Reading& reading, const xml::Attribute& attribute, const Port& port, const Bus& bus) {
   const auto report = [&]() -> Diagnostic& {
     return at_value(reading.diagnostics, code::rate_unreachable, attribute,
-                    fmt::format("port '{}' cannot make {}", port.name, attribute.value));
+                    fmt::format("port '{}' cannot run at {}", port.name, attribute.value));
   };
   const std::int64_t least = port.min_rate.value_or(1);
   const std::int64_t most = port.max_rate.value_or(INT64_MAX);

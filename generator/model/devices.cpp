@@ -115,7 +115,7 @@ class DeviceReader {
   bool sits_on(const xml::Attribute& bus, const Segment& segment) {
     const DeviceType& type = *device_.type;
     if (type.buses.empty()) {
-      at_value(diagnostics_, code::bus_kind, bus, fmt::format("'{}' sits on no bus", type.name))
+      at_value(diagnostics_, code::bus_kind, bus, fmt::format("'{}' does not use a bus", type.name))
           .hint("remove bus=\"" + bus.value + "\"");
       return false;
     }
@@ -146,9 +146,9 @@ class DeviceReader {
     const DeviceType& type = *device_.type;
     if (type.max_clock_hz && physical.rate > *type.max_clock_hz) {
       at_value(diagnostics_, code::rate_unreachable, bus,
-               fmt::format("bus '{}' runs at {} Hz, '{}' at most at {} Hz", physical.name.text, physical.rate,
+               fmt::format("bus '{}' runs at {} Hz, but '{}' supports at most {} Hz", physical.name.text, physical.rate,
                            type.name, *type.max_clock_hz))
-          .note("the bus stands here", physical.at)
+          .note("the bus is declared here", physical.at)
           .hint(slower_clock(segment, *type.max_clock_hz));
     }
     if (type.rates.empty() || std::find(type.rates.begin(), type.rates.end(), physical.rate) != type.rates.end())
@@ -157,8 +157,9 @@ class DeviceReader {
     for (const std::int64_t rate : type.rates) rates += fmt::format("{}{}", rates.empty() ? "" : ", ", rate);
     const std::int64_t fastest = *std::max_element(type.rates.begin(), type.rates.end());
     at_value(diagnostics_, code::rate_unreachable, bus,
-             fmt::format("bus '{}' runs at {} bit/s, which '{}' cannot", physical.name.text, physical.rate, type.name))
-        .note("the bus stands here", physical.at)
+             fmt::format("bus '{}' runs at {} bit/s, which '{}' does not support", physical.name.text, physical.rate,
+                         type.name))
+        .note("the bus is declared here", physical.at)
         .hint(fmt::format("write {}=\"{}\" at the bus{}", rate_attribute(segment.bus_kind),
                           rate_text(segment.bus_kind, fastest),
                           type.rates.size() > 1 ? fmt::format("; the part can run at {} bit/s", rates) : ""));
@@ -194,7 +195,7 @@ class DeviceReader {
     if (!reading_.tick_is_known || period % tick == 0) return;
     const auto [below, above] = ticks_beside(period);
     at_value(diagnostics_, code::period_tick, attribute,
-             fmt::format("the period of {} is no multiple of the tick of {}", owner_, units::format_duration(tick)))
+             fmt::format("the period of {} is not a multiple of the tick of {}", owner_, units::format_duration(tick)))
         .hint(below.empty() ? fmt::format("write period=\"{}\"", above)
                             : fmt::format("write period=\"{}\" or period=\"{}\"", below, above));
   }
@@ -332,7 +333,7 @@ class DeviceReader {
       if (!child.is_element("wcet")) continue;
       if (wcet != nullptr) {
         at_tag(diagnostics_, code::element_twice, child, fmt::format("{} has two <wcet>", owner_))
-            .note("the first one stands here", wcet->at);
+            .note("the first one is declared here", wcet->at);
       } else {
         wcet = &child;
       }

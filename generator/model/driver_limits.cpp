@@ -46,7 +46,7 @@ void check_line(Reading& reading, const LineUser& user) {
   Diagnostic& finding = bus_name != nullptr ? at_value(reading.diagnostics, code::line_inverted, *bus_name, message)
                                             : at_tag(reading.diagnostics, code::line_inverted, user.tag, message);
   const Bus& bus = reading.robot.buses[user.bus];
-  finding.note(fmt::format("bus '{}' stands here", bus.name.text), bus.at);
+  finding.note(fmt::format("bus '{}' is declared here", bus.name.text), bus.at);
   std::string ports;
   for (const std::string& name : ports_with(*reading.robot.board, inverted))
     ports += fmt::format("{}port=\"{}\"", ports.empty() ? "" : " or ", name);

@@ -86,7 +86,7 @@ class ExpanderReader {
     if (is_fresh) return;
     at_value(diagnostics_, code::channel_twice, attribute,
              fmt::format("channel {} of expander '{}' is used twice", index, expander_.name.text))
-        .note("the first time here", first->second->at)
+        .note("the first use is here", first->second->at)
         .hint(free_indices());
   }
   /// Channels that no <channel> of the tag names.

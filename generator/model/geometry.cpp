@@ -99,7 +99,7 @@ void report_unfit(Reading& reading, const Device& parent, const Placement& place
                                              placement.geometry.role, parent.name.text));
   finding.note(problem);
   if (is_about_body(placement.geometry)) finding.note(fmt::format("x, y and z are those of link '{}'", placement.link));
-  finding.note("the joint stands here", reading.kinematics.joint(device.joint)->at);
+  finding.note("the joint is declared here", reading.kinematics.joint(device.joint)->at);
   if (placement.geometry.kind == "chain") finding.hint("declare turning joints, base to tip");
 }
 

@@ -89,7 +89,7 @@ class DrivenJoint {
     if (!device_.type->actuator) return;
     report(code::joint_fixed,
            fmt::format("joint '{}' is fixed, but device '{}' moves it", joint_.name, device_.name.text))
-        .note("the joint stands here", joint_.at)
+        .note("the joint is declared here", joint_.at)
         .hint("make the joint type=\"continuous\" for what spins, \"revolute\" or \"prismatic\" for what has an end");
   }
   void report_mimic() {
@@ -99,7 +99,7 @@ class DrivenJoint {
     });
     report_unfit()
         .note(fmt::format("it follows joint '{}' (<mimic>), and has no motion of its own", joint_.mimic))
-        .note("the joint stands here", joint_.at)
+        .note("the joint is declared here", joint_.at)
         .hint(is_driven ? "remove the device, or the <mimic> if the joint has a drive of its own"
                         : fmt::format("write joint=\"{}\", or remove the <mimic> if the joint has a drive of its own",
                                       joint_.mimic));
@@ -111,13 +111,13 @@ class DrivenJoint {
   }
   void report_no_axis() {
     report(code::axis_direction, fmt::format("the axis of joint '{}' has no direction", joint_.name))
-        .note("the joint stands here", joint_.at)
+        .note("the joint is declared here", joint_.at)
         .hint("write for example <axis xyz=\"0 0 1\"/>");
   }
   void report_limits() {
     report(code::joint_limits, fmt::format("the limits of joint '{}' leave it no position", joint_.name))
         .note(limits_text())
-        .note("the joint stands here", joint_.at)
+        .note("the joint is declared here", joint_.at)
         .hint("write lower and upper so that lower < upper");
   }
   [[nodiscard]] std::string limits_text() const {
@@ -128,7 +128,7 @@ class DrivenJoint {
     if (!turns(joint_)) {
       report_unfit()
           .note(fmt::format("it is {}; a joint that turns is revolute or continuous", joint_.type))
-          .note("the joint stands here", joint_.at);
+          .note("the joint is declared here", joint_.at);
       return;
     }
     const auto limits = limits_of(joint_);
@@ -141,7 +141,7 @@ class DrivenJoint {
            fmt::format("device '{}' reaches no angle within the limits of joint '{}'", device_.name.text, joint_.name))
         .note(fmt::format("the joint turns from {:g} to {:g} rad, the device from {:.4g} to {:.4g} rad", limits->lower,
                           limits->upper, -travel / 2, travel / 2))
-        .note("the joint stands here", joint_.at)
+        .note("the joint is declared here", joint_.at)
         .hint(fmt::format("measure the joint's angle from the middle of the travel, or set '{}'", geometry.param));
   }
 

@@ -41,15 +41,15 @@ class NameTable {
       at_value(diagnostics_, code::duplicate_name, *attribute,
                fmt::format("the name '{}' is used twice", entry.name->text))
           .note(fmt::format("{} has it already", first.what), first.tag->at)
-          .hint("give one of them another name");
+          .hint("rename one of them");
       return;
     }
     auto& finding = at_value(diagnostics_, code::name_clash, *attribute,
-                             fmt::format("'{}' and '{}' would be one name in C++", entry.name->text, first.name->text));
+                             fmt::format("'{}' and '{}' are the same name in C++", entry.name->text, first.name->text));
     const bool same = entry.name->cpp == first.name->cpp;
     finding.note(same ? fmt::format("both become '{}'", entry.name->cpp)
                       : fmt::format("'{}' and '{}' differ by letter case only", entry.name->cpp, first.name->cpp));
-    finding.note(fmt::format("{} stands here", first.what), first.tag->at).hint("give one of them another name");
+    finding.note(fmt::format("{} is declared here", first.what), first.tag->at).hint("rename one of them");
   }
 
   Diagnostics& diagnostics_;

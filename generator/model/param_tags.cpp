@@ -113,7 +113,7 @@ std::vector<Param> read_param_tags(Reading& reading, const xml::Node& tag, const
     if (!is_fresh) {
       at_value(diagnostics, code::param_twice, *name,
                fmt::format("param '{}' of {} is given twice", name->value, owner))
-          .note("the first time here", first->second->at);
+          .note("the first use is here", first->second->at);
       continue;
     }
     if (auto value = read_value(diagnostics, child, *spec, owner)) values.emplace(name->value, *value);

@@ -19,7 +19,7 @@ void resolve_parent(Reading& reading, std::size_t index) {
     const Device& around = reading.robot.devices[*tag.nested_in];
     at_value(reading.diagnostics, code::nested_and_parent, *parent,
              fmt::format("device '{}' is nested and has a 'parent'", device.name.text))
-        .note(fmt::format("it stands inside device '{}'", around.name.text), around.at)
+        .note(fmt::format("it is nested in device '{}'", around.name.text), around.at)
         .hint(around.name.text == parent->value ? fmt::format("remove parent=\"{}\"", parent->value)
                                                 : fmt::format("remove parent=\"{}\", or move the device out of '{}'",
                                                               parent->value, around.name.text));

@@ -33,7 +33,8 @@ bool is_plain(const std::string& function) { return function == "input" || funct
 
 void report_unknown(const Board* board, const std::string& name, const Position& at, const std::string& function,
                     Diagnostics& diagnostics) {
-  auto& finding = diagnostics.error(code::pin_invalid, at, fmt::format("'{}' is no pin", name)).underline(name.size());
+  auto& finding =
+      diagnostics.error(code::pin_invalid, at, fmt::format("'{}' is not a pin", name)).underline(name.size());
   std::vector<std::string> names;
   if (board != nullptr) {
     for (const NamedPin& pin : board->pins) {

@@ -152,7 +152,7 @@ class AddressTable {
     auto& finding =
         at_place(reading_.diagnostics, code::address_conflict, occupant, "address",
                  fmt::format("{} and {} both answer to 0x{:02x}", occupant.what, other.occupant.what, address));
-    finding.note(fmt::format("{} stands here", other.occupant.what), other.occupant.tag->at);
+    finding.note(fmt::format("{} is declared here", other.occupant.what), other.occupant.tag->at);
     const Name& bus = reading_.robot.buses[segment.bus].name;
     finding.note(same_segment ? fmt::format("both sit on '{}'", segment.name.text)
                               : fmt::format("what sits on '{}' itself is seen through every mux channel", bus.text));
@@ -284,7 +284,7 @@ void check_exclusive(Reading& reading) {
              fmt::format("uart bus '{}' has two devices", reading.robot.segments[segment].name.text))
         .note(fmt::format("{} uses it already", first->second.what), first->second.tag->at)
         .hint(
-            "a uart connects two ends: give each device a bus of its own, or use type=\"rs485\" for parts that share a "
+            "a uart connects two ends: give each device its own bus, or use type=\"rs485\" for parts that share a "
             "line");
   };
   for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
@@ -398,13 +398,14 @@ void report_ids(Reading& reading, std::size_t index, std::size_t first, Promised
   const Device& device = reading.robot.devices[index];
   const Device& other = reading.robot.devices[first];
   const Name& bus = reading.robot.buses[reading.robot.segments[*device.segment].bus].name;
-  auto& finding = at_place(reading.diagnostics, code::id_conflict, describe(reading, index), "id",
-                           fmt::format("device '{}' with id {} answers as device '{}' with id {} does on bus '{}'",
-                                       device.name.text, *device.id, other.name.text, *other.id, bus.text));
+  auto& finding =
+      at_place(reading.diagnostics, code::id_conflict, describe(reading, index), "id",
+               fmt::format("device '{}' (id {}) and device '{}' (id {}) use the same CAN identifier on bus '{}'",
+                           device.name.text, *device.id, other.name.text, *other.id, bus.text));
   if (receive_alike(*device.type, *other.type))
     finding.note(
         fmt::format("both send frames with the identifier 0x{:03X}", *device.type->receives_base + *device.id));
-  finding.note(fmt::format("device '{}' stands here", other.name.text), other.at);
+  finding.note(fmt::format("device '{}' is declared here", other.name.text), other.at);
   offer_ids(reading, device, promised, finding);
 }
 
@@ -442,7 +443,7 @@ void check_shared_frames(Reading& reading) {
           .note(fmt::format("frame 0x{:03X} carries the commands of both; one runs every {}, the other every {}",
                             frame.identifier, units::format_duration(known->second.period_ns),
                             units::format_duration(device.period_ns)))
-          .note(fmt::format("{} stands here", known->second.occupant.what), known->second.occupant.tag->at)
+          .note(fmt::format("{} is declared here", known->second.occupant.what), known->second.occupant.tag->at)
           .hint("give both one period, or one of them an id of another frame");
     }
   }

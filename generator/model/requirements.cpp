@@ -38,7 +38,7 @@ class RequirementReader {
     const auto is_misspelt = [&](const char* name) { return reading_.tags.is_misspelt(tag_, name); };
     if (questions == 0 && (is_misspelt("latency") || is_misspelt("utilization") || is_misspelt("jitter"))) return;
     if (questions != 1) {
-      at_tag(diagnostics_, code::require_shape, tag_, "<require> asks one thing: latency, utilization or jitter")
+      at_tag(diagnostics_, code::require_shape, tag_, "<require> takes exactly one of latency, utilization and jitter")
           .note(fmt::format("it has {} of them", questions))
           .hint("for example <require latency=\"imu -> thruster_1\" max=\"20ms\"/>");
       return;
@@ -66,7 +66,7 @@ class RequirementReader {
     const std::string_view text = attribute.value;
     const std::size_t arrow = text.find("->");
     if (arrow == std::string_view::npos) {
-      at_value(diagnostics_, code::require_operand, attribute, "latency wants two devices").hint(example());
+      at_value(diagnostics_, code::require_operand, attribute, "latency needs two devices").hint(example());
     } else {
       requirement_.from = read_devices(operand_at(attribute, text.substr(0, arrow)), attribute);
       requirement_.to = read_devices(operand_at(attribute, text.substr(arrow + 2)), attribute);

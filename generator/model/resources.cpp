@@ -66,7 +66,7 @@ class ResourceTable {
         .error(code::resource_conflict, at,
                fmt::format("{} and {} both need {} {}", user.what, first->second.what, resource.kind, resource.name))
         .underline(length)
-        .note(fmt::format("{} stands here", first->second.what), first->second.at)
+        .note(fmt::format("{} is declared here", first->second.what), first->second.at)
         .hint("'finemote board show' lists what each port needs");
   }
 

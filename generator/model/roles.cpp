@@ -60,7 +60,7 @@ std::optional<std::size_t> named_role(Reading& reading, const xml::Attribute& at
   if (child == nullptr || satisfies(*child, parent.roles[*role])) return role;
   auto& finding = at_value(reading.diagnostics, code::role_interface, attribute,
                            fmt::format("'{}' cannot take the role '{}' of {}", child->name, attribute.value, where));
-  finding.note(fmt::format("the role wants '{}'; '{}' provides {}", parent.roles[*role].interface, child->name,
+  finding.note(fmt::format("the role needs '{}'; '{}' provides {}", parent.roles[*role].interface, child->name,
                            provided_by(*child)));
   const std::string fitting = fitting_roles(parent, *child);
   if (!fitting.empty()) finding.hint("write " + fitting);
@@ -83,7 +83,7 @@ std::optional<std::size_t> only_role(Reading& reading, std::size_t index, const 
     finding.note(fmt::format("'{}' provides {}", child.name, provided_by(child)));
     if (parent.roles.empty()) finding.note(fmt::format("'{}' takes no children", parent.name));
     for (const RoleSpec& role : parent.roles)
-      finding.note(fmt::format("role '{}' wants '{}'", role.name, role.interface));
+      finding.note(fmt::format("role '{}' needs '{}'", role.name, role.interface));
     return {};
   }
   std::string choices;
@@ -137,12 +137,14 @@ void report_own_subtree(Reading& reading, const xml::Attribute& name, std::size_
   auto& finding = at_value(reading.diagnostics, code::reads_own_subtree, name,
                            fmt::format("device '{}' reads its own {}", reads, what));
   if (is_self || is_child) {
-    finding.note("children reach their parent by role; <reads> is for devices elsewhere").hint("remove the <reads>");
+    finding.note("children reach their parent by role; <reads> is for devices outside the subtree")
+        .hint("remove the <reads>");
     return;
   }
   std::size_t child = target;
   while (devices[child].parent != reader) child = *devices[child].parent;
-  finding.note("a device sees the states of its children; what is further down reaches it through the child between")
+  finding
+      .note("a device sees the states of its children only; states further down reach it through the child in between")
       .hint(fmt::format("let the type of '{}' copy what it reads of '{}' into its own State", devices[child].name.text,
                         read))
       .hint(fmt::format("or declare '{}' directly below '{}'", read, reads));
@@ -239,7 +241,7 @@ class DataCycles {
     }
     text += fmt::format("'{}'", devices[closing.to].name.text);
     if (shown == nullptr) return;
-    reading_.diagnostics.error(code::reads_cycle, shown->at, "this <reads> closes a circle of data")
+    reading_.diagnostics.error(code::reads_cycle, shown->at, "this <reads> closes a cycle of data")
         .underline(6)
         .note("each takes data of the next: " + text)
         .hint("remove one of the <reads>");

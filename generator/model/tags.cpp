@@ -137,7 +137,7 @@ class TagReader {
       finding.message = fmt::format("'{}' in a file that is read as plain URDF", attribute.name);
       finding.hint("rename the file to end in .urdf.xacro, or expand it first with 'finemote xacro'");
     } else if (node.is_element("device") && attribute.name == "class") {
-      finding.hint("a device says type=\"...\"; the class stands in the type's descriptor");
+      finding.hint("a device says type=\"...\"; the class is named in the type's descriptor");
     } else {
       const std::string hint = did_you_mean(attribute.name, names);
       if (!hint.empty()) finding.hint(hint);
@@ -157,9 +157,9 @@ class TagReader {
     if (!child.is_element() || allows_child(rule, child.name)) return;
     if (starts_with(child.name, "xacro:")) return;  // said by find_xacro
     auto& finding = at_tag(diagnostics_, code::unknown_element, child,
-                           fmt::format("<{}> cannot stand in <{}>", child.name, node.name));
+                           fmt::format("<{}> is not allowed in <{}>", child.name, node.name));
     if (child.name == "import") {
-      finding.hint("version 1 of this tool cannot import <ros2_control>; write the devices as <device> elements");
+      finding.hint("this version cannot import <ros2_control>; write the devices as <device> elements");
     } else if (child.name == "mux") {
       finding.hint("write <expander name=\"...\" model=\"tca9548a\" bus=\"...\" address=\"0x70\"> beside the <bus>");
     } else if (!rule.children.empty()) {

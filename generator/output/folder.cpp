@@ -85,7 +85,7 @@ void read_memory(Folder& folder, Diagnostics& diagnostics) {
     folder.memory = Folder::Memory::complete;
     return;
   }
-  diagnostics.warning(code::broken_manifest, {}, fmt::format("'{}' is no manifest of this version", name))
+  diagnostics.warning(code::broken_manifest, {}, fmt::format("'{}' is not a manifest of this version", name))
       .hint("generate writes it anew; it replaces only files that hold what it would write");
 }
 

@@ -41,7 +41,7 @@ void report_end(const ProcessResult& result, std::chrono::seconds limit, const s
   const auto last_line = result.output.find_last_not_of('\n');
   if (last_line == std::string::npos) return;
   const auto begin = result.output.find_last_of('\n', last_line);
-  finding.note("its last words: " + result.output.substr(begin == std::string::npos ? 0 : begin + 1));
+  finding.note("its last output: " + result.output.substr(begin == std::string::npos ? 0 : begin + 1));
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ std::optional<RunRecord> execute(const std::string& program, const std::string& 
     }
     return std::nullopt;
   }
-  if (!record) diagnostics.error(code::broken_record, {}, "the record the firmware printed cannot be read");
+  if (!record) diagnostics.error(code::broken_record, {}, "cannot read the record printed by the firmware");
   return record;
 }
 

@@ -87,7 +87,7 @@ std::string table(const Outcome& outcome, const SimulateOptions& options) {
          duration_text(seen(run.chains[c].latency)), duration_text(timing.chains[c].decide_ns)});
   }
   text += "\ndevices\n" + devices.text() + "\nchains\n" + chains.text();
-  if (!outcome.holds()) text += "\nsomething observed is above its bound: please report this model\n";
+  if (!outcome.holds()) text += "\nan observation exceeds its bound: please report this model\n";
   return text;
 }
 

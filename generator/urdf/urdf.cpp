@@ -187,7 +187,7 @@ void report_duplicates(const std::vector<Entry>& list, std::string_view what, Di
     if (fresh) continue;
     diagnostics.error(code::duplicate_in_urdf, entry.at, fmt::format("there are two {}s '{}'", what, entry.name))
         .underline(what.size() + 1)
-        .note("the first one stands here", first->second->at);
+        .note("the first one is declared here", first->second->at);
   }
 }
 
