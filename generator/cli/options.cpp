@@ -193,6 +193,8 @@ void add_run(CLI::App& app, Options& options) {
   command->add_flag("--monitor", options.monitor,
                     "build the monitor in: worst response and data age beside their bounds");
   command->add_flag("--build-only", options.build_only, "stop after the image is built");
+  command->add_flag("--allow-unschedulable", options.allow_unschedulable,
+                    "exit 0 after a good run even when analyze says that a deadline can be missed");
 }
 
 /// The whole definition; the values of a parse go to `options`.

@@ -11,6 +11,7 @@
 #include "generator/cli/exit_status.hpp"
 #include "generator/cli/finish.hpp"
 #include "generator/cli/load.hpp"
+#include "generator/cli/verdict.hpp"
 #include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/code_scenario.hpp"
 #include "generator/file/system_reason.hpp"
@@ -177,6 +178,24 @@ std::optional<timing::Timing> bounds(const Context& context, const Loaded& loade
   return timing::analyse(model, request, diagnostics);
 }
 
+/// What analyze says of the robot, as warnings: none of it stops a run. None where it gives no answer.
+std::optional<Verdict> repeat_verdict(Context& context, const Loaded& loaded) {
+  Diagnostics said;
+  Context apart{context.options, context.sources, said, context.out, context.err};
+  auto verdict = timing_verdict(apart, loaded);
+  if (verdict) {
+    for (const Diagnostic& overload : verdict->overloads) said.add(overload);
+    for (const Diagnostic& reason : verdict->reasons.in_file_order()) {
+      if (reason.severity == Severity::error) said.add(reason);
+    }
+  }
+  for (Diagnostic finding : said.in_file_order()) {
+    finding.severity = Severity::warning;
+    context.diagnostics.add(finding);
+  }
+  return verdict;
+}
+
 /// What the image was held to: the same numbers `generate` wrote into its sources.
 timing::RobotBounds monitored_bounds(const Context& context, const Loaded& loaded) {
   if (!context.options.monitor) return {};
@@ -261,8 +280,8 @@ int run_run(Context& context) {
   const auto image = image_facts(*path, board != "host", !all_constant(loaded->robot), context.diagnostics);
   if (!image || context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   if (context.options.build_only) return finish_build(context, *image, board);
-  // What the analysis finds wrong is analyze's answer, not this one's: a run that goes well is a good run.
-  Diagnostics analysis;
+  const auto verdict = repeat_verdict(context, *loaded);
+  Diagnostics analysis;  // of the image with its trace; what is wrong with the robot has been said
   const timing::Model model = model_of_image(context, *loaded);
   const auto timing = bounds(context, *loaded, model, analysis);
   for (const Diagnostic& finding : analysis.in_file_order()) {
@@ -286,9 +305,12 @@ int run_run(Context& context) {
                    monitored_bounds(context, *loaded)};
   if (timing) result.chains = measure_chains(loaded->robot, loaded->forest, *timing, result.record);
   if (const auto whole = hyperperiod(loaded->schedule, *duration)) result.shown_ns = std::min(2 * *whole, *duration);
+  if (verdict) result.schedulable = verdict->schedulable;
+  if (board == "robomaster_type_c") result.wcets = measured_wcets(loaded->robot, result.record);
   if (!write_trace(context, result)) return finish(context, kExitInvalid);
   if (context.options.format == Format::text) print_run(result, context.out);
-  return finish(context, result.good() ? kExitYes : kExitNo, run_document(result));
+  const bool allowed = context.options.allow_unschedulable || result.schedulable.value_or(true);
+  return finish(context, result.good() && allowed ? kExitYes : kExitNo, run_document(result));
 }
 
 }  // namespace finemote::gen

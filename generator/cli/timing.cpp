@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <memory>
 #include <sstream>
 
 #include "generator/cli/commands.hpp"
@@ -13,6 +14,7 @@
 #include "generator/timing/command.hpp"
 #include "generator/timing/from_robot.hpp"
 #include "generator/timing/read_model.hpp"
+#include "generator/timing/remodel.hpp"
 #include "generator/units/units.hpp"
 #include "generator/xml/read_source.hpp"
 
@@ -23,6 +25,8 @@ namespace {
 struct Question {
   timing::Model model;
   std::vector<timing::Requirement> requirements;
+  std::shared_ptr<const Loaded> loaded;  ///< what the model was made from; none for a model
+  timing::RobotTimingOptions options;
 };
 
 std::optional<std::int64_t> time_option(Context& context, const char* option, const std::string& text) {
@@ -51,14 +55,15 @@ std::optional<Question> read_question(Context& context, std::optional<std::int64
     if (file == nullptr) return std::nullopt;
     auto model = timing::read_model(*file, context.diagnostics);
     if (!model || context.diagnostics.has_errors()) return std::nullopt;
-    return Question{std::move(*model), {}};
+    return Question{std::move(*model), {}, nullptr, {}};
   }
-  const auto loaded = load_robot(context);
-  if (!loaded) return std::nullopt;
+  auto robot = load_robot(context);
+  if (!robot) return std::nullopt;
+  const auto loaded = std::make_shared<const Loaded>(std::move(*robot));
   timing::RobotTimingOptions options;
   options.assumed_wcet_ns = assumed;
   return Question{timing::make_timing_model(loaded->robot, loaded->forest, loaded->schedule, options),
-                  timing::timing_requirements(loaded->robot, loaded->forest)};
+                  timing::timing_requirements(loaded->robot, loaded->forest), loaded, options};
 }
 
 /// Ends an analysis, whose findings have settled `status`, with the `result` it has written: table or document. Formats
@@ -87,6 +92,8 @@ int run_analyze_command(Context& context) {
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   auto question = read_question(context, request.assume_wcet_ns);
   if (!question) return finish(context, kExitInvalid);
+  if (question->loaded)
+    request.remodel = timing::robot_remodel(question->loaded->robot, question->loaded->forest, question->options);
   std::ostringstream result;
   const int status =
       timing::run_analyze(std::move(question->model), question->requirements, request, context.diagnostics, result);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "generator/timing/from_robot.hpp"
+#include "generator/timing/remodel.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -33,6 +33,7 @@ std::optional<Verdict> timing_verdict(Context& context, const Loaded& loaded) {
   timing::AnalysisRequest request;
   request.requirements = timing::timing_requirements(loaded.robot, loaded.forest);
   request.inputs = true;
+  request.remodel = timing::robot_remodel(loaded.robot, loaded.forest);
   Diagnostics findings;
   const auto timing =
       timing::analyse(timing::make_timing_model(loaded.robot, loaded.forest, loaded.schedule), request, findings);

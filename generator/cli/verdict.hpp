@@ -14,7 +14,7 @@ struct Verdict {
   bool requirements_hold = false;
   std::vector<double> bus_load;                         ///< 0..1, per Robot::buses; empty when there is no answer
   std::vector<std::optional<CommandAge>> command_ages;  ///< per Robot::devices; none where there is no bound
-  std::vector<Diagnostic> overloads;                    ///< FM4021, of buses that are asked for more than their time
+  std::vector<Diagnostic> overloads;                    ///< FM4021, of overloaded buses
   Diagnostics reasons;                                  ///< the findings behind a no, without those; empty after a yes
 };
 

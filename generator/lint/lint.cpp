@@ -167,7 +167,10 @@ class Linter {
     finding->underline(7)
         .note(fmt::format("update {} and handle {} are assumed; every bound that depends on them says so", update,
                           handle))
-        .hint(fmt::format("measure, then add <wcet update=\"{}\" handle=\"{}\" source=\"measured\"/>", update, handle));
+        .hint(fmt::format(
+            "add <wcet update=\"{}\" handle=\"{}\" source=\"budget\"/> if it keeps to that; finemote run prints "
+            "the element with source=\"measured\"",
+            update, handle));
   }
 
   /// The longest conversion the descriptor gives for the params of this device.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 #include "generator/units/units.hpp"
 
@@ -57,31 +58,55 @@ std::int64_t with_margin(std::int64_t seen_ns) {
   return (wanted + unit - 1) / unit * unit;
 }
 
-void warn(const Device& device, const Stages& seen, std::int64_t stage_cost_ns, Diagnostics& diagnostics) {
+/// None where a stage never ran: what was not measured is not called so.
+std::optional<MeasuredWcet> measured_wcet(std::size_t device, const Stages& seen) {
+  if (seen[0].longest == 0 || seen[1].longest == 0) return std::nullopt;
+  return MeasuredWcet{device, with_margin(seen[0].longest), with_margin(seen[1].longest)};
+}
+
+void warn(const Device& device, std::size_t index, const Stages& seen, std::int64_t stage_cost_ns,
+          Diagnostics& diagnostics) {
   constexpr std::array<const char*, 2> kNames = {"update", "handle"};
-  std::array<std::int64_t, 2> wcet = {device.wcet.update_ns, device.wcet.handle_ns};
+  const std::array<std::int64_t, 2> wcet = {device.wcet.update_ns, device.wcet.handle_ns};
   std::string said;
   for (std::size_t i = 0; i < wcet.size(); ++i) {
     const bool ran = seen[i].longest > 0;
     if (!ran || seen[i].shortest - stage_cost_ns <= wcet[i]) continue;
     said += fmt::format("{}{}() never took less than {} us, its WCET is {}", said.empty() ? "" : "; ", kNames[i],
                         (seen[i].shortest - stage_cost_ns) / 1000.0, units::format_duration(wcet[i]));
-    wcet[i] = with_margin(seen[i].longest);
   }
   if (said.empty()) return;
   auto& finding = diagnostics.warning(code::wcet_exceeded, device.at, fmt::format("'{}': {}", device.name.text, said));
   if (device.wcet.source == Wcet::Source::assumed)
     finding.note("this WCET is the type's default: the device gives none");
-  finding.hint(
-      fmt::format("write <wcet update=\"{}\" handle=\"{}\" source=\"measured\"/>: the longest run seen and a quarter",
-                  units::format_duration(wcet[0]), units::format_duration(wcet[1])));
+  const auto measured = measured_wcet(index, seen);
+  if (measured) {
+    finding.hint(fmt::format("write {}: the longest run seen and a quarter", wcet_element(*measured)));
+  } else {
+    finding.hint("let the run last until both stages have run: then it offers the measured <wcet>");
+  }
 }
 
 }  // namespace
 
 void check_wcet(const Robot& robot, const RunRecord& record, std::int64_t stage_cost_ns, Diagnostics& diagnostics) {
   const std::vector<Stages> seen = stage_extremes(record, robot.devices.size());
-  for (std::size_t i = 0; i < robot.devices.size(); ++i) warn(robot.devices[i], seen[i], stage_cost_ns, diagnostics);
+  for (std::size_t i = 0; i < robot.devices.size(); ++i) warn(robot.devices[i], i, seen[i], stage_cost_ns, diagnostics);
+}
+
+std::vector<MeasuredWcet> measured_wcets(const Robot& robot, const RunRecord& record) {
+  const std::vector<Stages> seen = stage_extremes(record, robot.devices.size());
+  std::vector<MeasuredWcet> list;
+  for (std::size_t i = 0; i < robot.devices.size(); ++i) {
+    const auto measured = measured_wcet(i, seen[i]);
+    if (robot.devices[i].wcet.source == Wcet::Source::assumed && measured) list.push_back(*measured);
+  }
+  return list;
+}
+
+std::string wcet_element(const MeasuredWcet& wcet) {
+  return fmt::format("<wcet update=\"{}\" handle=\"{}\" source=\"measured\"/>", units::format_duration(wcet.update_ns),
+                     units::format_duration(wcet.handle_ns));
 }
 
 }  // namespace finemote::gen

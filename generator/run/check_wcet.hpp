@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/run/record.hpp"
@@ -12,5 +14,17 @@ namespace finemote::gen {
 /// `stage_cost_ns`, what the model adds for dispatch and trace: bounds made from that WCET are not proven. Time of
 /// stages that interrupted it does not count; interrupts of buses do, therefore the shortest run is asked.
 void check_wcet(const Robot& robot, const RunRecord& record, std::int64_t stage_cost_ns, Diagnostics& diagnostics);
+
+/// Execution times a run has shown: the longest run of each stage, interrupts included, and a quarter.
+struct MeasuredWcet {
+  std::size_t device = 0;  ///< index into Robot::devices
+  std::int64_t update_ns = 0, handle_ns = 0;
+};
+
+/// Of every device whose execution times are assumed and both of whose stages ran.
+std::vector<MeasuredWcet> measured_wcets(const Robot& robot, const RunRecord& record);
+
+/// `<wcet update="22us" handle="1us" source="measured"/>`
+std::string wcet_element(const MeasuredWcet& wcet);
 
 }  // namespace finemote::gen

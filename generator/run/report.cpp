@@ -203,6 +203,14 @@ void print_monitor(const RunResult& result, std::ostream& out) {
   }
 }
 
+/// Measured execution times, ready to paste.
+void print_wcets(const RunResult& result, std::ostream& out) {
+  if (result.wcets.empty()) return;
+  out << "\nmeasured here, of devices whose execution times are assumed: the longest run seen and a quarter\n";
+  for (const MeasuredWcet& wcet : result.wcets)
+    out << fmt::format("  {:<28} {}\n", name_of(result, wcet.device), wcet_element(wcet));
+}
+
 }  // namespace
 
 std::uint64_t RunResult::violations() const {
@@ -242,7 +250,8 @@ Json run_document(const RunResult& result) {
                    {"flash", result.record.flash.empty() ? Json(nullptr) : Json(result.record.flash)},
                    {"faults", result.record.faulty},
                    {"expectations", expectation_list(result)},
-                   {"silent", result.record.silent}};
+                   {"silent", result.record.silent},
+                   {"schedulable", result.schedulable ? Json(*result.schedulable) : Json(nullptr)}};
   if (!result.record.monitor.empty()) document["monitor"] = monitor_list(result);
   return document;
 }
@@ -273,9 +282,12 @@ void print_run(const RunResult& result, std::ostream& out) {
   }
   if (result.record.faulty) out << "\nthe scenario injects faults: bounds are shown, not judged\n";
   print_expectations(result, out);
+  print_wcets(result, out);
   for (const std::string& device : result.record.silent)
     out << fmt::format("\nnote: the emulated board has no model of '{}': its bus is silent\n", device);
   out << fmt::format("\noverruns {}, resets {}\n", result.overruns(), result.record.resets);
+  if (result.schedulable)
+    out << fmt::format("schedulable: {} (finemote analyze)\n", *result.schedulable ? "yes" : "no");
   for (const FaultCount& fault : result.record.faults)
     out << "fault: " << fault_text(result.fault_table, fault) << "\n";
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "generator/run/chains.hpp"
+#include "generator/run/check_wcet.hpp"
 #include "generator/run/image_facts.hpp"
 #include "generator/schedule/schedule.hpp"
 #include "generator/timing/bounds.hpp"
@@ -24,11 +25,14 @@ struct RunResult {
   RunRecord record;
   std::vector<MeasuredChain> chains;
   FaultTable fault_table;
-  timing::RobotBounds bounds;  ///< what a monitor in the image held it to
+  timing::RobotBounds bounds;                      ///< what a monitor in the image held it to
+  std::optional<bool> schedulable = std::nullopt;  ///< as analyze says; none where it gives no answer
+  std::vector<MeasuredWcet> wcets = {};            ///< of devices whose execution times are assumed
 
   [[nodiscard]] std::uint64_t overruns() const;
   [[nodiscard]] std::uint64_t violations() const;  ///< counted by the monitor
-  /// No overrun, no reset, all as the scenario expects, and no figure above its bound unless it injects faults.
+  /// Of the run itself, whatever the analysis says: no overrun, no reset, all as the scenario expects, and no figure
+  /// above its bound unless it injects faults.
   [[nodiscard]] bool good() const;
 };
 

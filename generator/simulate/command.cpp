@@ -95,7 +95,8 @@ std::string table(const Outcome& outcome, const SimulateOptions& options) {
 
 int run_simulate(const timing::Model& model, const SimulateOptions& options, Diagnostics& diagnostics,
                  std::ostream& out) {
-  timing::AnalysisRequest request{options.profile, {}, {}};
+  timing::AnalysisRequest request;
+  request.profile = options.profile;
   request.chains = timing::parse_chains(model, options.chains, diagnostics);
   if (diagnostics.has_errors()) return 2;
   const std::optional<timing::Timing> timing = timing::analyse(model, request, diagnostics);

@@ -6,25 +6,11 @@
 
 #include "generator/timing/explain.hpp"
 #include "generator/timing/operands.hpp"
+#include "generator/timing/unbounded.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen::timing {
 namespace {
-
-/// Share of the processor all streams and buckets take in the long run.
-double processor_share(const TaskSet& set) {
-  long double share = 0;
-  for (const Stream& s : set.streams) {
-    long double rate = 1.0L / static_cast<long double>(s.separation), budget = 0;
-    for (const Stream::Budget& b : s.budgets)
-      budget +=
-          static_cast<long double>(b.count) / static_cast<long double>(b.period) / static_cast<long double>(b.every);
-    if (!s.budgets.empty()) rate = std::min(rate, budget);
-    share += rate * static_cast<long double>(s.cost);
-  }
-  for (const TaskBucket& b : set.buckets)
-    share += static_cast<long double>(b.cost) / static_cast<long double>(b.period);
-  return static_cast<double>(share);
-}
 
 /// Worst response of handle() less the least time its job needs to get there.
 std::optional<Ns> jitter(const Model& model, const ProfileAnalysis& profile, std::size_t device) {
@@ -97,31 +83,12 @@ class Evaluation {
 /// Where a finding about the whole model points: its first device.
 Position start(const Model& model) { return model.devices.empty() ? Position{} : model.devices.front().at; }
 
-std::string milliseconds(Ns ns) { return fmt::format("{:.6g} ms", static_cast<double>(ns) / 1e6); }
-
-void report_buckets(const Timing& timing, const ProfileAnalysis& asked, Diagnostics& diagnostics) {
-  const Model& model = timing.model;
-  for (std::size_t w = 0; w < asked.set.buckets.size(); ++w) {
-    if (asked.responses.ok(w)) continue;
-    const TaskBucket& bucket = asked.set.buckets[w];
-    auto& d = diagnostics.error(code::timing_unschedulable, model.devices[bucket.devices.front()].at,
-                                fmt::format("the devices with period {} may not be ready when they are due again",
-                                            milliseconds(bucket.period)));
-    long double urgent = 0;
-    for (std::size_t v = 0; v < w; ++v) {
-      urgent +=
-          static_cast<long double>(asked.set.buckets[v].cost) / static_cast<long double>(asked.set.buckets[v].period);
-    }
-    long double own = static_cast<long double>(bucket.cost) / static_cast<long double>(bucket.period);
-    long double buses = processor_share(asked.set);
-    for (const TaskBucket& b : asked.set.buckets) {
-      buses -= static_cast<long double>(b.cost) / static_cast<long double>(b.period);
-    }
-    d.note(fmt::format("they need {:.1f} % of the processor, faster periods {:.1f} %, interrupts {:.1f} % (profile {})",
-                       static_cast<double>(own * 100), static_cast<double>(urgent * 100),
-                       static_cast<double>(std::max(buses, 0.0L) * 100), profile_name(asked.result.profile)));
-    d.hint("give these devices a longer period, or shorten the work of this and of faster periods");
-  }
+/// The assumed figures as what they become when they are written down: a budget to keep.
+std::string wcet_hint(const Device& device) {
+  return fmt::format(
+      "<wcet update=\"{}\" handle=\"{}\" source=\"budget\"/> at '{}' if it keeps to that; finemote run prints "
+      "the element with source=\"measured\"",
+      units::format_duration(device.update_wcet_ns), units::format_duration(device.handle_wcet_ns), device.name);
 }
 
 void report_remarks(const Timing& timing, Diagnostics& diagnostics) {
@@ -151,7 +118,7 @@ void report_remarks(const Timing& timing, Diagnostics& diagnostics) {
                              timing.assumed.size() == 1 ? std::string("one device")
                                                         : fmt::format("{} devices", timing.assumed.size())))
         .note(list(timing.assumed))
-        .hint("<wcet update=\"20us\" handle=\"5us\" source=\"measured\"/>");
+        .hint(wcet_hint(timing.model.devices[timing.assumed.front()]));
   }
 }
 
@@ -182,12 +149,12 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
   Timing timing;
   timing.model = model;
   timing.utilization = test_utilization(model);
-  ProfileAnalysis paper = analyse_profile(model, topology, Profile::paper);
-  ProfileAnalysis tight = analyse_profile(model, topology, Profile::tight);
+  ProfileAnalysis paper = analyse_profile(model, topology, Profile::paper, request.steps);
+  ProfileAnalysis tight = analyse_profile(model, topology, Profile::tight, request.steps);
   std::optional<ProfileAnalysis> target;
-  if (model.has_target) target = analyse_profile(model, topology, Profile::target);
+  if (model.has_target) target = analyse_profile(model, topology, Profile::target, request.steps);
   const ProfileAnalysis& best = target ? *target : tight;
-  Effort effort;
+  Effort effort(request.steps);
   const WireAnalysis wire(model, best, effort);
   const ChainAnalysis chains(model, topology, best, wire, effort);
   timing.chains = chains.defaults();
@@ -208,17 +175,20 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
     if (model.devices[d].source == WcetSource::assumed) timing.assumed.push_back(d);
   }
   timing.asked = request.profile.value_or(target ? Profile::target : Profile::tight);
+  const ProfileAnalysis& asked = timing.asked == Profile::paper   ? paper
+                                 : timing.asked == Profile::tight ? tight
+                                                                  : *target;
+  timing.processor = processor_use(model, asked.set);
+  timing.processor_load = processor_share(asked.set);
   timing.paper = std::move(paper.result);
   timing.tight = std::move(tight.result);
   if (target) timing.target = std::move(target->result);
   timing.schedulable = timing.verdict().schedulable;
-  report_buckets(timing,
-                 timing.asked == Profile::paper   ? paper
-                 : timing.asked == Profile::tight ? tight
-                                                  : *target,
-                 diagnostics);
-  report_requirements(timing, diagnostics);
-  report_bus_overloads(timing, diagnostics);
+  Trials trials(timing, request);
+  report_buckets(timing, trials, diagnostics);
+  report_requirements(timing, trials, diagnostics);
+  timing.missing = missing_bounds(timing, trials);
+  report_bus_overloads(timing, trials, diagnostics);
   report_remarks(timing, diagnostics);
   return timing;
 }

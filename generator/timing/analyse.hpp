@@ -3,6 +3,8 @@
 
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/timing/chains.hpp"
+#include "generator/timing/change.hpp"
+#include "generator/timing/processor.hpp"
 #include "generator/timing/utilization.hpp"
 
 namespace finemote::gen::timing {
@@ -37,7 +39,17 @@ struct AnalysisRequest {
   std::optional<Profile> profile;    ///< whose verdict counts; none: target where the model has one, else tight
   std::vector<ChainRequest> chains;  ///< beyond the default ones
   std::vector<Requirement> requirements;
-  bool inputs = false;  ///< fill Timing::inputs
+  bool inputs = false;              ///< fill Timing::inputs
+  Remodel remodel;                  ///< to look for hints that help; none: messages are without them
+  std::int64_t steps = kMostSteps;  ///< of each profile and of the chains; more are FM4011
+};
+
+/// Why chains have no bound.
+struct MissingBound {
+  std::string part;                      ///< acquire, decide, wire
+  std::string why;                       ///< for people
+  std::vector<std::size_t> chains;       ///< that lack it for this reason, indices into Timing::chains
+  std::vector<std::string> restored_by;  ///< changes after which all of them have a bound, each verified by analysis
 };
 
 struct Timing {
@@ -49,9 +61,12 @@ struct Timing {
   std::vector<ChainResult> chains;  ///< of `target` where there is one, else `tight`
   std::vector<ChainResult> inputs;  ///< on request: the oldest data behind every command (ChainAnalysis::oldest_inputs)
   std::vector<RequirementResult> requirements;
-  std::vector<BusLoad> bus_loads;    ///< per Model::buses
-  std::vector<std::size_t> assumed;  ///< devices whose execution times are assumed
-  bool schedulable = false;          ///< in the asked profile
+  std::vector<BusLoad> bus_loads;       ///< per Model::buses
+  std::vector<ProcessorUse> processor;  ///< in the asked profile, largest load first
+  std::vector<MissingBound> missing;    ///< of chains without end-to-end bound
+  double processor_load = 0;            ///< share of the processor in the long run, in the asked profile
+  std::vector<std::size_t> assumed;     ///< devices whose execution times are assumed
+  bool schedulable = false;             ///< in the asked profile
 
   [[nodiscard]] const ProfileResult& verdict() const {
     return asked == Profile::paper ? paper : asked == Profile::target && target ? *target : tight;
@@ -62,7 +77,7 @@ struct Timing {
 /// Analyses a model that read_model accepts. Reports FM4010 and FM4011 (no result), FM4015 (a bucket of the asked
 /// profile may overrun), FM4016 (a requirement fails), FM4018 (a chain that leads nowhere; no result), FM4019 (target
 /// asked of a plain model; no result), and as warnings FM4017 (closed forms), FM4020 (assumed execution times) and
-/// FM4021 (a bus asked for more than its time).
+/// FM4021 (an overloaded bus).
 std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics);
 
 /// Largest factor, in thousandths, all execution times of devices (`only`: of one) can be multiplied with such that

@@ -90,9 +90,12 @@ std::optional<Profile> profile_of(std::string_view name) {
 int run_analyze(Model model, const std::vector<Requirement>& requirements, const AnalyzeOptions& options,
                 Diagnostics& diagnostics, std::ostream& out) {
   if (options.assume_wcet_ns) assume(model, *options.assume_wcet_ns);
-  AnalysisRequest request{options.profile, {}, requirements};
+  AnalysisRequest request;
+  request.profile = options.profile;
+  request.requirements = requirements;
   request.chains = parse_chains(model, options.chains, diagnostics);
   if (diagnostics.has_errors()) return 2;
+  request.remodel = options.remodel ? options.remodel : model_remodel(model);
   const std::optional<Timing> timing = analyse(model, request, diagnostics);
   if (!timing) return 2;
   std::optional<Slack> slack;

@@ -16,6 +16,7 @@ struct AnalyzeOptions {
   bool suggest_order = false;
   std::optional<Ns> assume_wcet_ns;  ///< per stage of every device whose execution times are assumed
   bool json = false;
+  Remodel remodel;  ///< of the description the model comes from; none: the model itself is changed
 };
 
 /// `paper`, `tight`, `target`; none for other words.

@@ -11,11 +11,14 @@ namespace finemote::gen::timing {
 
 inline constexpr Ns kNever = std::numeric_limits<Ns>::max();
 
+/// Some seconds of work.
+inline constexpr std::int64_t kMostSteps = std::int64_t{1} << 31;
+
 /// Counts the steps an analysis takes, so that no model can make it run for hours. One step is one evaluation of one
-/// term; the budget is some seconds of work.
+/// term.
 class Effort {
  public:
-  explicit Effort(std::int64_t steps = std::int64_t{1} << 31) : left_(steps) {}
+  explicit Effort(std::int64_t steps = kMostSteps) : left_(steps) {}
   void spend(std::int64_t steps) {
     if ((left_ -= steps) < 0) throw TooLong("the response times need more steps than the analysis allows");
   }

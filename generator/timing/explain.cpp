@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "generator/timing/shares.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen::timing {
@@ -26,115 +28,21 @@ std::string whole_percent(double fraction) { return fmt::format("{:.0f} %", frac
 std::string tenths_percent(double fraction) { return fmt::format("{:.1f} %", fraction * 100); }
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
-/// Somebody's part of a load.
-struct Share {
-  std::string who;  ///< `'imu'`, `'thruster_1' and 7 more`
-  double load = 0;
-  bool autonomous = false;  ///< sent by the part itself, not by its device
-};
-
-void add_share(std::vector<Share>& shares, const std::string& who, double load, bool autonomous) {
-  const auto known = std::find_if(shares.begin(), shares.end(),
-                                  [&](const Share& s) { return s.who == who && s.autonomous == autonomous; });
-  if (known == shares.end()) return shares.push_back({who, load, autonomous});
-  known->load += load;
-}
-
 double ratio(Ns part, Ns whole) { return static_cast<double>(part) / static_cast<double>(std::max<Ns>(whole, 1)); }
 
-/// Who asks for the time of a bus (of its busier line), largest first.
-std::vector<Share> bus_shares(const Model& model, std::size_t bus) {
-  std::vector<Share> lines[2];
-  for (const Device& device : model.devices) {
-    for (const Transfer& t : device.transfers) {
-      if (t.bus != bus) continue;
-      const bool autonomous = t.after == Transfer::After::autonomous;
-      const Ns period = autonomous && t.min_interval_ns > 0 ? t.min_interval_ns : device.period_ns;
-      add_share(lines[t.receive ? 1 : 0], quoted(device.name), ratio(t.wire_ns, period), autonomous);
-    }
+/// What makes room on a bus: a faster rate, or fewer messages of ours. What the parts send by themselves is not up to
+/// this file.
+void add_room_hints(const Timing& timing, std::size_t bus, Trials& trials, Diagnostic& finding,
+                    double wanted = kGoodBusLoad) {
+  const Goal goal{[bus](const Timing& t) { return t.bus_loads[bus].utilization; }, wanted};
+  const std::vector<Family> families{
+      longer_periods(timing.model, periodic_users(timing.model, bus), "what sends on it"),
+      faster_rates(timing.model, bus), other_bus(timing.model, bus)};
+  for (const Remedy& remedy : trials.find(families, goal)) {
+    finding.hint(fmt::format("{} brings it from {} to {}{}", remedy.proposal.text,
+                             tenths_percent(timing.bus_loads[bus].utilization), tenths_percent(remedy.value),
+                             remedy.enough || remedy.value <= 1 ? "" : ", which is not enough alone"));
   }
-  for (const Flush& flush : model.flushes) {
-    if (flush.bus != bus || flush.devices.empty()) continue;
-    const std::string more = flush.devices.size() > 1 ? fmt::format(" and {} more", flush.devices.size() - 1) : "";
-    add_share(lines[0], quoted(model.devices[flush.devices.front()].name) + more, ratio(flush.wire_ns, flush.period_ns),
-              false);
-  }
-  const auto sum = [](const std::vector<Share>& shares) {
-    double load = 0;
-    for (const Share& share : shares) load += share.load;
-    return load;
-  };
-  std::vector<Share>& busier = lines[sum(lines[1]) > sum(lines[0]) ? 1 : 0];
-  std::stable_sort(busier.begin(), busier.end(), [](const Share& a, const Share& b) { return a.load > b.load; });
-  return busier;
-}
-
-std::string shares_text(const std::vector<Share>& shares) {
-  constexpr std::size_t kMost = 12;
-  std::string text;
-  for (std::size_t i = 0; i < shares.size() && i < kMost; ++i) {
-    text += fmt::format("{}{}{}: {}", i > 0 ? ", " : "", shares[i].who, shares[i].autonomous ? " by itself" : "",
-                        tenths_percent(shares[i].load));
-  }
-  if (shares.size() > kMost) text += fmt::format(" and {} more", shares.size() - kMost);
-  return text;
-}
-
-/// What makes room on a bus: fewer messages, a faster bus, another bus.
-void add_room_hints(const Timing& timing, std::size_t index, Diagnostic& finding, double wanted = kGoodBusLoad) {
-  const Bus& bus = timing.model.buses[index];
-  const double load = timing.bus_loads[index].utilization;
-  const std::vector<Share> shares = bus_shares(timing.model, index);
-  double fixed = 0;  // what the parts send by themselves, whatever the periods of their devices
-  for (const Share& share : shares) fixed += share.autonomous ? share.load : 0;
-  const double ours = load - fixed;
-  if (ours > 0 && fixed < wanted) {
-    const double factor = std::max(2.0, std::ceil(ours / (wanted - fixed)));
-    finding.hint(fmt::format("longer periods of the devices on it: {:.0f} times as long is {}", factor,
-                             whole_percent(fixed + ours / factor)));
-  } else {
-    const double factor = std::max(2.0, std::ceil(fixed / std::max(wanted - ours, wanted / 2)));
-    finding.hint(
-        fmt::format("set the parts themselves, not this file, to send less often: {:.0f} times as rarely is {}", factor,
-                    whole_percent(ours + fixed / factor)));
-  }
-  const auto load_at = [&](const BusAdvice::Rate& rate) { return load * ratio(bus.baud_bps, rate.bps); };
-  for (const BusAdvice::Rate& rate : bus.advice.rates) {
-    if (load_at(rate) > wanted && rate.bps != bus.advice.rates.back().bps) continue;
-    finding.hint(fmt::format("write {}, which is about {}", rate.text, whole_percent(load_at(rate))));
-    break;
-  }
-  const std::string busiest = shares.empty() ? std::string() : shares.front().who;
-  const bool is_alone = std::all_of(shares.begin(), shares.end(), [&](const Share& s) { return s.who == busiest; });
-  if (is_alone) return;
-  finding.hint(fmt::format("move devices, {} first, to another bus{}", busiest,
-                           bus.advice.other_port.empty() ? "" : ": " + bus.advice.other_port));
-}
-
-/// The bus something goes over; none where its output is a pin of the chip.
-std::optional<std::size_t> command_bus(const Model& model, std::size_t to) {
-  for (const Transfer& t : model.devices[to].transfers) {
-    if (t.command) return t.bus;
-  }
-  for (const Flush& flush : model.flushes) {
-    if (flush.bus && std::find(flush.devices.begin(), flush.devices.end(), to) != flush.devices.end()) return flush.bus;
-  }
-  return std::nullopt;
-}
-
-std::optional<std::size_t> sample_bus(const Model& model, std::size_t from) {
-  for (const Transfer& t : model.devices[from].transfers) {
-    if (!t.command) return t.bus;
-  }
-  return std::nullopt;
-}
-
-/// The devices between both ends and the root, ends included.
-std::vector<std::size_t> devices_between(const Model& model, const ChainResult& chain) {
-  std::vector<std::size_t> way;
-  for (std::optional<std::size_t> d = chain.from; d; d = model.devices[*d].parent) way.push_back(*d);
-  for (std::optional<std::size_t> d = chain.to; d; d = model.devices[*d].parent) way.push_back(*d);
-  return way;
 }
 
 /// Says which part of a chain is the largest, and what shortens it.
@@ -167,24 +75,20 @@ class ChainExplainer {
   void explain_unbounded(const char* part, std::optional<std::size_t> bus) {
     if (!bus) return;
     finding_.note(
-        fmt::format("{}: on bus '{}' a message may still wait when the next one is due; it is asked for {} "
-                    "of its time",
+        fmt::format("{}: on bus '{}' a message may still wait when the next one is due; the bus needs {} "
+                    "of its capacity",
                     part, model_.buses[*bus].name, whole_percent(timing_.bus_loads[*bus].utilization)));
-    if (timing_.bus_loads[*bus].utilization <= 1) add_room_hints(timing_, *bus, finding_);  // else FM4021 has them
   }
   void explain_acquire() {
     const Device& device = model_.devices[chain_.from];
     const bool streams = device.acquisition && device.acquisition->periods == 0;
     if (streams) {
       finding_.note(fmt::format("acquire is the largest part: how old what '{}' sends can be", device.name));
-      finding_.hint(fmt::format("let '{}' send more often, or over a faster bus", device.name));
       return;
     }
     finding_.note(fmt::format("acquire is the largest part: {} periods of '{}' ({}) for one measurement",
                               std::max<Ns>(*chain_.acquire_ns / device.period_ns, 1), device.name,
                               readable_duration(device.period_ns)));
-    const bool converts = device.acquisition && device.acquisition->conversion_ns > 0;
-    finding_.hint(fmt::format("shorten the period of '{}'{}", device.name, converts ? " or its conversion" : ""));
   }
   void explain_wire() {
     const auto bus = command_bus(model_, chain_.to);
@@ -195,14 +99,10 @@ class ChainExplainer {
     }
     finding_.note(fmt::format("wire is the largest part: the command of '{}' goes over bus '{}', busy for {}", to,
                               model_.buses[*bus].name, whole_percent(timing_.bus_loads[*bus].utilization)));
-    const BusAdvice& advice = model_.buses[*bus].advice;
-    if (!advice.rates.empty()) finding_.hint(fmt::format("write {} at the bus", advice.rates.back().text));
-    if (!advice.other_port.empty())
-      finding_.hint("move what need not be on this bus to another one: " + advice.other_port);
   }
   void explain_decide(const char* decide = "") {
     if (!chain_.decide_ns) {
-      finding_.note("decide has no bound: devices on the way may not be ready when they are due again");
+      finding_.note("decide has no bound: devices on the way may miss their deadline");
       return;
     }
     const std::vector<std::size_t> way = devices_between(model_, chain_);
@@ -212,15 +112,12 @@ class ChainExplainer {
     if (*chain_.decide_ns >= period(*fastest)) {  // waiting for the next job, more than working
       finding_.note(fmt::format("{}'{}' runs every {}, the slowest on the way", decide, model_.devices[*slowest].name,
                                 readable_duration(period(*slowest))));
-      finding_.hint(fmt::format("shorten the period of '{}'", model_.devices[*slowest].name));
       return;
     }
     const Device& device = model_.devices[busiest_within(period(*slowest))];
     finding_.note(fmt::format("{}of what runs every {} or more often, '{}' takes longest: update {}, handle {}", decide,
                               readable_duration(period(*slowest)), device.name,
                               readable_duration(device.update_wcet_ns), readable_duration(device.handle_wcet_ns)));
-    finding_.hint(
-        fmt::format("shorten the work of '{}', or give what this chain does not need a longer period", device.name));
   }
   [[nodiscard]] std::size_t busiest_within(Ns period) const {
     std::size_t busiest = chain_.from;
@@ -268,9 +165,7 @@ std::string message_of(const RequirementResult& r) {
 void explain_utilization(const Timing& timing, const RequirementResult& r, Diagnostic& finding) {
   std::vector<Share> shares;
   if (r.requirement.bus) {
-    shares = bus_shares(timing.model, *r.requirement.bus);
-    finding.note(shares_text(shares));
-    add_room_hints(timing, *r.requirement.bus, finding, r.requirement.max_fraction);
+    finding.note(shares_text(bus_shares(timing.model, *r.requirement.bus)));
     return;
   }
   double devices = 0;
@@ -283,11 +178,6 @@ void explain_utilization(const Timing& timing, const RequirementResult& r, Diagn
   finding.note(shares_text(shares));
   const double others = *r.fraction - devices;
   finding.note(fmt::format("interrupts of buses, releases and copies take {}", tenths_percent(others)));
-  if (others > devices) {
-    finding.hint("a lower rate of the busiest bus, or measured isr_wcet and min_frame at it, makes interrupts less");
-  } else if (!shares.empty()) {
-    finding.hint(fmt::format("give {} a longer period or less work", shares.front().who));
-  }
 }
 
 void explain(const Timing& timing, const RequirementResult& r, Diagnostic& finding) {
@@ -300,10 +190,7 @@ void explain(const Timing& timing, const RequirementResult& r, Diagnostic& findi
   }
   if (r.requirement.kind == Kind::utilization) return explain_utilization(timing, r, finding);
   if (r.requirement.kind == Kind::jitter) {
-    const Device& device = timing.model.devices[r.requirement.to.front()];
     finding.note("jitter is from the earliest to the latest end of its handle() after a release");
-    finding.hint(fmt::format(
-        "shorten what can come before the handle() of '{}': faster periods, interrupts, its bucket", device.name));
     return;
   }
   if (!r.chain) return;
@@ -316,30 +203,141 @@ void explain(const Timing& timing, const RequirementResult& r, Diagnostic& findi
   }
 }
 
+/// What the hints of a failing requirement are looked for among: periods and rates on the way of its worst chain, what
+/// else runs, and its busiest device.
+class RequirementFamilies {
+ public:
+  RequirementFamilies(const Timing& timing, const RequirementResult& r) : timing_(timing), model_(timing.model) {
+    using Kind = Requirement::Kind;
+    if (r.requirement.kind == Kind::utilization && r.requirement.bus) {
+      add(longer_periods(model_, periodic_users(model_, *r.requirement.bus), "what sends on it"));
+      add(faster_rates(model_, *r.requirement.bus));
+      add(other_bus(model_, *r.requirement.bus));
+    } else if (r.requirement.kind == Kind::utilization || r.requirement.kind == Kind::jitter) {
+      add_less_load(r.requirement.to);
+    } else if (r.chain) {
+      add_chain(*r.chain);
+    }
+  }
+  [[nodiscard]] const std::vector<Family>& list() const { return list_; }
+
+ private:
+  void add(Family family) { list_.push_back(std::move(family)); }
+
+  /// `'a', 'b' and 3 more`
+  [[nodiscard]] std::string names(const std::vector<std::size_t>& devices) const {
+    constexpr std::size_t kMost = 4;
+    std::string text;
+    for (std::size_t i = 0; i < devices.size() && i < kMost; ++i)
+      text += (i > 0 ? ", " : "") + quoted(model_.devices[devices[i]].name);
+    return devices.size() > kMost ? fmt::format("{} and {} more", text, devices.size() - kMost) : text;
+  }
+
+  /// These devices, and what shares an output with them.
+  [[nodiscard]] std::vector<std::size_t> with_their_outputs(std::vector<std::size_t> devices) const {
+    const auto has = [&](std::size_t d) { return std::find(devices.begin(), devices.end(), d) != devices.end(); };
+    for (const Flush& flush : model_.flushes) {
+      if (!std::any_of(flush.devices.begin(), flush.devices.end(), has)) continue;
+      for (const std::size_t d : flush.devices) {
+        if (!has(d)) devices.push_back(d);
+      }
+    }
+    std::sort(devices.begin(), devices.end());
+    return devices;
+  }
+
+  void add_chain(const ChainResult& chain) {
+    std::vector<std::size_t> way = devices_between(model_, chain);
+    std::sort(way.begin(), way.end());
+    way.erase(std::unique(way.begin(), way.end()), way.end());
+    Ns slowest = 0;
+    for (const std::size_t d : way) slowest = std::max(slowest, model_.devices[d].period_ns);
+    std::vector<std::size_t> slow;
+    for (const std::size_t d : way) {
+      if (model_.devices[d].period_ns == slowest) slow.push_back(d);
+    }
+    slow = with_their_outputs(slow);
+    add(shorter_periods(model_, slow, names(slow)));
+    if (model_.devices[chain.from].period_ns != slowest || slow.size() > 1)
+      add(shorter_periods(model_, {chain.from}, names({chain.from})));
+    for (const auto bus : {sample_bus(model_, chain.from), command_bus(model_, chain.to)}) {
+      if (!bus) continue;
+      add(faster_rates(model_, *bus));
+      add(other_bus(model_, *bus));
+      if (!chain.end_to_end_ns) add(longer_periods(model_, periodic_users(model_, *bus), "what sends on that bus"));
+    }
+    add_less_load(way);
+  }
+
+  /// Longer periods of the buckets that `spared` are not in, slower buses, and less work of the busiest device.
+  void add_less_load(const std::vector<std::size_t>& spared) {
+    for (const BucketResult& bucket : timing_.verdict().buckets) {
+      const bool is_spared = std::any_of(
+          spared.begin(), spared.end(), [&](std::size_t d) { return model_.devices[d].period_ns == bucket.period_ns; });
+      if (is_spared) continue;
+      add(longer_periods(model_, bucket.devices,
+                         fmt::format("the devices with period {}", units::format_duration(bucket.period_ns))));
+    }
+    for (std::size_t b = 0; b < model_.buses.size(); ++b) add(slower_rates(model_, b));
+    std::size_t busiest = 0;
+    const auto load = [&](std::size_t d) {
+      const Device& device = model_.devices[d];
+      return ratio(timing::add(device.update_wcet_ns, device.handle_wcet_ns), device.period_ns);
+    };
+    for (std::size_t d = 1; d < model_.devices.size(); ++d) {
+      if (load(d) > load(busiest)) busiest = d;
+    }
+    add(less_work(model_, {busiest}, names({busiest})));
+  }
+
+  const Timing& timing_;
+  const Model& model_;
+  std::vector<Family> list_;
+};
+
+void add_remedies(const Timing& timing, std::size_t index, Trials& trials, Diagnostic& finding) {
+  const RequirementResult& now = timing.requirements[index];
+  if (now.unconnected) return;
+  const auto value_of = [index](const Timing& t) {
+    const RequirementResult& r = t.requirements[index];
+    if (r.fraction) return *r.fraction;
+    return r.value_ns ? static_cast<double>(*r.value_ns) : std::numeric_limits<double>::infinity();
+  };
+  const double max = now.fraction ? now.requirement.max_fraction : static_cast<double>(now.requirement.max_ns);
+  for (const Remedy& remedy : trials.find(RequirementFamilies(timing, now).list(), {value_of, max})) {
+    const std::string value =
+        now.fraction ? percent_text(remedy.value) : readable_duration(static_cast<Ns>(remedy.value));
+    finding.hint(fmt::format("{} brings it to {}{}", remedy.proposal.text, value,
+                             remedy.enough ? "" : ", which is not enough alone"));
+  }
+}
+
 }  // namespace
 
-void report_requirements(const Timing& timing, Diagnostics& diagnostics) {
-  for (const RequirementResult& r : timing.requirements) {
+void report_requirements(const Timing& timing, Trials& trials, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < timing.requirements.size(); ++i) {
+    const RequirementResult& r = timing.requirements[i];
     if (r.ok) continue;
     Diagnostic& finding = diagnostics.error(code::timing_requirement, r.requirement.at, message_of(r));
     finding.underline(8);
     explain(timing, r, finding);
+    add_remedies(timing, i, trials, finding);
     if (r.value_ns)
       finding.hint(fmt::format("max=\"{}\" is the smallest that holds today", readable_duration(*r.value_ns)));
     if (r.fraction) finding.hint(fmt::format("max=\"{}\" is the smallest that holds today", percent_text(*r.fraction)));
   }
 }
 
-void report_bus_overloads(const Timing& timing, Diagnostics& diagnostics) {
+void report_bus_overloads(const Timing& timing, Trials& trials, Diagnostics& diagnostics) {
   for (std::size_t b = 0; b < timing.bus_loads.size(); ++b) {
     const double load = timing.bus_loads[b].utilization;
     if (load <= 1) continue;
-    Diagnostic& finding = diagnostics.warning(
-        code::timing_bus_overload, timing.model.buses[b].at,
-        fmt::format("bus '{}' is asked for {} of its time", timing.model.buses[b].name, whole_percent(load)));
+    Diagnostic& finding = diagnostics.warning(code::timing_bus_overload, timing.model.buses[b].at,
+                                              fmt::format("bus '{}' is overloaded: it needs {} of its capacity",
+                                                          timing.model.buses[b].name, whole_percent(load)));
     finding.underline(4).note(shares_text(bus_shares(timing.model, b)));
     finding.note("messages are left out or late, and no latency over it has a bound");
-    add_room_hints(timing, b, finding);
+    add_room_hints(timing, b, trials, finding);
   }
 }
 

@@ -135,8 +135,11 @@ class Adapter {
     }
     BusAdvice result;
     result.other_port = another_bus(*robot_.board, used_ports(robot_), bus.kind, bus.rate);
-    for (const std::int64_t rate : faster_rates(*port, bus.kind, bus.rate, limits))
-      result.rates.push_back({std::string(rate_attribute(bus.kind)) + "=\"" + rate_text(bus.kind, rate) + "\"", rate});
+    for (const std::int64_t rate : gen::faster_rates(*port, bus.kind, 0, limits)) {
+      const std::string text = std::string(rate_attribute(bus.kind)) + "=\"" + rate_text(bus.kind, rate) + "\"";
+      if (rate > bus.rate) result.rates.push_back({text, rate});
+      if (rate < bus.rate) result.slower.insert(result.slower.begin(), {text, rate});
+    }
     return result;
   }
 

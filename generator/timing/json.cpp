@@ -192,6 +192,20 @@ Json requirement_json(const RequirementResult& r) {
   return out;
 }
 
+Json processor_json(const Timing& timing) {
+  Json list = Json::array();
+  for (const ProcessorUse& use : timing.processor) {
+    list.push_back(Json{{"kind", kind_name(use.kind)},
+                        {"name", use.name},
+                        {"source", use.source.empty() ? Json(nullptr) : Json(use.source)},
+                        {"cost_ns", use.cost_ns},
+                        {"every_ns", use.every_ns},
+                        {"utilization", use.utilization},
+                        {"share", use.utilization / timing.processor_load}});
+  }
+  return list;
+}
+
 }  // namespace
 
 Json model_json(const Model& model) {
@@ -246,8 +260,15 @@ Json timing_json(const Timing& timing) {
   out["paper"] = profile_json(model, timing.paper);
   out["tight"] = profile_json(model, timing.tight);
   out["target"] = timing.target ? profile_json(model, *timing.target) : Json(nullptr);
+  out["schedulable"] = timing.schedulable;
+  out["processor_load"] = timing.processor_load;
+  out["processor"] = processor_json(timing);
   Json& chains = out["chains"] = Json::array();
   for (const ChainResult& c : timing.chains) chains.push_back(chain_json(model, c));
+  for (const MissingBound& missing : timing.missing) {
+    const Json why{{"part", missing.part}, {"why", missing.why}, {"restored_by", missing.restored_by}};
+    for (const std::size_t c : missing.chains) chains[c]["unbounded"].push_back(why);
+  }
   Json& requirements = out["requirements"] = Json::array();
   for (const RequirementResult& r : timing.requirements) requirements.push_back(requirement_json(r));
   Json& loads = out["bus_load"] = Json::array();

@@ -33,8 +33,9 @@ struct BusAdvice {
     std::string text;  ///< `clock="400kHz"`
     Ns bps = 0;
   };
-  std::vector<Rate> rates;  ///< faster ones that its port and its devices make, rising
-  std::string other_port;   ///< `<bus ... port="i2c3" .../>`: another one of its kind
+  std::vector<Rate> rates;   ///< faster ones that its port and its devices make, rising
+  std::vector<Rate> slower;  ///< slower ones, falling
+  std::string other_port;    ///< `<bus ... port="i2c3" .../>`: another one of its kind
 };
 
 struct Bus {

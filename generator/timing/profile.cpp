@@ -36,8 +36,8 @@ std::string_view profile_name(Profile profile) {
   return "";
 }
 
-ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Profile profile) {
-  Effort effort;
+ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Profile profile, std::int64_t steps) {
+  Effort effort(steps);
   TaskSet set = make_task_set(model, profile);
   Responses responses = bound_responses(set, effort);
   ReleaseTable table =

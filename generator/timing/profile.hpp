@@ -16,6 +16,7 @@ struct ProfileAnalysis {
 };
 
 /// Requires a model that read_model accepts. Throws Overflow, TooLong.
-ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Profile profile);
+ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Profile profile,
+                                std::int64_t steps = kMostSteps);
 
 }  // namespace finemote::gen::timing

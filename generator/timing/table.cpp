@@ -26,13 +26,41 @@ std::string_view source_text(WcetSource source) {
 }
 
 std::string verdict(const Timing& timing) {
+  const auto failing = std::count_if(timing.requirements.begin(), timing.requirements.end(),
+                                     [](const RequirementResult& r) { return !r.ok; });
+  std::string requirements;
+  if (failing > 0)
+    requirements =
+        fmt::format("; {} of {} requirements {}", failing, timing.requirements.size(), failing == 1 ? "fails" : "fail");
+  if (failing == 0 && !timing.requirements.empty()) requirements = "; every requirement holds";
+  return fmt::format("schedulable: {} (profile {}){}\n", timing.schedulable ? "yes" : "no", profile_name(timing.asked),
+                     requirements);
+}
+
+/// Who uses the processor, worst first.
+std::string processor(const Timing& timing) {
+  Table table({"used by", "", "every", "one", "load", "share"});
+  for (const ProcessorUse& use : timing.processor) {
+    std::string who(kind_name(use.kind));
+    if (use.kind != ProcessorUse::Kind::release) who += " " + use.name;
+    if (!use.source.empty()) who += (use.kind == ProcessorUse::Kind::flush ? " every " : ", ") + use.source;
+    const bool is_least = use.kind == ProcessorUse::Kind::interrupt || use.kind == ProcessorUse::Kind::release;
+    table.row({who, is_least ? "at least" : "", duration_text(use.every_ns), duration_text(use.cost_ns),
+               percent(use.utilization), percent(use.utilization / timing.processor_load)});
+  }
+  return fmt::format("\nprocessor: {} of its time in the long run (profile {})\n", percent(timing.processor_load),
+                     profile_name(timing.asked)) +
+         table.text();
+}
+
+/// Figures of the classic tests, which decide nothing: the response times above do.
+std::string informative(const Timing& timing) {
   const UtilizationTests& u = timing.utilization;
-  std::string text =
-      fmt::format("schedulable: {} (profile {})\n", timing.schedulable ? "yes" : "no", profile_name(timing.asked));
-  text += fmt::format("utilisation: {} of the processor with buses at tick rate; Liu-Layland {} at {}, hyperbolic {}\n",
-                      percent(u.utilization.value), u.liu_layland.ok ? "holds" : "fails", percent(u.liu_layland.bound),
-                      u.hyperbolic_ok ? "holds" : "fails");
-  return text;
+  return fmt::format(
+      "\nfor information, of the paper's model with buses at tick rate; the response times above decide\n"
+      "  utilisation {}, Liu-Layland {} at {}, hyperbolic {}\n",
+      percent(u.utilization.value), u.liu_layland.ok ? "holds" : "fails", percent(u.liu_layland.bound),
+      u.hyperbolic_ok ? "holds" : "fails");
 }
 
 std::string buckets(const Timing& timing) {
@@ -40,7 +68,7 @@ std::string buckets(const Timing& timing) {
   for (const BucketResult& b : timing.verdict().buckets) {
     const double share = static_cast<double>(b.response_ns.value_or(0)) / static_cast<double>(b.period_ns);
     table.row({duration_text(b.period_ns), std::to_string(b.devices.size()), duration_text(b.wcet_ns),
-               duration_text(b.response_ns), b.ok ? percent(share) : "-", b.ok ? "ok" : "may overrun"});
+               duration_text(b.response_ns), b.ok ? percent(share) : "-", b.ok ? "ok" : "may miss its deadline"});
   }
   return "\nbuckets\n" + table.text();
 }
@@ -89,6 +117,24 @@ std::string chains(const Timing& timing) {
                duration_text(c.end_to_end_ns), remark});
   }
   return fmt::format("\nchains (profile {})\n", timing.target ? "target" : "tight") + table.text();
+}
+
+/// Why a chain shows no bound, once for all of one reason.
+std::string missing(const Timing& timing) {
+  constexpr std::size_t kMost = 3;
+  std::string text;
+  for (const MissingBound& m : timing.missing) {
+    std::string who;
+    for (std::size_t i = 0; i < m.chains.size() && i < kMost; ++i) {
+      const ChainResult& chain = timing.chains[m.chains[i]];
+      who += fmt::format("{}{} -> {}", i > 0 ? ", " : "", timing.model.devices[chain.from].name,
+                         timing.model.devices[chain.to].name);
+    }
+    if (m.chains.size() > kMost) who += fmt::format(" and {} more", m.chains.size() - kMost);
+    text += fmt::format("  {} has no bound ({}): {}\n", m.part, who, m.why);
+    for (const std::string& change : m.restored_by) text += fmt::format("    restored by {}\n", change);
+  }
+  return text;
 }
 
 std::string buses(const Timing& timing) {
@@ -153,8 +199,8 @@ std::string Table::text() const {
 }
 
 std::string timing_table(const Timing& timing) {
-  return verdict(timing) + buckets(timing) + devices(timing) + trees(timing) + chains(timing) + buses(timing) +
-         requirements(timing);
+  return verdict(timing) + buckets(timing) + processor(timing) + devices(timing) + trees(timing) + chains(timing) +
+         missing(timing) + buses(timing) + requirements(timing) + informative(timing);
 }
 
 }  // namespace finemote::gen::timing

@@ -22,7 +22,8 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// Verdict, buckets, devices, trees, chains, buses, requirements of the asked profile.
+/// Of the asked profile: the verdict on one line, buckets, who uses the processor, devices, trees, chains, buses and
+/// requirements; last the figures that decide nothing.
 std::string timing_table(const Timing& timing);
 
 }  // namespace finemote::gen::timing

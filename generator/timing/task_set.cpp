@@ -11,11 +11,12 @@ void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
   for (const Bus& bus : model.buses) {
     if (profile != Profile::target || !bus.sources) {
       const Ns separation = profile == Profile::paper ? std::min(bus.frame_ns, model.tick_ns) : bus.frame_ns;
-      set.streams.push_back({separation, bus.wcet_ns > 0 ? add(bus.wcet_ns, entry) : 0, {}, bus.name});
+      set.streams.push_back({separation, bus.wcet_ns > 0 ? add(bus.wcet_ns, entry) : 0, {}, bus.name, bus.name, ""});
       continue;
     }
     for (const InterruptSource& source : *bus.sources) {
-      Stream stream{source.min_interval_ns, add(source.wcet_ns, entry), {}, bus.name + "." + source.name};
+      Stream stream{
+          source.min_interval_ns, add(source.wcet_ns, entry), {}, bus.name + "." + source.name, bus.name, source.name};
       for (const FrameBudget& b : source.budgets) {
         stream.budgets.push_back({b.count, model.devices[b.device].period_ns, 1, b.every});
       }

@@ -21,7 +21,9 @@ struct Stream {
   Ns separation = 1;
   Ns cost = 0;
   std::vector<Budget> budgets;
-  std::string name;  ///< of the bus, with its source where it has several; for people
+  std::string name;         ///< of the bus, with its source where it has several; for people
+  std::string bus = {};     ///< the same apart: the bus,
+  std::string source = {};  ///< and its source where it has several
 };
 
 struct TaskBucket {

@@ -1,0 +1,57 @@
+#include "generator/timing/change.hpp"
+
+#include <algorithm>
+
+namespace finemote::gen::timing {
+namespace {
+
+bool has_period(const Model& model, Ns period) {
+  return std::any_of(model.devices.begin(), model.devices.end(),
+                     [&](const Device& device) { return device.period_ns == period; });
+}
+
+std::optional<Model> change_periods(Model model, const std::vector<Change>& changes) {
+  const Model before = model;
+  for (const Change& change : changes) {
+    if (change.kind == Change::Kind::rate || change.kind == Change::Kind::bus) return std::nullopt;
+    if (change.kind != Change::Kind::period) continue;
+    for (const std::size_t d : change.devices) model.devices[d].period_ns = change.value;
+  }
+  if (!keeps_outputs_together(before, model)) return std::nullopt;
+  for (Flush& flush : model.flushes) {
+    if (!flush.devices.empty()) flush.period_ns = model.devices[flush.devices.front()].period_ns;
+    if (!has_period(model, flush.period_ns)) return std::nullopt;
+  }
+  change_work(model, changes);
+  return model;
+}
+
+}  // namespace
+
+Remodel model_remodel(const Model& model) {
+  return [model](const std::vector<Change>& changes) { return change_periods(model, changes); };
+}
+
+void change_work(Model& model, const std::vector<Change>& changes) {
+  const auto scale = [](Ns& time, Ns permille) { time = time / 1000 * permille + time % 1000 * permille / 1000; };
+  for (const Change& change : changes) {
+    if (change.kind != Change::Kind::work) continue;
+    for (const std::size_t d : change.devices) {
+      Device& device = model.devices[d];
+      scale(device.update_wcet_ns, change.value);
+      scale(device.handle_wcet_ns, change.value);
+      device.update_bcet_ns = std::min(device.update_bcet_ns, device.update_wcet_ns);
+      device.handle_bcet_ns = std::min(device.handle_bcet_ns, device.handle_wcet_ns);
+    }
+  }
+}
+
+bool keeps_outputs_together(const Model& before, const Model& after) {
+  return std::all_of(before.flushes.begin(), before.flushes.end(), [&](const Flush& flush) {
+    return std::all_of(flush.devices.begin(), flush.devices.end(), [&](std::size_t d) {
+      return after.devices[d].period_ns == after.devices[flush.devices.front()].period_ns;
+    });
+  });
+}
+
+}  // namespace finemote::gen::timing

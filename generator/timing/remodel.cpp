@@ -1,0 +1,102 @@
+#include "generator/timing/remodel.hpp"
+
+#include <algorithm>
+
+#include "generator/schedule/schedule.hpp"
+
+namespace finemote::gen::timing {
+namespace {
+
+bool is_same_place(const Position& a, const Position& b) {
+  return a.file == b.file && a.line == b.line && a.column == b.column && a.via == b.via;
+}
+
+/// Those that take over their parent's period.
+bool inherits(const gen::Device& device, const gen::Device& parent) {
+  return device.period_ns == parent.period_ns && is_same_place(device.period_at, parent.period_at);
+}
+
+/// The robot's devices whose period changes when it is written at `devices` of the model.
+std::vector<std::size_t> followers(const Robot& robot, const Forest& forest, const std::vector<std::size_t>& devices) {
+  std::vector<std::size_t> list;
+  for (const std::size_t d : devices) list.push_back(forest.order[d]);
+  std::vector<bool> is_listed(robot.devices.size(), false);
+  for (const std::size_t d : list) is_listed[d] = true;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const gen::Device& parent = robot.devices[list[i]];
+    for (const std::size_t child : parent.children) {
+      if (is_listed[child] || !inherits(robot.devices[child], parent)) continue;
+      is_listed[child] = true;
+      list.push_back(child);
+    }
+  }
+  return list;
+}
+
+/// The model has the buses with a rate, in order.
+std::size_t robot_bus(const Robot& robot, std::size_t bus) {
+  for (std::size_t i = 0; i < robot.buses.size(); ++i) {
+    if (robot.buses[i].rate > 0 && bus-- == 0) return i;
+  }
+  return robot.buses.size();
+}
+
+/// Puts devices that sit on a bus itself, and use it for nothing else, onto a copy of it. False where that cannot be
+/// done, or where pins differ from port to port.
+bool move_to_new_bus(Robot& robot, const Forest& forest, const Change& change) {
+  const std::size_t from = robot_bus(robot, change.bus);
+  const BusKind kind = robot.buses[from].kind;
+  if (kind != BusKind::can && kind != BusKind::i2c) return false;
+  Segment segment = robot.segments[from];
+  segment.bus = robot.buses.size();
+  robot.buses.push_back(robot.buses[from]);
+  robot.segments.push_back(segment);
+  for (const std::size_t d : change.devices) {
+    gen::Device& device = robot.devices[forest.order[d]];
+    const bool uses_more = std::any_of(device.uses.begin(), device.uses.end(),
+                                       [](const gen::Use& use) { return use.segment.has_value(); });
+    if (device.segment != from || uses_more) return false;
+    device.segment = robot.segments.size() - 1;
+  }
+  return true;
+}
+
+bool apply(Robot& robot, const Forest& forest, const Change& change) {
+  switch (change.kind) {
+    case Change::Kind::rate:
+      robot.buses[robot_bus(robot, change.bus)].rate = change.value;
+      return true;
+    case Change::Kind::period:
+      for (const std::size_t d : followers(robot, forest, change.devices)) robot.devices[d].period_ns = change.value;
+      return true;
+    case Change::Kind::bus:
+      return move_to_new_bus(robot, forest, change);
+    case Change::Kind::work:
+      return true;  // of the model
+  }
+  return false;
+}
+
+std::optional<Model> remodel(const Robot& robot, const Forest& forest, const RobotTimingOptions& options,
+                             const std::vector<Change>& changes) {
+  Robot changed = robot;
+  for (const Change& change : changes) {
+    if (!apply(changed, forest, change)) return std::nullopt;
+  }
+  Diagnostics mistakes;
+  const Schedule schedule = plan_schedule(changed, forest, mistakes);
+  if (mistakes.has_errors()) return std::nullopt;
+  Model model = make_timing_model(changed, forest, schedule, options);
+  change_work(model, changes);
+  return model;
+}
+
+}  // namespace
+
+Remodel robot_remodel(const Robot& robot, const Forest& forest, const RobotTimingOptions& options) {
+  return [&robot, &forest, options](const std::vector<Change>& changes) {
+    return remodel(robot, forest, options, changes);
+  };
+}
+
+}  // namespace finemote::gen::timing

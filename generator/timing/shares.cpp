@@ -1,0 +1,116 @@
+#include "generator/timing/shares.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace finemote::gen::timing {
+namespace {
+
+std::string quoted(const std::string& name) { return "'" + name + "'"; }
+std::string tenths_percent(double fraction) { return fmt::format("{:.1f} %", fraction * 100); }
+
+double ratio(Ns part, Ns whole) { return static_cast<double>(part) / static_cast<double>(std::max<Ns>(whole, 1)); }
+
+}  // namespace
+
+void add_share(std::vector<Share>& shares, const std::string& who, double load, bool autonomous) {
+  const auto known = std::find_if(shares.begin(), shares.end(),
+                                  [&](const Share& s) { return s.who == who && s.autonomous == autonomous; });
+  if (known == shares.end()) return shares.push_back({who, load, autonomous});
+  known->load += load;
+}
+
+std::vector<Share> bus_shares(const Model& model, std::size_t bus) {
+  std::vector<Share> lines[2];
+  for (const Device& device : model.devices) {
+    for (const Transfer& t : device.transfers) {
+      if (t.bus != bus) continue;
+      const bool autonomous = t.after == Transfer::After::autonomous;
+      const Ns period = autonomous && t.min_interval_ns > 0 ? t.min_interval_ns : device.period_ns;
+      add_share(lines[t.receive ? 1 : 0], quoted(device.name), ratio(t.wire_ns, period), autonomous);
+    }
+  }
+  for (const Flush& flush : model.flushes) {
+    if (flush.bus != bus || flush.devices.empty()) continue;
+    const std::string more = flush.devices.size() > 1 ? fmt::format(" and {} more", flush.devices.size() - 1) : "";
+    add_share(lines[0], quoted(model.devices[flush.devices.front()].name) + more, ratio(flush.wire_ns, flush.period_ns),
+              false);
+  }
+  const auto sum = [](const std::vector<Share>& shares) {
+    double load = 0;
+    for (const Share& share : shares) load += share.load;
+    return load;
+  };
+  std::vector<Share>& busier = lines[sum(lines[1]) > sum(lines[0]) ? 1 : 0];
+  std::stable_sort(busier.begin(), busier.end(), [](const Share& a, const Share& b) { return a.load > b.load; });
+  return busier;
+}
+
+std::string shares_text(const std::vector<Share>& shares) {
+  constexpr std::size_t kMost = 12;
+  std::string text;
+  for (std::size_t i = 0; i < shares.size() && i < kMost; ++i) {
+    text += fmt::format("{}{}{}: {}", i > 0 ? ", " : "", shares[i].who, shares[i].autonomous ? " by itself" : "",
+                        tenths_percent(shares[i].load));
+  }
+  if (shares.size() > kMost) text += fmt::format(" and {} more", shares.size() - kMost);
+  return text;
+}
+
+namespace {
+
+/// Devices with a transfer on the bus that is wanted, or in a flush over it.
+template <class Wanted>
+std::vector<std::size_t> users(const Model& model, std::size_t bus, const Wanted& is_wanted) {
+  std::vector<bool> uses(model.devices.size(), false);
+  for (std::size_t d = 0; d < model.devices.size(); ++d) {
+    for (const Transfer& t : model.devices[d].transfers) uses[d] = uses[d] || (t.bus == bus && is_wanted(t));
+  }
+  for (const Flush& flush : model.flushes) {
+    if (flush.bus != bus) continue;
+    for (const std::size_t d : flush.devices) uses[d] = true;
+  }
+  std::vector<std::size_t> list;
+  for (std::size_t d = 0; d < uses.size(); ++d) {
+    if (uses[d]) list.push_back(d);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::vector<std::size_t> periodic_users(const Model& model, std::size_t bus) {
+  return users(model, bus,
+               [](const Transfer& t) { return t.after != Transfer::After::autonomous || t.min_interval_ns == 0; });
+}
+
+std::vector<std::size_t> bus_users(const Model& model, std::size_t bus) {
+  return users(model, bus, [](const Transfer&) { return true; });
+}
+
+std::optional<std::size_t> command_bus(const Model& model, std::size_t to) {
+  for (const Transfer& t : model.devices[to].transfers) {
+    if (t.command) return t.bus;
+  }
+  for (const Flush& flush : model.flushes) {
+    if (flush.bus && std::find(flush.devices.begin(), flush.devices.end(), to) != flush.devices.end()) return flush.bus;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> sample_bus(const Model& model, std::size_t from) {
+  for (const Transfer& t : model.devices[from].transfers) {
+    if (!t.command) return t.bus;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::size_t> devices_between(const Model& model, const ChainResult& chain) {
+  std::vector<std::size_t> way;
+  for (std::optional<std::size_t> d = chain.from; d; d = model.devices[*d].parent) way.push_back(*d);
+  for (std::optional<std::size_t> d = chain.to; d; d = model.devices[*d].parent) way.push_back(*d);
+  return way;
+}
+
+}  // namespace finemote::gen::timing

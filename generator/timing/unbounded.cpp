@@ -1,0 +1,121 @@
+#include "generator/timing/unbounded.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/timing/shares.hpp"
+#include "generator/units/units.hpp"
+
+namespace finemote::gen::timing {
+namespace {
+
+std::string percent(double fraction) { return fmt::format("{:.1f} %", fraction * 100); }
+
+const BucketResult& bucket_of(const Timing& timing, std::size_t device) {
+  const auto& buckets = (timing.target ? *timing.target : timing.tight).buckets;
+  return *std::find_if(buckets.begin(), buckets.end(), [&](const BucketResult& bucket) {
+    return bucket.period_ns == timing.model.devices[device].period_ns;
+  });
+}
+
+/// What keeps one part of a chain from having a bound.
+struct Cause {
+  std::string part;
+  std::optional<Ns> period;        ///< of a bucket that may miss its deadline
+  std::optional<std::size_t> bus;  ///< else: where a message may wait without end, or longer than until the next
+  std::size_t device = 0;          ///< whose bucket or message it is
+  friend bool operator==(const Cause& a, const Cause& b) {
+    return a.part == b.part && a.period == b.period && a.bus == b.bus;
+  }
+};
+
+std::optional<Cause> late_bucket(const Timing& timing, const std::string& part, const std::vector<std::size_t>& on) {
+  for (const std::size_t device : on) {
+    const BucketResult& bucket = bucket_of(timing, device);
+    if (!bucket.ok) return Cause{part, bucket.period_ns, std::nullopt, device};
+  }
+  return std::nullopt;
+}
+
+std::vector<Cause> causes(const Timing& timing, const ChainResult& chain) {
+  std::vector<Cause> list;
+  const auto look = [&](const char* part, const std::vector<std::size_t>& on, std::optional<std::size_t> bus) {
+    if (const auto late = late_bucket(timing, part, on)) return list.push_back(*late);
+    list.push_back({part, std::nullopt, bus, on.front()});
+  };
+  if (!chain.acquire_ns) look("acquire", {chain.from}, sample_bus(timing.model, chain.from));
+  if (!chain.decide_ns) look("decide", devices_between(timing.model, chain), std::nullopt);
+  if (!chain.wire_ns) look("wire", {chain.to}, command_bus(timing.model, chain.to));
+  return list;
+}
+
+std::string why(const Timing& timing, const Cause& cause) {
+  if (cause.period)
+    return fmt::format("the devices with period {} may miss their deadline", units::format_duration(*cause.period));
+  if (!cause.bus) return "another device on the way may miss its deadline";
+  const Bus& bus = timing.model.buses[*cause.bus];
+  const double load = timing.bus_loads[*cause.bus].utilization;
+  const std::string users = shares_text(bus_shares(timing.model, *cause.bus));
+  if (load > 1)
+    return fmt::format("bus '{}' is overloaded: it needs {} of its capacity ({})", bus.name, percent(load), users);
+  const Device& device = timing.model.devices[cause.device];
+  return fmt::format(
+      "on bus '{}' a message of '{}' may still wait when the next one is due: {} of the capacity is used, "
+      "and in the worst case all of it at once ({})",
+      bus.name, device.name, percent(load), users);
+}
+
+bool lacks(const ChainResult& chain, const std::string& part) {
+  return !(part == "acquire" ? chain.acquire_ns : part == "wire" ? chain.wire_ns : chain.decide_ns);
+}
+
+/// Chains of `after` to where `chains` of `before` lead that lack this part. Another source may be the worst one there.
+std::size_t still_missing(const Timing& after, const Timing& before, const std::string& part,
+                          const std::vector<std::size_t>& chains) {
+  std::vector<bool> is_end(before.model.devices.size(), false);
+  for (const std::size_t c : chains) is_end[before.chains[c].to] = true;
+  return static_cast<std::size_t>(
+      std::count_if(after.chains.begin(), after.chains.end(),
+                    [&](const ChainResult& chain) { return is_end[chain.to] && lacks(chain, part); }));
+}
+
+std::vector<std::string> restored_by(const Timing& timing, const Cause& cause, const std::vector<std::size_t>& chains,
+                                     Trials& trials) {
+  if (!cause.bus) return {};  // the hints of FM4015
+  const Goal goal{[&](const Timing& t) { return static_cast<double>(still_missing(t, timing, cause.part, chains)); },
+                  0};
+  std::vector<std::string> texts;
+  const std::vector<Family> families{
+      faster_rates(timing.model, *cause.bus),
+      longer_periods(timing.model, periodic_users(timing.model, *cause.bus),
+                     fmt::format("what sends on bus '{}'", timing.model.buses[*cause.bus].name)),
+      other_bus(timing.model, *cause.bus)};
+  for (const Remedy& remedy : trials.find(families, goal)) {
+    if (remedy.enough) texts.push_back(remedy.proposal.text);
+  }
+  return texts;
+}
+
+}  // namespace
+
+std::vector<MissingBound> missing_bounds(const Timing& timing, Trials& trials) {
+  std::vector<MissingBound> list;
+  std::vector<Cause> known;
+  for (std::size_t c = 0; c < timing.chains.size(); ++c) {
+    if (timing.chains[c].end_to_end_ns) continue;
+    for (const Cause& cause : causes(timing, timing.chains[c])) {
+      const auto at = static_cast<std::size_t>(std::find(known.begin(), known.end(), cause) - known.begin());
+      if (at == known.size()) {
+        known.push_back(cause);
+        list.push_back({cause.part, why(timing, cause), {}, {}});
+      }
+      list[at].chains.push_back(c);
+    }
+  }
+  for (std::size_t i = 0; i < list.size(); ++i)
+    list[i].restored_by = restored_by(timing, known[i], list[i].chains, trials);
+  return list;
+}
+
+}  // namespace finemote::gen::timing
