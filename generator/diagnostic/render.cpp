@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generator/diagnostic/place.hpp"
+#include "generator/diagnostic/printable.hpp"
 #include "generator/diagnostic/repeats.hpp"
 
 namespace finemote::gen {
@@ -21,32 +22,6 @@ struct Palette {
 
 constexpr Palette kPlain;
 constexpr Palette kColor{"\033[1m", "\033[1;31m", "\033[1;33m", "\033[36m", "\033[0m"};
-
-/// Text that is safe on any terminal: control characters and bytes that are no UTF-8 become '?'. Tabs stay.
-std::string printable(std::string_view text) {
-  std::string shown(text);
-  std::size_t expected = 0;  // further bytes of an open sequence
-  std::size_t begin = 0;
-  const auto spoil = [&](std::size_t from, std::size_t to) {
-    std::fill(shown.begin() + from, shown.begin() + to, '?');
-  };
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool continues = (byte & 0xC0) == 0x80;
-    if (expected > 0 && continues) {
-      --expected;
-      continue;
-    }
-    if (expected > 0) spoil(begin, i);
-    begin = i;
-    expected = byte >= 0xF0 && byte < 0xF5 ? 3 : byte >= 0xE0 ? 2 : byte >= 0xC2 ? 1 : 0;
-    if (byte >= 0xF5) expected = 0;
-    const bool is_control = (byte < 0x20 && byte != '\t') || byte == 0x7F;
-    if (is_control || (byte >= 0x80 && expected == 0)) shown[i] = '?';
-  }
-  if (expected > 0) spoil(begin, text.size());
-  return shown;
-}
 
 bool continues_a_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
@@ -122,7 +97,7 @@ std::string render_way(const Expansion* innermost, const Palette& paint) {
   std::string text;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const bool is_shown = steps.size() <= most || i + 2 < most || i + 1 == steps.size();
-    if (is_shown) text += fmt::format("  {}note:{} {}\n", paint.cyan, paint.reset, describe(*steps[i]));
+    if (is_shown) text += fmt::format("  {}note:{} {}\n", paint.cyan, paint.reset, printable(describe(*steps[i])));
     if (!is_shown && i + 2 == most) {
       text += fmt::format("  {}note:{} {} more steps\n", paint.cyan, paint.reset, steps.size() - most + 1);
     }
@@ -133,18 +108,19 @@ std::string render_way(const Expansion* innermost, const Palette& paint) {
 std::string render_one(const Message& message, Lines& lines, const Palette& paint) {
   const Diagnostic& finding = message.finding;
   const bool is_error = finding.severity == Severity::error;
-  std::string text = fmt::format("{}{}:{} {}{}[{}]{}: {}\n", paint.bold, place_text(finding.at), paint.reset,
+  std::string text = fmt::format("{}{}:{} {}{}[{}]{}: {}\n", paint.bold, printable(place_text(finding.at)), paint.reset,
                                  is_error ? paint.red : paint.yellow, is_error ? "error" : "warning",
-                                 code_name(finding.code), paint.reset, finding.message);
+                                 code_name(finding.code), paint.reset, printable(finding.message));
   text += excerpt(finding, lines, paint);
   text += render_way(finding.at.via, paint);
-  if (!message.repeats.empty()) text += fmt::format("  {}note:{} {}\n", paint.cyan, paint.reset, repeats_text(message));
+  if (!message.repeats.empty())
+    text += fmt::format("  {}note:{} {}\n", paint.cyan, paint.reset, printable(repeats_text(message)));
   for (const Note& note : finding.notes) {
     const std::string where = note.at.file ? fmt::format(" ({})", place_text(note.at)) : "";
-    text += fmt::format("  {}note:{} {}{}\n", paint.cyan, paint.reset, note.message, where);
+    text += fmt::format("  {}note:{} {}{}\n", paint.cyan, paint.reset, printable(note.message), printable(where));
   }
   for (const std::string& hint : finding.hints) {
-    text += fmt::format("  {}hint:{} {}\n", paint.cyan, paint.reset, hint);
+    text += fmt::format("  {}hint:{} {}\n", paint.cyan, paint.reset, printable(hint));
   }
   return text;
 }

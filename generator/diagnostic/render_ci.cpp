@@ -6,6 +6,7 @@
 #include <map>
 
 #include "generator/diagnostic/place.hpp"
+#include "generator/diagnostic/printable.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/diagnostic/repeats.hpp"
 
@@ -86,15 +87,16 @@ std::string render_gcc(const Diagnostics& diagnostics) {
   std::string text;
   for (const Message& message : messages_of(diagnostics)) {
     const Diagnostic& finding = message.finding;
-    const std::string place = place_text(finding.at);
-    text += fmt::format("{}: {}: {} [{}]\n", place, severity_name(finding.severity), finding.message,
+    const std::string place = printable(place_text(finding.at));
+    text += fmt::format("{}: {}: {} [{}]\n", place, severity_name(finding.severity), printable(finding.message),
                         code_name(finding.code));
     for (const RepeatPlace& repeat : repeat_places(message))
-      text += fmt::format("{}: note: the same for {} more expansion{} from here\n", place_text(repeat.at), repeat.count,
-                          repeat.count == 1 ? "" : "s");
+      text += fmt::format("{}: note: the same for {} more expansion{} from here\n", printable(place_text(repeat.at)),
+                          repeat.count, repeat.count == 1 ? "" : "s");
     for (const Note& note : finding.notes)
-      text += fmt::format("{}: note: {}\n", note.at.file != nullptr ? place_text(note.at) : place, note.message);
-    for (const std::string& hint : finding.hints) text += fmt::format("{}: note: {}\n", place, hint);
+      text += fmt::format("{}: note: {}\n", note.at.file != nullptr ? printable(place_text(note.at)) : place,
+                          printable(note.message));
+    for (const std::string& hint : finding.hints) text += fmt::format("{}: note: {}\n", place, printable(hint));
   }
   return text;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/diagnostic/printable.hpp"
 #include "generator/emit/number.hpp"
 #include "generator/geometry/allocation.hpp"
 #include "generator/geometry/chain.hpp"
@@ -26,7 +27,7 @@ std::string braced(const Eigen::Vector3d& v) { return "{" + numbers({v.x(), v.y(
 std::string list(const std::vector<std::string>& comment, const std::string& head,
                  const std::vector<std::string>& lines) {
   std::string text;
-  for (const std::string& line : comment) text += "/// " + line + "\n";
+  for (const std::string& line : comment) text += "/// " + printable(line) + "\n";
   text += "inline constexpr " + head + " = {\n";
   for (const std::string& line : lines) text += "    {" + line + "},\n";
   return text + "};";

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "generator/diagnostic/printable.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -63,7 +65,7 @@ std::string device_comment(const Plan& plan, std::size_t device) {
 
 Data common_data(const Plan& plan) {
   Data data;
-  data.set("source", plan.robot.source);
+  data.set("source", printable(plan.robot.source));
   data.set("robot", plan.robot.name.text);
   data.set("robot_literal", string_literal(plan.robot.name.text));
   data.set("robot_space", plan.robot.name.cpp);

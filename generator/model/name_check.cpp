@@ -1,6 +1,7 @@
 // Names of the robot, its buses, expanders and devices: FM3046 to FM3049.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "generator/model/attributes.hpp"
@@ -72,12 +73,23 @@ std::string free_name(const std::string& cpp, NameScope scope) {
   return reserved_name(behind, scope) ? possible_name("my_" + cpp) : behind;
 }
 
+/// Generated files quote names in comments, where a line break would end the comment.
+bool has_control_character(const std::string& text) {
+  return std::any_of(text.begin(), text.end(), [](char c) { return (c >= 0 && c < 0x20) || c == 0x7f; });
+}
+
 /// Whether the name can be used at all.
 bool check_one(Diagnostics& diagnostics, const Named& entry, NameScope scope) {
   const xml::Attribute* attribute = entry.tag->attribute("name");
   if (attribute == nullptr) return false;
   const std::string& cpp = entry.name->cpp;
   const std::string becomes = cpp == entry.name->text ? "it" : fmt::format("its C++ name '{}'", cpp);
+  if (has_control_character(entry.name->text)) {
+    at_value(diagnostics, code::name_invalid, *attribute, "a name cannot contain a control character")
+        .note("a line break or tab written as a character reference, such as &#10;, is one")
+        .hint(fmt::format("write for example name=\"{}\"", possible_name(cpp)));
+    return false;
+  }
   if (const auto reason = invalid_name(cpp)) {
     at_value(diagnostics, code::name_invalid, *attribute, fmt::format("'{}' cannot be a name", entry.name->text))
         .note(fmt::format("{} {}", becomes, *reason))

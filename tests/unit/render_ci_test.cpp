@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "catch.hpp"
+#include "generator/diagnostic/printable.hpp"
 #include "generator/diagnostic/render.hpp"
 
 using namespace finemote::gen;
@@ -146,4 +147,21 @@ TEST_CASE("repeats in the forms for machines stand with the first finding") {
   CHECK(result["relatedLocations"][2]["message"]["text"] == "device 'rr' has no 'period'");
   CHECK(result["relatedLocations"][2]["physicalLocation"]["region"]["startLine"] == 12);
   CHECK_FALSE(log["runs"][0]["results"][0].contains("occurrenceCount"));
+}
+
+TEST_CASE("what strangers write cannot command a terminal or a log") {
+  CHECK(printable("a\tb \xC3\xA9 \xE2\x82\xAC \xF0\x9F\x98\x80") == "a\tb \xC3\xA9 \xE2\x82\xAC \xF0\x9F\x98\x80");
+  CHECK(printable("k\n::add-mask::x\r\x1b[2J\x7f") == "k?::add-mask::x??[2J?");
+  CHECK(printable("\xC2\x9B \xE2\x80\xAE \xE2\x81\xA6") == "?? ??? ???");
+  CHECK(printable("\xC3(\xA9 \xE2\x82") == "?(? ??");
+}
+
+TEST_CASE("a message stays on its line in every format") {
+  Diagnostics diagnostics;
+  diagnostics.error(Code{3021}, {}, "no type 'a\n::warning::x'").note("b\r\nc").hint("d\n::e");
+  for (const std::string& text : {render_text(diagnostics, false), render_gcc(diagnostics)}) {
+    CHECK(std::count(text.begin(), text.end(), '\n') == 3);
+    CHECK(text.find("\n::") == std::string::npos);
+    CHECK(text.find('\r') == std::string::npos);
+  }
 }
