@@ -162,7 +162,7 @@ TEST_CASE("help of what does not exist is a usage error") {
       std::pair<Words, std::string>{{"--frob", "generate", "x.urdf"}, "command 'generate' has no option '--frob'"},
       std::pair<Words, std::string>{{"board", "frob", "--help"}, "there is no command 'board frob'"},
       std::pair<Words, std::string>{{"board"}, "command 'board' needs a second word"},
-      std::pair<Words, std::string>{{}, "a command is needed"},
+      std::pair<Words, std::string>{{}, "a command is missing"},
       std::pair<Words, std::string>{{"tree", "--bogus", "--help"}, "command 'tree' has no option '--bogus'"});
   const auto parsed = parse_command_line(words);
   CHECK_FALSE(parsed.options);

@@ -59,7 +59,7 @@ TEST_CASE("a sensor behind actuators is found and moved, with its comments and l
       "  <device name=\"baro\" type=\"ms5837\" bus=\"i2c\">\n    " + kWcet + " <!-- a > b -->\n  </device>\n";
   const std::string head = kPwm + "<device name=\"root\" type=\"group\" period=\"20ms\">\n";
   const Linted robot(head + actuator + "  <!-- goes along -->\n" + sensor + "</device>\n");
-  CHECK(robot.says("warning[FM3151]: sensor 'baro' stands after actuator 'esc'"));
+  CHECK(robot.says("warning[FM3151]: sensor 'baro' is declared after actuator 'esc'"));
   CHECK(robot.mended.find(head + "  <!-- goes along -->\n" + sensor + actuator + "</device>\n") != std::string::npos);
   const Linted well(head + sensor + actuator + "</device>\n");
   CHECK(well.said.empty());
@@ -72,7 +72,7 @@ TEST_CASE("periods that do not divide each other") {
   };
   const Linted robot(with("4ms"));
   CHECK(robot.says(
-      "warning[FM3152]: the period of device 'a' (4ms) is neither multiple nor divisor of its parent's (10ms)"));
+      "warning[FM3152]: the period of device 'a' (4ms) is neither a multiple nor a divisor of its parent's (10ms)"));
   CHECK(robot.says("hint: for example period=\"5ms\""));
   CHECK(Linted(with("25ms")).says("hint: for example period=\"20ms\""));
   CHECK(Linted(with("5ms")).said.empty());
@@ -110,7 +110,7 @@ TEST_CASE("a bus above its load, by the figures of the timing analysis") {
 TEST_CASE("a bus nobody uses is found and removed, line and all") {
   const std::string device = "<device name=\"a\" type=\"sim_load\" period=\"10ms\">" + kWcet + "</device>\n";
   const Linted robot("  <bus name=\"spare\" type=\"uart\" port=\"usart6\" baud=\"115200baud\"/>\n" + device);
-  CHECK(robot.says("warning[FM3156]: nothing uses bus 'spare'"));
+  CHECK(robot.says("warning[FM3156]: bus 'spare' is unused"));
   CHECK(robot.mended.find("<board name=\"host\"/>\n" + device) != std::string::npos);
 }
 

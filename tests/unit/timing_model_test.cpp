@@ -80,7 +80,7 @@ TEST_CASE("order, names, periods and frames are checked") {
   CHECK(messages(model(b + ",\n" + a)) == "3:22 FM4008 parent 'b' of device 'a' is registered before it\n");
   CHECK(messages(model(b + ",\n" + b)) == "3:9 FM4007 device 'b' is named twice\n");
   CHECK(messages(model(R"({"name":"c","period_ns":25,"update_wcet_ns":1,"handle_wcet_ns":1})")) ==
-        "2:25 FM4009 the period of device 'c' is no multiple of the tick of 10 ns\n");
+        "2:25 FM4009 the period of device 'c' is not a multiple of the tick of 10 ns\n");
   CHECK(messages(model(b, R"("buses":[{"name":"x","baud_bps":2000000000,"min_frame_bits":1,"wcet_ns":1}],)")) ==
         "1:75 FM4012 the frame time of bus 'x' is below 1 ns\n");
   CHECK(messages(model(b, R"("buses":[{"name":"x","baud_bps":1,"min_frame_bits":9223372037,"wcet_ns":1}],)")) ==
