@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "generator/output/folder.hpp"
 #include "generator/run/program_folder.hpp"
 
 namespace finemote::gen {
@@ -39,6 +40,15 @@ std::string find_data_dir(const Options& options, Diagnostics& diagnostics) {
   for (const fs::path& place : places) finding.note(fmt::format("searched in '{}'", place.generic_string()));
   finding.hint("set --data-dir or the environment variable FINEMOTE_DATA");
   return {};
+}
+
+std::optional<std::string> read_data_file(const std::string& path, Diagnostics& diagnostics) {
+  auto text = read_bytes(path);
+  if (!text) {
+    diagnostics.error(code::data_not_found, {}, fmt::format("cannot read '{}', which belongs to finemote", path))
+        .hint("install finemote again, or give another folder with --data-dir");
+  }
+  return text;
 }
 
 }  // namespace finemote::gen

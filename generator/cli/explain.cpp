@@ -61,10 +61,11 @@ int run_explain(Context& context) {
         .hint(did_you_mean(wanted, names));
     return finish(context, kExitInvalid);
   }
-  const std::string page = read_bytes(folder + "/" + wanted + ".md").value_or("");
-  if (context.options.format == Format::text) context.out << page;
+  const auto page = read_data_file(folder + "/" + wanted + ".md", context.diagnostics);
+  if (!page) return finish(context, kExitInvalid);
+  if (context.options.format == Format::text) context.out << *page;
   return finish(context, kExitYes,
-                Json{{"schema", "finemote.explain/1"}, {"code", wanted}, {"title", title_of(page)}, {"page", page}});
+                Json{{"schema", "finemote.explain/1"}, {"code", wanted}, {"title", title_of(*page)}, {"page", *page}});
 }
 
 }  // namespace finemote::gen

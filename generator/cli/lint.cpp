@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
+#include <string_view>
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/exit_status.hpp"
@@ -12,9 +14,11 @@
 #include "generator/cli/load.hpp"
 #include "generator/cli/verdict.hpp"
 #include "generator/diagnostic/catalogue.hpp"
+#include "generator/diagnostic/code_output.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/lint/codes.hpp"
+#include "generator/output/folder.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -38,7 +42,24 @@ std::vector<Code> codes(Context& context, const char* option, const std::vector<
   return list;
 }
 
-/// Writes every edited file anew; returns their names.
+/// What an edited file is to hold; none, and FM5012, where what is on disk is not the text that was checked.
+std::optional<std::string> edited_bytes(Context& context, const SourceFile& file, const std::vector<Edit>& edits) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  const auto bytes = file.path.empty() ? std::nullopt : read_bytes(file.path);
+  if (bytes == file.text) return apply_edits(file, edits);
+  if (bytes && *bytes == std::string(kByteOrderMark) + file.text)
+    return std::string(kByteOrderMark) + apply_edits(file, edits);
+  auto& finding =
+      context.diagnostics.error(code::file_not_editable, {context.sources.add({file.name, file.path, {}})},
+                                fmt::format("cannot edit '{}': {}", file.name,
+                                            file.path.empty() ? "it is no file"
+                                                              : "it is not in UTF-8, or changed while it was "
+                                                                "checked"));
+  finding.hint(file.path.empty() ? "save it, and give the name of the file" : "save the file as UTF-8");
+  return std::nullopt;
+}
+
+/// Writes every edited file anew, or none; returns their names.
 std::vector<std::string> write_edits(Context& context, const std::vector<Edit>& edits) {
   std::map<std::string, std::pair<const SourceFile*, std::vector<Edit>>> files;
   for (const Edit& edit : edits) {
@@ -46,9 +67,14 @@ std::vector<std::string> write_edits(Context& context, const std::vector<Edit>& 
     file = edit.file;
     list.push_back(edit);
   }
-  std::vector<std::string> names;
+  std::map<std::string, std::string> texts;
   for (const auto& [path, entry] : files) {
-    if (write_result(context, path, apply_edits(*entry.first, entry.second))) names.push_back(path);
+    if (auto bytes = edited_bytes(context, *entry.first, entry.second)) texts[path] = std::move(*bytes);
+  }
+  if (context.diagnostics.has_errors()) return {};
+  std::vector<std::string> names;
+  for (const auto& [path, bytes] : texts) {
+    if (write_result(context, path, bytes)) names.push_back(path);
   }
   return names;
 }

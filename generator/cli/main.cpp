@@ -105,6 +105,7 @@ int main(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
   DescriptorBuffer standard_output(STDOUT_FILENO);
   std::ostream out(&standard_output);
+  std::cerr.tie(&out);  // what was said first comes first, where both go to one place
   const int status = run_words(std::vector<std::string>(argv + 1, argv + argc), out);
   out.flush();
   if (standard_output.error() == 0) return status;

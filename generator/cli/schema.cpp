@@ -6,7 +6,6 @@
 #include "generator/cli/exit_status.hpp"
 #include "generator/cli/finish.hpp"
 #include "generator/diagnostic/suggest.hpp"
-#include "generator/output/folder.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -37,12 +36,10 @@ int run_schema(Context& context) {
     names.emplace_back(schema.name);
     if (context.options.input != schema.name) continue;
     const std::string path = data_dir + "/schemas/" + schema.file;
-    if (const auto text = read_bytes(path)) {
-      context.out << *text;
-    } else {
-      context.diagnostics.error(code::data_not_found, {}, fmt::format("cannot read '{}'", path));
-    }
-    return finish(context, context.diagnostics.has_errors() ? kExitInvalid : kExitYes);
+    const auto text = read_data_file(path, context.diagnostics);
+    if (!text) return finish(context, kExitInvalid);
+    context.out << *text;
+    return finish(context, kExitYes);
   }
   context.diagnostics.error(code::usage, {}, fmt::format("there is no schema '{}'", context.options.input))
       .hint(did_you_mean(context.options.input, names));

@@ -13,5 +13,6 @@ inline constexpr Code output_edited{5008};        // check: a file differs from 
 inline constexpr Code output_line_ends{5009};     // check: a file differs by CR alone
 inline constexpr Code output_stale{5010};         // check: generate would write something else now
 inline constexpr Code output_orphan{5011};        // check: a generated file that no manifest lists
+inline constexpr Code file_not_editable{5012};    // lint --fix: standard input, another encoding, or changed meanwhile
 
 }  // namespace finemote::gen::code

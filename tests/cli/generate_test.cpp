@@ -151,7 +151,9 @@ TEST_CASE("the clock mode of a part on SPI and the patience of the watchdog arri
   <device name="imu" type="sim_load" period="5ms"/>
 </finemote></robot>
 )");
-  REQUIRE(run_finemote({"generate", folder.path("robot.urdf"), "-o", folder.path("out")}).exit_status == 0);
+  // Two busy SPI buses are too much for the processor; what is generated for them is the question here.
+  REQUIRE(run_finemote({"generate", folder.path("robot.urdf"), "-o", folder.path("out"), "--allow-unschedulable"})
+              .exit_status == 0);
   const std::string buses = read_file(folder.path("out/buses.cpp"));
   CHECK(buses.find("gauge{spi, 0x00, /*priority*/ 1, /*mode*/ 1}") != std::string::npos);
   CHECK(buses.find("gauge_memory{spi, 0x01, /*priority*/ 1, /*mode*/ 0}") != std::string::npos);
@@ -170,5 +172,5 @@ TEST_CASE("a param of the board outside its range is refused") {
 )");
   const auto result = run_finemote({"generate", folder.path("robot.urdf"), "-o", folder.path("out")});
   CHECK(result.exit_status == 2);
-  CHECK(result.output.find("FM3025") != std::string::npos);
+  CHECK(result.output.find("FM3026") != std::string::npos);
 }

@@ -287,6 +287,7 @@ frame_FM5008() { generated; }
 frame_FM5009() { generated; }
 frame_FM5010() { generated; }
 frame_FM5011() { generated; }
+frame_FM5012() { example= robot '<bus name="idle" type="can" port="can1" bitrate="1Mbit/s"/><device name="load" type="sim_load" period="10ms"/>'; eval "$example"; }
 # the superuser can read everything: as somebody else
 frame_FM5006() {
   any_robot
