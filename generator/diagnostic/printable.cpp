@@ -48,4 +48,14 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
+std::string printable_lines(std::string_view text) {
+  std::string shown;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    shown += (begin > 0 ? "\n  | " : "") + printable(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return shown;
+}
+
 }  // namespace finemote::gen

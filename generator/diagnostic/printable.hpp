@@ -11,4 +11,8 @@ namespace finemote::gen {
 /// each byte, so that columns keep their places.
 std::string printable(std::string_view text);
 
+/// A text of several lines, each printable. All but the first begin with `  | `: a log reader that takes commands at
+/// the begin of a line, as GitHub does, finds none.
+std::string printable_lines(std::string_view text);
+
 }  // namespace finemote::gen

@@ -110,17 +110,17 @@ std::string render_one(const Message& message, Lines& lines, const Palette& pain
   const bool is_error = finding.severity == Severity::error;
   std::string text = fmt::format("{}{}:{} {}{}[{}]{}: {}\n", paint.bold, printable(place_text(finding.at)), paint.reset,
                                  is_error ? paint.red : paint.yellow, is_error ? "error" : "warning",
-                                 code_name(finding.code), paint.reset, printable(finding.message));
+                                 code_name(finding.code), paint.reset, printable_lines(finding.message));
   text += excerpt(finding, lines, paint);
   text += render_way(finding.at.via, paint);
   if (!message.repeats.empty())
     text += fmt::format("  {}note:{} {}\n", paint.cyan, paint.reset, printable(repeats_text(message)));
   for (const Note& note : finding.notes) {
     const std::string where = note.at.file ? fmt::format(" ({})", place_text(note.at)) : "";
-    text += fmt::format("  {}note:{} {}{}\n", paint.cyan, paint.reset, printable(note.message), printable(where));
+    text += fmt::format("  {}note:{} {}{}\n", paint.cyan, paint.reset, printable_lines(note.message), printable(where));
   }
   for (const std::string& hint : finding.hints) {
-    text += fmt::format("  {}hint:{} {}\n", paint.cyan, paint.reset, printable(hint));
+    text += fmt::format("  {}hint:{} {}\n", paint.cyan, paint.reset, printable_lines(hint));
   }
   return text;
 }

@@ -88,15 +88,15 @@ std::string render_gcc(const Diagnostics& diagnostics) {
   for (const Message& message : messages_of(diagnostics)) {
     const Diagnostic& finding = message.finding;
     const std::string place = printable(place_text(finding.at));
-    text += fmt::format("{}: {}: {} [{}]\n", place, severity_name(finding.severity), printable(finding.message),
+    text += fmt::format("{}: {}: {} [{}]\n", place, severity_name(finding.severity), printable_lines(finding.message),
                         code_name(finding.code));
     for (const RepeatPlace& repeat : repeat_places(message))
       text += fmt::format("{}: note: the same for {} more expansion{} from here\n", printable(place_text(repeat.at)),
                           repeat.count, repeat.count == 1 ? "" : "s");
     for (const Note& note : finding.notes)
       text += fmt::format("{}: note: {}\n", note.at.file != nullptr ? printable(place_text(note.at)) : place,
-                          printable(note.message));
-    for (const std::string& hint : finding.hints) text += fmt::format("{}: note: {}\n", place, printable(hint));
+                          printable_lines(note.message));
+    for (const std::string& hint : finding.hints) text += fmt::format("{}: note: {}\n", place, printable_lines(hint));
   }
   return text;
 }

@@ -108,7 +108,7 @@ void report_remarks(const Timing& timing, Diagnostics& diagnostics) {
   if (!closed.empty()) {
     diagnostics
         .warning(code::timing_closed_form, timing.model.devices[closed.front()].at,
-                 "the periods repeat too late to look at every release: some latencies are safe closed forms")
+                 "the hyperperiod is too long to examine every release: some latencies are safe closed forms")
         .note("paths of " + list(closed));
   }
   if (!timing.assumed.empty()) {
@@ -213,7 +213,7 @@ std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request
         .note("times are integer nanoseconds, at most 292 years");
   } catch (const TooLong& reason) {
     diagnostics.error(code::timing_too_long, start(model), reason.what())
-        .hint("periods with small common multiples, or a processor that is less full, are quick to analyse");
+        .hint("periods with small common multiples, or a lower utilization, are quick to analyse");
   }
   return std::nullopt;
 }

@@ -336,7 +336,7 @@ void report_bus_overloads(const Timing& timing, Trials& trials, Diagnostics& dia
                                               fmt::format("bus '{}' is overloaded: it needs {} of its capacity",
                                                           timing.model.buses[b].name, whole_percent(load)));
     finding.underline(4).note(shares_text(bus_shares(timing.model, b)));
-    finding.note("messages are left out or late, and no latency over it has a bound");
+    finding.note("messages are lost or late, and no latency over the bus has a bound");
     add_room_hints(timing, b, trials, finding);
   }
 }

@@ -94,7 +94,8 @@ std::vector<std::size_t> actuators_of_all(const Model& model, const std::vector<
 std::vector<ChainRequest> parse_chain(const Model& model, std::string_view text, Diagnostics& diagnostics) {
   const auto arrow = text.find("->");
   if (arrow == std::string_view::npos) {
-    diagnostics.error(code::timing_chain, {}, fmt::format("'{}' is no chain", text)).hint("--chain 'sensor->actuator'");
+    diagnostics.error(code::timing_chain, {}, fmt::format("'{}' is not a chain", text))
+        .hint("--chain 'sensor->actuator'");
     return {};
   }
   OperandReader reader(model, diagnostics);

@@ -229,7 +229,7 @@ class Reader {
     const Value* period = v.find("period_ns");
     if (period == nullptr || d.period_ns % model_.tick_ns == 0 || period->text != std::to_string(d.period_ns)) return;
     error(code::timing_period, *period,
-          fmt::format("the period of device '{}' is no multiple of the tick of {} ns", d.name, model_.tick_ns))
+          fmt::format("the period of device '{}' is not a multiple of the tick of {} ns", d.name, model_.tick_ns))
         .hint(fmt::format("write {} or {}", std::max(d.period_ns - d.period_ns % model_.tick_ns, model_.tick_ns),
                           d.period_ns > kMax - model_.tick_ns
                               ? d.period_ns - d.period_ns % model_.tick_ns

@@ -177,8 +177,8 @@ TEST_CASE("a wrench is about the link that carries most of the joints") {
   device.link = "hull";
   CHECK(geometry_link(mechanism, device, geometry, {"a", "b"}) == "hull");
   CHECK(body_problem(mechanism, "hull", {"a", "b"}).empty());
-  CHECK(body_problem(mechanism, "world", {"a"}) == "link 'world' is the world, which stands still");
-  CHECK(body_problem(mechanism, "e", {"a"}) == "link 'e' is the world, which stands still");
+  CHECK(body_problem(mechanism, "world", {"a"}) == "link 'world' is the world, which does not move");
+  CHECK(body_problem(mechanism, "e", {"a"}) == "link 'e' is the world, which does not move");
   CHECK(body_problem(mechanism, "a", {"b", "a"}) == "joint 'a' moves link 'a' against the body");
 }
 

@@ -39,7 +39,7 @@ TEST_CASE("a model needs no buses and no parents") {
 }
 
 TEST_CASE("what is not JSON is refused at its place") {
-  CHECK(messages("") == "1:1 FM4001 the file ends where a value is expected\n");
+  CHECK(messages("") == "1:1 FM4001 unexpected end of file, expected a value\n");
   CHECK(messages("{\n  \"tick_ns\" 1}") == "2:13 FM4001 found '1' where ':' is expected\n");
   CHECK(messages("{} x") == "1:4 FM4001 unexpected text after the end of the document\n");
   CHECK(messages("{\"tick_ns\":01}") == "1:13 FM4001 a number has no leading zero\n");
