@@ -61,7 +61,7 @@ std::optional<std::string> reserved_name(std::string_view cpp, NameScope scope) 
   constexpr std::array kOutermost{"finemote", "std"};
   constexpr std::array kInRobot{"slots",        "constants", "bounds",   "start_buses", "supervise_buses",
                                 "safe_outputs", "buckets",   "kBuckets", "kOrder",      "kMonitored"};
-  constexpr std::array kInTree{"ports", "slots", "constants", "Stage"};
+  constexpr std::array kInTree{"ports", "slots", "constants", "Stage", "stage"};
   if (scope == NameScope::file)
     return is_windows_device(cpp)
                ? std::optional<std::string>("names a device of Windows, where no file can be called so")

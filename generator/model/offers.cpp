@@ -101,9 +101,10 @@ std::vector<std::string> free_ports(const Board& board, const std::vector<std::s
   return names;
 }
 
-std::string another_bus(const Board& board, const std::vector<std::string>& used, BusKind kind, std::int64_t rate) {
-  for (const std::string& name : free_ports(board, used, kind)) {
-    if (!makes(*board.port(name), rate)) continue;
+std::string another_bus(const Board* board, const std::vector<std::string>& used, BusKind kind, std::int64_t rate) {
+  if (board == nullptr) return {};
+  for (const std::string& name : free_ports(*board, used, kind)) {
+    if (!makes(*board->port(name), rate)) continue;
     const std::string_view attribute = rate_attribute(kind);
     const std::string written =
         rate == 0 || attribute.empty() ? std::string() : fmt::format(" {}=\"{}\"", attribute, rate_text(kind, rate));

@@ -35,8 +35,8 @@ std::string fastest_clock(const Port* port, BusKind kind, std::int64_t most);
 std::vector<std::string> free_ports(const Board& board, const std::vector<std::string>& used, BusKind kind);
 
 /// `<bus name="can2" type="can" port="can2" bitrate="1Mbit/s"/>` at the first free port that makes the rate (0: none is
-/// written), under its own name; empty when there is no such port.
-std::string another_bus(const Board& board, const std::vector<std::string>& used, BusKind kind, std::int64_t rate);
+/// written), under its own name; empty when there is no such port, and where the board is not known.
+std::string another_bus(const Board* board, const std::vector<std::string>& used, BusKind kind, std::int64_t rate);
 
 /// Ports that buses of the robot are at.
 std::vector<std::string> used_ports(const Robot& robot);

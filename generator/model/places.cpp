@@ -171,7 +171,7 @@ class AddressTable {
     finding.hint(behind_a_mux(bus.text));
     const Bus& physical = reading_.robot.buses[segment.bus];
     const std::string elsewhere =
-        another_bus(*reading_.robot.board, used_ports(reading_.robot), physical.kind, physical.rate);
+        another_bus(reading_.robot.board, used_ports(reading_.robot), physical.kind, physical.rate);
     if (!elsewhere.empty()) finding.hint("or put one on a bus of its own: " + elsewhere);
   }
 
@@ -364,8 +364,8 @@ std::string another_bus_for(const Reading& reading, const Segment& segment) {
     if (i == segment.bus || other.kind != bus.kind || !reading.buses[i].kind_is_known) continue;
     list += (list.empty() ? ": '" : ", '") + other.name.text + "'";
   }
-  if (!list.empty() || reading.robot.board == nullptr) return list;
-  const std::string fresh = another_bus(*reading.robot.board, used, bus.kind, bus.rate);
+  if (!list.empty()) return list;
+  const std::string fresh = another_bus(reading.robot.board, used, bus.kind, bus.rate);
   return fresh.empty() ? fresh : ": " + fresh;
 }
 

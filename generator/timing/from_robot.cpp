@@ -134,7 +134,7 @@ class Adapter {
       if (robot_.segments[expander.segment].bus == index) limit(expander.type->max_clock_hz);
     }
     BusAdvice result;
-    result.other_port = another_bus(*robot_.board, used_ports(robot_), bus.kind, bus.rate);
+    result.other_port = another_bus(robot_.board, used_ports(robot_), bus.kind, bus.rate);
     for (const std::int64_t rate : gen::faster_rates(*port, bus.kind, 0, limits)) {
       const std::string text = std::string(rate_attribute(bus.kind)) + "=\"" + rate_text(bus.kind, rate) + "\"";
       if (rate > bus.rate) result.rates.push_back({text, rate});

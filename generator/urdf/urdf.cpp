@@ -204,6 +204,28 @@ void report_second_parents(const std::vector<Joint>& joints, Diagnostics& diagno
   }
 }
 
+/// Every link has one parent at most: a way up that meets itself has found a loop. urdfdom overlooks loops beside a
+/// tree.
+void report_loops(const std::vector<Joint>& joints, Diagnostics& diagnostics) {
+  std::map<std::string, const Joint*> carried_by;
+  for (const Joint& joint : joints) carried_by.emplace(joint.child_link, &joint);
+  std::map<std::string, const Joint*> passed;  // link -> the joint whose way up passed it first
+  for (const Joint& start : joints) {
+    std::string link = start.child_link;
+    while (carried_by.count(link) > 0 && passed.emplace(link, &start).second) link = carried_by.at(link)->parent_link;
+    if (carried_by.count(link) == 0 || passed.at(link) != &start) continue;
+    std::string way = fmt::format("'{}'", link), next = link;
+    do {
+      next = carried_by.at(next)->parent_link;
+      way += fmt::format(" <- '{}'", next);
+    } while (next != link);
+    diagnostics.error(code::urdf_rejected, carried_by.at(link)->at, "the joints of this robot form a loop")
+        .underline(6)
+        .note("each link is carried by the next: " + way)
+        .note("links and joints form a tree below one root link");
+  }
+}
+
 Joint read_joint(const xml::Node& tag, const std::vector<Link>& links, Diagnostics& diagnostics) {
   Joint joint;
   joint.at = tag.at;
@@ -242,6 +264,7 @@ Kinematics read_urdf(const xml::Node& robot, Diagnostics& diagnostics) {
   report_duplicates(kinematics.links, "link", diagnostics);
   report_duplicates(kinematics.joints, "joint", diagnostics);
   report_second_parents(kinematics.joints, diagnostics);
+  if (diagnostics.size() == findings) report_loops(kinematics.joints, diagnostics);
   const bool is_firmware_only = kinematics.links.empty() && kinematics.joints.empty();
   if (diagnostics.size() == findings && !is_firmware_only) check_with_urdfdom(robot, kinematics, diagnostics);
   return kinematics;

@@ -87,6 +87,8 @@ TEST_CASE("names that generated code takes are refused") {
   CHECK(said(R"(<bus name="kBuckets" type="uart" port="usart6" baud="9600baud"/>
     <device name="a" type="sim_load" period="1ms"/>)")
             .find("error[FM3049]: the name 'kBuckets' is taken\n") != std::string::npos);
+  CHECK(said(R"(<device name="a" type="group" period="1ms"><device name="stage" type="sim_load"/></device>)")
+            .find("error[FM3049]: the name 'stage' is taken\n") != std::string::npos);
 }
 
 TEST_CASE("the user's device of version 0.1.0 still generates and compiles") {
