@@ -55,8 +55,11 @@ std::string place_problem(const Placement& placement, std::size_t index, const A
 }
 
 std::string wheel_problem(const Placement& placement, std::size_t index, const Axis& wheel) {
-  const std::string problem = wheel_problem(wheel, tolerance(placement));
-  return problem.empty() ? place_problem(placement, index, wheel) : problem;
+  std::string problem = wheel_problem(wheel, tolerance(placement));
+  if (problem.empty()) problem = place_problem(placement, index, wheel);
+  const std::vector<Axis> wheels = axes_of(placement);
+  if (problem.empty() && wheels.size() == placement.joints.size()) problem = corner_problem(wheels, index);
+  return problem;
 }
 
 }  // namespace

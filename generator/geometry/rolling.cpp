@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "generator/geometry/allocation.hpp"
@@ -13,12 +14,25 @@ namespace {
 constexpr double kBesideMiddle = 1e-3;  // m
 constexpr double kLeastShare = 1e-3;    // of the strongest motion the wheels make: less is none
 
+/// Between the outermost wheels: the link's own origin may be anywhere, at a bumper for example.
+Eigen::Vector2d middle_of(const std::vector<Axis>& wheels) {
+  Eigen::AlignedBox2d box;
+  for (const Axis& wheel : wheels) box.extend(wheel.point.head<2>().eval());
+  return box.center();
+}
+
+/// Of the wheel, seen from the middle: (1, 1) front left, (-1, -1) rear right.
+Eigen::Vector2d corner(const Axis& wheel, const Eigen::Vector2d& middle) {
+  return (wheel.point.head<2>() - middle).array().sign();
+}
+
 Eigen::MatrixX3d wheel_rows(const std::vector<Axis>& wheels) {
+  const Eigen::Vector2d middle = middle_of(wheels);
   Eigen::MatrixX3d rows(wheels.size(), 3);
   for (std::size_t n = 0; n < wheels.size(); ++n) {
     const Eigen::Vector3d& p = wheels[n].point;
     const Eigen::Vector3d way = wheels[n].direction.cross(Eigen::Vector3d::UnitZ());
-    const Eigen::Vector3d roller(1, p.x() * p.y() > 0 ? -1 : 1, 0);
+    const Eigen::Vector3d roller(1, corner(wheels[n], middle).prod() > 0 ? -1 : 1, 0);
     const Eigen::Vector3d row(roller.x(), roller.y(), roller.y() * p.x() - roller.x() * p.y());
     rows.row(static_cast<Eigen::Index>(n)) = row / roller.dot(way);
   }
@@ -32,9 +46,20 @@ std::string wheel_problem(const Axis& wheel, double tolerance) {
   if (off > tolerance)
     return fmt::format("its axis points {} away from the base's y axis; a mecanum wheel rolls forward, within {}",
                        degrees_text(off), degrees_text(tolerance));
-  if (std::fabs(wheel.point.x()) < kBesideMiddle || std::fabs(wheel.point.y()) < kBesideMiddle)
-    return "a wheel lies ahead of or behind the middle of the base, and left or right of it: its rollers follow from "
+  return {};
+}
+
+std::string corner_problem(const std::vector<Axis>& wheels, std::size_t index) {
+  constexpr std::size_t kCorners = 4;
+  const Eigen::Vector2d middle = middle_of(wheels);
+  if ((wheels[index].point.head<2>() - middle).cwiseAbs().minCoeff() < kBesideMiddle)
+    return "a wheel lies ahead of or behind the middle of all wheels, and left or right of it: its rollers follow from "
            "that";
+  if (wheels.size() != kCorners) return {};
+  for (std::size_t before = 0; before < index; ++before) {
+    if (corner(wheels[before], middle) == corner(wheels[index], middle))
+      return "it is at the same corner of the base as another wheel; four mecanum wheels have one corner each";
+  }
   return {};
 }
 

@@ -16,8 +16,12 @@ struct Rolling {
 /// @param tolerance  how far its axis may point away from the base's y axis [rad]
 std::string wheel_problem(const Axis& wheel, double tolerance);
 
-/// Whether wheels, each without wheel_problem(), leave a motion forward, sideways or round that none of them resists:
-/// then the wheels' speeds do not say how the base moves.
+/// Why the place of one of these wheels does not say how its rollers point; empty: it does. Front and rear, left and
+/// right are seen from the middle between the outermost wheels, wherever the origin is.
+std::string corner_problem(const std::vector<Axis>& wheels, std::size_t index);
+
+/// Whether wheels, each without wheel_problem() and corner_problem(), leave a motion forward, sideways or round that
+/// none of them resists: then the wheels' speeds do not say how the base moves.
 bool leave_a_motion_free(const std::vector<Axis>& wheels);
 
 /// Wheels with rollers at 45 degrees, set up as an X seen from above: at the ground, those of the front left wheel hold
@@ -25,7 +29,7 @@ bool leave_a_motion_free(const std::vector<Axis>& wheels);
 /// A wheel turns positive about its joint's axis, wherever that points. With d the way a wheel rolls and s the roller's
 /// axis at the ground, the contact does not slide along s: s . (v + w x p) = (s . d) * rolling speed.
 /// (K. Lynch, F. Park, Modern Robotics, 13.2.1.)
-/// @param wheels  each without wheel_problem(), and not leave_a_motion_free()
+/// @param wheels  each without wheel_problem() and corner_problem(), and not leave_a_motion_free()
 Rolling rolling(const std::vector<Axis>& wheels);
 
 }  // namespace finemote::gen

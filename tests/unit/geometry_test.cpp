@@ -95,14 +95,25 @@ TEST_CASE("wheels roll as their places, axes and rollers say") {
     }
   }
   CHECK((all.columns * all.rows - Eigen::Matrix3d::Identity()).norm() < 1e-12);
+
+  std::vector<Axis> from_bumper = wheels;  // the same base, its origin ahead of all wheels
+  for (Axis& wheel : from_bumper) wheel.point.x() -= 0.5;
+  CHECK((rolling(from_bumper).rows.leftCols(2) - all.rows.leftCols(2)).norm() < 1e-12);
 }
 
 TEST_CASE("what cannot be a mecanum wheel is said") {
   CHECK(wheel_problem({{0.2, 0.2, 0}, {0, 0, 1}}, kDegree).find("points 90 degrees away") != std::string::npos);
   CHECK(wheel_problem({{0.2, 0.2, 0}, {1, 0, 0}}, kDegree).find("points 90 degrees away") != std::string::npos);
   CHECK(wheel_problem({{0.2, 0.2, 0}, {0.6, 0.8, 0}}, kDegree).find("points 36.9 degrees away") != std::string::npos);
-  CHECK(wheel_problem({{0, 0.2, 0}, {0, 1, 0}}, kDegree).find("rollers") != std::string::npos);
-  CHECK(wheel_problem({{0.2, 0, 0}, {0, 1, 0}}, kDegree).find("rollers") != std::string::npos);
+  const auto base = [](double first_x, double first_y) {
+    const Eigen::Vector3d left{0, 1, 0};
+    return std::vector<Axis>{
+        {{first_x, first_y, 0}, left}, {{0.2, -0.2, 0}, left}, {{-0.2, 0.2, 0}, left}, {{-0.2, -0.2, 0}, left}};
+  };
+  CHECK(corner_problem(base(0.2, 0.2), 0).empty());
+  CHECK(corner_problem(base(0, 0.2), 0).find("rollers") != std::string::npos);
+  CHECK(corner_problem(base(0.2, 0), 0).find("rollers") != std::string::npos);
+  CHECK(corner_problem(base(-0.3, 0.2), 2).find("same corner") != std::string::npos);
   const auto turned = [](double degrees) {
     return Axis{{0.2, 0.2, 0}, {std::sin(radians(degrees)), std::cos(radians(degrees)), 0}};
   };
