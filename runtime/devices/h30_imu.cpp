@@ -50,11 +50,25 @@ bool angles_at(const std::uint8_t* bytes, ImuState& out) {
 void H30Imu::update() {
   std::uint8_t bytes[64];
   std::size_t size = sizeof bytes;
+  const std::uint32_t before = frames_;
   for (std::size_t done = 0; size == sizeof bytes && done < kMaxRead; done += size) {
     size = uart_->read(bytes, sizeof bytes);
     take(bytes, size);
   }
+  if (frames_ != before) turn_state();
   if (!is_fresh(state, now(), kMaxAge)) state.valid = false;
+}
+
+/// Of the last frame alone: the others are gone. With the part's attitude as what takes its axes to the world's, the
+/// body's is the way back through the mount and then that.
+void H30Imu::turn_state() {
+  if (mount_ == nullptr) return;
+  turn(mount_, state.acceleration);
+  turn(mount_, state.rate);
+  const Rotation body = Rotation::of_angles(state.roll, state.pitch, state.yaw) * inverse(*mount_);
+  state.roll = body.roll();
+  state.pitch = body.pitch();
+  state.yaw = body.yaw();
 }
 
 void H30Imu::take(const std::uint8_t* bytes, std::size_t size) {

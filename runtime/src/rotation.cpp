@@ -15,6 +15,18 @@ Rotation Rotation::about(const Vector& axis, float angle) {
            {k.z * axis.x - w.y, k.z * axis.y + w.x, c + k.z * axis.z}}};
 }
 
+Rotation Rotation::of_angles(float roll, float pitch, float yaw) {
+  const float cr = std::cos(roll), sr = std::sin(roll), cp = std::cos(pitch), sp = std::sin(pitch);
+  const float cy = std::cos(yaw), sy = std::sin(yaw);
+  return {{{cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr},
+           {sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr},
+           {-sp, cp * sr, cp * cr}}};
+}
+
+float Rotation::roll() const { return std::atan2(row[2].y, row[2].z); }
+float Rotation::pitch() const { return std::asin(clamp(-row[2].x, -1, 1)); }
+float Rotation::yaw() const { return std::atan2(row[1].x, row[0].x); }
+
 Rotation operator*(const Rotation& a, const Rotation& b) {
   Rotation product;
   for (unsigned i = 0; i < 3; ++i) {

@@ -37,7 +37,7 @@ struct Firmware {
   I2cBus i2c{ports::i2c2, 400000, slots};
   Pca9685 pwm{pwm_slot};
 
-  H30Imu imu{imu_uart};
+  H30Imu imu{nullptr, imu_uart};
   Ms5837 baro[4] = {{{}, baro_slots[0]}, {{}, baro_slots[1]}, {{}, baro_slots[2]}, {{}, baro_slots[3]}};
   PwmEsc thrusters[8] = {{{}, {pwm, 0}}, {{}, {pwm, 1}}, {{}, {pwm, 2}}, {{}, {pwm, 3}},
                          {{}, {pwm, 4}}, {{}, {pwm, 5}}, {{}, {pwm, 6}}, {{}, {pwm, 7}}};

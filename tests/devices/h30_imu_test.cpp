@@ -1,6 +1,9 @@
 // H30: frames byte by byte, wrong sums, noise, silence.
 #include "finemote/devices/h30_imu.hpp"
 
+#include <cmath>
+#include <random>
+
 #include "bench.hpp"
 #include "catch.hpp"
 #include "runtime/boards/host/ports/h30_part.hpp"
@@ -40,7 +43,7 @@ struct Fixture {
     imu.update();
   }
   Uart uart{ports::usart1, 921600};
-  H30Imu imu{uart};
+  H30Imu imu{nullptr, uart};
 };
 
 constexpr float kDegree = 0.0174532925F;
@@ -66,6 +69,81 @@ TEST_CASE_METHOD(Fixture, "a frame becomes attitude, rates and acceleration") {
   CHECK(imu.state.origin > -100 * kMicrosecond);
 }
 
+namespace {
+
+/// m/s^2, deg/s and deg, as the part says them.
+Bytes frame_of(const float (&acceleration)[3], const float (&rate_deg)[3], const float (&pitch_roll_yaw)[3]) {
+  Bytes frame = kFrame;
+  const auto put = [&](std::size_t at, float value) {
+    const auto word = static_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(double{value} * 1e6)));
+    for (unsigned byte = 0; byte < 4; ++byte) frame[at + byte] = static_cast<std::uint8_t>(word >> 8 * byte);
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    put(7 + 4 * i, acceleration[i]);
+    put(21 + 4 * i, rate_deg[i]);
+    put(35 + 4 * i, pitch_roll_yaw[i]);
+  }
+  return with_sums(frame);
+}
+
+/// By quaternions, another way than the driver's.
+struct Quaternion {
+  double w, x, y, z;
+  friend Quaternion operator*(const Quaternion& a, const Quaternion& b) {
+    return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+            a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
+  }
+  [[nodiscard]] Quaternion back() const { return {w, -x, -y, -z}; }
+  static Quaternion of(double roll, double pitch, double yaw) {
+    const Quaternion r{std::cos(roll / 2), std::sin(roll / 2), 0, 0}, p{std::cos(pitch / 2), 0, std::sin(pitch / 2), 0},
+        y{std::cos(yaw / 2), 0, 0, std::sin(yaw / 2)};
+    return y * p * r;
+  }
+  [[nodiscard]] double roll() const { return std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)); }
+  [[nodiscard]] double pitch() const { return std::asin(2 * (w * y - z * x)); }
+  [[nodiscard]] double yaw() const { return std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)); }
+  [[nodiscard]] Quaternion turn(const float (&v)[3]) const { return *this * Quaternion{0, v[0], v[1], v[2]} * back(); }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(Fixture, "attitude, rates and acceleration are those of the robot, however the part is mounted") {
+  std::mt19937 random(21);
+  std::uniform_real_distribution<float> any(-1, 1);
+  const float turns[][3] = {{0, 0, 90}, {180, 0, 0}, {-90, 0, 0}, {0, 90, 0}, {0, -90, 180}, {30, -20, 100}};
+  for (const auto& turned : turns) {
+    const Quaternion mounting =
+        Quaternion::of(double{turned[0] * kDegree}, double{turned[1] * kDegree}, double{turned[2] * kDegree});
+    const Rotation mount = Rotation::of_angles(turned[0] * kDegree, turned[1] * kDegree, turned[2] * kDegree);
+    H30Imu imu_there{&mount, uart};
+    for (int round = 0; round < 50; ++round) {
+      const float roll = 170 * any(random), pitch = 80 * any(random), yaw = 170 * any(random);
+      const Quaternion robot = Quaternion::of(double{roll * kDegree}, double{pitch * kDegree}, double{yaw * kDegree});
+      const Quaternion part = robot * mounting;
+      const float acceleration[3] = {any(random), any(random), 9.8F}, rate[3] = {any(random), 40 * any(random), 1};
+      const Quaternion felt = mounting.back().turn(acceleration), turning = mounting.back().turn(rate);
+      const auto degrees = [](double angle) { return static_cast<float>(angle / M_PI * 180); };
+      const auto as_float = [](double value) { return static_cast<float>(value); };
+      host::usart1.feed(now(), frame_of({as_float(felt.x), as_float(felt.y), as_float(felt.z)},
+                                        {as_float(turning.x), as_float(turning.y), as_float(turning.z)},
+                                        {degrees(part.pitch()), degrees(part.roll()), degrees(part.yaw())}));
+      host::advance(5 * kMillisecond);
+      imu_there.update();
+      imu_there.update();  // nothing new: it stays as it is
+      const auto& state = imu_there.state;
+      REQUIRE(state.valid);
+      INFO(turned[0] << " " << turned[1] << " " << turned[2] << ": " << roll << " " << pitch << " " << yaw);
+      CHECK(state.roll == Approx(roll * kDegree).margin(2e-3));
+      CHECK(state.pitch == Approx(pitch * kDegree).margin(1e-3));
+      CHECK(state.yaw == Approx(yaw * kDegree).margin(2e-3));
+      for (int i = 0; i < 3; ++i) {
+        CHECK(state.acceleration[i] == Approx(acceleration[i]).margin(1e-4));
+        CHECK(state.rate[i] == Approx(rate[i] * kDegree).margin(1e-5));
+      }
+    }
+  }
+}
+
 TEST_CASE_METHOD(Fixture, "every single wrong bit is seen") {
   const Bytes good = with_sums(kFrame);
   for (std::size_t i = 2; i < good.size(); ++i) {
@@ -73,7 +151,7 @@ TEST_CASE_METHOD(Fixture, "every single wrong bit is seen") {
       bench::reset();
       Uart line{ports::usart1, 921600};
       line.start();
-      H30Imu other{line};
+      H30Imu other{nullptr, line};
       Bytes bad = good;
       bad[i] ^= static_cast<std::uint8_t>(1 << bit);
       host::usart1.feed(0, bad);

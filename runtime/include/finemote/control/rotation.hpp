@@ -18,7 +18,22 @@ struct Rotation {
 
   /// About `axis`, of unit length, by a finite `angle` [rad] (Rodrigues).
   static Rotation about(const Vector& axis, float angle);
+  /// First `roll` about x, then `pitch` about y, then `yaw` about z, the axes staying where they are [rad, -pi..pi].
+  static Rotation of_angles(float roll, float pitch, float yaw);
+
+  /// The angles of of_angles(): roll and yaw -pi..pi, pitch -pi/2..pi/2. Where x points straight up or down only the
+  /// difference of roll and yaw means anything, or their sum.
+  [[nodiscard]] float roll() const;
+  [[nodiscard]] float pitch() const;
+  [[nodiscard]] float yaw() const;
 };
+
+/// What takes back: the transpose.
+constexpr Rotation inverse(const Rotation& r) {
+  return {{{r.row[0].x, r.row[1].x, r.row[2].x},
+           {r.row[0].y, r.row[1].y, r.row[2].y},
+           {r.row[0].z, r.row[1].z, r.row[2].z}}};
+}
 
 constexpr Vector operator*(const Rotation& r, const Vector& v) {
   return {dot(r.row[0], v), dot(r.row[1], v), dot(r.row[2], v)};

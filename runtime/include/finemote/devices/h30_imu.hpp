@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "finemote/contract.hpp"
+#include "finemote/geometry.hpp"
 #include "finemote/interfaces/imu.hpp"
 #include "finemote/uart.hpp"
 
@@ -20,12 +21,14 @@ namespace finemote {
 /// 0x40 pitch, roll, yaw (3 x int32, 1e-6 deg); others are passed over.
 ///
 /// A frame counts when both sums agree, its records fill it exactly, all three records above are there, and every value
-/// is in range. The state is valid until kMaxAge after the last one; its origin is when the frame began to arrive.
+/// is in range. Attitude, rates and acceleration are in the axes of the robot's body, wherever the URDF says the part's
+/// own link points. The state is valid until kMaxAge after the last one; its origin is when the frame began to arrive.
 class H30Imu {
  public:
   static constexpr Duration kMaxAge = 50 * kMillisecond;
 
-  constexpr explicit H30Imu(Uart& uart) : uart_(&uart) {}
+  /// @param mount  takes the part's axes to those wanted; null: they are the same
+  constexpr H30Imu(const Rotation* mount, Uart& uart) : mount_(mount), uart_(&uart) {}
 
   void update();
   void handle() {}
@@ -47,7 +50,9 @@ class H30Imu {
   bool frame_may_go_on();
   bool sums_agree(std::size_t payload) const;
   bool decode(std::size_t payload, ImuState& out) const;
+  void turn_state();
 
+  const Rotation* mount_;
   Uart* uart_;
   std::uint8_t frame_[kMaxFrame]{};
   std::size_t filled_ = 0;

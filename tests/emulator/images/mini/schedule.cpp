@@ -34,7 +34,7 @@ FINEMOTE_CONSTINIT finemote::I2cSlot pwm{i2c, 0x40, finemote::MuxRoute{0x70, 0x1
 FINEMOTE_CONSTINIT finemote::Pca9685 pwm{slots::pwm};
 FINEMOTE_CONSTINIT finemote::PwmBus header{finemote::ports::pwm1};
 
-FINEMOTE_CONSTINIT finemote::H30Imu imu{imu_uart};
+FINEMOTE_CONSTINIT finemote::H30Imu imu{nullptr, imu_uart};
 FINEMOTE_CONSTINIT finemote::Ms5837 pressure{{finemote::Ms5837::Variant::k30BA, 256}, slots::pressure};
 finemote::LatchToSlow<finemote::ImuState> imu_latch;
 

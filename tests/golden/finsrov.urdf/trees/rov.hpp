@@ -20,7 +20,7 @@ namespace FinsROV::rov {
 
 /// imu: h30_imu on 'imu_uart', every 5 ms
 /// response <= 144.588 us
-FINEMOTE_CONSTINIT inline finemote::H30Imu imu{::FinsROV::imu_uart};
+FINEMOTE_CONSTINIT inline finemote::H30Imu imu{/*mount*/ nullptr, ::FinsROV::imu_uart};
 
 /// baro_1: ms5837 on 'segment_0' at 0x76, every 10 ms
 /// response <= 507.966 us
