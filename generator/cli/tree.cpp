@@ -45,18 +45,18 @@ std::vector<Row> rows_of(const Robot& robot, std::size_t root) {
   return rows;
 }
 
-/// The link whose frame the constants computed for a device are in; empty where there are none.
-std::string link_of(const Robot& robot, const Device& device) {
-  const Mechanism mechanism(robot);
+/// The link whose frame the constants computed for a device are in, or the data it delivers; empty where neither is.
+std::string link_of(const Robot& robot, std::size_t index) {
+  const Device& device = robot.devices[index];
   for (const GeometrySpec& geometry : device.type->geometry) {
-    const std::vector<std::string> joints = role_joints(robot, device, geometry);
-    if (!joints.empty()) return geometry_link(mechanism, device, geometry, joints);
+    if (geometry.kind == "mount" && !device.link.empty()) return mount_link(robot, index);
+    if (!role_joints(robot, device, geometry).empty()) return reference_link(robot, device);
   }
   return {};
 }
 
 std::string comment_of(const Plan& plan, std::size_t index) {
-  const std::string link = link_of(plan.robot, plan.robot.devices[index]);
+  const std::string link = link_of(plan.robot, index);
   return device_comment(plan, index) + (link.empty() ? "" : fmt::format(", geometry about link '{}'", link));
 }
 
@@ -104,7 +104,7 @@ Json document(const Loaded& loaded) {
     Json devices = Json::array();
     for (std::size_t index : tree.devices) {
       const Device& device = robot.devices[index];
-      const std::string link = link_of(robot, device);
+      const std::string link = link_of(robot, index);
       devices.push_back(
           {{"name", device.name.text},
            {"parent", device.parent ? Json(robot.devices[*device.parent].name.text) : Json(nullptr)},

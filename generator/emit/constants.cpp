@@ -99,13 +99,14 @@ std::string axes_text(const Request& request) {
 }
 
 /// Empty where the device has no link, or one that is not turned.
-std::string mount_text(const Mechanism& mechanism, const Device& device, const std::string& name) {
-  const std::string base = mechanism.base();
-  const auto pose = device.link.empty() ? std::nullopt : mechanism.pose(device.link, base);
+std::string mount_text(const Robot& robot, const Mechanism& mechanism, std::size_t index, const std::string& name) {
+  const Device& device = robot.devices[index];
+  const std::string link = mount_link(robot, index);
+  const auto pose = device.link.empty() ? std::nullopt : mechanism.pose(device.link, link);
   if (!pose || pose->linear().isIdentity(1e-9)) return {};
   std::string rows;
   for (int i = 0; i < 3; ++i) rows += (i > 0 ? ", " : "") + braced(Eigen::Vector3d(pose->linear().row(i).transpose()));
-  return list({fmt::format("How '{}' is turned: its axes to those of link '{}'.", device.name.text, base)},
+  return list({fmt::format("How '{}' is turned: its axes to those of link '{}'.", device.name.text, link)},
               fmt::format("finemote::Rotation {}[1]", name), {"{" + rows + "}"});
 }
 
@@ -121,9 +122,10 @@ std::string range_text(const Mechanism& mechanism, const Device& device, const G
       fmt::format("finemote::JointRange {}[1]", name), {numbers({range.lower, range.upper})});
 }
 
-std::string text_of(const Plan& plan, const Device& device, const GeometrySpec& spec, const std::string& name) {
+std::string text_of(const Plan& plan, std::size_t owner, const GeometrySpec& spec, const std::string& name) {
   const Mechanism mechanism(plan.robot);
-  if (spec.kind == "mount") return mount_text(mechanism, device, name);
+  const Device& device = plan.robot.devices[owner];
+  if (spec.kind == "mount") return mount_text(plan.robot, mechanism, owner, name);
   if (spec.kind == "range") return range_text(mechanism, device, spec, name);
   const std::vector<std::string> joints = role_joints(plan.robot, device, spec);
   if (joints.empty()) return {};
@@ -152,7 +154,7 @@ std::vector<Constant> make_constants(const Plan& plan, Diagnostics& diagnostics)
       const std::string name = name_of(device, spec);
       const char* header = spec.kind == "allocation" ? "" : "<finemote/geometry.hpp>";
       try {
-        constants.push_back({owner, name, text_of(plan, device, spec, name), false, header});
+        constants.push_back({owner, name, text_of(plan, owner, spec, name), false, header});
       } catch (const NoFloat& problem) {
         diagnostics
             .error(code::geometry_number, device.at,

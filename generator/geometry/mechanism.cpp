@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace finemote::gen {
@@ -15,6 +16,14 @@ const Entry* where(const std::vector<Entry>& list, const std::string Entry::*fie
 
 /// Names ROS gives to what stands still (REP 105, and the habit of simulators).
 constexpr std::array<std::string_view, 4> kWorlds{"world", "map", "odom", "earth"};
+
+constexpr double kUpright = M_PI / 180;  // rad: as much as a direction may be off by itself
+
+/// The robot's shadow on the ground (REP 120), with or without a robot's name before it.
+bool is_footprint(const std::string& link) {
+  constexpr std::string_view name = "base_footprint";
+  return link.size() >= name.size() && link.compare(link.size() - name.size(), name.size(), name) == 0;
+}
 
 }  // namespace
 
@@ -43,6 +52,24 @@ std::string Mechanism::base() const {
     return joint.parent_link == root_link && (joint.type == "floating" || joint.type == "planar");
   });
   return free != joints_.end() && is_world(root_link) ? free->child_link : root_link;
+}
+
+const Joint* Mechanism::only_joint_of(const std::string& link) const {
+  const Joint* only = nullptr;
+  for (const Joint& joint : joints_) {
+    if (joint.parent_link != link) continue;
+    if (only != nullptr) return nullptr;
+    only = &joint;
+  }
+  return only;
+}
+
+std::string Mechanism::body() const {
+  const std::string base_link = base();
+  const Joint* joint = is_world_name(base_link) || is_footprint(base_link) ? only_joint_of(base_link) : nullptr;
+  if (joint == nullptr || joint->type != "fixed") return base_link;
+  const bool upright = transform(joint->origin).linear()(2, 2) >= std::cos(kUpright);
+  return upright ? joint->child_link : base_link;
 }
 
 std::optional<std::vector<const Joint*>> Mechanism::way_to(const std::string& link) const {

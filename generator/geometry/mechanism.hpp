@@ -28,6 +28,9 @@ class Mechanism {
   /// floating or planar joint of the root carries. A root is a world by its name, or if it has no mass and that joint
   /// alone.
   [[nodiscard]] std::string base() const;
+  /// The link that says what is ahead: base(), or, where that is a world the robot is fixed to or a `base_footprint`
+  /// below it, the link that its only joint, a fixed one, carries upright.
+  [[nodiscard]] std::string body() const;
 
   /// Joints from the root link to a link; none when the chain does not end.
   [[nodiscard]] std::optional<std::vector<const Joint*>> way_to(const std::string& link) const;
@@ -37,6 +40,7 @@ class Mechanism {
 
  private:
   [[nodiscard]] bool is_world(const std::string& name) const;
+  [[nodiscard]] const Joint* only_joint_of(const std::string& link) const;
 
   const std::vector<Link>& links_;
   const std::vector<Joint>& joints_;

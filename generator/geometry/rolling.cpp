@@ -12,7 +12,8 @@ namespace finemote::gen {
 namespace {
 
 constexpr double kBesideMiddle = 1e-3;  // m
-constexpr double kLeastShare = 1e-3;    // of the strongest motion the wheels make: less is none
+constexpr std::size_t kCorners = 4;
+constexpr double kLeastShare = 1e-3;  // of the strongest motion the wheels make: less is none
 
 /// Between the outermost wheels: the link's own origin may be anywhere, at a bumper for example.
 Eigen::Vector2d middle_of(const std::vector<Axis>& wheels) {
@@ -24,6 +25,14 @@ Eigen::Vector2d middle_of(const std::vector<Axis>& wheels) {
 /// Of the wheel, seen from the middle: (1, 1) front left, (-1, -1) rear right.
 Eigen::Vector2d corner(const Axis& wheel, const Eigen::Vector2d& middle) {
   return (wheel.point.head<2>() - middle).array().sign();
+}
+
+/// With one before it.
+bool shares_corner(const std::vector<Axis>& wheels, std::size_t index, const Eigen::Vector2d& middle) {
+  for (std::size_t before = 0; before < index; ++before) {
+    if (corner(wheels[before], middle) == corner(wheels[index], middle)) return true;
+  }
+  return false;
 }
 
 Eigen::MatrixX3d wheel_rows(const std::vector<Axis>& wheels) {
@@ -49,18 +58,19 @@ std::string wheel_problem(const Axis& wheel, double tolerance) {
   return {};
 }
 
-std::string corner_problem(const std::vector<Axis>& wheels, std::size_t index) {
-  constexpr std::size_t kCorners = 4;
+std::vector<std::string> corner_problems(const std::vector<Axis>& wheels) {
   const Eigen::Vector2d middle = middle_of(wheels);
-  if ((wheels[index].point.head<2>() - middle).cwiseAbs().minCoeff() < kBesideMiddle)
-    return "a wheel lies ahead of or behind the middle of all wheels, and left or right of it: its rollers follow from "
-           "that";
-  if (wheels.size() != kCorners) return {};
-  for (std::size_t before = 0; before < index; ++before) {
-    if (corner(wheels[before], middle) == corner(wheels[index], middle))
-      return "it is at the same corner of the base as another wheel; four mecanum wheels have one corner each";
+  std::vector<std::string> problems(wheels.size());
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    const bool is_beside = (wheels[i].point.head<2>() - middle).cwiseAbs().minCoeff() < kBesideMiddle;
+    if (is_beside)
+      problems[i] =
+          "a wheel lies ahead of or behind the middle of all wheels, and left or right of it: its rollers follow from "
+          "that";
+    else if (wheels.size() == kCorners && shares_corner(wheels, i, middle))
+      problems[i] = "it is at the same corner of the base as another wheel; four mecanum wheels have one corner each";
   }
-  return {};
+  return problems;
 }
 
 bool leave_a_motion_free(const std::vector<Axis>& wheels) {

@@ -16,11 +16,11 @@ struct Rolling {
 /// @param tolerance  how far its axis may point away from the base's y axis [rad]
 std::string wheel_problem(const Axis& wheel, double tolerance);
 
-/// Why the place of one of these wheels does not say how its rollers point; empty: it does. Front and rear, left and
+/// Why the place of each of these wheels does not say how its rollers point; empty: it does. Front and rear, left and
 /// right are seen from the middle between the outermost wheels, wherever the origin is.
-std::string corner_problem(const std::vector<Axis>& wheels, std::size_t index);
+std::vector<std::string> corner_problems(const std::vector<Axis>& wheels);
 
-/// Whether wheels, each without wheel_problem() and corner_problem(), leave a motion forward, sideways or round that
+/// Whether wheels, each without wheel_problem() and corner_problems(), leave a motion forward, sideways or round that
 /// none of them resists: then the wheels' speeds do not say how the base moves.
 bool leave_a_motion_free(const std::vector<Axis>& wheels);
 
@@ -29,7 +29,7 @@ bool leave_a_motion_free(const std::vector<Axis>& wheels);
 /// A wheel turns positive about its joint's axis, wherever that points. With d the way a wheel rolls and s the roller's
 /// axis at the ground, the contact does not slide along s: s . (v + w x p) = (s . d) * rolling speed.
 /// (K. Lynch, F. Park, Modern Robotics, 13.2.1.)
-/// @param wheels  each without wheel_problem() and corner_problem(), and not leave_a_motion_free()
+/// @param wheels  each without wheel_problem() and corner_problems(), and not leave_a_motion_free()
 Rolling rolling(const std::vector<Axis>& wheels);
 
 }  // namespace finemote::gen

@@ -58,8 +58,10 @@ bool check_joints_named(Reading& reading, const Device& parent, const GeometrySp
   return all;
 }
 
+/// @param link  whose frame; empty: geometry_link()
 Placement placement_of(const Reading& reading, const Mechanism& mechanism, const Device& parent,
-                       const GeometrySpec& geometry, const std::vector<std::size_t>& children) {
+                       const GeometrySpec& geometry, const std::vector<std::size_t>& children,
+                       const std::string& link = {}) {
   std::vector<std::string> joints;
   for (const std::size_t child : children) joints.push_back(reading.robot.devices[child].joint);
   std::string behind;
@@ -67,8 +69,43 @@ Placement placement_of(const Reading& reading, const Mechanism& mechanism, const
     const std::string& joint = reading.robot.devices[child].joint;
     if (reading.kinematics.joint(joint) != nullptr) behind = joint;
   }
-  return {mechanism, geometry, geometry_link(mechanism, parent, geometry, joints),
-          joints,    behind,   geometry_param(parent, geometry)};
+  return place(mechanism, geometry, link.empty() ? geometry_link(mechanism, parent, geometry, joints) : link, joints,
+               behind, geometry_param(parent, geometry));
+}
+
+/// Directions are asked of it: another link may have axes that fit.
+bool has_directions(const GeometrySpec& geometry) { return geometry.kind == "rolling" || !geometry.along.empty(); }
+
+bool all_fit_about(const Reading& reading, const Mechanism& mechanism, const Device& parent, const std::string& link) {
+  for (const GeometrySpec& geometry : parent.type->geometry) {
+    const std::vector<std::size_t> children = children_in(reading, parent, geometry.role);
+    if (!has_directions(geometry) || children.empty()) continue;
+    const Placement placement = placement_of(reading, mechanism, parent, geometry, children, link);
+    const auto problems = joint_problems(placement);
+    const bool fits =
+        std::all_of(problems.begin(), problems.end(), [](const auto& problem) { return problem.empty(); });
+    if (!fits || !body_problem(mechanism, link, placement.joints).empty()) return false;
+  }
+  return true;
+}
+
+/// Of the links that carry the joints, nearest first, one about whose axes all joints of the device fit; empty: none.
+std::string fitting_link(const Reading& reading, const Device& parent, const Placement& placement) {
+  if (!has_directions(placement.geometry)) return {};
+  const auto all_named = [&](const GeometrySpec& geometry) {
+    const auto children = children_in(reading, parent, geometry.role);
+    return std::all_of(children.begin(), children.end(), [&](std::size_t child) {
+      return reading.kinematics.joint(reading.robot.devices[child].joint) != nullptr;
+    });
+  };
+  const auto& all = parent.type->geometry;
+  if (!std::all_of(all.begin(), all.end(), all_named)) return {};
+  for (std::string link = carrier(placement.mechanism, placement.joints); !link.empty();) {
+    if (all_fit_about(reading, placement.mechanism, parent, link)) return link;
+    const Joint* above = placement.mechanism.joint_to(link);
+    link = above == nullptr ? std::string() : above->parent_link;
+  }
+  return {};
 }
 
 /// @return  a link that the numbers may be about
@@ -101,15 +138,21 @@ void report_unfit(Reading& reading, const Device& parent, const Placement& place
   if (is_about_body(placement.geometry)) finding.note(fmt::format("x, y and z are those of link '{}'", placement.link));
   finding.note("the joint is declared here", reading.kinematics.joint(device.joint)->at);
   if (placement.geometry.kind == "chain") finding.hint("declare turning joints, base to tip");
+  const std::string link = fitting_link(reading, parent, placement);
+  if (!link.empty())
+    finding.hint(
+        fmt::format("write link=\"{}\" in the tag of device '{}' if that link's x points ahead, y left and z up", link,
+                    parent.name.text));
 }
 
 void check_joints_fit(Reading& reading, std::size_t index, const Placement& placement,
                       const std::vector<std::size_t>& children) {
   const Device& parent = reading.robot.devices[index];
   bool all = true;
+  const std::vector<std::string> problems = joint_problems(placement);
   for (std::size_t i = 0; i < children.size(); ++i) {
     const bool is_wrong = reading.devices[children[i]].joint_is_wrong;  // which was reported
-    const std::string problem = is_wrong ? std::string() : joint_problem(placement, i);
+    const std::string problem = is_wrong ? std::string() : problems[i];
     all = all && !is_wrong && problem.empty();
     if (!problem.empty()) report_unfit(reading, parent, placement, children[i], problem);
   }

@@ -65,8 +65,8 @@ bool fits(const Reading& reading, const Device& parent, const std::string& role,
   for (const GeometrySpec& geometry : parent.type->geometry) {
     if (geometry.role != role) continue;
     const std::string link = geometry_link(mechanism, parent, geometry, joints);
-    const Placement placement{mechanism, geometry, link, joints, {}, geometry_param(parent, geometry)};
-    if (!joint_problem(placement, joints.size() - 1).empty()) return false;
+    const Placement placement = place(mechanism, geometry, link, joints, {}, geometry_param(parent, geometry));
+    if (!joint_problems(placement).back().empty()) return false;
   }
   return true;
 }

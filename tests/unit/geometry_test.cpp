@@ -110,10 +110,10 @@ TEST_CASE("what cannot be a mecanum wheel is said") {
     return std::vector<Axis>{
         {{first_x, first_y, 0}, left}, {{0.2, -0.2, 0}, left}, {{-0.2, 0.2, 0}, left}, {{-0.2, -0.2, 0}, left}};
   };
-  CHECK(corner_problem(base(0.2, 0.2), 0).empty());
-  CHECK(corner_problem(base(0, 0.2), 0).find("rollers") != std::string::npos);
-  CHECK(corner_problem(base(0.2, 0), 0).find("rollers") != std::string::npos);
-  CHECK(corner_problem(base(-0.3, 0.2), 2).find("same corner") != std::string::npos);
+  CHECK(corner_problems(base(0.2, 0.2))[0].empty());
+  CHECK(corner_problems(base(0, 0.2))[0].find("rollers") != std::string::npos);
+  CHECK(corner_problems(base(0.2, 0))[0].find("rollers") != std::string::npos);
+  CHECK(corner_problems(base(-0.3, 0.2))[2].find("same corner") != std::string::npos);
   const auto turned = [](double degrees) {
     return Axis{{0.2, 0.2, 0}, {std::sin(radians(degrees)), std::cos(radians(degrees)), 0}};
   };
@@ -152,7 +152,7 @@ TEST_CASE("a chain says what each joint carries, in axes of the base") {
   GeometrySpec geometry;
   geometry.kind = "chain";
   joints[2].type = "prismatic";
-  CHECK(joint_problem({mechanism, geometry, "base", {"shoulder", "elbow"}, {}, 0}, 1).find("it is prismatic") == 0);
+  CHECK(joint_problems(place(mechanism, geometry, "base", {"shoulder", "elbow"}))[1].find("it is prismatic") == 0);
 }
 
 TEST_CASE("a wrench is about the link that carries most of the joints") {
@@ -184,6 +184,7 @@ TEST_CASE("a wrench is about the link that carries most of the joints") {
   Device device;
   GeometrySpec geometry;
   geometry.kind = "allocation";
+  geometry.role = "thrusters";
   CHECK(geometry_link(mechanism, device, geometry, {"a", "b"}) == "pod_1");
   device.link = "hull";
   CHECK(geometry_link(mechanism, device, geometry, {"a", "b"}) == "hull");
@@ -191,6 +192,65 @@ TEST_CASE("a wrench is about the link that carries most of the joints") {
   CHECK(body_problem(mechanism, "world", {"a"}) == "link 'world' is the world, which does not move");
   CHECK(body_problem(mechanism, "e", {"a"}) == "link 'e' is the world, which does not move");
   CHECK(body_problem(mechanism, "a", {"b", "a"}) == "joint 'a' moves link 'a' against the body");
+}
+
+TEST_CASE("what is ahead is said by the body, not by the ground or the world below it") {
+  const auto body_of = [](const std::string& root, std::array<double, 3> rpy, const std::string& type = "fixed") {
+    std::vector<Link> links{link(root), link("base_link", 3), link("arm")};
+    std::vector<Joint> joints{joint("stand", root, "base_link", {0, 0, 0.1}, {0, 0, 1}, rpy),
+                              joint("arm", "base_link", "arm", {}, {0, 0, 1})};
+    joints[0].type = type;
+    return Mechanism(links, joints).body();
+  };
+  CHECK(body_of("world", {0, 0, 1.5}) == "base_link");
+  CHECK(body_of("base_footprint", {0, 0, M_PI}) == "base_link");
+  CHECK(body_of("hero/base_footprint", {0, 0, 0.1}) == "base_link");
+  CHECK(body_of("base_footprint", {M_PI / 2, 0, 0}) == "base_footprint");  // only there up is up
+  CHECK(body_of("base_footprint", {M_PI, 0, 0}) == "base_footprint");
+  CHECK(body_of("world", {0, 0.5, 0}) == "world");
+  CHECK(body_of("stand", {0, 0, 1.5}) == "stand");
+  CHECK(body_of("base_footprint", {0, 0, 1.5}, "continuous") == "base_footprint");
+  CHECK(body_of("world", {1, 2, 3}, "floating") == "base_link");
+}
+
+TEST_CASE("a sensor's data are in the axes that whoever uses it computes in") {
+  DeviceType sensor, chassis, box;
+  sensor.geometry.push_back({});
+  sensor.geometry[0].kind = "mount";
+  chassis.roles.resize(1);
+  chassis.roles[0].name = "wheels";
+  chassis.geometry.push_back({});
+  chassis.geometry[0].kind = "rolling";
+  chassis.geometry[0].role = "wheels";
+  Robot robot;
+  robot.links = {link("base_footprint"), link("base_link", 3), link("frame"), link("wheel"), link("imu")};
+  robot.joints = {joint("stand", "base_footprint", "base_link", {}, {0, 0, 1}, {0, 0, 1}),
+                  joint("to_frame", "base_link", "frame", {}, {0, 0, 1}, {0, 0, 2}),
+                  joint("to_wheel", "frame", "wheel", {}, {0, 1, 0}), joint("to_imu", "frame", "imu", {}, {0, 0, 1})};
+  robot.joints[0].type = robot.joints[1].type = robot.joints[3].type = "fixed";
+  robot.devices.resize(4);
+  Device &imu = robot.devices[0], &wheel = robot.devices[1], &base = robot.devices[2], &group = robot.devices[3];
+  imu.type = wheel.type = &sensor;
+  base.type = &chassis;
+  group.type = &box;
+  wheel.joint = "to_wheel";
+  wheel.role = 0;
+  wheel.parent = 2;
+  base.children = {1};
+  CHECK(mount_link(robot, 0) == "base_link");
+  base.reads.push_back({0, 0, {}});
+  CHECK(mount_link(robot, 0) == "frame");
+  base.link = "base_footprint";
+  CHECK(mount_link(robot, 0) == "base_footprint");
+  imu.parent = 3;
+  group.children = {0};
+  CHECK(mount_link(robot, 0) == "base_footprint");  // a group computes nothing
+  group.link = "base_link";
+  CHECK(mount_link(robot, 0) == "base_link");  // unless it says of what
+  group.link.clear();
+  group.parent = 2;
+  base.reads.clear();
+  CHECK(mount_link(robot, 0) == "base_footprint");
 }
 
 TEST_CASE("a servo turns within the joint's limits and its own travel") {
@@ -325,10 +385,10 @@ TEST_CASE("a gimbal's axes point where its loops think, one behind the other") {
   pitch.role = "pitch";
   pitch.along = "y";
   pitch.behind = "yaw";
-  CHECK(joint_problem({mechanism, yaw, "base", {"yaw"}, {}, 0}, 0).empty());
-  CHECK(joint_problem({mechanism, pitch, "base", {"pitch"}, "yaw", 0}, 0).empty());
-  CHECK(joint_problem({mechanism, yaw, "base", {"pitch"}, {}, 0}, 0).find("points 89.4 degrees away") !=
+  CHECK(joint_problems(place(mechanism, yaw, "base", {"yaw"}, {}))[0].empty());
+  CHECK(joint_problems(place(mechanism, pitch, "base", {"pitch"}, "yaw"))[0].empty());
+  CHECK(joint_problems(place(mechanism, yaw, "base", {"pitch"}, {}))[0].find("points 89.4 degrees away") !=
         std::string::npos);
-  CHECK(joint_problem({mechanism, pitch, "base", {"pitch"}, "pitch", 0}, 0) ==
+  CHECK(joint_problems(place(mechanism, pitch, "base", {"pitch"}, "pitch"))[0] ==
         "it does not hang behind joint 'pitch', which turns the yaw");
 }

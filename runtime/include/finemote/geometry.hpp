@@ -2,7 +2,7 @@
 //
 // Coordinates are those of a link (x forward, y left, z up) that constants.hpp names, with every joint at zero:
 // docs/reference/geometry.md. Geometry kind `axes` gives a Vector of unit length per joint, kind `mount` the Rotation
-// from a sensor's axes to those of the robot's base.
+// from a sensor's axes to those its data are used in.
 #pragma once
 
 #include "finemote/control/rotation.hpp"

@@ -22,7 +22,7 @@ namespace finemote {
 /// gyroscope's identity and the accelerometer's own clock are read along: a part that stands still, is missing or was
 /// reset is invalid at once and brought up again after kMaxFailures reads.
 ///
-/// Rates, acceleration and attitude are in the axes of the base link, wherever the URDF says the part's own link
+/// Rates, acceleration and attitude are in the axes of the robot, wherever the URDF says the part's own link
 /// points.
 ///
 /// With a pulse output in the use `heater` it holds the part at a temperature, so that the gyroscope's offset stays

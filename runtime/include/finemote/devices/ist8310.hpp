@@ -12,7 +12,7 @@ namespace finemote {
 
 /// iSentek IST8310, 0.3 uT per step. Every update() takes the read of the one before and starts the next; the origin is
 /// when that read ended. Identity and settings are written first, with `valid = false`. Three failed transfers in a
-/// row, or three readings beyond the part's range, lead to a new bring-up. The field is in the axes of the base link,
+/// row, or three readings beyond the part's range, lead to a new bring-up. The field is in the axes of the robot,
 /// wherever the URDF says the part's own link points.
 class Ist8310 {
  public:
