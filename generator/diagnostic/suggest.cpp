@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "generator/diagnostic/diagnostics.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -127,6 +129,17 @@ std::vector<std::string> near_hint(std::string_view word, const std::vector<std:
   return {did_you_mean(word, candidates)};
 }
 
+bool is_mistyped(std::string_view word, std::string_view name) {
+  if (word == name) return false;
+  constexpr std::size_t kLong = 7, kMost = 2;
+  if (word.size() > name.size() + kMost || name.size() > word.size() + kMost) return false;
+  std::string mine = in_lower_case(word), other = in_lower_case(name);
+  if (distance(mine, other) <= kStep * (name.size() >= kLong ? kMost : 1)) return true;
+  std::sort(mine.begin(), mine.end());
+  std::sort(other.begin(), other.end());
+  return mine == other;
+}
+
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
   const auto near = nearest_names(word, candidates);
   if (!near.empty()) return "did you mean " + quoted_list(near, " or ") + "?";
@@ -134,6 +147,11 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   constexpr std::size_t kMost = 12;
   std::vector<std::string> shown(candidates.begin(), candidates.begin() + std::min(candidates.size(), kMost));
   return "valid here: " + quoted_list(shown, ", ") + (candidates.size() > kMost ? ", ..." : "");
+}
+
+void suggest(Diagnostic& finding, std::string_view word, const std::vector<std::string>& candidates) {
+  const std::string hint = did_you_mean(word, candidates);
+  if (!hint.empty()) finding.hint(hint);
 }
 
 }  // namespace finemote::gen

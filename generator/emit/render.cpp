@@ -1,7 +1,5 @@
 #include "generator/emit/render.hpp"
 
-#include <fmt/format.h>
-
 #include <fstream>
 #include <map>
 #include <stdexcept>
@@ -11,6 +9,7 @@
 #include "generator/emit/link.hpp"
 #include "generator/emit/schedule_files.hpp"
 #include "generator/emit/tree.hpp"
+#include "generator/schedule/name_clash.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -36,14 +35,8 @@ void check_names(const Plan& plan, const std::vector<Constant>& constants, Diagn
     if (constant.text.empty()) continue;
     const auto [first, is_fresh] = owners.emplace(constant.name, constant.device);
     if (is_fresh) continue;
-    const Device& device = plan.robot.devices[constant.device];
-    const Device& other = plan.robot.devices[first->second];
-    diagnostics
-        .error(code::generated_name_clash, device.at,
-               fmt::format("the generated name '{}' for device '{}' is already taken", constant.name, device.name.text))
-        .underline(7)
-        .note(fmt::format("device '{}' has it", other.name.text), other.at)
-        .hint("rename one of the devices that share it");
+    const std::vector<Device>& devices = plan.robot.devices;
+    report_name_clash(constant.name, devices[constant.device], {&devices[first->second]}, diagnostics);
   }
 }
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "generator/diagnostic/suggest.hpp"
-
 namespace finemote::gen {
 namespace {
 
@@ -77,11 +75,6 @@ std::optional<std::string> read_choice(const xml::Node& node, std::string_view n
   });
   if (meant != choices.end()) return *meant;
   return {};
-}
-
-void suggest(Diagnostic& finding, std::string_view word, const std::vector<std::string>& candidates) {
-  const std::string hint = did_you_mean(word, candidates);
-  if (!hint.empty()) finding.hint(hint);
 }
 
 std::string_view value_of(const xml::Node& node, std::string_view name) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/diagnostic/diagnostics.hpp"
+#include "generator/diagnostic/suggest.hpp"
 #include "generator/units/units.hpp"
 #include "generator/xml/node.hpp"
 
@@ -52,9 +53,6 @@ std::optional<T> read_quantity(const xml::Node& node, std::string_view name,
 /// The attribute's value when it is one of `choices`; else FM3011.
 std::optional<std::string> read_choice(const xml::Node& node, std::string_view name,
                                        const std::vector<std::string>& choices, Diagnostics& diagnostics);
-
-/// Adds `did you mean ...` unless there is nothing to suggest.
-void suggest(Diagnostic& finding, std::string_view word, const std::vector<std::string>& candidates);
 
 /// The value of an attribute, empty when it is absent.
 std::string_view value_of(const xml::Node& node, std::string_view name);

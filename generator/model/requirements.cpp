@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "generator/model/attributes.hpp"
+#include "generator/model/operand_text.hpp"
 #include "generator/model/reading.hpp"
 #include "generator/units/units.hpp"
 
@@ -133,17 +134,15 @@ class RequirementReader {
               reading_.device_names());
     return device;
   }
-  /// A device, or `root.role`: all children in that role. A device's own name may hold a dot.
+  /// A device, or `root.role`: all children in that role.
   std::vector<std::size_t> read_devices(const Operand& operand, const xml::Attribute& attribute) {
-    const std::size_t dot = operand.text.rfind('.');
-    if (dot == std::string_view::npos || reading_.device_named(operand.text)) {
-      const auto device = find_device(operand, attribute);
-      return device ? std::vector<std::size_t>{*device} : std::vector<std::size_t>{};
-    }
-    const Operand owner{operand.text.substr(0, dot), operand.at};
-    const auto device = find_device(owner, attribute);
-    if (!device || reading_.robot.devices[*device].type == nullptr) return {};
-    return children_in(*device, operand.text.substr(dot + 1), operand, attribute);
+    const OperandText words =
+        split_operand(operand.text, [&](std::string_view name) { return reading_.device_named(name).has_value(); });
+    const auto device = find_device({words.device, operand.at}, attribute);
+    if (!device) return {};
+    if (!words.is_role) return {*device};
+    if (reading_.robot.devices[*device].type == nullptr) return {};
+    return children_in(*device, words.role, operand, attribute);
   }
   std::vector<std::size_t> children_in(std::size_t owner, std::string_view role, const Operand& operand,
                                        const xml::Attribute& attribute) {

@@ -1,4 +1,5 @@
 #include "generator/schedule/bindings.hpp"
+#include "generator/schedule/name_clash.hpp"
 
 #include <fmt/format.h>
 
@@ -126,14 +127,11 @@ class Binder {
     const std::pair<std::size_t, std::string> key{forest_.tree_of[owner], name};
     const bool fresh = claimed_.insert(key).second && tree_names_.count(key) == 0;
     if (!fresh) {
-      Diagnostic& finding = diagnostics_.error(
-          code::generated_name_clash, device(owner).at,
-          fmt::format("the generated name '{}' for device '{}' is already taken", name, device(owner).name.text));
-      finding.underline(7);
+      std::vector<const Device*> holders;
       for (const Device& other : robot_.devices) {
-        if (other.name.cpp == name) finding.note(fmt::format("device '{}' has it", other.name.text), other.at);
+        if (other.name.cpp == name) holders.push_back(&other);
       }
-      finding.hint("rename one of the devices that share it");
+      report_name_clash(name, device(owner), holders, diagnostics_);
     }
     return name;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generator/diagnostic/suggest.hpp"
+#include "generator/model/operand_text.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -30,15 +31,12 @@ class OperandReader {
  public:
   OperandReader(const Model& model, Diagnostics& diagnostics) : model_(model), diagnostics_(diagnostics) {}
 
-  /// A device's own name may hold a dot: it goes before a role.
   Operand read(std::string_view text) {
-    const std::size_t dot = text.rfind('.');
-    const auto device = find(text);
-    if (device) return {{*device}, false};
-    const auto parent = dot == std::string_view::npos ? std::nullopt : find(text.substr(0, dot));
-    if (parent) return {children_in(*parent, text.substr(dot + 1)), true};
-    report_unknown(dot == std::string_view::npos ? text : text.substr(0, dot));
-    return {};
+    const OperandText words = split_operand(text, [&](std::string_view name) { return find(name).has_value(); });
+    const auto device = find(words.device);
+    if (!device) return report_unknown(words.device), Operand{};
+    if (words.is_role) return {children_in(*device, words.role), true};
+    return {{*device}, false};
   }
 
  private:
@@ -71,10 +69,6 @@ class OperandReader {
     std::vector<std::string> names;
     for (const Device& device : model_.devices) names.push_back(device.name);
     suggest(diagnostics_.error(code::timing_chain, {}, fmt::format("there is no device '{}'", name)), name, names);
-  }
-
-  static void suggest(Diagnostic& finding, std::string_view word, const std::vector<std::string>& candidates) {
-    if (const std::string hint = did_you_mean(word, candidates); !hint.empty()) finding.hint(hint);
   }
 
   const Model& model_;

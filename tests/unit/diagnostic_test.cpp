@@ -35,6 +35,15 @@ TEST_CASE("findings are reported in file order, an expansion where its call stan
         std::string::npos);
 }
 
+TEST_CASE("a mistyped word is one letter off, and a long one two") {
+  for (const char* word : {"xzy", "zyx", "XYZ", "xy", "xyzz"}) CHECK(is_mistyped(word, "xyz"));
+  CHECK(is_mistyped("limits", "limit"));
+  CHECK(is_mistyped("intertail", "inertial"));
+  for (const char* word : {"xyz", "abc", "x", "rgba", "quat_xyzw"}) CHECK_FALSE(is_mistyped(word, "xyz"));
+  for (const char* word : {"visual", "transmission", "drake:limit", "material"})
+    CHECK_FALSE(is_mistyped(word, "limit"));
+}
+
 TEST_CASE("the nearest names come first") {
   CHECK(did_you_mean("i2c9", {"usart1", "i2c2", "i2c3"}) == "did you mean 'i2c2' or 'i2c3'?");
   CHECK(did_you_mean("Baud", {"clock", "baud"}) == "did you mean 'baud'?");
