@@ -1,9 +1,9 @@
 // Names of the robot, its buses, expanders and devices: FM3046 to FM3049.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 
+#include "generator/diagnostic/printable.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/names.hpp"
 #include "generator/model/reading.hpp"
@@ -75,7 +75,7 @@ std::string free_name(const std::string& cpp, NameScope scope) {
 
 /// Generated files quote names in comments, where a line break would end the comment.
 bool has_control_character(const std::string& text) {
-  return std::any_of(text.begin(), text.end(), [](char c) { return (c >= 0 && c < 0x20) || c == 0x7f; });
+  return printable(text) != text || text.find('\t') != std::string::npos;
 }
 
 /// Whether the name can be used at all.
@@ -86,7 +86,10 @@ bool check_one(Diagnostics& diagnostics, const Named& entry, NameScope scope) {
   const std::string becomes = cpp == entry.name->text ? "it" : fmt::format("its C++ name '{}'", cpp);
   if (has_control_character(entry.name->text)) {
     at_value(diagnostics, code::name_invalid, *attribute, "a name cannot contain a control character")
-        .note("a line break or tab written as a character reference, such as &#10;, is one")
+        .note(
+            "a line break or tab written as a character reference, such as &#10;, is one; so is what turns the "
+            "direction "
+            "of writing")
         .hint(fmt::format("write for example name=\"{}\"", possible_name(cpp)));
     return false;
   }
