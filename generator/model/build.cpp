@@ -146,6 +146,7 @@ void read_all(Reading& reading) {
   resolve_places(reading);
   check_resources(reading);
   check_driver_limits(reading);
+  judge_doubts(reading);
   check_joints(reading);
   check_arities(reading);
   read_requirements(reading);
@@ -179,7 +180,9 @@ std::optional<Robot> build_model(const xml::Document& document, Library& library
   if (root.at.file != nullptr) reading.robot.source = root.at.file->name;
   read_all(reading);
   if (diagnostics.size() == findings) check_there_is_a_device(reading.tags, reading.robot, diagnostics);
-  if (diagnostics.size() != findings || reading.robot.board == nullptr) return {};
+  const bool is_right = diagnostics.size() == findings;
+  for (const Doubt& doubt : reading.kinematics.doubts) diagnostics.add(doubt.finding);
+  if (!is_right || reading.robot.board == nullptr) return {};
   reading.robot.links = reading.kinematics.links;
   reading.robot.joints = reading.kinematics.joints;
   for (Device& device : reading.robot.devices) assume_wcet(device, options.assumed_wcet_ns);

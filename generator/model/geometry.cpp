@@ -127,6 +127,22 @@ bool check_body(Reading& reading, std::size_t index, const Placement& placement)
   return false;
 }
 
+/// Said where an axis is judged that nobody wrote.
+void note_default_axis(const Reading& reading, const std::string& joint, Diagnostic& finding) {
+  if (reading.kinematics.default_axes.count(joint) > 0)
+    finding.note(fmt::format("joint '{}' has no <axis>, so its axis is 1 0 0, the default of URDF", joint));
+}
+
+/// All that the numbers are computed of was read without a mistake.
+bool is_known(const Reading& reading, const Placement& placement) {
+  const bool has_weight = placement.geometry.kind == "chain";
+  if (has_weight && !reading.kinematics.wrong_links.empty()) return false;
+  return is_place_known(reading, placement.mechanism, placement.link) &&
+         std::all_of(placement.joints.begin(), placement.joints.end(), [&](const std::string& joint) {
+           return is_place_known(reading, placement.mechanism, placement.mechanism.joint(joint)->child_link);
+         });
+}
+
 void report_unfit(Reading& reading, const Device& parent, const Placement& placement, std::size_t child,
                   const std::string& problem) {
   const Device& device = reading.robot.devices[child];
@@ -135,6 +151,7 @@ void report_unfit(Reading& reading, const Device& parent, const Placement& place
                                              parent.type->roles[*device.role].max == 1 ? "the" : "one of the",
                                              placement.geometry.role, parent.name.text));
   finding.note(problem);
+  note_default_axis(reading, device.joint, finding);
   if (is_about_body(placement.geometry)) finding.note(fmt::format("x, y and z are those of link '{}'", placement.link));
   finding.note("the joint is declared here", reading.kinematics.joint(device.joint)->at);
   if (placement.geometry.kind == "chain") finding.hint("declare turning joints, base to tip");
@@ -158,10 +175,11 @@ void check_joints_fit(Reading& reading, std::size_t index, const Placement& plac
   }
   const std::string problem = all ? joints_problem(placement) : std::string();
   if (problem.empty()) return;
-  at_tag(
-      reading.diagnostics, code::joint_unfit, reading.device_tag(index),
-      fmt::format("the joints of the {} of device '{}' do not fit together", placement.geometry.role, parent.name.text))
-      .note(problem);
+  Diagnostic& finding = at_tag(reading.diagnostics, code::joint_unfit, reading.device_tag(index),
+                               fmt::format("the joints of the {} of device '{}' do not fit together",
+                                           placement.geometry.role, parent.name.text));
+  finding.note(problem);
+  for (const std::string& joint : placement.joints) note_default_axis(reading, joint, finding);
 }
 
 }  // namespace
@@ -180,7 +198,8 @@ void check_geometry(Reading& reading, std::size_t index) {
     if (!check_joints_named(reading, parent, geometry, children)) continue;
     const Placement placement = placement_of(reading, mechanism, parent, geometry, children);
     const bool has_link = reading.kinematics.link(placement.link) != nullptr;  // else reported
-    if (has_link && check_body(reading, index, placement)) check_joints_fit(reading, index, placement, children);
+    if (!has_link || !is_known(reading, placement)) continue;
+    if (check_body(reading, index, placement)) check_joints_fit(reading, index, placement, children);
   }
 }
 

@@ -157,6 +157,8 @@ void check_joint(Reading& reading, std::size_t index) {
   if (name == nullptr) return;
   const Joint* joint = reading.kinematics.joint(name->value);
   if (joint != nullptr) {
+    reading.devices[index].joint_is_wrong = reading.kinematics.wrong_joints.count(joint->name) > 0;
+    if (reading.devices[index].joint_is_wrong) return;  // what it can be is not known
     if (drives(reading.robot.devices[index])) DrivenJoint(reading, index, *joint).check();
     return;
   }

@@ -12,6 +12,8 @@
 
 namespace finemote::gen {
 
+class Mechanism;
+
 /// The robot being built, with the tag of each part. The parts run in the order of build.cpp; each may rely on what
 /// earlier ones resolved, and skips what they could not (that was reported).
 struct Reading {
@@ -67,11 +69,15 @@ void resolve_places(Reading& reading);                      // places.cpp: addre
 void check_resources(Reading& reading);                     // resources.cpp: ports, pins, DMA streams
 void check_driver_limits(Reading& reading);                 // driver_limits.cpp: inverters, frames, numbers of devices
 void check_arities(Reading& reading);                       // arity.cpp: how many children each role has
+void judge_doubts(Reading& reading);                        // doubts.cpp: words of the URDF that are skipped
 void check_joints(Reading& reading);                        // joints.cpp
 void check_geometry(Reading& reading, std::size_t device);  // geometry.cpp: of check_joints(), for one device
 void read_requirements(Reading& reading);                   // requirements.cpp
 
 bool satisfies(const DeviceType& child, const RoleSpec& role);  // roles.cpp: it provides the role's interface
+
+/// Nothing that was reported changes where this link is (doubts.cpp).
+bool is_place_known(const Reading& reading, const Mechanism& mechanism, const std::string& link);
 
 /// Channels of a segment: an expander's, those of a PWM port, pins; 0: none, or not known (places.cpp).
 std::uint32_t channel_count(const Reading& reading, std::size_t segment);

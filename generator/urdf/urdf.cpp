@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <map>
 
+#include "generator/diagnostic/code_urdf.hpp"
 #include "generator/diagnostic/suggest.hpp"
+#include "generator/urdf/elements.hpp"
 #include "generator/urdf/urdfdom_check.hpp"
 
 namespace finemote::gen {
@@ -19,160 +19,63 @@ auto find_by_name(const List& list, std::string_view name) -> decltype(&list.fro
   return found == list.end() ? nullptr : &*found;
 }
 
-const xml::Node* child_element(const xml::Node& node, std::string_view tag) {
-  for (const xml::Node& child : node.children) {
-    if (child.is_element(tag)) return &child;
-  }
-  return nullptr;
-}
+using Need = ElementReader::Need;
 
-/// The attribute, or an error that it is missing.
-const xml::Attribute* required(const xml::Node& node, std::string_view attribute, Diagnostics& diagnostics) {
-  const xml::Attribute* found = node.attribute(attribute);
-  if (found == nullptr) {
-    diagnostics.error(code::attribute_missing, node.at, fmt::format("<{}> has no '{}'", node.name, attribute))
-        .underline(node.name.size() + 1);
-  }
-  return found;
-}
+bool has_end(const std::string& type) { return type == "revolute" || type == "prismatic"; }
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-
-/// Numbers separated by white space; empty when one is malformed or not finite.
-std::vector<double> parse_numbers(std::string_view text) {
-  std::vector<double> numbers;
-  while (true) {
-    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-    if (text.empty()) return numbers;
-    if (text.front() == '+') text.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool stops = end == text.data() + text.size() || is_space(*end);
-    if (error != std::errc() || !std::isfinite(value) || !stops) return {};
-    numbers.push_back(value);
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  }
-}
-
-/// What a robot has in m, rad, kg or kg m^2 is between these; beyond them sums and products leave the range of a float.
-constexpr double kLargest = 1e9;
-
-bool check_range(const xml::Node& node, const xml::Attribute& found, const std::vector<double>& numbers, double least,
-                 Diagnostics& diagnostics) {
-  for (const double number : numbers) {
-    if (number >= least && number <= kLargest) continue;
-    diagnostics
-        .error(code::urdf_range, found.value_at,
-               fmt::format("'{}' of <{}> is out of range: {:g}", found.name, node.name, number))
-        .underline(found.value.size())
-        .hint(fmt::format("write {} from {:g} to {:g}", numbers.size() == 1 ? "a number" : "numbers", least, kLargest));
-    return false;
-  }
-  return true;
-}
-
-std::optional<std::array<double, 3>> read_triple(const xml::Node& node, std::string_view attribute,
-                                                 Diagnostics& diagnostics) {
-  const xml::Attribute* found = node.attribute(attribute);
-  if (found == nullptr) return {};
-  const std::vector<double> numbers = parse_numbers(found->value);
-  if (numbers.size() == 3) {
-    if (!check_range(node, *found, numbers, -kLargest, diagnostics)) return {};
-    return std::array<double, 3>{numbers[0], numbers[1], numbers[2]};
-  }
-  diagnostics
-      .error(code::urdf_number, found->value_at,
-             fmt::format("'{}' of <{}> has to be three numbers", attribute, node.name))
-      .underline(found->value.size())
-      .hint(fmt::format("for example {}=\"0.1 0 -0.25\"", attribute));
-  return {};
-}
-
-std::optional<double> read_number(const xml::Node& node, std::string_view attribute, Diagnostics& diagnostics) {
-  const xml::Attribute* found = node.attribute(attribute);
-  if (found == nullptr) return {};
-  const std::vector<double> numbers = parse_numbers(found->value);
-  if (numbers.size() == 1) return numbers.front();
-  diagnostics
-      .error(code::urdf_number, found->value_at, fmt::format("'{}' of <{}> has to be a number", attribute, node.name))
-      .underline(found->value.size());
-  return {};
-}
-
-/// A number of an inertial.
-double read_amount(const xml::Node& node, std::string_view attribute, double least, Diagnostics& diagnostics) {
-  const auto number = read_number(node, attribute, diagnostics);
-  const bool is_right = number && check_range(node, *node.attribute(attribute), {*number}, least, diagnostics);
-  return is_right ? *number : 0;
-}
-
-Pose read_origin(const xml::Node& joint, Diagnostics& diagnostics) {
-  Pose pose;
-  const xml::Node* origin = child_element(joint, "origin");
-  if (origin == nullptr) return pose;
-  pose.xyz = read_triple(*origin, "xyz", diagnostics).value_or(pose.xyz);
-  pose.rpy = read_triple(*origin, "rpy", diagnostics).value_or(pose.rpy);
-  return pose;
-}
-
-void read_limit(const xml::Node& tag, Joint& joint, Diagnostics& diagnostics) {
-  const xml::Node* limit = child_element(tag, "limit");
+void read_limit(const xml::Node& tag, Joint& joint, ElementReader& reader) {
+  const xml::Node* limit = reader.child(tag, "limit", has_end(joint.type) ? Need::by_ros : Need::optional);
   if (limit == nullptr) return;
-  joint.lower = read_number(*limit, "lower", diagnostics);
-  joint.upper = read_number(*limit, "upper", diagnostics);
-  joint.effort = read_number(*limit, "effort", diagnostics);
-  joint.velocity = read_number(*limit, "velocity", diagnostics);
+  joint.lower = reader.number(*limit, "lower");
+  joint.upper = reader.number(*limit, "upper");
+  joint.effort = reader.number(*limit, "effort", Need::by_ros);
+  joint.velocity = reader.number(*limit, "velocity", Need::by_ros);
 }
 
-void read_dynamics(const xml::Node& tag, Joint& joint, Diagnostics& diagnostics) {
-  const xml::Node* dynamics = child_element(tag, "dynamics");
+void read_dynamics(const xml::Node& tag, Joint& joint, ElementReader& reader) {
+  const xml::Node* dynamics = reader.child(tag, "dynamics");
   if (dynamics == nullptr) return;
-  joint.damping = read_number(*dynamics, "damping", diagnostics);
-  joint.friction = read_number(*dynamics, "friction", diagnostics);
+  joint.damping = reader.number(*dynamics, "damping");
+  joint.friction = reader.number(*dynamics, "friction");
 }
 
-std::optional<Inertial> read_inertial(const xml::Node& link, Diagnostics& diagnostics) {
-  const xml::Node* tag = child_element(link, "inertial");
+std::optional<Inertial> read_inertial(const xml::Node& link, ElementReader& reader) {
+  const xml::Node* tag = reader.child(link, "inertial");
   if (tag == nullptr) return std::nullopt;
   Inertial inertial;
-  inertial.origin = read_origin(*tag, diagnostics);
-  if (const xml::Node* mass = child_element(*tag, "mass")) inertial.mass = read_amount(*mass, "value", 0, diagnostics);
-  if (const xml::Node* inertia = child_element(*tag, "inertia")) {
+  inertial.origin = reader.origin(*tag);
+  if (const xml::Node* mass = reader.child(*tag, "mass", Need::by_ros))
+    inertial.mass = reader.amount(*mass, "value", 0);
+  if (const xml::Node* inertia = reader.child(*tag, "inertia", Need::by_ros)) {
     constexpr const char* kMoments[] = {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"};
     for (std::size_t i = 0; i < inertial.inertia.size(); ++i)
-      inertial.inertia[i] = read_amount(*inertia, kMoments[i], -kLargest, diagnostics);
+      inertial.inertia[i] = reader.amount(*inertia, kMoments[i], -kLargestInUrdf);
   }
   return inertial;
 }
 
-void read_type(const xml::Node& tag, Joint& joint, Diagnostics& diagnostics) {
-  const xml::Attribute* type = required(tag, "type", diagnostics);
+void read_type(const xml::Node& tag, Joint& joint, ElementReader& reader) {
+  const xml::Attribute* type = reader.attribute(tag, "type", Need::strict);
   if (type == nullptr) return;
   joint.type = type->value;
   const std::vector<std::string> known{"revolute", "continuous", "prismatic", "fixed", "floating", "planar"};
   if (std::find(known.begin(), known.end(), joint.type) != known.end()) return;
-  diagnostics.error(code::joint_type, type->value_at, fmt::format("unknown joint type '{}'", joint.type))
+  reader.mistake(code::joint_type, type->value_at, fmt::format("unknown joint type '{}'", joint.type))
       .underline(joint.type.size())
       .hint(did_you_mean(joint.type, known));
 }
 
 /// Reads `<parent link="..."/>` or `<child link="..."/>`; the link has to exist.
 std::string read_end(const xml::Node& tag, std::string_view which, const std::vector<Link>& links,
-                     Diagnostics& diagnostics) {
-  const xml::Node* end = child_element(tag, which);
-  if (end == nullptr) {
-    diagnostics.error(code::attribute_missing, tag.at, fmt::format("<joint> has no <{}>", which))
-        .underline(tag.name.size() + 1)
-        .hint(fmt::format("add <{} link=\"...\"/>", which));
-    return {};
-  }
-  const xml::Attribute* link = required(*end, "link", diagnostics);
+                     ElementReader& reader) {
+  const xml::Node* end = reader.child(tag, which, Need::strict);
+  const xml::Attribute* link = end == nullptr ? nullptr : reader.attribute(*end, "link", Need::strict);
   if (link == nullptr) return {};
   if (find_by_name(links, link->value) == nullptr) {
     std::vector<std::string> names;
     for (const Link& candidate : links) names.push_back(candidate.name);
     auto& finding =
-        diagnostics.error(code::unknown_link, link->value_at, fmt::format("there is no link '{}'", link->value))
+        reader.mistake(code::unknown_link, link->value_at, fmt::format("there is no link '{}'", link->value))
             .underline(link->value.size());
     if (!names.empty()) finding.hint(did_you_mean(link->value, names));
   }
@@ -180,23 +83,27 @@ std::string read_end(const xml::Node& tag, std::string_view which, const std::ve
 }
 
 template <typename Entry>
-void report_duplicates(const std::vector<Entry>& list, std::string_view what, Diagnostics& diagnostics) {
+void report_duplicates(const std::vector<Entry>& list, std::string_view what, std::set<std::string, std::less<>>& wrong,
+                       Diagnostics& diagnostics) {
   std::map<std::string_view, const Entry*> seen;
   for (const Entry& entry : list) {
     const auto [first, fresh] = seen.emplace(entry.name, &entry);
     if (fresh) continue;
+    wrong.insert(entry.name);
     diagnostics.error(code::duplicate_in_urdf, entry.at, fmt::format("there are two {}s '{}'", what, entry.name))
         .underline(what.size() + 1)
         .note("the first one is declared here", first->second->at);
   }
 }
 
-void report_second_parents(const std::vector<Joint>& joints, Diagnostics& diagnostics) {
+void report_second_parents(Kinematics& kinematics, Diagnostics& diagnostics) {
   std::map<std::string_view, const Joint*> parent;
-  for (const Joint& joint : joints) {
+  for (const Joint& joint : kinematics.joints) {
     if (joint.child_link.empty()) continue;
     const auto [first, fresh] = parent.emplace(joint.child_link, &joint);
     if (fresh) continue;
+    kinematics.wrong_joints.insert(joint.name);
+    kinematics.wrong_joints.insert(first->second->name);
     diagnostics
         .error(code::link_parents, joint.at, fmt::format("link '{}' is the child of two joints", joint.child_link))
         .underline(6)
@@ -226,22 +133,60 @@ void report_loops(const std::vector<Joint>& joints, Diagnostics& diagnostics) {
   }
 }
 
-Joint read_joint(const xml::Node& tag, const std::vector<Link>& links, Diagnostics& diagnostics) {
+void read_link(const xml::Node& tag, Kinematics& kinematics, Diagnostics& diagnostics) {
+  ElementReader reader(ElementReader::Owner::link, tag, diagnostics);
+  const xml::Attribute* name = reader.attribute(tag, "name", Need::strict);
+  if (name == nullptr) return;
+  kinematics.links.push_back({name->value, tag.at, read_inertial(tag, reader)});
+  if (reader.is_wrong()) kinematics.wrong_links.insert(name->value);
+  for (Doubt& doubt : reader.take_doubts()) kinematics.doubts.push_back(std::move(doubt));
+}
+
+void read_joint(const xml::Node& tag, Kinematics& kinematics, Diagnostics& diagnostics) {
+  ElementReader reader(ElementReader::Owner::joint, tag, diagnostics);
   Joint joint;
   joint.at = tag.at;
-  if (const xml::Attribute* name = required(tag, "name", diagnostics)) joint.name = name->value;
-  read_type(tag, joint, diagnostics);
-  joint.parent_link = read_end(tag, "parent", links, diagnostics);
-  joint.child_link = read_end(tag, "child", links, diagnostics);
-  joint.origin = read_origin(tag, diagnostics);
-  if (const xml::Node* axis = child_element(tag, "axis"))
-    joint.axis = read_triple(*axis, "xyz", diagnostics).value_or(joint.axis);
-  read_limit(tag, joint, diagnostics);
-  read_dynamics(tag, joint, diagnostics);
-  if (const xml::Node* mimic = child_element(tag, "mimic")) {
-    if (const xml::Attribute* leader = mimic->attribute("joint")) joint.mimic = leader->value;
+  if (const xml::Attribute* name = reader.attribute(tag, "name", Need::strict)) joint.name = name->value;
+  read_type(tag, joint, reader);
+  joint.parent_link = read_end(tag, "parent", kinematics.links, reader);
+  joint.child_link = read_end(tag, "child", kinematics.links, reader);
+  joint.origin = reader.origin(tag);
+  const xml::Node* axis = reader.child(tag, "axis");
+  const auto xyz = axis == nullptr ? std::nullopt : reader.numbers(*axis, "xyz", 3);
+  if (xyz) std::copy(xyz->begin(), xyz->end(), joint.axis.begin());
+  if (!xyz) kinematics.default_axes.insert(joint.name);
+  read_limit(tag, joint, reader);
+  read_dynamics(tag, joint, reader);
+  if (const xml::Node* mimic = reader.child(tag, "mimic")) {
+    if (const xml::Attribute* leader = reader.attribute(*mimic, "joint", Need::by_ros)) joint.mimic = leader->value;
   }
-  return joint;
+  if (reader.is_wrong()) kinematics.wrong_joints.insert(joint.name);
+  for (Doubt& doubt : reader.take_doubts()) kinematics.doubts.push_back(std::move(doubt));
+  kinematics.joints.push_back(std::move(joint));
+}
+
+bool has_child(const xml::Node& node, std::string_view tag) {
+  return std::any_of(node.children.begin(), node.children.end(),
+                     [&](const xml::Node& child) { return child.is_element(tag); });
+}
+
+/// `<Joint name="...">`, `<lnik name="...">`: ROS tools skip it silently, and all that hangs on it is lost.
+bool is_misspelt(const xml::Node& node, std::string_view meant) {
+  if (!node.is_element() || node.attribute("name") == nullptr || !is_mistyped(node.name, meant)) return false;
+  if (meant == "joint") return has_child(node, "parent") || has_child(node, "child");
+  const bool is_plain = std::none_of(node.children.begin(), node.children.end(),
+                                     [](const xml::Node& child) { return child.is_element(); });
+  return is_plain || has_child(node, "inertial") || has_child(node, "visual") || has_child(node, "collision");
+}
+
+/// An element of the robot that is a `<link>` or `<joint>`, or was meant to be, which is reported.
+bool is_part(const xml::Node& node, const char* what, Diagnostics& diagnostics) {
+  if (!is_misspelt(node, what)) return node.is_element(what);
+  diagnostics.error(code::urdf_misspelt, node.at, fmt::format("unknown element <{}> in <robot>", node.name))
+      .underline(node.name.size() + 1)
+      .note("ROS tools skip it silently")
+      .hint(fmt::format("did you mean <{}>?", what));
+  return true;
 }
 
 }  // namespace
@@ -253,17 +198,15 @@ Kinematics read_urdf(const xml::Node& robot, Diagnostics& diagnostics) {
   const std::size_t findings = diagnostics.size();
   Kinematics kinematics;
   for (const xml::Node& child : robot.children) {
-    if (!child.is_element("link")) continue;
-    const xml::Attribute* name = required(child, "name", diagnostics);
-    if (name != nullptr) kinematics.links.push_back({name->value, child.at, read_inertial(child, diagnostics)});
+    if (is_part(child, "link", diagnostics)) read_link(child, kinematics, diagnostics);
   }
   for (const xml::Node& child : robot.children) {
     // `<joint>` of a transmission stands deeper; one with only a name here belongs to another extension
-    if (child.is_element("joint")) kinematics.joints.push_back(read_joint(child, kinematics.links, diagnostics));
+    if (is_part(child, "joint", diagnostics)) read_joint(child, kinematics, diagnostics);
   }
-  report_duplicates(kinematics.links, "link", diagnostics);
-  report_duplicates(kinematics.joints, "joint", diagnostics);
-  report_second_parents(kinematics.joints, diagnostics);
+  report_duplicates(kinematics.links, "link", kinematics.wrong_links, diagnostics);
+  report_duplicates(kinematics.joints, "joint", kinematics.wrong_joints, diagnostics);
+  report_second_parents(kinematics, diagnostics);
   if (diagnostics.size() == findings) report_loops(kinematics.joints, diagnostics);
   const bool is_firmware_only = kinematics.links.empty() && kinematics.joints.empty();
   if (diagnostics.size() == findings && !is_firmware_only) check_with_urdfdom(robot, kinematics, diagnostics);

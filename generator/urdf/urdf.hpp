@@ -1,6 +1,8 @@
 // XML to links and joints: what later stages need of the URDF itself, checked by us for place and by urdfdom for sense.
 #pragma once
 
+#include <set>
+#include <string>
 #include <vector>
 
 #include "generator/diagnostic/diagnostics.hpp"
@@ -9,10 +11,23 @@
 
 namespace finemote::gen {
 
+/// A word of a link or joint that ROS tools skip silently, and its writer most likely meant to count.
+struct Doubt {
+  std::string joint;        ///< whose it is; empty: the link's
+  std::string link;         ///< whose it is; empty: the joint's
+  bool is_missing = false;  ///< something else counts in its place: what is computed from it may be wrong
+  Diagnostic finding;       ///< a warning
+};
+
 /// Links and joints in document order.
 struct Kinematics {
   std::vector<Link> links;
   std::vector<Joint> joints;
+
+  std::vector<Doubt> doubts;                        ///< in document order
+  std::set<std::string, std::less<>> wrong_links;   ///< with mistakes that were reported: what they hold is not known
+  std::set<std::string, std::less<>> wrong_joints;  ///< the same
+  std::set<std::string, std::less<>> default_axes;  ///< joints whose axis the file does not give
 
   [[nodiscard]] const Link* link(std::string_view name) const;
   [[nodiscard]] const Joint* joint(std::string_view name) const;

@@ -96,6 +96,8 @@ frame_FM2006() {  # FinsROV with this thruster
 }
 frame_FM2007() { links "$example"; ask; }
 frame_FM2008() { with_links "$prop<joint name=\"j\" type=\"fixed\">$example<parent link=\"base_link\"/><child link=\"prop\"/></joint>" '<device name="load" type="sim_load" period="10ms"/>'; }
+frame_FM3084() { frame_FM2008; }
+frame_FM3085() { links "<link name=\"base_link\"/><link name=\"yaw_link\"/>$example" '<device name="load" type="sim_load" period="10ms"/>'; ask; }
 frame_FM2009() { with_links "$prop$example<parent link=\"base_link\"/><child link=\"prop\"/></joint>" '<device name="load" type="sim_load" period="10ms"/>'; }
 frame_FM2010() { links "<link name=\"base\"/><link name=\"wheel\"/><link name=\"left_wheel\"/><link name=\"right_wheel\"/>$example"; ask; }
 

@@ -26,7 +26,7 @@ struct Case {
     REQUIRE(document);
     robot = build_model(*document, *library, {}, sources, diagnostics);
     INFO(render_text(diagnostics, false));
-    CHECK(robot.has_value() == (diagnostics.size() == 0));
+    CHECK(robot.has_value() == !diagnostics.has_errors());
   }
   void read_example(const std::string& name) {
     const SourceFile* file = xml::read_source(kSource + "/examples/" + name, sources, diagnostics, name);
@@ -134,6 +134,43 @@ TEST_CASE("the i2c clock may be left out: the fastest of the port") {
   REQUIRE(robot.robot);
   CHECK(robot.robot->buses[0].rate == 400'000);
   CHECK(robot.robot->devices[0].address == 0x76U);
+}
+
+namespace {
+
+/// A robot of two links whose joint holds this, and a device.
+std::string with_joint(const std::string& inside) {
+  return "<link name=\"base\"/><link name=\"tip\"/><joint name=\"j\" type=\"continuous\"><parent link=\"base\"/>"
+         "<child link=\"tip\"/>" +
+         inside +
+         "</joint><finemote version=\"1\"><board name=\"host\"/>"
+         "<device name=\"load\" type=\"sim_load\" period=\"10ms\"/></finemote>";
+}
+
+}  // namespace
+
+TEST_CASE("an origin may turn by a quaternion, as newer URDF has it") {
+  Case test;
+  test.read_text(with_joint("<origin quat_xyzw=\"0 0 1 1\"/>"));  // a quarter turn about z, of any length
+  REQUIRE(test.robot);
+  const auto& rpy = test.robot->joints.front().origin.rpy;
+  CHECK(rpy[0] == Approx(0).margin(1e-12));
+  CHECK(rpy[1] == Approx(0).margin(1e-12));
+  CHECK(rpy[2] == Approx(1.5707963267948966));
+}
+
+TEST_CASE("of a repeated element the first counts, with a warning, and what is not ours is no mistake") {
+  Case test;
+  test.read_text(with_joint("<origin xyz=\"1 0 0\"/><origin xyz=\"2 0 0\"/>"));
+  REQUIRE(test.robot);
+  CHECK(test.robot->joints.front().origin.xyz[0] == 1);
+  CHECK(test.diagnostics.size() == 1);
+  Case other;
+  other.read_text(
+      with_joint("<origin xyz=\"1 0 0\" rgba=\"0\"/><calibration rising=\"0\"/><safety_controller k_velocity=\"1\"/>"
+                 "<drake:limit acceleration=\"1\" xmlns:drake=\"d\"/><colour/><limit effort=\"1\" velocity=\"1\" "
+                 "acceleration=\"1\" deceleration=\"1\" jerk=\"1\"/>"));
+  CHECK(other.diagnostics.size() == 0);
 }
 
 TEST_CASE("every shipped descriptor and board is what its schema and the reader want") {
