@@ -118,6 +118,14 @@ std::optional<ParamFault> check_range(const ParamSpec& spec, const ParamValue& v
   if (is_plain && !fits) return ParamFault{code::param_range, fmt::format("'{}' does not fit 32 bits", text), {}};
   if (spec.kind == ParamKind::real && !(std::fabs(number) <= static_cast<double>(std::numeric_limits<float>::max())))
     return ParamFault{code::param_range, fmt::format("'{}' is larger than a float holds", text), {}};
+  const bool is_nearly_zero = number != 0 && std::fabs(number) < static_cast<double>(std::numeric_limits<float>::min());
+  if (spec.kind == ParamKind::real && is_nearly_zero)
+    return ParamFault{code::param_range, fmt::format("'{}' is smaller than a float holds", text), "for none write 0"};
+  const auto* written = std::get_if<std::string>(&value);
+  constexpr std::size_t kLongest = 65535;  // of a string literal that every compiler of C++ takes
+  if (written != nullptr && written->size() > kLongest)
+    return ParamFault{code::param_range, fmt::format("a text of {} bytes is too long", written->size()),
+                      fmt::format("write at most {} bytes", kLongest)};
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "generator/diagnostic/printable.hpp"
 #include "generator/emit/names.hpp"
 #include "generator/emit/number.hpp"
 
@@ -27,7 +28,7 @@ std::string duration_expression(std::int64_t ns) {
 }
 
 std::string integer_expression(const ParamSpec& spec, std::int64_t value) {
-  if (spec.kind == ParamKind::real) return float_literal(static_cast<double>(value));
+  if (spec.kind == ParamKind::real) return given_float_literal(static_cast<double>(value));
   if (spec.unit == Unit::time_ns) return duration_expression(value);
   if (spec.unit != Unit::none) return fmt::format("std::int64_t{{{}}}", value);
   // Read as a sign before a number that does not fit, the lowest one would be wider than the others.
@@ -42,7 +43,7 @@ std::string text_expression(const ParamSpec& spec, const std::string& value) {
 
 /// `  // [Hz]` behind an assignment that does not say its unit.
 std::string unit_comment(const ParamSpec& spec) {
-  return spec.unit == Unit::time_ns || spec.unit_text.empty() ? "" : "  // [" + spec.unit_text + "]";
+  return spec.unit == Unit::time_ns || spec.unit_text.empty() ? "" : "  // [" + printable(spec.unit_text) + "]";
 }
 
 std::vector<const Param*> assigned(const std::vector<Param>& params, bool is_shipped) {
@@ -67,7 +68,7 @@ std::string value_expression(const ParamSpec& spec, const ParamValue& value) {
   struct {
     const ParamSpec& spec;
     std::string operator()(std::int64_t value) const { return integer_expression(spec, value); }
-    std::string operator()(double value) const { return float_literal(value); }
+    std::string operator()(double value) const { return given_float_literal(value); }
     std::string operator()(bool value) const { return value ? "true" : "false"; }
     std::string operator()(const std::string& value) const { return text_expression(spec, value); }
   } visitor{spec};

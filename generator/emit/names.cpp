@@ -38,13 +38,15 @@ std::string pin_number(const std::string& pin) {
 }
 
 std::string string_literal(const std::string& text) {
+  const std::string shown = printable(text);  // a `?` for each byte that is not
   std::string literal = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const bool is_trigraph = c == '?' && i > 0 && text[i - 1] == '?';
+    if (c == '"' || c == '\\' || is_trigraph) {
       literal += std::string("\\") + c;
-    } else if (byte < 0x20 || byte == 0x7f) {
-      literal += fmt::format("\\{:03o}", byte);
+    } else if (c == '\t' || shown[i] != c) {
+      literal += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
     } else {
       literal += c;
     }

@@ -16,4 +16,7 @@ class NoFloat : public std::domain_error {
 /// NoFloat rather than write text that compiles to something else, or not at all.
 std::string float_literal(double value);
 
+/// The same of a number that a person wrote: a small one is no rounding error, and stays.
+std::string given_float_literal(double value);
+
 }  // namespace finemote::gen

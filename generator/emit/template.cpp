@@ -88,12 +88,25 @@ std::string without_double_blanks(const std::string& text) {
   return result;
 }
 
+/// Compilers join such a line with the next one: it ends in a backslash, in the trigraph of one, or in either and
+/// blanks.
+bool joins_next(std::string_view line) {
+  const std::size_t last = line.find_last_not_of(" \t");
+  const std::string_view written = line.substr(0, last == std::string_view::npos ? 0 : last + 1);
+  const auto ends_in = [&](std::string_view end) {
+    return written.size() >= end.size() && written.substr(written.size() - end.size()) == end;
+  };
+  return ends_in("\\") || ends_in("?\?/");
+}
+
 /// A name at the end of a comment may end in a backslash, which would make the next line part of the comment.
 std::string with_ended_lines(const std::string& text) {
   std::string result;
+  std::size_t begin = 0;  // of the line
   for (const char c : text) {
-    if (c == '\n' && !result.empty() && result.back() == '\\') result += " //";
+    if (c == '\n' && joins_next(std::string_view(result).substr(begin))) result += " //";
     result += c;
+    if (c == '\n') begin = result.size();
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -354,6 +355,14 @@ Fault not_a(std::string_view text, std::string_view noun) {
       {}};
 }
 
+/// Of a decimal number that no double holds: it is too small, not too large.
+bool is_below_one(std::string_view number) {
+  const std::size_t mark = std::min(number.find_first_of("eE"), number.size());
+  if (mark < number.size()) return number[mark + 1] == '-';
+  const std::string_view digits = number.substr(0, mark);
+  return digits.find_first_of("123456789") > digits.find('.');
+}
+
 }  // namespace
 
 Result<std::int64_t> parse_integer(std::string_view text, std::string_view unit) {
@@ -382,8 +391,10 @@ Result<double> parse_real(std::string_view text, std::string_view unit) {
   if (number.front() == '+') number.remove_prefix(1);
   double value = 0;
   const auto parsed = std::from_chars(number.data(), number.data() + number.size(), value);
-  if (parsed.ec != std::errc()) return too_large(text);
-  return value;
+  if (parsed.ec == std::errc()) return value;
+  if (!is_below_one(number)) return too_large(text);
+  // no zero: a range that holds zero does not hold it, and no float does
+  return std::copysign(std::numeric_limits<double>::min(), number.front() == '-' ? -1.0 : 1.0);
 }
 
 std::string format_duration(std::int64_t nanoseconds) {

@@ -67,9 +67,11 @@ class Probe {
     return complaint_about(compilers().front(), folder_.path("out"), {folder_.path("devices")});
   }
 
+  [[nodiscard]] std::string header() const { return read_file(folder_.path("out/trees/probe.hpp")); }
+
   /// `probe.hpp:15`: the place of the line of the tree's header that assigns `member`.
   [[nodiscard]] std::string line_of(const std::string& member) const {
-    const std::string header = read_file(folder_.path("out/trees/probe.hpp"));
+    const std::string header = this->header();
     const auto at = header.find("c." + member + " =");
     REQUIRE(at != std::string::npos);
     return "probe.hpp:" + std::to_string(std::count(header.begin(), header.begin() + static_cast<long>(at), '\n') + 1);
@@ -129,6 +131,21 @@ TEST_CASE("a user's Config is assigned by name, whatever the order of its member
             .said() == "");
   CHECK(Probe(kConfig, kParams, R"(<param name="count">-2147483648</param><param name="hold">0ns</param>)").said() ==
         "");
+}
+
+TEST_CASE("a text of a user's Config compiles, whatever it holds") {
+  const auto with_label = [](const std::string& label) {
+    return Probe(kConfig, kParams, "<param name=\"label\">" + label + "</param>").said();
+  };
+  CHECK(with_label("what?\?/ ?\?=define \\ \"%s\" */ // \\") == "");
+  CHECK(with_label("\u202eabc \u00e4\u4e2d &#10;#error") == "");
+  CHECK(with_label(std::string(65535, 'x')) == "");
+}
+
+TEST_CASE("a small number of a user's Config is no zero") {
+  const Probe probe(kConfig, kParams, R"(<param name="gain">1e-30</param>)");
+  CHECK(probe.said() == "");
+  CHECK(probe.header().find("c.gain = finemote::exact<decltype(c.gain)>(1e-30f);") != std::string::npos);
 }
 
 TEST_CASE("a member that a user's Config lacks, or has of another type, is an error at the line that names it") {

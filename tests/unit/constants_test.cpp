@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "catch.hpp"
+#include "generator/emit/names.hpp"
 #include "generator/emit/number.hpp"
 
 using namespace finemote::gen;
@@ -15,6 +16,20 @@ TEST_CASE("a number that no float holds is never written") {
   CHECK(float_literal(static_cast<double>(FLT_MAX)) == "3.40282347e+38f");
   CHECK(float_literal(-1e-300) == "0.0f");
   CHECK(float_literal(2) == "2.0f");
+}
+
+TEST_CASE("a number that a person wrote is no rounding error") {
+  CHECK(given_float_literal(1e-30) == "1e-30f");
+  CHECK(given_float_literal(-0.0) == "0.0f");
+  CHECK(float_literal(1e-30) == "0.0f");
+}
+
+TEST_CASE("a text is a literal of the same text, whatever it holds") {
+  CHECK(string_literal("plain? sch\u00f6n") == "\"plain? sch\u00f6n\"");
+  CHECK(string_literal("\"\\") == R"("\"\\")");
+  CHECK(string_literal("?\?/ ?\?=?\?\?") == R"("?\?/ ?\?=?\?\?")");  // no trigraphs
+  CHECK(string_literal("a\nb\t1") == R"("a\012b\0111")");
+  CHECK(string_literal("a\u202eb") == R"("a\342\200\256b")");  // turns the direction of writing
 }
 
 TEST_CASE("a constant with such a number is an error at its device") {
