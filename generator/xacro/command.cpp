@@ -21,36 +21,11 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-Diagnostics errors_of(const Diagnostics& all) {
-  Diagnostics errors;
-  for (const Diagnostic& finding : all.in_file_order()) {
-    if (finding.severity != Severity::error) continue;
-    Diagnostic& copy = errors.error(finding.code, finding.at, finding.message);
-    copy = finding;
-  }
-  return errors;
-}
-
-void print(const Diagnostics& diagnostics, const XacroOptions& options, std::ostream& err) {
-  err << render_text(options.verbosity > 0 ? diagnostics : errors_of(diagnostics), options.color);
-}
-
 PackagePath packages_of(const XacroOptions& options) {
   PackagePath packages = options.access.is_sandbox() ? PackagePath() : PackagePath::from_environment();
   for (const auto& [name, folder] : options.packages) packages.add(name, folder);
   if (options.input != "-") packages.set_entry(options.input);
   return packages;
-}
-
-/// Makes the folders around the file, as ROS xacro does; a failure leaves the old file.
-void write_file(const std::string& path, const std::string& text, Diagnostics& diagnostics, Sources& sources) {
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  std::error_code failed;
-  if (!folder.empty()) std::filesystem::create_directories(folder, failed);
-  auto reason = failed ? std::optional(system_reason(failed.value())) : replace_file(path, text);
-  if (!reason) return;
-  diagnostics.error(code::xacro_output, {sources.add(SourceFile{path, path, {}})},
-                    fmt::format("Failed to open output: {}", *reason));
 }
 
 }  // namespace
@@ -65,27 +40,51 @@ bool add_argument(std::string_view word, Arguments& arguments) {
   return true;
 }
 
+std::optional<Expanded> expand_input(const XacroOptions& options, Sources& sources, Diagnostics& diagnostics,
+                                     std::ostream& err) {
+  if (options.in_order) err << "xacro: in-order processing became default in ROS Melodic. You can drop the option.\n";
+  Dependencies dependencies;
+  const SourceFile* entry = xml::read_source(options.input, sources, diagnostics);
+  if (entry == nullptr) return std::nullopt;
+  const auto document =
+      expand(*entry, options.arguments, packages_of(options), sources, diagnostics, dependencies, &err);
+  if (!document) return std::nullopt;
+  return Expanded{xml::write(*document, options.input), std::move(dependencies.files)};
+}
+
+std::string result_text(const Expanded& expansion, const XacroOptions& options) {
+  return options.only_dependencies ? fmt::format("{}", fmt::join(expansion.dependencies, " ")) : expansion.document;
+}
+
+void write_output_file(const std::string& path, const std::string& text, Diagnostics& diagnostics, Sources& sources) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code failed;
+  if (!folder.empty()) std::filesystem::create_directories(folder, failed);
+  auto reason = failed ? std::optional(system_reason(failed.value())) : replace_file(path, text);
+  if (!reason) return;
+  diagnostics.error(code::xacro_output, {sources.add(SourceFile{path, path, {}})},
+                    fmt::format("Failed to open output: {}", *reason));
+}
+
+Diagnostics heard(const Diagnostics& all, const XacroOptions& options) {
+  Diagnostics findings;
+  for (const Diagnostic& finding : all.in_file_order()) {
+    if (finding.severity == Severity::error || options.verbosity > 0) findings.add(finding);
+  }
+  return findings;
+}
+
 int run_xacro(const XacroOptions& options, std::ostream& out, std::ostream& err) {
   constexpr int done = 0;
   constexpr int failed = 2;
-  if (options.in_order) err << "xacro: in-order processing became default in ROS Melodic. You can drop the option.\n";
   Sources sources(options.access);
   Diagnostics diagnostics;
-  Dependencies dependencies;
-  const SourceFile* entry = xml::read_source(options.input, sources, diagnostics);
-  std::optional<xml::Document> document;
-  if (entry != nullptr) {
-    document = expand(*entry, options.arguments, packages_of(options), sources, diagnostics, dependencies, &err);
-  }
-  std::string text;
-  if (document) {
-    text = options.only_dependencies ? fmt::format("{}", fmt::join(dependencies.files, " "))
-                                     : xml::write(*document, options.input);
-    if (!options.output.empty()) write_file(options.output, text, diagnostics, sources);
-  }
-  print(diagnostics, options, err);
+  const auto expansion = expand_input(options, sources, diagnostics, err);
+  if (expansion && !options.output.empty())
+    write_output_file(options.output, result_text(*expansion, options), diagnostics, sources);
+  err << render_text(heard(diagnostics, options), options.color);
   if (diagnostics.has_errors()) return failed;
-  if (options.output.empty()) out << text << std::flush;
+  if (options.output.empty()) out << result_text(*expansion, options) << std::flush;
   return done;
 }
 
