@@ -130,7 +130,8 @@ bool check_root(const fs::path& root, Diagnostics& diagnostics) {
   return !diagnostics.has_errors();
 }
 
-std::optional<Folder> open_folder(const std::string& folder, const Output& output, Diagnostics& diagnostics) {
+std::optional<Folder> open_folder(const std::string& folder, const Output& output, bool takes_over,
+                                  Diagnostics& diagnostics) {
   Folder found;
   found.root = folder_path(folder);
   if (!check_root(found.root, diagnostics)) return std::nullopt;
@@ -147,12 +148,14 @@ std::optional<Folder> open_folder(const std::string& folder, const Output& outpu
     check_readable(found.root / file.name, R_OK, diagnostics);
   }
   const std::string& owner = found.previous.robot;
-  if (found.memory == Folder::Memory::complete && owner != output.manifest.robot) {
+  if (found.memory == Folder::Memory::complete && owner != output.manifest.robot && !takes_over) {
     diagnostics
         .error(code::folder_of_another_robot, {},
                fmt::format("'{}' holds the output of robot '{}', not of '{}'", found.root.generic_string(), owner,
                            output.manifest.robot))
-        .hint("give each robot a folder of its own with -o");
+        .hint(
+            "give each robot a folder of its own with -o; if this robot was renamed, give generate --force, which "
+            "replaces the files of the old name");
   }
   if (diagnostics.has_errors()) return std::nullopt;
   return found;

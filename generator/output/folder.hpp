@@ -48,7 +48,9 @@ bool check_root(const std::filesystem::path& root, Diagnostics& diagnostics);
 
 /// Looks at the folder, which may not exist. Reports FM5001 (a warning) for a manifest that cannot be used, FM5002 when
 /// the folder or a file in it that we would write is a symbolic link or of another kind, FM5003 when it belongs to
-/// another robot, FM5006 when the folder or such a file cannot be read; none after an error.
-std::optional<Folder> open_folder(const std::string& folder, const Output& output, Diagnostics& diagnostics);
+/// another robot and does not change hands (`takes_over`), FM5006 when the folder or such a file cannot be read; none
+/// after an error.
+std::optional<Folder> open_folder(const std::string& folder, const Output& output, bool takes_over,
+                                  Diagnostics& diagnostics);
 
 }  // namespace finemote::gen
