@@ -269,11 +269,14 @@ int run_run(Context& context) {
   const auto scenario = checked_scenario(context, *loaded, board, *duration);
   if (!scenario && !context.options.scenario.empty()) return finish(context, kExitInvalid);
 
+  const bool has_parts = board == kEmulatedBoard && !context.options.build_only;
+  if (has_parts && !has_models(loaded->robot, context.diagnostics)) return finish(context, kExitInvalid);
   if (board == kEmulatedBoard) warn_of_undriven(loaded->robot, context.diagnostics);
 
   const WorkFolder work(context);
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
-  if (scenario && !rehearse(*scenario, loaded->robot, work.path() + "/scenario", context.diagnostics))
+  if (has_parts &&
+      !rehearse(scenario ? &*scenario : nullptr, loaded->robot, work.path() + "/scenario", context.diagnostics))
     return finish(context, kExitInvalid);
   const auto path = make_image(context, *loaded, board, *duration, work);
   if (!path) return finish(context, kExitInvalid);

@@ -5,6 +5,7 @@
 
 namespace finemote::gen::code {
 
+inline constexpr Code emulated_part{10};        // a part of the robot that cannot hang on the emulated board
 inline constexpr Code scenario_name{6007};      // names nothing: a member, part, port, action or value
 inline constexpr Code scenario_range{6009};     // a value outside what its member can be
 inline constexpr Code scenario_time{6010};      // times that are rarely meant

@@ -1,14 +1,18 @@
 #include "generator/run/emulate.hpp"
-#include "generator/diagnostic/code_scenario.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <stdexcept>
 
+#include "emulator/scenario/grammar.hpp"
+#include "generator/diagnostic/code_scenario.hpp"
+#include "generator/diagnostic/suggest.hpp"
 #include "generator/file/replace_file.hpp"
+#include "generator/run/emulation.hpp"
 #include "generator/run/parts.hpp"
 #include "generator/run/process.hpp"
 #include "generator/run/program_folder.hpp"
@@ -158,12 +162,34 @@ void warn_of_undriven(const Robot& robot, Diagnostics& diagnostics) {
   }
 }
 
-bool rehearse(const Scenario& scenario, const Robot& robot, const std::string& stem, Diagnostics& diagnostics) {
-  const Json job{{"parts", emulated_parts(robot).scenario}, {"events", scenario.document}};
+bool has_models(const Robot& robot, Diagnostics& diagnostics) {
+  std::vector<std::string> known;
+  for (const scenario::Model& model : scenario::models()) known.push_back(model.type);
+  std::set<std::string> reported;
+  for (const Device& device : robot.devices) {
+    if (!has_part(device)) continue;
+    const auto part = emulation_of(*device.type).at("part").get<std::string>();
+    if (scenario::find_model(part) != nullptr || !reported.insert(device.type->name).second) continue;
+    diagnostics.error(code::emulated_part, device.at, fmt::format("the emulated board has no part '{}'", part))
+        .underline(7)
+        .note(fmt::format("'{}' names it as the model of type '{}'", device.type->display_path, device.type->name))
+        .hint(did_you_mean(part, known))
+        .hint("or leave out 'emulation': the part's bus stays silent then");
+  }
+  return reported.empty();
+}
+
+bool rehearse(const Scenario* scenario, const Robot& robot, const std::string& stem, Diagnostics& diagnostics) {
+  Json job{{"parts", emulated_parts(robot).scenario}};
+  if (scenario != nullptr) job["events"] = scenario->document;
   const Json json = run_job(job, stem, 0, diagnostics);
   if (json.is_null()) return false;
-  if (json.contains("error"))
-    diagnostics.error(code::bad_scenario, {scenario.file, 1, 1, nullptr}, json.at("error").get<std::string>());
+  if (json.contains("error")) {
+    const bool is_given = scenario != nullptr;
+    diagnostics.error(is_given ? code::bad_scenario : code::emulated_part,
+                      is_given ? Position{scenario->file, 1, 1, nullptr} : Position{},
+                      json.at("error").get<std::string>());
+  }
   return !json.contains("error");
 }
 

@@ -19,9 +19,13 @@ struct EmulationOptions {
 /// Reports FM6012 as a warning for every body whose wheels do not all drive it.
 void warn_of_undriven(const Robot& robot, Diagnostics& diagnostics);
 
+/// Reports FM0010 for every type whose descriptor names a model that the board does not have.
+bool has_models(const Robot& robot, Diagnostics& diagnostics);
+
 /// Hangs the robot's parts and those of the scenario on a board without an image: what only the wiring shows is
-/// reported before anything is compiled, as FM6004. `stem`: of the files it exchanges with the emulator.
-bool rehearse(const Scenario& scenario, const Robot& robot, const std::string& stem, Diagnostics& diagnostics);
+/// reported before anything is compiled, as FM6004, and as FM0010 without a scenario (null). `stem`: of the files it
+/// exchanges with the emulator.
+bool rehearse(const Scenario* scenario, const Robot& robot, const std::string& stem, Diagnostics& diagnostics);
 
 /// Runs `image` for `duration_ns` from its first release on, or until the scenario's last event where that is later,
 /// with the robot's parts on the buses. Reports FM6002 when the firmware locks up, resets or ends, FM6005 as a warning
