@@ -29,8 +29,10 @@ std::string read(const fs::path& path) {
 /// Name -> number of every constant in code.hpp and its parts.
 std::map<std::string, int> declared_codes() {
   const fs::path folder = fs::path(kSource) / "generator/diagnostic";
-  const std::string text =
-      read(folder / "code.hpp") + read(folder / "code_output.hpp") + read(folder / "code_scenario.hpp");
+  std::string text;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().filename().string().rfind("code", 0) == 0) text += read(entry.path());
+  }
   const std::regex declaration(R"(inline constexpr Code (\w+)\{(\d+)\})");
   std::map<std::string, int> codes;
   for (std::sregex_iterator match(text.begin(), text.end(), declaration), end; match != end; ++match) {
