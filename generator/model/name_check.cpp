@@ -78,6 +78,9 @@ bool has_control_character(const std::string& text) {
   return printable(text) != text || text.find('\t') != std::string::npos;
 }
 
+/// A name that reads like another one, and that no operand of a requirement or of --chain can repeat.
+bool is_padded(const std::string& text) { return !trim(text).empty() && trim(text).size() != text.size(); }
+
 /// Whether the name can be used at all.
 bool check_one(Diagnostics& diagnostics, const Named& entry, NameScope scope) {
   const xml::Attribute* attribute = entry.tag->attribute("name");
@@ -91,6 +94,13 @@ bool check_one(Diagnostics& diagnostics, const Named& entry, NameScope scope) {
             "direction "
             "of writing")
         .hint(fmt::format("write for example name=\"{}\"", possible_name(cpp)));
+    return false;
+  }
+  const bool is_referenced = scope == NameScope::in_robot || scope == NameScope::in_tree;
+  if (is_referenced && is_padded(entry.name->text)) {
+    at_value(diagnostics, code::name_invalid, *attribute, fmt::format("'{}' cannot be a name", entry.name->text))
+        .note("it begins or ends with a blank")
+        .hint(fmt::format("write name=\"{}\"", trim(entry.name->text)));
     return false;
   }
   if (const auto reason = invalid_name(cpp)) {
@@ -108,6 +118,37 @@ bool check_one(Diagnostics& diagnostics, const Named& entry, NameScope scope) {
   return true;
 }
 
+void report_taken(Diagnostics& diagnostics, const Named& entry, std::string why, const std::string& instead) {
+  at_value(diagnostics, code::name_reserved, *entry.tag->attribute("name"),
+           fmt::format("the name '{}' is taken", entry.name->text))
+      .note(std::move(why))
+      .hint(fmt::format("write for example name=\"{}\"", instead));
+}
+
+/// A name beside those of buses, which `utilization=` can name as well.
+bool check_bus_name(Diagnostics& diagnostics, const Named& entry) {
+  if (!check_one(diagnostics, entry, NameScope::in_robot)) return false;
+  if (entry.name->text != "cpu") return true;
+  report_taken(diagnostics, entry, "<require utilization=\"cpu\"> means the processor", "cpu_bus");
+  return false;
+}
+
+/// `rov.thrusters` as a device's name, where 'rov' has the role 'thrusters': in operands it means the children.
+bool check_role_operand(const Reading& reading, const Named& entry) {
+  const std::string& text = entry.name->text;
+  const std::size_t dot = text.rfind('.');
+  const auto owner = dot == text.npos ? std::nullopt : reading.device_named(text.substr(0, dot));
+  if (!owner || reading.robot.devices[*owner].type == nullptr) return true;
+  const auto& roles = reading.robot.devices[*owner].type->roles;
+  const std::string role = text.substr(dot + 1);
+  if (std::none_of(roles.begin(), roles.end(), [&](const RoleSpec& spec) { return spec.name == role; })) return true;
+  report_taken(
+      reading.diagnostics, entry,
+      fmt::format("in a requirement it means the children of '{}' in the role '{}'", text.substr(0, dot), role),
+      possible_name(entry.name->cpp));
+  return false;
+}
+
 std::string described(const char* what, const Name& name) { return fmt::format("{} '{}'", what, name.text); }
 
 }  // namespace
@@ -123,12 +164,12 @@ void check_names(Reading& reading) {
   NameTable slots(diagnostics);    // transfer slots of expanders stand beside those of devices
   for (std::size_t i = 0; i < robot.buses.size(); ++i) {
     const Named entry{&robot.buses[i].name, reading.tags.buses[i], described("bus", robot.buses[i].name)};
-    if (check_one(diagnostics, entry, NameScope::in_robot)) buses.add(entry);
+    if (check_bus_name(diagnostics, entry)) buses.add(entry);
   }
   for (std::size_t i = 0; i < robot.expanders.size(); ++i) {
     const Expander& expander = robot.expanders[i];
     const Named entry{&expander.name, reading.tags.expanders[i], described("expander", expander.name)};
-    if (!check_one(diagnostics, entry, NameScope::in_robot)) continue;
+    if (!check_bus_name(diagnostics, entry)) continue;
     buses.add(entry);
     slots.add(entry);
     std::size_t channel = 0;
@@ -136,18 +177,19 @@ void check_names(Reading& reading) {
       if (!child.is_element("channel") || channel >= expander.channels.size()) continue;
       const Name& name = expander.channels[channel++].name;
       const Named inner{&name, &child, described("channel", name)};
-      if (check_one(diagnostics, inner, NameScope::in_robot)) buses.add(inner);
+      if (check_bus_name(diagnostics, inner)) buses.add(inner);
     }
   }
   for (std::size_t i = 0; i < robot.devices.size(); ++i) {
     const Named entry{&robot.devices[i].name, &reading.device_tag(i), described("device", robot.devices[i].name)};
-    if (!check_one(diagnostics, entry, NameScope::in_tree)) continue;
+    if (!check_one(diagnostics, entry, NameScope::in_tree) || !check_role_operand(reading, entry)) continue;
     const bool is_fresh = devices.add(entry);
     const bool is_root = !reading.tags.devices[i].nested_in && reading.device_tag(i).attribute("parent") == nullptr;
     if (!is_fresh) continue;
     if (!is_root) {
       slots.compare(entry);
-    } else if (check_one(diagnostics, entry, NameScope::in_robot) && check_one(diagnostics, entry, NameScope::file)) {
+    } else if (check_one(diagnostics, entry, NameScope::in_robot) &&
+               check_one(diagnostics, entry, NameScope::tree_file)) {
       buses.add(entry);  // its tree's namespace stands beside them
     }
   }

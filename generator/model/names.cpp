@@ -62,7 +62,9 @@ std::optional<std::string> reserved_name(std::string_view cpp, NameScope scope) 
   constexpr std::array kInRobot{"slots",        "constants", "bounds",   "start_buses", "supervise_buses",
                                 "safe_outputs", "buckets",   "kBuckets", "kOrder",      "kMonitored"};
   constexpr std::array kInTree{"ports", "slots", "constants", "Stage", "stage"};
-  if (scope == NameScope::file)
+  if (scope == NameScope::tree_file && contains(std::array{"buses", "constants"}, fold_case(cpp)))
+    return "names a generated file that its tree's file includes";
+  if (scope == NameScope::file || scope == NameScope::tree_file)
     return is_windows_device(cpp)
                ? std::optional<std::string>("names a device of Windows, where no file can be called so")
                : std::nullopt;

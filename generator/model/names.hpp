@@ -17,10 +17,11 @@ inline Name make_name(std::string_view text) { return {std::string(text), cpp_na
 
 /// Where a name is used in generated code; each place has names of its own.
 enum class NameScope {
-  robot,     ///< the outermost namespace, beside the C library
-  in_robot,  ///< buses, expanders and tree namespaces
-  file,      ///< roots and robots, after which files are named
-  in_tree,   ///< devices
+  robot,      ///< the outermost namespace, beside the C library
+  in_robot,   ///< buses, expanders and tree namespaces
+  file,       ///< roots and robots, after which files are named
+  tree_file,  ///< roots: their files stand beside each other and include those of the robot
+  in_tree,    ///< devices
 };
 
 /// Why generated code does not leave the name free in that place.
