@@ -1,6 +1,7 @@
 // Names of the robot, its buses, expanders and devices: FM3046 to FM3049.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "generator/diagnostic/printable.hpp"
