@@ -28,12 +28,39 @@ class TagReader {
       if (child.is_element("finemote"))
         read_block(child);
       else if (child.is_element())
-        find_misspelt_block(child);
+        check_foreign(child);
     }
     return std::move(tags_);
   }
 
  private:
+  void check_foreign(const xml::Node& child) {
+    if (report_outside_block(child)) return;
+    find_misspelt_block(child);
+    find_unread_blocks(child);
+  }
+  /// `<device>` and the like directly below `<robot>`, where no other extension has them. A `<param>` may be anyone's.
+  bool report_outside_block(const xml::Node& node) {
+    const ElementRule* known = grammar::rule(node.name);
+    if (known == nullptr || node.is_element("param")) return false;
+    const bool is_in_block = allows_child(*grammar::rule("finemote"), node.name);
+    at_tag(diagnostics_, code::unknown_element, node, fmt::format("<{}> outside <finemote>", node.name))
+        .note("it would not be read here")
+        .hint(is_in_block ? "move it into <finemote version=\"1\">" : "move it into its element inside <finemote>");
+    return true;
+  }
+  /// A <finemote> anywhere below an element that is not ours.
+  void find_unread_blocks(const xml::Node& node) {
+    for (const xml::Node& child : node.children) {
+      if (child.is_element("finemote")) {
+        at_tag(diagnostics_, code::unknown_element, child, fmt::format("<finemote> inside <{}>", node.name))
+            .note("it would not be read here")
+            .hint("move it out: <finemote> stands directly inside <robot>");
+      } else if (child.is_element()) {
+        find_unread_blocks(child);
+      }
+    }
+  }
   /// `Finemote`, `fine_mote`: ROS tools ignore such an element silently, so nobody else would say it.
   void find_misspelt_block(const xml::Node& node) {
     const std::vector<std::string> known{"finemote"};
