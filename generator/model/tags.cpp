@@ -63,8 +63,7 @@ class TagReader {
   }
   /// `Finemote`, `fine_mote`: ROS tools ignore such an element silently, so nobody else would say it.
   void find_misspelt_block(const xml::Node& node) {
-    const std::vector<std::string> known{"finemote"};
-    if (starts_with(node.name, "xacro:") || nearest_names(node.name, known).empty()) return;
+    if (!is_mistyped(node.name, "finemote")) return;
     at_tag(diagnostics_, code::unknown_element, node, fmt::format("unknown element <{}>", node.name))
         .hint("did you mean <finemote>?");
   }

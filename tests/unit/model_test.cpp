@@ -171,6 +171,10 @@ TEST_CASE("of a repeated element the first counts, with a warning, and what is n
                  "<drake:limit acceleration=\"1\" xmlns:drake=\"d\"/><colour/><limit effort=\"1\" velocity=\"1\" "
                  "acceleration=\"1\" deceleration=\"1\" jerk=\"1\"/>"));
   CHECK(other.diagnostics.size() == 0);
+  Case robot;
+  robot.read_text("<fins count=\"4\"/><remote/><final_drive/><jointed/><line name=\"a\"><point/></line>" +
+                  with_joint(""));
+  CHECK(robot.diagnostics.size() == 0);
 }
 
 TEST_CASE("every shipped descriptor and board is what its schema and the reader want") {
