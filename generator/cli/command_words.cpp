@@ -5,7 +5,6 @@
 #include <cctype>
 #include <sstream>
 
-#include "generator/diagnostic/render.hpp"
 #include "generator/diagnostic/suggest.hpp"
 
 namespace finemote::gen {
@@ -156,11 +155,11 @@ std::vector<std::string> command_first(const CLI::App& app, std::vector<std::str
 }
 
 /// The message for wrong words, in the form of all others.
-std::string usage_error(const CLI::App& app, const std::vector<std::string>& words, const CLI::ParseError& error) {
+Diagnostics usage_error(const CLI::App& app, const std::vector<std::string>& words, const CLI::ParseError& error) {
   const UsageMistake mistake = describe_mistake(app, words, error);
   Diagnostics diagnostics;
   diagnostics.error(code::usage, {}, mistake.message).hint(mistake.hint);
-  return render_text(diagnostics, false);
+  return diagnostics;
 }
 
 CommandWords words_of(const CLI::App& app) {

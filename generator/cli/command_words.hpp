@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "generator/diagnostic/diagnostics.hpp"
+
 namespace CLI {
 class App;
 class ParseError;
@@ -39,7 +41,7 @@ std::vector<std::string> command_first(const CLI::App& app, std::vector<std::str
 /// The command the last parse chose, `board show` for one of two words; empty when there is none.
 std::string chosen_command(const CLI::App& app);
 
-/// The message for wrong words, in the form of all others. `words` as they were parsed, the command first.
-std::string usage_error(const CLI::App& app, const std::vector<std::string>& words, const CLI::ParseError& error);
+/// What is wrong with the words. `words` as they were parsed, the command first.
+Diagnostics usage_error(const CLI::App& app, const std::vector<std::string>& words, const CLI::ParseError& error);
 
 }  // namespace finemote::gen

@@ -20,24 +20,20 @@ bool use_color(const Options& options) {
   return (no_color == nullptr || *no_color == '\0') && isatty(STDERR_FILENO) == 1;
 }
 
-/// The formats for editors and CI are the result: they go to stdout, whatever the status.
-void print_for_ci(Context& context, const Diagnostics& diagnostics) {
-  switch (context.options.format) {
+}  // namespace
+
+std::string render_for_ci(Format format, const Diagnostics& findings, const std::string& input) {
+  switch (format) {
     case Format::gcc:
-      context.out << render_gcc(diagnostics);
-      break;
+      return render_gcc(findings);
     case Format::github:
-      context.out << render_github(diagnostics);
-      break;
+      return render_github(findings);
     case Format::sarif:
-      context.out << render_sarif(diagnostics, kVersion, context.options.input).dump(2) << "\n";
-      break;
+      return render_sarif(findings, kVersion, input).dump(2) + "\n";
     default:
-      break;
+      return {};
   }
 }
-
-}  // namespace
 
 void add_findings(const Diagnostics& from, Diagnostics& to) {
   for (const Diagnostic& finding : from.in_file_order()) to.add(finding);
@@ -78,7 +74,8 @@ int finish_with(Context& context, int status, const Diagnostics& judged, nlohman
     document["diagnostics"] = render_json(all);
     context.out << document.dump(2) << "\n";
   }
-  print_for_ci(context, all);
+  // The formats for editors and CI are the result, whatever the status.
+  context.out << render_for_ci(context.options.format, all, context.options.input);
   context.out.flush();
   return status;
 }

@@ -13,6 +13,9 @@ namespace finemote::gen {
 std::string render_findings(const Context& context);
 std::string render_findings(const Context& context, const Diagnostics& findings);
 
+/// The findings in the formats for editors and CI, `input` being what the command works on; empty for text and json.
+std::string render_for_ci(Format format, const Diagnostics& findings, const std::string& input);
+
 /// Copies all findings of `from` behind those of `to`.
 void add_findings(const Diagnostics& from, Diagnostics& to);
 

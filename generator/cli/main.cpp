@@ -86,6 +86,7 @@ int run_words(const std::vector<std::string>& words, std::ostream& out) {
     const ParsedCommandLine parsed = parse_command_line(words);
     if (parsed.options) return run(*parsed.options, out);
     (parsed.exit_status == kExitYes ? out : std::cerr) << parsed.text;
+    out << parsed.findings;
     return parsed.exit_status;
   } catch (const std::filesystem::filesystem_error& error) {
     return report(code::unreadable_file,

@@ -6,6 +6,8 @@
 
 #include "generator/cli/command_words.hpp"
 #include "generator/cli/exit_status.hpp"
+#include "generator/cli/finish.hpp"
+#include "generator/diagnostic/render.hpp"
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/version.hpp"
 
@@ -68,14 +70,15 @@ CLI::Option* add_choice(CLI::App& app, const char* name, const std::vector<std::
   return option->option_text(words_text);
 }
 
+const std::vector<std::pair<std::string, Format>> kFormats{{"text", Format::text},
+                                                           {"json", Format::json},
+                                                           {"sarif", Format::sarif},
+                                                           {"github", Format::github},
+                                                           {"gcc", Format::gcc}};
+
 void add_global_options(CLI::App& app, Options& options) {
-  add_choice<Format>(app, "--format",
-                     {{"text", Format::text},
-                      {"json", Format::json},
-                      {"sarif", Format::sarif},
-                      {"github", Format::github},
-                      {"gcc", Format::gcc}},
-                     options.format, "of the result: text or json; of the diagnostics alone: sarif, github or gcc");
+  add_choice<Format>(app, "--format", kFormats, options.format,
+                     "of the result: text or json; of the diagnostics alone: sarif, github or gcc");
   add_choice<ColorMode>(app, "--color",
                         {{"auto", ColorMode::automatic}, {"always", ColorMode::always}, {"never", ColorMode::never}},
                         options.color, "colour of the diagnostics");
@@ -217,6 +220,22 @@ void define_command_line(CLI::App& app, Options& options) {
   add_timing(app, options);
 }
 
+/// Of words that may hold mistakes: the last format that is one.
+Format asked_format(const std::vector<std::string>& words) {
+  Format format = Format::text;
+  std::string before;
+  for (const std::string& word : words) {
+    constexpr std::string_view kOption = "--format";
+    const bool is_joined = word.rfind(std::string(kOption) + "=", 0) == 0;
+    const std::string value = is_joined ? word.substr(kOption.size() + 1) : before == kOption ? word : "";
+    for (const auto& [name, known] : kFormats) {
+      if (value == name) format = known;
+    }
+    before = word;
+  }
+  return format;
+}
+
 }  // namespace
 
 CommandWords command_line_words() {
@@ -237,11 +256,12 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     std::ostringstream out;
     std::ostringstream err;
     const bool asked = app.exit(error, out, err) == 0 && app.remaining(true).empty();
-    if (asked) return {std::nullopt, kExitYes, out.str()};
-    return {std::nullopt, kExitInvalid, usage_error(app, ordered, error)};
+    if (asked) return {std::nullopt, kExitYes, out.str(), {}};
+    const Diagnostics mistake = usage_error(app, ordered, error);
+    return {std::nullopt, kExitInvalid, render_text(mistake, false), render_for_ci(asked_format(words), mistake, "")};
   }
   options.command = chosen_command(app);
-  return {std::move(options), kExitYes, {}};
+  return {std::move(options), kExitYes, {}, {}};
 }
 
 }  // namespace finemote::gen

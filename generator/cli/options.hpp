@@ -61,7 +61,8 @@ struct Options {
 struct ParsedCommandLine {
   std::optional<Options> options;
   int exit_status = 0;
-  std::string text;  ///< for stdout when the status is 0, else for stderr
+  std::string text;      ///< for stdout when the status is 0, else for stderr
+  std::string findings;  ///< for stdout when it is not: the same in the format that was asked for, sarif, github or gcc
 };
 
 /// Options may stand before or after the command, `name:=value` anywhere. Words that mean nothing are a usage error

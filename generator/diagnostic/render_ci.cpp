@@ -133,7 +133,9 @@ Json render_sarif(const Diagnostics& diagnostics, const std::string& tool_versio
                 {"ruleIndex", rule->second},
                 {"level", severity_name(finding.severity)},
                 {"message", {{"text", whole_message(message)}}},
-                {"locations", Json::array({sarif_location(finding.at, finding.length, input)})}};
+                {"locations", Json::array()}};
+    if (finding.at.file != nullptr || !input.empty())
+      result["locations"].push_back(sarif_location(finding.at, finding.length, input));
     if (!message.repeats.empty()) {
       result["occurrenceCount"] = message.repeats.size() + 1;
       result["relatedLocations"] = sarif_related(message, input);

@@ -18,8 +18,8 @@ std::string render_gcc(const Diagnostics& diagnostics);
 /// first nine, and a tenth that counts the rest.
 std::string render_github(const Diagnostics& diagnostics);
 
-/// A SARIF 2.1.0 log of one run. Every result has a location: without a place, the file `input`; addresses are
-/// relative.
+/// A SARIF 2.1.0 log of one run. Every result has a location: without a place, the file `input`, unless there is none;
+/// addresses are relative.
 nlohmann::ordered_json render_sarif(const Diagnostics& diagnostics, const std::string& tool_version,
                                     const std::string& input);
 
