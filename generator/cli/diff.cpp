@@ -5,12 +5,12 @@
 #include <map>
 
 #include "generator/cli/commands.hpp"
+#include "generator/cli/diff_facts.hpp"
 #include "generator/cli/exit_status.hpp"
 #include "generator/cli/finish.hpp"
 #include "generator/cli/load.hpp"
 #include "generator/output/folder.hpp"
 #include "generator/output/unified_diff.hpp"
-#include "generator/schedule/period.hpp"
 #include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
@@ -21,34 +21,12 @@ using Json = nlohmann::ordered_json;
 
 /// One side: facts of the model by subject (`device 'imu'`) and property, and texts by file name.
 struct Side {
-  std::map<std::string, std::map<std::string, std::string>> facts;
+  Facts facts;
   std::map<std::string, std::string> texts;
 };
 
-void add_device(const Loaded& loaded, std::size_t index, Side& side) {
-  const Robot& robot = loaded.robot;
-  const Device& device = robot.devices[index];
-  auto& facts = side.facts[fmt::format("device '{}'", device.name.text)];
-  facts["type"] = device.type->name;
-  facts["parent"] = device.parent ? robot.devices[*device.parent].name.text : "none";
-  facts["period"] = period_text(device.period_ns);
-  facts["place"] = device_comment(loaded.plan(), index);
-  facts["position in the schedule"] = std::to_string(loaded.forest.rank[index] + 1);
-  facts["wcet"] = fmt::format("update {} ns, handle {} ns", device.wcet.update_ns, device.wcet.handle_ns);
-  for (const Param& param : device.params) {
-    facts["param '" + param.spec->name + "'"] =
-        std::visit([](const auto& value) { return fmt::format("{}", value); }, param.value);
-  }
-}
-
 Side robot_side(const Loaded& loaded, const std::vector<OutputFile>& files) {
-  Side side;
-  const Robot& robot = loaded.robot;
-  side.facts["robot"] = {{"name", robot.name.text}, {"board", robot.board->name}, {"tick", period_text(robot.tick_ns)}};
-  for (const Bus& bus : robot.buses) {
-    side.facts[fmt::format("bus '{}'", bus.name.text)] = {{"port", bus.port}, {"rate", std::to_string(bus.rate)}};
-  }
-  for (std::size_t device = 0; device < robot.devices.size(); ++device) add_device(loaded, device, side);
+  Side side{facts_of(loaded), {}};
   for (const OutputFile& file : files) side.texts[file.name] = file.text;
   return side;
 }

@@ -119,3 +119,76 @@ TEST_CASE("every example keeps what it requires of itself") {
   }
   CHECK(robots >= 6);
 }
+
+TEST_CASE(
+    "diff names what changes an answer alone: requirements, sources of execution times, masses, places of joints") {
+  const TemporaryFolder folder;
+  const std::string before = read_file(source_path("examples/infantry.urdf"));
+  const auto said = [&](const std::string& old, const std::string& now) {
+    std::string after = before;
+    REQUIRE(after.find(old) != std::string::npos);
+    after.replace(after.find(old), old.size(), now);
+    write_file(folder.path("a.urdf"), before);
+    write_file(folder.path("b.urdf"), after);
+    const auto result = run_finemote({"diff", folder.path("a.urdf"), folder.path("b.urdf")});
+    CHECK(result.exit_status == 1);
+    return result.output.substr(0, result.output.find('\n'));
+  };
+  const std::size_t at = before.find("<require ");
+  REQUIRE(at != std::string::npos);
+  const std::string requirement = before.substr(at, before.find("/>", at) + 2 - at);
+  CHECK(said(requirement, "").find(": removed") != std::string::npos);
+  CHECK(said(requirement, requirement + "\n<require utilization=\"dbus\" max=\"99%\"/>") ==
+        "requirement utilization 'dbus': added");
+  const std::string max = requirement.substr(requirement.find("max="));
+  CHECK(said(max, "max=\"1us\"/>").find(": max ") != std::string::npos);
+  CHECK(said("<wcet ", "<wcet source=\"static\" ").find(": source of the wcet budget -> static") != std::string::npos);
+  CHECK(said("<mass value=\"11.5\"/>", "<mass value=\"12\"/>") == "link 'base_link': mass 11.5 -> 12");
+  CHECK(said("xyz=\"0.2 0.2 -0.05\"", "xyz=\"0.2 0.2 -0.06\"")
+            .find("joint 'wheel_front_left_joint': origin xyz 0.2 0.2 -0.05 -> 0.2 0.2 -0.06") == 0);
+}
+
+TEST_CASE("a suggested order makes what analyze shows shorter") {
+  for (const char* robot : {"examples/infantry.urdf", "examples/deep_forest.urdf"}) {
+    const auto asked = run_finemote({"analyze", source_path(robot), "--suggest-order"});
+    const std::size_t table = asked.output.find("suggested order");
+    if (table == std::string::npos) {
+      CHECK(asked.output.find("no better order of siblings and roots was found") != std::string::npos);
+    } else {
+      CHECK(asked.output.find("\n  chain ", table) != std::string::npos);  // with the chains that change
+    }
+  }
+  const auto infantry = finemote_json({"analyze", source_path("examples/infantry.urdf"), "--suggest-order"});
+  std::vector<std::string> order = infantry.at("suggested_order"), devices;
+  for (const auto& device : infantry.at("model").at("devices")) devices.push_back(device.at("name"));
+  CHECK(order == devices);  // an order that makes no bound shorter is none to suggest
+}
+
+TEST_CASE("simulate answers no where analyze does") {
+  const TemporaryFolder folder;
+  write_file(folder.path("r.urdf"), R"(<robot name="r"><finemote version="1"><board name="robomaster_type_c"/>
+    <device name="a" type="sim_load" period="1ms"><wcet update="300us" handle="300us"/></device>
+    <device name="b" type="sim_load" period="2ms"><wcet update="400us" handle="410us"/></device>
+    </finemote></robot>)");
+  const auto analysed = run_finemote({"analyze", folder.path("r.urdf")});
+  const auto simulated = run_finemote({"simulate", folder.path("r.urdf"), "--duration", "1us"});
+  INFO(simulated.output);
+  CHECK(analysed.exit_status == 1);
+  CHECK(simulated.output.find("error[FM4015]") != std::string::npos);
+  CHECK(simulated.exit_status == 1);
+}
+
+TEST_CASE("a relative --package is a folder of the working directory") {
+  const TemporaryFolder folder;
+  write_file(folder.path("ws/parts/inc/part.xacro"), R"(<robot><link name="part"/></robot>)");
+  write_file(folder.path("ws/my_robot/urdf/r.urdf.xacro"),
+             R"(<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+    <xacro:include filename="$(find parts)/inc/part.xacro"/></robot>)");
+  const auto here = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path("ws"));
+  const auto result = run_finemote({"xacro", "my_robot/urdf/r.urdf.xacro", "--package", "parts=parts"});
+  std::filesystem::current_path(here);
+  INFO(result.output);
+  CHECK(result.exit_status == 0);
+  CHECK(result.output.find("<link name=\"part\"/>") != std::string::npos);
+}

@@ -1,0 +1,163 @@
+#include "generator/cli/diff_facts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "generator/descriptor/bus_kind.hpp"
+#include "generator/emit/names.hpp"
+#include "generator/schedule/period.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Properties = std::map<std::string, std::string>;
+
+void add_params(const std::vector<Param>& params, Properties& facts) {
+  for (const Param& param : params) {
+    facts["param '" + param.spec->name + "'"] =
+        std::visit([](const auto& value) { return fmt::format("{}", value); }, param.value);
+  }
+}
+
+template <typename T>
+void add_given(const char* property, const std::optional<T>& value, Properties& facts) {
+  if (value) facts[property] = fmt::format("{}", *value);
+}
+
+Properties bus_facts(const Bus& bus) {
+  Properties facts{{"type", bus_kind_name(bus.kind)}, {"port", bus.port}, {"rate", std::to_string(bus.rate)}};
+  add_given("isr_wcet [ns]", bus.isr_wcet_ns, facts);
+  add_given("min_frame [bit]", bus.min_frame_bits, facts);
+  add_params(bus.params, facts);
+  return facts;
+}
+
+Properties expander_facts(const Robot& robot, const Expander& expander) {
+  Properties facts{{"model", expander.type->name},
+                   {"bus", robot.segments[expander.segment].name.text},
+                   {"address", fmt::format("{:#04x}", expander.address)}};
+  for (const Expander::Channel& channel : expander.channels)
+    facts[fmt::format("channel '{}'", channel.name.text)] = std::to_string(channel.index);
+  add_params(expander.params, facts);
+  return facts;
+}
+
+std::string source_name(Wcet::Source source) {
+  switch (source) {
+    case Wcet::Source::assumed:
+      return "assumed";
+    case Wcet::Source::budget:
+      return "budget";
+    case Wcet::Source::measured:
+      return "measured";
+    case Wcet::Source::static_analysis:
+      return "static";
+  }
+  return {};
+}
+
+std::string use_text(const Robot& robot, const Use& use) {
+  std::string text = use.segment ? robot.segments[*use.segment].name.text : use.pin;
+  if (use.channel) text += fmt::format(" channel {}", *use.channel);
+  return text;
+}
+
+std::string reads_text(const Robot& robot, const Device& device) {
+  std::string text;
+  for (const Read& read : device.reads) {
+    text += fmt::format("{}{} as {}", text.empty() ? "" : ", ", robot.devices[read.device].name.text,
+                        device.type->roles[read.role].name);
+  }
+  return text;
+}
+
+Properties device_facts(const Loaded& loaded, std::size_t index) {
+  const Robot& robot = loaded.robot;
+  const Device& device = robot.devices[index];
+  Properties facts{{"type", device.type->name},
+                   {"parent", device.parent ? robot.devices[*device.parent].name.text : "none"},
+                   {"period", period_text(device.period_ns)},
+                   {"place", device_comment(loaded.plan(), index)},
+                   {"position in the schedule", std::to_string(loaded.forest.rank[index] + 1)},
+                   {"wcet", fmt::format("update {} ns, handle {} ns", device.wcet.update_ns, device.wcet.handle_ns)},
+                   {"source of the wcet", source_name(device.wcet.source)}};
+  if (device.parent && device.role) facts["role"] = robot.devices[*device.parent].type->roles[*device.role].name;
+  if (!device.link.empty()) facts["link"] = device.link;
+  if (!device.joint.empty()) facts["joint"] = device.joint;
+  if (!device.reads.empty()) facts["reads"] = reads_text(robot, device);
+  for (const Use& use : device.uses) facts[fmt::format("use '{}'", use.spec->role)] = use_text(robot, use);
+  add_params(device.params, facts);
+  return facts;
+}
+
+void add_pose(const Pose& pose, Properties& facts) {
+  facts["origin xyz"] = fmt::format("{}", fmt::join(pose.xyz, " "));
+  facts["origin rpy"] = fmt::format("{}", fmt::join(pose.rpy, " "));
+}
+
+Properties link_facts(const Link& link) {
+  Properties facts;
+  if (!link.inertial) return facts;
+  facts["mass"] = fmt::format("{}", link.inertial->mass);
+  facts["inertia"] = fmt::format("{}", fmt::join(link.inertial->inertia, " "));
+  add_pose(link.inertial->origin, facts);
+  return facts;
+}
+
+Properties joint_facts(const Joint& joint) {
+  Properties facts{{"type", joint.type},
+                   {"parent", joint.parent_link},
+                   {"child", joint.child_link},
+                   {"axis", fmt::format("{}", fmt::join(joint.axis, " "))}};
+  add_pose(joint.origin, facts);
+  add_given("lower", joint.lower, facts);
+  add_given("upper", joint.upper, facts);
+  add_given("effort", joint.effort, facts);
+  add_given("velocity", joint.velocity, facts);
+  add_given("damping", joint.damping, facts);
+  add_given("friction", joint.friction, facts);
+  if (!joint.mimic.empty()) facts["mimic"] = joint.mimic;
+  return facts;
+}
+
+std::string requirement_name(const Requirement& requirement) {
+  switch (requirement.kind) {
+    case Requirement::Kind::latency_end_to_end:
+      return fmt::format("requirement latency '{}'", requirement.text);
+    case Requirement::Kind::latency_decision:
+      return fmt::format("requirement latency '{}' of decision", requirement.text);
+    case Requirement::Kind::utilization:
+      return fmt::format("requirement utilization '{}'", requirement.text);
+    case Requirement::Kind::jitter:
+      return fmt::format("requirement jitter '{}'", requirement.text);
+  }
+  return {};
+}
+
+/// The same question may be asked twice.
+void add_requirement(const Requirement& requirement, Facts& facts) {
+  const std::string name = requirement_name(requirement);
+  std::string subject = name;
+  for (int n = 2; facts.count(subject) != 0; ++n) subject = fmt::format("{} ({})", name, n);
+  facts[subject]["max"] = requirement.max_text;
+}
+
+}  // namespace
+
+Facts facts_of(const Loaded& loaded) {
+  const Robot& robot = loaded.robot;
+  Facts facts;
+  facts["robot"] = {{"name", robot.name.text}, {"board", robot.board->name}, {"tick", period_text(robot.tick_ns)}};
+  add_params(robot.board_params, facts["robot"]);
+  for (const Bus& bus : robot.buses) facts[fmt::format("bus '{}'", bus.name.text)] = bus_facts(bus);
+  for (const Expander& expander : robot.expanders)
+    facts[fmt::format("expander '{}'", expander.name.text)] = expander_facts(robot, expander);
+  for (std::size_t device = 0; device < robot.devices.size(); ++device)
+    facts[fmt::format("device '{}'", robot.devices[device].name.text)] = device_facts(loaded, device);
+  for (const Link& link : robot.links) facts[fmt::format("link '{}'", link.name)] = link_facts(link);
+  for (const Joint& joint : robot.joints) facts[fmt::format("joint '{}'", joint.name)] = joint_facts(joint);
+  for (const Requirement& requirement : robot.requirements) add_requirement(requirement, facts);
+  return facts;
+}
+
+}  // namespace finemote::gen
