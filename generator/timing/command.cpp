@@ -54,6 +54,33 @@ std::string slack_text(const Model& model, const Slack& slack) {
   return text + table.text();
 }
 
+/// What the chains become, where it is another bound.
+std::string changed_chains(const Timing& timing, const std::vector<std::size_t>& order, const Model& better) {
+  AnalysisRequest request;
+  request.profile = timing.asked;
+  const auto place = [&](std::size_t d) {
+    return static_cast<std::size_t>(std::find(order.begin(), order.end(), d) - order.begin());
+  };
+  for (const ChainResult& chain : timing.chains) request.chains.push_back({place(chain.from), place(chain.to)});
+  Diagnostics same_as_before;
+  const auto then = analyse(better, request, same_as_before);
+  if (!then) return {};
+  const auto shown = [](const ChainResult& chain) {
+    return chain.end_to_end_ns ? chain.end_to_end_ns : chain.decide_ns;
+  };
+  Table table({"chain", "end to end", "then"});
+  for (std::size_t c = 0; c < timing.chains.size(); ++c) {
+    const ChainResult& chain = timing.chains[c];
+    const auto found = std::find_if(then->chains.begin(), then->chains.end(), [&](const ChainResult& other) {
+      return other.from == request.chains[c].from && other.to == request.chains[c].to;
+    });
+    if (found == then->chains.end() || shown(*found) == shown(chain)) continue;
+    table.row({timing.model.devices[chain.from].name + " -> " + timing.model.devices[chain.to].name,
+               duration_text(shown(chain)), duration_text(shown(*found))});
+  }
+  return table.text();
+}
+
 std::string order_text(const Model& model, const std::vector<std::size_t>& order, const Timing& timing,
                        Profile profile) {
   if (std::is_sorted(order.begin(), order.end())) return "\nno better order of siblings and roots was found\n";
@@ -69,7 +96,7 @@ std::string order_text(const Model& model, const std::vector<std::size_t>& order
     });
     table.row({model.devices[tree.root].name, duration_text(tree.latency_ns), duration_text(then->latency_ns)});
   }
-  return text + table.text();
+  return text + table.text() + changed_chains(timing, order, better);
 }
 
 void assume(Model& model, Ns wcet) {

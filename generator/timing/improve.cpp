@@ -38,36 +38,33 @@ bool survives(const Model& model, Profile profile, std::optional<std::size_t> on
   return is_schedulable(trial, profile);
 }
 
-/// Orders are judged by the worst tree latency, then by the sum over all paths; unbounded is worst. Before all that
-/// come readers registered before what they observe in the same period: their data are a whole period older, which no
-/// latency of a tree shows.
+/// Orders are judged by what analyze shows: the worst of tree latencies and chains, then their sum; unbounded is worst.
 struct Score {
-  std::size_t late_reads = 0;
   Ns worst = 0;
   long double total = 0;
+  void add(std::optional<Ns> bound) {
+    worst = std::max(worst, bound.value_or(kNever));
+    total += static_cast<long double>(bound.value_or(kNever));
+  }
   friend bool operator<(const Score& a, const Score& b) {
-    return std::tie(a.late_reads, a.worst, a.total) < std::tie(b.late_reads, b.worst, b.total);
+    return std::tie(a.worst, a.total) < std::tie(b.worst, b.total);
   }
 };
 
-std::size_t count_late_reads(const Model& model) {
-  std::size_t late = 0;
-  for (std::size_t d = 0; d < model.devices.size(); ++d) {
-    const Device& reader = model.devices[d];
-    late += static_cast<std::size_t>(std::count_if(reader.reads.begin(), reader.reads.end(), [&](std::size_t observed) {
-      return observed > d && model.devices[observed].period_ns == reader.period_ns;
-    }));
-  }
-  return late;
+void add_chains(const Model& model, const Topology& topology, const ProfileAnalysis& analysis, Score& score) {
+  Effort effort;
+  const WireAnalysis wire(model, analysis, effort);
+  for (const ChainResult& chain : ChainAnalysis(model, topology, analysis, wire, effort).defaults())
+    score.add(chain.end_to_end_ns ? chain.end_to_end_ns : chain.decide_ns);
 }
 
 Score score(const Model& model, Profile profile) {
-  const ProfileAnalysis analysis = analyse_profile(model, make_topology(model), profile);
-  Score s{count_late_reads(model)};
-  for (const TreeResult& tree : analysis.result.trees) {
-    s.worst = std::max(s.worst, tree.latency_ns.value_or(kNever));
-    for (const PathResult& path : tree.paths) s.total += static_cast<long double>(path.latency_ns.value_or(kNever));
-  }
+  const Topology topology = make_topology(model);
+  const ProfileAnalysis analysis = analyse_profile(model, topology, profile);
+  Score s;
+  for (const TreeResult& tree : analysis.result.trees) s.add(tree.latency_ns);
+  const Profile of_chains = model.has_target ? Profile::target : Profile::tight;
+  add_chains(model, topology, profile == of_chains ? analysis : analyse_profile(model, topology, of_chains), s);
   return s;
 }
 
