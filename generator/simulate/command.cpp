@@ -117,7 +117,7 @@ int run_simulate(const timing::Model& model, const SimulateOptions& options, Dia
   } else {
     out << table(outcome, options);
   }
-  return result.misses == 0 && outcome.holds() ? 0 : 1;
+  return timing->schedulable && result.misses == 0 && outcome.holds() ? 0 : 1;
 }
 
 }  // namespace finemote::gen
