@@ -102,7 +102,9 @@ std::vector<std::pair<std::string, std::string>> package_folders(Context& contex
           .hint("write --package name=dir");
       continue;
     }
-    folders.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+    std::error_code failed;
+    const fs::path folder = fs::absolute(word.substr(equals + 1), failed);  // as written, it would follow the file
+    folders.emplace_back(word.substr(0, equals), failed ? word.substr(equals + 1) : folder.lexically_normal().string());
   }
   return folders;
 }
