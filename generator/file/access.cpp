@@ -2,8 +2,6 @@
 
 #include <dirent.h>
 #include <fcntl.h>
-#include <fnmatch.h>
-#include <glob.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,6 +11,7 @@
 #include <string_view>
 
 #include "generator/file/system_reason.hpp"
+#include "generator/file/wild_card.hpp"
 
 namespace finemote::gen::files {
 namespace {
@@ -61,17 +60,10 @@ std::vector<std::string> components(std::string_view way) {
   return parts;
 }
 
-struct FreeGlob {
-  glob_t* found;
-  ~FreeGlob() { globfree(found); }
-};
-
 struct CloseFolder {
   DIR* folder;
   ~CloseFolder() { ::closedir(folder); }
 };
-
-bool is_wild(std::string_view name) { return name.find_first_of("*?[") != std::string_view::npos; }
 
 }  // namespace
 
@@ -173,18 +165,24 @@ std::vector<std::string> Access::list(const std::string& folder, Denial& denial)
 /// A pattern on its way through the folders of the sandbox.
 struct Access::Matching {
   std::vector<std::string> parts;
+  std::size_t& folders_left;
   std::vector<std::string> files = {};
-  std::size_t folders_left = 1'000;  ///< `*/../*/..` would go through the same ones without end
 };
 
-/// Adds what `begun` and the components from `next` on match. As glob() does it, but it sees nothing outside: so nobody
-/// learns which files are there.
+/// Whether a path leads to something that a pattern can stand for. In the sandbox nobody learns what is outside.
+bool Access::is_there(const std::string& path) const {
+  std::error_code failed;
+  if (!is_sandbox_) return fs::exists(fs::symlink_status(path, failed));
+  const auto denial = why_not(path);
+  return !denial || (!denial->is_outside && denial->error != ENOENT && denial->error != ENOTDIR);
+}
+
+/// Adds what `begun` and the components from `next` on match, as glob() does it, but bounded, and it sees nothing
+/// outside.
 void Access::add_matches(const std::string& begun, std::size_t next, Matching& matching) const {
   const auto& parts = matching.parts;
   if (next == parts.size()) {
-    const auto denial = why_not(begun);
-    const bool is_there = !denial || (!denial->is_outside && denial->error != ENOENT && denial->error != ENOTDIR);
-    if (is_there) matching.files.push_back(begun);
+    if (is_there(begun)) matching.files.push_back(begun);
     return;
   }
   const auto joined = [&begun](const std::string& name) {
@@ -195,29 +193,18 @@ void Access::add_matches(const std::string& begun, std::size_t next, Matching& m
   --matching.folders_left;
   Denial unseen;
   for (const std::string& name : list(begun.empty() ? "." : begun, unseen)) {
-    const bool matches = ::fnmatch(parts[next].c_str(), name.c_str(), FNM_PERIOD) == 0;
-    if (matches) add_matches(joined(name), next + 1, matching);
+    if (matches(parts[next], name)) add_matches(joined(name), next + 1, matching);
   }
 }
 
-std::vector<std::string> Access::match(const std::string& pattern, Denial& denial) const {
-  std::vector<std::string> files;
-  if (is_sandbox_) {
-    const auto slash = pattern.rfind('/', pattern.find_first_of("*?["));
-    const std::string begin = slash == std::string::npos ? "." : pattern.substr(0, slash + 1);
-    if (!locate(begin)) return denial = outside(), files;
-    Matching matching{components(pattern)};
-    add_matches(pattern.starts_with('/') ? "/" : "", 0, matching);
-    if (matching.folders_left == 0) return denial = outside("it goes through too many folders"), files;
-    files = std::move(matching.files);
-  } else {
-    glob_t found{};
-    const FreeGlob guard{&found};
-    if (::glob(pattern.c_str(), GLOB_NOSORT, nullptr, &found) == 0)
-      files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
-  }
-  std::sort(files.begin(), files.end());
-  return files;
+std::vector<std::string> Access::match(const std::string& pattern, std::size_t& folders_left, Denial& denial) const {
+  const auto slash = pattern.rfind('/', pattern.find_first_of("*?["));
+  const std::string begin = slash == std::string::npos ? "." : pattern.substr(0, slash + 1);
+  if (is_sandbox_ && !locate(begin)) return denial = outside(), std::vector<std::string>();
+  Matching matching{components(pattern), folders_left};
+  add_matches(pattern.starts_with('/') ? "/" : "", 0, matching);
+  std::sort(matching.files.begin(), matching.files.end());
+  return std::move(matching.files);
 }
 
 bool Access::holds_folder(const std::string& folder) const {

@@ -59,8 +59,9 @@ class Access {
   /// Names in a folder, in byte order; none when it does not exist. A filled `denial` when it may not be read.
   std::vector<std::string> list(const std::string& folder, Denial& denial) const;
   /// Files that match a pattern of the shell, in byte order. A filled `denial` when the pattern begins outside; further
-  /// on, folders outside count as empty. No match goes through more than 1,000 folders.
-  std::vector<std::string> match(const std::string& pattern, Denial& denial) const;
+  /// on, folders outside count as empty. Counts `folders_left` down by the folders it lists: `*/../*/..` would go
+  /// through the same ones without end. At 0 it gives up, and the answer is not complete.
+  std::vector<std::string> match(const std::string& pattern, std::size_t& folders_left, Denial& denial) const;
   /// Whether a folder is there, and may be looked into.
   [[nodiscard]] bool holds_folder(const std::string& folder) const;
   /// The whole file; nothing when it may not or cannot be read, or is larger than `most` bytes.
@@ -74,6 +75,7 @@ class Access {
   };
   [[nodiscard]] std::optional<Inside> locate(const std::string& path) const;
   struct Matching;
+  [[nodiscard]] bool is_there(const std::string& path) const;
   void add_matches(const std::string& begun, std::size_t next, Matching& matching) const;
   [[nodiscard]] int open_inside(const std::string& path, int flags, Denial& denial) const;
   [[nodiscard]] int open_any(const std::string& path, int flags, Denial& denial) const;

@@ -61,10 +61,7 @@ Value is_integer(Runtime& /*runtime*/, const Value& self, CallArguments& argumen
 
 Value bit_length(Runtime& /*runtime*/, const Value& self, CallArguments& arguments) {
   const Parameters none(arguments, "bit_length", {}, 0);
-  const Integer i = *as_integer(self);
-  if (i.is_zero()) return 0;
-  const std::string bits = (i.is_negative() ? -i : i).to_string(2);
-  return static_cast<std::int64_t>(bits.size());
+  return static_cast<std::int64_t>(xacro::bit_length(*as_integer(self)));
 }
 
 /// `start`, `stop` and `step` of a slice or range.

@@ -1,15 +1,19 @@
 // The bounds of one expansion: generous for robots, and reached within a second by an input that never ends.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <utility>
 
 #include "generator/xacro/failure.hpp"
+#include "generator/xacro/heap.hpp"
 
 namespace finemote::gen::xacro {
 
-inline constexpr std::size_t kMaxSteps = 10'000'000;               ///< operations inside one expression
-inline constexpr std::size_t kMaxTotalSteps = 100'000'000;         ///< operations inside all expressions
+inline constexpr std::size_t kMaxSteps = 10'000'000;       ///< operations inside one expression
+inline constexpr std::size_t kMaxTotalSteps = 50'000'000;  ///< operations of all expressions, and elements visited
+inline constexpr std::size_t kMaxMemory = std::size_t{1} << 30;    ///< bytes in use at a time
 inline constexpr std::size_t kMaxText = std::size_t{64} << 20;     ///< bytes of one text value
 inline constexpr std::size_t kMaxItems = 4'000'000;                ///< items of one list, range or repetition
 inline constexpr std::size_t kMaxCalls = 300'000;                  ///< macro calls of one expansion
@@ -18,6 +22,7 @@ inline constexpr std::size_t kMaxNestedCalls = 2'000;              ///< macro ca
 inline constexpr std::size_t kMaxOutput = std::size_t{512} << 20;  ///< bytes of names, values and texts of the result
 inline constexpr std::size_t kMaxOutputDepth = 2'000;              ///< elements inside elements of the result
 inline constexpr std::size_t kMaxIncludes = 200;                   ///< files inside files
+inline constexpr std::size_t kMaxFolders = 10'000;                 ///< folders listed for wild cards
 inline constexpr std::size_t kMaxExpressionDepth = 200;            ///< brackets inside brackets of one expression
 
 inline constexpr std::size_t kMaxEvalDepth = 10'000;  ///< expressions inside expressions, through properties
@@ -30,11 +35,30 @@ class Budget {
     steps_ += steps;
     if (steps_ > kMaxSteps) fail_limit("the expression needs too many operations");
     if (total_ > kMaxTotalSteps) fail_limit("the expressions of the file need too many operations");
+    look_at_memory(steps);
+  }
+  /// Work outside of expressions.
+  void visit(std::size_t steps) {
+    total_ += steps;
+    if (total_ > kMaxTotalSteps) fail_limit("the expansion needs too many operations");
+    look_at_memory(steps);
   }
 
  private:
+  /// Seldom enough to cost nothing, and often enough for what so many steps can take up.
+  void look_at_memory(std::size_t steps) {
+    constexpr std::size_t interval = 1 << 18;
+    unlooked_ += steps;
+    if (unlooked_ < interval) return;
+    unlooked_ = 0;
+    if (heap_in_use() > kMaxMemory) {
+      fail_limit(fmt::format("the expansion needs more than {} GiB of memory", kMaxMemory >> 30));
+    }
+  }
+
   std::size_t steps_ = 0;
   std::size_t total_ = 0;
+  std::size_t unlooked_ = 0;
 };
 
 /// One level of recursion, as long as it lives.

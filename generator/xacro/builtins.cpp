@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "generator/xacro/compare.hpp"
+#include "generator/xacro/cost.hpp"
 #include "generator/xacro/evaluate.hpp"
 #include "generator/xacro/iterate.hpp"
 #include "generator/xacro/operate.hpp"
@@ -66,9 +67,10 @@ Value min(Runtime& runtime, CallArguments& arguments) { return extreme(runtime, 
 Value max(Runtime& runtime, CallArguments& arguments) { return extreme(runtime, arguments, "max", ">"); }
 
 /// To a multiple of 10^places, ties to even.
-Integer round_integer(const Integer& i, std::int64_t places) {
+Integer round_integer(Runtime& runtime, const Integer& i, std::int64_t places) {
   if (places > 4000) return 0;
   const Integer unit = power(10, places);
+  runtime.budget.spend(cost_of_product(bytes_of(unit), bytes_of(unit)) + 2 * cost_of_division(i, unit));
   const Integer below = floor_divide(i, unit);
   const Integer rest = i - below * unit;
   const Integer twice = rest + rest;
@@ -76,11 +78,11 @@ Integer round_integer(const Integer& i, std::int64_t places) {
   return (up ? below + 1 : below) * unit;
 }
 
-Value round(Runtime& /*runtime*/, CallArguments& arguments) {
+Value round(Runtime& runtime, CallArguments& arguments) {
   const Parameters p(arguments, "round", {"number", "ndigits"}, 1);
   const bool to_whole = p[1] == nullptr || p.at(1).is_none();
   const std::int64_t digits = p.integer(1, 0);
-  if (const auto i = as_integer(p.at(0))) return digits < 0 ? round_integer(*i, -digits) : *i;
+  if (const auto i = as_integer(p.at(0))) return digits < 0 ? round_integer(runtime, *i, -digits) : *i;
   const double* d = as_real(p.at(0));
   if (d == nullptr) fail_eval(fmt::format("type {} doesn't define __round__ method", type_name(p.at(0))));
   if (to_whole) return integer_of(std::nearbyint(*d));

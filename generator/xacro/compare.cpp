@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "generator/xacro/cost.hpp"
 #include "generator/xacro/runtime.hpp"
 
 namespace finemote::gen::xacro {
@@ -43,11 +44,17 @@ std::optional<std::partial_ordering> compare_numbers(const Value& a, const Value
   return std::nullopt;
 }
 
+/// Identical or equal, as the containers of Python compare their items.
+bool same(Runtime& runtime, const Value& a, const Value& b) {
+  runtime.budget.spend(1 + cost_of_block(bytes_of(a)));
+  return identical(a, b) || equal(runtime, a, b);
+}
+
 bool equal_items(Runtime& runtime, const Values& a, const Values& b) {
   if (a.size() != b.size()) return false;
   const Level level = deeper(runtime);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (!identical(a[i], b[i]) && !equal(runtime, a[i], b[i])) return false;
+    if (!same(runtime, a[i], b[i])) return false;
   }
   return true;
 }
@@ -88,9 +95,8 @@ bool satisfies(std::string_view symbol, T order) {
 bool ordered_items(Runtime& runtime, const Values& a, const Values& b, std::string_view symbol) {
   const Level level = deeper(runtime);
   const std::size_t common = std::min(a.size(), b.size());
-  runtime.budget.spend(common);
   for (std::size_t i = 0; i < common; ++i) {
-    if (!identical(a[i], b[i]) && !equal(runtime, a[i], b[i])) return ordered(runtime, a[i], b[i], symbol);
+    if (!same(runtime, a[i], b[i])) return ordered(runtime, a[i], b[i], symbol);
   }
   return satisfies(symbol, a.size() <=> b.size());
 }
@@ -120,7 +126,7 @@ bool identical(const Value& a, const Value& b) {
 }
 
 bool equal(Runtime& runtime, const Value& a, const Value& b) {
-  runtime.budget.spend(1);
+  runtime.budget.spend(1 + cost_of_block(bytes_of(a)));
   if (const auto numbers = compare_numbers(a, b)) return *numbers == 0;
   if (a.text() != nullptr && b.text() != nullptr) return *a.text() == *b.text();
   if (const auto* x = a.object<List>(), *y = b.object<List>(); x != nullptr && y != nullptr) {
@@ -142,7 +148,7 @@ bool equal(Runtime& runtime, const Value& a, const Value& b) {
 }
 
 bool ordered(Runtime& runtime, const Value& a, const Value& b, std::string_view symbol) {
-  runtime.budget.spend(1);
+  runtime.budget.spend(1 + cost_of_block(bytes_of(a)));
   if (const auto numbers = compare_numbers(a, b)) return satisfies(symbol, *numbers);
   if (a.text() != nullptr && b.text() != nullptr) return satisfies(symbol, a.text()->compare(*b.text()) <=> 0);
   if (const auto* x = a.object<List>(), *y = b.object<List>(); x != nullptr && y != nullptr) {
@@ -181,7 +187,7 @@ std::size_t hash_tuple(Runtime& runtime, const Tuple& tuple) {
 }  // namespace
 
 std::size_t hash_of(Runtime& runtime, const Value& value) {
-  runtime.budget.spend(1);
+  runtime.budget.spend(1 + cost_of_bytes(bytes_of(value)));
   if (const auto i = as_integer(value)) return hash_integer(*i);
   switch (value.type()) {
     case Type::none:

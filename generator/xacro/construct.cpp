@@ -157,6 +157,7 @@ Value make_zip(Runtime& runtime, CallArguments& arguments) {
   if (arguments.positional.empty()) return make_iterator(Type::zip, {});
   const auto columns = columns_of(runtime, arguments, 0);
   Values rows;
+  runtime.budget.spend(columns.size() * columns[0].size());
   for (std::size_t i = 0; i < columns[0].size(); ++i) rows.push_back(make_tuple(row_of(columns, i)));
   return make_iterator(Type::zip, std::move(rows));
 }
@@ -214,6 +215,7 @@ std::shared_ptr<Table> table_of(Runtime& runtime, CallArguments& arguments, std:
   if (!arguments.positional.empty()) {
     const Value& source = arguments.positional[0];
     if (const auto* dict = source.object<Dict>()) {
+      runtime.budget.spend(dict->table->entries().size());
       *table = *dict->table;
     } else {
       add_pairs(runtime, *table, source);

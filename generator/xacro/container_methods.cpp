@@ -28,7 +28,7 @@ Value append(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Parameters p(arguments, "append", {"object"}, 1);
   check_no_cycle(runtime, self, p.at(0));
   check_size(list_of(self).items->size() + 1);
-  list_of(self).to_change().push_back(p.at(0));
+  list_of(self).to_change(runtime).push_back(p.at(0));
   return {};
 }
 
@@ -37,7 +37,7 @@ Value extend(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Values more = items_of(runtime, p.at(0));
   for (const Value& item : more) check_no_cycle(runtime, self, item);
   check_size(list_of(self).items->size() + more.size());
-  Values& items = list_of(self).to_change();
+  Values& items = list_of(self).to_change(runtime);
   items.insert(items.end(), more.begin(), more.end());
   return {};
 }
@@ -45,7 +45,7 @@ Value extend(Runtime& runtime, const Value& self, CallArguments& arguments) {
 Value insert(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Parameters p(arguments, "insert", {"index", "object"}, 2);
   check_no_cycle(runtime, self, p.at(1));
-  Values& items = list_of(self).to_change();
+  Values& items = list_of(self).to_change(runtime);
   const auto size = static_cast<std::int64_t>(items.size());
   check_size(items.size() + 1);
   runtime.budget.spend(items.size());
@@ -57,7 +57,7 @@ Value insert(Runtime& runtime, const Value& self, CallArguments& arguments) {
 Value pop(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Parameters p(arguments, "pop", {"index"}, 0);
   if (list_of(self).items->empty()) fail_eval("pop from empty list");
-  Values& items = list_of(self).to_change();
+  Values& items = list_of(self).to_change(runtime);
   runtime.budget.spend(items.size() / 16);
   const std::size_t at = checked_index(p.integer(0, -1), items.size(), "pop index out of range");
   Value taken = items[at];
@@ -74,33 +74,36 @@ std::size_t place_of(Runtime& runtime, const Values& items, const Value& wanted)
 
 Value remove(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Parameters p(arguments, "remove", {"value"}, 1);
-  Values& items = list_of(self).to_change();
+  Values& items = list_of(self).to_change(runtime);
   const std::size_t at = place_of(runtime, items, p.at(0));
   if (at == items.size()) fail_eval("list.remove(x): x not in list");
+  runtime.budget.spend(items.size() / 16);
   items.erase(items.begin() + static_cast<std::ptrdiff_t>(at));
   return {};
 }
 
-Value reverse(Runtime& /*runtime*/, const Value& self, CallArguments& arguments) {
+Value reverse(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Parameters none(arguments, "reverse", {}, 0);
-  Values& items = list_of(self).to_change();
+  runtime.budget.spend(list_of(self).items->size() / 8);
+  Values& items = list_of(self).to_change(runtime);
   std::reverse(items.begin(), items.end());
   return {};
 }
 
 Value sort(Runtime& runtime, const Value& self, CallArguments& arguments) {
-  list_of(self).to_change() = sorted_items(runtime, *list_of(self).items, arguments, "sort");
+  list_of(self).to_change(runtime) = sorted_items(runtime, *list_of(self).items, arguments, "sort");
   return {};
 }
 
-Value clear_list(Runtime& /*runtime*/, const Value& self, CallArguments& arguments) {
+Value clear_list(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Parameters none(arguments, "clear", {}, 0);
-  list_of(self).to_change().clear();
+  list_of(self).to_change(runtime).clear();
   return {};
 }
 
-Value copy_list(Runtime& /*runtime*/, const Value& self, CallArguments& arguments) {
+Value copy_list(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Parameters none(arguments, "copy", {}, 0);
+  runtime.budget.spend(list_of(self).items->size());
   return make_list(*list_of(self).items);
 }
 
@@ -155,7 +158,7 @@ Value pop_key(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Value* item = dict_of(self).table->find(runtime, p.at(0));
   if (item == nullptr && p[1] == nullptr) fail_eval(to_source(runtime, p.at(0)));
   Value taken = item != nullptr ? *item : p.at(1);
-  dict_of(self).to_change().erase(runtime, p.at(0));
+  dict_of(self).to_change(runtime).erase(runtime, p.at(0));
   return taken;
 }
 
@@ -163,7 +166,7 @@ Value popitem(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Parameters none(arguments, "popitem", {}, 0);
   if (dict_of(self).table->entries().empty()) fail_eval("'popitem(): dictionary is empty'");
   const auto last = dict_of(self).table->entries().back();
-  dict_of(self).to_change().erase(runtime, last.first);
+  dict_of(self).to_change(runtime).erase(runtime, last.first);
   return make_tuple({last.first, last.second});
 }
 
@@ -172,25 +175,26 @@ Value setdefault(Runtime& runtime, const Value& self, CallArguments& arguments) 
   if (const Value* item = dict_of(self).table->find(runtime, p.at(0))) return *item;
   Value value = p[1] != nullptr ? p.at(1) : Value();
   check_no_cycle(runtime, self, value);
-  dict_of(self).to_change().set(runtime, p.at(0), value);
+  dict_of(self).to_change(runtime).set(runtime, p.at(0), value);
   return value;
 }
 
 Value update(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const auto more = table_of(runtime, arguments, "update");
   for (const auto& entry : more->entries()) check_no_cycle(runtime, self, entry.second);
-  for (const auto& [key, value] : more->entries()) dict_of(self).to_change().set(runtime, key, value);
+  for (const auto& [key, value] : more->entries()) dict_of(self).to_change(runtime).set(runtime, key, value);
   return {};
 }
 
-Value clear_dict(Runtime& /*runtime*/, const Value& self, CallArguments& arguments) {
+Value clear_dict(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Parameters none(arguments, "clear", {}, 0);
-  dict_of(self).to_change().clear();
+  dict_of(self).to_change(runtime).clear();
   return {};
 }
 
-Value copy_dict(Runtime& /*runtime*/, const Value& self, CallArguments& arguments) {
+Value copy_dict(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Parameters none(arguments, "copy", {}, 0);
+  runtime.budget.spend(dict_of(self).table->entries().size());
   return make_dict(std::make_shared<Table>(*dict_of(self).table));
 }
 
@@ -224,11 +228,14 @@ Value pop_any(Runtime& runtime, const Value& self, CallArguments& arguments) {
   return taken;
 }
 
-std::shared_ptr<Set> copy_of(const Value& self) { return std::make_shared<Set>(set_of(self)); }
+std::shared_ptr<Set> copy_of(Runtime& runtime, const Value& self) {
+  runtime.budget.spend(set_of(self).table.entries().size());
+  return std::make_shared<Set>(set_of(self));
+}
 
-Value copy_set(Runtime& /*runtime*/, const Value& self, CallArguments& arguments) {
+Value copy_set(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Parameters none(arguments, "copy", {}, 0);
-  return copy_of(self);
+  return copy_of(runtime, self);
 }
 
 /// The items of all arguments, as a set.
@@ -242,7 +249,7 @@ Set gathered(Runtime& runtime, const CallArguments& arguments, std::string_view 
 }
 
 Value set_union(Runtime& runtime, const Value& self, CallArguments& arguments) {
-  auto result = copy_of(self);
+  auto result = copy_of(runtime, self);
   const Set more = gathered(runtime, arguments, "union");
   for (const auto& entry : more.table.entries()) result->table.set(runtime, entry.first, {});
   return result;
@@ -255,14 +262,14 @@ Value add_all(Runtime& runtime, const Value& self, CallArguments& arguments) {
 }
 
 Value difference(Runtime& runtime, const Value& self, CallArguments& arguments) {
-  auto result = copy_of(self);
+  auto result = copy_of(runtime, self);
   const Set other = gathered(runtime, arguments, "difference");
   for (const auto& entry : other.table.entries()) result->table.erase(runtime, entry.first);
   return result;
 }
 
 Value intersection(Runtime& runtime, const Value& self, CallArguments& arguments) {
-  auto result = copy_of(self);
+  auto result = copy_of(runtime, self);
   for (const Value& argument : arguments.positional) {
     CallArguments one{{argument}, {}};
     const Set other = gathered(runtime, one, "intersection");
@@ -275,7 +282,7 @@ Value intersection(Runtime& runtime, const Value& self, CallArguments& arguments
 }
 
 Value symmetric_difference(Runtime& runtime, const Value& self, CallArguments& arguments) {
-  auto result = copy_of(self);
+  auto result = copy_of(runtime, self);
   const Set other = gathered(runtime, arguments, "symmetric_difference");
   for (const auto& entry : other.table.entries()) {
     if (!result->table.erase(runtime, entry.first)) result->table.set(runtime, entry.first, {});

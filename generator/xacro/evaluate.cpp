@@ -6,6 +6,7 @@
 
 #include "generator/xacro/attribute.hpp"
 #include "generator/xacro/builtins.hpp"
+#include "generator/xacro/cost.hpp"
 #include "generator/xacro/iterate.hpp"
 #include "generator/xacro/operate.hpp"
 #include "generator/xacro/print.hpp"
@@ -61,7 +62,7 @@ class Evaluator {
       case Kind::starred:
         fail_eval("can't use starred expression here");
       case Kind::unary:
-        return operate(e.operators[0], run(*e.operands[0]));
+        return operate(runtime_, e.operators[0], run(*e.operands[0]));
       case Kind::binary:
         return binary(e);
       case Kind::comparison:
@@ -182,6 +183,7 @@ class Evaluator {
     }
     const Value mapping = run(*keyword.value);
     if (mapping.object<Dict>() == nullptr) fail_eval("argument after ** must be a mapping");
+    runtime_.budget.spend(4 * mapping.object<Dict>()->table->entries().size());
     for (const auto& [key, value] : mapping.object<Dict>()->table->entries()) {
       if (key.text() == nullptr) fail_eval("keywords must be strings");
       arguments.named.emplace_back(*key.text(), value);
@@ -310,15 +312,32 @@ Value evaluate(Runtime& runtime, const Expression& expression, Scope& scope) {
   return Evaluator(runtime, scope, nullptr).run(expression);
 }
 
+namespace {
+
+/// A function of the library looks at every byte of its operands at most a few times; what takes more, it counts
+/// itself.
+std::size_t cost_of_operands(const CallArguments& arguments) {
+  std::size_t bytes = 0;
+  for (const Value& value : arguments.positional) bytes += bytes_of(value);
+  for (const auto& named : arguments.named) bytes += bytes_of(named.second);
+  return cost_of_bytes(bytes) + arguments.named.size();
+}
+
+}  // namespace
+
 Value call_value(Runtime& runtime, const Value& function, CallArguments& arguments) {
   const Level level(runtime.depth, kMaxEvalDepth, kTooDeep);
   runtime.budget.spend(1);
+  if (function.object<const Lambda>() == nullptr) runtime.budget.spend(cost_of_operands(arguments));
   if (const auto* builtin = function.as<const Builtin*>()) {
     const Builtin& called = **builtin;
     if (!called.deprecated_for.empty()) runtime.host.deprecated(called.name, called.deprecated_for);
     return called.call(runtime, arguments);
   }
-  if (const auto* method = function.object<const BoundMethod>()) return method->call(runtime, *method->self, arguments);
+  if (const auto* method = function.object<const BoundMethod>()) {
+    runtime.budget.spend(cost_of_bytes(bytes_of(*method->self)));
+    return method->call(runtime, *method->self, arguments);
+  }
   if (const auto* type = function.as<Type>()) return construct(runtime, *type, arguments);
   if (const auto* lambda = function.object<const Lambda>()) {
     return Evaluator(runtime, *lambda->scope, bind_parameters(*lambda, arguments)).run(*lambda->code->operands[0]);

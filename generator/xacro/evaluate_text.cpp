@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 
 #include "generator/xacro/evaluate.hpp"
 #include "generator/xacro/expander.hpp"
@@ -9,6 +10,18 @@
 #include "generator/xacro/print.hpp"
 
 namespace finemote::gen::xacro {
+namespace {
+
+/// What a message shows of an expression, which can be as long as the file.
+std::string excerpt(const std::string& text) {
+  constexpr std::size_t most = 300;
+  if (text.size() <= most) return text;
+  std::size_t end = most;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a character
+  return text.substr(0, end) + " ...";
+}
+
+}  // namespace
 
 std::string Expander::text_of(const std::string& text, const Position& at, Scope& scope) {
   if (text.find('$') == std::string::npos) return text;
@@ -60,8 +73,11 @@ void Expander::check_piece(const Text& text, std::size_t i, const Position& at, 
   std::vector<std::string> hints;
   if (piece.text.starts_with("${")) hints.push_back("close it with '}'; for the text itself write '$${'");
   if (piece.text.starts_with("$(")) hints.push_back("close it with ')'; for the text itself write '$$('");
-  throw Failure{
-      code::xacro_text, "invalid expression: " + piece.text, inside(at, whole, piece.offset), {}, std::move(hints)};
+  throw Failure{code::xacro_text,
+                "invalid expression: " + excerpt(piece.text),
+                inside(at, whole, piece.offset),
+                {},
+                std::move(hints)};
 }
 
 /// Tells the built-ins where they are called, for as long as one piece is evaluated.
@@ -97,15 +113,17 @@ Value Expander::evaluate_piece(const Piece& piece, const Position& at, const std
     return is_expression ? evaluate_expression(piece, at, whole, scope)
                          : Value(substitute(*this, inner_of(piece, at, whole, scope)));
   } catch (Failure& failure) {
-    if (is_expression) failure.message += fmt::format(" when evaluating expression '{}'", piece.text);
+    if (is_expression) failure.message += fmt::format(" when evaluating expression '{}'", excerpt(piece.text));
     const bool is_elsewhere = failure.at.file != nullptr && (failure.at.file != at.file || failure.at.line != at.line);
     constexpr std::size_t most_notes = 8;
     if (failure.at.file == nullptr) {
       failure.at = inside(at, whole, piece.offset);
     } else if (is_elsewhere && failure.notes.size() < most_notes) {
-      failure.notes.push_back({fmt::format("needed for '{}'", piece.text), inside(at, whole, piece.offset)});
+      failure.notes.push_back({fmt::format("needed for '{}'", excerpt(piece.text)), inside(at, whole, piece.offset)});
     }
     throw;
+  } catch (const std::bad_alloc&) {
+    throw Failure{code::xacro_limit, "the expression needs more memory than there is", inside(at, whole, piece.offset)};
   }
 }
 

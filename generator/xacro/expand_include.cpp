@@ -10,6 +10,11 @@
 #include "generator/xacro/source_failure.hpp"
 
 namespace finemote::gen::xacro {
+namespace {
+
+constexpr std::size_t kIncludeSteps = 500;  // the system is asked for the file each time
+
+}  // namespace
 
 void Expander::expand_include(const Node& source, const Context& context, Sink& out, bool has_next) {
   const xml::Attribute& name = required(source, "filename", context);
@@ -37,8 +42,9 @@ std::vector<std::string> Expander::files_of(const std::string& specification, co
   const std::string path = absolute_name(specification);
   if (path.find_first_of("*[?") == std::string::npos) return {path};
   files::Denial denial;
-  auto files = sources_.access().match(path, denial);
+  auto files = sources_.access().match(path, folders_left_, denial);
   if (denial.is_outside) fail_outside(specification, denial, at);
+  if (folders_left_ == 0) throw Failure{code::xacro_limit, "the wild cards go through too many folders", at};
   if (files.empty()) {
     warn(code::xacro_no_match, at, fmt::format("Include tag's filename spec \"{}\" matched no files.", path));
   }
@@ -67,6 +73,7 @@ void Expander::include_file(const Node& source, const std::string& file, bool is
         code::xacro_limit,
         fmt::format("'{}' is included inside itself without end, or {} includes are nested", file, kMaxIncludes), at};
   }
+  visit(source, context, kIncludeSteps);
   add_dependency(file);
   const SystemError missing = why_unreadable(file, sources_, at);
   if (missing.number != 0) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/xacro/cost.hpp"
 #include "generator/xacro/print.hpp"
 #include "generator/xacro/source_failure.hpp"
 #include "generator/xml/write.hpp"
@@ -12,7 +13,7 @@ namespace finemote::gen::xacro {
 namespace {
 
 constexpr std::string_view kPrefix = "xacro:";
-constexpr std::size_t kNodeCost = 64;  // bytes of output bookkeeping that a node counts for at least
+constexpr std::size_t kNodeCost = 192;  // bytes of output bookkeeping that a node counts for at least
 
 void set_attribute(xml::Node& node, xml::Attribute attribute) {
   for (xml::Attribute& a : node.attributes) {
@@ -99,10 +100,23 @@ std::vector<std::string> Expander::location() const {
   return lines;
 }
 
+/// Counts a node: a macro may pass its body again and again without an expression.
+void Expander::visit(const Node& node, const Context& context, std::size_t steps) {
+  std::size_t bytes = node.text.size();
+  for (const xml::Attribute& a : node.attributes) bytes += a.value.size();
+  try {
+    runtime_.budget.visit(steps + node.attributes.size() + cost_of_block(bytes));
+  } catch (Failure& failure) {
+    failure.at = place(node.at, context);
+    throw;
+  }
+}
+
 void Expander::expand_children(const Node& source, const Context& context, Sink& out) {
   bool comments_evaluated = false;
   for (std::size_t i = 0; i < source.children.size(); ++i) {
     const Node& child = source.children[i];
+    visit(child, context);
     switch (child.kind) {
       case Node::Kind::element:
         comments_evaluated = false;

@@ -44,6 +44,7 @@ class Expander : private Host, private SubstitutionHost {
 
   // ---- walking: expander.cpp ----
   void expand_children(const Node& source, const Context& context, Sink& out);
+  void visit(const Node& node, const Context& context, std::size_t steps = 8);
   void expand_element(const Node& source, const Context& context, Sink& out, bool has_next);
   void expand_plain_element(const Node& source, const Context& context, Sink& out);
   void expand_text(const Node& source, const Context& context, Sink& out);
@@ -161,6 +162,7 @@ class Expander : private Host, private SubstitutionHost {
   std::size_t current_offset_ = 0;
   std::uint64_t elements_ = 0;  // built so far
   std::size_t calls_ = 0;
+  std::size_t folders_left_ = kMaxFolders;
   std::size_t output_size_ = 0;
   std::size_t output_depth_ = 0;
   std::size_t block_depth_ = 0;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "generator/xacro/attribute.hpp"
+#include "generator/xacro/cost.hpp"
 #include "generator/xacro/number.hpp"
 #include "generator/xacro/print.hpp"
 #include "generator/xacro/real_format.hpp"
@@ -93,6 +94,7 @@ class PercentFormatter {
   }
 
   std::string run() {
+    runtime_.budget.spend(cost_of_bytes(pattern_.size()));
     std::string out;
     while (at_ < pattern_.size()) {
       if (pattern_[at_] != '%') {
@@ -100,7 +102,9 @@ class PercentFormatter {
         continue;
       }
       ++at_;
-      out += field();
+      const std::string text = field();
+      runtime_.budget.spend(cost_of_bytes(text.size()));
+      out += text;
       if (out.size() > kMaxText) fail_limit("the text is too long");
     }
     const bool used_all = several_ != nullptr ? next_ >= several_->size() : next_ > 0 || by_name_ || is_mapping();
@@ -193,6 +197,7 @@ class PercentFormatter {
   }
 
   std::string text_of(const PercentField& f, const Value& value) {
+    runtime_.budget.spend(cost_of_printing(value));
     switch (f.type) {
       case 's':
         return padded_text(f, to_text(runtime_, value));
@@ -460,7 +465,9 @@ class BraceFormatter {
       text.remove_prefix(2);
     }
     if (text.starts_with(':')) text.remove_prefix(1);
-    return format_value(runtime_, value, run(text, depth + 1));
+    std::string formatted = format_value(runtime_, value, run(text, depth + 1));
+    runtime_.budget.spend(cost_of_bytes(formatted.size()));
+    return formatted;
   }
 
   /// `0`, `name`, empty for the next one, followed by `.attribute` and `[key]`.
@@ -518,6 +525,7 @@ std::string format_braces(Runtime& runtime, const std::string& pattern, const Ca
 
 std::string format_value(Runtime& runtime, const Value& value, std::string_view specification) {
   if (specification.empty()) return to_text(runtime, value);
+  runtime.budget.spend(cost_of_printing(value));
   const Specification s = parse_specification(specification, value);
   if (const double* d = as_real(value)) return format_real(s, value, *d);
   if (const auto i = as_integer(value)) return format_integer(s, value, *i);

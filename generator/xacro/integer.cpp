@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <vector>
 
 #include "generator/xacro/big_integer.hpp"
 #include "generator/xacro/failure.hpp"
@@ -13,15 +15,8 @@
 namespace finemote::gen::xacro {
 namespace {
 
-std::size_t bit_length(const BigInteger& value) {
+std::size_t bits_of(const BigInteger& value) {
   return value == 0 ? 0 : boost::multiprecision::msb(value < 0 ? BigInteger(-value) : value) + 1;
-}
-
-std::size_t bit_length(const Integer& value) {
-  if (!value.is_small()) return bit_length(big_of(value));
-  const auto magnitude =
-      value.small() < 0 ? 0 - static_cast<std::uint64_t>(value.small()) : static_cast<std::uint64_t>(value.small());
-  return static_cast<std::size_t>(std::bit_width(magnitude));
 }
 
 void check_bits(std::size_t bits) {
@@ -35,7 +30,7 @@ double scale(std::uint64_t top, long exponent) {
 
 /// |value| * 2^exponent, correctly rounded; `rest` says that the exact value is a little larger.
 double rounded(const BigInteger& value, bool rest, long exponent) {
-  const std::size_t bits = bit_length(value);
+  const std::size_t bits = bits_of(value);
   if (bits <= 64) {
     const auto top = value.convert_to<std::uint64_t>();
     return scale(top, exponent);
@@ -49,7 +44,7 @@ double rounded(const BigInteger& value, bool rest, long exponent) {
 
 /// x * x for multi-limb numbers in the loop of power().
 BigInteger multiply_checked(const BigInteger& a, const BigInteger& b) {
-  check_bits(bit_length(a) + bit_length(b) > 1 ? bit_length(a) + bit_length(b) - 1 : 0);
+  check_bits(bits_of(a) + bits_of(b) > 1 ? bits_of(a) + bits_of(b) - 1 : 0);
   return a * b;
 }
 
@@ -69,6 +64,13 @@ Integer integer_from(BigInteger value) {
   return Integer(std::make_shared<const BigHolder>(BigHolder{std::move(value)}));
 }
 
+std::size_t bit_length(const Integer& value) {
+  if (!value.is_small()) return bits_of(value.big()->value);
+  const auto magnitude =
+      value.small() < 0 ? 0 - static_cast<std::uint64_t>(value.small()) : static_cast<std::uint64_t>(value.small());
+  return static_cast<std::size_t>(std::bit_width(magnitude));
+}
+
 bool Integer::is_negative() const { return big_ ? big_->value < 0 : small_ < 0; }
 
 double Integer::to_double() const {
@@ -85,7 +87,7 @@ std::string Integer::to_string() const {
   const auto too_long = [] {
     fail_eval(fmt::format("Exceeds the limit ({} digits) for integer string conversion", kMaxIntegerDigits));
   };
-  if (static_cast<double>(bit_length(big_->value)) > (static_cast<double>(kMaxIntegerDigits) + 2) * kBitsPerDigit)
+  if (static_cast<double>(bits_of(big_->value)) > (static_cast<double>(kMaxIntegerDigits) + 2) * kBitsPerDigit)
     too_long();
   std::string text = big_->value.str();
   if (text.size() - (text[0] == '-') > kMaxIntegerDigits) too_long();
@@ -93,17 +95,11 @@ std::string Integer::to_string() const {
 }
 
 std::string Integer::to_string(unsigned base) const {
-  const bool negative = is_negative();
-  BigInteger rest = negative ? BigInteger(-big_of(*this)) : big_of(*this);
   const unsigned bits = base == 2 ? 1 : base == 8 ? 3 : 4;
-  std::string text;
-  do {
-    text += "0123456789abcdef"[(rest & (base - 1)).convert_to<unsigned>()];
-    rest >>= bits;
-    if (text.size() > kMaxIntegerBits) break;
-  } while (rest != 0);
-  if (negative) text += '-';
-  std::reverse(text.begin(), text.end());
+  std::vector<unsigned char> digits;
+  boost::multiprecision::export_bits(big_of(*this), std::back_inserter(digits), bits);  // of the magnitude
+  std::string text = is_negative() ? "-" : "";
+  for (const unsigned char digit : digits) text += "0123456789abcdef"[digit];
   return text;
 }
 
@@ -195,7 +191,7 @@ double true_divide(const Integer& a, const Integer& b) {
   if (a.is_zero()) return 0.0;
   const BigInteger x = a.is_negative() ? BigInteger(-big_of(a)) : big_of(a);
   const BigInteger y = b.is_negative() ? BigInteger(-big_of(b)) : big_of(b);
-  const long lead = static_cast<long>(bit_length(x)) - static_cast<long>(bit_length(y));
+  const long lead = static_cast<long>(bits_of(x)) - static_cast<long>(bits_of(y));
   const long shift = 66 - lead;  // the quotient gets at least 66 bits
   const BigInteger dividend = shift > 0 ? BigInteger(x << static_cast<std::size_t>(shift)) : x;
   const BigInteger divisor = shift < 0 ? BigInteger(y << static_cast<std::size_t>(-shift)) : y;
@@ -237,7 +233,9 @@ Integer shift_left(const Integer& a, const Integer& bits) {
 
 Integer shift_right(const Integer& a, const Integer& bits) {
   if (!bits.is_small() || static_cast<std::size_t>(bits.small()) > kMaxIntegerBits) return a.is_negative() ? -1 : 0;
-  return floor_divide(a, integer_from(BigInteger(BigInteger(1) << static_cast<std::size_t>(bits.small()))));
+  const auto count = static_cast<std::size_t>(bits.small());
+  if (!a.is_negative()) return integer_from(BigInteger(big_of(a) >> count));
+  return integer_from(BigInteger(-((-big_of(a) - 1) >> count) - 1));
 }
 
 Integer integer_of(double value) {
@@ -274,18 +272,18 @@ std::optional<Integer> parse_digits(std::string_view digits, unsigned base) {
   };
   if (!std::all_of(digits.begin(), digits.end(), [&](char c) { return value_of(c) < base; })) return std::nullopt;
   check_digit_count(digits.size(), base);
-  std::int64_t small = 0;
+  std::int64_t small = 0;  // of the digits since the last that went to `big`
+  std::int64_t scale = 1;
   std::optional<BigInteger> big;
   for (const char c : digits) {
-    const unsigned digit = value_of(c);
-    if (!big && small < std::numeric_limits<std::int64_t>::max() / 64) {
-      small = small * base + digit;
-    } else {
-      if (!big) big = small;
-      *big = *big * base + digit;
+    if (scale > std::numeric_limits<std::int64_t>::max() / 64) {
+      big = big ? BigInteger(*big * scale + small) : BigInteger(small);
+      small = 0, scale = 1;
     }
+    small = small * base + value_of(c);
+    scale *= base;
   }
-  return big ? integer_from(std::move(*big)) : Integer(small);
+  return big ? integer_from(BigInteger(*big * scale + small)) : Integer(small);
 }
 
 }  // namespace finemote::gen::xacro

@@ -50,6 +50,9 @@ Integer operator&(const Integer& a, const Integer& b);
 Integer operator|(const Integer& a, const Integer& b);
 Integer operator^(const Integer& a, const Integer& b);
 
+/// Bits of the magnitude; 0 for 0.
+std::size_t bit_length(const Integer& value);
+
 Integer floor_divide(const Integer& a, const Integer& b);     ///< rounds down; b is not zero
 Integer floor_modulo(const Integer& a, const Integer& b);     ///< sign of b; b is not zero
 double true_divide(const Integer& a, const Integer& b);       ///< correctly rounded; b is not zero

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generator/xacro/compare.hpp"
+#include "generator/xacro/cost.hpp"
 #include "generator/xacro/runtime.hpp"
 #include "generator/xacro/utf8.hpp"
 
@@ -57,8 +58,10 @@ Values rest_of(Iterator& iterator) {
 }
 
 bool among(Runtime& runtime, const Values& items, const Value& item) {
-  return std::any_of(items.begin(), items.end(),
-                     [&](const Value& i) { return identical(i, item) || equal(runtime, i, item); });
+  return std::any_of(items.begin(), items.end(), [&](const Value& i) {
+    runtime.budget.spend(cost_of_block(bytes_of(i)));
+    return identical(i, item) || equal(runtime, i, item);
+  });
 }
 
 }  // namespace
@@ -133,6 +136,7 @@ bool contains(Runtime& runtime, const Value& container, const Value& item) {
     if (item.text() == nullptr) {
       fail_eval(fmt::format("'in <string>' requires string as left operand, not {}", type_name(item)));
     }
+    runtime.budget.spend(cost_of_search(*text, *item.text()));
     return text->find(*item.text()) != std::string::npos;
   }
   if (const auto* dict = container.object<Dict>()) return dict->table->find(runtime, item) != nullptr;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "generator/xacro/builtins.hpp"
+#include "generator/xacro/cost.hpp"
 #include "generator/xacro/iterate.hpp"
 #include "generator/xacro/operate.hpp"
 #include "generator/xacro/parameters.hpp"
@@ -213,7 +214,7 @@ Value prod(Runtime& runtime, CallArguments& arguments) {
 
 Integer common_divisor(Runtime& runtime, Integer a, Integer b) {
   while (!b.is_zero()) {
-    runtime.budget.spend(1);
+    runtime.budget.spend(1 + cost_of_division(a, b));
     Integer rest = floor_modulo(a, b);
     a = std::move(b);
     b = std::move(rest);
@@ -234,6 +235,7 @@ Value lcm(Runtime& runtime, CallArguments& arguments) {
   for (const Value& v : arguments.positional) {
     const Integer i = integer_argument(v);
     if (i.is_zero()) return 0;
+    runtime.budget.spend(2 * cost_of_product(bytes_of(multiple), bytes_of(i)));
     multiple = floor_divide(multiple * i, common_divisor(runtime, multiple, i));
   }
   return multiple.is_negative() ? -multiple : multiple;
@@ -246,7 +248,7 @@ Integer product_of_range(Runtime& runtime, std::int64_t from, std::int64_t to) {
   if (to - from > kMostFactors) fail_limit("the integer is too large");
   Integer product = 1;
   for (std::int64_t i = from; i <= to; ++i) {
-    runtime.budget.spend(10);
+    runtime.budget.spend(1 + cost_of_block(bytes_of(product)));
     product = product * i;
   }
   return product;
@@ -278,7 +280,10 @@ Value comb(Runtime& runtime, CallArguments& arguments) {
   const std::int64_t k = count_argument(p, 1, "k must be a non-negative integer");
   if (k > n) return 0;
   const std::int64_t fewer = std::min(k, n - k);
-  return floor_divide(product_of_range(runtime, n - fewer + 1, n), product_of_range(runtime, 1, fewer));
+  const Integer product = product_of_range(runtime, n - fewer + 1, n);
+  const Integer divisor = product_of_range(runtime, 1, fewer);
+  runtime.budget.spend(cost_of_division(product, divisor));
+  return floor_divide(product, divisor);
 }
 
 /// The largest integer whose square is not larger: Newton's method from above.
@@ -289,7 +294,7 @@ Value isqrt(Runtime& runtime, CallArguments& arguments) {
   if (n.is_zero()) return 0;
   Integer x = shift_left(1, static_cast<std::int64_t>(n.to_string(16).size() * 2));
   for (;;) {
-    runtime.budget.spend(10);
+    runtime.budget.spend(1 + cost_of_division(n, x));
     Integer next = shift_right(x + floor_divide(n, x), 1);
     if (next >= x) return x;
     x = std::move(next);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "generator/xacro/compare.hpp"
+#include "generator/xacro/cost.hpp"
 #include "generator/xacro/format.hpp"
 #include "generator/xacro/iterate.hpp"
 #include "generator/xacro/runtime.hpp"
@@ -143,10 +144,32 @@ Value integer_operation(Operator op, const Integer& a, const Integer& b, const V
   return both_bool ? Value(!bits.is_zero()) : Value(std::move(bits));
 }
 
-Value number_operation(Operator op, const Value& a, const Value& b) {
-  if (op == Operator::power) return raise_to(a, b);
+/// What an operation with integers beyond 64 bits, or one that can make such, takes.
+std::size_t cost_of(Operator op, const Integer& a, const Integer& b) {
+  switch (op) {
+    case Operator::power: {
+      const bool is_bounded = b.is_small() && b.small() > 0 && b.small() <= static_cast<std::int64_t>(kMaxIntegerBits);
+      const std::size_t bytes = is_bounded ? bit_length(a) * static_cast<std::size_t>(b.small()) / 8 : 0;
+      return cost_of_product(bytes, std::min(bytes, kMaxIntegerBits / 8));
+    }
+    case Operator::multiply:
+      return cost_of_product(bytes_of(a), bytes_of(b)) + cost_of_block(bytes_of(a) + bytes_of(b));
+    case Operator::shift_left:
+      return cost_of_block(bytes_of(a)) + (b.is_small() && b.small() > 0 ? cost_of_block(b.small() / 8) : 0);
+    case Operator::divide:
+    case Operator::floor_divide:
+    case Operator::modulo:
+      return cost_of_division(a, b);
+    default:
+      return cost_of_block(bytes_of(a) + bytes_of(b));
+  }
+}
+
+Value number_operation(Runtime& runtime, Operator op, const Value& a, const Value& b) {
   const auto i = as_integer(a);
   const auto j = as_integer(b);
+  if (i && j) runtime.budget.spend(cost_of(op, *i, *j));
+  if (op == Operator::power) return raise_to(a, b);
   return i && j ? integer_operation(op, *i, *j, a, b) : real_operation(op, a, b);
 }
 
@@ -162,6 +185,7 @@ Value repeat(Runtime& runtime, const Value& sequence, const Integer& count) {
   if (const auto* text = sequence.text()) {
     std::string repeated;
     const std::size_t times = repetitions(count, text->size(), kMaxText);
+    runtime.budget.spend(times / 8 + cost_of_block(times * text->size()));
     repeated.reserve(times * text->size());
     for (std::size_t i = 0; i < times; ++i) repeated += *text;
     return repeated;
@@ -190,6 +214,7 @@ Value add_sequences(Runtime& runtime, const Value& a, const Value& b) {
       fail_eval(fmt::format("can only concatenate str (not \"{}\") to str", type_name(b)));
     }
     if (a.text()->size() + b.text()->size() > kMaxText) fail_limit("the text is too long");
+    runtime.budget.spend(cost_of_block(a.text()->size() + b.text()->size()));
     return *a.text() + *b.text();
   }
   if (const auto* x = a.object<List>()) {
@@ -261,6 +286,7 @@ std::shared_ptr<Set> set_operation(Runtime& runtime, Operator op, const Value& a
 
 /// `{..} | {..}`: the right one wins.
 Value merge_dicts(Runtime& runtime, const Dict& a, const Dict& b) {
+  runtime.budget.spend(a.table->entries().size());
   auto table = std::make_shared<Table>(*a.table);
   for (const auto& [key, value] : b.table->entries()) table->set(runtime, key, value);
   return make_dict(std::move(table));
@@ -284,7 +310,7 @@ Value raise_to(const Value& base, const Value& exponent) {
 }
 
 Value operate(Runtime& runtime, Operator op, const Value& a, const Value& b) {
-  if (is_number(a) && is_number(b)) return number_operation(op, a, b);
+  if (is_number(a) && is_number(b)) return number_operation(runtime, op, a, b);
   if (op == Operator::modulo && a.text() != nullptr) return format_percent(runtime, *a.text(), b);
   if (op == Operator::add && is_sequence(a)) return add_sequences(runtime, a, b);
   if (op == Operator::multiply && (is_sequence(a) || is_sequence(b))) return multiply_sequence(runtime, a, b);
@@ -295,7 +321,8 @@ Value operate(Runtime& runtime, Operator op, const Value& a, const Value& b) {
   fail_operands(op, a, b);
 }
 
-Value operate(Operator op, const Value& a) {
+Value operate(Runtime& runtime, Operator op, const Value& a) {
+  runtime.budget.spend(cost_of_block(bytes_of(a)));
   if (op == Operator::logical_not) return !is_true(a);
   const auto i = as_integer(a);
   const double* d = as_real(a);

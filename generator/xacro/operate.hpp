@@ -12,7 +12,7 @@ class Runtime;
 Value operate(Runtime& runtime, Operator op, const Value& a, const Value& b);
 
 /// -a, +a, ~a, not a.
-Value operate(Operator op, const Value& a);
+Value operate(Runtime& runtime, Operator op, const Value& a);
 
 /// a < b, a in b, a is b ...
 bool compare(Runtime& runtime, Operator op, const Value& a, const Value& b);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "generator/xacro/compare.hpp"
+#include "generator/xacro/cost.hpp"
 #include "generator/xacro/runtime.hpp"
 
 namespace finemote::gen::xacro {
@@ -46,7 +47,7 @@ class Printer {
   Printer(Runtime& runtime, std::string& out) : runtime_(runtime), out_(out) {}
 
   void source(const Value& value) {
-    runtime_.budget.spend(1);
+    runtime_.budget.spend(1 + cost_of_printing(value));
     if (out_.size() > kMaxText) fail_limit("the text is too long");
     const Level level(runtime_.depth, kMaxEvalDepth,
                       "maximum recursion depth exceeded while getting the repr of an object");
@@ -221,7 +222,10 @@ std::string real_to_text(double value) {
 }
 
 std::string to_text(Runtime& runtime, const Value& value) {
-  if (value.text() != nullptr) return *value.text();
+  if (value.text() != nullptr) {
+    runtime.budget.spend(cost_of_block(bytes_of(value)));
+    return *value.text();
+  }
   return to_source(runtime, value);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/xacro/cost.hpp"
 #include "generator/xacro/parameters.hpp"
 #include "generator/xacro/print.hpp"
 #include "generator/xacro/runtime.hpp"
@@ -28,9 +29,11 @@ std::int64_t clamp_bound(std::int64_t place, std::int64_t size, std::int64_t low
   return std::clamp(place, lowest, highest);
 }
 
-Values picked(const Values& items, const Slice& slice) {
+Values picked(Runtime& runtime, const Values& items, const Slice& slice) {
+  const std::vector<std::size_t> places = slice_places(slice, items.size());
+  runtime.budget.spend(places.size());
   Values taken;
-  for (const std::size_t at : slice_places(slice, items.size())) taken.push_back(items[at]);
+  for (const std::size_t at : places) taken.push_back(items[at]);
   return taken;
 }
 
@@ -52,9 +55,9 @@ Value text_item(const std::string& text, const Value& key) {
   return taken;
 }
 
-Value list_item(const List& list, const Value& key) {
+Value list_item(Runtime& runtime, const List& list, const Value& key) {
   if (const auto* slice = key.object<const Slice>()) {
-    Value taken = make_list(picked(*list.items, *slice));
+    Value taken = make_list(picked(runtime, *list.items, *slice));
     return list.is_dotted ? dotted(taken) : taken;
   }
   const std::size_t at = checked_index(index_of(key, "list"), list.items->size(), "list index out of range");
@@ -62,8 +65,8 @@ Value list_item(const List& list, const Value& key) {
   return list.is_dotted ? dotted(item) : item;
 }
 
-Value tuple_item(const Tuple& tuple, const Value& key) {
-  if (const auto* slice = key.object<const Slice>()) return make_tuple(picked(tuple.items, *slice));
+Value tuple_item(Runtime& runtime, const Tuple& tuple, const Value& key) {
+  if (const auto* slice = key.object<const Slice>()) return make_tuple(picked(runtime, tuple.items, *slice));
   return tuple.items[checked_index(index_of(key, "tuple"), tuple.items.size(), "tuple index out of range")];
 }
 
@@ -142,10 +145,10 @@ Value slice_indices(Runtime& /*runtime*/, const Value& self, CallArguments& argu
 }
 
 Value subscript(Runtime& runtime, const Value& container, const Value& key) {
-  runtime.budget.spend(1);
+  runtime.budget.spend(1 + cost_of_bytes(bytes_of(container)));
   if (container.text() != nullptr) return text_item(*container.text(), key);
-  if (const auto* list = container.object<List>()) return list_item(*list, key);
-  if (const auto* tuple = container.object<const Tuple>()) return tuple_item(*tuple, key);
+  if (const auto* list = container.object<List>()) return list_item(runtime, *list, key);
+  if (const auto* tuple = container.object<const Tuple>()) return tuple_item(runtime, *tuple, key);
   if (const auto* dict = container.object<Dict>()) return dict_item(runtime, *dict, key);
   if (const auto* range = container.object<const Range>()) return range_item(*range, key);
   if (const auto* ns = container.as<NamespaceRef>()) return namespace_item(runtime, *ns, key);

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "generator/xacro/attribute.hpp"
+#include "generator/xacro/cost.hpp"
 #include "generator/xacro/format.hpp"
 #include "generator/xacro/iterate.hpp"
 #include "generator/xacro/letters.hpp"
@@ -122,11 +123,13 @@ Value islower(Runtime& /*r*/, const Value& self, CallArguments& a) {
 // ---- stripping ----
 
 /// The text without the characters `which` (white space when null) at one or both ends.
-Value strip_ends(CallArguments& arguments, const Value& self, std::string_view name, bool left, bool right) {
+Value strip_ends(Runtime& runtime, CallArguments& arguments, const Value& self, std::string_view name, bool left,
+                 bool right) {
   const Parameters p(arguments, name, {"chars"}, 0);
   const bool given = p[0] != nullptr && !p[0]->is_none();
   const Characters set = given ? split_characters(p.text(0)) : Characters{};
   const auto is_dropped = [&](std::string_view c) {
+    runtime.budget.spend(set.size() / 8);
     return given ? std::find(set.begin(), set.end(), c) != set.end() : is_space(code_point(c));
   };
   const auto characters = split_characters(text_of(self));
@@ -139,9 +142,9 @@ Value strip_ends(CallArguments& arguments, const Value& self, std::string_view n
   return out;
 }
 
-Value strip(Runtime& /*r*/, const Value& self, CallArguments& a) { return strip_ends(a, self, "strip", true, true); }
-Value lstrip(Runtime& /*r*/, const Value& self, CallArguments& a) { return strip_ends(a, self, "lstrip", true, false); }
-Value rstrip(Runtime& /*r*/, const Value& self, CallArguments& a) { return strip_ends(a, self, "rstrip", false, true); }
+Value strip(Runtime& r, const Value& self, CallArguments& a) { return strip_ends(r, a, self, "strip", true, true); }
+Value lstrip(Runtime& r, const Value& self, CallArguments& a) { return strip_ends(r, a, self, "lstrip", true, false); }
+Value rstrip(Runtime& r, const Value& self, CallArguments& a) { return strip_ends(r, a, self, "rstrip", false, true); }
 
 Value removeprefix(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
   const Parameters p(arguments, "removeprefix", {"prefix"}, 1);
@@ -156,11 +159,13 @@ Value removesuffix(Runtime& /*r*/, const Value& self, CallArguments& arguments) 
 
 // ---- padding ----
 
-std::size_t padding(const Parameters& p, const std::string& text) {
+std::size_t padding(Runtime& runtime, const Parameters& p, const std::string& text) {
   const std::int64_t width = p.integer(0, 0);
   if (width > static_cast<std::int64_t>(kMaxText)) fail_limit("the text is too long");
   const auto length = static_cast<std::int64_t>(count_characters(text));
-  return width > length ? static_cast<std::size_t>(width - length) : 0;
+  const std::size_t missing = width > length ? static_cast<std::size_t>(width - length) : 0;
+  runtime.budget.spend(missing / 8);
+  return missing;
 }
 
 std::string repeated(std::string_view unit, std::size_t times) {
@@ -169,11 +174,11 @@ std::string repeated(std::string_view unit, std::size_t times) {
   return out;
 }
 
-Value padded(CallArguments& arguments, const Value& self, std::string_view name, int side) {
+Value padded(Runtime& runtime, CallArguments& arguments, const Value& self, std::string_view name, int side) {
   const Parameters p(arguments, name, {"width", "fillchar"}, 1);
   const std::string fill = p[1] != nullptr ? p.text(1) : " ";
   if (count_characters(fill) != 1) fail_eval("The fill character must be exactly one character long");
-  const std::size_t missing = padding(p, text_of(self));
+  const std::size_t missing = padding(runtime, p, text_of(self));
   // Python puts the odd blank of center() to the left when both the width and the gap are odd.
   const auto width = static_cast<std::size_t>(std::max<std::int64_t>(p.integer(0, 0), 0));
   const std::size_t half = missing / 2 + (missing & width & 1);
@@ -181,18 +186,18 @@ Value padded(CallArguments& arguments, const Value& self, std::string_view name,
   return repeated(fill, left) + text_of(self) + repeated(fill, missing - left);
 }
 
-Value ljust(Runtime& /*r*/, const Value& self, CallArguments& a) { return padded(a, self, "ljust", -1); }
-Value rjust(Runtime& /*r*/, const Value& self, CallArguments& a) { return padded(a, self, "rjust", 1); }
-Value center(Runtime& /*r*/, const Value& self, CallArguments& a) { return padded(a, self, "center", 0); }
+Value ljust(Runtime& r, const Value& self, CallArguments& a) { return padded(r, a, self, "ljust", -1); }
+Value rjust(Runtime& r, const Value& self, CallArguments& a) { return padded(r, a, self, "rjust", 1); }
+Value center(Runtime& r, const Value& self, CallArguments& a) { return padded(r, a, self, "center", 0); }
 
-Value zfill(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
+Value zfill(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Parameters p(arguments, "zfill", {"width"}, 1);
   const std::string& text = text_of(self);
   const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
-  return text.substr(0, sign) + std::string(padding(p, text), '0') + text.substr(sign);
+  return text.substr(0, sign) + std::string(padding(runtime, p, text), '0') + text.substr(sign);
 }
 
-Value expandtabs(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
+Value expandtabs(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Parameters p(arguments, "expandtabs", {"tabsize"}, 0);
   const std::int64_t size = std::clamp<std::int64_t>(p.integer(0, 8), 0, 1000);
   std::string out;
@@ -200,6 +205,7 @@ Value expandtabs(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
   for (const std::string_view c : split_characters(text_of(self))) {
     if (c == "\t") {
       const std::int64_t blanks = size == 0 ? 0 : size - column % size;
+      runtime.budget.spend(static_cast<std::size_t>(blanks) / 64);
       out.append(static_cast<std::size_t>(blanks), ' ');
       column += blanks;
     } else {
@@ -236,33 +242,35 @@ Window window(const Parameters& p, std::size_t first, const std::string& text) {
 }
 
 /// Index of the first or last occurrence in characters, or -1.
-std::int64_t search(CallArguments& arguments, const Value& self, std::string_view name, bool last) {
+std::int64_t search(Runtime& runtime, CallArguments& arguments, const Value& self, std::string_view name, bool last) {
   const Parameters p(arguments, name, {"sub", "start", "end"}, 1);
   const std::string& wanted = p.text(0);
   const Window w = window(p, 1, text_of(self));
   if (!w.is_valid) return -1;
+  runtime.budget.spend(cost_of_search(text_of(self), wanted));
   const auto at = last ? w.text.rfind(wanted) : w.text.find(wanted);
   if (at == std::string_view::npos) return -1;
   return static_cast<std::int64_t>(w.first_character + count_characters(w.text.substr(0, at)));
 }
 
-Value find(Runtime& /*r*/, const Value& self, CallArguments& a) { return search(a, self, "find", false); }
-Value rfind(Runtime& /*r*/, const Value& self, CallArguments& a) { return search(a, self, "rfind", true); }
+Value find(Runtime& r, const Value& self, CallArguments& a) { return search(r, a, self, "find", false); }
+Value rfind(Runtime& r, const Value& self, CallArguments& a) { return search(r, a, self, "rfind", true); }
 
 Value found(std::int64_t at) {
   if (at < 0) fail_eval("substring not found");
   return at;
 }
 
-Value index(Runtime& /*r*/, const Value& self, CallArguments& a) { return found(search(a, self, "index", false)); }
-Value rindex(Runtime& /*r*/, const Value& self, CallArguments& a) { return found(search(a, self, "rindex", true)); }
+Value index(Runtime& r, const Value& self, CallArguments& a) { return found(search(r, a, self, "index", false)); }
+Value rindex(Runtime& r, const Value& self, CallArguments& a) { return found(search(r, a, self, "rindex", true)); }
 
-Value count(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
+Value count(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Parameters p(arguments, "count", {"sub", "start", "end"}, 1);
   const std::string& wanted = p.text(0);
   const Window w = window(p, 1, text_of(self));
   if (!w.is_valid) return 0;
   if (wanted.empty()) return static_cast<std::int64_t>(count_characters(w.text)) + 1;
+  runtime.budget.spend(cost_of_search(text_of(self), wanted));
   std::int64_t times = 0;
   for (auto at = w.text.find(wanted); at != std::string_view::npos; at = w.text.find(wanted, at + wanted.size()))
     ++times;
@@ -356,22 +364,24 @@ Value cut(Runtime& runtime, CallArguments& arguments, const Value& self, std::st
   const Parameters p(arguments, name, {"sep", "maxsplit"}, 0);
   const std::int64_t limit = most(p, 1);
   const std::string& text = text_of(self);
-  runtime.budget.spend(text.size());
+  runtime.budget.spend(text.size());  // each byte may begin a part
   if (p[0] == nullptr || p[0]->is_none()) {
     return make_list(from_right ? split_at_blanks_from_right(text, limit) : split_at_blanks(text, limit));
   }
   if (p.text(0).empty()) fail_eval("empty separator");
+  runtime.budget.spend(cost_of_search(text, p.text(0)));
   return make_list(from_right ? split_at_from_right(text, p.text(0), limit) : split_at(text, p.text(0), limit));
 }
 
 Value split(Runtime& r, const Value& self, CallArguments& a) { return cut(r, a, self, "split", false); }
 Value rsplit(Runtime& r, const Value& self, CallArguments& a) { return cut(r, a, self, "rsplit", true); }
 
-Value splitlines(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
+Value splitlines(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const Parameters p(arguments, "splitlines", {"keepends"}, 0);
   const bool keep = p[0] != nullptr && is_true(p.at(0));
   Values lines;
   std::string_view rest = text_of(self);
+  runtime.budget.spend(rest.size());
   while (!rest.empty()) {
     const auto end = std::min(rest.find_first_of("\r\n"), rest.size());
     std::size_t mark = end < rest.size() ? 1 : 0;
@@ -382,21 +392,22 @@ Value splitlines(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
   return make_list(std::move(lines));
 }
 
-Value partition_at(CallArguments& arguments, const Value& self, std::string_view name, bool last) {
+Value partition_at(Runtime& runtime, CallArguments& arguments, const Value& self, std::string_view name, bool last) {
   const Parameters p(arguments, name, {"sep"}, 1);
   const std::string& separator = p.text(0);
   const std::string& text = text_of(self);
   if (separator.empty()) fail_eval("empty separator");
+  runtime.budget.spend(cost_of_search(text, separator));
   const auto at = last ? text.rfind(separator) : text.find(separator);
   if (at != std::string::npos) return make_tuple({text.substr(0, at), separator, text.substr(at + separator.size())});
   return last ? make_tuple({"", "", text}) : make_tuple({text, "", ""});
 }
 
-Value partition(Runtime& /*r*/, const Value& self, CallArguments& a) {
-  return partition_at(a, self, "partition", false);
+Value partition(Runtime& r, const Value& self, CallArguments& a) {
+  return partition_at(r, a, self, "partition", false);
 }
-Value rpartition(Runtime& /*r*/, const Value& self, CallArguments& a) {
-  return partition_at(a, self, "rpartition", true);
+Value rpartition(Runtime& r, const Value& self, CallArguments& a) {
+  return partition_at(r, a, self, "rpartition", true);
 }
 
 Value join(Runtime& runtime, const Value& self, CallArguments& arguments) {
@@ -411,6 +422,7 @@ Value join(Runtime& runtime, const Value& self, CallArguments& arguments) {
     out += *item.text();
     if (out.size() > kMaxText) fail_limit("the text is too long");
   }
+  runtime.budget.spend(cost_of_block(out.size()));
   return out;
 }
 
@@ -420,10 +432,11 @@ Value replace(Runtime& runtime, const Value& self, CallArguments& arguments) {
   const std::string& to = p.text(1);
   std::int64_t limit = most(p, 2);
   std::string_view rest = text_of(self);
-  runtime.budget.spend(rest.size());
+  runtime.budget.spend(rest.size() + cost_of_search(text_of(self), from));
   std::string out;
   const auto check = [&] {
     if (out.size() > kMaxText) fail_limit("the text is too long");
+    runtime.budget.spend(cost_of_block(to.size()));
   };
   if (from.empty()) {
     for (const std::string_view c : split_characters(rest)) {

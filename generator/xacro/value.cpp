@@ -165,6 +165,22 @@ Value dotted(const Value& item) {
   return item;
 }
 
+Values& List::to_change(Runtime& runtime) {
+  if (items.use_count() > 1) {
+    runtime.budget.spend(items->size());
+    items = std::make_shared<Values>(*items);
+  }
+  return *items;
+}
+
+Table& Dict::to_change(Runtime& runtime) {
+  if (table.use_count() > 1) {
+    runtime.budget.spend(table->entries().size());
+    table = std::make_shared<Table>(*table);
+  }
+  return *table;
+}
+
 std::int64_t Range::size() const {
   if (step > 0) return start < stop ? (stop - start - 1) / step + 1 : 0;
   return start > stop ? (start - stop - 1) / -step + 1 : 0;

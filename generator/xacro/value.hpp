@@ -147,10 +147,7 @@ struct List {
   std::shared_ptr<Values> items = std::make_shared<Values>();
   bool is_dotted = false;
 
-  [[nodiscard]] Values& to_change() {
-    if (items.use_count() > 1) items = std::make_shared<Values>(*items);
-    return *items;
-  }
+  [[nodiscard]] Values& to_change(Runtime& runtime);
 };
 
 struct Tuple {
@@ -178,10 +175,7 @@ struct Dict {
   std::shared_ptr<Table> table = std::make_shared<Table>();
   bool is_dotted = false;
 
-  [[nodiscard]] Table& to_change() {
-    if (table.use_count() > 1) table = std::make_shared<Table>(*table);
-    return *table;
-  }
+  [[nodiscard]] Table& to_change(Runtime& runtime);
 };
 
 struct Set {

@@ -36,12 +36,13 @@ Value arg(Runtime& runtime, CallArguments& arguments) {
 }
 
 /// Cuts a text at any of the separators.
-Value tokenize(Runtime& /*runtime*/, CallArguments& arguments) {
+Value tokenize(Runtime& runtime, CallArguments& arguments) {
   const Parameters p(arguments, "tokenize", {"s", "sep", "skip_empty"}, 1);
   const std::string separators = p[1] != nullptr ? p.text(1) : ",; ";
   const bool skip_empty = p[2] == nullptr || is_true(p.at(2));
   Values parts;
   std::string_view rest = p.text(0);
+  runtime.budget.spend(rest.size() + rest.size() / 64 * separators.size());
   for (;;) {
     const auto end = std::min(rest.find_first_of(separators), rest.size());
     if (end > 0 || !skip_empty) parts.emplace_back(rest.substr(0, end));
