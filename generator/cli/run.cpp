@@ -129,6 +129,7 @@ std::vector<OutputFile> project_files(const Context& context, const Robot& robot
 WriteOptions options_for_work() {
   WriteOptions options;
   options.way_out = "give --keep an empty folder, or one that finemote made";
+  options.other_robot = "give --keep another folder for each robot";
   return options;
 }
 

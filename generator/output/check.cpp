@@ -177,7 +177,7 @@ CheckResult check_output(const std::string& folder, const Output& output, Diagno
   CheckResult result;
   const FolderLock lock(folder_path(folder), FolderLock::Use::look, diagnostics);
   if (diagnostics.has_errors()) return result;
-  const auto found = open_folder(folder, output, false, diagnostics);
+  const auto found = open_folder(folder, output, {}, diagnostics);
   if (!found) return result;
   result.findings = Checker(*found, output).run(*found, output);
   result.previous_tool = found->previous.tool;

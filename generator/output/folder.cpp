@@ -130,7 +130,7 @@ bool check_root(const fs::path& root, Diagnostics& diagnostics) {
   return !diagnostics.has_errors();
 }
 
-std::optional<Folder> open_folder(const std::string& folder, const Output& output, bool takes_over,
+std::optional<Folder> open_folder(const std::string& folder, const Output& output, const OtherRobot& other,
                                   Diagnostics& diagnostics) {
   Folder found;
   found.root = folder_path(folder);
@@ -148,14 +148,12 @@ std::optional<Folder> open_folder(const std::string& folder, const Output& outpu
     check_readable(found.root / file.name, R_OK, diagnostics);
   }
   const std::string& owner = found.previous.robot;
-  if (found.memory == Folder::Memory::complete && owner != output.manifest.robot && !takes_over) {
+  if (found.memory == Folder::Memory::complete && owner != output.manifest.robot && !other.is_replaced) {
     diagnostics
         .error(code::folder_of_another_robot, {},
                fmt::format("'{}' holds the output of robot '{}', not of '{}'", found.root.generic_string(), owner,
                            output.manifest.robot))
-        .hint(
-            "give each robot a folder of its own with -o; if this robot was renamed, give generate --force, which "
-            "replaces the files of the old name");
+        .hint(other.way_out);
   }
   if (diagnostics.has_errors()) return std::nullopt;
   return found;

@@ -46,11 +46,19 @@ std::filesystem::path folder_path(const std::string& folder);
 /// read.
 bool check_root(const std::filesystem::path& root, Diagnostics& diagnostics);
 
+/// What becomes of a folder that belongs to another robot.
+struct OtherRobot {
+  bool is_replaced = false;
+  /// The hint below FM5003.
+  std::string way_out =
+      "give each robot a folder of its own with -o; if this robot was renamed, give generate --force, which replaces "
+      "the files of the old name";
+};
+
 /// Looks at the folder, which may not exist. Reports FM5001 (a warning) for a manifest that cannot be used, FM5002 when
 /// the folder or a file in it that we would write is a symbolic link or of another kind, FM5003 when it belongs to
-/// another robot and does not change hands (`takes_over`), FM5006 when the folder or such a file cannot be read; none
-/// after an error.
-std::optional<Folder> open_folder(const std::string& folder, const Output& output, bool takes_over,
+/// another robot that is not replaced, FM5006 when the folder or such a file cannot be read; none after an error.
+std::optional<Folder> open_folder(const std::string& folder, const Output& output, const OtherRobot& other,
                                   Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -129,7 +129,7 @@ WriteResult write_output(const std::string& folder, const Output& output, const 
   if (!check_root(root, diagnostics)) return {};
   FolderLock lock(root, options.dry_run ? FolderLock::Use::look : FolderLock::Use::write, diagnostics);
   if (diagnostics.has_errors()) return {};
-  const auto found = open_folder(folder, output, options.force, diagnostics);
+  const auto found = open_folder(folder, output, {options.force, options.other_robot}, diagnostics);
   if (!found) return lock.remove_created(), WriteResult{};
   Steps steps = plan_steps(*found, output);
   for (const Obstacle& obstacle : steps.obstacles) {

@@ -16,6 +16,8 @@ struct WriteOptions {
   bool warnings_are_errors = false;  ///< write nothing when there is a warning
   /// What the user can do about files of theirs, as a hint.
   std::string way_out = "--force keeps every such file as NAME.orig and then writes; -o names another folder";
+  /// The same of a folder that belongs to another robot.
+  std::string other_robot = OtherRobot().way_out;
 };
 
 /// What a run did to the folder, each sorted as in the manifest.
