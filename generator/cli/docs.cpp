@@ -42,6 +42,13 @@ class Pages {
     different_.push_back({name, text});
   }
 
+  /// Reports pages that are one file with another, or with what was read.
+  void check() {
+    std::vector<PlannedFile> planned;
+    for (const OutputFile& page : different_) planned.push_back({(folder_ / page.name).generic_string(), "-o"});
+    check_outputs(planned, context_.sources, context_.diagnostics);
+  }
+
   void write() {
     for (const OutputFile& page : different_) {
       const fs::path path = folder_ / page.name;
@@ -83,6 +90,7 @@ int run_docs(Context& context) {
     for (const BoardPage& page : board_pages(*board->file))
       pages.add(fmt::format("boards/{}/{}.md", name, page.name), page.title, page.text);
   }
+  pages.check();
   if (!context.options.dry_run && !context.diagnostics.has_errors()) pages.write();
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   if (context.options.format == Format::text) {

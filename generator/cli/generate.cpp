@@ -72,6 +72,13 @@ Json moved_list(const WriteResult& result) {
   return list;
 }
 
+/// Whether nothing that was read is overwritten, and nothing is written twice.
+bool are_apart(Context& context, const Output& output) {
+  auto planned = planned_files(context.options.out, output, "-o");
+  if (!context.options.depfile.empty()) planned.push_back({context.options.depfile, "--depfile"});
+  return check_outputs(planned, context.sources, context.diagnostics);
+}
+
 /// A requirement that fails refuses nothing here, but nobody should believe that it holds.
 void warn_of_requirements(Context& context, const Verdict& verdict) {
   for (Diagnostic finding : verdict.reasons.in_file_order()) {
@@ -105,6 +112,7 @@ int run_generate(Context& context) {
   if (is_refused(context)) return finish(context, kExitInvalid);
   const Output output =
       make_output(std::move(files), input_files(context, *loaded), loaded->robot.name.text, output_options(options));
+  if (!are_apart(context, output)) return finish(context, kExitInvalid);
   const WriteResult result =
       write_output(options.out, output, {options.dry_run, options.force, options.warnings_are_errors}, context.sources,
                    context.diagnostics);

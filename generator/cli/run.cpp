@@ -133,17 +133,25 @@ WriteOptions options_for_work() {
   return options;
 }
 
-std::optional<std::string> make_image(Context& context, const Loaded& loaded, const std::string& board,
-                                      std::int64_t duration, const WorkFolder& work) {
+/// Everything a run writes into its work folder before the compiler starts.
+struct Project {
+  FirmwareRequest request;
+  Output generated;  ///< below `generated`
+  Output project;    ///< what includes it
+};
+
+std::string generated_folder(const Project& project) { return project.request.folder + "/generated"; }
+
+std::optional<Project> make_project(Context& context, const Loaded& loaded, const std::string& board,
+                                    std::int64_t duration, const WorkFolder& work) {
   auto files = render_robot(context, loaded);
   if (context.diagnostics.has_errors()) return std::nullopt;
   const auto inputs = input_files(context, loaded);
   Options options = context.options;
   options.board.clear();  // chooses what is built of the files, not what is in them
-  const Output output = make_output(std::move(files), inputs, loaded.robot.name.text, output_options(options));
-  write_output(work.path() + "/generated", output, options_for_work(), context.sources, context.diagnostics);
-  if (context.diagnostics.has_errors()) return std::nullopt;
-  FirmwareRequest request;
+  Project made;
+  made.generated = make_output(std::move(files), inputs, loaded.robot.name.text, output_options(options));
+  FirmwareRequest& request = made.request;
   request.folder = work.path();
   request.data_dir = loaded.data_dir;
   request.board = board;
@@ -152,10 +160,45 @@ std::optional<std::string> make_image(Context& context, const Loaded& loaded, co
   request.monitor = context.options.monitor;
   request.include_dirs = user_include_dirs(loaded.robot);
   request.sources = user_sources(request.include_dirs);
-  const Output project = make_output(project_files(context, loaded.robot, request), inputs, loaded.robot.name.text);
-  write_output(work.path(), project, options_for_work(), context.sources, context.diagnostics);
+  made.project = make_output(project_files(context, loaded.robot, request), inputs, loaded.robot.name.text);
+  return made;
+}
+
+/// Files beside a user's descriptors: the compiler reads them.
+std::vector<std::string> files_of_the_compiler(const FirmwareRequest& request) {
+  std::vector<std::string> files;
+  std::error_code ignored;
+  for (const std::string& dir : request.include_dirs) {
+    for (const auto& entry : fs::directory_iterator(dir, ignored)) files.push_back(entry.path().generic_string());
+  }
+  return files;
+}
+
+/// Whether all of it can be written: looked at before the first file is.
+bool is_free_to_write(Context& context, const Project& made) {
+  std::vector<PlannedFile> planned = planned_files(generated_folder(made), made.generated, "--keep");
+  for (PlannedFile& file : planned_files(made.request.folder, made.project, "--keep"))
+    planned.push_back(std::move(file));
+  planned.push_back({image_path(made.request), "--keep"});
+  if (!context.options.out.empty()) planned.push_back({context.options.out, "-o"});
+  const bool is_apart =
+      check_outputs(planned, context.sources, context.diagnostics, files_of_the_compiler(made.request));
+  if (!is_apart) return false;
+  WriteOptions options = options_for_work();
+  options.dry_run = true;
+  Diagnostics said;  // warnings are repeated when the files are written
+  write_output(made.request.folder, made.project, options, context.sources, said);
+  if (!said.has_errors()) write_output(generated_folder(made), made.generated, options, context.sources, said);
+  if (said.has_errors()) add_findings(said, context.diagnostics);
+  return !said.has_errors();
+}
+
+std::optional<std::string> make_image(Context& context, const Project& made) {
+  write_output(generated_folder(made), made.generated, options_for_work(), context.sources, context.diagnostics);
   if (context.diagnostics.has_errors()) return std::nullopt;
-  return build_firmware(request, context.diagnostics);
+  write_output(made.request.folder, made.project, options_for_work(), context.sources, context.diagnostics);
+  if (context.diagnostics.has_errors()) return std::nullopt;
+  return build_firmware(made.request, context.diagnostics);
 }
 
 bool all_constant(const Robot& robot) {
@@ -276,10 +319,12 @@ int run_run(Context& context) {
 
   const WorkFolder work(context);
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+  const auto project = make_project(context, *loaded, board, *duration, work);
+  if (!project || !is_free_to_write(context, *project)) return finish(context, kExitInvalid);
   if (has_parts &&
       !rehearse(scenario ? &*scenario : nullptr, loaded->robot, work.path() + "/scenario", context.diagnostics))
     return finish(context, kExitInvalid);
-  const auto path = make_image(context, *loaded, board, *duration, work);
+  const auto path = make_image(context, *project);
   if (!path) return finish(context, kExitInvalid);
   const auto image = image_facts(*path, board != "host", !all_constant(loaded->robot), context.diagnostics);
   if (!image || context.diagnostics.has_errors()) return finish(context, kExitInvalid);

@@ -9,6 +9,7 @@
 #include "generator/cli/exit_status.hpp"
 #include "generator/cli/finish.hpp"
 #include "generator/cli/load.hpp"
+#include "generator/diagnostic/clash.hpp"
 #include "generator/file/replace_file.hpp"
 #include "generator/simulate/command.hpp"
 #include "generator/timing/command.hpp"
@@ -113,8 +114,11 @@ int run_simulate_command(Context& context) {
   const auto question = read_question(context, assumed);
   if (!question) return finish(context, kExitInvalid);
 
+  const bool is_traced = !context.options.out.empty();
+  if (is_traced && !check_outputs({{context.options.out, "-o"}}, context.sources, context.diagnostics))
+    return finish(context, kExitInvalid);
   std::optional<ReplacedFile> trace;
-  if (!context.options.out.empty()) request.trace = &trace.emplace(context.options.out).stream();
+  if (is_traced) request.trace = &trace.emplace(context.options.out).stream();
   std::ostringstream result;
   const int status = run_simulate(question->model, request, context.diagnostics, result);
   if (trace && status != kExitInvalid) {

@@ -14,5 +14,7 @@ inline constexpr Code output_line_ends{5009};     // check: a file differs by CR
 inline constexpr Code output_stale{5010};         // check: generate would write something else now
 inline constexpr Code output_orphan{5011};        // check: a generated file that no manifest lists
 inline constexpr Code file_not_editable{5012};    // lint --fix: standard input, another encoding, or changed meanwhile
+inline constexpr Code output_is_input{5013};      // a file that was read would be overwritten
+inline constexpr Code output_twice{5014};         // two outputs are one file
 
 }  // namespace finemote::gen::code

@@ -16,14 +16,22 @@ namespace fs = std::filesystem;
 
 bool is_below(const std::string& path, const char* folder) { return path.rfind(folder, 0) == 0; }
 
-/// What exists and is no regular file; and names that stand for an open file.
+mode_t mode_for(const fs::path& target) {
+  struct stat status {};
+  if (::stat(target.c_str(), &status) == 0) return status.st_mode & 07777;
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666 & ~mask;
+}
+
+}  // namespace
+
 bool is_special(const fs::path& path) {
   if (is_below(path.string(), "/dev/") || is_below(path.string(), "/proc/")) return true;
   struct stat status {};
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }
 
-/// The file behind symbolic links, which need not be there; the path itself where there is none.
 fs::path behind_links(fs::path path) {
   constexpr int kMostLinks = 40;  // what the system follows as well
   std::error_code failed;
@@ -34,16 +42,6 @@ fs::path behind_links(fs::path path) {
   }
   return path;
 }
-
-mode_t mode_for(const fs::path& target) {
-  struct stat status {};
-  if (::stat(target.c_str(), &status) == 0) return status.st_mode & 07777;
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666 & ~mask;
-}
-
-}  // namespace
 
 ReplacedFile::ReplacedFile(const std::string& path) : stream_(&buffer_) {
   if (is_special(path)) {

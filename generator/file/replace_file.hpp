@@ -11,6 +11,12 @@
 
 namespace finemote::gen {
 
+/// What exists and is no regular file, and names that stand for an open file: it is written directly.
+bool is_special(const std::filesystem::path& path);
+
+/// The file behind symbolic links, which need not be there; the path itself where there is none.
+std::filesystem::path behind_links(std::filesystem::path path);
+
 /// A file in the making. Until commit() the old file is as it was; what is not committed vanishes with the object.
 ///
 /// A symbolic link stays, and what it leads to is replaced. The mode of an existing file is kept. What is no regular

@@ -103,6 +103,14 @@ Output make_output(std::vector<OutputFile> files, std::vector<HashedFile> inputs
   return output;
 }
 
+std::vector<PlannedFile> planned_files(const std::string& folder, const Output& output, const std::string& option) {
+  const fs::path root = folder_path(folder);
+  std::vector<PlannedFile> planned;
+  for (const OutputFile& file : output.files) planned.push_back({(root / file.name).generic_string(), option});
+  planned.push_back({(root / kManifestName).generic_string(), option});
+  return planned;
+}
+
 std::optional<std::string> read_bytes(const std::string& path) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return std::nullopt;

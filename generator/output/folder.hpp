@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/diagnostic/clash.hpp"
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/output/manifest.hpp"
 
@@ -20,6 +21,9 @@ struct Output {
 /// Hashes the rendered files and the inputs (names beside their bytes) into a manifest.
 Output make_output(std::vector<OutputFile> files, std::vector<HashedFile> inputs, const std::string& robot,
                    std::vector<std::string> options = {});
+
+/// Every file of the output, the manifest last, as `option` asks for it to be written below `folder`.
+std::vector<PlannedFile> planned_files(const std::string& folder, const Output& output, const std::string& option);
 
 /// The bytes of a file; none when there is no such regular file, or it cannot be read.
 std::optional<std::string> read_bytes(const std::string& path);

@@ -90,6 +90,10 @@ std::string project_text(const FirmwareRequest& request) {
   return project.str();
 }
 
+std::string image_path(const FirmwareRequest& request) {
+  return (fs::path(request.folder) / "build" / (request.board == "host" ? "firmware" : "firmware.elf")).string();
+}
+
 std::optional<std::string> build_firmware(const FirmwareRequest& request, Diagnostics& diagnostics) {
   if (!are_there(tools_for(request.board), diagnostics)) return std::nullopt;
   const fs::path build = fs::path(request.folder) / "build";
@@ -103,7 +107,7 @@ std::optional<std::string> build_firmware(const FirmwareRequest& request, Diagno
   }
   if (!step(configure, "configuring the firmware", diagnostics)) return std::nullopt;
   if (!step({"cmake", "--build", build.string()}, "compiling the firmware", diagnostics)) return std::nullopt;
-  return (build / (request.board == "host" ? "firmware" : "firmware.elf")).string();
+  return image_path(request);
 }
 
 }  // namespace finemote::gen

@@ -23,6 +23,9 @@ struct FirmwareRequest {
 /// The CMakeLists.txt of the work folder.
 std::string project_text(const FirmwareRequest& request);
 
+/// Where the executable will be.
+std::string image_path(const FirmwareRequest& request);
+
 /// Builds and returns the path of the executable. Reports FM0006 when CMake, Ninja or the compiler is missing and
 /// FM6001 with the compiler's words when the sources do not compile.
 std::optional<std::string> build_firmware(const FirmwareRequest& request, Diagnostics& diagnostics);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <ostream>
 
+#include "generator/diagnostic/clash.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/file/replace_file.hpp"
 #include "generator/file/system_reason.hpp"
@@ -57,6 +58,7 @@ std::string result_text(const Expanded& expansion, const XacroOptions& options) 
 }
 
 void write_output_file(const std::string& path, const std::string& text, Diagnostics& diagnostics, Sources& sources) {
+  if (!check_outputs({{path, "-o"}}, sources, diagnostics)) return;
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::error_code failed;
   if (!folder.empty()) std::filesystem::create_directories(folder, failed);

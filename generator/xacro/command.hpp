@@ -40,7 +40,8 @@ std::optional<Expanded> expand_input(const XacroOptions& options, Sources& sourc
 /// What goes to standard output or the output file: the document, or with `--deps` the names of the files.
 std::string result_text(const Expanded& expansion, const XacroOptions& options);
 
-/// Writes the output file, with its folders, as ROS xacro does; a failure (FM1029) leaves the old file.
+/// Writes the output file, with its folders, as ROS xacro does; a failure (FM1029, or FM5013 for a file
+/// that was read) leaves the old file.
 void write_output_file(const std::string& path, const std::string& text, Diagnostics& diagnostics, Sources& sources);
 
 /// The findings that the verbosity lets through.

@@ -6,5 +6,5 @@ mkdir work
 echo 'project(mine)' >work/CMakeLists.txt
 finemote run robot.urdf --keep work
 status=$?
-cat work/CMakeLists.txt
+cat work/CMakeLists.txt; ls work
 exit $status

@@ -1,0 +1,28 @@
+// Keeps a command from writing over what it reads, and from writing one file twice.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/diagnostic/diagnostics.hpp"
+
+namespace finemote::gen {
+
+/// A file that a command is about to write.
+struct PlannedFile {
+  std::string path;
+  std::string option;  ///< the words of the command line that ask for it: `-o`, `--depfile`
+};
+
+/// Finds outputs that are one file with an input or with another output. Files are told apart by what the system holds,
+/// not by their names: a file has many, through links, `..` and the letter case of some file systems. Pipes and devices
+/// may be named as often as one likes.
+///
+/// Reports FM5013 for each output that is a text of `sources` (standard input counts when it is a file) or one of
+/// `others`, FM5014 for each that is an earlier one or standard output.
+/// @param others  files that are read, and are no text of `sources`
+/// @return  whether all may be written
+bool check_outputs(const std::vector<PlannedFile>& outputs, Sources& sources, Diagnostics& diagnostics,
+                   const std::vector<std::string>& others = {});
+
+}  // namespace finemote::gen
