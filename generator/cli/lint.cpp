@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <map>
+#include <algorithm>
 #include <optional>
 #include <string_view>
 
@@ -12,7 +12,7 @@
 #include "generator/cli/finish.hpp"
 #include "generator/cli/lint_options.hpp"
 #include "generator/cli/load.hpp"
-#include "generator/cli/verdict.hpp"
+#include "generator/cli/mend.hpp"
 #include "generator/diagnostic/catalogue.hpp"
 #include "generator/diagnostic/code_output.hpp"
 #include "generator/diagnostic/render.hpp"
@@ -42,13 +42,12 @@ std::vector<Code> codes(Context& context, const char* option, const std::vector<
   return list;
 }
 
-/// What an edited file is to hold; none, and FM5012, where what is on disk is not the text that was checked.
-std::optional<std::string> edited_bytes(Context& context, const SourceFile& file, const std::vector<Edit>& edits) {
+/// What is on disk before the text of the robot; none, and FM5012, where that is not the text that was checked.
+std::optional<std::string> mark_before(Context& context, const SourceFile& file) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   const auto bytes = file.path.empty() ? std::nullopt : read_bytes(file.path);
-  if (bytes == file.text) return apply_edits(file, edits);
-  if (bytes && *bytes == std::string(kByteOrderMark) + file.text)
-    return std::string(kByteOrderMark) + apply_edits(file, edits);
+  if (bytes == file.text) return "";
+  if (bytes && *bytes == std::string(kByteOrderMark) + file.text) return std::string(kByteOrderMark);
   auto& finding =
       context.diagnostics.error(code::file_not_editable, {context.sources.add({file.name, file.path, {}})},
                                 fmt::format("cannot edit '{}': {}", file.name,
@@ -59,24 +58,59 @@ std::optional<std::string> edited_bytes(Context& context, const SourceFile& file
   return std::nullopt;
 }
 
-/// Writes every edited file anew, or none; returns their names.
-std::vector<std::string> write_edits(Context& context, const std::vector<Edit>& edits) {
-  std::map<std::string, std::pair<const SourceFile*, std::vector<Edit>>> files;
-  for (const Edit& edit : edits) {
-    auto& [file, list] = files[edit.file->path];
-    file = edit.file;
-    list.push_back(edit);
+/// The file that fixes change; null when there are none.
+const SourceFile* edited_file(const std::vector<Fix>& fixes) {
+  for (const Fix& fix : fixes) {
+    if (!fix.change.edits.empty()) return fix.change.edits.front().file;
   }
-  std::map<std::string, std::string> texts;
-  for (const auto& [path, entry] : files) {
-    if (auto bytes = edited_bytes(context, *entry.first, entry.second)) texts[path] = std::move(*bytes);
+  return nullptr;
+}
+
+std::size_t count_fixable(const std::vector<Fix>& fixes) {
+  return static_cast<std::size_t>(
+      std::count_if(fixes.begin(), fixes.end(), [](const Fix& fix) { return !fix.change.edits.empty(); }));
+}
+
+/// The findings, with the reason at each that was not fixed.
+Diagnostics with_reasons(const Diagnostics& findings, const Mended& mended) {
+  Diagnostics result;
+  for (Diagnostic finding : findings.in_file_order()) {
+    for (const auto& [fix, reason] : mended.refused) {
+      if (fix->code == finding.code && fix->message == finding.message) finding.note("not fixed: " + reason);
+    }
+    result.add(finding);
   }
-  if (context.diagnostics.has_errors()) return {};
-  std::vector<std::string> names;
-  for (const auto& [path, bytes] : texts) {
-    if (write_result(context, path, bytes)) names.push_back(path);
-  }
-  return names;
+  return result;
+}
+
+void print_outcome(Context& context, const Diagnostics& findings, const std::string& name, const Mended& mended,
+                   std::size_t fixable) {
+  if (context.options.format != Format::text || context.options.quiet) return;
+  for (const Fix* fix : mended.fixed) context.out << fmt::format("fixed {}: {}\n", name, fix->message);
+  context.out << fmt::format("{} finding{}\n", findings.size(), findings.size() == 1 ? "" : "s");
+  if (fixable > 0) context.out << "run 'finemote lint --fix' to fix the mechanical ones\n";
+}
+
+/// Prints what is left to find, and settles the exit status: kExitNo when one is denied.
+int finish_lint(Context& context, const Diagnostics& findings, const std::string& name, const Mended& mended,
+                std::size_t fixable) {
+  const bool denied = findings.has_errors() || (context.options.warnings_are_errors && findings.size() > 0);
+  print_outcome(context, findings, name, mended, fixable);
+  const std::vector<std::string> names(mended.fixed.empty() ? 0 : 1, name);
+  return finish_with(context, denied ? kExitNo : kExitYes, findings,
+                     Json{{"schema", "finemote.lint/1"}, {"findings", findings.size()}, {"mended", names}});
+}
+
+/// Fixes what can be fixed, in the file, and goes on with the robot as it is then.
+int fix_and_finish(Context& context, const Linted& linted) {
+  const SourceFile* file = edited_file(linted.fixes);
+  const auto mark = file == nullptr ? std::optional<std::string>("") : mark_before(context, *file);
+  if (!mark) return finish(context, kExitInvalid);
+  const Mended mended = mend(context, linted);
+  if (!mended.edited) return finish_lint(context, with_reasons(linted.findings, mended), {}, mended, 0);
+  if (!write_result(context, file->path, *mark + mended.edited->text)) return finish(context, kExitInvalid);
+  Context edited{context.options, mended.edited->sources, mended.edited->diagnostics, context.out, context.err};
+  return finish_lint(edited, with_reasons(mended.edited->linted->findings, mended), file->path, mended, 0);
 }
 
 }  // namespace
@@ -92,30 +126,12 @@ LintOptions lint_options(Context& context, const Verdict& verdict) {
 }
 
 int run_lint(Context& context) {
-  const auto loaded = load_robot(context);
+  auto loaded = load_robot(context);
   if (!loaded) return finish(context, kExitInvalid);
-  const auto verdict = timing_verdict(context, *loaded);
-  if (!verdict) return finish(context, kExitInvalid);
-  const LintOptions options = lint_options(context, *verdict);
-  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
-  Diagnostics findings;
-  const std::vector<Edit> edits = lint(loaded->robot, options, findings);
-  std::vector<std::string> mended;
-  if (context.options.fix) mended = write_edits(context, edits);
-  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
-  return finish_lint(context, findings, mended, edits.size());
-}
-
-int finish_lint(Context& context, const Diagnostics& findings, const std::vector<std::string>& mended,
-                std::size_t fixable) {
-  const bool denied = findings.has_errors() || (context.options.warnings_are_errors && findings.size() > 0);
-  if (context.options.format == Format::text && !context.options.quiet) {
-    for (const std::string& name : mended) context.out << "fixed " << name << "\n";
-    context.out << fmt::format("{} finding{}\n", findings.size(), findings.size() == 1 ? "" : "s");
-    if (mended.empty() && fixable > 0) context.out << "run 'finemote lint --fix' to fix the mechanical ones\n";
-  }
-  return finish_with(context, denied ? kExitNo : kExitYes, findings,
-                     Json{{"schema", "finemote.lint/1"}, {"findings", findings.size()}, {"mended", mended}});
+  const auto linted = lint_loaded(context, std::move(*loaded));
+  if (!linted) return finish(context, kExitInvalid);
+  if (context.options.fix) return fix_and_finish(context, *linted);
+  return finish_lint(context, linted->findings, {}, {}, count_fixable(linted->fixes));
 }
 
 }  // namespace finemote::gen

@@ -9,8 +9,4 @@ namespace finemote::gen {
 /// Reports FM0001 for words of --allow and --deny that are no code.
 LintOptions lint_options(Context& context, const Verdict& verdict);
 
-/// Prints lint's findings and settles the exit status: kExitNo when one is denied.
-int finish_lint(Context& context, const Diagnostics& findings, const std::vector<std::string>& mended,
-                std::size_t fixable);
-
 }  // namespace finemote::gen

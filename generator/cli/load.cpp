@@ -52,7 +52,7 @@ bool refuse_arguments(Context& context) {
   return true;
 }
 
-std::optional<xml::Document> read_document(Context& context) {
+std::optional<xml::Document> read_document(Context& context, const std::string* edited) {
   const std::string& input = context.options.input;
   if (!is_xacro(input) && refuse_arguments(context)) return std::nullopt;
   if (fs::path(input).extension() == ".json") {
@@ -60,7 +60,8 @@ std::optional<xml::Document> read_document(Context& context) {
         .hint("analyze, simulate and diff take models");
     return std::nullopt;
   }
-  const SourceFile* file = xml::read_source(input, context.sources, context.diagnostics);
+  const SourceFile* file = edited != nullptr ? context.sources.add({input, input, *edited})
+                                             : xml::read_source(input, context.sources, context.diagnostics);
   if (file == nullptr) return std::nullopt;
   if (!is_xacro(input)) return xml::parse(*file, context.diagnostics);
   xacro::Dependencies dependencies;
@@ -115,12 +116,12 @@ xacro::Arguments xacro_arguments(const Options& options) {
   return arguments;
 }
 
-std::optional<Loaded> load_robot(Context& context) {
+std::optional<Loaded> load_robot(Context& context, const std::string* edited) {
   Loaded loaded;
   loaded.data_dir = find_data_dir(context.options, context.diagnostics);
   if (loaded.data_dir.empty()) return std::nullopt;
 
-  const auto document = read_document(context);
+  const auto document = read_document(context, edited);
   if (!document) return std::nullopt;
   const LibraryOptions folders{
       loaded.data_dir, input_folder(context.options.input).string(), context.options.device_paths, {}};

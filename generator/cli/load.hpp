@@ -24,7 +24,8 @@ struct Loaded {
 };
 
 /// Reads, checks and plans. All mistakes are in the context's diagnostics; with one there is no robot.
-std::optional<Loaded> load_robot(Context& context);
+/// @param edited  the text of IN instead of what is in the file; null: the file
+std::optional<Loaded> load_robot(Context& context, const std::string* edited = nullptr);
 
 /// The generated files of a robot, bounds included. Reports what render_files reports.
 std::vector<OutputFile> render_robot(Context& context, const Loaded& loaded);

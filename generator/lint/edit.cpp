@@ -79,6 +79,19 @@ ElementExtent with_lines(std::string_view text, ElementExtent extent) {
   return is_alone ? ElementExtent{begin, end + 1} : extent;
 }
 
+/// Takes in comments behind the element on its line, when nothing else stands on it.
+ElementExtent with_comments_behind(std::string_view text, ElementExtent extent) {
+  constexpr std::string_view kOpen = "<!--";
+  std::size_t end = extent.end;
+  while (end < text.size() && is_blank(text[end])) ++end;
+  while (text.substr(end, kOpen.size()) == kOpen) {
+    end = behind(text, end, "-->");
+    while (end < text.size() && is_blank(text[end])) ++end;
+  }
+  const ElementExtent whole = with_lines(text, {extent.begin, end});
+  return whole.end > end ? whole : extent;
+}
+
 }  // namespace
 
 std::optional<ElementExtent> find_element(const Position& at) {
@@ -91,6 +104,7 @@ ElementExtent with_comments(const SourceFile& file, ElementExtent extent) {
   const std::string_view text = file.text;
   constexpr std::string_view kOpen = "<!--";
   constexpr std::string_view kClose = "-->";
+  extent = with_comments_behind(text, extent);
   const auto is_line_begin = [&](std::size_t at) { return at == 0 || text[at - 1] == '\n'; };
   while (is_line_begin(extent.begin) && extent.begin > 0) {
     std::size_t end = extent.begin - 1;  // behind the line above, without its line break

@@ -28,7 +28,8 @@ struct ElementExtent {
 /// text at that place is no element.
 std::optional<ElementExtent> find_element(const Position& at);
 
-/// The extent with the comments that stand on lines of their own directly above it: what is said of the element.
+/// The extent with the comments that stand behind it on its line, and on lines of their own directly above it: what is
+/// said of the element.
 ElementExtent with_comments(const SourceFile& file, ElementExtent extent);
 
 /// The text of `file` after the edits; those of other files are passed over. Edits may not overlap; insertions at one

@@ -23,7 +23,7 @@ class Linter {
   Linter(const Robot& robot, const LintOptions& options, Diagnostics& diagnostics)
       : robot_(robot), options_(options), diagnostics_(diagnostics) {}
 
-  std::vector<Edit> run() {
+  std::vector<Fix> run() {
     for (std::size_t i = 0; i < robot_.buses.size(); ++i) check_bus(i);
     for (std::size_t i = 0; i < robot_.devices.size(); ++i) {
       check_order(robot_.devices[i]);
@@ -34,7 +34,7 @@ class Linter {
       check_command_age(i);
       for (const Diagnostic& finding : mechanics_findings(robot_, robot_.devices[i])) add(finding);
     }
-    return std::move(edits_);
+    return std::move(fixes_);
   }
 
  private:
@@ -65,13 +65,18 @@ class Linter {
     }
     return false;
   }
+  [[nodiscard]] bool is_required(std::size_t bus) const {
+    return std::any_of(robot_.requirements.begin(), robot_.requirements.end(),
+                       [&](const Requirement& requirement) { return requirement.bus == bus; });
+  }
   void check_bus(std::size_t index) {
     const Bus& bus = robot_.buses[index];
     if (!is_used(index)) {
       Diagnostic* finding = report(code::lint_unused_bus, bus.at, fmt::format("bus '{}' is unused", bus.name.text));
       if (finding == nullptr) return;
-      finding->underline(4).hint("remove it: it costs start-up code and interrupts");
-      if (const auto extent = find_element(bus.at)) edits_.push_back({bus.at.file, extent->begin, extent->end, {}});
+      finding->underline(4).hint(fmt::format("remove it{}: it costs start-up code and interrupts",
+                                             is_required(index) ? ", and the <require> that names it" : ""));
+      fixes_.push_back({finding->code, finding->message, bus.name.text, remove_element(bus.at)});
       return;
     }
     if (index >= options_.bus_load.size() || options_.bus_load[index] <= options_.most_bus_load) return;
@@ -123,14 +128,7 @@ class Linter {
             "handle()")
         .note(fmt::format("actuator '{}' is declared here", actuator.name.text), actuator.at)
         .hint(fmt::format("declare '{}' before '{}'", sensor.name.text, actuator.name.text));
-    auto from = find_element(sensor.at);
-    auto to = find_element(actuator.at);
-    if (!from || !to || sensor.at.file != actuator.at.file || from->begin < to->end) return;
-    from = with_comments(*sensor.at.file, *from);
-    to = with_comments(*actuator.at.file, *to);
-    const std::string text = sensor.at.file->text.substr(from->begin, from->end - from->begin);
-    edits_.push_back({sensor.at.file, to->begin, to->begin, text});
-    edits_.push_back({sensor.at.file, from->begin, from->end, {}});
+    fixes_.push_back({finding->code, finding->message, sensor.name.text, move_before(sensor.at, actuator.at)});
   }
 
   void check_periods(const Device& child) {
@@ -269,12 +267,12 @@ class Linter {
   const Robot& robot_;
   const LintOptions& options_;
   Diagnostics& diagnostics_;
-  std::vector<Edit> edits_;
+  std::vector<Fix> fixes_;
 };
 
 }  // namespace
 
-std::vector<Edit> lint(const Robot& robot, const LintOptions& options, Diagnostics& diagnostics) {
+std::vector<Fix> lint(const Robot& robot, const LintOptions& options, Diagnostics& diagnostics) {
   return Linter(robot, options, diagnostics).run();
 }
 

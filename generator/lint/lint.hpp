@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "generator/diagnostic/diagnostics.hpp"
-#include "generator/lint/edit.hpp"
+#include "generator/lint/change.hpp"
 #include "generator/model/robot.hpp"
 
 namespace finemote::gen {
@@ -27,6 +27,14 @@ struct LintOptions {
   std::vector<Diagnostic> overloads;  ///< FM4021 of the timing analysis, instead of FM3155 for these buses
 };
 
+/// What mends one finding mechanically.
+struct Fix {
+  Code code;
+  std::string message;  ///< of the finding
+  std::string subject;  ///< name of the device that moves, or of the bus that goes
+  Change change;        ///< without edits where the text does not allow it
+};
+
 /// Looks for what is allowed and yet rarely meant. Reports, in document order:
 /// FM3151 a sensor declared after actuators of its period (they handle later than they could),
 /// FM3152 a child's period that is neither multiple nor divisor of its parent's,
@@ -34,7 +42,7 @@ struct LintOptions {
 /// FM3155 a bus that is busy for more than `most_bus_load` (above 100 %: FM4021; who denies FM3155 denies these),
 /// FM3156 a bus nobody uses, FM3157 a param that is computed from the URDF, FM3158 to FM3160 what mechanics.hpp finds,
 /// FM3161 a limit on the age of commands below the proven age. codes.hpp has the table.
-/// @return  edits for FM3151 and FM3156, where the text was written by hand and not by a macro.
-std::vector<Edit> lint(const Robot& robot, const LintOptions& options, Diagnostics& diagnostics);
+/// @return  one for each FM3151 and FM3156 that is reported
+std::vector<Fix> lint(const Robot& robot, const LintOptions& options, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

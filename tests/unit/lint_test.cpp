@@ -19,7 +19,7 @@ struct Linted {
   Diagnostics diagnostics;
   std::optional<Library> library;
   std::optional<Robot> robot;
-  std::string said, mended;
+  std::string said, mended, reasons;
 
   explicit Linted(const std::string& inner, const LintOptions& options = {}) {
     read(sources.add(SourceFile{
@@ -34,7 +34,12 @@ struct Linted {
     robot = build_model(*document, *library, {}, sources, diagnostics);
     INFO(render_text(diagnostics, false));
     REQUIRE(robot);
-    mended = apply_edits(*file, lint(*robot, options, diagnostics));
+    std::vector<Edit> edits;
+    for (const Fix& fix : lint(*robot, options, diagnostics)) {
+      edits.insert(edits.end(), fix.change.edits.begin(), fix.change.edits.end());
+      reasons += fix.change.reason;
+    }
+    mended = apply_edits(*file, edits);
     said = render_text(diagnostics, false);
   }
   [[nodiscard]] bool says(const std::string& words) const { return said.find(words) != std::string::npos; }
