@@ -74,6 +74,7 @@ std::vector<std::string> corner_problems(const std::vector<Axis>& wheels) {
 }
 
 bool leave_a_motion_free(const std::vector<Axis>& wheels) {
+  if (wheels.empty()) return false;  // why there is none was reported
   Eigen::MatrixX3d rows = wheel_rows(wheels);
   double reach = 0;
   for (const Axis& wheel : wheels) reach = std::max(reach, wheel.point.head<2>().norm());

@@ -10,6 +10,7 @@
 #include "generator/descriptor/runtime_limits.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/names.hpp"
+#include "generator/model/no_segment.hpp"
 #include "generator/model/offers.hpp"
 #include "generator/model/pins.hpp"
 #include "generator/model/reading.hpp"
@@ -120,7 +121,7 @@ class DeviceReader {
       return false;
     }
     if (!kind_is_known(reading_, segment) || contains(type.buses, segment.bus_kind))
-      return kind_is_known(reading_, segment);
+      return kind_is_known(reading_, segment) && segment.bus != kNoSegment;
     auto& finding = at_value(diagnostics_, code::bus_kind, bus,
                              fmt::format("'{}' sits on {}; bus '{}' is of type '{}'", type.name, kinds_text(type.buses),
                                          bus.value, bus_kind_name(segment.bus_kind)));
@@ -320,7 +321,7 @@ class DeviceReader {
     }
     const Segment& segment = reading_.robot.segments[*use.segment];
     if (!kind_is_known(reading_, segment)) return false;
-    if (contains(use.spec->buses, segment.bus_kind)) return true;
+    if (contains(use.spec->buses, segment.bus_kind)) return segment.bus != kNoSegment;
     at_value(diagnostics_, code::bus_kind, bus,
              fmt::format("<use role=\"{}\"> takes {}; bus '{}' is of type '{}'", use.spec->role,
                          kinds_text(use.spec->buses), bus.value, bus_kind_name(segment.bus_kind)));

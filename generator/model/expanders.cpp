@@ -9,13 +9,12 @@
 #include "generator/model/address.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/names.hpp"
+#include "generator/model/no_segment.hpp"
 #include "generator/model/reading.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
-
-constexpr std::size_t kNoSegment = static_cast<std::size_t>(-1);
 
 class ExpanderReader {
  public:
@@ -107,10 +106,10 @@ class ExpanderReader {
     auto& segments = reading_.robot.segments;
     const std::size_t self = reading_.robot.expanders.size();
     if (expander_.type != nullptr && !expander_.type->named_channels) {
-      segments.push_back({Segment::Kind::pwm_expander, expander_.name, expander_.type->provides, 0, self, 0});
+      segments.push_back({Segment::Kind::pwm_expander, expander_.name, expander_.type->provides, kNoSegment, self, 0});
     }
     for (const Expander::Channel& channel : expander_.channels) {
-      segments.push_back({Segment::Kind::mux_channel, channel.name, BusKind::i2c, 0, self, channel.index});
+      segments.push_back({Segment::Kind::mux_channel, channel.name, BusKind::i2c, kNoSegment, self, channel.index});
     }
   }
 
@@ -176,7 +175,8 @@ void attach(Reading& reading, std::size_t index) {
   expander.segment = *segment;
 }
 
-/// The physical bus of what an expander provides; a PWM expander may sit behind a mux.
+/// The physical bus of what an expander provides; a PWM expander may sit behind a mux. It stays kNoSegment where the
+/// expander sits on nothing: that was reported.
 void find_physical_bus(Robot& robot, Segment& segment) {
   const Expander& expander = robot.expanders[*segment.expander];
   if (expander.segment == kNoSegment) return;

@@ -7,6 +7,7 @@
 
 #include "generator/model/address.hpp"
 #include "generator/model/attributes.hpp"
+#include "generator/model/no_segment.hpp"
 #include "generator/model/offers.hpp"
 #include "generator/model/reading.hpp"
 #include "generator/units/units.hpp"
@@ -130,6 +131,7 @@ class AddressTable {
 
   void add(std::size_t segment_index, std::uint32_t address, const Occupant& occupant) {
     const Segment& segment = reading_.robot.segments[segment_index];
+    if (segment.bus == kNoSegment) return;
     const bool is_upstream = segment.kind == Segment::Kind::bus;
     for (const Entry& entry : entries_) {
       const bool same_bus = entry.bus == segment.bus && entry.address == address;

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "generator/model/attributes.hpp"
+#include "generator/model/no_segment.hpp"
 #include "generator/model/operand_text.hpp"
 #include "generator/model/reading.hpp"
 #include "generator/units/units.hpp"
@@ -106,8 +107,9 @@ class RequirementReader {
     const auto segment = reading_.segment_named(attribute.value);
     if (segment) {
       finding.message = fmt::format("'{}' is not a bus of the board", attribute.value);
-      finding.hint(fmt::format("its transfers run on '{}'",
-                               reading_.robot.buses[reading_.robot.segments[*segment].bus].name.text));
+      const std::size_t bus = reading_.robot.segments[*segment].bus;
+      if (bus != kNoSegment)
+        finding.hint(fmt::format("its transfers run on '{}'", reading_.robot.buses[bus].name.text));
     } else {
       suggest(finding, attribute.value, names);
     }

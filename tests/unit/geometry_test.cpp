@@ -128,6 +128,7 @@ TEST_CASE("wheels that leave a motion free are found") {
                              {{0.3, 0.1, 0}, across},
                              {{-0.2, -0.2, 0}, across},
                              {{-0.3, -0.1, 0}, across}}));  // all rollers one way
+  CHECK_FALSE(leave_a_motion_free({}));                     // every joint is wrong: that was said
 }
 
 TEST_CASE("a chain says what each joint carries, in axes of the base") {
