@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -70,32 +69,33 @@ Parsed parse_enumeration(const ParamSpec& spec, std::string_view text) {
                     did_you_mean(text, spec.values)};
 }
 
-/// A time without unit: the unit it was probably meant in is the one its default is written in, else one that brings it
-/// into the range.
-std::string meant_time(const ParamSpec& spec, std::string_view text) {
-  std::string best;
-  for (const std::string_view unit : {"ms", "us", "s", "ns"}) {
-    const std::string candidate = std::string(text) + std::string(unit);
-    const auto value = units::parse_duration(candidate);
-    if (!value) continue;
-    const auto number = static_cast<double>(*value);
-    if ((spec.min && number < *spec.min) || (spec.max && number > *spec.max)) continue;
-    const auto* usual = spec.fallback ? std::get_if<std::int64_t>(&*spec.fallback) : nullptr;
-    const std::string usual_text = usual != nullptr ? units::format_duration(*usual) : std::string();
-    const bool is_usual =
-        usual_text.size() > unit.size() &&
-        std::isdigit(static_cast<unsigned char>(usual_text[usual_text.size() - unit.size() - 1])) != 0 &&
-        usual_text.substr(usual_text.size() - unit.size()) == unit;
-    if (is_usual) return candidate;
-    if (best.empty()) best = candidate;
-  }
-  return best;
+/// The unit that the default is written in; empty: there is none.
+std::string usual_time_unit(const ParamSpec& spec) {
+  const auto* usual = spec.fallback ? std::get_if<std::int64_t>(&*spec.fallback) : nullptr;
+  if (usual == nullptr) return {};
+  const std::string text = units::format_duration(*usual);
+  return text.substr(text.find_first_not_of("0123456789."));
 }
 
+/// A number without unit: the unit it was probably meant in is the one of its default, else one that brings it into the
+/// range.
 ParamFault with_meant_unit(const ParamSpec& spec, std::string_view text, ParamFault fault) {
-  const std::string meant =
-      spec.unit == Unit::time_ns && fault.code == code::unit_missing ? meant_time(spec, text) : std::string();
-  if (!meant.empty()) fault.hint = fmt::format("write '{}'; units are ns, us, ms, s", meant);
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  const double least = spec.min.value_or(-kAny), most = spec.max.value_or(kAny);
+  units::Fault meant{fault.code, fault.message, fault.hint};
+  const auto try_units = [&](std::initializer_list<std::string_view> preferred, auto parse) {
+    meant = units::with_meant_unit(std::move(meant), text, preferred, parse, least, most);
+  };
+  if (spec.unit == Unit::time_ns) {
+    const std::string usual = usual_time_unit(spec);
+    try_units({usual, "ms", "us", "s", "ns"}, units::parse_duration);
+  } else if (spec.unit == Unit::frequency_hz) {
+    const bool is_large = text.size() > 3;
+    try_units({is_large ? "Hz" : "kHz", "kHz", "Hz", "MHz"}, units::parse_frequency);
+  } else if (spec.unit == Unit::bit_rate) {
+    try_units({"bit/s", "kbit/s", "Mbit/s"}, units::parse_bitrate);
+  }
+  fault.hint = meant.hint;
   return fault;
 }
 

@@ -59,6 +59,19 @@ Diagnostic& at_tag(Diagnostics& diagnostics, Code code, const xml::Node& node, s
   return diagnostics.error(code, node.at, std::move(message)).underline(node.name.size() + 1);
 }
 
+std::optional<std::int64_t> read_duration_in(const xml::Node& node, std::string_view name, std::string_view unit,
+                                             Diagnostics& diagnostics) {
+  const xml::Attribute* attribute = node.attribute(name);
+  if (attribute == nullptr) return {};
+  const auto result = units::parse_duration(attribute->value);
+  if (result) return *result;
+  const units::Fault fault = units::with_meant_unit(result.fault(), attribute->value, {unit}, units::parse_duration, 0,
+                                                    static_cast<double>(INT64_MAX));
+  Diagnostic& finding = at_value(diagnostics, fault.code, *attribute, std::string(name) + ": " + fault.message);
+  if (!fault.hint.empty()) finding.hint(fault.hint);
+  return {};
+}
+
 std::optional<std::string> read_choice(const xml::Node& node, std::string_view name,
                                        const std::vector<std::string>& choices, Diagnostics& diagnostics) {
   const xml::Attribute* attribute = node.attribute(name);

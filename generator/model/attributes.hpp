@@ -50,6 +50,10 @@ std::optional<T> read_quantity(const xml::Node& node, std::string_view name,
   return {};
 }
 
+/// A duration whose number without unit is more likely one of `unit` than of ms.
+std::optional<std::int64_t> read_duration_in(const xml::Node& node, std::string_view name, std::string_view unit,
+                                             Diagnostics& diagnostics);
+
 /// The attribute's value when it is one of `choices`; else FM3011.
 std::optional<std::string> read_choice(const xml::Node& node, std::string_view name,
                                        const std::vector<std::string>& choices, Diagnostics& diagnostics);

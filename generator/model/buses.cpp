@@ -239,6 +239,20 @@ std::string example_rate(Reading& reading, const Bus& bus, const Port* port) {
 /// The rate of kinds that run at one usual speed may be left out: the fastest the port makes.
 bool has_usual_rate(BusKind kind) { return kind == BusKind::i2c || kind == BusKind::can; }
 
+/// The unit that a rate without one was probably meant in: the port can run at it.
+units::Fault with_meant_rate(units::Fault fault, std::string_view text, BusKind kind, const Port* port,
+                             units::Result<std::int64_t> (*parse)(std::string_view)) {
+  constexpr double kSlowestClock = 1000, kSlowestBits = 300;  // slower than anybody means
+  const bool is_clock = rate_attribute(kind) == "clock";
+  const double least = port != nullptr && port->min_rate ? static_cast<double>(*port->min_rate)
+                       : is_clock                        ? kSlowestClock
+                                                         : kSlowestBits;
+  const double most = static_cast<double>(port != nullptr ? port->max_rate.value_or(INT64_MAX) : INT64_MAX);
+  if (is_clock) return units::with_meant_unit(std::move(fault), text, {"Hz", "kHz", "MHz"}, parse, least, most);
+  const std::string_view base = kind == BusKind::can ? "bit/s" : "baud";
+  return units::with_meant_unit(std::move(fault), text, {base, "kbit/s", "Mbit/s"}, parse, least, most);
+}
+
 void read_rate(Reading& reading, const xml::Node& tag, Bus& bus, Reading::BusState& state) {
   const std::string_view wanted = rate_attribute(bus.kind);
   for (const std::string_view name :
@@ -271,8 +285,13 @@ void read_rate(Reading& reading, const xml::Node& tag, Bus& bus, Reading::BusSta
     return;
   }
   const auto parse = wanted == "clock" ? units::parse_frequency : units::parse_bitrate;
-  const auto rate = read_quantity(tag, wanted, parse, reading.diagnostics);
-  if (!rate) return;
+  const auto rate = parse(attribute->value);
+  if (!rate) {
+    const units::Fault fault = with_meant_rate(rate.fault(), attribute->value, bus.kind, state.port, parse);
+    auto& finding = at_value(reading.diagnostics, fault.code, *attribute, std::string(wanted) + ": " + fault.message);
+    if (!fault.hint.empty()) finding.hint(fault.hint);
+    return;
+  }
   if (*rate == 0) {
     at_value(reading.diagnostics, code::rate_unreachable, *attribute, fmt::format("'{}' of a bus is zero", wanted));
     return;
@@ -319,7 +338,7 @@ void read_bus(Reading& reading, const xml::Node& tag) {
   state.port = PortFinder(reading, tag, kind).find();
   if (state.port != nullptr) bus.port = state.port->name;
   if (kind) read_rate(reading, tag, bus, state);
-  bus.isr_wcet_ns = read_quantity(tag, "isr_wcet", units::parse_duration, reading.diagnostics);
+  bus.isr_wcet_ns = read_duration_in(tag, "isr_wcet", "us", reading.diagnostics);
   bus.min_frame_bits = read_quantity(tag, "min_frame", units::parse_bits, reading.diagnostics);
   if (bus.min_frame_bits == 0) {
     at_value(reading.diagnostics, code::param_range, *tag.attribute("min_frame"),

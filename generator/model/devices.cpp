@@ -340,8 +340,8 @@ class DeviceReader {
       }
     }
     if (wcet == nullptr) return;
-    device_.wcet.update_ns = read_quantity(*wcet, "update", units::parse_duration, diagnostics_).value_or(0);
-    device_.wcet.handle_ns = read_quantity(*wcet, "handle", units::parse_duration, diagnostics_).value_or(0);
+    device_.wcet.update_ns = read_duration_in(*wcet, "update", "us", diagnostics_).value_or(0);
+    device_.wcet.handle_ns = read_duration_in(*wcet, "handle", "us", diagnostics_).value_or(0);
     const auto source = read_choice(*wcet, "source", {"budget", "measured", "static"}, diagnostics_).value_or("budget");
     device_.wcet.source = source == "measured" ? Wcet::Source::measured
                           : source == "static" ? Wcet::Source::static_analysis

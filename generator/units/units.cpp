@@ -71,7 +71,29 @@ std::string unit_list(const Kind& kind) {
   return list;
 }
 
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+std::string_view without_outer_blanks(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// `5  ms ` -> `5ms`: a number and a unit of the kind with blanks around or between them; else empty.
+std::string without_blanks(std::string_view text, const Kind& kind) {
+  const std::string_view inner = without_outer_blanks(text);
+  const std::size_t length = number_length(inner);
+  const std::string_view unit = without_outer_blanks(inner.substr(length));
+  const bool is_known = std::any_of(kind.units.begin(), kind.units.end(),
+                                    [&](const UnitName& candidate) { return unit == candidate.text; });
+  return length > 0 && is_known ? std::string(inner.substr(0, length)) + std::string(unit) : std::string();
+}
+
 Fault malformed(std::string_view text, const Kind& kind) {
+  if (const std::string packed = without_blanks(text, kind); !packed.empty()) {
+    return {code::quantity_malformed, fmt::format("'{}' has a blank too many", shown(text)),
+            fmt::format("write '{}'", shown(packed))};
+  }
   const std::string example = fmt::format("write a number and a unit, for example '10{}'", kind.example_unit);
   if (const std::size_t comma = text.find(','); comma != std::string_view::npos && comma + 1 < text.size()) {
     std::string pointed(text);
@@ -272,6 +294,22 @@ Result<double> parse_percent(std::string_view text) {
   const auto [end, error] = std::from_chars(scaled.data(), scaled.data() + scaled.size(), value);
   if (error != std::errc() || end != scaled.data() + scaled.size()) return too_large(text);
   return value;
+}
+
+Fault with_meant_unit(Fault fault, std::string_view text, std::initializer_list<std::string_view> preferred,
+                      Result<std::int64_t> (*parse)(std::string_view), double least, double most) {
+  if (fault.code != code::unit_missing) return fault;
+  const std::size_t units = fault.hint.find("units are ");
+  const std::string rest = units == std::string::npos ? "" : fault.hint.substr(units);
+  fault.hint = rest;
+  for (const std::string_view unit : preferred) {
+    const std::string candidate = std::string(text) + std::string(unit);
+    const auto value = parse(candidate);
+    if (!value || static_cast<double>(*value) < least || static_cast<double>(*value) > most) continue;
+    fault.hint = fmt::format("write '{}'{}{}", shown(candidate), rest.empty() ? "" : "; ", rest);
+    break;
+  }
+  return fault;
 }
 
 Result<std::uint32_t> parse_bare(std::string_view text) {

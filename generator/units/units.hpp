@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,6 +42,11 @@ Result<std::int64_t> parse_frequency(std::string_view text);  ///< Hz kHz MHz ->
 Result<std::int64_t> parse_bitrate(std::string_view text);    ///< bit/s kbit/s Mbit/s baud -> bit/s
 Result<std::int64_t> parse_bits(std::string_view text);       ///< bit -> bit
 Result<double> parse_percent(std::string_view text);          ///< % -> fraction (`40%` -> 0.4), correctly rounded
+
+/// What a number without unit probably means, for the hint of FM3030: a quantity from `least` to `most` (in the base
+/// unit), with the first unit of `preferred` that makes it one. Other faults stay as they are.
+Fault with_meant_unit(Fault fault, std::string_view text, std::initializer_list<std::string_view> preferred,
+                      Result<std::int64_t> (*parse)(std::string_view), double least, double most);
 
 /// A bare integer, decimal or 0x, as `index channel id address` are written. Faults: FM3035, FM3034.
 Result<std::uint32_t> parse_bare(std::string_view text);

@@ -102,6 +102,9 @@ TEST_CASE("what is no quantity at all") {
   const std::string hint = "write a number and a unit, for example '10ms'";
   refuses(parse_duration(""), code::quantity_malformed, "empty value, expected a duration", hint);
   refuses(parse_duration("-5ms"), code::quantity_malformed, "'-5ms' is negative, expected a duration", hint);
+  for (const std::string text : {"5  ms", " 5ms", "5ms ", "5 ms "})
+    CHECK(parse_duration(text).fault().hint == "write '5ms'");
+  CHECK(parse_duration("5 6ms").fault().hint == hint);  // not 56ms
   for (const std::string text : {"ms", "5  ms", " 5ms", "5ms ", "5.ms", ".5ms", "5,5ms", "1e3ms", "+5ms", "5\tms",
                                  "5 6ms", "0x5ms", "5.5.5ms", "5 "}) {
     INFO(text);
@@ -110,6 +113,17 @@ TEST_CASE("what is no quantity at all") {
     const std::uint16_t number = result.fault().code.number;
     CHECK((number == code::quantity_malformed.number || number == code::unit_wrong.number));
   }
+}
+
+TEST_CASE("a number without unit is offered with one that brings it into the range") {
+  const auto meant = [](const std::string& text, double least, double most) {
+    return with_meant_unit(parse_frequency(text).fault(), text, {"kHz", "Hz", "MHz"}, parse_frequency, least, most)
+        .hint;
+  };
+  CHECK(meant("50", 24, 1526) == "write '50Hz'; units are Hz, kHz, MHz");
+  CHECK(meant("50", 1e3, 1e6) == "write '50kHz'; units are Hz, kHz, MHz");
+  CHECK(meant("50", 1, 2) == "units are Hz, kHz, MHz");
+  CHECK(meant("50K", 1, 1e9) == parse_frequency("50K").fault().hint);
 }
 
 TEST_CASE("values that are not whole or do not fit are errors, never rounded") {
