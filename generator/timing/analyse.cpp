@@ -25,6 +25,25 @@ std::optional<Ns> jitter(const Model& model, const ProfileAnalysis& profile, std
   return profile.responses.r_minus[device] - least;
 }
 
+/// A requirement that needs no chain: utilization and jitter.
+RequirementResult evaluate_load(const Model& model, const ProfileAnalysis& profile, const std::vector<BusLoad>& loads,
+                                const Requirement& r) {
+  RequirementResult result;
+  result.requirement = r;
+  if (r.kind == Requirement::Kind::utilization) {
+    result.fraction = r.bus ? loads[*r.bus].utilization : processor_share(profile.set);
+    result.ok = *result.fraction <= r.max_fraction;
+    return result;
+  }
+  result.value_ns = jitter(model, profile, r.to.front());
+  result.ok = result.value_ns && *result.value_ns <= r.max_ns;
+  return result;
+}
+
+bool is_latency(const Requirement& r) {
+  return r.kind == Requirement::Kind::latency_end_to_end || r.kind == Requirement::Kind::latency_decision;
+}
+
 class Evaluation {
  public:
   Evaluation(const Model& model, const ProfileAnalysis& profile, const ChainAnalysis& chains,
@@ -32,17 +51,10 @@ class Evaluation {
       : model_(model), profile_(profile), chains_(chains), loads_(loads) {}
 
   RequirementResult evaluate(const Requirement& r) const {
+    if (!is_latency(r)) return evaluate_load(model_, profile_, loads_, r);
     RequirementResult result;
     result.requirement = r;
-    if (r.kind == Requirement::Kind::utilization) {
-      result.fraction = r.bus ? loads_[*r.bus].utilization : processor_share(profile_.set);
-      result.ok = *result.fraction <= r.max_fraction;
-      return result;
-    }
-    if (r.kind == Requirement::Kind::jitter)
-      result.value_ns = jitter(model_, profile_, r.to.front());
-    else
-      find_latency(r, result);
+    find_latency(r, result);
     result.ok = result.value_ns && *result.value_ns <= r.max_ns;
     return result;
   }
@@ -126,9 +138,7 @@ void report_remarks(const Timing& timing, Diagnostics& diagnostics) {
 std::vector<ChainRequest> asked_chains(const AnalysisRequest& request, const std::vector<Requirement>& requirements) {
   std::vector<ChainRequest> chains = request.chains;
   for (const Requirement& requirement : requirements) {
-    const bool is_latency = requirement.kind == Requirement::Kind::latency_end_to_end ||
-                            requirement.kind == Requirement::Kind::latency_decision;
-    if (!is_latency) continue;
+    if (!is_latency(requirement)) continue;
     for (const std::size_t from : requirement.from) {
       for (const std::size_t to : requirement.to) chains.push_back({from, to});
     }
@@ -142,6 +152,25 @@ void add_chain(const ChainAnalysis& analysis, const ChainRequest& wanted, std::v
     return chain.from == wanted.from && chain.to == wanted.to;
   });
   if (!known && analysis.connected(wanted.from, wanted.to)) chains.push_back(analysis.bound(wanted.from, wanted.to));
+}
+
+/// What a hint on deadlines and loads needs to know of a changed model; requirements on latencies are not judged.
+Timing analyse_verdict(const Model& model, const AnalysisRequest& request) {
+  Timing timing;
+  timing.asked = request.profile.value_or(model.has_target ? Profile::target : Profile::tight);
+  ProfileAnalysis asked = analyse_deadlines(model, timing.asked, request.steps);
+  // Loads and jitter are those of the best profile, whichever is asked for.
+  const Profile best_profile = model.has_target ? Profile::target : Profile::tight;
+  std::optional<ProfileAnalysis> other;
+  if (best_profile != timing.asked) other = analyse_deadlines(model, best_profile, request.steps);
+  const ProfileAnalysis& best = other ? *other : asked;
+  Effort effort(request.steps);
+  timing.bus_loads = WireAnalysis(model, best, effort).loads();
+  timing.processor_load = processor_share(asked.set);
+  timing.schedulable = asked.result.schedulable;
+  for (const Requirement& r : request.requirements)
+    timing.requirements.push_back(evaluate_load(model, best, timing.bus_loads, r));
+  return timing;
 }
 
 std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics) {
@@ -206,6 +235,7 @@ std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request
     return std::nullopt;
   }
   try {
+    if (request.verdict_only) return analyse_verdict(model, request);
     return analyse_all(model, request, diagnostics);
   } catch (const Overflow& overflow) {
     diagnostics

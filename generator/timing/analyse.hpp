@@ -42,6 +42,7 @@ struct AnalysisRequest {
   bool inputs = false;              ///< fill Timing::inputs
   Remodel remodel;                  ///< to look for hints that help; none: messages are without them
   std::int64_t steps = kMostSteps;  ///< of each profile and of the chains; more are FM4011
+  bool verdict_only = false;        ///< deadlines and loads of the asked profile; no latency, chain, path or window
 };
 
 /// Why chains have no bound.

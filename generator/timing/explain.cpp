@@ -304,7 +304,8 @@ void add_remedies(const Timing& timing, std::size_t index, Trials& trials, Diagn
     return r.value_ns ? static_cast<double>(*r.value_ns) : std::numeric_limits<double>::infinity();
   };
   const double max = now.fraction ? now.requirement.max_fraction : static_cast<double>(now.requirement.max_ns);
-  for (const Remedy& remedy : trials.find(RequirementFamilies(timing, now).list(), {value_of, max})) {
+  for (const Remedy& remedy :
+       trials.find(RequirementFamilies(timing, now).list(), {value_of, max, now.chain.has_value()})) {
     const std::string value =
         now.fraction ? percent_text(remedy.value) : readable_duration(static_cast<Ns>(remedy.value));
     finding.hint(fmt::format("{} brings it to {}{}", remedy.proposal.text, value,

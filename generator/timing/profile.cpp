@@ -51,4 +51,15 @@ ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Pr
   return {std::move(result), std::move(set), std::move(responses), std::move(table), std::move(hand_overs)};
 }
 
+ProfileAnalysis analyse_deadlines(const Model& model, Profile profile, std::int64_t steps) {
+  Effort effort(steps);
+  TaskSet set = make_task_set(model, profile);
+  Responses responses = bound_responses(set, effort);
+  ReleaseTable table(set, responses);
+  ProfileResult result;
+  result.profile = profile;
+  summarise(set, responses, table, result);
+  return {std::move(result), std::move(set), std::move(responses), std::move(table), std::make_shared<HandOverStore>()};
+}
+
 }  // namespace finemote::gen::timing

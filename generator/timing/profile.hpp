@@ -19,4 +19,7 @@ struct ProfileAnalysis {
 ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Profile profile,
                                 std::int64_t steps = kMostSteps);
 
+/// The same without windows and latencies of trees: whether every bucket meets its deadline, and how soon.
+ProfileAnalysis analyse_deadlines(const Model& model, Profile profile, std::int64_t steps = kMostSteps);
+
 }  // namespace finemote::gen::timing

@@ -109,17 +109,26 @@ Trials::Trials(const Timing& timing, const AnalysisRequest& request)
   for (const ChainResult& chain : timing.chains) request_.chains.push_back({chain.from, chain.to});
 }
 
-std::optional<Timing> Trials::outcome(const std::vector<Change>& changes) {
+std::optional<Timing> Trials::outcome(const std::vector<Change>& changes, bool verdict_only) {
   if (!remodel_ || left_ <= 0) return std::nullopt;
   --left_;
   try {
     const std::optional<Model> model = remodel_(changes);
     if (!model || !keeps_outputs_together(timing_.model, *model)) return std::nullopt;
     Diagnostics unsaid;
+    request_.verdict_only = verdict_only;
     return analyse(*model, request_, unsaid);
   } catch (const Overflow&) {
     return std::nullopt;
   }
+}
+
+bool Trials::needs_chains(const Goal& goal) const {
+  if (goal.of_chains || timing_.schedulable) return true;
+  return std::any_of(timing_.requirements.begin(), timing_.requirements.end(), [](const RequirementResult& r) {
+    return r.requirement.kind == Requirement::Kind::latency_end_to_end ||
+           r.requirement.kind == Requirement::Kind::latency_decision;
+  });
 }
 
 bool Trials::does_no_harm(const Timing& after) const {
@@ -139,7 +148,7 @@ std::optional<Remedy> Trials::best_of(const Family& family, const Goal& goal) {
   const double now = goal.value(timing_);
   std::optional<Remedy> best;
   for (const Proposal& proposal : family) {
-    const auto after = outcome(proposal.changes);
+    const auto after = outcome(proposal.changes, !needs_chains(goal));
     if (!after || !does_no_harm(*after)) continue;
     const double value = goal.value(*after);
     if (value >= now || (best && value >= best->value)) continue;

@@ -23,6 +23,7 @@ using Family = std::vector<Proposal>;
 struct Goal {
   std::function<double(const Timing&)> value;  ///< infinity where there is none
   double enough = 0;                           ///< reached at this value and below
+  bool of_chains = false;                      ///< value() looks at chains, or at a latency
 };
 
 /// A proposal with what the analysis of the changed robot gave.
@@ -47,9 +48,12 @@ class Trials {
   std::vector<Remedy> find(const std::vector<Family>& families, const Goal& goal, std::size_t most = 3);
 
   /// The robot with these changes, analysed; none where it would be refused, takes too long, or trials are used up.
-  std::optional<Timing> outcome(const std::vector<Change>& changes);
+  /// `verdict_only`: as in AnalysisRequest, for what needs no more.
+  std::optional<Timing> outcome(const std::vector<Change>& changes, bool verdict_only = false);
 
  private:
+  /// Of a robot that misses deadlines no bound of a chain can be lost.
+  [[nodiscard]] bool needs_chains(const Goal& goal) const;
   [[nodiscard]] bool does_no_harm(const Timing& after) const;
   std::optional<Remedy> best_of(const Family& family, const Goal& goal);
 

@@ -83,8 +83,8 @@ std::size_t still_missing(const Timing& after, const Timing& before, const std::
 std::vector<std::string> restored_by(const Timing& timing, const Cause& cause, const std::vector<std::size_t>& chains,
                                      Trials& trials) {
   if (!cause.bus) return {};  // the hints of FM4015
-  const Goal goal{[&](const Timing& t) { return static_cast<double>(still_missing(t, timing, cause.part, chains)); },
-                  0};
+  const Goal goal{[&](const Timing& t) { return static_cast<double>(still_missing(t, timing, cause.part, chains)); }, 0,
+                  true};
   std::vector<std::string> texts;
   const std::vector<Family> families{
       faster_rates(timing.model, *cause.bus),

@@ -85,6 +85,32 @@ TEST_CASE("applied literally, every hint for an unschedulable model gives the fi
   CHECK(enough > 100);
 }
 
+TEST_CASE("the verdict alone is that of the whole analysis, without its chains and trees") {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    INFO("seed " << seed);
+    const Model model = seed % 2 == 0 ? unschedulable(seed) : RandomForest(seed).make(kForestClasses[seed % 4]);
+    AnalysisRequest request;
+    request.requirements.resize(2);
+    request.requirements[0].kind = timing::Requirement::Kind::utilization;
+    request.requirements[1].kind = timing::Requirement::Kind::jitter;
+    request.requirements[1].to = {0};
+    const auto whole = analysed(model, request);
+    request.verdict_only = true;
+    const auto verdict = analysed(model, request);
+    REQUIRE(whole);
+    REQUIRE(verdict);
+    CHECK(verdict->schedulable == whole->schedulable);
+    CHECK(verdict->processor_load == whole->processor_load);
+    REQUIRE(verdict->bus_loads.size() == whole->bus_loads.size());
+    for (std::size_t b = 0; b < whole->bus_loads.size(); ++b)
+      CHECK(verdict->bus_loads[b].utilization == whole->bus_loads[b].utilization);
+    CHECK(verdict->requirements[0].fraction == whole->requirements[0].fraction);
+    CHECK(verdict->requirements[1].value_ns == whole->requirements[1].value_ns);
+    CHECK(verdict->chains.empty());
+    CHECK(verdict->tight.trees.empty());
+  }
+}
+
 TEST_CASE("the uses of the processor sum up to its load, largest first") {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const auto timing = analysed(unschedulable(seed));
