@@ -36,6 +36,12 @@ void print_board(Context& context, const Board& board) {
   }
   std::vector<std::string> lines;
   for (const SpareLine& line : board.lines) lines.push_back(fmt::format("{} ({})", line.number, line.name));
+  if (!board.connectors.empty()) context.out << "\npins on connectors\n";
+  for (const Connector& connector : board.connectors)
+    context.out << fmt::format("  {:<38} {}\n", connector.name, joined(connector.pins));
+  if (!board.reserved_pins.empty()) context.out << "\nreserved pins\n";
+  for (const ReservedPins& reserved : board.reserved_pins)
+    context.out << fmt::format("  {:<38} {}\n", joined(reserved.pins), reserved.purpose);
   context.out << fmt::format("\nperiod buckets: priority levels {} to {}, interrupt lines {}\n",
                              board.first_bucket_level, board.last_bucket_level, joined(lines));
 }
@@ -51,11 +57,18 @@ Json to_json(const Board& board) {
                      {"dma", port.dma},
                      {"interrupts", port.interrupts}});
   }
+  Json connectors = Json::array();
+  for (const Connector& connector : board.connectors)
+    connectors.push_back({{"name", connector.name}, {"pins", connector.pins}});
+  Json reserved = Json::array();
+  for (const ReservedPins& pins : board.reserved_pins)
+    reserved.push_back({{"pins", pins.pins}, {"for", pins.purpose}, {"port", pins.port}});
   Json lines = Json::array();
   for (const SpareLine& line : board.lines) lines.push_back({{"line", line.number}, {"name", line.name}});
-  return Json{{"name", board.name},     {"summary", board.summary},
-              {"cpu_hz", board.cpu_hz}, {"ports", ports},
-              {"bucket_lines", lines},  {"bucket_levels", {board.first_bucket_level, board.last_bucket_level}}};
+  return Json{{"name", board.name},       {"summary", board.summary},
+              {"cpu_hz", board.cpu_hz},   {"ports", ports},
+              {"connectors", connectors}, {"reserved_pins", reserved},
+              {"bucket_lines", lines},    {"bucket_levels", {board.first_bucket_level, board.last_bucket_level}}};
 }
 
 }  // namespace

@@ -34,6 +34,8 @@ struct Port {
   std::optional<std::int64_t> min_rate;  ///< of baud, clock or bitrate
   std::optional<std::int64_t> max_rate;
   std::vector<std::int64_t> rates;           ///< the only ones, where not every one in range can be made
+  std::string timer;                         ///< `TIM1`, whose outputs repeat together; empty: none
+  std::string drives;                        ///< interface of what the board has at this PWM output; empty: open
   bool has_inverter = false;                 ///< uart: the board inverts the receive line
   std::int64_t max_rate_error_ppm = 20'000;  ///< how far the rate made may be from the rate asked for
 };
@@ -50,6 +52,20 @@ struct NamedPin {
   std::int64_t full_scale_mv = 0;  ///< analog: what the highest code means, dividers included
 };
 
+/// Pins that the board wires to something of its own.
+struct ReservedPins {
+  std::vector<std::string> pins;  ///< `PA13`
+  std::string purpose;            ///< `the debugger (SWDIO, SWCLK)`
+  std::string port;               ///< devices on a bus at this port may use them; empty: nobody may
+};
+
+/// Where pins leave the board.
+struct Connector {
+  std::string name;
+  std::vector<std::string> pins;
+  bool is_offered = true;  ///< hints offer its pins
+};
+
 /// An interrupt line no used peripheral needs; a period bucket may run in it.
 struct SpareLine {
   std::uint32_t number = 0;
@@ -64,6 +80,9 @@ struct Board {
   std::int64_t default_tick_ns = 1'000'000, min_tick_ns = 1, max_tick_ns = 1'000'000'000;
   std::vector<Port> ports;
   std::vector<NamedPin> pins;
+  std::vector<std::string> chip_pins;  ///< those that the package of the chip has, in order
+  std::vector<ReservedPins> reserved_pins;
+  std::vector<Connector> connectors;                            ///< empty: not known
   std::vector<SpareLine> lines;                                 ///< in order of use
   std::uint32_t first_bucket_level = 0, last_bucket_level = 0;  ///< NVIC priority levels for buckets, inclusive
   std::vector<ParamSpec> params;                                ///< of the `<board>` element
@@ -73,6 +92,14 @@ struct Board {
   [[nodiscard]] const Port* port(std::string_view port_name) const {
     for (const Port& p : ports) {
       if (p.name == port_name) return &p;
+    }
+    return nullptr;
+  }
+  [[nodiscard]] const ReservedPins* reserved_pin(std::string_view pin) const {
+    for (const ReservedPins& r : reserved_pins) {
+      for (const std::string& p : r.pins) {
+        if (p == pin) return &r;
+      }
     }
     return nullptr;
   }

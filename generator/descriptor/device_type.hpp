@@ -49,6 +49,7 @@ struct ParamSpec {
   std::string unit_text;            ///< for kinds without conversion (`deg`, `mm`): documentation only
   std::optional<double> min, max;   ///< inclusive, base unit
   std::string at_least;             ///< the param whose value it is not below; empty: none
+  bool is_pulse = false;            ///< the device sends pulses as long as this
   bool limits_command_age = false;  ///< with older data behind its command the device goes to its safe output
   std::vector<std::string> values;  ///< allowed spellings of an enumeration, or of an integer given as a list
   std::map<std::string, std::string> enumerators;  ///< spelling -> C++ enumerator
@@ -116,6 +117,7 @@ struct DeviceType {
   std::string format = "8N1";                  ///< uart
   std::vector<std::int64_t> rates;             ///< uart, rs485, can: what the part can be set to; empty: any
   std::optional<std::int64_t> max_clock_hz;    ///< i2c, spi
+  bool tunes = false;                          ///< pwm: it changes how often its output repeats
   std::uint32_t spi_mode = kUsualSpiMode;      ///< clock mode: CPOL * 2 + CPHA
   std::vector<Interface> provides;             ///< first one is the default
   std::vector<RoleSpec> roles;                 ///< constructor order
@@ -131,6 +133,13 @@ struct DeviceType {
   [[nodiscard]] bool has_command() const { return !provides.empty() && provides.front().has_command; }
 };
 
+/// How often the pulses of an expander repeat: its clock over `counts` and a whole divider.
+struct RepeatSpec {
+  std::string frequency, clock;  ///< names of params [Hz]
+  std::int64_t counts = 1;       ///< of the longest pulse
+  std::int64_t least_divider = 1, most_divider = 1;
+};
+
 /// A part that provides buses and is no device (`schemas/expanders/<model>.json`).
 struct ExpanderType {
   std::string name;  ///< the `model` attribute: `tca9548a`
@@ -142,7 +151,8 @@ struct ExpanderType {
   std::optional<std::int64_t> max_clock_hz;
   BusKind provides = BusKind::i2c;
   std::uint32_t channels = 0;
-  bool named_channels = false;  ///< each `<channel>` is a bus; otherwise the part itself is
+  std::optional<RepeatSpec> repeats;  ///< pwm
+  bool named_channels = false;        ///< each `<channel>` is a bus; otherwise the part itself is
   std::vector<ParamSpec> params;
   std::shared_ptr<const nlohmann::ordered_json> descriptor;
 };

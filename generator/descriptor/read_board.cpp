@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -35,6 +36,7 @@ std::string upper(std::string text) {
 
 void read_resources(const Json& value, Port& port) {
   for (const Json& pin : array_member(value, "pins")) port.pins.push_back(pin.at("pin").get<std::string>());
+  for (const Json& select : array_member(value, "selects")) port.pins.push_back(select.get<std::string>());
   for (const Json& dma : array_member(value, "dma")) {
     port.dma.push_back(
         fmt::format("{} stream {}", upper(dma.at("controller").get<std::string>()), dma.at("stream").get<int>()));
@@ -47,8 +49,9 @@ void read_resources(const Json& value, Port& port) {
   for (const std::string& stream : port.dma) port.resources.push_back({"DMA stream", stream});
   const auto timer = value.find("timer");
   if (timer != value.end() && timer->is_object()) {
-    port.resources.push_back({"timer channel", fmt::format("{} channel {}", upper(timer->at("name").get<std::string>()),
-                                                           timer->at("channel").get<int>())});
+    port.timer = upper(timer->at("name").get<std::string>());
+    port.resources.push_back(
+        {"timer channel", fmt::format("{} channel {}", port.timer, timer->at("channel").get<int>())});
   }
   for (const std::string& interrupt : port.interrupts) port.resources.push_back({"interrupt", interrupt});
 }
@@ -67,6 +70,7 @@ Port read_port(const Json& value) {
   port.clock_hz = optional_member<std::int64_t>(value, "clock_hz");
   port.min_rate = optional_member<std::int64_t>(value, "min_rate");
   port.max_rate = optional_member<std::int64_t>(value, "max_rate");
+  port.drives = optional_member<std::string>(value, "drives").value_or("");
   port.has_inverter = optional_member<bool>(value, "inverter").value_or(false);
   for (const Json& rate : array_member(value, "rates")) port.rates.push_back(rate.get<std::int64_t>());
   port.max_rate_error_ppm =
@@ -89,6 +93,34 @@ NamedPin read_pin(const Json& value) {
   return pin;
 }
 
+/// Index of `PA13` among the pins of a chip with ports A to I, 16 each.
+int pin_index(const std::string& pin) { return (pin.at(1) - 'A') * 16 + std::stoi(pin.substr(2)); }
+
+/// `PA0-PA15` and `PD2`, one after the other; without a package PA0 to PI15.
+std::vector<std::string> read_chip_pins(const Json& value) {
+  std::vector<std::string> ranges{"PA0-PI15"};
+  if (const auto package = value.find("package"); package != value.end() && package->is_object())
+    ranges = package->at("gpio").get<std::vector<std::string>>();
+  std::vector<std::string> pins;
+  for (const std::string& range : ranges) {
+    const std::size_t dash = range.find('-');
+    const int last = pin_index(dash == std::string::npos ? range : range.substr(dash + 1));
+    for (int index = pin_index(range.substr(0, dash)); index <= last; ++index)
+      pins.push_back(fmt::format("P{}{}", static_cast<char>('A' + index / 16), index % 16));
+  }
+  return pins;
+}
+
+ReservedPins read_reserved(const Json& value) {
+  return {value.at("pins").get<std::vector<std::string>>(), value.at("for").get<std::string>(),
+          optional_member<std::string>(value, "port").value_or("")};
+}
+
+Connector read_connector(const Json& value) {
+  return {value.at("name").get<std::string>(), value.at("pins").get<std::vector<std::string>>(),
+          optional_member<bool>(value, "offered").value_or(true)};
+}
+
 /// Reports what no schema can see.
 class BoardCheck {
  public:
@@ -102,6 +134,7 @@ class BoardCheck {
     check_levels(board);
     check_tick(board);
     check_pulses(value, board);
+    check_pins(board);
   }
 
  private:
@@ -190,6 +223,22 @@ class BoardCheck {
     }
   }
 
+  /// Pins that reserved_pins, connectors and pins name are there.
+  void check_pins(const Board& board) {
+    const auto check = [&](const JsonPath& path, const std::string& pin) {
+      if (std::find(board.chip_pins.begin(), board.chip_pins.end(), pin) == board.chip_pins.end())
+        contradiction(path, fmt::format("the package has no pin '{}'", pin));
+    };
+    for (std::size_t i = 0; i < board.pins.size(); ++i) check({"pins", std::to_string(i), "pin"}, board.pins[i].pin);
+    for (std::size_t i = 0; i < board.connectors.size(); ++i) {
+      for (const std::string& pin : board.connectors[i].pins) check({"connectors", std::to_string(i), "pins"}, pin);
+    }
+    for (std::size_t i = 0; i < board.reserved_pins.size(); ++i) {
+      for (const std::string& pin : board.reserved_pins[i].pins)
+        check({"reserved_pins", std::to_string(i), "pins"}, pin);
+    }
+  }
+
   const SourceFile& source_;
   Diagnostics& diagnostics_;
 };
@@ -207,6 +256,9 @@ Board read_board(const Json& value, const SourceFile& source, Diagnostics& diagn
   board.max_tick_ns = tick.at("max_ns").get<std::int64_t>();
   for (const Json& port : value.at("ports")) board.ports.push_back(read_port(port));
   for (const Json& pin : array_member(value, "pins")) board.pins.push_back(read_pin(pin));
+  board.chip_pins = read_chip_pins(value);
+  for (const Json& pins : array_member(value, "reserved_pins")) board.reserved_pins.push_back(read_reserved(pins));
+  for (const Json& connector : array_member(value, "connectors")) board.connectors.push_back(read_connector(connector));
   for (const Json& line : value.at("spare_lines"))
     board.lines.push_back({line.at("line").get<std::uint32_t>(), line.at("name").get<std::string>()});
   const Json& levels = value.at("priorities").at("buckets");

@@ -81,6 +81,7 @@ void read_bus(const Json& bus, DeviceType& type) {
   if (const auto rates = bus.find("rates"); rates != bus.end()) type.rates = rates->get<std::vector<std::int64_t>>();
   type.max_clock_hz = optional_member<std::int64_t>(bus, "max_clock_hz");
   type.spi_mode = bus.value("mode", kUsualSpiMode);
+  type.tunes = bus.value("tunes", false);
 }
 
 void read_shared_frames(const Json& value, DeviceType& type) {
@@ -126,6 +127,12 @@ GeometrySpec read_geometry(const Json& entry) {
   spec.behind = entry.value("behind", std::string());
   spec.param = entry.value(spec.kind == "rolling" ? "radius" : "travel", std::string());
   return spec;
+}
+
+RepeatSpec read_repeats(const Json& value) {
+  return {value.at("frequency").get<std::string>(), value.at("clock").get<std::string>(),
+          value.at("counts").get<std::int64_t>(), value.at("dividers").at(0).get<std::int64_t>(),
+          value.at("dividers").at(1).get<std::int64_t>()};
 }
 
 /// Reports what no schema can see.
@@ -286,6 +293,7 @@ ExpanderType read_expander_type(const Json& value, const SourceFile& source, Dia
   type.provides = bus_kind(provides.at("bus").get<std::string>()).value_or(BusKind::i2c);
   type.channels = provides.at("channels").get<std::uint32_t>();
   type.named_channels = provides.at("named").get<bool>();
+  if (const auto repeats = provides.find("repeats"); repeats != provides.end()) type.repeats = read_repeats(*repeats);
   type.params = read_params(value, source, diagnostics);
   type.descriptor = std::make_shared<const Json>(value);
   return type;

@@ -169,7 +169,9 @@ class SpecReader {
     read_range();
     read_default();
     spec_.at_least = value_.value("at_least", "");
-    spec_.limits_command_age = value_.contains("limits");
+    const std::string limits = value_.value("limits", "");
+    spec_.limits_command_age = limits == "command_age";
+    spec_.is_pulse = limits == "pulse" && spec_.unit == Unit::time_ns;
     return std::move(spec_);
   }
 

@@ -86,7 +86,8 @@ BoardPage port_page(const Json& board, const Json& port) {
   text += row({"DMA", dma_text(port)});
   if (port.value("inverter", false))
     text += row({"line", "inverted by the board: for inverted formats, and only those"});
-  if (port.contains("channels") && buses.front() == "spi") text += row({"chip selects", port["channels"].dump()});
+  if (port.contains("channels") && buses.front() == "spi")
+    text += row({"chip selects", port.contains("selects") ? joined(texts(port["selects"])) : port["channels"].dump()});
   text += row({"interrupt lines", lines_text(port)});
   text += row({"clock", port["clock_hz"].dump() + " Hz"});
   text += row({"rates", rate_text(port, buses.front())});
@@ -102,11 +103,38 @@ BoardPage port_page(const Json& board, const Json& port) {
   return {name, fmt::format("`{}`: {}", name, port["connector"].get<std::string>()), text + "```\n"};
 }
 
+std::string connector_table(const Json& board) {
+  if (list(board, "connectors").empty()) return {};
+  std::string text =
+      "\n## On connectors\n\nPins of a port are free where no bus uses the port. lint reports pins that lead "
+      "nowhere.\n\n" +
+      table({"connector", "pins"});
+  for (const Json& connector : list(board, "connectors"))
+    text += row({connector["name"].get<std::string>(), joined(texts(connector["pins"]))});
+  return text;
+}
+
+std::string reserved_table(const Json& board) {
+  if (list(board, "reserved_pins").empty()) return {};
+  std::string text =
+      "\n## Reserved\n\nThe board needs these itself; a device that names one is refused "
+      "([FM3206](../../../diagnostics/FM3206.md)).\nAny device may listen to a data-ready line whose name is above as "
+      "an "
+      "interrupt.\n\n" +
+      table({"pins", "for", "usable by"});
+  for (const Json& reserved : list(board, "reserved_pins")) {
+    const std::string port = reserved.value("port", "");
+    text += row({joined(texts(reserved["pins"])), reserved["for"].get<std::string>(),
+                 port.empty() ? "nobody" : fmt::format("devices on a bus at `{}`", port)});
+  }
+  return text;
+}
+
 BoardPage pins_page(const Json& board) {
   std::string text =
-      "Pins with a name. A device uses one as `<use role=\"...\" pin=\"key\"/>`; any other pin of the chip can be an "
-      "input or an\n"
-      "output by its own name, `pin=\"PI0\"`.\n\n" +
+      "Pins with a name. A device uses one as `<use role=\"...\" pin=\"key\"/>`; any other pin of the chip that is not "
+      "reserved can be an\n"
+      "input or an output by its own name, `pin=\"PB12\"`.\n\n" +
       table({"name", "pin", "can be", "active", "what"});
   for (const Json& pin : list(board, "pins")) {
     std::string what = pin["summary"].get<std::string>();
@@ -116,7 +144,7 @@ BoardPage pins_page(const Json& board) {
     text += row({"`" + pin["name"].get<std::string>() + "`", pin["pin"].get<std::string>(),
                  joined(texts(pin["functions"])), pin["active"].get<std::string>(), what});
   }
-  return {"pins", "Single pins", text};
+  return {"pins", "Single pins", text + connector_table(board) + reserved_table(board)};
 }
 
 }  // namespace

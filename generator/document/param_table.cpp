@@ -27,7 +27,7 @@ std::string param_row(const Json& param) {
   std::string meaning = param.value("summary", "");
   const std::string unit = param.value("unit", "");
   if (!unit.empty() && std::find(exact.begin(), exact.end(), unit) == exact.end()) meaning += " [" + unit + "]";
-  if (param.contains("limits")) meaning += "; lint compares it with the proven age";
+  if (param.value("limits", "") == "command_age") meaning += "; lint compares it with the proven age";
   if (param.contains("at_least")) meaning += fmt::format("; at least `{}`", param["at_least"].get<std::string>());
   return row({"`" + param["name"].get<std::string>() + "`",
               param.contains("default") ? "`" + as_written(param["default"]) + "`" : "required", range_text(param),

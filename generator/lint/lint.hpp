@@ -41,7 +41,7 @@ struct Fix {
 /// FM3153 a leaf without <wcet>, FM3154 a conversion longer than the device's period,
 /// FM3155 a bus that is busy for more than `most_bus_load` (above 100 %: FM4021; who denies FM3155 denies these),
 /// FM3156 a bus nobody uses, FM3157 a param that is computed from the URDF, FM3158 to FM3160 what mechanics.hpp finds,
-/// FM3161 a limit on the age of commands below the proven age. codes.hpp has the table.
+/// FM3161 a limit on the age of commands below the proven age, FM3208 what hardware.hpp finds. codes.hpp has the table.
 /// @return  one for each FM3151 and FM3156 that is reported
 std::vector<Fix> lint(const Robot& robot, const LintOptions& options, Diagnostics& diagnostics);
 

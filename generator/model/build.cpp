@@ -146,6 +146,7 @@ void read_all(Reading& reading) {
   resolve_places(reading);
   check_resources(reading);
   check_driver_limits(reading);
+  check_pulses(reading);
   judge_doubts(reading);
   check_joints(reading);
   check_arities(reading);

@@ -322,6 +322,7 @@ void read_driver_pin(Reading& reading, const xml::Node& tag, Bus& bus, const std
     bus.driver_pin = pin.pin;
     bus.driver_named = pin.named;
     bus.driver_at = text.at;
+    bus.driver_length = text.text.size();
     return;
   }
 }

@@ -252,7 +252,7 @@ class DeviceReader {
         if (std::find(pin.functions.begin(), pin.functions.end(), function) != pin.functions.end()) return pin.name;
       }
     }
-    return "PA4";
+    return "PB12";
   }
   void read_use(const xml::Node& child, const xml::Attribute& role, std::set<std::string>& given) {
     const auto& specs = device_.type->uses;

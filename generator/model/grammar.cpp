@@ -36,7 +36,7 @@ constexpr std::array kDevice{A{"name", true, "imu"},
 constexpr std::array<std::string_view, 5> kInDevice{"device", "reads", "use", "wcet", "param"};
 
 constexpr std::array kReads{A{"device", true, "remote"}, A{"role", true, "remote"}};
-constexpr std::array kUse{A{"role", true, "host"}, A{"bus", false, "tether"}, A{"pin", false, "PA4"},
+constexpr std::array kUse{A{"role", true, "host"}, A{"bus", false, "tether"}, A{"pin", false, "PB12"},
                           A{"channel", false, "0"}};
 constexpr std::array kWcet{A{"update", true, "5us"}, A{"handle", true, "5us"}, A{"source", false, "budget"}};
 constexpr std::array kParam{A{"name", true}};

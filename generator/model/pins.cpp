@@ -10,7 +10,10 @@
 namespace finemote::gen {
 namespace {
 
-bool is_chip_pin(const std::string& name) {
+/// Without a board, any pin that a chip of the family has.
+bool is_chip_pin(const Board* board, const std::string& name) {
+  if (board != nullptr)
+    return std::find(board->chip_pins.begin(), board->chip_pins.end(), name) != board->chip_pins.end();
   if (name.size() < 3 || name.size() > 4 || name[0] != 'P' || name[1] < 'A' || name[1] > 'I') return false;
   const auto number = units::parse_bare(name.substr(2));
   return number && *number <= 15 && name == fmt::format("P{}{}", name[1], *number);
@@ -20,10 +23,23 @@ bool has(const NamedPin& pin, const std::string& function) {
   return std::find(pin.functions.begin(), pin.functions.end(), function) != pin.functions.end();
 }
 
+}  // namespace
+
+bool may_be_used(const Board& board, const std::string& pin, const std::string& function,
+                 const std::vector<std::string>& ports) {
+  const ReservedPins* reserved = board.reserved_pin(pin);
+  if (reserved == nullptr) return true;
+  if (reserved->port.empty()) return false;
+  return function == "interrupt" || std::find(ports.begin(), ports.end(), reserved->port) != ports.end();
+}
+
+namespace {
+
 std::string pins_that_can(const Board& board, const std::string& function) {
   std::string able;
   for (const NamedPin& pin : board.pins) {
-    if (has(pin, function)) able += (able.empty() ? "'" : ", '") + pin.name + "'";
+    const bool is_free = may_be_used(board, pin.pin, function, {});
+    if (is_free && has(pin, function)) able += (able.empty() ? "'" : ", '") + pin.name + "'";
   }
   return able;
 }
@@ -38,12 +54,14 @@ void report_unknown(const Board* board, const std::string& name, const Position&
   std::vector<std::string> names;
   if (board != nullptr) {
     for (const NamedPin& pin : board->pins) {
-      if (has(pin, function)) names.push_back(pin.name);
+      if (has(pin, function) && may_be_used(*board, pin.pin, function, {})) names.push_back(pin.name);
     }
   }
   suggest(finding, name, names);
-  if (is_plain(function))
-    finding.hint(names.empty() ? "write a pin of the chip, PA0 to PI15" : "or write a pin of the chip, PA0 to PI15");
+  if (!is_plain(function)) return;
+  const std::string chip = board != nullptr ? fmt::format("{} to {}", board->chip_pins.front(), board->chip_pins.back())
+                                            : std::string("PA0 to PI15");
+  finding.hint(fmt::format("{}write a pin of the chip, {}", names.empty() ? "" : "or ", chip));
 }
 
 }  // namespace
@@ -51,7 +69,7 @@ void report_unknown(const Board* board, const std::string& name, const Position&
 PlacedPin find_pin(const Board* board, const std::string& name, const Position& at, const std::string& user,
                    const std::string& function, Diagnostics& diagnostics) {
   const NamedPin* named = board != nullptr ? board->named_pin(name) : nullptr;
-  if (named == nullptr && !is_chip_pin(name)) {
+  if (named == nullptr && !is_chip_pin(board, name)) {
     report_unknown(board, name, at, function, diagnostics);
     return {};
   }

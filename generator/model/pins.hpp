@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/model/robot.hpp"
@@ -18,5 +19,10 @@ struct PlacedPin {
 /// Reports FM3073 (no such pin) and FM3076 (it cannot be that on this board); the result is then empty.
 PlacedPin find_pin(const Board* board, const std::string& name, const Position& at, const std::string& user,
                    const std::string& function, Diagnostics& diagnostics);
+
+/// Whether a device on buses at `ports` may use the pin as `function`, as far as the board needs it itself. Whoever
+/// wants to may listen to the interrupt line of an on-board part; anything else is for devices on that part's bus.
+bool may_be_used(const Board& board, const std::string& pin, const std::string& function,
+                 const std::vector<std::string>& ports);
 
 }  // namespace finemote::gen

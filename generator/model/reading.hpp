@@ -68,6 +68,7 @@ void resolve_roles(Reading& reading);                       // roles.cpp: childr
 void resolve_places(Reading& reading);                      // places.cpp: addresses, channels, ids
 void check_resources(Reading& reading);                     // resources.cpp: ports, pins, DMA streams
 void check_driver_limits(Reading& reading);                 // driver_limits.cpp: inverters, frames, numbers of devices
+void check_pulses(Reading& reading);                        // pulses.cpp: what fits between two pulses
 void check_arities(Reading& reading);                       // arity.cpp: how many children each role has
 void judge_doubts(Reading& reading);                        // doubts.cpp: words of the URDF that are skipped
 void check_joints(Reading& reading);                        // joints.cpp

@@ -1,11 +1,15 @@
-// What ports and pins occupy on the chip: FM3015 (a port twice) and FM3016 (two ports, or a pin, that need one thing).
+// What ports and pins occupy on the chip: FM3015 (a port twice), FM3016 (two ports, or a pin, that need one thing) and
+// FM3206 (a pin that the board needs itself). Whatever names a pin comes through this table.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "generator/descriptor/bus_kind.hpp"
+#include "generator/diagnostic/code_hardware.hpp"
 #include "generator/model/attributes.hpp"
+#include "generator/model/pins.hpp"
 #include "generator/model/reading.hpp"
 
 namespace finemote::gen {
@@ -16,9 +20,83 @@ struct User {
   Position at;
 };
 
+/// A pin that somebody names, and where.
+struct NamedUse {
+  std::string pin;       ///< of the chip
+  std::string function;  ///< input, output, interrupt or analog
+  std::string who;       ///< `the direction of bus 'line'`
+  Position user_at;      ///< what notes of other findings point at
+  Position at;           ///< of the name
+  std::size_t length;
+  std::vector<std::string> ports;  ///< of the buses the user sits on
+};
+
+/// The port under a segment; empty: none.
+std::string port_of(const Reading& reading, std::size_t segment) {
+  return reading.robot.buses[reading.robot.segments[segment].bus].port;
+}
+
+std::vector<std::string> ports_of(const Reading& reading, const Device& device) {
+  std::vector<std::string> ports;
+  if (device.segment) ports.push_back(port_of(reading, *device.segment));
+  for (const Use& use : device.uses) {
+    if (use.segment) ports.push_back(port_of(reading, *use.segment));
+  }
+  return ports;
+}
+
+void add_uses(const Reading& reading, std::size_t index, std::vector<NamedUse>& pins) {
+  const Device& device = reading.robot.devices[index];
+  for (const Use& use : device.uses) {
+    const xml::Attribute* name = use.pin.empty() ? nullptr : use_tag(reading, index, use).attribute("pin");
+    if (name == nullptr) continue;
+    pins.push_back({use.pin, use.spec->function,
+                    fmt::format("device '{}' (use '{}')", device.name.text, use.spec->role), use.at, name->value_at,
+                    name->value.size(), ports_of(reading, device)});
+  }
+}
+
+/// A device on a gpio bus: its channel is a named pin of the board.
+void add_channel(const Reading& reading, std::size_t index, std::vector<NamedUse>& pins) {
+  const Device& device = reading.robot.devices[index];
+  const xml::Attribute* channel = reading.device_tag(index).attribute("channel");
+  if (!device.segment || !device.channel || channel == nullptr || reading.robot.board == nullptr) return;
+  const auto& named = reading.robot.board->pins;
+  if (reading.robot.segments[*device.segment].bus_kind != BusKind::gpio || *device.channel >= named.size()) return;
+  pins.push_back({named[*device.channel].pin,
+                  named[*device.channel].functions.front(),
+                  fmt::format("device '{}'", device.name.text),
+                  device.at,
+                  channel->value_at,
+                  channel->value.size(),
+                  {}});
+}
+
+/// Every pin that a tag of the robot names.
+std::vector<NamedUse> named_uses(const Reading& reading) {
+  std::vector<NamedUse> pins;
+  for (const Bus& bus : reading.robot.buses) {
+    if (bus.driver_pin.empty()) continue;
+    pins.push_back({bus.driver_pin,
+                    "output",
+                    fmt::format("the direction of bus '{}'", bus.name.text),
+                    bus.driver_at,
+                    bus.driver_at,
+                    bus.driver_length,
+                    {}});
+  }
+  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+    add_uses(reading, i, pins);
+    add_channel(reading, i, pins);
+  }
+  return pins;
+}
+
 class ResourceTable {
  public:
-  explicit ResourceTable(Reading& reading) : reading_(reading) {}
+  ResourceTable(Reading& reading, const std::vector<NamedUse>& pins) : reading_(reading) {
+    for (const NamedUse& use : pins) named_.insert(use.pin);
+  }
 
   void add_bus(std::size_t index) {
     const Port* port = reading_.buses[index].port;
@@ -37,13 +115,13 @@ class ResourceTable {
     }
     const User self{fmt::format("bus '{}' (port '{}')", bus.name.text, port->name), bus.at};
     for (const Resource& resource : port->resources) take(resource, self, attribute.value_at, attribute.value.size());
-    if (bus.driver_pin.empty()) return;
-    take({"pin", bus.driver_pin}, {fmt::format("the direction of bus '{}'", bus.name.text), bus.driver_at},
-         bus.driver_at, bus.driver_pin.size());
   }
-  void add_pin(const Use& use, const Device& device, const xml::Attribute& attribute) {
-    take({"pin", use.pin}, {fmt::format("device '{}' (use '{}')", device.name.text, use.spec->role), use.at},
-         attribute.value_at, attribute.value.size());
+  void add_pin(const NamedUse& use) {
+    const Board& board = *reading_.robot.board;
+    if (!may_be_used(board, use.pin, use.function, use.ports)) return report_reserved(use);
+    const User self{use.who, use.user_at};
+    if (!take({"pin", use.pin}, self, use.at, use.length, &use)) return;
+    if (use.function == "interrupt") take({"interrupt", "EXTI" + use.pin.substr(2)}, self, use.at, use.length);
   }
 
  private:
@@ -59,37 +137,70 @@ class ResourceTable {
     return list;
   }
 
-  void take(const Resource& resource, const User& user, const Position& at, std::size_t length) {
+  void report_reserved(const NamedUse& use) {
+    const ReservedPins& reserved = *reading_.robot.board->reserved_pin(use.pin);
+    Diagnostic& finding =
+        reading_.diagnostics
+            .error(code::pin_reserved, use.at,
+                   fmt::format("{} cannot use pin {}: the board needs it for {}", use.who, use.pin, reserved.purpose))
+            .underline(use.length);
+    if (!reserved.port.empty())
+      finding.note(fmt::format("a device on a bus at port '{}' can use it as that part needs it", reserved.port));
+    const std::string offer = free_pins(use);
+    if (!offer.empty()) finding.hint(offer);
+  }
+
+  /// A pin of a connector that nothing of the robot uses, for an input or output; empty where there is none. No two
+  /// findings offer the same.
+  std::string free_pins(const NamedUse& use) {
+    if (use.function != "input" && use.function != "output") return {};
+    for (const Connector& connector : reading_.robot.board->connectors) {
+      if (!connector.is_offered) continue;
+      for (const std::string& pin : connector.pins) {
+        if (!is_free(pin, use.function)) continue;
+        offered_.insert(pin);
+        return fmt::format("write '{}', which is on the {}", pin, connector.name);
+      }
+    }
+    return {};
+  }
+  [[nodiscard]] bool is_free(const std::string& pin, const std::string& function) const {
+    const NamedPin* named = reading_.robot.board->named_pin(pin);
+    if (named != nullptr &&
+        std::find(named->functions.begin(), named->functions.end(), function) == named->functions.end())
+      return false;
+    return !taken_.contains("pin" + pin) && !offered_.contains(pin) && !named_.contains(pin);
+  }
+
+  /// False: it is taken, which was reported. `pin`: for which another one is offered.
+  bool take(const Resource& resource, const User& user, const Position& at, std::size_t length,
+            const NamedUse* pin = nullptr) {
     const auto [first, is_fresh] = taken_.emplace(resource.kind + resource.name, user);
-    if (is_fresh || first->second.what == user.what) return;
+    if (is_fresh || first->second.what == user.what) return true;
+    const std::string offer = pin != nullptr ? free_pins(*pin) : std::string();
     reading_.diagnostics
         .error(code::resource_conflict, at,
                fmt::format("{} and {} both need {} {}", user.what, first->second.what, resource.kind, resource.name))
         .underline(length)
         .note(fmt::format("{} is declared here", first->second.what), first->second.at)
-        .hint("'finemote board show' lists what each port needs");
+        .hint(offer.empty() ? "'finemote board show' lists what each port needs" : offer);
+    return false;
   }
 
   Reading& reading_;
   std::map<std::string, std::size_t> ports_;
   std::map<std::string, User> taken_;
+  std::set<std::string> offered_, named_;
 };
 
 }  // namespace
 
 void check_resources(Reading& reading) {
-  ResourceTable table(reading);
+  if (reading.robot.board == nullptr) return;
+  const std::vector<NamedUse> pins = named_uses(reading);
+  ResourceTable table(reading, pins);
   for (std::size_t i = 0; i < reading.robot.buses.size(); ++i) table.add_bus(i);
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
-    const Device& device = reading.robot.devices[i];
-    for (const Use& use : device.uses) {
-      if (use.pin.empty()) continue;
-      for (const xml::Node& child : reading.device_tag(i).children) {
-        if (child.is_element("use") && value_of(child, "role") == use.spec->role && child.attribute("pin") != nullptr)
-          table.add_pin(use, device, *child.attribute("pin"));
-      }
-    }
-  }
+  for (const NamedUse& use : pins) table.add_pin(use);
 }
 
 }  // namespace finemote::gen

@@ -70,6 +70,7 @@ struct Bus {
   std::string driver_pin;                  ///< rs485: turns the line driver on; empty: it does so by itself
   const NamedPin* driver_named = nullptr;  ///< what the board file says of it
   Position driver_at;
+  std::size_t driver_length = 0;  ///< of the pin's name as written
   Position at;
 };
 
