@@ -79,9 +79,9 @@ std::optional<std::int64_t> repeat_ns(const Reading& reading, const Segment& seg
     const auto repeats = repeats_of(reading.robot.expanders[*segment.expander]);
     return repeats && repeats->is_made() ? std::optional(repeats->period_ns()) : std::nullopt;
   }
+  if (segment.kind != Segment::Kind::bus || segment.bus_kind != BusKind::pwm) return {};
   const Port* port = reading.buses[segment.bus].port;
-  if (port == nullptr || segment.bus_kind != BusKind::pwm) return {};
-  return port->period_ns;
+  return port != nullptr ? std::optional(port->period_ns) : std::nullopt;
 }
 
 void check_frequency(Reading& reading, std::size_t index) {

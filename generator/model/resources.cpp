@@ -31,9 +31,10 @@ struct NamedUse {
   std::vector<std::string> ports;  ///< of the buses the user sits on
 };
 
-/// The port under a segment; empty: none.
+/// The port under a segment; empty: none, or an expander that sits on no bus.
 std::string port_of(const Reading& reading, std::size_t segment) {
-  return reading.robot.buses[reading.robot.segments[segment].bus].port;
+  const std::size_t bus = reading.robot.segments[segment].bus;
+  return bus < reading.robot.buses.size() ? reading.robot.buses[bus].port : std::string();
 }
 
 std::vector<std::string> ports_of(const Reading& reading, const Device& device) {
