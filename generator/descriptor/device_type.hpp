@@ -78,9 +78,12 @@ struct GeometrySpec {
   std::vector<std::string> replaces;  ///< params that say nothing where it is computed
   double tolerance_deg = 1;           ///< how far a direction may be off
   std::vector<std::string> commands;  ///< allocation: axes of the wrench it commands; empty: all
-  std::string along;                  ///< axes: `x`, `y` or `z`, which the joints turn about; empty: any
+  std::string along;                  ///< axes, range: `x`, `y` or `z`, which the joints turn about; empty: any
   std::string behind;                 ///< axes: the role whose joint carries these; empty: none
-  std::string param;                  ///< rolling: radius of a wheel [m]; range: angle between the ends [rad]
+  std::string param;            ///< rolling: radius of a wheel [m]; range: angle between the ends [rad]; chain: share
+                                ///< of the weight that is carried
+  std::string carries;          ///< axes: the role whose sensor is behind the last of them; empty: none
+  std::string lowest, highest;  ///< range of a role: params that narrow it [rad]; empty: none
 };
 
 /// Assumed execution time of a device without `<wcet>`: fixed part, values of params, and a part per child.

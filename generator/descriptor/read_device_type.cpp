@@ -115,6 +115,12 @@ std::optional<WcetDefault> read_wcet(const Json& value) {
   return result;
 }
 
+/// What a kind calls the one param it may name.
+const char* param_member(const std::string& kind) {
+  if (kind == "rolling") return "radius";
+  return kind == "chain" ? "share" : "travel";
+}
+
 GeometrySpec read_geometry(const Json& entry) {
   GeometrySpec spec;
   spec.kind = entry.at("kind").get<std::string>();
@@ -125,7 +131,10 @@ GeometrySpec read_geometry(const Json& entry) {
   spec.commands = entry.value("commands", std::vector<std::string>());
   spec.along = entry.value("along", std::string());
   spec.behind = entry.value("behind", std::string());
-  spec.param = entry.value(spec.kind == "rolling" ? "radius" : "travel", std::string());
+  spec.param = entry.value(param_member(spec.kind), std::string());
+  spec.carries = entry.value("carries", std::string());
+  spec.lowest = entry.value("lowest", std::string());
+  spec.highest = entry.value("highest", std::string());
   return spec;
 }
 
@@ -177,10 +186,12 @@ class DescriptorCheck {
     const std::string entry = std::to_string(index);
     check_role_named(type, geometry.role, {"geometry", entry, "role"});
     check_role_named(type, geometry.behind, {"geometry", entry, "behind"});
+    check_role_named(type, geometry.carries, {"geometry", entry, "carries"});
     for (std::size_t i = 0; i < geometry.replaces.size(); ++i)
       check_param_named(type, geometry.replaces[i], false, {"geometry", entry, "replaces", std::to_string(i)});
-    const char* member = geometry.kind == "rolling" ? "radius" : "travel";
-    check_param_named(type, geometry.param, true, {"geometry", entry, member});
+    check_param_named(type, geometry.param, true, {"geometry", entry, param_member(geometry.kind)});
+    check_param_named(type, geometry.lowest, true, {"geometry", entry, "lowest"});
+    check_param_named(type, geometry.highest, true, {"geometry", entry, "highest"});
   }
   void check_role_named(const DeviceType& type, const std::string& name, const JsonPath& path) {
     const bool exists =

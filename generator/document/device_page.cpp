@@ -126,12 +126,15 @@ std::string geometry_text(const Json& geometry) {
   if (kind == "mount") return text + ": how its `link` is turned";
   const std::string tolerance = fmt::format("; tolerance {:g} degree{}", geometry.value("tolerance", 1.0),
                                             geometry.value("tolerance", 1.0) == 1 ? "" : "s");
-  if (kind == "range") return text + ": how far its `joint` may turn" + tolerance;
+  if (kind == "range" && !geometry.contains("role")) return text + ": how far its `joint` may turn" + tolerance;
   text += fmt::format(" of `{}`", geometry["role"].get<std::string>());
   if (geometry.value("optional", false)) text += ", where their joints are given";
   if (geometry.contains("along")) text += fmt::format("; along {}", geometry["along"].get<std::string>());
   if (geometry.contains("behind")) text += fmt::format(", behind `{}`", geometry["behind"].get<std::string>());
   if (geometry.contains("commands")) text += "; commands " + joined(texts(geometry["commands"]), ", ");
+  if (geometry.contains("lowest"))
+    text += fmt::format(", within `{}` and `{}`", geometry["lowest"].get<std::string>(),
+                        geometry["highest"].get<std::string>());
   return kind == "chain" ? text : text + tolerance;
 }
 

@@ -122,11 +122,22 @@ std::string range_text(const Mechanism& mechanism, const Device& device, const G
       fmt::format("finemote::JointRange {}[1]", name), {numbers({range.lower, range.upper})});
 }
 
+/// Empty where none of the joints has limits.
+std::string role_range_text(const Request& request, const Device& device, const GeometrySpec& spec) {
+  std::vector<std::string> lines;
+  for (const Range& range : role_ranges(request.mechanism, device, spec, request.joints))
+    lines.push_back(numbers({range.lower, range.upper}));
+  if (lines.empty()) return {};
+  const std::string about = spec.along.empty() ? "" : fmt::format(" about {} of link '{}'", spec.along, request.link);
+  return list({fmt::format("How far the {} of '{}' may turn{} [rad].", request.role, request.owner, about)},
+              request.head("finemote::JointRange"), lines);
+}
+
 std::string text_of(const Plan& plan, std::size_t owner, const GeometrySpec& spec, const std::string& name) {
   const Mechanism mechanism(plan.robot);
   const Device& device = plan.robot.devices[owner];
   if (spec.kind == "mount") return mount_text(plan.robot, mechanism, owner, name);
-  if (spec.kind == "range") return range_text(mechanism, device, spec, name);
+  if (spec.kind == "range" && spec.role.empty()) return range_text(mechanism, device, spec, name);
   const std::vector<std::string> joints = role_joints(plan.robot, device, spec);
   if (joints.empty()) return {};
   const std::string link = geometry_link(mechanism, device, spec, joints);
@@ -134,6 +145,7 @@ std::string text_of(const Plan& plan, std::size_t owner, const GeometrySpec& spe
   if (spec.kind == "rolling") return rolling_text(request);
   if (spec.kind == "chain") return chain_text(request);
   if (spec.kind == "axes") return axes_text(request);
+  if (spec.kind == "range") return role_range_text(request, device, spec);
   return allocation_text(request);  // the descriptor's schema allows no other
 }
 

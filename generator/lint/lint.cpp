@@ -9,6 +9,7 @@
 #include "generator/geometry/role_joints.hpp"
 #include "generator/lint/codes.hpp"
 #include "generator/lint/hardware.hpp"
+#include "generator/lint/joints.hpp"
 #include "generator/lint/mechanics.hpp"
 #include "generator/units/units.hpp"
 
@@ -34,6 +35,7 @@ class Linter {
       check_replaced(robot_.devices[i]);
       check_command_age(i);
       for (const Diagnostic& finding : mechanics_findings(robot_, robot_.devices[i])) add(finding);
+      for (const Diagnostic& finding : joint_findings(robot_, robot_.devices[i])) add(finding);
     }
     for (const Diagnostic& finding : hardware_findings(robot_)) add(finding);
     return std::move(fixes_);

@@ -7,6 +7,7 @@
 
 #include "generator/geometry/allocation.hpp"
 #include "generator/geometry/angle.hpp"
+#include "generator/geometry/cause.hpp"
 #include "generator/geometry/frame.hpp"
 #include "generator/geometry/range.hpp"
 #include "generator/geometry/role_joints.hpp"
@@ -31,10 +32,28 @@ std::string fraction_text(double fraction) {
   return fraction > 0.9995 ? fmt::format("only {:.6f}", fraction) : fmt::format("only {:.3g}", fraction);
 }
 
+/// What hardly differs: axes, origins, or neither by itself.
+void say_cause(const std::vector<Axis>& axes, std::size_t axis, double tolerance, const std::string& link,
+               Diagnostic& finding) {
+  if (comes_from_axes(axes, axis, tolerance)) {
+    finding.note(fmt::format("it comes from axes that are less than {} apart", degrees_text(tolerance)))
+        .hint("write axes that are meant to be parallel exactly so");
+  } else if (const NearOrigins near = near_origins(axes, axis, tolerance); near.coordinate != 0) {
+    finding
+        .note(fmt::format("it comes from origins that are only {:.3g} mm apart along {} of link '{}'",
+                          near.apart * 1000, near.coordinate, link))
+        .hint("write origins that are meant to be in line exactly so, or move them further apart");
+  } else {
+    finding.note("it comes from small differences of origins and axes together")
+        .hint("check the origins and axes of their joints");
+  }
+}
+
 /// An axis counts as produced where it lies within the tolerance of what the actuators produce, and as hardly produced
 /// where only what lies within the tolerance of not producing it does.
-void check_axis(const Device& device, const GeometrySpec& geometry, const std::string& link, std::size_t axis,
-                const AxisYield& yield, std::vector<Diagnostic>& findings) {
+void check_axis(const Device& device, const GeometrySpec& geometry, const std::string& link,
+                const std::vector<Axis>& axes, std::size_t axis, const AxisYield& yield,
+                std::vector<Diagnostic>& findings) {
   const double tolerance = radians(geometry.tolerance_deg);
   if (yield.fraction < std::cos(tolerance) * std::cos(tolerance)) {
     findings.push_back(
@@ -48,9 +67,8 @@ void check_axis(const Device& device, const GeometrySpec& geometry, const std::s
     findings.push_back(
         finding(code::lint_wrench_effort, device,
                 fmt::format("the {} of device '{}' hardly produce '{}': one of them pushes {:.3g} times as hard",
-                            geometry.role, device.name.text, kWrenchAxes[axis], yield.effort))
-            .note(fmt::format("it comes from axes that are less than {} apart", degrees_text(tolerance)))
-            .hint("write axes that are meant to be parallel exactly so"));
+                            geometry.role, device.name.text, kWrenchAxes[axis], yield.effort)));
+    say_cause(axes, axis, tolerance, link, findings.back());
   }
 }
 
@@ -64,7 +82,7 @@ void check_allocation(const Robot& robot, const Device& device, const GeometrySp
   for (const std::string& joint : joints) axes.push_back(joint_axis(mechanism, joint, link).value());
   const auto yields = axis_yields(axes);
   for (std::size_t axis = 0; axis < yields.size(); ++axis) {
-    if (commands(geometry, kWrenchAxes[axis])) check_axis(device, geometry, link, axis, yields[axis], findings);
+    if (commands(geometry, kWrenchAxes[axis])) check_axis(device, geometry, link, axes, axis, yields[axis], findings);
   }
 }
 
@@ -91,7 +109,7 @@ std::vector<Diagnostic> mechanics_findings(const Robot& robot, const Device& dev
   std::vector<Diagnostic> findings;
   for (const GeometrySpec& geometry : device.type->geometry) {
     if (geometry.kind == "allocation") check_allocation(robot, device, geometry, findings);
-    if (geometry.kind == "range") check_range(robot, device, geometry, findings);
+    if (geometry.kind == "range" && geometry.role.empty()) check_range(robot, device, geometry, findings);
   }
   return findings;
 }

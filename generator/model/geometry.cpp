@@ -1,4 +1,4 @@
-// What a device's type computes of the URDF against the joints of its children: FM2006, FM2011, FM2015.
+// What a device's type computes of the URDF against the joints of its children: FM2006, FM2011, FM2014, FM2015.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +16,7 @@ const char* what_is_computed(const GeometrySpec& geometry) {
   if (geometry.kind == "rolling") return "rolling of the wheels";
   if (geometry.kind == "chain") return "weight on the joints";
   if (geometry.kind == "axes") return "way of turning";
+  if (geometry.kind == "range") return "range";
   return "allocation";
 }
 
@@ -40,14 +41,18 @@ std::string joint_hint(const Reading& reading, const Device& parent, const Geome
                                     : ", or another that fits and that no device drives: " + others);
 }
 
+bool all_joints_known(const Reading& reading, const std::vector<std::size_t>& children) {
+  return std::all_of(children.begin(), children.end(), [&](std::size_t child) {
+    return reading.kinematics.joint(reading.robot.devices[child].joint) != nullptr;
+  });
+}
+
 /// Children that geometry is computed of have to say which joint they drive.
 /// @return  all do, and nothing is wrong with these joints
 bool check_joints_named(Reading& reading, const Device& parent, const GeometrySpec& geometry,
                         const std::vector<std::size_t>& children) {
-  bool all = true;
   for (const std::size_t child : children) {
     const Device& device = reading.robot.devices[child];
-    all = all && reading.kinematics.joint(device.joint) != nullptr;
     if (!device.joint.empty() || reading.device_tag(child).attribute("joint") != nullptr) continue;
     at_tag(reading.diagnostics, code::joint_needed, reading.device_tag(child),
            fmt::format("device '{}' has no 'joint'", device.name.text))
@@ -55,7 +60,7 @@ bool check_joints_named(Reading& reading, const Device& parent, const GeometrySp
                           what_is_computed(geometry), parent.name.text, geometry.role))
         .hint(joint_hint(reading, parent, geometry, device.name.text));
   }
-  return all;
+  return all_joints_known(reading, children);
 }
 
 /// @param link  whose frame; empty: geometry_link()
@@ -93,10 +98,7 @@ bool all_fit_about(const Reading& reading, const Mechanism& mechanism, const Dev
 std::string fitting_link(const Reading& reading, const Device& parent, const Placement& placement) {
   if (!has_directions(placement.geometry)) return {};
   const auto all_named = [&](const GeometrySpec& geometry) {
-    const auto children = children_in(reading, parent, geometry.role);
-    return std::all_of(children.begin(), children.end(), [&](std::size_t child) {
-      return reading.kinematics.joint(reading.robot.devices[child].joint) != nullptr;
-    });
+    return all_joints_known(reading, children_in(reading, parent, geometry.role));
   };
   const auto& all = parent.type->geometry;
   if (!std::all_of(all.begin(), all.end(), all_named)) return {};
@@ -182,6 +184,38 @@ void check_joints_fit(Reading& reading, std::size_t index, const Placement& plac
   for (const std::string& joint : placement.joints) note_default_axis(reading, joint, finding);
 }
 
+/// The limits of a role's joints against the params that say how far the device turns them.
+void check_ranges(Reading& reading, std::size_t index, const Placement& placement,
+                  const std::vector<std::size_t>& children) {
+  const Device& parent = reading.robot.devices[index];
+  const GeometrySpec& geometry = placement.geometry;
+  const Range allowed = allowed_range(parent, geometry);
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    const auto limits = limits_along(placement.mechanism, parent, geometry, placement.joints[i]);
+    if (!limits || reading.devices[children[i]].joint_is_wrong) continue;
+    if (limits->lower >= limits->upper) {
+      report_no_position(reading, children[i]);
+    } else if (const Range range = common(*limits, allowed); range.lower > range.upper) {
+      const Joint& joint = *placement.mechanism.joint(placement.joints[i]);
+      at_value(
+          reading.diagnostics, code::joint_limits, *reading.device_tag(children[i]).attribute("joint"),
+          fmt::format("device '{}' reaches no angle within the limits of joint '{}'", parent.name.text, joint.name))
+          .note(fmt::format("about {}, the joint turns from {:g} to {:g} rad; '{}' and '{}' allow {:g} to {:g} rad",
+                            geometry.along, limits->lower, limits->upper, geometry.lowest, geometry.highest,
+                            allowed.lower, allowed.upper))
+          .note("the joint is declared here", joint.at)
+          .hint(fmt::format("set '{}' and '{}' to angles that the joint reaches, or correct its limits",
+                            geometry.lowest, geometry.highest));
+    }
+  }
+}
+
+/// An entry before this one speaks of the role, and has reported what is wrong with its joints.
+bool is_checked_before(const DeviceType& type, const GeometrySpec& geometry) {
+  return std::any_of(type.geometry.data(), &geometry,
+                     [&](const GeometrySpec& before) { return before.role == geometry.role; });
+}
+
 }  // namespace
 
 void check_geometry(Reading& reading, std::size_t index) {
@@ -195,11 +229,14 @@ void check_geometry(Reading& reading, std::size_t index) {
       return reading.device_tag(child).attribute("joint") == nullptr;
     });
     if (children.empty() || (geometry.optional && none)) continue;
-    if (!check_joints_named(reading, parent, geometry, children)) continue;
+    const bool repeats = geometry.kind == "range" && is_checked_before(*parent.type, geometry);
+    if (repeats ? !all_joints_known(reading, children) : !check_joints_named(reading, parent, geometry, children))
+      continue;
     const Placement placement = placement_of(reading, mechanism, parent, geometry, children);
     const bool has_link = reading.kinematics.link(placement.link) != nullptr;  // else reported
-    if (!has_link || !is_known(reading, placement)) continue;
-    if (check_body(reading, index, placement)) check_joints_fit(reading, index, placement, children);
+    if (!has_link || !is_known(reading, placement) || !check_body(reading, index, placement)) continue;
+    if (!repeats) check_joints_fit(reading, index, placement, children);
+    if (geometry.kind == "range") check_ranges(reading, index, placement, children);
   }
 }
 

@@ -70,9 +70,9 @@ class DrivenJoint {
     if (const Device* other = other_driver(reading_, index_)) return report_second(*other);
     const auto& a = joint_.axis;
     if (Eigen::Vector3d(a[0], a[1], a[2]).norm() < kShortestAxis) return report_no_axis();
-    if (joint_.lower.value_or(0) > joint_.upper.value_or(0)) return report_limits();
+    if (joint_.lower.value_or(0) > joint_.upper.value_or(0)) return report_no_position(reading_, index_);
     for (const GeometrySpec& geometry : device_.type->geometry) {
-      if (geometry.kind == "range") check_range(geometry);
+      if (geometry.kind == "range" && geometry.role.empty()) check_range(geometry);
     }
   }
 
@@ -114,16 +114,6 @@ class DrivenJoint {
         .note("the joint is declared here", joint_.at)
         .hint("write for example <axis xyz=\"0 0 1\"/>");
   }
-  void report_limits() {
-    report(code::joint_limits, fmt::format("the limits of joint '{}' leave it no position", joint_.name))
-        .note(limits_text())
-        .note("the joint is declared here", joint_.at)
-        .hint("write lower and upper so that lower < upper");
-  }
-  [[nodiscard]] std::string limits_text() const {
-    return fmt::format("lower is {:g}{}, upper is {:g}{}", joint_.lower.value_or(0), joint_.lower ? "" : " by default",
-                       joint_.upper.value_or(0), joint_.upper ? "" : " by default");
-  }
   void check_range(const GeometrySpec& geometry) {
     if (!turns(joint_)) {
       report_unfit()
@@ -133,7 +123,7 @@ class DrivenJoint {
     }
     const auto limits = limits_of(joint_);
     if (!limits) return;
-    if (limits->lower >= limits->upper) return report_limits();
+    if (limits->lower >= limits->upper) return report_no_position(reading_, index_);
     const double travel = geometry_param(device_, geometry);
     const Range range = within_travel(*limits, travel);
     if (range.lower < range.upper) return;
@@ -168,6 +158,17 @@ void check_joint(Reading& reading, std::size_t index) {
 }
 
 }  // namespace
+
+void report_no_position(Reading& reading, std::size_t device) {
+  const Joint& joint = *reading.kinematics.joint(reading.robot.devices[device].joint);
+  reading.devices[device].joint_is_wrong = true;
+  at_value(reading.diagnostics, code::joint_limits, *reading.device_tag(device).attribute("joint"),
+           fmt::format("the limits of joint '{}' leave it no position", joint.name))
+      .note(fmt::format("lower is {:g}{}, upper is {:g}{}", joint.lower.value_or(0), joint.lower ? "" : " by default",
+                        joint.upper.value_or(0), joint.upper ? "" : " by default"))
+      .note("the joint is declared here", joint.at)
+      .hint("write lower and upper so that lower < upper");
+}
 
 void check_joints(Reading& reading) {
   for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {

@@ -73,7 +73,8 @@ void check_arities(Reading& reading);                       // arity.cpp: how ma
 void judge_doubts(Reading& reading);                        // doubts.cpp: words of the URDF that are skipped
 void check_joints(Reading& reading);                        // joints.cpp
 void check_geometry(Reading& reading, std::size_t device);  // geometry.cpp: of check_joints(), for one device
-void read_requirements(Reading& reading);                   // requirements.cpp
+void report_no_position(Reading& reading, std::size_t device);  // joints.cpp: limits of its joint with nothing between
+void read_requirements(Reading& reading);                       // requirements.cpp
 
 bool satisfies(const DeviceType& child, const RoleSpec& role);  // roles.cpp: it provides the role's interface
 

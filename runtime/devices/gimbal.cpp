@@ -49,9 +49,14 @@ void Gimbal::handle() {
 
 void Gimbal::move_aim(float dt) {
   yaw_aim_ = wrap_angle(yaw_aim_ - remote_.state.wheel * config_.max_rate * dt);
+  if (yaw_range_ != nullptr) {
+    const float stands = yaw_way_ * yaw_.state.angle;  // of the turret against the base
+    const float ahead = wrap_angle(yaw_aim_ - imu_.state.yaw);
+    yaw_aim_ = wrap_angle(imu_.state.yaw + clamp(stands + ahead, yaw_range_->lower, yaw_range_->upper) - stands);
+  }
   const float step = -remote_.state.right_y * config_.max_rate * dt;         // positive pitch looks down
   const float at_zero = imu_.state.pitch - pitch_way_ * pitch_.state.angle;  // the head's pitch with the motor at 0
-  pitch_aim_ = clamp(pitch_aim_ + step, at_zero + config_.pitch_lowest, at_zero + config_.pitch_highest);
+  pitch_aim_ = clamp(pitch_aim_ + step, at_zero + pitch_range_.lower, at_zero + pitch_range_.upper);
 }
 
 }  // namespace finemote

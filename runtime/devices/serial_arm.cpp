@@ -77,8 +77,9 @@ void SerialArm::handle() {
       aims_[n] = joint.angle;
       loops_[n].reset();
     }
-    aims_[n] =
-        clamp(aims_[n] + jog(n) * config_.max_speed * dt, joint.angle - config_.lead, joint.angle + config_.lead);
+    const float jogged = aims_[n] + jog(n) * config_.max_speed * dt;
+    const float aim = kept_within(ranges_ == nullptr ? nullptr : ranges_ + n, jogged, aims_[n]);
+    aims_[n] = clamp(aim, joint.angle - config_.lead, joint.angle + config_.lead);
     MotorCommand& command = joints_[n].command;
     const float most = config_.max_torque, carried = clamp(config_.weight * weights_[n], -most, most);
     const PidGains gains{config_.kp, config_.ki, config_.kd, most - (carried < 0 ? -carried : carried)};

@@ -140,7 +140,8 @@ TEST_CASE("the gimbal holds its aim, follows the sticks and respects the pitch l
   RemoteState remote;
   ImuState head;
   remote.right_switch = RemoteSwitch::kUp;
-  Gimbal gimbal{{}, nullptr, nullptr, {yaw.state, yaw.command}, {pitch.state, pitch.command}, {head}, {remote}};
+  Gimbal gimbal{{},     nullptr, nullptr, nullptr, nullptr, {yaw.state, yaw.command}, {pitch.state, pitch.command},
+                {head}, {remote}};
   double base = 0.5;  // heading of what carries it
   const auto run = [&](int steps) {
     for (int i = 0; i < steps; ++i) {
@@ -193,7 +194,7 @@ TEST_CASE("the arm holds what it finds, jogs its joints, and lets go without fre
   }
   RemoteState remote;
   remote.right_switch = RemoteSwitch::kUp;
-  SerialArm arm{{}, nullptr, {ports.data(), ports.size()}, {remote}};
+  SerialArm arm{{}, nullptr, nullptr, {ports.data(), ports.size()}, {remote}};
   pass(arm, plants, remote, 2000);
   for (const Plant& joint : joints) CHECK(joint.angle == Approx(0.3).margin(0.005));
   remote.right_x = 0.5F;
@@ -211,6 +212,30 @@ TEST_CASE("the arm holds what it finds, jogs its joints, and lets go without fre
   for (const Plant& joint : joints) CHECK_FALSE(joint.command.valid);
 }
 
+TEST_CASE("the arm aims at no angle beyond the limits of a joint, and throws none back that stands outside") {
+  bench::reset();
+  constexpr JointRange ranges[] = {{-0.5F, 0.4F}, {-3e38F, 3e38F}};
+  Plant joints[2] = {Plant{0.2, 0.5}, Plant{0.2, 0.5}};
+  RemoteState remote;
+  remote.right_switch = RemoteSwitch::kUp;
+  remote.right_x = remote.right_y = 1;
+  const Port<Motor> ports[] = {{joints[0].state, joints[0].command}, {joints[1].state, joints[1].command}};
+  SerialArm arm{{}, nullptr, ranges, ports, {remote}};
+  pass(arm, {&joints[0], &joints[1]}, remote, 3000);
+  CHECK(arm.aim(0) == Approx(0.4).margin(0.05));
+  CHECK(joints[1].angle > 2);
+  remote.right_switch = RemoteSwitch::kDown;
+  pass(arm, {&joints[0], &joints[1]}, remote, 1);
+  joints[0].angle = 0.9;
+  joints[0].speed = 0;
+  remote.right_switch = RemoteSwitch::kUp;
+  pass(arm, {&joints[0], &joints[1]}, remote, 500);
+  CHECK(joints[0].angle == Approx(0.9).margin(0.01));
+  remote.right_x = -1;
+  pass(arm, {&joints[0], &joints[1]}, remote, 3000);
+  CHECK(arm.aim(0) == Approx(-0.5).margin(0.05));
+}
+
 TEST_CASE("an aim never runs away from a joint that does not move") {
   bench::reset();
   Plant joint{1e6, 1};
@@ -218,7 +243,7 @@ TEST_CASE("an aim never runs away from a joint that does not move") {
   remote.right_switch = RemoteSwitch::kUp;
   remote.right_x = 1;
   const Port<Motor> ports[] = {{joint.state, joint.command}};
-  SerialArm arm{{}, nullptr, ports, {remote}};
+  SerialArm arm{{}, nullptr, nullptr, ports, {remote}};
   pass(arm, {&joint}, remote, 5000);
   CHECK(arm.aim(0) == Approx(0.3).margin(0.01));
   CHECK(joint.command.torque <= 5);
@@ -231,7 +256,8 @@ TEST_CASE("a gimbal whose motors turn the other way holds its aim as well") {
   ImuState head;
   remote.right_switch = RemoteSwitch::kUp;
   constexpr Vector down{0, 0, -1}, right{0, -1, 0};
-  Gimbal gimbal{{}, &down, &right, {yaw.state, yaw.command}, {pitch.state, pitch.command}, {head}, {remote}};
+  Gimbal gimbal{{},     &down,   &right, nullptr, nullptr, {yaw.state, yaw.command}, {pitch.state, pitch.command},
+                {head}, {remote}};
   double base = 0;
   const auto run = [&](int steps) {
     for (int i = 0; i < steps; ++i) {
@@ -252,6 +278,52 @@ TEST_CASE("a gimbal whose motors turn the other way holds its aim as well") {
   CHECK(head.pitch == Approx(0.5).margin(0.02));
 }
 
+TEST_CASE("a gimbal aims at no yaw and no pitch that its joints do not reach") {
+  bench::reset();
+  for (const bool reversed : {false, true}) {
+    Plant yaw, pitch;
+    RemoteState remote;
+    ImuState head;
+    remote.right_switch = RemoteSwitch::kUp;
+    constexpr Vector down{0, 0, -1};
+    constexpr JointRange yaw_range{-0.3F, 0.8F}, pitch_range{-0.4F, 0.2F};  // about z and y, whichever way motors turn
+    Gimbal gimbal{{},
+                  reversed ? &down : nullptr,
+                  nullptr,
+                  &yaw_range,
+                  &pitch_range,
+                  {yaw.state, yaw.command},
+                  {pitch.state, pitch.command},
+                  {head},
+                  {remote}};
+    const double way = reversed ? -1 : 1;
+    double base = 3;
+    const auto run = [&](int steps) {
+      for (int i = 0; i < steps; ++i) {
+        head.yaw = wrap_angle(static_cast<float>(base + way * yaw.angle));
+        head.pitch = static_cast<float>(pitch.angle);
+        head.rate[2] = static_cast<float>(way * yaw.speed);
+        head.rate[1] = static_cast<float>(pitch.speed);
+        head.origin = now();
+        head.valid = true;
+        pass(gimbal, {&yaw, &pitch}, remote, 1);
+      }
+    };
+    remote.wheel = -1;    // left, for long
+    remote.right_y = -1;  // and down
+    run(3000);
+    CHECK(way * yaw.angle == Approx(0.8).margin(0.02));
+    CHECK(pitch.angle == Approx(0.2).margin(0.02));
+    remote.wheel = 1;
+    run(3000);
+    CHECK(way * yaw.angle == Approx(-0.3).margin(0.02));
+    remote.wheel = 0;
+    base = 3.5;  // the base turns away: the aim goes with it as far as the joint does not reach
+    run(2000);
+    CHECK(way * yaw.angle == Approx(-0.3).margin(0.02));
+  }
+}
+
 TEST_CASE("an arm carries its weight in every pose") {
   bench::reset();
   // A turning base, an upper arm of 0.4 m with 2 kg at its middle, a forearm with 1 kg 0.3 m ahead.
@@ -263,7 +335,7 @@ TEST_CASE("an arm carries its weight in every pose") {
   remote.right_switch = RemoteSwitch::kUp;
   const Port<Motor> ports[] = {
       {joints[0].state, joints[0].command}, {joints[1].state, joints[1].command}, {joints[2].state, joints[2].command}};
-  SerialArm arm{{}, chain, ports, {remote}};
+  SerialArm arm{{}, chain, nullptr, ports, {remote}};
   const auto weigh = [&](double base, double shoulder, double elbow) {
     joints[0].angle = base;
     joints[1].angle = shoulder;

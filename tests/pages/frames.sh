@@ -182,6 +182,26 @@ hull() {  # GEOMETRY AXIS: two thrusters
 frame_FM3158() { hull "$example" '<axis xyz="0 0 1"/>'; }
 frame_FM3159() { hull '"geometry": [{ "kind": "allocation", "role": "thrusters" }]' "$example"; }
 frame_FM3160() { with_joint revolute '' "$servo_at"; }
+of_example() {  # NAME TAG: this tag of an example is that of the page
+  sed "s#<$2.*#$example#" "$source/examples/$1.urdf" >robot.urdf
+  ask
+}
+frame_FM3163() { of_example infantry 'device name="imu"'; }
+frame_FM3164() { of_example finsrov 'joint name="thruster_1_joint"'; }
+frame_FM3165() {
+  sed "/<joint name=\"thruster_1_joint\"/,/<\/joint>/s#<parent .*#$example#
+    s#^  <finemote .*#<link name=\"pod_link\"/><joint name=\"pod_joint\" type=\"continuous\"><parent link=\"base_link\"/><child link=\"pod_link\"/></joint>&#
+    s#<device name=\"rov\".*#<device name=\"turner\" type=\"pwm_servo\" period=\"10ms\" bus=\"pwm\" channel=\"8\" joint=\"pod_joint\"/>&#" "$source/examples/finsrov.urdf" >robot.urdf
+  ask
+}
+frame_FM3166() {
+  with_links "$example<joint name=\"shoulder\" type=\"continuous\"><parent link=\"base_link\"/><child link=\"upper_arm\"/></joint>" '<bus name="can" type="can" port="can1" bitrate="1Mbit/s"/><bus name="dbus" type="uart" port="usart3" baud="100000baud"/><device name="arm" type="serial_arm" period="10ms"><device name="remote" type="dr16" bus="dbus"/><device name="motor" type="dji_m3508" bus="can" id="1" joint="shoulder"/></device>'
+}
+frame_FM3167() { hull '"geometry": [{ "kind": "allocation", "role": "thrusters" }]' "$example<axis xyz=\"0 0 1\"/>"; }
+frame_FM3168() {
+  sed "s#<device name=\"gimbal\".*#&$example#" "$source/examples/infantry.urdf" >robot.urdf
+  ask
+}
 frame_FM3157() { mecanum "$example"; }
 finsrov_child() { local child=$example; robot "<device name=\"rov\" type=\"finsrov\" period=\"20ms\">$child</device>"; ask; }
 frame_FM3051() { finsrov_child; }

@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "generator/geometry/allocation.hpp"
 #include "generator/geometry/angle.hpp"
+#include "generator/geometry/cause.hpp"
 #include "generator/geometry/chain.hpp"
 #include "generator/geometry/fit.hpp"
 #include "generator/geometry/frame.hpp"
@@ -372,6 +373,52 @@ TEST_CASE("what actuators cannot do is said as a fraction of the command") {
   const auto yields = axis_yields({{{0, 0, 0}, up}, {{0, 0, 0}, tilted}});
   CHECK(yields[0].fraction == Approx(1));
   CHECK(yields[0].effort == Approx(1 / std::tan(kDegree / 2)).epsilon(0.01));
+}
+
+TEST_CASE("what hardly produces an axis is named: axes or origins") {
+  const Eigen::Vector3d up(0, 0, 1), tilted(std::sin(kDegree / 2), 0, std::cos(kDegree / 2));
+  const std::vector<Axis> by_axes{{{0.2, 0, 0}, up}, {{-0.2, 0, 0}, up}, {{0, 0, 0}, tilted}};
+  CHECK(comes_from_axes(by_axes, 0, kDegree));
+  CHECK(near_origins(by_axes, 0, kDegree).coordinate == 0);
+  const std::vector<Axis> by_origins{{{0.5, 0.001, 0}, up}, {{-0.5, 0.001, 0}, up}, {{0, -0.001, 0}, up}};
+  CHECK(axis_yields(by_origins)[3].effort > 57);
+  CHECK_FALSE(comes_from_axes(by_origins, 3, kDegree));
+  const NearOrigins near = near_origins(by_origins, 3, kDegree);
+  CHECK(near.coordinate == 'y');
+  CHECK(near.apart == Approx(0.002));
+}
+
+TEST_CASE("limits about an axis are those of the joint, turned with it, and cut to what the params allow") {
+  std::mt19937 random(31);
+  std::uniform_real_distribution<double> angle(-M_PI, M_PI);
+  const std::vector<Link> links{link("base"), link("turret"), link("head")};
+  ParamSpec lowest, highest;
+  lowest.name = "lowest";
+  highest.name = "highest";
+  GeometrySpec range;
+  range.kind = "range";
+  range.role = "pitch";
+  range.along = "y";
+  range.lowest = "lowest";
+  range.highest = "highest";
+  for (int round = 0; round < 200; ++round) {
+    const double tilt = round % 2 == 0 ? 0 : M_PI, a = angle(random), b = angle(random), c = angle(random);
+    std::vector<Joint> joints{joint("yaw", "base", "turret", {}, {0, 0, 1}),
+                              joint("pitch", "turret", "head", {}, {0, 1, 0}, {tilt, a, 0})};
+    joints[1].lower = std::min(a, b);
+    joints[1].upper = std::max(a, b);
+    Device device;
+    device.params = {{&lowest, c - 0.5, true}, {&highest, c + 0.5, true}};
+    const Range is = role_ranges(Mechanism(links, joints), device, range, {"pitch"}).at(0);
+    // an angle is in it where the joint, turned by it, is within its limits, and the params allow it
+    for (int probe = 0; probe < 20; ++probe) {
+      const double about_y = angle(random), own = tilt == 0 ? about_y : -about_y;
+      const bool reached = own >= joints[1].lower && own <= joints[1].upper && std::fabs(about_y - c) <= 0.5;
+      CHECK(reached == (about_y >= is.lower && about_y <= is.upper));
+    }
+    joints[1].type = "continuous";
+    CHECK(role_ranges(Mechanism(links, joints), device, range, {"pitch"}).empty());
+  }
 }
 
 TEST_CASE("a gimbal's axes point where its loops think, one behind the other") {

@@ -25,7 +25,16 @@ struct ChainLink {
 
 /// How far a joint may turn, within the reach of what drives it: geometry kind `range`.
 struct JointRange {
-  float lower, upper;  ///< rad; lower < upper
+  float lower, upper;  ///< rad; lower <= upper; without a limit the largest float
 };
+
+/// An angle aimed at, kept within the range. An aim that is outside is not thrown back: it goes no further out.
+/// @param range   null: any angle
+/// @param before  the last angle aimed at [rad]
+constexpr float kept_within(const JointRange* range, float aim, float before) {
+  if (range == nullptr) return aim;
+  const float low = before < range->lower ? before : range->lower, high = before > range->upper ? before : range->upper;
+  return aim < low ? low : aim > high ? high : aim;
+}
 
 }  // namespace finemote

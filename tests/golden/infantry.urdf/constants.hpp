@@ -18,6 +18,11 @@ inline constexpr finemote::Vector gimbal_pitch_axes[1] = {
     {0.0f, 1.0f, 0.0f},
 };
 
+/// How far the pitch of 'gimbal' may turn about y of link 'base_link' [rad].
+inline constexpr finemote::JointRange gimbal_pitch_range[1] = {
+    {-0.4f, 0.5f},
+};
+
 /// Rolling of the wheels of 'chassis' for forward [m/s], left [m/s], turn [rad/s], and their shares in the base's motion:
 /// in the axes of link 'base_link' and about its origin.
 inline constexpr finemote::RollingWheel chassis_rolling[4] = {

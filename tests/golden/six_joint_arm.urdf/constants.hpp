@@ -18,4 +18,14 @@ inline constexpr finemote::ChainLink arm_chain[6] = {
     {{0.0f, 0.0f, 0.06f}, {0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.02f}, 0.1f},
 };
 
+/// How far the joints of 'arm' may turn [rad].
+inline constexpr finemote::JointRange arm_range[6] = {
+    {-3.0f, 3.0f},
+    {-1.6f, 1.6f},
+    {-2.4f, 2.4f},
+    {-3.40282347e+38f, 3.40282347e+38f},
+    {-1.9f, 1.9f},
+    {-3.40282347e+38f, 3.40282347e+38f},
+};
+
 }  // namespace six_joint_arm::constants

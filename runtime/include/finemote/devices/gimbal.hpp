@@ -14,8 +14,8 @@ namespace finemote {
 /// the URDF's where their joints are known; without them yaw turns about z, pitch about y. The wheel moves the yaw
 /// aimed at, the right stick's y the pitch (up is away from the operator); the gimbal holds both against the world.
 /// Angle loops ask for rates, rate loops for torques. The pitch aimed at is always one the pitch motor reaches within
-/// its limits. Drives while the right switch is up or in the middle and all inputs are fresh; where it begins to drive
-/// it holds what it finds.
+/// its limits; so is the yaw where its joint has limits. Drives while the right switch is up or in the middle and all
+/// inputs are fresh; where it begins to drive it holds what it finds.
 class Gimbal {
  public:
   struct Config {
@@ -27,12 +27,16 @@ class Gimbal {
     Duration max_age = 100 * kMillisecond;
   };
 
-  /// @param yaw_axis, pitch_axis  of the joints; null: z, y
-  constexpr Gimbal(const Config& config, const Vector* yaw_axis, const Vector* pitch_axis, Port<Motor> yaw,
-                   Port<Motor> pitch, Port<Imu> imu, Port<Remote> remote)
+  /// @param yaw_axis, pitch_axis    of the joints; null: z, y
+  /// @param yaw_range, pitch_range  about z and y; null: any yaw, the config's pitch
+  constexpr Gimbal(const Config& config, const Vector* yaw_axis, const Vector* pitch_axis, const JointRange* yaw_range,
+                   const JointRange* pitch_range, Port<Motor> yaw, Port<Motor> pitch, Port<Imu> imu,
+                   Port<Remote> remote)
       : config_(config),
         yaw_way_(yaw_axis != nullptr && yaw_axis->z < 0 ? -1.0F : 1.0F),
         pitch_way_(pitch_axis != nullptr && pitch_axis->y < 0 ? -1.0F : 1.0F),
+        yaw_range_(yaw_range),
+        pitch_range_{pitch_range != nullptr ? *pitch_range : JointRange{config.pitch_lowest, config.pitch_highest}},
         yaw_(yaw),
         pitch_(pitch),
         imu_(imu),
@@ -51,6 +55,8 @@ class Gimbal {
 
   Config config_;
   float yaw_way_, pitch_way_;  ///< 1 or -1: which way the motors turn the head
+  const JointRange* yaw_range_;
+  JointRange pitch_range_;  ///< rad, of the head against the turret
   Port<Motor> yaw_, pitch_;
   Port<Imu> imu_;
   Port<Remote> remote_;

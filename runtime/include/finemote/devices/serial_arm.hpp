@@ -12,7 +12,7 @@ namespace finemote {
 /// One to eight joints, base to tip, each with an angle loop. Sticks jog: right x, right y, left y, left x move joints
 /// 1..4, the wheel joint 5, or joint 6 with the left switch down; further joints hold. Drives while the right switch is
 /// up or in the middle and all inputs are fresh; where it begins to drive it holds what it finds. The aim never runs
-/// away from the joint by more than `lead`.
+/// away from the joint by more than `lead`, nor beyond the limits of its joint.
 ///
 /// Where the joints are known, the motors get the torques that carry the arm's weight in its present pose, of the
 /// URDF's masses, besides those of their loops. The base link stands upright.
@@ -31,9 +31,11 @@ class SerialArm {
     Duration max_age = 100 * kMillisecond;
   };
 
-  /// @param chain  of the joints, in their order; null: nothing is known of its weight
-  constexpr SerialArm(const Config& config, const ChainLink* chain, Ports<Motor> joints, Port<Remote> remote)
-      : config_(config), chain_(chain), joints_(joints), remote_(remote) {}
+  /// @param chain   of the joints, in their order; null: nothing is known of its weight
+  /// @param ranges  of the joints, in their order; null: they turn without end
+  constexpr SerialArm(const Config& config, const ChainLink* chain, const JointRange* ranges, Ports<Motor> joints,
+                      Port<Remote> remote)
+      : config_(config), chain_(chain), ranges_(ranges), joints_(joints), remote_(remote) {}
 
   void update();
   void handle();
@@ -52,6 +54,7 @@ class SerialArm {
 
   Config config_;
   const ChainLink* chain_;
+  const JointRange* ranges_;
   Ports<Motor> joints_;
   Port<Remote> remote_;
   bool driving_ = false;

@@ -68,6 +68,8 @@ FINEMOTE_CONSTINIT inline finemote::Gimbal gimbal{
     finemote::Gimbal::Config{},
     ::infantry::constants::gimbal_yaw_axes,
     ::infantry::constants::gimbal_pitch_axes,
+    /*yaw_range*/ nullptr,
+    ::infantry::constants::gimbal_pitch_range,
     finemote::Port<finemote::Motor>{ports::yaw_to_gimbal, ports::gimbal_to_yaw},
     finemote::Port<finemote::Motor>{ports::pitch_to_gimbal, ports::gimbal_to_pitch},
     finemote::Port<finemote::Imu>{ports::imu_to_gimbal},

@@ -82,6 +82,7 @@ FINEMOTE_CONSTINIT inline finemote::SerialArm arm{
       return c;
     }(),
     ::six_joint_arm::constants::arm_chain,
+    ::six_joint_arm::constants::arm_range,
     ports::arm_joints,
     finemote::Port<finemote::Remote>{ports::sticks_to_arm}};
 
