@@ -49,13 +49,13 @@ void check(const Json& document, const std::map<std::string, const scenario::Mod
 
 }  // namespace
 
-void Outfit::add(const Json& document) {
+void Outfit::add(const Json& document, std::int64_t zero_ns) {
   check(document, models_);
   const auto list = [&](const char* key) { return document.value(key, Json::array()); };
   for (const Json& part : list("parts")) add_part(part);
   for (const Json& part : list("parts")) elements_.at(need<std::string>(part, "name"))->connect(*this);
-  for (const Json& event : list("events")) add_event(event);
-  for (const Json& entry : list("expect")) add_expectation(entry);
+  for (const Json& event : list("events")) add_event(event, zero_ns);
+  for (const Json& entry : list("expect")) add_expectation(entry, zero_ns);
 }
 
 void Outfit::add_part(const Json& part) {
@@ -139,9 +139,10 @@ bool Outfit::is_fault(const Json& event) const {
   return scenario::find_verb(verbs, what)->is_fault;
 }
 
-void Outfit::add_event(const Json& event) {
+void Outfit::add_event(const Json& event, std::int64_t zero_ns) {
   injects_faults_ = injects_faults_ || is_fault(event);
-  board_.world().at(from_ns(need<std::uint64_t>(event, "t_ns")), [this, event] { happen(event); });
+  const auto t_ns = zero_ns + need<std::int64_t>(event, "t_ns");
+  board_.world().at(from_ns(static_cast<std::uint64_t>(t_ns)), [this, event] { happen(event); });
 }
 
 void Outfit::happen(const Json& event) {
@@ -155,8 +156,9 @@ void Outfit::happen(const Json& event) {
   board_.press_reset();
 }
 
-void Outfit::add_expectation(const Json& entry) {
+void Outfit::add_expectation(const Json& entry, std::int64_t zero_ns) {
   Expectation e;
+  e.zero_ns = zero_ns;
   e.part = need<std::string>(entry, "part");
   e.value = need<std::string>(entry, "value");
   e.from_ns = need<std::uint64_t>(entry, "from_ns");
@@ -165,7 +167,13 @@ void Outfit::add_expectation(const Json& entry) {
   e.max = need<double>(entry, "max");
   e.needed = (e.to_ns - e.from_ns) / kLookEvery + 1;
   expectations_.push_back(e);
-  board_.world().at(from_ns(e.from_ns), [this, index = expectations_.size() - 1] { look(index); });
+  plan_look(expectations_.size() - 1);
+}
+
+void Outfit::plan_look(std::size_t expectation) {
+  const Expectation& e = expectations_[expectation];
+  const std::uint64_t t_ns = static_cast<std::uint64_t>(e.zero_ns) + e.from_ns + e.looks * kLookEvery;
+  board_.world().at(from_ns(t_ns), [this, expectation] { look(expectation); });
 }
 
 void Outfit::look(std::size_t expectation) {
@@ -175,8 +183,7 @@ void Outfit::look(std::size_t expectation) {
   e.highest = e.looks == 0 ? seen : std::max(e.highest, seen);
   ++e.looks;
   if (!(seen >= e.min && seen <= e.max) && e.broken_ns == 0) e.broken_ns = board_.now_ns();
-  if (e.looks < e.needed)
-    board_.world().at(from_ns(e.from_ns + e.looks * kLookEvery), [this, expectation] { look(expectation); });
+  if (e.looks < e.needed) plan_look(expectation);
 }
 
 }  // namespace finemote::emulator

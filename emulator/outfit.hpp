@@ -33,7 +33,8 @@ struct PartEvent {
 /// A value of a part that has to stay between two limits, and where it has been.
 struct Expectation {
   std::string part, value;
-  std::uint64_t from_ns = 0, to_ns = 0;
+  std::uint64_t from_ns = 0, to_ns = 0;  ///< since `zero_ns`
+  std::int64_t zero_ns = 0;              ///< since power-on
   double min = 0, max = 0;
   double lowest = 0, highest = 0;  ///< seen; both 0 before the first look
   std::uint64_t looks = 0, needed = 0;
@@ -47,9 +48,10 @@ class Outfit {
   Outfit(const Outfit&) = delete;
   Outfit& operator=(const Outfit&) = delete;
 
-  /// Adds the document's parts, then plans its events and looks; may be called again with further documents.
+  /// Adds the document's parts, then plans its events and looks, whose times count from `zero_ns` since power-on; may
+  /// be called again with further documents.
   /// @throws std::invalid_argument with every mistake in it, as emulator/scenario/read.hpp reports them
-  void add(const Json& document);
+  void add(const Json& document, std::int64_t zero_ns = 0);
 
   /// In the order they happened.
   [[nodiscard]] const std::vector<PartEvent>& events() const { return events_; }
@@ -85,8 +87,9 @@ class Outfit {
 
  private:
   void add_part(const Json& part);
-  void add_event(const Json& event);
-  void add_expectation(const Json& entry);
+  void add_event(const Json& event, std::int64_t zero_ns);
+  void add_expectation(const Json& entry, std::int64_t zero_ns);
+  void plan_look(std::size_t expectation);
   void look(std::size_t expectation);
   void happen(const Json& event);
   [[nodiscard]] bool is_fault(const Json& event) const;

@@ -124,7 +124,42 @@ Json monitor_of(Board& board, const Image& image) {
   return all;
 }
 
-Json run(Board& board, const Outfit& outfit, const Image& image, const Json& job) {
+BoardOptions options_of(const Json& job) {
+  BoardOptions options;
+  if (job.value("flash", "hit") == "miss") options.flash = FlashModel::miss_always;
+  return options;
+}
+
+/// A board with the job's image and parts, before power-on.
+struct Bench {
+  explicit Bench(const Json& job)
+      : board(options_of(job)),
+        outfit(board),
+        image(job.contains("image") ? load_image(job.at("image").get<std::string>()) : Image()) {
+    if (job.contains("image")) board.load(image);
+    outfit.add(job.at("parts"));
+  }
+
+  Board board;
+  Outfit outfit;
+  const Image image;
+};
+
+/// When the firmware comes to its first release, since power-on; 0 where it does not. Nothing of a scenario happens
+/// before, so a start without its events shows it.
+std::int64_t first_release_ns(const Json& job) {
+  if (!job.contains("image")) return 0;
+  Bench start(job);
+  Json parts = job.at("events");
+  parts.erase("events");
+  parts.erase("expect");
+  start.outfit.add(parts);
+  Json fault_ns;
+  return wait_for_first_release(start.board, start.image, fault_ns).value_or(0);
+}
+
+Json run(Bench& bench, const Json& job) {
+  auto& [board, outfit, image] = bench;
   const auto duration_ns = job.at("duration_ns").get<std::int64_t>();
   Json fault_ns;
   const auto zero = wait_for_first_release(board, image, fault_ns);
@@ -154,20 +189,14 @@ Json run(Board& board, const Outfit& outfit, const Image& image, const Json& job
 }  // namespace
 
 Json run_job(const Json& job) {
-  BoardOptions options;
-  if (job.value("flash", "hit") == "miss") options.flash = FlashModel::miss_always;
-  Board board(options);
-  Outfit outfit(board);
-  const Image image = job.contains("image") ? load_image(job.at("image").get<std::string>()) : Image();
-  if (job.contains("image")) board.load(image);
-  outfit.add(job.at("parts"));
+  Bench bench(job);
   try {
-    if (job.contains("events")) outfit.add(job.at("events"));
+    if (job.contains("events")) bench.outfit.add(job.at("events"), first_release_ns(job));
   } catch (const std::invalid_argument& error) {
     return {{"error", error.what()}};
   }
   if (!job.contains("image")) return Json::object();
-  return run(board, outfit, image, job);
+  return run(bench, job);
 }
 
 }  // namespace finemote::emulator

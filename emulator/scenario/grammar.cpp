@@ -102,14 +102,15 @@ const std::vector<Member>& part_members() {
 }
 
 const std::vector<Member>& event_members() {
-  static const std::vector<Member> kMembers{required(integer("t_ns", "ns", "when, since power-on", 0, kLongest)),
-                                            required(text("do", "what happens"))};
+  static const std::vector<Member> kMembers{
+      required(integer("t_ns", "ns", "when, since the first release", 0, kLongest)),
+      required(text("do", "what happens"))};
   return kMembers;
 }
 
 const std::vector<Member>& expectation_members() {
   static const std::vector<Member> kMembers{
-      required(integer("from_ns", "ns", "the first look, since power-on", 0, kLongest)),
+      required(integer("from_ns", "ns", "the first look, since the first release", 0, kLongest)),
       integer("to_ns", "ns", "the last look; without, `from_ns`", 0, kLongest),
       required(row(Kind::part, "part", "", "whose value")),
       required(text("value", "")),

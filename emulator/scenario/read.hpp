@@ -13,7 +13,7 @@ namespace finemote::scenario {
 /// @return  the tree, or nothing after an error
 std::optional<gen::json::Value> read(const gen::SourceFile& file, const World& world, gen::Diagnostics& diagnostics);
 
-/// Time of the last event [ns since power-on]; 0 without events. The document was read without an error.
+/// Time of the last event [ns since the first release]; 0 without events. The document was read without an error.
 std::int64_t last_event_ns(const gen::json::Value& document);
 
 }  // namespace finemote::scenario

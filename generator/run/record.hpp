@@ -45,7 +45,7 @@ struct MonitorEntry {
 /// A value of a part that had to stay between two limits, as the scenario says.
 struct ExpectationRecord {
   std::string part, value;
-  std::int64_t from_ns = 0, to_ns = 0;  ///< since power-on
+  std::int64_t from_ns = 0, to_ns = 0;  ///< since the first release
   double min = 0, max = 0;
   std::optional<double> lowest, highest;  ///< seen; none: the run ended before
   bool ok = false;

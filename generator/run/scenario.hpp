@@ -14,7 +14,7 @@ namespace finemote::gen {
 struct Scenario {
   const SourceFile* file = nullptr;
   nlohmann::ordered_json document;
-  std::int64_t last_event_ns = 0;  ///< since power-on; 0 without events
+  std::int64_t last_event_ns = 0;  ///< since the first release; 0 without events
 };
 
 /// Reads the file and checks it against the robot's parts and buses. `duration_ns`: of the run. Nothing is generated or
