@@ -14,6 +14,11 @@
 #include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+/// What a target knows about changing its inputs; not every target has one.
+extern "C" __attribute__((weak)) std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                                                     std::size_t most, unsigned int seed);
+/// A custom mutator may leave an input to the plain one; here it was changed already.
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* /*data*/, std::size_t size, std::size_t /*most*/) { return size; }
 
 namespace {
 
@@ -62,6 +67,14 @@ void mutate(std::string& text, const std::vector<std::string>& corpus, Random& r
   }
 }
 
+void mutate_as_target(std::string& text, Random& random) {
+  const std::size_t size = text.size();
+  const std::size_t most = 2 * size + 4096;
+  text.resize(most);
+  text.resize(LLVMFuzzerCustomMutator(reinterpret_cast<std::uint8_t*>(text.data()), size, most,
+                                      static_cast<unsigned int>(random())));
+}
+
 std::uint64_t option(std::string_view word, std::string_view name, std::uint64_t otherwise) {
   return word.starts_with(name) ? std::strtoull(word.data() + name.size(), nullptr, 10) : otherwise;
 }
@@ -82,8 +95,10 @@ int main(int count, char** words) {
   Random random(seed);
   for (std::uint64_t run = 0; run < runs; ++run) {
     std::string input = corpus[below(random, corpus.size())];
-    const std::size_t changes = 1 + below(random, 6);
-    for (std::size_t i = 0; i < changes; ++i) mutate(input, corpus, random);
+    const bool as_target = LLVMFuzzerCustomMutator != nullptr && below(random, 8) > 0;
+    const std::size_t changes = 1 + below(random, as_target ? 2 : 6);
+    for (std::size_t i = 0; i < changes; ++i)
+      as_target ? mutate_as_target(input, random) : mutate(input, corpus, random);
     std::ofstream("fuzz-last-input", std::ios::binary) << input;  // what to look at after a crash
     feed(input);
   }
