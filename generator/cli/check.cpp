@@ -82,7 +82,7 @@ int run_check(Context& context) {
   const CheckResult result = check_output(context.options.out, output, context.diagnostics);
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
 
-  const auto verdict = timing_verdict(context, *loaded);
+  const auto verdict = timing_verdict(context, *loaded, CommandAges::needed);
   if (!verdict) return finish(context, kExitInvalid);
   Diagnostics lint_findings;
   lint(loaded->robot, lint_options(context, *verdict), lint_findings);

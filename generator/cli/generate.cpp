@@ -102,7 +102,7 @@ int run_generate(Context& context) {
   if (options.list) return list_names(context, *loaded);
 
   if (!options.allow_unschedulable) {
-    const auto verdict = timing_verdict(context, *loaded);
+    const auto verdict = timing_verdict(context, *loaded, CommandAges::left_out);
     if (!verdict) return finish(context, kExitInvalid);
     for (const Diagnostic& overload : verdict->overloads) context.diagnostics.add(overload);
     if (!verdict->schedulable) return refuse_unschedulable(context, *verdict);

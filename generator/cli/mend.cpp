@@ -181,7 +181,7 @@ class Mender {
 std::optional<Linted> lint_loaded(Context& context, Loaded loaded) {
   Linted linted;
   linted.loaded = std::move(loaded);
-  auto verdict = timing_verdict(context, linted.loaded);
+  auto verdict = timing_verdict(context, linted.loaded, CommandAges::needed);
   if (!verdict) return std::nullopt;
   linted.verdict = std::move(*verdict);
   linted.options = lint_options(context, linted.verdict);

@@ -226,7 +226,7 @@ std::optional<timing::Timing> bounds(const Context& context, const Loaded& loade
 std::optional<Verdict> repeat_verdict(Context& context, const Loaded& loaded) {
   Diagnostics said;
   Context apart{context.options, context.sources, said, context.out, context.err};
-  auto verdict = timing_verdict(apart, loaded);
+  auto verdict = timing_verdict(apart, loaded, CommandAges::left_out);
   if (verdict) {
     for (const Diagnostic& overload : verdict->overloads) said.add(overload);
     for (const Diagnostic& reason : verdict->reasons.in_file_order()) {

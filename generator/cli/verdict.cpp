@@ -29,10 +29,10 @@ std::vector<std::optional<CommandAge>> command_ages(const Loaded& loaded, const 
 
 }  // namespace
 
-std::optional<Verdict> timing_verdict(Context& context, const Loaded& loaded) {
+std::optional<Verdict> timing_verdict(Context& context, const Loaded& loaded, CommandAges ages) {
   timing::AnalysisRequest request;
   request.requirements = timing::timing_requirements(loaded.robot, loaded.forest);
-  request.inputs = true;
+  request.inputs = ages == CommandAges::needed;
   request.remodel = timing::robot_remodel(loaded.robot, loaded.forest);
   Diagnostics findings;
   const auto timing =

@@ -18,8 +18,11 @@ struct Verdict {
   Diagnostics reasons;                                  ///< the findings behind a no, without those; empty after a yes
 };
 
+/// Only lint looks at the ages of commands, and they take as long as the rest of the analysis.
+enum class CommandAges { needed, left_out };
+
 /// Analyses the robot in its default profile. None when the analysis gives no answer (an overflow); then the reason is
 /// in the context's diagnostics.
-std::optional<Verdict> timing_verdict(Context& context, const Loaded& loaded);
+std::optional<Verdict> timing_verdict(Context& context, const Loaded& loaded, CommandAges ages);
 
 }  // namespace finemote::gen
