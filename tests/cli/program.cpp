@@ -1,4 +1,5 @@
 #include "cli/program.hpp"
+#include "read.hpp"
 
 #include <stdlib.h>
 
@@ -45,13 +46,7 @@ std::map<std::string, std::string> files_below(const std::string& folder) {
   return files;
 }
 
-std::string read_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read " + path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+std::string read_file(const std::string& path) { return read(path); }
 
 void write_file(const std::string& path, const std::string& text) {
   fs::create_directories(fs::path(path).parent_path());

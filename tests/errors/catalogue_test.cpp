@@ -6,25 +6,19 @@
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 
 #include "catch.hpp"
 #include "generator/diagnostic/catalogue.hpp"
 #include "generator/diagnostic/render.hpp"
+#include "read.hpp"
 
 using namespace finemote::gen;
+using finemote::test::read;
 namespace fs = std::filesystem;
 
 namespace {
 
 const std::string kSource = FINEMOTE_SOURCE_DIR;
-
-std::string read(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 /// Name -> number of every constant in code.hpp and its parts.
 std::map<std::string, int> declared_codes() {

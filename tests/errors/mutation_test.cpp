@@ -8,27 +8,21 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <sstream>
 
 #include "catch.hpp"
 #include "errors/pipeline.hpp"
 #include "errors/structure_mutator.hpp"
 #include "generator/xml/parse.hpp"
+#include "read.hpp"
 
 using namespace finemote::gen;
+using finemote::test::read;
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 namespace {
 
 const fs::path kSource = FINEMOTE_SOURCE_DIR;
-
-std::string read(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 /// Counts what becomes of mutants, and keeps the first that nothing explains.
 struct Bench {

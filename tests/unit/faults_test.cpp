@@ -8,23 +8,18 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
-#include <sstream>
 
 #include "catch.hpp"
+#include "read.hpp"
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+using finemote::test::read;
+
 namespace {
 
 const fs::path kSource = FINEMOTE_SOURCE_DIR;
-
-std::string read(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 std::vector<std::string> matches(const std::string& text, const std::string& pattern, int group) {
   const std::regex regex(pattern);

@@ -1,25 +1,19 @@
 // A member that a schema allows has an effect: the generator reads it, or its description says that it is
 // documentation.
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "catch.hpp"
+#include "read.hpp"
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+using finemote::test::read;
+
 namespace {
 
 const fs::path kSource = FINEMOTE_SOURCE_DIR;
-
-std::string read(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 std::string generator_sources() {
   std::string text;

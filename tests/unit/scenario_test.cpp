@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -20,20 +19,15 @@
 #include "generator/run/scenario.hpp"
 #include "generator/xml/parse.hpp"
 #include "generator/xml/read_source.hpp"
+#include "read.hpp"
 
 using namespace finemote;
+using finemote::test::read;
 using Json = nlohmann::ordered_json;
 
 namespace {
 
 const std::string kSource = FINEMOTE_SOURCE_DIR;
-
-std::string read(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 bool rewrites() {
   const char* wish = std::getenv("FINEMOTE_UPDATE_GOLDEN");
