@@ -16,25 +16,49 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// A word of a command line as a shell takes it.
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+./:=,@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+/// `generate` with every option that the answer depends on.
+std::string generate_command(const Options& options) {
+  std::vector<std::string> words{"finemote", "generate", options.input, "-o", options.out};
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) words.insert(words.end(), {option, value});
+  };
+  add("--board", options.board);
+  for (const std::string& package : options.packages) add("--package", package);
+  for (const std::string& path : options.device_paths) add("--device-path", path);
+  add("--data-dir", options.data_dir);
+  for (const auto& [name, value] : xacro_arguments(options)) words.push_back(name + ":=" + value);
+  std::string command;
+  for (const std::string& word : words) command += (command.empty() ? "" : " ") + shell_word(word);
+  return command;
+}
+
 /// The command that makes the files what they should be.
-std::string way_back(const Context& context, const CheckResult& result) {
+std::string way_back(const Context& context, const CheckResult& result, bool schedulable) {
   bool is_written = false, is_edited = false;
   for (const Finding& finding : result.findings) {
     is_written |= finding.state != Finding::State::orphan;
     is_edited |= finding.state == Finding::State::hand_edited && finding.file != kManifestName;
   }
   if (!is_written) return "remove the files that are orphans\n";
-  std::string command = fmt::format("finemote generate {} -o {}", context.options.input, context.options.out);
-  for (const std::string& option : output_options(context.options)) command += " " + option;
-  if (!is_edited) return "run: " + command + "\n";
-  return "run: " + command + " --force  (edited files are kept as NAME.orig)\n";
+  const std::string run = (schedulable ? "run: " : "when the robot is schedulable, run: ");
+  const std::string command = run + generate_command(context.options);
+  return command + (is_edited ? " --force\nedited files are kept as NAME.orig\n" : "\n");
 }
 
-void print_findings(Context& context, const CheckResult& result) {
+void print_findings(Context& context, const CheckResult& result, bool schedulable) {
   for (const Finding& finding : result.findings) {
     context.out << fmt::format("{:<12} {}: {}\n", state_name(finding.state), finding.file, finding.reason);
   }
-  if (!result.findings.empty() && !context.options.quiet) context.err << way_back(context, result);
+  if (!result.findings.empty() && !context.options.quiet) context.err << way_back(context, result, schedulable);
 }
 
 /// Says that the files are what they should be, and what makes the answer no all the same.
@@ -43,6 +67,9 @@ void print_fresh(Context& context, const CheckResult& result, const std::string&
   context.out << (objections.empty() ? "fresh\n" : "files are fresh, but " + objections + "\n");
   if (result.tool_changed)
     context.out << "tool-changed: written by " << result.previous_tool << ", with the same bytes\n";
+  if (!result.manifest_change.empty())
+    context.out << "manifest-changed: " << result.manifest_change
+                << "; generate would write the manifest, and no other file\n";
 }
 
 std::string objections(const Verdict& verdict, bool denied) {
@@ -65,6 +92,7 @@ Json document(const Context& context, const CheckResult& result, const std::stri
             {"output", context.options.out},
             {"fresh", result.findings.empty()},
             {"tool_changed", result.tool_changed},
+            {"manifest_change", result.manifest_change.empty() ? Json(nullptr) : Json(result.manifest_change)},
             {"findings", findings}};
   if (context.options.diff) json["diff"] = diff;
   return json;
@@ -95,7 +123,7 @@ int run_check(Context& context) {
   const bool good = result.findings.empty() && objection.empty();
   const std::string diff = context.options.diff ? unified_diff(context.options.out, output, result) : std::string();
   if (context.options.format == Format::text) {
-    print_findings(context, result);
+    print_findings(context, result, verdict->schedulable);
     print_fresh(context, result, objection);
     context.out << diff;
   } else {

@@ -48,16 +48,40 @@ std::string joined(const std::vector<std::string>& words) {
   return words.empty() ? "no options" : fmt::format("{}", fmt::join(words, " "));
 }
 
-/// Why the output should be different now, as far as that can be known.
-std::string changes(const Manifest& previous, const Manifest& now) {
+/// What is not as it was when the manifest was written: inputs and options; empty: nothing.
+std::string changed_question(const Manifest& previous, const Manifest& now) {
   std::string reason = changed_inputs(previous, now);
   if (previous.options != now.options) {
     reason += fmt::format("{}generated with {}, checked with {}", reason.empty() ? "" : "; ", joined(previous.options),
                           joined(now.options));
   }
+  return reason;
+}
+
+/// Why the output should be different now, as far as that can be known.
+std::string changes(const Manifest& previous, const Manifest& now) {
+  const std::string reason = changed_question(previous, now);
   if (!reason.empty()) return reason;
   if (previous.tool != now.tool) return "written by " + previous.tool;
   return "same inputs and options, but the environment or the build of finemote differs";
+}
+
+/// Why generate would write the manifest anew where every other file is as it should be; empty: it would not, or for
+/// another version of the tool alone.
+std::string manifest_change(const Folder& folder, const Output& output) {
+  if (read_bytes((folder.root / kManifestName).string()) == manifest_text(output.manifest)) return {};
+  const std::string reason = changed_question(folder.previous, output.manifest);
+  if (!reason.empty() || folder.previous.tool != output.manifest.tool) return reason;
+  return fmt::format("'{}' was edited", kManifestName);
+}
+
+/// What the CR of a file that differs by them alone are.
+std::string words_for_returns(const std::string& text) {
+  for (std::size_t at = text.find('\r'); at != std::string::npos; at = text.find('\r', at + 1)) {
+    const std::size_t next = text.find_first_not_of('\r', at);
+    if (next != std::string::npos && text[next] != '\n') return "has CR characters that were not generated";
+  }
+  return "has CR line ends; generated files have LF";
 }
 
 class Checker {
@@ -94,9 +118,14 @@ class Checker {
     const auto text = read_bytes((root_ / name).string());
     if (listed == listed_.end()) return compare_unlisted(name, text, wanted->second);
     if (!text) return add(Finding::State::missing, name, "listed in the manifest, but not there");
-    if (sha256(*text) != listed->second) {
-      const bool only_endings = sha256(without_carriage_returns(*text)) == listed->second;
-      return only_endings ? add(Finding::State::line_endings, name, "has CR line ends; generated files have LF")
+    const std::string hash = sha256(*text);
+    const bool is_right = wanted != wanted_.end() && wanted->second == hash;
+    if (is_right && hash != listed->second)
+      return add(Finding::State::stale, name, "is what would be generated, but not what the manifest lists");
+    if (hash != listed->second) {
+      const std::string plain = sha256(without_carriage_returns(*text));
+      const bool only_endings = plain == listed->second || (wanted != wanted_.end() && plain == wanted->second);
+      return only_endings ? add(Finding::State::line_endings, name, words_for_returns(*text))
                           : add(Finding::State::hand_edited, name, "differs from what was generated");
     }
     if (wanted == wanted_.end()) return add(Finding::State::stale, name, "would no longer be generated: " + why_);
@@ -109,7 +138,7 @@ class Checker {
     if (is_same && has_manifest_) add(Finding::State::stale, name, "not in the manifest");
     if (is_same) return;
     if (sha256(without_carriage_returns(*text)) == wanted)
-      return add(Finding::State::line_endings, name, "has CR line ends; generated files have LF");
+      return add(Finding::State::line_endings, name, words_for_returns(*text));
     add(Finding::State::hand_edited, name, "not in the manifest, and not what would be generated");
   }
 
@@ -126,6 +155,13 @@ class Checker {
     return line == kGeneratedHeader;
   }
 
+  /// Whether a manifest or this run has a file of this name, in whatever case the file system has kept it.
+  [[nodiscard]] bool is_known(const std::string& name) const {
+    if (listed_.count(name) > 0 || wanted_.count(name) > 0) return true;
+    return std::any_of(wanted_.begin(), wanted_.end(),
+                       [&](const auto& file) { return is_one_file(root_, file.first, name); });
+  }
+
   void find_orphans() {
     std::error_code error;
     std::vector<std::string> orphans;
@@ -133,7 +169,7 @@ class Checker {
       if (is_left_over(entry->path().filename().string())) continue;
       if (!entry->is_regular_file(error) || !carries_our_header(entry->path())) continue;
       const std::string name = entry->path().lexically_relative(root_).generic_string();
-      if (listed_.count(name) == 0 && wanted_.count(name) == 0) orphans.push_back(name);
+      if (!is_known(name)) orphans.push_back(name);
     }
     std::sort(orphans.begin(), orphans.end());
     for (const std::string& name : orphans)
@@ -181,6 +217,7 @@ CheckResult check_output(const std::string& folder, const Output& output, Diagno
   if (!found) return result;
   result.findings = Checker(*found, output).run(*found, output);
   result.previous_tool = found->previous.tool;
+  if (result.findings.empty()) result.manifest_change = manifest_change(*found, output);
   result.tool_changed = result.findings.empty() && result.previous_tool != output.manifest.tool;
   return result;
 }

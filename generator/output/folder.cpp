@@ -89,6 +89,18 @@ void read_memory(Folder& folder, Diagnostics& diagnostics) {
       .hint("generate writes it anew; it replaces only files that hold what it would write");
 }
 
+/// A root device that was renamed by letter case alone has the same files where the file system does not tell the cases
+/// apart.
+void spell_as_now(Folder& folder, const Output& output) {
+  for (HashedFile& listed : folder.previous.outputs) {
+    for (const OutputFile& file : output.files) {
+      if (!is_one_file(folder.root, listed.name, file.name)) continue;
+      listed.name = file.name;
+      break;
+    }
+  }
+}
+
 }  // namespace
 
 Output make_output(std::vector<OutputFile> files, std::vector<HashedFile> inputs, const std::string& robot,
@@ -132,6 +144,14 @@ fs::path folder_path(const std::string& folder) {
   return root.has_filename() ? root : root.parent_path();
 }
 
+bool is_one_file(const fs::path& root, const std::string& a, const std::string& b) {
+  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  const auto is_same = [&](char one, char other) { return small(one) == small(other); };
+  std::error_code missing;
+  return a != b && std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same) &&
+         fs::equivalent(root / a, root / b, missing);
+}
+
 bool check_root(const fs::path& root, Diagnostics& diagnostics) {
   check_kind(root, Kind::folder, diagnostics);
   if (!diagnostics.has_errors()) check_readable(root, R_OK | X_OK, diagnostics);
@@ -146,6 +166,7 @@ std::optional<Folder> open_folder(const std::string& folder, const Output& outpu
 
   check_kind(found.root / kManifestName, Kind::file, diagnostics);
   if (!diagnostics.has_errors()) read_memory(found, diagnostics);
+  spell_as_now(found, output);
   for (const fs::path& path : inner_folders(found.root, output, found.previous)) {
     check_kind(path, Kind::folder, diagnostics);
     if (!diagnostics.has_errors()) check_readable(path, R_OK | X_OK, diagnostics);

@@ -34,13 +34,17 @@ inline constexpr const char* kTemporaryMark = ".finemote-tmp";
 /// The text without CR: what is left of a difference between two systems' line ends.
 std::string without_carriage_returns(std::string text);
 
+/// Whether two names below `root`, which differ by letter case alone, are one file: on a file system that takes both
+/// cases for one.
+bool is_one_file(const std::filesystem::path& root, const std::string& a, const std::string& b);
+
 /// What an earlier run left in the folder.
 struct Folder {
   enum class Memory { none, broken, complete };
 
   std::filesystem::path root;
   Memory memory = Memory::none;  ///< of the manifest: not there, not usable, usable
-  Manifest previous;             ///< empty unless complete
+  Manifest previous;             ///< empty unless complete; names spelt as those of this run where they are one file
 };
 
 /// `folder` in normal form, without a separator at its end.

@@ -1,8 +1,11 @@
 #include "generator/output/write.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 
 #include "generator/diagnostic/code_output.hpp"
 #include "generator/file/system_reason.hpp"
@@ -65,7 +68,8 @@ Steps plan_steps(const Folder& folder, const Output& output) {
     std::error_code ignored;
     const fs::file_status status = fs::symlink_status(folder.root / file.name, ignored);
     const bool is_known = lists(output.manifest, file.name) || contains(steps.result.removed, file.name);
-    if (is_known || !fs::exists(status)) continue;
+    // A folder of this name is not what was written: the file is gone.
+    if (is_known || !fs::exists(status) || fs::is_directory(status)) continue;
     const auto there = fs::is_regular_file(status) ? read_bytes((folder.root / file.name).string()) : std::nullopt;
     if (there && ownership.is_ours(file.name, *there)) {
       steps.result.removed.push_back(file.name);
@@ -121,6 +125,23 @@ void carry_out(const Folder& folder, const Output& output, const Steps& steps) {
   replacement.keep();
 }
 
+/// Reports FM5002, in the words of a run that writes, for the first folder that no file may be put into.
+void check_writable(const fs::path& root, const Steps& steps, Diagnostics& diagnostics) {
+  std::vector<std::string> names = steps.result.written;
+  names.insert(names.end(), steps.result.removed.begin(), steps.result.removed.end());
+  for (const std::string& name : names) {
+    fs::path blocked = root / name, folder = blocked.parent_path();
+    std::error_code ignored;
+    for (; !folder.empty() && !fs::exists(folder, ignored); folder = folder.parent_path()) blocked = folder;
+    if (::faccessat(AT_FDCWD, folder.empty() ? "." : folder.c_str(), W_OK | X_OK, AT_EACCESS) == 0) continue;
+    const std::string reason = system_reason(errno);
+    const char* what = fs::exists(root, ignored) ? "write" : "create folder";
+    diagnostics.error(code::output_not_writable, {},
+                      fmt::format("cannot {} '{}': {}", what, blocked.generic_string(), reason));
+    return;
+  }
+}
+
 }  // namespace
 
 WriteResult write_output(const std::string& folder, const Output& output, const WriteOptions& options, Sources& sources,
@@ -136,6 +157,7 @@ WriteResult write_output(const std::string& folder, const Output& output, const 
     if (options.force) steps.result.moved.emplace_back(obstacle.name, free_name(root, obstacle.name));
   }
   if (!options.force) report(*found, std::move(steps.obstacles), options.way_out, sources, diagnostics);
+  if (options.dry_run && !diagnostics.has_errors()) check_writable(root, steps, diagnostics);
   const bool refused = diagnostics.has_errors() || (options.warnings_are_errors && diagnostics.size() > 0);
   if (refused || options.dry_run) return lock.remove_created(), steps.result;
   try {

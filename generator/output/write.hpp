@@ -11,7 +11,8 @@
 namespace finemote::gen {
 
 struct WriteOptions {
-  bool dry_run = false;              ///< touch nothing; the result says what would be
+  bool dry_run = false;              ///< touch nothing; the result says what would be, or FM5002 for a folder that is
+                                     ///< read-only
   bool force = false;                ///< move users' files out of the way instead of reporting them
   bool warnings_are_errors = false;  ///< write nothing when there is a warning
   /// What the user can do about files of theirs, as a hint.
