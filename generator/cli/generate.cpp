@@ -84,7 +84,9 @@ void warn_of_requirements(Context& context, const Verdict& verdict) {
   for (Diagnostic finding : verdict.reasons.in_file_order()) {
     if (finding.code != code::timing_requirement) continue;
     finding.severity = Severity::warning;
-    finding.note("generate still writes the files; analyze and check exit with status 1");
+    finding.note(context.options.warnings_are_errors
+                     ? "without -W error generate would write the files; analyze and check exit with status 1"
+                     : "generate still writes the files; analyze and check exit with status 1");
     context.diagnostics.add(finding);
   }
 }

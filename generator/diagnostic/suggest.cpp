@@ -119,7 +119,8 @@ std::vector<std::string> nearest_names(std::string_view word, const std::vector<
   std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> names;
   for (auto& [steps, name] : near) {
-    if (names.size() < 3) names.push_back(std::move(name));
+    const bool is_known = std::find(names.begin(), names.end(), name) != names.end();
+    if (names.size() < 3 && !is_known) names.push_back(std::move(name));
   }
   return names;
 }

@@ -160,7 +160,7 @@ class Linter {
   }
 
   void check_wcet(const Device& device) {
-    if (device.wcet.source != Wcet::Source::assumed || !device.children.empty()) return;
+    if (device.wcet.source != Wcet::Source::assumed) return;
     const std::string update = units::format_duration(device.wcet.update_ns);
     const std::string handle = units::format_duration(device.wcet.handle_ns);
     Diagnostic* finding =

@@ -32,7 +32,36 @@ class PlaceReader {
     read_id();
   }
 
+  /// Channels and ids that were offered to others already, by segment.
+  using Offered = std::set<std::pair<std::size_t, std::uint32_t>>;
+
+  /// Reports a channel or an id that is not there, once the places of all devices are known: it offers a free one.
+  void report_missing_places(Offered& offered) {
+    if (bus_is_wrong_ || !device_.segment) return;
+    const std::size_t segment = *device_.segment;
+    const std::uint32_t count = channel_count(reading_, segment);
+    if (type_.needs_channel && count > 1 && tag_.attribute("channel") == nullptr) {
+      const std::uint32_t end = std::min(count, type_.channel_max.value_or(UINT32_MAX - 1) + 1);
+      offer("channel", free_channels(reading_, segment, end), type_.channel_min.value_or(0), offered);
+    }
+    if (type_.needs_id && tag_.attribute("id") == nullptr)
+      offer("id", free_ids(reading_, type_, segment), type_.id_min.value_or(0), offered);
+  }
+
  private:
+  void offer(const char* name, const std::vector<std::uint32_t>& free, std::uint32_t least, Offered& offered) {
+    const auto found = std::find_if(free.begin(), free.end(), [&](std::uint32_t number) {
+      return number >= least && !offered.contains({*device_.segment, number});
+    });
+    if (found == free.end()) return report_none_free(name);
+    offered.insert({*device_.segment, *found});
+    report_missing(name, std::to_string(*found));
+  }
+  void report_none_free(const char* name) {
+    if (reading_.tags.is_misspelt(tag_, name)) return;
+    at_tag(diagnostics_, code::attribute_missing, tag_, fmt::format("device '{}' has no '{}'", device_.name.text, name))
+        .hint(fmt::format("none is free on '{}': put the device on another bus", value_of(tag_, "bus")));
+  }
   /// True when the attribute may stand here; reports it otherwise.
   bool applies(const char* name, bool is_needed) {
     const xml::Attribute* attribute = tag_.attribute(name);
@@ -69,8 +98,7 @@ class PlaceReader {
     const std::uint32_t count = has_place ? channel_count(reading_, *device_.segment) : 0;
     if (attribute == nullptr) {
       if (count == 1) device_.channel = 0;
-      if (count > 1) report_missing("channel", "0");
-      return;
+      return;  // more: report_missing_places()
     }
     const auto channel = read_quantity(tag_, "channel", units::parse_bare, diagnostics_);
     if (!channel) return;
@@ -90,7 +118,7 @@ class PlaceReader {
     const xml::Attribute* attribute = tag_.attribute("id");
     const std::uint32_t least = type_.id_min.value_or(0);
     const std::uint32_t most = type_.id_max.value_or(UINT32_MAX);
-    if (attribute == nullptr) return report_missing("id", std::to_string(least));
+    if (attribute == nullptr) return;  // report_missing_places()
     const auto id = read_quantity(tag_, "id", units::parse_bare, diagnostics_);
     if (!id) return;
     if (*id >= least && *id <= most) {
@@ -248,6 +276,11 @@ std::uint32_t use_channels(const Reading& reading, std::size_t segment) {
   return kind == BusKind::pwm || kind == BusKind::spi ? channel_count(reading, segment) : 0;
 }
 
+std::string example_channel(const Reading& reading, std::size_t segment, std::uint32_t count) {
+  const std::vector<std::uint32_t> free = free_channels(reading, segment, count);
+  return free.empty() ? "none is free: name another bus" : fmt::format("add for example channel=\"{}\"", free.front());
+}
+
 /// The pulse output or chip select that a device uses: as one that it sits on.
 void resolve_use_channels(Reading& reading) {
   for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
@@ -264,7 +297,7 @@ void resolve_use_channels(Reading& reading) {
         } else {
           at_tag(reading.diagnostics, code::attribute_missing, tag,
                  fmt::format("<use role=\"{}\"> has no 'channel'", use.spec->role))
-              .hint("add for example channel=\"0\"");
+              .hint(example_channel(reading, *use.segment, count));
         }
       }
       if (!use.channel || *use.channel < count || attribute == nullptr) continue;
@@ -505,6 +538,10 @@ void resolve_places(Reading& reading) {
     if (reading.robot.devices[i].type != nullptr) PlaceReader(reading, i).read();
   }
   resolve_use_channels(reading);
+  PlaceReader::Offered offered;
+  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+    if (reading.robot.devices[i].type != nullptr) PlaceReader(reading, i).report_missing_places(offered);
+  }
   check_addresses(reading);
   check_exclusive(reading);
   check_channels(reading);

@@ -71,6 +71,7 @@ class Evaluation {
       for (const std::size_t to : r.to) {
         if (!chains_.connected(from, to)) {
           result.unconnected = ChainRequest{from, to};
+          result.connected_backwards = chains_.connected(to, from);
           return;
         }
         const ChainResult chain = chains_.bound(from, to);

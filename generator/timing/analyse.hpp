@@ -33,6 +33,7 @@ struct RequirementResult {
   std::optional<ChainResult> chain;         ///< latency: the worst one, or one without a bound
   std::optional<Ns> decide_ns;              ///< latency: the worst decision among all pairs
   std::optional<ChainRequest> unconnected;  ///< latency: a pair no data leads along
+  bool connected_backwards = false;         ///< data lead along that pair the other way round
 };
 
 struct AnalysisRequest {

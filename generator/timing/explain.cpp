@@ -16,12 +16,26 @@ using units::readable_duration;
 
 constexpr double kGoodBusLoad = 0.7;  ///< what hints aim at: that of lint
 
-/// Percent, rounded up so far that reading it again gives no less than `fraction`.
-std::string percent_text(double fraction) {
-  std::string text = fmt::format("{:.2f}", std::ceil(fraction * 1e4) / 100);
+std::string without_zeros(std::string text) {
   while (text.back() == '0') text.pop_back();
   if (text.back() == '.') text.pop_back();
-  return text + "%";
+  return text;
+}
+
+/// Percent, rounded up to `digits` places, so far that reading it again gives no less than `fraction`.
+std::string percent_text(double fraction, int digits = 2) {
+  const double places = std::pow(10, digits);
+  return without_zeros(fmt::format("{:.{}f}", std::ceil(fraction * 100 * places) / places, digits)) + "%";
+}
+
+/// Percent as it was written: nobody writes more than ten places.
+std::string exact_percent(double fraction) { return without_zeros(fmt::format("{:.10f}", fraction * 100)) + "%"; }
+
+/// Percent with as many places as show that it is above `max`.
+std::string percent_above(double fraction, double max) {
+  int digits = 2;
+  while (digits < 10 && std::ceil(fraction * 100 * std::pow(10, digits)) / std::pow(10, digits) <= max * 100) ++digits;
+  return percent_text(fraction, digits);
 }
 
 std::string whole_percent(double fraction) { return fmt::format("{:.0f} %", fraction * 100); }
@@ -154,8 +168,9 @@ const char* subject(Requirement::Kind kind) {
 std::string message_of(const RequirementResult& r) {
   const std::string what = fmt::format("{} of '{}'", subject(r.requirement.kind), r.requirement.text);
   if (r.fraction) {
-    return fmt::format("{} is up to {}, above its max of {}", what, percent_text(*r.fraction),
-                       percent_text(r.requirement.max_fraction));
+    return fmt::format("{} is up to {}, above its max of {}", what,
+                       percent_above(*r.fraction, r.requirement.max_fraction),
+                       exact_percent(r.requirement.max_fraction));
   }
   const std::string max = readable_duration(r.requirement.max_ns);
   return r.value_ns ? fmt::format("{} is up to {}, above its max of {}", what, readable_duration(*r.value_ns), max)
@@ -185,7 +200,8 @@ void explain(const Timing& timing, const RequirementResult& r, Diagnostic& findi
   if (r.unconnected) {
     finding.note(fmt::format("no data leads from '{}' to '{}'", timing.model.devices[r.unconnected->from].name,
                              timing.model.devices[r.unconnected->to].name));
-    finding.hint("write it the other way round, or join their trees with <reads>");
+    finding.hint(r.connected_backwards ? "write it the other way round, or join their trees with <reads>"
+                                       : "join their trees with <reads>");
     return;
   }
   if (r.requirement.kind == Kind::utilization) return explain_utilization(timing, r, finding);
