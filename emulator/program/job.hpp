@@ -6,8 +6,8 @@
 // one, `events` (documents finemote.scenario/1), `ports` (the buses to account for). Record: `stop` (null when the time
 // was over), `error` (instead of everything else: `events` cannot be wired), `reports`, `resets`, `faulty`,
 // `fault_counts`, `stages`, `parts`, `expectations`, `buses`, `monitor`; with a `stop` only `reports`, `fault_counts`
-// and `fault_ns`, when the first fault was seen. Times are ns since the first release, those of reports and faults since
-// power-on.
+// and `fault_ns`, when the first fault was seen. Times are ns since the first release, those of reports and faults
+// since power-on.
 #pragma once
 
 #include <nlohmann/json.hpp>

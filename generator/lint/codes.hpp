@@ -11,13 +11,12 @@
 namespace finemote::gen {
 
 /// Each can be allowed and denied.
-inline constexpr std::array kLintCodes{code::lint_order,          code::lint_period_ratio, code::lint_no_wcet,
-                                       code::lint_conversion,     code::lint_bus_load,     code::lint_unused_bus,
-                                       code::lint_param_replaced, code::lint_wrench_axis,  code::lint_wrench_effort,
-                                       code::lint_out_of_reach,   code::lint_command_age,  code::lint_sensor_place,
-                                       code::lint_wheel_limits,   code::lint_moved_joint,  code::lint_no_mass,
-                                       code::lint_same_place,     code::lint_param_range,  code::timing_bus_overload,
-                                       code::lint_odd_output};
+inline constexpr std::array kLintCodes{
+    code::lint_order,         code::lint_period_ratio,   code::lint_no_wcet,        code::lint_conversion,
+    code::lint_bus_load,      code::lint_unused_bus,     code::lint_param_replaced, code::lint_wrench_axis,
+    code::lint_wrench_effort, code::lint_out_of_reach,   code::lint_command_age,    code::lint_sensor_place,
+    code::lint_wheel_limits,  code::lint_moved_joint,    code::lint_no_mass,        code::lint_same_place,
+    code::lint_param_range,   code::timing_bus_overload, code::lint_odd_output};
 
 constexpr bool is_lint_code(Code code) {
   return std::find(kLintCodes.begin(), kLintCodes.end(), code) != kLintCodes.end();

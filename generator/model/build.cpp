@@ -27,11 +27,11 @@ std::optional<std::size_t> Reading::segment_named(std::string_view name) const {
   return static_cast<std::size_t>(found - list.begin());
 }
 
-void Reading::report_unknown_bus(const xml::Attribute& name) {
+void Reading::report_unknown_bus(const xml::Attribute& name, const std::vector<std::string>& fitting) {
   const auto& lost = tags.lost_buses;
   if (std::find(lost.begin(), lost.end(), name.value) != lost.end()) return;
   suggest(at_value(diagnostics, code::unknown_bus, name, fmt::format("there is no bus '{}'", name.value)), name.value,
-          segment_names());
+          fitting);
 }
 
 std::vector<std::string> Reading::device_names() const {

@@ -96,7 +96,9 @@ class DeviceReader {
     const auto segment = reading_.segment_named(bus->value);
     state_.bus_is_wrong = true;
     if (!segment) {
-      reading_.report_unknown_bus(*bus);
+      const bool fits_some = device_.type != nullptr && !device_.type->buses.empty();
+      reading_.report_unknown_bus(*bus,
+                                  fits_some ? segments_of(reading_, device_.type->buses) : reading_.segment_names());
       return;
     }
     if (device_.type == nullptr || !sits_on(*bus, reading_.robot.segments[*segment])) return;
@@ -316,7 +318,7 @@ class DeviceReader {
   bool read_use_bus(const xml::Attribute& bus, Use& use) {
     use.segment = reading_.segment_named(bus.value);
     if (!use.segment) {
-      reading_.report_unknown_bus(bus);
+      reading_.report_unknown_bus(bus, segments_of(reading_, use.spec->buses));
       return false;
     }
     const Segment& segment = reading_.robot.segments[*use.segment];

@@ -146,6 +146,19 @@ void report_misnamed(Reading& reading, const xml::Node& tag) {
                    : fmt::format("write {}/>", start));
 }
 
+/// Buses an expander can sit on: not what it provides itself, and for a mux no channel of another.
+std::vector<std::string> buses_for(const Reading& reading, std::size_t index) {
+  const Expander& expander = reading.robot.expanders[index];
+  const bool is_mux = expander.type == nullptr || expander.type->named_channels;
+  std::vector<std::string> names;
+  for (const Segment& segment : reading.robot.segments) {
+    const bool is_behind = segment.kind != Segment::Kind::bus;
+    if (segment.bus_kind != BusKind::i2c || (is_behind && (is_mux || segment.expander == index))) continue;
+    names.push_back(segment.name.text);
+  }
+  return names;
+}
+
 /// Finds the bus an expander sits on; all names are known now, so it may stand further down.
 void attach(Reading& reading, std::size_t index) {
   Expander& expander = reading.robot.expanders[index];
@@ -153,7 +166,7 @@ void attach(Reading& reading, std::size_t index) {
   if (bus == nullptr) return;
   const auto segment = reading.segment_named(bus->value);
   if (!segment) {
-    reading.report_unknown_bus(*bus);
+    reading.report_unknown_bus(*bus, buses_for(reading, index));
     return;
   }
   const Segment& target = reading.robot.segments[*segment];

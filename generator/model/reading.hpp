@@ -50,8 +50,8 @@ struct Reading {
 
   [[nodiscard]] std::optional<std::size_t> device_named(std::string_view name) const;
   [[nodiscard]] std::optional<std::size_t> segment_named(std::string_view name) const;
-  /// FM3019, unless the bus is missing because of another mistake.
-  void report_unknown_bus(const xml::Attribute& name);
+  /// FM3019, unless the bus is missing because of another mistake. `fitting` are the buses that would do here.
+  void report_unknown_bus(const xml::Attribute& name, const std::vector<std::string>& fitting);
   [[nodiscard]] std::vector<std::string> device_names() const;
   [[nodiscard]] std::vector<std::string> segment_names() const;
   [[nodiscard]] const xml::Node& device_tag(std::size_t index) const { return *tags.devices[index].node; }

@@ -57,6 +57,22 @@ TEST_CASE("a scenario's parts answer and its events happen when they say") {
   CHECK(pulses.size() >= 3);
 }
 
+TEST_CASE("events and looks count from the instant the scenario begins at") {
+  Board board;
+  board.load(mini_image());
+  Outfit outfit(board);
+  auto document = nlohmann::ordered_json::parse(kParts);
+  document["expect"] = {
+      {{"from_ns", 350'000'000}, {"part", "pwm"}, {"value", "pulse_3"}, {"min", 1590}, {"max", 1610}}};
+  outfit.add(document, 100'000'000);
+  board.run_for(390'000'000);
+  CHECK(outfit.value("pwm", "pulse_3") == Approx(1600).margin(3));  // the silence begins at 400 ms
+  board.run_for(70'000'000);
+  CHECK(outfit.value("pwm", "pulse_3") == Approx(1500).margin(3));
+  CHECK(outfit.expectations().at(0).looks == 1);
+  CHECK(outfit.expectations().at(0).broken_ns == 450'000'000);
+}
+
 TEST_CASE("a scenario with a mistake is refused with the entry") {
   Board board;
   Outfit outfit(board);

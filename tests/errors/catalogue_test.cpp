@@ -51,7 +51,6 @@ std::set<int> example_codes() {
 
 /// Numbers without an example, each with the reason.
 const std::map<int, std::string> kWithoutExample{
-    {9, "the sandbox ends a run after a minute of work, or beyond 2 GiB of memory"},
     {2016, "the numbers read are checked before they are computed with; constants_test writes one that no float holds"},
     {6101, "the build makes images that can be read; image_test cuts and disturbs one"},
     {9001, "a defect of the tool: an input that led there would be mended"},

@@ -322,6 +322,8 @@ frame_FM5006() {
 }
 frame_FM5001() { any_robot; finemote generate robot.urdf -o out; [ $which = Right ] || sed -i 's/schema/shcema/' out/finemote.manifest.json; eval "$example"; }
 frame_FM5002() { any_robot; mkdir elsewhere; ln -s elsewhere out; eval "$example"; }
+frame_FM5013() { xacro_robot '<link name="base_link"/>'; eval "$example"; }
+frame_FM5014() { any_robot; eval "$example"; }
 frame_FM5003() {
   any_robot
   sed 's/rover/a/' robot.urdf >a.urdf
