@@ -62,7 +62,7 @@ TEST_CASE("a sensor behind actuators is found and moved, with its comments and l
       "  <device name=\"esc\" type=\"pwm_esc\" bus=\"pwm\" channel=\"0\">" + kWcet + "</device>\n";
   const std::string sensor =
       "  <device name=\"baro\" type=\"ms5837\" bus=\"i2c\">\n    " + kWcet + " <!-- a > b -->\n  </device>\n";
-  const std::string head = kPwm + "<device name=\"root\" type=\"group\" period=\"20ms\">\n";
+  const std::string head = kPwm + "<device name=\"root\" type=\"group\" period=\"20ms\">\n" + kWcet + "\n";
   const Linted robot(head + actuator + "  <!-- goes along -->\n" + sensor + "</device>\n");
   CHECK(robot.says("warning[FM3151]: sensor 'baro' is declared after actuator 'esc'"));
   CHECK(robot.mended.find(head + "  <!-- goes along -->\n" + sensor + actuator + "</device>\n") != std::string::npos);
@@ -72,8 +72,8 @@ TEST_CASE("a sensor behind actuators is found and moved, with its comments and l
 
 TEST_CASE("periods that do not divide each other") {
   const auto with = [](const std::string& period) {
-    return "<device name=\"root\" type=\"group\" period=\"10ms\"><device name=\"a\" type=\"sim_load\" period=\"" +
-           period + "\">" + kWcet + "</device></device>\n";
+    return "<device name=\"root\" type=\"group\" period=\"10ms\">" + kWcet +
+           "<device name=\"a\" type=\"sim_load\" period=\"" + period + "\">" + kWcet + "</device></device>\n";
   };
   const Linted robot(with("4ms"));
   CHECK(robot.says(
@@ -84,7 +84,7 @@ TEST_CASE("periods that do not divide each other") {
   CHECK(Linted(with("30ms")).said.empty());
 }
 
-TEST_CASE("a leaf without wcet says what is assumed") {
+TEST_CASE("a device without wcet says what is assumed") {
   const Linted robot("<device name=\"a\" type=\"sim_load\" period=\"10ms\"/>\n");
   CHECK(robot.says("warning[FM3153]: device 'a' has no <wcet>"));
   CHECK(robot.says("update 12200ns and handle 11200ns are assumed"));
