@@ -1,6 +1,7 @@
 #include "emulator/outfit.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "emulator/outfit/ports.hpp"
 #include "emulator/scenario/read.hpp"
@@ -131,6 +132,8 @@ Outfit::Header Outfit::header_of(const Json& part) {
 }
 
 bool Outfit::is_fault(const Json& event) const {
+  const bool ends_one = !maybe(event, "on", true);
+  if (ends_one) return false;
   const auto what = need<std::string>(event, "do");
   const auto& verbs = event.contains("part")   ? models_.at(need<std::string>(event, "part"))->verbs
                       : event.contains("port") ? scenario::kind_of_port(need<std::string>(event, "port"))->verbs
@@ -179,8 +182,12 @@ void Outfit::plan_look(std::size_t expectation) {
 void Outfit::look(std::size_t expectation) {
   Expectation& e = expectations_[expectation];
   const double seen = value(e.part, e.value);
-  e.lowest = e.looks == 0 ? seen : std::min(e.lowest, seen);
-  e.highest = e.looks == 0 ? seen : std::max(e.highest, seen);
+  if (std::isfinite(seen)) {
+    e.lowest = e.has_seen() ? std::min(e.lowest, seen) : seen;
+    e.highest = e.has_seen() ? std::max(e.highest, seen) : seen;
+  } else {
+    ++e.not_finite;
+  }
   ++e.looks;
   if (!(seen >= e.min && seen <= e.max) && e.broken_ns == 0) e.broken_ns = board_.now_ns();
   if (e.looks < e.needed) plan_look(expectation);

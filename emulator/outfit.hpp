@@ -36,9 +36,11 @@ struct Expectation {
   std::uint64_t from_ns = 0, to_ns = 0;  ///< since `zero_ns`
   std::int64_t zero_ns = 0;              ///< since power-on
   double min = 0, max = 0;
-  double lowest = 0, highest = 0;  ///< seen; both 0 before the first look
+  double lowest = 0, highest = 0;  ///< seen, of the finite ones; both 0 before the first
   std::uint64_t looks = 0, needed = 0;
-  std::uint64_t broken_ns = 0;  ///< first look outside; 0: none
+  std::uint64_t not_finite = 0;  ///< looks at which it was no number, or infinite
+  std::uint64_t broken_ns = 0;   ///< first look outside; 0: none
+  [[nodiscard]] bool has_seen() const { return looks > not_finite; }
   [[nodiscard]] bool holds() const { return looks == needed && broken_ns == 0; }
 };
 
@@ -56,7 +58,7 @@ class Outfit {
   /// In the order they happened.
   [[nodiscard]] const std::vector<PartEvent>& events() const { return events_; }
   [[nodiscard]] const std::vector<Expectation>& expectations() const { return expectations_; }
-  /// Some event is a fault, and no stimulus: what bounds presume does not hold.
+  /// Some event is a fault, and no stimulus or the end of a fault: what bounds presume does not hold.
   [[nodiscard]] bool injects_faults() const { return injects_faults_; }
   /// Resets the scenario has asked for so far.
   [[nodiscard]] unsigned scripted_resets() const { return scripted_resets_; }

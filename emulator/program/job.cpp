@@ -86,7 +86,7 @@ Json parts_of(const Outfit& outfit, std::int64_t zero) {
 Json expectations_of(const Outfit& outfit) {
   Json all = Json::array();
   for (const Expectation& e : outfit.expectations()) {
-    const bool seen = e.looks > 0;
+    const bool seen = e.has_seen();
     all.push_back({{"part", e.part},
                    {"value", e.value},
                    {"from_ns", e.from_ns},
@@ -95,6 +95,7 @@ Json expectations_of(const Outfit& outfit) {
                    {"max", e.max},
                    {"lowest", seen ? Json(e.lowest) : Json()},
                    {"highest", seen ? Json(e.highest) : Json()},
+                   {"finite", e.not_finite == 0},
                    {"ok", e.holds()}});
   }
   return all;

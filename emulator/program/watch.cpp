@@ -1,5 +1,6 @@
 #include "emulator/program/watch.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -103,17 +104,22 @@ void summarise(Board& board, Stop stop, std::ostream& out) {
   }
 }
 
+struct Scenario {
+  Json document;
+  std::uint64_t last_event_ns = 0;
+};
+
 /// Mistakes are shown at their words; warnings go to stderr. @throws std::invalid_argument with all of them
-Json read_scenario(const std::string& path) {
+Scenario read_scenario(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw std::invalid_argument("cannot read '" + path + "'");
   const gen::SourceFile file{path, path, {std::istreambuf_iterator<char>(in), {}}};
   gen::Diagnostics diagnostics;
-  const bool good = scenario::read(file, {}, diagnostics).has_value();
+  const auto tree = scenario::read(file, {}, diagnostics);
   const std::string findings = gen::render_text(diagnostics, false);
-  if (!good) throw std::invalid_argument(findings);
+  if (!tree) throw std::invalid_argument(findings);
   std::fputs(findings.c_str(), stderr);
-  return Json::parse(file.text);
+  return {Json::parse(file.text), static_cast<std::uint64_t>(scenario::last_event_ns(*tree))};
 }
 
 }  // namespace
@@ -126,14 +132,17 @@ bool watch(const WatchOptions& options, std::ostream& out) {
   board.chip().rcc.crystal_hz = options.crystal_hz;
   Outfit outfit(board);
   board.load(load_image(options.image));
+  std::uint64_t duration_ns = options.duration_ns;
   if (!options.scenario.empty()) {
-    outfit.add(read_scenario(options.scenario));
+    const Scenario scenario = read_scenario(options.scenario);
+    outfit.add(scenario.document);
+    duration_ns = std::max(duration_ns, scenario.last_event_ns);
   }
   Log log(board, out);
   watch_pins(board, log);
   watch_buses(board, log);
   watch_timers(board, log);
-  const Stop stop = board.run_for(options.duration_ns);
+  const Stop stop = board.run_for(duration_ns);
   summarise(board, stop, out);
   for (const Expectation& e : outfit.expectations()) {
     out << "# " << e.part << " " << e.value << " " << (e.holds() ? "as expected" : "not as expected") << ": "

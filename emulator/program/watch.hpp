@@ -11,7 +11,7 @@ namespace finemote::emulator {
 struct WatchOptions {
   std::string image;                          ///< an ELF file
   std::string scenario;                       ///< a document finemote.scenario/1; empty: nothing hangs on the board
-  std::uint64_t duration_ns = 1'000'000'000;  ///< from power-on
+  std::uint64_t duration_ns = 1'000'000'000;  ///< from power-on; events of the scenario lengthen it
   std::uint32_t crystal_hz = 12'000'000;
   bool flash_misses = false;
 };

@@ -44,6 +44,9 @@ std::string quoted(const std::vector<std::string>& names, const char* last) {
   return text;
 }
 
+/// An item of a list: `events[2]`.
+std::string item_name(const std::string& list, std::size_t number) { return fmt::format("{}[{}]", list, number); }
+
 class Checker {
  public:
   Checker(const World& world, gen::Diagnostics& diagnostics)
@@ -64,9 +67,9 @@ class Checker {
   }
   void frame(const Value& root);
   void collect(const Value& parts);
-  void part(const Value& entry);
-  void event(const Value& entry);
-  void expectation(const Value& entry);
+  void part(std::size_t number, const Value& entry);
+  void event(std::size_t number, const Value& entry);
+  void expectation(std::size_t number, const Value& entry);
   void expected_value(const World::Part& part, const Value& entry);
   void expected_limits(const Value& entry);
 
@@ -101,12 +104,12 @@ void Checker::document(const Value& root) {
   };
   const Value *parts = list("parts"), *events = list("events"), *expectations = list("expect");
   const auto each = [](const Value* entries, auto check) {
-    for (std::size_t i = 0; entries != nullptr && i < entries->items.size(); ++i) check(entries->items[i]);
+    for (std::size_t i = 0; entries != nullptr && i < entries->items.size(); ++i) check(i, entries->items[i]);
   };
   if (parts != nullptr) collect(*parts);
-  each(parts, [this](const Value& entry) { part(entry); });
-  each(events, [this](const Value& entry) { event(entry); });
-  each(expectations, [this](const Value& entry) { expectation(entry); });
+  each(parts, [this](std::size_t i, const Value& entry) { part(i, entry); });
+  each(events, [this](std::size_t i, const Value& entry) { event(i, entry); });
+  each(expectations, [this](std::size_t i, const Value& entry) { expectation(i, entry); });
 }
 
 /// The members around the entries.
@@ -147,11 +150,8 @@ void Checker::collect(const Value& parts) {
   }
 }
 
-void Checker::part(const Value& entry) {
-  if (!entry.is(Value::Kind::object)) {
-    values_.is_kind("parts", entry, Value::Kind::object);
-    return;
-  }
+void Checker::part(std::size_t number, const Value& entry) {
+  if (!values_.is_kind(item_name("parts", number), entry, Value::Kind::object)) return;
   const Value* type = word_of(entry, "type");
   const Model* model = type == nullptr ? nullptr : find_model(type->text);
   if (type != nullptr && model == nullptr) {
@@ -234,11 +234,8 @@ std::optional<Checker::Target> Checker::target_of(const Value& entry) {
   return Target{&pin_verbs(), "pin", fmt::format("pin '{}'", name.text)};
 }
 
-void Checker::event(const Value& entry) {
-  if (!entry.is(Value::Kind::object)) {
-    values_.is_kind("events", entry, Value::Kind::object);
-    return;
-  }
+void Checker::event(std::size_t number, const Value& entry) {
+  if (!values_.is_kind(item_name("events", number), entry, Value::Kind::object)) return;
   const auto target = target_of(entry);
   const Value* word = word_of(entry, "do");
   const Verb* verb = target && word != nullptr ? find_verb(*target->verbs, word->text) : nullptr;
@@ -269,11 +266,8 @@ void Checker::event(const Value& entry) {
                    "or")));
 }
 
-void Checker::expectation(const Value& entry) {
-  if (!entry.is(Value::Kind::object)) {
-    values_.is_kind("expect", entry, Value::Kind::object);
-    return;
-  }
+void Checker::expectation(std::size_t number, const Value& entry) {
+  if (!values_.is_kind(item_name("expect", number), entry, Value::Kind::object)) return;
   object(entry, expectation_members(), "an expectation");
   expected_limits(entry);
   const Value* name = word_of(entry, "part");
@@ -362,8 +356,10 @@ void Checker::value(const Member& row, const std::string& name, const Value& val
       return exactly_one(value, row.one_of, fmt::format("'{}'", name));
     case Member::Kind::list:
       if (!values_.is_kind(name, value, Value::Kind::array)) return;
-      for (const Value& item : value.items) {
-        if (values_.is_kind(name, item, Value::Kind::object)) object(item, row.members, fmt::format("'{}'", name));
+      for (std::size_t i = 0; i < value.items.size(); ++i) {
+        const std::string item = item_name(name, i);
+        if (values_.is_kind(item, value.items[i], Value::Kind::object))
+          object(value.items[i], row.members, fmt::format("'{}'", item));
       }
       return;
     default:

@@ -48,7 +48,7 @@ const std::vector<PortKind>& port_kinds() {
             {required(integer("address", "", "7 bits", 0, 127)), required(integer("times", "", "how often", 1, 1e9))}),
         fault("hold_sda", "a part holds the data line",
               {integer("clocks", "", "until so many clocks; for ever if absent", 1, 1e9)}),
-        fault("release_sda", "releases the data line", {}),
+        stimulus("release_sda", "releases the data line", {}),
         fault("disturb", "STARTs seen as misplaced", {required(integer("starts", "", "how many", 1, 1e9))}),
         fault("lose", "STARTs lost to another master", {required(integer("starts", "", "how many", 1, 1e9))})}},
       {"can",

@@ -317,6 +317,14 @@ int run_run(Context& context) {
   if (has_parts && !has_models(loaded->robot, context.diagnostics)) return finish(context, kExitInvalid);
   if (board == kEmulatedBoard) warn_of_undriven(loaded->robot, context.diagnostics);
 
+  Diagnostics analysis;  // of the image with its trace; what is wrong with the robot has been said
+  const timing::Model model = model_of_image(context, *loaded);
+  const auto timing = bounds(context, *loaded, model, analysis);
+  for (const Diagnostic& finding : analysis.in_file_order()) {
+    if (finding.code == code::timing_chain) context.diagnostics.add(finding);
+  }
+  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+
   const WorkFolder work(context);
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   const auto project = make_project(context, *loaded, board, *duration, work);
@@ -330,13 +338,6 @@ int run_run(Context& context) {
   if (!image || context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   if (context.options.build_only) return finish_build(context, *image, board);
   const auto verdict = repeat_verdict(context, *loaded);
-  Diagnostics analysis;  // of the image with its trace; what is wrong with the robot has been said
-  const timing::Model model = model_of_image(context, *loaded);
-  const auto timing = bounds(context, *loaded, model, analysis);
-  for (const Diagnostic& finding : analysis.in_file_order()) {
-    if (finding.code == code::timing_chain) context.diagnostics.error(finding.code, finding.at, finding.message);
-  }
-  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   const FaultTable faults = load_fault_table(loaded->data_dir);
   auto record = run_image(context, *loaded, board, *path, faults, *duration, scenario ? &*scenario : nullptr);
   if (!record) return finish(context, kExitInvalid);

@@ -126,7 +126,7 @@ std::vector<ExpectationRecord> expectations_of(const Json& record) {
   std::vector<ExpectationRecord> all;
   for (const Json& e : record.at("expectations")) {
     all.push_back({e.at("part"), e.at("value"), e.at("from_ns"), e.at("to_ns"), e.at("min"), e.at("max"),
-                   seen(e.at("lowest")), seen(e.at("highest")), e.at("ok")});
+                   seen(e.at("lowest")), seen(e.at("highest")), e.at("finite"), e.at("ok")});
   }
   return all;
 }

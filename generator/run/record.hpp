@@ -47,7 +47,8 @@ struct ExpectationRecord {
   std::string part, value;
   std::int64_t from_ns = 0, to_ns = 0;  ///< since the first release
   double min = 0, max = 0;
-  std::optional<double> lowest, highest;  ///< seen; none: the run ended before
+  std::optional<double> lowest, highest;  ///< seen, of the finite values; none: no such value
+  bool finite = true;                     ///< none was infinite or no number
   bool ok = false;
 };
 

@@ -109,19 +109,24 @@ Json expectation_list(const RunResult& result) {
                     {"max", e.max},
                     {"lowest", e.lowest ? Json(*e.lowest) : Json(nullptr)},
                     {"highest", e.highest ? Json(*e.highest) : Json(nullptr)},
+                    {"finite", e.finite},
                     {"ok", e.ok}});
   }
   return list;
+}
+
+std::string seen_text(const ExpectationRecord& e) {
+  if (!e.lowest) return e.finite ? "nothing: the run ended before" : "values that are not finite";
+  return fmt::format("{:.6g} to {:.6g}{}", *e.lowest, *e.highest, e.finite ? "" : " and values that are not finite");
 }
 
 void print_expectations(const RunResult& result, std::ostream& out) {
   if (result.record.expectations.empty()) return;
   out << "\nexpected by the scenario\n";
   for (const ExpectationRecord& e : result.record.expectations) {
-    const std::string seen = e.lowest ? fmt::format("{:.6g} to {:.6g}", *e.lowest, *e.highest) : "the run ended before";
     out << fmt::format("  {:>9.3f} to {:>9.3f} ms  {:<24} {:.6g} to {:.6g}, seen {}{}\n",
                        static_cast<double>(e.from_ns) / 1e6, static_cast<double>(e.to_ns) / 1e6, e.part + "." + e.value,
-                       e.min, e.max, seen, e.ok ? "" : "  NOT AS EXPECTED");
+                       e.min, e.max, seen_text(e), e.ok ? "" : "  NOT AS EXPECTED");
   }
 }
 

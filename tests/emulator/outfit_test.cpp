@@ -73,6 +73,47 @@ TEST_CASE("events and looks count from the instant the scenario begins at") {
   CHECK(outfit.expectations().at(0).broken_ns == 450'000'000);
 }
 
+TEST_CASE("what ends a fault is none") {
+  const auto injects = [](const std::string& event) {
+    Board board;
+    Outfit outfit(board);
+    auto document = nlohmann::ordered_json::parse(kParts);
+    document["events"] = {nlohmann::ordered_json::parse("{\"t_ns\": 1, " + event + "}")};
+    outfit.add(document);
+    return outfit.injects_faults();
+  };
+  CHECK(injects(R"("part": "imu", "do": "silent")"));
+  CHECK(injects(R"("part": "imu", "do": "silent", "on": true)"));
+  CHECK(injects(R"("port": "i2c2", "do": "hold_sda", "clocks": 4)"));
+  CHECK_FALSE(injects(R"("part": "imu", "do": "silent", "on": false)"));
+  CHECK_FALSE(injects(R"("port": "usart1", "do": "silent", "on": false)"));
+  CHECK_FALSE(injects(R"("port": "adc3", "do": "silent", "on": false)"));
+  CHECK_FALSE(injects(R"("port": "i2c2", "do": "release_sda")"));
+}
+
+TEST_CASE("a value that is not finite fails, and is told from one that was not seen") {
+  Board board;
+  board.load(mini_image());
+  Outfit outfit(board);
+  outfit.add(nlohmann::ordered_json::parse(R"({"schema": "finemote.scenario/1",
+    "parts": [{"type": "dji_motor", "name": "wheel", "port": "can1", "feedback_id": 513, "command_id": 512, "word": 0}],
+    "events": [{"t_ns": 0, "part": "wheel", "do": "disturb", "torque": 1e308},
+               {"t_ns": 2000000, "part": "wheel", "do": "disturb", "torque": -1e308}],
+    "expect": [{"from_ns": 500000, "part": "wheel", "value": "commands", "min": 0, "max": 0},
+               {"from_ns": 9000000, "to_ns": 9900000, "part": "wheel", "value": "angle", "min": -1e308, "max": 1e308},
+               {"from_ns": 90000000, "part": "wheel", "value": "angle", "min": 0, "max": 0}]})"));
+  board.run_for(20'000'000);
+  const auto& [seen, infinite, late] =
+      std::tie(outfit.expectations()[0], outfit.expectations()[1], outfit.expectations()[2]);
+  CHECK(seen.holds());
+  CHECK(seen.not_finite == 0);
+  CHECK_FALSE(infinite.holds());
+  CHECK(infinite.not_finite == 1);
+  CHECK_FALSE(infinite.has_seen());
+  CHECK_FALSE(late.holds());
+  CHECK(late.not_finite == 0);
+}
+
 TEST_CASE("a scenario with a mistake is refused with the entry") {
   Board board;
   Outfit outfit(board);

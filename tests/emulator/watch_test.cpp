@@ -54,6 +54,18 @@ TEST_CASE("a scenario hangs parts on the buses, also ones that are nothing but r
   CHECK(ran.says("# mux r1 as expected: 0 to 0"));
 }
 
+TEST_CASE("the run lasts at least until the last event") {
+  const std::string scenario = kImages + "/late.json";
+  FILE* file = fopen(scenario.c_str(), "w");
+  REQUIRE(file != nullptr);
+  fputs(R"({"schema": "finemote.scenario/1", "events": [{"t_ns": 50000000, "pin": "PA0", "do": "low"}]})", file);
+  fclose(file);
+  const Ran ran = emulator("--image " + kImages + "/mini.elf --duration 20 --scenario " + scenario);
+  INFO(ran.output);
+  CHECK(ran.status == 0);
+  CHECK(ran.says("# the time is over at 50"));
+}
+
 TEST_CASE("a scenario with mistakes is refused at their words, before the image runs") {
   const std::string scenario = kImages + "/wrong.json";
   FILE* file = fopen(scenario.c_str(), "w");

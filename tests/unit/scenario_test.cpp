@@ -263,7 +263,9 @@ TEST_CASE("a mistake in a scenario is found at its word") {
   refuses(event(R"("t_ns": 1, "part": "hand", "do": "move", "rate": [1, 2, 1e400])"), 6009, "1e400", "'rate[2]'");
   refuses(with(R"("event": [])"), 6007, "\"event\"", "did you mean 'events'");
   refuses(with(R"("events": {})"), 6004, "{}", "an array");
-  refuses(with(R"("events": [7])"), 6004, "7", "an object");
+  refuses(with(R"("events": [7])"), 6004, "7", "'events[0]' is a number, but has to be an object");
+  refuses(with(R"("expect": [null])"), 6004, "null", "'expect[0]' is null");
+  refuses(with(R"("parts": [{"type": "standing_body", "name": "s"}, null])"), 6004, "null", "'parts[1]' is null");
   refuses(with(R"("events": [], "events": [])"), 6004, "\"events\": []}", "repeated");
   refuses(R"({"schema": "finemote.scenario/2", "events": []})", 6004, "\"finemote", "finemote.scenario/1");
   refuses(R"({"events": []})", 6004, "{", "'schema' is missing");
