@@ -110,7 +110,11 @@ int Access::open_inside(const std::string& path, int flags, Denial& denial) cons
     if (wants_file && !is_regular(status, denial)) return -1;
     const int how = is_last ? flags | O_NOFOLLOW : O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
     at = Handle(::openat(at.get(), inside->way[i].c_str(), how));
-    if (at && is_last) return ::fcntl(at.get(), F_DUPFD_CLOEXEC, 0);
+    if (at && is_last) {
+      const int copy = ::fcntl(at.get(), F_DUPFD_CLOEXEC, 0);
+      if (copy < 0) denial = system_denial(errno);
+      return copy;
+    }
   }
   if (at && inside->way.empty() && (flags & O_DIRECTORY) != 0) return ::open(inside->folder.c_str(), flags);
   denial = inside->way.empty() ? Denial{EISDIR, "it is a folder", false} : system_denial(errno);

@@ -27,7 +27,11 @@ mode_t mode_for(const fs::path& target) {
 }  // namespace
 
 bool is_special(const fs::path& path) {
-  if (is_below(path.string(), "/dev/") || is_below(path.string(), "/proc/")) return true;
+  const std::string text = path.string();
+  for (const char* stream : {"/dev/stdin", "/dev/stdout", "/dev/stderr"}) {
+    if (text == stream) return true;
+  }
+  if (is_below(text, "/dev/fd/") || is_below(text, "/proc/")) return true;
   struct stat status {};
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }

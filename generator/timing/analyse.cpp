@@ -155,6 +155,14 @@ void add_chain(const ChainAnalysis& analysis, const ChainRequest& wanted, std::v
   if (!known && analysis.connected(wanted.from, wanted.to)) chains.push_back(analysis.bound(wanted.from, wanted.to));
 }
 
+/// A requirement that was not judged: it stands for itself in the list, and fails nothing.
+RequirementResult left_open(const Requirement& r) {
+  RequirementResult result;
+  result.requirement = r;
+  result.ok = true;
+  return result;
+}
+
 /// What a hint on deadlines and loads needs to know of a changed model; requirements on latencies are not judged.
 Timing analyse_verdict(const Model& model, const AnalysisRequest& request) {
   Timing timing;
@@ -169,8 +177,11 @@ Timing analyse_verdict(const Model& model, const AnalysisRequest& request) {
   timing.bus_loads = WireAnalysis(model, best, effort).loads();
   timing.processor_load = processor_share(asked.set);
   timing.schedulable = asked.result.schedulable;
-  for (const Requirement& r : request.requirements)
-    timing.requirements.push_back(evaluate_load(model, best, timing.bus_loads, r));
+  for (const Requirement& r : request.requirements) {
+    const bool needs_chains =
+        r.kind == Requirement::Kind::latency_end_to_end || r.kind == Requirement::Kind::latency_decision;
+    timing.requirements.push_back(needs_chains ? left_open(r) : evaluate_load(model, best, timing.bus_loads, r));
+  }
   return timing;
 }
 

@@ -413,7 +413,7 @@ std::vector<std::size_t> ChainAnalysis::sources_of(const Turns& turns) const {
   return sources;
 }
 
-/// The source with the largest bound, per terminal; all terminals are of one tree.
+/// The source with the largest bound, per terminal; all terminals are of one tree. There is a source.
 std::vector<ChainResult> ChainAnalysis::worst_of(const std::vector<std::size_t>& sources,
                                                  const std::vector<std::size_t>& terminals) const {
   const std::size_t root = topology_.root_of[terminals.front()];
@@ -446,16 +446,23 @@ std::vector<ChainResult> ChainAnalysis::worst_of(const std::vector<std::size_t>&
   return results;
 }
 
-/// In the order of `terminals`, which are of one tree; those that the same data reach are looked at together.
+/// In the order of `terminals`, which are of one tree, without those that no data reach; those that the same data reach
+/// are looked at together.
 std::vector<ChainResult> ChainAnalysis::worst_of_all(const std::vector<std::size_t>& terminals) const {
   std::map<Turns, std::vector<std::size_t>> places;  // of terminals
   for (std::size_t i = 0; i < terminals.size(); ++i) places[turns_above(terminals[i])].push_back(i);
-  std::vector<ChainResult> results(terminals.size());
+  std::vector<std::optional<ChainResult>> found(terminals.size());
   for (const auto& [turns, members] : places) {
+    const std::vector<std::size_t> sources = sources_of(turns);
+    if (sources.empty()) continue;
     std::vector<std::size_t> of_group;
     for (const std::size_t i : members) of_group.push_back(terminals[i]);
-    const std::vector<ChainResult> worst = worst_of(sources_of(turns), of_group);
-    for (std::size_t k = 0; k < members.size(); ++k) results[members[k]] = worst[k];
+    const std::vector<ChainResult> worst = worst_of(sources, of_group);
+    for (std::size_t k = 0; k < members.size(); ++k) found[members[k]] = worst[k];
+  }
+  std::vector<ChainResult> results;
+  for (std::optional<ChainResult>& result : found) {
+    if (result) results.push_back(std::move(*result));
   }
   return results;
 }

@@ -79,13 +79,20 @@ std::string spelling(std::string_view unit) {
   return plain;
 }
 
+/// Whether a prefix before `unit`, as spelling() gives it, scales it by itself: not before a power (`m2`) or a number.
+bool begins_with_unit(std::string_view unit) {
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const auto end = std::find_if_not(unit.begin(), unit.end(), is_letter);
+  return end != unit.begin() && (end == unit.end() || std::isdigit(static_cast<unsigned char>(*end)) == 0);
+}
+
 std::optional<double> factor_of(std::string_view unit, std::string_view to) {
   const std::string from = spelling(unit), wanted = is_bare(to) ? std::string() : spelling(to);
   if (from == wanted) return 1.0;
   for (const Conversion& conversion : kConversions) {
     if (spelling(conversion.unit) == from && spelling(conversion.to) == wanted) return conversion.factor;
   }
-  const bool takes_prefix = !wanted.empty() && std::isalpha(static_cast<unsigned char>(wanted.front())) != 0;
+  const bool takes_prefix = begins_with_unit(wanted);
   for (const Prefix& prefix : kPrefixes) {
     if (takes_prefix && from == std::string(prefix.text) + wanted) return prefix.factor;
   }

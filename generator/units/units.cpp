@@ -185,7 +185,7 @@ Result<Parts> split(std::string_view text, const Kind& kind) {
   const std::string_view number = text.substr(0, length);
   std::string_view rest = text.substr(length);
   if (rest.empty()) return no_unit(text, kind);
-  if (rest.front() == ' ') rest.remove_prefix(1);
+  if (rest.starts_with(' ')) rest.remove_prefix(1);
   if (rest.empty() || rest.front() == ' ' || rest.front() == '.' || rest.front() == ',' || rest.front() == '\t' ||
       rest.front() == '\n')
     return malformed(text, kind);
@@ -359,11 +359,11 @@ constexpr std::string_view kWholeNumber = "a whole number";
 /// What follows a number (`rest`) although it is neither nothing nor `unit`.
 Fault not_the_unit(std::string_view text, std::string_view rest, std::string_view unit, std::string_view noun) {
   const std::string_view number = text.substr(0, text.size() - rest.size());
-  if (rest.front() == ' ') rest.remove_prefix(1);
+  if (rest.starts_with(' ')) rest.remove_prefix(1);
   if (!looks_like_unit(rest)) {
     std::string pointed(text);
     std::replace(pointed.begin(), pointed.end(), ',', '.');
-    const bool has_comma = rest.front() == ',' && real_length(pointed) == pointed.size();
+    const bool has_comma = rest.starts_with(',') && real_length(pointed) == pointed.size();
     return {code::quantity_malformed, fmt::format("'{}' is not {}", shown(text), noun),
             has_comma ? fmt::format("write '{}'", pointed) : std::string()};
   }

@@ -76,6 +76,7 @@ TEST_CASE("a value in another unit than its param's is offered converted") {
   accepts(parse_real("0.076m", "m"), 0.076);
   accepts(parse_real("0.3 N m", "N m"), 0.3);
   accepts(parse_integer("5rad", "rad"), std::int64_t{5});
+  refuses(parse_real("5cm^2", "m^2"), code::unit_wrong, "'5cm^2' is not a number in 'm^2'", "the unit is m^2");
   refuses(parse_real("76mm", "m"), code::unit_wrong, "'76mm' is not a number in 'm'", "write '0.076 m'; the unit is m");
   refuses(parse_real("7.6 cm", "m"), code::unit_wrong, "'7.6 cm' is not a number in 'm'",
           "write '0.076 m'; the unit is m");
