@@ -40,6 +40,12 @@ struct Port {
   std::int64_t max_rate_error_ppm = 20'000;  ///< how far the rate made may be from the rate asked for
 };
 
+/// The part of the board whose data-ready line a pin is.
+struct DataReady {
+  std::string port;                      ///< the part's: `spi1`
+  std::optional<std::uint32_t> channel;  ///< spi: its chip select; none: the part is alone on the port
+};
+
 /// A pin of the board with a name, for `<use pin=...>`.
 struct NamedPin {
   std::string name;                    ///< `key`
@@ -47,9 +53,10 @@ struct NamedPin {
   std::vector<std::string> functions;  ///< input, output, interrupt, pwm, analog
   bool active_low = false;
   std::string summary;
-  std::string converter;           ///< analog: its port, `adc3`; empty: not analog
-  std::uint32_t input = 0;         ///< analog: of the converter
-  std::int64_t full_scale_mv = 0;  ///< analog: what the highest code means, dividers included
+  std::optional<DataReady> data_ready;  ///< none: no such line
+  std::string converter;                ///< analog: its port, `adc3`; empty: not analog
+  std::uint32_t input = 0;              ///< analog: of the converter
+  std::int64_t full_scale_mv = 0;       ///< analog: what the highest code means, dividers included
 };
 
 /// Pins that the board wires to something of its own.

@@ -60,6 +60,9 @@ struct ParamSpec {
 /// The SPI clock mode of parts whose descriptor names none, as finemote::SpiSlot takes it by itself.
 inline constexpr std::uint32_t kUsualSpiMode = 3;
 
+/// As UseSpec::data_ready_of: the line is that of the part on the device's own bus.
+constexpr std::string_view kDeviceItself = "device";
+
 /// Further hardware of a device, named by `<use role=...>`.
 struct UseSpec {
   std::string role;
@@ -68,6 +71,7 @@ struct UseSpec {
   std::string format = "8N1";             ///< uart
   std::string function;                   ///< gpio: what it does with the pin: input, output, interrupt or analog
   std::optional<std::uint32_t> spi_mode;  ///< none: that of the device
+  std::string data_ready_of;  ///< interrupt: the use whose part's data-ready line this is, `device`: its own; or empty
 };
 
 /// What of the URDF the device needs; the emitter knows kinds, never robots.

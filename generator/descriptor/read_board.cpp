@@ -85,6 +85,8 @@ NamedPin read_pin(const Json& value) {
   for (const Json& function : value.at("functions")) pin.functions.push_back(function.get<std::string>());
   pin.active_low = value.at("active").get<std::string>() == "low";
   pin.summary = optional_member<std::string>(value, "summary").value_or("");
+  if (const auto ready = value.find("data_ready"); ready != value.end() && ready->is_object())
+    pin.data_ready = {ready->at("port").get<std::string>(), optional_member<std::uint32_t>(*ready, "channel")};
   if (const auto analog = value.find("analog"); analog != value.end() && analog->is_object()) {
     pin.converter = analog->at("converter").get<std::string>();
     pin.input = analog->at("input").get<std::uint32_t>();

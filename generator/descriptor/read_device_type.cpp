@@ -45,7 +45,8 @@ RoleSpec read_role(const Json& value) {
 UseSpec read_use(const Json& value) {
   return {value.at("name").get<std::string>(), read_kinds(value.at("types")),
           value.value("min", 0) > 0,           value.value("format", "8N1"),
-          value.value("function", "input"),    optional_member<std::uint32_t>(value, "mode")};
+          value.value("function", "input"),    optional_member<std::uint32_t>(value, "mode"),
+          value.value("data_ready_of", "")};
 }
 
 std::vector<std::uint32_t> read_addresses(const Json& address) {
@@ -154,6 +155,7 @@ class DescriptorCheck {
     check_names(value, "uses", "name", "use");
     check_names(value, "provides", "interface", "interface");
     for (std::size_t i = 0; i < type.roles.size(); ++i) check_arity(type.roles[i], i);
+    for (std::size_t i = 0; i < type.uses.size(); ++i) check_data_ready(type, i);
     for (std::size_t i = 0; i < type.geometry.size(); ++i) check_geometry(type, i);
     if (!type.link_role.empty()) check_link(type);
     if (type.wcet) check_wcet(type);
@@ -180,6 +182,14 @@ class DescriptorCheck {
       contradiction({"roles", std::to_string(index), "max"},
                     fmt::format("role '{}': max {} is below min {}", role.name, *role.max, role.min));
     }
+  }
+  void check_data_ready(const DeviceType& type, std::size_t index) {
+    const std::string& name = type.uses[index].data_ready_of;
+    const bool exists = std::any_of(type.uses.begin(), type.uses.end(), [&](const UseSpec& use) {
+      return use.role == name && use.role != type.uses[index].role;
+    });
+    if (!name.empty() && name != kDeviceItself && !exists)
+      contradiction({"uses", std::to_string(index), "data_ready_of"}, fmt::format("there is no other use '{}'", name));
   }
   void check_geometry(const DeviceType& type, std::size_t index) {
     const GeometrySpec& geometry = type.geometry[index];

@@ -318,7 +318,7 @@ void read_driver_pin(Reading& reading, const xml::Node& tag, Bus& bus, const std
   for (const xml::Node& child : tag.children) {
     if (!child.is_element("param") || value_of(child, "name") != "direction") continue;
     const TextAt text = element_text(child);
-    const PlacedPin pin = find_pin(reading.robot.board, text.text, text.at, owner, "output", reading.diagnostics);
+    const PlacedPin pin = find_pin(reading.robot.board, text.text, text.at, owner, {"output"}, reading.diagnostics);
     bus.driver_pin = pin.pin;
     bus.driver_named = pin.named;
     bus.driver_at = text.at;

@@ -242,13 +242,32 @@ class DeviceReader {
       if (!spec.required || given.count(spec.role) > 0) continue;
       at_tag(diagnostics_, code::use_missing, tag_, fmt::format("{} needs <use role=\"{}\">", owner_, spec.role))
           .note(fmt::format("it takes: {}", kinds_text(spec.buses)))
-          .hint(fmt::format(
-              "add for example <use role=\"{}\" {}/>", spec.role,
-              contains(spec.buses, BusKind::gpio) ? "pin=\"" + example_pin(spec.function) + "\"" : "bus=\"...\""));
+          .hint(fmt::format("add for example <use role=\"{}\" {}/>", spec.role,
+                            contains(spec.buses, BusKind::gpio) ? "pin=\"" + example_pin(spec) + "\"" : "bus=\"...\""));
     }
   }
-  /// A pin of the board wired for the function, by its name.
-  [[nodiscard]] std::string example_pin(const std::string& function) const {
+  /// The line that the board wires to the part whose data-ready line the use is; null: the board has no such part.
+  [[nodiscard]] const NamedPin* wired_line(const UseSpec& spec) const {
+    if (reading_.robot.board == nullptr || spec.data_ready_of.empty()) return nullptr;
+    const xml::Node* place = &tag_;
+    if (spec.data_ready_of != kDeviceItself) {
+      const auto selects = [&](const xml::Node& child) {
+        return child.is_element("use") && value_of(child, "role") == spec.data_ready_of;
+      };
+      const auto found = std::find_if(tag_.children.begin(), tag_.children.end(), selects);
+      if (found == tag_.children.end()) return nullptr;
+      place = &*found;
+    }
+    const auto segment = reading_.segment_named(value_of(*place, "bus"));
+    if (!segment || reading_.robot.segments[*segment].kind != Segment::Kind::bus) return nullptr;
+    const auto channel = units::parse_bare(value_of(*place, "channel"));
+    return data_ready_line(*reading_.robot.board, reading_.robot.buses[reading_.robot.segments[*segment].bus].port,
+                           channel ? std::optional<std::uint32_t>(*channel) : std::nullopt);
+  }
+  /// A pin of the board wired for the use, by its name.
+  [[nodiscard]] std::string example_pin(const UseSpec& spec) const {
+    if (const NamedPin* wired = wired_line(spec)) return wired->name;
+    const std::string& function = spec.function;
     if (reading_.robot.board != nullptr) {
       for (const NamedPin& pin : reading_.robot.board->pins) {
         if (std::find(pin.functions.begin(), pin.functions.end(), function) != pin.functions.end()) return pin.name;
@@ -296,7 +315,7 @@ class DeviceReader {
       at_tag(diagnostics_, code::use_endpoint, child,
              fmt::format("<use role=\"{}\"> has to name {}", use.spec->role, what))
           .hint(fmt::format("write <use role=\"{}\" {}/>", use.spec->role,
-                            wants_bus ? "bus=\"...\"" : "pin=\"" + example_pin(use.spec->function) + "\""));
+                            wants_bus ? "bus=\"...\"" : "pin=\"" + example_pin(*use.spec) + "\""));
       return false;
     }
     if (pin != nullptr) return read_pin(*pin, use, wants_pin);
@@ -310,7 +329,7 @@ class DeviceReader {
     }
     const PlacedPin found =
         find_pin(reading_.robot.board, pin.value, pin.value_at, fmt::format("<use role=\"{}\">", use.spec->role),
-                 use.spec->function, diagnostics_);
+                 {use.spec->function, wired_line(*use.spec)}, diagnostics_);
     use.pin = found.pin;
     use.named = found.named;
     return !found.pin.empty();
