@@ -8,6 +8,7 @@
 #include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/model/attributes.hpp"
+#include "generator/model/bus_offers.hpp"
 #include "generator/model/names.hpp"
 #include "generator/model/offers.hpp"
 #include "generator/model/pins.hpp"
@@ -110,10 +111,24 @@ class PortFinder {
       at_value(reading_.diagnostics, code::silkscreen_port, name,
                fmt::format("'{}' is a label of the board, not a port", name.value))
           .note(fmt::format("the port behind '{}' is '{}': {}", name.value, port.name, port.connector))
-          .hint(fmt::format("write port=\"{}\"", port.name));
+          .hint(instead_of_label(port));
       return true;
     }
     return false;
+  }
+  /// The port behind a label, unless it cannot serve this bus or another one names it already.
+  std::string instead_of_label(const Port& port) {
+    const auto& tags = reading_.tags.buses;
+    const auto user = std::find_if(tags.begin(), tags.end(), [&](const xml::Node* tag) {
+      return tag != &tag_ && value_of(*tag, "port") == port.name;
+    });
+    const bool is_free = user == tags.end();
+    if (!kind_ || (is_free && serves(port, *kind_))) return fmt::format("write port=\"{}\"", port.name);
+    const std::string why = is_free ? fmt::format("'{}' cannot serve this bus", port.name)
+                                    : fmt::format("bus '{}' uses '{}'", value_of(**user, "name"), port.name);
+    const auto others = suitable_ports(reading_, tag_, *kind_);
+    if (others.empty()) return fmt::format("{}, and no other port for {} is free", why, bus_kind_name(*kind_));
+    return fmt::format("write port=\"{}\", which is free: {}", others.front(), why);
   }
   void report_unknown(const Board& board, const xml::Attribute& name) {
     auto& finding = at_value(reading_.diagnostics, code::unknown_port, name,
@@ -171,8 +186,13 @@ void check_rate(Reading& reading, const xml::Attribute& attribute, const Port& p
   };
   const std::int64_t least = port.min_rate.value_or(1);
   const std::int64_t most = port.max_rate.value_or(INT64_MAX);
+  const std::int64_t parts = clock_of_parts(reading, bus.name.text);
   if (bus.rate < least || bus.rate > most) {
-    report().hint(fmt::format("write a value from {} to {}", rate_text(bus.kind, least), rate_text(bus.kind, most)));
+    const std::int64_t highest = std::max(least, std::min(most, parts));
+    const std::string fastest =
+        bus.kind == BusKind::spi ? fastest_clock(&port, bus.kind, highest) : rate_text(bus.kind, highest);
+    report().hint(fmt::format("write a value from {} to {}", rate_text(bus.kind, least),
+                              fastest.empty() ? rate_text(bus.kind, most) : fastest));
     return;
   }
   const auto wanted = static_cast<double>(bus.rate);
@@ -183,23 +203,17 @@ void check_rate(Reading& reading, const xml::Attribute& attribute, const Port& p
   auto& finding = report();
   finding.note(fmt::format("the nearest rate is {}, {:.1f} % away; {:.1f} % is the limit", nearest, error * 100,
                            static_cast<double>(port.max_rate_error_ppm) / 1e4));
+  if (made > static_cast<double>(parts)) {
+    const std::string clock = fastest_clock(&port, bus.kind, parts);
+    finding.hint(clock.empty()
+                     ? "no clock of this port suits all devices on it: choose another port"
+                     : fmt::format("write {}=\"{}\", the fastest for the devices on it", attribute.name, clock));
+    return;
+  }
   const bool has_slower = bus.kind == BusKind::spi && made > wanted;
   finding.hint(has_slower ? fmt::format("write {}=\"{}\", or the next slower one, \"{}\"", attribute.name, nearest,
                                         rate_text(bus.kind, std::llround(made / 2)))
                           : fmt::format("write {}=\"{}\"", attribute.name, nearest));
-}
-
-/// Types of the devices that say they sit on the bus, as far as there are such types.
-std::vector<const DeviceType*> types_on(Reading& reading, std::string_view bus) {
-  const std::vector<std::string> known = device_type_names(reading.library);
-  std::vector<const DeviceType*> types;
-  for (const DeviceTag& tag : reading.tags.devices) {
-    const std::string name(value_of(*tag.node, "type"));
-    if (value_of(*tag.node, "bus") != bus || std::find(known.begin(), known.end(), name) == known.end()) continue;
-    const DeviceType* type = find_device_type(reading.library, name, reading.sources, reading.diagnostics);
-    if (type != nullptr) types.push_back(type);
-  }
-  return types;
 }
 
 /// Whether the port makes the rate, nearly enough.
@@ -231,9 +245,7 @@ std::string example_rate(Reading& reading, const Bus& bus, const Port* port) {
   const std::string offered = port == nullptr ? example_port(reading, bus.kind) : std::string();
   if (!offered.empty()) port = reading.robot.board->port(offered);
   if (bus.kind != BusKind::spi) return example_baud(bus, port, types);
-  std::int64_t clock = kUsualClock;
-  for (const DeviceType* type : types) clock = std::min(clock, type->max_clock_hz.value_or(clock));
-  return fastest_clock(port, bus.kind, clock);
+  return fastest_clock(port, bus.kind, std::min(kUsualClock, clock_of_parts(reading, bus.name.text)));
 }
 
 /// The rate of kinds that run at one usual speed may be left out: the fastest the port makes.

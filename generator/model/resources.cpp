@@ -9,6 +9,7 @@
 #include "generator/descriptor/bus_kind.hpp"
 #include "generator/diagnostic/code_hardware.hpp"
 #include "generator/model/attributes.hpp"
+#include "generator/model/bus_offers.hpp"
 #include "generator/model/pins.hpp"
 #include "generator/model/reading.hpp"
 
@@ -110,7 +111,9 @@ class ResourceTable {
                                      fmt::format("port '{}' is used twice", port->name));
       finding.note(fmt::format("bus '{}' uses it already", reading_.robot.buses[first->second].name.text),
                    reading_.robot.buses[first->second].at);
-      const std::string free = free_ports(bus.kind);
+      std::string free;
+      for (const std::string& name : suitable_ports(reading_, *reading_.tags.buses[index], bus.kind))
+        free += (free.empty() ? "'" : ", '") + name + "'";
       if (!free.empty()) finding.hint(fmt::format("ports for {} that no bus names: {}", bus_kind_name(bus.kind), free));
       return;
     }
@@ -126,18 +129,6 @@ class ResourceTable {
   }
 
  private:
-  /// Ports of the board that serve the kind and that no <bus> names.
-  std::string free_ports(BusKind kind) const {
-    std::string list;
-    for (const Port& port : reading_.robot.board->ports) {
-      const bool serves = std::find(port.kinds.begin(), port.kinds.end(), kind) != port.kinds.end();
-      const bool is_named = std::any_of(reading_.tags.buses.begin(), reading_.tags.buses.end(),
-                                        [&](const xml::Node* tag) { return value_of(*tag, "port") == port.name; });
-      if (serves && !is_named) list += (list.empty() ? "'" : ", '") + port.name + "'";
-    }
-    return list;
-  }
-
   void report_reserved(const NamedUse& use) {
     const ReservedPins& reserved = *reading_.robot.board->reserved_pin(use.pin);
     Diagnostic& finding =

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/model/attributes.hpp"
@@ -24,6 +26,9 @@ class TagReader {
 
   Tags read(const xml::Node& robot) {
     find_xacro(robot);
+    for (const xml::Node& child : robot.children) {
+      if (child.is_element("finemote")) collect_names(child);
+    }
     for (const xml::Node& child : robot.children) {
       if (child.is_element("finemote"))
         read_block(child);
@@ -113,6 +118,7 @@ class TagReader {
   void take(const xml::Node& node, std::vector<const xml::Node*>& list) {
     list.push_back(&node);
     check(node);
+    around_ = &node;
     for (const xml::Node& child : node.children) {
       if (child.is_element() && grammar::rule(child.name) != nullptr) check(child);
     }
@@ -174,7 +180,34 @@ class TagReader {
     const std::string which = name != nullptr && known.name != "name" ? fmt::format("{} '{}'", node.name, name->value)
                                                                       : fmt::format("<{}>", node.name);
     at_tag(diagnostics_, code::attribute_missing, node, fmt::format("{} has no '{}'", which, known.name))
-        .hint(fmt::format("add for example {}=\"{}\"", known.name, known.example));
+        .hint(fmt::format("add for example {}=\"{}\"", known.name, example(node, known)));
+  }
+  /// What no other element has yet, and no other finding offers.
+  std::string example(const xml::Node& node, const AttributeRule& known) {
+    if (has_own_name(node) && known.name == "name") return free_name(std::string(known.example));
+    if (!node.is_element("channel") || known.name != "index") return std::string(known.example);
+    for (std::uint32_t index = 0;; ++index) {
+      if (indices_[around_].insert(std::to_string(index)).second) return std::to_string(index);
+    }
+  }
+  std::string free_name(std::string name) {
+    const std::string stem = name.substr(0, name.find("_0"));
+    for (std::uint32_t number = stem == name ? 2 : 1; !names_.insert(name).second; ++number)
+      name = fmt::format("{}_{}", stem, number);
+    return name;
+  }
+  /// Elements whose names must differ; that of a <param> or a <board> is another's.
+  static bool has_own_name(const xml::Node& node) {
+    return node.is_element("bus") || node.is_element("expander") || node.is_element("channel") ||
+           node.is_element("device");
+  }
+  void collect_names(const xml::Node& node) {
+    for (const xml::Node& child : node.children) {
+      if (!child.is_element()) continue;
+      if (has_own_name(child)) names_.insert(std::string(value_of(child, "name")));
+      if (child.is_element("channel")) indices_[&node].insert(std::string(value_of(child, "index")));
+      collect_names(child);
+    }
   }
 
   void check_child(const xml::Node& node, const xml::Node& child, const ElementRule& rule) {
@@ -203,6 +236,9 @@ class TagReader {
   const std::vector<std::string>& expander_models_;
   Diagnostics& diagnostics_;
   Tags tags_;
+  std::set<std::string> names_;                                ///< there, or offered
+  std::map<const xml::Node*, std::set<std::string>> indices_;  ///< of the channels of an expander, likewise
+  const xml::Node* around_ = nullptr;                          ///< the element whose children are checked
 };
 
 }  // namespace
