@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <sstream>
 
 #include "generator/cli/command_words.hpp"
@@ -132,6 +133,14 @@ void add_xacro(CLI::App& app, Options& options) {
   command->add_option("--verbosity", options.verbosity, "0: no warnings, 1: default, 2 and above: more");
 }
 
+/// CLI11 wraps a number that 64 bits do not hold.
+std::string check_seed(const std::string& word) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error == std::errc() && end == word.data() + word.size()) return {};
+  return "'" + word + "': write a whole number from 0 to " + std::to_string(UINT64_MAX);
+}
+
 void add_timing(CLI::App& app, Options& options) {
   CLI::App* analyze = app.add_subcommand("analyze", "schedulability, response times, latency of every chain");
   CLI::App* simulate = app.add_subcommand("simulate", "run the schedule with random execution times beside its bounds");
@@ -147,7 +156,7 @@ void add_timing(CLI::App& app, Options& options) {
   analyze->add_flag("--slack", options.slack, "the factor by which execution times may grow");
   analyze->add_flag("--suggest-order", options.suggest_order,
                     "suggest an order of siblings and trees with shorter bounds");
-  simulate->add_option("--seed", options.seed, "of the random numbers");
+  simulate->add_option("--seed", options.seed, "of the random numbers")->check(check_seed, "");
   simulate->add_option("--duration", options.duration, "simulated time, for example 10s");
   simulate->add_option("-o", options.out, "write a trace for Perfetto to this file");
 }

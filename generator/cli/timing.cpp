@@ -101,6 +101,9 @@ int run_analyze_command(Context& context) {
   return finish_analysis(context, status, result.str());
 }
 
+/// What takes hours at the usual periods; longer ones would seem to hang.
+constexpr std::int64_t kLongestSimulation = 86'400'000'000'000;
+
 int run_simulate_command(Context& context) {
   SimulateOptions request;
   request.seed = context.options.seed;
@@ -110,6 +113,13 @@ int run_simulate_command(Context& context) {
   const auto duration = time_option(context, "--duration", context.options.duration);
   const auto assumed = time_option(context, "--assume-wcet", context.options.assume_wcet);
   if (duration) request.duration_ns = *duration;
+  if (request.duration_ns > kLongestSimulation) {
+    context.diagnostics
+        .error(code::usage, {},
+               fmt::format("--duration is too long: '{}'; every release of that time is simulated",
+                           context.options.duration))
+        .hint(fmt::format("write at most {}", units::format_duration(kLongestSimulation)));
+  }
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
   const auto question = read_question(context, assumed);
   if (!question) return finish(context, kExitInvalid);
