@@ -42,6 +42,7 @@ MakeElement maker_of(const std::string& type) {
 /// @throws std::invalid_argument with every mistake
 void check(const Json& document, const std::map<std::string, const scenario::Model*>& models) {
   scenario::World world;
+  world.judges_wiring = false;  // the robot's model placed them, or the scenario was judged where it was read
   for (const auto& [name, model] : models) world.parts.push_back({name, model->type});
   gen::Diagnostics diagnostics;
   const gen::SourceFile text{"scenario", "", document.dump(2)};

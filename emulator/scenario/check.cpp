@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "emulator/scenario/build.hpp"
+#include "emulator/scenario/figures.hpp"
 #include "emulator/scenario/values.hpp"
 #include "generator/diagnostic/code_scenario.hpp"
 #include "generator/diagnostic/suggest.hpp"
@@ -77,6 +79,10 @@ class Checker {
   std::optional<Target> part_target(const Value& name);
   std::optional<Target> port_target(const Value& name);
   const World::Part* find_part(const Value& name);
+  void wiring(const Value& entry, const Place& place);
+  void same_address(const Value& entry, const Place& place);
+  void is_heard(const Value& event);
+  std::vector<std::string> buses_above(const Place& place) const;
 
   void object(const Value& entry, const std::vector<Member>& rows, const std::string& whose);
   void missing(const Value& entry, const std::vector<Member>& rows, const std::string& whose);
@@ -84,9 +90,11 @@ class Checker {
   void value(const Member& row, const std::string& name, const Value& value);
   void reference(const Member& row, const Value& value);
   void port(const Member& row, const Value& value);
+  void is_in_use(const PortKind& kind, const Value& port);
 
   const World& world_;
   std::vector<World::Part> parts_;  ///< the world's, then the scenario's own
+  std::set<std::string> later_;     ///< names of the scenario's own
   std::optional<std::vector<std::string>> ports_;
   gen::Diagnostics& diagnostics_;
   ValueCheck values_;
@@ -135,19 +143,94 @@ void Checker::frame(const Value& root) {
 /// The scenario's own parts, before anything refers to them.
 void Checker::collect(const Value& parts) {
   for (const Value& entry : parts.items) {
-    const Value *name = word_of(entry, "name"), *type = word_of(entry, "type"), *port = word_of(entry, "port");
-    if (port != nullptr && ports_) ports_->push_back(port->text);
+    if (const Value* name = word_of(entry, "name")) later_.insert(name->text);
+  }
+  for (const Value& entry : parts.items) {
+    const Value *name = word_of(entry, "name"), *type = word_of(entry, "type");
     if (name == nullptr) continue;
+    if (name->text.empty()) at(code::bad_scenario, *name, "a part needs a name").hint("\"name\": \"part\"");
     const auto known =
         std::find_if(parts_.begin(), parts_.end(), [&](const auto& it) { return it.name == name->text; });
     const std::string model = type == nullptr ? "" : type->text;
+    const Model* row = find_model(model);
+    const auto place = row == nullptr ? std::nullopt : std::optional(place_of(entry, *row));
+    if (place && world_.judges_wiring) wiring(entry, *place);
     if (known == parts_.end())
-      parts_.push_back({name->text, model});
+      parts_.push_back({name->text, model, place});
     else if (known->type.empty())  // stands in for a device without a model
-      known->type = model;
+      known->type = model, known->place = place;
     else
       at(code::bad_scenario, *name, fmt::format("there is a part '{}' already", name->text));
   }
+}
+
+/// The bus a part is on, then those its muxes are on, up to the port.
+std::vector<std::string> Checker::buses_above(const Place& place) const {
+  std::vector<std::string> buses{place.bus};
+  for (const Place* at = &place; !at->mux.empty() && buses.size() <= parts_.size();) {
+    const auto mux = std::find_if(parts_.begin(), parts_.end(), [&](const auto& it) { return it.name == at->mux; });
+    if (mux == parts_.end() || !mux->place) break;
+    at = &*mux->place;
+    buses.push_back(at->bus);
+  }
+  return buses;
+}
+
+/// What stands in the way of a part, among those before it.
+void Checker::wiring(const Value& entry, const Place& place) {
+  for (const char* key : {"mux", "pwm"}) {
+    const Value* name = word_of(entry, key);
+    const bool is_there = name == nullptr || std::any_of(parts_.begin(), parts_.end(),
+                                                         [&](const auto& it) { return it.name == name->text; });
+    if (!is_there && later_.count(name->text) != 0)
+      at(code::bad_scenario, *name, fmt::format("'{}' is not above the part that is at it", name->text))
+          .note("parts are wired in the order of the list");
+  }
+  const bool shares = std::find(world_.shared.begin(), world_.shared.end(), place.port) != world_.shared.end();
+  for (const World::Part& other : parts_) {
+    if (!other.place || shares) continue;
+    for (const Place::Hold& hold : place.holds) {
+      const auto& taken = other.place->holds;
+      const bool clash = std::any_of(taken.begin(), taken.end(), [&](const auto& it) { return it.what == hold.what; });
+      if (clash)
+        at(code::bad_scenario, *entry.find(hold.member), fmt::format("'{}' has {} already", other.name, hold.what));
+    }
+  }
+  same_address(entry, place);
+}
+
+/// A part on a bus is also heard behind every mux there.
+void Checker::same_address(const Value& entry, const Place& place) {
+  if (!place.address || place.bus.empty()) return;
+  const auto has = [](const std::vector<std::string>& buses, const std::string& bus) {
+    return std::find(buses.begin(), buses.end(), bus) != buses.end();
+  };
+  const Value* word = entry.find("address");
+  if (word == nullptr) word = entry.find(place.mux.empty() ? "port" : "channel");
+  for (const World::Part& other : parts_) {
+    if (!other.place || other.place->address != place.address || other.place->bus.empty()) continue;
+    if (!has(buses_above(*other.place), place.bus) && !has(buses_above(place), other.place->bus)) continue;
+    at(code::bad_scenario, *word,
+       fmt::format("'{}' has address {} on {} already", other.name, *place.address, other.place->bus));
+  }
+}
+
+/// Of a `nack`: some part behind the port has the address.
+void Checker::is_heard(const Value& event) {
+  const Value *port = word_of(event, "port"), *address = event.find("address");
+  if (!world_.judges_wiring || port == nullptr || address == nullptr || !address->is(Value::Kind::number)) return;
+  std::vector<std::string> there;
+  for (const World::Part& part : parts_) {
+    if (!part.place || !part.place->address || buses_above(*part.place).back() != fmt::format("'{}'", port->text))
+      continue;
+    if (*part.place->address == number_of(*address)) return;
+    there.push_back(fmt::format("{} ('{}')", *part.place->address, part.name));
+  }
+  auto& finding =
+      at(code::scenario_name, *address, fmt::format("no part at '{}' has address {}", port->text, shown(*address)));
+  std::string list;
+  for (const std::string& it : there) list += (list.empty() ? "" : ", ") + it;
+  finding.note(there.empty() ? "no part is there" : "there are " + list);
 }
 
 void Checker::part(std::size_t number, const Value& entry) {
@@ -165,7 +248,9 @@ void Checker::part(std::size_t number, const Value& entry) {
   if (model != nullptr) rows.insert(rows.end(), model->figures.begin(), model->figures.end());
   const std::string whose = model == nullptr ? "a part" : fmt::format("a '{}'", model->type);
   object(entry, rows, whose);
-  if (model != nullptr) exactly_one(entry, model->one_of, whose);
+  if (model == nullptr) return;
+  exactly_one(entry, model->one_of, whose);
+  check_figures(entry, *model, diagnostics_);
 }
 
 const World::Part* Checker::find_part(const Value& name) {
@@ -195,16 +280,16 @@ std::optional<Checker::Target> Checker::port_target(const Value& name) {
   if (!values_.is_kind("port", name, Value::Kind::string)) return std::nullopt;
   const PortKind* kind = kind_of_port(name.text);
   const bool has_bus = !ports_ || std::find(ports_->begin(), ports_->end(), name.text) != ports_->end();
-  if (kind != nullptr && (has_bus || kind->name == "adc"))
-    return Target{&kind->verbs, "port", fmt::format("'{}' ({})", name.text, kind->title)};
+  if (kind != nullptr && has_bus) return Target{&kind->verbs, "port", fmt::format("'{}' ({})", name.text, kind->title)};
   std::vector<std::string> ports = ports_.value_or(std::vector<std::string>());
   for (const PortKind& it : port_kinds()) {
-    if (!ports_ || it.name == "adc") ports.insert(ports.end(), it.ports.begin(), it.ports.end());
+    if (!ports_) ports.insert(ports.end(), it.ports.begin(), it.ports.end());
   }
-  at(code::scenario_name, name,
-     kind == nullptr ? fmt::format("the board has no port '{}'", name.text)
-                     : fmt::format("the robot has no bus at port '{}'", name.text))
-      .hint(gen::did_you_mean(name.text, ports));
+  auto& finding = at(code::scenario_name, name,
+                     kind == nullptr       ? fmt::format("the board has no port '{}'", name.text)
+                     : kind->name == "adc" ? fmt::format("no device of the robot uses the converter '{}'", name.text)
+                                           : fmt::format("the robot has no bus at port '{}'", name.text));
+  if (!ports.empty()) finding.hint(gen::did_you_mean(name.text, ports));
   return std::nullopt;
 }
 
@@ -255,6 +340,7 @@ void Checker::event(std::size_t number, const Value& entry) {
   if (!target->key.empty()) rows.push_back(text(target->key.c_str(), ""));
   const std::string whose = fmt::format("'{}' of {}", verb->name, target->words);
   object(entry, rows, whose);
+  if (verb->name == "nack") is_heard(entry);
   if (!verb->needs_member) return;
   const std::size_t fixed = event_members().size() + (target->key.empty() ? 0 : 1);
   const bool says = entry.members.size() > fixed;  // a member that is none was reported
@@ -383,9 +469,20 @@ void Checker::reference(const Member& row, const Value& value) {
   if (!names.empty()) finding.hint(gen::did_you_mean(value.text, names));
 }
 
+/// A part hangs at a bus of the robot.
+void Checker::is_in_use(const PortKind& kind, const Value& port) {
+  if (!ports_ || std::find(ports_->begin(), ports_->end(), port.text) != ports_->end()) return;
+  std::vector<std::string> ports;
+  for (const std::string& name : *ports_) {
+    if (kind_of_port(name) == &kind) ports.push_back(name);
+  }
+  auto& finding = at(code::scenario_name, port, fmt::format("the robot has no bus at port '{}'", port.text));
+  if (!ports.empty()) finding.hint(gen::did_you_mean(port.text, ports));
+}
+
 void Checker::port(const Member& row, const Value& value) {
   const PortKind* kind = kind_of_port(value.text);
-  if (kind != nullptr && kind->name == row.choices[0]) return;
+  if (kind != nullptr && kind->name == row.choices[0]) return is_in_use(*kind, value);
   for (const PortKind& wanted : port_kinds()) {
     if (wanted.name != row.choices[0]) continue;
     at(code::scenario_name, value, fmt::format("the board has no {} '{}'", wanted.title, value.text))

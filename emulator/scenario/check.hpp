@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "emulator/scenario/place.hpp"
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/json/value.hpp"
 
@@ -15,11 +16,14 @@ namespace finemote::scenario {
 struct World {
   struct Part {
     std::string name;
-    std::string type;  ///< of its model; empty: a device without one
+    std::string type;                           ///< of its model; empty: a device without one
+    std::optional<Place> place = std::nullopt;  ///< none: not known
   };
   std::vector<Part> parts;
   std::optional<std::vector<std::string>> ports;  ///< of the robot's buses; none: every port of the board is in use
+  std::vector<std::string> shared;                ///< ports at which several parts may send
   std::optional<std::int64_t> duration_ns;        ///< of the run; none: not known
+  bool judges_wiring = true;                      ///< false: parts may stand in each other's way
 };
 
 /// Reports FM6004 (another form or type, a member missing), FM6007 (a name of nothing, with what was likely meant) and

@@ -24,6 +24,12 @@ std::vector<Member> i2c_place() {
           integer("channel", "", "of the mux", 0, 7), integer("address", "", "7 bits", 0, 127)};
 }
 
+/// Of a part that has no usual address.
+std::vector<Member> addressed(std::vector<Member> place) {
+  for (Member& member : place) member.required = member.name == "address";
+  return place;
+}
+
 std::vector<Member> pulse_place(const char* channel = "channel") {
   return {port("pwm"), part("pwm", "pwm", "in place of `port`: an expander"),
           integer(channel, "", "of the expander", 0, 15)};
@@ -149,7 +155,7 @@ void add_i2c(std::vector<Model>& all) {
       {"register_bank",
        "an I2C part of 256 plain registers, selected by the first byte written; replaces a part without a model",
        {},
-       i2c_place() + std::vector{bytes},
+       addressed(i2c_place()) + std::vector{bytes},
        place,
        {with_member(stimulus("set", "sets registers", {bytes}))},
        {{"r", "", "a register", 255}}});

@@ -3,38 +3,67 @@
 #include <algorithm>
 
 #include "emulator/scenario/read.hpp"
+#include "generator/json/parse.hpp"
 #include "generator/run/parts.hpp"
 #include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
 namespace {
 
-/// The parts the robot hangs on the board, its devices without one, and the ports it uses.
-scenario::World world_of(const Robot& robot, std::int64_t duration_ns) {
+/// The parts the robot hangs on the board, each at its place.
+std::vector<scenario::World::Part> parts_of(const Robot& robot) {
+  Diagnostics none;
+  const auto tree = json::parse({"", "", emulated_parts(robot).scenario.dump()}, none);
+  std::vector<scenario::World::Part> parts;
+  for (const json::Value& entry : tree->find("parts")->items) {
+    const std::string& type = entry.find("type")->text;
+    const scenario::Model* model = scenario::find_model(type);
+    parts.push_back({entry.find("name")->text, type});
+    if (model != nullptr) parts.back().place = scenario::place_of(entry, *model);
+  }
+  return parts;
+}
+
+/// Ports of buses, and converters behind the pins it measures.
+std::vector<std::string> ports_of(const Robot& robot) {
+  std::vector<std::string> ports;
+  for (const Bus& bus : robot.buses) {
+    if (!bus.port.empty()) ports.push_back(bus.port);
+  }
+  for (const Device& device : robot.devices) {
+    for (const Use& use : device.uses) {
+      const std::string converter = use.spec->function == "analog" && use.named != nullptr ? use.named->converter : "";
+      if (!converter.empty() && std::find(ports.begin(), ports.end(), converter) == ports.end())
+        ports.push_back(converter);
+    }
+  }
+  return ports;
+}
+
+}  // namespace
+
+scenario::World scenario_world(const Robot& robot, std::int64_t duration_ns) {
   scenario::World world;
-  const EmulatedParts emulated = emulated_parts(robot);
-  for (const auto& part : emulated.scenario.at("parts")) world.parts.push_back({part.at("name"), part.at("type")});
+  world.parts = parts_of(robot);
   for (const Device& device : robot.devices) {
     const bool has_part = std::any_of(world.parts.begin(), world.parts.end(),
                                       [&](const auto& part) { return part.name == device.name.text; });
     if (!has_part) world.parts.push_back({device.name.text, ""});
   }
-  world.ports.emplace();
+  world.ports = ports_of(robot);
   for (const Bus& bus : robot.buses) {
-    if (!bus.port.empty()) world.ports->push_back(bus.port);
+    if (bus.kind == BusKind::rs485) world.shared.push_back(bus.port);
   }
   world.duration_ns = duration_ns;
   return world;
 }
-
-}  // namespace
 
 std::optional<Scenario> read_scenario(const std::string& path, const Robot& robot, std::int64_t duration_ns,
                                       Sources& sources, Diagnostics& diagnostics) {
   Scenario result;
   result.file = xml::read_source(path, sources, diagnostics);
   if (result.file == nullptr) return std::nullopt;
-  const auto tree = scenario::read(*result.file, world_of(robot, duration_ns), diagnostics);
+  const auto tree = scenario::read(*result.file, scenario_world(robot, duration_ns), diagnostics);
   if (!tree) return std::nullopt;
   result.document = nlohmann::ordered_json::parse(result.file->text);
   result.last_event_ns = scenario::last_event_ns(*tree);

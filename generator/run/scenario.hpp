@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "emulator/scenario/check.hpp"
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/model/robot.hpp"
 
@@ -16,6 +17,10 @@ struct Scenario {
   nlohmann::ordered_json document;
   std::int64_t last_event_ns = 0;  ///< since the first release; 0 without events
 };
+
+/// What is there before a scenario is read: the parts the robot hangs on the board, its devices without one, and the
+/// ports it uses.
+scenario::World scenario_world(const Robot& robot, std::int64_t duration_ns);
 
 /// Reads the file and checks it against the robot's parts and buses. `duration_ns`: of the run. Nothing is generated or
 /// compiled for it. Reports what xml::read_source and scenario::read report; nothing after an error.

@@ -49,9 +49,8 @@ struct Case {
   }
   /// As `run` knows it.
   scenario::World world() const {
-    scenario::World world;
-    const gen::EmulatedParts parts = gen::emulated_parts(*robot);
-    for (const Json& part : parts.scenario["parts"]) world.parts.push_back({part["name"], part["type"]});
+    scenario::World world = gen::scenario_world(*robot, 0);
+    world.duration_ns.reset();
     return world;
   }
   gen::Sources sources;
@@ -86,6 +85,7 @@ const scenario::World kWorld{{{"remote", "dbus_receiver"},
                               {"bank", "register_bank"},
                               {"chassis", ""}},
                              std::vector<std::string>{"usart1", "can1"},
+                             {},
                              100'000'000};
 
 std::string with(const std::string& members) { return R"({"schema": "finemote.scenario/1", )" + members + "}"; }
@@ -93,8 +93,9 @@ std::string event(const std::string& members) { return with("\"events\": [{" + m
 std::string expectation(const std::string& members) { return with("\"expect\": [{" + members + "}]"); }
 
 /// Exactly one error, of this code, at the word `at` of the text, that says `words`.
-void refuses(const std::string& text, unsigned code, const std::string& at, const std::string& words) {
-  const Answer answer = check(text, kWorld);
+void refuses(const std::string& text, unsigned code, const std::string& at, const std::string& words,
+             const scenario::World& world = kWorld) {
+  const Answer answer = check(text, world);
   INFO(text << "\n" << answer.text);
   CHECK_FALSE(answer.good);
   REQUIRE(answer.findings.size() == 1);
@@ -287,6 +288,70 @@ TEST_CASE("a mistake in a scenario is found at its word") {
   refuses(with(R"("parts": [{"type": "ms5837", "name": "b"}])"), 6004, "{\"type", "needs one of 'port' and 'mux'");
   refuses(with(R"("parts": [{"type": "ms5837", "name": "b", "mux": "imu", "channel": 0}])"), 6007, "\"imu",
           "cannot be a 'mux'");
+}
+
+TEST_CASE("parts that stand in each other's way are refused at the word") {
+  const Case rov = example("finsrov");
+  const scenario::World world = gen::scenario_world(*rov.robot, 100'000'000);
+  const auto part = [](const std::string& members) { return with("\"parts\": [{" + members + "}]"); };
+  const auto refused = [&](const std::string& members, unsigned code, const std::string& at, const std::string& words) {
+    refuses(part(members), code, at, words, world);
+  };
+  const auto accepted = [&](const std::string& members) {
+    const Answer answer = check(part(members), world);
+    INFO(members << "\n" << answer.text);
+    CHECK(answer.good);
+  };
+  accepted(R"("type": "register_bank", "name": "rb", "port": "i2c2", "address": 80)");
+  accepted(R"("type": "register_bank", "name": "rb", "mux": "mux", "channel": 7, "address": 118)");
+  accepted(R"("type": "pwm_output", "name": "probe", "pwm": "pwm", "channel": 0)");
+  accepted(R"("type": "thruster", "name": "t9", "pwm": "pwm", "channel": 15)");
+  refused(R"("type": "register_bank", "name": "", "port": "i2c2", "address": 80)", 6004, "\"\"", "needs a name");
+  refused(R"("type": "register_bank", "name": "rb", "port": "i2c2", "address": 112)", 6004, "112",
+          "'mux' has address 112 on 'i2c2' already");
+  refused(R"("type": "register_bank", "name": "rb", "mux": "mux", "channel": 7, "address": 112)", 6004, "112",
+          "'mux' has address 112 on 'i2c2' already");
+  refused(R"("type": "ist8310", "name": "rb", "port": "i2c2", "address": 64)", 6004, "64", "has address 64 on");
+  refused(R"("type": "tca9548a", "name": "m2", "port": "i2c2")", 6004, "\"i2c2", "'mux' has address 112");
+  refused(R"("type": "h30_imu", "name": "i2", "port": "usart1", "baud": 460800)", 6004, "\"usart1",
+          "has the serial port 'usart1' already");
+  refused(R"("type": "thruster", "name": "t9", "pwm": "pwm", "channel": 0)", 6004, "0}",
+          "has output 0 of 'pwm' already");
+  refused(R"("type": "h30_imu", "name": "i2", "port": "usart3", "baud": 460800)", 6007, "\"usart3",
+          "the robot has no bus at port 'usart3'");
+  refused(R"("type": "register_bank", "name": "rb", "port": "i2c3", "address": 80)", 6007, "\"i2c3",
+          "did you mean 'i2c2'");
+  refused(R"("type": "register_bank", "name": "rb", "port": "i2c2")", 6004, "{\"type", "'address' is missing");
+  refused(R"("type": "tca9548a", "name": "m2", "mux": "m2", "channel": 1, "address": 113)", 6004, "\"m2\", \"channel",
+          "'m2' is not above the part that is at it");
+  refuses(with(R"("parts": [{"type": "register_bank", "name": "a", "port": "i2c2", "address": 80}, )"
+               R"({"type": "register_bank", "name": "b", "port": "i2c2", "address": 80}])"),
+          6004, "80}]", "'a' has address 80 on 'i2c2' already", world);
+}
+
+TEST_CASE("a fault at what the robot does not have is refused, as it would switch judging off for nothing") {
+  const Case rov = example("finsrov");
+  const scenario::World world = gen::scenario_world(*rov.robot, 100'000'000);
+  refuses(event(R"("t_ns": 1, "port": "adc3", "do": "silent")"), 6007, "\"adc3", "uses the converter 'adc3'", world);
+  refuses(event(R"("t_ns": 1, "port": "i2c2", "do": "nack", "address": 119, "times": 1)"), 6007, "119",
+          "no part at 'i2c2' has address 119", world);
+  for (const char* address : {"112", "118", "64"}) {
+    const std::string nack = R"("t_ns": 1, "port": "i2c2", "do": "nack", "times": 1, "address": )";
+    CHECK(check(event(nack + address), world).good);
+  }
+  const std::string folder = kSource + "/tests/emulator/images/onboard";
+  const Case onboard(folder + "/onboard.urdf", folder);
+  CHECK(check(event(R"("t_ns": 1, "port": "adc3", "do": "silent")"), gen::scenario_world(*onboard.robot, 1)).good);
+}
+
+TEST_CASE("figures that do not fit each other are found at their member") {
+  const auto part = [](const std::string& members) { return with("\"parts\": [{" + members + "}]"); };
+  scenario::World world = kWorld;
+  world.ports->push_back("pwm1");
+  const std::string thruster = R"("type": "thruster", "name": "t", "port": "pwm1", )";
+  refuses(part(thruster + R"("neutral": 1500)"), 6009, "1500}", "'neutral' is 1500 ns, but has to be between", world);
+  refuses(part(thruster + R"("min": 1600000)"), 6009, "1600000", "between 'min', 1600000 ns", world);
+  refuses(part(R"("type": "submerged_body", "name": "b", "inertia": [0,0,0,0,0,0])"), 6009, "[0,0", "cannot turn");
 }
 
 TEST_CASE("deep nesting and no JSON at all are answered, not followed") {
