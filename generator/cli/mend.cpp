@@ -15,6 +15,12 @@ namespace {
 
 using Keys = std::multimap<std::string, std::string>;  ///< of findings, to what they say
 
+/// Whether a device can tell its children of a role apart by their order. A link sends them in it, and nobody knows
+/// what a user's class does; shipped ones treat children of any interface alike.
+bool has_order(const DeviceType& type, const RoleSpec& role) {
+  return role.interface != "any" || !type.builtin || role.name == type.link_role;
+}
+
 /// Names of the children in every role, in their order where the device can tell one from the other.
 std::string children_text(const Robot& robot, const Device& device) {
   std::string text;
@@ -23,7 +29,7 @@ std::string children_text(const Robot& robot, const Device& device) {
     for (const std::size_t child : device.children) {
       if (robot.devices[child].role == role) names.push_back(robot.devices[child].name.text);
     }
-    if (device.type->roles[role].interface == "any") std::sort(names.begin(), names.end());
+    if (!has_order(*device.type, device.type->roles[role])) std::sort(names.begin(), names.end());
     text += fmt::format(" {}: {}", device.type->roles[role].name, fmt::join(names, " "));
   }
   return text;

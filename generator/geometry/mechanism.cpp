@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string_view>
 
 namespace finemote::gen {
@@ -47,26 +48,53 @@ bool Mechanism::is_world(const std::string& name) const {
 }
 
 std::string Mechanism::base() const {
-  const std::string root_link = root();
-  const auto free = std::find_if(joints_.begin(), joints_.end(), [&](const Joint& joint) {
-    return joint.parent_link == root_link && (joint.type == "floating" || joint.type == "planar");
-  });
-  return free != joints_.end() && is_world(root_link) ? free->child_link : root_link;
+  std::string link = root();
+  for (std::size_t steps = 0; steps < joints_.size(); ++steps) {  // joints may form a loop, which is reported elsewhere
+    const Joint* joint = is_world(link) ? joint_in_world(link) : nullptr;
+    if (joint == nullptr) break;
+    link = joint->child_link;
+  }
+  return link;
 }
 
-const Joint* Mechanism::only_joint_of(const std::string& link) const {
-  const Joint* only = nullptr;
-  for (const Joint& joint : joints_) {
-    if (joint.parent_link != link) continue;
-    if (only != nullptr) return nullptr;
-    only = &joint;
+/// What a world carries by a joint that says where something is in it: the robot, or a world inside.
+const Joint* Mechanism::joint_in_world(const std::string& world) const {
+  const auto found = std::find_if(joints_.begin(), joints_.end(), [&](const Joint& joint) {
+    if (joint.parent_link != world) return false;
+    return joint.type == "floating" || joint.type == "planar" ||
+           (joint.type == "fixed" && is_world_name(world) && is_world_name(joint.child_link));
+  });
+  return found == joints_.end() ? nullptr : &*found;
+}
+
+/// The joint of a link behind which everything is that moves; without anything that does, its only joint. Null where
+/// several are such.
+const Joint* Mechanism::joint_of_all_motion(const std::string& link) const {
+  std::multimap<std::string_view, const Joint*> joints_of;
+  for (const Joint& joint : joints_) joints_of.emplace(joint.parent_link, &joint);
+  std::vector<const Joint*> moving, all;
+  const auto [begin, end] = joints_of.equal_range(link);
+  for (auto it = begin; it != end; ++it) {
+    all.push_back(it->second);
+    std::vector<const Joint*> stack{it->second};
+    for (std::size_t seen = 0; !stack.empty() && seen <= joints_.size(); ++seen) {
+      const Joint* joint = stack.back();
+      stack.pop_back();
+      if (joint->type != "fixed") {
+        moving.push_back(it->second);
+        break;
+      }
+      const auto [first, last] = joints_of.equal_range(joint->child_link);
+      for (auto below = first; below != last; ++below) stack.push_back(below->second);
+    }
   }
-  return only;
+  const std::vector<const Joint*>& candidates = moving.empty() ? all : moving;
+  return candidates.size() == 1 ? candidates.front() : nullptr;
 }
 
 std::string Mechanism::body() const {
   const std::string base_link = base();
-  const Joint* joint = is_world_name(base_link) || is_footprint(base_link) ? only_joint_of(base_link) : nullptr;
+  const Joint* joint = is_world_name(base_link) || is_footprint(base_link) ? joint_of_all_motion(base_link) : nullptr;
   if (joint == nullptr || joint->type != "fixed") return base_link;
   const bool upright = transform(joint->origin).linear()(2, 2) >= std::cos(kUpright);
   return upright ? joint->child_link : base_link;

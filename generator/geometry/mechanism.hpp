@@ -25,11 +25,11 @@ class Mechanism {
   /// The first link that no joint carries; empty in a robot without links.
   [[nodiscard]] std::string root() const;
   /// The link the robot stands on or moves with: the root, or, where the root is the world it moves in, the link that a
-  /// floating or planar joint of the root carries. A root is a world by its name, or if it has no mass and that joint
-  /// alone.
+  /// floating or planar joint of the root carries, and so on where that is a world again (`map`, `odom`). A link is a
+  /// world by its name, or if it has no mass and that joint alone.
   [[nodiscard]] std::string base() const;
   /// The link that says what is ahead: base(), or, where that is a world the robot is fixed to or a `base_footprint`
-  /// below it, the link that its only joint, a fixed one, carries upright.
+  /// below it, the link that a fixed joint carries upright, if everything that moves is behind that joint.
   [[nodiscard]] std::string body() const;
 
   /// Joints from the root link to a link; none when the chain does not end.
@@ -40,7 +40,8 @@ class Mechanism {
 
  private:
   [[nodiscard]] bool is_world(const std::string& name) const;
-  [[nodiscard]] const Joint* only_joint_of(const std::string& link) const;
+  [[nodiscard]] const Joint* joint_in_world(const std::string& world) const;
+  [[nodiscard]] const Joint* joint_of_all_motion(const std::string& link) const;
 
   const std::vector<Link>& links_;
   const std::vector<Joint>& joints_;

@@ -215,6 +215,25 @@ TEST_CASE("what is ahead is said by the body, not by the ground or the world bel
   CHECK(body_of("world", {1, 2, 3}, "floating") == "base_link");
 }
 
+TEST_CASE("worlds in a row are worlds, and what stands still beside the robot is not ahead") {
+  const std::vector<Link> links{link("map"),          link("odom"), link("base_footprint"),
+                                link("base_link", 3), link("arm"),  link("laser", 1)};
+  std::vector<Joint> joints{joint("a", "map", "odom", {1, 2, 0}, {0, 0, 1}, {0, 0, 3}),
+                            joint("b", "odom", "base_footprint", {1, 0, 0}, {0, 0, 1}, {0, 0, 1}),
+                            joint("c", "base_footprint", "base_link", {0, 0, 0.1}, {0, 0, 1}, {0, 0, M_PI}),
+                            joint("d", "base_link", "arm", {}, {0, 0, 1}),
+                            joint("e", "base_footprint", "laser", {}, {0, 0, 1})};
+  joints[1].type = "floating";
+  joints[2].type = joints[4].type = "fixed";
+  for (const char* type : {"planar", "floating", "fixed"}) {
+    joints[0].type = type;
+    CHECK(Mechanism(links, joints).base() == "base_footprint");
+    CHECK(Mechanism(links, joints).body() == "base_link");
+  }
+  joints[4].type = "continuous";  // now something moves beside it
+  CHECK(Mechanism(links, joints).body() == "base_footprint");
+}
+
 TEST_CASE("a sensor's data are in the axes that whoever uses it computes in") {
   DeviceType sensor, chassis, box;
   sensor.geometry.push_back({});
