@@ -26,13 +26,33 @@ std::vector<std::string> kind_names(const Port& port) {
   return names;
 }
 
+std::vector<std::string> pin_names(const Port& port) {
+  std::vector<std::string> names;
+  for (const PortPin& pin : port.pins) names.push_back(pin.pin);
+  names.insert(names.end(), port.selects.begin(), port.selects.end());
+  return names;
+}
+
+std::vector<std::string> stream_names(const Port& port) {
+  std::vector<std::string> names;
+  for (const DmaStream& stream : port.dma) names.push_back(stream.name());
+  return names;
+}
+
+std::vector<std::string> line_texts(const Port& port) {
+  std::vector<std::string> texts;
+  for (const InterruptLine& line : port.interrupts) texts.push_back(line.text());
+  return texts;
+}
+
 void print_board(Context& context, const Board& board) {
   context.out << fmt::format("{}: {}\n", board.name, board.summary);
   context.out << fmt::format("\n{:<8} {:<12} {:<24} {:<34} {:<28} {}\n", "port", "serves", "pins", "DMA", "interrupts",
                              "connector");
   for (const Port& port : board.ports) {
     context.out << fmt::format("{:<8} {:<12} {:<24} {:<34} {:<28} {}\n", port.name, joined(kind_names(port)),
-                               joined(port.pins), joined(port.dma), joined(port.interrupts), port.connector);
+                               joined(pin_names(port)), joined(stream_names(port)), joined(line_texts(port)),
+                               port.connector);
   }
   std::vector<std::string> lines;
   for (const SpareLine& line : board.lines) lines.push_back(fmt::format("{} ({})", line.number, line.name));
@@ -53,9 +73,9 @@ Json to_json(const Board& board) {
                      {"silkscreen", port.silkscreen},
                      {"connector", port.connector},
                      {"serves", kind_names(port)},
-                     {"pins", port.pins},
-                     {"dma", port.dma},
-                     {"interrupts", port.interrupts}});
+                     {"pins", pin_names(port)},
+                     {"dma", stream_names(port)},
+                     {"interrupts", line_texts(port)}});
   }
   Json connectors = Json::array();
   for (const Connector& connector : board.connectors)

@@ -81,13 +81,12 @@ int run_docs(Context& context) {
   Pages pages(context);
   for (const std::string& name : device_type_names(*library)) {
     const DeviceType* type = find_device_type(*library, name, context.sources, context.diagnostics);
-    if (type != nullptr)
-      pages.add("devices/" + name + ".md", "`" + name + "`", device_page(*type->descriptor, type->include));
+    if (type != nullptr) pages.add("devices/" + name + ".md", "`" + name + "`", device_page(*type));
   }
   for (const std::string& name : board_names(*library)) {
     const Board* board = find_board(*library, name, context.sources, context.diagnostics);
-    if (board == nullptr || board->file->value("watchdog", Json()).is_null()) continue;  // no hardware
-    for (const BoardPage& page : board_pages(*board->file))
+    if (board == nullptr || !board->has_watchdog) continue;  // no hardware
+    for (const BoardPage& page : board_pages(*board))
       pages.add(fmt::format("boards/{}/{}.md", name, page.name), page.title, page.text);
   }
   pages.check();

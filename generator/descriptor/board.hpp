@@ -2,14 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "generator/descriptor/costs.hpp"
 #include "generator/descriptor/device_type.hpp"
+#include "generator/descriptor/drivers.hpp"
 
 namespace finemote::gen {
 
@@ -19,14 +19,45 @@ struct Resource {
   std::string name;  ///< `PA9`, `DMA2 stream 5`
 };
 
+/// A pin a port is led out on.
+struct PortPin {
+  std::string pin;     ///< `PA9`
+  std::string signal;  ///< `tx`
+  int alternate_function = 0;
+};
+
+struct DmaStream {
+  std::string signal;      ///< `rx`
+  std::string controller;  ///< `dma2`
+  int stream = 0, channel = 0;
+
+  /// For people: `DMA2 stream 5`.
+  [[nodiscard]] std::string name() const;
+};
+
+struct InterruptLine {
+  std::string name;  ///< `USART1`
+  int number = 0;
+
+  /// For people: `USART1 (line 37)`.
+  [[nodiscard]] std::string text() const;
+};
+
+struct TimerChannel {
+  std::string timer;  ///< `TIM1`, whose outputs repeat together
+  int channel = 0;
+};
+
 struct Port {
   std::string name;                     ///< chip name: `usart1`
   std::vector<std::string> silkscreen;  ///< what the board or its users call it; an error whose hint names both
   std::string connector;                ///< for people
   std::vector<BusKind> kinds;           ///< what it can serve
-  std::vector<std::string> pins;
-  std::vector<std::string> dma;
-  std::vector<std::string> interrupts;
+  std::vector<PortPin> pins;
+  std::vector<DmaStream> dma;
+  std::vector<InterruptLine> interrupts;
+  std::vector<std::string> selects;      ///< spi: pins of the chip selects, by channel; empty: not known
+  std::optional<TimerChannel> timer;     ///< pwm
   std::vector<Resource> resources;       ///< pins, DMA streams, timer channel and interrupt lines together
   std::uint32_t channels = 0;            ///< PWM outputs, chip selects; 0: neither
   std::int64_t period_ns = 20'000'000;   ///< how often a PWM port repeats its pulse
@@ -34,10 +65,12 @@ struct Port {
   std::optional<std::int64_t> min_rate;  ///< of baud, clock or bitrate
   std::optional<std::int64_t> max_rate;
   std::vector<std::int64_t> rates;           ///< the only ones, where not every one in range can be made
-  std::string timer;                         ///< `TIM1`, whose outputs repeat together; empty: none
   std::string drives;                        ///< interface of what the board has at this PWM output; empty: open
   bool has_inverter = false;                 ///< uart: the board inverts the receive line
   std::int64_t max_rate_error_ppm = 20'000;  ///< how far the rate made may be from the rate asked for
+
+  /// Empty: none.
+  [[nodiscard]] std::string timer_name() const { return timer ? timer->timer : std::string(); }
 };
 
 /// The part of the board whose data-ready line a pin is.
@@ -93,8 +126,9 @@ struct Board {
   std::vector<SpareLine> lines;                                 ///< in order of use
   std::uint32_t first_bucket_level = 0, last_bucket_level = 0;  ///< NVIC priority levels for buckets, inclusive
   std::vector<ParamSpec> params;                                ///< of the `<board>` element
-  /// The whole file, with the board it extends: costs, driver data, watchdog, errata.
-  std::shared_ptr<const nlohmann::ordered_json> file;
+  Costs costs;
+  Drivers drivers;
+  bool has_watchdog = false;  ///< only hardware has one
 
   [[nodiscard]] const Port* port(std::string_view port_name) const {
     for (const Port& p : ports) {

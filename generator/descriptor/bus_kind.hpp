@@ -6,9 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/descriptor/device_type.hpp"
-
 namespace finemote::gen {
+
+/// The kinds of bus of the extension, in the order of its reference.
+enum class BusKind { uart, rs485, i2c, spi, can, pwm, gpio, virtual_bus };
 
 /// `uart` -> BusKind::uart; `virtual` -> BusKind::virtual_bus; none when there is no such kind.
 std::optional<BusKind> bus_kind(std::string_view name);

@@ -3,19 +3,20 @@
 
 #include <cstdint>
 #include <map>
-#include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "generator/descriptor/acquisition.hpp"
+#include "generator/descriptor/bus_kind.hpp"
+#include "generator/descriptor/emulation.hpp"
+#include "generator/descriptor/frames.hpp"
+#include "generator/descriptor/interrupts.hpp"
+#include "generator/descriptor/link_fields.hpp"
 #include "generator/diagnostic/source.hpp"
 
 namespace finemote::gen {
-
-/// The kinds of bus of the extension, in the order of its reference.
-enum class BusKind { uart, rs485, i2c, spi, can, pwm, gpio, virtual_bus };
 
 /// A C++ tag struct naming a State and, for actuators, a Command type; `any` stands for every interface.
 struct Interface {
@@ -24,6 +25,7 @@ struct Interface {
   bool has_command = false;
   std::string state = "state";      ///< data member of the device holding the State
   std::string command = "command";  ///< and the Command
+  InterfaceFields fields;           ///< what a link carries of them; none: as `schemas/interfaces.json` says
 };
 
 struct RoleSpec {
@@ -32,6 +34,7 @@ struct RoleSpec {
   std::uint32_t min = 0;
   std::optional<std::uint32_t> max;  ///< none: unbounded
   bool passes = true;                ///< what its children measure becomes part of the commands the device sends
+  std::string summary;
 };
 
 /// Base units of params: everything is stored exactly in the base unit.
@@ -72,6 +75,7 @@ struct UseSpec {
   std::string function;                   ///< gpio: what it does with the pin: input, output, interrupt or analog
   std::optional<std::uint32_t> spi_mode;  ///< none: that of the device
   std::string data_ready_of;  ///< interrupt: the use whose part's data-ready line this is, `device`: its own; or empty
+  std::string summary;
 };
 
 /// What of the URDF the device needs; the emitter knows kinds, never robots.
@@ -98,12 +102,6 @@ struct WcetDefault {
   std::int64_t per_child_ns = 0;
 };
 
-/// A CAN frame that several devices fill together, for devices with an id in the range.
-struct SharedFrame {
-  std::uint32_t identifier = 0;
-  std::uint32_t id_min = 0, id_max = 0;
-};
-
 struct DeviceType {
   std::string name;  ///< the `type` attribute: `ms5837`
   std::string summary;
@@ -120,7 +118,6 @@ struct DeviceType {
   std::optional<std::uint32_t> id_min, id_max;
   std::optional<std::uint32_t> channel_min, channel_max;
   std::optional<std::uint32_t> receives_base;  ///< can: identifier of its own frames is this plus id
-  std::vector<SharedFrame> shared_frames;      ///< can
   std::string format = "8N1";                  ///< uart
   std::vector<std::int64_t> rates;             ///< uart, rs485, can: what the part can be set to; empty: any
   std::optional<std::int64_t> max_clock_hz;    ///< i2c, spi
@@ -135,8 +132,13 @@ struct DeviceType {
   bool actuator = false;
   bool constant_init = true;
   std::optional<WcetDefault> wcet;
-  std::shared_ptr<const nlohmann::ordered_json> descriptor;  ///< all of it: acquisition, interrupts, frames, ...
+  std::optional<Acquisition> acquisition;    ///< none: update() makes or reads its sample on the spot
+  std::optional<std::vector<Frame>> frames;  ///< none: it may send anything
+  std::vector<Interrupt> interrupts;
+  Emulation emulation;
 
+  /// can: frames it fills together with others.
+  [[nodiscard]] std::vector<SharedFrame> shared_frames() const;
   [[nodiscard]] bool has_command() const { return !provides.empty() && provides.front().has_command; }
 };
 
@@ -161,7 +163,7 @@ struct ExpanderType {
   std::optional<RepeatSpec> repeats;  ///< pwm
   bool named_channels = false;        ///< each `<channel>` is a bus; otherwise the part itself is
   std::vector<ParamSpec> params;
-  std::shared_ptr<const nlohmann::ordered_json> descriptor;
+  ExpanderFrames frames;
 };
 
 }  // namespace finemote::gen

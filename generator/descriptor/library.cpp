@@ -295,7 +295,6 @@ bool load_board(Library& library, LibraryFile& file, Sources& sources, Diagnosti
   const bool complete =
       guarded(*json, diagnostics, [&] { *board = read_board(json->value, *json->source, diagnostics); });
   board->display_path = file.display;
-  board->file = std::make_shared<const Json>(std::move(json->value));
   if (!complete || diagnostics.size() != findings) return false;
   library.boards.push_back(std::move(board));
   return true;

@@ -7,19 +7,12 @@
 #include <set>
 
 #include "generator/descriptor/bus_kind.hpp"
+#include "generator/descriptor/member.hpp"
 #include "generator/descriptor/read_param.hpp"
 #include "generator/descriptor/runtime_limits.hpp"
 
 namespace finemote::gen {
 namespace {
-
-/// Optional members are absent or null (a merge patch removes with null).
-template <typename T>
-std::optional<T> optional_member(const Json& value, const char* key) {
-  const auto found = value.find(key);
-  if (found == value.end() || found->is_null()) return {};
-  return found->get<T>();
-}
 
 const Json& array_member(const Json& value, const char* key) {
   static const Json none = Json::array();
@@ -34,26 +27,34 @@ std::string upper(std::string text) {
   return text;
 }
 
+PortPin read_port_pin(const Json& value) {
+  return {value.at("pin").get<std::string>(), value.at("signal").get<std::string>(), value.at("af").get<int>()};
+}
+
+DmaStream read_dma(const Json& value) {
+  return {value.at("signal").get<std::string>(), value.at("controller").get<std::string>(),
+          value.at("stream").get<int>(), value.at("channel").get<int>()};
+}
+
+InterruptLine read_line(const Json& value) {
+  return {value.at("name").get<std::string>(), value.at("line").get<int>()};
+}
+
 void read_resources(const Json& value, Port& port) {
-  for (const Json& pin : array_member(value, "pins")) port.pins.push_back(pin.at("pin").get<std::string>());
-  for (const Json& select : array_member(value, "selects")) port.pins.push_back(select.get<std::string>());
-  for (const Json& dma : array_member(value, "dma")) {
-    port.dma.push_back(
-        fmt::format("{} stream {}", upper(dma.at("controller").get<std::string>()), dma.at("stream").get<int>()));
-  }
-  for (const Json& interrupt : array_member(value, "interrupts")) {
-    port.interrupts.push_back(
-        fmt::format("{} (line {})", interrupt.at("name").get<std::string>(), interrupt.at("line").get<int>()));
-  }
-  for (const std::string& pin : port.pins) port.resources.push_back({"pin", pin});
-  for (const std::string& stream : port.dma) port.resources.push_back({"DMA stream", stream});
+  port.pins = read_list<PortPin>(value, "pins", read_port_pin);
+  port.dma = read_list<DmaStream>(value, "dma", read_dma);
+  port.interrupts = read_list<InterruptLine>(value, "interrupts", read_line);
   const auto timer = value.find("timer");
-  if (timer != value.end() && timer->is_object()) {
-    port.timer = upper(timer->at("name").get<std::string>());
-    port.resources.push_back(
-        {"timer channel", fmt::format("{} channel {}", port.timer, timer->at("channel").get<int>())});
+  if (timer != value.end() && timer->is_object())
+    port.timer = {upper(timer->at("name").get<std::string>()), timer->at("channel").get<int>()};
+  port.selects = optional_member<std::vector<std::string>>(value, "selects").value_or(port.selects);
+  for (const PortPin& pin : port.pins) port.resources.push_back({"pin", pin.pin});
+  for (const std::string& pin : port.selects) port.resources.push_back({"pin", pin});
+  for (const DmaStream& stream : port.dma) port.resources.push_back({"DMA stream", stream.name()});
+  if (port.timer) {
+    port.resources.push_back({"timer channel", fmt::format("{} channel {}", port.timer->timer, port.timer->channel)});
   }
-  for (const std::string& interrupt : port.interrupts) port.resources.push_back({"interrupt", interrupt});
+  for (const InterruptLine& line : port.interrupts) port.resources.push_back({"interrupt", line.text()});
 }
 
 Port read_port(const Json& value) {
@@ -247,6 +248,10 @@ class BoardCheck {
 
 }  // namespace
 
+std::string DmaStream::name() const { return fmt::format("{} stream {}", upper(controller), stream); }
+
+std::string InterruptLine::text() const { return fmt::format("{} (line {})", name, number); }
+
 Board read_board(const Json& value, const SourceFile& source, Diagnostics& diagnostics) {
   Board board;
   board.name = value.at("name").get<std::string>();
@@ -267,6 +272,9 @@ Board read_board(const Json& value, const SourceFile& source, Diagnostics& diagn
   board.first_bucket_level = levels.at(0).get<std::uint32_t>();
   board.last_bucket_level = levels.at(1).get<std::uint32_t>();
   board.params = read_params(value, source, diagnostics);
+  board.costs = read_costs(value.at("costs"));
+  board.drivers = read_drivers(value.at("drivers"));
+  board.has_watchdog = optional_member<Json>(value, "watchdog").has_value();
   BoardCheck(source, diagnostics).check(value, board);
   return board;
 }

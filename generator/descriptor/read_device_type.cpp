@@ -6,18 +6,12 @@
 #include <set>
 
 #include "generator/descriptor/bus_kind.hpp"
+#include "generator/descriptor/member.hpp"
 #include "generator/descriptor/read_param.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
-
-template <typename T>
-std::optional<T> optional_member(const Json& value, const char* key) {
-  const auto found = value.find(key);
-  if (found == value.end() || found->is_null()) return {};
-  return found->get<T>();
-}
 
 std::vector<BusKind> read_kinds(const Json& names) {
   std::vector<BusKind> kinds;
@@ -34,19 +28,28 @@ Interface read_interface(const Json& value) {
   interface.has_command = value.value("command", false);
   interface.state = value.value("state_member", "state");
   interface.command = value.value("command_member", "command");
+  interface.fields = {read_link_fields(value, "state_fields"), read_link_fields(value, "command_fields")};
   return interface;
 }
 
 RoleSpec read_role(const Json& value) {
-  return {value.at("name").get<std::string>(), value.at("interface").get<std::string>(), value.value("min", 0U),
-          optional_member<std::uint32_t>(value, "max"), value.value("passes", true)};
+  return {value.at("name").get<std::string>(),
+          value.at("interface").get<std::string>(),
+          value.value("min", 0U),
+          optional_member<std::uint32_t>(value, "max"),
+          value.value("passes", true),
+          value.value("summary", std::string())};
 }
 
 UseSpec read_use(const Json& value) {
-  return {value.at("name").get<std::string>(), read_kinds(value.at("types")),
-          value.value("min", 0) > 0,           value.value("format", "8N1"),
-          value.value("function", "input"),    optional_member<std::uint32_t>(value, "mode"),
-          value.value("data_ready_of", "")};
+  return {value.at("name").get<std::string>(),
+          read_kinds(value.at("types")),
+          value.value("min", 0) > 0,
+          value.value("format", "8N1"),
+          value.value("function", "input"),
+          optional_member<std::uint32_t>(value, "mode"),
+          value.value("data_ready_of", std::string()),
+          value.value("summary", std::string())};
 }
 
 std::vector<std::uint32_t> read_addresses(const Json& address) {
@@ -83,23 +86,6 @@ void read_bus(const Json& bus, DeviceType& type) {
   type.max_clock_hz = optional_member<std::int64_t>(bus, "max_clock_hz");
   type.spi_mode = bus.value("mode", kUsualSpiMode);
   type.tunes = bus.value("tunes", false);
-}
-
-void read_shared_frames(const Json& value, DeviceType& type) {
-  const auto frames = value.find("frames");
-  if (frames == value.end()) return;
-  for (const Json& frame : *frames) {
-    if (const auto identifier = optional_member<std::uint32_t>(frame, "identifier")) {
-      type.shared_frames.push_back({*identifier, 0, UINT32_MAX});
-    }
-    const auto by_id = frame.find("identifiers");
-    if (by_id == frame.end()) continue;
-    for (const Json& entry : *by_id) {
-      const Json& ids = entry.at("ids");
-      type.shared_frames.push_back({entry.at("identifier").get<std::uint32_t>(), ids.at(0).get<std::uint32_t>(),
-                                    ids.at(1).get<std::uint32_t>()});
-    }
-  }
 }
 
 std::optional<WcetDefault> read_wcet(const Json& value) {
@@ -254,15 +240,6 @@ class DescriptorCheck {
   Diagnostics& diagnostics_;
 };
 
-template <typename T, typename Read>
-std::vector<T> read_list(const Json& value, const char* key, Read read) {
-  std::vector<T> list;
-  const auto entries = value.find(key);
-  if (entries == value.end()) return list;
-  for (const Json& entry : *entries) list.push_back(read(entry));
-  return list;
-}
-
 /// What stands behind `runtime/include/`, else the file's name.
 std::string include_name(const std::string& header) {
   constexpr std::string_view kShipped = "runtime/include/";
@@ -273,6 +250,13 @@ std::string include_name(const std::string& header) {
 }
 
 }  // namespace
+
+std::vector<SharedFrame> DeviceType::shared_frames() const {
+  std::vector<SharedFrame> all;
+  for (const Frame& frame : frames.value_or(std::vector<Frame>()))
+    all.insert(all.end(), frame.shared.begin(), frame.shared.end());
+  return all;
+}
 
 std::uint32_t parse_hex(const std::string& text) {
   const auto parsed = units::parse_bare(text);
@@ -295,8 +279,10 @@ DeviceType read_device_type(const Json& value, const SourceFile& source, Diagnos
   type.actuator = value.value("actuator", false);
   type.constant_init = value.value("constant_init", true);
   type.wcet = read_wcet(value);
-  read_shared_frames(value, type);
-  type.descriptor = std::make_shared<const Json>(value);
+  if (const auto it = value.find("acquisition"); it != value.end()) type.acquisition = read_acquisition(*it);
+  if (const auto it = value.find("frames"); it != value.end()) type.frames = read_frames(*it);
+  type.interrupts = read_list<Interrupt>(value, "interrupts", read_interrupt);
+  if (const auto it = value.find("emulation"); it != value.end()) type.emulation = read_emulation(*it);
   DescriptorCheck(source, diagnostics).check(value, type);
   return type;
 }
@@ -316,7 +302,7 @@ ExpanderType read_expander_type(const Json& value, const SourceFile& source, Dia
   type.named_channels = provides.at("named").get<bool>();
   if (const auto repeats = provides.find("repeats"); repeats != provides.end()) type.repeats = read_repeats(*repeats);
   type.params = read_params(value, source, diagnostics);
-  type.descriptor = std::make_shared<const Json>(value);
+  if (const auto it = value.find("frames"); it != value.end()) type.frames = read_expander_frames(*it);
   return type;
 }
 

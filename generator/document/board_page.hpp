@@ -1,9 +1,10 @@
-// A board file to one reference page per peripheral, and their index.
+// A board to one reference page per peripheral, and their index.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
+
+#include "generator/descriptor/board.hpp"
 
 namespace finemote::gen {
 
@@ -14,8 +15,7 @@ struct BoardPage {
   std::string text;
 };
 
-/// `board` is the merged JSON document. The index first, then the ports in the order of the file, then the
-/// single pins.
-std::vector<BoardPage> board_pages(const nlohmann::ordered_json& board);
+/// The index first, then the ports in the order of the file, then the single pins.
+std::vector<BoardPage> board_pages(const Board& board);
 
 }  // namespace finemote::gen

@@ -1,165 +1,149 @@
 #include "generator/document/device_page.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
+#include "generator/descriptor/bus_kind.hpp"
 #include "generator/document/markdown.hpp"
 #include "generator/document/param_table.hpp"
 
 namespace finemote::gen {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-const Json& list(const Json& value, const char* key) {
-  static const Json none = Json::array();
-  const auto found = value.find(key);
-  return found == value.end() ? none : *found;
+std::vector<std::string> kind_names(const std::vector<BusKind>& kinds) {
+  std::vector<std::string> names;
+  for (const BusKind kind : kinds) names.push_back(bus_kind_name(kind));
+  return names;
 }
 
-std::vector<std::string> texts(const Json& values) {
-  std::vector<std::string> result;
-  for (const Json& value : values) result.push_back(value.get<std::string>());
-  return result;
+bool takes(const std::vector<BusKind>& kinds, BusKind kind) {
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
-std::string range_of(const Json& value) {
-  const auto bound = [&](const char* key) { return value.contains(key) ? value.at(key).dump() : std::string(); };
-  return value.contains("min") || value.contains("max") ? fmt::format("{}..{}", bound("min"), bound("max"))
-                                                        : "required";
+std::string hex(std::uint32_t address) { return fmt::format("{:#04x}", address); }
+
+std::string number(const std::optional<std::uint32_t>& value) { return value ? std::to_string(*value) : std::string(); }
+
+std::string range_of(const std::optional<std::uint32_t>& least, const std::optional<std::uint32_t>& most) {
+  return least || most ? fmt::format("{}..{}", number(least), number(most)) : "required";
 }
 
-std::string bus_text(const Json& device) {
-  const auto bus = device.find("bus");
-  if (bus == device.end()) return "none";
-  std::vector<std::string> parts{joined(texts(bus->at("types")), " or ")};
-  if (!bus->value("required", true)) parts.emplace_back("may be left out");
-  if (bus->contains("address")) {
-    const Json& address = bus->at("address");
-    parts.push_back(address.contains("default") ? "`address` default " + address["default"].get<std::string>()
-                                                : "`address` required");
-    if (address.contains("allowed")) parts.push_back("one of " + joined(texts(address["allowed"])));
-  }
-  if (bus->contains("channel")) parts.push_back("`channel` " + range_of(bus->at("channel")));
-  if (bus->contains("id")) parts.push_back("`id` " + range_of(bus->at("id")));
-  std::vector<std::string> rates;
-  for (const Json& rate : list(*bus, "rates")) rates.push_back(rate.dump());
-  if (!rates.empty()) parts.push_back(joined(rates, " or ") + " bit/s");
-  if (bus->contains("format")) parts.push_back(bus->at("format").get<std::string>());
-  if (bus->contains("mode")) parts.push_back("mode " + bus->at("mode").dump());
-  if (bus->contains("max_clock_hz")) parts.push_back("at most " + bus->at("max_clock_hz").dump() + " Hz");
-  if (bus->contains("receives")) {
-    parts.push_back(
-        fmt::format("its frames have the identifier {:#05x} + `id`", bus->at("receives").at("base").get<int>()));
-  }
+void add_address(const DeviceType& type, std::vector<std::string>& parts) {
+  if (!type.needs_address) return;
+  parts.push_back(type.default_address ? "`address` default " + hex(*type.default_address) : "`address` required");
+  std::vector<std::string> allowed;
+  for (const std::uint32_t address : type.addresses) allowed.push_back(hex(address));
+  if (!allowed.empty()) parts.push_back("one of " + joined(allowed));
+}
+
+std::string bus_text(const DeviceType& type) {
+  if (type.buses.empty()) return "none";
+  std::vector<std::string> parts{joined(kind_names(type.buses), " or ")};
+  if (!type.bus_required) parts.emplace_back("may be left out");
+  add_address(type, parts);
+  if (type.needs_channel) parts.push_back("`channel` " + range_of(type.channel_min, type.channel_max));
+  if (type.needs_id) parts.push_back("`id` " + range_of(type.id_min, type.id_max));
+  if (!type.rates.empty()) parts.push_back(fmt::format("{} bit/s", fmt::join(type.rates, " or ")));
+  if (takes(type.buses, BusKind::uart)) parts.push_back(type.format);
+  if (takes(type.buses, BusKind::spi)) parts.push_back(fmt::format("mode {}", type.spi_mode));
+  if (type.max_clock_hz) parts.push_back(fmt::format("at most {} Hz", *type.max_clock_hz));
+  if (type.receives_base)
+    parts.push_back(fmt::format("its frames have the identifier {:#05x} + `id`", *type.receives_base));
   return joined(parts, "; ");
 }
 
-std::string provides_text(const Json& device) {
+std::string provides_text(const DeviceType& type) {
   std::vector<std::string> parts;
-  for (const Json& it : list(device, "provides"))
-    parts.push_back("`" + it["interface"].get<std::string>() + "`" +
-                    (it.value("command", false) ? " with command" : ""));
+  for (const Interface& it : type.provides)
+    parts.push_back("`" + it.name + "`" + (it.has_command ? " with command" : ""));
   return joined(parts, ", ", "its age, to roles that take any device");
 }
 
-std::string arity(const Json& role) {
-  const auto least = role.value("min", 0);
-  const auto most = role.find("max");
-  if (most == role.end() || most->is_null()) return fmt::format("{}..n", least);
-  return most->get<int>() == least ? std::to_string(least) : fmt::format("{}..{}", least, most->get<int>());
+std::string arity(const RoleSpec& role) {
+  if (!role.max) return fmt::format("{}..n", role.min);
+  return *role.max == role.min ? std::to_string(role.min) : fmt::format("{}..{}", role.min, *role.max);
 }
 
-std::string with_summary(std::string text, const Json& value) {
-  return value.contains("summary") ? text + ": " + value["summary"].get<std::string>() : text;
+std::string with_summary(const std::string& text, const std::string& summary) {
+  return summary.empty() ? text : text + ": " + summary;
 }
 
-std::string role_row(const Json& role) {
-  const std::string interface =
-      role["interface"] == "any" ? "any device" : "`" + role["interface"].get<std::string>() + "`";
-  return row({"role `" + role["name"].get<std::string>() + "`",
-              with_summary(fmt::format("{} × {}", arity(role), interface), role)});
+std::string role_row(const RoleSpec& role) {
+  const std::string interface = role.interface == "any" ? "any device" : "`" + role.interface + "`";
+  return row({"role `" + role.name + "`", with_summary(fmt::format("{} × {}", arity(role), interface), role.summary)});
 }
 
-std::string use_row(const Json& use) {
-  std::string what = joined(texts(use["types"]), " or ");
-  if (use.contains("function")) what += " (" + use["function"].get<std::string>() + ")";
-  what += use.value("min", 0) > 0 ? ", required" : ", optional";
-  return row({"use `" + use["name"].get<std::string>() + "`", with_summary(what, use)});
+std::string use_row(const UseSpec& use) {
+  std::string what = joined(kind_names(use.buses), " or ");
+  if (takes(use.buses, BusKind::gpio)) what += " (" + use.function + ")";
+  what += use.required ? ", required" : ", optional";
+  return row({"use `" + use.role + "`", with_summary(what, use.summary)});
 }
 
-std::string sample_text(const Json& acquisition) {
-  std::string text = acquisition["model"] == "streamed" ? "sent by the part" : "requested by update()";
-  if (acquisition.contains("interval_ns"))
-    text += ", every " + time_text(acquisition["interval_ns"].get<std::int64_t>());
-  if (acquisition.contains("periods"))
-    text += fmt::format(", published {} period(s) later", acquisition["periods"].get<int>());
-  if (acquisition.value("latency_ns", std::int64_t{0}) > 0)
-    text += ", up to " + time_text(acquisition["latency_ns"].get<std::int64_t>()) + " old inside the part";
+std::string sample_text(const Acquisition& acquisition) {
+  const bool is_streamed = acquisition.model == Acquisition::Model::streamed;
+  std::string text = is_streamed ? "sent by the part" : "requested by update()";
+  if (acquisition.interval_ns) text += ", every " + time_text(*acquisition.interval_ns);
+  if (acquisition.periods) text += fmt::format(", published {} period(s) later", *acquisition.periods);
+  if (acquisition.latency_ns > 0) text += ", up to " + time_text(acquisition.latency_ns) + " old inside the part";
   return text;
 }
 
-std::string frame_text(const Json& frame) {
+std::string frame_text(const Frame& frame) {
   std::vector<std::string> parts;
-  if (frame.value("write", 0) > 0) parts.push_back(fmt::format("{} bytes out", frame["write"].get<int>()));
-  if (frame.value("read", 0) > 0) parts.push_back(fmt::format("{} bytes in", frame["read"].get<int>()));
-  std::string when = frame["stage"].get<std::string>();
-  if (frame.contains("use")) when += ", over the use `" + frame["use"].get<std::string>() + "`";
-  if (frame.contains("min_interval_ns"))
-    when += ", at least " + time_text(frame["min_interval_ns"].get<std::int64_t>()) + " apart";
-  return with_summary(fmt::format("{}: {}", when, joined(parts)), frame);
+  if (frame.write_bytes > 0) parts.push_back(fmt::format("{} bytes out", frame.write_bytes));
+  if (frame.read_bytes > 0) parts.push_back(fmt::format("{} bytes in", frame.read_bytes));
+  std::string when = to_string(frame.stage);
+  if (!frame.use.empty()) when += ", over the use `" + frame.use + "`";
+  if (frame.min_interval_ns) when += ", at least " + time_text(*frame.min_interval_ns) + " apart";
+  return with_summary(fmt::format("{}: {}", when, joined(parts)), frame.summary);
 }
 
-std::string interrupt_text(const Json& interrupt) {
-  std::string text = interrupt["source"].get<std::string>();
-  if (interrupt.contains("use")) text += ", with the use `" + interrupt["use"].get<std::string>() + "`";
-  if (interrupt.contains("min_interval_ns"))
-    text += ", at least " + time_text(interrupt["min_interval_ns"].get<std::int64_t>()) + " apart";
+std::string interrupt_text(const Interrupt& interrupt) {
+  std::string text = interrupt.source;
+  if (!interrupt.use.empty()) text += ", with the use `" + interrupt.use + "`";
+  if (interrupt.min_interval_ns) text += ", at least " + time_text(*interrupt.min_interval_ns) + " apart";
   return text;
 }
 
 /// The kind, with what the type asks of it: docs/reference/geometry.md says the rest.
-std::string geometry_text(const Json& geometry) {
-  const auto kind = geometry["kind"].get<std::string>();
-  std::string text = fmt::format("[{0}](../geometry.md#{0})", kind);
-  if (kind == "mount") return text + ": how its `link` is turned";
-  const std::string tolerance = fmt::format("; tolerance {:g} degree{}", geometry.value("tolerance", 1.0),
-                                            geometry.value("tolerance", 1.0) == 1 ? "" : "s");
-  if (kind == "range" && !geometry.contains("role")) return text + ": how far its `joint` may turn" + tolerance;
-  text += fmt::format(" of `{}`", geometry["role"].get<std::string>());
-  if (geometry.value("optional", false)) text += ", where their joints are given";
-  if (geometry.contains("along")) text += fmt::format("; along {}", geometry["along"].get<std::string>());
-  if (geometry.contains("behind")) text += fmt::format(", behind `{}`", geometry["behind"].get<std::string>());
-  if (geometry.contains("commands")) text += "; commands " + joined(texts(geometry["commands"]), ", ");
-  if (geometry.contains("lowest"))
-    text += fmt::format(", within `{}` and `{}`", geometry["lowest"].get<std::string>(),
-                        geometry["highest"].get<std::string>());
-  return kind == "chain" ? text : text + tolerance;
+std::string geometry_text(const GeometrySpec& geometry) {
+  std::string text = fmt::format("[{0}](../geometry.md#{0})", geometry.kind);
+  if (geometry.kind == "mount") return text + ": how its `link` is turned";
+  const std::string tolerance =
+      fmt::format("; tolerance {:g} degree{}", geometry.tolerance_deg, geometry.tolerance_deg == 1 ? "" : "s");
+  if (geometry.kind == "range" && geometry.role.empty()) return text + ": how far its `joint` may turn" + tolerance;
+  text += fmt::format(" of `{}`", geometry.role);
+  if (geometry.optional) text += ", where their joints are given";
+  if (!geometry.along.empty()) text += fmt::format("; along {}", geometry.along);
+  if (!geometry.behind.empty()) text += fmt::format(", behind `{}`", geometry.behind);
+  if (!geometry.commands.empty()) text += "; commands " + joined(geometry.commands, ", ");
+  if (!geometry.lowest.empty()) text += fmt::format(", within `{}` and `{}`", geometry.lowest, geometry.highest);
+  return geometry.kind == "chain" ? text : text + tolerance;
 }
 
 }  // namespace
 
-std::string device_page(const Json& device, const std::string& include) {
-  std::string text = sentence(device["summary"].get<std::string>()) + "\n\n" + table({"", ""});
-  text += row({"class", fmt::format("`{}` in `<{}>`", device["class"].get<std::string>(), include)});
-  text += row({"bus", bus_text(device)});
-  text += row({"provides", provides_text(device)});
-  for (const Json& role : list(device, "roles")) text += role_row(role);
-  for (const Json& use : list(device, "uses")) text += use_row(use);
-  for (const Json& geometry : list(device, "geometry")) text += row({"geometry", geometry_text(geometry)});
-  if (device.contains("link"))
-    text += row({"link", "states and commands of `" + device["link"]["role"].get<std::string>() + "`, to a computer"});
-  if (device.value("actuator", false)) text += row({"actuator", "yes: has `safe()`"});
-  if (device.contains("acquisition")) text += row({"sample", sample_text(device["acquisition"])});
-  for (const Json& frame : list(device, "frames")) text += row({"on the wire", frame_text(frame)});
-  for (const Json& interrupt : list(device, "interrupts")) text += row({"interrupt", interrupt_text(interrupt)});
-  if (device.contains("wcet")) {
-    text += row({"assumed without `<wcet>`",
-                 fmt::format("update {}, handle {}", time_text(device["wcet"]["update_ns"].get<std::int64_t>()),
-                             time_text(device["wcet"]["handle_ns"].get<std::int64_t>()))});
+std::string device_page(const DeviceType& type) {
+  std::string text = sentence(type.summary) + "\n\n" + table({"", ""});
+  text += row({"class", fmt::format("`{}` in `<{}>`", type.cpp_class, type.include)});
+  text += row({"bus", bus_text(type)});
+  text += row({"provides", provides_text(type)});
+  for (const RoleSpec& role : type.roles) text += role_row(role);
+  for (const UseSpec& use : type.uses) text += use_row(use);
+  for (const GeometrySpec& geometry : type.geometry) text += row({"geometry", geometry_text(geometry)});
+  if (!type.link_role.empty()) text += row({"link", "states and commands of `" + type.link_role + "`, to a computer"});
+  if (type.actuator) text += row({"actuator", "yes: has `safe()`"});
+  if (type.acquisition) text += row({"sample", sample_text(*type.acquisition)});
+  for (const Frame& frame : type.frames.value_or(std::vector<Frame>())) text += row({"on the wire", frame_text(frame)});
+  for (const Interrupt& interrupt : type.interrupts) text += row({"interrupt", interrupt_text(interrupt)});
+  if (type.wcet) {
+    text += row({"assumed without `<wcet>`", fmt::format("update {}, handle {}", time_text(type.wcet->update_ns),
+                                                         time_text(type.wcet->handle_ns))});
   }
-  return text + param_table(device);
+  return text + param_table(type.params);
 }
 
 }  // namespace finemote::gen

@@ -1,12 +1,13 @@
-// A device type's descriptor to the made part of its reference page.
+// A device type to the made part of its reference page.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
+
+#include "generator/descriptor/device_type.hpp"
 
 namespace finemote::gen {
 
-/// Summary, facts and parameters, as Markdown. `include` is what generated code includes for it.
-std::string device_page(const nlohmann::ordered_json& descriptor, const std::string& include);
+/// Summary, facts and parameters, as Markdown.
+std::string device_page(const DeviceType& type);
 
 }  // namespace finemote::gen

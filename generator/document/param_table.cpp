@@ -2,45 +2,42 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
+#include "generator/descriptor/read_param.hpp"
 #include "generator/document/markdown.hpp"
 
 namespace finemote::gen {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-std::string as_written(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
-
-std::string range_text(const Json& param) {
-  std::vector<std::string> values;
-  for (const Json& value : param.value("values", Json::array())) values.push_back("`" + as_written(value) + "`");
-  if (!values.empty()) return joined(values);
-  const auto range = param.find("range");
-  return range == param.end() ? "" : fmt::format("`{}`..`{}`", as_written(range->at(0)), as_written(range->at(1)));
+/// As the URDF writes it.
+std::string as_written(const ParamSpec& spec, const ParamValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
+  return number_text(spec, number_of(value));
 }
 
-std::string param_row(const Json& param) {
-  static const std::vector<std::string> exact{"ns", "Hz", "bit/s", "bit", "%"};
-  std::string meaning = param.value("summary", "");
-  const std::string unit = param.value("unit", "");
-  if (!unit.empty() && std::find(exact.begin(), exact.end(), unit) == exact.end()) meaning += " [" + unit + "]";
-  if (param.value("limits", "") == "command_age") meaning += "; lint compares it with the proven age";
-  if (param.contains("at_least")) meaning += fmt::format("; at least `{}`", param["at_least"].get<std::string>());
-  return row({"`" + param["name"].get<std::string>() + "`",
-              param.contains("default") ? "`" + as_written(param["default"]) + "`" : "required", range_text(param),
-              meaning});
+std::string range_text(const ParamSpec& spec) {
+  std::vector<std::string> values;
+  for (const std::string& value : spec.values) values.push_back("`" + value + "`");
+  if (!values.empty()) return joined(values);
+  if (!spec.min || !spec.max) return "";
+  return fmt::format("`{}`..`{}`", number_text(spec, *spec.min), number_text(spec, *spec.max));
+}
+
+std::string param_row(const ParamSpec& spec) {
+  std::string meaning = spec.summary;
+  if (spec.unit == Unit::none && !spec.unit_text.empty()) meaning += " [" + spec.unit_text + "]";
+  if (spec.limits_command_age) meaning += "; lint compares it with the proven age";
+  if (!spec.at_least.empty()) meaning += fmt::format("; at least `{}`", spec.at_least);
+  return row({"`" + spec.name + "`", spec.fallback ? "`" + as_written(spec, *spec.fallback) + "`" : "required",
+              range_text(spec), meaning});
 }
 
 }  // namespace
 
-std::string param_table(const Json& owner) {
-  const auto params = owner.find("params");
-  if (params == owner.end() || !params->is_array() || params->empty()) return {};
+std::string param_table(const std::vector<ParamSpec>& params) {
+  if (params.empty()) return {};
   std::string text = "\n## Parameters\n\n" + table({"name", "default", "range", "meaning"});
-  for (const Json& param : *params) text += param_row(param);
+  for (const ParamSpec& param : params) text += param_row(param);
   return text;
 }
 

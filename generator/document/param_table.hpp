@@ -1,12 +1,14 @@
-// The `params` of a descriptor or board file to a table of its reference page.
+// Params of a device type or board to a table of its reference page.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
+
+#include "generator/descriptor/device_type.hpp"
 
 namespace finemote::gen {
 
-/// `## Parameters` with a row for each of `params`; empty where `owner` has none.
-std::string param_table(const nlohmann::ordered_json& owner);
+/// `## Parameters` with a row for each; empty where there are none.
+std::string param_table(const std::vector<ParamSpec>& params);
 
 }  // namespace finemote::gen

@@ -9,8 +9,6 @@
 namespace finemote::gen {
 namespace {
 
-using nlohmann::json;
-
 constexpr unsigned kFormat = 1;                         // of the frames: link.hpp of the runtime
 constexpr unsigned kMaxPayload = 117;                   // a frame of 128 bytes
 constexpr unsigned kTimeSize = 8;                       // every block of states begins with the robot's time
@@ -43,29 +41,20 @@ unsigned size_of(const std::vector<LinkField>& fields) {
   return size;
 }
 
-std::vector<LinkField> read_fields(const json& list) {
-  std::vector<LinkField> fields;
-  for (const json& entry : list)
-    fields.push_back(
-        {entry.at("name").get<std::string>(), entry.at("type").get<std::string>(), entry.value("count", 0U)});
-  return fields;
-}
-
 /// What an interface's State or Command holds: as the descriptor of the device says, else as the table of the shipped
 /// interfaces does. None: only its Stamp is known.
-std::optional<std::vector<LinkField>> fields_of(const DeviceType& type, const json& interfaces, const char* what) {
+std::optional<std::vector<LinkField>> fields_of(const DeviceType& type, const InterfaceTable& shipped,
+                                                std::optional<std::vector<LinkField>> InterfaceFields::*what) {
   if (type.provides.empty()) return std::nullopt;
-  const json& provided = type.descriptor->at("provides").at(0);
-  const auto own = provided.find(std::string(what) + "_fields");
-  if (own != provided.end()) return read_fields(*own);
-  const auto known = interfaces.at("interfaces").find(type.provides.front().name);
-  if (known == interfaces.at("interfaces").end() || !known->contains(what)) return std::nullopt;
-  return read_fields(known->at(what));
+  const Interface& provided = type.provides.front();
+  if (provided.fields.*what) return provided.fields.*what;
+  const auto known = shipped.find(provided.name);
+  return known == shipped.end() ? std::nullopt : known->second.*what;
 }
 
 class Planner {
  public:
-  Planner(const Plan& plan, const json& interfaces, Diagnostics& diagnostics)
+  Planner(const Plan& plan, const InterfaceTable& interfaces, Diagnostics& diagnostics)
       : plan_(plan), interfaces_(interfaces), diagnostics_(diagnostics) {}
 
   DeviceLink link_of(std::size_t device) {
@@ -92,11 +81,11 @@ class Planner {
     const auto is_here = [&](const LinkItem& other) { return other.name == item.name; };
     if (std::any_of(link.up.begin(), link.up.end(), is_here)) return;
     item.interface = device.type->provides.empty() ? "" : device.type->provides.front().name;
-    item.fields = fields_of(*device.type, interfaces_, "state").value_or(std::vector<LinkField>{});
+    item.fields = fields_of(*device.type, interfaces_, &InterfaceFields::state).value_or(std::vector<LinkField>{});
     item.expression = binding.state_crossing ? plan_.schedule.crossings[*binding.state_crossing].name
                                              : target + "." + binding.state_member;
     link.up.push_back(item);
-    const auto fields = fields_of(*device.type, interfaces_, "command");
+    const auto fields = fields_of(*device.type, interfaces_, &InterfaceFields::command);
     if (!binding.has_command || binding.sink || !fields) return;
     item.fields = *fields;
     item.expression = binding.command_crossing ? plan_.schedule.crossings[*binding.command_crossing].name
@@ -149,7 +138,7 @@ class Planner {
   }
 
   const Plan& plan_;
-  const json& interfaces_;
+  const InterfaceTable& interfaces_;
   Diagnostics& diagnostics_;
 };
 
@@ -232,7 +221,7 @@ std::vector<std::string> moves(const std::vector<LinkItem>& items, bool is_up, c
 
 }  // namespace
 
-std::vector<DeviceLink> plan_links(const Plan& plan, const json& interfaces, Diagnostics& diagnostics) {
+std::vector<DeviceLink> plan_links(const Plan& plan, const InterfaceTable& interfaces, Diagnostics& diagnostics) {
   std::vector<DeviceLink> links;
   Planner planner(plan, interfaces, diagnostics);
   for (const std::size_t device : plan.forest.order) {

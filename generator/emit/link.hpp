@@ -1,22 +1,16 @@
 // What a device's link to a computer carries, and how: the table in its tree, and a header for the computer.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "generator/descriptor/link_fields.hpp"
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/emit/constants.hpp"
 #include "generator/emit/names.hpp"
 
 namespace finemote::gen {
-
-/// One value of a state or command.
-struct LinkField {
-  std::string name;
-  std::string type;    ///< as in the interface table: `float`, `uint16`
-  unsigned count = 0;  ///< of an array; 0: a single value
-};
 
 /// The state or command of one device.
 struct LinkItem {
@@ -34,9 +28,9 @@ struct DeviceLink {
   std::uint32_t number = 0;  ///< a layout that differs in anything has another one
 };
 
-/// Every link of the robot, in schedule order. `interfaces` is schemas/interfaces.json.
+/// Every link of the robot, in schedule order. `interfaces` is that of schemas/interfaces.json.
 /// Reports FM3205 when a state or command does not fit a frame, or there are more than sixteen blocks.
-std::vector<DeviceLink> plan_links(const Plan& plan, const nlohmann::json& interfaces, Diagnostics& diagnostics);
+std::vector<DeviceLink> plan_links(const Plan& plan, const InterfaceTable& interfaces, Diagnostics& diagnostics);
 
 /// `host_layout` and the tables behind it, for the tree of the device.
 Constant link_constant(const Plan& plan, const DeviceLink& link);

@@ -40,11 +40,11 @@ void check_names(const Plan& plan, const std::vector<Constant>& constants, Diagn
   }
 }
 
-nlohmann::json read_interfaces(const std::string& data_dir) {
+InterfaceTable shipped_interfaces(const std::string& data_dir) {
   const std::string path = data_dir + "/schemas/interfaces.json";
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot read " + path);
-  return nlohmann::json::parse(file);
+  return read_interfaces(nlohmann::ordered_json::parse(file));
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ std::vector<OutputFile> render_files(const Plan& plan, const ProvenBounds& bound
   const std::string templates = data_dir + "/templates";
   std::vector<Constant> constants = make_constants(plan, diagnostics);
   check_names(plan, constants, diagnostics);
-  const std::vector<DeviceLink> links = plan_links(plan, read_interfaces(data_dir), diagnostics);
+  const std::vector<DeviceLink> links = plan_links(plan, shipped_interfaces(data_dir), diagnostics);
   for (const DeviceLink& link : links) constants.push_back(link_constant(plan, link));
   std::vector<OutputFile> files;
   const auto add = [&](const std::string& name, const std::string& template_name, const Data& data) {

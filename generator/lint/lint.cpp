@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "generator/geometry/role_joints.hpp"
@@ -11,6 +10,7 @@
 #include "generator/lint/hardware.hpp"
 #include "generator/lint/joints.hpp"
 #include "generator/lint/mechanics.hpp"
+#include "generator/model/conversion.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
@@ -175,23 +175,6 @@ class Linter {
             update, handle));
   }
 
-  /// The longest conversion the descriptor gives for the params of this device.
-  [[nodiscard]] static std::int64_t conversion_ns(const Device& device) {
-    if (device.type->descriptor == nullptr) return 0;
-    const auto& json = *device.type->descriptor;
-    if (!json.contains("acquisition") || !json["acquisition"].contains("conversion")) return 0;
-    const auto& conversion = json["acquisition"]["conversion"];
-    if (conversion.contains("ns")) return conversion["ns"].get<std::int64_t>();
-    if (!conversion.contains("param") || !conversion.contains("ns_by_value")) return 0;
-    for (const Param& param : device.params) {
-      if (param.spec->name != conversion["param"]) continue;
-      const auto* number = std::get_if<std::int64_t>(&param.value);
-      const auto* word = std::get_if<std::string>(&param.value);
-      const std::string key = number != nullptr ? std::to_string(*number) : word != nullptr ? *word : std::string();
-      return conversion["ns_by_value"].value(key, std::int64_t{0});
-    }
-    return 0;
-  }
   [[nodiscard]] bool suits_neighbours(const Device& device, std::int64_t period) const {
     const auto suits = [&](std::size_t other) {
       const std::int64_t theirs = robot_.devices[other].period_ns;

@@ -94,7 +94,7 @@ void check_frames(Reading& reading) {
     const Device& device = reading.robot.devices[i];
     if (device.type == nullptr || !device.segment || !device.id) continue;
     std::vector<std::uint32_t>& known = frames[reading.robot.segments[*device.segment].bus];
-    for (const SharedFrame& frame : device.type->shared_frames) {
+    for (const SharedFrame& frame : device.type->shared_frames()) {
       const bool is_filled = *device.id >= frame.id_min && *device.id <= frame.id_max;
       if (!is_filled || std::find(known.begin(), known.end(), frame.identifier) != known.end()) continue;
       if (known.size() < runtime_limits::kCanGroups) {

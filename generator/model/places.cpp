@@ -467,7 +467,7 @@ void check_shared_frames(Reading& reading) {
   for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
     const Device& device = reading.robot.devices[i];
     if (!device.segment || !device.id || reading.devices[i].period_is_wrong || device.period_ns == 0) continue;
-    for (const SharedFrame& frame : device.type->shared_frames) {
+    for (const SharedFrame& frame : device.type->shared_frames()) {
       if (*device.id < frame.id_min || *device.id > frame.id_max) continue;
       const auto key = std::make_pair(reading.robot.segments[*device.segment].bus, frame.identifier);
       const auto [known, is_fresh] = first.emplace(key, Filler{device.period_ns, describe(reading, i)});

@@ -161,9 +161,10 @@ void check_pulse(Reading& reading, std::size_t index) {
 /// Another bus whose output repeats together with that of bus `index`.
 const Bus* sharer(const Reading& reading, std::size_t index) {
   const Port* port = reading.buses[index].port;
-  for (std::size_t i = 0; port != nullptr && !port->timer.empty() && i < reading.robot.buses.size(); ++i) {
+  for (std::size_t i = 0; port != nullptr && !port->timer_name().empty() && i < reading.robot.buses.size(); ++i) {
     const Port* other = reading.buses[i].port;
-    if (i != index && other != nullptr && other != port && other->timer == port->timer) return &reading.robot.buses[i];
+    if (i != index && other != nullptr && other != port && other->timer_name() == port->timer_name())
+      return &reading.robot.buses[i];
   }
   return nullptr;
 }
@@ -174,13 +175,13 @@ std::string port_alone(const Reading& reading, const DeviceType& type, const std
   const Board& board = *reading.robot.board;
   const auto is_alone = [&](const Port& port) {
     return std::none_of(reading.buses.begin(), reading.buses.end(), [&](const Reading::BusState& bus) {
-      return bus.port != nullptr && bus.port->timer == port.timer;
+      return bus.port != nullptr && bus.port->timer_name() == port.timer_name();
     });
   };
   std::string found;
   for (const std::string& name : free_ports(board, used_ports(reading.robot), BusKind::pwm)) {
     const Port& port = *board.port(name);
-    if (!is_alone(port) || std::find(offered.begin(), offered.end(), port.timer) != offered.end()) continue;
+    if (!is_alone(port) || std::find(offered.begin(), offered.end(), port.timer_name()) != offered.end()) continue;
     const bool is_made_for = !type.provides.empty() && port.drives == type.provides.front().name;
     if (is_made_for) return name;
     if (found.empty() && port.drives.empty()) found = name;
@@ -204,12 +205,12 @@ void check_tuning(Reading& reading, std::size_t index, std::vector<std::string>&
   Diagnostic& finding = at_value(reading.diagnostics, code::output_not_tunable, *bus, message);
   if (other != nullptr) {
     finding.note(fmt::format("ports '{}' and '{}' are channels of timer {}", reading.robot.buses[segment.bus].port,
-                             other->port, reading.buses[segment.bus].port->timer),
+                             other->port, reading.buses[segment.bus].port->timer_name()),
                  other->at);
   }
   const std::string port = port_alone(reading, *device.type, offered);
   if (port.empty()) return;
-  offered.push_back(reading.robot.board->port(port)->timer);
+  offered.push_back(reading.robot.board->port(port)->timer_name());
 
   finding.hint(fmt::format("put it on a bus of its own: <bus name=\"{}\" type=\"pwm\" port=\"{}\"/>", port, port));
 }

@@ -168,7 +168,7 @@ bool has_models(const Robot& robot, Diagnostics& diagnostics) {
   std::set<std::string> reported;
   for (const Device& device : robot.devices) {
     if (!has_part(device)) continue;
-    const auto part = emulation_of(*device.type).at("part").get<std::string>();
+    const std::string& part = device.type->emulation.part;
     if (scenario::find_model(part) != nullptr || !reported.insert(device.type->name).second) continue;
     diagnostics.error(code::emulated_part, device.at, fmt::format("the emulated board has no part '{}'", part))
         .underline(7)

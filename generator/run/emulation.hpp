@@ -1,18 +1,12 @@
-// What descriptors say of their models on the emulated board.
+// Which devices of a robot have a model on the emulated board, and what they turn there.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "generator/model/robot.hpp"
 
 namespace finemote::gen {
-
-/// `emulation` of a descriptor, or null.
-inline nlohmann::ordered_json emulation_of(const DeviceType& type) {
-  return type.descriptor->value("emulation", nlohmann::ordered_json());
-}
 
 /// The joint an actuator turns: its own, or, where it is the only actuator in it, that of the composite around it;
 /// empty: none.
@@ -22,6 +16,6 @@ std::string driven_joint(const Robot& robot, const Device& device);
 std::vector<const Device*> actuators_in(const Robot& robot, const Device& device);
 
 /// A model of its part is on a bus of the board.
-inline bool has_part(const Device& device) { return device.segment && emulation_of(*device.type).contains("part"); }
+inline bool has_part(const Device& device) { return device.segment && !device.type->emulation.part.empty(); }
 
 }  // namespace finemote::gen

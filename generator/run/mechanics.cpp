@@ -29,7 +29,7 @@ std::map<std::string, std::string> turned_joints(const Robot& robot) {
   for (const Joint& joint : robot.joints) {
     const bool turns = joint.type == "revolute" || joint.type == "continuous";
     const Device* driver = turns ? driver_of(robot, joint) : nullptr;
-    if (driver != nullptr && !emulation_of(*driver->type).contains("body")) turned[joint.name] = driver->name.text;
+    if (driver != nullptr && driver->type->emulation.body.empty()) turned[joint.name] = driver->name.text;
   }
   return turned;
 }

@@ -50,7 +50,7 @@ void add_identifiers(const Device& device, Json& part) {
   if (!device.id) return;
   part["id"] = *device.id;
   if (device.type->receives_base) part["feedback_id"] = *device.type->receives_base + *device.id;
-  for (const SharedFrame& frame : device.type->shared_frames) {
+  for (const SharedFrame& frame : device.type->shared_frames()) {
     if (*device.id < frame.id_min || *device.id > frame.id_max) continue;
     part["command_id"] = frame.identifier;
     part["word"] = *device.id - frame.id_min;
@@ -78,8 +78,8 @@ void add_bus(const Robot& robot, const Device& device, Json& part) {
   const Segment& segment = robot.segments[*device.segment];
   if (segment.bus_kind == BusKind::uart) {
     add_line_format(robot.buses[segment.bus], device.type->format, part);
-    const Json acquisition = device.type->descriptor->value("acquisition", Json::object());
-    part["period_ns"] = acquisition.value("interval_ns", device.period_ns);
+    const auto& acquisition = device.type->acquisition;
+    part["period_ns"] = acquisition && acquisition->interval_ns ? *acquisition->interval_ns : device.period_ns;
   }
   if (device.address) part["address"] = *device.address;
   if (device.channel) part["channel"] = *device.channel;
@@ -87,25 +87,24 @@ void add_bus(const Robot& robot, const Device& device, Json& part) {
   add_uses(robot, device, part);
 }
 
-void add_params(const Device& device, const Json& emulation, Json& part) {
-  for (const Json& name : emulation.value("params", Json::array())) {
+void add_params(const Device& device, Json& part) {
+  for (const std::string& name : device.type->emulation.params) {
     for (const Param& param : device.params) {
-      if (param.spec->name != name.get<std::string>()) continue;
+      if (param.spec->name != name) continue;
       std::visit([&](const auto& value) { part[param.spec->name] = value; }, param.value);
     }
   }
 }
 
 /// What the part feels of the body, or does to it.
-void add_mechanics(const Robot& robot, const Device& device, const Json& emulation, const std::string& body,
-                   Json& part) {
+void add_mechanics(const Robot& robot, const Device& device, const std::string& body, Json& part) {
   const std::string joint = device.type->actuator ? driven_joint(robot, device) : std::string();
   if (const auto axis = joint.empty() ? std::nullopt : joint_axis(Mechanism(robot), joint, body_link(robot))) {
     part["body"] = body;
     part["xyz"] = {axis->point.x(), axis->point.y(), axis->point.z()};
     part["axis"] = {axis->direction.x(), axis->direction.y(), axis->direction.z()};
     part.update(load_of(robot, joint));
-  } else if (!emulation.contains("body") && !body.empty()) {
+  } else if (device.type->emulation.body.empty() && !body.empty()) {
     part["body"] = body;
     part["way"] = way_to(robot, device.link);
   }
@@ -154,13 +153,13 @@ Json wheels_of(const Robot& robot, const Device& device, const std::string& role
 
 /// What a device makes of the body: the kind of body, with what it needs to know; null: nothing.
 Json body_by(const Robot& robot, const Device& device, std::vector<UndrivenBody>& undriven) {
-  const Json emulation = emulation_of(*device.type);
-  if (!emulation.is_object() || !emulation.contains("body")) return {};
-  Json part{{"type", emulation["body"]}};
-  if (emulation.contains("part")) return driven_joint(robot, device).empty() ? Json() : part;
+  const Emulation& emulation = device.type->emulation;
+  if (emulation.body.empty()) return {};
+  Json part{{"type", emulation.body}};
+  if (!emulation.part.empty()) return driven_joint(robot, device).empty() ? Json() : part;
   UndrivenBody finding{device.at, {}, {}};
-  part["wheels"] = wheels_of(robot, device, emulation.value("wheels", std::string()), finding.notes);
-  add_params(device, emulation, part);
+  part["wheels"] = wheels_of(robot, device, emulation.wheels, finding.notes);
+  add_params(device, part);
   if (!finding.notes.empty() || part["wheels"].empty()) {
     finding.message =
         fmt::format("on the emulated board {} wheel{} of '{}' drive{} the robot's body",
@@ -213,14 +212,14 @@ EmulatedParts emulated_parts(const Robot& robot) {
   if (!body.is_null()) parts.push_back(body);
   for (const Expander& expander : robot.expanders) parts.push_back(expander_part(robot, expander));
   for (const Device& device : robot.devices) {
-    const Json emulation = emulation_of(*device.type);
+    const Emulation& emulation = device.type->emulation;
     if (has_part(device)) {
-      Json part{{"type", emulation.at("part")}, {"name", device.name.text}};
+      Json part{{"type", emulation.part}, {"name", device.name.text}};
       add_bus(robot, device, part);
-      add_mechanics(robot, device, emulation, body.is_null() ? "" : body["name"], part);
+      add_mechanics(robot, device, body.is_null() ? "" : body["name"], part);
       leave_known(part["type"], part);
-      part.update(emulation.value("values", Json::object()));
-      add_params(device, emulation, part);
+      part.update(emulation.values);
+      add_params(device, part);
       parts.push_back(part);
     } else if (device.segment) {
       result.silent.push_back(device.name.text);

@@ -2,48 +2,25 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "generator/model/conversion.hpp"
 #include "generator/model/offers.hpp"
 #include "generator/timing/wire_time.hpp"
 
 namespace finemote::gen::timing {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// A state or command that crosses buckets is copied as so many words at most. Generated code knows the types, the
 /// generator does not: more does not compile (finemote::kCrossingBytes). The interfaces shipped have at most 24.
 constexpr Ns kCrossingWords = 32;
 
-std::string bus_kind_key(BusKind kind) {
-  switch (kind) {
-    case BusKind::uart:
-      return "uart";
-    case BusKind::rs485:
-      return "rs485";
-    case BusKind::i2c:
-      return "i2c";
-    case BusKind::spi:
-      return "spi";
-    case BusKind::can:
-      return "can";
-    case BusKind::pwm:
-      return "pwm";
-    case BusKind::gpio:
-      return "gpio";
-    case BusKind::virtual_bus:
-      return "virtual";
-  }
-  return "";
-}
+/// What the monitor costs at a job or a handle, on a board that does not say: a generous guess.
+constexpr Ns kMonitorGuess = 3000;
 
-Ns cost_of(const Json& board, const char* name) {
-  const auto costs = board.find("costs");
-  if (costs == board.end() || !costs->contains(name)) return 0;
-  return costs->at(name).value("ns", Ns{0});
-}
+/// Costs of a robot without a board.
+const gen::Costs kNoCosts{};
+const Drivers kNoDrivers{};
 
 class Adapter {
  public:
@@ -52,7 +29,8 @@ class Adapter {
         forest_(forest),
         schedule_(schedule),
         options_(options),
-        board_(robot.board != nullptr ? *robot.board->file : no_board_) {}
+        costs_(robot.board != nullptr ? robot.board->costs : kNoCosts),
+        drivers_(robot.board != nullptr ? robot.board->drivers : kNoDrivers) {}
 
   Model make() {
     model_.tick_ns = robot_.tick_ns;
@@ -72,42 +50,34 @@ class Adapter {
 
  private:
   void set_costs() {
-    const Ns exception = cost_of(board_, "exception_entry") + cost_of(board_, "exception_exit");
-    model_.costs.release_ns = cost_of(board_, "release") + exception;
-    model_.costs.release_per_bucket_ns = cost_of(board_, "release_per_bucket");
-    model_.costs.interrupt_ns = exception;
-    model_.costs.job_ns = cost_of(board_, "bucket") + exception;
-    model_.costs.stage_ns = cost_of(board_, "stage") + (options_.trace ? 2 * cost_of(board_, "trace_event") : 0);
-    model_.costs.masked_ns = cost_of(board_, "masked_section");
-    if (options_.monitor) model_.costs.job_ns += monitor_cost("monitor_job");
-  }
-
-  /// Of a board that does not say: a generous guess.
-  [[nodiscard]] Ns monitor_cost(const char* name) const {
-    constexpr Ns kGuess = 3000;
-    const auto costs = board_.find("costs");
-    return costs != board_.end() && costs->contains(name) ? cost_of(board_, name) : kGuess;
+    model_.costs.release_ns = costs_.release_ns + costs_.exception_ns();
+    model_.costs.release_per_bucket_ns = costs_.release_per_bucket_ns;
+    model_.costs.interrupt_ns = costs_.exception_ns();
+    model_.costs.job_ns = costs_.bucket_ns + costs_.exception_ns();
+    model_.costs.stage_ns = costs_.stage_ns + (options_.trace ? 2 * costs_.trace_event_ns : 0);
+    model_.costs.masked_ns = costs_.masked_section_ns;
+    if (options_.monitor) model_.costs.job_ns += costs_.monitor_job_ns.value_or(kMonitorGuess);
   }
 
   void add_bus(std::size_t index) {
     const gen::Bus& bus = robot_.buses[index];
     if (bus.rate <= 0) return;  // pulses and pins: no frames, no interrupts
-    const Json driver = board_.value("drivers", Json::object()).value(bus_kind_key(bus.kind), Json::object());
     Bus out;
+    const auto found = drivers_.find(bus.kind);
+    const Driver driver = found == drivers_.end() ? Driver{} : found->second;
     out.name = bus.name.text;
     out.at = bus.at;
     out.baud_bps = bus.rate;
     out.arbitrated = bus.kind == BusKind::can;
-    out.min_frame_bits = std::max<Ns>(bus.min_frame_bits.value_or(driver.value("min_frame_bits", Ns{1})), 1);
-    out.wcet_ns = bus.isr_wcet_ns.value_or(driver.value("isr_wcet_ns", Ns{0}));
+    out.min_frame_bits = std::max<Ns>(bus.min_frame_bits.value_or(driver.min_frame_bits), 1);
+    out.wcet_ns = bus.isr_wcet_ns.value_or(driver.isr_wcet_ns);
     out.frame_ns = frame_time(out.min_frame_bits, bus.rate);
-    if (driver.contains("sources")) {
+    if (found != drivers_.end()) {
       out.sources.emplace();
-      for (const Json& s : driver["sources"]) {
-        const Ns bits = bus.min_frame_bits.value_or(s.value("min_frame_bits", out.min_frame_bits));
-        out.sources->push_back({s.value("name", std::string("interrupt")),
-                                bus.isr_wcet_ns.value_or(s.value("isr_wcet_ns", out.wcet_ns)),
-                                frame_time(bits, bus.rate),
+      for (const DriverSource& s : driver.sources) {
+        out.sources->push_back({s.name,
+                                bus.isr_wcet_ns.value_or(s.isr_wcet_ns),
+                                frame_time(bus.min_frame_bits.value_or(s.min_frame_bits), bus.rate),
                                 {}});
       }
     }
@@ -164,21 +134,20 @@ class Adapter {
     if (out.source == WcetSource::assumed && options_.assumed_wcet_ns) {
       out.update_wcet_ns = out.handle_wcet_ns = *options_.assumed_wcet_ns;
     }
-    if (options_.monitor) out.handle_extra_ns = monitor_cost("monitor_handle");
+    if (options_.monitor) out.handle_extra_ns = costs_.monitor_handle_ns.value_or(kMonitorGuess);
     out.takes_command = device.type != nullptr && device.type->has_command();
     out.actuator = device.type != nullptr && device.type->actuator;
     for (const Read& r : device.reads) out.reads.push_back(forest_.rank[r.device]);
     add_roles(device, out);
     const std::size_t place = model_.devices.size();
     model_.devices.push_back(std::move(out));
-    if (device.type == nullptr || device.type->descriptor == nullptr) return;
-    const Json& descriptor = *device.type->descriptor;
-    add_acquisition(device, descriptor, model_.devices[place]);
-    if (device.segment) add_frames(device, descriptor, *device.segment, "", place);
+    if (device.type == nullptr) return;
+    model_.devices[place].acquisition = acquisition_of(device);
+    if (device.segment) add_frames(device, *device.segment, "", place);
     for (const Use& use : device.uses) {
-      if (use.segment) add_frames(device, descriptor, *use.segment, use.spec->role, place);
+      if (use.segment) add_frames(device, *use.segment, use.spec->role, place);
     }
-    if (device.segment) add_interrupts(device, descriptor);
+    if (device.segment) add_interrupts(device);
   }
 
   /// The device's own role in its parent, and whose data end at it.
@@ -208,84 +177,66 @@ class Adapter {
     return WcetSource::unknown;
   }
 
-  static void add_acquisition(const gen::Device& device, const Json& descriptor, Device& out) {
-    const auto a = descriptor.find("acquisition");
-    if (a == descriptor.end()) return;
+  static std::optional<Acquisition> acquisition_of(const gen::Device& device) {
+    if (!device.type->acquisition) return {};
+    const gen::Acquisition& given = *device.type->acquisition;
     Acquisition result;
-    result.fixed_ns = a->value("latency_ns", Ns{0});
-    if (a->value("model", std::string()) == "streamed") {
-      result.interval_ns = a->value("interval_ns", Ns{0});
+    result.fixed_ns = given.latency_ns;
+    if (given.model == gen::Acquisition::Model::streamed) {
+      result.interval_ns = given.interval_ns.value_or(0);
     } else {
-      result.periods = a->value("periods", std::int64_t{1});
-      result.every = a->value("published_every", std::int64_t{1});
-      if (a->contains("conversion")) result.conversion_ns = conversion_time(device, a->at("conversion"));
+      result.periods = given.periods.value_or(1);
+      result.every = given.published_every;
+      result.conversion_ns = conversion_ns(device);
     }
-    out.acquisition = result;
-  }
-
-  static Ns conversion_time(const gen::Device& device, const Json& conversion) {
-    if (!conversion.contains("param")) return conversion.value("ns", Ns{0});
-    const Json by_value = conversion.value("ns_by_value", Json::object());
-    Ns longest = 0;
-    for (const auto& [value, ns] : by_value.items()) longest = std::max(longest, ns.get<Ns>());
-    for (const Param& p : device.params) {
-      if (p.spec == nullptr || p.spec->name != conversion.at("param").get<std::string>()) continue;
-      const std::string key = text_of(p.value);
-      if (by_value.contains(key)) return by_value.at(key).get<Ns>();
-    }
-    return longest;
-  }
-
-  static std::string text_of(const ParamValue& value) {
-    if (const auto* number = std::get_if<std::int64_t>(&value)) return std::to_string(*number);
-    if (const auto* text = std::get_if<std::string>(&value)) return *text;
-    return {};
+    return result;
   }
 
   /// Frames of a device over its own bus, or (`role`) over that of a use: entries of one unit become one transfer,
   /// entries of unit 0 stand alone. A device that says nothing may send anything: its bus has no budgets.
-  void add_frames(const gen::Device& device, const Json& descriptor, std::size_t segment, const std::string& role,
-                  std::size_t place) {
+  void add_frames(const gen::Device& device, std::size_t segment, const std::string& role, std::size_t place) {
     const auto bus = bus_of(segment);
     if (!bus) return;
-    const Json frames = frames_over(descriptor, role);
-    const bool is_silent = role.empty() ? descriptor.contains("frames") : shares_own_bus(device, segment, role);
+    const std::vector<Frame> frames = frames_over(*device.type, role);
+    const bool is_silent = role.empty() ? device.type->frames.has_value() : shares_own_bus(device, segment, role);
     if (frames.empty() && !is_silent) undeclared_.insert(*bus);
     if (frames.empty()) return;
     const BusKind kind = robot_.buses[robot_.segments[segment].bus].kind;
     const WireRate rate{kind, model_.buses[*bus].baud_bps, bits_per_byte(format_of(device, role))};
-    std::map<std::pair<std::string, int>, WireUse> units;
+    std::map<std::pair<std::string_view, int>, std::pair<FrameStage, WireUse>> units;  // by the stage's name
     int alone = -1;
-    for (const Json& f : frames) {
-      const int unit = f.value("unit", 0);
-      WireUse& use = units[{f.at("stage").get<std::string>(), unit > 0 ? unit : alone--}];
-      use.add(rate, f.value("write", Ns{0}), f.value("read", Ns{0}));
-      use.min_interval_ns = std::max(use.min_interval_ns, f.value("min_interval_ns", Ns{0}));
-      if (f.value("write", Ns{0}) > 0 && f.at("stage") != "autonomous") transmits_.insert(*bus);
+    for (const Frame& f : frames) {
+      auto& [stage, use] = units[{to_string(f.stage), f.unit > 0 ? f.unit : alone--}];
+      stage = f.stage;
+      use.add(rate, f.write_bytes, f.read_bytes);
+      use.min_interval_ns = std::max(use.min_interval_ns, f.min_interval_ns.value_or(0));
+      if (f.write_bytes > 0 && f.stage != FrameStage::autonomous) transmits_.insert(*bus);
     }
     const bool muxed = robot_.segments[segment].kind == Segment::Kind::mux_channel;
-    for (auto& [key, use] : units) {
-      if (key.first == "flush") continue;  // one for all devices of the bucket: add_flush
+    for (auto& [key, unit] : units) {
+      auto& [stage, use] = unit;
+      if (stage == FrameStage::flush) continue;  // one for all devices of the bucket: add_flush
       if (muxed) add_selection(*bus, rate, use);
-      add_transfer(place, *bus, kind, key.first, use);
-      if (role.empty()) model_.devices[place].transfers.back().identifier = own_identifier(device, frames, key.first);
+      add_transfer(place, *bus, kind, stage, use);
+      if (role.empty()) model_.devices[place].transfers.back().identifier = own_identifier(device, frames, stage);
       if (!role.empty()) model_.devices[place].transfers.back().command = false;
     }
   }
 
   /// Of the one frame that a part on CAN sends by itself; none where it may be another.
-  static std::optional<Ns> own_identifier(const gen::Device& device, const Json& frames, const std::string& stage) {
+  static std::optional<Ns> own_identifier(const gen::Device& device, const std::vector<Frame>& frames,
+                                          FrameStage stage) {
     const auto by_itself = std::count_if(frames.begin(), frames.end(),
-                                         [](const Json& frame) { return frame.at("stage") == "autonomous"; });
+                                         [](const Frame& frame) { return frame.stage == FrameStage::autonomous; });
     const auto base = device.type->receives_base;
-    if (stage != "autonomous" || by_itself != 1 || !base || !device.id) return std::nullopt;
+    if (stage != FrameStage::autonomous || by_itself != 1 || !base || !device.id) return std::nullopt;
     return Ns{*base} + *device.id;
   }
 
-  static Json frames_over(const Json& descriptor, const std::string& role) {
-    Json frames = Json::array();
-    for (const Json& f : descriptor.value("frames", Json::array())) {
-      if (f.value("use", std::string()) == role) frames.push_back(f);
+  static std::vector<Frame> frames_over(const DeviceType& type, const std::string& role) {
+    std::vector<Frame> frames;
+    for (const Frame& f : type.frames.value_or(std::vector<Frame>())) {
+      if (f.use == role) frames.push_back(f);
     }
     return frames;
   }
@@ -313,33 +264,30 @@ class Adapter {
 
   /// Lines of the device's own, each named by a use, as further sources of the bus it sits on. What the driver raises
   /// for frames is in the board file.
-  void add_interrupts(const gen::Device& device, const Json& descriptor) {
+  void add_interrupts(const gen::Device& device) {
     const auto bus = bus_of(*device.segment);
-    const auto interrupts = descriptor.find("interrupts");
-    if (!bus || interrupts == descriptor.end() || !model_.buses[*bus].sources) return;
-    for (const Json& entry : *interrupts) {
-      const std::string role = entry.value("use", std::string());
-      const bool given = !role.empty() && std::any_of(device.uses.begin(), device.uses.end(),
-                                                      [&](const Use& use) { return use.spec->role == role; });
+    if (!bus || !model_.buses[*bus].sources) return;
+    for (const Interrupt& entry : device.type->interrupts) {
+      const bool given = !entry.use.empty() && std::any_of(device.uses.begin(), device.uses.end(),
+                                                           [&](const Use& use) { return use.spec->role == entry.use; });
       if (!given) continue;
-      const bool autonomous = entry.at("arrival") == "autonomous";
-      const Ns interval = autonomous ? entry.value("min_interval_ns", Ns{1})
-                                     : device.period_ns / std::max<Ns>(entry.value("count", Ns{1}), 1);
-      model_.buses[*bus].sources->push_back({device.name.text + ": " + entry.at("source").get<std::string>(),
-                                             entry.value("wcet_ns", model_.buses[*bus].wcet_ns),
+      const Ns interval =
+          entry.is_autonomous ? entry.min_interval_ns.value_or(1) : device.period_ns / std::max<Ns>(entry.count, 1);
+      model_.buses[*bus].sources->push_back({device.name.text + ": " + entry.source,
+                                             entry.wcet_ns.value_or(model_.buses[*bus].wcet_ns),
                                              std::max<Ns>(interval, 1),
                                              {}});
     }
   }
 
-  void add_transfer(std::size_t place, std::size_t bus, BusKind kind, const std::string& stage, const WireUse& use) {
+  void add_transfer(std::size_t place, std::size_t bus, BusKind kind, FrameStage stage, const WireUse& use) {
     Transfer t;
     t.bus = bus;
     t.wire_ns = use.wire_ns;
     t.interrupts = use.interrupts;
-    t.after = stage == "update"   ? Transfer::After::update
-              : stage == "handle" ? Transfer::After::handle
-                                  : Transfer::After::autonomous;
+    t.after = stage == FrameStage::update   ? Transfer::After::update
+              : stage == FrameStage::handle ? Transfer::After::handle
+                                            : Transfer::After::autonomous;
     t.min_interval_ns = t.after == Transfer::After::autonomous ? use.min_interval_ns : 0;
     t.receive = kind == BusKind::uart && t.after == Transfer::After::autonomous;
     t.command = t.after == Transfer::After::handle && model_.devices[place].takes_command;
@@ -350,10 +298,8 @@ class Adapter {
   /// Without DMA every byte of a transfer interrupts, not only its begin and end.
   [[nodiscard]] bool has_dma(std::size_t bus) const {
     for (const auto& [index, place] : bus_of_) {
-      if (place != bus) continue;
-      for (const Json& port : board_.value("ports", Json::array())) {
-        if (port.value("name", std::string()) == robot_.buses[index].port) return port.contains("dma");
-      }
+      const Port* port = place == bus ? robot_.board->port(robot_.buses[index].port) : nullptr;
+      if (port != nullptr && !port->dma.empty()) return true;
     }
     return false;
   }
@@ -366,7 +312,7 @@ class Adapter {
   }
 
   void add_crossings() {
-    const Ns copy = cost_of(board_, "latch") + kCrossingWords * cost_of(board_, "latch_per_word");
+    const Ns copy = costs_.latch_ns + kCrossingWords * costs_.latch_per_word_ns;
     for (const Crossing& c : schedule_.crossings) {
       Device& producer = model_.devices[forest_.rank[c.producer]];
       Device& consumer = model_.devices[forest_.rank[c.consumer]];
@@ -390,7 +336,7 @@ class Adapter {
       flush.devices.push_back(forest_.rank[d]);
       channels += mine;
     }
-    flush.wcet_ns = cost_of(board_, "flush") + channels * cost_of(board_, "flush_per_channel");
+    flush.wcet_ns = costs_.flush_ns + channels * costs_.flush_per_channel_ns;
     if (flush.devices.empty()) return;
     if (output.kind == Segment::Kind::pwm_expander) {
       set_expander_burst(output, segment, flush);
@@ -414,22 +360,19 @@ class Adapter {
       note(d.segment, d.channel);
       for (const Use& use : d.uses) note(use.segment, use.channel);
     }
-    const Json frames = expander.type->descriptor->value("frames", Json::object());
-    const auto bytes = [&](const char* what, const char* way = "write") {
-      return frames.value(what, Json::object()).value(way, Ns{0});
-    };
+    const ExpanderFrames& frames = expander.type->frames;
     WireUse use;
     const WireRate rate{BusKind::i2c, model_.buses[*bus].baud_bps, 9};
-    use.add(rate, bytes("per_flush") + bytes("per_channel") * (last - first + 1), 0);
+    use.add(rate, frames.per_flush.write_bytes + frames.per_channel.write_bytes * (last - first + 1), 0);
     if (robot_.segments[expander.segment].kind == Segment::Kind::mux_channel) add_selection(*bus, rate, use);
     flush.output = output.name.text;
     flush.bus = bus;
     add_budget(*bus, flush.devices.front(), use.interrupts);
-    if (frames.contains("check")) {
+    if (frames.check) {
       WireUse check;
-      check.add(rate, bytes("check"), bytes("check", "read"));
+      check.add(rate, frames.check->write_bytes, frames.check->read_bytes);
       add_budget(*bus, flush.devices.front(), check.interrupts, flushes_per_check(expander));
-      use.add(rate, bytes("check"), bytes("check", "read"));
+      use.add(rate, frames.check->write_bytes, frames.check->read_bytes);
     }
     flush.wire_ns = use.wire_ns;
     flush.interrupts = use.interrupts;
@@ -451,7 +394,7 @@ class Adapter {
     std::set<std::uint32_t> identifiers;
     for (const gen::Device& device : robot_.devices) {
       if (device.segment != segment || device.type == nullptr) continue;
-      for (const SharedFrame& f : device.type->shared_frames) {
+      for (const SharedFrame& f : device.type->shared_frames()) {
         const std::uint32_t id = device.id.value_or(0);
         if (f.id_max == 0 || (id >= f.id_min && id <= f.id_max)) identifiers.insert(f.identifier);
       }
@@ -489,8 +432,8 @@ class Adapter {
   /// The controller sends by identifier among its mailboxes. With more frames of ours than those, or with others than
   /// the shared ones, one that waits for a mailbox may be the more urgent.
   void forget_crowded_identifiers() {
-    const Json driver = board_.value("drivers", Json::object()).value("can", Json::object());
-    const auto mailboxes = driver.value("mailboxes", std::size_t{0});
+    const auto driver = drivers_.find(BusKind::can);
+    const std::size_t mailboxes = driver == drivers_.end() ? 0 : driver->second.mailboxes;
     for (Flush& flush : model_.flushes) {
       const bool alone = std::all_of(model_.devices.begin(), model_.devices.end(), [&](const Device& device) {
         return std::all_of(device.transfers.begin(), device.transfers.end(), [&](const Transfer& t) {
@@ -523,8 +466,8 @@ class Adapter {
   const Forest& forest_;
   const Schedule& schedule_;
   const RobotTimingOptions& options_;
-  const Json no_board_ = Json::object();
-  const Json& board_;
+  const gen::Costs& costs_;
+  const Drivers& drivers_;
   Model model_;
   std::map<std::size_t, std::size_t> bus_of_;  ///< Robot bus -> model bus
   std::set<std::size_t> undeclared_;           ///< model buses with a device that does not say what it sends

@@ -13,8 +13,8 @@ struct RobotTimingOptions {
   std::optional<Ns> assumed_wcet_ns;  ///< instead of every assumed execution time (`--assume-wcet`)
 };
 
-/// The model in registration order. Buses are the physical ones that have a rate; interrupts, frames and costs come
-/// from `Board::file` and `DeviceType::descriptor`, which their schemas have accepted. `has_target` is set.
+/// The model in registration order. Buses are the physical ones that have a rate; costs and interrupts come from
+/// the board, frames and acquisition from the device types. `has_target` is set.
 Model make_timing_model(const Robot& robot, const Forest& forest, const Schedule& schedule,
                         const RobotTimingOptions& options = {});
 

@@ -1,0 +1,34 @@
+#include "generator/descriptor/drivers.hpp"
+
+#include "generator/descriptor/member.hpp"
+
+namespace finemote::gen {
+namespace {
+
+DriverSource read_source(const Json& value) {
+  return {value.at("name").get<std::string>(), value.at("isr_wcet_ns").get<std::int64_t>(),
+          value.at("min_frame_bits").get<std::int64_t>()};
+}
+
+Driver read_driver(const Json& value) {
+  Driver driver;
+  driver.isr_wcet_ns = value.at("isr_wcet_ns").get<std::int64_t>();
+  driver.min_frame_bits = value.at("min_frame_bits").get<std::int64_t>();
+  driver.sources = read_list<DriverSource>(value, "sources", read_source);
+  driver.mailboxes = optional_member<std::size_t>(value, "mailboxes").value_or(0);
+  driver.is_assumed = value.at("assumed").get<bool>();
+  driver.summary = value.at("summary").get<std::string>();
+  return driver;
+}
+
+}  // namespace
+
+Drivers read_drivers(const Json& value) {
+  Drivers drivers;
+  for (const auto& [name, driver] : value.items()) {
+    if (const auto kind = bus_kind(name)) drivers[*kind] = read_driver(driver);
+  }
+  return drivers;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,36 @@
+// What the runtime's bus drivers cost on a board: `drivers` of a board file.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "generator/descriptor/bus_kind.hpp"
+
+namespace finemote::gen {
+
+/// One interrupt source of a driver.
+struct DriverSource {
+  std::string name;  ///< `rx_idle`
+  std::int64_t isr_wcet_ns = 0;
+  std::int64_t min_frame_bits = 1;  ///< bits on the wire between two of its interrupts, at least
+};
+
+struct Driver {
+  std::int64_t isr_wcet_ns = 0;
+  std::int64_t min_frame_bits = 1;
+  std::vector<DriverSource> sources;
+  std::size_t mailboxes = 0;  ///< can: frames that wait in the controller and go by identifier; 0: not known
+  bool is_assumed = false;    ///< not measured
+  std::string summary;
+};
+
+using Drivers = std::map<BusKind, Driver>;
+
+/// Reads a member that the schema accepts.
+Drivers read_drivers(const nlohmann::ordered_json& value);
+
+}  // namespace finemote::gen

@@ -1,0 +1,17 @@
+#include "generator/descriptor/emulation.hpp"
+
+#include "generator/descriptor/member.hpp"
+
+namespace finemote::gen {
+
+Emulation read_emulation(const Json& value) {
+  Emulation emulation;
+  emulation.part = value.value("part", std::string());
+  emulation.params = value.value("params", std::vector<std::string>());
+  emulation.values = value.value("values", Json::object());
+  emulation.body = value.value("body", std::string());
+  emulation.wheels = value.value("wheels", std::string());
+  return emulation;
+}
+
+}  // namespace finemote::gen
