@@ -112,6 +112,12 @@ struct SpareLine {
   std::string name;
 };
 
+/// An interrupt line that no bucket may run in.
+struct ForbiddenLine {
+  int number = 0;
+  std::string why;
+};
+
 struct Board {
   std::string name;
   std::string summary;
@@ -122,7 +128,8 @@ struct Board {
   std::vector<NamedPin> pins;
   std::vector<std::string> chip_pins;  ///< those that the package of the chip has, in order
   std::vector<ReservedPins> reserved_pins;
-  std::vector<Connector> connectors;                            ///< empty: not known
+  std::vector<Connector> connectors;  ///< empty: not known
+  std::vector<ForbiddenLine> forbidden_lines;
   std::vector<SpareLine> lines;                                 ///< in order of use
   std::uint32_t first_bucket_level = 0, last_bucket_level = 0;  ///< NVIC priority levels for buckets, inclusive
   std::vector<ParamSpec> params;                                ///< of the `<board>` element

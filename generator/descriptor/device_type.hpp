@@ -94,6 +94,9 @@ struct GeometrySpec {
   std::string lowest, highest;  ///< range of a role: params that narrow it [rad]; empty: none
 };
 
+/// What the descriptor calls the `param` of a kind: `radius`, `travel` or `share`.
+const char* param_member(const std::string& kind);
+
 /// Assumed execution time of a device without `<wcet>`: fixed part, values of params, and a part per child.
 struct WcetDefault {
   std::int64_t update_ns = 0;
@@ -106,6 +109,7 @@ struct DeviceType {
   std::string name;  ///< the `type` attribute: `ms5837`
   std::string summary;
   std::string cpp_class;     ///< `finemote::Ms5837`
+  std::string header;        ///< as the descriptor names it, relative to its file
   std::string include;       ///< as generated code includes it: `finemote/devices/ms5837.hpp`, `my_sensor.hpp`
   std::string include_dir;   ///< folder to add to the include path for a user's type; empty for shipped types
   std::string display_path;  ///< `builtin:devices/ms5837.json`, or relative to the input

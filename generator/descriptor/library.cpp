@@ -189,12 +189,11 @@ bool succeeds(Read read) {
 }
 
 /// Where the header of a type is found.
-void place_header(const JsonFile& json, const LibraryFile& file, DeviceType& type) {
+void place_header(const LibraryFile& file, DeviceType& type) {
   type.builtin = file.builtin;
   type.display_path = file.display;
-  const auto header = json.value.at("header").get<std::string>();
-  if (file.builtin || header.find("runtime/include/") != std::string::npos) return;
-  const fs::path path = fs::path(file.path).parent_path() / header;
+  if (file.builtin || type.header.find("runtime/include/") != std::string::npos) return;
+  const fs::path path = fs::path(file.path).parent_path() / type.header;
   type.include_dir = path.parent_path().lexically_normal().generic_string();
 }
 
@@ -230,7 +229,7 @@ bool read_device(Library& library, LibraryFile& file, Sources& sources, Diagnost
   auto type = std::make_unique<DeviceType>();
   const auto read = [&] {
     *type = read_device_type(json->value, *json->source, diagnostics);
-    place_header(*json, file, *type);
+    place_header(file, *type);
     if (mistakes.empty()) check_header(*json, file, sources, diagnostics);
   };
   if (mistakes.empty() ? !guarded(*json, diagnostics, read) : !succeeds(read)) return false;

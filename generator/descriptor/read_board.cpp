@@ -2,14 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
-#include <set>
-
 #include "generator/descriptor/bus_kind.hpp"
+#include "generator/descriptor/check_board.hpp"
 #include "generator/descriptor/member.hpp"
 #include "generator/descriptor/read_param.hpp"
-#include "generator/descriptor/runtime_limits.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -55,6 +51,10 @@ void read_resources(const Json& value, Port& port) {
     port.resources.push_back({"timer channel", fmt::format("{} channel {}", port.timer->timer, port.timer->channel)});
   }
   for (const InterruptLine& line : port.interrupts) port.resources.push_back({"interrupt", line.text()});
+}
+
+ForbiddenLine read_forbidden(const Json& value) {
+  return {value.at("line").get<int>(), value.at("why").get<std::string>()};
 }
 
 Port read_port(const Json& value) {
@@ -124,128 +124,6 @@ Connector read_connector(const Json& value) {
           optional_member<bool>(value, "offered").value_or(true)};
 }
 
-/// Reports what no schema can see.
-class BoardCheck {
- public:
-  BoardCheck(const SourceFile& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
-
-  void check(const Json& value, const Board& board) {
-    check_port_names(board);
-    check_rates(board);
-    check_lines(value, board);
-    check_line_words(board);
-    check_levels(board);
-    check_tick(board);
-    check_pulses(value, board);
-    check_pins(board);
-  }
-
- private:
-  void contradiction(const JsonPath& path, std::string message) {
-    const Extent extent = find_value(source_, path);
-    diagnostics_.error(code::descriptor_contradiction, extent.at, std::move(message)).underline(extent.length);
-  }
-  void check_port_names(const Board& board) {
-    std::set<std::string> seen;
-    for (std::size_t i = 0; i < board.ports.size(); ++i) {
-      const std::string& name = board.ports[i].name;
-      if (!seen.insert(name).second)
-        contradiction({"ports", std::to_string(i), "name"}, fmt::format("there are two ports '{}'", name));
-    }
-  }
-  void check_rates(const Board& board) {
-    for (std::size_t i = 0; i < board.ports.size(); ++i) {
-      const Port& port = board.ports[i];
-      if (port.min_rate.value_or(0) > port.max_rate.value_or(INT64_MAX)) {
-        contradiction({"ports", std::to_string(i), "max_rate"},
-                      fmt::format("port '{}': max_rate is below min_rate", port.name));
-      }
-    }
-  }
-  /// A line buckets may use can be neither forbidden nor an interrupt of a port.
-  void check_lines(const Json& value, const Board& board) {
-    std::map<int, std::string> taken;
-    for (const Json& line : array_member(value, "forbidden_lines"))
-      taken[line.at("line").get<int>()] = "is forbidden: " + line.at("why").get<std::string>();
-    for (const Json& port : value.at("ports")) {
-      for (const Json& interrupt : array_member(port, "interrupts")) {
-        taken[interrupt.at("line").get<int>()] = "is the interrupt " + interrupt.at("name").get<std::string>() +
-                                                 " of port '" + port.at("name").get<std::string>() + "'";
-      }
-    }
-    for (std::size_t i = 0; i < board.lines.size(); ++i) {
-      const int number = static_cast<int>(board.lines[i].number);
-      const auto found = taken.find(number);
-      if (found != taken.end())
-        contradiction({"spare_lines", std::to_string(i), "line"}, fmt::format("line {} {}", number, found->second));
-      taken[number] = "is listed twice";
-    }
-  }
-  void check_levels(const Board& board) {
-    if (board.first_bucket_level > board.last_bucket_level)
-      contradiction({"priorities", "buckets"}, "the last level for buckets is below the first");
-  }
-
-  /// One store to a register of the interrupt controller, which has 32 lines, releases all buckets of an instant.
-  void check_line_words(const Board& board) {
-    for (std::size_t i = 0; i < board.lines.size(); ++i) {
-      const std::uint32_t line = board.lines[i].number, first = board.lines.front().number;
-      if (line / 32 != first / 32) {
-        contradiction({"spare_lines", std::to_string(i), "line"},
-                      fmt::format("lines {} and {} are not in one register of 32 lines", first, line));
-        break;
-      }
-    }
-    if (board.lines.size() > runtime_limits::kBuckets) {
-      contradiction({"spare_lines"}, fmt::format("{} lines; the scheduler has room for {} buckets", board.lines.size(),
-                                                 runtime_limits::kBuckets));
-    }
-  }
-  void check_tick(const Board& board) {
-    const auto cycles = static_cast<double>(board.max_tick_ns) * static_cast<double>(board.cpu_hz) / 1e9;
-    if (cycles > static_cast<double>(runtime_limits::kTickCycles)) {
-      contradiction({"tick", "max_ns"},
-                    fmt::format("the release timer counts {} core cycles at most", runtime_limits::kTickCycles));
-    }
-  }
-  /// How often pulses repeat: in the range of the driver, and one period for all outputs of a timer.
-  void check_pulses(const Json& value, const Board& board) {
-    std::map<std::string, const Port*> timers;
-    for (std::size_t i = 0; i < board.ports.size(); ++i) {
-      const Port& port = board.ports[i];
-      const JsonPath path{"ports", std::to_string(i), "period_ns"};
-      if (port.period_ns < runtime_limits::kShortestPwmPeriod || port.period_ns > runtime_limits::kLongestPwmPeriod)
-        contradiction(path, fmt::format("port '{}': pulses repeat every 1 us to 400 ms", port.name));
-      const auto timer = value.at("ports").at(i).find("timer");
-      if (timer == value.at("ports").at(i).end() || !timer->is_object()) continue;
-      const Port& first = *timers.emplace(timer->at("name").get<std::string>(), &port).first->second;
-      if (first.period_ns != port.period_ns) {
-        contradiction(path,
-                      fmt::format("ports '{}' and '{}' share a timer and need one period", first.name, port.name));
-      }
-    }
-  }
-
-  /// Pins that reserved_pins, connectors and pins name are there.
-  void check_pins(const Board& board) {
-    const auto check = [&](const JsonPath& path, const std::string& pin) {
-      if (std::find(board.chip_pins.begin(), board.chip_pins.end(), pin) == board.chip_pins.end())
-        contradiction(path, fmt::format("the package has no pin '{}'", pin));
-    };
-    for (std::size_t i = 0; i < board.pins.size(); ++i) check({"pins", std::to_string(i), "pin"}, board.pins[i].pin);
-    for (std::size_t i = 0; i < board.connectors.size(); ++i) {
-      for (const std::string& pin : board.connectors[i].pins) check({"connectors", std::to_string(i), "pins"}, pin);
-    }
-    for (std::size_t i = 0; i < board.reserved_pins.size(); ++i) {
-      for (const std::string& pin : board.reserved_pins[i].pins)
-        check({"reserved_pins", std::to_string(i), "pins"}, pin);
-    }
-  }
-
-  const SourceFile& source_;
-  Diagnostics& diagnostics_;
-};
-
 }  // namespace
 
 std::string DmaStream::name() const { return fmt::format("{} stream {}", upper(controller), stream); }
@@ -266,6 +144,7 @@ Board read_board(const Json& value, const SourceFile& source, Diagnostics& diagn
   board.chip_pins = read_chip_pins(value);
   for (const Json& pins : array_member(value, "reserved_pins")) board.reserved_pins.push_back(read_reserved(pins));
   for (const Json& connector : array_member(value, "connectors")) board.connectors.push_back(read_connector(connector));
+  board.forbidden_lines = read_list<ForbiddenLine>(value, "forbidden_lines", read_forbidden);
   for (const Json& line : value.at("spare_lines"))
     board.lines.push_back({line.at("line").get<std::uint32_t>(), line.at("name").get<std::string>()});
   const Json& levels = value.at("priorities").at("buckets");
@@ -275,7 +154,7 @@ Board read_board(const Json& value, const SourceFile& source, Diagnostics& diagn
   board.costs = read_costs(value.at("costs"));
   board.drivers = read_drivers(value.at("drivers"));
   board.has_watchdog = optional_member<Json>(value, "watchdog").has_value();
-  BoardCheck(source, diagnostics).check(value, board);
+  check_board(board, source, diagnostics);
   return board;
 }
 

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <set>
+#include <tuple>
+#include <utility>
 
 #include "generator/descriptor/bus_kind.hpp"
+#include "generator/descriptor/check_device_type.hpp"
 #include "generator/descriptor/member.hpp"
 #include "generator/descriptor/read_param.hpp"
 #include "generator/units/units.hpp"
@@ -60,6 +61,12 @@ std::vector<std::uint32_t> read_addresses(const Json& address) {
   return allowed;
 }
 
+using Index = std::optional<std::uint32_t>;
+
+std::pair<Index, Index> read_index_range(const Json& value) {
+  return {optional_member<std::uint32_t>(value, "min"), optional_member<std::uint32_t>(value, "max")};
+}
+
 void read_bus(const Json& bus, DeviceType& type) {
   type.buses = read_kinds(bus.at("types"));
   type.bus_required = bus.value("required", true);
@@ -71,13 +78,11 @@ void read_bus(const Json& bus, DeviceType& type) {
   }
   if (const auto channel = bus.find("channel"); channel != bus.end()) {
     type.needs_channel = true;
-    type.channel_min = optional_member<std::uint32_t>(*channel, "min");
-    type.channel_max = optional_member<std::uint32_t>(*channel, "max");
+    std::tie(type.channel_min, type.channel_max) = read_index_range(*channel);
   }
   if (const auto id = bus.find("id"); id != bus.end()) {
     type.needs_id = true;
-    type.id_min = optional_member<std::uint32_t>(*id, "min");
-    type.id_max = optional_member<std::uint32_t>(*id, "max");
+    std::tie(type.id_min, type.id_max) = read_index_range(*id);
   }
   if (const auto receives = bus.find("receives"); receives != bus.end())
     type.receives_base = receives->at("base").get<std::uint32_t>();
@@ -102,12 +107,6 @@ std::optional<WcetDefault> read_wcet(const Json& value) {
   return result;
 }
 
-/// What a kind calls the one param it may name.
-const char* param_member(const std::string& kind) {
-  if (kind == "rolling") return "radius";
-  return kind == "chain" ? "share" : "travel";
-}
-
 GeometrySpec read_geometry(const Json& entry) {
   GeometrySpec spec;
   spec.kind = entry.at("kind").get<std::string>();
@@ -126,119 +125,11 @@ GeometrySpec read_geometry(const Json& entry) {
 }
 
 RepeatSpec read_repeats(const Json& value) {
+  const Json& dividers = value.at("dividers");
   return {value.at("frequency").get<std::string>(), value.at("clock").get<std::string>(),
-          value.at("counts").get<std::int64_t>(), value.at("dividers").at(0).get<std::int64_t>(),
-          value.at("dividers").at(1).get<std::int64_t>()};
+          value.at("counts").get<std::int64_t>(), dividers.at(0).get<std::int64_t>(),
+          dividers.at(1).get<std::int64_t>()};
 }
-
-/// Reports what no schema can see.
-class DescriptorCheck {
- public:
-  DescriptorCheck(const SourceFile& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
-
-  void check(const Json& value, const DeviceType& type) {
-    check_names(value, "roles", "name", "role");
-    check_names(value, "uses", "name", "use");
-    check_names(value, "provides", "interface", "interface");
-    for (std::size_t i = 0; i < type.roles.size(); ++i) check_arity(type.roles[i], i);
-    for (std::size_t i = 0; i < type.uses.size(); ++i) check_data_ready(type, i);
-    for (std::size_t i = 0; i < type.geometry.size(); ++i) check_geometry(type, i);
-    if (!type.link_role.empty()) check_link(type);
-    if (type.wcet) check_wcet(type);
-    check_bus(value, type);
-  }
-
- private:
-  void contradiction(const JsonPath& path, std::string message) {
-    const Extent extent = find_value(source_, path);
-    diagnostics_.error(code::descriptor_contradiction, extent.at, std::move(message)).underline(extent.length);
-  }
-  void check_names(const Json& value, const std::string& list, const char* key, const char* what) {
-    const auto entries = value.find(list);
-    if (entries == value.end()) return;
-    std::set<std::string> seen;
-    for (std::size_t i = 0; i < entries->size(); ++i) {
-      const auto name = entries->at(i).at(key).get<std::string>();
-      if (!seen.insert(name).second)
-        contradiction({list, std::to_string(i), key}, fmt::format("there are two {}s '{}'", what, name));
-    }
-  }
-  void check_arity(const RoleSpec& role, std::size_t index) {
-    if (role.max && *role.max < role.min) {
-      contradiction({"roles", std::to_string(index), "max"},
-                    fmt::format("role '{}': max {} is below min {}", role.name, *role.max, role.min));
-    }
-  }
-  void check_data_ready(const DeviceType& type, std::size_t index) {
-    const std::string& name = type.uses[index].data_ready_of;
-    const bool exists = std::any_of(type.uses.begin(), type.uses.end(), [&](const UseSpec& use) {
-      return use.role == name && use.role != type.uses[index].role;
-    });
-    if (!name.empty() && name != kDeviceItself && !exists)
-      contradiction({"uses", std::to_string(index), "data_ready_of"}, fmt::format("there is no other use '{}'", name));
-  }
-  void check_geometry(const DeviceType& type, std::size_t index) {
-    const GeometrySpec& geometry = type.geometry[index];
-    const std::string entry = std::to_string(index);
-    check_role_named(type, geometry.role, {"geometry", entry, "role"});
-    check_role_named(type, geometry.behind, {"geometry", entry, "behind"});
-    check_role_named(type, geometry.carries, {"geometry", entry, "carries"});
-    for (std::size_t i = 0; i < geometry.replaces.size(); ++i)
-      check_param_named(type, geometry.replaces[i], false, {"geometry", entry, "replaces", std::to_string(i)});
-    check_param_named(type, geometry.param, true, {"geometry", entry, param_member(geometry.kind)});
-    check_param_named(type, geometry.lowest, true, {"geometry", entry, "lowest"});
-    check_param_named(type, geometry.highest, true, {"geometry", entry, "highest"});
-  }
-  void check_role_named(const DeviceType& type, const std::string& name, const JsonPath& path) {
-    const bool exists =
-        std::any_of(type.roles.begin(), type.roles.end(), [&](const RoleSpec& role) { return role.name == name; });
-    if (!name.empty() && !exists) contradiction(path, fmt::format("there is no role '{}'", name));
-  }
-  void check_param_named(const DeviceType& type, const std::string& name, bool is_real, const JsonPath& path) {
-    const auto found =
-        std::find_if(type.params.begin(), type.params.end(), [&](const ParamSpec& spec) { return spec.name == name; });
-    if (name.empty()) return;
-    if (found == type.params.end()) return contradiction(path, fmt::format("there is no param '{}'", name));
-    if (is_real && found->kind != ParamKind::real) contradiction(path, fmt::format("param '{}' is not a float", name));
-  }
-  void check_link(const DeviceType& type) {
-    const bool fits = std::any_of(type.roles.begin(), type.roles.end(), [&](const RoleSpec& role) {
-      return role.name == type.link_role && role.interface == "any";
-    });
-    if (!fits) contradiction({"link", "role"}, fmt::format("there is no role '{}' of interface 'any'", type.link_role));
-  }
-  void check_wcet_params(const DeviceType& type, const std::vector<std::string>& names, const std::string& member) {
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const bool fits = std::any_of(type.params.begin(), type.params.end(), [&](const ParamSpec& spec) {
-        return spec.name == names[i] && spec.kind == ParamKind::integer && spec.unit == Unit::time_ns;
-      });
-      if (!fits)
-        contradiction({"wcet", member, std::to_string(i)}, fmt::format("there is no param '{}' of unit ns", names[i]));
-    }
-  }
-  void check_wcet(const DeviceType& type) {
-    check_wcet_params(type, type.wcet->update_params, "update_params");
-    check_wcet_params(type, type.wcet->handle_params, "handle_params");
-  }
-  void check_range(const std::optional<std::uint32_t>& low, const std::optional<std::uint32_t>& high,
-                   const std::string& member) {
-    if (low && high && *low > *high)
-      contradiction({"bus", member, "max"}, fmt::format("{}: max {} is below min {}", member, *high, *low));
-  }
-  void check_bus(const Json& value, const DeviceType& type) {
-    check_range(type.id_min, type.id_max, "id");
-    check_range(type.channel_min, type.channel_max, "channel");
-    const auto& allowed = type.addresses;
-    if (!type.default_address || allowed.empty() ||
-        std::find(allowed.begin(), allowed.end(), *type.default_address) != allowed.end())
-      return;
-    contradiction({"bus", "address", "default"}, fmt::format("the default address {} is not allowed",
-                                                             value.at("bus").at("address").at("default").dump()));
-  }
-
-  const SourceFile& source_;
-  Diagnostics& diagnostics_;
-};
 
 /// What stands behind `runtime/include/`, else the file's name.
 std::string include_name(const std::string& header) {
@@ -258,6 +149,11 @@ std::vector<SharedFrame> DeviceType::shared_frames() const {
   return all;
 }
 
+const char* param_member(const std::string& kind) {
+  if (kind == "rolling") return "radius";
+  return kind == "chain" ? "share" : "travel";
+}
+
 std::uint32_t parse_hex(const std::string& text) {
   const auto parsed = units::parse_bare(text);
   return parsed ? *parsed : 0;
@@ -268,7 +164,8 @@ DeviceType read_device_type(const Json& value, const SourceFile& source, Diagnos
   type.name = value.at("type").get<std::string>();
   type.summary = value.at("summary").get<std::string>();
   type.cpp_class = value.at("class").get<std::string>();
-  type.include = include_name(value.at("header").get<std::string>());
+  type.header = value.at("header").get<std::string>();
+  type.include = include_name(type.header);
   if (const auto bus = value.find("bus"); bus != value.end()) read_bus(*bus, type);
   type.provides = read_list<Interface>(value, "provides", read_interface);
   type.roles = read_list<RoleSpec>(value, "roles", read_role);
@@ -283,7 +180,7 @@ DeviceType read_device_type(const Json& value, const SourceFile& source, Diagnos
   if (const auto it = value.find("frames"); it != value.end()) type.frames = read_frames(*it);
   type.interrupts = read_list<Interrupt>(value, "interrupts", read_interrupt);
   if (const auto it = value.find("emulation"); it != value.end()) type.emulation = read_emulation(*it);
-  DescriptorCheck(source, diagnostics).check(value, type);
+  check_device_type(type, source, diagnostics);
   return type;
 }
 
@@ -292,7 +189,7 @@ ExpanderType read_expander_type(const Json& value, const SourceFile& source, Dia
   type.name = value.at("model").get<std::string>();
   type.summary = value.at("summary").get<std::string>();
   type.cpp_class = value.value("class", "");
-  type.include = value.contains("header") ? include_name(value.at("header").get<std::string>()) : "";
+  type.include = include_name(value.value("header", std::string()));
   const Json& bus = value.at("bus");
   type.addresses = read_addresses(bus.at("address"));
   type.max_clock_hz = optional_member<std::int64_t>(bus, "max_clock_hz");

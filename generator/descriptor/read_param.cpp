@@ -194,18 +194,13 @@ class SpecReader {
                  fmt::format("the value '{}' has no enumerator", spelling));
     }
   }
-  /// A range goes by `range`, or by `min` and `max` apart.
   void read_range() {
     const auto range = value_.find("range");
-    if (range != value_.end()) {
-      spec_.min = read_bound(range->at(0), "range");
-      spec_.max = read_bound(range->at(1), "range");
-    }
-    if (const auto low = value_.find("min"); low != value_.end()) spec_.min = read_bound(*low, "min");
-    if (const auto high = value_.find("max"); high != value_.end()) spec_.max = read_bound(*high, "max");
+    if (range == value_.end()) return;
+    spec_.min = read_bound(range->at(0), "range");
+    spec_.max = read_bound(range->at(1), "range");
     if (spec_.min && spec_.max && *spec_.min > *spec_.max)
-      complain(range != value_.end() ? "range" : "max", code::descriptor_contradiction,
-               "the lowest value is above the highest");
+      complain("range", code::descriptor_contradiction, "the lowest value is above the highest");
   }
   std::optional<double> read_bound(const Json& bound, const std::string& member) {
     const Parsed parsed = parse_number(spec_, as_text(bound));

@@ -1,0 +1,13 @@
+// What no JSON Schema can see in a board file: members that contradict each other.
+#pragma once
+
+#include "generator/descriptor/board.hpp"
+#include "generator/diagnostic/diagnostics.hpp"
+
+namespace finemote::gen {
+
+/// Reports FM3103, at the member of the text the board was read from: a port twice, a spare line that is taken, levels
+/// or rates the wrong way round, ticks and pulse periods beyond the runtime's limits, pins the package does not have.
+void check_board(const Board& board, const SourceFile& source, Diagnostics& diagnostics);
+
+}  // namespace finemote::gen
