@@ -139,7 +139,8 @@ TEST_CASE("default chains are the oldest of all sources that are connected, on r
     Random choice(seed + 1000);
     for (std::size_t d = 0; d < model.devices.size(); ++d) {
       const auto parent = model.devices[d].parent;
-      if (choice.one_in(6)) model.devices[d].acquisition = Acquisition{choice.between(0, 90), choice.between(0, 90)};
+      if (choice.one_in(6))
+        model.devices[d].acquisition = timing::Acquisition{choice.between(0, 90), choice.between(0, 90)};
       if (parent && choice.one_in(4)) model.devices[*parent].ends_here.push_back(d), ++ended;
       for (const std::size_t observed : model.devices[d].reads) {
         if (choice.one_in(4)) model.devices[d].ends_here.push_back(observed);
