@@ -93,8 +93,8 @@ TEST_CASE("the inputs of a robot are every file that was read") {
   REQUIRE(finsrov.robot);
   CHECK(finsrov.robot->inputs ==
         std::vector<std::string>{"finsrov.urdf", "builtin:boards/robomaster_type_c.json",
-                                 "builtin:expanders/tca9548a.json", "builtin:expanders/pca9685.json",
-                                 "builtin:devices/finsrov.json", "builtin:devices/h30_imu.json",
+                                 "builtin:devices/h30_imu.json", "builtin:expanders/tca9548a.json",
+                                 "builtin:expanders/pca9685.json", "builtin:devices/finsrov.json",
                                  "builtin:devices/ms5837.json", "builtin:devices/pwm_esc.json"});
   CHECK(finsrov.robot->input_paths.size() == finsrov.robot->inputs.size());
 }
