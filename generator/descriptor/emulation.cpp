@@ -1,5 +1,7 @@
 #include "generator/descriptor/emulation.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "generator/descriptor/member.hpp"
 
 namespace finemote::gen {
@@ -8,7 +10,7 @@ Emulation read_emulation(const Json& value) {
   Emulation emulation;
   emulation.part = value.value("part", std::string());
   emulation.params = value.value("params", std::vector<std::string>());
-  emulation.values = value.value("values", Json::object());
+  if (const auto it = value.find("values"); it != value.end()) emulation.values = std::make_shared<const Json>(*it);
   emulation.body = value.value("body", std::string());
   emulation.wheels = value.value("wheels", std::string());
   return emulation;

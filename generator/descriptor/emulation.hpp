@@ -1,7 +1,8 @@
 // The model of a part on the emulated board: `emulation` of a device descriptor.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,8 @@ namespace finemote::gen {
 struct Emulation {
   std::string part;                 ///< type of the part in a scenario; empty: the device has none of its own
   std::vector<std::string> params;  ///< params of the device passed on by their names
-  /// Figures of the part itself, passed on as they are: the emulator reads them.
-  nlohmann::ordered_json values = nlohmann::ordered_json::object();
+  /// Figures of the part itself, passed on as they are: the emulator reads them. Null: none.
+  std::shared_ptr<const nlohmann::ordered_json> values;
   std::string body;    ///< what the device makes of the robot's body; empty: nothing
   std::string wheels;  ///< the role whose children turn the wheels
 };

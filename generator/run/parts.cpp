@@ -218,7 +218,7 @@ EmulatedParts emulated_parts(const Robot& robot) {
       add_bus(robot, device, part);
       add_mechanics(robot, device, body.is_null() ? "" : body["name"], part);
       leave_known(part["type"], part);
-      part.update(emulation.values);
+      if (emulation.values) part.update(*emulation.values);
       add_params(device, part);
       parts.push_back(part);
     } else if (device.segment) {
