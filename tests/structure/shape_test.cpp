@@ -45,7 +45,6 @@ constexpr Known kKnown[] = {
     {"emulator/core/operation.cpp", ""},
     {"emulator/scenario/check.cpp", ""},
     {"generator/cli/run.cpp", "run_run"},
-    {"generator/json/parse.cpp", "Parser"},
     {"generator/lint/joints.cpp", "JointLint"},
     {"generator/lint/lint.cpp", "Linter"},
     {"generator/model/devices.cpp", "DeviceReader"},
