@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <new>
 
-#include "generator/xacro/evaluate.hpp"
 #include "generator/xacro/expander.hpp"
-#include "generator/xacro/number.hpp"
-#include "generator/xacro/print.hpp"
 
 namespace finemote::gen::xacro {
 namespace {
@@ -60,7 +57,7 @@ std::string Expander::text_of_pieces(const Text& text, const Position& at, const
     const Piece& piece = text.pieces[i];
     joined +=
         piece.kind == Piece::Kind::plain ? piece.text : to_text(runtime_, evaluate_piece(piece, at, whole, scope));
-    if (joined.size() > kMaxText) fail_limit("the text is too long");
+    if (joined.size() > expression::kMaxText) fail_limit("the text is too long");
   }
   runtime_.budget.spend(joined.size() / 16);
   return joined;
@@ -133,19 +130,19 @@ std::string Expander::inner_of(const Piece& piece, const Position& at, const std
 
 Value Expander::evaluate_expression(const Piece& piece, const Position& at, const std::string& whole, Scope& scope) {
   if (piece.inner) return evaluate_source(inner_of(piece, at, whole, scope), scope);
-  if (!piece.compiled) piece.compiled = parse_expression(stripped(piece.text));
-  return xacro::evaluate(runtime_, *piece.compiled, scope);
+  if (!piece.compiled) piece.compiled = expression::parse_expression(piece.text);
+  return expression::evaluate(runtime_, *piece.compiled, scope);
 }
 
 Value Expander::evaluate_source(const std::string& source, Scope& scope) {
   auto& expression = expressions_[source];
-  if (!expression) expression = parse_expression(stripped(source));
+  if (!expression) expression = expression::parse_expression(source);
   const auto held = expression;  // evaluation may add others
-  return xacro::evaluate(runtime_, *held, scope);
+  return expression::evaluate(runtime_, *held, scope);
 }
 
 Value Expander::property_value(const Scope::Found& found, const std::string& name) {
-  Property& property = *found.property;
+  expression::Property& property = *found.property;
   if (!property.is_unevaluated) return property.value;
   auto& open = found.scope->evaluating;
   if (std::find(open.begin(), open.end(), name) != open.end()) {
@@ -155,7 +152,7 @@ Value Expander::property_value(const Scope::Found& found, const std::string& nam
   }
   open.push_back(name);
   const Value::Text text = *property.value.as<Value::Text>();  // keeps it: evaluation may replace the property
-  Value value = literal_of(value_of(*text, property.at, *found.scope));
+  Value value = expression::literal_of(value_of(*text, property.at, *found.scope));
   open.pop_back();
   property.value = value;
   property.is_unevaluated = false;
@@ -163,17 +160,13 @@ Value Expander::property_value(const Scope::Found& found, const std::string& nam
 }
 
 bool Expander::boolean_of(const Value& value, const std::string& condition, const Position& at) {
-  const std::string* text = value.text();
-  if (text == nullptr) return is_true(value);
-  if (*text == "true" || *text == "True") return true;
-  if (*text == "false" || *text == "False") return false;
-  if (const auto i = parse_integer(*text)) return !i->is_zero();
-  throw Failure{
-      code::xacro_condition,
-      fmt::format("Xacro conditional \"{}\" evaluated to \"{}\", which is not a boolean expression.", condition, *text),
-      at,
-      {},
-      {"valid here: true, false, a whole number, or a comparison such as ${name == 'left'}"}};
+  if (const auto boolean = expression::boolean_literal(value)) return *boolean;
+  throw Failure{code::xacro_condition,
+                fmt::format("Xacro conditional \"{}\" evaluated to \"{}\", which is not a boolean expression.",
+                            condition, *value.text()),
+                at,
+                {},
+                {"valid here: true, false, a whole number, or a comparison such as ${name == 'left'}"}};
 }
 
 /// The place `offset` bytes into a text that begins at `at`; its beginning where entities or line breaks in attributes

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "generator/xacro/expander.hpp"
-#include "generator/xacro/print.hpp"
 #include "generator/xacro/source_failure.hpp"
 
 namespace finemote::gen::xacro {

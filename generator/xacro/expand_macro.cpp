@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "generator/xacro/expander.hpp"
-#include "generator/xacro/print.hpp"
 
 namespace finemote::gen::xacro {
 
@@ -160,8 +159,8 @@ void Expander::bind_blocks(const Node& source, const Call& call, Scope& scope, O
           {},
           {fmt::format("macro '{}' needs an element for its block '{}'", call.macro->name, (*parameter)->name)}};
     }
-    auto block = std::make_shared<const Block>(Block{std::make_shared<const Node>(std::move(*next)), nullptr, true});
-    scope.set((*parameter)->name, {std::move(block), false, at});
+    scope.set((*parameter)->name,
+              {block_value(std::make_shared<const Node>(std::move(*next)), nullptr, true), false, at});
     ++next;
     find_element();
     parameter = open.erase(parameter);

@@ -2,12 +2,11 @@
 #include <fmt/format.h>
 
 #include "generator/xacro/expander.hpp"
-#include "generator/xacro/token.hpp"
 
 namespace finemote::gen::xacro {
 
 void Expander::check_property_name(const std::string& name, const Position& at) const {
-  if (!is_identifier(name)) {
+  if (!expression::is_identifier(name)) {
     throw Failure{code::xacro_property,
                   "Property names must be valid python identifiers: " + name,
                   at,
@@ -80,8 +79,7 @@ void Expander::store_property(const Node& source, const Context& context, const 
   if (value == nullptr) value = source.attribute("default");
   if (value == nullptr) {
     const std::shared_ptr<const Node> kept(std::shared_ptr<const Node>(), &source);  // the document outlives all blocks
-    auto block = std::make_shared<const Block>(Block{kept, context.via, context.is_placed});
-    return set_property(*target, "**" + name, std::move(block), false, at);
+    return set_property(*target, "**" + name, block_value(kept, context.via, context.is_placed), false, at);
   }
   const Position value_at = place(value->value_at, context);
   if (is_lazy) return set_property(*target, name, value->value, true, value_at);
@@ -90,7 +88,7 @@ void Expander::store_property(const Node& source, const Context& context, const 
 
 void Expander::set_property(Scope& scope, const std::string& name, Value value, bool is_unevaluated, Position at) {
   if (scope.is_builtin(name)) warn(code::xacro_redefined_symbol, at, "redefining global symbol: " + name);
-  value = literal_of(std::move(value));
+  value = expression::literal_of(std::move(value));
   const bool is_text = value.text() != nullptr;
   scope.set(name, {std::move(value), is_unevaluated && is_text, at});
 }

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "generator/xacro/cost.hpp"
-#include "generator/xacro/print.hpp"
 #include "generator/xacro/source_failure.hpp"
 #include "generator/xml/write.hpp"
 
@@ -105,7 +103,7 @@ void Expander::visit(const Node& node, const Context& context, std::size_t steps
   std::size_t bytes = node.text.size();
   for (const xml::Attribute& a : node.attributes) bytes += a.value.size();
   try {
-    runtime_.budget.visit(steps + node.attributes.size() + cost_of_block(bytes));
+    runtime_.budget.visit(steps + node.attributes.size() + expression::cost_of_block(bytes));
   } catch (Failure& failure) {
     failure.at = place(node.at, context);
     throw;
@@ -271,8 +269,8 @@ void Expander::expand_block(const Node& source, const Context& context, Sink& ou
   auto found = context.scope->find("**" + name.value);
   const bool content_only = static_cast<bool>(found);
   if (!found) found = context.scope->find("*" + name.value);
-  const auto* held = found ? found.property->value.as<std::shared_ptr<const Block>>() : nullptr;
-  if (held == nullptr) {
+  const std::shared_ptr<const Block> block = found ? block_of(found.property->value) : nullptr;
+  if (!block) {
     std::vector<std::string> blocks;
     for (const std::string& visible : context.scope->names()) {
       const auto plain = visible.find_first_not_of('*');
@@ -289,7 +287,6 @@ void Expander::expand_block(const Node& source, const Context& context, Sink& ou
 
   const Level level =
       enter(block_depth_, kMaxNestedCalls, "maximum recursion depth exceeded: a block inserts itself", at);
-  const std::shared_ptr<const Block> block = *held;
   const Context inner{context.scope, context.macros, block->via, block->is_placed};
   if (!content_only) return expand_plain_element(*block->node, inner, out);
   warn_of_lost_attributes(*block->node, inner, out);

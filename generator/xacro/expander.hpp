@@ -10,11 +10,12 @@
 #include <unordered_map>
 #include <vector>
 
+#include "generator/xacro/block.hpp"
 #include "generator/xacro/comments.hpp"
+#include "generator/xacro/engine.hpp"
 #include "generator/xacro/expand.hpp"
+#include "generator/xacro/limits.hpp"
 #include "generator/xacro/macro.hpp"
-#include "generator/xacro/runtime.hpp"
-#include "generator/xacro/scope.hpp"
 #include "generator/xacro/substitution.hpp"
 #include "generator/xacro/text.hpp"
 
@@ -28,7 +29,7 @@ struct Context {
   bool is_placed = false;  ///< the nodes carry their own way already: a block that was evaluated by its caller
 };
 
-class Expander : private Host, private SubstitutionHost {
+class Expander : private expression::Host, private SubstitutionHost {
  public:
   Expander(const SourceFile& entry, const Arguments& arguments, const PackagePath& packages, Sources& sources,
            Diagnostics& diagnostics, Dependencies& dependencies, std::ostream* messages);

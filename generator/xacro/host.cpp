@@ -5,24 +5,19 @@
 #include <cstdlib>
 #include <ostream>
 
-#include "generator/xacro/builtins.hpp"
-#include "generator/xacro/evaluate.hpp"
 #include "generator/xacro/expander.hpp"
-#include "generator/xacro/number.hpp"
-#include "generator/xacro/print.hpp"
 #include "generator/xacro/source_failure.hpp"
-#include "generator/xacro/yaml.hpp"
 
 namespace finemote::gen::xacro {
 
 void Expander::define_builtins() {
-  for (auto& [name, value] : global_symbols()) builtins_.set(name, {std::move(value), false, {}});
-  define_name_space("python", python_symbols());
-  define_name_space("math", math_symbols());
-  define_name_space("xacro", xacro_symbols());
+  for (auto& [name, value] : expression::global_symbols()) builtins_.set(name, {std::move(value), false, {}});
+  define_name_space("python", expression::python_symbols());
+  define_name_space("math", expression::math_symbols());
+  define_name_space("xacro", expression::xacro_symbols());
 }
 
-void Expander::define_name_space(const char* name, Symbols symbols) {
+void Expander::define_name_space(const char* name, expression::Symbols symbols) {
   auto scope = std::make_unique<Scope>(Scope::Kind::name_space, nullptr);
   for (auto& [symbol, value] : symbols) scope->set(symbol, {std::move(value), false, {}});
   builtins_.set(name, {NamespaceRef{scope.get()}, false, {}});
@@ -39,7 +34,8 @@ Value Expander::load_yaml(const std::string& name) {
   constexpr std::size_t none = 0;
   if (sources_.access().read(file, none) == "") return {};
   const SourceFile* source = read_text(file, sources_, current_piece());
-  return read_yaml(runtime_, *source, [&](const std::string& text) { return evaluate_source(text, builtins_); });
+  return expression::read_yaml(runtime_, *source,
+                               [&](const std::string& text) { return evaluate_source(text, builtins_); });
 }
 
 std::string Expander::absolute_name(const std::string& file) {
@@ -122,24 +118,6 @@ std::string Expander::package_folder(const std::string& name) {
   return found->folder;
 }
 
-namespace {
-
-/// An argument as $(eval) sees it: a number or boolean where its text is one.
-Value typed_argument(const std::string& text) {
-  if (text.find('.') != std::string::npos) {
-    if (const auto d = parse_real(text)) return *d;
-  } else if (const auto i = parse_integer(text)) {
-    return *i;
-  }
-  std::string lower = text;
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  if (lower == "true") return true;
-  if (lower == "false") return false;
-  return text;
-}
-
-}  // namespace
-
 std::string Expander::evaluate(const std::string& expression) {
   if (expression.find("__") != std::string::npos) {
     fail(code::xacro_substitution, "$(eval ...) may not contain double underscore expressions");
@@ -148,11 +126,12 @@ std::string Expander::evaluate(const std::string& expression) {
   for (const auto& [name, value] : arguments_) {
     if (expression.find(name) != std::string::npos) asked_.insert(name);
   }
-  for (const auto& [name, value] : arguments_) scope.set(name, {typed_argument(value), false, {}});
-  for (auto& [name, value] : math_symbols()) scope.set(name, {std::move(value), false, {}});
+  for (const auto& [name, value] : arguments_) scope.set(name, {expression::argument_literal(value), false, {}});
+  for (auto& [name, value] : expression::math_symbols()) scope.set(name, {std::move(value), false, {}});
   for (const auto& [name, type] :
-       {std::pair("list", Type::list), std::pair("dict", Type::dict), std::pair("map", Type::map),
-        std::pair("str", Type::text), std::pair("float", Type::real), std::pair("int", Type::integer)}) {
+       {std::pair("list", expression::Type::list), std::pair("dict", expression::Type::dict),
+        std::pair("map", expression::Type::map), std::pair("str", expression::Type::text),
+        std::pair("float", expression::Type::real), std::pair("int", expression::Type::integer)}) {
     scope.set(name, {type, false, {}});
   }
   scope.set("true", {true, false, {}});

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "generator/xacro/scope.hpp"
+#include "generator/xacro/engine.hpp"
 #include "generator/xml/node.hpp"
 
 namespace finemote::gen::xacro {
@@ -54,7 +54,7 @@ class MacroScope {
 
   MacroScope* parent_;
   MacroScope* fallback_ = nullptr;
-  std::unordered_map<std::string, Entry, TextHash, std::equal_to<>> entries_;
+  std::unordered_map<std::string, Entry, expression::TextHash, std::equal_to<>> entries_;
 };
 
 }  // namespace finemote::gen::xacro

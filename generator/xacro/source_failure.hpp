@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/xacro/failure.hpp"
+#include "generator/xacro/engine.hpp"
 #include "generator/xml/parse.hpp"
 
 namespace finemote::gen::xacro {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "generator/xacro/failure.hpp"
+#include "generator/xacro/engine.hpp"
 
 namespace finemote::gen::xacro {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/xacro/expression.hpp"
+#include "generator/xacro/engine.hpp"
 
 namespace finemote::gen::xacro {
 

@@ -61,13 +61,13 @@ constexpr Known kKnown[] = {
     {"generator/timing/walk.cpp", "Walker"},
     {"generator/timing/walk.cpp", "const_cast"},
     {"generator/units/units.cpp", ""},
-    {"generator/xacro/evaluate.cpp", "Evaluator"},
-    {"generator/xacro/format.cpp", ""},
-    {"generator/xacro/parse_expression.cpp", ""},
-    {"generator/xacro/parse_expression.cpp", "Parser"},
-    {"generator/xacro/print.cpp", "Printer::source"},
-    {"generator/xacro/text_methods.cpp", ""},
-    {"generator/xacro/token.cpp", "Tokenizer"},
+    {"generator/expression/evaluate.cpp", "Evaluator"},
+    {"generator/expression/format.cpp", ""},
+    {"generator/expression/parse_expression.cpp", ""},
+    {"generator/expression/parse_expression.cpp", "Parser"},
+    {"generator/expression/print.cpp", "Printer::source"},
+    {"generator/expression/text_methods.cpp", ""},
+    {"generator/expression/token.cpp", "Tokenizer"},
 };
 
 /// A place that breaks a rule, and how.

@@ -1,0 +1,348 @@
+#include "generator/expression/evaluate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/expression/attribute.hpp"
+#include "generator/expression/builtins.hpp"
+#include "generator/expression/cost.hpp"
+#include "generator/expression/iterate.hpp"
+#include "generator/expression/operate.hpp"
+#include "generator/expression/print.hpp"
+#include "generator/expression/runtime.hpp"
+#include "generator/expression/scope.hpp"
+#include "generator/expression/subscript.hpp"
+
+namespace finemote::gen::expression {
+namespace {
+
+using Kind = Expression::Kind;
+using LocalsPtr = std::shared_ptr<Locals>;
+
+constexpr const char* kTooDeep = "maximum recursion depth exceeded in an expression";
+
+class Evaluator {
+ public:
+  Evaluator(Runtime& runtime, Scope& scope, LocalsPtr locals)
+      : runtime_(runtime), scope_(scope), locals_(std::move(locals)) {}
+
+  Value run(const Expression& e) {
+    const Level level(runtime_.depth, kMaxEvalDepth, kTooDeep);
+    runtime_.budget.spend(1);
+    switch (e.kind) {
+      case Kind::constant:
+        return e.value;
+      case Kind::name:
+        return name(e.name);
+      case Kind::list:
+        return make_list(items(e));
+      case Kind::tuple:
+        return make_tuple(items(e));
+      case Kind::set:
+        return set(items(e));
+      case Kind::dict:
+        return dict(e);
+      case Kind::list_of:
+        return make_list(comprehension(e));
+      case Kind::set_of:
+        return set(comprehension(e));
+      case Kind::dict_of:
+        return dict_of(e);
+      case Kind::generator:
+        return make_iterator(Type::generator, comprehension(e));
+      case Kind::attribute:
+        return attribute_of(runtime_, run(*e.operands[0]), e.name);
+      case Kind::subscript:
+        return subscripted(e);
+      case Kind::slice:
+        return slice(e);
+      case Kind::call:
+        return call(e);
+      case Kind::starred:
+        fail_eval("can't use starred expression here");
+      case Kind::unary:
+        return operate(runtime_, e.operators[0], run(*e.operands[0]));
+      case Kind::binary:
+        return binary(e);
+      case Kind::comparison:
+        return comparison(e);
+      case Kind::logical_and:
+        return logical(e, false);
+      case Kind::logical_or:
+        return logical(e, true);
+      case Kind::conditional:
+        return run(is_true(run(*e.operands[1])) ? *e.operands[0] : *e.operands[2]);
+      case Kind::lambda:
+        return lambda(e);
+    }
+    return {};
+  }
+
+ private:
+  Value name(const std::string& wanted) {
+    for (const Locals* frame = locals_.get(); frame != nullptr; frame = frame->outer.get()) {
+      for (const auto& [bound, value] : frame->names) {
+        if (bound == wanted) return value;
+      }
+    }
+    auto value = runtime_.host.look_up(scope_, wanted);
+    if (!value) fail_name(wanted, scope_.names());
+    return std::move(*value);
+  }
+
+  Values items(const Expression& e) {
+    Values out;
+    for (const auto& operand : e.operands) {
+      if (operand->kind == Kind::starred) {
+        for (Value& item : items_of(runtime_, run(*operand->operands[0]))) out.push_back(std::move(item));
+      } else {
+        out.push_back(run(*operand));
+      }
+    }
+    return out;
+  }
+
+  Value set(Values members) {
+    auto out = std::make_shared<Set>();
+    for (Value& member : members) out->table.set(runtime_, std::move(member), {});
+    return out;
+  }
+
+  Value dict(const Expression& e) {
+    auto table = std::make_shared<Table>();
+    for (std::size_t i = 0; i + 1 < e.operands.size(); i += 2) {
+      Value key = run(*e.operands[i]);
+      table->set(runtime_, std::move(key), run(*e.operands[i + 1]));
+    }
+    return make_dict(std::move(table));
+  }
+
+  Value subscripted(const Expression& e) {
+    const Value container = run(*e.operands[0]);
+    return subscript(runtime_, container, run(*e.operands[1]));
+  }
+
+  Value slice(const Expression& e) {
+    Values bounds;
+    for (const auto& bound : e.operands) bounds.push_back(bound ? run(*bound) : Value());
+    return std::make_shared<const Slice>(Slice{std::make_shared<const Values>(std::move(bounds))});
+  }
+
+  Value binary(const Expression& e) {
+    const Value left = run(*e.operands[0]);
+    return operate(runtime_, e.operators[0], left, run(*e.operands[1]));
+  }
+
+  Value comparison(const Expression& e) {
+    Value left = run(*e.operands[0]);
+    for (std::size_t i = 0; i < e.operators.size(); ++i) {
+      Value right = run(*e.operands[i + 1]);
+      if (!compare(runtime_, e.operators[i], left, right)) return false;
+      left = std::move(right);
+    }
+    return true;
+  }
+
+  /// `and` and `or` give the operand that decides.
+  Value logical(const Expression& e, bool decisive) {
+    for (std::size_t i = 0; i + 1 < e.operands.size(); ++i) {
+      Value value = run(*e.operands[i]);
+      if (is_true(value) == decisive) return value;
+    }
+    return run(*e.operands.back());
+  }
+
+  Value lambda(const Expression& e) {
+    Lambda function{&e, {}, locals_, &scope_};
+    for (std::size_t i = 1; i < e.operands.size(); ++i) function.defaults.push_back(run(*e.operands[i]));
+    runtime_.host.keep(scope_);
+    return std::make_shared<const Lambda>(std::move(function));
+  }
+
+  Value call(const Expression& e) {
+    const Value function = run(*e.operands[0]);
+    CallArguments arguments;
+    for (std::size_t i = 1; i < e.operands.size(); ++i) {
+      const Expression& argument = *e.operands[i];
+      if (argument.kind == Kind::starred) {
+        for (Value& item : items_of(runtime_, run(*argument.operands[0])))
+          arguments.positional.push_back(std::move(item));
+      } else {
+        arguments.positional.push_back(run(argument));
+      }
+    }
+    for (const Keyword& keyword : e.keywords) add_keyword(arguments, keyword);
+    return call_value(runtime_, function, arguments);
+  }
+
+  void add_keyword(CallArguments& arguments, const Keyword& keyword) {
+    if (!keyword.name.empty()) {
+      arguments.named.emplace_back(keyword.name, run(*keyword.value));
+      return;
+    }
+    const Value mapping = run(*keyword.value);
+    if (mapping.object<Dict>() == nullptr) fail_eval("argument after ** must be a mapping");
+    runtime_.budget.spend(4 * mapping.object<Dict>()->table->entries().size());
+    for (const auto& [key, value] : mapping.object<Dict>()->table->entries()) {
+      if (key.text() == nullptr) fail_eval("keywords must be strings");
+      arguments.named.emplace_back(*key.text(), value);
+    }
+  }
+
+  // ---- comprehensions ----
+
+  /// Runs `each` for every combination of items that the clauses of `e` let through.
+  template <typename Each>
+  void for_each_combination(const Expression& e, Each each) {
+    const Value first = run(*e.clauses[0].items);  // outside of the new scope, as in Python
+    auto frame = std::make_shared<Locals>();
+    frame->outer = locals_;
+    locals_.swap(frame);
+    const Restore restore{locals_, frame};
+    loop(e, 0, first, each);
+  }
+
+  /// Puts the outer names back, and lets go of what the inner ones held.
+  struct Restore {
+    LocalsPtr& current;
+    LocalsPtr& outer;
+    ~Restore() {
+      current->names.clear();
+      current.swap(outer);
+    }
+  };
+
+  template <typename Each>
+  void loop(const Expression& e, std::size_t depth, const Value& iterable, Each& each) {
+    const Clause& clause = e.clauses[depth];
+    for (const Value& item : items_of(runtime_, iterable)) {
+      bind(*clause.target, item);
+      const bool wanted = std::all_of(clause.conditions.begin(), clause.conditions.end(),
+                                      [&](const ExpressionPtr& condition) { return is_true(run(*condition)); });
+      if (!wanted) continue;
+      if (depth + 1 < e.clauses.size()) {
+        loop(e, depth + 1, run(*e.clauses[depth + 1].items), each);
+      } else {
+        each();
+      }
+    }
+  }
+
+  Values comprehension(const Expression& e) {
+    Values out;
+    for_each_combination(e, [&] {
+      out.push_back(run(*e.operands[0]));
+      if (out.size() > kMaxItems) fail_limit("the list is too long");
+    });
+    return out;
+  }
+
+  Value dict_of(const Expression& e) {
+    auto table = std::make_shared<Table>();
+    for_each_combination(e, [&] {
+      Value key = run(*e.operands[0]);
+      table->set(runtime_, std::move(key), run(*e.operands[1]));
+    });
+    return make_dict(std::move(table));
+  }
+
+  void bind(const Expression& target, const Value& value) {
+    if (target.kind == Kind::name) return bind_name(target.name, value);
+    const Values parts = items_of(runtime_, value);
+    if (parts.size() < target.operands.size()) {
+      fail_eval(fmt::format("not enough values to unpack (expected {}, got {})", target.operands.size(), parts.size()));
+    }
+    if (parts.size() > target.operands.size()) {
+      fail_eval(fmt::format("too many values to unpack (expected {})", target.operands.size()));
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i) bind(*target.operands[i], parts[i]);
+  }
+
+  void bind_name(const std::string& bound, const Value& value) {
+    for (auto& [name, held] : locals_->names) {
+      if (name == bound) {
+        held = value;
+        return;
+      }
+    }
+    locals_->names.emplace_back(bound, value);
+  }
+
+  Runtime& runtime_;
+  Scope& scope_;
+  LocalsPtr locals_;
+};
+
+/// The arguments of a lambda call bound to its parameters.
+LocalsPtr bind_parameters(const Lambda& function, CallArguments& arguments) {
+  const auto& parameters = function.code->parameters;
+  const std::size_t given = arguments.positional.size();
+  if (given > parameters.size()) {
+    fail_eval(fmt::format("<lambda>() takes {} positional argument{} but {} {} given", parameters.size(),
+                          parameters.size() == 1 ? "" : "s", given, given == 1 ? "was" : "were"));
+  }
+  auto frame = std::make_shared<Locals>();
+  frame->outer = function.locals;
+  const std::size_t first_default = parameters.size() - function.defaults.size();
+  for (auto& [name, value] : arguments.named) {
+    if (std::find(parameters.begin(), parameters.end(), name) == parameters.end()) {
+      fail_eval(fmt::format("<lambda>() got an unexpected keyword argument '{}'", name));
+    }
+  }
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const auto named = std::find_if(arguments.named.begin(), arguments.named.end(),
+                                    [&](const auto& argument) { return argument.first == parameters[i]; });
+    if (i < given) {
+      frame->names.emplace_back(parameters[i], arguments.positional[i]);
+    } else if (named != arguments.named.end()) {
+      frame->names.emplace_back(parameters[i], named->second);
+    } else if (i >= first_default) {
+      frame->names.emplace_back(parameters[i], function.defaults[i - first_default]);
+    } else {
+      fail_eval(fmt::format("<lambda>() missing 1 required positional argument: '{}'", parameters[i]));
+    }
+  }
+  return frame;
+}
+
+}  // namespace
+
+Value evaluate(Runtime& runtime, const Expression& expression, Scope& scope) {
+  return Evaluator(runtime, scope, nullptr).run(expression);
+}
+
+namespace {
+
+/// A function of the library looks at every byte of its operands at most a few times; what takes more, it counts
+/// itself.
+std::size_t cost_of_operands(const CallArguments& arguments) {
+  std::size_t bytes = 0;
+  for (const Value& value : arguments.positional) bytes += bytes_of(value);
+  for (const auto& named : arguments.named) bytes += bytes_of(named.second);
+  return cost_of_bytes(bytes) + arguments.named.size();
+}
+
+}  // namespace
+
+Value call_value(Runtime& runtime, const Value& function, CallArguments& arguments) {
+  const Level level(runtime.depth, kMaxEvalDepth, kTooDeep);
+  runtime.budget.spend(1);
+  if (function.object<const Lambda>() == nullptr) runtime.budget.spend(cost_of_operands(arguments));
+  if (const auto* builtin = function.as<const Builtin*>()) {
+    const Builtin& called = **builtin;
+    if (!called.deprecated_for.empty()) runtime.host.deprecated(called.name, called.deprecated_for);
+    return called.call(runtime, arguments);
+  }
+  if (const auto* method = function.object<const BoundMethod>()) {
+    runtime.budget.spend(cost_of_bytes(bytes_of(*method->self)));
+    return method->call(runtime, *method->self, arguments);
+  }
+  if (const auto* type = function.as<Type>()) return construct(runtime, *type, arguments);
+  if (const auto* lambda = function.object<const Lambda>()) {
+    return Evaluator(runtime, *lambda->scope, bind_parameters(*lambda, arguments)).run(*lambda->code->operands[0]);
+  }
+  fail_eval(fmt::format("'{}' object is not callable", type_name(function)));
+}
+
+}  // namespace finemote::gen::expression
