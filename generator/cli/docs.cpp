@@ -1,4 +1,4 @@
-// finemote docs: the reference pages that are made from descriptors and board files.
+// finemote docs: the reference pages that are made from descriptors, board files and the rules of lint.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -11,6 +11,7 @@
 #include "generator/diagnostic/code_output.hpp"
 #include "generator/document/board_page.hpp"
 #include "generator/document/device_page.hpp"
+#include "generator/document/lint_page.hpp"
 #include "generator/document/markdown.hpp"
 #include "generator/file/system_reason.hpp"
 #include "generator/output/folder.hpp"
@@ -89,6 +90,7 @@ int run_docs(Context& context) {
     for (const BoardPage& page : board_pages(*board))
       pages.add(fmt::format("boards/{}/{}.md", name, page.name), page.title, page.text);
   }
+  pages.add("lint.md", "Findings of lint", lint_page());
   pages.check();
   if (!context.options.dry_run && !context.diagnostics.has_errors()) pages.write();
   if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);

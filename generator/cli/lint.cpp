@@ -17,7 +17,7 @@
 #include "generator/diagnostic/code_output.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/diagnostic/suggest.hpp"
-#include "generator/lint/codes.hpp"
+#include "generator/lint/rules.hpp"
 #include "generator/output/folder.hpp"
 
 namespace finemote::gen {
@@ -29,7 +29,7 @@ using Json = nlohmann::ordered_json;
 std::vector<Code> codes(Context& context, const char* option, const std::vector<std::string>& words) {
   std::vector<Code> list;
   std::vector<std::string> names;
-  for (const Code code : kLintCodes) names.push_back(code_name(code));
+  for (const Rule& rule : lint_rules_by_number()) names.push_back(code_name(rule.code));
   for (const std::string& word : words) {
     const auto code = parse_code(word);
     if (code && is_lint_code(*code)) {

@@ -1,5 +1,7 @@
 #include "generator/cli/options.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
@@ -10,6 +12,7 @@
 #include "generator/cli/finish.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/diagnostic/suggest.hpp"
+#include "generator/lint/rules.hpp"
 #include "generator/version.hpp"
 
 namespace finemote::gen {
@@ -174,11 +177,19 @@ void add_docs(CLI::App& app, Options& options) {
   command->add_flag("--dry-run", options.dry_run, "write nothing; exit status 1 when a page would change");
 }
 
+/// What `--allow` and `--deny` take.
+std::string rules_help() {
+  std::string text = "Codes:\n";
+  for (const Rule& rule : lint_rules_by_number()) text += fmt::format("  {}  {}\n", code_name(rule.code), rule.finding);
+  return text;
+}
+
 void add_lint(CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand("lint", "warn about valid but suspicious descriptions");
   add_input_options(*command, options);
   command->add_option("--allow", options.allow, "code that is not reported, for example FM3153");
   command->add_option("--deny", options.deny, "code that makes the exit status 1");
+  command->footer(rules_help() + "\n" + kArgumentsHelp);
   add_sandbox(*command, options);
   command->add_flag("--fix", options.fix, "fix the mechanical findings in the files")->excludes("--sandbox");
 }

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <optional>
 #include <variant>
 
 #include "generator/xml/parse.hpp"
@@ -39,13 +39,21 @@ std::string origin(const Position& at) {
   return fmt::format("it comes from {} '{}'", kind, at.via->name);
 }
 
-/// Why an element may not be edited where it stands; empty: it may.
-std::string obstacle_around(const Path& path) {
-  if (path.empty()) return "it is not written as an element of this file";
+/// The way to an element in the text of its file as it is, and why it may not be edited there; empty: it may.
+struct Place {
+  Path path;
+  std::string obstacle;
+};
+
+/// @param document  none: the file is no XML without xacro
+Place place_of(const std::optional<xml::Document>& document, const Position& at) {
+  if (!document) return {{}, "its file is no XML by itself"};
+  Path path = path_of(*document, at);
+  if (path.empty()) return {{}, "it is not written as an element of this file"};
   for (std::size_t i = path.size() - 1; i-- > 0;) {
-    if (is_foreign(*path[i])) return fmt::format("it stands in <{}>", path[i]->name);
+    if (is_foreign(*path[i])) return {path, fmt::format("it stands in <{}>", path[i]->name)};
   }
-  return {};
+  return {path, {}};
 }
 
 /// Why an element may not go over what stands between it and another one; empty: it may.
@@ -60,6 +68,12 @@ std::string obstacle_between(const Path& first, const Path& second) {
   return place(first) < place(second) ? "" : "it stands before the other one";
 }
 
+std::optional<xml::Document> read_document(const SourceFile& file) {
+  auto document = xml::read_document(file);
+  if (!std::holds_alternative<xml::Document>(document)) return std::nullopt;
+  return std::get<xml::Document>(std::move(document));
+}
+
 Change refused(std::string reason) { return {{}, std::move(reason)}; }
 
 }  // namespace
@@ -68,12 +82,11 @@ Change move_before(const Position& element, const Position& target) {
   if (std::string reason = origin(element); !reason.empty()) return refused(reason);
   if (const std::string reason = origin(target); !reason.empty()) return refused("the other one" + reason.substr(2));
   if (element.file == nullptr || element.file != target.file) return refused("the two are not in one file");
-  const auto document = xml::read_document(*element.file);
-  if (!std::holds_alternative<xml::Document>(document)) return refused("its file is no XML by itself");
-  const Path from = path_of(std::get<xml::Document>(document), element);
-  const Path to = path_of(std::get<xml::Document>(document), target);
-  if (std::string reason = obstacle_around(from); !reason.empty()) return refused(reason);
-  if (std::string reason = obstacle_between(to, from); !reason.empty()) return refused(reason);
+  const auto document = read_document(*element.file);
+  const Place from = place_of(document, element);
+  if (!from.obstacle.empty()) return refused(from.obstacle);
+  const Path to = path_of(*document, target);
+  if (std::string reason = obstacle_between(to, from.path); !reason.empty()) return refused(reason);
   const auto taken = find_element(element);
   const auto before = find_element(target);
   if (!taken || !before) return refused("it is not written as an element of this file");
@@ -88,12 +101,11 @@ Change move_before(const Position& element, const Position& target) {
 
 Change remove_element(const Position& element) {
   if (std::string reason = origin(element); !reason.empty()) return refused(reason);
+  const auto document = read_document(*element.file);
+  const Place place = place_of(document, element);
+  if (!place.obstacle.empty()) return refused(place.obstacle);
   const auto extent = find_element(element);
   if (!extent) return refused("it is not written as an element of this file");
-  const auto document = xml::read_document(*element.file);
-  if (!std::holds_alternative<xml::Document>(document)) return refused("its file is no XML by itself");
-  if (std::string reason = obstacle_around(path_of(std::get<xml::Document>(document), element)); !reason.empty())
-    return refused(reason);
   return {{{element.file, extent->begin, extent->end, {}}}, {}};
 }
 

@@ -9,7 +9,6 @@
 #include "cli/program.hpp"
 #include "generator/cli/options.hpp"
 #include "generator/diagnostic/render.hpp"
-#include "generator/lint/codes.hpp"
 
 using namespace finemote::gen;
 using Words = std::vector<std::string>;
@@ -110,11 +109,6 @@ TEST_CASE("the page of the commands names every command, operand, option and cho
   sections.erase("Exit status");
   sections.erase("Formats");
   for (const auto& [name, section] : sections) FAIL_CHECK("the page has a section '## " << name << "'");
-}
-
-TEST_CASE("the page of the commands lists every code of lint") {
-  const std::string page = finemote::test::read_file(finemote::test::source_path("docs/reference/commands.md"));
-  for (const Code code : kLintCodes) CHECK(page.find("| [" + code_name(code) + "](") != std::string::npos);
 }
 
 TEST_CASE("an option before the command is one behind it") {

@@ -45,8 +45,6 @@ constexpr Known kKnown[] = {
     {"emulator/core/operation.cpp", ""},
     {"emulator/scenario/check.cpp", ""},
     {"generator/cli/run.cpp", "run_run"},
-    {"generator/lint/joints.cpp", "JointLint"},
-    {"generator/lint/lint.cpp", "Linter"},
     {"generator/model/devices.cpp", "DeviceReader"},
     {"generator/model/places.cpp", ""},
     {"generator/model/tags.cpp", "TagReader"},

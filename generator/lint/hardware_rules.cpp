@@ -1,17 +1,11 @@
-#include "generator/lint/hardware.hpp"
+#include "generator/lint/hardware_rules.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "generator/lint/codes.hpp"
-
 namespace finemote::gen {
 namespace {
-
-Diagnostic finding(LintCode code, Position at, std::size_t length, std::string message) {
-  return Diagnostic{Severity::warning, code.code, at, length, std::move(message), {}, {}};
-}
 
 bool contains(const std::vector<std::string>& pins, const std::string& pin) {
   return std::find(pins.begin(), pins.end(), pin) != pins.end();
@@ -25,13 +19,12 @@ bool leads_nowhere(const Board& board, const std::string& pin) {
                       [&](const Connector& connector) { return contains(connector.pins, pin); });
 }
 
-void check_pin(const Board& board, const std::string& pin, Position at, std::size_t length,
-               std::vector<Diagnostic>& findings) {
+void check_pin(const Board& board, const std::string& pin, Position at, std::size_t length, Findings& findings) {
   if (!leads_nowhere(board, pin)) return;
-  findings.push_back(finding(code::lint_odd_output, at, length,
-                             fmt::format("pin {} leads to no connector of board '{}'", pin, board.name))
-                         .note("without a wire soldered to the chip nothing is there")
-                         .hint("'finemote board show' lists the connectors and their pins"));
+  findings.add(at, fmt::format("pin {} leads to no connector of board '{}'", pin, board.name))
+      .underline(length)
+      .note("without a wire soldered to the chip nothing is there")
+      .hint("'finemote board show' lists the connectors and their pins");
 }
 
 bool provides(const DeviceType& type, const std::string& interface) {
@@ -39,29 +32,27 @@ bool provides(const DeviceType& type, const std::string& interface) {
                      [&](const Interface& provided) { return provided.name == interface; });
 }
 
-void check_output(const Robot& robot, const Device& device, std::vector<Diagnostic>& findings) {
+void check_output(const Robot& robot, const Device& device, Findings& findings) {
   if (!device.segment || !device.type->builtin || robot.segments[*device.segment].kind != Segment::Kind::bus) return;
   const Bus& bus = robot.buses[robot.segments[*device.segment].bus];
   const Port* port = robot.board->port(bus.port);
   if (port == nullptr || port->drives.empty() || provides(*device.type, port->drives)) return;
-  findings.push_back(finding(code::lint_odd_output, device.at, 7,
-                             fmt::format("device '{}' of type '{}' drives port '{}', which has something else",
-                                         device.name.text, device.type->name, port->name))
-                         .note(fmt::format("port '{}': {}", port->name, port->connector))
-                         .note(fmt::format("bus '{}' is declared here", bus.name.text), bus.at));
+  findings
+      .add(device, fmt::format("device '{}' of type '{}' drives port '{}', which has something else", device.name.text,
+                               device.type->name, port->name))
+      .note(fmt::format("port '{}': {}", port->name, port->connector))
+      .note(fmt::format("bus '{}' is declared here", bus.name.text), bus.at);
 }
 
 }  // namespace
 
-std::vector<Diagnostic> hardware_findings(const Robot& robot) {
-  std::vector<Diagnostic> findings;
+void find_odd_outputs(const Robot& robot, Findings& findings) {
   for (const Bus& bus : robot.buses)
     check_pin(*robot.board, bus.driver_pin, bus.driver_at, bus.driver_length, findings);
   for (const Device& device : robot.devices) {
     for (const Use& use : device.uses) check_pin(*robot.board, use.pin, use.at, 4, findings);
     check_output(robot, device, findings);
   }
-  return findings;
 }
 
 }  // namespace finemote::gen
