@@ -42,7 +42,7 @@ TEST_CASE("a table gives the index of what is added and finds it again") {
   CHECK(table.push_back("a") == Letter{0});
   const Letter b = table.push_back("b");
   CHECK(table[b] == "b");
-  table[b] = "B";
+  table[b] = std::string("B");
   CHECK(table.back() == "B");
   CHECK(table.size() == 2);
   CHECK(table == Table<Letter, std::string>{"a", "B"});
