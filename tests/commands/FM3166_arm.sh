@@ -1,40 +1,10 @@
-cat >robot.urdf <<'X'
-<robot name="r">
-  <link name="base_link"/>
-  <link name="upper"/>
-  <joint name="shoulder" type="revolute">
-    <parent link="base_link"/>
-    <child link="upper"/>
-    <origin xyz="0 0 0"/>
-    <axis xyz="0 1 0"/>
-    <limit lower="-1" upper="1.5" effort="1" velocity="5"/>
-  </joint>
-  <link name="middle"/>
-  <joint name="swing" type="revolute">
-    <parent link="upper"/>
-    <child link="middle"/>
-    <origin xyz="0 0 0.3"/>
-    <axis xyz="0 1 0"/>
-    <limit lower="-1" upper="1" effort="1" velocity="5"/>
-  </joint>
-  <link name="fore"/>
-  <joint name="elbow" type="continuous">
-    <parent link="middle"/>
-    <child link="fore"/>
-    <origin xyz="0 0 0.3"/>
-    <axis xyz="0 1 0"/>
-  </joint>
-  <link name="imu_link"/>
-  <joint name="imu_joint" type="fixed">
-    <parent link="base_link"/>
-    <child link="imu_link"/>
-    <origin xyz="0 0 0"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-  <finemote version="1">
-    <board name="robomaster_type_c"/>
-    <bus name="i2c" type="i2c" port="i2c2"/>
-    <expander name="pwm" model="pca9685" bus="i2c" address="0x40"/>
+jointed_robot "$(
+  joint shoulder revolute base_link upper "0 0 0" "0 1 0" -1 1.5
+  joint swing revolute upper middle "0 0 0.3" "0 1 0" -1 1
+  joint elbow continuous middle fore "0 0 0.3" "0 1 0"
+  joint imu_joint fixed base_link imu_link "0 0 0" "0 0 1"
+)" <<X
+$(pwm_expander)
     <bus name="can" type="can" port="can1"/>
     <bus name="dbus" type="uart" port="usart3" baud="100000baud"/>
     <bus name="imu_uart" type="uart" port="usart1" baud="921600baud"/>
@@ -48,8 +18,6 @@ cat >robot.urdf <<'X'
       <device name="shoulder" type="dji_m3508" bus="can" id="1" joint="shoulder"/>
       <device name="elbow" type="dji_m3508" bus="can" id="2" joint="elbow"/>
     </device>
-  </finemote>
-</robot>
 X
 finemote lint robot.urdf --allow FM3153
 sed -i 's#<device name="arm".*#&<param name="weight">0</param>#' robot.urdf

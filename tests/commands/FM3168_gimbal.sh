@@ -1,32 +1,9 @@
-cat >robot.urdf <<'X'
-<robot name="r">
-  <link name="base_link"/>
-  <link name="turret_link"/>
-  <joint name="yaw_joint" type="continuous">
-    <parent link="base_link"/>
-    <child link="turret_link"/>
-    <origin xyz="0 0 0"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-  <link name="head_link"/>
-  <joint name="pitch_joint" type="revolute">
-    <parent link="turret_link"/>
-    <child link="head_link"/>
-    <origin xyz="0 0 0.1"/>
-    <axis xyz="0 -1 0"/>
-    <limit lower="-0.3" upper="0.6" effort="1" velocity="5"/>
-  </joint>
-  <link name="imu_link"/>
-  <joint name="imu_joint" type="fixed">
-    <parent link="turret_link"/>
-    <child link="imu_link"/>
-    <origin xyz="0 0 0"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-  <finemote version="1">
-    <board name="robomaster_type_c"/>
-    <bus name="i2c" type="i2c" port="i2c2"/>
-    <expander name="pwm" model="pca9685" bus="i2c" address="0x40"/>
+jointed_robot "$(
+  joint yaw_joint continuous base_link turret_link "0 0 0" "0 0 1"
+  joint pitch_joint revolute turret_link head_link "0 0 0.1" "0 -1 0" -0.3 0.6
+  joint imu_joint fixed turret_link imu_link "0 0 0" "0 0 1"
+)" <<X
+$(pwm_expander)
     <bus name="can" type="can" port="can1"/>
     <bus name="dbus" type="uart" port="usart3" baud="100000baud"/>
     <bus name="imu_uart" type="uart" port="usart1" baud="921600baud"/>
@@ -40,8 +17,6 @@ cat >robot.urdf <<'X'
       <device name="yaw" type="dji_gm6020" role="yaw" bus="can" id="1" joint="yaw_joint"/>
       <device name="pitch" type="dji_gm6020" role="pitch" bus="can" id="2" joint="pitch_joint"/>
     </device>
-  </finemote>
-</robot>
 X
 finemote lint robot.urdf --allow FM3153 --allow FM3156
 sed -i 's#highest">0.5rad#highest">0.3rad#; /name="imu_joint"/,/joint>/s#turret_link#head_link#' robot.urdf

@@ -37,7 +37,50 @@ probe_robot() {
     <device name="probe" type="probe" period="10ms"/>
 X
 }
-export -f robot xacro_robot probe_robot
+# joint NAME TYPE PARENT CHILD XYZ AXIS [LOWER UPPER]: the link CHILD and the joint it hangs on
+joint() {
+  printf '  <link name="%s"/>\n  <joint name="%s" type="%s">\n' "$4" "$1" "$2"
+  printf '    <parent link="%s"/>\n    <child link="%s"/>\n' "$3" "$4"
+  printf '    <origin xyz="%s"/>\n    <axis xyz="%s"/>\n' "$5" "$6"
+  [ $# -eq 6 ] || printf '    <limit lower="%s" upper="%s" effort="1" velocity="5"/>\n' "$7" "$8"
+  printf '  </joint>\n'
+}
+# robot.urdf with a board, the links and joints of $1, and what comes on stdin inside <finemote>
+jointed_robot() {
+  { printf '<robot name="r">\n  <link name="base_link"/>\n%s\n' "$1"
+    printf '  <finemote version="1">\n    <board name="robomaster_type_c"/>\n'
+    cat
+    printf '  </finemote>\n</robot>\n'; } >robot.urdf
+}
+# the expander `pwm` on the bus `i2c`
+pwm_expander() {
+  printf '    <bus name="i2c" type="i2c" port="i2c2"/>\n'
+  printf '    <expander name="pwm" model="pca9685" bus="i2c" address="0x40"/>\n'
+}
+# hull_type [AXIS...]: a device type `hull` with thrusters, which commands these axes of the wrench, or all
+hull_type() {
+  local axes=
+  [ $# -eq 0 ] || axes=$(printf ', "%s"' "$@")
+  mkdir -p devices
+  printf '#pragma once\n' >devices/hull.hpp
+  cat >devices/hull.json <<X
+{ "schema": "finemote.device/1", "type": "hull", "summary": "pushes", "class": "Hull", "header": "hull.hpp",
+  "roles": [{ "name": "thrusters", "interface": "Thruster", "min": 1 }],
+  "geometry": [{ "kind": "allocation", "role": "thrusters"${axes:+, \"commands\": [${axes#, }]} }],
+  "wcet": { "update_ns": 1000, "handle_ns": 1000 } }
+X
+}
+# hull JOINT...: a device of this type with one thruster at each joint
+hull() {
+  local channel=0 joint
+  printf '    <device name="hull" type="hull" period="20ms">\n'
+  for joint in "$@"; do
+    printf '      <device name="t%s_hull" type="pwm_esc" bus="pwm" channel="%s" joint="%s"/>\n' $channel $channel "$joint"
+    channel=$((channel + 1))
+  done
+  printf '    </device>\n'
+}
+export -f robot xacro_robot probe_robot joint jointed_robot pwm_expander hull_type hull
 
 say() {  # the whole answer of one case
   local status=0
