@@ -36,7 +36,7 @@ std::map<std::string, int> declared_codes() {
 }
 
 /// Where the cases lie, each named after the number it produces; the tests of these folders check that it does.
-const char* const kExampleFolders[] = {"tests/errors", "tests/commands"};
+const char* const kExampleFolders[] = {"tests/errors", "tests/command_output"};
 
 std::set<int> example_codes() {
   std::set<int> codes;

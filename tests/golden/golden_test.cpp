@@ -8,9 +8,20 @@
 using namespace finemote::test;
 namespace fs = std::filesystem;
 
+namespace {
+
+/// `finsrov.urdf.xacro` beside `finsrov.urdf`: generate_test holds the two to the same files.
+bool is_second_form(const std::string& robot) {
+  return fs::path(robot).extension() == ".xacro" &&
+         fs::exists(source_path("examples/" + fs::path(robot).stem().string()));
+}
+
+}  // namespace
+
 TEST_CASE("every example generates the files that were reviewed") {
   const bool update = std::getenv("FINEMOTE_UPDATE_GOLDEN") != nullptr;
   for (const std::string& robot : example_robots()) {
+    if (is_second_form(robot)) continue;
     INFO(robot);
     const std::string golden = source_path("tests/golden/" + robot);
     TemporaryFolder folder;
