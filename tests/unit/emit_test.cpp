@@ -1,0 +1,168 @@
+// Plans to C++: holes of templates, values, names, and the files of a small robot.
+#include <filesystem>
+#include <fstream>
+
+#include "catch.hpp"
+#include "generator/emit/config.hpp"
+#include "generator/emit/names.hpp"
+#include "generator/emit/render.hpp"
+#include "generator/emit/template.hpp"
+#include "unit/planned_robot.hpp"
+
+using namespace finemote::gen;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A template with this text, for as long as the object lives.
+class TemplateFile {
+ public:
+  explicit TemplateFile(const std::string& text) { std::ofstream(folder_ / kName, std::ios::binary) << text; }
+  TemplateFile(const TemplateFile&) = delete;
+  TemplateFile& operator=(const TemplateFile&) = delete;
+  ~TemplateFile() { fs::remove(folder_ / kName); }
+  [[nodiscard]] std::string fill(const Data& data) const { return fill_template(folder_.string(), kName, data); }
+
+ private:
+  static constexpr const char* kName = "emit_test.in";
+  fs::path folder_ = fs::temp_directory_path();
+};
+
+std::string filled(const std::string& text, const Data& data) { return TemplateFile(text).fill(data); }
+
+ParamSpec spec_of(const std::string& name, ParamKind kind, Unit unit = Unit::none) {
+  ParamSpec spec;
+  spec.name = name;
+  spec.kind = kind;
+  spec.unit = unit;
+  return spec;
+}
+
+/// The files of a robot, by name.
+struct Rendered {
+  PlannedRobot planned;
+  std::vector<OutputFile> files;
+
+  explicit Rendered(const std::string& inner) : planned(inner) {
+    const Plan plan{*planned.robot, planned.forest, planned.schedule};
+    const ProvenBounds bounds = prove_bounds(*planned.robot, planned.forest, planned.schedule);
+    files = render_files(plan, bounds, FINEMOTE_SOURCE_DIR, planned.diagnostics);
+  }
+  [[nodiscard]] std::string operator[](const std::string& name) const {
+    for (const OutputFile& file : files) {
+      if (file.name == name) return file.text;
+    }
+    throw std::invalid_argument("no file " + name);
+  }
+};
+
+std::string load(const std::string& name, const std::string& period, const std::string& inner = {}) {
+  return "<device name=\"" + name + "\" type=\"sim_load\" period=\"" + period + "\">" + inner + "</device>\n";
+}
+
+/// Whether the words stand in the text, in this order.
+bool in_order(const std::string& text, const std::vector<std::string>& words) {
+  std::size_t at = 0;
+  for (const std::string& word : words) {
+    at = text.find(word, at);
+    if (at == std::string::npos) return false;
+    at += word.size();
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("a template's holes are filled with the text as it is") {
+  CHECK(filled("a {{x}} b\n", Data("x", "<&>\"")) == "a <&>\" b\n");
+  Data data;
+  data.set("lines", text_list({"one", "two"}));
+  CHECK(filled("{{#lines}}\n  {{text}};\n{{/lines}}\n", data) == "  one;\n  two;\n");
+}
+
+TEST_CASE("a section of an empty list, or of what is false, leaves no second blank line") {
+  Data data;
+  data.set("lines", Data(Data::type::list));
+  data.set("on", Data(Data::type::bool_false));
+  CHECK(filled("a\n\n{{#lines}}\n{{text}}\n{{/lines}}\n\n{{#on}}\nx\n{{/on}}\n\nb\n", data) == "a\n\nb\n");
+}
+
+TEST_CASE("a hole that nobody fills is a bug, and names itself") {
+  CHECK_THROWS_WITH(filled("{{y}}\n", Data("x", "1")),
+                    "template emit_test.in names 'y', which the emitter does not provide");
+  CHECK_THROWS_WITH(fill_template("/nowhere", "t.in", Data("x", "1")), "cannot read template /nowhere/t.in");
+}
+
+TEST_CASE("no name at the end of a comment takes the next line into it") {
+  CHECK(filled("int a;  // {{x}}\nint b;\n", Data("x", "c:\\")) == "int a;  // c:\\ //\nint b;\n");
+  CHECK(filled("int a;  // {{x}}\nint b;\n", Data("x", "\\ ")) == "int a;  // \\  //\nint b;\n");
+}
+
+TEST_CASE("values are written in the type that a Config member has") {
+  const ParamSpec integer = spec_of("n", ParamKind::integer);
+  CHECK(value_expression(integer, std::int64_t{1024}) == "1024");
+  CHECK(value_expression(integer, std::int64_t{INT32_MIN}) == "-2147483647 - 1");
+  CHECK(value_expression(spec_of("n", ParamKind::integer, Unit::frequency_hz), std::int64_t{400'000}) ==
+        "std::int64_t{400000}");
+  CHECK(value_expression(spec_of("x", ParamKind::real), 0.25) == "0.25f");
+  CHECK(value_expression(spec_of("x", ParamKind::real), std::int64_t{2}) == "2.0f");
+  CHECK(value_expression(spec_of("b", ParamKind::boolean), true) == "true");
+  CHECK(value_expression(spec_of("s", ParamKind::text), std::string("a\"b")) == "\"a\\\"b\"");
+  ParamSpec mode = spec_of("m", ParamKind::enumeration);
+  mode.enumerators = {{"fast", "my::Mode::kFast"}};
+  CHECK(value_expression(mode, std::string("fast")) == "my::Mode::kFast");
+}
+
+TEST_CASE("of a shipped class only what differs from its default is assigned, of a user's class everything") {
+  ParamSpec gain = spec_of("gain", ParamKind::real), reverse = spec_of("reverse", ParamKind::boolean);
+  gain.fallback = 1.0;
+  reverse.fallback = false;
+  const std::vector<Param> defaults{{&gain, 1.0, true}, {&reverse, false, false}};
+  const std::vector<Param> reversed{{&gain, 1.0, false}, {&reverse, true, true}};
+  CHECK(config_expression("finemote::Esc", defaults, true) == "finemote::Esc::Config{}");
+  const std::string shipped = config_expression("finemote::Esc", reversed, true);
+  CHECK(shipped.find("reverse = true") != std::string::npos);
+  CHECK(shipped.find("gain") == std::string::npos);
+  CHECK(
+      in_order(config_expression("my::Esc", reversed, false), {"my::Esc::Config", "gain", "1.0f", "reverse", "true"}));
+}
+
+TEST_CASE("a pin is written by port and number") {
+  CHECK(pin_number("PA0") == "finemote::pin_number('A', 0)");
+  CHECK(pin_number("PF10") == "finemote::pin_number('F', 10)");
+}
+
+TEST_CASE("the files of a robot are those that are listed, each says what it is, and twice they are the same") {
+  const std::string inner = load("root", "10ms", load("leaf", "1ms")) + load("other", "1ms");
+  const Rendered one(inner), two(inner);
+  const auto names = output_names(*one.planned.robot, one.planned.forest);
+  REQUIRE(names.size() == one.files.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    INFO(names[i]);
+    CHECK(one.files[i].name == names[i]);
+    CHECK(one.files[i].text.rfind(std::string(kGeneratedHeader) + "\n// Source: r.urdf\n", 0) == 0);
+    CHECK(one.files[i].text.back() == '\n');
+    CHECK(one.files[i].text.find('\r') == std::string::npos);
+    CHECK(one.files[i].text == two.files[i].text);
+  }
+}
+
+TEST_CASE("updates run from leaf to root, handles from root to leaf") {
+  const Rendered rendered(load("root", "10ms", load("first", "10ms") + load("second", "10ms")));
+  const std::string source = rendered["trees/root.cpp"];
+  CHECK(in_order(source, {"first.update()", "second.update()", "root.update()"}));
+  CHECK(in_order(source, {"root.handle()", "second.handle()", "first.handle()"}));
+}
+
+TEST_CASE("what crosses between periods is published by its writer and taken by its reader") {
+  const std::string source = Rendered(load("root", "10ms", load("leaf", "1ms")))["trees/root.cpp"];
+  CHECK(in_order(source,
+                 {"leaf.update()", "leaf_to_root_latch.publish", "leaf_to_root_latch.snapshot()", "root.update()"}));
+  CHECK(in_order(source,
+                 {"root_to_leaf_latch.snapshot()", "leaf.handle()", "root.handle()", "root_to_leaf_latch.publish"}));
+}
+
+TEST_CASE("devices are defined before those that are made of them") {
+  const std::string header = Rendered(load("root", "10ms", load("leaf", "10ms")))["trees/root.hpp"];
+  CHECK(in_order(header, {"finemote::SimLoad leaf", "finemote::SimLoad root"}));
+}

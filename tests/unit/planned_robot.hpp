@@ -1,0 +1,82 @@
+// Robots for tests of what comes behind the model: from a few elements, or an example, to the plan of their schedule.
+#pragma once
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "catch.hpp"
+#include "generator/descriptor/library.hpp"
+#include "generator/diagnostic/render.hpp"
+#include "generator/forest/forest.hpp"
+#include "generator/model/build.hpp"
+#include "generator/schedule/schedule.hpp"
+#include "generator/xml/parse.hpp"
+#include "generator/xml/read_source.hpp"
+
+namespace finemote::gen {
+
+struct PlannedRobot {
+  Sources sources;
+  Diagnostics diagnostics;
+  std::optional<Library> library;
+  std::optional<Robot> robot;
+  Forest forest;
+  Schedule schedule;
+
+  /// A Type C board with `inner` in its <finemote>.
+  explicit PlannedRobot(const std::string& inner) {
+    load(*sources.add({"r.urdf", "",
+                       "<robot name=\"r\"><link name=\"base\"/><finemote version=\"1\">"
+                       "<board name=\"robomaster_type_c\"/>\n" +
+                           inner + "</finemote></robot>\n"}));
+  }
+  /// @param name  of a file in examples/
+  static PlannedRobot example(const std::string& name) { return PlannedRobot(Example{name}); }
+
+  [[nodiscard]] std::string said() const { return render_text(diagnostics, false); }
+
+  template <typename Id>
+  [[nodiscard]] const std::string& name(Id device) const {
+    return robot->devices[device].name.text;
+  }
+  /// The index of a device.
+  [[nodiscard]] auto device(const std::string& wanted) const {
+    const auto found =
+        std::find_if(forest.order.begin(), forest.order.end(), [&](const auto& one) { return name(one) == wanted; });
+    if (found == forest.order.end()) throw std::invalid_argument("no device " + wanted);
+    return *found;
+  }
+  /// `imu baro rov`
+  template <typename Ids>
+  [[nodiscard]] std::string names(const Ids& devices) const {
+    std::string all;
+    for (const auto& device : devices) all += (all.empty() ? "" : " ") + name(device);
+    return all;
+  }
+
+ private:
+  struct Example {
+    std::string name;
+  };
+  explicit PlannedRobot(const Example& example) {
+    const std::string path = std::string(FINEMOTE_SOURCE_DIR) + "/examples/" + example.name;
+    const SourceFile* file = xml::read_source(path, sources, diagnostics, example.name);
+    REQUIRE(file);
+    load(*file);
+  }
+
+  void load(const SourceFile& file) {
+    library = load_library({FINEMOTE_SOURCE_DIR, std::string(FINEMOTE_SOURCE_DIR) + "/examples", {}, {}}, sources,
+                           diagnostics);
+    REQUIRE(library);
+    const auto document = xml::parse(file, diagnostics);
+    REQUIRE(document);
+    robot = build_model(*document, *library, {}, sources, diagnostics);
+    INFO(said());
+    REQUIRE(robot);
+    forest = build_forest(*robot);
+    schedule = plan_schedule(*robot, forest, diagnostics);
+  }
+};
+
+}  // namespace finemote::gen
