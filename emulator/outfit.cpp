@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "emulator/outfit/ports.hpp"
 #include "emulator/scenario/read.hpp"
 #include "generator/diagnostic/render.hpp"
 
@@ -12,38 +11,20 @@ namespace {
 
 constexpr std::uint64_t kLookEvery = 1'000'000;  // ns
 
-constexpr std::pair<const char*, MakeElement> kModels[] = {
-    {"bmi088", make_bmi088},
-    {"dbus_receiver", make_dbus_receiver},
-    {"dji_motor", make_dji_motor},
-    {"h30_imu", make_h30},
-    {"host_terminal", make_host_terminal},
-    {"ist8310", make_ist8310},
-    {"mecanum_base", make_mecanum_base},
-    {"ms5837", make_ms5837},
-    {"pca9685", make_pca9685},
-    {"pwm_output", make_pwm_output},
-    {"register_bank", make_register_bank},
-    {"sbus_receiver", make_sbus_receiver},
-    {"standing_body", make_standing_body},
-    {"submerged_body", make_submerged_body},
-    {"tca9548a", make_tca9548a},
-    {"thruster", make_thruster},
-    {"weights", make_weights},
-};
-
-MakeElement maker_of(const std::string& type) {
-  for (const auto& [name, make] : kModels) {
-    if (type == name) return make;
+/// What is usual for every absent figure, also in lists.
+void complete(Json& entry, const std::vector<scenario::Member>& rows) {
+  for (const scenario::Member& row : rows) {
+    if (!row.usual.empty() && !entry.contains(row.name)) entry[row.name] = Json::parse(row.usual);
+    if (row.kind != scenario::Member::Kind::list || !entry.contains(row.name)) continue;
+    for (Json& item : entry[row.name]) complete(item, row.members);
   }
-  throw std::logic_error("nothing makes a part of type '" + type + "'");
 }
 
 /// @throws std::invalid_argument with every mistake
-void check(const Json& document, const std::map<std::string, const scenario::Model*>& models) {
+void check(const Json& document, std::vector<scenario::World::Part> parts) {
   scenario::World world;
   world.judges_wiring = false;  // the robot's model placed them, or the scenario was judged where it was read
-  for (const auto& [name, model] : models) world.parts.push_back({name, model->type});
+  world.parts = std::move(parts);
   gen::Diagnostics diagnostics;
   const gen::SourceFile text{"scenario", "", document.dump(2)};
   if (!scenario::read(text, world, diagnostics)) throw std::invalid_argument(gen::render_text(diagnostics, false));
@@ -52,26 +33,30 @@ void check(const Json& document, const std::map<std::string, const scenario::Mod
 }  // namespace
 
 void Outfit::add(const Json& document, std::int64_t zero_ns) {
-  check(document, models_);
+  std::vector<scenario::World::Part> known;
+  for (const auto& [name, part] : parts_) known.push_back({name, part.model->type});
+  check(document, std::move(known));
   const auto list = [&](const char* key) { return document.value(key, Json::array()); };
   for (const Json& part : list("parts")) add_part(part);
-  for (const Json& part : list("parts")) elements_.at(need<std::string>(part, "name"))->connect(*this);
+  for (const Json& part : list("parts")) parts_.at(need<std::string>(part, "name")).element->connect();
   for (const Json& event : list("events")) add_event(event, zero_ns);
   for (const Json& entry : list("expect")) add_expectation(entry, zero_ns);
 }
 
 void Outfit::add_part(const Json& part) {
-  const auto type = need<std::string>(part, "type"), name = need<std::string>(part, "name");
-  elements_[name] = maker_of(type)(*this, part, name);
-  models_[name] = scenario::find_model(type);
-  elements_[name]->check_complete(*models_[name]);
+  const auto name = need<std::string>(part, "name");
+  const scenario::Model* model = scenario::find_model(need<std::string>(part, "type"));
+  Json entry = part;
+  complete(entry, model->figures);
+  parts_[name] = {model, model->make(*this, entry, name)};
 }
 
 double Outfit::value(const std::string& part, const std::string& quantity) {
-  Element* element = find<Element>(part);
-  const auto value = element == nullptr ? std::nullopt : element->value(quantity);
-  if (!value) throw std::invalid_argument("part '" + part + "' has no value '" + quantity + "'");
-  return *value;
+  const auto found = parts_.find(part);
+  const scenario::Quantity* row =
+      found == parts_.end() ? nullptr : scenario::find_quantity(found->second.model->values, quantity);
+  if (row == nullptr) throw std::invalid_argument("part '" + part + "' has no value '" + quantity + "'");
+  return row->look(*found->second.element, scenario::number_in_family(quantity, row->name));
 }
 
 SerialTerminal* Outfit::terminal(const std::string& part) {
@@ -132,30 +117,23 @@ Outfit::Header Outfit::header_of(const Json& part) {
   return {timer, channel};
 }
 
-bool Outfit::is_fault(const Json& event) const {
-  const bool ends_one = !maybe(event, "on", true);
-  if (ends_one) return false;
-  const auto what = need<std::string>(event, "do");
-  const auto& verbs = event.contains("part")   ? models_.at(need<std::string>(event, "part"))->verbs
+const scenario::Verb& Outfit::verb_of(const Json& event) const {
+  const auto& verbs = event.contains("part")   ? parts_.at(need<std::string>(event, "part")).model->verbs
                       : event.contains("port") ? scenario::kind_of_port(need<std::string>(event, "port"))->verbs
                       : event.contains("pin")  ? scenario::pin_verbs()
                                                : scenario::board_verbs();
-  return scenario::find_verb(verbs, what)->is_fault;
+  return *scenario::find_verb(verbs, need<std::string>(event, "do"));
 }
 
 void Outfit::add_event(const Json& event, std::int64_t zero_ns) {
-  injects_faults_ = injects_faults_ || is_fault(event);
+  const scenario::Verb& verb = verb_of(event);
+  const bool ends_one = !is_on(event);
+  injects_faults_ = injects_faults_ || (verb.is_fault && !ends_one);
   const auto t_ns = zero_ns + need<std::int64_t>(event, "t_ns");
-  board_.world().at(from_ns(static_cast<std::uint64_t>(t_ns)), [this, event] { happen(event); });
+  board_.world().at(from_ns(static_cast<std::uint64_t>(t_ns)), [this, &verb, event] { verb.act(*this, event); });
 }
 
-void Outfit::happen(const Json& event) {
-  if (event.contains("port")) return happen_to_port(board_, event);
-  if (event.contains("pin")) return happen_to_pin(board_, event);
-  if (event.contains("part")) {
-    elements_.at(need<std::string>(event, "part"))->happen(need<std::string>(event, "do"), event);
-    return;
-  }
+void Outfit::press_reset() {
   ++scripted_resets_;
   board_.press_reset();
 }

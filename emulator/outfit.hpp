@@ -14,6 +14,7 @@
 
 #include "emulator/board.hpp"
 #include "emulator/outfit/element.hpp"
+#include "emulator/scenario/grammar.hpp"
 
 namespace finemote::emulator {
 
@@ -77,9 +78,11 @@ class Outfit {
   /// What the element of this name is to others; null when there is none, or it is not that.
   template <class As>
   As* find(const std::string& name) {
-    const auto found = elements_.find(name);
-    return found == elements_.end() ? nullptr : dynamic_cast<As*>(found->second.get());
+    const auto found = parts_.find(name);
+    return found == parts_.end() ? nullptr : dynamic_cast<As*>(found->second.element.get());
   }
+  /// Pulls the reset pin, as the scenario asks for.
+  void press_reset();
   Usart& usart_of(const Json& part);
   I2cLine& line_of(const Json& part);
   /// Calls the listener for every change of the PWM output the part is connected to.
@@ -93,15 +96,19 @@ class Outfit {
   void add_expectation(const Json& entry, std::int64_t zero_ns);
   void plan_look(std::size_t expectation);
   void look(std::size_t expectation);
-  void happen(const Json& event);
-  [[nodiscard]] bool is_fault(const Json& event) const;
+  /// The row of what happens.
+  [[nodiscard]] const scenario::Verb& verb_of(const Json& event) const;
 
-  Board& board_;
-  std::map<std::string, std::unique_ptr<Element>> elements_;
-  std::map<std::string, const scenario::Model*> models_;  ///< of the elements
+  /// A part with the row it was made by.
+  struct Part {
+    const scenario::Model* model;
+    std::unique_ptr<Element> element;
+  };
   using Header = std::pair<Timer*, unsigned>;
   Header header_of(const Json& part);
 
+  Board& board_;
+  std::map<std::string, Part> parts_;
   std::map<Header, std::vector<PulseSource::Listener>> headers_;
   std::map<Header, std::vector<std::function<void(std::uint64_t)>>> writes_;
   std::vector<PartEvent> events_;

@@ -251,14 +251,26 @@ void Chip::attach_spi(Spi& spi, char port, unsigned pin, SpiPart part) {
   gpio(port).watcher[pin] = [&spi, number](bool output, bool high) { spi.selected(number, output && !high); };
 }
 
+namespace {
+
+/// A pin that selects a part at an SPI port.
+struct SpiSelect {
+  const char* spi;
+  char port;
+  unsigned pin;
+};
+constexpr SpiSelect kSpiSelects[] = {{"spi1", 'A', 4}, {"spi1", 'B', 0}, {"spi2", 'B', 12}};  // of the board
+
+}  // namespace
+
+unsigned Chip::spi_selects(const std::string& name) {
+  unsigned count = 0;
+  for (const SpiSelect& it : kSpiSelects) count += name == it.spi ? 1 : 0;
+  return count;
+}
+
 bool Chip::attach_spi(const std::string& name, unsigned select, SpiPart part) {
-  struct Select {
-    const char* spi;
-    char port;
-    unsigned pin;
-  };
-  constexpr Select kSelects[] = {{"spi1", 'A', 4}, {"spi1", 'B', 0}, {"spi2", 'B', 12}};  // of the board
-  for (const Select& it : kSelects) {
+  for (const SpiSelect& it : kSpiSelects) {
     if (name != it.spi || select-- != 0) continue;
     attach_spi(*spi(name), it.port, it.pin, std::move(part));
     return true;

@@ -54,6 +54,8 @@ class Chip : public PeripheralBus {
   Adc* adc(const std::string& name) { return name == "adc3" ? adc3_.get() : nullptr; }
   /// The same by names, behind a chip select of the board. @return false: there is no such port or select
   bool attach_spi(const std::string& name, unsigned select, SpiPart part);
+  /// How many chip selects the board has at an SPI port.
+  static unsigned spi_selects(const std::string& name);
   /// Timer and channel of a pulse output: a PWM header `pwm1`..`pwm7`, or `led_red led_green led_blue buzzer
   /// imu_heater`.
   std::pair<Timer*, unsigned> pwm(const std::string& name);

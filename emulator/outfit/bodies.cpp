@@ -1,22 +1,22 @@
-// Bodies that sensors sit on and thrusters push.
 #include "emulator/outfit/bodies.hpp"
 
-#include <numbers>
-
+#include "emulator/outfit/models.hpp"
+#include "emulator/outfit/rows.hpp"
+#include "emulator/outfit/seat.hpp"
 #include "emulator/plants/standing_body.hpp"
-#include "emulator/plants/submerged_body.hpp"
+#include "emulator/scenario/values.hpp"
+#include "generator/diagnostic/code_scenario.hpp"
 
 namespace finemote::emulator {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+using namespace scenario;
 
 class StandingElement : public BodyElement {
  public:
-  explicit StandingElement(Outfit& outfit) : BodyElement(outfit) {
-    on("move", [this, &outfit](const Json& event) { move_by_hand(body_, outfit.now(), event); });
-  }
+  StandingElement(Outfit& outfit, const Json&, const std::string& name) : BodyElement(outfit, name) {}
   Body& body() override { return body_; }
+  void move(const Json& event) { move_by_hand(body_, now(), event); }
 
  private:
   StandingBody body_;
@@ -24,108 +24,115 @@ class StandingElement : public BodyElement {
 
 SubmergedBody::Parameters submerged(const Json& part) {
   SubmergedBody::Parameters p;
-  p.mass = maybe(part, "mass", p.mass);
-  p.inertia = inertia_of(part, p.inertia);
-  p.added_mass = maybe(part, "added_mass", p.added_mass);
-  p.linear_drag = maybe(part, "linear_drag", p.linear_drag);
-  p.quadratic_drag = maybe(part, "quadratic_drag", p.quadratic_drag);
-  p.buoyancy = maybe(part, "buoyancy", p.buoyancy);
-  p.righting = maybe(part, "righting", p.righting);
-  if (p.mass <= 0 || p.inertia.determinant() <= 0) refuse(part, "mass and inertia are above zero");
+  p.mass = need<double>(part, "mass");
+  p.inertia = inertia_of(need<std::vector<double>>(part, "inertia"));
+  p.added_mass = need<double>(part, "added_mass");
+  p.linear_drag = need<double>(part, "linear_drag");
+  p.quadratic_drag = need<double>(part, "quadratic_drag");
+  p.buoyancy = need<double>(part, "buoyancy");
+  p.righting = need<double>(part, "righting");
   return p;
 }
 
 class SubmergedElement : public BodyElement, public ThrustTarget {
  public:
-  SubmergedElement(Outfit& outfit, const Json& part) : BodyElement(outfit), body_(submerged(part)) {
-    on("disturb", [this, &outfit](const Json& event) {
-      body_.disturb(outfit.now(), vector(event, "force"), vector(event, "moment"));
-    });
-  }
+  SubmergedElement(Outfit& outfit, const Json& part, const std::string& name)
+      : BodyElement(outfit, name), body_(submerged(part)) {}
   Body& body() override { return body_; }
   SubmergedBody& hull() override { return body_; }
+  void disturb(const Json& event) { body_.disturb(now(), vector(event, "force"), vector(event, "moment")); }
 
  private:
   SubmergedBody body_;
 };
 
-}  // namespace
-
-double degrees_of(const Motion& motion, double Angles::*axis) { return angles_of(motion.attitude).*axis / kDegree; }
-
-BodyElement::BodyElement(Outfit& outfit) {
-  const auto now = [this, &outfit] { return body().motion(outfit.now()); };
-  show("roll", [now] { return degrees_of(now(), &Angles::roll); });
-  show("pitch", [now] { return degrees_of(now(), &Angles::pitch); });
-  show("yaw", [now] { return degrees_of(now(), &Angles::yaw); });
-  show("x", [now] { return now().position.x(); });
-  show("y", [now] { return now().position.y(); });
-  show("depth", [now] { return -now().position.z(); });
+std::vector<Member> water() {
+  const SubmergedBody::Parameters usual;
+  return {usually(usual.added_mass, number("added_mass", "", "share of mass and inertia", 0)),
+          usually(usual.linear_drag, number("linear_drag", "N s/m", "per kg", 0)),
+          usually(usual.quadratic_drag, number("quadratic_drag", "N s^2/m^2", "per kg", 0)),
+          usually(usual.buoyancy, number("buoyancy", "", "lift as share of the weight")),
+          usually(usual.righting, number("righting", "m", "centre of buoyancy above that of mass"))};
 }
 
-Eigen::Matrix3d inertia_of(const Json& part, const Eigen::Matrix3d& fallback) {
-  if (!part.contains("inertia")) return fallback;
-  const auto i = need<std::vector<double>>(part, "inertia");
-  if (i.size() != 6) refuse(part, "'inertia' has six numbers: xx xy xz yy yz zz");
+void check_inertia(const gen::json::Value& entry, const Model&, gen::Diagnostics& diagnostics) {
+  const auto inertia = given_inertia(entry);
+  if (inertia && inertia_of(*inertia).determinant() <= 0) refuse_inertia(*entry.find("inertia"), diagnostics);
+}
+
+}  // namespace
+
+std::vector<Quantity> BodyElement::values() {
+  using Row = Rows<BodyElement>;
+  return {
+      Row::value("roll", "deg", "", [](BodyElement& part) { return degrees_of(part.motion_now(), &Angles::roll); }),
+      Row::value("pitch", "deg", "", [](BodyElement& part) { return degrees_of(part.motion_now(), &Angles::pitch); }),
+      Row::value("yaw", "deg", "", [](BodyElement& part) { return degrees_of(part.motion_now(), &Angles::yaw); }),
+      Row::value("x", "m", "", [](BodyElement& part) { return part.motion_now().position.x(); }),
+      Row::value("y", "m", "", [](BodyElement& part) { return part.motion_now().position.y(); }),
+      Row::value("depth", "m", "below the world's z = 0",
+                 [](BodyElement& part) { return -part.motion_now().position.z(); })};
+}
+
+std::vector<Member> weight(double mass, const Eigen::Matrix3d& inertia) {
+  const Eigen::Matrix3d& i = inertia;
+  return {usually(mass, positive("mass", "kg", "")),
+          usually({i(0, 0), i(0, 1), i(0, 2), i(1, 1), i(1, 2), i(2, 2)},
+                  row(Kind::six, "inertia", "kg m^2", "xx xy xz yy yz zz, about its origin"))};
+}
+
+Eigen::Matrix3d inertia_of(const std::vector<double>& i) {
   Eigen::Matrix3d inertia;
   inertia << i[0], i[1], i[2], i[1], i[3], i[4], i[2], i[4], i[5];
   return inertia;
 }
 
-std::vector<JointStep> way_of(Outfit& outfit, const Json& list) {
-  std::vector<JointStep> way;
-  for (const Json& entry : list) {
-    const Eigen::Vector3d rpy = vector(entry, "rpy");
-    JointStep step;
-    step.xyz = vector(entry, "xyz");
-    step.rpy = Angles{rpy[0], rpy[1], rpy[2]};
-    step.axis = vector(entry, "axis", step.axis).normalized();
-    if (entry.contains("part")) step.shaft = shaft_of(outfit, entry);
-    way.push_back(step);
-  }
-  return way;
+void refuse_inertia(const gen::json::Value& word, gen::Diagnostics& diagnostics) {
+  diagnostics
+      .error(gen::code::scenario_range, word.at, "'inertia' must be above zero: a body with this one cannot turn")
+      .hint("\"inertia\": [0.1, 0, 0, 0.1, 0, 0.1]");
 }
 
-MotorShaft* shaft_of(Outfit& outfit, const Json& entry) {
-  const auto name = need<std::string>(entry, "part");
-  if (outfit.find<Element>(name) == nullptr) refuse(entry, "there is no such part");
-  auto* motor = outfit.find<ShaftSource>(name);
-  return motor == nullptr ? nullptr : &motor->shaft();
+std::optional<std::vector<double>> given_inertia(const gen::json::Value& entry) {
+  const gen::json::Value* word = entry.find("inertia");
+  if (word == nullptr || word->items.size() != 6) return std::nullopt;
+  std::vector<double> numbers;
+  for (const gen::json::Value& item : word->items)
+    numbers.push_back(item.is(gen::json::Value::Kind::number) ? number_of(item) : 1);
+  return numbers;
 }
 
-void move_by_hand(StandingBody& body, Time now, const Json& event) {
-  if (event.contains("roll") || event.contains("pitch") || event.contains("yaw")) {
-    const Angles was = angles_of(body.motion(now).attitude);
-    body.place(now, Angles{maybe(event, "roll", was.roll / kDegree) * kDegree,
-                           maybe(event, "pitch", was.pitch / kDegree) * kDegree,
-                           maybe(event, "yaw", was.yaw / kDegree) * kDegree});
-  }
-  if (event.contains("rate")) body.turn(now, vector(event, "rate") * kDegree);
-  if (event.contains("acceleration")) body.push(now, vector(event, "acceleration"));
+std::vector<Member> push() {
+  return {vector3("force", "N", "along the world's axes"), vector3("moment", "N m", "about the body's axes")};
 }
 
-Body& Seat::body() { return mount_ != nullptr ? static_cast<Body&>(*mount_) : own_; }
-
-void Seat::connect(Outfit& outfit) {
-  if (!part_.contains("body")) return;
-  auto* source = outfit.find<BodySource>(need<std::string>(part_, "body"));
-  if (source == nullptr) refuse(part_, "there is no such body");
-  mount_ = std::make_unique<Mount>(source->body(), way_of(outfit, maybe(part_, "way", Json::array())));
+Model standing_body() {
+  using Row = Rows<StandingElement>;
+  return {
+      .type = "standing_body",
+      .summary = "stays still until events move it",
+      .is = {"body"},
+      .verbs = {with_member(Row::stimulus("move", "holds it in this pose", pose(),
+                                          [](StandingElement& part, const Json& event) { part.move(event); }))},
+      .values = BodyElement::values(),
+      .make = Row::make,
+  };
 }
 
-/// Moved by an event, it follows its body no more.
-void Seat::move(Time now, const Json& event) {
-  if (mount_ != nullptr) own_.place(now, angles_of(mount_->motion(now).attitude));
-  mount_.reset();
-  move_by_hand(own_, now, event);
-}
-
-std::unique_ptr<Element> make_standing_body(Outfit& outfit, const Json&, const std::string&) {
-  return std::make_unique<StandingElement>(outfit);
-}
-
-std::unique_ptr<Element> make_submerged_body(Outfit& outfit, const Json& part, const std::string&) {
-  return std::make_unique<SubmergedElement>(outfit, part);
+Model submerged_body() {
+  using Row = Rows<SubmergedElement>;
+  const SubmergedBody::Parameters usual;
+  return {
+      .type = "submerged_body",
+      .summary = "floating rigid body with added mass, drag, and buoyancy above its centre of mass",
+      .is = {"body", "hull"},
+      .figures = weight(usual.mass, usual.inertia) + water(),
+      .verbs = {Row::stimulus("disturb", "from now on; without members, no more", push(),
+                              [](SubmergedElement& part, const Json& event) { part.disturb(event); })},
+      .values = BodyElement::values(),
+      .make = Row::make,
+      .check = check_inertia,
+  };
 }
 
 }  // namespace finemote::emulator

@@ -1,9 +1,11 @@
-// How elements sit on bodies and push them.
+// Bodies that sensors sit on and thrusters push.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "emulator/outfit.hpp"
-#include "emulator/plants/mount.hpp"
-#include "emulator/plants/standing_body.hpp"
 #include "emulator/plants/submerged_body.hpp"
 
 namespace finemote::emulator {
@@ -14,40 +16,31 @@ class ThrustTarget {
   virtual SubmergedBody& hull() = 0;
 };
 
-/// An element that shows where a body is and how it lies: `roll` `pitch` `yaw` [deg], `x` `y` `depth` [m].
+/// An element that shows where a body is and how it lies.
 class BodyElement : public Element, public BodySource {
- protected:
-  explicit BodyElement(Outfit& outfit);
-};
-
-/// Degrees of an attitude about one axis.
-double degrees_of(const Motion& motion, double Angles::*axis);
-
-/// `inertia` of an entry: xx xy xz yy yz zz [kg m^2].
-Eigen::Matrix3d inertia_of(const Json& part, const Eigen::Matrix3d& fallback);
-
-/// The shaft of the entry's `part`; null: a part that turns nothing. @throws std::invalid_argument: there is none
-MotorShaft* shaft_of(Outfit& outfit, const Json& entry);
-
-/// Joints of an entry: `xyz`, `rpy`, and, of one that is driven, `axis` and `part`; a part that turns nothing stands.
-std::vector<JointStep> way_of(Outfit& outfit, const Json& list);
-
-/// An event's `roll` `pitch` `yaw` [deg], `rate` [deg/s, own axes], `acceleration` [m/s^2, world's axes].
-void move_by_hand(StandingBody& body, Time now, const Json& event);
-
-/// Where a sensor sits: on the `body` of its entry, over the joints of its `way`; without, in the hands of events.
-class Seat {
  public:
-  explicit Seat(const Json& part) : part_(part) {}
-  void connect(Outfit& outfit);
-  Motion motion(Time now) { return body().motion(now); }
-  void move(Time now, const Json& event);
-
- private:
-  Body& body();
-  Json part_;
-  StandingBody own_;
-  std::unique_ptr<Mount> mount_;
+  using Element::Element;
+  Motion motion_now() { return body().motion(now()); }
+  /// `roll` `pitch` `yaw` [deg], `x` `y` `depth` [m].
+  static std::vector<scenario::Quantity> values();
 };
+
+/// `mass` and `inertia`, with what is usual for them: kg, and kg m^2 as xx xy xz yy yz zz.
+std::vector<scenario::Member> weight(double mass, const Eigen::Matrix3d& inertia);
+/// Its six numbers as a matrix.
+Eigen::Matrix3d inertia_of(const std::vector<double>& numbers);
+/// Those of an entry that may have mistakes; none: they are not six numbers.
+std::optional<std::vector<double>> given_inertia(const gen::json::Value& entry);
+/// Reports FM6009: nothing turns with this `inertia`.
+void refuse_inertia(const gen::json::Value& word, gen::Diagnostics& diagnostics);
+/// Members of an event that pushes a body: `force` [N, world's axes], `moment` [N m, body's axes].
+std::vector<scenario::Member> push();
+
+/// Steps a plant now, and again after every step of its own.
+template <class Plant>
+void keep_stepping(World& world, Plant& plant) {
+  plant.step(world.now());
+  world.after(Plant::kStep, [&world, &plant] { keep_stepping(world, plant); });
+}
 
 }  // namespace finemote::emulator

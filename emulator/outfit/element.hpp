@@ -1,10 +1,9 @@
-// A part or plant as a scenario knows it: by name, with things that can happen to it and values to look at.
+// A part or plant on the board, by the name a scenario gives it. What can happen to it and be looked at stands in its
+// row: a function of its file.
 #pragma once
 
+#include <cstdint>
 #include <functional>
-#include <map>
-#include <memory>
-#include <optional>
 #include <string>
 
 #include "emulator/chip/i2c_line.hpp"
@@ -12,7 +11,6 @@
 #include "emulator/outfit/entry.hpp"
 #include "emulator/parts/serial_terminal.hpp"
 #include "emulator/plants/motor_shaft.hpp"
-#include "emulator/scenario/grammar.hpp"
 
 namespace finemote::emulator {
 
@@ -20,28 +18,25 @@ class Outfit;
 
 class Element {
  public:
+  Element(Outfit& outfit, std::string name) : outfit_(outfit), name_(std::move(name)) {}
   virtual ~Element() = default;
+  Element(const Element&) = delete;
+  Element& operator=(const Element&) = delete;
   /// Finds what it refers to, once all parts of its document exist.
-  virtual void connect(Outfit& outfit) { static_cast<void>(outfit); }
-  /// Makes `what` happen, with the members of `event`. @return false: that cannot happen to it
-  bool happen(const std::string& what, const Json& event) const;
-  /// A quantity by name; none: it has no such quantity.
-  [[nodiscard]] std::optional<double> value(const std::string& quantity) const;
-  /// Holds it to the table: everything it says of the model, and nothing else.
-  /// @throws std::logic_error  naming the action or value that only one of them has
-  void check_complete(const scenario::Model& model) const;
+  virtual void connect() {}
 
  protected:
-  using Handler = std::function<void(const Json& event)>;
-  using Look = std::function<double()>;
-  /// What a verb of its model does. The event was checked.
-  void on(const std::string& verb, Handler handler) { handlers_[verb] = std::move(handler); }
-  /// Where a quantity of its model comes from; it may be looked at at any time.
-  void show(const std::string& quantity, Look look) { looks_[quantity] = std::move(look); }
+  Outfit& outfit() { return outfit_; }
+  [[nodiscard]] Time now() const;
+  /// It sampled a quantity at `from`, and its last bit could be read at `until` (or now).
+  void record_sample(Time from, Time until);
+  void record_sample(Time from);
+  /// An output took this value now: pulse width [ns], current command.
+  void record_output(unsigned channel, double value);
 
  private:
-  std::map<std::string, Handler> handlers_;
-  std::map<std::string, Look> looks_;
+  Outfit& outfit_;
+  std::string name_;
 };
 
 // What elements can be to others.
@@ -76,26 +71,5 @@ class Hearing {  ///< remembers bytes
   virtual ~Hearing() = default;
   virtual SerialTerminal& terminal() = 0;
 };
-
-using MakeElement = std::unique_ptr<Element> (*)(Outfit& outfit, const Json& part, const std::string& name);
-
-// One file each.
-std::unique_ptr<Element> make_h30(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_host_terminal(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_dbus_receiver(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_sbus_receiver(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_tca9548a(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_ms5837(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_ist8310(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_register_bank(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_pca9685(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_pwm_output(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_thruster(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_bmi088(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_dji_motor(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_standing_body(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_submerged_body(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_mecanum_base(Outfit& outfit, const Json& part, const std::string& name);
-std::unique_ptr<Element> make_weights(Outfit& outfit, const Json& part, const std::string& name);
 
 }  // namespace finemote::emulator

@@ -40,4 +40,7 @@ inline Eigen::Vector3d vector(const Json& entry, const char* key,
   return {list[0], list[1], list[2]};
 }
 
+/// Of a fault that lasts: it begins, and does not end.
+inline bool is_on(const Json& event) { return maybe(event, "on", true); }
+
 }  // namespace finemote::emulator

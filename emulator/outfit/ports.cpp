@@ -1,58 +1,139 @@
-#include "emulator/outfit/ports.hpp"
-
-#include "emulator/scenario/grammar.hpp"
+// What a scenario can make happen at the ports and pins of the board and to the board as a whole, whatever hangs there.
+#include "emulator/outfit.hpp"
+#include "emulator/scenario/build.hpp"
 
 namespace finemote::emulator {
 namespace {
 
+using namespace scenario;
+
 std::string port_of(const Json& event) { return need<std::string>(event, "port"); }
-Usart& usart(Board& board, const Json& event) { return *board.chip().usart(port_of(event)); }
-I2c& i2c(Board& board, const Json& event) { return *board.chip().i2c(port_of(event)); }
-Can& can(Board& board, const Json& event) { return *board.chip().can(port_of(event)); }
-Adc& adc(Board& board, const Json& event) { return *board.chip().adc(port_of(event)); }
-bool is_on(const Json& event) { return maybe(event, "on", true); }
-unsigned count(const Json& event, const char* key) { return need<unsigned>(event, key); }
+Usart& usart(Outfit& outfit, const Json& event) { return *outfit.board().chip().usart(port_of(event)); }
+I2c& i2c(Outfit& outfit, const Json& event) { return *outfit.board().chip().i2c(port_of(event)); }
+Can& can(Outfit& outfit, const Json& event) { return *outfit.board().chip().can(port_of(event)); }
+Adc& adc(Outfit& outfit, const Json& event) { return *outfit.board().chip().adc(port_of(event)); }
+unsigned number_in(const Json& event, const char* key) { return need<unsigned>(event, key); }
 
-void break_dma(Board& board, const Json& event) { board.chip().break_dma(port_of(event)); }
+using Act = void (*)(Outfit& outfit, const Json& event);
 
-/// One row per row of the table's kinds of ports.
-struct Row {
-  const char *kind, *verb;
-  void (*handler)(Board& board, const Json& event);
-};
-constexpr Row kRows[] = {
-    {"serial", "silent", [](Board& b, const Json& e) { usart(b, e).silent = is_on(e); }},
-    {"serial", "noise", [](Board& b, const Json& e) { usart(b, e).noisy_bytes = count(e, "bytes"); }},
-    {"serial", "dma_error", break_dma},
-    {"spi", "dma_error", break_dma},
-    {"i2c", "nack",
-     [](Board& b, const Json& e) { i2c(b, e).line.nack(need<std::uint8_t>(e, "address"), count(e, "times")); }},
-    {"i2c", "hold_sda",
-     [](Board& b, const Json& e) { i2c(b, e).line.hold_sda(maybe(e, "clocks", I2cLine::kForever)); }},
-    {"i2c", "release_sda", [](Board& b, const Json& e) { i2c(b, e).line.hold_sda(0); }},
-    {"i2c", "disturb", [](Board& b, const Json& e) { i2c(b, e).disturbed_starts = count(e, "starts"); }},
-    {"i2c", "lose", [](Board& b, const Json& e) { i2c(b, e).lost_starts = count(e, "starts"); }},
-    {"can", "disturb", [](Board& b, const Json& e) { can(b, e).line.disturbed_frames = count(e, "frames"); }},
-    {"can", "silent", [](Board& b, const Json& e) { can(b, e).line.cut = is_on(e); }},
-    {"adc", "volts", [](Board& b, const Json& e) { adc(b, e).volts[count(e, "input")] = need<double>(e, "volts"); }},
-    {"adc", "silent", [](Board& b, const Json& e) { adc(b, e).dead = is_on(e); }},
-};
+Verb fault(const char* name, const char* summary, std::vector<Member> members, Act act) {
+  return {name, summary, std::move(members), act, true};
+}
+Verb stimulus(const char* name, const char* summary, std::vector<Member> members, Act act) {
+  return {name, summary, std::move(members), act, false};
+}
+
+Verb dma_error() {
+  return fault("dma_error", "the receive stream gets a bus error", {},
+               [](Outfit& outfit, const Json& event) { outfit.board().chip().break_dma(port_of(event)); });
+}
+
+PortKind serial_ports() {
+  return {
+      "serial",
+      "serial port",
+      {"usart1", "usart3", "usart6", "usart2", "uart4", "uart5"},
+      {fault("silent", "nothing arrives", {until()},
+             [](Outfit& outfit, const Json& event) { usart(outfit, event).silent = is_on(event); }),
+       fault("noise", "bytes with a framing error", {count("bytes")},
+             [](Outfit& outfit, const Json& event) { usart(outfit, event).noisy_bytes = number_in(event, "bytes"); }),
+       dma_error()}};
+}
+
+PortKind i2c_ports() {
+  return {
+      "i2c",
+      "I2C port",
+      {"i2c1", "i2c2", "i2c3"},
+      {fault("nack", "an address that is there does not acknowledge",
+             {required(integer("address", "", "7 bits", 0, 127)), required(integer("times", "", "how often", 1, 1e9))},
+             [](Outfit& outfit, const Json& event) {
+               i2c(outfit, event).line.nack(need<std::uint8_t>(event, "address"), number_in(event, "times"));
+             }),
+       fault("hold_sda", "a part holds the data line",
+             {integer("clocks", "", "until so many clocks; for ever if absent", 1, 1e9)},
+             [](Outfit& outfit, const Json& event) {
+               i2c(outfit, event).line.hold_sda(maybe(event, "clocks", I2cLine::kForever));
+             }),
+       stimulus("release_sda", "releases the data line", {},
+                [](Outfit& outfit, const Json& event) { i2c(outfit, event).line.hold_sda(0); }),
+       fault(
+           "disturb", "STARTs seen as misplaced", {count("starts")},
+           [](Outfit& outfit, const Json& event) { i2c(outfit, event).disturbed_starts = number_in(event, "starts"); }),
+       fault("lose", "STARTs lost to another master", {count("starts")},
+             [](Outfit& outfit, const Json& event) { i2c(outfit, event).lost_starts = number_in(event, "starts"); })}};
+}
+
+PortKind can_ports() {
+  return {"can",
+          "CAN port",
+          {"can1", "can2"},
+          {fault("disturb", "destroys frames on the wire", {count("frames")},
+                 [](Outfit& outfit, const Json& event) {
+                   can(outfit, event).line.disturbed_frames = number_in(event, "frames");
+                 }),
+           fault("silent", "no node receives or acknowledges", {until()},
+                 [](Outfit& outfit, const Json& event) { can(outfit, event).line.cut = is_on(event); })}};
+}
+
+PortKind converters() {
+  return {"adc",
+          "converter",
+          {"adc3"},
+          {stimulus("volts", "at an input",
+                    {required(integer("input", "", "", 0, 15)), required(number("volts", "V", "at the pin", 0, 3.3))},
+                    [](Outfit& outfit, const Json& event) {
+                      adc(outfit, event).volts[number_in(event, "input")] = need<double>(event, "volts");
+                    }),
+           fault("silent", "converts nothing", {until()},
+                 [](Outfit& outfit, const Json& event) { adc(outfit, event).dead = is_on(event); })}};
+}
+
+/// 1, 0, or -1: nothing drives it.
+void drive(Outfit& outfit, const Json& event, int level) {
+  const auto pin = need<std::string>(event, "pin");
+  outfit.board().chip().gpio(pin[1]).drive(static_cast<unsigned>(std::stoul(pin.substr(2))), level);
+}
 
 }  // namespace
-
-void happen_to_port(Board& board, const Json& event) {
-  const scenario::PortKind* kind = scenario::kind_of_port(port_of(event));
-  for (const Row& row : kRows) {
-    if (kind != nullptr && row.kind == kind->name && row.verb == need<std::string>(event, "do"))
-      return row.handler(board, event);
-  }
-  refuse(event, "this cannot happen to this port");
-}
-
-void happen_to_pin(Board& board, const Json& event) {
-  const auto pin = need<std::string>(event, "pin"), what = need<std::string>(event, "do");
-  const int level = what == "release" ? -1 : what == "high" ? 1 : 0;
-  board.chip().gpio(pin[1]).drive(static_cast<unsigned>(std::stoul(pin.substr(2))), level);
-}
-
 }  // namespace finemote::emulator
+
+namespace finemote::scenario {
+
+using emulator::Json;
+using emulator::Outfit;
+
+const std::vector<PortKind>& port_kinds() {
+  static const std::vector<PortKind> kKinds{
+      emulator::serial_ports(),
+      emulator::i2c_ports(),
+      emulator::can_ports(),
+      {"spi", "SPI port", {"spi1", "spi2", "spi3"}, {emulator::dma_error()}},
+      emulator::converters(),
+      {"pwm",
+       "PWM header",
+       {"pwm1", "pwm2", "pwm3", "pwm4", "pwm5", "pwm6", "pwm7", "imu_heater", "buzzer", "led_red", "led_green",
+        "led_blue"},
+       {}},
+  };
+  return kKinds;
+}
+
+const std::vector<Verb>& pin_verbs() {
+  constexpr const char* kDrives = "drives the pin externally: the user key is PA0, low when pressed";
+  static const std::vector<Verb> kVerbs{
+      emulator::stimulus("high", kDrives, {}, [](Outfit& outfit, const Json& e) { emulator::drive(outfit, e, 1); }),
+      emulator::stimulus("low", kDrives, {}, [](Outfit& outfit, const Json& e) { emulator::drive(outfit, e, 0); }),
+      emulator::stimulus("release", "no longer drives the pin", {},
+                         [](Outfit& outfit, const Json& e) { emulator::drive(outfit, e, -1); })};
+  return kVerbs;
+}
+
+const std::vector<Verb>& board_verbs() {
+  static const std::vector<Verb> kVerbs{emulator::fault(
+      "reset", "pulls the reset pin at any point of an operation; a part interrupted in the middle of a byte holds SDA",
+      {}, [](Outfit& outfit, const Json&) { outfit.press_reset(); })};
+  return kVerbs;
+}
+
+}  // namespace finemote::scenario

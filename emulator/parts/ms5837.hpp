@@ -13,6 +13,7 @@ namespace finemote::emulator {
 class Ms5837 : public I2cPart {
  public:
   enum class Variant { k02BA, k30BA };
+  static constexpr std::uint8_t kAddress = 0x76;  ///< on the bus; it can have no other
 
   /// @param now       the board's time
   /// @param pressure  what acts on the part at a time [Pa]
@@ -34,7 +35,6 @@ class Ms5837 : public I2cPart {
   void answer(std::uint32_t value, unsigned bytes);
   [[nodiscard]] std::uint32_t raw_pressure(double pascal) const;
 
-  static constexpr std::uint8_t kAddress = 0x76;
   Variant variant_;
   std::function<Time()> now_;
   std::function<double(Time)> pressure_;

@@ -1,7 +1,11 @@
-// Rows of the scenario's table in a few words each.
+// Members of a scenario's rows in a few words each.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "emulator/scenario/grammar.hpp"
 
@@ -19,7 +23,7 @@ inline Member row(Kind kind, const char* name, const char* unit, const char* sum
 }
 inline Member flag(const char* name, const char* summary) { return row(Kind::flag, name, "", summary); }
 inline Member text(const char* name, const char* summary) { return row(Kind::text, name, "", summary); }
-inline Member vector(const char* name, const char* unit, const char* summary) {
+inline Member vector3(const char* name, const char* unit, const char* summary) {
   return row(Kind::vector, name, unit, summary);
 }
 inline Member number(const char* name, const char* unit, const char* summary, double min = -kAny, double max = kAny) {
@@ -66,17 +70,33 @@ inline Member family(Member member, int last) {
   member.last = last;
   return member;
 }
-inline Verb stimulus(const char* name, const char* summary, std::vector<Member> members) {
-  return Verb{name, summary, std::move(members), false, false};
+/// Absent, it is this.
+inline Member usually(double value, Member member) {
+  member.usual = fmt::format("{}", value);
+  return member;
 }
-inline Verb fault(const char* name, const char* summary, std::vector<Member> members) {
-  return Verb{name, summary, std::move(members), true, false};
+inline Member usually(const std::vector<double>& values, Member member) {
+  for (const double value : values) member.usual += fmt::format("{}{}", member.usual.empty() ? "[" : ", ", value);
+  member.usual += "]";
+  return member;
 }
+/// Absent, it is the first of its words.
+inline Member first_usual(Member member) {
+  member.usual = "\"" + member.choices[0] + "\"";
+  return member;
+}
+/// Only one part can have it; `words` as Member::holds.
+inline Member held(const char* words, Member member) {
+  member.holds = words;
+  return member;
+}
+/// Of a fault that lasts: it begins, or with false it ends.
+inline Member until(const char* summary = "false ends it") { return flag("on", summary); }
+inline Member count(const char* name) { return required(integer(name, "", "how many", 1, 1e9)); }
 inline Verb with_member(Verb verb) {
   verb.needs_member = true;
   return verb;
 }
-inline Verb silent(const char* summary) { return fault("silent", summary, {flag("on", "false ends it")}); }
 inline std::vector<Member> operator+(std::vector<Member> a, const std::vector<Member>& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;

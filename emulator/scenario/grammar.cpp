@@ -32,46 +32,6 @@ const Model* find_model(std::string_view type) {
   return nullptr;
 }
 
-const std::vector<PortKind>& port_kinds() {
-  const Verb dma_error = fault("dma_error", "the receive stream gets a bus error", {});
-  static const std::vector<PortKind> kKinds{
-      {"serial",
-       "serial port",
-       {"usart1", "usart3", "usart6", "usart2", "uart4", "uart5"},
-       {silent("nothing arrives"),
-        fault("noise", "bytes with a framing error", {required(integer("bytes", "", "how many", 1, 1e9))}), dma_error}},
-      {"i2c",
-       "I2C port",
-       {"i2c1", "i2c2", "i2c3"},
-       {fault(
-            "nack", "an address that is there does not acknowledge",
-            {required(integer("address", "", "7 bits", 0, 127)), required(integer("times", "", "how often", 1, 1e9))}),
-        fault("hold_sda", "a part holds the data line",
-              {integer("clocks", "", "until so many clocks; for ever if absent", 1, 1e9)}),
-        stimulus("release_sda", "releases the data line", {}),
-        fault("disturb", "STARTs seen as misplaced", {required(integer("starts", "", "how many", 1, 1e9))}),
-        fault("lose", "STARTs lost to another master", {required(integer("starts", "", "how many", 1, 1e9))})}},
-      {"can",
-       "CAN port",
-       {"can1", "can2"},
-       {fault("disturb", "destroys frames on the wire", {required(integer("frames", "", "how many", 1, 1e9))}),
-        silent("no node receives or acknowledges")}},
-      {"spi", "SPI port", {"spi1", "spi2", "spi3"}, {dma_error}},
-      {"adc",
-       "converter",
-       {"adc3"},
-       {stimulus("volts", "at an input",
-                 {required(integer("input", "", "", 0, 15)), required(number("volts", "V", "at the pin", 0, 3.3))}),
-        silent("converts nothing")}},
-      {"pwm",
-       "PWM header",
-       {"pwm1", "pwm2", "pwm3", "pwm4", "pwm5", "pwm6", "pwm7", "imu_heater", "buzzer", "led_red", "led_green",
-        "led_blue"},
-       {}},
-  };
-  return kKinds;
-}
-
 const PortKind* kind_of_port(std::string_view port) {
   for (const PortKind& kind : port_kinds()) {
     for (const std::string& name : kind.ports) {
@@ -81,19 +41,13 @@ const PortKind* kind_of_port(std::string_view port) {
   return nullptr;
 }
 
-const std::vector<Verb>& pin_verbs() {
-  static const std::vector<Verb> kVerbs{
-      stimulus("high", "drives the pin externally: the user key is PA0, low when pressed", {}),
-      stimulus("low", "drives the pin externally: the user key is PA0, low when pressed", {}),
-      stimulus("release", "no longer drives the pin", {})};
-  return kVerbs;
-}
-
-const std::vector<Verb>& board_verbs() {
-  static const std::vector<Verb> kVerbs{fault(
-      "reset", "pulls the reset pin at any point of an operation; a part interrupted in the middle of a byte holds SDA",
-      {})};
-  return kVerbs;
+std::vector<Target> targets() {
+  std::vector<Target> all;
+  for (const Model& model : models()) all.push_back({"part", model.type, nullptr, &model.verbs});
+  for (const PortKind& kind : port_kinds()) all.push_back({"port", kind.title, &kind, &kind.verbs});
+  all.push_back({"pin", "pin", nullptr, &pin_verbs()});
+  all.push_back({"", "the board", nullptr, &board_verbs()});
+  return all;
 }
 
 const std::vector<Member>& part_members() {
@@ -133,6 +87,10 @@ const Member* find_member(const std::vector<Member>& members, std::string_view n
 
 const Quantity* find_quantity(const std::vector<Quantity>& values, std::string_view name) {
   return find_row(values, name, &Quantity::last);
+}
+
+unsigned number_in_family(std::string_view name, std::string_view stem) {
+  return name.size() == stem.size() ? 0 : static_cast<unsigned>(std::stoul(std::string(name.substr(stem.size()))));
 }
 
 std::vector<std::string> names_of(const std::string& name, int last) {

@@ -1,14 +1,25 @@
 // What a scenario can say: the parts it may place, what can happen to them, and what can be looked at.
 //
-// One table. The checker, the JSON Schema (schemas/scenario.schema.json) and the tables of docs/reference/emulator.md
-// are made from it, and every element of the emulated board is held to it: Element::check_complete.
+// One row each, which also holds the function that does it: rows of parts stand with their behaviour in
+// emulator/outfit, one file per part. The checker, the JSON Schema (schemas/scenario.schema.json), the tables of
+// docs/reference/emulator.md and what the emulated board does follow from them.
 #pragma once
 
+#include <functional>
 #include <limits>
-#include <optional>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "generator/diagnostic/diagnostics.hpp"
+#include "generator/json/value.hpp"
+
+namespace finemote::emulator {
+class Element;
+class Outfit;
+}  // namespace finemote::emulator
 
 namespace finemote::scenario {
 
@@ -29,13 +40,16 @@ struct Member {
     part,       ///< name of a part that is one of `choices`; of any where there are none
     reference,  ///< name of a part this entry stands for: it may turn nothing
     port,       ///< a port of the kind `choices[0]`
-    pin,        ///< PA0 to PI15
+    pin,        ///< PA0 to PI11
     object,     ///< of `members`
     list,       ///< of objects of `members`
   };
   std::string name;
-  Kind kind;
+  Kind kind = Kind::text;
   std::string unit, summary;
+  std::string usual;  ///< what stands for it where it is absent, as JSON; empty: nothing
+  std::string
+      holds;  ///< what only one part can have, at the end of `'imu' already ...`: `has chip select`; empty: none
   double min = -kAny, max = kAny;
   bool above_min = false;  ///< `min` itself is too small
   bool required = false;
@@ -47,26 +61,40 @@ struct Member {
 
 /// Something that can happen: the row behind a `do`.
 struct Verb {
+  /// Makes it happen. The event was checked.
+  using Act = std::function<void(emulator::Outfit& outfit, const nlohmann::ordered_json& event)>;
   std::string name, summary;
   std::vector<Member> members;
+  Act act;
   bool is_fault = true;       ///< what bounds presume does not hold any more; else a stimulus
   bool needs_member = false;  ///< says nothing without at least one of its members
 };
 
 /// Something that can be looked at: the row behind a `value`.
 struct Quantity {
+  /// Its value now; `number`: which one of a family, else 0.
+  using Look = std::function<double(emulator::Element& part, unsigned number)>;
   std::string name, unit, summary;
+  Look look;
   int last = -1;  ///< as Member::last
 };
 
 /// A part or plant that can stand in a scenario.
 struct Model {
+  using Entry = nlohmann::ordered_json;
+  /// Hangs a part on the board. Its entry was checked, and has what is usual for every absent figure.
+  using Make = std::unique_ptr<emulator::Element> (*)(emulator::Outfit& outfit, const Entry& part,
+                                                      const std::string& name);
+  /// Reports figures of an entry that do not fit each other.
+  using Check = void (*)(const gen::json::Value& entry, const Model& model, gen::Diagnostics& diagnostics);
   std::string type, summary;
-  std::vector<std::string> is;  ///< what others can refer to it as: body, hull, mux, pwm, shaft
-  std::vector<Member> figures;  ///< beside `type` and `name`
-  std::vector<std::string> one_of;
-  std::vector<Verb> verbs;
-  std::vector<Quantity> values;
+  std::vector<std::string> is = {};  ///< what others can refer to it as: body, hull, mux, pwm, shaft
+  std::vector<Member> figures = {};  ///< beside `type` and `name`
+  std::vector<std::string> one_of = {};
+  std::vector<Verb> verbs = {};
+  std::vector<Quantity> values = {};
+  Make make = nullptr;
+  Check check = nullptr;  ///< null: single values say it all
 };
 
 /// A kind of port, with the ports of that kind and what can happen at them.
@@ -76,7 +104,15 @@ struct PortKind {
   std::vector<Verb> verbs;
 };
 
-/// All models, by type.
+/// What an event can happen to, by the member that names it.
+struct Target {
+  std::string key;    ///< part, port or pin; empty: the board as a whole
+  std::string title;  ///< type of the part, kind of the port, `pin`, `the board`
+  const PortKind* port = nullptr;
+  const std::vector<Verb>* verbs;
+};
+
+/// All models, in the order of the reference page.
 const std::vector<Model>& models();
 /// Null: there is no model of this type.
 const Model* find_model(std::string_view type);
@@ -86,6 +122,8 @@ const PortKind* kind_of_port(std::string_view port);
 /// What can happen to a pin of the chip, and to the board as a whole.
 const std::vector<Verb>& pin_verbs();
 const std::vector<Verb>& board_verbs();
+/// Everything something can happen to: models, kinds of ports, pins, the board.
+std::vector<Target> targets();
 /// Members of every part beside its model's figures.
 const std::vector<Member>& part_members();
 /// Members of every event beside those of its verb and its target, and of every expectation.
@@ -97,6 +135,8 @@ const Verb* find_verb(const std::vector<Verb>& verbs, std::string_view name);
 /// The row of a member or quantity whose name, or family, this is; null: none.
 const Member* find_member(const std::vector<Member>& members, std::string_view name);
 const Quantity* find_quantity(const std::vector<Quantity>& values, std::string_view name);
+/// Which one of its family a name of this stem is; 0: there is no family.
+unsigned number_in_family(std::string_view name, std::string_view stem);
 /// The names a row stands for: its own, or those of its family.
 std::vector<std::string> names_of(const std::string& name, int last);
 

@@ -20,7 +20,7 @@ std::string shown_range(const Member& row) {
     return text;
   }
   if (row.min == -kAny || row.max == kAny || row.max >= 1e7) return {};
-  return fmt::format(" {}..{}", row.min, row.max);
+  return row.min == row.max ? fmt::format(" {}", row.min) : fmt::format(" {}..{}", row.min, row.max);
 }
 
 /// `torque` [N m] on the output
@@ -28,6 +28,7 @@ std::string shown(const Member& row) {
   std::string text = shown_name(row.name, row.last) + shown_range(row);
   if (!row.unit.empty()) text += " [" + row.unit + "]";
   if (!row.summary.empty()) text += " " + row.summary;
+  if (!row.usual.empty()) text += fmt::format(", {} if absent", row.usual);
   if (row.members.empty()) return text;
   text += " (";
   for (const Member& member : row.members) text += (&member == row.members.data() ? "`" : " `") + member.name + "`";
@@ -65,6 +66,14 @@ void add_verbs(Rows& rows, const std::string& who, const std::vector<Verb>& verb
     add_row(rows, who, fmt::format("`{}` | {} | {}", verb.name, verb.summary, list_of(verb.members)));
 }
 
+std::string shown(const Target& target) {
+  if (target.key == "part") return fmt::format("`{}`", target.title);
+  if (target.key == "pin") return "`\"pin\": \"PA0\"`";
+  if (target.key.empty()) return "the board (no `part`, `port` or `pin`)";
+  const auto& ports = target.port->ports;
+  return ports.size() == 1 ? fmt::format("`\"port\": \"{}\"`", ports[0]) : target.title;
+}
+
 }  // namespace
 
 std::string parts_table() {
@@ -76,13 +85,7 @@ std::string parts_table() {
 
 std::string actions_table() {
   Rows rows;
-  for (const Model& model : models()) add_verbs(rows, fmt::format("`{}`", model.type), model.verbs);
-  for (const PortKind& kind : port_kinds()) {
-    const std::string who = kind.ports.size() == 1 ? fmt::format("`\"port\": \"{}\"`", kind.ports[0]) : kind.title;
-    add_verbs(rows, who, kind.verbs);
-  }
-  add_verbs(rows, "`\"pin\": \"PA0\"`", pin_verbs());
-  add_verbs(rows, "the board (no `part`, `port` or `pin`)", board_verbs());
+  for (const Target& target : targets()) add_verbs(rows, shown(target), *target.verbs);
   return table("| target | `do` | effect | members |\n|---|---|---|---|\n", rows);
 }
 

@@ -14,7 +14,7 @@ namespace finemote::scenario {
 struct Place {
   /// Something that only one part can have.
   struct Hold {
-    std::string what;    ///< in words: `chip select 0 of 'spi1'`
+    std::string what;    ///< in words: `has chip select 0 of 'spi1'`
     std::string member;  ///< of the entry, which says so
   };
   std::string port;            ///< empty: it is behind a mux, or on no bus

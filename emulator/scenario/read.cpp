@@ -29,7 +29,7 @@ void check_order(const Value& document, gen::Diagnostics& diagnostics) {
   double last = 0;
   for (const Value& event : entries(document, "events")) {
     const Value& time = *event.find("t_ns");
-    if (number_of(time) < last) warn(time, "this event happens before the one above it", diagnostics);
+    if (number_of(time) < last) warn(time, "this event happens before the event above it", diagnostics);
     last = number_of(time);
   }
 }

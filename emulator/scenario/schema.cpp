@@ -6,7 +6,7 @@ namespace finemote::scenario {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr const char* kPin = "^P[A-I]([0-9]|1[0-5])$";
+constexpr const char* kPin = "^P([A-H]([0-9]|1[0-5])|I([0-9]|1[01]))$";
 
 Json object_of(const std::vector<Member>& rows, const std::vector<std::string>& one_of = {});
 
@@ -62,6 +62,7 @@ Json described(const Member& row) {
   std::string words = row.summary;
   if (!row.unit.empty()) words += (words.empty() ? "[" : " [") + row.unit + "]";
   if (!words.empty()) schema["description"] = words;
+  if (!row.usual.empty()) schema["default"] = Json::parse(row.usual);
   return schema;
 }
 
@@ -97,20 +98,22 @@ Json event_of(const Verb& verb, const std::string& target, const Json& target_sc
   return schema;
 }
 
+/// What can stand for the name of a target.
+Json name_of(const Target& target) {
+  if (target.port != nullptr) return Json{{"enum", target.port->ports}};
+  if (target.key == "pin") return Json{{"type", "string"}, {"pattern", kPin}};
+  return Json{{"type", "string"}};
+}
+
 Json events() {
   Json all = Json::array();
-  const auto add = [&all](const std::vector<Verb>& verbs, const std::string& target, const Json& schema,
-                          const std::string& title) {
-    for (const Verb& verb : verbs) {
-      Json event = event_of(verb, target, schema);
-      event["title"] = title + ": " + verb.name;
+  for (const Target& target : targets()) {
+    for (const Verb& verb : *target.verbs) {
+      Json event = event_of(verb, target.key, name_of(target));
+      event["title"] = target.title + ": " + verb.name;
       all.push_back(event);
     }
-  };
-  for (const Model& model : models()) add(model.verbs, "part", {{"type", "string"}}, model.type);
-  for (const PortKind& kind : port_kinds()) add(kind.verbs, "port", {{"enum", kind.ports}}, kind.title);
-  add(pin_verbs(), "pin", {{"type", "string"}, {"pattern", kPin}}, "pin");
-  add(board_verbs(), "", {}, "the board");
+  }
   return Json{{"type", "array"}, {"items", {{"anyOf", all}}}, {"description", "What happens, and when."}};
 }
 

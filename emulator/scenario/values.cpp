@@ -25,12 +25,13 @@ std::string with_unit(std::string text, const Member& row) {
   return row.unit.empty() ? text : std::move(text) + " " + row.unit;
 }
 
-/// `-1 to 1`, `above 0 kg`, `0 rad or more`; empty: any.
+/// `from -1 to 1`, `above 0 kg`, `0 rad or more`, `118`; empty: any.
 std::string range_of(const Member& row) {
   if (row.min == -kAny) return {};
+  if (row.min == row.max) return with_unit(text_of(row.min), row);
   if (row.max == kAny)
     return with_unit((row.above_min ? "above " : "") + text_of(row.min), row) + (row.above_min ? "" : " or more");
-  return with_unit(text_of(row.min) + " to " + text_of(row.max), row);
+  return with_unit("from " + text_of(row.min) + " to " + text_of(row.max), row);
 }
 
 bool is_within(const Member& row, double value) {
@@ -54,17 +55,25 @@ std::string shown(const gen::json::Value& value) {
   return value.is(gen::json::Value::Kind::string) ? "'" + text + "'" : text;
 }
 
+std::string quoted(const std::vector<std::string>& names, const char* last) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? fmt::format(" {} ", last) : ", ") + fmt::format("'{}'", names[i]);
+  return text;
+}
+
 bool is_pin(const std::string& pin) {
   const bool digits = pin.size() >= 3 && pin.size() <= 4 && pin.find_first_not_of("0123456789", 2) == std::string::npos;
   const bool plain = digits && (pin.size() == 3 || pin[2] != '0');
-  return plain && pin[0] == 'P' && pin[1] >= 'A' && pin[1] <= 'I' && std::stoul(pin.substr(2)) <= 15;
+  return plain && pin[0] == 'P' && pin[1] >= 'A' && pin[1] <= 'I' &&
+         std::stoul(pin.substr(2)) <= (pin[1] == 'I' ? 11U : 15U);
 }
 
 bool ValueCheck::is_kind(const std::string& name, const Value& value, Value::Kind kind) {
   if (value.is(kind)) return true;
-  auto& finding = diagnostics_.error(
-      code::bad_scenario, value.at,
-      fmt::format("'{}' is {}, but has to be {}", name, describe(value.kind), gen::json::describe(kind)));
+  auto& finding =
+      diagnostics_.error(code::bad_scenario, value.at,
+                         fmt::format("'{}' must be {}, got {}", name, gen::json::describe(kind), describe(value.kind)));
   finding.underline(value.length);
   if (kind != Value::Kind::number || !value.is(Value::Kind::string)) return false;
   const Value bare{Value::Kind::number, false, value.text, {}, {}, {}, 1};
@@ -77,8 +86,7 @@ bool ValueCheck::is_kind(const std::string& name, const Value& value, Value::Kin
 }
 
 bool ValueCheck::out_of_range(const std::string& name, const Value& value, const std::string& wanted) {
-  diagnostics_
-      .error(code::scenario_range, value.at, fmt::format("'{}' is {}, but has to be {}", name, shown(value), wanted))
+  diagnostics_.error(code::scenario_range, value.at, fmt::format("'{}' must be {}, got {}", name, wanted, shown(value)))
       .underline(value.length);
   return false;
 }
@@ -111,10 +119,10 @@ bool ValueCheck::word(const Member& row, const std::string& name, const Value& v
                            ? is_pin(value.text)
                            : std::find(row.choices.begin(), row.choices.end(), value.text) != row.choices.end();
   if (is_good) return true;
-  if (row.kind == Member::Kind::pin) return out_of_range(name, value, "a pin of the chip, PA0 to PI15");
+  if (row.kind == Member::Kind::pin) return out_of_range(name, value, "a pin of the chip, PA0 to PI11");
   diagnostics_
       .error(code::scenario_range, value.at,
-             fmt::format("'{}' is {}, but has to be one of its words", name, shown(value)))
+             fmt::format("'{}' must be {}, got {}", name, quoted(row.choices, "or"), shown(value)))
       .underline(value.length)
       .hint(gen::did_you_mean(value.text, row.choices));
   return false;

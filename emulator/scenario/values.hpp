@@ -1,8 +1,8 @@
 // Values of a scenario's members to what is wrong with them.
 #pragma once
 
-#include <functional>
 #include <string>
+#include <vector>
 
 #include "emulator/scenario/grammar.hpp"
 #include "generator/diagnostic/diagnostics.hpp"
@@ -14,7 +14,9 @@ namespace finemote::scenario {
 double number_of(const gen::json::Value& value);
 /// As written, shortened where it is very long.
 std::string shown(const gen::json::Value& value);
-/// `PA0` to `PI15`.
+/// `'a', 'b' and 'c'`; `last` is the word before the last one.
+std::string quoted(const std::vector<std::string>& names, const char* last);
+/// `PA0` to `PI11`: no package of the chip has more of port I.
 bool is_pin(const std::string& pin);
 
 /// Judges single values by their rows. Names of parts and ports are judged by the caller.

@@ -262,7 +262,7 @@ TEST_CASE("events at pins and converters are checked") {
     outfit.add(
         nlohmann::ordered_json::parse(std::string(R"({"schema": "finemote.scenario/1", "events": [)") + event + "]}"));
   };
-  CHECK_NOTHROW(add(R"({"t_ns": 1, "pin": "PI15", "do": "high"})"));
+  CHECK_NOTHROW(add(R"({"t_ns": 1, "pin": "PI11", "do": "high"})"));
   CHECK_THROWS_AS(add(R"({"t_ns": 1, "pin": "PI16", "do": "high"})"), std::invalid_argument);
   CHECK_THROWS_AS(add(R"({"t_ns": 1, "pin": "key", "do": "high"})"), std::invalid_argument);
   CHECK_THROWS_AS(add(R"({"t_ns": 1, "pin": "PA0", "do": "press"})"), std::invalid_argument);

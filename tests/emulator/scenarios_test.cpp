@@ -182,7 +182,7 @@ TEST_CASE("a run that is not as its scenario expects is a no, one that cannot ha
   // Parts that cannot be wired are found before anything is compiled.
   const auto twice = with(R"("parts": [{"type": "thruster", "name": "t", "port": "pwm1", "min": 1600000}])");
   CHECK(twice.exit_status == 2);
-  CHECK(twice.output.find("'neutral' is 1500000 ns, but has to be between 'min'") != std::string::npos);
+  CHECK(twice.output.find("'neutral' must be between 'min', 1600000 ns") != std::string::npos);
 }
 
 TEST_CASE("times of a scenario count from the first release") {

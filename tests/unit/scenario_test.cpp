@@ -255,7 +255,8 @@ TEST_CASE("a mistake in a scenario is found at its word") {
   refuses(event(R"("t_ns": 1, "port": "can2", "do": "silent")"), 6007, "\"can2", "no bus at port 'can2'");
   refuses(event(R"("t_ns": 1, "port": "can3", "do": "silent")"), 6007, "\"can3", "no port 'can3'");
   refuses(event(R"("t_ns": 1, "port": "can1", "do": "nack")"), 6007, "\"nack", "cannot happen to 'can1'");
-  refuses(event(R"("t_ns": 1, "pin": "PA16", "do": "low")"), 6009, "\"PA16", "PA0 to PI15");
+  refuses(event(R"("t_ns": 1, "pin": "PA16", "do": "low")"), 6009, "\"PA16", "PA0 to PI11");
+  refuses(event(R"("t_ns": 1, "pin": "PI12", "do": "low")"), 6009, "\"PI12", "PA0 to PI11");
   refuses(event(R"("t_ns": 1, "pin": "PA0", "port": "can1", "do": "low")"), 6004, "\"port", "to one 'part'");
   refuses(event(R"("t_ns": 1, "do": "silent")"), 6004, "{\"t_ns", "only 'reset'");
   refuses(event(R"("t_ns": 1, "part": "wheel", "do": "disturb")"), 6004, "{\"t_ns", "'torque' is missing");
@@ -264,24 +265,25 @@ TEST_CASE("a mistake in a scenario is found at its word") {
   refuses(event(R"("t_ns": 1, "part": "hand", "do": "move", "rate": [1, 2, 1e400])"), 6009, "1e400", "'rate[2]'");
   refuses(with(R"("event": [])"), 6007, "\"event\"", "did you mean 'events'");
   refuses(with(R"("events": {})"), 6004, "{}", "an array");
-  refuses(with(R"("events": [7])"), 6004, "7", "'events[0]' is a number, but has to be an object");
-  refuses(with(R"("expect": [null])"), 6004, "null", "'expect[0]' is null");
-  refuses(with(R"("parts": [{"type": "standing_body", "name": "s"}, null])"), 6004, "null", "'parts[1]' is null");
+  refuses(with(R"("events": [7])"), 6004, "7", "'events[0]' must be an object, got a number");
+  refuses(with(R"("expect": [null])"), 6004, "null", "'expect[0]' must be an object, got null");
+  refuses(with(R"("parts": [{"type": "standing_body", "name": "s"}, null])"), 6004, "null",
+          "'parts[1]' must be an object, got null");
   refuses(with(R"("events": [], "events": [])"), 6004, "\"events\": []}", "repeated");
   refuses(R"({"schema": "finemote.scenario/2", "events": []})", 6004, "\"finemote", "finemote.scenario/1");
   refuses(R"({"events": []})", 6004, "{", "'schema' is missing");
-  refuses("[]", 6004, "[", "a scenario is an object");
+  refuses("[]", 6004, "[", "a scenario must be an object, got an array");
   refuses(expectation(R"("from_ns": 0, "part": "wheel", "value": "sped", "min": 0, "max": 1)"), 6007, "\"sped",
           "did you mean 'speed'");
   refuses(expectation(R"("from_ns": 0, "part": "remote", "value": "left_y", "min": 0, "max": 1)"), 6007, "\"left_y",
-          "nothing of it can be looked at");
+          "no value that can be looked at");
   refuses(expectation(R"("from_ns": 0, "part": "wheel", "value": "speed", "min": 2, "max": 1)"), 6009, "1}",
           "below 'min'");
   refuses(expectation(R"("from_ns": 9, "to_ns": 8, "part": "wheel", "value": "speed", "min": 0, "max": 1)"), 6009, "8,",
           "below 'from_ns'");
   refuses(expectation(R"("from_ns": 0, "part": "wheel", "value": "speed", "min": 0)"), 6004, "{\"from_ns",
           "'max' is missing");
-  refuses(with(R"("parts": [{"type": "sonar", "name": "s"}])"), 6007, "\"sonar", "no model");
+  refuses(with(R"("parts": [{"type": "sonar", "name": "s"}])"), 6007, "\"sonar", "there is no part model 'sonar'");
   refuses(with(R"("parts": [{"type": "standing_body", "name": "imu"}])"), 6004, "\"imu", "already");
   refuses(with(R"("parts": [{"type": "host_terminal", "name": "h", "port": "usart9", "baud": 9600}])"), 6007,
           "\"usart9", "no serial port");
@@ -308,25 +310,77 @@ TEST_CASE("parts that stand in each other's way are refused at the word") {
   accepted(R"("type": "thruster", "name": "t9", "pwm": "pwm", "channel": 15)");
   refused(R"("type": "register_bank", "name": "", "port": "i2c2", "address": 80)", 6004, "\"\"", "needs a name");
   refused(R"("type": "register_bank", "name": "rb", "port": "i2c2", "address": 112)", 6004, "112",
-          "'mux' has address 112 on 'i2c2' already");
+          "'mux' already has address 112 on 'i2c2'");
   refused(R"("type": "register_bank", "name": "rb", "mux": "mux", "channel": 7, "address": 112)", 6004, "112",
-          "'mux' has address 112 on 'i2c2' already");
+          "'mux' already has address 112 on 'i2c2'");
   refused(R"("type": "ist8310", "name": "rb", "port": "i2c2", "address": 64)", 6004, "64", "has address 64 on");
-  refused(R"("type": "tca9548a", "name": "m2", "port": "i2c2")", 6004, "\"i2c2", "'mux' has address 112");
+  refused(R"("type": "tca9548a", "name": "m2", "port": "i2c2")", 6004, "\"i2c2", "'mux' already has address 112");
   refused(R"("type": "h30_imu", "name": "i2", "port": "usart1", "baud": 460800)", 6004, "\"usart1",
-          "has the serial port 'usart1' already");
+          "'imu' already has the serial port 'usart1'");
   refused(R"("type": "thruster", "name": "t9", "pwm": "pwm", "channel": 0)", 6004, "0}",
-          "has output 0 of 'pwm' already");
+          "already has output 0 of 'pwm'");
   refused(R"("type": "h30_imu", "name": "i2", "port": "usart3", "baud": 460800)", 6007, "\"usart3",
           "the robot has no bus at port 'usart3'");
   refused(R"("type": "register_bank", "name": "rb", "port": "i2c3", "address": 80)", 6007, "\"i2c3",
           "did you mean 'i2c2'");
   refused(R"("type": "register_bank", "name": "rb", "port": "i2c2")", 6004, "{\"type", "'address' is missing");
   refused(R"("type": "tca9548a", "name": "m2", "mux": "m2", "channel": 1, "address": 113)", 6004, "\"m2\", \"channel",
-          "'m2' is not above the part that is at it");
+          "'m2' must be listed before the parts that are connected to it");
   refuses(with(R"("parts": [{"type": "register_bank", "name": "a", "port": "i2c2", "address": 80}, )"
                R"({"type": "register_bank", "name": "b", "port": "i2c2", "address": 80}])"),
-          6004, "80}]", "'a' has address 80 on 'i2c2' already", world);
+          6004, "80}]", "'a' already has address 80 on 'i2c2'", world);
+}
+
+TEST_CASE("an output is observed once, and a pulse of another part may be observed too") {
+  const Case rov = example("finsrov");
+  const scenario::World world = gen::scenario_world(*rov.robot, 100'000'000);
+  const auto outputs = [](const std::string& first, const std::string& second) {
+    const std::string output = R"({"type": "pwm_output", "pwm": "pwm", "name": )";
+    return with("\"parts\": [" + output + first + "}, " + output + second + "}]");
+  };
+  CHECK(check(outputs(R"("a", "channel": 0)", R"("b", "channel": 9)"), world).good);
+  refuses(outputs(R"("a", "channel": 9)", R"("b", "channel": 9)"), 6004, "9}]",
+          "'a' already observes output 9 of 'pwm'", world);
+}
+
+TEST_CASE("chip selects the board does not have are refused at the word") {
+  scenario::World world = kWorld;
+  for (const char* port : {"spi1", "spi2", "spi3"}) world.ports->push_back(port);
+  const auto sensor = [](const std::string& port, int channel, int gyro) {
+    return with(R"("parts": [{"type": "bmi088", "name": "b", "port": ")" + port + R"(", "channel": )" +
+                std::to_string(channel) + R"(, "gyro": )" + std::to_string(gyro) + "}]");
+  };
+  CHECK(check(sensor("spi1", 1, 0), world).good);
+  refuses(sensor("spi2", 0, 1), 6009, "1}]", "'spi2' has no chip select 1", world);
+  refuses(sensor("spi1", 0, 0), 6009, "0}]", "'channel' and 'gyro' are both chip select 0", world);
+  CHECK(check(sensor("spi3", 0, 1), world).findings.size() == 2);
+}
+
+TEST_CASE("a joint with a weight is carried by one above it") {
+  const auto weights = [](const std::string& joints) {
+    return with(R"("parts": [{"type": "weights", "name": "w", "body": "hand", "joints": [)" + joints + "]}]");
+  };
+  const std::string first = R"({"part": "wheel", "mass": 1})",
+                    second = R"({"part": "bank", "mass": 1, "before": "wheel"})";
+  CHECK(check(weights(first + ", " + second), kWorld).good);
+  refuses(weights(second + ", " + first), 6004, "\"wheel\"}", "no joint above this one is that of 'wheel'");
+  refuses(weights(R"({"part": "wheel", "mass": 1, "before": "wheel"})"), 6004, "\"wheel\"}",
+          "no joint above this one is that of 'wheel'");
+}
+
+TEST_CASE("what can happen and what can be looked at has a function that does it") {
+  for (const scenario::Target& target : scenario::targets()) {
+    for (const scenario::Verb& verb : *target.verbs) {
+      INFO(target.title << " " << verb.name);
+      CHECK(verb.act);
+      CHECK_FALSE(verb.summary.empty());
+    }
+  }
+  for (const scenario::Model& model : scenario::models()) {
+    INFO(model.type);
+    CHECK(model.make != nullptr);
+    for (const scenario::Quantity& value : model.values) CHECK(value.look);
+  }
 }
 
 TEST_CASE("a fault at what the robot does not have is refused, as it would switch judging off for nothing") {
@@ -349,7 +403,8 @@ TEST_CASE("figures that do not fit each other are found at their member") {
   scenario::World world = kWorld;
   world.ports->push_back("pwm1");
   const std::string thruster = R"("type": "thruster", "name": "t", "port": "pwm1", )";
-  refuses(part(thruster + R"("neutral": 1500)"), 6009, "1500}", "'neutral' is 1500 ns, but has to be between", world);
+  refuses(part(thruster + R"("neutral": 1500)"), 6009, "1500}",
+          "'neutral' must be between 'min', 1100000 ns, and 'max', 1900000 ns, got 1500 ns", world);
   refuses(part(thruster + R"("min": 1600000)"), 6009, "1600000", "between 'min', 1600000 ns", world);
   refuses(part(R"("type": "submerged_body", "name": "b", "inertia": [0,0,0,0,0,0])"), 6009, "[0,0", "cannot turn");
 }

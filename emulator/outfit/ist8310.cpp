@@ -1,0 +1,64 @@
+// IST8310: a magnetometer.
+#include "emulator/parts/ist8310.hpp"
+
+#include "emulator/outfit/figures.hpp"
+#include "emulator/outfit/models.hpp"
+#include "emulator/outfit/rows.hpp"
+#include "emulator/outfit/seat.hpp"
+
+namespace finemote::emulator {
+namespace {
+
+using namespace scenario;
+
+class CompassElement : public SeatedElement {
+ public:
+  CompassElement(Outfit& outfit, const Json& part, const std::string& name)
+      : SeatedElement(outfit, part, name),
+        field(vector(part, "field")),
+        model(
+            need<std::uint8_t>(part, "address"), [&outfit] { return outfit.now(); },
+            [this](Time at) { return Eigen::Vector3d(motion(at).attitude.conjugate() * field); }) {
+    model.on_read = [this](Time from) { record_sample(from); };
+    outfit.line_of(part).attach(model);
+    if (maybe<std::string>(part, "port", "") == "i2c3") {  // the part on the board has its reset at PG6
+      outfit.board().chip().gpio('G').watcher[6] = [this](bool output, bool high) {
+        model.hold_reset(output && !high);
+      };
+    }
+  }
+
+  Eigen::Vector3d field;  ///< in the world's axes [T]
+  Ist8310 model;
+};
+
+void silence(CompassElement& part, const Json& event) { part.model.dead = is_on(event); }
+
+void power_cycle(CompassElement& part, const Json&) { part.model.power_cycle(); }
+
+void move(CompassElement& part, const Json& event) {
+  part.field = vector(event, "field", part.field);
+  part.move(event);
+}
+
+Member earths_field() { return vector3("field", "T", "in the world's axes"); }
+
+}  // namespace
+
+Model ist8310() {
+  using Row = Rows<CompassElement>;
+  return {
+      .type = "ist8310",
+      .summary = "earth's magnetic field in the sensor's axes; reset pin on `i2c3`",
+      .figures =
+          i2c_place() + std::vector{address(0x0E)} + seat() + std::vector{usually({20e-6, 0, -45e-6}, earths_field())},
+      .one_of = i2c_where(),
+      .verbs = {Row::fault("silent", "does not answer", {until()}, silence),
+                Row::fault("power_cycle", "loses its settings", {}, power_cycle),
+                with_member(Row::stimulus("move", "holds it in this pose; it no longer follows its body",
+                                          pose() + std::vector{earths_field()}, move))},
+      .make = Row::make,
+  };
+}
+
+}  // namespace finemote::emulator
