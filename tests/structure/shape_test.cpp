@@ -43,7 +43,6 @@ struct Known {
 constexpr Known kKnown[] = {
     {"emulator/core/interpreter.cpp", ""},
     {"emulator/core/operation.cpp", ""},
-    {"emulator/scenario/check.cpp", ""},
     {"generator/cli/run.cpp", "run_run"},
     {"generator/model/devices.cpp", "DeviceReader"},
     {"generator/model/places.cpp", ""},
