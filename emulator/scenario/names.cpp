@@ -8,13 +8,10 @@
 #include "generator/diagnostic/suggest.hpp"
 
 namespace finemote::scenario {
-namespace {
 
-bool contains(const std::vector<std::string>& list, const std::string& word) {
-  return std::find(list.begin(), list.end(), word) != list.end();
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
-
-}  // namespace
 
 gen::Diagnostic& Names::unknown(const Value& name, std::string message) {
   return diagnostics_.error(gen::code::scenario_name, name.at, std::move(message)).underline(name.length);

@@ -9,6 +9,9 @@
 
 namespace finemote::scenario {
 
+/// The list has this name.
+bool contains(const std::vector<std::string>& names, const std::string& name);
+
 /// Reports FM6007 at a name that stands for nothing, or not for what it has to.
 class Names {
  public:

@@ -14,10 +14,6 @@ namespace {
 namespace code = gen::code;
 using gen::json::Value;
 
-bool contains(const std::vector<std::string>& list, const std::string& word) {
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
-
 bool has_hold(const Place& place, const std::string& what) {
   return std::any_of(place.holds.begin(), place.holds.end(), [&](const auto& hold) { return hold.what == what; });
 }
