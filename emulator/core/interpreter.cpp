@@ -1,3 +1,5 @@
+// One file because the loop over instructions is fast only with all it does at every instruction inside of it; what is
+// rarer stands in files of its own.
 #include "emulator/core/interpreter.hpp"
 
 #include <array>
@@ -5,8 +7,6 @@
 
 namespace finemote::emulator {
 namespace {
-
-#define FINEMOTE_INLINE __attribute__((always_inline))
 
 constexpr std::uint32_t kSign = 0x80000000U;
 
@@ -37,6 +37,25 @@ inline std::uint32_t extended(std::uint32_t value, unsigned mode) {
       return value & 0xFF;
   }
 }
+
+// What data processing makes of its operands.
+constexpr auto kAnd = [](std::uint32_t x, std::uint32_t y) { return x & y; };
+constexpr auto kClear = [](std::uint32_t x, std::uint32_t y) { return x & ~y; };
+constexpr auto kOr = [](std::uint32_t x, std::uint32_t y) { return x | y; };
+constexpr auto kOrNot = [](std::uint32_t x, std::uint32_t y) { return x | ~y; };
+constexpr auto kExclusiveOr = [](std::uint32_t x, std::uint32_t y) { return x ^ y; };
+constexpr auto kMove = [](std::uint32_t, std::uint32_t y) { return y; };
+constexpr auto kMoveNot = [](std::uint32_t, std::uint32_t y) { return ~y; };
+
+/// Differences are sums: x - y = x + ~y + 1.
+struct Sum {
+  std::uint32_t x, y, carry;
+};
+constexpr auto kAdd = [](std::uint32_t x, std::uint32_t y, std::uint32_t) { return Sum{x, y, 0}; };
+constexpr auto kAddCarry = [](std::uint32_t x, std::uint32_t y, std::uint32_t carry) { return Sum{x, y, carry}; };
+constexpr auto kSubtract = [](std::uint32_t x, std::uint32_t y, std::uint32_t) { return Sum{x, ~y, 1}; };
+constexpr auto kSubtractCarry = [](std::uint32_t x, std::uint32_t y, std::uint32_t carry) { return Sum{x, ~y, carry}; };
+constexpr auto kSubtractFrom = [](std::uint32_t x, std::uint32_t y, std::uint32_t) { return Sum{y, ~x, 1}; };
 
 /// The IT state after one instruction: D6.7.37, ITAdvance.
 constexpr std::uint32_t advanced(std::uint32_t it) { return (it & 7) == 0 ? 0 : (it & 0xE0) | (it << 1 & 0x1F); }
@@ -201,218 +220,55 @@ inline std::uint32_t Interpreter::shift_by(Shift how, std::uint32_t value, std::
   }
 }
 
-template <bool Load>
-inline bool Interpreter::transfer(unsigned which, std::uint32_t address, unsigned t) {
-  std::uint32_t& value = registers.r[t];
-  if constexpr (!Load) {
-    return which == 5   ? store<std::uint32_t>(address, value)
-           : which == 6 ? store<std::uint8_t>(address, value)
-                        : store<std::uint16_t>(address, value);
-  } else {
-    std::uint32_t loaded = 0;
-    const bool ok = which == 0                 ? load<std::uint32_t>(address, loaded)
-                    : which == 1 || which == 3 ? load<std::uint8_t>(address, loaded)
-                                               : load<std::uint16_t>(address, loaded);
-    if (!ok) return false;
-    if (which == 3) loaded = static_cast<std::uint32_t>(static_cast<std::int8_t>(loaded));
-    if (which == 4) loaded = static_cast<std::uint32_t>(static_cast<std::int16_t>(loaded));
-    value = loaded;
-    return true;
-  }
+/// The last operand of data processing, by its form, and the carry that comes with it.
+template <Interpreter::Form Last>
+[[gnu::always_inline]] inline Interpreter::Operand Interpreter::last_operand(const Operation& o) const {
+  if constexpr (Last == Form::imm) return {o.imm, o.mode != 0 ? o.imm >> 31 : registers.c};
+  if constexpr (Last == Form::reg) return {registers.r[o.m], registers.c};
+  std::uint32_t carry = registers.c;
+  const std::uint32_t y = shifted(o, carry);
+  return {y, carry};
 }
 
-bool Interpreter::indexed(const Operation& o) {
-  const std::uint32_t moved = registers.r[o.n] + o.imm, address = o.mode == 1 ? moved : registers.r[o.n];
-  if (o.a >= 5 ? !transfer<false>(o.a, address, o.d) : !transfer<true>(o.a, address, o.d)) return false;
-  registers.r[o.n] = moved;
-  return true;
+template <Interpreter::Form Last, auto Do>
+[[gnu::always_inline]] inline void Interpreter::logic(const Operation& o) {
+  registers.r[o.d] = Do(registers.r[o.n], last_operand<Last>(o).value);
 }
 
-/// @param target  set when the list holds the PC
-bool Interpreter::load_multiple(const Operation& o, std::uint32_t& target) {
-  const std::uint32_t base = registers.r[o.n], moved = (o.mode & 2) != 0 ? base - o.amount : base + o.amount;
-  std::uint32_t address = (o.mode & 2) != 0 ? moved : base;
-  std::uint8_t values[64];
-  const std::uint8_t* from = in_ram(address, o.amount);
-  if (from == nullptr) {
-    for (unsigned i = 0; i < o.amount; i += 4, address += 4) {
-      std::uint32_t value = 0;
-      if (!load<std::uint32_t>(address, value)) return false;
-      std::memcpy(values + i, &value, 4);
-    }
-    from = values;
-  }
-  if ((o.mode & 1) != 0) registers.r[o.n] = moved;
-  for (std::uint32_t list = o.imm & 0x7FFF; list != 0; list &= list - 1, from += 4)
-    std::memcpy(&registers.r[static_cast<unsigned>(std::countr_zero(list))], from, 4);
-  if ((o.imm & 0x8000) != 0) std::memcpy(&target, from, 4);
-  return true;
+template <Interpreter::Form Last, auto Do>
+[[gnu::always_inline]] inline void Interpreter::test(const Operation& o) {
+  const Operand y = last_operand<Last>(o);
+  registers.set_nz(Do(registers.r[o.n], y.value));
+  registers.c = y.carry;
 }
 
-bool Interpreter::store_multiple(const Operation& o) {
-  const std::uint32_t base = registers.r[o.n], moved = (o.mode & 2) != 0 ? base - o.amount : base + o.amount;
-  std::uint32_t address = (o.mode & 2) != 0 ? moved : base;
-  if (std::uint8_t* to = in_ram(address, o.amount)) {
-    for (std::uint32_t list = o.imm; list != 0; list &= list - 1, to += 4)
-      std::memcpy(to, &registers.r[static_cast<unsigned>(std::countr_zero(list))], 4);
-  } else {
-    for (std::uint32_t list = o.imm; list != 0; list &= list - 1, address += 4) {
-      if (!store<std::uint32_t>(address, registers.r[static_cast<unsigned>(std::countr_zero(list))])) return false;
-    }
-  }
-  if ((o.mode & 1) != 0) registers.r[o.n] = moved;
-  return true;
+template <Interpreter::Form Last, auto Do>
+[[gnu::always_inline]] inline void Interpreter::logic_flags(const Operation& o) {
+  const Operand y = last_operand<Last>(o);
+  const std::uint32_t result = Do(registers.r[o.n], y.value);
+  registers.r[o.d] = result;
+  registers.set_nz(result);
+  registers.c = y.carry;
 }
 
-bool Interpreter::dual(const Operation& o, bool loads) {
-  const std::uint32_t base = o.n == 15 ? registers.r[15] & ~3U : registers.r[o.n], moved = base + o.imm,
-                      address = (o.mode & 2) != 0 ? moved : base;
-  if (loads) {
-    std::uint32_t low = 0, high = 0;
-    if (!load<std::uint32_t>(address, low) || !load<std::uint32_t>(address + 4, high)) return false;
-    registers.r[o.d] = low;
-    registers.r[o.a] = high;
-  } else if (!store<std::uint32_t>(address, registers.r[o.d]) || !store<std::uint32_t>(address + 4, registers.r[o.a])) {
-    return false;
-  }
-  if ((o.mode & 1) != 0) registers.r[o.n] = moved;
-  return true;
+template <Interpreter::Form Last, auto Terms>
+[[gnu::always_inline]] inline void Interpreter::sum(const Operation& o) {
+  const Sum s = Terms(registers.r[o.n], last_operand<Last>(o).value, registers.c);
+  registers.r[o.d] = s.x + s.y + s.carry;
 }
 
-/// A3.4 with one processor: the monitor is open until the next store, or until an exception comes or goes.
-bool Interpreter::exclusive(const Operation& o) {
-  const std::uint32_t address = registers.r[o.n] + o.imm;
-  if (o.kind == Opcode::ldrex) {
-    registers.exclusive = true;
-    constexpr unsigned which[] = {1, 2, 0};
-    return transfer<true>(which[o.amount], address, o.d);
-  }
-  if (registers.exclusive) {
-    constexpr unsigned which[] = {6, 7, 5};
-    if (!transfer<false>(which[o.amount], address, o.m)) return false;
-  }
-  registers.r[o.d] = registers.exclusive ? 0 : 1;
-  registers.exclusive = false;
-  return true;
+template <Interpreter::Form Last, auto Terms>
+[[gnu::always_inline]] inline void Interpreter::compare(const Operation& o) {
+  const Sum s = Terms(registers.r[o.n], last_operand<Last>(o).value, registers.c);
+  registers.set_nz(add(s.x, s.y, s.carry, registers.c, registers.v));
 }
 
-bool Interpreter::float_memory(const Operation& o) {
-  const bool several = o.kind == Opcode::vldm || o.kind == Opcode::vstm,
-             loads = o.kind == Opcode::vldr || o.kind == Opcode::vldm;
-  const std::uint32_t base = o.n == 15 ? registers.r[15] & ~3U : registers.r[o.n];
-  const bool down = several && (o.mode & 2) != 0;
-  std::uint32_t address = several ? (down ? base - o.imm : base) : base + o.imm;
-  for (unsigned i = 0; i < o.amount; ++i, address += 4) {
-    std::uint32_t& s = registers.s[o.d + i];
-    if (loads ? !load<std::uint32_t>(address, s) : !store<std::uint32_t>(address, s)) return false;
-  }
-  if (several && (o.mode & 1) != 0) registers.r[o.n] = down ? base - o.imm : base + o.imm;
-  return true;
-}
-
-void Interpreter::bit_field(const Operation& o) {
-  std::uint32_t& d = registers.r[o.d];
-  const std::uint32_t n = registers.r[o.n];
-  if (o.kind == Opcode::bfi) {
-    if (o.imm < o.amount) return;
-    const std::uint32_t mask = ((2U << (o.imm - o.amount)) - 1) << o.amount, source = o.n == 15 ? 0 : n;
-    d = (d & ~mask) | (source << o.amount & mask);
-    return;
-  }
-  const unsigned left = o.amount + o.imm > 32 ? 0 : 32 - o.amount - o.imm, right = 32 - o.imm;
-  d = o.kind == Opcode::ubfx ? n << left >> right
-                             : static_cast<std::uint32_t>(static_cast<std::int32_t>(n << left) >> right);
-}
-
-void Interpreter::saturate(const Operation& o) {
-  std::uint32_t carry = 0;
-  const auto value = static_cast<std::int32_t>(shifted(o, carry));
-  const std::int64_t high =
-                         o.kind == Opcode::ssat ? (std::int64_t{1} << (o.imm - 1)) - 1 : (std::int64_t{1} << o.imm) - 1,
-                     low = o.kind == Opcode::ssat ? -high - 1 : 0;
-  const std::int64_t kept = value < low ? low : value > high ? high : value;
-  if (kept != value) registers.q = 1;
-  registers.r[o.d] = static_cast<std::uint32_t>(kept);
-}
-
-void Interpreter::multiply_long(const Operation& o) {
-  const std::uint32_t n = registers.r[o.n], m = registers.r[o.m];
-  std::uint32_t &low = registers.r[o.d], &high = registers.r[o.a];
-  const bool is_signed = o.kind == Opcode::smull || o.kind == Opcode::smlal;
-  std::uint64_t result =
-      is_signed ? static_cast<std::uint64_t>(std::int64_t{static_cast<std::int32_t>(n)} * static_cast<std::int32_t>(m))
-                : std::uint64_t{n} * m;
-  if (o.kind == Opcode::smlal || o.kind == Opcode::umlal) result += std::uint64_t{high} << 32 | low;
-  if (o.kind == Opcode::umaal) result += std::uint64_t{high} + low;
-  low = static_cast<std::uint32_t>(result);
-  high = static_cast<std::uint32_t>(result >> 32);
-}
-
-/// MRS: B5.2.2.
-void Interpreter::read_special(const Operation& o) {
-  Registers& g = registers;
-  std::uint32_t value = 0;
-  switch (o.imm) {
-    case 8:
-      value = g.main_stack();
-      break;
-    case 9:
-      value = g.process_stack();
-      break;
-    case 16:
-      value = g.primask;
-      break;
-    case 17:
-    case 18:
-      value = g.basepri;
-      break;
-    case 19:
-      value = g.faultmask;
-      break;
-    case 20:
-      value = g.control | (fp_active ? 4U : 0U);
-      break;
-    default:  // APSR and IPSR in their combinations; EPSR reads as zero
-      if (o.imm > 7) return;
-      value = ((o.imm & 4) == 0 ? g.flags() | g.ge << 16 : 0) | ((o.imm & 1) != 0 ? g.exception : 0);
-      break;
-  }
-  g.r[o.d] = value;
-}
-
-/// MSR: B5.2.3.
-void Interpreter::write_special(const Operation& o) {
-  Registers& g = registers;
-  const std::uint32_t value = g.r[o.n];
-  switch (o.imm) {
-    case 8:
-      g.main_stack() = value & ~3U;
-      break;
-    case 9:
-      g.process_stack() = value & ~3U;
-      break;
-    case 16:
-      g.primask = value & 1;
-      break;
-    case 17:
-      g.basepri = value & 0xF0;
-      break;
-    case 18:
-      if ((value & 0xF0) != 0 && (g.basepri == 0 || (value & 0xF0) < g.basepri)) g.basepri = value & 0xF0;
-      break;
-    case 19:
-      g.faultmask = value & 1;
-      break;
-    case 20:
-      g.enter_mode(g.exception, value & 3);
-      break;
-    default:
-      if (o.imm > 7 || (o.imm & 4) != 0) break;
-      if ((o.mode & 2) != 0) g.set_flags(value);
-      if ((o.mode & 1) != 0) g.ge = value >> 16 & 0xF;
-      break;
-  }
-  outside_.masks_changed();
+template <Interpreter::Form Last, auto Terms>
+[[gnu::always_inline]] inline void Interpreter::sum_flags(const Operation& o) {
+  const Sum s = Terms(registers.r[o.n], last_operand<Last>(o).value, registers.c);
+  const std::uint32_t result = add(s.x, s.y, s.carry, registers.c, registers.v);
+  registers.r[o.d] = result;
+  registers.set_nz(result);
 }
 
 Halt Interpreter::run() {
@@ -429,7 +285,7 @@ Halt Interpreter::run_with() {
   std::uint32_t* const r = g.r.data();
   std::uint32_t next = g.next;
   std::uint32_t expected = pace.expected;  // where `next` would be without a jump
-  const auto stop_at = [&](Halt why, std::uint32_t at, std::uint32_t follows) FINEMOTE_INLINE {
+  const auto stop_at = [&](Halt why, std::uint32_t at, std::uint32_t follows) __attribute__((always_inline)) {
     g.next = at;
     pace.expected = follows;
     return why;
@@ -458,120 +314,131 @@ Halt Interpreter::run_with() {
       const Operation& o = *here;
       pace.account<Cost, Flash>(address, o.info.cycles);
       expected = address + o.info.bytes;
-      const auto stop = [&](Halt why, std::uint32_t at) FINEMOTE_INLINE { return stop_at(why, at, expected); };
+      const auto stop = [&](Halt why, std::uint32_t at) __attribute__((always_inline)) {
+        return stop_at(why, at, expected);
+      };
       // The instruction has not happened.
-      const auto stop_again = [&](Halt why) FINEMOTE_INLINE {
+      const auto stop_again = [&](Halt why) __attribute__((always_inline)) {
         g.it = here == &conditional_ ? it : 0;
         return stop(why, address);
       };
+      const auto bad_access = [&]() __attribute__((always_inline)) { return stop_again(Halt::bad_access); };
 
-      const auto set_nz = [&](std::uint32_t result) FINEMOTE_INLINE { g.n = g.z = result; };
-      const auto imm_carry = [&]() FINEMOTE_INLINE { return o.mode != 0 ? o.imm >> 31 : g.c; };
       // A jump to a value that tells the state: BX, and loads of the PC.
-      const auto interwork = [&](std::uint32_t target) FINEMOTE_INLINE {
+      const auto interwork = [&](std::uint32_t target) __attribute__((always_inline)) {
         next = target & ~1U;
         if (target >= 0xFFFFFF00U) return stop(Halt::exception_return, target);
         return (target & 1) == 0 ? stop(Halt::bad_state, target) : Halt::asked;
       };
 
-// One case per last operand: `y` is an immediate, a register, a register shifted.
-#define FINEMOTE_FORMS(NAME, DO, EXPRESSION)                        \
-  case Opcode::NAME##_imm: {                                        \
-    const std::uint32_t x = r[o.n], y = o.imm, carry = imm_carry(); \
-    DO(EXPRESSION)                                                  \
-    break;                                                          \
-  }                                                                 \
-  case Opcode::NAME##_reg: {                                        \
-    const std::uint32_t x = r[o.n], y = r[o.m], carry = g.c;        \
-    DO(EXPRESSION)                                                  \
-    break;                                                          \
-  }                                                                 \
-  case Opcode::NAME##_shifted: {                                    \
-    std::uint32_t carry = g.c;                                      \
-    const std::uint32_t x = r[o.n], y = shifted(o, carry);          \
-    DO(EXPRESSION)                                                  \
-    break;                                                          \
-  }
-#define FINEMOTE_PLAIN(EXPRESSION)                \
-  static_cast<void>(x), static_cast<void>(carry); \
-  r[o.d] = EXPRESSION;
-#define FINEMOTE_TEST(EXPRESSION) \
-  static_cast<void>(x);           \
-  set_nz(EXPRESSION);             \
-  g.c = carry;
-#define FINEMOTE_COMPARE(SUM) \
-  static_cast<void>(carry);   \
-  set_nz(SUM);
-#define FINEMOTE_SET_LOGIC(EXPRESSION)     \
-  static_cast<void>(x);                    \
-  const std::uint32_t result = EXPRESSION; \
-  r[o.d] = result;                         \
-  set_nz(result);                          \
-  g.c = carry;
-#define FINEMOTE_SET_SUM(SUM)       \
-  static_cast<void>(carry);         \
-  const std::uint32_t result = SUM; \
-  r[o.d] = result;                  \
-  set_nz(result);
-#define FINEMOTE_LOGIC(NAME, EXPRESSION)           \
-  FINEMOTE_FORMS(NAME, FINEMOTE_PLAIN, EXPRESSION) \
-  FINEMOTE_FORMS(NAME##s, FINEMOTE_SET_LOGIC, EXPRESSION)
-#define FINEMOTE_SUM(NAME, X, Y, CARRY)                     \
-  FINEMOTE_FORMS(NAME, FINEMOTE_PLAIN, (X) + (Y) + (CARRY)) \
-  FINEMOTE_FORMS(NAME##s, FINEMOTE_SET_SUM, add(X, Y, CARRY, g.c, g.v))
-#define FINEMOTE_LOAD(NAME, WHICH)                                                                       \
-  case Opcode::NAME##_imm:                                                                               \
-    if (!transfer<true>(WHICH, r[o.n] + o.imm, o.d)) return stop_again(Halt::bad_access);                \
-    break;                                                                                               \
-  case Opcode::NAME##_reg:                                                                               \
-    if (!transfer<true>(WHICH, r[o.n] + (r[o.m] << o.amount), o.d)) return stop_again(Halt::bad_access); \
-    break;                                                                                               \
-  case Opcode::NAME##_lit:                                                                               \
-    if (!transfer<true>(WHICH, (r[15] & ~3U) + o.imm, o.d)) return stop_again(Halt::bad_access);         \
-    break;
-#define FINEMOTE_STORE(NAME, WHICH)                                                                       \
-  case Opcode::NAME##_imm:                                                                                \
-    if (!transfer<false>(WHICH, r[o.n] + o.imm, o.d)) return stop_again(Halt::bad_access);                \
-    break;                                                                                                \
-  case Opcode::NAME##_reg:                                                                                \
-    if (!transfer<false>(WHICH, r[o.n] + (r[o.m] << o.amount), o.d)) return stop_again(Halt::bad_access); \
-    break;
-
       switch (o.kind) {
-        FINEMOTE_LOGIC(and, x & y)
-        FINEMOTE_LOGIC(bic, x & ~y)
-        FINEMOTE_LOGIC(orr, x | y)
-        FINEMOTE_LOGIC(orn, x | ~y)
-        FINEMOTE_LOGIC(eor, x ^ y)
-        FINEMOTE_LOGIC(mov, y)
-        FINEMOTE_LOGIC(mvn, ~y)
-        FINEMOTE_FORMS(tst, FINEMOTE_TEST, x & y)
-        FINEMOTE_FORMS(teq, FINEMOTE_TEST, x ^ y)
-        FINEMOTE_FORMS(cmp, FINEMOTE_COMPARE, add(x, ~y, 1, g.c, g.v))
-        FINEMOTE_FORMS(cmn, FINEMOTE_COMPARE, add(x, y, 0, g.c, g.v))
-        FINEMOTE_SUM(add, x, y, 0)
-        FINEMOTE_SUM(adc, x, y, g.c)
-        FINEMOTE_SUM(sub, x, ~y, 1)
-        FINEMOTE_SUM(sbc, x, ~y, g.c)
-        FINEMOTE_SUM(rsb, y, ~x, 1)
-        FINEMOTE_LOAD(ldr, 0)
-        FINEMOTE_LOAD(ldrb, 1)
-        FINEMOTE_LOAD(ldrh, 2)
-        FINEMOTE_LOAD(ldrsb, 3)
-        FINEMOTE_LOAD(ldrsh, 4)
-        FINEMOTE_STORE(str, 5)
-        FINEMOTE_STORE(strb, 6)
-        FINEMOTE_STORE(strh, 7)
-#undef FINEMOTE_SUM
-#undef FINEMOTE_LOGIC
-#undef FINEMOTE_SET_SUM
-#undef FINEMOTE_SET_LOGIC
-#undef FINEMOTE_COMPARE
-#undef FINEMOTE_TEST
-#undef FINEMOTE_PLAIN
-#undef FINEMOTE_FORMS
-#undef FINEMOTE_LOAD
-#undef FINEMOTE_STORE
+        // clang-format off
+        case Opcode::and_imm: logic<Form::imm, kAnd>(o); break;
+        case Opcode::and_reg: logic<Form::reg, kAnd>(o); break;
+        case Opcode::and_shifted: logic<Form::shifted, kAnd>(o); break;
+        case Opcode::ands_imm: logic_flags<Form::imm, kAnd>(o); break;
+        case Opcode::ands_reg: logic_flags<Form::reg, kAnd>(o); break;
+        case Opcode::ands_shifted: logic_flags<Form::shifted, kAnd>(o); break;
+        case Opcode::bic_imm: logic<Form::imm, kClear>(o); break;
+        case Opcode::bic_reg: logic<Form::reg, kClear>(o); break;
+        case Opcode::bic_shifted: logic<Form::shifted, kClear>(o); break;
+        case Opcode::bics_imm: logic_flags<Form::imm, kClear>(o); break;
+        case Opcode::bics_reg: logic_flags<Form::reg, kClear>(o); break;
+        case Opcode::bics_shifted: logic_flags<Form::shifted, kClear>(o); break;
+        case Opcode::orr_imm: logic<Form::imm, kOr>(o); break;
+        case Opcode::orr_reg: logic<Form::reg, kOr>(o); break;
+        case Opcode::orr_shifted: logic<Form::shifted, kOr>(o); break;
+        case Opcode::orrs_imm: logic_flags<Form::imm, kOr>(o); break;
+        case Opcode::orrs_reg: logic_flags<Form::reg, kOr>(o); break;
+        case Opcode::orrs_shifted: logic_flags<Form::shifted, kOr>(o); break;
+        case Opcode::orn_imm: logic<Form::imm, kOrNot>(o); break;
+        case Opcode::orn_reg: logic<Form::reg, kOrNot>(o); break;
+        case Opcode::orn_shifted: logic<Form::shifted, kOrNot>(o); break;
+        case Opcode::orns_imm: logic_flags<Form::imm, kOrNot>(o); break;
+        case Opcode::orns_reg: logic_flags<Form::reg, kOrNot>(o); break;
+        case Opcode::orns_shifted: logic_flags<Form::shifted, kOrNot>(o); break;
+        case Opcode::eor_imm: logic<Form::imm, kExclusiveOr>(o); break;
+        case Opcode::eor_reg: logic<Form::reg, kExclusiveOr>(o); break;
+        case Opcode::eor_shifted: logic<Form::shifted, kExclusiveOr>(o); break;
+        case Opcode::eors_imm: logic_flags<Form::imm, kExclusiveOr>(o); break;
+        case Opcode::eors_reg: logic_flags<Form::reg, kExclusiveOr>(o); break;
+        case Opcode::eors_shifted: logic_flags<Form::shifted, kExclusiveOr>(o); break;
+        case Opcode::mov_imm: logic<Form::imm, kMove>(o); break;
+        case Opcode::mov_reg: logic<Form::reg, kMove>(o); break;
+        case Opcode::mov_shifted: logic<Form::shifted, kMove>(o); break;
+        case Opcode::movs_imm: logic_flags<Form::imm, kMove>(o); break;
+        case Opcode::movs_reg: logic_flags<Form::reg, kMove>(o); break;
+        case Opcode::movs_shifted: logic_flags<Form::shifted, kMove>(o); break;
+        case Opcode::mvn_imm: logic<Form::imm, kMoveNot>(o); break;
+        case Opcode::mvn_reg: logic<Form::reg, kMoveNot>(o); break;
+        case Opcode::mvn_shifted: logic<Form::shifted, kMoveNot>(o); break;
+        case Opcode::mvns_imm: logic_flags<Form::imm, kMoveNot>(o); break;
+        case Opcode::mvns_reg: logic_flags<Form::reg, kMoveNot>(o); break;
+        case Opcode::mvns_shifted: logic_flags<Form::shifted, kMoveNot>(o); break;
+        case Opcode::tst_imm: test<Form::imm, kAnd>(o); break;
+        case Opcode::tst_reg: test<Form::reg, kAnd>(o); break;
+        case Opcode::tst_shifted: test<Form::shifted, kAnd>(o); break;
+        case Opcode::teq_imm: test<Form::imm, kExclusiveOr>(o); break;
+        case Opcode::teq_reg: test<Form::reg, kExclusiveOr>(o); break;
+        case Opcode::teq_shifted: test<Form::shifted, kExclusiveOr>(o); break;
+        case Opcode::cmp_imm: compare<Form::imm, kSubtract>(o); break;
+        case Opcode::cmp_reg: compare<Form::reg, kSubtract>(o); break;
+        case Opcode::cmp_shifted: compare<Form::shifted, kSubtract>(o); break;
+        case Opcode::cmn_imm: compare<Form::imm, kAdd>(o); break;
+        case Opcode::cmn_reg: compare<Form::reg, kAdd>(o); break;
+        case Opcode::cmn_shifted: compare<Form::shifted, kAdd>(o); break;
+        case Opcode::add_imm: sum<Form::imm, kAdd>(o); break;
+        case Opcode::add_reg: sum<Form::reg, kAdd>(o); break;
+        case Opcode::add_shifted: sum<Form::shifted, kAdd>(o); break;
+        case Opcode::adds_imm: sum_flags<Form::imm, kAdd>(o); break;
+        case Opcode::adds_reg: sum_flags<Form::reg, kAdd>(o); break;
+        case Opcode::adds_shifted: sum_flags<Form::shifted, kAdd>(o); break;
+        case Opcode::adc_imm: sum<Form::imm, kAddCarry>(o); break;
+        case Opcode::adc_reg: sum<Form::reg, kAddCarry>(o); break;
+        case Opcode::adc_shifted: sum<Form::shifted, kAddCarry>(o); break;
+        case Opcode::adcs_imm: sum_flags<Form::imm, kAddCarry>(o); break;
+        case Opcode::adcs_reg: sum_flags<Form::reg, kAddCarry>(o); break;
+        case Opcode::adcs_shifted: sum_flags<Form::shifted, kAddCarry>(o); break;
+        case Opcode::sub_imm: sum<Form::imm, kSubtract>(o); break;
+        case Opcode::sub_reg: sum<Form::reg, kSubtract>(o); break;
+        case Opcode::sub_shifted: sum<Form::shifted, kSubtract>(o); break;
+        case Opcode::subs_imm: sum_flags<Form::imm, kSubtract>(o); break;
+        case Opcode::subs_reg: sum_flags<Form::reg, kSubtract>(o); break;
+        case Opcode::subs_shifted: sum_flags<Form::shifted, kSubtract>(o); break;
+        case Opcode::sbc_imm: sum<Form::imm, kSubtractCarry>(o); break;
+        case Opcode::sbc_reg: sum<Form::reg, kSubtractCarry>(o); break;
+        case Opcode::sbc_shifted: sum<Form::shifted, kSubtractCarry>(o); break;
+        case Opcode::sbcs_imm: sum_flags<Form::imm, kSubtractCarry>(o); break;
+        case Opcode::sbcs_reg: sum_flags<Form::reg, kSubtractCarry>(o); break;
+        case Opcode::sbcs_shifted: sum_flags<Form::shifted, kSubtractCarry>(o); break;
+        case Opcode::rsb_imm: sum<Form::imm, kSubtractFrom>(o); break;
+        case Opcode::rsb_reg: sum<Form::reg, kSubtractFrom>(o); break;
+        case Opcode::rsb_shifted: sum<Form::shifted, kSubtractFrom>(o); break;
+        case Opcode::rsbs_imm: sum_flags<Form::imm, kSubtractFrom>(o); break;
+        case Opcode::rsbs_reg: sum_flags<Form::reg, kSubtractFrom>(o); break;
+        case Opcode::rsbs_shifted: sum_flags<Form::shifted, kSubtractFrom>(o); break;
+        case Opcode::ldr_imm: if (!transfer<Access::ldr>(at_offset(o), o.d)) return bad_access(); break;
+        case Opcode::ldr_reg: if (!transfer<Access::ldr>(at_index(o), o.d)) return bad_access(); break;
+        case Opcode::ldr_lit: if (!transfer<Access::ldr>(at_literal(o), o.d)) return bad_access(); break;
+        case Opcode::ldrb_imm: if (!transfer<Access::ldrb>(at_offset(o), o.d)) return bad_access(); break;
+        case Opcode::ldrb_reg: if (!transfer<Access::ldrb>(at_index(o), o.d)) return bad_access(); break;
+        case Opcode::ldrb_lit: if (!transfer<Access::ldrb>(at_literal(o), o.d)) return bad_access(); break;
+        case Opcode::ldrh_imm: if (!transfer<Access::ldrh>(at_offset(o), o.d)) return bad_access(); break;
+        case Opcode::ldrh_reg: if (!transfer<Access::ldrh>(at_index(o), o.d)) return bad_access(); break;
+        case Opcode::ldrh_lit: if (!transfer<Access::ldrh>(at_literal(o), o.d)) return bad_access(); break;
+        case Opcode::ldrsb_imm: if (!transfer<Access::ldrsb>(at_offset(o), o.d)) return bad_access(); break;
+        case Opcode::ldrsb_reg: if (!transfer<Access::ldrsb>(at_index(o), o.d)) return bad_access(); break;
+        case Opcode::ldrsb_lit: if (!transfer<Access::ldrsb>(at_literal(o), o.d)) return bad_access(); break;
+        case Opcode::ldrsh_imm: if (!transfer<Access::ldrsh>(at_offset(o), o.d)) return bad_access(); break;
+        case Opcode::ldrsh_reg: if (!transfer<Access::ldrsh>(at_index(o), o.d)) return bad_access(); break;
+        case Opcode::ldrsh_lit: if (!transfer<Access::ldrsh>(at_literal(o), o.d)) return bad_access(); break;
+        case Opcode::str_imm: if (!transfer<Access::str>(at_offset(o), o.d)) return bad_access(); break;
+        case Opcode::str_reg: if (!transfer<Access::str>(at_index(o), o.d)) return bad_access(); break;
+        case Opcode::strb_imm: if (!transfer<Access::strb>(at_offset(o), o.d)) return bad_access(); break;
+        case Opcode::strb_reg: if (!transfer<Access::strb>(at_index(o), o.d)) return bad_access(); break;
+        case Opcode::strh_imm: if (!transfer<Access::strh>(at_offset(o), o.d)) return bad_access(); break;
+        case Opcode::strh_reg: if (!transfer<Access::strh>(at_index(o), o.d)) return bad_access(); break;
+        // clang-format on
         case Opcode::shift_by: {
           std::uint32_t carry = g.c;
           r[o.d] = shift_by(o.shift, r[o.n], r[o.m] & 0xFF, carry);
@@ -580,7 +447,7 @@ Halt Interpreter::run_with() {
         case Opcode::shifts_by: {
           std::uint32_t carry = g.c;
           r[o.d] = shift_by(o.shift, r[o.n], r[o.m] & 0xFF, carry);
-          set_nz(r[o.d]);
+          g.set_nz(r[o.d]);
           g.c = carry;
           break;
         }
@@ -633,30 +500,30 @@ Halt Interpreter::run_with() {
           std::uint32_t halves = 0;
           const bool bytes = o.kind == Opcode::tbb;
           if (bytes ? !load<std::uint8_t>(r[o.n] + r[o.m], halves) : !load<std::uint16_t>(r[o.n] + 2 * r[o.m], halves))
-            return stop_again(Halt::bad_access);
+            return bad_access();
           next = r[15] + 2 * halves;
           break;
         }
         case Opcode::indexed:
-          if (!indexed(o)) return stop_again(Halt::bad_access);
+          if (!indexed(o)) return bad_access();
           break;
         case Opcode::ldm: {
           std::uint32_t target = 0;
-          if (!load_multiple(o, target)) return stop_again(Halt::bad_access);
+          if (!load_multiple(o, target)) return bad_access();
           if ((o.imm & 0x8000) == 0) break;
           if (const Halt why = interwork(target); why != Halt::asked) return why;
           break;
         }
         case Opcode::stm:
-          if (!store_multiple(o)) return stop_again(Halt::bad_access);
+          if (!store_multiple(o)) return bad_access();
           break;
         case Opcode::ldrd:
         case Opcode::strd:
-          if (!dual(o, o.kind == Opcode::ldrd)) return stop_again(Halt::bad_access);
+          if (!dual(o, o.kind == Opcode::ldrd)) return bad_access();
           break;
         case Opcode::ldrex:
         case Opcode::strex:
-          if (!exclusive(o)) return stop_again(Halt::bad_access);
+          if (!exclusive(o)) return bad_access();
           break;
         case Opcode::clrex:
           g.exclusive = false;
@@ -702,7 +569,7 @@ Halt Interpreter::run_with() {
           break;
         case Opcode::muls:
           r[o.d] = r[o.n] * r[o.m];
-          set_nz(r[o.d]);
+          g.set_nz(r[o.d]);
           break;
         case Opcode::mla:
           r[o.d] = r[o.a] + r[o.n] * r[o.m];
@@ -758,15 +625,15 @@ Halt Interpreter::run_with() {
         case Opcode::vldm:
         case Opcode::vstm:
           if (!begin_float()) return stop_again(Halt::no_fpu);
-          if (!float_memory(o)) return stop_again(Halt::bad_access);
+          if (!float_memory(o)) return bad_access();
           break;
         case Opcode::vldr_word:
           if (!begin_float()) return stop_again(Halt::no_fpu);
-          if (!load<std::uint32_t>(r[o.n] + o.imm, g.s[o.d])) return stop_again(Halt::bad_access);
+          if (!load<std::uint32_t>(r[o.n] + o.imm, g.s[o.d])) return bad_access();
           break;
         case Opcode::vstr_word:
           if (!begin_float()) return stop_again(Halt::no_fpu);
-          if (!store<std::uint32_t>(r[o.n] + o.imm, g.s[o.d])) return stop_again(Halt::bad_access);
+          if (!store<std::uint32_t>(r[o.n] + o.imm, g.s[o.d])) return bad_access();
           break;
         case Opcode::undefined:
           return stop_again((o.info.flags & InstructionInfo::kFloatingPoint) != 0 && !fpu_on ? Halt::no_fpu

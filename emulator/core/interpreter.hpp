@@ -117,9 +117,18 @@ class Interpreter {
   }
   bool load_elsewhere(std::uint32_t address, unsigned bytes, std::uint32_t& value);
   bool store_elsewhere(std::uint32_t address, unsigned bytes, std::uint32_t value);
-  /// `which` counts as in Opcode, from ldr to strh.
-  template <bool Load>
-  bool transfer(unsigned which, std::uint32_t address, unsigned t);
+  // Addresses of loads and stores.
+  [[nodiscard]] std::uint32_t at_offset(const Operation& o) const { return registers.r[o.n] + o.imm; }
+  [[nodiscard]] std::uint32_t at_index(const Operation& o) const {
+    return registers.r[o.n] + (registers.r[o.m] << o.amount);
+  }
+  [[nodiscard]] std::uint32_t at_literal(const Operation& o) const { return (registers.r[15] & ~3U) + o.imm; }
+  /// What a load or store moves, in the order of Opcode.
+  enum class Access : std::uint8_t { ldr, ldrb, ldrh, ldrsb, ldrsh, str, strb, strh };
+  template <Access What>
+  bool transfer(std::uint32_t address, unsigned t);
+  /// The same, chosen at run time.
+  bool transfer(Access what, std::uint32_t address, unsigned t);
   bool load_multiple(const Operation& o, std::uint32_t& target);
   bool store_multiple(const Operation& o);
   bool dual(const Operation& o, bool loads);
@@ -136,6 +145,25 @@ class Interpreter {
   void floating(const Operation& o);
   void float_transfer(const Operation& o);
   void float_compare(std::uint32_t a, std::uint32_t b, bool signals);
+  enum class Form : std::uint8_t { imm, reg, shifted };
+  struct Operand {
+    std::uint32_t value, carry;
+  };
+  template <Form Last>
+  [[nodiscard]] Operand last_operand(const Operation& o) const;
+  // Data processing: `Do` makes the result of two operands, `Terms` what is added of two operands and the carry.
+  template <Form Last, auto Do>
+  void logic(const Operation& o);
+  template <Form Last, auto Do>
+  void logic_flags(const Operation& o);
+  template <Form Last, auto Do>
+  void test(const Operation& o);
+  template <Form Last, auto Terms>
+  void sum(const Operation& o);
+  template <Form Last, auto Terms>
+  void sum_flags(const Operation& o);
+  template <Form Last, auto Terms>
+  void compare(const Operation& o);
   [[nodiscard]] std::uint32_t shifted(const Operation& o, std::uint32_t& carry) const;
   [[nodiscard]] std::uint32_t shift_by(Shift how, std::uint32_t value, std::uint32_t amount,
                                        std::uint32_t& carry) const;
@@ -148,5 +176,22 @@ class Interpreter {
   Operation elsewhere_, conditional_;  ///< an instruction outside of it; one inside an IT block
   std::uint32_t bad_address_ = 0;
 };
+
+template <Interpreter::Access What>
+inline bool Interpreter::transfer(std::uint32_t address, unsigned t) {
+  std::uint32_t& value = registers.r[t];
+  if constexpr (What == Access::str) return store<std::uint32_t>(address, value);
+  if constexpr (What == Access::strb) return store<std::uint8_t>(address, value);
+  if constexpr (What == Access::strh) return store<std::uint16_t>(address, value);
+  std::uint32_t loaded = 0;
+  const bool ok = What == Access::ldr                             ? load<std::uint32_t>(address, loaded)
+                  : What == Access::ldrb || What == Access::ldrsb ? load<std::uint8_t>(address, loaded)
+                                                                  : load<std::uint16_t>(address, loaded);
+  if (!ok) return false;
+  if constexpr (What == Access::ldrsb) loaded = static_cast<std::uint32_t>(static_cast<std::int8_t>(loaded));
+  if constexpr (What == Access::ldrsh) loaded = static_cast<std::uint32_t>(static_cast<std::int16_t>(loaded));
+  value = loaded;
+  return true;
+}
 
 }  // namespace finemote::emulator

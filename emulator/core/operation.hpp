@@ -101,7 +101,10 @@ Operation take_apart(std::uint16_t first, std::uint16_t second);
 /// What it does inside an IT block.
 Operation inside_it(Operation operation);
 
-/// The part of it for coprocessors 10 and 11; the operation's cost is left to `take_apart`.
+/// The parts of it by the length of an encoding; the operation's cost is left to `take_apart`.
+Operation take_apart16(unsigned op);
+Operation take_apart32(unsigned first, unsigned second);
+/// The part of it for coprocessors 10 and 11.
 Operation take_apart_float(unsigned first, unsigned second);
 
 }  // namespace finemote::emulator

@@ -1,14 +1,10 @@
-#include "emulator/core/operation.hpp"
+// Floating-point instructions, taken apart: ARMv7-M Architecture Reference Manual A6.4 to A6.7.
+#include "emulator/core/encoding.hpp"
 
 namespace finemote::emulator {
 namespace {
 
-using Op = Operation;
-using Byte = std::uint8_t;
-
-constexpr unsigned bits(unsigned value, unsigned high, unsigned low) {
-  return value >> low & ((2U << (high - low)) - 1);
-}
+using namespace encoding;
 
 /// Numbers of the registers an instruction names: single ones, of a double the lower half.
 struct Names {
@@ -20,17 +16,6 @@ Names names(unsigned first, unsigned second) {
   const auto number = [wide](unsigned four, unsigned one) { return wide ? (one << 4 | four) << 1 : four << 1 | one; };
   return {number(bits(second, 15, 12), bits(first, 6, 6)), number(bits(first, 3, 0), bits(second, 7, 7)),
           number(second & 0xF, bits(second, 5, 5))};
-}
-
-Op make(Opcode kind, unsigned d, unsigned n = 0, unsigned m = 0, std::uint32_t imm = 0, unsigned mode = 0) {
-  Op o;
-  o.kind = kind;
-  o.d = static_cast<Byte>(d);
-  o.n = static_cast<Byte>(n);
-  o.m = static_cast<Byte>(m);
-  o.imm = imm;
-  o.mode = static_cast<Byte>(mode);
-  return o;
 }
 
 /// A6.6: VLDR, VSTR, VLDM, VSTM; imm is a distance in bytes, `amount` a count of words.

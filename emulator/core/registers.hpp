@@ -27,6 +27,8 @@ struct Registers {
   [[nodiscard]] std::uint32_t flags() const {
     return (n & 0x80000000U) | (z == 0 ? 1U << 30 : 0) | c << 29 | (v >> 31) << 28 | q << 27;
   }
+  /// N and Z of a result.
+  void set_nz(std::uint32_t result) { n = z = result; }
   void set_flags(std::uint32_t xpsr) {
     n = xpsr & 0x80000000U;
     z = (xpsr >> 30 & 1) ^ 1;

@@ -41,8 +41,6 @@ struct Known {
 };
 
 constexpr Known kKnown[] = {
-    {"emulator/core/interpreter.cpp", ""},
-    {"emulator/core/operation.cpp", ""},
     {"generator/cli/run.cpp", "run_run"},
     {"generator/model/devices.cpp", "DeviceReader"},
     {"generator/model/places.cpp", ""},
