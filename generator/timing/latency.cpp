@@ -10,7 +10,7 @@ namespace {
 /// Below every age, also below the negative ones of root releases no terminal uses; two of them add without overflow.
 constexpr Ns kLowest = std::numeric_limits<Ns>::min() / 2;
 
-using Use = HandOver::Use;
+using Use = OldestUse;
 
 /// Keeps the older use; of equally old ones the first in [0, repetition).
 void offer(Use& worst, Ns age, Ns release, Ns source) {
@@ -143,24 +143,37 @@ class TreeBound {
 
   void visit(const HandOverGroup& group) {
     if (latest_leaf(group) == kNone) return;
-    if (group.exact != nullptr && group.exact->oldest.empty()) {
-      const std::size_t any = group.devices.front();
-      const Ns spread = spread_[set_.bucket_of[any]];
-      group.exact->oldest = OldestUses(*group.exact, group.period, any, table_).find(spread, effort_);
-    }
-    for (const std::size_t d : group.devices) {
-      if (topology_.children[d].empty()) set_path(result_.paths[place_[d]], group, d);
+    const std::vector<Use>* oldest = group.exact != nullptr ? &oldest_uses(group) : nullptr;
+    for (const std::size_t leaf : group.devices) {
+      if (!topology_.children[leaf].empty()) continue;
+      PathResult& path = result_.paths[place_[leaf]];
+      if (oldest != nullptr) {
+        set_exact(path, *oldest, leaf);
+      } else {
+        set_closed(path, group.closed.age, leaf);
+      }
     }
   }
 
-  void set_path(PathResult& path, const HandOverGroup& group, std::size_t leaf) {
-    const Ns response = responses_.r_minus[leaf];
-    if (group.exact == nullptr) {
-      path.closed_form = true;
-      path.latency_ns = group.age == 0 ? std::min(response, table_.window(leaf)) : add(group.age, response);
-      return;
+  /// Of a group with an exact hand-over; whoever shares it shares them.
+  const std::vector<Use>& oldest_uses(const HandOverGroup& group) {
+    std::vector<Use>& oldest = store_.oldest_uses[group.exact];
+    if (oldest.empty()) {
+      const std::size_t any = group.devices.front();
+      const Ns spread = spread_[set_.bucket_of[any]];
+      oldest = OldestUses(*group.exact, group.period, any, table_).find(spread, effort_);
     }
-    const Use worst = worst_use(group.exact->oldest, leaf, table_);
+    return oldest;
+  }
+
+  void set_closed(PathResult& path, Ns age, std::size_t leaf) const {
+    const Ns response = responses_.r_minus[leaf];
+    path.closed_form = true;
+    path.latency_ns = age == 0 ? std::min(response, table_.window(leaf)) : add(age, response);
+  }
+
+  void set_exact(PathResult& path, const std::vector<Use>& oldest, std::size_t leaf) const {
+    const Use worst = worst_use(oldest, leaf, table_);
     path.latency_ns = worst.age;
     path.release_ns = worst.release;
     path.source_release_ns = worst.source;

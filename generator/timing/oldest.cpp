@@ -5,7 +5,7 @@
 namespace finemote::gen::timing {
 
 void OldestSources::add_group(const HandOverGroup& group, const Oldest& best) {
-  if (group.exact == nullptr) return closed_.offer({add(group.up, best.age), best.source});
+  if (group.exact == nullptr) return closed_.offer({add(group.closed.up, best.age), best.source});
   sources_.push_back({group.exact->up, best});
 }
 
@@ -62,7 +62,7 @@ OldestSources::Oldest OldestSources::worst(const HandOverGroup& group) {
   if (group.exact == nullptr) {
     worst = oldest_;
     worst.offer(closed_);
-    return {group.down + worst.age, worst.source};
+    return {group.closed.down + worst.age, worst.source};
   }
   const Staircase& down = *group.exact->down;
   const std::size_t entries = static_cast<std::size_t>(down.root_releases);
