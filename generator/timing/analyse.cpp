@@ -7,6 +7,7 @@
 #include "generator/timing/explain.hpp"
 #include "generator/timing/operands.hpp"
 #include "generator/timing/unbounded.hpp"
+#include "generator/timing/words.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen::timing {
@@ -40,10 +41,6 @@ RequirementResult evaluate_load(const Model& model, const ProfileAnalysis& profi
   return result;
 }
 
-bool is_latency(const Requirement& r) {
-  return r.kind == Requirement::Kind::latency_end_to_end || r.kind == Requirement::Kind::latency_decision;
-}
-
 class Evaluation {
  public:
   Evaluation(const Model& model, const ProfileAnalysis& profile, const ChainAnalysis& chains,
@@ -51,7 +48,7 @@ class Evaluation {
       : model_(model), profile_(profile), chains_(chains), loads_(loads) {}
 
   RequirementResult evaluate(const Requirement& r) const {
-    if (!is_latency(r)) return evaluate_load(model_, profile_, loads_, r);
+    if (!r.is_latency()) return evaluate_load(model_, profile_, loads_, r);
     RequirementResult result;
     result.requirement = r;
     find_latency(r, result);
@@ -104,14 +101,9 @@ std::string wcet_hint(const Device& device) {
       units::format_duration(device.update_wcet_ns), units::format_duration(device.handle_wcet_ns), device.name);
 }
 
+constexpr std::size_t kMostNamed = 6;
+
 void report_remarks(const Timing& timing, Diagnostics& diagnostics) {
-  const auto list = [&](const std::vector<std::size_t>& devices) {
-    std::string text;
-    for (std::size_t i = 0; i < devices.size() && i < 6; ++i) {
-      text += (i > 0 ? ", '" : "'") + timing.model.devices[devices[i]].name + "'";
-    }
-    return text + (devices.size() > 6 ? fmt::format(" and {} more", devices.size() - 6) : "");
-  };
   std::vector<std::size_t> closed;
   for (const TreeResult& tree : timing.verdict().trees) {
     for (const PathResult& path : tree.paths) {
@@ -122,7 +114,7 @@ void report_remarks(const Timing& timing, Diagnostics& diagnostics) {
     diagnostics
         .warning(code::timing_closed_form, timing.model.devices[closed.front()].at,
                  "the hyperperiod is too long to examine every release: some latencies are safe closed forms")
-        .note("paths of " + list(closed));
+        .note("paths of " + quoted_names(timing.model, closed, kMostNamed));
   }
   if (!timing.assumed.empty()) {
     diagnostics
@@ -130,7 +122,7 @@ void report_remarks(const Timing& timing, Diagnostics& diagnostics) {
                  fmt::format("execution times of {} are assumed",
                              timing.assumed.size() == 1 ? std::string("one device")
                                                         : fmt::format("{} devices", timing.assumed.size())))
-        .note(list(timing.assumed))
+        .note(quoted_names(timing.model, timing.assumed, kMostNamed))
         .hint(wcet_hint(timing.model.devices[timing.assumed.front()]));
   }
 }
@@ -139,7 +131,7 @@ void report_remarks(const Timing& timing, Diagnostics& diagnostics) {
 std::vector<ChainRequest> asked_chains(const AnalysisRequest& request, const std::vector<Requirement>& requirements) {
   std::vector<ChainRequest> chains = request.chains;
   for (const Requirement& requirement : requirements) {
-    if (!is_latency(requirement)) continue;
+    if (!requirement.is_latency()) continue;
     for (const std::size_t from : requirement.from) {
       for (const std::size_t to : requirement.to) chains.push_back({from, to});
     }
@@ -178,9 +170,7 @@ Timing analyse_verdict(const Model& model, const AnalysisRequest& request) {
   timing.processor_load = processor_share(asked.set);
   timing.schedulable = asked.result.schedulable;
   for (const Requirement& r : request.requirements) {
-    const bool needs_chains =
-        r.kind == Requirement::Kind::latency_end_to_end || r.kind == Requirement::Kind::latency_decision;
-    timing.requirements.push_back(needs_chains ? left_open(r) : evaluate_load(model, best, timing.bus_loads, r));
+    timing.requirements.push_back(r.is_latency() ? left_open(r) : evaluate_load(model, best, timing.bus_loads, r));
   }
   return timing;
 }

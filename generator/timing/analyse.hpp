@@ -19,6 +19,8 @@ struct Requirement {
   Ns max_ns = 0;
   double max_fraction = 0;
   Position at;
+
+  [[nodiscard]] bool is_latency() const { return kind == Kind::latency_end_to_end || kind == Kind::latency_decision; }
 };
 
 struct ChainRequest {

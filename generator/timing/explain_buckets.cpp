@@ -4,12 +4,10 @@
 #include <algorithm>
 
 #include "generator/timing/explain.hpp"
-#include "generator/units/units.hpp"
+#include "generator/timing/words.hpp"
 
 namespace finemote::gen::timing {
 namespace {
-
-std::string percent(double fraction) { return fmt::format("{:.1f} %", fraction * 100); }
 
 /// Loads of what can keep a bucket from running, by what could be changed about it.
 struct Loads {
@@ -63,9 +61,8 @@ void report_buckets(const Timing& timing, Trials& trials, Diagnostics& diagnosti
   bool is_first = true;
   for (const BucketResult& bucket : timing.verdict().buckets) {
     if (bucket.ok) continue;
-    Diagnostic& finding = diagnostics.error(
-        code::timing_unschedulable, timing.model.devices[bucket.devices.front()].at,
-        fmt::format("the devices with period {} may miss their deadline", units::format_duration(bucket.period_ns)));
+    Diagnostic& finding = diagnostics.error(code::timing_unschedulable, timing.model.devices[bucket.devices.front()].at,
+                                            bucket_text(bucket.period_ns) + " may miss their deadline");
     const Loads loads = loads_of(timing, bucket.period_ns);
     finding.note(fmt::format("they need {} of the processor, shorter periods {}, interrupts {} (profile {})",
                              percent(loads.own), percent(loads.faster), percent(loads.interrupts),

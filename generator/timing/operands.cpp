@@ -123,9 +123,7 @@ std::vector<std::size_t> actuators_of(const Model& model, const Topology& topolo
 std::vector<Requirement> reach_actuators(std::vector<Requirement> requirements, const Model& model,
                                          const Topology& topology) {
   for (Requirement& requirement : requirements) {
-    const bool is_latency = requirement.kind == Requirement::Kind::latency_end_to_end ||
-                            requirement.kind == Requirement::Kind::latency_decision;
-    if (!is_latency) continue;
+    if (!requirement.is_latency()) continue;
     std::vector<std::size_t> ends;
     for (const std::size_t to : requirement.to) {
       const auto reached = actuators_of(model, topology, to);

@@ -23,7 +23,7 @@ struct ProcessorUse {
 /// `bucket`, `flush`, `interrupt`, `release`.
 std::string_view kind_name(ProcessorUse::Kind kind);
 
-/// `bucket 10ms`, `interrupt link.rx`: one user of the processor, for people.
+/// `devices every 10ms`, `'rx' interrupts of bus 'link'`: one user of the processor, for people.
 std::string user_text(const ProcessorUse& use);
 
 /// Every bucket (without its flushes), flush, interrupt source and the release interrupt of a profile's task set,

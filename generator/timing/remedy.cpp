@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "generator/timing/shares.hpp"
+#include "generator/timing/words.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen::timing {
@@ -40,10 +41,6 @@ Family other_rates(const Model& model, std::size_t bus, const std::vector<BusAdv
         {{{Change::Kind::rate, {}, bus, rate.bps}}, fmt::format("{} at bus '{}'", rate.text, model.buses[bus].name)});
   return family;
 }
-
-std::string percent(double fraction) { return fmt::format("{:.1f} %", fraction * 100); }
-
-std::string bucket_text(Ns period) { return fmt::format("the devices with period {}", units::format_duration(period)); }
 
 /// What could make the processor less full without changing any code, one thing at a time.
 std::vector<Family> settings(const Timing& timing) {
@@ -125,10 +122,8 @@ std::optional<Timing> Trials::outcome(const std::vector<Change>& changes, bool v
 
 bool Trials::needs_chains(const Goal& goal) const {
   if (goal.of_chains || timing_.schedulable) return true;
-  return std::any_of(timing_.requirements.begin(), timing_.requirements.end(), [](const RequirementResult& r) {
-    return r.requirement.kind == Requirement::Kind::latency_end_to_end ||
-           r.requirement.kind == Requirement::Kind::latency_decision;
-  });
+  return std::any_of(timing_.requirements.begin(), timing_.requirements.end(),
+                     [](const RequirementResult& r) { return r.requirement.is_latency(); });
 }
 
 bool Trials::does_no_harm(const Timing& after) const {
@@ -221,9 +216,8 @@ Family other_bus(const Model& model, std::size_t bus) {
     if (count == last || count > kMostNamed || model.buses[bus].advice.other_port.empty()) continue;
     last = count;
     const std::vector<std::size_t> ones(users.end() - static_cast<std::ptrdiff_t>(count), users.end());
-    std::string names;
-    for (const std::size_t d : ones) names += (names.empty() ? "'" : ", '") + model.devices[d].name + "'";
-    family.push_back({{{Change::Kind::bus, ones, bus, 0}}, model.buses[bus].advice.other_port + " for " + names});
+    family.push_back({{{Change::Kind::bus, ones, bus, 0}},
+                      model.buses[bus].advice.other_port + " for " + quoted_names(model, ones, kMostNamed)});
   }
   return family;
 }

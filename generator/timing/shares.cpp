@@ -4,16 +4,9 @@
 
 #include <algorithm>
 
+#include "generator/timing/words.hpp"
+
 namespace finemote::gen::timing {
-namespace {
-
-std::string quoted(const std::string& name) { return "'" + name + "'"; }
-std::string tenths_percent(double fraction) { return fmt::format("{:.1f} %", fraction * 100); }
-
-double ratio(Ns part, Ns whole) { return static_cast<double>(part) / static_cast<double>(std::max<Ns>(whole, 1)); }
-
-}  // namespace
-
 void add_share(std::vector<Share>& shares, const std::string& who, double load, bool autonomous) {
   const auto known = std::find_if(shares.begin(), shares.end(),
                                   [&](const Share& s) { return s.who == who && s.autonomous == autonomous; });
@@ -52,7 +45,7 @@ std::string shares_text(const std::vector<Share>& shares) {
   std::string text;
   for (std::size_t i = 0; i < shares.size() && i < kMost; ++i) {
     text += fmt::format("{}{}{}: {}", i > 0 ? ", " : "", shares[i].who, shares[i].autonomous ? " by itself" : "",
-                        tenths_percent(shares[i].load));
+                        percent(shares[i].load));
   }
   if (shares.size() > kMost) text += fmt::format(" and {} more", shares.size() - kMost);
   return text;

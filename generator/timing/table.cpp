@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "generator/timing/words.hpp"
+
 namespace finemote::gen::timing {
 namespace {
-
-std::string percent(double fraction) { return fmt::format("{:.1f} %", fraction * 100); }
 
 std::string_view source_text(WcetSource source) {
   switch (source) {
@@ -66,9 +66,9 @@ std::string informative(const Timing& timing) {
 std::string buckets(const Timing& timing) {
   Table table({"period", "devices", "work", "response", "of period", ""});
   for (const BucketResult& b : timing.verdict().buckets) {
-    const double share = static_cast<double>(b.response_ns.value_or(0)) / static_cast<double>(b.period_ns);
     table.row({duration_text(b.period_ns), std::to_string(b.devices.size()), duration_text(b.wcet_ns),
-               duration_text(b.response_ns), b.ok ? percent(share) : "-", b.ok ? "ok" : "may miss its deadline"});
+               duration_text(b.response_ns), b.ok ? percent(ratio(b.response_ns.value_or(0), b.period_ns)) : "-",
+               b.ok ? "ok" : "may miss its deadline"});
   }
   return "\nbuckets\n" + table.text();
 }

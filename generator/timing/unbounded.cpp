@@ -5,12 +5,10 @@
 #include <algorithm>
 
 #include "generator/timing/shares.hpp"
-#include "generator/units/units.hpp"
+#include "generator/timing/words.hpp"
 
 namespace finemote::gen::timing {
 namespace {
-
-std::string percent(double fraction) { return fmt::format("{:.1f} %", fraction * 100); }
 
 const BucketResult& bucket_of(const Timing& timing, std::size_t device) {
   const auto& buckets = (timing.target ? *timing.target : timing.tight).buckets;
@@ -51,8 +49,7 @@ std::vector<Cause> causes(const Timing& timing, const ChainResult& chain) {
 }
 
 std::string why(const Timing& timing, const Cause& cause) {
-  if (cause.period)
-    return fmt::format("the devices with period {} may miss their deadline", units::format_duration(*cause.period));
+  if (cause.period) return bucket_text(*cause.period) + " may miss their deadline";
   if (!cause.bus) return "another device on the way may miss its deadline";
   const Bus& bus = timing.model.buses[*cause.bus];
   const double load = timing.bus_loads[*cause.bus].utilization;

@@ -1,12 +1,14 @@
-#include "generator/timing/explain.hpp"
-
+// FM4016: why a requirement fails, what would help, and what would hold.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "generator/timing/explain.hpp"
+#include "generator/timing/explain_chain.hpp"
 #include "generator/timing/shares.hpp"
+#include "generator/timing/words.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen::timing {
@@ -14,7 +16,7 @@ namespace {
 
 using units::readable_duration;
 
-constexpr double kGoodBusLoad = 0.7;  ///< what hints aim at: that of lint
+constexpr std::size_t kMostNamed = 4;
 
 std::string without_zeros(std::string text) {
   while (text.back() == '0') text.pop_back();
@@ -37,119 +39,6 @@ std::string percent_above(double fraction, double max) {
   while (digits < 10 && std::ceil(fraction * 100 * std::pow(10, digits)) / std::pow(10, digits) <= max * 100) ++digits;
   return percent_text(fraction, digits);
 }
-
-std::string whole_percent(double fraction) { return fmt::format("{:.0f} %", fraction * 100); }
-std::string tenths_percent(double fraction) { return fmt::format("{:.1f} %", fraction * 100); }
-std::string quoted(const std::string& name) { return "'" + name + "'"; }
-
-double ratio(Ns part, Ns whole) { return static_cast<double>(part) / static_cast<double>(std::max<Ns>(whole, 1)); }
-
-/// What makes room on a bus: a faster rate, or fewer messages of ours. What the parts send by themselves is not up to
-/// this file.
-void add_room_hints(const Timing& timing, std::size_t bus, Trials& trials, Diagnostic& finding,
-                    double wanted = kGoodBusLoad) {
-  const Goal goal{[bus](const Timing& t) { return t.bus_loads[bus].utilization; }, wanted};
-  const std::vector<Family> families{
-      longer_periods(timing.model, periodic_users(timing.model, bus), "what sends on it"),
-      faster_rates(timing.model, bus), other_bus(timing.model, bus)};
-  for (const Remedy& remedy : trials.find(families, goal)) {
-    finding.hint(fmt::format("{} brings it from {} to {}{}", remedy.proposal.text,
-                             tenths_percent(timing.bus_loads[bus].utilization), tenths_percent(remedy.value),
-                             remedy.enough || remedy.value <= 1 ? "" : ", which is not enough alone"));
-  }
-}
-
-/// Says which part of a chain is the largest, and what shortens it.
-class ChainExplainer {
- public:
-  ChainExplainer(const Timing& timing, const ChainResult& chain, Diagnostic& finding)
-      : timing_(timing), model_(timing.model), chain_(chain), finding_(finding) {}
-
-  void explain(bool decision_only) {
-    const std::string &from = model_.devices[chain_.from].name, &to = model_.devices[chain_.to].name;
-    if (!decision_only) {
-      finding_.note(fmt::format("acquire {} + decide {} + wire {}, from '{}' to '{}'", text(chain_.acquire_ns),
-                                text(chain_.decide_ns), text(chain_.wire_ns), from, to));
-    }
-    const auto is_largest = [&](std::optional<Ns> part) {
-      return part ==
-             std::max({chain_.acquire_ns.value_or(0), chain_.decide_ns.value_or(0), chain_.wire_ns.value_or(0)});
-    };
-    if (decision_only || !chain_.decide_ns) return explain_decide();
-    if (!chain_.acquire_ns) return explain_unbounded("acquire", sample_bus(model_, chain_.from));
-    if (!chain_.wire_ns) return explain_unbounded("wire", command_bus(model_, chain_.to));
-    if (is_largest(chain_.decide_ns)) return explain_decide("decide is the largest part: ");
-    if (is_largest(chain_.acquire_ns)) return explain_acquire();
-    explain_wire();
-  }
-
- private:
-  static std::string text(std::optional<Ns> ns) { return ns ? readable_duration(*ns) : "without bound"; }
-
-  void explain_unbounded(const char* part, std::optional<std::size_t> bus) {
-    if (!bus) return;
-    finding_.note(
-        fmt::format("{}: on bus '{}' a message may still wait when the next one is due; the bus needs {} "
-                    "of its capacity",
-                    part, model_.buses[*bus].name, whole_percent(timing_.bus_loads[*bus].utilization)));
-  }
-  void explain_acquire() {
-    const Device& device = model_.devices[chain_.from];
-    const bool streams = device.acquisition && device.acquisition->periods == 0;
-    if (streams) {
-      finding_.note(fmt::format("acquire is the largest part: how old what '{}' sends can be", device.name));
-      return;
-    }
-    finding_.note(fmt::format("acquire is the largest part: {} periods of '{}' ({}) for one measurement",
-                              std::max<Ns>(*chain_.acquire_ns / device.period_ns, 1), device.name,
-                              readable_duration(device.period_ns)));
-  }
-  void explain_wire() {
-    const auto bus = command_bus(model_, chain_.to);
-    const std::string& to = model_.devices[chain_.to].name;
-    if (!bus) {
-      finding_.note(fmt::format("wire is the largest part: the output of '{}' itself", to));
-      return;
-    }
-    finding_.note(fmt::format("wire is the largest part: the command of '{}' goes over bus '{}', busy for {}", to,
-                              model_.buses[*bus].name, whole_percent(timing_.bus_loads[*bus].utilization)));
-  }
-  void explain_decide(const char* decide = "") {
-    if (!chain_.decide_ns) {
-      finding_.note("decide has no bound: devices on the way may miss their deadline");
-      return;
-    }
-    const std::vector<std::size_t> way = devices_between(model_, chain_);
-    const auto period = [&](std::size_t d) { return model_.devices[d].period_ns; };
-    const auto [fastest, slowest] = std::minmax_element(
-        way.begin(), way.end(), [&](std::size_t a, std::size_t b) { return period(a) < period(b); });
-    if (*chain_.decide_ns >= period(*fastest)) {  // waiting for the next job, more than working
-      finding_.note(fmt::format("{}'{}' runs every {}, the slowest on the way", decide, model_.devices[*slowest].name,
-                                readable_duration(period(*slowest))));
-      return;
-    }
-    const Device& device = model_.devices[busiest_within(period(*slowest))];
-    finding_.note(fmt::format("{}of what runs every {} or more often, '{}' takes longest: update {}, handle {}", decide,
-                              readable_duration(period(*slowest)), device.name,
-                              readable_duration(device.update_wcet_ns), readable_duration(device.handle_wcet_ns)));
-  }
-  [[nodiscard]] std::size_t busiest_within(Ns period) const {
-    std::size_t busiest = chain_.from;
-    Ns most = -1;
-    for (std::size_t d = 0; d < model_.devices.size(); ++d) {
-      const Device& device = model_.devices[d];
-      if (device.period_ns > period || add(device.update_wcet_ns, device.handle_wcet_ns) <= most) continue;
-      most = add(device.update_wcet_ns, device.handle_wcet_ns);
-      busiest = d;
-    }
-    return busiest;
-  }
-
-  const Timing& timing_;
-  const Model& model_;
-  const ChainResult& chain_;
-  Diagnostic& finding_;
-};
 
 const char* subject(Requirement::Kind kind) {
   switch (kind) {
@@ -192,7 +81,7 @@ void explain_utilization(const Timing& timing, const RequirementResult& r, Diagn
   std::stable_sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.load > b.load; });
   finding.note(shares_text(shares));
   const double others = *r.fraction - devices;
-  finding.note(fmt::format("interrupts of buses, releases and copies take {}", tenths_percent(others)));
+  finding.note(fmt::format("interrupts of buses, releases and copies take {}", percent(others)));
 }
 
 void explain(const Timing& timing, const RequirementResult& r, Diagnostic& finding) {
@@ -210,7 +99,7 @@ void explain(const Timing& timing, const RequirementResult& r, Diagnostic& findi
     return;
   }
   if (!r.chain) return;
-  ChainExplainer(timing, *r.chain, finding).explain(r.requirement.kind == Kind::latency_decision);
+  explain_chain(timing, *r.chain, r.requirement.kind == Kind::latency_decision, finding);
   const bool decision_holds =
       r.requirement.kind == Kind::latency_end_to_end && r.decide_ns && *r.decide_ns <= r.requirement.max_ns;
   if (decision_holds) {
@@ -240,13 +129,8 @@ class RequirementFamilies {
  private:
   void add(Family family) { list_.push_back(std::move(family)); }
 
-  /// `'a', 'b' and 3 more`
   [[nodiscard]] std::string names(const std::vector<std::size_t>& devices) const {
-    constexpr std::size_t kMost = 4;
-    std::string text;
-    for (std::size_t i = 0; i < devices.size() && i < kMost; ++i)
-      text += (i > 0 ? ", " : "") + quoted(model_.devices[devices[i]].name);
-    return devices.size() > kMost ? fmt::format("{} and {} more", text, devices.size() - kMost) : text;
+    return quoted_names(model_, devices, kMostNamed);
   }
 
   /// These devices, and what shares an output with them.
@@ -291,8 +175,7 @@ class RequirementFamilies {
       const bool is_spared = std::any_of(
           spared.begin(), spared.end(), [&](std::size_t d) { return model_.devices[d].period_ns == bucket.period_ns; });
       if (is_spared) continue;
-      add(longer_periods(model_, bucket.devices,
-                         fmt::format("the devices with period {}", units::format_duration(bucket.period_ns))));
+      add(longer_periods(model_, bucket.devices, bucket_text(bucket.period_ns)));
     }
     for (std::size_t b = 0; b < model_.buses.size(); ++b) add(slower_rates(model_, b));
     std::size_t busiest = 0;
@@ -342,19 +225,6 @@ void report_requirements(const Timing& timing, Trials& trials, Diagnostics& diag
     if (r.value_ns)
       finding.hint(fmt::format("max=\"{}\" is the smallest that holds today", readable_duration(*r.value_ns)));
     if (r.fraction) finding.hint(fmt::format("max=\"{}\" is the smallest that holds today", percent_text(*r.fraction)));
-  }
-}
-
-void report_bus_overloads(const Timing& timing, Trials& trials, Diagnostics& diagnostics) {
-  for (std::size_t b = 0; b < timing.bus_loads.size(); ++b) {
-    const double load = timing.bus_loads[b].utilization;
-    if (load <= 1) continue;
-    Diagnostic& finding = diagnostics.warning(code::timing_bus_overload, timing.model.buses[b].at,
-                                              fmt::format("bus '{}' is overloaded: it needs {} of its capacity",
-                                                          timing.model.buses[b].name, whole_percent(load)));
-    finding.underline(4).note(shares_text(bus_shares(timing.model, b)));
-    finding.note("messages are lost or late, and no latency over the bus has a bound");
-    add_room_hints(timing, b, trials, finding);
   }
 }
 

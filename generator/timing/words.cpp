@@ -1,0 +1,29 @@
+#include "generator/timing/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/units/units.hpp"
+
+namespace finemote::gen::timing {
+
+double ratio(Ns part, Ns whole) { return static_cast<double>(part) / static_cast<double>(std::max<Ns>(whole, 1)); }
+
+std::string percent(double fraction) { return fmt::format("{:.1f} %", fraction * 100); }
+
+std::string whole_percent(double fraction) { return fmt::format("{:.0f} %", fraction * 100); }
+
+std::string quoted(const std::string& name) { return "'" + name + "'"; }
+
+std::string quoted_names(const Model& model, const std::vector<std::size_t>& devices, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < devices.size() && i < most; ++i) {
+    text += (i > 0 ? ", " : "") + quoted(model.devices[devices[i]].name);
+  }
+  return devices.size() > most ? fmt::format("{} and {} more", text, devices.size() - most) : text;
+}
+
+std::string bucket_text(Ns period) { return fmt::format("the devices with period {}", units::format_duration(period)); }
+
+}  // namespace finemote::gen::timing

@@ -1,0 +1,28 @@
+// Words that the messages and tables of the timing analysis share.
+#pragma once
+
+#include <string>
+
+#include "generator/timing/model.hpp"
+
+namespace finemote::gen::timing {
+
+/// 0 and above; a whole of 0 counts as 1.
+double ratio(Ns part, Ns whole);
+
+/// `38.2 %`
+std::string percent(double fraction);
+
+/// `38 %`
+std::string whole_percent(double fraction);
+
+/// `'imu'`
+std::string quoted(const std::string& name);
+
+/// `'a', 'b' and 3 more`: the names of devices, at most so many.
+std::string quoted_names(const Model& model, const std::vector<std::size_t>& devices, std::size_t most);
+
+/// `the devices with period 1ms`
+std::string bucket_text(Ns period);
+
+}  // namespace finemote::gen::timing
