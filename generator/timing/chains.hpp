@@ -1,6 +1,7 @@
 // End-to-end age of a command: acquire + decide + wire along any chain from one device to another.
 #pragma once
 
+#include "generator/timing/decision.hpp"
 #include "generator/timing/wire.hpp"
 
 namespace finemote::gen::timing {
@@ -25,9 +26,11 @@ class ChainAnalysis {
   /// them.
   ChainAnalysis(const Model& model, const Topology& topology, const ProfileAnalysis& profile, const WireAnalysis& wire,
                 Effort& effort, std::size_t most_pairs = kMostPairs);
+  ChainAnalysis(const ChainAnalysis&) = delete;
+  ChainAnalysis& operator=(const ChainAnalysis&) = delete;
 
   /// Whether data of `from` reaches commands of `to`.
-  [[nodiscard]] bool connected(std::size_t from, std::size_t to) const;
+  [[nodiscard]] bool connected(std::size_t from, std::size_t to) const { return reach_.connected(from, to); }
 
   /// Requires connected(from, to). Throws Overflow, TooLong.
   [[nodiscard]] ChainResult bound(std::size_t from, std::size_t to) const;
@@ -42,28 +45,6 @@ class ChainAnalysis {
   [[nodiscard]] std::vector<ChainResult> oldest_inputs() const;
 
  private:
-  struct Route;
-  /// Where data can turn from going up to going down to a terminal.
-  struct Turns {
-    std::optional<std::size_t> end;    ///< the terminal, where some of its children's data end at it
-    std::vector<std::size_t> devices;  ///< the root last
-    auto operator<=>(const Turns&) const = default;
-  };
-  void find_hand_overs();
-  struct Decision {
-    std::optional<Ns> ns;
-    bool closed_form = false;
-    bool through_reads = false;
-  };
-
-  [[nodiscard]] Route route(std::size_t from, std::size_t to) const;
-  [[nodiscard]] Decision decide(std::size_t from, std::size_t to) const;
-  [[nodiscard]] Ns join_hand_overs(std::size_t from, std::size_t to) const;
-  [[nodiscard]] Ns walk(const Route& route, Ns entries) const;
-  [[nodiscard]] Ns closed_form(const Route& route) const;
-  [[nodiscard]] Ns hand_down(Ns release, std::size_t producer, std::size_t consumer) const;
-  [[nodiscard]] Ns used(Ns use, std::size_t producer, std::size_t consumer) const;
-  [[nodiscard]] Ns pair_window(std::size_t from, std::size_t to, Ns release) const;
   [[nodiscard]] ChainResult complete(std::size_t from, std::size_t to, const Decision& decision) const;
   [[nodiscard]] std::vector<ChainResult> worst_of_pairs(const std::vector<std::size_t>& sources,
                                                         const std::vector<std::size_t>& terminals) const;
@@ -72,9 +53,6 @@ class ChainAnalysis {
   [[nodiscard]] std::vector<ChainResult> worst_of(const std::vector<std::size_t>& sources,
                                                   const std::vector<std::size_t>& terminals) const;
   [[nodiscard]] std::vector<ChainResult> worst_of_all(const std::vector<std::size_t>& terminals) const;
-  [[nodiscard]] bool ends_at(std::size_t producer, std::size_t consumer) const;
-  [[nodiscard]] Turns turns_above(std::size_t to) const;
-  [[nodiscard]] std::vector<std::size_t> sources_of(const Turns& turns) const;
   [[nodiscard]] Ns repetition(const std::vector<std::size_t>& devices) const;
   [[nodiscard]] bool is_assumed(std::size_t from, std::size_t to) const;
 
@@ -84,12 +62,10 @@ class ChainAnalysis {
   const WireAnalysis& wire_;
   Effort& effort_;
   std::size_t most_pairs_;
-  std::vector<std::vector<std::size_t>> consumers_;  ///< per device: its parent, and who reads it
-  std::vector<std::optional<Ns>> acquire_;           ///< per device
-  std::vector<Ns> updates_from_, handles_from_;      ///< per device: stages of it and of later devices of its bucket
-  std::vector<std::shared_ptr<const HandOver>> hand_over_;  ///< per device; null: not known
-  std::vector<bool> reads_in_tree_of_;                      ///< per root
-  Ns assumed_from_ = kNever;  ///< shortest period of a device whose execution times are assumed
+  Reach reach_;
+  DecisionAnalysis decisions_;
+  std::vector<std::optional<Ns>> acquire_;  ///< per device
+  Ns assumed_from_ = kNever;                ///< shortest period of a device whose execution times are assumed
 };
 
 }  // namespace finemote::gen::timing

@@ -1,0 +1,46 @@
+// Decision latency of one chain: from the begin of update() at its source to the end of handle() at its terminal.
+#pragma once
+
+#include "generator/timing/profile.hpp"
+#include "generator/timing/reach.hpp"
+
+namespace finemote::gen::timing {
+
+struct Decision {
+  std::optional<Ns> ns;        ///< none: a device on the way may miss its deadline
+  bool closed_form = false;    ///< a safe bound instead of the maximum
+  bool through_reads = false;  ///< passes a `reads` edge: outside Theorem 3
+};
+
+/// Looks at one chain after the other in one analysed profile.
+class DecisionAnalysis {
+ public:
+  /// Everything must outlive this.
+  DecisionAnalysis(const Model& model, const Topology& topology, const Reach& reach, const ProfileAnalysis& profile,
+                   Effort& effort);
+
+  /// Requires that data of `from` reaches commands of `to`. Throws Overflow, TooLong.
+  [[nodiscard]] Decision decide(std::size_t from, std::size_t to) const;
+
+ private:
+  struct Route;
+
+  void find_hand_overs();
+  [[nodiscard]] Route route(std::size_t from, std::size_t to) const;
+  [[nodiscard]] Ns join_hand_overs(std::size_t from, std::size_t to) const;
+  [[nodiscard]] Ns walk(const Route& route, Ns entries) const;
+  [[nodiscard]] Ns closed_form(const Route& route) const;
+  [[nodiscard]] Ns hand_down(Ns release, std::size_t producer, std::size_t consumer) const;
+  [[nodiscard]] Ns used(Ns use, std::size_t producer, std::size_t consumer) const;
+  [[nodiscard]] Ns pair_window(std::size_t from, std::size_t to, Ns release) const;
+
+  const Model& model_;
+  const Topology& topology_;
+  const Reach& reach_;
+  const ProfileAnalysis& profile_;
+  Effort& effort_;
+  std::vector<Ns> updates_from_, handles_from_;  ///< per device: stages of it and of later devices of its bucket
+  std::vector<std::shared_ptr<const HandOver>> hand_over_;  ///< per device; null: not known
+};
+
+}  // namespace finemote::gen::timing
