@@ -6,20 +6,21 @@
 #include <cmath>
 
 #include "generator/expression/compare.hpp"
-#include "generator/expression/parameters.hpp"
+#include "generator/expression/function.hpp"
 #include "generator/expression/runtime.hpp"
 #include "generator/expression/scope.hpp"
+#include "generator/expression/str_methods.hpp"
 #include "generator/expression/subscript.hpp"
 
 namespace finemote::gen::expression {
 namespace {
 
-constexpr Method kIndices{"indices", slice_indices};
+constexpr Method kIndices{"indices", {{"len"}, 1}, slice_indices};
 
-const Method* find_method(const Value& value, std::string_view name) {
+const Method* method_of(const Value& value, std::string_view name) {
   switch (value.type()) {
     case Type::text:
-      return find_text_method(name);
+      return find_str_method(name);
     case Type::list:
       return find_list_method(name);
     case Type::tuple:
@@ -53,14 +54,12 @@ Value dotted_key(Runtime& runtime, const Dict& dict, const std::string& name) {
   return dotted(*item);
 }
 
-Value is_integer(Runtime& /*runtime*/, const Value& self, CallArguments& arguments) {
-  const Parameters none(arguments, "is_integer", {}, 0);
+Value is_integer(Runtime& /*runtime*/, const Value& self, const Parameters& /*none*/) {
   const double d = *as_real(self);
   return std::isfinite(d) && d == std::trunc(d);
 }
 
-Value bit_length(Runtime& /*runtime*/, const Value& self, CallArguments& arguments) {
-  const Parameters none(arguments, "bit_length", {}, 0);
+Value bit_length(Runtime& /*runtime*/, const Value& self, const Parameters& /*none*/) {
   return static_cast<std::int64_t>(expression::bit_length(*as_integer(self)));
 }
 
@@ -77,8 +76,8 @@ std::optional<Value> bound_of(const Value& value, std::string_view name) {
   return Value(bounds[place]);
 }
 
-constexpr Method kIsInteger{"is_integer", is_integer};
-constexpr Method kBitLength{"bit_length", bit_length};
+constexpr Method kIsInteger{"is_integer", {}, is_integer};
+constexpr Method kBitLength{"bit_length", {}, bit_length};
 
 /// Walks the containers inside a value, looking for one.
 bool holds(Runtime& runtime, const Value& value, const Value& wanted) {
@@ -121,9 +120,8 @@ void check_no_cycle(Runtime& runtime, const Value& container, const Value& item)
 Value attribute_of(Runtime& runtime, const Value& value, const std::string& name) {
   runtime.budget.spend(1);
   if (const auto* ns = value.as<NamespaceRef>()) return namespace_attribute(runtime, *ns->scope, name);
-  if (const Method* method = find_method(value, name)) {
-    return std::make_shared<const BoundMethod>(
-        BoundMethod{std::make_shared<const Value>(value), method->name, method->call});
+  if (const Method* method = method_of(value, name)) {
+    return std::make_shared<const BoundMethod>(BoundMethod{std::make_shared<const Value>(value), method});
   }
   if (const auto* dict = value.object<Dict>(); dict != nullptr && dict->is_dotted) {
     return dotted_key(runtime, *dict, name);

@@ -12,13 +12,9 @@ class Runtime;
 /// Fails with "'str' object has no attribute 'x'".
 Value attribute_of(Runtime& runtime, const Value& value, const std::string& name);
 
-struct Method {
-  std::string_view name;
-  Value (*call)(Runtime& runtime, const Value& self, CallArguments& arguments);
-};
+struct Method;
 
 /// The method of that name, or null.
-const Method* find_text_method(std::string_view name);
 const Method* find_list_method(std::string_view name);
 const Method* find_tuple_method(std::string_view name);
 const Method* find_dict_method(std::string_view name);

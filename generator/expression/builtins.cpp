@@ -19,10 +19,7 @@
 namespace finemote::gen::expression {
 namespace {
 
-Value len(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "len", {"obj"}, 1);
-  return static_cast<std::int64_t>(size_of(p.at(0)));
-}
+Value len(Runtime& /*runtime*/, const Parameters& p) { return static_cast<std::int64_t>(size_of(p.at(0))); }
 
 /// Takes the keyword `name` out of the arguments; nothing when it is not there.
 std::optional<Value> take_keyword(CallArguments& arguments, std::string_view name) {
@@ -41,16 +38,17 @@ Value key_of(Runtime& runtime, const std::optional<Value>& key, const Value& ite
 }
 
 /// min() and max(): of several arguments or of the items of one.
-Value extreme(Runtime& runtime, CallArguments& arguments, std::string_view name, std::string_view better) {
+Value extreme(Runtime& runtime, const Parameters& p, std::string_view better) {
+  CallArguments& arguments = p.all();
   const auto key = take_keyword(arguments, "key");
   const auto otherwise = take_keyword(arguments, "default");
-  check_no_keywords(arguments, name);
-  if (arguments.positional.empty()) fail_eval(fmt::format("{} expected at least 1 argument, got 0", name));
+  check_no_keywords(arguments, p.function());
+  if (arguments.positional.empty()) fail_eval(fmt::format("{} expected at least 1 argument, got 0", p.function()));
   const bool is_one = arguments.positional.size() == 1;
   const Values items = is_one ? items_of(runtime, arguments.positional[0]) : arguments.positional;
   if (items.empty()) {
     if (otherwise) return *otherwise;
-    fail_eval(fmt::format("{}() arg is an empty sequence", name));
+    fail_eval(fmt::format("{}() arg is an empty sequence", p.function()));
   }
   Value best = items[0];
   Value best_key = key_of(runtime, key, best);
@@ -63,8 +61,8 @@ Value extreme(Runtime& runtime, CallArguments& arguments, std::string_view name,
   return best;
 }
 
-Value min(Runtime& runtime, CallArguments& arguments) { return extreme(runtime, arguments, "min", "<"); }
-Value max(Runtime& runtime, CallArguments& arguments) { return extreme(runtime, arguments, "max", ">"); }
+Value min(Runtime& runtime, const Parameters& p) { return extreme(runtime, p, "<"); }
+Value max(Runtime& runtime, const Parameters& p) { return extreme(runtime, p, ">"); }
 
 /// To a multiple of 10^places, ties to even.
 Integer round_integer(Runtime& runtime, const Integer& i, std::int64_t places) {
@@ -78,8 +76,7 @@ Integer round_integer(Runtime& runtime, const Integer& i, std::int64_t places) {
   return (up ? below + 1 : below) * unit;
 }
 
-Value round(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "round", {"number", "ndigits"}, 1);
+Value round(Runtime& runtime, const Parameters& p) {
   const bool to_whole = p[1] == nullptr || p.at(1).is_none();
   const std::int64_t digits = p.integer(1, 0);
   if (const auto i = as_integer(p.at(0))) return digits < 0 ? round_integer(runtime, *i, -digits) : *i;
@@ -89,33 +86,28 @@ Value round(Runtime& runtime, CallArguments& arguments) {
   return round_to(*d, static_cast<long>(digits));
 }
 
-Value absolute(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "abs", {"x"}, 1);
+Value absolute(Runtime& /*runtime*/, const Parameters& p) {
   if (const auto i = as_integer(p.at(0))) return i->is_negative() ? -*i : *i;
   if (const double* d = as_real(p.at(0))) return std::abs(*d);
   fail_eval(fmt::format("bad operand type for abs(): '{}'", type_name(p.at(0))));
 }
 
-Value all(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "all", {"iterable"}, 1);
+Value all(Runtime& runtime, const Parameters& p) {
   const Values items = items_of(runtime, p.at(0));
   return std::all_of(items.begin(), items.end(), is_true);
 }
 
-Value any(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "any", {"iterable"}, 1);
+Value any(Runtime& runtime, const Parameters& p) {
   const Values items = items_of(runtime, p.at(0));
   return std::any_of(items.begin(), items.end(), is_true);
 }
 
-Value divmod(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "divmod", {"x", "y"}, 2);
+Value divmod(Runtime& runtime, const Parameters& p) {
   return make_tuple({operate(runtime, Operator::floor_divide, p.at(0), p.at(1)),
                      operate(runtime, Operator::modulo, p.at(0), p.at(1))});
 }
 
-Value hash(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "hash", {"obj"}, 1);
+Value hash(Runtime& runtime, const Parameters& p) {
   if (const auto i = as_integer(p.at(0)); i && i->is_small()) return *i;
   return static_cast<std::int64_t>(hash_of(runtime, p.at(0)) >> 3);
 }
@@ -133,20 +125,17 @@ bool matches_type(const Value& wanted, Type type, std::string_view function) {
   fail_eval(fmt::format("{}() arg 2 must be a type, a tuple of types, or a union", function));
 }
 
-Value isinstance(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "isinstance", {"obj", "class_or_tuple"}, 2);
+Value isinstance(Runtime& /*runtime*/, const Parameters& p) {
   return matches_type(p.at(1), p.at(0).type(), "isinstance");
 }
 
-Value issubclass(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "issubclass", {"cls", "class_or_tuple"}, 2);
+Value issubclass(Runtime& /*runtime*/, const Parameters& p) {
   const auto* type = p.at(0).as<Type>();
   if (type == nullptr) fail_eval("issubclass() arg 1 must be a class");
   return matches_type(p.at(1), *type, "issubclass");
 }
 
-Value ord(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "ord", {"c"}, 1);
+Value ord(Runtime& /*runtime*/, const Parameters& p) {
   const auto* text = p.at(0).text();
   if (text == nullptr) {
     fail_eval(fmt::format("ord() expected string of length 1, but {} found", type_name(p.at(0))));
@@ -156,57 +145,51 @@ Value ord(Runtime& /*runtime*/, CallArguments& arguments) {
   return static_cast<std::int64_t>(code_point(*text));
 }
 
-Value repr(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "repr", {"obj"}, 1);
-  return to_source(runtime, p.at(0));
-}
+Value repr(Runtime& runtime, const Parameters& p) { return to_source(runtime, p.at(0)); }
 
-Value sorted(Runtime& runtime, CallArguments& arguments) {
+Value sorted(Runtime& runtime, const Parameters& p) {
+  CallArguments& arguments = p.all();
   if (arguments.positional.size() != 1) {
     fail_eval(fmt::format("sorted expected 1 argument, got {}", arguments.positional.size()));
   }
   Values items = items_of(runtime, arguments.positional[0]);
   arguments.positional.clear();
-  return make_list(sorted_items(runtime, std::move(items), arguments, "sorted"));
+  return make_list(sorted_items(runtime, std::move(items), arguments, p.function()));
 }
 
-Value sum(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "sum", {"iterable", "start"}, 1);
+Value sum(Runtime& runtime, const Parameters& p) {
   Value total = p[1] != nullptr ? p.at(1) : Value(0);
   if (total.text() != nullptr) fail_eval("sum() can't sum strings [use ''.join(seq) instead]");
   for (const Value& item : items_of(runtime, p.at(0))) total = operate(runtime, Operator::add, total, item);
   return total;
 }
 
-Value type_of(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "type", {"object"}, 1);
-  return p.at(0).type();
-}
+Value type_of(Runtime& /*runtime*/, const Parameters& p) { return p.at(0).type(); }
 
-Value complex(Runtime& /*runtime*/, CallArguments& /*arguments*/) { fail_eval("complex numbers are not supported"); }
+Value complex(Runtime& /*runtime*/, const Parameters& /*any*/) { fail_eval("complex numbers are not supported"); }
 
-Value range(Runtime& runtime, CallArguments& arguments) { return construct(runtime, Type::range, arguments); }
+Value range(Runtime& runtime, const Parameters& p) { return construct(runtime, Type::range, p.all()); }
 
-constexpr Builtin kLen{"len", len};
-constexpr Builtin kMin{"min", min};
-constexpr Builtin kMax{"max", max};
-constexpr Builtin kRound{"round", round};
-constexpr Builtin kOldSorted{"sorted", sorted, "python"};
-constexpr Builtin kOldRange{"range", range, "python"};
+constexpr Builtin kLen{"len", {{"obj"}, 1}, len};
+constexpr Builtin kMin{"min", Signature::free(), min};
+constexpr Builtin kMax{"max", Signature::free(), max};
+constexpr Builtin kRound{"round", {{"number", "ndigits"}, 1}, round};
+constexpr Builtin kOldSorted{"sorted", Signature::free(), sorted, "python"};
+constexpr Builtin kOldRange{"range", Signature::free(), range, "python"};
 
-constexpr Builtin kPython[] = {{"abs", absolute},
-                               {"all", all},
-                               {"any", any},
-                               {"complex", complex},
-                               {"divmod", divmod},
-                               {"hash", hash},
-                               {"isinstance", isinstance},
-                               {"issubclass", issubclass},
-                               {"ord", ord},
-                               {"repr", repr},
-                               {"sorted", sorted},
-                               {"sum", sum},
-                               {"type", type_of}};
+constexpr Builtin kPython[] = {{"abs", {{"x"}, 1}, absolute},
+                               {"all", {{"iterable"}, 1}, all},
+                               {"any", {{"iterable"}, 1}, any},
+                               {"complex", Signature::free(), complex},
+                               {"divmod", {{"x", "y"}, 2}, divmod},
+                               {"hash", {{"obj"}, 1}, hash},
+                               {"isinstance", {{"obj", "class_or_tuple"}, 2}, isinstance},
+                               {"issubclass", {{"cls", "class_or_tuple"}, 2}, issubclass},
+                               {"ord", {{"c"}, 1}, ord},
+                               {"repr", {{"obj"}, 1}, repr},
+                               {"sorted", Signature::free(), sorted},
+                               {"sum", {{"iterable", "start"}, 1}, sum},
+                               {"type", {{"object"}, 1}, type_of}};
 
 /// Names both spaces have.
 Symbols common_symbols() {

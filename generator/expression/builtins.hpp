@@ -30,7 +30,7 @@ Symbols deprecated_xacro_symbols();
 Value construct(Runtime& runtime, Type type, CallArguments& arguments);
 
 /// The entries that dict() and update() take: a mapping or pairs, and keywords.
-std::shared_ptr<Table> table_of(Runtime& runtime, CallArguments& arguments, std::string_view function);
+std::shared_ptr<Table> table_of(Runtime& runtime, const CallArguments& arguments, std::string_view function);
 
 /// The items in order; takes the keywords `key` and `reverse`.
 Values sorted_items(Runtime& runtime, Values items, CallArguments& arguments, std::string_view function);

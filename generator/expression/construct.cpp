@@ -34,8 +34,7 @@ Value integer_from_text(Runtime& runtime, const Value& value, std::int64_t base)
   return negative ? -*i : *i;
 }
 
-Value make_integer(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "int", {"x", "base"}, 0);
+Value make_integer(Runtime& runtime, const Parameters& p) {
   if (p[0] == nullptr) return 0;
   const std::int64_t base = p.integer(1, 10);
   if (base != 0 && (base < 2 || base > 36)) fail_eval("int() base must be >= 2 and <= 36, or 0");
@@ -47,8 +46,7 @@ Value make_integer(Runtime& runtime, CallArguments& arguments) {
                         type_name(p.at(0))));
 }
 
-Value make_real(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "float", {"x"}, 0);
+Value make_real(Runtime& runtime, const Parameters& p) {
   if (p[0] == nullptr) return 0.0;
   if (const auto* text = p.at(0).text()) {
     const auto value = parse_real(*text);
@@ -60,27 +58,25 @@ Value make_real(Runtime& runtime, CallArguments& arguments) {
   fail_eval(fmt::format("float() argument must be a string or a real number, not '{}'", type_name(p.at(0))));
 }
 
-Value make_text(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "str", {"object"}, 0);
+Value make_text(Runtime& runtime, const Parameters& p) {
   return p[0] != nullptr ? to_text(runtime, p.at(0)) : std::string();
 }
 
-Value make_boolean(CallArguments& arguments) {
-  const Parameters p(arguments, "bool", {"x"}, 0);
-  return p[0] != nullptr && is_true(p.at(0));
-}
+Value make_boolean(Runtime& /*runtime*/, const Parameters& p) { return p[0] != nullptr && is_true(p.at(0)); }
 
-Values optional_items(Runtime& runtime, CallArguments& arguments, std::string_view function) {
-  const Parameters p(arguments, function, {"iterable"}, 0);
+Values optional_items(Runtime& runtime, const Parameters& p) {
   return p[0] != nullptr ? items_of(runtime, p.at(0)) : Values();
 }
 
-Value make_set(Runtime& runtime, CallArguments& arguments, bool is_frozen) {
+Value list_of(Runtime& runtime, const Parameters& p) { return make_list(optional_items(runtime, p)); }
+Value tuple_of(Runtime& runtime, const Parameters& p) { return make_tuple(optional_items(runtime, p)); }
+Value dict_of(Runtime& runtime, const Parameters& p) { return make_dict(table_of(runtime, p.all(), p.function())); }
+
+template <bool IsFrozen>
+Value make_set(Runtime& runtime, const Parameters& p) {
   auto set = std::make_shared<Set>();
-  set->is_frozen = is_frozen;
-  for (Value& item : optional_items(runtime, arguments, is_frozen ? "frozenset" : "set")) {
-    set->table.set(runtime, std::move(item), {});
-  }
+  set->is_frozen = IsFrozen;
+  for (Value& item : optional_items(runtime, p)) set->table.set(runtime, std::move(item), {});
   return set;
 }
 
@@ -92,11 +88,8 @@ std::int64_t range_bound(const Value& value) {
   return i->small();
 }
 
-Value make_range(CallArguments& arguments) {
-  check_no_keywords(arguments, "range");
-  const Values& given = arguments.positional;
-  if (given.empty()) fail_eval("range expected at least 1 argument, got 0");
-  if (given.size() > 3) fail_eval(fmt::format("range expected at most 3 arguments, got {}", given.size()));
+Value make_range(Runtime& /*runtime*/, const Parameters& p) {
+  const Values& given = p.positional();
   Range range;
   if (given.size() == 1) {
     range.stop = range_bound(given[0]);
@@ -109,8 +102,7 @@ Value make_range(CallArguments& arguments) {
   return std::make_shared<const Range>(range);
 }
 
-Value make_slice(CallArguments& arguments) {
-  const Parameters p(arguments, "slice", {"start", "stop", "step"}, 1);
+Value make_slice(Runtime& /*runtime*/, const Parameters& p) {
   Values bounds(3);
   if (p[1] == nullptr) {
     bounds[1] = p.at(0);
@@ -121,11 +113,11 @@ Value make_slice(CallArguments& arguments) {
 }
 
 /// The items of every argument from `first` on, cut to the shortest.
-std::vector<Values> columns_of(Runtime& runtime, const CallArguments& arguments, std::size_t first) {
+std::vector<Values> columns_of(Runtime& runtime, const Values& arguments, std::size_t first) {
   std::vector<Values> columns;
   std::size_t shortest = static_cast<std::size_t>(-1);
-  for (std::size_t i = first; i < arguments.positional.size(); ++i) {
-    columns.push_back(items_of(runtime, arguments.positional[i]));
+  for (std::size_t i = first; i < arguments.size(); ++i) {
+    columns.push_back(items_of(runtime, arguments[i]));
     shortest = std::min(shortest, columns.back().size());
   }
   for (Values& column : columns) column.resize(shortest);
@@ -138,32 +130,30 @@ Values row_of(const std::vector<Values>& columns, std::size_t i) {
   return row;
 }
 
-Value make_map(Runtime& runtime, CallArguments& arguments) {
-  check_no_keywords(arguments, "map");
-  if (arguments.positional.size() < 2) fail_eval("map() must have at least two arguments.");
-  const auto columns = columns_of(runtime, arguments, 1);
+Value make_map(Runtime& runtime, const Parameters& p) {
+  if (p.positional().size() < 2) fail_eval("map() must have at least two arguments.");
+  const auto columns = columns_of(runtime, p.positional(), 1);
   Values results;
   for (std::size_t i = 0; i < columns[0].size(); ++i) {
     CallArguments row{row_of(columns, i), {}};
-    results.push_back(call_value(runtime, arguments.positional[0], row));
+    results.push_back(call_value(runtime, p.positional()[0], row));
   }
   return make_iterator(Type::map, std::move(results));
 }
 
-Value make_zip(Runtime& runtime, CallArguments& arguments) {
-  for (const auto& [name, value] : arguments.named) {
+Value make_zip(Runtime& runtime, const Parameters& p) {
+  for (const auto& [name, value] : p.all().named) {
     if (name != "strict") fail_eval(fmt::format("zip() got an unexpected keyword argument '{}'", name));
   }
-  if (arguments.positional.empty()) return make_iterator(Type::zip, {});
-  const auto columns = columns_of(runtime, arguments, 0);
+  if (p.positional().empty()) return make_iterator(Type::zip, {});
+  const auto columns = columns_of(runtime, p.positional(), 0);
   Values rows;
   runtime.budget.spend(columns.size() * columns[0].size());
   for (std::size_t i = 0; i < columns[0].size(); ++i) rows.push_back(make_tuple(row_of(columns, i)));
   return make_iterator(Type::zip, std::move(rows));
 }
 
-Value make_filter(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "filter", {"function", "iterable"}, 2);
+Value make_filter(Runtime& runtime, const Parameters& p) {
   Values kept;
   for (Value& item : items_of(runtime, p.at(1))) {
     CallArguments one{{item}, {}};
@@ -173,16 +163,14 @@ Value make_filter(Runtime& runtime, CallArguments& arguments) {
   return make_iterator(Type::filter, std::move(kept));
 }
 
-Value make_enumerate(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "enumerate", {"iterable", "start"}, 1);
+Value make_enumerate(Runtime& runtime, const Parameters& p) {
   std::int64_t number = p.integer(1, 0);
   Values pairs;
   for (Value& item : items_of(runtime, p.at(0))) pairs.push_back(make_tuple({number++, std::move(item)}));
   return make_iterator(Type::enumerate, std::move(pairs));
 }
 
-Value make_reversed(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "reversed", {"sequence"}, 1);
+Value make_reversed(Runtime& runtime, const Parameters& p) {
   const bool is_unordered = p.at(0).object<Set>() != nullptr || p.at(0).object<Iterator>() != nullptr;
   if (is_unordered) fail_eval(fmt::format("'{}' object is not reversible", type_name(p.at(0))));
   Values items = items_of(runtime, p.at(0));
@@ -205,9 +193,33 @@ void add_pairs(Runtime& runtime, Table& table, const Value& pairs) {
   }
 }
 
+struct Constructor {
+  Type type;
+  Builtin function;
+};
+
+constexpr Signature kItems({"iterable"}, 0);
+
+constexpr Constructor kConstructors[] = {{Type::integer, {"int", {{"x", "base"}, 0}, make_integer}},
+                                         {Type::real, {"float", {{"x"}, 0}, make_real}},
+                                         {Type::text, {"str", {{"object"}, 0}, make_text}},
+                                         {Type::boolean, {"bool", {{"x"}, 0}, make_boolean}},
+                                         {Type::list, {"list", kItems, list_of}},
+                                         {Type::tuple, {"tuple", kItems, tuple_of}},
+                                         {Type::dict, {"dict", Signature::free(), dict_of}},
+                                         {Type::set, {"set", kItems, make_set<false>}},
+                                         {Type::frozen_set, {"frozenset", kItems, make_set<true>}},
+                                         {Type::range, {"range", Signature::positional(1, 3), make_range}},
+                                         {Type::slice, {"slice", {{"start", "stop", "step"}, 1}, make_slice}},
+                                         {Type::map, {"map", Signature::positional(0), make_map}},
+                                         {Type::zip, {"zip", Signature::free(), make_zip}},
+                                         {Type::filter, {"filter", {{"function", "iterable"}, 2}, make_filter}},
+                                         {Type::enumerate, {"enumerate", {{"iterable", "start"}, 1}, make_enumerate}},
+                                         {Type::reversed, {"reversed", {{"sequence"}, 1}, make_reversed}}};
+
 }  // namespace
 
-std::shared_ptr<Table> table_of(Runtime& runtime, CallArguments& arguments, std::string_view function) {
+std::shared_ptr<Table> table_of(Runtime& runtime, const CallArguments& arguments, std::string_view function) {
   if (arguments.positional.size() > 1) {
     fail_eval(fmt::format("{} expected at most 1 argument, got {}", function, arguments.positional.size()));
   }
@@ -226,42 +238,10 @@ std::shared_ptr<Table> table_of(Runtime& runtime, CallArguments& arguments, std:
 }
 
 Value construct(Runtime& runtime, Type type, CallArguments& arguments) {
-  switch (type) {
-    case Type::integer:
-      return make_integer(runtime, arguments);
-    case Type::real:
-      return make_real(runtime, arguments);
-    case Type::text:
-      return make_text(runtime, arguments);
-    case Type::boolean:
-      return make_boolean(arguments);
-    case Type::list:
-      return make_list(optional_items(runtime, arguments, "list"));
-    case Type::tuple:
-      return make_tuple(optional_items(runtime, arguments, "tuple"));
-    case Type::dict:
-      return make_dict(table_of(runtime, arguments, "dict"));
-    case Type::set:
-      return make_set(runtime, arguments, false);
-    case Type::frozen_set:
-      return make_set(runtime, arguments, true);
-    case Type::range:
-      return make_range(arguments);
-    case Type::slice:
-      return make_slice(arguments);
-    case Type::map:
-      return make_map(runtime, arguments);
-    case Type::zip:
-      return make_zip(runtime, arguments);
-    case Type::filter:
-      return make_filter(runtime, arguments);
-    case Type::enumerate:
-      return make_enumerate(runtime, arguments);
-    case Type::reversed:
-      return make_reversed(runtime, arguments);
-    default:
-      fail_eval(fmt::format("cannot create '{}' instances", type_name(type)));
+  for (const auto& [made, function] : kConstructors) {
+    if (made == type) return function.call(runtime, Parameters(arguments, function.name, function.takes));
   }
+  fail_eval(fmt::format("cannot create '{}' instances", type_name(type)));
 }
 
 }  // namespace finemote::gen::expression

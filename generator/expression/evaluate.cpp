@@ -9,6 +9,7 @@
 #include "generator/expression/cost.hpp"
 #include "generator/expression/iterate.hpp"
 #include "generator/expression/operate.hpp"
+#include "generator/expression/parameters.hpp"
 #include "generator/expression/print.hpp"
 #include "generator/expression/runtime.hpp"
 #include "generator/expression/scope.hpp"
@@ -332,11 +333,12 @@ Value call_value(Runtime& runtime, const Value& function, CallArguments& argumen
   if (const auto* builtin = function.as<const Builtin*>()) {
     const Builtin& called = **builtin;
     if (!called.deprecated_for.empty()) runtime.host.deprecated(called.name, called.deprecated_for);
-    return called.call(runtime, arguments);
+    return called.call(runtime, Parameters(arguments, called.name, called.takes));
   }
   if (const auto* method = function.object<const BoundMethod>()) {
     runtime.budget.spend(cost_of_bytes(bytes_of(*method->self)));
-    return method->call(runtime, *method->self, arguments);
+    const Method& called = *method->method;
+    return called.call(runtime, *method->self, Parameters(arguments, called.name, called.takes));
   }
   if (const auto* type = function.as<Type>()) return construct(runtime, *type, arguments);
   if (const auto* lambda = function.object<const Lambda>()) {

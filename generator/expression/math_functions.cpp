@@ -36,15 +36,13 @@ double checked(double result, bool all_finite, bool all_numbers, bool infinity_i
 }
 
 template <double (*Function)(double), bool InfinityIsDomain = false>
-Value unary(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "math function", {"x"}, 1);
+Value unary(Runtime& /*runtime*/, const Parameters& p) {
   const double x = real_of(p.at(0));
   return checked(Function(x), std::isfinite(x), !std::isnan(x), InfinityIsDomain);
 }
 
 template <double (*Function)(double, double), bool InfinityIsDomain = false>
-Value binary(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "math function", {"x", "y"}, 2);
+Value binary(Runtime& /*runtime*/, const Parameters& p) {
   const double x = real_of(p.at(0));
   const double y = real_of(p.at(1));
   return checked(Function(x, y), std::isfinite(x) && std::isfinite(y), !std::isnan(x) && !std::isnan(y),
@@ -83,8 +81,7 @@ double logarithm(const Value& value, double (*function)(double)) {
   return function(x);
 }
 
-Value log(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "log", {"x", "base"}, 1);
+Value log(Runtime& /*runtime*/, const Parameters& p) {
   const double numerator = logarithm(p.at(0), std::log);
   if (p[1] == nullptr) return numerator;
   const double denominator = logarithm(p.at(1), std::log);
@@ -92,26 +89,18 @@ Value log(Runtime& /*runtime*/, CallArguments& arguments) {
   return numerator / denominator;
 }
 
-Value log2(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "log2", {"x"}, 1);
-  return logarithm(p.at(0), std::log2);
-}
+Value log2(Runtime& /*runtime*/, const Parameters& p) { return logarithm(p.at(0), std::log2); }
 
-Value log10(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "log10", {"x"}, 1);
-  return logarithm(p.at(0), std::log10);
-}
+Value log10(Runtime& /*runtime*/, const Parameters& p) { return logarithm(p.at(0), std::log10); }
 
 template <double (*Function)(double)>
-Value to_whole(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "math function", {"x"}, 1);
+Value to_whole(Runtime& /*runtime*/, const Parameters& p) {
   if (const auto i = as_integer(p.at(0))) return *i;
   return integer_of(Function(real_of(p.at(0))));
 }
 
 template <bool (*Test)(double)>
-Value test(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "math function", {"x"}, 1);
+Value test(Runtime& /*runtime*/, const Parameters& p) {
   return Test(real_of(p.at(0)));
 }
 
@@ -119,8 +108,7 @@ bool is_nan(double x) { return std::isnan(x); }
 bool is_infinite(double x) { return std::isinf(x); }
 bool is_finite(double x) { return std::isfinite(x); }
 
-Value isclose(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "isclose", {"a", "b", "rel_tol", "abs_tol"}, 2);
+Value isclose(Runtime& /*runtime*/, const Parameters& p) {
   const double a = real_of(p.at(0));
   const double b = real_of(p.at(1));
   const double relative = p[2] != nullptr ? real_of(p.at(2)) : 1e-9;
@@ -132,23 +120,20 @@ Value isclose(Runtime& /*runtime*/, CallArguments& arguments) {
   return difference <= std::abs(relative * b) || difference <= std::abs(relative * a) || difference <= absolute;
 }
 
-Value modf(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "modf", {"x"}, 1);
+Value modf(Runtime& /*runtime*/, const Parameters& p) {
   double whole = 0;
   const double fraction = std::modf(real_of(p.at(0)), &whole);
   return make_tuple({fraction, whole});
 }
 
-Value frexp(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "frexp", {"x"}, 1);
+Value frexp(Runtime& /*runtime*/, const Parameters& p) {
   const double x = real_of(p.at(0));
   int exponent = 0;
   const double mantissa = std::isfinite(x) ? std::frexp(x, &exponent) : x;
   return make_tuple({mantissa, exponent});
 }
 
-Value ldexp(Runtime& /*runtime*/, CallArguments& arguments) {
-  const Parameters p(arguments, "ldexp", {"x", "i"}, 2);
+Value ldexp(Runtime& /*runtime*/, const Parameters& p) {
   const double x = real_of(p.at(0));
   const Integer i = integer_argument(p.at(1));
   const std::int64_t exponent = std::clamp<std::int64_t>(p.integer(1, 0), -100'000, 100'000);
@@ -165,15 +150,13 @@ double norm(const std::vector<double>& coordinates) {
   return static_cast<double>(std::sqrt(sum));
 }
 
-Value hypot(Runtime& /*runtime*/, CallArguments& arguments) {
-  check_no_keywords(arguments, "hypot");
+Value hypot(Runtime& /*runtime*/, const Parameters& p) {
   std::vector<double> coordinates;
-  for (const Value& v : arguments.positional) coordinates.push_back(real_of(v));
+  for (const Value& v : p.positional()) coordinates.push_back(real_of(v));
   return norm(coordinates);
 }
 
-Value dist(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "dist", {"p", "q"}, 2);
+Value dist(Runtime& runtime, const Parameters& p) {
   const Values a = items_of(runtime, p.at(0));
   const Values b = items_of(runtime, p.at(1));
   if (a.size() != b.size()) fail_eval("both points must have the same number of dimensions");
@@ -183,8 +166,7 @@ Value dist(Runtime& runtime, CallArguments& arguments) {
 }
 
 /// Sum without loss: partial sums that do not overlap (Shewchuk, 1997).
-Value fsum(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "fsum", {"seq"}, 1);
+Value fsum(Runtime& runtime, const Parameters& p) {
   std::vector<double> partials;
   for (const Value& item : items_of(runtime, p.at(0))) {
     double x = real_of(item);
@@ -205,8 +187,7 @@ Value fsum(Runtime& runtime, CallArguments& arguments) {
   return static_cast<double>(total);
 }
 
-Value prod(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "prod", {"iterable", "start"}, 1);
+Value prod(Runtime& runtime, const Parameters& p) {
   Value product = p[1] != nullptr ? p.at(1) : Value(1);
   for (const Value& item : items_of(runtime, p.at(0))) product = operate(runtime, Operator::multiply, product, item);
   return product;
@@ -222,17 +203,15 @@ Integer common_divisor(Runtime& runtime, Integer a, Integer b) {
   return a.is_negative() ? -a : a;
 }
 
-Value gcd(Runtime& runtime, CallArguments& arguments) {
-  check_no_keywords(arguments, "gcd");
+Value gcd(Runtime& runtime, const Parameters& p) {
   Integer divisor = 0;
-  for (const Value& v : arguments.positional) divisor = common_divisor(runtime, divisor, integer_argument(v));
+  for (const Value& v : p.positional()) divisor = common_divisor(runtime, divisor, integer_argument(v));
   return divisor;
 }
 
-Value lcm(Runtime& runtime, CallArguments& arguments) {
-  check_no_keywords(arguments, "lcm");
+Value lcm(Runtime& runtime, const Parameters& p) {
   Integer multiple = 1;
-  for (const Value& v : arguments.positional) {
+  for (const Value& v : p.positional()) {
     const Integer i = integer_argument(v);
     if (i.is_zero()) return 0;
     runtime.budget.spend(2 * cost_of_product(bytes_of(multiple), bytes_of(i)));
@@ -261,21 +240,18 @@ std::int64_t count_argument(const Parameters& p, std::size_t i, const char* mess
   return count;
 }
 
-Value factorial(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "factorial", {"x"}, 1);
+Value factorial(Runtime& runtime, const Parameters& p) {
   return product_of_range(runtime, 1, count_argument(p, 0, "factorial() not defined for negative values"));
 }
 
-Value perm(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "perm", {"n", "k"}, 1);
+Value perm(Runtime& runtime, const Parameters& p) {
   const std::int64_t n = count_argument(p, 0, "n must be a non-negative integer");
   const std::int64_t k =
       p[1] != nullptr && !p.at(1).is_none() ? count_argument(p, 1, "k must be a non-negative integer") : n;
   return k > n ? Integer(0) : product_of_range(runtime, n - k + 1, n);
 }
 
-Value comb(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "comb", {"n", "k"}, 2);
+Value comb(Runtime& runtime, const Parameters& p) {
   const std::int64_t n = count_argument(p, 0, "n must be a non-negative integer");
   const std::int64_t k = count_argument(p, 1, "k must be a non-negative integer");
   if (k > n) return 0;
@@ -287,8 +263,7 @@ Value comb(Runtime& runtime, CallArguments& arguments) {
 }
 
 /// The largest integer whose square is not larger: Newton's method from above.
-Value isqrt(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "isqrt", {"n"}, 1);
+Value isqrt(Runtime& runtime, const Parameters& p) {
   const Integer n = integer_argument(p.at(0));
   if (n.is_negative()) fail_eval("isqrt() argument must be nonnegative");
   if (n.is_zero()) return 0;
@@ -309,61 +284,65 @@ double ulp_of(double x) {
 
 double cube_root(double x) { return std::cbrt(x); }
 
-constexpr Builtin kMath[] = {{"acos", unary<std::acos>},
-                             {"acosh", unary<std::acosh>},
-                             {"asin", unary<std::asin>},
-                             {"asinh", unary<std::asinh>},
-                             {"atan", unary<std::atan>},
-                             {"atan2", binary<std::atan2>},
-                             {"atanh", unary<std::atanh, true>},
-                             {"cbrt", unary<cube_root>},
-                             {"ceil", to_whole<std::ceil>},
-                             {"comb", comb},
-                             {"copysign", binary<std::copysign>},
-                             {"cos", unary<std::cos>},
-                             {"cosh", unary<std::cosh>},
-                             {"degrees", unary<degrees_of>},
-                             {"dist", dist},
-                             {"erf", unary<std::erf>},
-                             {"erfc", unary<std::erfc>},
-                             {"exp", unary<std::exp>},
-                             {"exp2", unary<std::exp2>},
-                             {"expm1", unary<std::expm1>},
-                             {"fabs", unary<std::fabs>},
-                             {"factorial", factorial},
-                             {"floor", to_whole<std::floor>},
-                             {"fmod", binary<std::fmod>},
-                             {"frexp", frexp},
-                             {"fsum", fsum},
-                             {"gamma", unary<gamma_of>},
-                             {"gcd", gcd},
-                             {"hypot", hypot},
-                             {"isclose", isclose},
-                             {"isfinite", test<is_finite>},
-                             {"isinf", test<is_infinite>},
-                             {"isnan", test<is_nan>},
-                             {"isqrt", isqrt},
-                             {"lcm", lcm},
-                             {"ldexp", ldexp},
-                             {"lgamma", unary<log_gamma>},
-                             {"log", log},
-                             {"log10", log10},
-                             {"log1p", unary<std::log1p, true>},
-                             {"log2", log2},
-                             {"modf", modf},
-                             {"nextafter", binary<std::nextafter>},
-                             {"perm", perm},
-                             {"pow", binary<power_of>},
-                             {"prod", prod},
-                             {"radians", unary<radians_of>},
-                             {"remainder", binary<std::remainder>},
-                             {"sin", unary<std::sin>},
-                             {"sinh", unary<std::sinh>},
-                             {"sqrt", unary<std::sqrt>},
-                             {"tan", unary<std::tan>},
-                             {"tanh", unary<std::tanh>},
-                             {"trunc", to_whole<std::trunc>},
-                             {"ulp", unary<ulp_of>}};
+/// Messages do not tell which of the plain functions was called.
+constexpr Signature kOne({"x"}, 1, "math function");
+constexpr Signature kTwo({"x", "y"}, 2, "math function");
+
+constexpr Builtin kMath[] = {{"acos", kOne, unary<std::acos>},
+                             {"acosh", kOne, unary<std::acosh>},
+                             {"asin", kOne, unary<std::asin>},
+                             {"asinh", kOne, unary<std::asinh>},
+                             {"atan", kOne, unary<std::atan>},
+                             {"atan2", kTwo, binary<std::atan2>},
+                             {"atanh", kOne, unary<std::atanh, true>},
+                             {"cbrt", kOne, unary<cube_root>},
+                             {"ceil", kOne, to_whole<std::ceil>},
+                             {"comb", {{"n", "k"}, 2}, comb},
+                             {"copysign", kTwo, binary<std::copysign>},
+                             {"cos", kOne, unary<std::cos>},
+                             {"cosh", kOne, unary<std::cosh>},
+                             {"degrees", kOne, unary<degrees_of>},
+                             {"dist", {{"p", "q"}, 2}, dist},
+                             {"erf", kOne, unary<std::erf>},
+                             {"erfc", kOne, unary<std::erfc>},
+                             {"exp", kOne, unary<std::exp>},
+                             {"exp2", kOne, unary<std::exp2>},
+                             {"expm1", kOne, unary<std::expm1>},
+                             {"fabs", kOne, unary<std::fabs>},
+                             {"factorial", {{"x"}, 1}, factorial},
+                             {"floor", kOne, to_whole<std::floor>},
+                             {"fmod", kTwo, binary<std::fmod>},
+                             {"frexp", {{"x"}, 1}, frexp},
+                             {"fsum", {{"seq"}, 1}, fsum},
+                             {"gamma", kOne, unary<gamma_of>},
+                             {"gcd", Signature::positional(0), gcd},
+                             {"hypot", Signature::positional(0), hypot},
+                             {"isclose", {{"a", "b", "rel_tol", "abs_tol"}, 2}, isclose},
+                             {"isfinite", kOne, test<is_finite>},
+                             {"isinf", kOne, test<is_infinite>},
+                             {"isnan", kOne, test<is_nan>},
+                             {"isqrt", {{"n"}, 1}, isqrt},
+                             {"lcm", Signature::positional(0), lcm},
+                             {"ldexp", {{"x", "i"}, 2}, ldexp},
+                             {"lgamma", kOne, unary<log_gamma>},
+                             {"log", {{"x", "base"}, 1}, log},
+                             {"log10", {{"x"}, 1}, log10},
+                             {"log1p", kOne, unary<std::log1p, true>},
+                             {"log2", {{"x"}, 1}, log2},
+                             {"modf", {{"x"}, 1}, modf},
+                             {"nextafter", kTwo, binary<std::nextafter>},
+                             {"perm", {{"n", "k"}, 1}, perm},
+                             {"pow", kTwo, binary<power_of>},
+                             {"prod", {{"iterable", "start"}, 1}, prod},
+                             {"radians", kOne, unary<radians_of>},
+                             {"remainder", kTwo, binary<std::remainder>},
+                             {"sin", kOne, unary<std::sin>},
+                             {"sinh", kOne, unary<std::sinh>},
+                             {"sqrt", kOne, unary<std::sqrt>},
+                             {"tan", kOne, unary<std::tan>},
+                             {"tanh", kOne, unary<std::tanh>},
+                             {"trunc", kOne, to_whole<std::trunc>},
+                             {"ulp", kOne, unary<ulp_of>}};
 
 }  // namespace
 

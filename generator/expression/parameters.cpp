@@ -8,25 +8,41 @@
 
 namespace finemote::gen::expression {
 
-Parameters::Parameters(CallArguments& arguments, std::string_view function,
-                       std::initializer_list<std::string_view> names, std::size_t required)
-    : function_(function), given_(names.size(), nullptr) {
-  if (arguments.positional.size() > names.size()) {
-    fail_eval(fmt::format("{}() takes at most {} argument{} ({} given)", function, names.size(),
-                          names.size() == 1 ? "" : "s", arguments.positional.size()));
+Parameters::Parameters(CallArguments& arguments, std::string_view function, const Signature& signature)
+    : arguments_(arguments), function_(signature.shown.empty() ? function : signature.shown) {
+  if (signature.kind == Signature::Kind::named) bind(signature);
+  if (signature.kind == Signature::Kind::positional) check_positional(signature);
+}
+
+void Parameters::check_positional(const Signature& signature) const {
+  check_no_keywords(arguments_, function_);
+  const std::size_t given = positional().size();
+  if (given >= signature.least && given <= signature.most) return;
+  const bool is_short = given < signature.least;
+  const std::size_t bound = is_short ? signature.least : signature.most;
+  fail_eval(fmt::format("{} expected at {} {} argument{}, got {}", function_, is_short ? "least" : "most", bound,
+                        bound == 1 ? "" : "s", given));
+}
+
+void Parameters::bind(const Signature& signature) {
+  const std::size_t most = signature.most;
+  const auto begin = signature.names.begin();
+  const auto end = begin + static_cast<std::ptrdiff_t>(most);
+  if (positional().size() > most) {
+    fail_eval(fmt::format("{}() takes at most {} argument{} ({} given)", function_, most, most == 1 ? "" : "s",
+                          positional().size()));
   }
-  for (std::size_t i = 0; i < arguments.positional.size(); ++i) given_[i] = &arguments.positional[i];
-  for (const auto& [name, value] : arguments.named) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) fail_eval(fmt::format("{}() got an unexpected keyword argument '{}'", function, name));
-    const auto place = static_cast<std::size_t>(found - names.begin());
-    if (given_[place] != nullptr) fail_eval(fmt::format("{}() got multiple values for argument '{}'", function, name));
-    given_[place] = &value;
+  for (std::size_t i = 0; i < positional().size(); ++i) given_[i] = &positional()[i];
+  for (const auto& [name, value] : arguments_.named) {
+    const auto found = std::find(begin, end, name);
+    if (found == end) fail_eval(fmt::format("{}() got an unexpected keyword argument '{}'", function_, name));
+    const Value*& place = given_[static_cast<std::size_t>(found - begin)];
+    if (place != nullptr) fail_eval(fmt::format("{}() got multiple values for argument '{}'", function_, name));
+    place = &value;
   }
-  for (std::size_t i = 0; i < required; ++i) {
-    if (given_[i] == nullptr) {
-      fail_eval(fmt::format("{}() missing required argument '{}' (pos {})", function, *(names.begin() + i), i + 1));
-    }
+  for (std::size_t i = 0; i < signature.least; ++i) {
+    if (given_[i] != nullptr) continue;
+    fail_eval(fmt::format("{}() missing required argument '{}' (pos {})", function_, signature.names[i], i + 1));
   }
 }
 

@@ -1,22 +1,21 @@
-// The arguments of a library call, put to the parameters they are for.
+// The arguments of a library call, checked against the signature of the function and put to its parameters.
 #pragma once
 
-#include <initializer_list>
+#include <array>
+#include <string>
 #include <string_view>
-#include <vector>
 
+#include "generator/expression/function.hpp"
 #include "generator/expression/value.hpp"
 
 namespace finemote::gen::expression {
 
 class Parameters {
  public:
-  /// @param names     the parameters in order; the first `required` ones must be given
-  /// Fails with Python's words on too many, missing and unknown arguments.
-  Parameters(CallArguments& arguments, std::string_view function, std::initializer_list<std::string_view> names,
-             std::size_t required);
+  /// Fails with Python's words on too many, missing and unknown arguments. Keeps a reference to `arguments`.
+  Parameters(CallArguments& arguments, std::string_view function, const Signature& signature);
 
-  /// The argument for a parameter, or null.
+  /// The argument for a named parameter, or null.
   const Value* operator[](std::size_t i) const { return given_[i]; }
   [[nodiscard]] const Value& at(std::size_t i) const { return *given_[i]; }
 
@@ -25,9 +24,20 @@ class Parameters {
   /// The argument as a machine integer; `otherwise` when it is missing or None.
   [[nodiscard]] std::int64_t integer(std::size_t i, std::int64_t otherwise) const;
 
+  /// The arguments as they were given, for functions without named parameters.
+  [[nodiscard]] CallArguments& all() const { return arguments_; }
+  [[nodiscard]] const Values& positional() const { return arguments_.positional; }
+
+  /// The name of the function in messages.
+  [[nodiscard]] std::string_view function() const { return function_; }
+
  private:
+  void check_positional(const Signature& signature) const;
+  void bind(const Signature& signature);
+
+  CallArguments& arguments_;
   std::string_view function_;
-  std::vector<const Value*> given_;
+  std::array<const Value*, Signature::kMostNames> given_ = {};
 };
 
 /// Fails unless a call has no keyword arguments.

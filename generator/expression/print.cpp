@@ -8,6 +8,7 @@
 
 #include "generator/expression/compare.hpp"
 #include "generator/expression/cost.hpp"
+#include "generator/expression/function.hpp"
 #include "generator/expression/runtime.hpp"
 
 namespace finemote::gen::expression {
@@ -186,7 +187,7 @@ class Printer {
   }
 
   void method(const BoundMethod& m) {
-    out_ += fmt::format("<built-in method {} of {} object>", m.name, type_name(*m.self));
+    out_ += fmt::format("<built-in method {} of {} object>", m.method->name, type_name(*m.self));
   }
 
   Runtime& runtime_;

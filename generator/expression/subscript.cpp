@@ -132,8 +132,7 @@ std::vector<std::size_t> slice_places(const Slice& slice, std::size_t size) {
   return places;
 }
 
-Value slice_indices(Runtime& /*runtime*/, const Value& self, CallArguments& arguments) {
-  const Parameters p(arguments, "indices", {"len"}, 1);
+Value slice_indices(Runtime& /*runtime*/, const Value& self, const Parameters& p) {
   const auto length = as_integer(p.at(0));
   if (!length) fail_eval(fmt::format("'{}' object cannot be interpreted as an integer", type_name(p.at(0))));
   if (length->is_negative()) fail_eval("length should not be negative");

@@ -5,6 +5,7 @@
 
 namespace finemote::gen::expression {
 
+class Parameters;
 class Runtime;
 
 Value subscript(Runtime& runtime, const Value& container, const Value& key);
@@ -23,7 +24,7 @@ struct SliceWalk {
 SliceWalk walk_of(const Slice& slice, std::size_t size);
 
 /// `slice.indices(n)`: start, stop and step for a sequence of n items, as a tuple.
-Value slice_indices(Runtime& runtime, const Value& self, CallArguments& arguments);
+Value slice_indices(Runtime& runtime, const Value& self, const Parameters& p);
 
 /// The places a slice takes from a sequence of `size`, in its order.
 std::vector<std::size_t> slice_places(const Slice& slice, std::size_t size);

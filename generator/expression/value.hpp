@@ -42,13 +42,8 @@ struct CallArguments {
   std::vector<std::pair<std::string, Value>> named;
 };
 
-/// A function of the library.
-struct Builtin {
-  std::string_view name;
-  Value (*call)(Runtime& runtime, CallArguments& arguments);
-  std::string_view deprecated_for = {};  ///< the namespace it should be called through; empty when it is no old name
-};
-
+struct Builtin;
+struct Method;
 struct List;
 struct Tuple;
 struct Dict;
@@ -218,8 +213,7 @@ struct Lambda {
 
 struct BoundMethod {
   std::shared_ptr<const Value> self;
-  std::string_view name;
-  Value (*call)(Runtime& runtime, const Value& self, CallArguments& arguments) = nullptr;
+  const Method* method = nullptr;
 };
 
 /// Python's name of a value's type: "int".

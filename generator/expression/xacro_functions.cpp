@@ -10,34 +10,26 @@
 namespace finemote::gen::expression {
 namespace {
 
-Value load_yaml(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "load_yaml", {"filename"}, 1);
-  return runtime.host.load_yaml(p.text(0));
-}
+Value load_yaml(Runtime& runtime, const Parameters& p) { return runtime.host.load_yaml(p.text(0)); }
 
-Value abs_filename(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "abs_filename", {"filename_spec"}, 1);
-  return runtime.host.absolute_name(p.text(0));
-}
+Value abs_filename(Runtime& runtime, const Parameters& p) { return runtime.host.absolute_name(p.text(0)); }
 
 /// A dictionary whose items are reached by attributes too.
-Value dotify(Runtime& runtime, CallArguments& arguments) {
+Value dotify(Runtime& runtime, const Parameters& p) {
   auto dict = std::make_shared<Dict>();
-  dict->table = table_of(runtime, arguments, "dotify");
+  dict->table = table_of(runtime, p.all(), p.function());
   dict->is_dotted = true;
   return dict;
 }
 
-Value arg(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "arg", {"name"}, 1);
+Value arg(Runtime& runtime, const Parameters& p) {
   const std::string* value = runtime.host.argument(p.text(0));
   if (value == nullptr) fail_eval("'" + p.text(0) + "'");
   return *value;
 }
 
 /// Cuts a text at any of the separators.
-Value tokenize(Runtime& runtime, CallArguments& arguments) {
-  const Parameters p(arguments, "tokenize", {"s", "sep", "skip_empty"}, 1);
+Value tokenize(Runtime& runtime, const Parameters& p) {
   const std::string separators = p[1] != nullptr ? p.text(1) : ",; ";
   const bool skip_empty = p[2] == nullptr || is_true(p.at(2));
   Values parts;
@@ -51,9 +43,9 @@ Value tokenize(Runtime& runtime, CallArguments& arguments) {
   }
 }
 
-std::string joined(Runtime& runtime, const CallArguments& arguments) {
+std::string joined(Runtime& runtime, const Values& values) {
   std::string text;
-  for (const Value& value : arguments.positional) {
+  for (const Value& value : values) {
     if (!text.empty()) text += ' ';
     text += to_text(runtime, value);
   }
@@ -61,34 +53,38 @@ std::string joined(Runtime& runtime, const CallArguments& arguments) {
 }
 
 template <MessageKind Kind>
-Value say(Runtime& runtime, CallArguments& arguments) {
+Value say(Runtime& runtime, const Parameters& p) {
   bool with_location = Kind != MessageKind::message;
-  for (const auto& [name, value] : arguments.named) {
+  for (const auto& [name, value] : p.all().named) {
     if (name == "print_location") with_location = is_true(value);
   }
-  runtime.host.say(Kind, joined(runtime, arguments), with_location);
+  runtime.host.say(Kind, joined(runtime, p.positional()), with_location);
   return "";
 }
 
-Value print_location(Runtime& runtime, CallArguments& /*arguments*/) {
+Value print_location(Runtime& runtime, const Parameters& /*any*/) {
   runtime.host.say(MessageKind::message, "", true);
   return "";
 }
 
-Value fatal(Runtime& runtime, CallArguments& arguments) { fail(code::xacro_fatal, joined(runtime, arguments)); }
+Value fatal(Runtime& runtime, const Parameters& p) { fail(code::xacro_fatal, joined(runtime, p.positional())); }
 
-constexpr Builtin kOld[] = {
-    {"load_yaml", load_yaml, "xacro"}, {"abs_filename", abs_filename, "xacro"}, {"dotify", dotify, "xacro"}};
-constexpr Builtin kXacro[] = {{"load_yaml", load_yaml},
-                              {"abs_filename", abs_filename},
-                              {"dotify", dotify},
-                              {"arg", arg},
-                              {"tokenize", tokenize},
-                              {"message", say<MessageKind::message>},
-                              {"warning", say<MessageKind::warning>},
-                              {"error", say<MessageKind::error>},
-                              {"print_location", print_location},
-                              {"fatal", fatal}};
+constexpr Signature kFile({"filename"}, 1);
+constexpr Signature kFileSpecification({"filename_spec"}, 1);
+
+constexpr Builtin kOld[] = {{"load_yaml", kFile, load_yaml, "xacro"},
+                            {"abs_filename", kFileSpecification, abs_filename, "xacro"},
+                            {"dotify", Signature::free(), dotify, "xacro"}};
+constexpr Builtin kXacro[] = {{"load_yaml", kFile, load_yaml},
+                              {"abs_filename", kFileSpecification, abs_filename},
+                              {"dotify", Signature::free(), dotify},
+                              {"arg", {{"name"}, 1}, arg},
+                              {"tokenize", {{"s", "sep", "skip_empty"}, 1}, tokenize},
+                              {"message", Signature::free(), say<MessageKind::message>},
+                              {"warning", Signature::free(), say<MessageKind::warning>},
+                              {"error", Signature::free(), say<MessageKind::error>},
+                              {"print_location", Signature::free(), print_location},
+                              {"fatal", Signature::free(), fatal}};
 
 }  // namespace
 

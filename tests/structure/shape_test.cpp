@@ -55,7 +55,6 @@ constexpr Known kKnown[] = {
     {"generator/expression/parse_expression.cpp", ""},
     {"generator/expression/parse_expression.cpp", "Parser"},
     {"generator/expression/print.cpp", "Printer::source"},
-    {"generator/expression/text_methods.cpp", ""},
     {"generator/expression/token.cpp", "Tokenizer"},
 };
 

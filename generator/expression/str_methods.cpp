@@ -1,17 +1,15 @@
-// The methods of str.
+// The methods of str: searching, cutting, padding, joining. A method is its function and a row of the table at the end.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 
-#include "generator/expression/attribute.hpp"
 #include "generator/expression/cost.hpp"
 #include "generator/expression/format.hpp"
 #include "generator/expression/iterate.hpp"
 #include "generator/expression/letters.hpp"
 #include "generator/expression/parameters.hpp"
 #include "generator/expression/runtime.hpp"
-#include "generator/expression/token.hpp"
+#include "generator/expression/str_methods.hpp"
 #include "generator/expression/utf8.hpp"
 
 namespace finemote::gen::expression {
@@ -19,113 +17,10 @@ namespace {
 
 using Characters = std::vector<std::string_view>;
 
-const std::string& text_of(const Value& self) { return *self.text(); }
-
-template <typename Change>
-std::string changed(const std::string& text, Change change) {
-  std::string out;
-  for (const std::string_view c : split_characters(text)) out += encode(change(code_point(c)));
-  return out;
-}
-
-std::string uppercase(const std::string& text) {
-  std::string out;
-  for (const std::string_view c : split_characters(text)) out += c == "ß" ? "SS" : encode(to_upper(code_point(c)));
-  return out;
-}
-
-std::string lowercase(const std::string& text) { return changed(text, to_lower); }
-
-Value upper(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
-  const Parameters none(arguments, "upper", {}, 0);
-  return uppercase(text_of(self));
-}
-
-Value lower(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
-  const Parameters none(arguments, "lower", {}, 0);
-  return lowercase(text_of(self));
-}
-
-Value swapcase(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
-  const Parameters none(arguments, "swapcase", {}, 0);
-  return changed(text_of(self), [](char32_t c) { return is_upper(c) ? to_lower(c) : to_upper(c); });
-}
-
-Value capitalize(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
-  const Parameters none(arguments, "capitalize", {}, 0);
-  bool first = true;
-  return changed(text_of(self), [&](char32_t c) {
-    c = first ? to_upper(c) : to_lower(c);
-    first = false;
-    return c;
-  });
-}
-
-Value title(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
-  const Parameters none(arguments, "title", {}, 0);
-  bool in_word = false;
-  return changed(text_of(self), [&](char32_t c) {
-    const char32_t out = in_word ? to_lower(c) : to_upper(c);
-    in_word = is_letter(c);
-    return out;
-  });
-}
-
-// ---- what a text consists of ----
-
-/// True when the text is not empty and `test` holds for every character.
-Value all_characters(CallArguments& arguments, const Value& self, std::string_view name, bool (*test)(char32_t)) {
-  const Parameters none(arguments, name, {}, 0);
-  const auto characters = split_characters(text_of(self));
-  return !characters.empty() &&
-         std::all_of(characters.begin(), characters.end(), [&](std::string_view c) { return test(code_point(c)); });
-}
-
-Value isdigit(Runtime& /*r*/, const Value& self, CallArguments& a) {
-  return all_characters(a, self, "isdigit", is_decimal);
-}
-Value isalpha(Runtime& /*r*/, const Value& self, CallArguments& a) {
-  return all_characters(a, self, "isalpha", is_letter);
-}
-Value isspace(Runtime& /*r*/, const Value& self, CallArguments& a) {
-  return all_characters(a, self, "isspace", is_space);
-}
-Value isalnum(Runtime& /*r*/, const Value& self, CallArguments& a) {
-  return all_characters(a, self, "isalnum", [](char32_t c) { return is_letter(c) || is_decimal(c); });
-}
-Value isascii(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
-  const Parameters none(arguments, "isascii", {}, 0);
-  return is_ascii(text_of(self));
-}
-Value isidentifier(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
-  const Parameters none(arguments, "isidentifier", {}, 0);
-  return is_identifier(text_of(self)) || is_keyword(text_of(self));
-}
-
-/// All cased characters have the one case, and there is at least one.
-Value one_case(CallArguments& arguments, const Value& self, std::string_view name, bool (*wanted)(char32_t),
-               bool (*unwanted)(char32_t)) {
-  const Parameters none(arguments, name, {}, 0);
-  const auto characters = split_characters(text_of(self));
-  const auto any = [&](bool (*test)(char32_t)) {
-    return std::any_of(characters.begin(), characters.end(), [&](std::string_view c) { return test(code_point(c)); });
-  };
-  return any(wanted) && !any(unwanted);
-}
-
-Value isupper(Runtime& /*r*/, const Value& self, CallArguments& a) {
-  return one_case(a, self, "isupper", is_upper, is_lower);
-}
-Value islower(Runtime& /*r*/, const Value& self, CallArguments& a) {
-  return one_case(a, self, "islower", is_lower, is_upper);
-}
-
 // ---- stripping ----
 
-/// The text without the characters `which` (white space when null) at one or both ends.
-Value strip_ends(Runtime& runtime, CallArguments& arguments, const Value& self, std::string_view name, bool left,
-                 bool right) {
-  const Parameters p(arguments, name, {"chars"}, 0);
+/// The text without the given characters (white space when none are given) at one or both ends.
+Value strip_ends(Runtime& runtime, const Value& self, const Parameters& p, bool left, bool right) {
   const bool given = p[0] != nullptr && !p[0]->is_none();
   const Characters set = given ? split_characters(p.text(0)) : Characters{};
   const auto is_dropped = [&](std::string_view c) {
@@ -142,17 +37,15 @@ Value strip_ends(Runtime& runtime, CallArguments& arguments, const Value& self, 
   return out;
 }
 
-Value strip(Runtime& r, const Value& self, CallArguments& a) { return strip_ends(r, a, self, "strip", true, true); }
-Value lstrip(Runtime& r, const Value& self, CallArguments& a) { return strip_ends(r, a, self, "lstrip", true, false); }
-Value rstrip(Runtime& r, const Value& self, CallArguments& a) { return strip_ends(r, a, self, "rstrip", false, true); }
+Value strip(Runtime& r, const Value& self, const Parameters& p) { return strip_ends(r, self, p, true, true); }
+Value lstrip(Runtime& r, const Value& self, const Parameters& p) { return strip_ends(r, self, p, true, false); }
+Value rstrip(Runtime& r, const Value& self, const Parameters& p) { return strip_ends(r, self, p, false, true); }
 
-Value removeprefix(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
-  const Parameters p(arguments, "removeprefix", {"prefix"}, 1);
+Value removeprefix(Runtime& /*r*/, const Value& self, const Parameters& p) {
   return text_of(self).starts_with(p.text(0)) ? text_of(self).substr(p.text(0).size()) : text_of(self);
 }
 
-Value removesuffix(Runtime& /*r*/, const Value& self, CallArguments& arguments) {
-  const Parameters p(arguments, "removesuffix", {"suffix"}, 1);
+Value removesuffix(Runtime& /*r*/, const Value& self, const Parameters& p) {
   const std::string& text = text_of(self);
   return text.ends_with(p.text(0)) ? text.substr(0, text.size() - p.text(0).size()) : text;
 }
@@ -174,8 +67,7 @@ std::string repeated(std::string_view unit, std::size_t times) {
   return out;
 }
 
-Value padded(Runtime& runtime, CallArguments& arguments, const Value& self, std::string_view name, int side) {
-  const Parameters p(arguments, name, {"width", "fillchar"}, 1);
+Value padded(Runtime& runtime, const Value& self, const Parameters& p, int side) {
   const std::string fill = p[1] != nullptr ? p.text(1) : " ";
   if (count_characters(fill) != 1) fail_eval("The fill character must be exactly one character long");
   const std::size_t missing = padding(runtime, p, text_of(self));
@@ -186,19 +78,17 @@ Value padded(Runtime& runtime, CallArguments& arguments, const Value& self, std:
   return repeated(fill, left) + text_of(self) + repeated(fill, missing - left);
 }
 
-Value ljust(Runtime& r, const Value& self, CallArguments& a) { return padded(r, a, self, "ljust", -1); }
-Value rjust(Runtime& r, const Value& self, CallArguments& a) { return padded(r, a, self, "rjust", 1); }
-Value center(Runtime& r, const Value& self, CallArguments& a) { return padded(r, a, self, "center", 0); }
+Value ljust(Runtime& r, const Value& self, const Parameters& p) { return padded(r, self, p, -1); }
+Value rjust(Runtime& r, const Value& self, const Parameters& p) { return padded(r, self, p, 1); }
+Value center(Runtime& r, const Value& self, const Parameters& p) { return padded(r, self, p, 0); }
 
-Value zfill(Runtime& runtime, const Value& self, CallArguments& arguments) {
-  const Parameters p(arguments, "zfill", {"width"}, 1);
+Value zfill(Runtime& runtime, const Value& self, const Parameters& p) {
   const std::string& text = text_of(self);
   const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
   return text.substr(0, sign) + std::string(padding(runtime, p, text), '0') + text.substr(sign);
 }
 
-Value expandtabs(Runtime& runtime, const Value& self, CallArguments& arguments) {
-  const Parameters p(arguments, "expandtabs", {"tabsize"}, 0);
+Value expandtabs(Runtime& runtime, const Value& self, const Parameters& p) {
   const std::int64_t size = std::clamp<std::int64_t>(p.integer(0, 8), 0, 1000);
   std::string out;
   std::int64_t column = 0;
@@ -242,8 +132,7 @@ Window window(const Parameters& p, std::size_t first, const std::string& text) {
 }
 
 /// Index of the first or last occurrence in characters, or -1.
-std::int64_t search(Runtime& runtime, CallArguments& arguments, const Value& self, std::string_view name, bool last) {
-  const Parameters p(arguments, name, {"sub", "start", "end"}, 1);
+std::int64_t search(Runtime& runtime, const Value& self, const Parameters& p, bool last) {
   const std::string& wanted = p.text(0);
   const Window w = window(p, 1, text_of(self));
   if (!w.is_valid) return -1;
@@ -253,19 +142,18 @@ std::int64_t search(Runtime& runtime, CallArguments& arguments, const Value& sel
   return static_cast<std::int64_t>(w.first_character + count_characters(w.text.substr(0, at)));
 }
 
-Value find(Runtime& r, const Value& self, CallArguments& a) { return search(r, a, self, "find", false); }
-Value rfind(Runtime& r, const Value& self, CallArguments& a) { return search(r, a, self, "rfind", true); }
+Value find(Runtime& r, const Value& self, const Parameters& p) { return search(r, self, p, false); }
+Value rfind(Runtime& r, const Value& self, const Parameters& p) { return search(r, self, p, true); }
 
 Value found(std::int64_t at) {
   if (at < 0) fail_eval("substring not found");
   return at;
 }
 
-Value index(Runtime& r, const Value& self, CallArguments& a) { return found(search(r, a, self, "index", false)); }
-Value rindex(Runtime& r, const Value& self, CallArguments& a) { return found(search(r, a, self, "rindex", true)); }
+Value index(Runtime& r, const Value& self, const Parameters& p) { return found(search(r, self, p, false)); }
+Value rindex(Runtime& r, const Value& self, const Parameters& p) { return found(search(r, self, p, true)); }
 
-Value count(Runtime& runtime, const Value& self, CallArguments& arguments) {
-  const Parameters p(arguments, "count", {"sub", "start", "end"}, 1);
+Value count(Runtime& runtime, const Value& self, const Parameters& p) {
   const std::string& wanted = p.text(0);
   const Window w = window(p, 1, text_of(self));
   if (!w.is_valid) return 0;
@@ -278,12 +166,11 @@ Value count(Runtime& runtime, const Value& self, CallArguments& arguments) {
 }
 
 /// startswith() and endswith(): one text or a tuple of them.
-Value matches_end(Runtime& runtime, CallArguments& arguments, const Value& self, std::string_view name, bool at_start) {
-  const Parameters p(arguments, name, {"prefix", "start", "end"}, 1);
+Value matches_end(Runtime& runtime, const Value& self, const Parameters& p, bool at_start) {
   const Window w = window(p, 1, text_of(self));
   const auto matches = [&](const Value& value) {
     if (value.text() == nullptr) {
-      fail_eval(fmt::format("{} first arg must be str or a tuple of str, not {}", name, type_name(value)));
+      fail_eval(fmt::format("{} first arg must be str or a tuple of str, not {}", p.function(), type_name(value)));
     }
     return w.is_valid && (at_start ? w.text.starts_with(*value.text()) : w.text.ends_with(*value.text()));
   };
@@ -292,10 +179,8 @@ Value matches_end(Runtime& runtime, CallArguments& arguments, const Value& self,
   return std::any_of(any.begin(), any.end(), matches);
 }
 
-Value startswith(Runtime& r, const Value& self, CallArguments& a) {
-  return matches_end(r, a, self, "startswith", true);
-}
-Value endswith(Runtime& r, const Value& self, CallArguments& a) { return matches_end(r, a, self, "endswith", false); }
+Value startswith(Runtime& r, const Value& self, const Parameters& p) { return matches_end(r, self, p, true); }
+Value endswith(Runtime& r, const Value& self, const Parameters& p) { return matches_end(r, self, p, false); }
 
 // ---- cutting and joining ----
 
@@ -360,8 +245,7 @@ Values split_at_blanks_from_right(const std::string& text, std::int64_t limit) {
   return parts;
 }
 
-Value cut(Runtime& runtime, CallArguments& arguments, const Value& self, std::string_view name, bool from_right) {
-  const Parameters p(arguments, name, {"sep", "maxsplit"}, 0);
+Value cut(Runtime& runtime, const Value& self, const Parameters& p, bool from_right) {
   const std::int64_t limit = most(p, 1);
   const std::string& text = text_of(self);
   runtime.budget.spend(text.size());  // each byte may begin a part
@@ -373,11 +257,10 @@ Value cut(Runtime& runtime, CallArguments& arguments, const Value& self, std::st
   return make_list(from_right ? split_at_from_right(text, p.text(0), limit) : split_at(text, p.text(0), limit));
 }
 
-Value split(Runtime& r, const Value& self, CallArguments& a) { return cut(r, a, self, "split", false); }
-Value rsplit(Runtime& r, const Value& self, CallArguments& a) { return cut(r, a, self, "rsplit", true); }
+Value split(Runtime& r, const Value& self, const Parameters& p) { return cut(r, self, p, false); }
+Value rsplit(Runtime& r, const Value& self, const Parameters& p) { return cut(r, self, p, true); }
 
-Value splitlines(Runtime& runtime, const Value& self, CallArguments& arguments) {
-  const Parameters p(arguments, "splitlines", {"keepends"}, 0);
+Value splitlines(Runtime& runtime, const Value& self, const Parameters& p) {
   const bool keep = p[0] != nullptr && is_true(p.at(0));
   Values lines;
   std::string_view rest = text_of(self);
@@ -392,8 +275,7 @@ Value splitlines(Runtime& runtime, const Value& self, CallArguments& arguments) 
   return make_list(std::move(lines));
 }
 
-Value partition_at(Runtime& runtime, CallArguments& arguments, const Value& self, std::string_view name, bool last) {
-  const Parameters p(arguments, name, {"sep"}, 1);
+Value partition_at(Runtime& runtime, const Value& self, const Parameters& p, bool last) {
   const std::string& separator = p.text(0);
   const std::string& text = text_of(self);
   if (separator.empty()) fail_eval("empty separator");
@@ -403,15 +285,10 @@ Value partition_at(Runtime& runtime, CallArguments& arguments, const Value& self
   return last ? make_tuple({"", "", text}) : make_tuple({text, "", ""});
 }
 
-Value partition(Runtime& r, const Value& self, CallArguments& a) {
-  return partition_at(r, a, self, "partition", false);
-}
-Value rpartition(Runtime& r, const Value& self, CallArguments& a) {
-  return partition_at(r, a, self, "rpartition", true);
-}
+Value partition(Runtime& r, const Value& self, const Parameters& p) { return partition_at(r, self, p, false); }
+Value rpartition(Runtime& r, const Value& self, const Parameters& p) { return partition_at(r, self, p, true); }
 
-Value join(Runtime& runtime, const Value& self, CallArguments& arguments) {
-  const Parameters p(arguments, "join", {"iterable"}, 1);
+Value join(Runtime& runtime, const Value& self, const Parameters& p) {
   std::string out;
   std::size_t i = 0;
   for (const Value& item : items_of(runtime, p.at(0))) {
@@ -426,8 +303,7 @@ Value join(Runtime& runtime, const Value& self, CallArguments& arguments) {
   return out;
 }
 
-Value replace(Runtime& runtime, const Value& self, CallArguments& arguments) {
-  const Parameters p(arguments, "replace", {"old", "new", "count"}, 2);
+Value replace(Runtime& runtime, const Value& self, const Parameters& p) {
   const std::string& from = p.text(0);
   const std::string& to = p.text(1);
   std::int64_t limit = most(p, 2);
@@ -455,58 +331,41 @@ Value replace(Runtime& runtime, const Value& self, CallArguments& arguments) {
   return out.append(rest);
 }
 
-Value format(Runtime& runtime, const Value& self, CallArguments& arguments) {
-  return format_braces(runtime, text_of(self), arguments);
+Value format(Runtime& runtime, const Value& self, const Parameters& p) {
+  return format_braces(runtime, text_of(self), p.all());
 }
 
-constexpr Method kMethods[] = {{"capitalize", capitalize},
-                               {"casefold", lower},
-                               {"center", center},
-                               {"count", count},
-                               {"endswith", endswith},
-                               {"expandtabs", expandtabs},
-                               {"find", find},
-                               {"format", format},
-                               {"index", index},
-                               {"isalnum", isalnum},
-                               {"isalpha", isalpha},
-                               {"isascii", isascii},
-                               {"isdecimal", isdigit},
-                               {"isdigit", isdigit},
-                               {"isidentifier", isidentifier},
-                               {"islower", islower},
-                               {"isnumeric", isdigit},
-                               {"isspace", isspace},
-                               {"isupper", isupper},
-                               {"join", join},
-                               {"ljust", ljust},
-                               {"lower", lower},
-                               {"lstrip", lstrip},
-                               {"partition", partition},
-                               {"removeprefix", removeprefix},
-                               {"removesuffix", removesuffix},
-                               {"replace", replace},
-                               {"rfind", rfind},
-                               {"rindex", rindex},
-                               {"rjust", rjust},
-                               {"rpartition", rpartition},
-                               {"rsplit", rsplit},
-                               {"rstrip", rstrip},
-                               {"split", split},
-                               {"splitlines", splitlines},
-                               {"startswith", startswith},
-                               {"strip", strip},
-                               {"swapcase", swapcase},
-                               {"title", title},
-                               {"upper", upper},
-                               {"zfill", zfill}};
+constexpr Method kMethods[] = {{"center", {{"width", "fillchar"}, 1}, center},
+                               {"count", {{"sub", "start", "end"}, 1}, count},
+                               {"endswith", {{"prefix", "start", "end"}, 1}, endswith},
+                               {"expandtabs", {{"tabsize"}, 0}, expandtabs},
+                               {"find", {{"sub", "start", "end"}, 1}, find},
+                               {"format", Signature::free(), format},
+                               {"index", {{"sub", "start", "end"}, 1}, index},
+                               {"join", {{"iterable"}, 1}, join},
+                               {"ljust", {{"width", "fillchar"}, 1}, ljust},
+                               {"lstrip", {{"chars"}, 0}, lstrip},
+                               {"partition", {{"sep"}, 1}, partition},
+                               {"removeprefix", {{"prefix"}, 1}, removeprefix},
+                               {"removesuffix", {{"suffix"}, 1}, removesuffix},
+                               {"replace", {{"old", "new", "count"}, 2}, replace},
+                               {"rfind", {{"sub", "start", "end"}, 1}, rfind},
+                               {"rindex", {{"sub", "start", "end"}, 1}, rindex},
+                               {"rjust", {{"width", "fillchar"}, 1}, rjust},
+                               {"rpartition", {{"sep"}, 1}, rpartition},
+                               {"rsplit", {{"sep", "maxsplit"}, 0}, rsplit},
+                               {"rstrip", {{"chars"}, 0}, rstrip},
+                               {"split", {{"sep", "maxsplit"}, 0}, split},
+                               {"splitlines", {{"keepends"}, 0}, splitlines},
+                               {"startswith", {{"prefix", "start", "end"}, 1}, startswith},
+                               {"strip", {{"chars"}, 0}, strip},
+                               {"zfill", {{"width"}, 1}, zfill}};
 
 }  // namespace
 
-const Method* find_text_method(std::string_view name) {
-  const auto* found =
-      std::find_if(std::begin(kMethods), std::end(kMethods), [&](const Method& m) { return m.name == name; });
-  return found != std::end(kMethods) ? found : nullptr;
+const Method* find_str_method(std::string_view name) {
+  const Method* found = find_method(kMethods, name);
+  return found != nullptr ? found : find_case_method(name);
 }
 
 }  // namespace finemote::gen::expression
