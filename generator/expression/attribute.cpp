@@ -43,7 +43,7 @@ const Method* method_of(const Value& value, std::string_view name) {
 }
 
 Value namespace_attribute(Runtime& runtime, Scope& scope, const std::string& name) {
-  auto value = runtime.host.look_up(scope, name);
+  auto value = runtime.names.look_up(scope, name);
   if (!value) fail_name(name, scope.names());
   return std::move(*value);
 }

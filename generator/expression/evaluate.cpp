@@ -87,7 +87,7 @@ class Evaluator {
         if (bound == wanted) return value;
       }
     }
-    auto value = runtime_.host.look_up(scope_, wanted);
+    auto value = runtime_.names.look_up(scope_, wanted);
     if (!value) fail_name(wanted, scope_.names());
     return std::move(*value);
   }
@@ -157,7 +157,7 @@ class Evaluator {
   Value lambda(const Expression& e) {
     Lambda function{&e, {}, locals_, &scope_};
     for (std::size_t i = 1; i < e.operands.size(); ++i) function.defaults.push_back(run(*e.operands[i]));
-    runtime_.host.keep(scope_);
+    scope_.keep();
     return std::make_shared<const Lambda>(std::move(function));
   }
 
@@ -332,7 +332,7 @@ Value call_value(Runtime& runtime, const Value& function, CallArguments& argumen
   if (function.object<const Lambda>() == nullptr) runtime.budget.spend(cost_of_operands(arguments));
   if (const auto* builtin = function.as<const Builtin*>()) {
     const Builtin& called = **builtin;
-    if (!called.deprecated_for.empty()) runtime.host.deprecated(called.name, called.deprecated_for);
+    if (!called.deprecated_for.empty()) runtime.services.deprecated(called.name, called.deprecated_for);
     return called.call(runtime, Parameters(arguments, called.name, called.takes));
   }
   if (const auto* method = function.object<const BoundMethod>()) {

@@ -143,7 +143,7 @@ bool contains(Runtime& runtime, const Value& container, const Value& item) {
   if (const auto* set = container.object<Set>()) return set->table.find(runtime, item) != nullptr;
   if (const auto* list = container.object<List>()) return among(runtime, *list->items, item);
   if (const auto* ns = container.as<NamespaceRef>()) {
-    return item.text() != nullptr && runtime.host.look_up(*ns->scope, *item.text()).has_value();
+    return item.text() != nullptr && runtime.names.look_up(*ns->scope, *item.text()).has_value();
   }
   const bool is_iterable = container.type() != Type::integer && container.type() != Type::real &&
                            container.type() != Type::boolean && !container.is_none();

@@ -37,6 +37,10 @@ void Scope::remove(std::string_view name) {
   }
 }
 
+void Scope::keep() {
+  for (Scope* scope = this; scope != nullptr && !scope->is_kept_; scope = scope->parent_) scope->is_kept_ = true;
+}
+
 Scope& Scope::top() {
   Scope* scope = this;
   while (scope->parent_->kind_ != Kind::builtins) scope = scope->parent_;

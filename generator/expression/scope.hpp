@@ -65,9 +65,12 @@ class Scope {
   [[nodiscard]] Scope& top();
   [[nodiscard]] bool is_builtin(std::string_view name);
 
+  /// Something refers to the scope, and so to all around it, beyond its macro call.
+  void keep();
+  [[nodiscard]] bool is_kept() const { return is_kept_; }
+
   /// Names being evaluated in this scope, to find circles.
   std::vector<std::string> evaluating;
-  bool is_kept = false;  ///< something refers to the scope beyond its macro call
 
  private:
   [[nodiscard]] Found find(const HashedName& name);
@@ -75,6 +78,7 @@ class Scope {
   Kind kind_;
   Scope* parent_;
   Scope* fallback_ = nullptr;
+  bool is_kept_ = false;
   std::unordered_map<std::string, Property, TextHash, std::equal_to<>> properties_;
 };
 

@@ -96,7 +96,7 @@ Value dict_item(Runtime& runtime, const Dict& dict, const Value& key) {
 }
 
 Value namespace_item(Runtime& runtime, const NamespaceRef& ns, const Value& key) {
-  auto value = key.text() != nullptr ? runtime.host.look_up(*ns.scope, *key.text()) : std::nullopt;
+  auto value = key.text() != nullptr ? runtime.names.look_up(*ns.scope, *key.text()) : std::nullopt;
   if (!value) fail_eval(to_source(runtime, key));
   return std::move(*value);
 }

@@ -6,13 +6,17 @@
 #include "generator/expression/parameters.hpp"
 #include "generator/expression/print.hpp"
 #include "generator/expression/runtime.hpp"
+#include "generator/expression/yaml.hpp"
 
 namespace finemote::gen::expression {
 namespace {
 
-Value load_yaml(Runtime& runtime, const Parameters& p) { return runtime.host.load_yaml(p.text(0)); }
+Value load_yaml(Runtime& runtime, const Parameters& p) {
+  const SourceFile* file = runtime.services.open_yaml(p.text(0));
+  return file != nullptr ? read_yaml(runtime, *file) : Value();
+}
 
-Value abs_filename(Runtime& runtime, const Parameters& p) { return runtime.host.absolute_name(p.text(0)); }
+Value abs_filename(Runtime& runtime, const Parameters& p) { return runtime.services.absolute_name(p.text(0)); }
 
 /// A dictionary whose items are reached by attributes too.
 Value dotify(Runtime& runtime, const Parameters& p) {
@@ -23,7 +27,7 @@ Value dotify(Runtime& runtime, const Parameters& p) {
 }
 
 Value arg(Runtime& runtime, const Parameters& p) {
-  const std::string* value = runtime.host.argument(p.text(0));
+  const std::string* value = runtime.services.argument(p.text(0));
   if (value == nullptr) fail_eval("'" + p.text(0) + "'");
   return *value;
 }
@@ -58,12 +62,12 @@ Value say(Runtime& runtime, const Parameters& p) {
   for (const auto& [name, value] : p.all().named) {
     if (name == "print_location") with_location = is_true(value);
   }
-  runtime.host.say(Kind, joined(runtime, p.positional()), with_location);
+  runtime.services.say(Kind, joined(runtime, p.positional()), with_location);
   return "";
 }
 
 Value print_location(Runtime& runtime, const Parameters& /*any*/) {
-  runtime.host.say(MessageKind::message, "", true);
+  runtime.services.say(MessageKind::message, "", true);
   return "";
 }
 

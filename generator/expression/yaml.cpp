@@ -10,6 +10,8 @@
 #include <sstream>
 #include <unordered_map>
 
+#include "generator/expression/evaluate.hpp"
+#include "generator/expression/expression.hpp"
 #include "generator/expression/number.hpp"
 #include "generator/expression/print.hpp"
 #include "generator/expression/runtime.hpp"
@@ -31,8 +33,7 @@ constexpr Unit kUnits[] = {{"!radians", 1.0}, {"!degrees", std::numbers::pi / 18
 /// Builds values from the parser's events; a repeated alias shares what its anchor names.
 class Builder : public YAML::EventHandler {
  public:
-  Builder(Runtime& runtime, const SourceFile& file, const UnitExpression& evaluate_unit)
-      : runtime_(runtime), file_(file), evaluate_unit_(evaluate_unit) {}
+  Builder(Runtime& runtime, const SourceFile& file) : runtime_(runtime), file_(file) {}
 
   [[nodiscard]] const Value& result() const { return result_; }
 
@@ -161,7 +162,8 @@ class Builder : public YAML::EventHandler {
 
   Value with_unit(const YAML::Mark& mark, const Unit& unit, const std::string& text) {
     try {
-      const Value value = evaluate_unit_(text);
+      const ExpressionPtr code = parse_expression(text);
+      const Value value = evaluate(runtime_, *code, runtime_.builtins);
       if (const double* d = as_real(value)) return *d * unit.factor;
       if (const auto i = as_integer(value)) return i->to_double() * unit.factor;
       const auto d = value.text() != nullptr ? parse_real(*value.text()) : std::nullopt;
@@ -207,7 +209,6 @@ class Builder : public YAML::EventHandler {
 
   Runtime& runtime_;
   const SourceFile& file_;
-  const UnitExpression& evaluate_unit_;
   std::vector<Open> open_;
   std::unordered_map<YAML::anchor_t, Value> anchors_;
   Value result_;
@@ -227,10 +228,10 @@ void check_nesting(const SourceFile& file) {
 
 }  // namespace
 
-Value read_yaml(Runtime& runtime, const SourceFile& file, const UnitExpression& evaluate_unit) {
+Value read_yaml(Runtime& runtime, const SourceFile& file) {
   check_nesting(file);
   std::istringstream stream(file.text);
-  Builder builder(runtime, file, evaluate_unit);
+  Builder builder(runtime, file);
   try {
     YAML::Parser parser(stream);
     while (parser.HandleNextDocument(builder)) {}

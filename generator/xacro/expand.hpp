@@ -2,24 +2,15 @@
 #pragma once
 
 #include <iosfwd>
-#include <map>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "generator/diagnostic/diagnostics.hpp"
+#include "generator/xacro/arguments.hpp"
+#include "generator/xacro/input_files.hpp"
 #include "generator/xacro/packages.hpp"
 #include "generator/xml/node.hpp"
 
 namespace finemote::gen::xacro {
-
-/// Values of `name:=value`.
-using Arguments = std::map<std::string, std::string>;
-
-/// Files an expansion has read besides its entry, by the path they were opened with, in the order of first use.
-struct Dependencies {
-  std::vector<std::string> files;
-};
 
 /// Expands a file as ROS xacro does (noetic and ROS 2 up to 2.0; docs/reference/xacro.md names the differences).
 ///

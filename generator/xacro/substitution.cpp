@@ -112,7 +112,6 @@ std::string resolve_found(SubstitutionHost& host, const std::string& text) {
 std::string substitute(SubstitutionHost& host, const std::string& inside) {
   std::error_code ignored;
   if (inside == "cwd") return std::filesystem::current_path(ignored).string();
-  if (inside.starts_with("eval ")) return host.evaluate(inside.substr(5));
   if (inside.empty()) return "$()";
   if (inside.find('$') != std::string::npos) {
     fail_words(fmt::format("Dollar signs \"$\" cannot be inside of substitution args [$({})]", inside));

@@ -1,4 +1,4 @@
-// $(find p), $(arg a), $(env V), $(optenv V default), $(eval e), $(cwd): the words between the brackets to a text.
+// $(find p), $(arg a), $(env V), $(optenv V default), $(cwd): the words between the brackets to a text.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,6 @@ class SubstitutionHost {
   virtual std::optional<std::string> environment(const std::string& name) = 0;  ///< of the process; none when hidden
   [[nodiscard]] virtual bool hides_environment() const = 0;                     ///< the sandbox has none
   virtual std::string package_folder(const std::string& name) = 0;              ///< fails when there is none
-  virtual std::string evaluate(const std::string& expression) = 0;              ///< the result of $(eval) as a text
 };
 
 /// @param inside  the text between `$(` and `)`

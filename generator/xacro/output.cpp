@@ -1,0 +1,40 @@
+#include "generator/xacro/output.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/xacro/limits.hpp"
+
+namespace finemote::gen::xacro {
+namespace {
+
+constexpr std::size_t kNodeCost = 192;  // bytes of bookkeeping that a node counts for at least
+
+}  // namespace
+
+Level Output::enter_element(const Position& at) {
+  return enter(depth_, kMaxOutputDepth, "elements are nested too deeply", at);
+}
+
+void Output::add(xml::Node node, const Sink& to) {
+  size_ += node.name.size() + node.text.size() + kNodeCost;
+  if (size_ > kMaxOutput) {
+    throw Failure{code::xacro_limit, fmt::format("the output is larger than {} MiB", kMaxOutput >> 20), node.at};
+  }
+  to.element.children.push_back(std::move(node));
+}
+
+void Output::add(xml::Attribute attribute, xml::Node& element) {
+  size_ += attribute.name.size() + attribute.value.size() + kNodeCost;
+  element.attributes.push_back(std::move(attribute));
+}
+
+void set_attribute(xml::Node& element, xml::Attribute attribute) {
+  for (xml::Attribute& a : element.attributes) {
+    if (a.name != attribute.name) continue;
+    a = std::move(attribute);
+    return;
+  }
+  element.attributes.push_back(std::move(attribute));
+}
+
+}  // namespace finemote::gen::xacro
