@@ -8,6 +8,7 @@
 #include "generator/expression/builtins.hpp"
 #include "generator/expression/cost.hpp"
 #include "generator/expression/iterate.hpp"
+#include "generator/expression/locals.hpp"
 #include "generator/expression/operate.hpp"
 #include "generator/expression/parameters.hpp"
 #include "generator/expression/print.hpp"
@@ -19,9 +20,35 @@ namespace finemote::gen::expression {
 namespace {
 
 using Kind = Expression::Kind;
-using LocalsPtr = std::shared_ptr<Locals>;
 
 constexpr const char* kTooDeep = "maximum recursion depth exceeded in an expression";
+
+Value set_of(Runtime& runtime, Values members) {
+  auto out = std::make_shared<Set>();
+  for (Value& member : members) out->table.set(runtime, std::move(member), {});
+  return out;
+}
+
+/// Takes `**mapping` into the arguments of a call.
+void add_mapping(Runtime& runtime, CallArguments& arguments, const Value& mapping) {
+  if (mapping.object<Dict>() == nullptr) fail_eval("argument after ** must be a mapping");
+  const auto& entries = mapping.object<Dict>()->table->entries();
+  runtime.budget.spend(4 * entries.size());
+  for (const auto& [key, value] : entries) {
+    if (key.text() == nullptr) fail_eval("keywords must be strings");
+    arguments.named.emplace_back(*key.text(), value);
+  }
+}
+
+/// Puts the outer names back, and lets go of what the inner ones held.
+struct Restore {
+  LocalsPtr& current;
+  LocalsPtr& outer;
+  ~Restore() {
+    current->names.clear();
+    current.swap(outer);
+  }
+};
 
 class Evaluator {
  public:
@@ -41,13 +68,13 @@ class Evaluator {
       case Kind::tuple:
         return make_tuple(items(e));
       case Kind::set:
-        return set(items(e));
+        return set_of(runtime_, items(e));
       case Kind::dict:
         return dict(e);
       case Kind::list_of:
         return make_list(comprehension(e));
       case Kind::set_of:
-        return set(comprehension(e));
+        return set_of(runtime_, comprehension(e));
       case Kind::dict_of:
         return dict_of(e);
       case Kind::generator:
@@ -82,31 +109,23 @@ class Evaluator {
 
  private:
   Value name(const std::string& wanted) {
-    for (const Locals* frame = locals_.get(); frame != nullptr; frame = frame->outer.get()) {
-      for (const auto& [bound, value] : frame->names) {
-        if (bound == wanted) return value;
-      }
-    }
+    if (const Value* local = find_local(locals_.get(), wanted)) return *local;
     auto value = runtime_.names.look_up(scope_, wanted);
     if (!value) fail_name(wanted, scope_.names());
     return std::move(*value);
   }
 
-  Values items(const Expression& e) {
+  /// The operands from `first` on, with `*iterable` taken apart.
+  Values items(const Expression& e, std::size_t first = 0) {
     Values out;
-    for (const auto& operand : e.operands) {
-      if (operand->kind == Kind::starred) {
-        for (Value& item : items_of(runtime_, run(*operand->operands[0]))) out.push_back(std::move(item));
+    for (std::size_t i = first; i < e.operands.size(); ++i) {
+      const Expression& operand = *e.operands[i];
+      if (operand.kind == Kind::starred) {
+        for (Value& item : items_of(runtime_, run(*operand.operands[0]))) out.push_back(std::move(item));
       } else {
-        out.push_back(run(*operand));
+        out.push_back(run(operand));
       }
     }
-    return out;
-  }
-
-  Value set(Values members) {
-    auto out = std::make_shared<Set>();
-    for (Value& member : members) out->table.set(runtime_, std::move(member), {});
     return out;
   }
 
@@ -163,32 +182,16 @@ class Evaluator {
 
   Value call(const Expression& e) {
     const Value function = run(*e.operands[0]);
-    CallArguments arguments;
-    for (std::size_t i = 1; i < e.operands.size(); ++i) {
-      const Expression& argument = *e.operands[i];
-      if (argument.kind == Kind::starred) {
-        for (Value& item : items_of(runtime_, run(*argument.operands[0])))
-          arguments.positional.push_back(std::move(item));
+    CallArguments arguments{items(e, 1), {}};
+    for (const Keyword& keyword : e.keywords) {
+      Value value = run(*keyword.value);
+      if (keyword.name.empty()) {
+        add_mapping(runtime_, arguments, value);
       } else {
-        arguments.positional.push_back(run(argument));
+        arguments.named.emplace_back(keyword.name, std::move(value));
       }
     }
-    for (const Keyword& keyword : e.keywords) add_keyword(arguments, keyword);
     return call_value(runtime_, function, arguments);
-  }
-
-  void add_keyword(CallArguments& arguments, const Keyword& keyword) {
-    if (!keyword.name.empty()) {
-      arguments.named.emplace_back(keyword.name, run(*keyword.value));
-      return;
-    }
-    const Value mapping = run(*keyword.value);
-    if (mapping.object<Dict>() == nullptr) fail_eval("argument after ** must be a mapping");
-    runtime_.budget.spend(4 * mapping.object<Dict>()->table->entries().size());
-    for (const auto& [key, value] : mapping.object<Dict>()->table->entries()) {
-      if (key.text() == nullptr) fail_eval("keywords must be strings");
-      arguments.named.emplace_back(*key.text(), value);
-    }
   }
 
   // ---- comprehensions ----
@@ -204,21 +207,11 @@ class Evaluator {
     loop(e, 0, first, each);
   }
 
-  /// Puts the outer names back, and lets go of what the inner ones held.
-  struct Restore {
-    LocalsPtr& current;
-    LocalsPtr& outer;
-    ~Restore() {
-      current->names.clear();
-      current.swap(outer);
-    }
-  };
-
   template <typename Each>
   void loop(const Expression& e, std::size_t depth, const Value& iterable, Each& each) {
     const Clause& clause = e.clauses[depth];
     for (const Value& item : items_of(runtime_, iterable)) {
-      bind(*clause.target, item);
+      bind(runtime_, *locals_, *clause.target, item);
       const bool wanted = std::all_of(clause.conditions.begin(), clause.conditions.end(),
                                       [&](const ExpressionPtr& condition) { return is_true(run(*condition)); });
       if (!wanted) continue;
@@ -248,72 +241,10 @@ class Evaluator {
     return make_dict(std::move(table));
   }
 
-  void bind(const Expression& target, const Value& value) {
-    if (target.kind == Kind::name) return bind_name(target.name, value);
-    const Values parts = items_of(runtime_, value);
-    if (parts.size() < target.operands.size()) {
-      fail_eval(fmt::format("not enough values to unpack (expected {}, got {})", target.operands.size(), parts.size()));
-    }
-    if (parts.size() > target.operands.size()) {
-      fail_eval(fmt::format("too many values to unpack (expected {})", target.operands.size()));
-    }
-    for (std::size_t i = 0; i < parts.size(); ++i) bind(*target.operands[i], parts[i]);
-  }
-
-  void bind_name(const std::string& bound, const Value& value) {
-    for (auto& [name, held] : locals_->names) {
-      if (name == bound) {
-        held = value;
-        return;
-      }
-    }
-    locals_->names.emplace_back(bound, value);
-  }
-
   Runtime& runtime_;
   Scope& scope_;
   LocalsPtr locals_;
 };
-
-/// The arguments of a lambda call bound to its parameters.
-LocalsPtr bind_parameters(const Lambda& function, CallArguments& arguments) {
-  const auto& parameters = function.code->parameters;
-  const std::size_t given = arguments.positional.size();
-  if (given > parameters.size()) {
-    fail_eval(fmt::format("<lambda>() takes {} positional argument{} but {} {} given", parameters.size(),
-                          parameters.size() == 1 ? "" : "s", given, given == 1 ? "was" : "were"));
-  }
-  auto frame = std::make_shared<Locals>();
-  frame->outer = function.locals;
-  const std::size_t first_default = parameters.size() - function.defaults.size();
-  for (auto& [name, value] : arguments.named) {
-    if (std::find(parameters.begin(), parameters.end(), name) == parameters.end()) {
-      fail_eval(fmt::format("<lambda>() got an unexpected keyword argument '{}'", name));
-    }
-  }
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const auto named = std::find_if(arguments.named.begin(), arguments.named.end(),
-                                    [&](const auto& argument) { return argument.first == parameters[i]; });
-    if (i < given) {
-      frame->names.emplace_back(parameters[i], arguments.positional[i]);
-    } else if (named != arguments.named.end()) {
-      frame->names.emplace_back(parameters[i], named->second);
-    } else if (i >= first_default) {
-      frame->names.emplace_back(parameters[i], function.defaults[i - first_default]);
-    } else {
-      fail_eval(fmt::format("<lambda>() missing 1 required positional argument: '{}'", parameters[i]));
-    }
-  }
-  return frame;
-}
-
-}  // namespace
-
-Value evaluate(Runtime& runtime, const Expression& expression, Scope& scope) {
-  return Evaluator(runtime, scope, nullptr).run(expression);
-}
-
-namespace {
 
 /// A function of the library looks at every byte of its operands at most a few times; what takes more, it counts
 /// itself.
@@ -325,6 +256,10 @@ std::size_t cost_of_operands(const CallArguments& arguments) {
 }
 
 }  // namespace
+
+Value evaluate(Runtime& runtime, const Expression& expression, Scope& scope) {
+  return Evaluator(runtime, scope, nullptr).run(expression);
+}
 
 Value call_value(Runtime& runtime, const Value& function, CallArguments& arguments) {
   const Level level(runtime.depth, kMaxEvalDepth, kTooDeep);

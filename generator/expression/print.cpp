@@ -52,6 +52,34 @@ class Printer {
     if (out_.size() > kMaxText) fail_limit("the text is too long");
     const Level level(runtime_.depth, kMaxEvalDepth,
                       "maximum recursion depth exceeded while getting the repr of an object");
+    if (!container(value)) plain(value);
+  }
+
+ private:
+  /// Prints a value that holds others; false for one that holds none.
+  bool container(const Value& value) {
+    switch (value.type()) {
+      case Type::list:
+        return sequence('[', *value.object<List>()->items, "]"), true;
+      case Type::tuple:
+        return tuple(value.object<const Tuple>()->items), true;
+      case Type::dict:
+        return dict(*value.object<Dict>()->table), true;
+      case Type::set:
+      case Type::frozen_set:
+        return set(*value.object<Set>()), true;
+      case Type::slice:
+        return slice(*value.object<const Slice>()->bounds), true;
+      case Type::dict_keys:
+      case Type::dict_values:
+      case Type::dict_items:
+        return view(*value.object<const DictView>()), true;
+      default:
+        return false;
+    }
+  }
+
+  void plain(const Value& value) {
     switch (value.type()) {
       case Type::none:
         out_ += "None";
@@ -68,31 +96,8 @@ class Printer {
       case Type::text:
         append_quoted(out_, *value.text());
         break;
-      case Type::list:
-        sequence('[', *value.object<List>()->items, "]");
-        break;
-      case Type::tuple:
-        tuple(value.object<const Tuple>()->items);
-        break;
-      case Type::dict:
-        dict(*value.object<Dict>()->table);
-        break;
-      case Type::set:
-        set(*value.object<Set>());
-        break;
-      case Type::frozen_set:
-        set(*value.object<Set>());
-        break;
       case Type::range:
         range(*value.object<const Range>());
-        break;
-      case Type::slice:
-        slice(*value.object<const Slice>()->bounds);
-        break;
-      case Type::dict_keys:
-      case Type::dict_values:
-      case Type::dict_items:
-        view(*value.object<const DictView>());
         break;
       case Type::type:
         out_ += fmt::format("<class '{}'>", type_name(*value.as<Type>()));
@@ -115,7 +120,6 @@ class Printer {
     }
   }
 
- private:
   void items(const Values& values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (i > 0) out_ += ", ";

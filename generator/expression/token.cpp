@@ -8,7 +8,7 @@
 
 #include "generator/expression/failure.hpp"
 #include "generator/expression/number.hpp"
-#include "generator/expression/utf8.hpp"
+#include "generator/expression/text_token.hpp"
 
 namespace finemote::gen::expression {
 namespace {
@@ -70,7 +70,8 @@ class Tokenizer {
 
   void read_token() {
     const char c = peek();
-    if (const std::size_t prefix = string_prefix(); prefix != std::string_view::npos) return read_text(prefix);
+    if (const std::size_t prefix = text_prefix(source_.substr(at_)); prefix != std::string_view::npos)
+      return read_text(prefix);
     if (is_digit(c) || (c == '.' && is_digit(peek(1)))) return read_number();
     if (is_name_start(c)) return read_name();
     read_symbol();
@@ -156,88 +157,10 @@ class Tokenizer {
     if (!is_keyword(source_.substr(at_ + length, end - length))) fail_syntax(message, line_);
   }
 
-  /// Length of the letters before a quote (r, b, u, f), or npos when no text begins here.
-  [[nodiscard]] std::size_t string_prefix() const {
-    std::size_t length = 0;
-    while (length < 2 && std::string_view("rRuUfFbB").find(peek(length)) != std::string_view::npos &&
-           peek(length) != '\0') {
-      ++length;
-    }
-    return peek(length) == '\'' || peek(length) == '"' ? length : std::string_view::npos;
-  }
-
   void read_text(std::size_t prefix) {
-    const std::size_t begin_line = line_;
-    bool raw = false;
-    for (std::size_t i = 0; i < prefix; ++i) {
-      const char c = peek(i);
-      raw = raw || c == 'r' || c == 'R';
-      if (c == 'b' || c == 'B') fail_syntax("bytes are not supported", line_);
-      if (c == 'f' || c == 'F') fail_syntax("f-strings are not supported", line_);
-    }
-    const char quote = peek(prefix);
-    const bool triple = peek(prefix + 1) == quote && peek(prefix + 2) == quote;
-    std::size_t length = prefix + (triple ? 3 : 1);
-    std::string text;
-    for (;;) {
-      const char c = peek(length);
-      if (at_ + length >= source_.size() || (c == '\n' && !triple)) fail_unterminated(triple, begin_line);
-      if (c == quote && (!triple || (peek(length + 1) == quote && peek(length + 2) == quote))) break;
-      if (c == '\n') ++line_;
-      if (c == '\\') {
-        length += read_escape(length, raw, text);
-      } else {
-        text += c;
-        ++length;
-      }
-    }
-    add(Token::Kind::text, length + (triple ? 3 : 1), std::move(text));
-  }
-
-  [[noreturn]] void fail_unterminated(bool triple, std::size_t begin_line) const {
-    const char* kind = triple ? "triple-quoted string" : "string";
-    fail_syntax(fmt::format("unterminated {} literal (detected at line {})", kind, line_), begin_line);
-  }
-
-  /// Appends what `\x..` at `at_ + offset` means; returns its length.
-  std::size_t read_escape(std::size_t offset, bool raw, std::string& text) {
-    const char c = peek(offset + 1);
-    if (raw) {
-      text += '\\';
-      if (at_ + offset + 1 < source_.size()) text += c;
-      return 2;
-    }
-    static constexpr std::string_view spelled = "\\'\"abfnrtv";
-    static constexpr std::string_view meant = "\\'\"\a\b\f\n\r\t\v";
-    if (const auto simple = spelled.find(c); simple != std::string_view::npos && c != '\0') {
-      text += meant[simple];
-      return 2;
-    }
-    if (c == '\n') return 2;
-    if (c == 'x') return read_coded(offset, 2, 16, text);
-    if (c == 'u') return read_coded(offset, 4, 16, text);
-    if (c == 'U') return read_coded(offset, 8, 16, text);
-    if (c >= '0' && c <= '7') return read_octal(offset, text);
-    text += '\\';
-    return 1;
-  }
-
-  std::size_t read_coded(std::size_t offset, std::size_t digits, unsigned base, std::string& text) {
-    const std::string_view spelling = source_.substr(std::min(at_ + offset + 2, source_.size()), digits);
-    const auto value = spelling.size() == digits ? parse_digits(spelling, base) : std::nullopt;
-    const bool is_character =
-        value && value->small() < 0x110000 && (value->small() < 0xD800 || value->small() > 0xDFFF);
-    if (!is_character) fail_syntax("(unicode error) 'unicodeescape' codec can't decode bytes", line_);
-    text += encode(static_cast<char32_t>(value->small()));
-    return digits + 2;
-  }
-
-  std::size_t read_octal(std::size_t offset, std::string& text) {
-    std::size_t digits = 1;
-    while (digits < 3 && peek(offset + 1 + digits) >= '0' && peek(offset + 1 + digits) <= '7') ++digits;
-    const auto value = parse_digits(source_.substr(at_ + offset + 1, digits), 8);
-    text += encode(static_cast<char32_t>(value->small()));
-    return digits + 1;
+    TextToken text = read_text_token(source_.substr(at_), prefix, line_);
+    line_ = text.last_line;  // where a text that goes over lines ends
+    add(Token::Kind::text, text.length, std::move(text.text));
   }
 
   std::string_view source_;

@@ -50,12 +50,6 @@ constexpr Known kKnown[] = {
     {"generator/timing/from_robot.cpp", ""},
     {"generator/timing/from_robot.cpp", "Adapter"},
     {"generator/units/units.cpp", ""},
-    {"generator/expression/evaluate.cpp", "Evaluator"},
-    {"generator/expression/format.cpp", ""},
-    {"generator/expression/parse_expression.cpp", ""},
-    {"generator/expression/parse_expression.cpp", "Parser"},
-    {"generator/expression/print.cpp", "Printer::source"},
-    {"generator/expression/token.cpp", "Tokenizer"},
 };
 
 /// A place that breaks a rule, and how.
