@@ -243,6 +243,18 @@ TEST_CASE("xacro expression: errors say what Python says") {
   CHECK(error_of("python.set([[]])") == "unhashable type: 'list'");
 }
 
+TEST_CASE("xacro expression: a function says which arguments it takes") {
+  CHECK(error_of("'a'.center()") == "center() missing required argument 'width' (pos 1)");
+  CHECK(error_of("'a'.casefold(1)") == "lower() takes at most 0 arguments (1 given)");
+  CHECK(error_of("'a'.find('a', sub='b')") == "find() got multiple values for argument 'sub'");
+  CHECK(error_of("'a'.strip(x=1)") == "strip() got an unexpected keyword argument 'x'");
+  CHECK(error_of("python.set([1]).union(x=1)") == "union() takes no keyword arguments");
+  CHECK(error_of("python.range()") == "range expected at least 1 argument, got 0");
+  CHECK(error_of("python.range(1, 2, 3, 4)") == "range expected at most 3 arguments, got 4");
+  CHECK(error_of("sin()") == "math function() missing required argument 'x' (pos 1)");
+  CHECK(error_of("int('1', 2, 3)") == "int() takes at most 2 arguments (3 given)");
+}
+
 TEST_CASE("xacro expression: syntax errors say what Python says") {
   CHECK(error_of("") == "invalid syntax (<expression>, line 0)");
   CHECK(error_of("1 +") == "invalid syntax (<expression>, line 1)");
