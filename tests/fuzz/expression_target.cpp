@@ -4,32 +4,10 @@
 
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/xacro/expand.hpp"
+#include "tests/escaped.hpp"
 
 using namespace finemote::gen;
-
-namespace {
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
-}  // namespace
+using finemote::test::escaped;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);

@@ -15,6 +15,11 @@
 
 namespace finemote::gen {
 
+/// A robot's file, from the top of the project: `examples/finsrov.urdf`.
+struct RobotFile {
+  std::string path;
+};
+
 struct PlannedRobot {
   Sources sources;
   Diagnostics diagnostics;
@@ -30,8 +35,12 @@ struct PlannedRobot {
                        "<board name=\"robomaster_type_c\"/>\n" +
                            inner + "</finemote></robot>\n"}));
   }
-  /// @param name  of a file in examples/
-  static PlannedRobot example(const std::string& name) { return PlannedRobot(Example{name}); }
+  explicit PlannedRobot(const RobotFile& robot_file) {
+    const std::string path = std::string(FINEMOTE_SOURCE_DIR) + "/" + robot_file.path;
+    const SourceFile* file = xml::read_source(path, sources, diagnostics, robot_file.path);
+    REQUIRE(file);
+    load(*file);
+  }
 
   [[nodiscard]] std::string said() const { return render_text(diagnostics, false); }
 
@@ -55,16 +64,6 @@ struct PlannedRobot {
   }
 
  private:
-  struct Example {
-    std::string name;
-  };
-  explicit PlannedRobot(const Example& example) {
-    const std::string path = std::string(FINEMOTE_SOURCE_DIR) + "/examples/" + example.name;
-    const SourceFile* file = xml::read_source(path, sources, diagnostics, example.name);
-    REQUIRE(file);
-    load(*file);
-  }
-
   void load(const SourceFile& file) {
     library = load_library({FINEMOTE_SOURCE_DIR, std::string(FINEMOTE_SOURCE_DIR) + "/examples", {}, {}}, sources,
                            diagnostics);

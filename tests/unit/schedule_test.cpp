@@ -151,7 +151,7 @@ TEST_CASE("every example keeps the rules of the plan") {
   const auto file = GENERATE("finsrov.urdf", "infantry.urdf", "six_joint_arm.urdf", "deep_forest.urdf",
                              "two_devices.urdf", "user_device.urdf");
   INFO(file);
-  const PlannedRobot planned = PlannedRobot::example(file);
+  const PlannedRobot planned(RobotFile{std::string("examples/") + file});
   const Robot& robot = *planned.robot;
   const Schedule& schedule = planned.schedule;
   std::size_t scheduled = 0;

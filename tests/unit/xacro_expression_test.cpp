@@ -2,30 +2,12 @@
 #include "catch.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/xacro/expand.hpp"
+#include "tests/escaped.hpp"
 
 using namespace finemote::gen;
+using finemote::test::escaped;
 
 namespace {
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 struct Outcome {
   std::string value;    ///< of the attribute; empty after an error
