@@ -63,7 +63,9 @@ std::string table(const std::string& head, const Rows& rows) {
 
 void add_verbs(Rows& rows, const std::string& who, const std::vector<Verb>& verbs) {
   for (const Verb& verb : verbs)
-    add_row(rows, who, fmt::format("`{}` | {} | {}", verb.name, verb.summary, list_of(verb.members)));
+    add_row(
+        rows, who,
+        fmt::format("`{}` | {} | {} | {}", verb.name, verb.is_fault ? "yes" : "", verb.summary, list_of(verb.members)));
 }
 
 std::string shown(const Target& target) {
@@ -86,7 +88,7 @@ std::string parts_table() {
 std::string actions_table() {
   Rows rows;
   for (const Target& target : targets()) add_verbs(rows, shown(target), *target.verbs);
-  return table("| target | `do` | effect | members |\n|---|---|---|---|\n", rows);
+  return table("| target | `do` | fault | effect | members |\n|---|---|---|---|---|\n", rows);
 }
 
 std::string values_table() {
