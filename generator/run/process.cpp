@@ -17,8 +17,7 @@ namespace {
 constexpr std::size_t kMostOutput = std::size_t{256} << 20;
 constexpr int kNoSuchProgram = 127;
 
-[[noreturn]] void become(const std::vector<std::string>& command, const std::vector<std::string>& environment,
-                         int out) {
+[[noreturn]] void become(std::vector<std::string> command, const std::vector<std::string>& environment, int out) {
   setpgid(0, 0);
   const int nothing = open("/dev/null", O_RDONLY);
   dup2(nothing, STDIN_FILENO);
@@ -29,7 +28,7 @@ constexpr int kNoSuchProgram = 127;
     setenv(entry.substr(0, equals).c_str(), entry.substr(equals + 1).c_str(), 1);
   }
   std::vector<char*> words;
-  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+  for (std::string& word : command) words.push_back(word.data());
   words.push_back(nullptr);
   execvp(words[0], words.data());
   _exit(kNoSuchProgram);

@@ -45,7 +45,6 @@ constexpr Known kKnown[] = {
     {"generator/model/devices.cpp", "DeviceReader"},
     {"generator/model/places.cpp", ""},
     {"generator/model/tags.cpp", "TagReader"},
-    {"generator/run/process.cpp", "const_cast"},
     {"generator/simulate/simulate.cpp", "Simulator"},
     {"generator/timing/from_robot.cpp", ""},
     {"generator/timing/from_robot.cpp", "Adapter"},
