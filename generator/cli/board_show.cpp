@@ -20,12 +20,6 @@ std::string joined(const std::vector<std::string>& words) {
   return text.empty() ? "-" : text;
 }
 
-std::vector<std::string> kind_names(const Port& port) {
-  std::vector<std::string> names;
-  for (const BusKind kind : port.kinds) names.emplace_back(bus_kind_name(kind));
-  return names;
-}
-
 std::vector<std::string> pin_names(const Port& port) {
   std::vector<std::string> names;
   for (const PortPin& pin : port.pins) names.push_back(pin.pin);
@@ -50,7 +44,7 @@ void print_board(Context& context, const Board& board) {
   context.out << fmt::format("\n{:<8} {:<12} {:<24} {:<34} {:<28} {}\n", "port", "serves", "pins", "DMA", "interrupts",
                              "connector");
   for (const Port& port : board.ports) {
-    context.out << fmt::format("{:<8} {:<12} {:<24} {:<34} {:<28} {}\n", port.name, joined(kind_names(port)),
+    context.out << fmt::format("{:<8} {:<12} {:<24} {:<34} {:<28} {}\n", port.name, joined(bus_kind_names(port.kinds)),
                                joined(pin_names(port)), joined(stream_names(port)), joined(line_texts(port)),
                                port.connector);
   }
@@ -72,7 +66,7 @@ Json to_json(const Board& board) {
     ports.push_back({{"name", port.name},
                      {"silkscreen", port.silkscreen},
                      {"connector", port.connector},
-                     {"serves", kind_names(port)},
+                     {"serves", bus_kind_names(port.kinds)},
                      {"pins", pin_names(port)},
                      {"dma", stream_names(port)},
                      {"interrupts", line_texts(port)}});

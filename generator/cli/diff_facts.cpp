@@ -71,14 +71,14 @@ std::string reads_text(const Robot& robot, const Device& device) {
   return text;
 }
 
-Properties device_facts(const Loaded& loaded, std::size_t index) {
+Properties device_facts(const Loaded& loaded, DeviceId index) {
   const Robot& robot = loaded.robot;
   const Device& device = robot.devices[index];
   Properties facts{{"type", device.type->name},
                    {"parent", device.parent ? robot.devices[*device.parent].name.text : "none"},
                    {"period", period_text(device.period_ns)},
                    {"place", device_comment(loaded.plan(), index)},
-                   {"position in the schedule", std::to_string(loaded.forest.rank[index] + 1)},
+                   {"position in the schedule", std::to_string(loaded.forest.rank[index].value() + 1)},
                    {"wcet", fmt::format("update {} ns, handle {} ns", device.wcet.update_ns, device.wcet.handle_ns)},
                    {"source of the wcet", source_name(device.wcet.source)}};
   if (device.parent && device.role) facts["role"] = robot.devices[*device.parent].type->roles[*device.role].name;
@@ -152,7 +152,7 @@ Facts facts_of(const Loaded& loaded) {
   for (const Bus& bus : robot.buses) facts[fmt::format("bus '{}'", bus.name.text)] = bus_facts(bus);
   for (const Expander& expander : robot.expanders)
     facts[fmt::format("expander '{}'", expander.name.text)] = expander_facts(robot, expander);
-  for (std::size_t device = 0; device < robot.devices.size(); ++device)
+  for (const DeviceId device : robot.devices.ids())
     facts[fmt::format("device '{}'", robot.devices[device].name.text)] = device_facts(loaded, device);
   for (const Link& link : robot.links) facts[fmt::format("link '{}'", link.name)] = link_facts(link);
   for (const Joint& joint : robot.joints) facts[fmt::format("joint '{}'", joint.name)] = joint_facts(joint);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/cli/context.hpp"
+#include "generator/descriptor/library.hpp"
 #include "generator/emit/render.hpp"
 #include "generator/output/manifest.hpp"
 #include "generator/xacro/expand.hpp"

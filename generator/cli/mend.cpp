@@ -26,7 +26,7 @@ std::string children_text(const Robot& robot, const Device& device) {
   std::string text;
   for (std::size_t role = 0; role < device.type->roles.size(); ++role) {
     std::vector<std::string> names;
-    for (const std::size_t child : device.children) {
+    for (const DeviceId child : device.children) {
       if (robot.devices[child].role == role) names.push_back(robot.devices[child].name.text);
     }
     if (!has_order(*device.type, device.type->roles[role])) std::sort(names.begin(), names.end());

@@ -8,7 +8,7 @@
 #include "generator/cli/finish.hpp"
 #include "generator/cli/load.hpp"
 #include "generator/geometry/frame.hpp"
-#include "generator/geometry/role_joints.hpp"
+#include "generator/model/device_frames.hpp"
 #include "generator/schedule/period.hpp"
 
 namespace finemote::gen {
@@ -19,13 +19,13 @@ using Json = nlohmann::ordered_json;
 struct Row {
   std::string name;       ///< with the lines of the tree before it
   std::size_t width = 0;  ///< of `name` in columns, not bytes
-  std::size_t device = 0;
+  DeviceId device;
 };
 
 /// Rows of a tree, root first, children in document order. Iterative, like the forest.
-std::vector<Row> rows_of(const Robot& robot, std::size_t root) {
+std::vector<Row> rows_of(const Robot& robot, DeviceId root) {
   struct Visit {
-    std::size_t device;
+    DeviceId device;
     std::string lead, child_lead;
     std::size_t depth;
   };
@@ -46,7 +46,7 @@ std::vector<Row> rows_of(const Robot& robot, std::size_t root) {
 }
 
 /// The link whose frame the constants computed for a device are in, or the data it delivers; empty where neither is.
-std::string link_of(const Robot& robot, std::size_t index) {
+std::string link_of(const Robot& robot, DeviceId index) {
   const Device& device = robot.devices[index];
   for (const GeometrySpec& geometry : device.type->geometry) {
     if (geometry.kind == "mount" && !device.link.empty()) return mount_link(robot, index);
@@ -55,7 +55,7 @@ std::string link_of(const Robot& robot, std::size_t index) {
   return {};
 }
 
-std::string comment_of(const Plan& plan, std::size_t index) {
+std::string comment_of(const Plan& plan, DeviceId index) {
   const std::string link = link_of(plan.robot, index);
   return device_comment(plan, index) + (link.empty() ? "" : fmt::format(", geometry about link '{}'", link));
 }
@@ -81,7 +81,7 @@ void print_order(Context& context, const Loaded& loaded) {
     context.out << fmt::format("\nevery {}: priority {}, interrupt line {}\n", period_text(bucket.period_ns),
                                bucket.priority, bucket.line);
     std::string line = "  update";
-    for (std::size_t device : bucket.devices) line += " " + loaded.robot.devices[device].name.text;
+    for (DeviceId device : bucket.devices) line += " " + loaded.robot.devices[device].name.text;
     context.out << line << "\n";
     line = "  handle";
     for (auto device = bucket.devices.rbegin(); device != bucket.devices.rend(); ++device) {
@@ -91,9 +91,9 @@ void print_order(Context& context, const Loaded& loaded) {
   }
 }
 
-Json names(const Robot& robot, const std::vector<std::size_t>& devices) {
+Json names(const Robot& robot, const std::vector<DeviceId>& devices) {
   Json list = Json::array();
-  for (std::size_t device : devices) list.push_back(robot.devices[device].name.text);
+  for (DeviceId device : devices) list.push_back(robot.devices[device].name.text);
   return list;
 }
 
@@ -102,7 +102,7 @@ Json document(const Loaded& loaded) {
   Json trees = Json::array();
   for (const Tree& tree : loaded.forest.trees) {
     Json devices = Json::array();
-    for (std::size_t index : tree.devices) {
+    for (const DeviceId index : tree.devices) {
       const Device& device = robot.devices[index];
       const std::string link = link_of(robot, index);
       devices.push_back(
@@ -118,7 +118,7 @@ Json document(const Loaded& loaded) {
   }
   Json buckets = Json::array();
   for (const Bucket& bucket : loaded.schedule.buckets) {
-    std::vector<std::size_t> handles(bucket.devices.rbegin(), bucket.devices.rend());
+    std::vector<DeviceId> handles(bucket.devices.rbegin(), bucket.devices.rend());
     buckets.push_back({{"period_ns", bucket.period_ns},
                        {"priority", bucket.priority},
                        {"line", bucket.line},

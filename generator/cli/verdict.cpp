@@ -8,21 +8,22 @@ namespace finemote::gen {
 namespace {
 
 /// Load per bus of the robot, found by name: the model has the physical buses with a rate only.
-std::vector<double> bus_loads(const Robot& robot, const timing::Timing& timing) {
-  std::vector<double> loads(robot.buses.size(), 0.0);
+Table<BusId, double> bus_loads(const Robot& robot, const timing::Timing& timing) {
+  Table<BusId, double> loads(robot.buses.size(), 0.0);
   for (std::size_t i = 0; i < timing.model.buses.size() && i < timing.bus_loads.size(); ++i) {
-    for (std::size_t bus = 0; bus < robot.buses.size(); ++bus) {
+    for (const BusId bus : robot.buses.ids()) {
       if (robot.buses[bus].name.text == timing.model.buses[i].name) loads[bus] = timing.bus_loads[i].utilization;
     }
   }
   return loads;
 }
 
-std::vector<std::optional<CommandAge>> command_ages(const Loaded& loaded, const timing::Timing& timing) {
-  std::vector<std::optional<CommandAge>> ages(loaded.robot.devices.size());
+Table<DeviceId, std::optional<CommandAge>> command_ages(const Loaded& loaded, const timing::Timing& timing) {
+  Table<DeviceId, std::optional<CommandAge>> ages(loaded.robot.devices.size());
   for (const timing::ChainResult& input : timing.inputs) {
     if (!input.acquire_ns || !input.decide_ns) continue;
-    ages[loaded.forest.order[input.to]] = {*input.acquire_ns + *input.decide_ns, loaded.forest.order[input.from]};
+    ages[loaded.forest.order[Rank{input.to}]] = {*input.acquire_ns + *input.decide_ns,
+                                                 loaded.forest.order[Rank{input.from}]};
   }
   return ages;
 }

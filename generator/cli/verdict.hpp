@@ -12,10 +12,10 @@ namespace finemote::gen {
 struct Verdict {
   bool schedulable = false;
   bool requirements_hold = false;
-  std::vector<double> bus_load;                         ///< 0..1, per Robot::buses; empty when there is no answer
-  std::vector<std::optional<CommandAge>> command_ages;  ///< per Robot::devices; none where there is no bound
-  std::vector<Diagnostic> overloads;                    ///< FM4021, of overloaded buses
-  Diagnostics reasons;                                  ///< the findings behind a no, without those; empty after a yes
+  Table<BusId, double> bus_load;                            ///< 0..1; empty when there is no answer
+  Table<DeviceId, std::optional<CommandAge>> command_ages;  ///< none where there is no bound
+  std::vector<Diagnostic> overloads;                        ///< FM4021, of overloaded buses
+  Diagnostics reasons;  ///< the findings behind a no, without those; empty after a yes
 };
 
 /// Only lint looks at the ages of commands, and they take as long as the rest of the analysis.

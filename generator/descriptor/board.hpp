@@ -1,6 +1,7 @@
 // What a board is, as its JSON file says (`schemas/boards/<board>.json`).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -90,6 +91,11 @@ struct NamedPin {
   std::string converter;                ///< analog: its port, `adc3`; empty: not analog
   std::uint32_t input = 0;              ///< analog: of the converter
   std::int64_t full_scale_mv = 0;       ///< analog: what the highest code means, dividers included
+
+  /// Whether `function` is among its functions.
+  [[nodiscard]] bool can(std::string_view function) const {
+    return std::find(functions.begin(), functions.end(), function) != functions.end();
+  }
 };
 
 /// Pins that the board wires to something of its own.

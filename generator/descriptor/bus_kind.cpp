@@ -35,6 +35,12 @@ std::string bus_kind_name(BusKind kind) {
   return {};
 }
 
+std::vector<std::string> bus_kind_names(const std::vector<BusKind>& kinds) {
+  std::vector<std::string> names;
+  for (const BusKind kind : kinds) names.push_back(bus_kind_name(kind));
+  return names;
+}
+
 std::vector<std::string> bus_kind_names() {
   std::vector<std::string> names;
   for (const NamedKind& entry : kKinds) names.emplace_back(entry.name);

@@ -16,6 +16,9 @@ std::optional<BusKind> bus_kind(std::string_view name);
 
 std::string bus_kind_name(BusKind kind);
 
+/// The names of these kinds, in their order.
+std::vector<std::string> bus_kind_names(const std::vector<BusKind>& kinds);
+
 /// All names, in the order of the reference.
 std::vector<std::string> bus_kind_names();
 

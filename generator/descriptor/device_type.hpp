@@ -2,10 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "generator/descriptor/acquisition.hpp"
@@ -14,6 +12,7 @@
 #include "generator/descriptor/frames.hpp"
 #include "generator/descriptor/interrupts.hpp"
 #include "generator/descriptor/link_fields.hpp"
+#include "generator/descriptor/param.hpp"
 #include "generator/diagnostic/source.hpp"
 
 namespace finemote::gen {
@@ -34,29 +33,6 @@ struct RoleSpec {
   std::uint32_t min = 0;
   std::optional<std::uint32_t> max;  ///< none: unbounded
   bool passes = true;                ///< what its children measure becomes part of the commands the device sends
-  std::string summary;
-};
-
-/// Base units of params: everything is stored exactly in the base unit.
-enum class Unit { none, time_ns, frequency_hz, bit_rate, bits, percent };
-
-enum class ParamKind { integer, real, boolean, text, enumeration };
-
-/// A checked value in its base unit. Enumerations hold their spelling.
-using ParamValue = std::variant<std::int64_t, double, bool, std::string>;
-
-struct ParamSpec {
-  std::string name;
-  ParamKind kind = ParamKind::integer;
-  Unit unit = Unit::none;
-  std::string unit_text;            ///< for kinds without conversion (`deg`, `mm`): documentation only
-  std::optional<double> min, max;   ///< inclusive, base unit
-  std::string at_least;             ///< the param whose value it is not below; empty: none
-  bool is_pulse = false;            ///< the device sends pulses as long as this
-  bool limits_command_age = false;  ///< with older data behind its command the device goes to its safe output
-  std::vector<std::string> values;  ///< allowed spellings of an enumeration, or of an integer given as a list
-  std::map<std::string, std::string> enumerators;  ///< spelling -> C++ enumerator
-  std::optional<ParamValue> fallback;              ///< the default; none: the param is required
   std::string summary;
 };
 

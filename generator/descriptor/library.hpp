@@ -1,14 +1,50 @@
 // Folders to descriptors: finds device types and boards by name, reads and checks each when it is first used.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "generator/descriptor/board.hpp"
+#include "generator/descriptor/device_type.hpp"
 #include "generator/diagnostic/diagnostics.hpp"
-#include "generator/model/robot.hpp"
 
 namespace finemote::gen {
+
+/// A descriptor or board file that was found, and is read when something names it.
+struct LibraryFile {
+  std::string name;     ///< its name without `.json`: the type or board it has to describe
+  std::string path;     ///< to open it
+  std::string display;  ///< `builtin:devices/ms5837.json`, or relative to the input
+  bool builtin = true;
+  bool failed = false;  ///< it was read and is wrong, which was reported
+};
+
+/// Descriptors and board files that were found and, of these, loaded; owns what the robot points at.
+struct Library {
+  std::vector<LibraryFile> device_files;  ///< sorted by name
+  std::vector<LibraryFile> board_files;
+  std::vector<LibraryFile> expander_files;
+  std::string schema_dir;  ///< where the JSON Schemas are
+  std::vector<std::unique_ptr<DeviceType>> device_types;
+  std::vector<std::unique_ptr<Board>> boards;
+  std::vector<std::unique_ptr<ExpanderType>> expander_types;
+
+  [[nodiscard]] const DeviceType* device_type(std::string_view name) const {
+    for (const auto& t : device_types) {
+      if (t->name == name) return t.get();
+    }
+    return nullptr;
+  }
+  [[nodiscard]] const Board* board(std::string_view name) const {
+    for (const auto& b : boards) {
+      if (b->name == name) return b.get();
+    }
+    return nullptr;
+  }
+};
 
 struct LibraryOptions {
   std::string data_dir;   ///< holds `schemas/`

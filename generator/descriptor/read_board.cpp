@@ -10,12 +10,6 @@
 namespace finemote::gen {
 namespace {
 
-const Json& array_member(const Json& value, const char* key) {
-  static const Json none = Json::array();
-  const auto found = value.find(key);
-  return found == value.end() || !found->is_array() ? none : *found;
-}
-
 std::string upper(std::string text) {
   for (char& c : text) {
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
@@ -57,10 +51,14 @@ ForbiddenLine read_forbidden(const Json& value) {
   return {value.at("line").get<int>(), value.at("why").get<std::string>()};
 }
 
+SpareLine read_spare(const Json& value) {
+  return {value.at("line").get<std::uint32_t>(), value.at("name").get<std::string>()};
+}
+
 Port read_port(const Json& value) {
   Port port;
   port.name = value.at("name").get<std::string>();
-  for (const Json& label : array_member(value, "silkscreen")) port.silkscreen.push_back(label.get<std::string>());
+  port.silkscreen = optional_member<std::vector<std::string>>(value, "silkscreen").value_or(port.silkscreen);
   port.connector = optional_member<std::string>(value, "connector").value_or("");
   for (const Json& name : value.at("buses")) {
     if (const auto kind = bus_kind(name.get<std::string>())) port.kinds.push_back(*kind);
@@ -73,7 +71,7 @@ Port read_port(const Json& value) {
   port.max_rate = optional_member<std::int64_t>(value, "max_rate");
   port.drives = optional_member<std::string>(value, "drives").value_or("");
   port.has_inverter = optional_member<bool>(value, "inverter").value_or(false);
-  for (const Json& rate : array_member(value, "rates")) port.rates.push_back(rate.get<std::int64_t>());
+  port.rates = optional_member<std::vector<std::int64_t>>(value, "rates").value_or(port.rates);
   port.max_rate_error_ppm =
       optional_member<std::int64_t>(value, "max_rate_error_ppm").value_or(port.max_rate_error_ppm);
   return port;
@@ -83,7 +81,7 @@ NamedPin read_pin(const Json& value) {
   NamedPin pin;
   pin.name = value.at("name").get<std::string>();
   pin.pin = value.at("pin").get<std::string>();
-  for (const Json& function : value.at("functions")) pin.functions.push_back(function.get<std::string>());
+  pin.functions = value.at("functions").get<std::vector<std::string>>();
   pin.active_low = value.at("active").get<std::string>() == "low";
   pin.summary = optional_member<std::string>(value, "summary").value_or("");
   if (const auto ready = value.find("data_ready"); ready != value.end() && ready->is_object())
@@ -139,14 +137,13 @@ Board read_board(const Json& value, const SourceFile& source, Diagnostics& diagn
   board.default_tick_ns = tick.at("default_ns").get<std::int64_t>();
   board.min_tick_ns = tick.at("min_ns").get<std::int64_t>();
   board.max_tick_ns = tick.at("max_ns").get<std::int64_t>();
-  for (const Json& port : value.at("ports")) board.ports.push_back(read_port(port));
-  for (const Json& pin : array_member(value, "pins")) board.pins.push_back(read_pin(pin));
+  board.ports = read_list<Port>(value, "ports", read_port);
+  board.pins = read_list<NamedPin>(value, "pins", read_pin);
   board.chip_pins = read_chip_pins(value);
-  for (const Json& pins : array_member(value, "reserved_pins")) board.reserved_pins.push_back(read_reserved(pins));
-  for (const Json& connector : array_member(value, "connectors")) board.connectors.push_back(read_connector(connector));
+  board.reserved_pins = read_list<ReservedPins>(value, "reserved_pins", read_reserved);
+  board.connectors = read_list<Connector>(value, "connectors", read_connector);
   board.forbidden_lines = read_list<ForbiddenLine>(value, "forbidden_lines", read_forbidden);
-  for (const Json& line : value.at("spare_lines"))
-    board.lines.push_back({line.at("line").get<std::uint32_t>(), line.at("name").get<std::string>()});
+  board.lines = read_list<SpareLine>(value, "spare_lines", read_spare);
   const Json& levels = value.at("priorities").at("buckets");
   board.first_bucket_level = levels.at(0).get<std::uint32_t>();
   board.last_bucket_level = levels.at(1).get<std::uint32_t>();

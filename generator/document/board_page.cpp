@@ -29,12 +29,6 @@ std::string lines_text(const Port& port) {
   return joined(parts);
 }
 
-std::vector<std::string> kind_names(const Port& port) {
-  std::vector<std::string> names;
-  for (const BusKind kind : port.kinds) names.push_back(bus_kind_name(kind));
-  return names;
-}
-
 bool is_clocked(BusKind kind) { return kind == BusKind::i2c || kind == BusKind::spi; }
 bool is_serial(BusKind kind) { return kind == BusKind::uart || kind == BusKind::rs485; }
 
@@ -71,7 +65,7 @@ std::string driver_row(const Driver& driver, BusKind kind) {
 BoardPage port_page(const Board& board, const Port& port) {
   const BusKind kind = port.kinds.front();
   std::string text = sentence(port.connector) + "\n\n" + table({"", ""});
-  text += row({"serves", joined(kind_names(port))});
+  text += row({"serves", joined(bus_kind_names(port.kinds))});
   std::vector<std::string> labels;
   for (const std::string& label : port.silkscreen) labels.push_back("`" + label + "`");
   text += row({"printed labels (not port names)", joined(labels)});
@@ -136,7 +130,7 @@ std::vector<BoardPage> board_pages(const Board& board) {
   std::vector<BoardPage> pages;
   std::string index = sentence(board.summary) + "\n\n" + table({"port", "serves", "connector"});
   for (const Port& port : board.ports) {
-    index += row({fmt::format("[`{0}`]({0}.md)", port.name), joined(kind_names(port)), port.connector});
+    index += row({fmt::format("[`{0}`]({0}.md)", port.name), joined(bus_kind_names(port.kinds)), port.connector});
     pages.push_back(port_page(board, port));
   }
   index += "\n[Single pins](pins.md): key, battery, LEDs and what else has a name.\n" + param_table(board.params);

@@ -12,12 +12,6 @@
 namespace finemote::gen {
 namespace {
 
-std::vector<std::string> kind_names(const std::vector<BusKind>& kinds) {
-  std::vector<std::string> names;
-  for (const BusKind kind : kinds) names.push_back(bus_kind_name(kind));
-  return names;
-}
-
 bool takes(const std::vector<BusKind>& kinds, BusKind kind) {
   return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
@@ -40,7 +34,7 @@ void add_address(const DeviceType& type, std::vector<std::string>& parts) {
 
 std::string bus_text(const DeviceType& type) {
   if (type.buses.empty()) return "none";
-  std::vector<std::string> parts{joined(kind_names(type.buses), " or ")};
+  std::vector<std::string> parts{joined(bus_kind_names(type.buses), " or ")};
   if (!type.bus_required) parts.emplace_back("may be left out");
   add_address(type, parts);
   if (type.needs_channel) parts.push_back("`channel` " + range_of(type.channel_min, type.channel_max));
@@ -76,7 +70,7 @@ std::string role_row(const RoleSpec& role) {
 }
 
 std::string use_row(const UseSpec& use) {
-  std::string what = joined(kind_names(use.buses), " or ");
+  std::string what = joined(bus_kind_names(use.buses), " or ");
   if (takes(use.buses, BusKind::gpio)) what += " (" + use.function + ")";
   what += use.required ? ", required" : ", optional";
   return row({"use `" + use.role + "`", with_summary(what, use.summary)});

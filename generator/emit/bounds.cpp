@@ -39,7 +39,7 @@ std::string bound_text(std::int64_t ns) {
   return thousandths((ns + kNsPerUs - 1) / kNsPerUs) + " ms";
 }
 
-std::string bound_comment(const Plan& plan, const RobotBounds& bounds, std::size_t device) {
+std::string bound_comment(const Plan& plan, const RobotBounds& bounds, DeviceId device) {
   const DeviceBounds& of = bounds.devices[device];
   if (!of.response_ns) return no_bound(bounds);
   std::string text = "response <= " + bound_text(*of.response_ns);
@@ -58,7 +58,7 @@ std::string job_comment(const RobotBounds& bounds, std::size_t bucket) {
 
 std::vector<std::string> bound_constants(const Plan& plan, const RobotBounds& bounds) {
   std::vector<std::string> lines;
-  for (const std::size_t device : plan.forest.order) {
+  for (const DeviceId device : plan.forest.order) {
     const DeviceBounds& of = bounds.devices[device];
     lines.push_back(fmt::format("inline constexpr finemote::Bounds {}{{{}, {}, {}}};",
                                 plan.robot.devices[device].name.cpp, constant(of.response_ns), constant(of.age_ns),
@@ -69,7 +69,7 @@ std::vector<std::string> bound_constants(const Plan& plan, const RobotBounds& bo
 
 std::vector<std::string> monitored_lines(const Plan& plan, const RobotBounds& bounds) {
   std::vector<std::string> lines;
-  for (const std::size_t device : plan.forest.order) {
+  for (const DeviceId device : plan.forest.order) {
     const DeviceBounds& of = bounds.devices[device];
     const Device& d = plan.robot.devices[device];
     const std::string space = plan.forest.trees[plan.forest.tree_of[device]].space;

@@ -21,7 +21,7 @@ std::string bound_text(std::int64_t ns);
 
 /// `response <= 187.31 us; data age <= 12.146 ms when handle() ends, <= 14.02 ms at the output (oldest: imu)`, or why
 /// there is no bound.
-std::string bound_comment(const Plan& plan, const timing::RobotBounds& bounds, std::size_t device);
+std::string bound_comment(const Plan& plan, const timing::RobotBounds& bounds, DeviceId device);
 
 /// `jobs end within 187.31 us`, or why there is no bound.
 std::string job_comment(const timing::RobotBounds& bounds, std::size_t bucket);

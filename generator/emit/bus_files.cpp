@@ -62,7 +62,7 @@ std::string expander_comment(const Plan& plan, const Expander& expander) {
   return fmt::format("pca9685 on '{}' at {:#04x}", plan.robot.segments[expander.segment].name.text, expander.address);
 }
 
-std::vector<const Slot*> slots_of(const Plan& plan, std::size_t bus) {
+std::vector<const Slot*> slots_of(const Plan& plan, BusId bus) {
   std::vector<const Slot*> slots;
   for (const Slot& slot : plan.schedule.slots) {
     if (plan.robot.segments[slot.segment].bus == bus) slots.push_back(&slot);
@@ -111,7 +111,7 @@ std::string routes_name(const Bus& bus) { return "finemote_" + bus.name.cpp + "_
 
 std::vector<std::string> route_lines(const Plan& plan) {
   std::vector<std::string> lines;
-  for (std::size_t i = 0; i < plan.robot.buses.size(); ++i) {
+  for (const BusId i : plan.robot.buses.ids()) {
     const std::vector<const Slot*> slots = slots_of(plan, i);
     if (slots.empty()) continue;
     lines.push_back(fmt::format("constexpr finemote::{}* {}[] = {{", slot_names(plan, *slots.front()).slot,
@@ -123,8 +123,8 @@ std::vector<std::string> route_lines(const Plan& plan) {
 }
 
 /// What the device on a uart, or the device that uses it, says about its line; 8N1 when nobody does.
-std::string line_format(const Plan& plan, std::size_t bus) {
-  const auto here = [&](std::optional<std::size_t> segment) {
+std::string line_format(const Plan& plan, BusId bus) {
+  const auto here = [&](std::optional<SegmentId> segment) {
     return segment && plan.robot.segments[*segment].bus == bus;
   };
   for (const Device& device : plan.robot.devices) {
@@ -143,7 +143,7 @@ std::string format_enumerator(const std::string& format) {
   return "finemote::UartFormat::k" + format.substr(0, mark) + "Inverted";
 }
 
-std::string bus_definition(const Plan& plan, std::size_t index) {
+std::string bus_definition(const Plan& plan, BusId index) {
   const Bus& bus = plan.robot.buses[index];
   const KindNames& names = *kind_names(bus.kind);
   std::string arguments = "finemote::ports::" + (bus.kind == BusKind::gpio ? "gpio" : bus.port);
@@ -175,7 +175,7 @@ Data bus_list(const Plan& plan) {
     entry.set("definition", definition);
     list.push_back(entry);
   };
-  for (std::size_t i = 0; i < plan.robot.buses.size(); ++i) {
+  for (const BusId i : plan.robot.buses.ids()) {
     const Bus& bus = plan.robot.buses[i];
     if (const KindNames* names = kind_names(bus.kind))
       add(names->bus, bus.name.cpp, bus_comment(bus), bus_definition(plan, i));

@@ -10,8 +10,8 @@
 #include "generator/geometry/chain.hpp"
 #include "generator/geometry/frame.hpp"
 #include "generator/geometry/range.hpp"
-#include "generator/geometry/role_joints.hpp"
 #include "generator/geometry/rolling.hpp"
+#include "generator/model/device_frames.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -99,7 +99,7 @@ std::string axes_text(const Request& request) {
 }
 
 /// Empty where the device has no link, or one that is not turned.
-std::string mount_text(const Robot& robot, const Mechanism& mechanism, std::size_t index, const std::string& name) {
+std::string mount_text(const Robot& robot, const Mechanism& mechanism, DeviceId index, const std::string& name) {
   const Device& device = robot.devices[index];
   const std::string link = mount_link(robot, index);
   const auto pose = device.link.empty() ? std::nullopt : mechanism.pose(device.link, link);
@@ -116,7 +116,7 @@ std::string range_text(const Mechanism& mechanism, const Device& device, const G
   const Joint* joint = mechanism.joint(device.joint);
   const auto limits = joint == nullptr ? std::nullopt : limits_of(*joint);
   if (!limits) return {};
-  const Range range = within_travel(*limits, geometry_param(device, spec));
+  const Range range = within_travel(*limits, geometry_param(device.params, spec));
   return list(
       {fmt::format("How far joint '{}' turns within the travel of '{}' [rad].", device.joint, device.name.text)},
       fmt::format("finemote::JointRange {}[1]", name), {numbers({range.lower, range.upper})});
@@ -125,7 +125,7 @@ std::string range_text(const Mechanism& mechanism, const Device& device, const G
 /// Empty where none of the joints has limits.
 std::string role_range_text(const Request& request, const Device& device, const GeometrySpec& spec) {
   std::vector<std::string> lines;
-  for (const Range& range : role_ranges(request.mechanism, device, spec, request.joints))
+  for (const Range& range : role_ranges(request.mechanism, device.link, device.params, spec, request.joints))
     lines.push_back(numbers({range.lower, range.upper}));
   if (lines.empty()) return {};
   const std::string about = spec.along.empty() ? "" : fmt::format(" about {} of link '{}'", spec.along, request.link);
@@ -133,14 +133,14 @@ std::string role_range_text(const Request& request, const Device& device, const 
               request.head("finemote::JointRange"), lines);
 }
 
-std::string text_of(const Plan& plan, std::size_t owner, const GeometrySpec& spec, const std::string& name) {
-  const Mechanism mechanism(plan.robot);
+std::string text_of(const Plan& plan, DeviceId owner, const GeometrySpec& spec, const std::string& name) {
+  const Mechanism mechanism(plan.robot.links, plan.robot.joints);
   const Device& device = plan.robot.devices[owner];
   if (spec.kind == "mount") return mount_text(plan.robot, mechanism, owner, name);
   if (spec.kind == "range" && spec.role.empty()) return range_text(mechanism, device, spec, name);
   const std::vector<std::string> joints = role_joints(plan.robot, device, spec);
   if (joints.empty()) return {};
-  const std::string link = geometry_link(mechanism, device, spec, joints);
+  const std::string link = geometry_link(mechanism, device.link, spec, joints);
   const Request request{mechanism, device.name.text, spec.role, name, joints, link};
   if (spec.kind == "rolling") return rolling_text(request);
   if (spec.kind == "chain") return chain_text(request);
@@ -160,7 +160,7 @@ std::string name_of(const Device& device, const GeometrySpec& spec) {
 
 std::vector<Constant> make_constants(const Plan& plan, Diagnostics& diagnostics) {
   std::vector<Constant> constants;
-  for (const std::size_t owner : plan.forest.order) {
+  for (const DeviceId owner : plan.forest.order) {
     const Device& device = plan.robot.devices[owner];
     for (const GeometrySpec& spec : device.type->geometry) {
       const std::string name = name_of(device, spec);

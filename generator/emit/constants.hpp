@@ -10,9 +10,9 @@ namespace finemote::gen {
 
 /// One definition in constants.hpp, or, where it names objects, in `ports` of its device's tree.
 struct Constant {
-  std::size_t device = 0;  ///< whose type asked for it
-  std::string name;        ///< `rov_allocation`
-  std::string text;        ///< comment and definition; empty: there is none, the constructor gets a null pointer
+  DeviceId device;   ///< whose type asked for it
+  std::string name;  ///< `rov_allocation`
+  std::string text;  ///< comment and definition; empty: there is none, the constructor gets a null pointer
   bool in_tree = false;
   std::string header;  ///< of the types it is made of; empty: built-in ones
 };

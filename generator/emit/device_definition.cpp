@@ -113,8 +113,7 @@ void add_endpoints(const Plan& plan, const Device& device, std::vector<std::stri
   }
 }
 
-std::string port(const Plan& plan, std::size_t owner, const RoleBinding& role, const Binding& binding,
-                 bool inside_ports) {
+std::string port(const Plan& plan, DeviceId owner, const RoleBinding& role, const Binding& binding, bool inside_ports) {
   const std::string ports = inside_ports ? "" : "ports::";
   const std::string target = device_reference(plan, owner, binding.device);
   const std::string state = binding.state_crossing ? ports + plan.schedule.crossings[*binding.state_crossing].name
@@ -129,9 +128,7 @@ std::string port(const Plan& plan, std::size_t owner, const RoleBinding& role, c
   return fmt::format("finemote::Port<{}>{{{}}}", role.interface, text);
 }
 
-std::string period_of(const Plan& plan, std::size_t device) {
-  return period_text(plan.robot.devices[device].period_ns);
-}
+std::string period_of(const Plan& plan, DeviceId device) { return period_text(plan.robot.devices[device].period_ns); }
 
 std::string crossing_comment(const Plan& plan, const Crossing& crossing) {
   const auto& devices = plan.robot.devices;
@@ -141,7 +138,7 @@ std::string crossing_comment(const Plan& plan, const Crossing& crossing) {
                      devices[crossing.consumer].name.text, period_of(plan, crossing.consumer));
 }
 
-void add_crossings(const Plan& plan, std::size_t device, std::vector<std::string>& lines) {
+void add_crossings(const Plan& plan, DeviceId device, std::vector<std::string>& lines) {
   for (const Crossing& crossing : plan.schedule.crossings) {
     if (crossing.home != device) continue;
     lines.push_back(crossing_comment(plan, crossing));
@@ -164,7 +161,7 @@ void add_sinks(const RoleBinding& role, std::vector<std::string>& lines) {
   }
 }
 
-void add_array(const Plan& plan, std::size_t device, const RoleBinding& role, std::vector<std::string>& lines) {
+void add_array(const Plan& plan, DeviceId device, const RoleBinding& role, std::vector<std::string>& lines) {
   if (role.array.empty()) return;
   lines.push_back(fmt::format("inline constexpr finemote::Port<{}> {}[] = {{", role.interface, role.array));
   for (const Binding& binding : role.bindings) lines.push_back("    " + port(plan, device, role, binding, true) + ",");
@@ -173,7 +170,7 @@ void add_array(const Plan& plan, std::size_t device, const RoleBinding& role, st
 
 }  // namespace
 
-std::vector<std::string> port_lines(const Plan& plan, std::size_t device) {
+std::vector<std::string> port_lines(const Plan& plan, DeviceId device) {
   std::vector<std::string> lines;
   add_crossings(plan, device, lines);
   add_use_objects(plan, plan.robot.devices[device], lines);
@@ -184,7 +181,7 @@ std::vector<std::string> port_lines(const Plan& plan, std::size_t device) {
   return lines;
 }
 
-std::string device_definition(const Plan& plan, std::size_t index, const std::vector<Constant>& constants) {
+std::string device_definition(const Plan& plan, DeviceId index, const std::vector<Constant>& constants) {
   const Device& device = plan.robot.devices[index];
   std::vector<std::string> arguments;
   if (!device.params.empty())

@@ -11,9 +11,9 @@
 namespace finemote::gen {
 
 /// `FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_1{...};`, arguments in the order of the device contract.
-std::string device_definition(const Plan& plan, std::size_t device, const std::vector<Constant>& constants);
+std::string device_definition(const Plan& plan, DeviceId device, const std::vector<Constant>& constants);
 
 /// Lines of namespace `ports` that must stand before the device: copies, latches, sinks, arrays.
-std::vector<std::string> port_lines(const Plan& plan, std::size_t device);
+std::vector<std::string> port_lines(const Plan& plan, DeviceId device);
 
 }  // namespace finemote::gen

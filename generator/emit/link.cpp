@@ -57,7 +57,7 @@ class Planner {
   Planner(const Plan& plan, const InterfaceTable& interfaces, Diagnostics& diagnostics)
       : plan_(plan), interfaces_(interfaces), diagnostics_(diagnostics) {}
 
-  DeviceLink link_of(std::size_t device) {
+  DeviceLink link_of(DeviceId device) {
     DeviceLink link;
     link.device = device;
     const DeviceType& type = *plan_.robot.devices[device].type;
@@ -224,7 +224,7 @@ std::vector<std::string> moves(const std::vector<LinkItem>& items, bool is_up, c
 std::vector<DeviceLink> plan_links(const Plan& plan, const InterfaceTable& interfaces, Diagnostics& diagnostics) {
   std::vector<DeviceLink> links;
   Planner planner(plan, interfaces, diagnostics);
-  for (const std::size_t device : plan.forest.order) {
+  for (const DeviceId device : plan.forest.order) {
     if (!plan.robot.devices[device].type->link_role.empty()) links.push_back(planner.link_of(device));
   }
   return links;
@@ -257,7 +257,7 @@ Data link_header(const Plan& plan, const DeviceLink& link) {
 
 std::vector<std::string> link_header_names(const Robot& robot, const Forest& forest) {
   std::vector<std::string> names;
-  for (const std::size_t device : forest.order) {
+  for (const DeviceId device : forest.order) {
     if (!robot.devices[device].type->link_role.empty())
       names.push_back("host/" + robot.devices[device].name.cpp + "_link.hpp");
   }

@@ -22,7 +22,7 @@ struct LinkItem {
 };
 
 struct DeviceLink {
-  std::size_t device = 0;
+  DeviceId device;
   std::vector<LinkItem> up, down;
   unsigned up_blocks = 0, down_blocks = 0;
   std::uint32_t number = 0;  ///< a layout that differs in anything has another one

@@ -9,14 +9,12 @@
 namespace finemote::gen {
 namespace {
 
-std::string tree_space(const Plan& plan, std::size_t device) {
+std::string tree_space(const Plan& plan, DeviceId device) {
   const Tree& tree = plan.forest.trees[plan.forest.tree_of[device]];
   return fmt::format("::{}::{}", plan.robot.name.cpp, tree.space);
 }
 
-bool same_tree(const Plan& plan, std::size_t a, std::size_t b) {
-  return plan.forest.tree_of[a] == plan.forest.tree_of[b];
-}
+bool same_tree(const Plan& plan, DeviceId a, DeviceId b) { return plan.forest.tree_of[a] == plan.forest.tree_of[b]; }
 
 }  // namespace
 
@@ -24,11 +22,11 @@ std::string bus_reference(const Plan& plan, const std::string& cpp_name) {
   return fmt::format("::{}::{}", plan.robot.name.cpp, cpp_name);
 }
 
-std::string ports_prefix(const Plan& plan, std::size_t from, std::size_t home) {
+std::string ports_prefix(const Plan& plan, DeviceId from, DeviceId home) {
   return same_tree(plan, from, home) ? "ports::" : tree_space(plan, home) + "::ports::";
 }
 
-std::string device_reference(const Plan& plan, std::size_t from, std::size_t device) {
+std::string device_reference(const Plan& plan, DeviceId from, DeviceId device) {
   const std::string& name = plan.robot.devices[device].name.cpp;
   return same_tree(plan, from, device) ? name : tree_space(plan, device) + "::" + name;
 }
@@ -54,7 +52,7 @@ std::string string_literal(const std::string& text) {
   return literal + "\"";
 }
 
-std::string device_comment(const Plan& plan, std::size_t device) {
+std::string device_comment(const Plan& plan, DeviceId device) {
   const Device& d = plan.robot.devices[device];
   if (!d.segment) return d.type->name;
   const Segment& segment = plan.robot.segments[*d.segment];

@@ -31,12 +31,12 @@ Data constants_data(const Plan& plan, const std::vector<Constant>& constants) {
 
 /// Two devices may ask for constants of one name: `a` for `yaw_axes`, and `a_yaw` for `axes`.
 void check_names(const Plan& plan, const std::vector<Constant>& constants, Diagnostics& diagnostics) {
-  std::map<std::string, std::size_t> owners;
+  std::map<std::string, DeviceId> owners;
   for (const Constant& constant : constants) {
     if (constant.text.empty()) continue;
     const auto [first, is_fresh] = owners.emplace(constant.name, constant.device);
     if (is_fresh) continue;
-    const std::vector<Device>& devices = plan.robot.devices;
+    const Table<DeviceId, Device>& devices = plan.robot.devices;
     report_name_clash(constant.name, devices[constant.device], {&devices[first->second]}, diagnostics);
   }
 }

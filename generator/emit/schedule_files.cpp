@@ -9,24 +9,17 @@
 namespace finemote::gen {
 namespace {
 
-/// The value of a param of <board>; `fallback` where the board has no such param.
-template <typename T>
-T board_param(const Plan& plan, std::string_view name, T fallback) {
-  for (const Param& param : plan.robot.board_params) {
-    if (param.spec->name == name) return std::get<T>(param.value);
-  }
-  return fallback;
-}
-
 /// A bucket starves when it completed no job in this many of its own periods; then the watchdog is not fed.
-std::int64_t watchdog_periods(const Plan& plan) { return board_param<std::int64_t>(plan, "watchdog_periods", 3); }
+std::int64_t watchdog_periods(const Plan& plan) {
+  return param_value(plan.robot.board_params, "watchdog_periods", std::int64_t{3});
+}
 
 /// Trees with a device in the bucket, in order.
 std::vector<const Tree*> trees_in(const Plan& plan, std::size_t bucket) {
   std::vector<const Tree*> trees;
   for (const Tree& tree : plan.forest.trees) {
     const bool member = std::any_of(tree.devices.begin(), tree.devices.end(),
-                                    [&](std::size_t device) { return plan.schedule.bucket_of[device] == bucket; });
+                                    [&](DeviceId device) { return plan.schedule.bucket_of[device] == bucket; });
     if (member) trees.push_back(&tree);
   }
   return trees;
@@ -40,7 +33,7 @@ std::vector<std::string> job_lines(const Plan& plan, std::size_t index) {
   for (const Tree* tree : trees) lines.push_back(fmt::format("{}::update_{}();", tree->space, bucket.label));
   std::reverse(trees.begin(), trees.end());
   for (const Tree* tree : trees) lines.push_back(fmt::format("{}::handle_{}();", tree->space, bucket.label));
-  for (std::size_t segment : bucket.flushes) {
+  for (SegmentId segment : bucket.flushes) {
     lines.push_back(plan.robot.segments[segment].name.cpp + ".flush();");
   }
   return lines;
@@ -67,7 +60,7 @@ Data bucket_list(const Plan& plan, const ProvenBounds& bounds) {
   return list;
 }
 
-std::string qualified(const Plan& plan, std::size_t device) {
+std::string qualified(const Plan& plan, DeviceId device) {
   return plan.forest.trees[plan.forest.tree_of[device]].space + "::" + plan.robot.devices[device].name.cpp;
 }
 
@@ -77,12 +70,11 @@ std::vector<std::string> safe_lines(const Plan& plan) {
   for (auto device = plan.forest.order.rbegin(); device != plan.forest.order.rend(); ++device) {
     if (plan.robot.devices[*device].type->actuator) lines.push_back(qualified(plan, *device) + ".safe();");
   }
-  for (const Segment& segment : plan.robot.segments) {
-    const auto index = static_cast<std::size_t>(&segment - plan.robot.segments.data());
+  for (const SegmentId segment : plan.robot.segments.ids()) {
     const bool shared = std::any_of(plan.schedule.buckets.begin(), plan.schedule.buckets.end(), [&](const Bucket& b) {
-      return std::find(b.flushes.begin(), b.flushes.end(), index) != b.flushes.end();
+      return std::find(b.flushes.begin(), b.flushes.end(), segment) != b.flushes.end();
     });
-    if (shared) lines.push_back(segment.name.cpp + ".flush();");
+    if (shared) lines.push_back(plan.robot.segments[segment].name.cpp + ".flush();");
   }
   return lines;
 }
@@ -107,7 +99,7 @@ std::vector<std::string> crossing_lines(const Plan& plan) {
 /// check: constant initialisation comes first for children, and a constant parent only binds addresses.
 std::vector<std::string> order_checks(const Plan& plan) {
   std::vector<std::string> lines;
-  for (std::size_t device : plan.forest.order) {
+  for (DeviceId device : plan.forest.order) {
     const Device& child = plan.robot.devices[device];
     if (!child.parent || child.type->constant_init) continue;
     const Device& parent = plan.robot.devices[*child.parent];
@@ -119,7 +111,9 @@ std::vector<std::string> order_checks(const Plan& plan) {
   return lines;
 }
 
-std::string overrun_policy(const Plan& plan) { return board_param<std::string>(plan, "overrun", "skip"); }
+std::string overrun_policy(const Plan& plan) {
+  return param_value(plan.robot.board_params, "overrun", std::string("skip"));
+}
 
 bool has_assumed(const Robot& robot) {
   return std::any_of(robot.devices.begin(), robot.devices.end(),

@@ -12,17 +12,17 @@ namespace finemote::gen {
 namespace {
 
 /// Devices of the tree in one bucket, in schedule order.
-std::vector<std::size_t> members(const Plan& plan, const Tree& tree, std::size_t bucket) {
-  std::vector<std::size_t> result;
-  for (std::size_t device : tree.devices) {
+std::vector<DeviceId> members(const Plan& plan, const Tree& tree, std::size_t bucket) {
+  std::vector<DeviceId> result;
+  for (DeviceId device : tree.devices) {
     if (plan.schedule.bucket_of[device] == bucket) result.push_back(device);
   }
   return result;
 }
 
-std::string stage_line(const Plan& plan, std::size_t device, const char* stage) {
+std::string stage_line(const Plan& plan, DeviceId device, const char* stage) {
   const bool is_handle = std::string_view(stage) == "handle";
-  const std::size_t number = 2 * plan.forest.rank[device] + (is_handle ? 1 : 0);
+  const std::size_t number = 2 * plan.forest.rank[device].value() + (is_handle ? 1 : 0);
   return fmt::format("{{ Stage stage{{{}}}; {}.{}(); }}", number, plan.robot.devices[device].name.cpp, stage);
 }
 
@@ -31,7 +31,7 @@ std::string with_comment(const std::string& line, const std::string& comment) {
   return fmt::format("{:<{}}  // {}", line, kColumn, comment);
 }
 
-std::string other_end(const Plan& plan, std::size_t device) {
+std::string other_end(const Plan& plan, DeviceId device) {
   const Device& d = plan.robot.devices[device];
   return fmt::format("{} ({})", d.name.text, period_text(d.period_ns));
 }
@@ -59,10 +59,10 @@ std::string publish_line(const Plan& plan, const Crossing& crossing) {
                       "to " + other_end(plan, crossing.consumer));
 }
 
-std::vector<std::string> sequence(const Plan& plan, const std::vector<std::size_t>& devices, const char* stage,
+std::vector<std::string> sequence(const Plan& plan, const std::vector<DeviceId>& devices, const char* stage,
                                   Crossing::Direction direction) {
   std::vector<std::string> lines;
-  for (std::size_t device : devices) {
+  for (DeviceId device : devices) {
     for (const Crossing& crossing : plan.schedule.crossings) {
       if (crossing.direction == direction && crossing.consumer == device) lines.push_back(fetch_line(plan, crossing));
     }
@@ -78,7 +78,7 @@ std::vector<std::string> sequence(const Plan& plan, const std::vector<std::size_
 Data sequences(const Plan& plan, const Tree& tree) {
   Data list(Data::type::list);
   for (std::size_t bucket : buckets_of(plan, tree)) {
-    std::vector<std::size_t> devices = members(plan, tree, bucket);
+    std::vector<DeviceId> devices = members(plan, tree, bucket);
     Data entry;
     entry.set("period", plan.schedule.buckets[bucket].label);
     entry.set("updates", text_list(sequence(plan, devices, "update", Crossing::Direction::state)));
@@ -90,8 +90,8 @@ Data sequences(const Plan& plan, const Tree& tree) {
 }
 
 /// What must be defined before `device`: its children, and devices of its own tree that its ports refer to directly.
-std::vector<std::size_t> made_from(const Plan& plan, std::size_t device) {
-  std::vector<std::size_t> sources = plan.robot.devices[device].children;
+std::vector<DeviceId> made_from(const Plan& plan, DeviceId device) {
+  std::vector<DeviceId> sources = plan.robot.devices[device].children;
   for (const RoleBinding& role : plan.schedule.roles[device]) {
     for (const Binding& binding : role.bindings) {
       if (binding.is_read && !binding.state_crossing) sources.push_back(binding.device);
@@ -102,19 +102,19 @@ std::vector<std::size_t> made_from(const Plan& plan, std::size_t device) {
 
 /// Leaf to root, and a device that another one of the tree reads before its reader: schedule order but for those that
 /// read what runs after them. Data never go in circles: the model has seen to that. Iterative: depth is the input's.
-std::vector<std::size_t> definition_order(const Plan& plan, const Tree& tree) {
+std::vector<DeviceId> definition_order(const Plan& plan, const Tree& tree) {
   struct Visit {
-    std::size_t device;
-    std::vector<std::size_t> sources;
+    DeviceId device;
+    std::vector<DeviceId> sources;
     std::size_t next = 0;
   };
-  std::vector<std::size_t> order;
-  std::set<std::size_t> seen;
+  std::vector<DeviceId> order;
+  std::set<DeviceId> seen;
   std::vector<Visit> way;
-  const auto enter = [&](std::size_t device) {
+  const auto enter = [&](DeviceId device) {
     if (seen.insert(device).second) way.push_back({device, made_from(plan, device)});
   };
-  for (const std::size_t start : tree.devices) {
+  for (const DeviceId start : tree.devices) {
     enter(start);
     while (!way.empty()) {
       Visit& visit = way.back();
@@ -134,9 +134,7 @@ std::string own_header(const Tree& tree) { return "\"trees/" + tree.space + ".hp
 /// Trees whose objects or latches the sequences of `tree` touch.
 std::vector<std::string> touched_headers(const Plan& plan, const Tree& tree) {
   std::vector<std::string> headers{"<finemote/stage.hpp>", own_header(tree)};
-  const auto inside = [&](std::size_t device) {
-    return plan.forest.trees[plan.forest.tree_of[device]].root == tree.root;
-  };
+  const auto inside = [&](DeviceId device) { return plan.forest.trees[plan.forest.tree_of[device]].root == tree.root; };
   for (const Crossing& crossing : plan.schedule.crossings) {
     if (inside(crossing.producer)) headers.push_back(own_header(plan.forest.trees[plan.forest.tree_of[crossing.home]]));
     const bool copied = crossing.kind == Crossing::Kind::copy && inside(crossing.consumer);
@@ -151,7 +149,7 @@ std::vector<std::string> object_headers(const Plan& plan, const Tree& tree, cons
   const auto include = [&](const DeviceType& type) {
     headers.push_back("<" + type.include + ">");  // never the tree's own file, whatever the root is called
   };
-  for (std::size_t device : tree.devices) {
+  for (DeviceId device : tree.devices) {
     const DeviceType& type = *plan.robot.devices[device].type;
     include(type);
     if (!type.builtin && !type.params.empty()) headers.emplace_back("<finemote/config.hpp>");
@@ -174,7 +172,7 @@ std::vector<std::string> object_headers(const Plan& plan, const Tree& tree, cons
 
 std::vector<std::size_t> buckets_of(const Plan& plan, const Tree& tree) {
   std::set<std::size_t> buckets;
-  for (std::size_t device : tree.devices) buckets.insert(plan.schedule.bucket_of[device]);
+  for (DeviceId device : tree.devices) buckets.insert(plan.schedule.bucket_of[device]);
   return {buckets.begin(), buckets.end()};
 }
 
@@ -185,7 +183,7 @@ Data tree_header(const Plan& plan, const Tree& tree, const std::vector<Constant>
   data.set("space", tree.space);
   data.set("includes", include_list(object_headers(plan, tree, constants)));
   Data devices(Data::type::list);
-  for (std::size_t device : definition_order(plan, tree)) {
+  for (DeviceId device : definition_order(plan, tree)) {
     std::vector<std::string> lines = port_lines(plan, device);
     for (const Constant& constant : constants) {
       if (constant.device == device && constant.in_tree) lines.push_back(constant.text);

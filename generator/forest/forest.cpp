@@ -4,12 +4,12 @@ namespace finemote::gen {
 namespace {
 
 /// Devices below and including `root`, children first. Iterative: depth is bounded by the input only.
-std::vector<std::size_t> leaf_to_root(const Robot& robot, std::size_t root) {
+std::vector<DeviceId> leaf_to_root(const Robot& robot, DeviceId root) {
   struct Visit {
-    std::size_t device;
+    DeviceId device;
     std::size_t next_child = 0;
   };
-  std::vector<std::size_t> sequence;
+  std::vector<DeviceId> sequence;
   std::vector<Visit> path{{root}};
   while (!path.empty()) {
     Visit& visit = path.back();
@@ -30,12 +30,11 @@ Forest build_forest(const Robot& robot) {
   Forest forest;
   forest.rank.resize(robot.devices.size());
   forest.tree_of.resize(robot.devices.size());
-  for (std::size_t device = 0; device < robot.devices.size(); ++device) {
+  for (const DeviceId device : robot.devices.ids()) {
     if (robot.devices[device].parent) continue;
     Tree tree{device, robot.devices[device].name.cpp, leaf_to_root(robot, device)};
-    for (std::size_t member : tree.devices) {
-      forest.rank[member] = forest.order.size();
-      forest.order.push_back(member);
+    for (DeviceId member : tree.devices) {
+      forest.rank[member] = forest.order.push_back(member);
       forest.tree_of[member] = forest.trees.size();
     }
     forest.trees.push_back(std::move(tree));

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "generator/descriptor/device_type.hpp"
 #include "generator/geometry/mechanism.hpp"
 
 namespace finemote::gen {

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <map>
 
-#include "generator/geometry/role_joints.hpp"
-
 namespace finemote::gen {
 namespace {
 
@@ -49,35 +47,12 @@ std::string carrier(const Mechanism& mechanism, const std::vector<std::string>& 
 
 bool is_about_body(const GeometrySpec& geometry) { return geometry.kind == "allocation" || geometry.kind == "rolling"; }
 
-std::string geometry_link(const Mechanism& mechanism, const Device& device, const GeometrySpec& geometry,
+std::string geometry_link(const Mechanism& mechanism, const std::string& device_link, const GeometrySpec& geometry,
                           const std::vector<std::string>& joints) {
   if (geometry.role.empty()) return {};
-  if (!device.link.empty()) return device.link;
+  if (!device_link.empty()) return device_link;
   if (is_about_body(geometry)) return carrier(mechanism, joints);
   return geometry.kind == "chain" ? mechanism.base() : mechanism.body();
-}
-
-std::string reference_link(const Robot& robot, const Device& device) {
-  const Mechanism mechanism(robot);
-  for (const GeometrySpec& geometry : device.type->geometry) {
-    const std::vector<std::string> joints = role_joints(robot, device, geometry);
-    if (!joints.empty()) return geometry_link(mechanism, device, geometry, joints);
-  }
-  return device.children.empty() ? std::string() : device.link;
-}
-
-std::string mount_link(const Robot& robot, std::size_t index) {
-  for (auto above = robot.devices[index].parent; above; above = robot.devices[*above].parent) {
-    const std::string link = reference_link(robot, robot.devices[*above]);
-    if (!link.empty()) return link;
-  }
-  for (const Device& device : robot.devices) {
-    const bool reads =
-        std::any_of(device.reads.begin(), device.reads.end(), [&](const Read& read) { return read.device == index; });
-    const std::string link = reads ? reference_link(robot, device) : std::string();
-    if (!link.empty()) return link;
-  }
-  return Mechanism(robot).body();
 }
 
 std::string body_problem(const Mechanism& mechanism, const std::string& link, const std::vector<std::string>& joints) {

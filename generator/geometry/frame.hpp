@@ -1,6 +1,7 @@
-// A device's geometry to the link in whose frame its numbers are.
+// A geometry entry to the link in whose frame its numbers are.
 #pragma once
 
+#include "generator/descriptor/device_type.hpp"
 #include "generator/geometry/mechanism.hpp"
 
 namespace finemote::gen {
@@ -11,20 +12,12 @@ std::string carrier(const Mechanism& mechanism, const std::vector<std::string>& 
 
 /// The link whose frame the constants of one of a device's geometry entries are in, with every joint at zero.
 ///
-/// The device's `link`; without one, carrier() of what pushes or rolls (`allocation`, `rolling`), Mechanism::body() of
-/// what asks what is ahead (`axes`, `range` of a role), and Mechanism::base() of what asks only where up is (`chain`).
-/// Empty for kinds without a frame (`range` of the device itself), for `mount`, which has mount_link(), and where
-/// carrier() is.
-std::string geometry_link(const Mechanism& mechanism, const Device& device, const GeometrySpec& geometry,
+/// The device's `link`, `device_link`; where it is empty, carrier() of what pushes or rolls (`allocation`, `rolling`),
+/// Mechanism::body() of what asks what is ahead (`axes`, `range` of a role), and Mechanism::base() of what asks only
+/// where up is (`chain`). Empty for kinds without a frame (`range` of the device itself), for `mount`, which has
+/// mount_link(), and where carrier() is.
+std::string geometry_link(const Mechanism& mechanism, const std::string& device_link, const GeometrySpec& geometry,
                           const std::vector<std::string>& joints);
-
-/// The link in whose axes a device computes: that of the first of its geometry entries that has joints, else its
-/// `link` if it is a parent of others; empty: none.
-std::string reference_link(const Robot& robot, const Device& device);
-
-/// The link whose axes a part's `mount` takes its data to: reference_link() of the nearest device above it that has
-/// one, else of the first that reads it, else Mechanism::body().
-std::string mount_link(const Robot& robot, std::size_t device);
 
 /// Why a wrench about this link, or rolling of it, says nothing of the robot; empty: it does. The world does not move,
 /// and what a joint of these turns moves against the rest.

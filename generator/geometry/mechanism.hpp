@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/model/robot.hpp"
+#include "generator/urdf/kinematics.hpp"
 
 namespace finemote::gen {
 
@@ -14,7 +14,6 @@ namespace finemote::gen {
 class Mechanism {
  public:
   Mechanism(const std::vector<Link>& links, const std::vector<Joint>& joints) : links_(links), joints_(joints) {}
-  explicit Mechanism(const Robot& robot) : Mechanism(robot.links, robot.joints) {}
 
   [[nodiscard]] const std::vector<Link>& links() const { return links_; }
   [[nodiscard]] const std::vector<Joint>& joints() const { return joints_; }

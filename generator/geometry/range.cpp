@@ -10,14 +10,6 @@ namespace {
 
 constexpr double kNoLimit = std::numeric_limits<float>::max();  // rad, on the target
 
-double param_value(const Device& device, const std::string& name, double otherwise) {
-  for (const Param& param : device.params) {
-    const auto* value = std::get_if<double>(&param.value);
-    if (param.spec->name == name && value != nullptr) return *value;
-  }
-  return otherwise;
-}
-
 }  // namespace
 
 std::optional<Range> limits_of(const Joint& joint) {
@@ -31,35 +23,36 @@ Range common(const Range& one, const Range& other) {
 
 Range within_travel(const Range& range, double travel) { return common(range, {-travel / 2, travel / 2}); }
 
-std::optional<Range> limits_along(const Mechanism& mechanism, const Device& device, const GeometrySpec& geometry,
-                                  const std::string& name) {
+std::optional<Range> limits_along(const Mechanism& mechanism, const std::string& device_link,
+                                  const GeometrySpec& geometry, const std::string& name) {
   const Joint* joint = mechanism.joint(name);
   const auto limits = joint == nullptr ? std::nullopt : limits_of(*joint);
   if (!limits || geometry.along.empty()) return limits;
-  const auto axis = joint_axis(mechanism, name, geometry_link(mechanism, device, geometry, {name}));
+  const auto axis = joint_axis(mechanism, name, geometry_link(mechanism, device_link, geometry, {name}));
   const bool is_reversed = axis && axis->direction[geometry.along[0] - 'x'] < 0;
   return is_reversed ? Range{-limits->upper, -limits->lower} : *limits;
 }
 
-Range allowed_range(const Device& device, const GeometrySpec& geometry) {
-  return {param_value(device, geometry.lowest, -kNoLimit), param_value(device, geometry.highest, kNoLimit)};
+Range allowed_range(const std::vector<Param>& params, const GeometrySpec& geometry) {
+  return {param_value(params, geometry.lowest, -kNoLimit), param_value(params, geometry.highest, kNoLimit)};
 }
 
-std::vector<Range> role_ranges(const Mechanism& mechanism, const Device& device, const GeometrySpec& geometry,
+std::vector<Range> role_ranges(const Mechanism& mechanism, const std::string& device_link,
+                               const std::vector<Param>& params, const GeometrySpec& geometry,
                                const std::vector<std::string>& joints) {
-  const Range allowed = allowed_range(device, geometry);
+  const Range allowed = allowed_range(params, geometry);
   std::vector<Range> ranges;
   bool is_limited = false;
   for (const std::string& joint : joints) {
-    const auto limits = limits_along(mechanism, device, geometry, joint);
+    const auto limits = limits_along(mechanism, device_link, geometry, joint);
     ranges.push_back(limits ? common(*limits, allowed) : allowed);
     is_limited = is_limited || limits;
   }
   return is_limited ? ranges : std::vector<Range>{};
 }
 
-double geometry_param(const Device& device, const GeometrySpec& geometry) {
-  return param_value(device, geometry.param, 0);
+double geometry_param(const std::vector<Param>& params, const GeometrySpec& geometry) {
+  return param_value(params, geometry.param, 0.0);
 }
 
 }  // namespace finemote::gen

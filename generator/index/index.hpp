@@ -92,6 +92,8 @@ class Table {
 
   [[nodiscard]] std::size_t size() const { return elements_.size(); }
   [[nodiscard]] bool empty() const { return elements_.empty(); }
+  /// Whether there is an element of that index.
+  [[nodiscard]] bool contains(Id id) const { return id.value() < elements_.size(); }
 
   /// The indices of all elements, in order. Elements added meanwhile are not part of it.
   [[nodiscard]] Indices<Id> ids() const { return Indices<Id>{elements_.size()}; }
@@ -111,6 +113,8 @@ class Table {
   [[nodiscard]] auto end() { return elements_.end(); }
   [[nodiscard]] auto begin() const { return elements_.begin(); }
   [[nodiscard]] auto end() const { return elements_.end(); }
+  [[nodiscard]] auto rbegin() const { return elements_.rbegin(); }
+  [[nodiscard]] auto rend() const { return elements_.rend(); }
 
   friend bool operator==(const Table&, const Table&) = default;
 

@@ -7,7 +7,7 @@
 namespace finemote::gen {
 namespace {
 
-bool is_used(const Robot& robot, std::size_t bus) {
+bool is_used(const Robot& robot, BusId bus) {
   const auto is_on_bus = [&](const auto& part) { return part.segment && robot.segments[*part.segment].bus == bus; };
   return std::any_of(robot.expanders.begin(), robot.expanders.end(),
                      [&](const Expander& expander) { return robot.segments[expander.segment].bus == bus; }) ||
@@ -16,7 +16,7 @@ bool is_used(const Robot& robot, std::size_t bus) {
          });
 }
 
-bool is_required(const Robot& robot, std::size_t bus) {
+bool is_required(const Robot& robot, BusId bus) {
   return std::any_of(robot.requirements.begin(), robot.requirements.end(),
                      [&](const Requirement& requirement) { return requirement.bus == bus; });
 }
@@ -29,10 +29,10 @@ Diagnostic& add(Findings& findings, const Bus& bus, std::string message) {
 
 void find_unused_bus(const CheckedBus& checked, Findings& findings) {
   const Bus& bus = checked.bus();
-  if (is_used(checked.robot, checked.index)) return;
+  if (is_used(checked.robot, checked.id)) return;
   Diagnostic& finding = add(findings, bus, fmt::format("bus '{}' is unused", bus.name.text));
   finding.hint(fmt::format("remove it{}: it costs start-up code and interrupts",
-                           is_required(checked.robot, checked.index) ? ", and the <require> that names it" : ""));
+                           is_required(checked.robot, checked.id) ? ", and the <require> that names it" : ""));
   findings.fix(finding, bus.name.text, remove_element(bus.at));
 }
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "generator/geometry/role_joints.hpp"
 #include "generator/model/conversion.hpp"
+#include "generator/model/device_frames.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
@@ -42,7 +42,7 @@ void offer_periods(std::int64_t own, std::int64_t parent, std::int64_t tick, Dia
 }
 
 bool suits_neighbours(const Robot& robot, const Device& device, std::int64_t period) {
-  const auto suits = [&](std::size_t other) { return divides_either_way(period, robot.devices[other].period_ns); };
+  const auto suits = [&](DeviceId other) { return divides_either_way(period, robot.devices[other].period_ns); };
   return (!device.parent || suits(*device.parent)) &&
          std::all_of(device.children.begin(), device.children.end(), suits);
 }
@@ -75,7 +75,7 @@ void report_command_age(const CheckedDevice& checked, const Param& param, std::i
 
 void find_late_sensors(const CheckedDevice& checked, Findings& findings) {
   const Device* first_actuator = nullptr;
-  for (const std::size_t index : checked.device.children) {
+  for (const DeviceId index : checked.device.children) {
     const Device& child = checked.robot.devices[index];
     if (first_actuator == nullptr && is_actuator(child)) first_actuator = &child;
     const bool delays = first_actuator != nullptr && is_sensor(child) && child.period_ns == first_actuator->period_ns;

@@ -65,7 +65,7 @@ void find_short_travel(const CheckedGeometry& checked, Findings& findings) {
   const Joint* joint = checked.mechanism.joint(device.joint);
   const auto limits = joint == nullptr ? std::nullopt : limits_of(*joint);
   if (!limits) return;
-  const double travel = geometry_param(device, geometry), tolerance = radians(geometry.tolerance_deg);
+  const double travel = geometry_param(device.params, geometry), tolerance = radians(geometry.tolerance_deg);
   const Range reached = within_travel(*limits, travel);
   if (reached.lower <= limits->lower + tolerance && reached.upper >= limits->upper - tolerance) return;
   findings
@@ -107,7 +107,7 @@ void find_massless_chain(const CheckedGeometry& checked, Findings& findings) {
   if (geometry.kind != "chain" || checked.joints.empty()) return;
   const auto links = chain(checked.mechanism, checked.joints, checked.link);
   const bool has_mass = std::any_of(links.begin(), links.end(), [](const ChainLink& link) { return link.mass > 0; });
-  const bool carries = geometry.param.empty() || geometry_param(device, geometry) != 0;
+  const bool carries = geometry.param.empty() || geometry_param(device.params, geometry) != 0;
   if (has_mass || !carries) return;
   Diagnostic& finding = findings.add(
       device, fmt::format("nothing that the {} of device '{}' move has a mass", geometry.role, device.name.text));
@@ -120,10 +120,10 @@ void find_massless_chain(const CheckedGeometry& checked, Findings& findings) {
 void find_wide_params(const CheckedGeometry& checked, Findings& findings) {
   const GeometrySpec& geometry = checked.geometry;
   if (geometry.kind != "range") return;
-  const Range allowed = allowed_range(checked.device, geometry);
+  const Range allowed = allowed_range(checked.device.params, geometry);
   const double tolerance = radians(geometry.tolerance_deg);
   for (const std::string& name : checked.joints) {
-    const auto limits = limits_along(checked.mechanism, checked.device, geometry, name);
+    const auto limits = limits_along(checked.mechanism, checked.device.link, geometry, name);
     if (!limits) continue;
     if (allowed.lower < limits->lower - tolerance)
       report_param(checked, geometry.lowest, name, *limits, allowed.lower, findings);

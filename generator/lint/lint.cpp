@@ -4,8 +4,8 @@
 #include <span>
 
 #include "generator/geometry/frame.hpp"
-#include "generator/geometry/role_joints.hpp"
 #include "generator/lint/rules.hpp"
+#include "generator/model/device_frames.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -14,26 +14,26 @@ bool contains(const std::vector<Code>& codes, Code code) {
   return std::find(codes.begin(), codes.end(), code) != codes.end();
 }
 
-CheckedBus checked_bus(const Robot& robot, std::size_t index, const LintOptions& options) {
+CheckedBus checked_bus(const Robot& robot, BusId index, const LintOptions& options) {
   const Position& at = robot.buses[index].at;
   const auto overload = std::find_if(
       options.overloads.begin(), options.overloads.end(),
       [&](const Diagnostic& finding) { return finding.at.line == at.line && finding.at.column == at.column; });
-  return {robot, index, index < options.bus_load.size() ? options.bus_load[index] : 0, options.most_bus_load,
+  return {robot, index, options.bus_load.contains(index) ? options.bus_load[index] : 0, options.most_bus_load,
           overload == options.overloads.end() ? nullptr : &*overload};
 }
 
-CheckedDevice checked_device(const Robot& robot, std::size_t index, const LintOptions& options) {
-  const bool is_known = index < options.command_ages.size();
+CheckedDevice checked_device(const Robot& robot, DeviceId index, const LintOptions& options) {
+  const bool is_known = options.command_ages.contains(index);
   return {robot, robot.devices[index], is_known ? options.command_ages[index] : std::nullopt};
 }
 
 std::vector<CheckedGeometry> checked_geometries(const Robot& robot, const Device& device) {
   std::vector<CheckedGeometry> all;
   for (const GeometrySpec& geometry : device.type->geometry) {
-    const Mechanism mechanism(robot);
+    const Mechanism mechanism(robot.links, robot.joints);
     const std::vector<std::string> joints = role_joints(robot, device, geometry);
-    const std::string link = joints.empty() ? "" : geometry_link(mechanism, device, geometry, joints);
+    const std::string link = joints.empty() ? "" : geometry_link(mechanism, device.link, geometry, joints);
     all.push_back({robot, device, geometry, mechanism, joints, link});
   }
   return all;
@@ -77,8 +77,8 @@ class Linter {
 
 std::vector<Fix> lint(const Robot& robot, const LintOptions& options, Diagnostics& diagnostics) {
   Linter linter(options, diagnostics);
-  for (std::size_t i = 0; i < robot.buses.size(); ++i) linter.check(checked_bus(robot, i, options));
-  for (std::size_t i = 0; i < robot.devices.size(); ++i) {
+  for (const BusId i : robot.buses.ids()) linter.check(checked_bus(robot, i, options));
+  for (const DeviceId i : robot.devices.ids()) {
     linter.check(checked_device(robot, i, options));
     linter.check(std::span<const CheckedGeometry>(checked_geometries(robot, robot.devices[i])));
   }

@@ -13,8 +13,8 @@ struct LintOptions {
   std::vector<Code> allow;  ///< not reported
   std::vector<Code> deny;   ///< reported as errors
   double most_bus_load = 0.7;
-  std::vector<double> bus_load;  ///< 0..1, per Robot::buses, from the timing analysis; empty: not known
-  std::vector<std::optional<CommandAge>> command_ages;  ///< proven, per Robot::devices; empty: not known
+  Table<BusId, double> bus_load;                            ///< 0..1, from the timing analysis; empty: not known
+  Table<DeviceId, std::optional<CommandAge>> command_ages;  ///< proven; empty: not known
   std::vector<Diagnostic> overloads;  ///< FM4021 of the timing analysis, instead of FM3155 for these buses; who denies
                                       ///< FM3155 denies them
 };

@@ -6,7 +6,7 @@ namespace finemote::gen {
 
 const Device& CheckedGeometry::child_of(const std::string& name) const {
   const auto found = std::find_if(device.children.begin(), device.children.end(),
-                                  [&](std::size_t child) { return robot.devices[child].joint == name; });
+                                  [&](DeviceId child) { return robot.devices[child].joint == name; });
   return robot.devices[*found];
 }
 

@@ -16,18 +16,18 @@ namespace finemote::gen {
 /// The oldest data behind a device's command, at the end of its handle().
 struct CommandAge {
   std::int64_t ns = 0;
-  std::size_t source = 0;  ///< whose sample: index into Robot::devices
+  DeviceId source;  ///< whose sample
 };
 
 /// A bus, with what the timing analysis says of it.
 struct CheckedBus {
   const Robot& robot;
-  std::size_t index;           ///< into Robot::buses
+  BusId id;
   double load;                 ///< from 0 on, of the bus's capacity; 0: not known
   double most_load;            ///< 0..1: what it may be
   const Diagnostic* overload;  ///< FM4021; null: it has time for all
 
-  [[nodiscard]] const Bus& bus() const { return robot.buses[index]; }
+  [[nodiscard]] const Bus& bus() const { return robot.buses[id]; }
   [[nodiscard]] bool is_busy() const { return load > most_load; }
 };
 

@@ -24,11 +24,11 @@ bool is_mounted(const Device& device) {
 
 std::vector<MountedSensor> mounted_sensors(const Robot& robot, const Device& device) {
   std::vector<MountedSensor> sensors;
-  const auto visit = [&](std::size_t index, std::size_t role) {
+  const auto visit = [&](DeviceId index, std::size_t role) {
     const Device& sensor = robot.devices[index];
     if (is_mounted(sensor)) sensors.push_back({sensor, device.type->roles[role].name});
   };
-  for (const std::size_t child : device.children) {
+  for (const DeviceId child : device.children) {
     if (robot.devices[child].role) visit(child, *robot.devices[child].role);
   }
   for (const Read& read : device.reads) visit(read.device, read.role);

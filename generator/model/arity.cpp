@@ -28,12 +28,12 @@ std::vector<const DeviceType*> fitting_types(Reading& reading, const RoleSpec& r
 /// Writes the child that is missing, at a place that is free.
 class MissingChild {
  public:
-  MissingChild(Reading& reading, std::size_t parent, std::size_t role)
+  MissingChild(Reading& reading, DeviceId parent, std::size_t role)
       : reading_(reading), parent_(reading.robot.devices[parent]), role_(role) {}
 
   std::string text(const std::vector<const DeviceType*>& types) const {
     const Device* sibling = nullptr;
-    for (const std::size_t child : parent_.children) {
+    for (const DeviceId child : parent_.children) {
       const Device& device = reading_.robot.devices[child];
       if (device.role == role_ && device.type != nullptr) sibling = &device;
     }
@@ -75,20 +75,20 @@ class MissingChild {
   std::string place(const DeviceType& type, const Device* sibling) const {
     if (type.buses.empty()) return {};
     const auto& segments = reading_.robot.segments;
-    std::vector<std::size_t> candidates;
+    std::vector<SegmentId> candidates;
     if (sibling != nullptr && sibling->segment) candidates.push_back(*sibling->segment);
-    for (std::size_t i = 0; i < segments.size(); ++i) {
+    for (const SegmentId i : segments.ids()) {
       const bool fits = std::find(type.buses.begin(), type.buses.end(), segments[i].bus_kind) != type.buses.end();
       if (fits && segments[i].bus_kind != BusKind::uart) candidates.push_back(i);
     }
-    for (const std::size_t segment : candidates) {
+    for (const SegmentId segment : candidates) {
       const auto number = number_on(type, segment);
       if (number) return fmt::format(" bus=\"{}\"{}", segments[segment].name.text, *number);
     }
     return type.bus_required ? " bus=\"...\"" : "";
   }
   /// ` channel="7"`, ` id="2"`; none when nothing is free there.
-  [[nodiscard]] std::optional<std::string> number_on(const DeviceType& type, std::size_t segment) const {
+  [[nodiscard]] std::optional<std::string> number_on(const DeviceType& type, SegmentId segment) const {
     if (type.needs_id) {
       const auto ids = free_ids(reading_, type, segment);
       return ids.empty() ? std::nullopt : std::optional(fmt::format(" id=\"{}\"", ids.front()));
@@ -106,13 +106,13 @@ class MissingChild {
 };
 
 /// Roots that would fit and stand elsewhere: probably the child that is missed.
-std::string lonely_devices(const Reading& reading, std::size_t parent, const RoleSpec& role) {
+std::string lonely_devices(const Reading& reading, DeviceId parent, const RoleSpec& role) {
   if (role.interface == "any") return {};
-  std::size_t root = parent;
+  DeviceId root = parent;
   for (std::size_t steps = 0; reading.robot.devices[root].parent && steps < reading.robot.devices.size(); ++steps)
     root = *reading.robot.devices[root].parent;
   std::string list;
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
     if (device.parent || i == root || device.type == nullptr || !satisfies(*device.type, role)) continue;
     list += (list.empty() ? "'" : ", '") + device.name.text + "'";
@@ -120,7 +120,7 @@ std::string lonely_devices(const Reading& reading, std::size_t parent, const Rol
   return list;
 }
 
-void report_too_few(Reading& reading, std::size_t index, std::size_t role, std::size_t given) {
+void report_too_few(Reading& reading, DeviceId index, std::size_t role, std::size_t given) {
   const Device& device = reading.robot.devices[index];
   const RoleSpec& spec = device.type->roles[role];
   auto& finding = at_tag(
@@ -137,11 +137,11 @@ void report_too_few(Reading& reading, std::size_t index, std::size_t role, std::
   finding.hint("nest in it for example " + MissingChild(reading, index, role).text(types));
 }
 
-void check_role(Reading& reading, std::size_t index, std::size_t role, bool may_be_elsewhere) {
+void check_role(Reading& reading, DeviceId index, std::size_t role, bool may_be_elsewhere) {
   const Device& device = reading.robot.devices[index];
   const RoleSpec& spec = device.type->roles[role];
   std::vector<Position> members;
-  for (const std::size_t child : device.children) {
+  for (const DeviceId child : device.children) {
     if (reading.robot.devices[child].role == role) members.push_back(reading.robot.devices[child].at);
   }
   for (const Read& read : device.reads) {
@@ -165,7 +165,7 @@ void check_arities(Reading& reading) {
   // a device whose parent="..." names nothing may be the one that is missed
   const bool has_lost_child = std::any_of(reading.devices.begin(), reading.devices.end(),
                                           [](const Reading::DeviceState& state) { return state.parent_is_wrong; });
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     const DeviceType* type = reading.robot.devices[i].type;
     for (std::size_t role = 0; type != nullptr && role < type->roles.size(); ++role)
       check_role(reading, i, role, has_lost_child);

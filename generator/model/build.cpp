@@ -11,20 +11,18 @@
 
 namespace finemote::gen {
 
-std::optional<std::size_t> Reading::device_named(std::string_view name) const {
-  const auto& list = robot.devices;
-  const auto found =
-      std::find_if(list.begin(), list.end(), [&](const Device& device) { return device.name.text == name; });
-  if (found == list.end()) return {};
-  return static_cast<std::size_t>(found - list.begin());
+std::optional<DeviceId> Reading::device_named(std::string_view name) const {
+  for (const DeviceId device : robot.devices.ids()) {
+    if (robot.devices[device].name.text == name) return device;
+  }
+  return {};
 }
 
-std::optional<std::size_t> Reading::segment_named(std::string_view name) const {
-  const auto& list = robot.segments;
-  const auto found =
-      std::find_if(list.begin(), list.end(), [&](const Segment& segment) { return segment.name.text == name; });
-  if (found == list.end()) return {};
-  return static_cast<std::size_t>(found - list.begin());
+std::optional<SegmentId> Reading::segment_named(std::string_view name) const {
+  for (const SegmentId segment : robot.segments.ids()) {
+    if (robot.segments[segment].name.text == name) return segment;
+  }
+  return {};
 }
 
 void Reading::report_unknown_bus(const xml::Attribute& name, const std::vector<std::string>& fitting) {
@@ -98,14 +96,6 @@ void check_there_is_a_device(const Tags& tags, const Robot& robot, Diagnostics& 
       .hint("add for example <device name=\"load\" type=\"sim_load\" period=\"10ms\"/>");
 }
 
-std::int64_t value_of_param(const Device& device, const std::string& name) {
-  for (const Param& param : device.params) {
-    const auto* value = std::get_if<std::int64_t>(&param.value);
-    if (param.spec->name == name && value != nullptr) return *value;
-  }
-  return 0;
-}
-
 /// Saturates: such a time fails every analysis, which says so.
 std::int64_t add_times(std::int64_t a, std::int64_t b) {
   std::int64_t sum = 0;
@@ -122,9 +112,9 @@ void assume_wcet(Device& device, std::int64_t otherwise_ns) {
   device.wcet.update_ns = add_times(wcet.update_ns, wcet.per_child_ns * children);
   device.wcet.handle_ns = add_times(wcet.handle_ns, wcet.per_child_ns * children);
   for (const std::string& param : wcet.update_params)
-    device.wcet.update_ns = add_times(device.wcet.update_ns, value_of_param(device, param));
+    device.wcet.update_ns = add_times(device.wcet.update_ns, param_value(device.params, param, std::int64_t{0}));
   for (const std::string& param : wcet.handle_params)
-    device.wcet.handle_ns = add_times(device.wcet.handle_ns, value_of_param(device, param));
+    device.wcet.handle_ns = add_times(device.wcet.handle_ns, param_value(device.params, param, std::int64_t{0}));
 }
 
 void list_inputs(Robot& robot, const Sources& sources) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/model/robot.hpp"
 #include "generator/xml/node.hpp"

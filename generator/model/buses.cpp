@@ -22,12 +22,6 @@ bool serves(const Port& port, BusKind kind) {
   return std::find(port.kinds.begin(), port.kinds.end(), kind) != port.kinds.end();
 }
 
-std::string kinds_text(const std::vector<BusKind>& kinds) {
-  std::string text;
-  for (const BusKind kind : kinds) text += (text.empty() ? "" : ", ") + bus_kind_name(kind);
-  return text;
-}
-
 /// Ports that can serve the kind; all ports when the kind is not known.
 std::vector<std::string> ports_for(const Board& board, std::optional<BusKind> kind) {
   std::vector<std::string> names;
@@ -98,7 +92,7 @@ class PortFinder {
     auto& finding =
         at_value(reading_.diagnostics, code::port_kind, name,
                  fmt::format("port '{}' cannot serve a bus of type '{}'", port->name, bus_kind_name(*kind_)));
-    finding.note(fmt::format("it can serve: {}", kinds_text(port->kinds)));
+    finding.note(fmt::format("it can serve: {}", fmt::join(bus_kind_names(port->kinds), ", ")));
     const std::vector<std::string> able = ports_for(board, kind_);
     if (!able.empty()) finding.hint(did_you_mean(port->name, able));
     return nullptr;
@@ -370,7 +364,7 @@ void read_bus(Reading& reading, const xml::Node& tag) {
 
 void read_buses(Reading& reading) {
   for (const xml::Node* tag : reading.tags.buses) read_bus(reading, *tag);
-  for (std::size_t i = 0; i < reading.robot.buses.size(); ++i) {
+  for (const BusId i : reading.robot.buses.ids()) {
     const Bus& bus = reading.robot.buses[i];
     reading.robot.segments.push_back({Segment::Kind::bus, bus.name, bus.kind, i, {}, 0});
   }

@@ -23,12 +23,6 @@ bool contains(const std::vector<BusKind>& kinds, BusKind kind) {
   return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
-std::string kinds_text(const std::vector<BusKind>& kinds) {
-  std::string text;
-  for (const BusKind kind : kinds) text += (text.empty() ? "" : " or ") + bus_kind_name(kind);
-  return text;
-}
-
 std::vector<std::string> names_of(const std::vector<UseSpec>& uses) {
   std::vector<std::string> names;
   for (const UseSpec& use : uses) names.push_back(use.role);
@@ -111,7 +105,7 @@ class DeviceReader {
     if (reading_.tags.is_misspelt(tag_, "bus")) return;
     auto& finding = at_tag(diagnostics_, code::bus_needed, tag_,
                            fmt::format("{} of type '{}' needs a bus", owner_, device_.type->name));
-    finding.note(fmt::format("it sits on {}", kinds_text(device_.type->buses)));
+    finding.note(fmt::format("it sits on {}", fmt::join(bus_kind_names(device_.type->buses), ", ")));
     const auto candidates = segments_of(reading_, device_.type->buses);
     if (!candidates.empty()) finding.hint(fmt::format("add for example bus=\"{}\"", candidates.front()));
   }
@@ -123,10 +117,11 @@ class DeviceReader {
       return false;
     }
     if (!kind_is_known(reading_, segment) || contains(type.buses, segment.bus_kind))
-      return kind_is_known(reading_, segment) && segment.bus != kNoSegment;
-    auto& finding = at_value(diagnostics_, code::bus_kind, bus,
-                             fmt::format("'{}' sits on {}; bus '{}' is of type '{}'", type.name, kinds_text(type.buses),
-                                         bus.value, bus_kind_name(segment.bus_kind)));
+      return kind_is_known(reading_, segment) && segment.bus != kNoBus;
+    auto& finding =
+        at_value(diagnostics_, code::bus_kind, bus,
+                 fmt::format("'{}' sits on {}; bus '{}' is of type '{}'", type.name,
+                             fmt::join(bus_kind_names(type.buses), ", "), bus.value, bus_kind_name(segment.bus_kind)));
     const auto candidates = segments_of(reading_, type.buses);
     if (!candidates.empty()) suggest(finding, bus.value, candidates);
     if (candidates.empty())
@@ -241,7 +236,7 @@ class DeviceReader {
     for (const UseSpec& spec : device_.type->uses) {
       if (!spec.required || given.count(spec.role) > 0) continue;
       at_tag(diagnostics_, code::use_missing, tag_, fmt::format("{} needs <use role=\"{}\">", owner_, spec.role))
-          .note(fmt::format("it takes: {}", kinds_text(spec.buses)))
+          .note(fmt::format("it takes: {}", fmt::join(bus_kind_names(spec.buses), ", ")))
           .hint(fmt::format("add for example <use role=\"{}\" {}/>", spec.role,
                             contains(spec.buses, BusKind::gpio) ? "pin=\"" + example_pin(spec) + "\"" : "bus=\"...\""));
     }
@@ -270,7 +265,7 @@ class DeviceReader {
     const std::string& function = spec.function;
     if (reading_.robot.board != nullptr) {
       for (const NamedPin& pin : reading_.robot.board->pins) {
-        if (std::find(pin.functions.begin(), pin.functions.end(), function) != pin.functions.end()) return pin.name;
+        if (pin.can(function)) return pin.name;
       }
     }
     return "PB12";
@@ -324,7 +319,8 @@ class DeviceReader {
   bool read_pin(const xml::Attribute& pin, Use& use, bool wants_pin) {
     if (!wants_pin) {
       at_value(diagnostics_, code::use_endpoint, pin,
-               fmt::format("<use role=\"{}\"> takes a {}, not a pin", use.spec->role, kinds_text(use.spec->buses)));
+               fmt::format("<use role=\"{}\"> takes a {}, not a pin", use.spec->role,
+                           fmt::join(bus_kind_names(use.spec->buses), ", ")));
       return false;
     }
     const PlacedPin found =
@@ -342,10 +338,10 @@ class DeviceReader {
     }
     const Segment& segment = reading_.robot.segments[*use.segment];
     if (!kind_is_known(reading_, segment)) return false;
-    if (contains(use.spec->buses, segment.bus_kind)) return segment.bus != kNoSegment;
+    if (contains(use.spec->buses, segment.bus_kind)) return segment.bus != kNoBus;
     at_value(diagnostics_, code::bus_kind, bus,
              fmt::format("<use role=\"{}\"> takes {}; bus '{}' is of type '{}'", use.spec->role,
-                         kinds_text(use.spec->buses), bus.value, bus_kind_name(segment.bus_kind)));
+                         fmt::join(bus_kind_names(use.spec->buses), ", "), bus.value, bus_kind_name(segment.bus_kind)));
     return false;
   }
 

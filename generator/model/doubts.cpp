@@ -17,7 +17,7 @@ std::vector<const Joint*> way_to(const Mechanism& mechanism, const std::string& 
 }
 
 /// The link whose place the device depends on; empty: none.
-std::string place_of(const Reading& reading, std::size_t device) {
+std::string place_of(const Reading& reading, DeviceId device) {
   const Joint* joint = reading.kinematics.joint(value_of(reading.device_tag(device), "joint"));
   return joint != nullptr ? joint->child_link : std::string(value_of(reading.device_tag(device), "link"));
 }
@@ -29,7 +29,7 @@ bool weighs(const Device& device) {
 
 /// The first device that what is computed for depends on the joint or link of the doubt.
 const Device* first_user(const Reading& reading, const Mechanism& mechanism, const Doubt& doubt) {
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
     if (doubt.joint.empty() && weighs(device)) return &device;
     const std::vector<const Joint*> way = way_to(mechanism, place_of(reading, i));

@@ -18,7 +18,7 @@ bool is_inverted(const std::string& format) { return format.ends_with("_inverted
 
 /// Somebody on a serial line, with the tag that names the bus.
 struct LineUser {
-  std::size_t bus;
+  BusId bus;
   const Device& device;
   const std::string& format;
   const xml::Node& tag;
@@ -55,12 +55,12 @@ void check_line(Reading& reading, const LineUser& user) {
 }
 
 void check_lines(Reading& reading) {
-  const auto check = [&](std::optional<std::size_t> segment, const Device& device, const std::string& format,
+  const auto check = [&](std::optional<SegmentId> segment, const Device& device, const std::string& format,
                          const xml::Node& tag) {
     if (!segment || reading.robot.segments[*segment].bus_kind != BusKind::uart) return;
     check_line(reading, {reading.robot.segments[*segment].bus, device, format, tag});
   };
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
     if (device.type == nullptr) continue;
     check(device.segment, device, device.type->format, reading.device_tag(i));
@@ -75,7 +75,7 @@ std::string frames_text(const std::vector<std::uint32_t>& identifiers) {
   return text;
 }
 
-void report_frame(Reading& reading, std::size_t index, std::uint32_t identifier,
+void report_frame(Reading& reading, DeviceId index, std::uint32_t identifier,
                   const std::vector<std::uint32_t>& others) {
   const Device& device = reading.robot.devices[index];
   const Bus& bus = reading.robot.buses[reading.robot.segments[*device.segment].bus];
@@ -89,8 +89,8 @@ void report_frame(Reading& reading, std::size_t index, std::uint32_t identifier,
 
 /// The command frames that the devices of each CAN bus fill together.
 void check_frames(Reading& reading) {
-  std::map<std::size_t, std::vector<std::uint32_t>> frames;
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  std::map<BusId, std::vector<std::uint32_t>> frames;
+  for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
     if (device.type == nullptr || !device.segment || !device.id) continue;
     std::vector<std::uint32_t>& known = frames[reading.robot.segments[*device.segment].bus];
@@ -106,9 +106,9 @@ void check_frames(Reading& reading) {
   }
 }
 
-std::vector<std::size_t> devices_per_bus(const Reading& reading) {
-  std::vector<std::size_t> counts(reading.robot.buses.size());
-  const auto count = [&](std::size_t segment) { ++counts[reading.robot.segments[segment].bus]; };
+Table<BusId, std::size_t> devices_per_bus(const Reading& reading) {
+  Table<BusId, std::size_t> counts(reading.robot.buses.size());
+  const auto count = [&](SegmentId segment) { ++counts[reading.robot.segments[segment].bus]; };
   for (const Device& device : reading.robot.devices) {
     if (device.segment) count(*device.segment);
     for (const Use& use : device.uses) {
@@ -119,8 +119,8 @@ std::vector<std::size_t> devices_per_bus(const Reading& reading) {
 }
 
 void check_counts(Reading& reading) {
-  const std::vector<std::size_t> counts = devices_per_bus(reading);
-  for (std::size_t i = 0; i < counts.size(); ++i) {
+  const Table<BusId, std::size_t> counts = devices_per_bus(reading);
+  for (const BusId i : counts.ids()) {
     const Bus& bus = reading.robot.buses[i];
     const std::size_t most = bus.kind == BusKind::can ? runtime_limits::kCanSlots : runtime_limits::kSlots;
     if (counts[i] <= most || bus.kind == BusKind::virtual_bus) continue;

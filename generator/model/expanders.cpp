@@ -104,12 +104,12 @@ class ExpanderReader {
   }
   void add_segments() {
     auto& segments = reading_.robot.segments;
-    const std::size_t self = reading_.robot.expanders.size();
+    const ExpanderId self = reading_.robot.expanders.next_id();
     if (expander_.type != nullptr && !expander_.type->named_channels) {
-      segments.push_back({Segment::Kind::pwm_expander, expander_.name, expander_.type->provides, kNoSegment, self, 0});
+      segments.push_back({Segment::Kind::pwm_expander, expander_.name, expander_.type->provides, kNoBus, self, 0});
     }
     for (const Expander::Channel& channel : expander_.channels) {
-      segments.push_back({Segment::Kind::mux_channel, channel.name, BusKind::i2c, kNoSegment, self, channel.index});
+      segments.push_back({Segment::Kind::mux_channel, channel.name, BusKind::i2c, kNoBus, self, channel.index});
     }
   }
 
@@ -147,7 +147,7 @@ void report_misnamed(Reading& reading, const xml::Node& tag) {
 }
 
 /// Buses an expander can sit on: not what it provides itself, and for a mux no channel of another.
-std::vector<std::string> buses_for(const Reading& reading, std::size_t index) {
+std::vector<std::string> buses_for(const Reading& reading, ExpanderId index) {
   const Expander& expander = reading.robot.expanders[index];
   const bool is_mux = expander.type == nullptr || expander.type->named_channels;
   std::vector<std::string> names;
@@ -160,7 +160,7 @@ std::vector<std::string> buses_for(const Reading& reading, std::size_t index) {
 }
 
 /// Finds the bus an expander sits on; all names are known now, so it may stand further down.
-void attach(Reading& reading, std::size_t index) {
+void attach(Reading& reading, ExpanderId index) {
   Expander& expander = reading.robot.expanders[index];
   const xml::Attribute* bus = reading.tags.expanders[index]->attribute("bus");
   if (bus == nullptr) return;
@@ -188,7 +188,7 @@ void attach(Reading& reading, std::size_t index) {
   expander.segment = *segment;
 }
 
-/// The physical bus of what an expander provides; a PWM expander may sit behind a mux. It stays kNoSegment where the
+/// The physical bus of what an expander provides; a PWM expander may sit behind a mux. It stays kNoBus where the
 /// expander sits on nothing: that was reported.
 void find_physical_bus(Robot& robot, Segment& segment) {
   const Expander& expander = robot.expanders[*segment.expander];
@@ -206,7 +206,7 @@ void find_physical_bus(Robot& robot, Segment& segment) {
 void read_expanders(Reading& reading) {
   for (const xml::Node* tag : reading.tags.misnamed_expanders) report_misnamed(reading, *tag);
   for (const xml::Node* tag : reading.tags.expanders) ExpanderReader(reading, *tag).read();
-  for (std::size_t i = 0; i < reading.robot.expanders.size(); ++i) attach(reading, i);
+  for (const ExpanderId i : reading.robot.expanders.ids()) attach(reading, i);
   for (Segment& segment : reading.robot.segments) {
     if (segment.expander) find_physical_bus(reading.robot, segment);
   }

@@ -21,9 +21,9 @@ const char* what_is_computed(const GeometrySpec& geometry) {
 }
 
 /// Children of the role, those with a mistake of their own included.
-std::vector<std::size_t> children_in(const Reading& reading, const Device& parent, const std::string& role) {
-  std::vector<std::size_t> children;
-  for (const std::size_t child : parent.children) {
+std::vector<DeviceId> children_in(const Reading& reading, const Device& parent, const std::string& role) {
+  std::vector<DeviceId> children;
+  for (const DeviceId child : parent.children) {
     const Device& device = reading.robot.devices[child];
     if (device.role && parent.type->roles[*device.role].name == role) children.push_back(child);
   }
@@ -41,8 +41,8 @@ std::string joint_hint(const Reading& reading, const Device& parent, const Geome
                                     : ", or another that fits and that no device drives: " + others);
 }
 
-bool all_joints_known(const Reading& reading, const std::vector<std::size_t>& children) {
-  return std::all_of(children.begin(), children.end(), [&](std::size_t child) {
+bool all_joints_known(const Reading& reading, const std::vector<DeviceId>& children) {
+  return std::all_of(children.begin(), children.end(), [&](DeviceId child) {
     return reading.kinematics.joint(reading.robot.devices[child].joint) != nullptr;
   });
 }
@@ -50,8 +50,8 @@ bool all_joints_known(const Reading& reading, const std::vector<std::size_t>& ch
 /// Children that geometry is computed of have to say which joint they drive.
 /// @return  all do, and nothing is wrong with these joints
 bool check_joints_named(Reading& reading, const Device& parent, const GeometrySpec& geometry,
-                        const std::vector<std::size_t>& children) {
-  for (const std::size_t child : children) {
+                        const std::vector<DeviceId>& children) {
+  for (const DeviceId child : children) {
     const Device& device = reading.robot.devices[child];
     if (!device.joint.empty() || reading.device_tag(child).attribute("joint") != nullptr) continue;
     at_tag(reading.diagnostics, code::joint_needed, reading.device_tag(child),
@@ -65,17 +65,17 @@ bool check_joints_named(Reading& reading, const Device& parent, const GeometrySp
 
 /// @param link  whose frame; empty: geometry_link()
 Placement placement_of(const Reading& reading, const Mechanism& mechanism, const Device& parent,
-                       const GeometrySpec& geometry, const std::vector<std::size_t>& children,
+                       const GeometrySpec& geometry, const std::vector<DeviceId>& children,
                        const std::string& link = {}) {
   std::vector<std::string> joints;
-  for (const std::size_t child : children) joints.push_back(reading.robot.devices[child].joint);
+  for (const DeviceId child : children) joints.push_back(reading.robot.devices[child].joint);
   std::string behind;
-  for (const std::size_t child : children_in(reading, parent, geometry.behind)) {
+  for (const DeviceId child : children_in(reading, parent, geometry.behind)) {
     const std::string& joint = reading.robot.devices[child].joint;
     if (reading.kinematics.joint(joint) != nullptr) behind = joint;
   }
-  return place(mechanism, geometry, link.empty() ? geometry_link(mechanism, parent, geometry, joints) : link, joints,
-               behind, geometry_param(parent, geometry));
+  return place(mechanism, geometry, link.empty() ? geometry_link(mechanism, parent.link, geometry, joints) : link,
+               joints, behind, geometry_param(parent.params, geometry));
 }
 
 /// Directions are asked of it: another link may have axes that fit.
@@ -83,7 +83,7 @@ bool has_directions(const GeometrySpec& geometry) { return geometry.kind == "rol
 
 bool all_fit_about(const Reading& reading, const Mechanism& mechanism, const Device& parent, const std::string& link) {
   for (const GeometrySpec& geometry : parent.type->geometry) {
-    const std::vector<std::size_t> children = children_in(reading, parent, geometry.role);
+    const std::vector<DeviceId> children = children_in(reading, parent, geometry.role);
     if (!has_directions(geometry) || children.empty()) continue;
     const Placement placement = placement_of(reading, mechanism, parent, geometry, children, link);
     const auto problems = joint_problems(placement);
@@ -111,7 +111,7 @@ std::string fitting_link(const Reading& reading, const Device& parent, const Pla
 }
 
 /// @return  a link that the numbers may be about
-bool check_body(Reading& reading, std::size_t index, const Placement& placement) {
+bool check_body(Reading& reading, DeviceId index, const Placement& placement) {
   if (!is_about_body(placement.geometry)) return true;
   const std::string problem = body_problem(placement.mechanism, placement.link, placement.joints);
   if (problem.empty()) return true;
@@ -145,7 +145,7 @@ bool is_known(const Reading& reading, const Placement& placement) {
          });
 }
 
-void report_unfit(Reading& reading, const Device& parent, const Placement& placement, std::size_t child,
+void report_unfit(Reading& reading, const Device& parent, const Placement& placement, DeviceId child,
                   const std::string& problem) {
   const Device& device = reading.robot.devices[child];
   Diagnostic& finding = at_value(reading.diagnostics, code::joint_unfit, *reading.device_tag(child).attribute("joint"),
@@ -164,8 +164,8 @@ void report_unfit(Reading& reading, const Device& parent, const Placement& place
                     parent.name.text));
 }
 
-void check_joints_fit(Reading& reading, std::size_t index, const Placement& placement,
-                      const std::vector<std::size_t>& children) {
+void check_joints_fit(Reading& reading, DeviceId index, const Placement& placement,
+                      const std::vector<DeviceId>& children) {
   const Device& parent = reading.robot.devices[index];
   bool all = true;
   const std::vector<std::string> problems = joint_problems(placement);
@@ -185,13 +185,12 @@ void check_joints_fit(Reading& reading, std::size_t index, const Placement& plac
 }
 
 /// The limits of a role's joints against the params that say how far the device turns them.
-void check_ranges(Reading& reading, std::size_t index, const Placement& placement,
-                  const std::vector<std::size_t>& children) {
+void check_ranges(Reading& reading, DeviceId index, const Placement& placement, const std::vector<DeviceId>& children) {
   const Device& parent = reading.robot.devices[index];
   const GeometrySpec& geometry = placement.geometry;
-  const Range allowed = allowed_range(parent, geometry);
+  const Range allowed = allowed_range(parent.params, geometry);
   for (std::size_t i = 0; i < children.size(); ++i) {
-    const auto limits = limits_along(placement.mechanism, parent, geometry, placement.joints[i]);
+    const auto limits = limits_along(placement.mechanism, parent.link, geometry, placement.joints[i]);
     if (!limits || reading.devices[children[i]].joint_is_wrong) continue;
     if (limits->lower >= limits->upper) {
       report_no_position(reading, children[i]);
@@ -218,14 +217,14 @@ bool is_checked_before(const DeviceType& type, const GeometrySpec& geometry) {
 
 }  // namespace
 
-void check_geometry(Reading& reading, std::size_t index) {
+void check_geometry(Reading& reading, DeviceId index) {
   const Device& parent = reading.robot.devices[index];
   if (parent.type == nullptr) return;
   const Mechanism mechanism(reading.kinematics.links, reading.kinematics.joints);
   for (const GeometrySpec& geometry : parent.type->geometry) {
     if (geometry.role.empty()) continue;
-    const std::vector<std::size_t> children = children_in(reading, parent, geometry.role);
-    const bool none = std::all_of(children.begin(), children.end(), [&](std::size_t child) {
+    const std::vector<DeviceId> children = children_in(reading, parent, geometry.role);
+    const bool none = std::all_of(children.begin(), children.end(), [&](DeviceId child) {
       return reading.device_tag(child).attribute("joint") == nullptr;
     });
     if (children.empty() || (geometry.optional && none)) continue;

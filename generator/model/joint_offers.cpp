@@ -43,7 +43,7 @@ std::string without_digits(std::string name) {
 /// Joints of the children that have the role.
 std::vector<std::string> siblings(const Reading& reading, const Device& parent, const std::string& role) {
   std::vector<std::string> joints;
-  for (const std::size_t child : parent.children) {
+  for (const DeviceId child : parent.children) {
     const Device& device = reading.robot.devices[child];
     const bool is_meant = device.role && parent.type->roles[*device.role].name == role;
     if (is_meant && reading.kinematics.joint(device.joint) != nullptr) joints.push_back(device.joint);
@@ -64,8 +64,8 @@ bool fits(const Reading& reading, const Device& parent, const std::string& role,
   joints.push_back(joint.name);
   for (const GeometrySpec& geometry : parent.type->geometry) {
     if (geometry.role != role) continue;
-    const std::string link = geometry_link(mechanism, parent, geometry, joints);
-    const Placement placement = place(mechanism, geometry, link, joints, {}, geometry_param(parent, geometry));
+    const std::string link = geometry_link(mechanism, parent.link, geometry, joints);
+    const Placement placement = place(mechanism, geometry, link, joints, {}, geometry_param(parent.params, geometry));
     if (!joint_problems(placement).back().empty()) return false;
   }
   return true;

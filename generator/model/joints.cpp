@@ -32,9 +32,9 @@ void check_link(Reading& reading, const xml::Node& tag) {
 }
 
 /// Is one of the two, at any depth, a child of the other? Then they drive the joint together.
-bool is_related(const Reading& reading, std::size_t one, std::size_t other) {
-  const auto is_above = [&](std::size_t above, std::size_t below) {
-    std::optional<std::size_t> device = below;
+bool is_related(const Reading& reading, DeviceId one, DeviceId other) {
+  const auto is_above = [&](DeviceId above, DeviceId below) {
+    std::optional<DeviceId> device = below;
     for (std::size_t steps = 0; device && steps <= reading.robot.devices.size(); ++steps) {
       if (*device == above) return true;
       device = reading.robot.devices[*device].parent;
@@ -45,8 +45,9 @@ bool is_related(const Reading& reading, std::size_t one, std::size_t other) {
 }
 
 /// What drives the joint of device `index` and stands before it.
-const Device* other_driver(const Reading& reading, std::size_t index) {
-  for (std::size_t other = 0; other < index; ++other) {
+const Device* other_driver(const Reading& reading, DeviceId index) {
+  for (const DeviceId other : reading.robot.devices.ids()) {
+    if (other == index) break;
     const Device& device = reading.robot.devices[other];
     const bool is_same = device.joint == reading.robot.devices[index].joint;
     if (is_same && drives(device) && !is_related(reading, other, index)) return &device;
@@ -57,7 +58,7 @@ const Device* other_driver(const Reading& reading, std::size_t index) {
 /// What speaks against driving a joint, whatever for.
 class DrivenJoint {
  public:
-  DrivenJoint(Reading& reading, std::size_t index, const Joint& joint)
+  DrivenJoint(Reading& reading, DeviceId index, const Joint& joint)
       : reading_(reading),
         index_(index),
         device_(reading.robot.devices[index]),
@@ -124,7 +125,7 @@ class DrivenJoint {
     const auto limits = limits_of(joint_);
     if (!limits) return;
     if (limits->lower >= limits->upper) return report_no_position(reading_, index_);
-    const double travel = geometry_param(device_, geometry);
+    const double travel = geometry_param(device_.params, geometry);
     const Range range = within_travel(*limits, travel);
     if (range.lower < range.upper) return;
     report(code::joint_limits,
@@ -136,13 +137,13 @@ class DrivenJoint {
   }
 
   Reading& reading_;
-  std::size_t index_;
+  DeviceId index_;
   const Device& device_;
   const xml::Attribute& name_;
   const Joint& joint_;
 };
 
-void check_joint(Reading& reading, std::size_t index) {
+void check_joint(Reading& reading, DeviceId index) {
   const xml::Attribute* name = reading.device_tag(index).attribute("joint");
   if (name == nullptr) return;
   const Joint* joint = reading.kinematics.joint(name->value);
@@ -159,7 +160,7 @@ void check_joint(Reading& reading, std::size_t index) {
 
 }  // namespace
 
-void report_no_position(Reading& reading, std::size_t device) {
+void report_no_position(Reading& reading, DeviceId device) {
   const Joint& joint = *reading.kinematics.joint(reading.robot.devices[device].joint);
   reading.devices[device].joint_is_wrong = true;
   at_value(reading.diagnostics, code::joint_limits, *reading.device_tag(device).attribute("joint"),
@@ -171,11 +172,11 @@ void report_no_position(Reading& reading, std::size_t device) {
 }
 
 void check_joints(Reading& reading) {
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     check_link(reading, reading.device_tag(i));
     check_joint(reading, i);
   }
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) check_geometry(reading, i);
+  for (const DeviceId i : reading.robot.devices.ids()) check_geometry(reading, i);
 }
 
 }  // namespace finemote::gen

@@ -163,11 +163,11 @@ void check_names(Reading& reading) {
   NameTable buses(diagnostics);    // what `bus=` can name, and names beside the tree namespaces
   NameTable devices(diagnostics);  // what `parent=` and `device=` can name
   NameTable slots(diagnostics);    // transfer slots of expanders stand beside those of devices
-  for (std::size_t i = 0; i < robot.buses.size(); ++i) {
+  for (const BusId i : robot.buses.ids()) {
     const Named entry{&robot.buses[i].name, reading.tags.buses[i], described("bus", robot.buses[i].name)};
     if (check_bus_name(diagnostics, entry)) buses.add(entry);
   }
-  for (std::size_t i = 0; i < robot.expanders.size(); ++i) {
+  for (const ExpanderId i : robot.expanders.ids()) {
     const Expander& expander = robot.expanders[i];
     const Named entry{&expander.name, reading.tags.expanders[i], described("expander", expander.name)};
     if (!check_bus_name(diagnostics, entry)) continue;
@@ -181,7 +181,7 @@ void check_names(Reading& reading) {
       if (check_bus_name(diagnostics, inner)) buses.add(inner);
     }
   }
-  for (std::size_t i = 0; i < robot.devices.size(); ++i) {
+  for (const DeviceId i : robot.devices.ids()) {
     const Named entry{&robot.devices[i].name, &reading.device_tag(i), described("device", robot.devices[i].name)};
     if (!check_one(diagnostics, entry, NameScope::in_tree) || !check_role_operand(reading, entry)) continue;
     const bool is_fresh = devices.add(entry);

@@ -1,12 +1,13 @@
-// The index of what is not there, while a robot is read.
+// The indices of what is not there, while a robot is read.
 #pragma once
 
-#include <cstddef>
+#include "generator/index/ids.hpp"
 
 namespace finemote::gen {
 
 /// Segment of an expander whose bus is not there, and physical bus of what such an expander provides. It was reported;
 /// no such index is in a robot that was read without an error.
-inline constexpr std::size_t kNoSegment = static_cast<std::size_t>(-1);
+inline constexpr SegmentId kNoSegment{static_cast<std::size_t>(-1)};
+inline constexpr BusId kNoBus{static_cast<std::size_t>(-1)};
 
 }  // namespace finemote::gen

@@ -9,7 +9,7 @@
 namespace finemote::gen {
 namespace {
 
-void resolve_parent(Reading& reading, std::size_t index) {
+void resolve_parent(Reading& reading, DeviceId index) {
   const DeviceTag& tag = reading.tags.devices[index];
   Device& device = reading.robot.devices[index];
   const xml::Attribute* parent = tag.node->attribute("parent");
@@ -36,8 +36,8 @@ void resolve_parent(Reading& reading, std::size_t index) {
 }
 
 /// Devices from `start` up to where a device comes again; empty when a root is reached.
-std::vector<std::size_t> cycle_through(const Robot& robot, std::size_t start) {
-  std::vector<std::size_t> way{start};
+std::vector<DeviceId> cycle_through(const Robot& robot, DeviceId start) {
+  std::vector<DeviceId> way{start};
   for (auto next = robot.devices[start].parent; next; next = robot.devices[*next].parent) {
     if (*next == start) return way;
     if (std::find(way.begin(), way.end(), *next) != way.end()) return {};  // a cycle further up, reported there
@@ -46,15 +46,15 @@ std::vector<std::size_t> cycle_through(const Robot& robot, std::size_t start) {
   return {};
 }
 
-void report_cycle(Reading& reading, const std::vector<std::size_t>& cycle) {
+void report_cycle(Reading& reading, const std::vector<DeviceId>& cycle) {
   const auto& devices = reading.robot.devices;
   std::string way;
-  for (const std::size_t index : cycle) way += fmt::format("'{}' -> ", devices[index].name.text);
+  for (const DeviceId index : cycle) way += fmt::format("'{}' -> ", devices[index].name.text);
   way += fmt::format("'{}'", devices[cycle.front()].name.text);
-  const auto with_attribute = std::find_if(cycle.begin(), cycle.end(), [&](std::size_t index) {
+  const auto with_attribute = std::find_if(cycle.begin(), cycle.end(), [&](DeviceId index) {
     return reading.device_tag(index).attribute("parent") != nullptr;
   });
-  const std::size_t shown = with_attribute == cycle.end() ? cycle.front() : *with_attribute;
+  const DeviceId shown = with_attribute == cycle.end() ? cycle.front() : *with_attribute;
   const xml::Attribute* parent = reading.device_tag(shown).attribute("parent");
   const std::string message = cycle.size() == 1
                                   ? fmt::format("device '{}' is its own parent", devices[shown].name.text)
@@ -68,21 +68,21 @@ void report_cycle(Reading& reading, const std::vector<std::size_t>& cycle) {
 
 /// Finds every cycle once; its devices, and those below, belong to no tree.
 void find_cycles(Reading& reading) {
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     if (reading.devices[i].in_cycle) continue;
-    const std::vector<std::size_t> cycle = cycle_through(reading.robot, i);
+    const std::vector<DeviceId> cycle = cycle_through(reading.robot, i);
     if (cycle.empty()) continue;
-    for (const std::size_t member : cycle) reading.devices[member].in_cycle = true;
+    for (const DeviceId member : cycle) reading.devices[member].in_cycle = true;
     report_cycle(reading, cycle);
   }
 }
 
 /// The ancestor, or the device itself, that says a period; none when no one does.
-void inherit_period(Reading& reading, std::size_t index) {
+void inherit_period(Reading& reading, DeviceId index) {
   auto& devices = reading.robot.devices;
   Device& device = devices[index];
   if (device.period_ns > 0 || reading.devices[index].period_is_wrong) return;
-  std::size_t at = index;
+  DeviceId at = index;
   for (std::size_t steps = 0; steps <= devices.size(); ++steps) {
     const bool is_lost =
         reading.devices[at].period_is_wrong || reading.devices[at].in_cycle || reading.devices[at].parent_is_wrong;
@@ -108,7 +108,7 @@ void inherit_period(Reading& reading, std::size_t index) {
 }
 
 void inherit_periods(Reading& reading) {
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     if (!reading.devices[i].in_cycle) inherit_period(reading, i);
   }
 }
@@ -116,10 +116,10 @@ void inherit_periods(Reading& reading) {
 }  // namespace
 
 void resolve_parents(Reading& reading) {
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) resolve_parent(reading, i);
+  for (const DeviceId i : reading.robot.devices.ids()) resolve_parent(reading, i);
   find_cycles(reading);
   auto& devices = reading.robot.devices;
-  for (std::size_t i = 0; i < devices.size(); ++i) {
+  for (const DeviceId i : devices.ids()) {
     if (devices[i].parent) devices[*devices[i].parent].children.push_back(i);
   }
   inherit_periods(reading);

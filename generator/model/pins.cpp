@@ -19,10 +19,6 @@ bool is_chip_pin(const Board* board, const std::string& name) {
   return number && *number <= 15 && name == fmt::format("P{}{}", name[1], *number);
 }
 
-bool has(const NamedPin& pin, const std::string& function) {
-  return std::find(pin.functions.begin(), pin.functions.end(), function) != pin.functions.end();
-}
-
 }  // namespace
 
 bool may_be_used(const Board& board, const std::string& pin, const std::string& function,
@@ -39,7 +35,7 @@ std::string pins_that_can(const Board& board, const std::string& function) {
   std::string able;
   for (const NamedPin& pin : board.pins) {
     const bool is_free = may_be_used(board, pin.pin, function, {});
-    if (is_free && has(pin, function)) able += (able.empty() ? "'" : ", '") + pin.name + "'";
+    if (is_free && pin.can(function)) able += (able.empty() ? "'" : ", '") + pin.name + "'";
   }
   return able;
 }
@@ -55,7 +51,7 @@ void report_unknown(const Board* board, const std::string& name, const Position&
   std::vector<std::string> names;
   if (board != nullptr) {
     for (const NamedPin& pin : board->pins) {
-      if (has(pin, need.function) && may_be_used(*board, pin.pin, need.function, {})) names.push_back(pin.name);
+      if (pin.can(need.function) && may_be_used(*board, pin.pin, need.function, {})) names.push_back(pin.name);
     }
   }
   suggest(finding, name, names);
@@ -98,7 +94,7 @@ PlacedPin find_pin(const Board* board, const std::string& name, const Position& 
     report_other_line(name, at, user, *need.wired, diagnostics);
     return {};
   }
-  if (board == nullptr || (named == nullptr ? is_plain(function) : has(*named, function)))
+  if (board == nullptr || (named == nullptr ? is_plain(function) : named->can(function)))
     return {named != nullptr ? named->pin : name, named};
   auto& finding =
       diagnostics

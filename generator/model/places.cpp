@@ -18,7 +18,7 @@ namespace {
 /// Reads the attributes of one device that say its place.
 class PlaceReader {
  public:
-  PlaceReader(Reading& reading, std::size_t index)
+  PlaceReader(Reading& reading, DeviceId index)
       : reading_(reading),
         diagnostics_(reading.diagnostics),
         device_(reading.robot.devices[index]),
@@ -33,12 +33,12 @@ class PlaceReader {
   }
 
   /// Channels and ids that were offered to others already, by segment.
-  using Offered = std::set<std::pair<std::size_t, std::uint32_t>>;
+  using Offered = std::set<std::pair<SegmentId, std::uint32_t>>;
 
   /// Reports a channel or an id that is not there, once the places of all devices are known: it offers a free one.
   void report_missing_places(Offered& offered) {
     if (bus_is_wrong_ || !device_.segment) return;
-    const std::size_t segment = *device_.segment;
+    const SegmentId segment = *device_.segment;
     const std::uint32_t count = channel_count(reading_, segment);
     if (type_.needs_channel && count > 1 && tag_.attribute("channel") == nullptr) {
       const std::uint32_t end = std::min(count, type_.channel_max.value_or(UINT32_MAX - 1) + 1);
@@ -157,9 +157,9 @@ class AddressTable {
  public:
   explicit AddressTable(Reading& reading) : reading_(reading) {}
 
-  void add(std::size_t segment_index, std::uint32_t address, const Occupant& occupant) {
+  void add(SegmentId segment_index, std::uint32_t address, const Occupant& occupant) {
     const Segment& segment = reading_.robot.segments[segment_index];
-    if (segment.bus == kNoSegment) return;
+    if (segment.bus == kNoBus) return;
     const bool is_upstream = segment.kind == Segment::Kind::bus;
     for (const Entry& entry : entries_) {
       const bool same_bus = entry.bus == segment.bus && entry.address == address;
@@ -172,7 +172,8 @@ class AddressTable {
 
  private:
   struct Entry {
-    std::size_t bus, segment;
+    BusId bus;
+    SegmentId segment;
     std::uint32_t address;
     bool is_upstream;
     Occupant occupant;
@@ -235,12 +236,12 @@ class AddressTable {
   std::vector<Entry> entries_;
 };
 
-Occupant describe(const Reading& reading, std::size_t device) {
+Occupant describe(const Reading& reading, DeviceId device) {
   return {fmt::format("device '{}'", reading.robot.devices[device].name.text), &reading.device_tag(device)};
 }
 
-bool expander_is_placed(const Reading& reading, std::size_t index) {
-  return reading.robot.expanders[index].segment < reading.robot.segments.size();
+bool expander_is_placed(const Reading& reading, ExpanderId index) {
+  return reading.robot.expanders[index].segment != kNoSegment;
 }
 
 /// Whether the chain from the segment down to the physical bus is known.
@@ -253,7 +254,7 @@ bool is_attached(const Reading& reading, const Segment& segment) {
 
 void check_addresses(Reading& reading) {
   AddressTable table(reading);
-  for (std::size_t i = 0; i < reading.robot.expanders.size(); ++i) {
+  for (const ExpanderId i : reading.robot.expanders.ids()) {
     const Expander& expander = reading.robot.expanders[i];
     if (expander.address == 0 || !expander_is_placed(reading, i) ||
         !is_attached(reading, reading.robot.segments[expander.segment]))
@@ -261,7 +262,7 @@ void check_addresses(Reading& reading) {
     table.add(expander.segment, expander.address,
               {fmt::format("expander '{}'", expander.name.text), reading.tags.expanders[i]});
   }
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
     if (!device.segment || !device.address || reading.robot.segments[*device.segment].bus_kind != BusKind::i2c)
       continue;
@@ -271,19 +272,19 @@ void check_addresses(Reading& reading) {
 }
 
 /// Pulse outputs or chip selects of a segment; 0: it has none, or they are not known.
-std::uint32_t use_channels(const Reading& reading, std::size_t segment) {
+std::uint32_t use_channels(const Reading& reading, SegmentId segment) {
   const BusKind kind = reading.robot.segments[segment].bus_kind;
   return kind == BusKind::pwm || kind == BusKind::spi ? channel_count(reading, segment) : 0;
 }
 
-std::string example_channel(const Reading& reading, std::size_t segment, std::uint32_t count) {
+std::string example_channel(const Reading& reading, SegmentId segment, std::uint32_t count) {
   const std::vector<std::uint32_t> free = free_channels(reading, segment, count);
   return free.empty() ? "none is free: name another bus" : fmt::format("add for example channel=\"{}\"", free.front());
 }
 
 /// The pulse output or chip select that a device uses: as one that it sits on.
 void resolve_use_channels(Reading& reading) {
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     for (Use& use : reading.robot.devices[i].uses) {
       if (!use.segment) continue;
       const Segment& segment = reading.robot.segments[*use.segment];
@@ -310,8 +311,8 @@ void resolve_use_channels(Reading& reading) {
 
 /// A serial line carries one device; `use` counts.
 void check_exclusive(Reading& reading) {
-  std::map<std::size_t, Occupant> users;
-  const auto take = [&](std::size_t segment, const Occupant& occupant) {
+  std::map<SegmentId, Occupant> users;
+  const auto take = [&](SegmentId segment, const Occupant& occupant) {
     if (reading.robot.segments[segment].bus_kind != BusKind::uart) return;
     const auto [first, is_fresh] = users.emplace(segment, occupant);
     if (is_fresh) return;
@@ -322,7 +323,7 @@ void check_exclusive(Reading& reading) {
             "a uart connects two ends: give each device its own bus, or use type=\"rs485\" for parts that share a "
             "line");
   };
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
     const Occupant self = describe(reading, i);
     if (device.segment) take(*device.segment, self);
@@ -333,7 +334,7 @@ void check_exclusive(Reading& reading) {
 }
 
 /// What could be written instead of a channel that is taken.
-std::string other_channels(const Reading& reading, std::size_t segment) {
+std::string other_channels(const Reading& reading, SegmentId segment) {
   constexpr std::size_t kMost = 8;
   const std::vector<std::uint32_t> free = free_channels(reading, segment, channel_count(reading, segment));
   std::string list;
@@ -344,8 +345,8 @@ std::string other_channels(const Reading& reading, std::size_t segment) {
 
 /// A pulse output, a chip select or a pin belongs to one device, in one role.
 void check_channels(Reading& reading) {
-  std::map<std::pair<std::size_t, std::uint32_t>, Occupant> users;
-  const auto take = [&](std::size_t segment, std::uint32_t channel, const Occupant& self) {
+  std::map<std::pair<SegmentId, std::uint32_t>, Occupant> users;
+  const auto take = [&](SegmentId segment, std::uint32_t channel, const Occupant& self) {
     const auto [first, is_fresh] = users.emplace(std::make_pair(segment, channel), self);
     if (is_fresh) return;
     auto& finding =
@@ -354,7 +355,7 @@ void check_channels(Reading& reading) {
     finding.note(fmt::format("{} uses it already", first->second.what), first->second.tag->at);
     if (reading.robot.segments[segment].bus_kind == BusKind::pwm) finding.hint(other_channels(reading, segment));
   };
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
     const Occupant self = describe(reading, i);
     if (device.segment && device.channel) take(*device.segment, *device.channel, self);
@@ -369,7 +370,7 @@ void check_channels(Reading& reading) {
 
 /// A device with an id on a bus.
 struct IdUser {
-  std::size_t bus;
+  BusId bus;
   std::uint32_t id;
   const DeviceType* type;
 };
@@ -393,7 +394,7 @@ std::string another_bus_for(const Reading& reading, const Segment& segment) {
   const Bus& bus = reading.robot.buses[segment.bus];
   std::string list;
   std::vector<std::string> used;
-  for (std::size_t i = 0; i < reading.robot.buses.size(); ++i) {
+  for (const BusId i : reading.robot.buses.ids()) {
     const Bus& other = reading.robot.buses[i];
     used.emplace_back(value_of(*reading.tags.buses[i], "port"));
     if (i == segment.bus || other.kind != bus.kind || !reading.buses[i].kind_is_known) continue;
@@ -429,7 +430,7 @@ void offer_ids(const Reading& reading, const Device& device, Promised& promised,
       other);
 }
 
-void report_ids(Reading& reading, std::size_t index, std::size_t first, Promised& promised) {
+void report_ids(Reading& reading, DeviceId index, DeviceId first, Promised& promised) {
   const Device& device = reading.robot.devices[index];
   const Device& other = reading.robot.devices[first];
   const Name& bus = reading.robot.buses[reading.robot.segments[*device.segment].bus].name;
@@ -446,9 +447,11 @@ void report_ids(Reading& reading, std::size_t index, std::size_t first, Promised
 
 void check_ids(Reading& reading) {
   Promised promised;
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     const auto self = id_user(reading, reading.robot.devices[i]);
-    for (std::size_t first = 0; self && first < i; ++first) {
+    if (!self) continue;
+    for (const DeviceId first : reading.robot.devices.ids()) {
+      if (first == i) break;
       const auto other = id_user(reading, reading.robot.devices[first]);
       if (!other || !clash(*self, *other)) continue;
       report_ids(reading, i, first, promised);
@@ -463,8 +466,8 @@ void check_shared_frames(Reading& reading) {
     std::int64_t period_ns;
     Occupant occupant;
   };
-  std::map<std::pair<std::size_t, std::uint32_t>, Filler> first;
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  std::map<std::pair<BusId, std::uint32_t>, Filler> first;
+  for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
     if (!device.segment || !device.id || reading.devices[i].period_is_wrong || device.period_ns == 0) continue;
     for (const SharedFrame& frame : device.type->shared_frames()) {
@@ -486,7 +489,7 @@ void check_shared_frames(Reading& reading) {
 
 }  // namespace
 
-const xml::Node& use_tag(const Reading& reading, std::size_t device, const Use& use) {
+const xml::Node& use_tag(const Reading& reading, DeviceId device, const Use& use) {
   const xml::Node& tag = reading.device_tag(device);
   for (const xml::Node& child : tag.children) {
     if (child.is_element("use") && child.at.line == use.at.line && child.at.column == use.at.column) return child;
@@ -494,7 +497,7 @@ const xml::Node& use_tag(const Reading& reading, std::size_t device, const Use& 
   return tag;
 }
 
-std::uint32_t channel_count(const Reading& reading, std::size_t index) {
+std::uint32_t channel_count(const Reading& reading, SegmentId index) {
   const Segment& segment = reading.robot.segments[index];
   if (segment.kind == Segment::Kind::pwm_expander) return reading.robot.expanders[*segment.expander].type->channels;
   const Board* board = reading.robot.board;
@@ -503,7 +506,7 @@ std::uint32_t channel_count(const Reading& reading, std::size_t index) {
   return port != nullptr ? std::max(1U, port->channels) : 0;
 }
 
-std::vector<std::uint32_t> free_channels(const Reading& reading, std::size_t segment, std::uint32_t count) {
+std::vector<std::uint32_t> free_channels(const Reading& reading, SegmentId segment, std::uint32_t count) {
   std::set<std::uint32_t> taken;
   for (const Device& device : reading.robot.devices) {
     if (device.segment == segment && device.channel) taken.insert(*device.channel);
@@ -518,7 +521,7 @@ std::vector<std::uint32_t> free_channels(const Reading& reading, std::size_t seg
   return free;
 }
 
-std::vector<std::uint32_t> free_ids(const Reading& reading, const DeviceType& type, std::size_t segment) {
+std::vector<std::uint32_t> free_ids(const Reading& reading, const DeviceType& type, SegmentId segment) {
   constexpr std::uint32_t kMost = 16;
   const std::uint32_t least = type.id_min.value_or(0);
   std::vector<std::uint32_t> free;
@@ -534,12 +537,12 @@ std::vector<std::uint32_t> free_ids(const Reading& reading, const DeviceType& ty
 }
 
 void resolve_places(Reading& reading) {
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     if (reading.robot.devices[i].type != nullptr) PlaceReader(reading, i).read();
   }
   resolve_use_channels(reading);
   PlaceReader::Offered offered;
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     if (reading.robot.devices[i].type != nullptr) PlaceReader(reading, i).report_missing_places(offered);
   }
   check_addresses(reading);

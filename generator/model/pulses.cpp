@@ -16,21 +16,6 @@ namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
 
-std::int64_t param_value(const std::vector<Param>& params, const std::string& name) {
-  for (const Param& param : params) {
-    const auto* value = std::get_if<std::int64_t>(&param.value);
-    if (param.spec->name == name && value != nullptr) return *value;
-  }
-  return 0;
-}
-
-const ParamSpec* param_spec(const std::vector<Param>& params, const std::string& name) {
-  for (const Param& param : params) {
-    if (param.spec->name == name) return param.spec;
-  }
-  return nullptr;
-}
-
 /// The `<param>` of a tag; null when it has none of the name.
 const xml::Node* param_tag(const xml::Node& tag, const std::string& name) {
   for (const xml::Node& child : tag.children) {
@@ -68,7 +53,8 @@ struct Repeats {
 std::optional<Repeats> repeats_of(const Expander& expander) {
   if (expander.type == nullptr || !expander.type->repeats) return {};
   const RepeatSpec& spec = *expander.type->repeats;
-  const Repeats repeats{spec, param_value(expander.params, spec.clock), param_value(expander.params, spec.frequency)};
+  const auto hertz = [&](const std::string& name) { return param_value(expander.params, name, std::int64_t{0}); };
+  const Repeats repeats{spec, hertz(spec.clock), hertz(spec.frequency)};
   if (repeats.clock_hz <= 0 || repeats.wanted_hz <= 0) return {};
   return repeats;
 }
@@ -84,12 +70,12 @@ std::optional<std::int64_t> repeat_ns(const Reading& reading, const Segment& seg
   return port != nullptr ? std::optional(port->period_ns) : std::nullopt;
 }
 
-void check_frequency(Reading& reading, std::size_t index) {
+void check_frequency(Reading& reading, ExpanderId index) {
   const Expander& expander = reading.robot.expanders[index];
   const auto repeats = repeats_of(expander);
   if (!repeats || repeats->is_made()) return;
   const RepeatSpec& spec = repeats->spec;
-  const ParamSpec* range = param_spec(expander.params, spec.frequency);
+  const ParamSpec* range = find_param(expander.params, spec.frequency)->spec;
   const auto frequency = [&](std::int64_t divider) { return repeats->clock_hz / (spec.counts * divider); };
   const auto least =
       std::max<std::int64_t>(frequency(spec.most_divider) + 1, static_cast<std::int64_t>(range->min.value_or(1)));
@@ -136,7 +122,7 @@ std::string slower_output(const Reading& reading, const Segment& segment, std::i
   return {};
 }
 
-void check_pulse(Reading& reading, std::size_t index) {
+void check_pulse(Reading& reading, DeviceId index) {
   const Device& device = reading.robot.devices[index];
   const Param* param = longest_pulse(device);
   if (!device.segment || param == nullptr) return;
@@ -159,9 +145,10 @@ void check_pulse(Reading& reading, std::size_t index) {
 // outputs whose repetition a device changes
 
 /// Another bus whose output repeats together with that of bus `index`.
-const Bus* sharer(const Reading& reading, std::size_t index) {
+const Bus* sharer(const Reading& reading, BusId index) {
   const Port* port = reading.buses[index].port;
-  for (std::size_t i = 0; port != nullptr && !port->timer_name().empty() && i < reading.robot.buses.size(); ++i) {
+  if (port == nullptr || port->timer_name().empty()) return nullptr;
+  for (const BusId i : reading.robot.buses.ids()) {
     const Port* other = reading.buses[i].port;
     if (i != index && other != nullptr && other != port && other->timer_name() == port->timer_name())
       return &reading.robot.buses[i];
@@ -189,7 +176,7 @@ std::string port_alone(const Reading& reading, const DeviceType& type, const std
   return found;
 }
 
-void check_tuning(Reading& reading, std::size_t index, std::vector<std::string>& offered) {
+void check_tuning(Reading& reading, DeviceId index, std::vector<std::string>& offered) {
   const Device& device = reading.robot.devices[index];
   if (device.type == nullptr || !device.type->tunes || !device.segment) return;
   const Segment& segment = reading.robot.segments[*device.segment];
@@ -219,9 +206,9 @@ void check_tuning(Reading& reading, std::size_t index, std::vector<std::string>&
 
 void check_pulses(Reading& reading) {
   if (reading.robot.board == nullptr) return;
-  for (std::size_t i = 0; i < reading.robot.expanders.size(); ++i) check_frequency(reading, i);
+  for (const ExpanderId i : reading.robot.expanders.ids()) check_frequency(reading, i);
   std::vector<std::string> offered;
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     check_pulse(reading, i);
     check_tuning(reading, i, offered);
   }

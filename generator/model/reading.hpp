@@ -35,7 +35,7 @@ struct Reading {
     const Port* port = nullptr;  ///< null: none, or a mistake
     bool rate_is_known = false;
   };
-  std::vector<BusState> buses;
+  Table<BusId, BusState> buses;
 
   struct DeviceState {
     bool parent_is_wrong = false;  ///< a mistake in `parent`: neither root nor child
@@ -46,35 +46,35 @@ struct Reading {
     bool in_cycle = false;
     bool is_incomplete = false;  ///< a child is of unknown type or role: counting its children says nothing
   };
-  std::vector<DeviceState> devices;
+  Table<DeviceId, DeviceState> devices;
 
-  [[nodiscard]] std::optional<std::size_t> device_named(std::string_view name) const;
-  [[nodiscard]] std::optional<std::size_t> segment_named(std::string_view name) const;
+  [[nodiscard]] std::optional<DeviceId> device_named(std::string_view name) const;
+  [[nodiscard]] std::optional<SegmentId> segment_named(std::string_view name) const;
   /// FM3019, unless the bus is missing because of another mistake. `fitting` are the buses that would do here.
   void report_unknown_bus(const xml::Attribute& name, const std::vector<std::string>& fitting);
   [[nodiscard]] std::vector<std::string> device_names() const;
   [[nodiscard]] std::vector<std::string> segment_names() const;
-  [[nodiscard]] const xml::Node& device_tag(std::size_t index) const { return *tags.devices[index].node; }
+  [[nodiscard]] const xml::Node& device_tag(DeviceId device) const { return *tags.devices[device].node; }
 };
 
 // The parts, in order. Each header comment of the .cpp of the same name says what it reports.
-void read_board_tag(Reading& reading);                      // board_tag.cpp
-void read_buses(Reading& reading);                          // buses.cpp
-void read_expanders(Reading& reading);                      // expanders.cpp
-void read_devices(Reading& reading);                        // devices.cpp: what each device says of itself
-void check_names(Reading& reading);                         // name_check.cpp
-void resolve_parents(Reading& reading);                     // parents.cpp: the forest and inherited periods
-void resolve_roles(Reading& reading);                       // roles.cpp: children and reads to roles
-void resolve_places(Reading& reading);                      // places.cpp: addresses, channels, ids
-void check_resources(Reading& reading);                     // resources.cpp: ports, pins, DMA streams
-void check_driver_limits(Reading& reading);                 // driver_limits.cpp: inverters, frames, numbers of devices
-void check_pulses(Reading& reading);                        // pulses.cpp: what fits between two pulses
-void check_arities(Reading& reading);                       // arity.cpp: how many children each role has
-void judge_doubts(Reading& reading);                        // doubts.cpp: words of the URDF that are skipped
-void check_joints(Reading& reading);                        // joints.cpp
-void check_geometry(Reading& reading, std::size_t device);  // geometry.cpp: of check_joints(), for one device
-void report_no_position(Reading& reading, std::size_t device);  // joints.cpp: limits of its joint with nothing between
-void read_requirements(Reading& reading);                       // requirements.cpp
+void read_board_tag(Reading& reading);                       // board_tag.cpp
+void read_buses(Reading& reading);                           // buses.cpp
+void read_expanders(Reading& reading);                       // expanders.cpp
+void read_devices(Reading& reading);                         // devices.cpp: what each device says of itself
+void check_names(Reading& reading);                          // name_check.cpp
+void resolve_parents(Reading& reading);                      // parents.cpp: the forest and inherited periods
+void resolve_roles(Reading& reading);                        // roles.cpp: children and reads to roles
+void resolve_places(Reading& reading);                       // places.cpp: addresses, channels, ids
+void check_resources(Reading& reading);                      // resources.cpp: ports, pins, DMA streams
+void check_driver_limits(Reading& reading);                  // driver_limits.cpp: inverters, frames, numbers of devices
+void check_pulses(Reading& reading);                         // pulses.cpp: what fits between two pulses
+void check_arities(Reading& reading);                        // arity.cpp: how many children each role has
+void judge_doubts(Reading& reading);                         // doubts.cpp: words of the URDF that are skipped
+void check_joints(Reading& reading);                         // joints.cpp
+void check_geometry(Reading& reading, DeviceId device);      // geometry.cpp: of check_joints(), for one device
+void report_no_position(Reading& reading, DeviceId device);  // joints.cpp: limits of its joint with nothing between
+void read_requirements(Reading& reading);                    // requirements.cpp
 
 bool satisfies(const DeviceType& child, const RoleSpec& role);  // roles.cpp: it provides the role's interface
 
@@ -82,14 +82,14 @@ bool satisfies(const DeviceType& child, const RoleSpec& role);  // roles.cpp: it
 bool is_place_known(const Reading& reading, const Mechanism& mechanism, const std::string& link);
 
 /// Channels of a segment: an expander's, those of a PWM port, pins; 0: none, or not known (places.cpp).
-std::uint32_t channel_count(const Reading& reading, std::size_t segment);
+std::uint32_t channel_count(const Reading& reading, SegmentId segment);
 /// Those of `count` channels of a segment that no device uses (places.cpp).
-std::vector<std::uint32_t> free_channels(const Reading& reading, std::size_t segment, std::uint32_t count);
+std::vector<std::uint32_t> free_channels(const Reading& reading, SegmentId segment, std::uint32_t count);
 /// Ids of the type that clash with no device on the segment's bus, the first 16 (places.cpp).
-std::vector<std::uint32_t> free_ids(const Reading& reading, const DeviceType& type, std::size_t segment);
+std::vector<std::uint32_t> free_ids(const Reading& reading, const DeviceType& type, SegmentId segment);
 
 /// The tag of a device's `<use>` (places.cpp).
-const xml::Node& use_tag(const Reading& reading, std::size_t device, const Use& use);
+const xml::Node& use_tag(const Reading& reading, DeviceId device, const Use& use);
 
 /// Joints for a child `child` in a role of `parent` whose geometry is computed: they fit, and no device drives them.
 /// Those named like the child or its siblings; without any all that fit, unless `only_alike` (joint_offers.cpp).

@@ -94,9 +94,9 @@ class RequirementReader {
     requirement_.max_ns = read_quantity(tag_, "max", units::parse_duration, diagnostics_).value_or(0);
   }
 
-  std::optional<std::size_t> find_bus(const xml::Attribute& attribute) {
+  std::optional<BusId> find_bus(const xml::Attribute& attribute) {
     std::vector<std::string> names{"cpu"};
-    for (std::size_t i = 0; i < reading_.robot.buses.size(); ++i) {
+    for (const BusId i : reading_.robot.buses.ids()) {
       if (reading_.robot.buses[i].name.text == attribute.value) return i;
       names.push_back(reading_.robot.buses[i].name.text);
     }
@@ -107,9 +107,8 @@ class RequirementReader {
     const auto segment = reading_.segment_named(attribute.value);
     if (segment) {
       finding.message = fmt::format("'{}' is not a bus of the board", attribute.value);
-      const std::size_t bus = reading_.robot.segments[*segment].bus;
-      if (bus != kNoSegment)
-        finding.hint(fmt::format("its transfers run on '{}'", reading_.robot.buses[bus].name.text));
+      const BusId bus = reading_.robot.segments[*segment].bus;
+      if (bus != kNoBus) finding.hint(fmt::format("its transfers run on '{}'", reading_.robot.buses[bus].name.text));
     } else {
       suggest(finding, attribute.value, names);
     }
@@ -125,7 +124,7 @@ class RequirementReader {
     if (names.empty()) return "declare devices first";
     return fmt::format("write for example latency=\"{} -> {}\"", names.front(), names.back());
   }
-  std::optional<std::size_t> find_device(const Operand& operand, const xml::Attribute& attribute) {
+  std::optional<DeviceId> find_device(const Operand& operand, const xml::Attribute& attribute) {
     if (operand.text.empty()) {
       at_operand(operand, attribute, "a device is missing").hint(example());
       return {};
@@ -137,7 +136,7 @@ class RequirementReader {
     return device;
   }
   /// A device, or `root.role`: all children in that role.
-  std::vector<std::size_t> read_devices(const Operand& operand, const xml::Attribute& attribute) {
+  std::vector<DeviceId> read_devices(const Operand& operand, const xml::Attribute& attribute) {
     const OperandText words =
         split_operand(operand.text, [&](std::string_view name) { return reading_.device_named(name).has_value(); });
     const auto device = find_device({words.device, operand.at}, attribute);
@@ -146,15 +145,15 @@ class RequirementReader {
     if (reading_.robot.devices[*device].type == nullptr) return {};
     return children_in(*device, words.role, operand, attribute);
   }
-  std::vector<std::size_t> children_in(std::size_t owner, std::string_view role, const Operand& operand,
-                                       const xml::Attribute& attribute) {
+  std::vector<DeviceId> children_in(DeviceId owner, std::string_view role, const Operand& operand,
+                                    const xml::Attribute& attribute) {
     const Device& device = reading_.robot.devices[owner];
     std::vector<std::string> filled;  // operands with roles that have children
-    std::vector<std::size_t> children;
+    std::vector<DeviceId> children;
     bool exists = false;
     for (std::size_t i = 0; i < device.type->roles.size(); ++i) {
       const std::string& name = device.type->roles[i].name;
-      const auto has_role = [&](std::size_t child) { return reading_.robot.devices[child].role == i; };
+      const auto has_role = [&](DeviceId child) { return reading_.robot.devices[child].role == i; };
       if (std::any_of(device.children.begin(), device.children.end(), has_role))
         filled.push_back(device.name.text + "." + name);
       if (name != role) continue;

@@ -10,6 +10,7 @@
 #include "generator/diagnostic/code_hardware.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/bus_offers.hpp"
+#include "generator/model/no_segment.hpp"
 #include "generator/model/pins.hpp"
 #include "generator/model/reading.hpp"
 
@@ -33,9 +34,9 @@ struct NamedUse {
 };
 
 /// The port under a segment; empty: none, or an expander that sits on no bus.
-std::string port_of(const Reading& reading, std::size_t segment) {
-  const std::size_t bus = reading.robot.segments[segment].bus;
-  return bus < reading.robot.buses.size() ? reading.robot.buses[bus].port : std::string();
+std::string port_of(const Reading& reading, SegmentId segment) {
+  const BusId bus = reading.robot.segments[segment].bus;
+  return bus != kNoBus ? reading.robot.buses[bus].port : std::string();
 }
 
 std::vector<std::string> ports_of(const Reading& reading, const Device& device) {
@@ -47,7 +48,7 @@ std::vector<std::string> ports_of(const Reading& reading, const Device& device) 
   return ports;
 }
 
-void add_uses(const Reading& reading, std::size_t index, std::vector<NamedUse>& pins) {
+void add_uses(const Reading& reading, DeviceId index, std::vector<NamedUse>& pins) {
   const Device& device = reading.robot.devices[index];
   for (const Use& use : device.uses) {
     const xml::Attribute* name = use.pin.empty() ? nullptr : use_tag(reading, index, use).attribute("pin");
@@ -59,7 +60,7 @@ void add_uses(const Reading& reading, std::size_t index, std::vector<NamedUse>& 
 }
 
 /// A device on a gpio bus: its channel is a named pin of the board.
-void add_channel(const Reading& reading, std::size_t index, std::vector<NamedUse>& pins) {
+void add_channel(const Reading& reading, DeviceId index, std::vector<NamedUse>& pins) {
   const Device& device = reading.robot.devices[index];
   const xml::Attribute* channel = reading.device_tag(index).attribute("channel");
   if (!device.segment || !device.channel || channel == nullptr || reading.robot.board == nullptr) return;
@@ -87,7 +88,7 @@ std::vector<NamedUse> named_uses(const Reading& reading) {
                     bus.driver_length,
                     {}});
   }
-  for (std::size_t i = 0; i < reading.robot.devices.size(); ++i) {
+  for (const DeviceId i : reading.robot.devices.ids()) {
     add_uses(reading, i, pins);
     add_channel(reading, i, pins);
   }
@@ -100,7 +101,7 @@ class ResourceTable {
     for (const NamedUse& use : pins) named_.insert(use.pin);
   }
 
-  void add_bus(std::size_t index) {
+  void add_bus(BusId index) {
     const Port* port = reading_.buses[index].port;
     if (port == nullptr) return;
     const xml::Attribute& attribute = *reading_.tags.buses[index]->attribute("port");
@@ -158,9 +159,7 @@ class ResourceTable {
   }
   [[nodiscard]] bool is_free(const std::string& pin, const std::string& function) const {
     const NamedPin* named = reading_.robot.board->named_pin(pin);
-    if (named != nullptr &&
-        std::find(named->functions.begin(), named->functions.end(), function) == named->functions.end())
-      return false;
+    if (named != nullptr && !named->can(function)) return false;
     return !taken_.contains("pin" + pin) && !offered_.contains(pin) && !named_.contains(pin);
   }
 
@@ -180,7 +179,7 @@ class ResourceTable {
   }
 
   Reading& reading_;
-  std::map<std::string, std::size_t> ports_;
+  std::map<std::string, BusId> ports_;
   std::map<std::string, User> taken_;
   std::set<std::string> offered_, named_;
 };
@@ -191,7 +190,7 @@ void check_resources(Reading& reading) {
   if (reading.robot.board == nullptr) return;
   const std::vector<NamedUse> pins = named_uses(reading);
   ResourceTable table(reading, pins);
-  for (std::size_t i = 0; i < reading.robot.buses.size(); ++i) table.add_bus(i);
+  for (const BusId i : reading.robot.buses.ids()) table.add_bus(i);
   for (const NamedUse& use : pins) table.add_pin(use);
 }
 

@@ -68,7 +68,7 @@ std::optional<std::size_t> named_role(Reading& reading, const xml::Attribute& at
 }
 
 /// Without `role`, the only one the child's type satisfies.
-std::optional<std::size_t> only_role(Reading& reading, std::size_t index, const DeviceType& parent,
+std::optional<std::size_t> only_role(Reading& reading, DeviceId index, const DeviceType& parent,
                                      const DeviceType& child, const std::string& where) {
   std::vector<std::size_t> fitting;
   for (std::size_t i = 0; i < parent.roles.size(); ++i) {
@@ -95,7 +95,7 @@ std::optional<std::size_t> only_role(Reading& reading, std::size_t index, const 
   return {};
 }
 
-void resolve_child(Reading& reading, std::size_t index) {
+void resolve_child(Reading& reading, DeviceId index) {
   Device& device = reading.robot.devices[index];
   Reading::DeviceState& state = reading.devices[index];
   const xml::Attribute* role = reading.device_tag(index).attribute("role");
@@ -117,9 +117,9 @@ void resolve_child(Reading& reading, std::size_t index) {
   if (!device.role) reading.devices[*device.parent].is_incomplete = true;
 }
 
-bool is_descendant(const Robot& robot, std::size_t device, std::size_t of) {
+bool is_descendant(const Robot& robot, DeviceId device, DeviceId of) {
   std::size_t steps = 0;
-  for (auto at = std::optional<std::size_t>(device); at && steps <= robot.devices.size();
+  for (auto at = std::optional<DeviceId>(device); at && steps <= robot.devices.size();
        at = robot.devices[*at].parent, ++steps) {
     if (*at == of) return true;
   }
@@ -127,7 +127,7 @@ bool is_descendant(const Robot& robot, std::size_t device, std::size_t of) {
 }
 
 /// <reads> of the reader itself, of a child (which reaches it by role), or of a device further down (which does not).
-void report_own_subtree(Reading& reading, const xml::Attribute& name, std::size_t reader, std::size_t target) {
+void report_own_subtree(Reading& reading, const xml::Attribute& name, DeviceId reader, DeviceId target) {
   const auto& devices = reading.robot.devices;
   const std::string& reads = devices[reader].name.text;
   const std::string& read = devices[target].name.text;
@@ -141,7 +141,7 @@ void report_own_subtree(Reading& reading, const xml::Attribute& name, std::size_
         .hint("remove the <reads>");
     return;
   }
-  std::size_t child = target;
+  DeviceId child = target;
   while (devices[child].parent != reader) child = *devices[child].parent;
   finding
       .note("a device sees the states of its children only; states further down reach it through the child in between")
@@ -150,7 +150,7 @@ void report_own_subtree(Reading& reading, const xml::Attribute& name, std::size_
       .hint(fmt::format("or declare '{}' directly below '{}'", read, reads));
 }
 
-void read_reads(Reading& reading, std::size_t index, const xml::Node& tag) {
+void read_reads(Reading& reading, DeviceId index, const xml::Node& tag) {
   Device& reader = reading.robot.devices[index];
   const xml::Attribute* name = tag.attribute("device");
   const xml::Attribute* role = tag.attribute("role");
@@ -174,7 +174,7 @@ void read_reads(Reading& reading, std::size_t index, const xml::Node& tag) {
   reader.reads.push_back({*target, *found, tag.at});
 }
 
-void read_all_reads(Reading& reading, std::size_t index) {
+void read_all_reads(Reading& reading, DeviceId index) {
   for (const xml::Node& child : reading.device_tag(index).children) {
     if (child.is_element("reads")) read_reads(reading, index, child);
   }
@@ -186,13 +186,13 @@ class DataCycles {
   explicit DataCycles(Reading& reading)
       : reading_(reading), state_(reading.robot.devices.size(), State::fresh), edges_(reading.robot.devices.size()) {
     const auto& devices = reading.robot.devices;
-    for (std::size_t i = 0; i < devices.size(); ++i) {
-      for (const std::size_t child : devices[i].children) edges_[i].push_back({child, nullptr});
+    for (const DeviceId i : devices.ids()) {
+      for (const DeviceId child : devices[i].children) edges_[i].push_back({child, nullptr});
       for (const Read& read : devices[i].reads) edges_[i].push_back({read.device, &read});
     }
   }
   void run() {
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
+    for (const DeviceId i : edges_.ids()) {
       if (state_[i] == State::fresh && !reading_.devices[i].in_cycle) visit(i);
     }
   }
@@ -200,16 +200,16 @@ class DataCycles {
  private:
   enum class State { fresh, open, done };
   struct Edge {
-    std::size_t to;
+    DeviceId to;
     const Read* read;  ///< null: a child
   };
   struct Step {
-    std::size_t device;
+    DeviceId device;
     std::size_t next_edge = 0;
   };
 
   /// Depth first without recursion; a read that leads to an open device closes a cycle.
-  void visit(std::size_t start) {
+  void visit(DeviceId start) {
     std::vector<Step> way{{start}};
     state_[start] = State::open;
     while (!way.empty()) {
@@ -248,18 +248,18 @@ class DataCycles {
   }
 
   Reading& reading_;
-  std::vector<State> state_;
-  std::vector<std::vector<Edge>> edges_;
+  Table<DeviceId, State> state_;
+  Table<DeviceId, std::vector<Edge>> edges_;
 };
 
 }  // namespace
 
 void resolve_roles(Reading& reading) {
-  const std::size_t count = reading.robot.devices.size();
-  for (std::size_t i = 0; i < count; ++i) {
+  const auto ids = reading.robot.devices.ids();
+  for (const DeviceId i : ids) {
     if (!reading.devices[i].in_cycle) resolve_child(reading, i);
   }
-  for (std::size_t i = 0; i < count; ++i) read_all_reads(reading, i);
+  for (const DeviceId i : ids) read_all_reads(reading, i);
   DataCycles(reading).run();
 }
 

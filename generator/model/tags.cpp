@@ -115,7 +115,8 @@ class TagReader {
     }
     return true;
   }
-  void take(const xml::Node& node, std::vector<const xml::Node*>& list) {
+  template <class List>
+  void take(const xml::Node& node, List& list) {
     list.push_back(&node);
     check(node);
     around_ = &node;
@@ -123,13 +124,12 @@ class TagReader {
       if (child.is_element() && grammar::rule(child.name) != nullptr) check(child);
     }
   }
-  void take_device(const xml::Node& node, std::optional<std::size_t> nested_in) {
-    const std::size_t index = tags_.devices.size();
-    tags_.devices.push_back({&node, nested_in});
+  void take_device(const xml::Node& node, std::optional<DeviceId> nested_in) {
+    const DeviceId device = tags_.devices.push_back({&node, nested_in});
     check(node);
     for (const xml::Node& child : node.children) {
       if (child.is_element("device"))
-        take_device(child, index);
+        take_device(child, device);
       else if (child.is_element() && allows_child(*grammar::rule("device"), child.name))
         check(child);
     }

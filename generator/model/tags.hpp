@@ -8,23 +8,24 @@
 #include <vector>
 
 #include "generator/diagnostic/diagnostics.hpp"
+#include "generator/index/ids.hpp"
 #include "generator/xml/node.hpp"
 
 namespace finemote::gen {
 
 struct DeviceTag {
   const xml::Node* node = nullptr;
-  std::optional<std::size_t> nested_in;  ///< index of the device around it
+  std::optional<DeviceId> nested_in;  ///< the device around it
 };
 
 /// All blocks merged, in document order.
 struct Tags {
   std::vector<const xml::Node*> blocks;
   std::vector<const xml::Node*> boards;
-  std::vector<const xml::Node*> buses;
-  std::vector<const xml::Node*> expanders;
+  Table<BusId, const xml::Node*> buses;
+  Table<ExpanderId, const xml::Node*> expanders;
   std::vector<const xml::Node*> requirements;
-  std::vector<DeviceTag> devices;  ///< by start tag
+  Table<DeviceId, DeviceTag> devices;  ///< by start tag
   /// A <bus> whose type is a model of <expander>, and the names of buses that go with it: what names them is right.
   std::vector<const xml::Node*> misnamed_expanders;
   std::vector<std::string> lost_buses;

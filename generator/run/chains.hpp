@@ -17,7 +17,7 @@ struct Measured {
 };
 
 struct MeasuredChain {
-  std::size_t from = 0, to = 0;  ///< indices into Robot::devices
+  DeviceId from, to;
   Measured acquire, decide, wire, end_to_end;
 
   [[nodiscard]] bool holds() const { return acquire.holds() && decide.holds() && wire.holds() && end_to_end.holds(); }

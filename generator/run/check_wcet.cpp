@@ -19,14 +19,14 @@ struct Extremes {
 using Stages = std::array<Extremes, 2>;  ///< of update(), of handle()
 
 struct Running {
-  std::size_t device = 0;
+  DeviceId device;
   bool is_handle = false;
   std::int64_t alone_ns = 0;  ///< so far, without the stages that interrupted it
 };
 
 /// Extremes of every device's stages, the time of interrupting stages taken out.
-std::vector<Stages> stage_extremes(const RunRecord& record, std::size_t devices) {
-  std::vector<Stages> result(devices);
+Table<DeviceId, Stages> stage_extremes(const RunRecord& record, std::size_t devices) {
+  Table<DeviceId, Stages> result(devices);
   std::vector<Running> open;  // the one that runs is last
   std::int64_t last = 0;
   for (const Event& event : record.events) {
@@ -59,12 +59,12 @@ std::int64_t with_margin(std::int64_t seen_ns) {
 }
 
 /// None where a stage never ran: what was not measured is not called so.
-std::optional<MeasuredWcet> measured_wcet(std::size_t device, const Stages& seen) {
+std::optional<MeasuredWcet> measured_wcet(DeviceId device, const Stages& seen) {
   if (seen[0].longest == 0 || seen[1].longest == 0) return std::nullopt;
   return MeasuredWcet{device, with_margin(seen[0].longest), with_margin(seen[1].longest)};
 }
 
-void warn(const Device& device, std::size_t index, const Stages& seen, std::int64_t stage_cost_ns,
+void warn(const Device& device, DeviceId index, const Stages& seen, std::int64_t stage_cost_ns,
           Diagnostics& diagnostics) {
   constexpr std::array<const char*, 2> kNames = {"update", "handle"};
   const std::array<std::int64_t, 2> wcet = {device.wcet.update_ns, device.wcet.handle_ns};
@@ -90,14 +90,14 @@ void warn(const Device& device, std::size_t index, const Stages& seen, std::int6
 }  // namespace
 
 void check_wcet(const Robot& robot, const RunRecord& record, std::int64_t stage_cost_ns, Diagnostics& diagnostics) {
-  const std::vector<Stages> seen = stage_extremes(record, robot.devices.size());
-  for (std::size_t i = 0; i < robot.devices.size(); ++i) warn(robot.devices[i], i, seen[i], stage_cost_ns, diagnostics);
+  const Table<DeviceId, Stages> seen = stage_extremes(record, robot.devices.size());
+  for (const DeviceId i : robot.devices.ids()) warn(robot.devices[i], i, seen[i], stage_cost_ns, diagnostics);
 }
 
 std::vector<MeasuredWcet> measured_wcets(const Robot& robot, const RunRecord& record) {
-  const std::vector<Stages> seen = stage_extremes(record, robot.devices.size());
+  const Table<DeviceId, Stages> seen = stage_extremes(record, robot.devices.size());
   std::vector<MeasuredWcet> list;
-  for (std::size_t i = 0; i < robot.devices.size(); ++i) {
+  for (const DeviceId i : robot.devices.ids()) {
     const auto measured = measured_wcet(i, seen[i]);
     if (robot.devices[i].wcet.source == Wcet::Source::assumed && measured) list.push_back(*measured);
   }

@@ -17,7 +17,7 @@ void check_wcet(const Robot& robot, const RunRecord& record, std::int64_t stage_
 
 /// Execution times a run has shown: the longest run of each stage, interrupts included, and a quarter.
 struct MeasuredWcet {
-  std::size_t device = 0;  ///< index into Robot::devices
+  DeviceId device;
   std::int64_t update_ns = 0, handle_ns = 0;
 };
 

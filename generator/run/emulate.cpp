@@ -63,9 +63,7 @@ std::vector<FaultCount> faults_of(const Json& record) {
 }
 
 bool overrun_stops(const Robot& robot) {
-  return std::any_of(robot.board_params.begin(), robot.board_params.end(), [](const Param& param) {
-    return param.spec->name == "overrun" && std::get<std::string>(param.value) == "safe_stop";
-  });
+  return param_value(robot.board_params, "overrun", std::string()) == "safe_stop";
 }
 
 /// A firmware that came to its first release and is in its safe stop now; one that a scenario put there is left alone.
@@ -115,8 +113,9 @@ std::vector<Event> events_of(const Json& record, const Forest& forest) {
   std::vector<Event> events;
   for (const Json& event : record.at("stages")) {
     const auto stage = event.at(1).get<std::uint32_t>();
-    if (stage / 2 >= forest.order.size()) continue;
-    events.push_back({event.at(0), forest.order[stage / 2], stage % 2 == 1, !event.at(2).get<bool>()});
+    const Rank rank{stage / 2};
+    if (!forest.order.contains(rank)) continue;
+    events.push_back({event.at(0), forest.order[rank], stage % 2 == 1, !event.at(2).get<bool>()});
   }
   return events;
 }
@@ -139,14 +138,16 @@ RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest
         {part.at("part"), part.at("output"), part.at("channel"), part.at("from_ns"), part.at("at_ns")});
   }
   record.expectations = expectations_of(json);
-  for (std::size_t i = 0, port = 0; i < robot.buses.size(); ++i) {
-    if (robot.buses[i].port.empty()) continue;
+  std::size_t port = 0;
+  for (const BusId id : robot.buses.ids()) {
+    if (robot.buses[id].port.empty()) continue;
     const Json& bus = json.at("buses").at(port++);
-    record.buses.push_back({i, bus.at("transfers"), bus.at("errors"), bus.at("busy")});
+    record.buses.push_back({id, bus.at("transfers"), bus.at("errors"), bus.at("busy")});
   }
-  for (std::size_t i = 0; i < json.at("monitor").size() && i < forest.order.size(); ++i) {
-    const Json& entry = json.at("monitor").at(i);
-    record.monitor.push_back({forest.order[i], entry.at(0), entry.at(1), entry.at(2), entry.at(3)});
+  for (const Rank rank : forest.order.ids()) {
+    if (rank.value() >= json.at("monitor").size()) break;
+    const Json& entry = json.at("monitor").at(rank.value());
+    record.monitor.push_back({forest.order[rank], entry.at(0), entry.at(1), entry.at(2), entry.at(3)});
   }
   record.resets = json.at("resets");
   record.faulty = json.at("faulty");

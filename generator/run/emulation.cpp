@@ -5,7 +5,7 @@ namespace finemote::gen {
 std::vector<const Device*> actuators_in(const Robot& robot, const Device& device) {
   if (has_part(device)) return device.type->actuator ? std::vector{&device} : std::vector<const Device*>();
   std::vector<const Device*> all;
-  for (const std::size_t child : device.children) {
+  for (const DeviceId child : device.children) {
     const auto inside = actuators_in(robot, robot.devices[child]);
     all.insert(all.end(), inside.begin(), inside.end());
   }

@@ -13,7 +13,7 @@ struct Interval {
 };
 
 /// Completed runs of a stage, in time order.
-std::vector<Interval> intervals(const RunRecord& record, std::size_t device, bool is_handle) {
+std::vector<Interval> intervals(const RunRecord& record, DeviceId device, bool is_handle) {
   std::vector<Interval> list;
   constexpr std::int64_t kNotRunning = -1;
   std::int64_t begin = kNotRunning;
@@ -33,18 +33,18 @@ const Interval* finished_by(const std::vector<Interval>& runs, std::int64_t time
 }
 
 /// For every device that data of `from` reaches upward: the device it came from. Breadth first, so ways are shortest.
-std::map<std::size_t, std::size_t> reached_upward(const Robot& robot, std::size_t from, bool over_reads) {
-  std::map<std::size_t, std::size_t> came_from{{from, from}};
-  std::deque<std::size_t> queue{from};
-  const auto visit = [&](std::size_t next, std::size_t previous) {
+std::map<DeviceId, DeviceId> reached_upward(const Robot& robot, DeviceId from, bool over_reads) {
+  std::map<DeviceId, DeviceId> came_from{{from, from}};
+  std::deque<DeviceId> queue{from};
+  const auto visit = [&](DeviceId next, DeviceId previous) {
     if (came_from.emplace(next, previous).second) queue.push_back(next);
   };
   while (!queue.empty()) {
-    const std::size_t device = queue.front();
+    const DeviceId device = queue.front();
     queue.pop_front();
     if (robot.devices[device].parent) visit(*robot.devices[device].parent, device);
     if (!over_reads) continue;
-    for (std::size_t reader = 0; reader < robot.devices.size(); ++reader) {
+    for (const DeviceId reader : robot.devices.ids()) {
       for (const Read& read : robot.devices[reader].reads) {
         if (read.device == device) visit(reader, device);
       }
@@ -53,14 +53,14 @@ std::map<std::size_t, std::size_t> reached_upward(const Robot& robot, std::size_
   return came_from;
 }
 
-std::optional<ChainPath> find_way(const Robot& robot, std::size_t from, std::size_t to, bool over_reads) {
+std::optional<ChainPath> find_way(const Robot& robot, DeviceId from, DeviceId to, bool over_reads) {
   const auto came_from = reached_upward(robot, from, over_reads);
   ChainPath path;
   path.through_reads = over_reads;
-  for (std::optional<std::size_t> turn = to; turn; turn = robot.devices[*turn].parent) {
+  for (std::optional<DeviceId> turn = to; turn; turn = robot.devices[*turn].parent) {
     path.down.insert(path.down.begin(), *turn);
     if (came_from.count(*turn) == 0) continue;
-    for (std::size_t device = *turn;; device = came_from.at(device)) {
+    for (DeviceId device = *turn;; device = came_from.at(device)) {
       path.up.insert(path.up.begin(), device);
       if (device == from) return path;
     }
@@ -84,13 +84,13 @@ Statistics summarize(const std::vector<std::int64_t>& values) {
   return s;
 }
 
-std::vector<std::int64_t> stage_times(const RunRecord& record, std::size_t device, bool is_handle) {
+std::vector<std::int64_t> stage_times(const RunRecord& record, DeviceId device, bool is_handle) {
   std::vector<std::int64_t> times;
   for (const Interval& run : intervals(record, device, is_handle)) times.push_back(run.end - run.begin);
   return times;
 }
 
-std::optional<ChainPath> find_chain(const Robot& robot, std::size_t from, std::size_t to) {
+std::optional<ChainPath> find_chain(const Robot& robot, DeviceId from, DeviceId to) {
   if (auto path = find_way(robot, from, to, false)) return path;
   return find_way(robot, from, to, true);
 }

@@ -19,18 +19,18 @@ struct Statistics {
 Statistics summarize(const std::vector<std::int64_t>& values);
 
 /// Time from begin to end of every completed run of a stage, preemption included.
-std::vector<std::int64_t> stage_times(const RunRecord& record, std::size_t device, bool is_handle);
+std::vector<std::int64_t> stage_times(const RunRecord& record, DeviceId device, bool is_handle);
 
 /// The way of data from update() of one device to handle() of another.
 struct ChainPath {
-  std::vector<std::size_t> up;    ///< devices whose update() it passes, source first; the last one turns
-  std::vector<std::size_t> down;  ///< devices whose handle() it passes, the turning one first, the actuator last
-  bool through_reads = false;     ///< uses a `reads` edge: outside the paper's Theorem 3
+  std::vector<DeviceId> up;    ///< devices whose update() it passes, source first; the last one turns
+  std::vector<DeviceId> down;  ///< devices whose handle() it passes, the turning one first, the actuator last
+  bool through_reads = false;  ///< uses a `reads` edge: outside the paper's Theorem 3
 };
 
 /// The way with the lowest turning point: over tree edges where there is one, else also over `reads` edges.
 /// None when no data of `from` reaches `to`.
-std::optional<ChainPath> find_chain(const Robot& robot, std::size_t from, std::size_t to);
+std::optional<ChainPath> find_chain(const Robot& robot, DeviceId from, DeviceId to);
 
 /// One command of a chain's end, and the update its data came from.
 struct DecisionSample {

@@ -61,10 +61,10 @@ std::optional<std::vector<const Joint*>> way_from_body(const Mechanism& mechanis
 
 }  // namespace
 
-std::string body_link(const Robot& robot) { return Mechanism(robot).base(); }
+std::string body_link(const Robot& robot) { return Mechanism(robot.links, robot.joints).base(); }
 
 Json whole_inertia(const Robot& robot) {
-  const Mass sum = mass_behind(Mechanism(robot), body_link(robot));
+  const Mass sum = mass_behind(Mechanism(robot.links, robot.joints), body_link(robot));
   if (sum.mass <= 0 || sum.inertia.determinant() <= 0) return Json::object();
   const auto& i = sum.inertia;
   return Json{{"mass", sum.mass}, {"inertia", {i(0, 0), i(0, 1), i(0, 2), i(1, 1), i(1, 2), i(2, 2)}}};
@@ -72,7 +72,7 @@ Json whole_inertia(const Robot& robot) {
 
 Json way_to(const Robot& robot, const std::string& link) {
   Json way = Json::array();
-  const auto joints = way_from_body(Mechanism(robot), link);
+  const auto joints = way_from_body(Mechanism(robot.links, robot.joints), link);
   if (!joints) return way;
   for (const Joint* joint : *joints) {
     Json step = step_of(*joint);
@@ -86,7 +86,7 @@ Json way_to(const Robot& robot, const std::string& link) {
 }
 
 Json load_of(const Robot& robot, const std::string& name) {
-  const Mechanism mechanism(robot);
+  const Mechanism mechanism(robot.links, robot.joints);
   const Joint* joint = mechanism.joint(name);
   Json load = Json::object();
   if (joint == nullptr) return load;
@@ -101,7 +101,7 @@ Json load_of(const Robot& robot, const std::string& name) {
 }
 
 Json hanging_joints(const Robot& robot) {
-  const Mechanism mechanism(robot);
+  const Mechanism mechanism(robot.links, robot.joints);
   const auto turned = turned_joints(robot);
   std::set<std::string> names;
   for (const auto& [joint, part] : turned) names.insert(joint);

@@ -22,7 +22,7 @@ void add_line_format(const Bus& bus, const std::string& format, Json& part) {
 }
 
 /// Where a part sits: behind a mux channel, at an expander's output, or at a port.
-void add_place(const Robot& robot, std::size_t index, Json& part) {
+void add_place(const Robot& robot, SegmentId index, Json& part) {
   const Segment& segment = robot.segments[index];
   switch (segment.kind) {
     case Segment::Kind::mux_channel:
@@ -89,17 +89,16 @@ void add_bus(const Robot& robot, const Device& device, Json& part) {
 
 void add_params(const Device& device, Json& part) {
   for (const std::string& name : device.type->emulation.params) {
-    for (const Param& param : device.params) {
-      if (param.spec->name != name) continue;
-      std::visit([&](const auto& value) { part[param.spec->name] = value; }, param.value);
-    }
+    const Param* param = find_param(device.params, name);
+    if (param != nullptr) std::visit([&](const auto& value) { part[name] = value; }, param->value);
   }
 }
 
 /// What the part feels of the body, or does to it.
 void add_mechanics(const Robot& robot, const Device& device, const std::string& body, Json& part) {
   const std::string joint = device.type->actuator ? driven_joint(robot, device) : std::string();
-  if (const auto axis = joint.empty() ? std::nullopt : joint_axis(Mechanism(robot), joint, body_link(robot))) {
+  if (const auto axis =
+          joint.empty() ? std::nullopt : joint_axis(Mechanism(robot.links, robot.joints), joint, body_link(robot))) {
     part["body"] = body;
     part["xyz"] = {axis->point.x(), axis->point.y(), axis->point.z()};
     part["axis"] = {axis->direction.x(), axis->direction.y(), axis->direction.z()};
@@ -122,7 +121,8 @@ Json terminal_part(const Robot& robot, const Device& device, const Use& use) {
 Json wheel_of(const Robot& robot, const Device& child, std::string& reason) {
   const auto actuators = actuators_in(robot, child);
   const std::string joint = actuators.size() == 1 ? driven_joint(robot, *actuators[0]) : std::string();
-  const auto axis = joint.empty() ? std::nullopt : joint_axis(Mechanism(robot), joint, body_link(robot));
+  const auto axis =
+      joint.empty() ? std::nullopt : joint_axis(Mechanism(robot.links, robot.joints), joint, body_link(robot));
   if (axis) {
     return Json{{"part", actuators[0]->name.text},
                 {"xyz", {axis->point.x(), axis->point.y(), axis->point.z()}},
@@ -138,7 +138,7 @@ Json wheel_of(const Robot& robot, const Device& child, std::string& reason) {
 /// Wheels in a role of a device; what drives none is in `notes`.
 Json wheels_of(const Robot& robot, const Device& device, const std::string& role, std::vector<std::string>& notes) {
   Json list = Json::array();
-  for (const std::size_t index : device.children) {
+  for (const DeviceId index : device.children) {
     const Device& child = robot.devices[index];
     if (!child.role || device.type->roles[*child.role].name != role) continue;
     std::string reason;

@@ -9,8 +9,10 @@ bool read_event(std::istringstream& words, const Forest& forest, RunRecord& reco
   std::int64_t at = 0;
   std::size_t stage = 0;
   char edge = 0;
-  if (!(words >> at >> stage >> edge) || stage / 2 >= forest.order.size() || (edge != 'B' && edge != 'E')) return false;
-  record.events.push_back({at, forest.order[stage / 2], stage % 2 == 1, edge == 'E'});
+  if (!(words >> at >> stage >> edge) || (edge != 'B' && edge != 'E')) return false;
+  const Rank rank{stage / 2};
+  if (!forest.order.contains(rank)) return false;
+  record.events.push_back({at, forest.order[rank], stage % 2 == 1, edge == 'E'});
   return true;
 }
 
@@ -25,8 +27,10 @@ bool read_overruns(std::istringstream& words, RunRecord& record) {
 
 bool read_bus(std::istringstream& words, std::int64_t duration_ns, RunRecord& record) {
   BusRecord bus;
+  std::size_t index = 0;
   double busy_ns = 0;
-  if (!(words >> bus.bus >> bus.transfers >> bus.errors)) return false;
+  if (!(words >> index >> bus.transfers >> bus.errors)) return false;
+  bus.bus = BusId{index};
   if (words >> busy_ns && duration_ns > 0) bus.busy = busy_ns / static_cast<double>(duration_ns);
   record.buses.push_back(bus);
   return true;
@@ -50,8 +54,8 @@ bool read_monitor(std::istringstream& words, const Forest& forest, RunRecord& re
   MonitorEntry entry;
   std::size_t place = 0;
   words >> place >> entry.response_max_ns >> entry.age_max_ns >> entry.response_violations >> entry.age_violations;
-  if (!words || place >= forest.order.size()) return false;
-  entry.device = forest.order[place];
+  if (!words || !forest.order.contains(Rank{place})) return false;
+  entry.device = forest.order[Rank{place}];
   record.monitor.push_back(entry);
   return true;
 }

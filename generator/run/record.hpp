@@ -14,13 +14,13 @@ namespace finemote::gen {
 /// One begin or end of a stage.
 struct Event {
   std::int64_t t_ns = 0;
-  std::size_t device = 0;  ///< index into Robot::devices
+  DeviceId device;
   bool is_handle = false;
   bool is_end = false;
 };
 
 struct BusRecord {
-  std::size_t bus = 0;  ///< index into Robot::buses
+  BusId bus;
   std::uint64_t transfers = 0, errors = 0;
   double busy = 0;  ///< fraction of the run, 0..1
 };
@@ -36,7 +36,7 @@ struct PartRecord {
 
 /// What the monitor in the firmware kept of one device.
 struct MonitorEntry {
-  std::size_t device = 0;  ///< index into Robot::devices
+  DeviceId device;
   std::int64_t response_max_ns = 0;
   std::int64_t age_max_ns = 0;  ///< 0: no valid command was handled
   std::uint64_t response_violations = 0, age_violations = 0;

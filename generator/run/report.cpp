@@ -12,9 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::string& name_of(const RunResult& result, std::size_t device) {
-  return result.robot.devices[device].name.text;
-}
+const std::string& name_of(const RunResult& result, DeviceId device) { return result.robot.devices[device].name.text; }
 
 Json statistics(const Measured& figure) {
   const Statistics& s = figure.observed;
@@ -28,7 +26,7 @@ Json statistics(const Measured& figure) {
 
 Json stage_list(const RunResult& result) {
   Json list = Json::array();
-  for (std::size_t device : result.forest.order) {
+  for (DeviceId device : result.forest.order) {
     for (const bool is_handle : {false, true}) {
       const Statistics s = summarize(stage_times(result.record, device, is_handle));
       const bool any = s.count > 0;
@@ -72,7 +70,7 @@ Json chain_list(const RunResult& result) {
 Json bus_list(const RunResult& result) {
   Json list = Json::array();
   for (const BusRecord& bus : result.record.buses) {
-    if (bus.bus >= result.robot.buses.size()) continue;
+    if (!result.robot.buses.contains(bus.bus)) continue;
     list.push_back({{"name", result.robot.buses[bus.bus].name.text},
                     {"transfers", bus.transfers},
                     {"errors", bus.errors},
@@ -281,7 +279,7 @@ void print_run(const RunResult& result, std::ostream& out) {
   if (result.board == "qemu_f405") print_instructions(result, out);
   if (!result.record.buses.empty()) out << "\nbuses\n";
   for (const BusRecord& bus : result.record.buses) {
-    if (bus.bus >= result.robot.buses.size()) continue;
+    if (!result.robot.buses.contains(bus.bus)) continue;
     out << fmt::format("  {:<12} {:>7} transfers {:>4} errors  busy {:.1f} %\n", result.robot.buses[bus.bus].name.text,
                        bus.transfers, bus.errors, 100 * bus.busy);
   }
@@ -299,7 +297,7 @@ void print_run(const RunResult& result, std::ostream& out) {
 
 Json run_trace(const RunResult& result) {
   Json events = Json::array();
-  const auto slice = [&](std::size_t device, bool is_handle, std::int64_t begin, std::int64_t end) {
+  const auto slice = [&](DeviceId device, bool is_handle, std::int64_t begin, std::int64_t end) {
     events.push_back({{"name", name_of(result, device) + (is_handle ? ".handle" : ".update")},
                       {"ph", "X"},
                       {"pid", 1},
@@ -315,7 +313,7 @@ Json run_trace(const RunResult& result) {
                       {"args", {{"name", "every " + period_text(result.schedule.buckets[i].period_ns)}}}});
   }
   struct Running {
-    std::size_t device;
+    DeviceId device;
     bool is_handle;
     std::int64_t since;
   };

@@ -23,24 +23,24 @@ class Binder {
  public:
   Binder(const Robot& robot, const Forest& forest, Schedule& schedule, Diagnostics& diagnostics)
       : robot_(robot), forest_(forest), schedule_(schedule), diagnostics_(diagnostics) {
-    for (const Device& d : robot.devices) tree_names_.emplace(forest.tree_of[&d - robot.devices.data()], d.name.cpp);
+    for (const DeviceId d : robot.devices.ids()) tree_names_.emplace(forest.tree_of[d], robot.devices[d].name.cpp);
   }
 
   void bind_all() {
     schedule_.roles.resize(robot_.devices.size());
-    for (std::size_t device : forest_.order) bind_device(device);
+    for (DeviceId device : forest_.order) bind_device(device);
   }
 
  private:
-  const Device& device(std::size_t index) const { return robot_.devices[index]; }
+  const Device& device(DeviceId id) const { return robot_.devices[id]; }
 
-  void bind_device(std::size_t owner) {
+  void bind_device(DeviceId owner) {
     const auto& specs = device(owner).type->roles;
     for (std::size_t role = 0; role < specs.size(); ++role) {
       RoleBinding bound;
       bound.single = specs[role].min == 1 && specs[role].max == 1u;
       bound.interface = interface_name(specs[role]);
-      for (std::size_t child : device(owner).children) {
+      for (DeviceId child : device(owner).children) {
         if (device(child).role == role) add(bound, owner, specs[role], child, false);
       }
       for (const Read& read : device(owner).reads) {
@@ -55,7 +55,7 @@ class Binder {
   }
 
   /// What the emitter puts into `ports` besides: objects for optional uses, and the tables of a link.
-  void claim_others(std::size_t owner) {
+  void claim_others(DeviceId owner) {
     const Device& d = device(owner);
     for (const Use& use : d.uses) {
       if (!use.spec->required) claim(owner, d.name.cpp + "_use_" + use.spec->role);
@@ -74,7 +74,7 @@ class Binder {
     return spec.interface.find("::") == std::string::npos ? "finemote::" + spec.interface : spec.interface;
   }
 
-  void add(RoleBinding& bound, std::size_t owner, const RoleSpec& spec, std::size_t target, bool is_read) {
+  void add(RoleBinding& bound, DeviceId owner, const RoleSpec& spec, DeviceId target, bool is_read) {
     const Interface* interface = provided(*device(target).type, spec.interface);
     const bool takes_command = interface != nullptr && interface->has_command;
     const std::string tag = interface != nullptr ? interface->cpp : "finemote::Any";
@@ -97,8 +97,8 @@ class Binder {
   }
 
   /// The crossing from producer to consumer, made on first use; none where a plain reference does.
-  std::optional<std::size_t> crossing(Crossing::Direction direction, std::size_t producer, std::size_t consumer,
-                                      std::size_t home, const std::string& tag, const std::string& member) {
+  std::optional<std::size_t> crossing(Crossing::Direction direction, DeviceId producer, DeviceId consumer,
+                                      DeviceId home, const std::string& tag, const std::string& member) {
     const std::size_t from = schedule_.bucket_of[producer];
     const std::size_t to = schedule_.bucket_of[consumer];
     const bool same_tree = forest_.tree_of[producer] == forest_.tree_of[consumer];
@@ -123,7 +123,7 @@ class Binder {
   }
 
   /// Reserves a name in namespace `ports` of the owner's tree. It must be new there, and hide no device of the tree.
-  std::string claim(std::size_t owner, std::string name) {
+  std::string claim(DeviceId owner, std::string name) {
     const std::pair<std::size_t, std::string> key{forest_.tree_of[owner], name};
     const bool fresh = claimed_.insert(key).second && tree_names_.count(key) == 0;
     if (!fresh) {
@@ -140,7 +140,7 @@ class Binder {
   const Forest& forest_;
   Schedule& schedule_;
   Diagnostics& diagnostics_;
-  std::map<std::tuple<Crossing::Direction, std::size_t, std::size_t, std::string>, std::size_t> known_;
+  std::map<std::tuple<Crossing::Direction, DeviceId, DeviceId, std::string>, std::size_t> known_;
   std::set<std::pair<std::size_t, std::string>> tree_names_;  ///< (tree, C++ name of a device)
   std::set<std::pair<std::size_t, std::string>> claimed_;     ///< (tree, name in `ports`)
 };

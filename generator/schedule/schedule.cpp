@@ -16,7 +16,7 @@ namespace {
 /// One bucket per period, shortest first, devices in schedule order.
 std::vector<Bucket> group_by_period(const Robot& robot, const Forest& forest) {
   std::map<std::int64_t, Bucket> by_period;
-  for (std::size_t device : forest.order) {
+  for (DeviceId device : forest.order) {
     const std::int64_t period = robot.devices[device].period_ns;
     Bucket& bucket = by_period[period];
     bucket.period_ns = period;
@@ -53,14 +53,14 @@ void assign_lines(const Robot& robot, std::vector<Bucket>& buckets, Diagnostics&
 
 /// Shared outputs of a bucket: pulse outputs and CAN buses (motors share command frames) its devices write, in document
 /// order.
-std::vector<std::size_t> shared_outputs(const Robot& robot, const Bucket& bucket) {
-  std::set<std::size_t> segments;
-  const auto note = [&](std::optional<std::size_t> segment) {
+std::vector<SegmentId> shared_outputs(const Robot& robot, const Bucket& bucket) {
+  std::set<SegmentId> segments;
+  const auto note = [&](std::optional<SegmentId> segment) {
     if (!segment) return;
     const BusKind kind = robot.segments[*segment].bus_kind;
     if (kind == BusKind::pwm || kind == BusKind::can) segments.insert(*segment);
   };
-  for (std::size_t device : bucket.devices) {
+  for (DeviceId device : bucket.devices) {
     note(robot.devices[device].segment);
     for (const Use& use : robot.devices[device].uses) note(use.segment);
   }
@@ -75,7 +75,7 @@ Schedule plan_schedule(const Robot& robot, const Forest& forest, Diagnostics& di
   assign_lines(robot, schedule.buckets, diagnostics);
   schedule.bucket_of.resize(robot.devices.size());
   for (std::size_t i = 0; i < schedule.buckets.size(); ++i) {
-    for (std::size_t device : schedule.buckets[i].devices) schedule.bucket_of[device] = i;
+    for (DeviceId device : schedule.buckets[i].devices) schedule.bucket_of[device] = i;
     schedule.buckets[i].flushes = shared_outputs(robot, schedule.buckets[i]);
   }
   bind_roles(robot, forest, schedule, diagnostics);

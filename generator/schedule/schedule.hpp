@@ -15,11 +15,11 @@ namespace finemote::gen {
 /// All devices of one period. A job runs their updates in order, then their handles in reverse order, then flushes.
 struct Bucket {
   std::int64_t period_ns = 0;
-  std::string label;                 ///< `10ms`, part of generated names
-  std::uint32_t priority = 0;        ///< NVIC level, 0 is the most urgent
-  std::uint32_t line = 0;            ///< interrupt line it runs in
-  std::vector<std::size_t> devices;  ///< indices into Robot::devices, in schedule order
-  std::vector<std::size_t> flushes;  ///< indices into Robot::segments: shared outputs written once at the end of a job
+  std::string label;               ///< `10ms`, part of generated names
+  std::uint32_t priority = 0;      ///< NVIC level, 0 is the most urgent
+  std::uint32_t line = 0;          ///< interrupt line it runs in
+  std::vector<DeviceId> devices;   ///< in schedule order
+  std::vector<SegmentId> flushes;  ///< shared outputs written once at the end of a job
 };
 
 /// A value moved from one bucket (or tree) to another by the generated schedule.
@@ -32,17 +32,17 @@ struct Crossing {
   };
   Direction direction = Direction::state;
   Kind kind = Kind::copy;
-  std::size_t producer = 0;  ///< device whose update() (state) or handle() (command) makes the value
-  std::size_t consumer = 0;  ///< device whose update() (state) or handle() (command) uses it
-  std::size_t home = 0;      ///< device whose tree header holds latch and copy: the parent or reader
-  std::string type;          ///< C++ type of the value: `finemote::Imu::State`
-  std::string member;        ///< member of the producer (state) or of the consumer (command)
-  std::string name;          ///< `imu_to_rov`; the latch adds `_latch`
+  DeviceId producer;   ///< device whose update() (state) or handle() (command) makes the value
+  DeviceId consumer;   ///< device whose update() (state) or handle() (command) uses it
+  DeviceId home;       ///< device whose tree header holds latch and copy: the parent or reader
+  std::string type;    ///< C++ type of the value: `finemote::Imu::State`
+  std::string member;  ///< member of the producer (state) or of the consumer (command)
+  std::string name;    ///< `imu_to_rov`; the latch adds `_latch`
 };
 
 /// What one element of a role is bound to.
 struct Binding {
-  std::size_t device = 0;  ///< the child or observed device
+  DeviceId device;  ///< the child or observed device
   bool is_read = false;
   std::optional<std::size_t> state_crossing;    ///< index into Schedule::crossings; none: direct reference
   std::optional<std::size_t> command_crossing;  ///< the same for the command
@@ -62,20 +62,21 @@ struct RoleBinding {
 
 /// A transfer slot: one per device and shared bus.
 struct Slot {
-  std::size_t segment = 0;                      ///< index into Robot::segments
-  std::optional<std::size_t> device, expander;  ///< whose slot it is: exactly one is set
-  std::uint32_t address = 0;                    ///< i2c address, CAN id or chip select
-  std::uint32_t priority = 0;                   ///< index of the fastest bucket that uses it: 0 is the most urgent
-  std::string name;                             ///< C++ name in namespace slots
-  std::uint32_t spi_mode = kUsualSpiMode;       ///< spi: clock mode of its transfers, CPOL * 2 + CPHA
+  SegmentId segment;
+  std::optional<DeviceId> device;  ///< whose slot it is: this or `expander`
+  std::optional<ExpanderId> expander;
+  std::uint32_t address = 0;               ///< i2c address, CAN id or chip select
+  std::uint32_t priority = 0;              ///< index of the fastest bucket that uses it: 0 is the most urgent
+  std::string name;                        ///< C++ name in namespace slots
+  std::uint32_t spi_mode = kUsualSpiMode;  ///< spi: clock mode of its transfers, CPOL * 2 + CPHA
 };
 
 struct Schedule {
-  std::vector<Bucket> buckets;                  ///< shortest period first
-  std::vector<std::size_t> bucket_of;           ///< Robot device index -> index into buckets
-  std::vector<Crossing> crossings;              ///< in schedule order of their consumers
-  std::vector<std::vector<RoleBinding>> roles;  ///< per Robot device index, in DeviceType::roles order
-  std::vector<Slot> slots;                      ///< per physical bus in document order, most urgent first
+  std::vector<Bucket> buckets;                      ///< shortest period first
+  Table<DeviceId, std::size_t> bucket_of;           ///< index into buckets
+  std::vector<Crossing> crossings;                  ///< in schedule order of their consumers
+  Table<DeviceId, std::vector<RoleBinding>> roles;  ///< in DeviceType::roles order
+  std::vector<Slot> slots;                          ///< per physical bus in document order, most urgent first
 };
 
 /// Plans buckets rate-monotonically (paper section 4.2) on the lines and levels of the board.

@@ -13,10 +13,10 @@ bool has_slots(BusKind kind) {
 }
 
 /// The fastest bucket with a device on the PWM segment of `expander`; the slowest bucket when nothing uses it.
-std::uint32_t expander_priority(const Robot& robot, const Schedule& schedule, std::size_t expander) {
+std::uint32_t expander_priority(const Robot& robot, const Schedule& schedule, ExpanderId expander) {
   std::size_t fastest = schedule.buckets.empty() ? 0 : schedule.buckets.size() - 1;
   for (std::size_t i = schedule.buckets.size(); i-- > 0;) {
-    for (std::size_t segment : schedule.buckets[i].flushes) {
+    for (SegmentId segment : schedule.buckets[i].flushes) {
       if (robot.segments[segment].expander == expander) fastest = i;
     }
   }
@@ -43,7 +43,7 @@ void report_equal_names(const Robot& robot, const std::vector<Slot>& slots, Diag
 std::vector<Slot> plan_slots(const Robot& robot, const Forest& forest, const Schedule& schedule,
                              Diagnostics& diagnostics) {
   std::vector<Slot> slots;
-  for (std::size_t device : forest.order) {
+  for (DeviceId device : forest.order) {
     const Device& owner = robot.devices[device];
     const auto priority = static_cast<std::uint32_t>(schedule.bucket_of[device]);
     if (owner.segment && has_slots(robot.segments[*owner.segment].bus_kind)) {
@@ -57,7 +57,7 @@ std::vector<Slot> plan_slots(const Robot& robot, const Forest& forest, const Sch
                        use.spec->spi_mode.value_or(owner.type->spi_mode)});
     }
   }
-  for (std::size_t i = 0; i < robot.expanders.size(); ++i) {
+  for (const ExpanderId i : robot.expanders.ids()) {
     const Expander& expander = robot.expanders[i];
     if (expander.model != Expander::Model::pca9685) continue;  // a mux is part of its users' transfers
     const std::uint32_t priority = expander_priority(robot, schedule, i);

@@ -7,15 +7,15 @@ namespace finemote::gen::timing {
 
 /// Of one device; without a value there is no bound, or nothing to bound.
 struct DeviceBounds {
-  std::optional<Ns> response_ns;      ///< release to end of handle()
-  bool has_input = false;             ///< it takes its command from another device
-  std::optional<Ns> age_ns;           ///< oldest sample behind that command, at the end of handle()
-  std::optional<Ns> output_ns;        ///< the same sample, at the last bit of the output
-  std::optional<std::size_t> oldest;  ///< whose sample: index into Robot::devices
+  std::optional<Ns> response_ns;   ///< release to end of handle()
+  bool has_input = false;          ///< it takes its command from another device
+  std::optional<Ns> age_ns;        ///< oldest sample behind that command, at the end of handle()
+  std::optional<Ns> output_ns;     ///< the same sample, at the last bit of the output
+  std::optional<DeviceId> oldest;  ///< whose sample
 };
 
 struct RobotBounds {
-  std::vector<DeviceBounds> devices;    ///< per Robot::devices
+  Table<DeviceId, DeviceBounds> devices;
   std::vector<std::optional<Ns>> jobs;  ///< per Schedule::buckets: release to end of a job
   bool answered = false;                ///< the analysis came to an end
 };

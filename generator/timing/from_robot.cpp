@@ -36,11 +36,11 @@ class Adapter {
     model_.tick_ns = robot_.tick_ns;
     model_.has_target = true;
     set_costs();
-    for (std::size_t b = 0; b < robot_.buses.size(); ++b) add_bus(b);
-    for (const std::size_t d : forest_.order) add_device(d);
+    for (const BusId bus : robot_.buses.ids()) add_bus(bus);
+    for (const DeviceId d : forest_.order) add_device(d);
     add_crossings();
     for (const gen::Bucket& bucket : schedule_.buckets) {
-      for (const std::size_t segment : bucket.flushes) add_flush(bucket, segment);
+      for (const SegmentId segment : bucket.flushes) add_flush(bucket, segment);
     }
     drop_silent_transmitters();
     drop_idle_masters();
@@ -59,7 +59,7 @@ class Adapter {
     if (options_.monitor) model_.costs.job_ns += costs_.monitor_job_ns.value_or(kMonitorGuess);
   }
 
-  void add_bus(std::size_t index) {
+  void add_bus(BusId index) {
     const gen::Bus& bus = robot_.buses[index];
     if (bus.rate <= 0) return;  // pulses and pins: no frames, no interrupts
     Bus out;
@@ -87,7 +87,7 @@ class Adapter {
   }
 
   /// Faster rates that the port and all that sits on the bus can do, and another bus of the kind.
-  [[nodiscard]] BusAdvice advice(std::size_t index) const {
+  [[nodiscard]] BusAdvice advice(BusId index) const {
     const gen::Bus& bus = robot_.buses[index];
     const Port* port = robot_.board != nullptr ? robot_.board->port(bus.port) : nullptr;
     if (port == nullptr) return {};
@@ -116,17 +116,17 @@ class Adapter {
   static Ns frame_time(Ns bits, Ns rate) { return std::max<Ns>(multiply(bits, 1'000'000'000) / rate, 1); }
 
   /// The model's bus under a segment; none for pulses and pins.
-  [[nodiscard]] std::optional<std::size_t> bus_of(std::size_t segment) const {
+  [[nodiscard]] std::optional<std::size_t> bus_of(SegmentId segment) const {
     const auto found = bus_of_.find(robot_.segments[segment].bus);
     return found == bus_of_.end() ? std::nullopt : std::optional<std::size_t>(found->second);
   }
 
-  void add_device(std::size_t index) {
+  void add_device(DeviceId index) {
     const gen::Device& device = robot_.devices[index];
     Device out;
     out.name = device.name.text;
     out.at = device.at;
-    if (device.parent) out.parent = forest_.rank[*device.parent];
+    if (device.parent) out.parent = forest_.rank[*device.parent].value();
     out.period_ns = device.period_ns;
     out.update_wcet_ns = device.wcet.update_ns;
     out.handle_wcet_ns = device.wcet.handle_ns;
@@ -137,7 +137,7 @@ class Adapter {
     if (options_.monitor) out.handle_extra_ns = costs_.monitor_handle_ns.value_or(kMonitorGuess);
     out.takes_command = device.type != nullptr && device.type->has_command();
     out.actuator = device.type != nullptr && device.type->actuator;
-    for (const Read& r : device.reads) out.reads.push_back(forest_.rank[r.device]);
+    for (const Read& r : device.reads) out.reads.push_back(forest_.rank[r.device].value());
     add_roles(device, out);
     const std::size_t place = model_.devices.size();
     model_.devices.push_back(std::move(out));
@@ -154,10 +154,10 @@ class Adapter {
   void add_roles(const gen::Device& device, Device& out) const {
     if (device.parent && device.role) out.role = robot_.devices[*device.parent].type->roles[*device.role].name;
     if (device.type == nullptr) return;
-    const auto note = [&](std::size_t producer, std::size_t role) {
-      if (!device.type->roles[role].passes) out.ends_here.push_back(forest_.rank[producer]);
+    const auto note = [&](DeviceId producer, std::size_t role) {
+      if (!device.type->roles[role].passes) out.ends_here.push_back(forest_.rank[producer].value());
     };
-    for (const std::size_t child : device.children) {
+    for (const DeviceId child : device.children) {
       if (robot_.devices[child].role) note(child, *robot_.devices[child].role);
     }
     for (const Read& r : device.reads) note(r.device, r.role);
@@ -194,7 +194,7 @@ class Adapter {
 
   /// Frames of a device over its own bus, or (`role`) over that of a use: entries of one unit become one transfer,
   /// entries of unit 0 stand alone. A device that says nothing may send anything: its bus has no budgets.
-  void add_frames(const gen::Device& device, std::size_t segment, const std::string& role, std::size_t place) {
+  void add_frames(const gen::Device& device, SegmentId segment, const std::string& role, std::size_t place) {
     const auto bus = bus_of(segment);
     if (!bus) return;
     const std::vector<Frame> frames = frames_over(*device.type, role);
@@ -242,7 +242,7 @@ class Adapter {
   }
 
   /// A second chip select on the own bus: its frames may be declared with those of the first.
-  [[nodiscard]] bool shares_own_bus(const gen::Device& device, std::size_t segment, const std::string& role) const {
+  [[nodiscard]] bool shares_own_bus(const gen::Device& device, SegmentId segment, const std::string& role) const {
     return !role.empty() && device.segment && bus_of(*device.segment) == bus_of(segment);
   }
 
@@ -297,6 +297,7 @@ class Adapter {
 
   /// Without DMA every byte of a transfer interrupts, not only its begin and end.
   [[nodiscard]] bool has_dma(std::size_t bus) const {
+    if (robot_.board == nullptr) return false;
     for (const auto& [index, place] : bus_of_) {
       const Port* port = place == bus ? robot_.board->port(robot_.buses[index].port) : nullptr;
       if (port != nullptr && !port->dma.empty()) return true;
@@ -314,26 +315,26 @@ class Adapter {
   void add_crossings() {
     const Ns copy = costs_.latch_ns + kCrossingWords * costs_.latch_per_word_ns;
     for (const Crossing& c : schedule_.crossings) {
-      Device& producer = model_.devices[forest_.rank[c.producer]];
-      Device& consumer = model_.devices[forest_.rank[c.consumer]];
+      Device& producer = model_.devices[forest_.rank[c.producer].value()];
+      Device& consumer = model_.devices[forest_.rank[c.consumer].value()];
       const bool state = c.direction == Crossing::Direction::state;
       if (c.kind != Crossing::Kind::copy) (state ? producer.update_extra_ns : producer.handle_extra_ns) += copy;
       (state ? consumer.update_extra_ns : consumer.handle_extra_ns) += copy;
     }
   }
 
-  void add_flush(const gen::Bucket& bucket, std::size_t segment) {
+  void add_flush(const gen::Bucket& bucket, SegmentId segment) {
     const Segment& output = robot_.segments[segment];
     Flush flush;
     flush.period_ns = bucket.period_ns;
     Ns channels = 0;
-    for (const std::size_t d : bucket.devices) {
+    for (const DeviceId d : bucket.devices) {
       const gen::Device& device = robot_.devices[d];
       const auto used =
           std::count_if(device.uses.begin(), device.uses.end(), [&](const Use& use) { return use.segment == segment; });
       const Ns mine = (device.segment == segment ? 1 : 0) + used;
       if (mine == 0) continue;
-      flush.devices.push_back(forest_.rank[d]);
+      flush.devices.push_back(forest_.rank[d].value());
       channels += mine;
     }
     flush.wcet_ns = costs_.flush_ns + channels * costs_.flush_per_channel_ns;
@@ -346,12 +347,12 @@ class Adapter {
     model_.flushes.push_back(std::move(flush));
   }
 
-  void set_expander_burst(const Segment& output, std::size_t segment, Flush& flush) {
+  void set_expander_burst(const Segment& output, SegmentId segment, Flush& flush) {
     const Expander& expander = robot_.expanders[*output.expander];
     const auto bus = bus_of(expander.segment);
     if (!bus) return;
     Ns first = 255, last = 0;
-    const auto note = [&](std::optional<std::size_t> place, std::optional<std::uint32_t> channel) {
+    const auto note = [&](std::optional<SegmentId> place, std::optional<std::uint32_t> channel) {
       if (place != segment || !channel) return;
       first = std::min<Ns>(first, *channel);
       last = std::max<Ns>(last, *channel);
@@ -380,15 +381,11 @@ class Adapter {
 
   /// The driver counts its flushes, whichever bucket they are of: the jobs of one bucket check no more often than this.
   static Ns flushes_per_check(const Expander& expander) {
-    for (const Param& p : expander.params) {
-      const auto* number = std::get_if<std::int64_t>(&p.value);
-      if (p.spec != nullptr && p.spec->name == "refresh" && number != nullptr) return std::max<Ns>(*number, 1);
-    }
-    return 1;
+    return std::max<Ns>(param_value(expander.params, "refresh", Ns{1}), 1);
   }
 
   /// A flush sends whatever has changed, also of a slower bucket it preempts: at most every shared frame of the bus.
-  void set_can_frames(std::size_t segment, Flush& flush) {
+  void set_can_frames(SegmentId segment, Flush& flush) {
     const auto bus = bus_of(segment);
     if (!bus) return;
     std::set<std::uint32_t> identifiers;
@@ -446,8 +443,8 @@ class Adapter {
 
   /// An I2C or SPI bus that nothing sits on: nobody begins a transfer, so nothing interrupts.
   void drop_idle_masters() {
-    std::set<std::size_t> used;
-    const auto note = [&](std::optional<std::size_t> segment) {
+    std::set<BusId> used;
+    const auto note = [&](std::optional<SegmentId> segment) {
       if (segment) used.insert(robot_.segments[*segment].bus);
     };
     for (const gen::Device& device : robot_.devices) {
@@ -469,9 +466,9 @@ class Adapter {
   const gen::Costs& costs_;
   const Drivers& drivers_;
   Model model_;
-  std::map<std::size_t, std::size_t> bus_of_;  ///< Robot bus -> model bus
-  std::set<std::size_t> undeclared_;           ///< model buses with a device that does not say what it sends
-  std::set<std::size_t> transmits_;            ///< model buses somebody writes to
+  std::map<BusId, std::size_t> bus_of_;  ///< Robot bus -> model bus
+  std::set<std::size_t> undeclared_;     ///< model buses with a device that does not say what it sends
+  std::set<std::size_t> transmits_;      ///< model buses somebody writes to
 };
 
 }  // namespace
@@ -482,7 +479,7 @@ Model make_timing_model(const Robot& robot, const Forest& forest, const Schedule
 }
 
 std::vector<Requirement> timing_requirements(const Robot& robot, const Forest& forest) {
-  std::vector<std::optional<std::size_t>> bus_of;
+  Table<BusId, std::optional<std::size_t>> bus_of;
   std::size_t next = 0;
   for (const gen::Bus& bus : robot.buses) {
     bus_of.push_back(bus.rate > 0 ? std::optional<std::size_t>(next++) : std::nullopt);
@@ -497,8 +494,8 @@ std::vector<Requirement> timing_requirements(const Robot& robot, const Forest& f
                : r.kind == Kind::utilization      ? Requirement::Kind::utilization
                                                   : Requirement::Kind::jitter;
     out.text = r.text;
-    for (const std::size_t d : r.from) out.from.push_back(forest.rank[d]);
-    for (const std::size_t d : r.to) out.to.push_back(forest.rank[d]);
+    for (const DeviceId d : r.from) out.from.push_back(forest.rank[d].value());
+    for (const DeviceId d : r.to) out.to.push_back(forest.rank[d].value());
     if (r.bus) out.bus = bus_of[*r.bus];
     out.max_ns = r.max_ns;
     out.max_fraction = r.max_fraction;

@@ -17,14 +17,14 @@ bool inherits(const gen::Device& device, const gen::Device& parent) {
 }
 
 /// The robot's devices whose period changes when it is written at `devices` of the model.
-std::vector<std::size_t> followers(const Robot& robot, const Forest& forest, const std::vector<std::size_t>& devices) {
-  std::vector<std::size_t> list;
-  for (const std::size_t d : devices) list.push_back(forest.order[d]);
-  std::vector<bool> is_listed(robot.devices.size(), false);
-  for (const std::size_t d : list) is_listed[d] = true;
+std::vector<DeviceId> followers(const Robot& robot, const Forest& forest, const std::vector<std::size_t>& devices) {
+  std::vector<DeviceId> list;
+  for (const std::size_t d : devices) list.push_back(forest.order[Rank{d}]);
+  Table<DeviceId, bool> is_listed(robot.devices.size(), false);
+  for (const DeviceId d : list) is_listed[d] = true;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const gen::Device& parent = robot.devices[list[i]];
-    for (const std::size_t child : parent.children) {
+    for (const DeviceId child : parent.children) {
       if (is_listed[child] || !inherits(robot.devices[child], parent)) continue;
       is_listed[child] = true;
       list.push_back(child);
@@ -34,29 +34,29 @@ std::vector<std::size_t> followers(const Robot& robot, const Forest& forest, con
 }
 
 /// The model has the buses with a rate, in order.
-std::size_t robot_bus(const Robot& robot, std::size_t bus) {
-  for (std::size_t i = 0; i < robot.buses.size(); ++i) {
+BusId robot_bus(const Robot& robot, std::size_t bus) {
+  for (const BusId i : robot.buses.ids()) {
     if (robot.buses[i].rate > 0 && bus-- == 0) return i;
   }
-  return robot.buses.size();
+  return robot.buses.next_id();
 }
 
 /// Puts devices that sit on a bus itself, and use it for nothing else, onto a copy of it. False where that cannot be
 /// done, or where pins differ from port to port.
 bool move_to_new_bus(Robot& robot, const Forest& forest, const Change& change) {
-  const std::size_t from = robot_bus(robot, change.bus);
+  const BusId from = robot_bus(robot, change.bus);
   const BusKind kind = robot.buses[from].kind;
   if (kind != BusKind::can && kind != BusKind::i2c) return false;
-  Segment segment = robot.segments[from];
-  segment.bus = robot.buses.size();
-  robot.buses.push_back(robot.buses[from]);
-  robot.segments.push_back(segment);
+  const SegmentId old = Robot::segment_of(from);
+  Segment segment = robot.segments[old];
+  segment.bus = robot.buses.push_back(robot.buses[from]);
+  const SegmentId fresh = robot.segments.push_back(segment);
   for (const std::size_t d : change.devices) {
-    gen::Device& device = robot.devices[forest.order[d]];
+    gen::Device& device = robot.devices[forest.order[Rank{d}]];
     const bool uses_more = std::any_of(device.uses.begin(), device.uses.end(),
                                        [](const gen::Use& use) { return use.segment.has_value(); });
-    if (device.segment != from || uses_more) return false;
-    device.segment = robot.segments.size() - 1;
+    if (device.segment != old || uses_more) return false;
+    device.segment = fresh;
   }
   return true;
 }
@@ -67,7 +67,7 @@ bool apply(Robot& robot, const Forest& forest, const Change& change) {
       robot.buses[robot_bus(robot, change.bus)].rate = change.value;
       return true;
     case Change::Kind::period:
-      for (const std::size_t d : followers(robot, forest, change.devices)) robot.devices[d].period_ns = change.value;
+      for (const DeviceId d : followers(robot, forest, change.devices)) robot.devices[d].period_ns = change.value;
       return true;
     case Change::Kind::bus:
       return move_to_new_bus(robot, forest, change);

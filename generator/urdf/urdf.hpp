@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/diagnostic/diagnostics.hpp"
-#include "generator/model/robot.hpp"
+#include "generator/urdf/kinematics.hpp"
 #include "generator/xml/node.hpp"
 
 namespace finemote::gen {

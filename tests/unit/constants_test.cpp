@@ -54,7 +54,7 @@ TEST_CASE("a constant with such a number is an error at its device") {
   device.params = {{&travel, 1e308, true}};
   robot.devices = {device};
   Forest forest;
-  forest.order = {0};
+  forest.order = {DeviceId{0}};
   const Schedule schedule;
   Diagnostics diagnostics;
   CHECK(make_constants({robot, forest, schedule}, diagnostics).empty());

@@ -13,6 +13,7 @@
 #include "generator/geometry/mass.hpp"
 #include "generator/geometry/range.hpp"
 #include "generator/geometry/rolling.hpp"
+#include "generator/model/device_frames.hpp"
 
 using namespace finemote::gen;
 
@@ -187,9 +188,9 @@ TEST_CASE("a wrench is about the link that carries most of the joints") {
   GeometrySpec geometry;
   geometry.kind = "allocation";
   geometry.role = "thrusters";
-  CHECK(geometry_link(mechanism, device, geometry, {"a", "b"}) == "pod_1");
+  CHECK(geometry_link(mechanism, device.link, geometry, {"a", "b"}) == "pod_1");
   device.link = "hull";
-  CHECK(geometry_link(mechanism, device, geometry, {"a", "b"}) == "hull");
+  CHECK(geometry_link(mechanism, device.link, geometry, {"a", "b"}) == "hull");
   CHECK(body_problem(mechanism, "hull", {"a", "b"}).empty());
   CHECK(body_problem(mechanism, "world", {"a"}) == "link 'world' is the world, which does not move");
   CHECK(body_problem(mechanism, "e", {"a"}) == "link 'e' is the world, which does not move");
@@ -250,28 +251,30 @@ TEST_CASE("a sensor's data are in the axes that whoever uses it computes in") {
                   joint("to_wheel", "frame", "wheel", {}, {0, 1, 0}), joint("to_imu", "frame", "imu", {}, {0, 0, 1})};
   robot.joints[0].type = robot.joints[1].type = robot.joints[3].type = "fixed";
   robot.devices.resize(4);
-  Device &imu = robot.devices[0], &wheel = robot.devices[1], &base = robot.devices[2], &group = robot.devices[3];
+  const DeviceId imu_id{0}, wheel_id{1}, base_id{2}, group_id{3};
+  Device &imu = robot.devices[imu_id], &wheel = robot.devices[wheel_id];
+  Device &base = robot.devices[base_id], &group = robot.devices[group_id];
   imu.type = wheel.type = &sensor;
   base.type = &chassis;
   group.type = &box;
   wheel.joint = "to_wheel";
   wheel.role = 0;
-  wheel.parent = 2;
-  base.children = {1};
-  CHECK(mount_link(robot, 0) == "base_link");
-  base.reads.push_back({0, 0, {}});
-  CHECK(mount_link(robot, 0) == "frame");
+  wheel.parent = base_id;
+  base.children = {wheel_id};
+  CHECK(mount_link(robot, imu_id) == "base_link");
+  base.reads.push_back({imu_id, 0, {}});
+  CHECK(mount_link(robot, imu_id) == "frame");
   base.link = "base_footprint";
-  CHECK(mount_link(robot, 0) == "base_footprint");
-  imu.parent = 3;
-  group.children = {0};
-  CHECK(mount_link(robot, 0) == "base_footprint");  // a group computes nothing
+  CHECK(mount_link(robot, imu_id) == "base_footprint");
+  imu.parent = group_id;
+  group.children = {imu_id};
+  CHECK(mount_link(robot, imu_id) == "base_footprint");  // a group computes nothing
   group.link = "base_link";
-  CHECK(mount_link(robot, 0) == "base_link");  // unless it says of what
+  CHECK(mount_link(robot, imu_id) == "base_link");  // unless it says of what
   group.link.clear();
-  group.parent = 2;
+  group.parent = base_id;
   base.reads.clear();
-  CHECK(mount_link(robot, 0) == "base_footprint");
+  CHECK(mount_link(robot, imu_id) == "base_footprint");
 }
 
 TEST_CASE("a servo turns within the joint's limits and its own travel") {
@@ -428,7 +431,7 @@ TEST_CASE("limits about an axis are those of the joint, turned with it, and cut 
     joints[1].upper = std::max(a, b);
     Device device;
     device.params = {{&lowest, c - 0.5, true}, {&highest, c + 0.5, true}};
-    const Range is = role_ranges(Mechanism(links, joints), device, range, {"pitch"}).at(0);
+    const Range is = role_ranges(Mechanism(links, joints), device.link, device.params, range, {"pitch"}).at(0);
     // an angle is in it where the joint, turned by it, is within its limits, and the params allow it
     for (int probe = 0; probe < 20; ++probe) {
       const double about_y = angle(random), own = tilt == 0 ? about_y : -about_y;
@@ -436,7 +439,7 @@ TEST_CASE("limits about an axis are those of the joint, turned with it, and cut 
       CHECK(reached == (about_y >= is.lower && about_y <= is.upper));
     }
     joints[1].type = "continuous";
-    CHECK(role_ranges(Mechanism(links, joints), device, range, {"pitch"}).empty());
+    CHECK(role_ranges(Mechanism(links, joints), device.link, device.params, range, {"pitch"}).empty());
   }
 }
 

@@ -45,6 +45,8 @@ TEST_CASE("a table gives the index of what is added and finds it again") {
   table[b] = std::string("B");
   CHECK(table.back() == "B");
   CHECK(table.size() == 2);
+  CHECK(table.contains(b));
+  CHECK_FALSE(table.contains(table.next_id()));
   CHECK(table == Table<Letter, std::string>{"a", "B"});
 }
 

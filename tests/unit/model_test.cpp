@@ -41,7 +41,7 @@ struct Case {
       if (candidate.name.text == name) return candidate;
     }
     FAIL("no device " << name);
-    return robot->devices.front();
+    return robot->devices.back();
   }
 };
 
@@ -107,13 +107,13 @@ TEST_CASE("blocks merge in document order, and a parent may stand further down")
   REQUIRE(merged.robot);
   const auto& devices = merged.robot->devices;
   REQUIRE(devices.size() == 3);
-  CHECK(devices[0].name.cpp == "leaf_2");
-  CHECK(devices[2].name.cpp == "leaf_1");
-  CHECK(devices[1].children == std::vector<std::size_t>{0, 2});
-  CHECK(devices[0].period_ns == 20'000'000);
+  CHECK(devices[DeviceId{0}].name.cpp == "leaf_2");
+  CHECK(devices[DeviceId{2}].name.cpp == "leaf_1");
+  CHECK(devices[DeviceId{1}].children == std::vector<DeviceId>{DeviceId{0}, DeviceId{2}});
+  CHECK(devices[DeviceId{0}].period_ns == 20'000'000);
   // 2.2 us + 10 us of the param + 300 ns for each of two children
-  CHECK(devices[1].wcet.update_ns == 12'800);
-  CHECK(devices[1].wcet.source == Wcet::Source::assumed);
+  CHECK(devices[DeviceId{1}].wcet.update_ns == 12'800);
+  CHECK(devices[DeviceId{1}].wcet.source == Wcet::Source::assumed);
 }
 
 TEST_CASE("a robot reads across trees without becoming one") {
@@ -122,9 +122,9 @@ TEST_CASE("a robot reads across trees without becoming one") {
     <device name="a" type="sim_load" period="1ms"/>
     <device name="b" type="sim_load" period="2ms"><reads device="a" role="children"/></device></finemote>)");
   REQUIRE(forest.robot);
-  CHECK(forest.robot->devices[1].children.empty());
-  REQUIRE(forest.robot->devices[1].reads.size() == 1);
-  CHECK(forest.robot->devices[1].reads[0].device == 0);
+  CHECK(forest.robot->devices[DeviceId{1}].children.empty());
+  REQUIRE(forest.robot->devices[DeviceId{1}].reads.size() == 1);
+  CHECK(forest.robot->devices[DeviceId{1}].reads[0].device == DeviceId{0});
 }
 
 TEST_CASE("the i2c clock may be left out: the fastest of the port") {
@@ -132,8 +132,8 @@ TEST_CASE("the i2c clock may be left out: the fastest of the port") {
   robot.read_text(R"(<finemote version="1"><board name="host"/><bus name="i2c" type="i2c" port="i2c2"/>
     <device name="b" type="ms5837" period="20ms" bus="i2c"/></finemote>)");
   REQUIRE(robot.robot);
-  CHECK(robot.robot->buses[0].rate == 400'000);
-  CHECK(robot.robot->devices[0].address == 0x76U);
+  CHECK(robot.robot->buses[BusId{0}].rate == 400'000);
+  CHECK(robot.robot->devices[DeviceId{0}].address == 0x76U);
 }
 
 namespace {
