@@ -65,7 +65,7 @@ void read_devices(Reading& reading);                         // devices.cpp: wha
 void check_names(Reading& reading);                          // name_check.cpp
 void resolve_parents(Reading& reading);                      // parents.cpp: the forest and inherited periods
 void resolve_roles(Reading& reading);                        // roles.cpp: children and reads to roles
-void resolve_places(Reading& reading);                       // places.cpp: addresses, channels, ids
+void resolve_places(Reading& reading);                       // places.cpp: address, channel, id
 void check_resources(Reading& reading);                      // resources.cpp: ports, pins, DMA streams
 void check_driver_limits(Reading& reading);                  // driver_limits.cpp: inverters, frames, numbers of devices
 void check_pulses(Reading& reading);                         // pulses.cpp: what fits between two pulses
@@ -81,11 +81,11 @@ bool satisfies(const DeviceType& child, const RoleSpec& role);  // roles.cpp: it
 /// Nothing that was reported changes where this link is (doubts.cpp).
 bool is_place_known(const Reading& reading, const Mechanism& mechanism, const std::string& link);
 
-/// Channels of a segment: an expander's, those of a PWM port, pins; 0: none, or not known (places.cpp).
+/// Channels of a segment: an expander's, those of a PWM port, pins; 0: none, or not known (channels.cpp).
 std::uint32_t channel_count(const Reading& reading, SegmentId segment);
-/// Those of `count` channels of a segment that no device uses (places.cpp).
+/// Those of `count` channels of a segment that no device uses (channels.cpp).
 std::vector<std::uint32_t> free_channels(const Reading& reading, SegmentId segment, std::uint32_t count);
-/// Ids of the type that clash with no device on the segment's bus, the first 16 (places.cpp).
+/// Ids of the type that clash with no device on the segment's bus, the first 16 (ids.cpp).
 std::vector<std::uint32_t> free_ids(const Reading& reading, const DeviceType& type, SegmentId segment);
 
 /// The tag of a device's `<use>` (places.cpp).
