@@ -47,7 +47,6 @@ constexpr Known kKnown[] = {
     {"generator/simulate/simulate.cpp", "Simulator"},
     {"generator/timing/from_robot.cpp", ""},
     {"generator/timing/from_robot.cpp", "Adapter"},
-    {"generator/units/units.cpp", ""},
 };
 
 /// A place that breaks a rule, and how.
