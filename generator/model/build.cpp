@@ -44,6 +44,18 @@ std::vector<std::string> Reading::segment_names() const {
   return names;
 }
 
+std::vector<std::string> Reading::segment_names(const std::vector<BusKind>& kinds) const {
+  std::vector<std::string> names;
+  for (const Segment& segment : robot.segments) {
+    if (contains(kinds, segment.bus_kind)) names.push_back(segment.name.text);
+  }
+  return names;
+}
+
+bool Reading::kind_is_known(const Segment& segment) const {
+  return segment.kind != Segment::Kind::bus || buses[segment.bus].kind_is_known;
+}
+
 namespace {
 
 constexpr std::string_view kVersion = "1";

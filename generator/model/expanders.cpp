@@ -170,8 +170,7 @@ void attach(Reading& reading, ExpanderId index) {
     return;
   }
   const Segment& target = reading.robot.segments[*segment];
-  const bool kind_is_known = target.kind != Segment::Kind::bus || reading.buses[target.bus].kind_is_known;
-  if (kind_is_known && target.bus_kind != BusKind::i2c) {
+  if (reading.kind_is_known(target) && target.bus_kind != BusKind::i2c) {
     at_value(reading.diagnostics, code::bus_kind, *bus,
              fmt::format("expander '{}' needs an i2c bus; '{}' is of type '{}'", expander.name.text, bus->value,
                          bus_kind_name(target.bus_kind)));

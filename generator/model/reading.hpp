@@ -54,6 +54,10 @@ struct Reading {
   void report_unknown_bus(const xml::Attribute& name, const std::vector<std::string>& fitting);
   [[nodiscard]] std::vector<std::string> device_names() const;
   [[nodiscard]] std::vector<std::string> segment_names() const;
+  /// Of the buses of these kinds.
+  [[nodiscard]] std::vector<std::string> segment_names(const std::vector<BusKind>& kinds) const;
+  /// False where the type of the bus is a mistake.
+  [[nodiscard]] bool kind_is_known(const Segment& segment) const;
   [[nodiscard]] const xml::Node& device_tag(DeviceId device) const { return *tags.devices[device].node; }
 };
 
@@ -87,6 +91,12 @@ std::uint32_t channel_count(const Reading& reading, SegmentId segment);
 std::vector<std::uint32_t> free_channels(const Reading& reading, SegmentId segment, std::uint32_t count);
 /// Ids of the type that clash with no device on the segment's bus, the first 16 (ids.cpp).
 std::vector<std::uint32_t> free_ids(const Reading& reading, const DeviceType& type, SegmentId segment);
+
+/// Reads `period` of a device, unless it is inherited (periods.cpp).
+void read_period(Reading& reading, const xml::Node& tag, Device& device, Reading::DeviceState& state);
+/// Reads the `<use>` elements of a device whose type is known (uses.cpp).
+void read_uses(Reading& reading, const xml::Node& tag, Device& device);
+bool contains(const std::vector<BusKind>& kinds, BusKind kind);  // devices.cpp
 
 /// The tag of a device's `<use>` (places.cpp).
 const xml::Node& use_tag(const Reading& reading, DeviceId device, const Use& use);
