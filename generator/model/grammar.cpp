@@ -1,5 +1,6 @@
 #include "generator/model/grammar.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace finemote::gen::grammar {
@@ -56,6 +57,10 @@ constexpr std::array kRules{ElementRule{"finemote", kFinemote, kInFinemote},
                             ElementRule{"require", kRequire, {}}};
 
 }  // namespace
+
+bool ElementRule::allows_child(std::string_view child) const {
+  return std::find(children.begin(), children.end(), child) != children.end();
+}
 
 const ElementRule* rule(std::string_view element) {
   for (const ElementRule& candidate : kRules) {

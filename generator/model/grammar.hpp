@@ -18,6 +18,8 @@ struct ElementRule {
   std::span<const AttributeRule> attributes;
   std::span<const std::string_view> children;
   bool has_text = false;
+
+  [[nodiscard]] bool allows_child(std::string_view child) const;
 };
 
 /// Rule of an element; the names stand once each, except that `param` and others mean the same everywhere.

@@ -3,21 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/grammar.hpp"
 #include "generator/model/names.hpp"
+#include "generator/model/tag_check.hpp"
 
 namespace finemote::gen {
 namespace {
 
-using grammar::AttributeRule;
 using grammar::ElementRule;
-
-bool starts_with(std::string_view text, std::string_view prefix) { return text.substr(0, prefix.size()) == prefix; }
 
 class TagReader {
  public:
@@ -27,7 +23,7 @@ class TagReader {
   Tags read(const xml::Node& robot) {
     find_xacro(robot);
     for (const xml::Node& child : robot.children) {
-      if (child.is_element("finemote")) collect_names(child);
+      if (child.is_element("finemote")) check_.collect_names(child);
     }
     for (const xml::Node& child : robot.children) {
       if (child.is_element("finemote"))
@@ -48,7 +44,7 @@ class TagReader {
   bool report_outside_block(const xml::Node& node) {
     const ElementRule* known = grammar::rule(node.name);
     if (known == nullptr || node.is_element("param")) return false;
-    const bool is_in_block = allows_child(*grammar::rule("finemote"), node.name);
+    const bool is_in_block = grammar::rule("finemote")->allows_child(node.name);
     at_tag(diagnostics_, code::unknown_element, node, fmt::format("<{}> outside <finemote>", node.name))
         .note("it would not be read here")
         .hint(is_in_block ? "move it into <finemote version=\"1\">" : "move it into its element inside <finemote>");
@@ -75,7 +71,7 @@ class TagReader {
 
   /// One message for the first xacro tag: the rest follows from it.
   bool find_xacro(const xml::Node& node) {
-    if (starts_with(node.name, "xacro:")) {
+    if (node.name.starts_with("xacro:")) {
       if (node.name != "xacro:deprecated") report_xacro(node);
       return true;
     }
@@ -95,7 +91,7 @@ class TagReader {
 
   void read_block(const xml::Node& block) {
     tags_.blocks.push_back(&block);
-    check(block);
+    check_.check(block);
     for (const xml::Node& child : block.children) {
       if (child.is_element("board")) take(child, tags_.boards);
       if (child.is_element("bus") && !is_misnamed_expander(child)) take(child, tags_.buses);
@@ -118,127 +114,27 @@ class TagReader {
   template <class List>
   void take(const xml::Node& node, List& list) {
     list.push_back(&node);
-    check(node);
-    around_ = &node;
+    check_.check(node);
     for (const xml::Node& child : node.children) {
-      if (child.is_element() && grammar::rule(child.name) != nullptr) check(child);
+      if (child.is_element() && grammar::rule(child.name) != nullptr) check_.check(child, &node);
     }
   }
   void take_device(const xml::Node& node, std::optional<DeviceId> nested_in) {
     const DeviceId device = tags_.devices.push_back({&node, nested_in});
-    check(node);
+    check_.check(node);
     for (const xml::Node& child : node.children) {
       if (child.is_element("device"))
         take_device(child, device);
-      else if (child.is_element() && allows_child(*grammar::rule("device"), child.name))
-        check(child);
+      else if (child.is_element() && grammar::rule("device")->allows_child(child.name))
+        check_.check(child);
     }
-  }
-
-  static bool allows_child(const ElementRule& rule, std::string_view name) {
-    return std::find(rule.children.begin(), rule.children.end(), name) != rule.children.end();
-  }
-
-  void check(const xml::Node& node) {
-    const ElementRule& rule = *grammar::rule(node.name);
-    check_attributes(node, rule);
-    for (const xml::Node& child : node.children) check_child(node, child, rule);
-  }
-  void check_attributes(const xml::Node& node, const ElementRule& rule) {
-    std::vector<std::string> names;
-    for (const AttributeRule& known : rule.attributes) names.emplace_back(known.name);
-    for (const xml::Attribute& attribute : node.attributes) {
-      if (attribute.name == "xmlns" || starts_with(attribute.name, "xmlns:")) continue;
-      if (std::find(names.begin(), names.end(), attribute.name) != names.end()) continue;
-      for (std::string& near : nearest_names(attribute.name, names)) tags_.misspelt.emplace(&node, std::move(near));
-      report_unknown_attribute(node, attribute, names);
-    }
-    for (const AttributeRule& known : rule.attributes) {
-      const bool is_missing = known.required && node.attribute(known.name) == nullptr;
-      if (is_missing && !tags_.is_misspelt(node, known.name)) report_missing_attribute(node, known);
-    }
-  }
-  void report_unknown_attribute(const xml::Node& node, const xml::Attribute& attribute,
-                                const std::vector<std::string>& names) {
-    auto& finding = diagnostics_.error(code::unknown_attribute, attribute.at,
-                                       fmt::format("<{}> has no attribute '{}'", node.name, attribute.name));
-    finding.underline(attribute.name.size());
-    if (starts_with(attribute.name, "xacro:") && !from_xacro_) {
-      finding.code = code::xacro_in_urdf;
-      tags_.has_xacro = true;
-      finding.message = fmt::format("'{}' in a file that is read as plain URDF", attribute.name);
-      finding.hint("rename the file to end in .urdf.xacro, or expand it first with 'finemote xacro'");
-    } else if (node.is_element("device") && attribute.name == "class") {
-      finding.hint("a device says type=\"...\"; the class is named in the type's descriptor");
-    } else {
-      const std::string hint = did_you_mean(attribute.name, names);
-      if (!hint.empty()) finding.hint(hint);
-    }
-  }
-  void report_missing_attribute(const xml::Node& node, const AttributeRule& known) {
-    const xml::Attribute* name = node.attribute("name");
-    const std::string which = name != nullptr && known.name != "name" ? fmt::format("{} '{}'", node.name, name->value)
-                                                                      : fmt::format("<{}>", node.name);
-    at_tag(diagnostics_, code::attribute_missing, node, fmt::format("{} has no '{}'", which, known.name))
-        .hint(fmt::format("add for example {}=\"{}\"", known.name, example(node, known)));
-  }
-  /// What no other element has yet, and no other finding offers.
-  std::string example(const xml::Node& node, const AttributeRule& known) {
-    if (has_own_name(node) && known.name == "name") return free_name(std::string(known.example));
-    if (!node.is_element("channel") || known.name != "index") return std::string(known.example);
-    for (std::uint32_t index = 0;; ++index) {
-      if (indices_[around_].insert(std::to_string(index)).second) return std::to_string(index);
-    }
-  }
-  std::string free_name(std::string name) {
-    const std::string stem = name.substr(0, name.find("_0"));
-    for (std::uint32_t number = stem == name ? 2 : 1; !names_.insert(name).second; ++number)
-      name = fmt::format("{}_{}", stem, number);
-    return name;
-  }
-  /// Elements whose names must differ; that of a <param> or a <board> is another's.
-  static bool has_own_name(const xml::Node& node) {
-    return node.is_element("bus") || node.is_element("expander") || node.is_element("channel") ||
-           node.is_element("device");
-  }
-  void collect_names(const xml::Node& node) {
-    for (const xml::Node& child : node.children) {
-      if (!child.is_element()) continue;
-      if (has_own_name(child)) names_.insert(std::string(value_of(child, "name")));
-      if (child.is_element("channel")) indices_[&node].insert(std::string(value_of(child, "index")));
-      collect_names(child);
-    }
-  }
-
-  void check_child(const xml::Node& node, const xml::Node& child, const ElementRule& rule) {
-    const bool is_text = child.kind == xml::Node::Kind::text || child.kind == xml::Node::Kind::cdata;
-    if (is_text && !rule.has_text && !trim(child.text).empty()) report_text(node, child);
-    if (!child.is_element() || allows_child(rule, child.name)) return;
-    if (starts_with(child.name, "xacro:")) return;  // said by find_xacro
-    auto& finding = at_tag(diagnostics_, code::unknown_element, child,
-                           fmt::format("<{}> is not allowed in <{}>", child.name, node.name));
-    if (child.name == "import") {
-      finding.hint("this version cannot import <ros2_control>; write the devices as <device> elements");
-    } else if (child.name == "mux") {
-      finding.hint("write <expander name=\"...\" model=\"tca9548a\" bus=\"...\" address=\"0x70\"> beside the <bus>");
-    } else if (!rule.children.empty()) {
-      finding.hint(did_you_mean(child.name, {rule.children.begin(), rule.children.end()}));
-    }
-  }
-  void report_text(const xml::Node& node, const xml::Node& text) {
-    const TextAt inner = trimmed_text(text);
-    diagnostics_.error(code::unexpected_text, inner.at, fmt::format("text in <{}>", node.name))
-        .underline(inner.text.size())
-        .hint("remove it, or make it a comment: <!-- ... -->");
   }
 
   bool from_xacro_;
   const std::vector<std::string>& expander_models_;
   Diagnostics& diagnostics_;
   Tags tags_;
-  std::set<std::string> names_;                                ///< there, or offered
-  std::map<const xml::Node*, std::set<std::string>> indices_;  ///< of the channels of an expander, likewise
-  const xml::Node* around_ = nullptr;                          ///< the element whose children are checked
+  TagCheck check_{from_xacro_, tags_, diagnostics_};
 };
 
 }  // namespace

@@ -42,7 +42,6 @@ struct Known {
 
 constexpr Known kKnown[] = {
     {"generator/cli/run.cpp", "run_run"},
-    {"generator/model/tags.cpp", "TagReader"},
     {"generator/simulate/simulate.cpp", "Simulator"},
     {"generator/timing/from_robot.cpp", ""},
     {"generator/timing/from_robot.cpp", "Adapter"},
