@@ -28,13 +28,13 @@ function(finemote_nanoseconds text result)
   set(${result} ${value} PARENT_SCOPE)
 endfunction()
 
-# Stops where the compiler is not one for the family of boards: it would fail in every assembler line.
-function(finemote_check_compiler board family)
+# Stops where the compiler is not one for the chips of the board: it would fail in every assembler line.
+function(finemote_check_compiler board chips)
   execute_process(COMMAND ${CMAKE_CXX_COMPILER} -dumpmachine OUTPUT_VARIABLE machine OUTPUT_STRIP_TRAILING_WHITESPACE)
-  if(family STREQUAL "host" AND machine MATCHES "^arm-none-eabi")
+  if(NOT chips AND machine MATCHES "^arm-none-eabi")
     message(FATAL_ERROR "finemote_add_firmware: board 'host' runs on this computer, and the compiler is one for '${machine}'; "
                         "configure without cmake/toolchain-arm-none-eabi.cmake")
-  elseif(NOT family STREQUAL "host" AND NOT machine MATCHES "^arm-none-eabi")
+  elseif(chips AND NOT machine MATCHES "^arm-none-eabi")
     message(FATAL_ERROR "finemote_add_firmware: board '${board}' needs a compiler for 'arm-none-eabi', and this one is for "
                         "'${machine}'; in an empty build folder configure with\n"
                         "  -DCMAKE_TOOLCHAIN_FILE=${FINEMOTE_ROOT}/cmake/toolchain-arm-none-eabi.cmake")
@@ -43,23 +43,25 @@ endfunction()
 
 # What does not depend on the robot: compiled once per board and optimisation level of a project. Devices and ports the
 # robot does not use stay out of the image: the linker takes from this library what it needs.
-function(finemote_runtime_library name board optimize)
+function(finemote_runtime_library name board chips optimize)
   if(TARGET ${name})
     return()
   endif()
   set(runtime ${FINEMOTE_ROOT}/runtime)
-  file(GLOB sources CONFIGURE_DEPENDS ${runtime}/src/*.cpp ${runtime}/devices/*.cpp
-       ${runtime}/boards/${board}/ports/*.cpp)
+  list(TRANSFORM chips REPLACE "(.+)" "${runtime}/chips/\\1/ports/*.cpp" OUTPUT_VARIABLE drivers)
+  file(GLOB sources CONFIGURE_DEPENDS ${runtime}/src/*.cpp ${runtime}/devices/*.cpp ${drivers}
+       ${runtime}/boards/${board}/ports/*.cpp ${runtime}/boards/${board}/generated/ports/*.cpp)
   add_library(${name} STATIC ${sources})
-  finemote_target_options(${name} ${board} ${optimize})
+  finemote_target_options(${name} ${board} "${chips}" ${optimize})
 endfunction()
 
-function(finemote_target_options target board optimize)
+function(finemote_target_options target board chips optimize)
   set_target_properties(${target} PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
-  target_include_directories(${target} PRIVATE ${FINEMOTE_ROOT}/runtime/include ${FINEMOTE_ROOT})
+  target_include_directories(${target} PRIVATE ${FINEMOTE_ROOT}/runtime/include
+                             ${FINEMOTE_ROOT}/runtime/boards/${board}/generated ${FINEMOTE_ROOT})
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Werror -g)
   target_compile_definitions(${target} PRIVATE ${FINEMOTE_BOARD_DEFINITIONS})
-  if(board STREQUAL "host")
+  if(NOT chips)
     target_compile_definitions(${target} PRIVATE FINEMOTE_TRACE)
   else()
     target_compile_options(${target} PRIVATE ${optimize} -fno-exceptions -fno-rtti -fno-threadsafe-statics
@@ -75,27 +77,24 @@ function(finemote_add_firmware target)
   cmake_parse_arguments(arg "TRACE;MONITOR" "GENERATED;BOARD;DURATION;OPTIMIZE" "DEFINITIONS;INCLUDES;SOURCES" ${ARGN})
   set(runtime ${FINEMOTE_ROOT}/runtime)
   set(board ${runtime}/boards/${arg_BOARD})
-  if(NOT EXISTS ${board}/board.cmake)
+  if(NOT EXISTS ${board}/generated/board.cmake)
     message(FATAL_ERROR "finemote_add_firmware: no board '${arg_BOARD}' in ${runtime}/boards")
   endif()
-  unset(FINEMOTE_BOARD_DEFINITIONS)
-  include(${board}/board.cmake)  # sets FINEMOTE_BOARD_FAMILY (host or cortex_m4), may set FINEMOTE_BOARD_DEFINITIONS
-  set(family ${FINEMOTE_BOARD_FAMILY})
-  finemote_check_compiler(${arg_BOARD} ${family})
+  include(${board}/generated/board.cmake)  # sets FINEMOTE_BOARD_CHIPS: folders below runtime/chips; none is this computer
+  set(chips ${FINEMOTE_BOARD_CHIPS})
+  finemote_check_compiler(${arg_BOARD} "${chips}")
   if(NOT arg_OPTIMIZE)
     set(arg_OPTIMIZE -Os)
   endif()
 
   file(GLOB_RECURSE generated CONFIGURE_DEPENDS ${arg_GENERATED}/*.cpp)
-  file(GLOB board_sources CONFIGURE_DEPENDS ${board}/*.cpp)
-  if(NOT family STREQUAL arg_BOARD)
-    file(GLOB family_sources CONFIGURE_DEPENDS ${runtime}/boards/${family}/*.cpp)
-  endif()
+  list(TRANSFORM chips REPLACE "(.+)" "${runtime}/chips/\\1/*.cpp" OUTPUT_VARIABLE starts)
+  file(GLOB board_sources CONFIGURE_DEPENDS ${board}/*.cpp ${starts})
   set(library finemote_runtime_${arg_BOARD}${arg_OPTIMIZE})
-  finemote_runtime_library(${library} ${arg_BOARD} ${arg_OPTIMIZE})
+  finemote_runtime_library(${library} ${arg_BOARD} "${chips}" ${arg_OPTIMIZE})
 
-  add_executable(${target} ${generated} ${arg_SOURCES} ${board_sources} ${family_sources})
-  finemote_target_options(${target} ${arg_BOARD} ${arg_OPTIMIZE})
+  add_executable(${target} ${generated} ${arg_SOURCES} ${board_sources})
+  finemote_target_options(${target} ${arg_BOARD} "${chips}" ${arg_OPTIMIZE})
   target_include_directories(${target} PRIVATE ${arg_GENERATED} ${arg_INCLUDES})
   target_compile_definitions(${target} PRIVATE ${arg_DEFINITIONS})
   target_link_libraries(${target} PRIVATE ${library})
@@ -109,10 +108,10 @@ function(finemote_add_firmware target)
   if(arg_MONITOR)
     target_compile_definitions(${target} PRIVATE FINEMOTE_MONITOR)
   endif()
-  if(NOT family STREQUAL "host")
+  if(chips)
     set_target_properties(${target} PROPERTIES SUFFIX .elf LINK_DEPENDS
-                          "${board}/board.ld;${runtime}/boards/${family}/sections.ld")
-    target_link_options(${target} PRIVATE -nostartfiles -T ${board}/board.ld -L ${runtime}/boards/${family}
+                          "${board}/generated/board.ld;${runtime}/chips/cortex_m4/sections.ld")
+    target_link_options(${target} PRIVATE -nostartfiles -T ${board}/generated/board.ld -L ${runtime}/chips/cortex_m4
                         -Wl,--gc-sections -Wl,-Map=${target}.map -Wl,--fatal-warnings -Wl,--no-warn-rwx-segments)
   endif()
 endfunction()

@@ -9,6 +9,7 @@ int run_generate(Context& context);
 int run_check(Context& context);
 int run_tree(Context& context);
 int run_board_show(Context& context);
+int run_board_sources(Context& context);
 int run_run(Context& context);
 int run_diff(Context& context);
 int run_docs(Context& context);

@@ -31,6 +31,7 @@ int run(const Options& options, std::ostream& out) {
       {"check", run_check},
       {"tree", run_tree},
       {"board show", run_board_show},
+      {"board sources", run_board_sources},
       {"run", run_run},
       {"diff", run_diff},
       {"docs", run_docs},

@@ -118,10 +118,14 @@ void add_views(CLI::App& app, Options& options) {
   CLI::App* tree = app.add_subcommand("tree", "show the device trees and the order they run in");
   add_input_options(*tree, options);
   add_sandbox(*tree, options);
-  CLI::App* board = app.add_subcommand("board", "show boards");
+  CLI::App* board = app.add_subcommand("board", "show boards, and make their sources");
   board->require_subcommand(1);
   CLI::App* show = board->add_subcommand("show", "ports, pins, DMA streams and interrupt lines of a board");
   show->add_option("BOARD", options.input, "name of a board; without it: all boards");
+  CLI::App* sources = board->add_subcommand("sources", "write what the runtime compiles for a board, from its file");
+  sources->add_option("BOARD", options.input, "name of a board")->required();
+  sources->add_option("-o,--output", options.out, "folder: runtime/boards/BOARD/generated")->required();
+  sources->add_flag("--dry-run", options.dry_run, "write nothing; exit status 1 when a file would change");
 }
 
 void add_xacro(CLI::App& app, Options& options) {

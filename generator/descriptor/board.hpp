@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/descriptor/clocks.hpp"
 #include "generator/descriptor/costs.hpp"
 #include "generator/descriptor/device_type.hpp"
 #include "generator/descriptor/drivers.hpp"
@@ -88,6 +89,7 @@ struct NamedPin {
   bool active_low = false;
   std::string summary;
   std::optional<DataReady> data_ready;  ///< none: no such line
+  std::optional<bool> rests_high;       ///< level from start-up on, until somebody uses it; none: an input
   std::string converter;                ///< analog: its port, `adc3`; empty: not analog
   std::uint32_t input = 0;              ///< analog: of the converter
   std::int64_t full_scale_mv = 0;       ///< analog: what the highest code means, dividers included
@@ -128,6 +130,12 @@ struct Board {
   std::string name;
   std::string summary;
   std::string display_path;
+  std::string chip;           ///< folder below runtime/chips with its code; `host`: none, this computer
+  bool stands_in = false;     ///< plays the robots of other boards, and has all their ports
+  bool is_emulated = false;   ///< the emulated board can be wired as this one
+  bool is_suggested = false;  ///< what hints and examples name
+  std::optional<Clocks> clocks;
+  std::vector<Memory> memory;
   std::int64_t cpu_hz = 0;
   std::int64_t default_tick_ns = 1'000'000, min_tick_ns = 1, max_tick_ns = 1'000'000'000;
   std::vector<Port> ports;

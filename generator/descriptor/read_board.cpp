@@ -84,6 +84,7 @@ NamedPin read_pin(const Json& value) {
   pin.functions = value.at("functions").get<std::vector<std::string>>();
   pin.active_low = value.at("active").get<std::string>() == "low";
   pin.summary = optional_member<std::string>(value, "summary").value_or("");
+  if (const auto level = optional_member<std::string>(value, "rests")) pin.rests_high = *level == "high";
   if (const auto ready = value.find("data_ready"); ready != value.end() && ready->is_object())
     pin.data_ready = {ready->at("port").get<std::string>(), optional_member<std::uint32_t>(*ready, "channel")};
   if (const auto analog = value.find("analog"); analog != value.end() && analog->is_object()) {
@@ -112,6 +113,25 @@ std::vector<std::string> read_chip_pins(const Json& value) {
   return pins;
 }
 
+Clocks read_clocks(const Json& value) {
+  Clocks clocks;
+  clocks.crystal_hz = value.at("crystal_hz").get<std::uint32_t>();
+  const Json& pll = value.at("pll");
+  clocks.pll_m = pll.at("m").get<std::uint32_t>();
+  clocks.pll_n = pll.at("n").get<std::uint32_t>();
+  clocks.pll_p = pll.at("p").get<std::uint32_t>();
+  clocks.pll_q = pll.at("q").get<std::uint32_t>();
+  clocks.apb1_hz = value.at("apb1_hz").get<std::uint32_t>();
+  clocks.apb2_hz = value.at("apb2_hz").get<std::uint32_t>();
+  clocks.flash_wait_states = value.at("flash_wait_states").get<std::uint32_t>();
+  return clocks;
+}
+
+Memory read_memory(const Json& value) {
+  return {value.at("name").get<std::string>(), value.at("origin").get<std::string>(),
+          value.at("bytes").get<std::uint32_t>()};
+}
+
 ReservedPins read_reserved(const Json& value) {
   return {value.at("pins").get<std::vector<std::string>>(), value.at("for").get<std::string>(),
           optional_member<std::string>(value, "port").value_or("")};
@@ -132,6 +152,13 @@ Board read_board(const Json& value, const SourceFile& source, Diagnostics& diagn
   Board board;
   board.name = value.at("name").get<std::string>();
   board.summary = value.at("summary").get<std::string>();
+  board.chip = value.at("chip").get<std::string>();
+  board.stands_in = optional_member<bool>(value, "stands_in").value_or(false);
+  board.is_emulated = optional_member<bool>(value, "emulated").value_or(false);
+  board.is_suggested = optional_member<bool>(value, "suggested").value_or(false);
+  if (const auto clocks = value.find("clocks"); clocks != value.end() && clocks->is_object())
+    board.clocks = read_clocks(*clocks);
+  board.memory = read_list<Memory>(value, "memory", read_memory);
   board.cpu_hz = value.at("cpu").at("clock_hz").get<std::int64_t>();
   const Json& tick = value.at("tick");
   board.default_tick_ns = tick.at("default_ns").get<std::int64_t>();

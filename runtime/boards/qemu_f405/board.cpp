@@ -2,8 +2,8 @@
 #include "finemote/board.hpp"
 
 #include "report.hpp"
-#include "runtime/boards/cortex_m4/core.hpp"
-#include "runtime/boards/cortex_m4/registers.hpp"
+#include "runtime/chips/cortex_m4/core.hpp"
+#include "runtime/chips/cortex_m4/registers.hpp"
 #include "semihosting.hpp"
 
 namespace finemote {

@@ -4,7 +4,7 @@
 #include "finemote/fault.hpp"
 #include "finemote/monitor.hpp"
 #include "finemote/schedule.hpp"
-#include "runtime/boards/cortex_m4/trace.hpp"
+#include "runtime/chips/cortex_m4/trace.hpp"
 #include "semihosting.hpp"
 
 namespace finemote::qemu_f405 {

@@ -1,8 +1,9 @@
 // Names what a board can do on its pins: one class per kind of port, implemented by the linked board.
 //
 // The classes are declared here and defined by the board (`runtime/boards/<board>/`), without virtual functions:
-// exactly one board is linked. A port object holds a reference to a structure only its board knows, so that it is
-// constant initialised and the same generated code compiles for every board.
+// exactly one board is linked. The port objects are named in its own header, at the end. A port object holds a
+// reference to a structure only its board knows, so that it is constant initialised and the same generated code
+// compiles for every board.
 //
 // Calling contexts. *init*: before the first release, interrupts off or harmless. *bucket*: any update() or handle().
 // *fastest bucket*: supervise() alone. *interrupt*: the bus's own interrupt priority, which lies above every bucket;
@@ -328,17 +329,6 @@ class AdcPort {
   AdcHardware* hardware_;
 };
 
-/// The ports of the vocabulary, by chip name, and what is soldered to the board. The linked board defines those it has.
-namespace ports {
-extern UartPort usart1, usart3, usart6;
-extern CanPort can1, can2;
-extern I2cPort i2c2, i2c3;
-extern SpiPort spi1, spi2;
-extern PwmPort pwm1, pwm2, pwm3, pwm4, pwm5, pwm6, pwm7;
-extern PwmPort led_red, led_green, led_blue, buzzer, imu_heater;
-extern GpioPort gpio;
-extern EdgePort exti0, exti3, exti4, exti5;
-extern AdcPort adc3;
-}  // namespace ports
-
 }  // namespace finemote
+
+#include "board/port_names.hpp"  // namespace ports: of the linked board, runtime/boards/<board>/generated

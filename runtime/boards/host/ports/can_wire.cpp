@@ -7,14 +7,6 @@
 
 namespace finemote {
 
-namespace host {
-CanHardware can1, can2;
-}  // namespace host
-
-namespace ports {
-CanPort can1{host::can1}, can2{host::can2};
-}  // namespace ports
-
 namespace {
 
 constexpr std::size_t kMailboxes = 3;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "board/wires.hpp"
 #include "finemote/ports.hpp"
 
 namespace finemote {
@@ -29,7 +30,3 @@ struct CanHardware {
 };
 
 }  // namespace finemote
-
-namespace finemote::host {
-extern CanHardware can1, can2;
-}

@@ -5,14 +5,6 @@
 
 namespace finemote {
 
-namespace host {
-I2cHardware i2c2, i2c3;
-}  // namespace host
-
-namespace ports {
-I2cPort i2c2{host::i2c2}, i2c3{host::i2c3};
-}  // namespace ports
-
 namespace {
 
 /// START, STOP and 9 bits per byte, the address byte of each phase included.

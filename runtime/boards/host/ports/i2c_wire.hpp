@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "board/wires.hpp"
 #include "finemote/ports.hpp"
 
 namespace finemote::host {
@@ -71,7 +72,3 @@ struct I2cHardware {
 };
 
 }  // namespace finemote
-
-namespace finemote::host {
-extern I2cHardware i2c2, i2c3;
-}

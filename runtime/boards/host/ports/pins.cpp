@@ -3,21 +3,10 @@
 namespace finemote {
 
 namespace host {
-PwmHardware pwm1, pwm2, pwm3, pwm4, pwm5, pwm6, pwm7, led_red, led_green, led_blue, buzzer, imu_heater;
 GpioHardware gpio;
-EdgeHardware exti0, exti3, exti4, exti5;
-AdcHardware adc3;
 }  // namespace host
 
-namespace ports {
-PwmPort pwm1{host::pwm1}, pwm2{host::pwm2}, pwm3{host::pwm3}, pwm4{host::pwm4};
-PwmPort pwm5{host::pwm5}, pwm6{host::pwm6}, pwm7{host::pwm7};
-PwmPort led_red{host::led_red}, led_green{host::led_green}, led_blue{host::led_blue};
-PwmPort buzzer{host::buzzer}, imu_heater{host::imu_heater};
-GpioPort gpio{host::gpio};
-EdgePort exti0{host::exti0}, exti3{host::exti3}, exti4{host::exti4}, exti5{host::exti5};
-AdcPort adc3{host::adc3};
-}  // namespace ports
+GpioPort ports::gpio{host::gpio};
 
 void PwmPort::start(Duration period) { hardware_->period = period; }
 void PwmPort::write(std::uint32_t pulse) { hardware_->writes.push_back({now(), pulse}); }

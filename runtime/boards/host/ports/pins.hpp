@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "board/wires.hpp"
 #include "finemote/ports.hpp"
 
 namespace finemote {
@@ -43,10 +44,3 @@ struct AdcHardware {
 };
 
 }  // namespace finemote
-
-namespace finemote::host {
-extern PwmHardware pwm1, pwm2, pwm3, pwm4, pwm5, pwm6, pwm7, led_red, led_green, led_blue, buzzer, imu_heater;
-extern GpioHardware gpio;
-extern EdgeHardware exti0, exti3, exti4, exti5;
-extern AdcHardware adc3;
-}  // namespace finemote::host

@@ -5,14 +5,6 @@
 
 namespace finemote {
 
-namespace host {
-SpiHardware spi1, spi2;
-}  // namespace host
-
-namespace ports {
-SpiPort spi1{host::spi1}, spi2{host::spi2};
-}  // namespace ports
-
 namespace {
 
 void end_exchange(SpiHardware& wire, std::uint64_t exchange, const SpiMessage& message) {

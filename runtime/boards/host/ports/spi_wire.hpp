@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "board/wires.hpp"
 #include "finemote/ports.hpp"
 
 namespace finemote::host {
@@ -33,7 +34,3 @@ struct SpiHardware {
 };
 
 }  // namespace finemote
-
-namespace finemote::host {
-extern SpiHardware spi1, spi2;
-}

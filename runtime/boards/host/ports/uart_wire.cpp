@@ -7,14 +7,6 @@
 
 namespace finemote {
 
-namespace host {
-UartHardware usart1, usart3, usart6;
-}  // namespace host
-
-namespace ports {
-UartPort usart1{host::usart1}, usart3{host::usart3}, usart6{host::usart6};
-}  // namespace ports
-
 namespace {
 
 int bits_per_byte(UartFormat format) {

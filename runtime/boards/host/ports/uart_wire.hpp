@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "board/wires.hpp"
 #include "finemote/ports.hpp"
 
 namespace finemote::host {
@@ -62,7 +63,3 @@ struct UartHardware {
 };
 
 }  // namespace finemote
-
-namespace finemote::host {
-extern UartHardware usart1, usart3, usart6;
-}

@@ -1,24 +1,7 @@
 // UartPort without a line: nothing arrives, and what is sent has left at once.
-#include "finemote/uart.hpp"
+#include "runtime/boards/qemu_f405/ports/uart.hpp"
 
 namespace finemote {
-
-struct UartHardware {
-  static constexpr std::uint32_t kRing = 64;
-  static constexpr std::size_t kTransmit = 64;
-  std::uint8_t ring[kRing]{};
-  std::uint8_t out[kTransmit]{};
-};
-
-namespace {
-
-UartHardware hardware[3];
-
-}  // namespace
-
-UartPort ports::usart1{hardware[0]};
-UartPort ports::usart3{hardware[1]};
-UartPort ports::usart6{hardware[2]};
 
 void UartPort::start(std::int64_t, UartFormat) {}
 void UartPort::drive_with(std::uint8_t, bool) {}

@@ -4,7 +4,7 @@
 #include <finemote/latch.hpp>
 #include <finemote/schedule.hpp>
 
-#include "runtime/boards/cortex_m4/core.hpp"
+#include "runtime/chips/cortex_m4/core.hpp"
 
 extern "C" {
 enum : std::uint32_t { kToSlow, kToFast, kNaive };

@@ -1,0 +1,118 @@
+#include "generator/board_sources/chip_needs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace finemote::gen {
+namespace {
+
+bool ends_with(std::string_view text, std::string_view ending) {
+  return text.size() >= ending.size() && text.substr(text.size() - ending.size()) == ending;
+}
+
+std::optional<std::string> missing_pin(const Port& port, const std::vector<const char*>& signals) {
+  for (const char* signal : signals) {
+    if (signal_pin(port, signal) == nullptr) return fmt::format("a pin '{}'", signal);
+  }
+  const int function = port.pins.front().alternate_function;
+  const bool same = std::all_of(port.pins.begin(), port.pins.end(),
+                                [function](const PortPin& pin) { return pin.alternate_function == function; });
+  return same ? std::nullopt : std::optional<std::string>("one alternate function for all its pins");
+}
+
+std::optional<std::string> missing_interrupt(const Port& port, const std::vector<const char*>& endings) {
+  for (const char* ending : endings) {
+    if (interrupt_ending(port, ending) == nullptr) return fmt::format("an interrupt '...{}'", ending);
+  }
+  return {};
+}
+
+/// Both directions by one request channel, and the interrupt of the receiving stream.
+std::optional<std::string> missing_dma(const Port& port) {
+  const DmaStream *receive = dma_for(port, "rx"), *transmit = dma_for(port, "tx");
+  if (receive == nullptr || transmit == nullptr) return "DMA streams 'rx' and 'tx'";
+  if (receive->channel != transmit->channel) return "one DMA channel for 'rx' and 'tx'";
+  const std::string name = interrupt_name(*receive);
+  return interrupt_ending(port, name) != nullptr ? std::nullopt
+                                                 : std::optional<std::string>(fmt::format("the interrupt '{}'", name));
+}
+
+std::optional<std::string> first_of(std::optional<std::string> one, std::optional<std::string> other) {
+  return one ? one : other;
+}
+
+}  // namespace
+
+const PortPin* signal_pin(const Port& port, std::string_view signal) {
+  for (const PortPin& pin : port.pins) {
+    if (pin.signal == signal) return &pin;
+  }
+  return nullptr;
+}
+
+const DmaStream* dma_for(const Port& port, std::string_view signal) {
+  for (const DmaStream& stream : port.dma) {
+    if (stream.signal == signal) return &stream;
+  }
+  return nullptr;
+}
+
+const InterruptLine* interrupt_ending(const Port& port, std::string_view ending) {
+  for (const InterruptLine& line : port.interrupts) {
+    if (ends_with(line.name, ending)) return &line;
+  }
+  return nullptr;
+}
+
+std::string interrupt_name(const DmaStream& stream) {
+  return fmt::format("DMA{}_Stream{}", stream.controller.back(), stream.stream);
+}
+
+namespace {
+
+/// What is missing or does not fit, as it ends the sentence: port 'usart1' needs.
+std::optional<std::string> missing_for_driver(const Port& port) {
+  switch (port.kinds.front()) {
+    case BusKind::can:
+      return first_of(missing_pin(port, {"rx", "tx"}), missing_interrupt(port, {"_TX", "_RX0", "_SCE"}));
+    case BusKind::i2c:
+      return first_of(missing_pin(port, {"scl", "sda"}), missing_interrupt(port, {"_EV", "_ER"}));
+    case BusKind::spi:
+      if (port.selects.empty()) return "the pins of its chip selects";
+      if (port.interrupts.empty()) return "an interrupt";
+      return first_of(missing_pin(port, {"sck", "miso", "mosi"}), port.dma.empty() ? std::nullopt : missing_dma(port));
+    case BusKind::pwm:
+      if (!port.timer) return "a timer channel";
+      return port.pins.size() == 1 ? std::nullopt : std::optional<std::string>("one pin");
+    default:
+      if (port.interrupts.empty()) return "an interrupt";
+      return first_of(missing_pin(port, {"tx", "rx"}), missing_dma(port));
+  }
+}
+
+bool can_interrupt(const NamedPin& pin) {
+  return std::find(pin.functions.begin(), pin.functions.end(), "interrupt") != pin.functions.end();
+}
+
+}  // namespace
+
+std::vector<std::string> mistakes_for_chip(const Board& board) {
+  std::vector<std::string> mistakes;
+  for (const Port& port : board.ports) {
+    if (const auto missing = missing_for_driver(port))
+      mistakes.push_back(fmt::format("port '{}' needs {}", port.name, *missing));
+  }
+  std::map<std::string, std::string> pins;  // that interrupt, by number
+  for (const NamedPin& pin : board.pins) {
+    if (!can_interrupt(pin)) continue;
+    const std::string& first = pins.emplace(pin.pin.substr(2), pin.pin).first->second;
+    if (first != pin.pin)
+      mistakes.push_back(fmt::format("pins '{}' and '{}' share an external interrupt line", first, pin.pin));
+  }
+  return mistakes;
+}
+
+}  // namespace finemote::gen

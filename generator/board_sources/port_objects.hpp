@@ -1,0 +1,38 @@
+// The port objects of a board: what generated code can name below finemote::ports.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "generator/descriptor/board.hpp"
+
+namespace finemote::gen {
+
+/// Which class of runtime/include/finemote/ports.hpp a port is of.
+enum class PortClass { uart, can, i2c, spi, pwm, edge, adc };
+
+/// An edge port: a pin that interrupts.
+struct EdgeSource {
+  char port = 'A';
+  std::uint32_t number = 0;  ///< of pin and EXTI line
+};
+
+struct PortObject {
+  std::string name;   ///< `usart1`, `exti0`, `adc3`
+  std::string board;  ///< whose port it is
+  PortClass kind = PortClass::uart;
+  const Port* port = nullptr;  ///< in the board file; null for edges and converters
+  EdgeSource edge;             ///< of an edge port
+};
+
+/// Ports in the order of the board file, then edges by number, then converters by name. Every board has `gpio` beside.
+std::vector<PortObject> port_objects(const Board& board);
+
+/// `Uart`, before `Port` and `Hardware`.
+const char* class_name(PortClass kind);
+
+/// Interrupt line of an EXTI line: RM0090 12.2, table 62.
+std::uint32_t interrupt_of(const EdgeSource& edge);
+
+}  // namespace finemote::gen

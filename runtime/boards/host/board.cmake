@@ -1,1 +1,0 @@
-set(FINEMOTE_BOARD_FAMILY host)

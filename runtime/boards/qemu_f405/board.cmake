@@ -1,1 +1,0 @@
-set(FINEMOTE_BOARD_FAMILY cortex_m4)

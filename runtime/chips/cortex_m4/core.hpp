@@ -1,0 +1,54 @@
+// What the shared Cortex-M4 code and the boards agree on: clock, cycle counter, priorities.
+#pragma once
+
+#include <cstdint>
+#include <numeric>
+
+#include "board/clocks.hpp"
+#include "finemote/time.hpp"
+
+namespace finemote::cortex_m4 {
+
+inline constexpr std::uint32_t kCoreHz = board_clocks::kCoreHz;
+
+/// The smallest whole numbers of cycles and nanoseconds that are equal: at 168 MHz 21 cycles are 125 ns.
+inline constexpr std::uint32_t kCyclesPerUnit = kCoreHz / std::gcd(kCoreHz, 1'000'000'000U);
+inline constexpr std::uint32_t kNsPerUnit = 1'000'000'000U / std::gcd(kCoreHz, 1'000'000'000U);
+
+/// Priority levels of the 16 the chip has (0 is most urgent); the register holds them in the upper four bits.
+inline constexpr std::uint8_t kBusPriority = 1;      ///< buses whose data is lost when late
+inline constexpr std::uint8_t kSlowBusPriority = 2;  ///< all other bus interrupts
+inline constexpr std::uint8_t kReleasePriority = 3;
+
+/// Free-running count of core cycles, 32 bits, also while the core sleeps (STM32F4: DBGMCU_CR.DBG_SLEEP, RM0090
+/// 38.16.3). From everywhere. Defined by the board.
+std::uint32_t cycles();
+
+/// Starts the count at `value`: once before the buses start, and again just before the release timer. Defined by the
+/// board.
+void start_cycles(std::uint32_t value);
+
+/// Sets priority (level 0..15) of an interrupt line and enables it. For bus drivers, at start.
+void enable_line(unsigned line, std::uint8_t level);
+
+/// Cycles between two release instants; for boards that derive cycles() from SysTick.
+struct Interval {
+  std::uint32_t begin;   ///< count at the last release
+  std::uint32_t length;  ///< cycles from there to the next
+};
+Interval release_interval();
+
+/// Keeps the core busy for `turns` turns of two instructions. 0 returns at once.
+inline void spin(std::uint32_t turns) {
+  if (turns == 0) return;
+  asm volatile("1: subs %0, %0, #1\n\tbne 1b" : "+r"(turns) : : "cc");
+}
+
+/// Called in the idle loop before the core sleeps; a board that reports while running does it here. Defined by the
+/// shared code as nothing, weakly.
+void idle();
+
+/// Called from the release interrupt once FINEMOTE_RUN_DURATION_NS have passed. Weakly defined as nothing.
+void run_ended();
+
+}  // namespace finemote::cortex_m4

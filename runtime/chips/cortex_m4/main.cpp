@@ -1,0 +1,56 @@
+// main of every Cortex-M4 image: start, release, sleep; and what is left of the robot once it has stopped.
+#include "finemote/board.hpp"
+#include "finemote/fault.hpp"
+#include "finemote/schedule.hpp"
+#include "runtime/chips/cortex_m4/core.hpp"
+#include "runtime/chips/cortex_m4/fault.hpp"
+#include "runtime/chips/cortex_m4/registers.hpp"
+#include "runtime/chips/cortex_m4/release.hpp"
+#include "runtime/src/start.hpp"
+
+namespace finemote {
+namespace {
+
+// The release timer counts 2^24 cycles; ticks are whole units of cycles.
+constexpr std::int64_t kLongestTick =
+    std::int64_t{cortex_m4::systick::kMaxInterval} * cortex_m4::kNsPerUnit / cortex_m4::kCyclesPerUnit;
+constexpr detail::ReleaseTimer kTimer{kLongestTick, cortex_m4::kNsPerUnit, true};
+
+}  // namespace
+
+namespace cortex_m4 {
+__attribute__((weak)) void idle() {}
+}  // namespace cortex_m4
+
+// Raises the mask to the release level: no bucket and no release runs any more, bus interrupts do.
+void stop_safely(Module module, std::uint8_t number, const char* text) {
+  cortex_m4::mask_from(cortex_m4::kReleasePriority);
+  count_fault(module, number);
+  if (detail::outputs_started()) finemote_schedule.safe_outputs();
+  board::say(text);
+  board::say(FINEMOTE_TEXT("\n"));
+  board::stopped();
+  for (;;) {
+    // Again at every instant: a bus that is being recovered takes the safe output as its first transfer.
+    if (cortex_m4::pass_instant() && detail::outputs_started()) finemote_schedule.safe_outputs();
+  }
+}
+
+}  // namespace finemote
+
+int main() {
+  using namespace finemote;
+  cortex_m4::start_guards();
+  board::start_hardware();
+  cortex_m4::start_cycles(0);  // bus start-up measures its bounded waits with it
+  detail::start_robot(finemote_schedule, kTimer);
+  cortex_m4::start_releases(finemote_schedule);
+  CoreFault fault;
+  if (cortex_m4::restarted_by_fault(fault)) {
+    stop_safely(Module::core, static_cast<std::uint8_t>(fault), FINEMOTE_TEXT("restarted after a processor fault"));
+  }
+  for (;;) {
+    cortex_m4::idle();
+    asm volatile("wfi" : : : "memory");
+  }
+}

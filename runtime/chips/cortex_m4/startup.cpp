@@ -1,0 +1,34 @@
+// From reset to main: memory, FPU, and constructors where a robot has any.
+#include <cstdint>
+
+#include "runtime/chips/cortex_m4/registers.hpp"
+
+extern "C" {
+// Defined by sections.ld.
+extern std::uint32_t _data_load, _data_begin, _data_end, _bss_begin, _bss_end, _core_bss_begin, _core_bss_end;
+using Constructor = void (*)();
+extern Constructor __init_array_start[], __init_array_end[];
+int main();
+}
+
+namespace {
+
+void zero(std::uint32_t* begin, const std::uint32_t* end) {
+  while (begin < end) *begin++ = 0;
+}
+
+}  // namespace
+
+extern "C" [[noreturn]] void finemote_reset() {
+  using namespace finemote::cortex_m4;
+  // Before any function that may use an FPU register.
+  scb::CoprocessorAccess::set(scb::kFpuFullAccess);
+  barrier();
+  const std::uint32_t* from = &_data_load;
+  for (std::uint32_t* to = &_data_begin; to < &_data_end;) *to++ = *from++;
+  zero(&_bss_begin, &_bss_end);
+  zero(&_core_bss_begin, &_core_bss_end);
+  for (Constructor* constructor = __init_array_start; constructor < __init_array_end; ++constructor) (*constructor)();
+  main();
+  for (;;) {}
+}

@@ -1,0 +1,168 @@
+// CanPort on the chip's bxCAN: identifier-list filters, three mailboxes sent by identifier, FIFO 0. RM0090 32.
+#include "finemote/can.hpp"
+
+#include "finemote/fault.hpp"
+#include "runtime/chips/cortex_m4/core.hpp"
+#include "runtime/chips/stm32f4/clock.hpp"
+#include "runtime/chips/stm32f4/interrupt.hpp"
+#include "runtime/chips/stm32f4/ports/can_hardware.hpp"
+#include "runtime/chips/stm32f4/registers/clock.hpp"
+#include "runtime/chips/stm32f4/wait.hpp"
+
+namespace finemote {
+namespace {
+
+namespace can = stm32f4::can;
+namespace rcc = stm32f4::rcc;
+using stm32f4::CanSetup;
+using stm32f4::wait_for;
+
+enum class CanFault : std::uint8_t {
+  init = 16,  ///< the controller does not enter its initialisation mode
+  overrun,    ///< a frame came while the FIFO was full
+};
+
+constexpr std::uint8_t kPriority = cortex_m4::kBusPriority;
+
+/// The present frame must end first: 130 bits at 125 kbit/s are 1 ms; a poll takes at least 6 cycles at 168 MHz.
+constexpr std::uint32_t kInitPolls = 60'000;
+/// In bus-off nothing must end.
+constexpr std::uint32_t kBusOffPolls = 200, kReleasePolls = 50;
+
+// A bit is 14 quanta of the 42 MHz clock divided: one to synchronise, 10, 3; sample point 78.6 %.
+constexpr std::uint32_t kSegment1 = 10, kSegment2 = 3, kQuanta = 1 + kSegment1 + kSegment2;
+
+std::uint32_t bit_timing(std::uint32_t bitrate) {  // BTR, RM0090 32.7.7; each field holds its value less one
+  const std::uint32_t prescaler = stm32f4::kApb1Hz / kQuanta / bitrate;
+  return (kSegment2 - 1) << 20 | (kSegment1 - 1) << 16 | (prescaler - 1);
+}
+
+constexpr std::uint32_t kBanks = 14, kIdsPerBank = 4;
+
+/// An identifier as a 16-bit filter holds it: bits 5 to 15 (RM0090 32.7.4, figure "filter bank scale").
+std::uint32_t filter_entry(std::uint16_t id) { return static_cast<std::uint32_t>(id & 0x7FFU) << 5; }
+
+/// Lists of four identifiers per bank; more than fit: one bank that lets everything in.
+void set_filters(std::uint32_t first, const std::uint16_t* ids, std::size_t count) {
+  // The other bits keep their reset value: RM0090 32.9.4.
+  can::fmr.modify(can::kSplitMask | can::kFilterInit, kBanks << can::kSplitShift | can::kFilterInit);
+  const std::uint32_t mine = ((1U << kBanks) - 1) << first;
+  can::fa1r.clear(mine);
+  can::fs1r.clear(mine);   // 16 bits
+  can::ffa1r.clear(mine);  // FIFO 0
+  const std::size_t banks = (count + kIdsPerBank - 1) / kIdsPerBank;
+  if (banks > kBanks) {
+    can::fm1r.clear(stm32f4::bit(first));  // mask 0
+    can::filter(first, 0).write(0);
+    can::filter(first, 1).write(0);
+    can::fa1r.set(stm32f4::bit(first));
+  }
+  for (std::size_t bank = 0; bank < banks && banks <= kBanks; ++bank) {
+    std::uint32_t entry[kIdsPerBank];
+    for (std::size_t i = 0; i < kIdsPerBank; ++i) {
+      const std::size_t index = bank * kIdsPerBank + i;
+      entry[i] = filter_entry(ids[index < count ? index : count - 1]);
+    }
+    const auto number = static_cast<std::uint32_t>(first + bank);
+    can::fm1r.set(stm32f4::bit(number));
+    can::filter(number, 0).write(entry[1] << 16 | entry[0]);
+    can::filter(number, 1).write(entry[3] << 16 | entry[2]);
+    can::fa1r.set(stm32f4::bit(number));
+  }
+  can::fmr.clear(can::kFilterInit);
+}
+
+std::uint32_t word_of(const std::uint8_t* bytes) {
+  return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8 |
+         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
+}
+
+void put_word(std::uint8_t* bytes, std::uint32_t word) {
+  for (unsigned i = 0; i < 4; ++i) bytes[i] = static_cast<std::uint8_t>(word >> (8 * i));
+}
+
+}  // namespace
+
+void CanPort::configure(std::int64_t bitrate, CanBus& bus, const std::uint16_t* ids, std::size_t count) {
+  const CanSetup& setup = hardware_->setup;
+  hardware_->bus = &bus;
+  const stm32f4::PinSetup pin{stm32f4::PinMode::alternate, stm32f4::PinPull::up, false, 9};
+  stm32f4::configure(setup.rx, pin);
+  stm32f4::configure(setup.tx, pin);
+  rcc::enable(rcc::apb1enr, setup.clock_bits);
+  setup.can.mcr().write(can::kInitRequest);  // out of sleep, too: RM0090 32.4
+  if (!wait_for(setup.can.msr(), can::kInitAcknowledge, can::kInitAcknowledge, kInitPolls)) {
+    count_fault(Module::can, static_cast<std::uint8_t>(CanFault::init));
+  }
+  setup.can.btr().write(bit_timing(static_cast<std::uint32_t>(bitrate)));
+  set_filters(setup.first_bank, ids, count);
+  setup.can.ier().write(can::kTransmitInterrupt | can::kReceiveInterrupt | can::kBusOffInterrupt |
+                        can::kErrorInterrupt);
+  setup.can.mcr().write(0);  // joins the bus by itself after eleven recessive bits: RM0090 32.4.2
+  cortex_m4::enable_line(setup.transmit_line, kPriority);
+  cortex_m4::enable_line(setup.receive_line, kPriority);
+  cortex_m4::enable_line(setup.error_line, kPriority);
+}
+
+void CanPort::pend() { stm32f4::pend_line(hardware_->setup.transmit_line); }
+
+bool CanPort::send(const CanFrame& frame) {
+  const stm32f4::CanRegisters& registers = hardware_->setup.can;
+  const std::uint32_t empty = registers.tsr().read() >> can::kEmptyShift & 7;
+  if (empty == 0) return false;
+  const std::uint32_t number = (empty & 1) != 0 ? 0 : (empty & 2) != 0 ? 1 : 2;
+  registers.mailbox(number, 1).write(frame.size);
+  registers.mailbox(number, 2).write(word_of(frame.data));
+  registers.mailbox(number, 3).write(word_of(frame.data + 4));
+  registers.mailbox(number, 0).write(static_cast<std::uint32_t>(frame.id & 0x7FFU) << can::kIdentifierShift |
+                                     can::kSend);
+  return true;
+}
+
+void CanPort::abort() {
+  hardware_->setup.can.tsr().write(can::kAbort | can::kAbort << 8 | can::kAbort << 16);
+  stm32f4::drain();
+}
+
+bool CanPort::bus_off() const { return hardware_->setup.can.esr().any(can::kBusOff); }
+
+// Into initialisation mode and out again; then the controller counts the recessive bits: RM0090 32.7.6.
+void CanPort::recover() {
+  const stm32f4::CanRegisters& registers = hardware_->setup.can;
+  registers.mcr().write(can::kInitRequest);
+  if (!wait_for(registers.msr(), can::kInitAcknowledge, can::kInitAcknowledge, kBusOffPolls)) {
+    count_fault(Module::can, static_cast<std::uint8_t>(CanFault::init));
+  }
+  registers.mcr().write(0);
+}
+
+std::uint16_t CanPort::error_counters() const {
+  return static_cast<std::uint16_t>(hardware_->setup.can.esr().read() >> 16);
+}
+
+void CanHardware::on_line() {
+  const stm32f4::CanRegisters& registers = setup.can;
+  // Flags are cleared by writing 1; the zeros leave the rest alone, abort requests included.
+  registers.tsr().write(can::kCompleted | can::kCompleted << 8 | can::kCompleted << 16);
+  registers.msr().write(can::kErrorFlag);
+  if (registers.rf0r().any(can::kOverrun)) {
+    registers.rf0r().write(can::kOverrun);
+    count_fault(Module::can, static_cast<std::uint8_t>(CanFault::overrun));
+  }
+  for (unsigned i = 0; i < 3 && registers.rf0r().any(can::kPendingMask); ++i) {  // the FIFO is three deep
+    const std::uint32_t identifier = registers.received(0).read();
+    CanFrame frame;
+    frame.id = static_cast<std::uint16_t>(identifier >> can::kIdentifierShift);
+    const std::uint32_t size = registers.received(1).read() & 0xF;
+    frame.size = static_cast<std::uint8_t>(size < 8 ? size : 8);
+    put_word(frame.data, registers.received(2).read());
+    put_word(frame.data + 4, registers.received(3).read());
+    registers.rf0r().write(can::kRelease);
+    static_cast<void>(wait_for(registers.rf0r(), can::kRelease, 0, kReleasePolls));  // a few bus cycles
+    if ((identifier & can::kExtendedOrRemote) == 0) bus->on_frame(frame, now());
+  }
+  bus->on_interrupt();
+  stm32f4::settle(registers.mcr());
+}
+
+}  // namespace finemote

@@ -1,0 +1,252 @@
+// I2cPort on the chip's I2C, one interrupt per byte. Procedures: RM0090 27.3.3 (master mode).
+//
+// The closing of a read follows the variant of the manual that holds the clock (byte transfer finished) rather than the
+// one that must be in time: a routine that comes late only slows the bus down.
+#include "finemote/i2c.hpp"
+#include "finemote/fault.hpp"
+#include "runtime/chips/cortex_m4/core.hpp"
+#include "runtime/chips/stm32f4/clock.hpp"
+#include "runtime/chips/stm32f4/interrupt.hpp"
+#include "runtime/chips/stm32f4/ports/i2c_hardware.hpp"
+#include "runtime/chips/stm32f4/registers/clock.hpp"
+#include "runtime/chips/stm32f4/wait.hpp"
+
+namespace finemote {
+namespace {
+
+namespace i2c = stm32f4::i2c;
+namespace rcc = stm32f4::rcc;
+using stm32f4::kApb1Hz;
+using stm32f4::Pin;
+using stm32f4::PinMode;
+using stm32f4::PinPull;
+using stm32f4::PinSetup;
+
+enum class I2cFault : std::uint8_t {
+  bus_error = 16,  ///< misplaced START or STOP seen; ES0182: may be spurious in master mode, so the exchange goes on
+  stop_late,       ///< the STOP before was not sent in time
+};
+
+constexpr std::uint8_t kPriority = cortex_m4::kSlowBusPriority;
+constexpr std::uint32_t kCyclesPerUs = cortex_m4::kCoreHz / 1'000'000;
+
+/// A STOP takes less than two bit times; the contract of begin() allows 20 us. One poll takes at least 6 cycles.
+constexpr std::uint32_t kStopPolls = 20 * kCyclesPerUs / 6;
+
+/// Half a bit of the recovery clock: 100 kHz.
+constexpr std::uint32_t kHalfBit = 5 * kCyclesPerUs;
+
+/// Ends also when the count stands still: a turn takes a cycle at least, in fact five or more.
+void wait_cycles(std::uint32_t count) {
+  const std::uint32_t from = cortex_m4::cycles();
+  for (std::uint32_t turns = count; turns != 0 && cortex_m4::cycles() - from < count; --turns) {}
+}
+
+/// CCR and TRISE, RM0090 27.6.8 and 27.6.9. Fast mode: low twice as long as high, rise time 300 ns; standard mode:
+/// half and half, rise time 1000 ns, and not the range 88 to 100 kHz (ES0182, set-up time of a repeated START).
+void set_clock(const stm32f4::I2cRegisters& registers, std::uint32_t clock_hz) {
+  constexpr std::uint32_t kMhz = kApb1Hz / 1'000'000;
+  if (clock_hz > 100'000) {
+    registers.ccr().write(i2c::kFastMode | ((kApb1Hz + 3 * clock_hz - 1) / (3 * clock_hz)));
+    registers.trise().write(kMhz * 300 / 1000 + 1);
+    return;
+  }
+  const std::uint32_t safe_hz = clock_hz > 87'000 ? 87'000 : clock_hz;
+  registers.ccr().write((kApb1Hz + 2 * safe_hz - 1) / (2 * safe_hz));
+  registers.trise().write(kMhz + 1);
+}
+
+}  // namespace
+
+void I2cHardware::set_up() {
+  const PinSetup pin{PinMode::alternate, PinPull::up, true, setup.function};
+  configure(setup.scl, pin);
+  configure(setup.sda, pin);
+  setup.i2c.cr1().write(i2c::kSoftwareReset);  // releases the lines and forgets a misplaced STOP: ES0182
+  setup.i2c.cr1().write(0);
+  setup.i2c.cr2().write(kApb1Hz / 1'000'000 | i2c::kErrorInterrupt | i2c::kEventInterrupt);
+  set_clock(setup.i2c, clock_hz);
+  setup.i2c.cr1().write(i2c::kOn);
+}
+
+void I2cPort::configure(std::int64_t clock_hz, I2cBus& bus) {
+  hardware_->bus = &bus;
+  hardware_->clock_hz = static_cast<std::uint32_t>(clock_hz);
+  rcc::enable(rcc::apb1enr, hardware_->setup.clock_bit);
+  hardware_->set_up();
+  cortex_m4::enable_line(hardware_->setup.event_line, kPriority);
+  cortex_m4::enable_line(hardware_->setup.error_line, kPriority);
+}
+
+void I2cPort::pend() { stm32f4::pend_line(hardware_->setup.event_line); }
+
+void I2cPort::begin(const I2cMessage& message) {
+  const stm32f4::I2cRegisters& registers = hardware_->setup.i2c;
+  hardware_->message = message;
+  hardware_->moved = 0;
+  hardware_->reading = message.write_size == 0 && message.read_size != 0;
+  hardware_->active = true;
+  // CR1 must not be written while a STOP is pending: RM0090 27.6.1, note on STOP.
+  if (!stm32f4::wait_for(registers.cr1(), i2c::kStop, 0, kStopPolls)) {
+    count_fault(Module::i2c, static_cast<std::uint8_t>(I2cFault::stop_late));
+  }
+  registers.cr1().write(i2c::kOn | i2c::kStart);
+}
+
+void I2cPort::abort() {
+  hardware_->active = false;
+  hardware_->setup.i2c.cr2().clear(i2c::kErrorInterrupt | i2c::kEventInterrupt | i2c::kBufferInterrupt);
+  hardware_->setup.i2c.cr1().write(0);
+}
+
+I2cPort::Recovery I2cPort::recover(unsigned step) {
+  const Pin scl = hardware_->setup.scl, sda = hardware_->setup.sda;
+  if (step == 0) {
+    scl.set(true);
+    sda.set(true);
+    const PinSetup by_hand{PinMode::output, PinPull::up, true, 0};
+    stm32f4::configure(scl, by_hand);
+    stm32f4::configure(sda, by_hand);
+    wait_cycles(kHalfBit);
+  }
+  // Nine clocks at most, two per step: 20 us.
+  const unsigned clocks = step < 4 ? 2 : (step == 4 ? 1 : 0);
+  for (unsigned i = 0; i < clocks && !sda.is_high(); ++i) {
+    scl.set(false);
+    wait_cycles(kHalfBit);
+    scl.set(true);
+    wait_cycles(kHalfBit);
+  }
+  if ((!sda.is_high() || !scl.is_high()) && step + 1 < kMaxRecoverySteps) return Recovery::kBusy;
+  if (!sda.is_high() || !scl.is_high()) return Recovery::kStuck;
+  scl.set(false);  // SDA may only change while SCL is low; its rise while SCL is high is the STOP
+  sda.set(false);
+  wait_cycles(kHalfBit);
+  scl.set(true);
+  wait_cycles(kHalfBit);
+  sda.set(true);
+  wait_cycles(kHalfBit);
+  if (!sda.is_high() || !scl.is_high()) return step + 1 < kMaxRecoverySteps ? Recovery::kBusy : Recovery::kStuck;
+  hardware_->set_up();
+  return Recovery::kFree;
+}
+
+I2cEvent I2cHardware::finish(I2cEvent event) {
+  active = false;
+  setup.i2c.cr2().clear(i2c::kBufferInterrupt);
+  return event;
+}
+
+void I2cHardware::send_address() { setup.i2c.dr().write(std::uint32_t{message.address} << 1 | (reading ? 1 : 0)); }
+
+void I2cHardware::take_byte() { message.read[moved++] = static_cast<std::uint8_t>(setup.i2c.dr().read()); }
+
+/// The address was acknowledged. Reading SR2 clears the flag and lets the clock go: what must be decided before the
+/// first byte is decided before that read.
+I2cEvent I2cHardware::address_sent() {
+  const stm32f4::I2cRegisters& registers = setup.i2c;
+  if (!reading) {
+    static_cast<void>(registers.sr2().read());
+    if (message.write_size == 0) {
+      registers.cr1().write(i2c::kOn | i2c::kStop);
+      return finish(I2cEvent::kDone);
+    }
+    registers.dr().write(message.write[moved++]);
+    registers.cr2().set(i2c::kBufferInterrupt);
+    return I2cEvent::kNone;
+  }
+  if (message.read_size == 1) {
+    registers.cr1().write(i2c::kOn);  // no acknowledge for the only byte
+    static_cast<void>(registers.sr2().read());
+    registers.cr1().write(i2c::kOn | i2c::kStop);
+    registers.cr2().set(i2c::kBufferInterrupt);
+  } else if (message.read_size == 2) {
+    registers.cr1().write(i2c::kOn | i2c::kAckNext);  // no acknowledge, counted from the byte after the next
+    static_cast<void>(registers.sr2().read());
+  } else {
+    registers.cr1().write(i2c::kOn | i2c::kAcknowledge);
+    static_cast<void>(registers.sr2().read());
+    if (message.read_size > 3) registers.cr2().set(i2c::kBufferInterrupt);
+  }
+  return I2cEvent::kNone;
+}
+
+I2cEvent I2cHardware::write_on(std::uint32_t status) {
+  const stm32f4::I2cRegisters& registers = setup.i2c;
+  if (moved < message.write_size) {
+    if ((status & i2c::kTransmitEmpty) != 0) registers.dr().write(message.write[moved++]);
+    return I2cEvent::kNone;
+  }
+  registers.cr2().clear(i2c::kBufferInterrupt);
+  if ((status & i2c::kByteFinished) == 0) return I2cEvent::kNone;
+  if (message.read_size != 0) {
+    reading = true;
+    moved = 0;
+    registers.cr1().write(i2c::kOn | i2c::kStart);
+    static_cast<void>(registers.dr().read());  // clears the flag, which would else raise the line until the START
+    return I2cEvent::kNone;
+  }
+  registers.cr1().write(i2c::kOn | i2c::kStop);
+  static_cast<void>(registers.dr().read());
+  return finish(I2cEvent::kDone);
+}
+
+I2cEvent I2cHardware::read_on(std::uint32_t status) {
+  const stm32f4::I2cRegisters& registers = setup.i2c;
+  const unsigned left = static_cast<unsigned>(message.read_size - moved);
+  if (left == 1) {
+    if ((status & i2c::kReceived) == 0) return I2cEvent::kNone;
+    take_byte();
+    return finish(I2cEvent::kDone);
+  }
+  if (left > 3) {
+    if ((status & i2c::kReceived) != 0) take_byte();
+    if (message.read_size - moved == 3) registers.cr2().clear(i2c::kBufferInterrupt);  // now wait with the clock held
+    return I2cEvent::kNone;
+  }
+  if ((status & i2c::kByteFinished) == 0) return I2cEvent::kNone;
+  if (left == 3) {
+    registers.cr1().write(i2c::kOn);  // no acknowledge for the last byte, which this read lets come
+    take_byte();
+    return I2cEvent::kNone;
+  }
+  registers.cr1().write(i2c::kOn | i2c::kStop);
+  take_byte();
+  take_byte();
+  return finish(I2cEvent::kDone);
+}
+
+I2cEvent I2cHardware::step() {
+  if (!active) return I2cEvent::kNone;
+  const std::uint32_t status = setup.i2c.sr1().read();
+  if ((status & i2c::kStartSent) != 0) {
+    send_address();
+    return I2cEvent::kNone;
+  }
+  if ((status & i2c::kAddressSent) != 0) return address_sent();
+  // The flags are those of this exchange only once the address is through: a START that is still to come shows neither.
+  return reading ? read_on(status) : write_on(status);
+}
+
+void I2cHardware::on_event() {
+  bus->on_interrupt(step());
+  stm32f4::settle(setup.i2c.cr1());
+}
+
+void I2cHardware::on_error() {
+  const stm32f4::I2cRegisters& registers = setup.i2c;
+  const std::uint32_t status = registers.sr1().read();
+  registers.sr1().write(~(status & i2c::kErrors) & 0xDFFF);  // error flags are cleared by writing 0: RM0090 27.6.6
+  I2cEvent event = I2cEvent::kNone;
+  if ((status & i2c::kBusError) != 0) count_fault(Module::i2c, static_cast<std::uint8_t>(I2cFault::bus_error));
+  if (active && (status & (i2c::kArbitrationLost | i2c::kOverrun)) != 0) {
+    event = finish(I2cEvent::kError);
+  } else if (active && (status & i2c::kNoAcknowledge) != 0) {
+    registers.cr1().write(i2c::kOn | i2c::kStop);
+    event = finish(I2cEvent::kNack);
+  }
+  bus->on_interrupt(event);
+  stm32f4::settle(registers.cr1());
+}
+
+}  // namespace finemote

@@ -1,0 +1,193 @@
+// UartPort on a USART with two DMA streams. Procedures: RM0090 30.3.13 (continuous communication by DMA), 10.3.17.
+#include "finemote/fault.hpp"
+#include "runtime/chips/cortex_m4/core.hpp"
+#include "runtime/chips/stm32f4/interrupt.hpp"
+#include "runtime/chips/stm32f4/ports/uart_hardware.hpp"
+#include "runtime/chips/stm32f4/registers/clock.hpp"
+#include "runtime/chips/stm32f4/wait.hpp"
+
+namespace finemote {
+namespace {
+
+namespace usart = stm32f4::usart;
+namespace dma = stm32f4::dma;
+namespace rcc = stm32f4::rcc;
+using stm32f4::kUartRing;
+using stm32f4::kUartTransmit;
+using stm32f4::UartSetup;
+
+enum class UartFault : std::uint8_t {
+  inverted = 16,  ///< an inverted format on a port without inverter: the chip cannot invert
+  dma_stuck,      ///< a stream did not stop
+};
+
+constexpr std::uint8_t kPriority = cortex_m4::kBusPriority;
+
+/// A stream stops within one transfer (RM0090 10.3.17): far below this.
+constexpr std::uint32_t kStopPolls = 1'000;
+
+bool is_inverted(UartFormat format) { return format == UartFormat::k8E1Inverted || format == UartFormat::k8E2Inverted; }
+
+/// CR1 bits of a format: with parity the word has nine bits, the ninth being the parity (RM0090 30.6.4).
+std::uint32_t word_bits(UartFormat format) {
+  return format == UartFormat::k8N1 ? 0 : usart::kNineBits | usart::kParityOn | usart::kParityInterrupt;
+}
+
+std::uint32_t stop_bits(UartFormat format) {
+  return format == UartFormat::k8E2 || format == UartFormat::k8E2Inverted ? usart::kTwoStopBits : 0;
+}
+
+void stop_stream(const stm32f4::DmaStream& stream) {
+  stream.cr().clear(dma::kEnable);
+  if (!stm32f4::wait_for(stream.cr(), dma::kEnable, 0, kStopPolls)) {
+    count_fault(Module::uart, static_cast<std::uint8_t>(UartFault::dma_stuck));
+  }
+  stream.clear_flags(dma::kFlagsAll);
+}
+
+std::uint32_t address_of(const std::uint8_t* bytes) {
+  return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(bytes));
+}
+
+/// Receives into the ring for ever: circular mode, RM0090 10.3.8; an interrupt at the end of each lap.
+void start_receive(const UartSetup& setup) {
+  stop_stream(setup.receive);
+  setup.receive.par().write(setup.usart.dr().address());
+  setup.receive.m0ar().write(address_of(setup.receive_ring));
+  setup.receive.ndtr().write(kUartRing);
+  setup.receive.cr().write(std::uint32_t{setup.channel} << dma::kChannelShift | dma::kPriorityHigh |
+                           dma::kMemoryIncrement | dma::kCircular | dma::kCompleteInterrupt | dma::kErrorInterrupt |
+                           dma::kEnable);
+}
+
+}  // namespace
+
+void UartPort::start(std::int64_t baud, UartFormat format) {
+  const UartSetup& setup = hardware_->setup;
+  if (is_inverted(format) && !setup.inverter) {
+    stop_safely(Module::uart, static_cast<std::uint8_t>(UartFault::inverted), "this port cannot invert its line");
+  }
+  using stm32f4::PinMode;
+  using stm32f4::PinPull;
+  using stm32f4::PinSetup;
+  configure(setup.tx, PinSetup{PinMode::alternate, PinPull::up, false, setup.function});
+  configure(setup.rx, PinSetup{PinMode::alternate, PinPull::up, false, setup.function});
+  rcc::enable(setup.clock_enable, setup.clock_bit);
+  rcc::enable(rcc::ahb1enr, setup.receive.controller == dma::kController1 ? rcc::kAhb1Dma1 : rcc::kAhb1Dma2);
+
+  const auto rate = static_cast<std::uint32_t>(baud);
+  setup.usart.brr().write((setup.clock_hz + rate / 2) / rate);  // sixteenths of the divider: RM0090 30.3.4
+  setup.usart.cr2().write(stop_bits(format));
+  setup.usart.cr3().write(usart::kDmaReceive | usart::kDmaTransmit | usart::kErrorInterrupt);
+  start_receive(setup);
+  setup.usart.cr1().write(usart::kOn | usart::kTransmitterOn | usart::kReceiverOn | usart::kIdleInterrupt |
+                          word_bits(format));
+  cortex_m4::enable_line(setup.usart_line, kPriority);
+  cortex_m4::enable_line(setup.receive_line, kPriority);
+}
+
+UartRing UartPort::ring() const { return UartRing{hardware_->setup.receive_ring, kUartRing}; }
+
+std::uint32_t UartPort::received() const {
+  const stm32f4::DmaStream& stream = hardware_->setup.receive;
+  // A lap may end at any instruction; its interrupt may come before, between or after these reads. Laps and flag that
+  // are the same before and after the position belong to it. A second lap needs 256 more bytes: two tries are enough.
+  for (unsigned tries = 0;; ++tries) {
+    const std::uint32_t laps = hardware_->laps.load();
+    const std::uint32_t flag = stream.flags() & dma::kFlagComplete;
+    const std::uint32_t position = kUartRing - stream.ndtr().read();
+    const bool same = (stream.flags() & dma::kFlagComplete) == flag && hardware_->laps.load() == laps;
+    if (same || tries == 2) return (laps + (flag != 0 ? 1 : 0)) * kUartRing + position % kUartRing;
+  }
+}
+
+UartIdle UartPort::idle() const {
+  for (unsigned tries = 0;; ++tries) {
+    const std::uint32_t count = hardware_->idle_count.load();
+    const UartIdle idle = hardware_->idle;
+    if (hardware_->idle_count.load() == count || tries == 3) return idle;  // idle events are 20 bits apart or more
+  }
+}
+
+UartErrors UartPort::errors() const { return hardware_->errors; }
+
+bool UartPort::receive_halted() const { return hardware_->halted.load(); }
+
+void UartPort::restart_receive() {
+  const std::uint32_t last = received();
+  stop_stream(hardware_->setup.receive);
+  hardware_->laps.store((last + kUartRing - 1) / kUartRing);
+  hardware_->halted.store(false);
+  start_receive(hardware_->setup);
+  stm32f4::drain();
+}
+
+void UartPort::drive_with(std::uint8_t pin, bool active_low) {
+  hardware_->driver = {static_cast<char>('A' + pin / 16), static_cast<std::uint8_t>(pin % 16)};
+  hardware_->driver_low = active_low;
+  hardware_->directed = true;
+}
+
+std::uint8_t* UartPort::transmit_buffer() { return hardware_->setup.transmit_buffer; }
+
+std::size_t UartPort::transmit_capacity() const { return kUartTransmit; }
+
+bool UartPort::transmitting() const { return hardware_->sending.load(); }
+
+void UartPort::transmit(std::size_t size) {
+  if (size == 0 || size > kUartTransmit) return;
+  const UartSetup& setup = hardware_->setup;
+  stop_stream(setup.transmit);
+  setup.transmit.par().write(setup.usart.dr().address());
+  setup.transmit.m0ar().write(address_of(hardware_->setup.transmit_buffer));
+  setup.transmit.ndtr().write(size);
+  hardware_->sending.store(true);
+  hardware_->drive(true);
+  setup.usart.sr().write(~usart::kTransmitComplete);  // cleared by writing 0; ones leave the others: RM0090 30.6.1
+  setup.transmit.cr().write(std::uint32_t{setup.channel} << dma::kChannelShift | dma::kMemoryIncrement |
+                            dma::kMemoryToPeripheral | dma::kEnable);
+  setup.usart.cr1().set(usart::kCompleteInterrupt);
+  stm32f4::drain();
+}
+
+void UartPort::abort_transmit() {
+  hardware_->setup.usart.cr1().clear(usart::kCompleteInterrupt);
+  stop_stream(hardware_->setup.transmit);
+  hardware_->drive(false);
+  hardware_->sending.store(false);
+}
+
+void UartHardware::on_usart() {
+  const stm32f4::UsartRegisters& registers = setup.usart;
+  const std::uint32_t status = registers.sr().read();
+  if ((status & (usart::kErrors | usart::kIdle)) != 0) {
+    // Status, then data register: clears these flags (RM0090 30.6.1). The byte itself was taken by the DMA long ago.
+    static_cast<void>(registers.dr().read());
+    errors.framing += (status & usart::kFramingError) != 0 ? 1 : 0;
+    errors.noise += (status & usart::kNoise) != 0 ? 1 : 0;
+    errors.parity += (status & usart::kParityError) != 0 ? 1 : 0;
+    errors.overrun += (status & usart::kOverrun) != 0 ? 1 : 0;
+  }
+  if ((status & usart::kIdle) != 0) {
+    UartPort port{*this};
+    idle = UartIdle{port.received(), now()};
+    idle_count.store(idle_count.load() + 1);
+  }
+  const bool waiting = (registers.cr1().read() & usart::kCompleteInterrupt) != 0;
+  if (waiting && (status & usart::kTransmitComplete) != 0 && setup.transmit.ndtr().read() == 0) {
+    registers.cr1().clear(usart::kCompleteInterrupt);
+    drive(false);
+    sending.store(false);
+  }
+  stm32f4::settle(registers.cr1());
+}
+
+void UartHardware::on_receive_dma() {
+  const std::uint32_t flags = setup.receive.flags();
+  setup.receive.clear_flags(flags);
+  if ((flags & dma::kFlagComplete) != 0) laps.store(laps.load() + 1);
+  if ((flags & dma::kFlagError) != 0) halted.store(true);
+  stm32f4::settle(setup.receive.cr());
+}
+
+}  // namespace finemote

@@ -1,0 +1,51 @@
+// A serial port of the chip: its peripheral, pins and DMA streams, its buffers, and what its interrupts note down.
+#pragma once
+
+#include <cstdint>
+
+#include "finemote/ports.hpp"
+#include "finemote/single_core.hpp"
+#include "runtime/chips/stm32f4/peripherals.hpp"
+#include "runtime/chips/stm32f4/pin.hpp"
+#include "runtime/chips/stm32f4/registers/dma.hpp"
+
+namespace finemote {
+namespace stm32f4 {
+
+inline constexpr std::uint32_t kUartRing = 256, kUartTransmit = 128;
+
+/// Facts of one port; in flash.
+struct UartSetup : UsartPeripheral {
+  Pin tx, rx;
+  std::uint8_t function;
+  DmaStream receive, transmit;
+  std::uint8_t channel;  ///< DMA request channel of both streams: RM0090 10.3.3, tables 43 and 44
+  std::uint8_t usart_line, receive_line;
+  bool inverter;                  ///< the board inverts the receive line
+  std::uint8_t* receive_ring;     ///< kUartRing bytes the DMA reaches
+  std::uint8_t* transmit_buffer;  ///< kUartTransmit bytes the DMA reaches
+};
+
+}  // namespace stm32f4
+
+struct UartHardware {
+  const stm32f4::UartSetup& setup;
+  Shared<std::uint32_t> laps{0};  ///< times the ring was filled
+  Shared<std::uint32_t> idle_count{0};
+  UartIdle idle{};
+  UartErrors errors{};
+  Shared<bool> halted{false};
+  Shared<bool> sending{false};
+  bool directed = false, driver_low = false;  ///< a pin turns the line driver on; it is active low
+  stm32f4::Pin driver{};
+
+  /// Turns the line driver on or off, where there is one. Context: any.
+  void drive(bool on) const {
+    if (directed) driver.set(on != driver_low);
+  }
+  /// The routines of its lines. Context: interrupt.
+  void on_usart();
+  void on_receive_dma();
+};
+
+}  // namespace finemote

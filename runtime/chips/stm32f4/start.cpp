@@ -1,0 +1,72 @@
+// An STM32F4 as the runtime sees it: hardware start, cycle counter, text.
+#include "finemote/board.hpp"
+
+#include "board/resting_pins.hpp"
+#include "runtime/chips/cortex_m4/core.hpp"
+#include "runtime/chips/stm32f4/clock.hpp"
+#include "runtime/chips/stm32f4/pin.hpp"
+#include "runtime/chips/stm32f4/registers/clock.hpp"
+
+namespace finemote {
+namespace {
+
+using stm32f4::PinMode;
+using stm32f4::PinSetup;
+
+/// Data watchpoint and trace unit: Armv7-M Architecture Reference Manual C1.8.7, C1.8.8, C1.6.5.
+constexpr stm32f4::Register kDwtControl{0xE0001000}, kDwtCycles{0xE0001004}, kDemcr{0xE000EDFC};
+constexpr std::uint32_t kTraceEnable = stm32f4::bit(24), kCountEnable = stm32f4::bit(0);
+
+/// Debug support: RM0090 38.16.3.
+constexpr stm32f4::Register kDebugControl{0xE0042004};
+constexpr std::uint32_t kDebugSleep = stm32f4::bit(0);
+
+/// Pins of parts on the board that must be quiet until somebody uses them, as its file says.
+void rest_onboard_parts() {
+  for (const stm32f4::RestingPin& rest : stm32f4::kRestingPins) {
+    stm32f4::rcc::enable(stm32f4::rcc::ahb1enr, stm32f4::bit(static_cast<unsigned>(rest.pin.port - 'A')));
+    rest.pin.set(rest.high);  // the level first, so that the pin never shows the other one
+    stm32f4::configure(rest.pin, PinSetup{PinMode::output});
+  }
+}
+
+}  // namespace
+
+namespace board {
+
+void start_hardware() {
+  stm32f4::start_clock();
+  rest_onboard_parts();
+}
+
+void say(const char*) {}  // nobody listens: a debugger reads the fault records
+
+void stopped() {}
+
+}  // namespace board
+
+namespace cortex_m4 {
+
+std::uint32_t cycles() { return kDwtCycles.read(); }
+
+// The count stops with HCLK when the core sleeps, unless DBG_SLEEP keeps HCLK on: RM0090 38.16.3.
+void start_cycles(std::uint32_t value) {
+  kDebugControl.set(kDebugSleep);
+  kDemcr.set(kTraceEnable);
+  kDwtCycles.write(value);
+  kDwtControl.set(kCountEnable);
+}
+
+}  // namespace cortex_m4
+
+// A turn of the loop is taken as 4 cycles: at 168 MHz 42 turns in 1 us. The subtraction takes 1, the branch 1 + P
+// (Cortex-M4 TRM, table 3-1), where P, the refill of the pipeline, is 1 to 3 and mostly 2.
+void busy(Duration work) {
+  constexpr std::uint32_t kTurnsPerUs = cortex_m4::kCoreHz / 4 / 1'000'000;
+  for (; work >= kSecond; work -= kSecond) cortex_m4::spin(1'000'000 * kTurnsPerUs);
+  if (work <= 0) return;
+  const auto ns = static_cast<std::uint32_t>(work);
+  cortex_m4::spin(ns / 1000 * kTurnsPerUs + ns % 1000 * kTurnsPerUs / 1000);
+}
+
+}  // namespace finemote
