@@ -2,13 +2,14 @@
 
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 namespace finemote::emulator {
 namespace {
 constexpr unsigned kClocksLeft = 5;  // of a byte cut in the middle
 }
 
-Board::Board(const BoardOptions& options) : chip_(world_), options_(options) {
+Board::Board(Wiring wiring, const BoardOptions& options) : chip_(world_, std::move(wiring)), options_(options) {
   cpu_ = std::make_unique<Cpu>(world_.queue(), world_.reports(), world_.system(), chip_, options.cost, options.flash);
   world_.connect(*cpu_);
   if (options.cost == CostModel::qemu) chip_.rcc.fixed_hz = 168'000'000;
@@ -28,8 +29,7 @@ void Board::load(const Image& image) {
 
 void Board::press_reset() {
   // A part in the middle of a byte does not know: it holds SDA until it has seen the rest of its clocks.
-  for (const char* name : {"i2c2", "i2c3"}) {
-    I2c* i2c = chip_.i2c(name);
+  for (const auto& i2c : chip_.i2cs()) {
     if (i2c->receiving()) i2c->line.hold_sda(kClocksLeft);
   }
   restart(0);

@@ -1,4 +1,4 @@
-// The RoboMaster Type C board in software: load an image, attach parts, run, and look at what happened.
+// A board with an STM32F407 in software: load an image, attach parts, run, and look at what happened.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,8 @@ struct BoardOptions {
 /// One emulated board. Two runs of the same image with the same parts and events are equal in every event.
 class Board {
  public:
-  explicit Board(const BoardOptions& options = {});
+  /// @param wiring  what the board connects to the chip; the default: nothing, the bare chip at 12 MHz
+  explicit Board(Wiring wiring = {}, const BoardOptions& options = {});
 
   /// Puts the image into flash and resets. @throws std::runtime_error when it does not fit the board
   void load(const Image& image);

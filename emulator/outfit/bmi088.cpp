@@ -8,6 +8,7 @@
 #include "emulator/outfit/rows.hpp"
 #include "emulator/outfit/seat.hpp"
 #include "emulator/plants/heated_mass.hpp"
+#include "emulator/scenario/check.hpp"
 #include "emulator/scenario/figures.hpp"
 #include "generator/diagnostic/code_scenario.hpp"
 
@@ -93,11 +94,14 @@ std::vector<Member> figures() {
 }
 
 /// The board has these chip selects, and they are two.
-void check_selects(const gen::json::Value& entry, const Model& model, gen::Diagnostics& diagnostics) {
+void check_selects(const gen::json::Value& entry, const Model& model, const scenario::World& world,
+                   gen::Diagnostics& diagnostics) {
   const gen::json::Value* port = word_in(entry, "port");
   const PortKind* kind = port == nullptr ? nullptr : kind_of_port(port->text);
   if (kind == nullptr || kind->name != "spi") return;
-  const unsigned count = Chip::spi_selects(port->text);
+  const auto known = world.selects.find(port->text);
+  if (known == world.selects.end() && world.selects.empty()) return;  // not known
+  const unsigned count = known == world.selects.end() ? 0 : known->second;
   for (const char* key : {"channel", "gyro"}) {
     const auto select = figure(entry, model, key);
     if (!select || *select < count) continue;

@@ -55,7 +55,7 @@ std::vector<Member> water() {
           usually(usual.righting, number("righting", "m", "centre of buoyancy above that of mass"))};
 }
 
-void check_inertia(const gen::json::Value& entry, const Model&, gen::Diagnostics& diagnostics) {
+void check_inertia(const gen::json::Value& entry, const Model&, const scenario::World&, gen::Diagnostics& diagnostics) {
   const auto inertia = given_inertia(entry);
   if (inertia && inertia_of(*inertia).determinant() <= 0) refuse_inertia(*entry.find("inertia"), diagnostics);
 }

@@ -62,7 +62,8 @@ std::vector<Member> figures() {
 }
 
 /// A base on wheels only yaws.
-void check_yaw_inertia(const gen::json::Value& entry, const Model&, gen::Diagnostics& diagnostics) {
+void check_yaw_inertia(const gen::json::Value& entry, const Model&, const scenario::World&,
+                       gen::Diagnostics& diagnostics) {
   const auto inertia = given_inertia(entry);
   if (inertia && inertia_of(*inertia)(2, 2) <= 0) refuse_inertia(*entry.find("inertia"), diagnostics);
 }

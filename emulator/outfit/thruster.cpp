@@ -69,7 +69,8 @@ std::vector<Member> figures() {
           usually({1, 0, 0}, vector3("axis", "", ""))};
 }
 
-void check_pulses(const gen::json::Value& entry, const Model& model, gen::Diagnostics& diagnostics) {
+void check_pulses(const gen::json::Value& entry, const Model& model, const scenario::World&,
+                  gen::Diagnostics& diagnostics) {
   const auto neutral = figure(entry, model, "neutral"), min = figure(entry, model, "min"),
              max = figure(entry, model, "max");
   if (!neutral || !min || !max || (*min <= *neutral && *neutral <= *max)) return;

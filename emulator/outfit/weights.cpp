@@ -53,7 +53,8 @@ std::vector<Member> joint() {
 }
 
 /// A joint is listed after the one that carries it.
-void check_joint_order(const gen::json::Value& entry, const Model&, gen::Diagnostics& diagnostics) {
+void check_joint_order(const gen::json::Value& entry, const Model&, const scenario::World&,
+                       gen::Diagnostics& diagnostics) {
   const gen::json::Value* joints = entry.find("joints");
   std::set<std::string> above;
   for (const gen::json::Value& joint : joints == nullptr ? std::vector<gen::json::Value>() : joints->items) {

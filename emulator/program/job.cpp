@@ -134,7 +134,7 @@ BoardOptions options_of(const Json& job) {
 /// A board with the job's image and parts, before power-on.
 struct Bench {
   explicit Bench(const Json& job)
-      : board(options_of(job)),
+      : board(read_wiring(job.at("board")), options_of(job)),
         outfit(board),
         image(job.contains("image") ? load_image(job.at("image").get<std::string>()) : Image()) {
     if (job.contains("image")) board.load(image);

@@ -21,7 +21,8 @@ using Words = std::vector<std::string>;
 
 constexpr const char* kUsage =
     "usage: finemote-emulator JOB RECORD\n"
-    "       finemote-emulator --image ELF [--duration MS] [--crystal HZ] [--scenario FILE] [--flash hit|miss]\n";
+    "       finemote-emulator --image ELF [--board FILE] [--duration MS] [--crystal HZ] [--scenario FILE]\n"
+    "                         [--flash hit|miss]\n";
 
 void run_job(const std::string& job_file, const std::string& record_file) {
   std::ifstream job(job_file);
@@ -47,6 +48,8 @@ std::optional<finemote::emulator::WatchOptions> watch_options(const Words& words
     const std::string &key = words[i], &value = words[i + 1];
     if (key == "--image") {
       options.image = value;
+    } else if (key == "--board") {
+      options.board = value;
     } else if (key == "--scenario") {
       options.scenario = value;
     } else if (const auto ms = number(value, 7); key == "--duration" && ms) {

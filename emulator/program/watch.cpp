@@ -122,14 +122,24 @@ Scenario read_scenario(const std::string& path) {
   return {Json::parse(file.text), static_cast<std::uint64_t>(scenario::last_event_ns(*tree))};
 }
 
+Wiring wiring_of(const WatchOptions& options) {
+  Wiring wiring;
+  if (!options.board.empty()) {
+    std::ifstream in(options.board, std::ios::binary);
+    if (!in) throw std::invalid_argument("cannot read '" + options.board + "'");
+    wiring = read_wiring(Json::parse(in));
+  }
+  if (options.crystal_hz != 0) wiring.crystal_hz = options.crystal_hz;
+  return wiring;
+}
+
 }  // namespace
 
 bool watch(const WatchOptions& options, std::ostream& out) {
   BoardOptions board_options;
   board_options.probe = false;
   if (options.flash_misses) board_options.flash = FlashModel::miss_always;
-  Board board(board_options);
-  board.chip().rcc.crystal_hz = options.crystal_hz;
+  Board board(wiring_of(options), board_options);
   Outfit outfit(board);
   board.load(load_image(options.image));
   std::uint64_t duration_ns = options.duration_ns;

@@ -10,9 +10,10 @@ namespace finemote::emulator {
 
 struct WatchOptions {
   std::string image;                          ///< an ELF file
+  std::string board;                          ///< a board file; empty: the bare chip
   std::string scenario;                       ///< a document finemote.scenario/1; empty: nothing hangs on the board
   std::uint64_t duration_ns = 1'000'000'000;  ///< from power-on; events of the scenario lengthen it
-  std::uint32_t crystal_hz = 12'000'000;
+  std::uint32_t crystal_hz = 0;               ///< 0: the board's; of the bare chip 12 MHz
   bool flash_misses = false;
 };
 

@@ -28,7 +28,8 @@ std::vector<std::string> verb_names(const std::vector<Verb>& verbs) {
 class Checker {
  public:
   Checker(const World& world, gen::Diagnostics& diagnostics)
-      : diagnostics_(diagnostics),
+      : world_(world),
+        diagnostics_(diagnostics),
         names_(world, diagnostics),
         wiring_(world, names_, diagnostics),
         entry_(names_, diagnostics) {}
@@ -59,6 +60,7 @@ class Checker {
   std::optional<Subject> named_subject(const std::string& key, const Value& name);
   const Verb* verb_of(const Value& entry, const Subject& subject);
 
+  const World& world_;
   gen::Diagnostics& diagnostics_;
   Names names_;
   Wiring wiring_;
@@ -140,7 +142,7 @@ void Checker::part(std::size_t number, const Value& entry) {
   entry_.object(entry, part_members() + model->figures, whose);
   entry_.exactly_one(entry, model->one_of, whose);
   has_channel(entry);
-  if (model->check != nullptr) model->check(entry, *model, diagnostics_);
+  if (model->check != nullptr) model->check(entry, *model, world_, diagnostics_);
 }
 
 /// A part behind an expander is at one of its channels.

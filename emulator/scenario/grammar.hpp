@@ -23,6 +23,8 @@ class Outfit;
 
 namespace finemote::scenario {
 
+struct World;  // check.hpp
+
 inline constexpr const char* kFormat = "finemote.scenario/1";
 inline constexpr double kAny = std::numeric_limits<double>::infinity();
 inline constexpr double kLongest = 86'400e9;  ///< ns: a day; latest time a scenario can name
@@ -86,7 +88,8 @@ struct Model {
   using Make = std::unique_ptr<emulator::Element> (*)(emulator::Outfit& outfit, const Entry& part,
                                                       const std::string& name);
   /// Reports figures of an entry that do not fit each other.
-  using Check = void (*)(const gen::json::Value& entry, const Model& model, gen::Diagnostics& diagnostics);
+  using Check = void (*)(const gen::json::Value& entry, const Model& model, const World& world,
+                         gen::Diagnostics& diagnostics);
   std::string type, summary;
   std::vector<std::string> is = {};  ///< what others can refer to it as: body, hull, mux, pwm, shaft
   std::vector<Member> figures = {};  ///< beside `type` and `name`

@@ -32,7 +32,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-constexpr const char* kEmulatedBoard = "robomaster_type_c";
 
 /// A work folder that is removed at the end unless the user keeps it. Reports FM5002 when it cannot be made.
 class WorkFolder {
@@ -142,8 +141,8 @@ struct Project {
 
 std::string generated_folder(const Project& project) { return project.request.folder + "/generated"; }
 
-std::optional<Project> make_project(Context& context, const Loaded& loaded, const std::string& board,
-                                    std::int64_t duration, const WorkFolder& work) {
+std::optional<Project> make_project(Context& context, const Loaded& loaded, const Board& board, std::int64_t duration,
+                                    const WorkFolder& work) {
   auto files = render_robot(context, loaded);
   if (context.diagnostics.has_errors()) return std::nullopt;
   const auto inputs = input_files(context, loaded);
@@ -154,8 +153,9 @@ std::optional<Project> make_project(Context& context, const Loaded& loaded, cons
   FirmwareRequest& request = made.request;
   request.folder = work.path();
   request.data_dir = loaded.data_dir;
-  request.board = board;
-  request.duration_ns = context.options.build_only || board == kEmulatedBoard ? 0 : duration;
+  request.board = board.name;
+  request.for_host = board.chip == "host";
+  request.duration_ns = context.options.build_only || board.is_emulated ? 0 : duration;
   request.trace = !context.options.build_only;
   request.monitor = context.options.monitor;
   request.include_dirs = user_include_dirs(loaded.robot);
@@ -252,27 +252,26 @@ bool write_trace(Context& context, const RunResult& result) {
 }
 
 /// The scenario that was asked for, judged before anything is generated; nothing: none, or a wrong one.
-std::optional<Scenario> checked_scenario(Context& context, const Loaded& loaded, const std::string& board,
-                                         std::int64_t duration) {
+std::optional<Scenario> checked_scenario(Context& context, Loaded& loaded, const Board& board, std::int64_t duration) {
   if (context.options.scenario.empty()) return std::nullopt;
-  if (board != kEmulatedBoard) {
+  if (!board.is_emulated) {
+    const Board& own = *loaded.robot.board;
     context.diagnostics
-        .error(code::scenario_unjudged, {}, fmt::format("nothing can play a scenario on the board '{}'", board))
+        .error(code::scenario_unjudged, {}, fmt::format("nothing can play a scenario on the board '{}'", board.name))
         .note("it has no parts on its buses")
-        .hint(fmt::format("--board {}", kEmulatedBoard));
+        .hint(fmt::format("--board {}", own.is_emulated ? own.name : suggested_board(loaded.library, context.sources)));
     return std::nullopt;
   }
   return read_scenario(context.options.scenario, loaded.robot, duration, context.sources, context.diagnostics);
 }
 
-std::optional<RunRecord> run_image(Context& context, const Loaded& loaded, const std::string& board,
-                                   const std::string& image, const FaultTable& faults, std::int64_t duration,
-                                   const Scenario* scenario) {
-  if (board == kEmulatedBoard) {
-    return emulate(image, loaded.robot, loaded.forest, duration, {faults, scenario, context.options.flash == "miss"},
-                   context.diagnostics);
+std::optional<RunRecord> run_image(Context& context, const Loaded& loaded, const Board& board, const std::string& image,
+                                   const FaultTable& faults, std::int64_t duration, const Scenario* scenario) {
+  if (board.is_emulated) {
+    return emulate(image, loaded.robot, loaded.forest, duration,
+                   {board, faults, scenario, context.options.flash == "miss"}, context.diagnostics);
   }
-  return execute(image, board, loaded.forest, duration, faults, context.diagnostics);
+  return execute(image, board.name, loaded.forest, duration, faults, context.diagnostics);
 }
 
 int finish_build(Context& context, const ImageFacts& image, const std::string& board) {
@@ -287,13 +286,26 @@ int finish_build(Context& context, const ImageFacts& image, const std::string& b
                        {"stack", image.stack ? Json(*image.stack) : Json(nullptr)}}}});
 }
 
-/// --board names a board, or nothing.
-bool is_board(Context& context, const Loaded& loaded) {
+/// The board that plays the robot: its own, or that of --board. Null after what is wrong with it was reported: FM3007
+/// where there is none of that name, FM3012 where it lacks a port of the robot.
+const Board* playing_board(Context& context, Loaded& loaded) {
   const std::string& name = context.options.board;
+  if (name.empty()) return loaded.robot.board;
   const std::vector<std::string> known = board_names(loaded.library);
-  if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) return true;
-  suggest(context.diagnostics.error(code::unknown_board, {}, fmt::format("there is no board '{}'", name)), name, known);
-  return false;
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    suggest(context.diagnostics.error(code::unknown_board, {}, fmt::format("there is no board '{}'", name)), name,
+            known);
+    return nullptr;
+  }
+  const Board* board = find_board(loaded.library, name, context.sources, context.diagnostics);
+  for (const Bus& bus : loaded.robot.buses) {
+    if (board == nullptr || board->stands_in || bus.port.empty() || board->port(bus.port) != nullptr) continue;
+    context.diagnostics
+        .error(code::unknown_port, {}, fmt::format("board '{}' has no port '{}', which the robot uses", name, bus.port))
+        .hint(fmt::format("leave out --board: the robot's own is '{}'", loaded.robot.board->name));
+    return nullptr;
+  }
+  return board;
 }
 
 }  // namespace
@@ -303,19 +315,20 @@ int run_run(Context& context) {
   Options load_options = context.options;
   load_options.board.clear();
   Context load_context{load_options, context.sources, context.diagnostics, context.out, context.err};
-  const auto loaded = load_robot(load_context);
+  auto loaded = load_robot(load_context);
   if (!loaded) return finish(context, kExitInvalid);
-  if (!is_board(context, *loaded)) return finish(context, kExitInvalid);
-  const std::string board = context.options.board.empty() ? loaded->robot.board->name : context.options.board;
+  const Board* playing = playing_board(context, *loaded);
+  if (playing == nullptr) return finish(context, kExitInvalid);
+  const Board& board = *playing;
   const auto duration = duration_of(context, loaded->schedule);
   if (!duration) return finish(context, kExitInvalid);
 
   const auto scenario = checked_scenario(context, *loaded, board, *duration);
   if (!scenario && !context.options.scenario.empty()) return finish(context, kExitInvalid);
 
-  const bool has_parts = board == kEmulatedBoard && !context.options.build_only;
+  const bool has_parts = board.is_emulated && !context.options.build_only;
   if (has_parts && !has_models(loaded->robot, context.diagnostics)) return finish(context, kExitInvalid);
-  if (board == kEmulatedBoard) warn_of_undriven(loaded->robot, context.diagnostics);
+  if (board.is_emulated) warn_of_undriven(loaded->robot, context.diagnostics);
 
   Diagnostics analysis;  // of the image with its trace; what is wrong with the robot has been said
   const timing::Model model = model_of_image(context, *loaded);
@@ -330,22 +343,22 @@ int run_run(Context& context) {
   const auto project = make_project(context, *loaded, board, *duration, work);
   if (!project || !is_free_to_write(context, *project)) return finish(context, kExitInvalid);
   if (has_parts &&
-      !rehearse(scenario ? &*scenario : nullptr, loaded->robot, work.path() + "/scenario", context.diagnostics))
+      !rehearse(board, scenario ? &*scenario : nullptr, loaded->robot, work.path() + "/scenario", context.diagnostics))
     return finish(context, kExitInvalid);
   const auto path = make_image(context, *project);
   if (!path) return finish(context, kExitInvalid);
-  const auto image = image_facts(*path, board != "host", !all_constant(loaded->robot), context.diagnostics);
+  const auto image = image_facts(*path, board.chip != "host", !all_constant(loaded->robot), context.diagnostics);
   if (!image || context.diagnostics.has_errors()) return finish(context, kExitInvalid);
-  if (context.options.build_only) return finish_build(context, *image, board);
+  if (context.options.build_only) return finish_build(context, *image, board.name);
   const auto verdict = repeat_verdict(context, *loaded);
   const FaultTable faults = load_fault_table(loaded->data_dir);
   auto record = run_image(context, *loaded, board, *path, faults, *duration, scenario ? &*scenario : nullptr);
   if (!record) return finish(context, kExitInvalid);
-  if (board == kEmulatedBoard) check_wcet(loaded->robot, *record, model.costs.stage_ns, context.diagnostics);
+  if (board.is_emulated) check_wcet(loaded->robot, *record, model.costs.stage_ns, context.diagnostics);
   RunResult result{loaded->robot,
                    loaded->forest,
                    loaded->schedule,
-                   board,
+                   board.name,
                    *duration,
                    *duration,
                    *image,
@@ -356,7 +369,7 @@ int run_run(Context& context) {
   if (timing) result.chains = measure_chains(loaded->robot, loaded->forest, *timing, result.record);
   if (const auto whole = hyperperiod(loaded->schedule, *duration)) result.shown_ns = std::min(2 * *whole, *duration);
   if (verdict) result.schedulable = verdict->schedulable;
-  if (board == "robomaster_type_c") result.wcets = measured_wcets(loaded->robot, result.record);
+  if (board.is_emulated) result.wcets = measured_wcets(loaded->robot, result.record);
   if (!write_trace(context, result)) return finish(context, kExitInvalid);
   if (context.options.format == Format::text) print_run(result, context.out);
   const bool allowed = context.options.allow_unschedulable || result.schedulable.value_or(true);

@@ -364,6 +364,15 @@ std::vector<std::string> device_type_names(const Library& library) { return name
 std::vector<std::string> board_names(const Library& library) { return names_of(library.board_files); }
 std::vector<std::string> expander_type_names(const Library& library) { return names_of(library.expander_files); }
 
+std::string suggested_board(Library& library, Sources& sources) {
+  Diagnostics ignored;  // what is wrong with a board is said when a robot names it
+  for (const LibraryFile& file : std::vector<LibraryFile>(library.board_files)) {
+    const Board* board = file.builtin ? find_board(library, file.name, sources, ignored) : nullptr;
+    if (board != nullptr && board->is_suggested) return board->name;
+  }
+  return "...";
+}
+
 void check_whole_library(Library& library, Sources& sources, Diagnostics& diagnostics) {
   for (LibraryFile& file : library.board_files) file.failed = !load_board(library, file, sources, diagnostics, true);
   for (LibraryFile& file : library.expander_files)

@@ -75,6 +75,9 @@ std::vector<std::string> device_type_names(const Library& library);
 std::vector<std::string> board_names(const Library& library);
 std::vector<std::string> expander_type_names(const Library& library);
 
+/// The shipped board that hints and examples name. Reads board files: for messages only.
+std::string suggested_board(Library& library, Sources& sources);
+
 /// Reads and checks every file of the library with its schema, shipped ones too: for tests and `finemote lint`.
 void check_whole_library(Library& library, Sources& sources, Diagnostics& diagnostics);
 

@@ -78,7 +78,7 @@ void report_missing(Reading& reading) {
   for (const std::string& name : board_names(reading.library)) names += (names.empty() ? "'" : ", '") + name + "'";
   at_tag(reading.diagnostics, code::board_missing, *reading.tags.blocks.front(), "the robot has no <board>")
       .note("boards: " + names)
-      .hint("add <board name=\"robomaster_type_c\"/>");
+      .hint(fmt::format("add <board name=\"{}\"/>", suggested_board(reading.library, reading.sources)));
 }
 
 }  // namespace

@@ -167,7 +167,9 @@ std::optional<Robot> build_model(const xml::Document& document, Library& library
                   options,
                   sources,
                   diagnostics,
-                  read_tags(root, options.from_xacro, expander_type_names(library), diagnostics),
+                  read_tags(
+                      root, options.from_xacro, expander_type_names(library),
+                      [&] { return suggested_board(library, sources); }, diagnostics),
                   read_urdf(root, diagnostics),
                   {},
                   false,

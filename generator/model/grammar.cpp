@@ -11,7 +11,7 @@ using A = AttributeRule;
 constexpr std::array kFinemote{A{"version", false, "1"}};
 constexpr std::array<std::string_view, 5> kInFinemote{"board", "bus", "expander", "device", "require"};
 
-constexpr std::array kBoard{A{"name", true, "robomaster_type_c"}, A{"tick", false, "1ms"}};
+constexpr std::array kBoard{A{"name", true}, A{"tick", false, "1ms"}};
 constexpr std::array<std::string_view, 1> kOnlyParam{"param"};
 
 constexpr std::array kBus{A{"name", true, "imu_uart"},    A{"type", true, "uart"},       A{"port", false, "usart1"},

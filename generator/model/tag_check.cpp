@@ -71,6 +71,7 @@ void TagCheck::report_missing_attribute(const xml::Node& node, const AttributeRu
 }
 
 std::string TagCheck::example(const xml::Node& node, const AttributeRule& known) {
+  if (node.is_element("board") && known.name == "name") return suggested_board_();
   if (has_own_name(node) && known.name == "name") return free_name(std::string(known.example));
   if (!node.is_element("channel") || known.name != "index") return std::string(known.example);
   for (std::uint32_t index = 0;; ++index) {

@@ -1,6 +1,7 @@
 // One tag beside the grammar of the extension: attributes, children and text that belong there or do not.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -16,8 +17,8 @@ namespace finemote::gen {
 /// what was misspelt. What it offers as an example nothing else has, and no other finding offers.
 class TagCheck {
  public:
-  TagCheck(bool from_xacro, Tags& tags, Diagnostics& diagnostics)
-      : from_xacro_(from_xacro), tags_(tags), diagnostics_(diagnostics) {}
+  TagCheck(bool from_xacro, const std::function<std::string()>& suggested_board, Tags& tags, Diagnostics& diagnostics)
+      : from_xacro_(from_xacro), suggested_board_(suggested_board), tags_(tags), diagnostics_(diagnostics) {}
 
   /// Notes the names there are, which are not offered: before the first check().
   void collect_names(const xml::Node& node);
@@ -36,6 +37,7 @@ class TagCheck {
   void report_text(const xml::Node& node, const xml::Node& text);
 
   bool from_xacro_;
+  const std::function<std::string()>& suggested_board_;  ///< read_tags()
   Tags& tags_;
   Diagnostics& diagnostics_;
   std::set<std::string> names_;                                ///< there, or offered

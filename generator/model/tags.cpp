@@ -17,8 +17,12 @@ using grammar::ElementRule;
 
 class TagReader {
  public:
-  TagReader(bool from_xacro, const std::vector<std::string>& expander_models, Diagnostics& diagnostics)
-      : from_xacro_(from_xacro), expander_models_(expander_models), diagnostics_(diagnostics) {}
+  TagReader(bool from_xacro, const std::vector<std::string>& expander_models,
+            const std::function<std::string()>& suggested_board, Diagnostics& diagnostics)
+      : from_xacro_(from_xacro),
+        expander_models_(expander_models),
+        suggested_board_(suggested_board),
+        diagnostics_(diagnostics) {}
 
   Tags read(const xml::Node& robot) {
     find_xacro(robot);
@@ -132,16 +136,17 @@ class TagReader {
 
   bool from_xacro_;
   const std::vector<std::string>& expander_models_;
+  const std::function<std::string()>& suggested_board_;
   Diagnostics& diagnostics_;
   Tags tags_;
-  TagCheck check_{from_xacro_, tags_, diagnostics_};
+  TagCheck check_{from_xacro_, suggested_board_, tags_, diagnostics_};
 };
 
 }  // namespace
 
 Tags read_tags(const xml::Node& robot, bool from_xacro, const std::vector<std::string>& expander_models,
-               Diagnostics& diagnostics) {
-  return TagReader(from_xacro, expander_models, diagnostics).read(robot);
+               const std::function<std::string()>& suggested_board, Diagnostics& diagnostics) {
+  return TagReader(from_xacro, expander_models, suggested_board, diagnostics).read(robot);
 }
 
 }  // namespace finemote::gen

@@ -1,6 +1,7 @@
 // The `<finemote>` blocks of a robot as flat lists of tags that hold only what version 1 knows.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -40,7 +41,8 @@ struct Tags {
 
 /// Collects the tags below `<robot>`, which has to outlive them. Reports FM3008 (unknown elements), FM3009 and FM3010
 /// (unknown and missing attributes), FM3028 (text where none belongs), FM1002 (xacro left over).
+/// `suggested_board` is asked for the board that a hint names.
 Tags read_tags(const xml::Node& robot, bool from_xacro, const std::vector<std::string>& expander_models,
-               Diagnostics& diagnostics);
+               const std::function<std::string()>& suggested_board, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -46,9 +46,9 @@ bool are_there(const std::vector<std::pair<std::string, std::string>>& programs,
 
 /// What a build for the board needs, with the packages of Debian it comes in. On the host CMake finds a compiler under
 /// many names.
-std::vector<std::pair<std::string, std::string>> tools_for(const std::string& board) {
+std::vector<std::pair<std::string, std::string>> tools_for(bool for_host) {
   std::vector<std::pair<std::string, std::string>> tools{{"cmake", "cmake"}, {"ninja", "ninja-build"}};
-  if (board == "host") {
+  if (for_host) {
     if (std::getenv("CXX") == nullptr) tools.emplace_back("c++", "g++");
   } else {
     tools.emplace_back("arm-none-eabi-g++", "gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib");
@@ -80,7 +80,7 @@ bool step(const std::vector<std::string>& command, const char* what, Diagnostics
 std::string project_text(const FirmwareRequest& request) {
   std::ostringstream project;
   project << "cmake_minimum_required(VERSION 3.25)\n"
-          << "project(firmware LANGUAGES CXX" << (request.board == "host" ? "" : " ASM") << ")\n"
+          << "project(firmware LANGUAGES CXX" << (request.for_host ? "" : " ASM") << ")\n"
           << fmt::format("include([==[{}/cmake/FinemoteFirmware.cmake]==])\n",
                          fs::absolute(request.data_dir).generic_string())
           << "finemote_add_firmware(firmware GENERATED ${CMAKE_CURRENT_SOURCE_DIR}/generated BOARD " << request.board
@@ -91,17 +91,17 @@ std::string project_text(const FirmwareRequest& request) {
 }
 
 std::string image_path(const FirmwareRequest& request) {
-  return (fs::path(request.folder) / "build" / (request.board == "host" ? "firmware" : "firmware.elf")).string();
+  return (fs::path(request.folder) / "build" / (request.for_host ? "firmware" : "firmware.elf")).string();
 }
 
 std::optional<std::string> build_firmware(const FirmwareRequest& request, Diagnostics& diagnostics) {
-  if (!are_there(tools_for(request.board), diagnostics)) return std::nullopt;
+  if (!are_there(tools_for(request.for_host), diagnostics)) return std::nullopt;
   const fs::path build = fs::path(request.folder) / "build";
   std::vector<std::string> configure{"cmake", "-S", request.folder, "-B", build.string(), "-G", "Ninja"};
   if (run_process({"ccache", "--version"}, std::chrono::seconds(10)).started) {
     configure.emplace_back("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache");
   }
-  if (request.board != "host") {
+  if (!request.for_host) {
     configure.push_back("-DCMAKE_TOOLCHAIN_FILE=" +
                         fs::absolute(request.data_dir + "/cmake/toolchain-arm-none-eabi.cmake").string());
   }

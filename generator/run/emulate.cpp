@@ -12,6 +12,7 @@
 #include "generator/diagnostic/code_scenario.hpp"
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/file/replace_file.hpp"
+#include "generator/run/board_wiring.hpp"
 #include "generator/run/emulation.hpp"
 #include "generator/run/parts.hpp"
 #include "generator/run/process.hpp"
@@ -180,8 +181,9 @@ bool has_models(const Robot& robot, Diagnostics& diagnostics) {
   return reported.empty();
 }
 
-bool rehearse(const Scenario* scenario, const Robot& robot, const std::string& stem, Diagnostics& diagnostics) {
-  Json job{{"parts", emulated_parts(robot).scenario}};
+bool rehearse(const Board& board, const Scenario* scenario, const Robot& robot, const std::string& stem,
+              Diagnostics& diagnostics) {
+  Json job{{"board", board_wiring(board)}, {"parts", emulated_parts(robot).scenario}};
   if (scenario != nullptr) job["events"] = scenario->document;
   const Json json = run_job(job, stem, 0, diagnostics);
   if (json.is_null()) return false;
@@ -199,7 +201,8 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
   const EmulatedParts parts = emulated_parts(robot);
   const char* flash = options.flash_misses ? "miss" : "hit";
   const std::int64_t last_event_ns = options.scenario == nullptr ? 0 : options.scenario->last_event_ns;
-  Json job = {{"image", image},
+  Json job = {{"board", board_wiring(options.board)},
+              {"image", image},
               {"flash", flash},
               {"duration_ns", duration_ns},
               {"run_ns", std::max(duration_ns, last_event_ns)},

@@ -1,4 +1,4 @@
-// A Type C image to the record of its run on the emulated board.
+// An image to the record of its run on the emulated board.
 #pragma once
 
 #include <optional>
@@ -11,6 +11,7 @@
 namespace finemote::gen {
 
 struct EmulationOptions {
+  const Board& board;                  ///< what is emulated
   const FaultTable& faults;            ///< what the firmware's faults mean
   const Scenario* scenario = nullptr;  ///< null: none
   bool flash_misses = false;  ///< every new line of flash costs its wait states; else the accelerator always has it
@@ -22,10 +23,11 @@ void warn_of_undriven(const Robot& robot, Diagnostics& diagnostics);
 /// Reports FM0010 for every type whose descriptor names a model that the board does not have.
 bool has_models(const Robot& robot, Diagnostics& diagnostics);
 
-/// Hangs the robot's parts and those of the scenario on a board without an image: what only the wiring shows is
+/// Hangs the robot's parts and those of the scenario on `board` without an image: what only the wiring shows is
 /// reported before anything is compiled, as FM6004, and as FM0010 without a scenario (null). `stem`: of the files it
 /// exchanges with the emulator.
-bool rehearse(const Scenario* scenario, const Robot& robot, const std::string& stem, Diagnostics& diagnostics);
+bool rehearse(const Board& board, const Scenario* scenario, const Robot& robot, const std::string& stem,
+              Diagnostics& diagnostics);
 
 /// Runs `image` for `duration_ns` from its first release on, or until the scenario's last event where that is later,
 /// with the robot's parts on the buses. Reports FM6002 when the firmware locks up, resets or ends, FM6005 as a warning

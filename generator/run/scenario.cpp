@@ -54,6 +54,9 @@ scenario::World scenario_world(const Robot& robot, std::int64_t duration_ns) {
   for (const Bus& bus : robot.buses) {
     if (bus.kind == BusKind::rs485) world.shared.push_back(bus.port);
   }
+  for (const Port& port : robot.board->ports) {
+    if (!port.selects.empty()) world.selects[port.name] = static_cast<unsigned>(port.selects.size());
+  }
   world.duration_ns = duration_ns;
   return world;
 }

@@ -8,6 +8,7 @@
 
 #include "catch.hpp"
 #include "emulator/board.hpp"
+#include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;
 
@@ -61,7 +62,7 @@ void compare(const std::string& name) {
   BoardOptions options;
   options.cost = CostModel::qemu;
   options.probe = false;
-  Board board(options);
+  Board board{finemote::test::type_c(), options};
   board.load(load_image(path));
   REQUIRE(board.run_for(1'000'000'000) == Stop::exit);
   CHECK(board.cpu().exit_code() == 0);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "emulator/board.hpp"
+#include "tests/emulator/type_c.hpp"
 
 namespace finemote::emulator {
 
@@ -66,7 +67,7 @@ struct Bench {
     }
     return false;
   }
-  Board board;
+  Board board{finemote::test::type_c()};
 };
 
 }  // namespace finemote::emulator

@@ -1,6 +1,7 @@
 // CAN: the wire's arithmetic, the driver against nodes, a lost and regained bus.
 #include "catch.hpp"
 #include "emulator/board.hpp"
+#include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;
 
@@ -31,7 +32,7 @@ struct Motor {
 struct Bench {
   Bench() { board.load(load_image(std::string(FINEMOTE_IMAGES) + "/can.elf")); }
   std::uint32_t seen(unsigned index) { return board.word("seen", 4 * index); }
-  Board board;
+  Board board{finemote::test::type_c()};
   Motor left{board.chip().can("can1")->line}, right{board.chip().can("can2")->line};
 };
 
@@ -149,7 +150,7 @@ TEST_CASE("a bus nobody acknowledges on stays on, and the first frame after that
 }
 
 TEST_CASE("an empty bus stops nothing") {
-  Board board;
+  Board board{finemote::test::type_c()};
   board.load(load_image(std::string(FINEMOTE_IMAGES) + "/can.elf"));
   REQUIRE(board.run_for(50 * kMs) == Stop::time);
   CHECK(board.word("seen", 16) >= 40);

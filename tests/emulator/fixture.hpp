@@ -9,6 +9,7 @@
 #include "emulator/parts/pca9685.hpp"
 #include "emulator/parts/serial_terminal.hpp"
 #include "emulator/parts/tca9548a.hpp"
+#include "tests/emulator/type_c.hpp"
 
 namespace finemote::emulator {
 
@@ -17,7 +18,7 @@ inline Image test_image(const std::string& name) {
 }
 
 struct MiniBoard {
-  explicit MiniBoard(const BoardOptions& options = {}) : board(options) {
+  explicit MiniBoard(const BoardOptions& options = {}) : board{finemote::test::type_c(), options} {
     I2cLine& line = board.chip().i2c("i2c2")->line;
     line.attach(mux);
     mux.channel(0).attach(sensor);

@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "tests/emulator/fixture.hpp"
+#include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;
 
@@ -21,7 +22,7 @@ struct Result {
 template <class Step>
 Result run(Kind kind, Step step) {
   const Image image = test_image("latch");
-  Board board;
+  Board board{finemote::test::type_c()};
   board.load(image);
   board.cpu().interrupt_it_blocks(true);  // also between the instructions of an IT block, should the compiler make one
   board.run_for(5'000'000);

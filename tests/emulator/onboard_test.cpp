@@ -4,6 +4,7 @@
 #include "catch.hpp"
 #include "emulator/board.hpp"
 #include "emulator/outfit.hpp"
+#include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;
 
@@ -31,7 +32,7 @@ struct Bench {
     const std::int64_t cycles = world.system().read(0xE0001004, 4, world.now(), 0);
     return static_cast<std::int64_t>(board.now_ns()) - cycles * 125 / 21;
   }
-  Board board;
+  Board board{finemote::test::type_c()};
   Outfit outfit{board};
 };
 
@@ -256,7 +257,7 @@ TEST_CASE("a converter that falls silent makes lamps blink or dark in bounded ti
 }
 
 TEST_CASE("events at pins and converters are checked") {
-  Board board;
+  Board board{finemote::test::type_c()};
   Outfit outfit(board);
   const auto add = [&](const char* event) {
     outfit.add(

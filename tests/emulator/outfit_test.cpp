@@ -5,6 +5,7 @@
 #include "catch.hpp"
 #include "emulator/chain.hpp"
 #include "emulator/outfit.hpp"
+#include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;
 
@@ -33,7 +34,7 @@ Image mini_image() { return load_image(std::string(FINEMOTE_IMAGES) + "/mini.elf
 }  // namespace
 
 TEST_CASE("a scenario's parts answer and its events happen when they say") {
-  Board board;
+  Board board{finemote::test::type_c()};
   board.load(mini_image());
   Outfit outfit(board);
   outfit.add(nlohmann::ordered_json::parse(kParts));
@@ -58,7 +59,7 @@ TEST_CASE("a scenario's parts answer and its events happen when they say") {
 }
 
 TEST_CASE("events and looks count from the instant the scenario begins at") {
-  Board board;
+  Board board{finemote::test::type_c()};
   board.load(mini_image());
   Outfit outfit(board);
   auto document = nlohmann::ordered_json::parse(kParts);
@@ -75,7 +76,7 @@ TEST_CASE("events and looks count from the instant the scenario begins at") {
 
 TEST_CASE("what ends a fault is none") {
   const auto injects = [](const std::string& event) {
-    Board board;
+    Board board{finemote::test::type_c()};
     Outfit outfit(board);
     auto document = nlohmann::ordered_json::parse(kParts);
     document["events"] = {nlohmann::ordered_json::parse("{\"t_ns\": 1, " + event + "}")};
@@ -92,7 +93,7 @@ TEST_CASE("what ends a fault is none") {
 }
 
 TEST_CASE("a value that is not finite fails, and is told from one that was not seen") {
-  Board board;
+  Board board{finemote::test::type_c()};
   board.load(mini_image());
   Outfit outfit(board);
   outfit.add(nlohmann::ordered_json::parse(R"({"schema": "finemote.scenario/1",
@@ -115,7 +116,7 @@ TEST_CASE("a value that is not finite fails, and is told from one that was not s
 }
 
 TEST_CASE("a scenario with a mistake is refused with the entry") {
-  Board board;
+  Board board{finemote::test::type_c()};
   Outfit outfit(board);
   const auto add = [&](const char* text) { outfit.add(nlohmann::ordered_json::parse(text)); };
   CHECK_THROWS_AS(add(R"({"parts": []})"), std::invalid_argument);

@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "tests/emulator/fixture.hpp"
+#include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;
 
@@ -35,7 +36,7 @@ struct Probe {
 TEST_CASE("a probe finds one control block with one buffer up, and reads the trace while the image runs") {
   BoardOptions options;
   options.probe = false;  // nobody else reads
-  Board board(options);
+  Board board{finemote::test::type_c(), options};
   board.load(test_image("mini"));
   REQUIRE(board.run_for(20'000'000) == Stop::time);
   Probe probe(board);

@@ -4,6 +4,7 @@
 #include "catch.hpp"
 #include "emulator/board.hpp"
 #include "emulator/outfit.hpp"
+#include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;
 
@@ -60,7 +61,7 @@ struct Bench {
     }
   }
 
-  Board board;
+  Board board{finemote::test::type_c()};
   Outfit outfit{board};
   std::vector<std::uint64_t> edges;  ///< of the gyroscope's data-ready line, into its active level
   std::vector<std::uint64_t> reads;  ///< when the gyroscope was selected

@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "emulator/board.hpp"
+#include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;
 
@@ -32,7 +33,7 @@ struct Chip4 {
 }  // namespace
 
 TEST_CASE("three chips answer behind their own selects, and nothing is used wrongly") {
-  Board board;
+  Board board{finemote::test::type_c()};
   Chip4 accelerometer(0x10), gyroscope(0x40), other(0x80);
   Spi& spi1 = *board.chip().spi("spi1");
   Spi& spi2 = *board.chip().spi("spi2");

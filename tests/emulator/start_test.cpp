@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "tests/emulator/fixture.hpp"
+#include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;
 
@@ -18,7 +19,7 @@ void check_no_reports(Board& board) {
 }  // namespace
 
 TEST_CASE("the image brings the chip to 168 MHz from the crystal, with five wait states") {
-  Board board;
+  Board board{finemote::test::type_c()};
   board.load(test_image("sample"));
   REQUIRE(board.run_for(5'000'000) == Stop::time);
   CHECK(board.chip().rcc.core_hz() == 168'000'000);
@@ -29,7 +30,7 @@ TEST_CASE("the image brings the chip to 168 MHz from the crystal, with five wait
 }
 
 TEST_CASE("without its crystal the board stops safely within 200 ms and runs no stage") {
-  Board board;
+  Board board{finemote::test::type_c()};
   board.chip().rcc.dead_crystal = true;
   board.load(test_image("sample"));
   REQUIRE(board.run_for(200'000'000) == Stop::time);
@@ -38,7 +39,7 @@ TEST_CASE("without its crystal the board stops safely within 200 ms and runs no 
 }
 
 TEST_CASE("stages run in the order of the schedule, the fast bucket preempting the slow one") {
-  Board board;
+  Board board{finemote::test::type_c()};
   board.load(test_image("sample"));
   REQUIRE(board.run_for(50'000'000) == Stop::time);
   const auto& events = board.stages();
@@ -71,7 +72,7 @@ TEST_CASE("two runs are equal in every event") {
 
 TEST_CASE("a release timer that does not count is a fault, not a start that hangs; the watchdog restarts the board") {
   constexpr std::uint32_t kCounted = 2U << 24 | 8U << 16 | 1;  // schedule, no_timer, once
-  Board board;
+  Board board{finemote::test::type_c()};
   board.world().system().systick().dead = true;
   board.load(test_image("sample"));
   board.run_for(5'000'000);
@@ -99,7 +100,7 @@ TEST_CASE("the watchdog resets a board whose releases have stopped, and the imag
   for (const std::uint32_t lsi_hz : {17'000U, 32'000U, 47'000U}) {
     BoardOptions options;
     options.lsi_hz = lsi_hz;
-    Board board(options);
+    Board board{finemote::test::type_c(), options};
     board.load(test_image("sample"));
     board.run_for(50'000'000);
     REQUIRE(board.resets() == 0);                                            // also with the fastest clock

@@ -31,7 +31,6 @@ constexpr Exception kExceptions[] = {
     {"emulator/core/media.cpp", "Interpreter::media", "a decoder: one case per instruction"},
     {"emulator/core/system_space.cpp", "SystemSpace::read_word", "a decoder: one case per register"},
     {"emulator/core/system_space.cpp", "SystemSpace::write_word", "a decoder: one case per register"},
-    {"emulator/chip/chip.cpp", "Chip::Chip", "a table: one line per peripheral of the chip"},
 };
 
 /// What is still to be cut; a line goes as soon as it is.

@@ -346,6 +346,7 @@ TEST_CASE("an output is observed once, and a pulse of another part may be observ
 TEST_CASE("chip selects the board does not have are refused at the word") {
   scenario::World world = kWorld;
   for (const char* port : {"spi1", "spi2", "spi3"}) world.ports->push_back(port);
+  world.selects = {{"spi1", 2}, {"spi2", 1}};
   const auto sensor = [](const std::string& port, int channel, int gyro) {
     return with(R"("parts": [{"type": "bmi088", "name": "b", "port": ")" + port + R"(", "channel": )" +
                 std::to_string(channel) + R"(, "gyro": )" + std::to_string(gyro) + "}]");

@@ -7,13 +7,14 @@
 #include <fstream>
 
 #include "emulator/outfit.hpp"
+#include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;
 
 namespace {
 
 void measure(const char* image, const char* parts, double seconds) {
-  Board board;
+  Board board{finemote::test::type_c()};
   Outfit outfit(board);
   board.load(load_image(image));
   std::ifstream file(parts);

@@ -1,0 +1,38 @@
+#include "generator/run/board_wiring.hpp"
+
+#include "generator/descriptor/bus_kind.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string lower(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+Json port_wiring(const Port& port) {
+  Json pins = Json::array(), buses = Json::array();
+  for (const PortPin& pin : port.pins) pins.push_back({{"signal", pin.signal}, {"pin", pin.pin}});
+  for (const BusKind kind : port.kinds) buses.push_back(bus_kind_name(kind));
+  Json wiring{{"name", port.name}, {"buses", buses}, {"pins", pins}, {"selects", port.selects}};
+  if (port.timer) wiring["timer"] = {{"name", lower(port.timer->timer)}, {"channel", port.timer->channel}};
+  return wiring;
+}
+
+}  // namespace
+
+Json board_wiring(const Board& board) {
+  Json ports = Json::array(), pins = Json::array();
+  for (const Port& port : board.ports) ports.push_back(port_wiring(port));
+  for (const NamedPin& pin : board.pins) {
+    if (pin.converter.empty()) continue;
+    pins.push_back({{"pin", pin.pin}, {"analog", {{"converter", pin.converter}, {"input", pin.input}}}});
+  }
+  return {{"clocks", {{"crystal_hz", board.clocks.value().crystal_hz}}}, {"ports", ports}, {"pins", pins}};
+}
+
+}  // namespace finemote::gen
