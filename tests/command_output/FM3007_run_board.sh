@@ -1,5 +1,5 @@
 robot <<'X'
     <device name="load" type="sim_load" period="10ms"/>
 X
-finemote run robot.urdf --board stm32
+finemote run robot.urdf --board arduino
 finemote run robot.urdf --board qemu_f407

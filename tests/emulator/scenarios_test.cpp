@@ -155,6 +155,19 @@ TEST_CASE("a chassis of the user's own moves on wheels whose motors are in compo
   }
 }
 
+TEST_CASE("a robot of another board runs on the emulated chip, wired as that board") {
+  const auto document = finemote_json({"run", source_path("examples/discovery.urdf"), "--duration", "400ms"});
+  CHECK(document["board"] == "stm32f4_discovery");
+  CHECK(document["overruns"] == 0);
+  CHECK(document["diagnostics"].empty());
+}
+
+TEST_CASE("a board that lacks a port of the robot does not play it") {
+  const auto run = run_finemote({"run", source_path("examples/discovery.urdf"), "--board", "robomaster_type_c"});
+  CHECK(run.exit_status == 2);
+  CHECK(run.output.find("board 'robomaster_type_c' has no port 'usart2'") != std::string::npos);
+}
+
 TEST_CASE("a run that is not as its scenario expects is a no, one that cannot happen is an error") {
   const TemporaryFolder folder;
   const std::string robot = source_path("examples/two_devices.urdf");
