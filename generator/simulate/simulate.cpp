@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "generator/simulate/data_flow.hpp"
+#include "generator/simulate/lengths.hpp"
 #include "generator/simulate/streams.hpp"
 #include "generator/timing/task_set.hpp"
 
@@ -12,10 +13,6 @@ namespace finemote::gen {
 namespace {
 
 using timing::Ns;
-constexpr Ns kNever = std::numeric_limits<Ns>::max();
-
-/// How long stages take for a while.
-enum class Manner { worst, best, uniform, extreme, mostly_worst };
 
 /// A piece of interrupt work; the release interrupt makes its buckets ready at its end.
 struct Interrupt {
@@ -37,6 +34,42 @@ struct JobState {
   Ns left = 0;
 };
 
+/// When buckets are released: each once per period, from time 0 on.
+class ReleaseClock {
+ public:
+  /// What is released together.
+  struct Due {
+    std::vector<std::size_t> buckets;
+    Ns released = 0;  ///< when the last of them was due
+  };
+
+  explicit ReleaseClock(const std::vector<timing::TaskBucket>& buckets) : buckets_(buckets), next_(buckets.size(), 0) {}
+
+  /// The next release of all.
+  [[nodiscard]] Ns next() const {
+    const auto soonest = std::min_element(next_.begin(), next_.end());
+    return soonest == next_.end() ? std::numeric_limits<Ns>::max() : *soonest;
+  }
+  [[nodiscard]] Ns next_of(std::size_t bucket) const { return next_[bucket]; }
+
+  /// Everything that is due at `now`.
+  Due take(Ns now) {
+    Due due;
+    for (std::size_t w = 0; w < next_.size(); ++w) {
+      if (next_[w] > now) continue;
+      due.buckets.push_back(w);
+      due.released = next_[w];
+      next_[w] += buckets_[w].period;
+    }
+    return due;
+  }
+
+ private:
+  const std::vector<timing::TaskBucket>& buckets_;
+  std::vector<Ns> next_;
+};
+
+/// One processor: interrupts before jobs, jobs by the rank of their buckets.
 class Simulator {
  public:
   Simulator(const timing::Model& model, const SimulationOptions& options, SimulationObserver* observer)
@@ -46,9 +79,10 @@ class Simulator {
         topology_(timing::make_topology(model)),
         set_(timing::make_task_set(model, options.profile)),
         random_(options.seed),
+        lengths_(random_),
+        clock_(set_.buckets),
         flow_(model, topology_, options.chains),
         jobs_(set_.buckets.size()),
-        next_release_(set_.buckets.size(), 0),
         update_begin_(model.devices.size(), 0) {
     result_.devices.resize(model.devices.size());
     for (const ChainEnds& ends : options.chains) result_.chains.push_back({ends, -1});
@@ -77,8 +111,7 @@ class Simulator {
 
  private:
   [[nodiscard]] Ns next_event() const {
-    Ns event = kNever;
-    for (const Ns release : next_release_) event = std::min(event, release);
+    Ns event = clock_.next();
     for (const ArrivalGenerator& a : arrivals_) event = std::min(event, a.next());
     return std::max(event, masked_until_);
   }
@@ -89,52 +122,28 @@ class Simulator {
     return w;
   }
 
-  /// Between nothing and `most`, in the manner of the moment.
-  Ns length(Ns least, Ns most) {
-    if (--manner_left_ <= 0) {
-      manner_ = static_cast<Manner>(random_.between(0, 4));
-      manner_left_ = random_.between(1, 60);
-    }
-    switch (manner_) {
-      case Manner::worst:
-        return most;
-      case Manner::best:
-        return least;
-      case Manner::uniform:
-        return random_.between(least, most);
-      case Manner::extreme:
-        return random_.one_in(2) ? least : most;
-      case Manner::mostly_worst:
-        return random_.one_in(8) ? random_.between(least, most) : most;
-    }
-    return most;
-  }
-
   void admit() {
     masked_until_ = 0;
     for (std::size_t s = 0; s < arrivals_.size(); ++s) {
       while (arrivals_[s].next() <= now_) {
-        interrupts_.push_back({s, length(0, set_.streams[s].cost), -1, {}, 0});
+        interrupts_.push_back({s, lengths_.draw(0, set_.streams[s].cost), -1, {}, 0});
         const auto w = static_cast<std::size_t>(random_.between(0, static_cast<Ns>(jobs_.size()) - 1));
-        arrivals_[s].advance(next_release_[w]);
+        arrivals_[s].advance(clock_.next_of(w));
       }
     }
-    std::vector<std::size_t> due;
-    Ns released = 0;
-    for (std::size_t w = 0; w < jobs_.size(); ++w) {
-      if (next_release_[w] > now_) continue;
-      due.push_back(w);
-      released = next_release_[w];
-      next_release_[w] += set_.buckets[w].period;
-    }
-    if (due.empty()) return;
-    if (options_.profile != timing::Profile::target) return make_ready(due, released);
-    const Ns most = model_.costs.release_ns + static_cast<Ns>(due.size()) * model_.costs.release_per_bucket_ns;
-    Interrupt release{set_.bus_streams, length(0, most), -1, std::move(due), released};
+    ReleaseClock::Due due = clock_.take(now_);
+    if (!due.buckets.empty()) release(std::move(due));
+  }
+
+  void release(ReleaseClock::Due due) {
+    if (options_.profile != timing::Profile::target) return make_ready(due.buckets, due.released);
+    const Ns count = static_cast<Ns>(due.buckets.size());
+    const Ns most = model_.costs.release_ns + count * model_.costs.release_per_bucket_ns;
+    Interrupt interrupt{set_.bus_streams, lengths_.draw(0, most), -1, std::move(due.buckets), due.released};
     if (random_.one_in(2)) {
-      interrupts_.push_back(std::move(release));
+      interrupts_.push_back(std::move(interrupt));
     } else {
-      interrupts_.push_front(std::move(release));
+      interrupts_.push_front(std::move(interrupt));
     }
   }
 
@@ -195,15 +204,15 @@ class Simulator {
     job.piece_begin = now_;
     if (job.begin < 0) job.begin = now_;
     if (job.piece == 0 || job.piece > 2 * n) {
-      job.left = length(0, job.piece == 0 ? set_.buckets[w].before : set_.buckets[w].after);
+      job.left = lengths_.draw(0, job.piece == 0 ? set_.buckets[w].before : set_.buckets[w].after);
       return;
     }
     const std::size_t d = device_of(w, job.piece);
     const bool is_update = job.piece <= n;
     const timing::Device& device = model_.devices[d];
     const bool target = options_.profile == timing::Profile::target;
-    job.left = is_update ? length(target ? device.update_bcet_ns : 0, set_.update[d])
-                         : length(target ? device.handle_bcet_ns : 0, set_.handle[d]);
+    job.left = is_update ? lengths_.draw(target ? device.update_bcet_ns : 0, set_.update[d])
+                         : lengths_.draw(target ? device.handle_bcet_ns : 0, set_.handle[d]);
     if (is_update) {
       update_begin_[d] = now_;
       flow_.begin_update(d, now_);
@@ -258,16 +267,15 @@ class Simulator {
   timing::Topology topology_;
   timing::TaskSet set_;
   Random random_;
+  Lengths lengths_;
+  ReleaseClock clock_;
   DataFlow flow_;
   std::vector<ArrivalGenerator> arrivals_;
   std::deque<Interrupt> interrupts_;
   std::vector<JobState> jobs_;
-  std::vector<Ns> next_release_;
   std::vector<Ns> update_begin_;
   Ns now_ = 0;
   Ns masked_until_ = 0;
-  Manner manner_ = Manner::worst;
-  Ns manner_left_ = 0;
   Simulation result_;
 };
 

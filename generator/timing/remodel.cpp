@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "generator/schedule/schedule.hpp"
+#include "generator/timing/bus_traffic.hpp"
+#include "generator/timing/robot_buses.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -33,20 +35,11 @@ std::vector<DeviceId> followers(const Robot& robot, const Forest& forest, const 
   return list;
 }
 
-/// The model has the buses with a rate, in order.
-BusId robot_bus(const Robot& robot, std::size_t bus) {
-  for (const BusId i : robot.buses.ids()) {
-    if (robot.buses[i].rate > 0 && bus-- == 0) return i;
-  }
-  return robot.buses.next_id();
-}
-
 /// Puts devices that sit on a bus itself, and use it for nothing else, onto a copy of it. False where that cannot be
 /// done, or where pins differ from port to port.
 bool move_to_new_bus(Robot& robot, const Forest& forest, const Change& change) {
-  const BusId from = robot_bus(robot, change.bus);
-  const BusKind kind = robot.buses[from].kind;
-  if (kind != BusKind::can && kind != BusKind::i2c) return false;
+  const BusId from = BusPlaces(robot).buses()[change.bus];
+  if (!traffic_of(robot.buses[from].kind).is_shared) return false;
   const SegmentId old = Robot::segment_of(from);
   Segment segment = robot.segments[old];
   segment.bus = robot.buses.push_back(robot.buses[from]);
@@ -64,7 +57,7 @@ bool move_to_new_bus(Robot& robot, const Forest& forest, const Change& change) {
 bool apply(Robot& robot, const Forest& forest, const Change& change) {
   switch (change.kind) {
     case Change::Kind::rate:
-      robot.buses[robot_bus(robot, change.bus)].rate = change.value;
+      robot.buses[BusPlaces(robot).buses()[change.bus]].rate = change.value;
       return true;
     case Change::Kind::period:
       for (const DeviceId d : followers(robot, forest, change.devices)) robot.devices[d].period_ns = change.value;

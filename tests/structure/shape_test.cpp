@@ -41,9 +41,6 @@ struct Known {
 
 constexpr Known kKnown[] = {
     {"generator/cli/run.cpp", "run_run"},
-    {"generator/simulate/simulate.cpp", "Simulator"},
-    {"generator/timing/from_robot.cpp", ""},
-    {"generator/timing/from_robot.cpp", "Adapter"},
 };
 
 /// A place that breaks a rule, and how.

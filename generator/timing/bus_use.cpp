@@ -1,0 +1,42 @@
+#include "generator/timing/bus_use.hpp"
+
+#include <algorithm>
+
+#include "generator/timing/connection.hpp"
+
+namespace finemote::gen::timing {
+namespace {
+
+/// A device that has frames nowhere may send anything. A second chip select on the own bus: its frames may be declared
+/// with those of the first.
+bool says_what_it_sends(const Robot& robot, const gen::Device& device, const Connection& connection) {
+  if (!frames_over(device, connection).empty()) return true;
+  if (connection.use == nullptr) return device.type->frames.has_value();
+  return device.segment && robot.segments[*device.segment].bus == robot.segments[connection.segment].bus;
+}
+
+bool writes(const gen::Device& device, const Connection& connection) {
+  const std::vector<Frame> frames = frames_over(device, connection);
+  return std::any_of(frames.begin(), frames.end(),
+                     [](const Frame& frame) { return frame.write_bytes > 0 && frame.stage != FrameStage::autonomous; });
+}
+
+}  // namespace
+
+Table<BusId, BusUse> bus_uses(const Robot& robot) {
+  Table<BusId, BusUse> uses(robot.buses.size());
+  for (const gen::Device& device : robot.devices) {
+    for (const Connection& connection : connections_of(device)) {
+      BusUse& use = uses[robot.segments[connection.segment].bus];
+      use.is_used = true;
+      if (connection.use != nullptr) use.transmits = true;
+      if (device.type == nullptr) continue;
+      if (!says_what_it_sends(robot, device, connection)) use.is_declared = false;
+      if (writes(device, connection)) use.transmits = true;
+    }
+  }
+  for (const Expander& expander : robot.expanders) uses[robot.segments[expander.segment].bus].is_used = true;
+  return uses;
+}
+
+}  // namespace finemote::gen::timing

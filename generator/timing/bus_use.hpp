@@ -1,0 +1,17 @@
+// What a robot does with one of its buses: facts that decide which interrupts there can be, and how they are counted.
+#pragma once
+
+#include "generator/model/robot.hpp"
+
+namespace finemote::gen::timing {
+
+struct BusUse {
+  bool is_used = false;     ///< a device or an expander sits on it
+  bool transmits = false;   ///< a device writes to it, or is connected to it by a `<use>`
+  bool is_declared = true;  ///< every device on it says what it sends
+};
+
+/// Of every bus.
+Table<BusId, BusUse> bus_uses(const Robot& robot);
+
+}  // namespace finemote::gen::timing

@@ -1,0 +1,104 @@
+#include "generator/timing/robot_buses.hpp"
+
+#include <algorithm>
+
+#include "generator/model/offers.hpp"
+#include "generator/timing/bus_traffic.hpp"
+#include "generator/timing/bus_use.hpp"
+
+namespace finemote::gen::timing {
+namespace {
+
+Ns frame_time(Ns bits, Ns rate) { return std::max<Ns>(multiply(bits, 1'000'000'000) / rate, 1); }
+
+/// What limits the rate of a bus beside its port: the parts on it.
+RateLimits limits_of(const Robot& robot, BusId bus) {
+  RateLimits limits;
+  const auto limit = [&](std::optional<std::int64_t> clock) {
+    if (clock) limits.clock = std::min(*clock, limits.clock.value_or(*clock));
+  };
+  for (const gen::Device& device : robot.devices) {
+    if (!device.segment || robot.segments[*device.segment].bus != bus || device.type == nullptr) continue;
+    limit(device.type->max_clock_hz);
+    if (!device.type->rates.empty()) limits.settings.push_back(device.type->rates);
+  }
+  for (const Expander& expander : robot.expanders) {
+    if (robot.segments[expander.segment].bus == bus) limit(expander.type->max_clock_hz);
+  }
+  return limits;
+}
+
+/// Other rates that the port and all that sits on the bus can do, and another bus of the kind.
+BusAdvice advice_for(const Robot& robot, BusId id) {
+  const gen::Bus& bus = robot.buses[id];
+  const Port* port = robot.board != nullptr ? robot.board->port(bus.port) : nullptr;
+  if (port == nullptr) return {};
+  BusAdvice advice;
+  advice.other_port = another_bus(robot.board, used_ports(robot), bus.kind, bus.rate);
+  for (const std::int64_t rate : gen::faster_rates(*port, bus.kind, 0, limits_of(robot, id))) {
+    const std::string text = std::string(rate_attribute(bus.kind)) + "=\"" + rate_text(bus.kind, rate) + "\"";
+    if (rate > bus.rate) advice.rates.push_back({text, rate});
+    if (rate < bus.rate) advice.slower.insert(advice.slower.begin(), {text, rate});
+  }
+  return advice;
+}
+
+/// Nobody begins a transfer on a bus that only we begin transfers on and nothing sits on; a line that nobody writes to
+/// has no transmit interrupt.
+bool can_interrupt(const DriverSource& source, const BusTraffic& traffic, const BusUse& use) {
+  if (traffic.is_mastered && !use.is_used) return false;
+  const bool is_silent = traffic.has_two_lines && use.is_declared && !use.transmits;
+  return !(is_silent && source.name.starts_with("tx"));
+}
+
+/// What the board says of the driver; null where it says nothing.
+const Driver* driver_of(const Robot& robot, BusId bus) {
+  if (robot.board == nullptr) return nullptr;
+  const auto found = robot.board->drivers.find(robot.buses[bus].kind);
+  return found == robot.board->drivers.end() ? nullptr : &found->second;
+}
+
+Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driver) {
+  const gen::Bus& bus = robot.buses[id];
+  const BusTraffic& traffic = traffic_of(bus.kind);
+  Bus out;
+  out.name = bus.name.text;
+  out.at = bus.at;
+  out.baud_bps = bus.rate;
+  out.arbitrated = traffic.is_arbitrated;
+  const Driver usual = driver != nullptr ? *driver : Driver{};
+  out.min_frame_bits = std::max<Ns>(bus.min_frame_bits.value_or(usual.min_frame_bits), 1);
+  out.wcet_ns = bus.isr_wcet_ns.value_or(usual.isr_wcet_ns);
+  out.frame_ns = frame_time(out.min_frame_bits, bus.rate);
+  if (driver != nullptr) {
+    out.sources.emplace();
+    for (const DriverSource& source : driver->sources) {
+      if (!can_interrupt(source, traffic, use)) continue;
+      out.sources->push_back({source.name,
+                              bus.isr_wcet_ns.value_or(source.isr_wcet_ns),
+                              frame_time(bus.min_frame_bits.value_or(source.min_frame_bits), bus.rate),
+                              {}});
+    }
+  }
+  out.advice = advice_for(robot, id);
+  return out;
+}
+
+}  // namespace
+
+BusPlaces::BusPlaces(const Robot& robot) : robot_(robot), places_(robot.buses.size()) {
+  for (const BusId bus : robot.buses.ids()) {
+    if (robot.buses[bus].rate <= 0) continue;
+    places_[bus] = buses_.size();
+    buses_.push_back(bus);
+  }
+}
+
+std::vector<Bus> make_buses(const Robot& robot, const BusPlaces& places) {
+  const Table<BusId, BusUse> uses = bus_uses(robot);
+  std::vector<Bus> buses;
+  for (const BusId bus : places.buses()) buses.push_back(make_bus(robot, bus, uses[bus], driver_of(robot, bus)));
+  return buses;
+}
+
+}  // namespace finemote::gen::timing

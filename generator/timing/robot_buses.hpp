@@ -1,0 +1,32 @@
+// Buses of a robot to those of the timing model: rates, interrupt sources of their drivers, and what hints can offer.
+#pragma once
+
+#include "generator/model/robot.hpp"
+#include "generator/timing/model.hpp"
+
+namespace finemote::gen::timing {
+
+/// Which buses of a robot the model has: those with a rate, in document order. The others make pulses or switch pins,
+/// without frames and interrupts.
+class BusPlaces {
+ public:
+  /// The robot must outlive this.
+  explicit BusPlaces(const Robot& robot);
+
+  /// Places in Model::buses of a bus, and of the bus under a segment.
+  [[nodiscard]] std::optional<std::size_t> of(BusId bus) const { return places_[bus]; }
+  [[nodiscard]] std::optional<std::size_t> of(SegmentId segment) const { return of(robot_.segments[segment].bus); }
+
+  /// The robot's buses that the model has, by place.
+  [[nodiscard]] const std::vector<BusId>& buses() const { return buses_; }
+
+ private:
+  const Robot& robot_;
+  Table<BusId, std::optional<std::size_t>> places_;
+  std::vector<BusId> buses_;
+};
+
+/// Without budgets and without the lines of devices: with the sources of the driver that can interrupt in this robot.
+std::vector<Bus> make_buses(const Robot& robot, const BusPlaces& places);
+
+}  // namespace finemote::gen::timing

@@ -1,0 +1,137 @@
+#include "generator/timing/robot_flushes.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace finemote::gen::timing {
+namespace {
+
+class FlushAdder {
+ public:
+  FlushAdder(const Robot& robot, const Forest& forest, const BusPlaces& places, Traffic& traffic, Model& model)
+      : robot_(robot), forest_(forest), places_(places), traffic_(traffic), model_(model) {}
+
+  void add(const gen::Bucket& bucket, SegmentId segment) {
+    Flush flush;
+    flush.period_ns = bucket.period_ns;
+    Ns channels = 0;
+    for (const DeviceId d : bucket.devices) {
+      const gen::Device& device = robot_.devices[d];
+      const auto used =
+          std::count_if(device.uses.begin(), device.uses.end(), [&](const Use& use) { return use.segment == segment; });
+      const Ns mine = (device.segment == segment ? 1 : 0) + used;
+      if (mine == 0) continue;
+      flush.devices.push_back(forest_.rank[d].value());
+      channels += mine;
+    }
+    if (flush.devices.empty()) return;
+    if (robot_.board != nullptr) {
+      flush.wcet_ns = robot_.board->costs.flush_ns + channels * robot_.board->costs.flush_per_channel_ns;
+    }
+    const Segment& output = robot_.segments[segment];
+    if (output.kind == Segment::Kind::pwm_expander) {
+      set_expander_burst(segment, flush);
+    } else if (output.bus_kind == BusKind::can) {
+      set_shared_frames(segment, flush);
+    }
+    model_.flushes.push_back(std::move(flush));
+  }
+
+ private:
+  /// The first and the last channel of an output that are used.
+  [[nodiscard]] std::pair<Ns, Ns> channels_of(SegmentId output) const {
+    Ns first = 255, last = 0;
+    const auto note = [&](std::optional<SegmentId> place, std::optional<std::uint32_t> channel) {
+      if (place != output || !channel) return;
+      first = std::min<Ns>(first, *channel);
+      last = std::max<Ns>(last, *channel);
+    };
+    for (const gen::Device& device : robot_.devices) {
+      note(device.segment, device.channel);
+      for (const Use& use : device.uses) note(use.segment, use.channel);
+    }
+    return {first, last};
+  }
+
+  void set_expander_burst(SegmentId segment, Flush& flush) {
+    const Segment& output = robot_.segments[segment];
+    const Expander& expander = robot_.expanders[*output.expander];
+    const auto bus = places_.of(expander.segment);
+    if (!bus) return;
+    const auto [first, last] = channels_of(segment);
+    const ExpanderFrames& frames = expander.type->frames;
+    const WireRate rate{BusKind::i2c, model_.buses[*bus].baud_bps, 9};
+    WireUse use;
+    use.add(rate, frames.per_flush.write_bytes + frames.per_channel.write_bytes * (last - first + 1), 0);
+    traffic_.add_selection(expander.segment, rate, use);
+    flush.output = output.name.text;
+    flush.bus = bus;
+    traffic_.add_budget(*bus, flush.devices.front(), use.interrupts);
+    if (frames.check) {
+      WireUse check;
+      check.add(rate, frames.check->write_bytes, frames.check->read_bytes);
+      traffic_.add_budget(*bus, flush.devices.front(), check.interrupts, flushes_per_check(expander));
+      use.add(rate, frames.check->write_bytes, frames.check->read_bytes);
+    }
+    flush.wire_ns = use.wire_ns;
+    flush.interrupts = use.interrupts;
+  }
+
+  /// The driver counts its flushes, whichever bucket they are of: the jobs of one bucket check no more often than this.
+  static Ns flushes_per_check(const Expander& expander) {
+    return std::max<Ns>(param_value(expander.params, "refresh", Ns{1}), 1);
+  }
+
+  /// A flush sends whatever has changed, also of a slower bucket it preempts: at most every shared frame of the bus.
+  void set_shared_frames(SegmentId segment, Flush& flush) {
+    const auto bus = places_.of(segment);
+    if (!bus) return;
+    std::set<std::uint32_t> identifiers;
+    for (const gen::Device& device : robot_.devices) {
+      if (device.segment != segment || device.type == nullptr) continue;
+      for (const SharedFrame& frame : device.type->shared_frames()) {
+        const std::uint32_t id = device.id.value_or(0);
+        if (frame.id_max == 0 || (id >= frame.id_min && id <= frame.id_max)) identifiers.insert(frame.identifier);
+      }
+    }
+    WireUse use;
+    for (std::size_t i = 0; i < std::max<std::size_t>(identifiers.size(), 1); ++i) {
+      use.add({BusKind::can, model_.buses[*bus].baud_bps, 8}, 8, 0);
+    }
+    flush.bus = bus;
+    flush.wire_ns = use.wire_ns;
+    flush.interrupts = use.interrupts;
+    if (go_by_identifier(*bus, identifiers.size())) flush.identifiers.assign(identifiers.begin(), identifiers.end());
+  }
+
+  /// The controller sends by identifier among its mailboxes. With more frames of ours than those, or with others than
+  /// the shared ones, one that waits for a mailbox may be the more urgent.
+  [[nodiscard]] bool go_by_identifier(std::size_t bus, std::size_t frames) const {
+    const auto is_alone = [&](const Device& device) {
+      return std::all_of(device.transfers.begin(), device.transfers.end(),
+                         [&](const Transfer& t) { return t.bus != bus || t.after == Transfer::After::autonomous; });
+    };
+    if (robot_.board == nullptr) return false;
+    const auto driver = robot_.board->drivers.find(BusKind::can);
+    const std::size_t mailboxes = driver == robot_.board->drivers.end() ? 0 : driver->second.mailboxes;
+    return frames <= mailboxes && std::all_of(model_.devices.begin(), model_.devices.end(), is_alone);
+  }
+
+  const Robot& robot_;
+  const Forest& forest_;
+  const BusPlaces& places_;
+  Traffic& traffic_;
+  Model& model_;
+};
+
+}  // namespace
+
+void add_flushes(const Robot& robot, const Forest& forest, const Schedule& schedule, const BusPlaces& places,
+                 Traffic& traffic, Model& model) {
+  FlushAdder adder(robot, forest, places, traffic, model);
+  for (const gen::Bucket& bucket : schedule.buckets) {
+    for (const SegmentId segment : bucket.flushes) adder.add(bucket, segment);
+  }
+}
+
+}  // namespace finemote::gen::timing

@@ -1,0 +1,139 @@
+#include "generator/timing/traffic.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace finemote::gen::timing {
+namespace {
+
+/// Frames that go over a bus together.
+struct Unit {
+  FrameStage stage = FrameStage::update;
+  WireUse use;
+};
+
+/// In the order of their stages' names: frames of one unit of one stage together, those of unit 0 alone.
+std::vector<Unit> units_of(const std::vector<Frame>& frames, const WireRate& rate) {
+  std::map<std::pair<std::string_view, int>, Unit> units;
+  int alone = -1;
+  for (const Frame& frame : frames) {
+    Unit& unit = units[{to_string(frame.stage), frame.unit > 0 ? frame.unit : alone--}];
+    unit.stage = frame.stage;
+    unit.use.add(rate, frame.write_bytes, frame.read_bytes);
+    unit.use.min_interval_ns = std::max(unit.use.min_interval_ns, frame.min_interval_ns.value_or(0));
+  }
+  std::vector<Unit> list;
+  for (const auto& [key, unit] : units) list.push_back(unit);
+  return list;
+}
+
+/// Of the one frame that a part on CAN sends by itself; none where it may be another.
+std::optional<Ns> own_identifier(const gen::Device& device, const std::vector<Frame>& frames, FrameStage stage) {
+  const auto by_itself = std::count_if(frames.begin(), frames.end(),
+                                       [](const Frame& frame) { return frame.stage == FrameStage::autonomous; });
+  const auto base = device.type->receives_base;
+  if (stage != FrameStage::autonomous || by_itself != 1 || !base || !device.id) return std::nullopt;
+  return Ns{*base} + *device.id;
+}
+
+Transfer::After after(FrameStage stage) {
+  switch (stage) {
+    case FrameStage::update:
+      return Transfer::After::update;
+    case FrameStage::handle:
+      return Transfer::After::handle;
+    case FrameStage::flush:
+      return Transfer::After::bucket;
+    case FrameStage::autonomous:
+      return Transfer::After::autonomous;
+  }
+  return Transfer::After::autonomous;
+}
+
+}  // namespace
+
+Traffic::Traffic(const Robot& robot, const BusPlaces& places, Model& model)
+    : robot_(robot), places_(places), uses_(bus_uses(robot)), model_(model) {}
+
+void Traffic::add_device(const gen::Device& device, std::size_t place) {
+  for (const Connection& connection : connections_of(device)) add_frames(device, connection, place);
+  if (device.segment) add_own_lines(device);
+}
+
+void Traffic::add_frames(const gen::Device& device, const Connection& connection, std::size_t place) {
+  const auto bus = places_.of(connection.segment);
+  if (!bus) return;
+  const std::vector<Frame> frames = frames_over(device, connection);
+  const BusKind kind = robot_.buses[places_.buses()[*bus]].kind;
+  const WireRate rate{kind, model_.buses[*bus].baud_bps, bits_per_byte(format_over(device, connection))};
+  for (Unit& unit : units_of(frames, rate)) {
+    if (unit.stage == FrameStage::flush) continue;
+    add_selection(connection.segment, rate, unit.use);
+    add_transfer(place, *bus, unit.stage, unit.use);
+    Transfer& transfer = model_.devices[place].transfers.back();
+    if (connection.use != nullptr) {
+      transfer.command = false;
+    } else {
+      transfer.identifier = own_identifier(device, frames, unit.stage);
+    }
+  }
+}
+
+void Traffic::add_selection(SegmentId segment, const WireRate& rate, WireUse& use) const {
+  if (robot_.segments[segment].kind != Segment::Kind::mux_channel) return;
+  const BusId bus = robot_.segments[segment].bus;
+  const auto muxes = std::count_if(robot_.expanders.begin(), robot_.expanders.end(), [&](const Expander& expander) {
+    return expander.model == Expander::Model::tca9548a && robot_.segments[expander.segment].bus == bus;
+  });
+  use.add(rate, 1, 0);
+  if (muxes > 1) use.add(rate, 1, 0);
+}
+
+void Traffic::add_transfer(std::size_t place, std::size_t bus, FrameStage stage, const WireUse& use) {
+  const bool by_itself = stage == FrameStage::autonomous;
+  Transfer transfer;
+  transfer.bus = bus;
+  transfer.wire_ns = use.wire_ns;
+  transfer.interrupts = use.interrupts;
+  transfer.after = after(stage);
+  transfer.min_interval_ns = by_itself ? use.min_interval_ns : 0;
+  transfer.receive = by_itself && traffic_of(robot_.buses[places_.buses()[bus]].kind).has_two_lines;
+  transfer.command = stage == FrameStage::handle && model_.devices[place].takes_command;
+  model_.devices[place].transfers.push_back(transfer);
+  add_budget(bus, place, use.interrupts);
+}
+
+void Traffic::add_budget(std::size_t bus, std::size_t place, Ns count, Ns every) {
+  auto& sources = model_.buses[bus].sources;
+  if (sources && sources->size() == 1 && counts_transfers(bus))
+    sources->front().budgets.push_back({place, count, every});
+}
+
+bool Traffic::counts_transfers(std::size_t bus) const {
+  const BusId id = places_.buses()[bus];
+  const BusTraffic::Counted counted = traffic_of(robot_.buses[id].kind).counted;
+  const Port* port = robot_.board != nullptr ? robot_.board->port(robot_.buses[id].port) : nullptr;
+  const bool has_dma = port != nullptr && !port->dma.empty();
+  const bool is_known = counted == BusTraffic::Counted::always || (counted == BusTraffic::Counted::by_dma && has_dma);
+  return is_known && uses_[id].is_declared;
+}
+
+/// Each named by a use, as further sources of the bus the device sits on. What the driver raises for frames is in the
+/// board file.
+void Traffic::add_own_lines(const gen::Device& device) {
+  const auto bus = places_.of(*device.segment);
+  if (!bus || !model_.buses[*bus].sources) return;
+  for (const Interrupt& entry : device.type->interrupts) {
+    const bool given = !entry.use.empty() && std::any_of(device.uses.begin(), device.uses.end(),
+                                                         [&](const Use& use) { return use.spec->role == entry.use; });
+    if (!given) continue;
+    const Ns interval =
+        entry.is_autonomous ? entry.min_interval_ns.value_or(1) : device.period_ns / std::max<Ns>(entry.count, 1);
+    model_.buses[*bus].sources->push_back({device.name.text + ": " + entry.source,
+                                           entry.wcet_ns.value_or(model_.buses[*bus].wcet_ns),
+                                           std::max<Ns>(interval, 1),
+                                           {}});
+  }
+}
+
+}  // namespace finemote::gen::timing

@@ -1,0 +1,42 @@
+// What devices send and receive, to transfers of the timing model and budgets of the interrupts they cause.
+#pragma once
+
+#include "generator/timing/bus_traffic.hpp"
+#include "generator/timing/bus_use.hpp"
+#include "generator/timing/connection.hpp"
+#include "generator/timing/robot_buses.hpp"
+
+namespace finemote::gen::timing {
+
+/// Adds the traffic of one device or flush after the other to a model whose buses are complete.
+class Traffic {
+ public:
+  /// Everything must outlive this.
+  Traffic(const Robot& robot, const BusPlaces& places, Model& model);
+
+  /// Transfers of a device that has a type, over its own bus and those of its uses, and interrupts of lines of its own.
+  /// Frames of stage `flush` are left to the flush of its bucket.
+  /// @param place  of the device in Model::devices
+  void add_device(const gen::Device& device, std::size_t place);
+
+  /// Where every interrupt of a bus belongs to a transfer the robot asked for: so many in one of any `every` periods of
+  /// the device.
+  void add_budget(std::size_t bus, std::size_t place, Ns count, Ns every = 1);
+
+  /// What goes ahead of a unit on a segment: a mux is set, and where there are several, the one set before is switched
+  /// off first.
+  void add_selection(SegmentId segment, const WireRate& rate, WireUse& use) const;
+
+ private:
+  void add_frames(const gen::Device& device, const Connection& connection, std::size_t place);
+  void add_transfer(std::size_t place, std::size_t bus, FrameStage stage, const WireUse& use);
+  void add_own_lines(const gen::Device& device);
+  [[nodiscard]] bool counts_transfers(std::size_t bus) const;
+
+  const Robot& robot_;
+  const BusPlaces& places_;
+  const Table<BusId, BusUse> uses_;
+  Model& model_;
+};
+
+}  // namespace finemote::gen::timing
