@@ -1,10 +1,9 @@
 // finemote board show: what a board offers, so that nobody has to guess which connector is which port.
 #include <fmt/format.h>
 
+#include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/data_dir.hpp"
-#include "generator/cli/exit_status.hpp"
-#include "generator/cli/finish.hpp"
 #include "generator/descriptor/bus_kind.hpp"
 #include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/suggest.hpp"
@@ -39,25 +38,26 @@ std::vector<std::string> line_texts(const Port& port) {
   return texts;
 }
 
-void print_board(Context& context, const Board& board) {
-  context.out << fmt::format("{}: {}\n", board.name, board.summary);
-  context.out << fmt::format("\n{:<8} {:<12} {:<24} {:<34} {:<28} {}\n", "port", "serves", "pins", "DMA", "interrupts",
-                             "connector");
+std::string board_text(const Board& board) {
+  std::string text;
+  text += fmt::format("{}: {}\n", board.name, board.summary);
+  text += fmt::format("\n{:<8} {:<12} {:<24} {:<34} {:<28} {}\n", "port", "serves", "pins", "DMA", "interrupts",
+                      "connector");
   for (const Port& port : board.ports) {
-    context.out << fmt::format("{:<8} {:<12} {:<24} {:<34} {:<28} {}\n", port.name, joined(bus_kind_names(port.kinds)),
-                               joined(pin_names(port)), joined(stream_names(port)), joined(line_texts(port)),
-                               port.connector);
+    text += fmt::format("{:<8} {:<12} {:<24} {:<34} {:<28} {}\n", port.name, joined(bus_kind_names(port.kinds)),
+                        joined(pin_names(port)), joined(stream_names(port)), joined(line_texts(port)), port.connector);
   }
   std::vector<std::string> lines;
   for (const SpareLine& line : board.lines) lines.push_back(fmt::format("{} ({})", line.number, line.name));
-  if (!board.connectors.empty()) context.out << "\npins on connectors\n";
+  if (!board.connectors.empty()) text += "\npins on connectors\n";
   for (const Connector& connector : board.connectors)
-    context.out << fmt::format("  {:<38} {}\n", connector.name, joined(connector.pins));
-  if (!board.reserved_pins.empty()) context.out << "\nreserved pins\n";
+    text += fmt::format("  {:<38} {}\n", connector.name, joined(connector.pins));
+  if (!board.reserved_pins.empty()) text += "\nreserved pins\n";
   for (const ReservedPins& reserved : board.reserved_pins)
-    context.out << fmt::format("  {:<38} {}\n", joined(reserved.pins), reserved.purpose);
-  context.out << fmt::format("\nperiod buckets: priority levels {} to {}, interrupt lines {}\n",
-                             board.first_bucket_level, board.last_bucket_level, joined(lines));
+    text += fmt::format("  {:<38} {}\n", joined(reserved.pins), reserved.purpose);
+  text += fmt::format("\nperiod buckets: priority levels {} to {}, interrupt lines {}\n", board.first_bucket_level,
+                      board.last_bucket_level, joined(lines));
+  return text;
 }
 
 Json to_json(const Board& board) {
@@ -85,32 +85,33 @@ Json to_json(const Board& board) {
               {"bucket_lines", lines},    {"bucket_levels", {board.first_bucket_level, board.last_bucket_level}}};
 }
 
+Answer list_boards(const std::vector<std::string>& names) {
+  Answer answer{kExitYes};
+  for (const std::string& name : names) answer.text += name + "\n";
+  answer.document = {{"schema", "finemote.boards/1"}, {"boards", names}};
+  return answer;
+}
+
 }  // namespace
 
-int run_board_show(Context& context) {
-  const std::string data_dir = find_data_dir(context.options, context.diagnostics);
-  if (data_dir.empty()) return finish(context, kExitInvalid);
-  auto library = load_library({data_dir, "", {}, {}}, context.sources, context.diagnostics);
-  if (!library) return finish(context, kExitInvalid);
+Answer run_board_show(const Options& options, Sources& sources, Diagnostics& diagnostics) {
+  const std::string data_dir = find_data_dir(options.data_dir, diagnostics);
+  if (data_dir.empty()) return no_answer();
+  auto library = load_library({data_dir, "", {}, {}}, sources, diagnostics);
+  if (!library) return no_answer();
   const std::vector<std::string> names = board_names(*library);
-  if (context.options.input.empty()) {
-    if (context.options.format == Format::text) {
-      for (const std::string& name : names) context.out << name << "\n";
-    }
-    return finish(context, kExitYes, Json{{"schema", "finemote.boards/1"}, {"boards", names}});
-  }
-  const Board* board = find_board(*library, context.options.input, context.sources, context.diagnostics);
+  if (options.input.empty()) return list_boards(names);
+  const Board* board = find_board(*library, options.input, sources, diagnostics);
   if (board == nullptr) {
-    if (!context.diagnostics.has_errors()) {
-      context.diagnostics.error(code::usage, {}, fmt::format("there is no board '{}'", context.options.input))
-          .hint(did_you_mean(context.options.input, names));
+    if (!diagnostics.has_errors()) {
+      diagnostics.error(code::usage, {}, fmt::format("there is no board '{}'", options.input))
+          .hint(did_you_mean(options.input, names));
     }
-    return finish(context, kExitInvalid);
+    return no_answer();
   }
-  if (context.options.format == Format::text) print_board(context, *board);
-  Json document{{"schema", "finemote.board-view/1"}};
-  document.update(to_json(*board));
-  return finish(context, kExitYes, document);
+  Answer answer{kExitYes, board_text(*board), Json{{"schema", "finemote.board-view/1"}}};
+  answer.document.update(to_json(*board));
+  return answer;
 }
 
 }  // namespace finemote::gen

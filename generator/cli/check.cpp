@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
-#include "generator/cli/exit_status.hpp"
-#include "generator/cli/finish.hpp"
 #include "generator/cli/lint_options.hpp"
-#include "generator/cli/load.hpp"
+#include "generator/cli/robot_input.hpp"
 #include "generator/cli/verdict.hpp"
 #include "generator/diagnostic/render.hpp"
+#include "generator/input/read_document.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -35,14 +35,14 @@ std::string generate_command(const Options& options) {
   for (const std::string& package : options.packages) add("--package", package);
   for (const std::string& path : options.device_paths) add("--device-path", path);
   add("--data-dir", options.data_dir);
-  for (const auto& [name, value] : xacro_arguments(options)) words.push_back(name + ":=" + value);
+  for (const auto& [name, value] : xacro_arguments(options.arguments)) words.push_back(name + ":=" + value);
   std::string command;
   for (const std::string& word : words) command += (command.empty() ? "" : " ") + shell_word(word);
   return command;
 }
 
 /// The command that makes the files what they should be.
-std::string way_back(const Context& context, const CheckResult& result, bool schedulable) {
+std::string way_back(const Options& options, const CheckResult& result, bool schedulable) {
   bool is_written = false, is_edited = false;
   for (const Finding& finding : result.findings) {
     is_written |= finding.state != Finding::State::orphan;
@@ -50,26 +50,25 @@ std::string way_back(const Context& context, const CheckResult& result, bool sch
   }
   if (!is_written) return "remove the files that are orphans\n";
   const std::string run = (schedulable ? "run: " : "when the robot is schedulable, run: ");
-  const std::string command = run + generate_command(context.options);
+  const std::string command = run + generate_command(options);
   return command + (is_edited ? " --force\nedited files are kept as NAME.orig\n" : "\n");
 }
 
-void print_findings(Context& context, const CheckResult& result, bool schedulable) {
-  for (const Finding& finding : result.findings) {
-    context.out << fmt::format("{:<12} {}: {}\n", state_name(finding.state), finding.file, finding.reason);
-  }
-  if (!result.findings.empty() && !context.options.quiet) context.err << way_back(context, result, schedulable);
+std::string findings_text(const CheckResult& result) {
+  std::string text;
+  for (const Finding& finding : result.findings)
+    text += fmt::format("{:<12} {}: {}\n", state_name(finding.state), finding.file, finding.reason);
+  return text;
 }
 
 /// Says that the files are what they should be, and what makes the answer no all the same.
-void print_fresh(Context& context, const CheckResult& result, const std::string& objections) {
-  if (!result.findings.empty() || context.options.quiet) return;
-  context.out << (objections.empty() ? "fresh\n" : "files are fresh, but " + objections + "\n");
-  if (result.tool_changed)
-    context.out << "tool-changed: written by " << result.previous_tool << ", with the same bytes\n";
-  if (!result.manifest_change.empty())
-    context.out << "manifest-changed: " << result.manifest_change
-                << "; generate would write the manifest, and no other file\n";
+std::string fresh_text(const CheckResult& result, const std::string& objections) {
+  std::string text = objections.empty() ? "fresh\n" : "files are fresh, but " + objections + "\n";
+  if (result.tool_changed) text += "tool-changed: written by " + result.previous_tool + ", with the same bytes\n";
+  if (!result.manifest_change.empty()) {
+    text += "manifest-changed: " + result.manifest_change + "; generate would write the manifest, and no other file\n";
+  }
+  return text;
 }
 
 std::string objections(const Verdict& verdict, bool denied) {
@@ -83,57 +82,66 @@ std::string objections(const Verdict& verdict, bool denied) {
   return text;
 }
 
-Json document(const Context& context, const CheckResult& result, const std::string& diff) {
+Json document(const Options& options, const CheckResult& result, const std::string& diff) {
   Json findings = Json::array();
   for (const Finding& finding : result.findings) {
     findings.push_back({{"state", state_name(finding.state)}, {"file", finding.file}, {"reason", finding.reason}});
   }
   Json json{{"schema", "finemote.check/1"},
-            {"output", context.options.out},
+            {"output", options.out},
             {"fresh", result.findings.empty()},
             {"tool_changed", result.tool_changed},
             {"manifest_change", result.manifest_change.empty() ? Json(nullptr) : Json(result.manifest_change)},
             {"findings", findings}};
-  if (context.options.diff) json["diff"] = diff;
+  if (options.diff) json["diff"] = diff;
   return json;
+}
+
+/// The answer of what was compared, analysed and linted.
+Answer answer_of(const Options& options, const Output& output, const CheckResult& result, const Verdict& verdict,
+                 const Diagnostics& lint_findings) {
+  const bool denied = lint_findings.has_errors() || (options.warnings_are_errors && lint_findings.size() > 0);
+  const std::string objection = objections(verdict, denied);
+  const bool fresh = result.findings.empty();
+  const std::string diff = options.diff ? unified_diff(options.out, output, result) : std::string();
+  Answer answer{fresh && objection.empty() ? kExitYes : kExitNo};
+  answer.text = findings_text(result);
+  if (fresh && !options.quiet) answer.text += fresh_text(result, objection);
+  answer.text += diff;
+  if (!fresh && !options.quiet && options.format == Format::text)
+    answer.summary = way_back(options, result, verdict.schedulable);
+  answer.judged = verdict.reasons;
+  add_findings(lint_findings, answer.judged);
+  answer.document = document(options, result, diff);
+  answer.document["schedulable"] = verdict.schedulable;
+  answer.document["requirements_hold"] = verdict.requirements_hold;
+  answer.document["lint"] = render_json(lint_findings);
+  return answer;
 }
 
 }  // namespace
 
-int run_check(Context& context) {
-  const auto loaded = load_robot(context);
-  if (!loaded) return finish(context, kExitInvalid);
-  auto files = render_robot(context, *loaded);
-  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
-  const Output output = make_output(std::move(files), input_files(context, *loaded), loaded->robot.name.text,
-                                    output_options(context.options));
-  const CheckResult result = check_output(context.options.out, output, context.diagnostics);
-  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
+Answer run_check(const Options& options, Sources& sources, Diagnostics& diagnostics) {
+  const auto input = input_of(options, diagnostics);
+  if (!input) return no_answer();
+  const auto planned = plan_robot(*input, sources, diagnostics);
+  if (!planned) return no_answer();
+  const Analysis analysis = analyse_robot(*planned, Hints::wanted);
+  auto files = emit_files(*planned, prove_bounds(*planned, analysis), input->data_dir, diagnostics);
+  if (diagnostics.has_errors()) return no_answer();
+  const Output output = output_of(std::move(files), *planned, *input, sources);
+  const CheckResult result = check_output(options.out, output, diagnostics);
+  if (diagnostics.has_errors()) return no_answer();
 
-  const auto verdict = timing_verdict(context, *loaded, CommandAges::needed);
-  if (!verdict) return finish(context, kExitInvalid);
+  const auto verdict = verdict_of(analysis, diagnostics);
+  if (!verdict) return no_answer();
+  const auto rules = lint_options(options.allow, options.deny, *planned, *analysis.timing, *verdict, diagnostics);
+  if (!rules) return no_answer();
   Diagnostics lint_findings;
-  lint(loaded->robot, lint_options(context, *verdict), lint_findings);
-  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
-  Diagnostics judged = verdict->reasons;
-  add_findings(lint_findings, judged);
-
-  const bool denied = lint_findings.has_errors() || (context.options.warnings_are_errors && lint_findings.size() > 0);
-  const std::string objection = objections(*verdict, denied);
-  const bool good = result.findings.empty() && objection.empty();
-  const std::string diff = context.options.diff ? unified_diff(context.options.out, output, result) : std::string();
-  if (context.options.format == Format::text) {
-    print_findings(context, result, verdict->schedulable);
-    print_fresh(context, result, objection);
-    context.out << diff;
-  } else {
-    add_findings(as_diagnostics(context.options.out, result, context.sources), judged);
-  }
-  Json json = document(context, result, diff);
-  json["schedulable"] = verdict->schedulable;
-  json["requirements_hold"] = verdict->requirements_hold;
-  json["lint"] = render_json(lint_findings);
-  return finish_with(context, good ? kExitYes : kExitNo, judged, std::move(json));
+  lint(planned->robot, *rules, lint_findings);
+  Answer answer = answer_of(options, output, result, *verdict, lint_findings);
+  if (options.format != Format::text) add_findings(as_diagnostics(options.out, result, sources), answer.judged);
+  return answer;
 }
 
 }  // namespace finemote::gen

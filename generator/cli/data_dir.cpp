@@ -21,11 +21,11 @@ bool holds_data(const fs::path& folder) {
 
 }  // namespace
 
-std::string find_data_dir(const Options& options, Diagnostics& diagnostics) {
+std::string find_data_dir(const std::string& wanted, Diagnostics& diagnostics) {
   std::vector<fs::path> places;
   const char* environment = std::getenv("FINEMOTE_DATA");
-  if (!options.data_dir.empty()) {
-    places = {options.data_dir};
+  if (!wanted.empty()) {
+    places = {wanted};
   } else if (environment != nullptr && *environment != '\0') {
     places = {environment};
   } else {

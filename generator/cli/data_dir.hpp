@@ -4,14 +4,14 @@
 #include <optional>
 #include <string>
 
-#include "generator/cli/options.hpp"
 #include "generator/diagnostic/diagnostics.hpp"
 
 namespace finemote::gen {
 
-/// --data-dir, then the environment variable FINEMOTE_DATA, then beside the program's real path: `share` (staged by the
-/// build) or `../share/finemote` (installed). Reports FM0007 and returns an empty text when there is none.
-std::string find_data_dir(const Options& options, Diagnostics& diagnostics);
+/// `wanted` (of --data-dir) unless it is empty, then the environment variable FINEMOTE_DATA, then beside the program's
+/// real path: `share` (staged by the build) or `../share/finemote` (installed). Reports FM0007 and returns an empty
+/// text when there is none.
+std::string find_data_dir(const std::string& wanted, Diagnostics& diagnostics);
 
 /// A file of that folder; reports FM0007 for one that is missing or cannot be read.
 std::optional<std::string> read_data_file(const std::string& path, Diagnostics& diagnostics);

@@ -71,14 +71,14 @@ std::string reads_text(const Robot& robot, const Device& device) {
   return text;
 }
 
-Properties device_facts(const Loaded& loaded, DeviceId index) {
-  const Robot& robot = loaded.robot;
+Properties device_facts(const PlannedRobot& planned, DeviceId index) {
+  const Robot& robot = planned.robot;
   const Device& device = robot.devices[index];
   Properties facts{{"type", device.type->name},
                    {"parent", device.parent ? robot.devices[*device.parent].name.text : "none"},
                    {"period", period_text(device.period_ns)},
-                   {"place", device_comment(loaded.plan(), index)},
-                   {"position in the schedule", std::to_string(loaded.forest.rank[index].value() + 1)},
+                   {"place", device_comment(planned.plan(), index)},
+                   {"position in the schedule", std::to_string(planned.forest.rank[index].value() + 1)},
                    {"wcet", fmt::format("update {} ns, handle {} ns", device.wcet.update_ns, device.wcet.handle_ns)},
                    {"source of the wcet", source_name(device.wcet.source)}};
   if (device.parent && device.role) facts["role"] = robot.devices[*device.parent].type->roles[*device.role].name;
@@ -144,8 +144,8 @@ void add_requirement(const Requirement& requirement, Facts& facts) {
 
 }  // namespace
 
-Facts facts_of(const Loaded& loaded) {
-  const Robot& robot = loaded.robot;
+Facts facts_of(const PlannedRobot& planned) {
+  const Robot& robot = planned.robot;
   Facts facts;
   facts["robot"] = {{"name", robot.name.text}, {"board", robot.board->name}, {"tick", period_text(robot.tick_ns)}};
   add_params(robot.board_params, facts["robot"]);
@@ -153,7 +153,7 @@ Facts facts_of(const Loaded& loaded) {
   for (const Expander& expander : robot.expanders)
     facts[fmt::format("expander '{}'", expander.name.text)] = expander_facts(robot, expander);
   for (const DeviceId device : robot.devices.ids())
-    facts[fmt::format("device '{}'", robot.devices[device].name.text)] = device_facts(loaded, device);
+    facts[fmt::format("device '{}'", robot.devices[device].name.text)] = device_facts(planned, device);
   for (const Link& link : robot.links) facts[fmt::format("link '{}'", link.name)] = link_facts(link);
   for (const Joint& joint : robot.joints) facts[fmt::format("joint '{}'", joint.name)] = joint_facts(joint);
   for (const Requirement& requirement : robot.requirements) add_requirement(requirement, facts);

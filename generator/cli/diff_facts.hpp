@@ -4,13 +4,13 @@
 #include <map>
 #include <string>
 
-#include "generator/cli/load.hpp"
+#include "generator/pipeline.hpp"
 
 namespace finemote::gen {
 
 /// By subject (`device 'imu'`) and property (`period`), as text for people.
 using Facts = std::map<std::string, std::map<std::string, std::string>>;
 
-Facts facts_of(const Loaded& loaded);
+Facts facts_of(const PlannedRobot& planned);
 
 }  // namespace finemote::gen

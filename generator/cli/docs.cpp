@@ -3,10 +3,9 @@
 
 #include <filesystem>
 
+#include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/data_dir.hpp"
-#include "generator/cli/exit_status.hpp"
-#include "generator/cli/finish.hpp"
 #include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/code_output.hpp"
 #include "generator/document/board_page.hpp"
@@ -25,7 +24,8 @@ using Json = nlohmann::ordered_json;
 /// Pages below a folder: collected first, so that all of them or none are written.
 class Pages {
  public:
-  Pages(Context& context) : context_(context), folder_(context.options.out) {}
+  Pages(fs::path folder, Sources& sources, Diagnostics& diagnostics)
+      : folder_(std::move(folder)), sources_(sources), diagnostics_(diagnostics) {}
 
   /// Takes a page whose made part differs from the file's. Reports FM5004 for a file without such a part.
   void add(const std::string& name, const std::string& title, const std::string& made) {
@@ -34,8 +34,8 @@ class Pages {
     const std::string text = with_made_part(old, "# " + title, made);
     if (old == text) return;
     if (old && !has_made_part(*old)) {
-      context_.diagnostics
-          .error(code::file_of_the_user, {context_.sources.add({path, path, {}})},
+      diagnostics_
+          .error(code::file_of_the_user, {sources_.add({path, path, {}})},
                  fmt::format("'{}' was not written by finemote and would be overwritten", name))
           .hint("move it elsewhere, or give another folder with -o");
       return;
@@ -47,7 +47,7 @@ class Pages {
   void check() {
     std::vector<PlannedFile> planned;
     for (const OutputFile& page : different_) planned.push_back({(folder_ / page.name).generic_string(), "-o"});
-    check_outputs(planned, context_.sources, context_.diagnostics);
+    check_outputs(planned, sources_, diagnostics_);
   }
 
   void write() {
@@ -55,8 +55,8 @@ class Pages {
       const fs::path path = folder_ / page.name;
       std::error_code error;
       fs::create_directories(path.parent_path(), error);
-      if (error) return report_unwritten(context_, path.generic_string(), system_reason(error.value()));
-      if (!write_result(context_, path.generic_string(), page.text)) return;
+      if (error) return report_unwritten(path.generic_string(), system_reason(error.value()), diagnostics_);
+      if (!write_result(path.generic_string(), page.text, diagnostics_)) return;
     }
   }
 
@@ -67,40 +67,44 @@ class Pages {
   }
 
  private:
-  Context& context_;
   fs::path folder_;
+  Sources& sources_;
+  Diagnostics& diagnostics_;
   std::vector<OutputFile> different_;
 };
 
-}  // namespace
-
-int run_docs(Context& context) {
-  const std::string data_dir = find_data_dir(context.options, context.diagnostics);
-  if (data_dir.empty()) return finish(context, kExitInvalid);
-  auto library = load_library({data_dir, "", {}, {}}, context.sources, context.diagnostics);
-  if (!library) return finish(context, kExitInvalid);
-  Pages pages(context);
-  for (const std::string& name : device_type_names(*library)) {
-    const DeviceType* type = find_device_type(*library, name, context.sources, context.diagnostics);
+/// Adds the page of every device type, those of every board with hardware, and that of lint.
+void add_pages(Library& library, Pages& pages, Sources& sources, Diagnostics& diagnostics) {
+  for (const std::string& name : device_type_names(library)) {
+    const DeviceType* type = find_device_type(library, name, sources, diagnostics);
     if (type != nullptr) pages.add("devices/" + name + ".md", "`" + name + "`", device_page(*type));
   }
-  for (const std::string& name : board_names(*library)) {
-    const Board* board = find_board(*library, name, context.sources, context.diagnostics);
+  for (const std::string& name : board_names(library)) {
+    const Board* board = find_board(library, name, sources, diagnostics);
     if (board == nullptr || !board->has_watchdog) continue;  // no hardware
     for (const BoardPage& page : board_pages(*board))
       pages.add(fmt::format("boards/{}/{}.md", name, page.name), page.title, page.text);
   }
   pages.add("lint.md", "Findings of lint", lint_page());
+}
+
+}  // namespace
+
+Answer run_docs(const Options& options, Sources& sources, Diagnostics& diagnostics) {
+  const std::string data_dir = find_data_dir(options.data_dir, diagnostics);
+  if (data_dir.empty()) return no_answer();
+  auto library = load_library({data_dir, "", {}, {}}, sources, diagnostics);
+  if (!library) return no_answer();
+  Pages pages(options.out, sources, diagnostics);
+  add_pages(*library, pages, sources, diagnostics);
   pages.check();
-  if (!context.options.dry_run && !context.diagnostics.has_errors()) pages.write();
-  if (context.diagnostics.has_errors()) return finish(context, kExitInvalid);
-  if (context.options.format == Format::text) {
-    for (const std::string& name : pages.different())
-      context.out << (context.options.dry_run ? "stale: " : "written: ") << name << "\n";
-  }
-  const bool stale = context.options.dry_run && !pages.different().empty();
-  return finish(context, stale ? kExitNo : kExitYes,
-                Json{{"schema", "finemote.docs/1"}, {"different", pages.different()}});
+  if (!options.dry_run && !diagnostics.has_errors()) pages.write();
+  if (diagnostics.has_errors()) return no_answer();
+  const std::vector<std::string> different = pages.different();
+  Answer answer{options.dry_run && !different.empty() ? kExitNo : kExitYes};
+  for (const std::string& name : different) answer.text += (options.dry_run ? "stale: " : "written: ") + name + "\n";
+  answer.document = {{"schema", "finemote.docs/1"}, {"different", different}};
+  return answer;
 }
 
 }  // namespace finemote::gen

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/data_dir.hpp"
-#include "generator/cli/exit_status.hpp"
-#include "generator/cli/finish.hpp"
 #include "generator/diagnostic/catalogue.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/diagnostic/suggest.hpp"
@@ -38,34 +37,37 @@ std::string title_of(const std::string& page) {
   return colon == std::string::npos || colon > end ? std::string() : page.substr(colon + 2, end - colon - 2);
 }
 
+Answer list_pages(const std::string& folder, const std::vector<std::string>& names) {
+  Answer answer{kExitYes};
+  Json list = Json::array();
+  for (const std::string& name : names) {
+    const std::string title = title_of(read_bytes(folder + "/" + name + ".md").value_or(""));
+    answer.text += name + "  " + title + "\n";
+    list.push_back({{"code", name}, {"title", title}});
+  }
+  answer.document = {{"schema", "finemote.explain/1"}, {"codes", list}};
+  return answer;
+}
+
 }  // namespace
 
-int run_explain(Context& context) {
-  const std::string data_dir = find_data_dir(context.options, context.diagnostics);
-  if (data_dir.empty()) return finish(context, kExitInvalid);
+Answer run_explain(const Options& options, Sources& /*sources*/, Diagnostics& diagnostics) {
+  const std::string data_dir = find_data_dir(options.data_dir, diagnostics);
+  if (data_dir.empty()) return no_answer();
   const std::string folder = data_dir + "/diagnostics";
   const std::vector<std::string> names = page_names(folder);
-  Json list = Json::array();
-  if (context.options.input.empty()) {
-    for (const std::string& name : names) {
-      const std::string title = title_of(read_bytes(folder + "/" + name + ".md").value_or(""));
-      if (context.options.format == Format::text) context.out << name << "  " << title << "\n";
-      list.push_back({{"code", name}, {"title", title}});
-    }
-    return finish(context, kExitYes, Json{{"schema", "finemote.explain/1"}, {"codes", list}});
-  }
-  const auto code = parse_code(context.options.input);  // `FM3012`, `fm3012`, or `3012`, as `lint --allow` takes it
-  const std::string wanted = code ? code_name(*code) : context.options.input;
+  if (options.input.empty()) return list_pages(folder, names);
+  const auto code = parse_code(options.input);  // `FM3012`, `fm3012`, or `3012`, as `lint --allow` takes it
+  const std::string wanted = code ? code_name(*code) : options.input;
   if (std::find(names.begin(), names.end(), wanted) == names.end()) {
-    context.diagnostics.error(code::usage, {}, fmt::format("there is no diagnostic '{}'", context.options.input))
+    diagnostics.error(code::usage, {}, fmt::format("there is no diagnostic '{}'", options.input))
         .hint(did_you_mean(wanted, names));
-    return finish(context, kExitInvalid);
+    return no_answer();
   }
-  const auto page = read_data_file(folder + "/" + wanted + ".md", context.diagnostics);
-  if (!page) return finish(context, kExitInvalid);
-  if (context.options.format == Format::text) context.out << *page;
-  return finish(context, kExitYes,
-                Json{{"schema", "finemote.explain/1"}, {"code", wanted}, {"title", title_of(*page)}, {"page", *page}});
+  const auto page = read_data_file(folder + "/" + wanted + ".md", diagnostics);
+  if (!page) return no_answer();
+  return {kExitYes, *page,
+          Json{{"schema", "finemote.explain/1"}, {"code", wanted}, {"title", title_of(*page)}, {"page", *page}}};
 }
 
 }  // namespace finemote::gen

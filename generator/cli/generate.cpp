@@ -1,10 +1,9 @@
 // finemote generate: writes the files of a robot.
 #include <fmt/format.h>
 
+#include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
-#include "generator/cli/exit_status.hpp"
-#include "generator/cli/finish.hpp"
-#include "generator/cli/load.hpp"
+#include "generator/cli/robot_input.hpp"
 #include "generator/cli/verdict.hpp"
 #include "generator/output/write.hpp"
 
@@ -24,46 +23,33 @@ std::string make_escaped(const std::string& path) {
   return text;
 }
 
-void write_depfile(Context& context, const std::string& out) {
+/// The rule that makes the manifest in `out` depend on every file that was read.
+std::string depfile_text(const std::string& out, const Sources& sources) {
   std::string rule = make_escaped(out + "/" + kManifestName) + ":";
-  for (const SourceFile& file : context.sources.files()) {
+  for (const SourceFile& file : sources.files()) {
     if (!file.path.empty() && file.path != "-") rule += " \\\n  " + make_escaped(file.path);
   }
-  write_result(context, context.options.depfile, rule + "\n");
+  return rule + "\n";
 }
 
-int list_names(Context& context, const Loaded& loaded) {
-  std::vector<std::string> names = output_names(loaded.robot, loaded.forest);
+Answer list_names(const PlannedRobot& planned) {
+  std::vector<std::string> names = output_names(planned.robot, planned.forest);
   names.emplace_back(kManifestName);
-  if (context.options.format == Format::text) {
-    for (const std::string& name : names) context.out << name << "\n";
-  }
-  return finish(context, kExitYes, Json{{"schema", "finemote.list/1"}, {"files", names}});
+  Answer answer{kExitYes};
+  for (const std::string& name : names) answer.text += name + "\n";
+  answer.document = {{"schema", "finemote.list/1"}, {"files", names}};
+  return answer;
 }
 
-void print_summary(Context& context, const WriteResult& result) {
-  if (context.options.format != Format::text) return;
-  const char* verb = context.options.dry_run ? "would write" : "wrote";
-  for (const std::string& name : result.written) {
-    if (context.options.dry_run || context.options.verbose) context.out << verb << " " << name << "\n";
+/// What was done to the folder, or would be.
+std::string changes_text(const WriteResult& result, bool dry_run, bool with_written) {
+  std::string text;
+  if (with_written) {
+    for (const std::string& name : result.written) text += (dry_run ? "would write " : "wrote ") + name + "\n";
   }
-  for (const auto& [from, to] : result.moved)
-    context.out << (context.options.dry_run ? "would move " : "moved ") << from << " to " << to << "\n";
-  for (const std::string& name : result.removed) {
-    context.out << (context.options.dry_run ? "would remove " : "removed ") << name << "\n";
-  }
-  if (context.options.quiet) return;
-  context.err << fmt::format("{}: {} {}, {} unchanged, {} removed\n", context.options.out, result.written.size(),
-                             context.options.dry_run ? "to write" : "written", result.unchanged.size(),
-                             result.removed.size());
-}
-
-int refuse_unschedulable(Context& context, const Verdict& verdict) {
-  const int status =
-      finish_with(context, kExitNo, verdict.reasons,
-                  Json{{"schema", "finemote.generate/1"}, {"output", context.options.out}, {"schedulable", false}});
-  context.err << "nothing was written; --allow-unschedulable writes anyway\n";
-  return status;
+  for (const auto& [from, to] : result.moved) text += (dry_run ? "would move " : "moved ") + from + " to " + to + "\n";
+  for (const std::string& name : result.removed) text += (dry_run ? "would remove " : "removed ") + name + "\n";
+  return text;
 }
 
 Json moved_list(const WriteResult& result) {
@@ -72,62 +58,80 @@ Json moved_list(const WriteResult& result) {
   return list;
 }
 
+Answer answer_of(const Options& options, const WriteResult& result) {
+  Answer answer{kExitYes, changes_text(result, options.dry_run, options.dry_run || options.verbose)};
+  if (options.format == Format::text && !options.quiet) {
+    answer.summary =
+        fmt::format("{}: {} {}, {} unchanged, {} removed\n", options.out, result.written.size(),
+                    options.dry_run ? "to write" : "written", result.unchanged.size(), result.removed.size());
+  }
+  answer.document = {{"schema", "finemote.generate/1"}, {"output", options.out},     {"written", result.written},
+                     {"unchanged", result.unchanged},   {"removed", result.removed}, {"moved", moved_list(result)}};
+  return answer;
+}
+
+Answer refuse_unschedulable(const std::string& out, const Verdict& verdict) {
+  Answer answer{kExitNo};
+  answer.document = {{"schema", "finemote.generate/1"}, {"output", out}, {"schedulable", false}};
+  answer.judged = verdict.reasons;
+  answer.closing = "nothing was written; --allow-unschedulable writes anyway\n";
+  return answer;
+}
+
 /// Whether nothing that was read is overwritten, and nothing is written twice.
-bool are_apart(Context& context, const Output& output) {
-  auto planned = planned_files(context.options.out, output, "-o");
-  if (!context.options.depfile.empty()) planned.push_back({context.options.depfile, "--depfile"});
-  return check_outputs(planned, context.sources, context.diagnostics);
+bool are_apart(const Options& options, const Output& output, Sources& sources, Diagnostics& diagnostics) {
+  auto planned = planned_files(options.out, output, "-o");
+  if (!options.depfile.empty()) planned.push_back({options.depfile, "--depfile"});
+  return check_outputs(planned, sources, diagnostics);
 }
 
 /// A requirement that fails refuses nothing here, but nobody should believe that it holds.
-void warn_of_requirements(Context& context, const Verdict& verdict) {
+void warn_of_requirements(const Verdict& verdict, bool warnings_are_errors, Diagnostics& diagnostics) {
   for (Diagnostic finding : verdict.reasons.in_file_order()) {
     if (finding.code != code::timing_requirement) continue;
     finding.severity = Severity::warning;
-    finding.note(context.options.warnings_are_errors
+    finding.note(warnings_are_errors
                      ? "without -W error generate would write the files; analyze and check exit with status 1"
                      : "generate still writes the files; analyze and check exit with status 1");
-    context.diagnostics.add(finding);
+    diagnostics.add(finding);
   }
+}
+
+/// Writes the files of a robot that may be written.
+Answer write_files(const Options& options, const Output& output, Sources& sources, Diagnostics& diagnostics) {
+  if (!are_apart(options, output, sources, diagnostics)) return no_answer();
+  const WriteResult result = write_output(
+      options.out, output, {options.dry_run, options.force, options.warnings_are_errors}, sources, diagnostics);
+  if (is_refused(options, diagnostics)) return no_answer();
+  if (!options.depfile.empty() && !options.dry_run)
+    write_result(options.depfile, depfile_text(options.out, sources), diagnostics);
+  return answer_of(options, result);
 }
 
 }  // namespace
 
-int run_generate(Context& context) {
-  const Options& options = context.options;
+Answer run_generate(const Options& options, Sources& sources, Diagnostics& diagnostics) {
   if (options.out.empty() && !options.list) {
-    context.diagnostics.error(code::usage, {}, "generate needs a folder to write to").hint("add -o DIR");
-    return finish(context, kExitInvalid);
+    diagnostics.error(code::usage, {}, "generate needs a folder to write to").hint("add -o DIR");
+    return no_answer();
   }
-  const auto loaded = load_robot(context);
-  if (!loaded) return finish(context, kExitInvalid);
-  if (options.list) return list_names(context, *loaded);
+  const auto input = input_of(options, diagnostics);
+  if (!input) return no_answer();
+  const auto planned = plan_robot(*input, sources, diagnostics);
+  if (!planned) return no_answer();
+  if (options.list) return list_names(*planned);
 
+  const Analysis analysis = analyse_robot(*planned, options.allow_unschedulable ? Hints::left_out : Hints::wanted);
   if (!options.allow_unschedulable) {
-    const auto verdict = timing_verdict(context, *loaded, CommandAges::left_out);
-    if (!verdict) return finish(context, kExitInvalid);
-    for (const Diagnostic& overload : verdict->overloads) context.diagnostics.add(overload);
-    if (!verdict->schedulable) return refuse_unschedulable(context, *verdict);
-    warn_of_requirements(context, *verdict);
+    const auto verdict = verdict_of(analysis, diagnostics);
+    if (!verdict) return no_answer();
+    for (const Diagnostic& overload : verdict->overloads) diagnostics.add(overload);
+    if (!verdict->schedulable) return refuse_unschedulable(options.out, *verdict);
+    warn_of_requirements(*verdict, options.warnings_are_errors, diagnostics);
   }
-  auto files = render_robot(context, *loaded);
-  if (is_refused(context)) return finish(context, kExitInvalid);
-  const Output output =
-      make_output(std::move(files), input_files(context, *loaded), loaded->robot.name.text, output_options(options));
-  if (!are_apart(context, output)) return finish(context, kExitInvalid);
-  const WriteResult result =
-      write_output(options.out, output, {options.dry_run, options.force, options.warnings_are_errors}, context.sources,
-                   context.diagnostics);
-  if (is_refused(context)) return finish(context, kExitInvalid);
-  if (!options.depfile.empty() && !options.dry_run) write_depfile(context, options.out);
-  print_summary(context, result);
-  return finish(context, kExitYes,
-                Json{{"schema", "finemote.generate/1"},
-                     {"output", options.out},
-                     {"written", result.written},
-                     {"unchanged", result.unchanged},
-                     {"removed", result.removed},
-                     {"moved", moved_list(result)}});
+  auto files = emit_files(*planned, prove_bounds(*planned, analysis), input->data_dir, diagnostics);
+  if (is_refused(options, diagnostics)) return no_answer();
+  return write_files(options, output_of(std::move(files), *planned, *input, sources), sources, diagnostics);
 }
 
 }  // namespace finemote::gen

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <new>
 #include <string>
 #include <vector>
@@ -13,9 +12,9 @@
 #include <malloc.h>
 #endif
 
+#include "generator/cli/answer.hpp"
+#include "generator/cli/command_line.hpp"
 #include "generator/cli/commands.hpp"
-#include "generator/cli/exit_status.hpp"
-#include "generator/cli/finish.hpp"
 #include "generator/cli/sandbox.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/file/descriptor_buffer.hpp"
@@ -25,34 +24,19 @@ namespace {
 
 using namespace finemote::gen;
 
+/// Runs the command and prints its answer.
 int run(const Options& options, std::ostream& out) {
-  static const std::map<std::string, int (*)(Context&)> kCommands{
-      {"generate", run_generate},
-      {"check", run_check},
-      {"tree", run_tree},
-      {"board show", run_board_show},
-      {"board sources", run_board_sources},
-      {"run", run_run},
-      {"diff", run_diff},
-      {"docs", run_docs},
-      {"explain", run_explain},
-      {"lint", run_lint},
-      {"schema", run_schema},
-      {"xacro", run_xacro_command},
-      {"analyze", run_analyze_command},
-      {"simulate", run_simulate_command},
-  };
   Diagnostics diagnostics;
   Sources sources(read_access(options, diagnostics));
-  Context context{options, sources, diagnostics, out, std::cerr};
-  if (diagnostics.has_errors()) return finish(context, kExitInvalid);
-  if (!options.sandbox) return kCommands.at(options.command)(context);
+  if (diagnostics.has_errors()) return finish(options, no_answer(), diagnostics, out, std::cerr);
+  const auto command = command_named(options.command).run;
+  if (!options.sandbox) return finish(options, command(options, sources, diagnostics), diagnostics, out, std::cerr);
   bound_resources();
   try {
-    return kCommands.at(options.command)(context);
+    return finish(options, command(options, sources, diagnostics), diagnostics, out, std::cerr);
   } catch (const std::bad_alloc&) {
     report_memory_limit(diagnostics);
-    return finish(context, kExitInvalid);
+    return finish(options, no_answer(), diagnostics, out, std::cerr);
   }
 }
 

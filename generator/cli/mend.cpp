@@ -36,13 +36,13 @@ std::string children_text(const Robot& robot, const Device& device) {
 }
 
 /// What the robot is, whatever the order of its devices where nothing can tell; without the buses of these names.
-Facts lasting_facts(const Loaded& loaded, const std::set<std::string>& without) {
-  Facts facts = facts_of(loaded);
+Facts lasting_facts(const PlannedRobot& planned, const std::set<std::string>& without) {
+  Facts facts = facts_of(planned);
   for (const std::string& bus : without) facts.erase(fmt::format("bus '{}'", bus));
-  for (const Device& device : loaded.robot.devices) {
+  for (const Device& device : planned.robot.devices) {
     auto& properties = facts[fmt::format("device '{}'", device.name.text)];
     properties.erase("position in the schedule");
-    properties["children"] = children_text(loaded.robot, device);
+    properties["children"] = children_text(planned.robot, device);
   }
   return facts;
 }
@@ -98,12 +98,13 @@ bool depends_on_arguments(const Sources& sources) {
 
 class Mender {
  public:
-  Mender(Context& context, const Linted& linted)
-      : context_(context), linted_(linted), before_(keys_of(context.diagnostics, linted)) {}
+  Mender(const Options& options, const Input& input, const Linted& linted, const Sources& sources,
+         const Diagnostics& said)
+      : options_(options), input_(input), linted_(linted), sources_(sources), before_(keys_of(said, linted)) {}
 
   Mended run() {
     std::vector<const Fix*> open;
-    const bool is_open_ended = depends_on_arguments(context_.sources);
+    const bool is_open_ended = depends_on_arguments(sources_);
     for (const Fix& fix : linted_.fixes) {
       if (fix.change.edits.empty()) {
         refuse(fix, fix.change.reason);
@@ -146,11 +147,12 @@ class Mender {
     std::vector<Edit> edits;
     for (const Fix* fix : fixes) edits.insert(edits.end(), fix->change.edits.begin(), fix->change.edits.end());
     auto edited = std::make_unique<Edited>(
-        Edited{apply_edits(*edits.front().file, edits), Sources(context_.sources.access()), {}, std::nullopt});
-    std::ostream nobody(nullptr);
-    Context context{context_.options, edited->sources, edited->diagnostics, nobody, nobody};
-    auto loaded = load_robot(context, &edited->text);
-    if (loaded) edited->linted = lint_loaded(context, std::move(*loaded));
+        Edited{apply_edits(*edits.front().file, edits), Sources(sources_.access()), {}, std::nullopt});
+    Input input = input_;
+    input.text = &edited->text;
+    input.messages = nullptr;
+    auto planned = plan_robot(input, edited->sources, edited->diagnostics);
+    if (planned) edited->linted = lint_planned(options_, std::move(*planned), edited->diagnostics);
     return edited;
   }
 
@@ -172,30 +174,34 @@ class Mender {
     const std::string finding = first_new(keys_of(edited.diagnostics, *edited.linted), expected);
     if (!finding.empty()) return "the edited robot has a new finding, " + finding;
     const std::string other =
-        first_difference(lasting_facts(linted_.loaded, removed), lasting_facts(edited.linted->loaded, {}));
+        first_difference(lasting_facts(linted_.planned, removed), lasting_facts(edited.linted->planned, {}));
     return other.empty() ? other : fmt::format("{} would not be what it is", other);
   }
 
-  Context& context_;
+  const Options& options_;
+  const Input& input_;
   const Linted& linted_;
+  const Sources& sources_;
   Keys before_;
   Mended mended_;
 };
 
 }  // namespace
 
-std::optional<Linted> lint_loaded(Context& context, Loaded loaded) {
-  Linted linted;
-  linted.loaded = std::move(loaded);
-  auto verdict = timing_verdict(context, linted.loaded, CommandAges::needed);
+std::optional<Linted> lint_planned(const Options& options, PlannedRobot planned, Diagnostics& diagnostics) {
+  const Analysis analysis = analyse_robot(planned, Hints::wanted);
+  auto verdict = verdict_of(analysis, diagnostics);
   if (!verdict) return std::nullopt;
-  linted.verdict = std::move(*verdict);
-  linted.options = lint_options(context, linted.verdict);
-  if (context.diagnostics.has_errors()) return std::nullopt;
-  linted.fixes = lint(linted.loaded.robot, linted.options, linted.findings);
+  auto rules = lint_options(options.allow, options.deny, planned, *analysis.timing, *verdict, diagnostics);
+  if (!rules) return std::nullopt;
+  Linted linted{std::move(planned), std::move(*verdict), std::move(*rules), {}, {}};
+  linted.fixes = lint(linted.planned.robot, linted.options, linted.findings);
   return linted;
 }
 
-Mended mend(Context& context, const Linted& linted) { return Mender(context, linted).run(); }
+Mended mend(const Options& options, const Input& input, const Linted& linted, const Sources& sources,
+            const Diagnostics& said) {
+  return Mender(options, input, linted, sources, said).run();
+}
 
 }  // namespace finemote::gen

@@ -5,15 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "generator/cli/load.hpp"
+#include "generator/cli/options.hpp"
 #include "generator/cli/verdict.hpp"
 #include "generator/lint/lint.hpp"
+#include "generator/pipeline.hpp"
 
 namespace finemote::gen {
 
 /// A robot as lint sees it, with all that was said of it.
 struct Linted {
-  Loaded loaded;
+  PlannedRobot planned;
   Verdict verdict;
   LintOptions options;
   Diagnostics findings;  ///< of lint
@@ -34,12 +35,14 @@ struct Mended {
   std::vector<std::pair<const Fix*, std::string>> refused;  ///< with the reason
 };
 
-/// Lints a robot that was read; none after an error.
-std::optional<Linted> lint_loaded(Context& context, Loaded loaded);
+/// Analyses and lints a robot, with --allow and --deny; none after an error.
+std::optional<Linted> lint_planned(const Options& options, PlannedRobot planned, Diagnostics& diagnostics);
 
-/// Tries the fixes on the text of IN in memory. One is taken if the edited text, read with the same arguments, has
+/// Tries the fixes on the text of `input` in memory. One is taken if the edited text, read with the same arguments, has
 /// neither errors nor findings that were not there before, lacks the finding, and is the same robot but for the order
 /// of devices, or the bus that is removed. Writes nothing.
-Mended mend(Context& context, const Linted& linted);
+/// @param said  the findings of reading and planning the robot
+Mended mend(const Options& options, const Input& input, const Linted& linted, const Sources& sources,
+            const Diagnostics& said);
 
 }  // namespace finemote::gen

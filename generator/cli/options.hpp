@@ -1,17 +1,15 @@
-// The words of the command line to one value.
+// Everything a user can say on the command line, as one value.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "generator/cli/command_words.hpp"
-
 namespace finemote::gen {
 
 enum class Format { text, json, sarif, github, gcc };
+inline constexpr const char* kFormatWords[] = {"text", "json", "sarif", "github", "gcc"};  ///< in the same order
 enum class ColorMode { automatic, always, never };
 
 /// Everything the user can say. One flat value: each command reads what concerns it.
@@ -39,7 +37,7 @@ struct Options {
   bool allow_unschedulable = false;
   bool diff = false;
   std::string duration;             ///< --duration
-  std::string flash = "hit";        ///< --flash: what fetches from the emulated flash cost, hit or miss
+  bool flash_misses = false;        ///< --flash miss: fetches from the emulated flash are never there already
   std::string keep;                 ///< --keep: folder for the sources and build of `run`
   std::string scenario;             ///< --scenario: stimuli and faults for `run`
   bool deps = false;                ///< xacro --deps
@@ -56,20 +54,5 @@ struct Options {
   bool monitor = false;     ///< --monitor: the firmware holds itself to its bounds
   bool build_only = false;  ///< --build-only: stop after the image
 };
-
-/// What the words ask for: a command to run, or a text to print and stop (help, version, or a usage error).
-struct ParsedCommandLine {
-  std::optional<Options> options;
-  int exit_status = 0;
-  std::string text;      ///< for stdout when the status is 0, else for stderr
-  std::string findings;  ///< for stdout when it is not: the same in the format that was asked for, sarif, github or gcc
-};
-
-/// Options may stand before or after the command, `name:=value` anywhere. Words that mean nothing are a usage error
-/// (FM0001) even beside --help and --version.
-ParsedCommandLine parse_command_line(const std::vector<std::string>& words);
-
-/// Every command and option there is, for the test of the page that describes them.
-CommandWords command_line_words();
 
 }  // namespace finemote::gen

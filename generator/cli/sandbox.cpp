@@ -88,7 +88,7 @@ files::Access read_access(const Options& options, Diagnostics& diagnostics) {
   std::vector<std::string> folders = named_folders(options);
   for (const std::string& folder : folders) check_folder(folder, diagnostics);
   Diagnostics reported_later;
-  const fs::path data = find_data_dir(options, reported_later);
+  const fs::path data = find_data_dir(options.data_dir, reported_later);
   if (!data.empty()) folders.push_back((data / "schemas").string());
   return files::Access::sandbox(folders);
 }

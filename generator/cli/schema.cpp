@@ -1,10 +1,9 @@
 // finemote schema: the schemas that editors and other tools use.
 #include <fmt/format.h>
 
+#include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/data_dir.hpp"
-#include "generator/cli/exit_status.hpp"
-#include "generator/cli/finish.hpp"
 #include "generator/diagnostic/suggest.hpp"
 
 namespace finemote::gen {
@@ -24,42 +23,40 @@ constexpr Schema kSchemas[] = {
 
 using Json = nlohmann::ordered_json;
 
-int list_schemas(Context& context) {
+Answer list_schemas() {
+  Answer answer{kExitYes};
   Json list = Json::array();
   for (const Schema& schema : kSchemas) {
     list.push_back({{"name", schema.name}, {"of", schema.of}});
-    if (context.options.format == Format::text) context.out << fmt::format("{:<9} {}\n", schema.name, schema.of);
+    answer.text += fmt::format("{:<9} {}\n", schema.name, schema.of);
   }
-  return finish(context, kExitYes, Json{{"schema", "finemote.schemas/1"}, {"schemas", list}});
+  answer.document = {{"schema", "finemote.schemas/1"}, {"schemas", list}};
+  return answer;
 }
 
-/// As text, and where it is JSON by itself, as it is; else inside a document.
-int print_schema(Context& context, const Schema& schema, const std::string& text) {
-  const Format format = context.options.format;
-  const bool is_json = Json::accept(text);
-  if (format == Format::text || (format == Format::json && is_json)) {
-    context.out << text;
-    return finish(context, kExitYes);
-  }
-  return finish(context, kExitYes, Json{{"schema", "finemote.schema/1"}, {"name", schema.name}, {"text", text}});
+/// As it is, and inside a document where one is asked for and it is none by itself.
+Answer print_schema(const Schema& schema, const std::string& text) {
+  Answer answer{kExitYes, text};
+  if (!Json::accept(text)) answer.document = {{"schema", "finemote.schema/1"}, {"name", schema.name}, {"text", text}};
+  return answer;
 }
 
 }  // namespace
 
-int run_schema(Context& context) {
-  if (context.options.input.empty()) return list_schemas(context);
-  const std::string data_dir = find_data_dir(context.options, context.diagnostics);
-  if (data_dir.empty()) return finish(context, kExitInvalid);
+Answer run_schema(const Options& options, Sources& /*sources*/, Diagnostics& diagnostics) {
+  if (options.input.empty()) return list_schemas();
+  const std::string data_dir = find_data_dir(options.data_dir, diagnostics);
+  if (data_dir.empty()) return no_answer();
   std::vector<std::string> names;
   for (const Schema& schema : kSchemas) {
     names.emplace_back(schema.name);
-    if (context.options.input != schema.name) continue;
-    const auto text = read_data_file(data_dir + "/schemas/" + schema.file, context.diagnostics);
-    return text ? print_schema(context, schema, *text) : finish(context, kExitInvalid);
+    if (options.input != schema.name) continue;
+    const auto text = read_data_file(data_dir + "/schemas/" + schema.file, diagnostics);
+    return text ? print_schema(schema, *text) : no_answer();
   }
-  context.diagnostics.error(code::usage, {}, fmt::format("there is no schema '{}'", context.options.input))
-      .hint(did_you_mean(context.options.input, names));
-  return finish(context, kExitInvalid);
+  diagnostics.error(code::usage, {}, fmt::format("there is no schema '{}'", options.input))
+      .hint(did_you_mean(options.input, names));
+  return no_answer();
 }
 
 }  // namespace finemote::gen

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 
+#include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
-#include "generator/cli/exit_status.hpp"
-#include "generator/cli/finish.hpp"
-#include "generator/cli/load.hpp"
+#include "generator/cli/robot_input.hpp"
 #include "generator/geometry/frame.hpp"
 #include "generator/model/device_frames.hpp"
 #include "generator/schedule/period.hpp"
@@ -60,35 +59,35 @@ std::string comment_of(const Plan& plan, DeviceId index) {
   return device_comment(plan, index) + (link.empty() ? "" : fmt::format(", geometry about link '{}'", link));
 }
 
-void print_trees(Context& context, const Loaded& loaded) {
-  const Plan plan = loaded.plan();
-  context.out << fmt::format("{} on {}, tick {}\n", loaded.robot.name.text, loaded.robot.board->name,
-                             period_text(loaded.robot.tick_ns));
-  for (const Tree& tree : loaded.forest.trees) {
-    const std::vector<Row> rows = rows_of(loaded.robot, tree.root);
+std::string trees_text(const PlannedRobot& planned) {
+  const Robot& robot = planned.robot;
+  std::string text = fmt::format("{} on {}, tick {}\n", robot.name.text, robot.board->name, period_text(robot.tick_ns));
+  for (const Tree& tree : planned.forest.trees) {
+    const std::vector<Row> rows = rows_of(robot, tree.root);
     std::size_t widest = 0;
     for (const Row& row : rows) widest = std::max(widest, row.width);
-    context.out << "\n";
+    text += "\n";
     for (const Row& row : rows) {
-      context.out << fmt::format("{}{}  {:>8}  {}\n", row.name, std::string(widest - row.width, ' '),
-                                 period_text(loaded.robot.devices[row.device].period_ns), comment_of(plan, row.device));
+      text += fmt::format("{}{}  {:>8}  {}\n", row.name, std::string(widest - row.width, ' '),
+                          period_text(robot.devices[row.device].period_ns), comment_of(planned.plan(), row.device));
     }
   }
+  return text;
 }
 
-void print_order(Context& context, const Loaded& loaded) {
-  for (const Bucket& bucket : loaded.schedule.buckets) {
-    context.out << fmt::format("\nevery {}: priority {}, interrupt line {}\n", period_text(bucket.period_ns),
-                               bucket.priority, bucket.line);
-    std::string line = "  update";
-    for (DeviceId device : bucket.devices) line += " " + loaded.robot.devices[device].name.text;
-    context.out << line << "\n";
-    line = "  handle";
-    for (auto device = bucket.devices.rbegin(); device != bucket.devices.rend(); ++device) {
-      line += " " + loaded.robot.devices[*device].name.text;
-    }
-    context.out << line << "\n";
+std::string order_text(const PlannedRobot& planned) {
+  std::string text;
+  for (const Bucket& bucket : planned.schedule.buckets) {
+    text += fmt::format("\nevery {}: priority {}, interrupt line {}\n", period_text(bucket.period_ns), bucket.priority,
+                        bucket.line);
+    text += "  update";
+    for (const DeviceId device : bucket.devices) text += " " + planned.robot.devices[device].name.text;
+    text += "\n  handle";
+    for (auto device = bucket.devices.rbegin(); device != bucket.devices.rend(); ++device)
+      text += " " + planned.robot.devices[*device].name.text;
+    text += "\n";
   }
+  return text;
 }
 
 Json names(const Robot& robot, const std::vector<DeviceId>& devices) {
@@ -97,10 +96,10 @@ Json names(const Robot& robot, const std::vector<DeviceId>& devices) {
   return list;
 }
 
-Json document(const Loaded& loaded) {
-  const Robot& robot = loaded.robot;
+Json document(const PlannedRobot& planned) {
+  const Robot& robot = planned.robot;
   Json trees = Json::array();
-  for (const Tree& tree : loaded.forest.trees) {
+  for (const Tree& tree : planned.forest.trees) {
     Json devices = Json::array();
     for (const DeviceId index : tree.devices) {
       const Device& device = robot.devices[index];
@@ -117,7 +116,7 @@ Json document(const Loaded& loaded) {
     trees.push_back({{"root", robot.devices[tree.root].name.text}, {"devices", devices}});
   }
   Json buckets = Json::array();
-  for (const Bucket& bucket : loaded.schedule.buckets) {
+  for (const Bucket& bucket : planned.schedule.buckets) {
     std::vector<DeviceId> handles(bucket.devices.rbegin(), bucket.devices.rend());
     buckets.push_back({{"period_ns", bucket.period_ns},
                        {"priority", bucket.priority},
@@ -131,14 +130,12 @@ Json document(const Loaded& loaded) {
 
 }  // namespace
 
-int run_tree(Context& context) {
-  const auto loaded = load_robot(context);
-  if (!loaded) return finish(context, kExitInvalid);
-  if (context.options.format == Format::text) {
-    print_trees(context, *loaded);
-    print_order(context, *loaded);
-  }
-  return finish(context, kExitYes, document(*loaded));
+Answer run_tree(const Options& options, Sources& sources, Diagnostics& diagnostics) {
+  const auto input = input_of(options, diagnostics);
+  if (!input) return no_answer();
+  const auto planned = plan_robot(*input, sources, diagnostics);
+  if (!planned) return no_answer();
+  return {kExitYes, trees_text(*planned) + order_text(*planned), document(*planned)};
 }
 
 }  // namespace finemote::gen

@@ -28,12 +28,6 @@ std::string constant(std::optional<std::int64_t> ns) { return ns ? std::to_strin
 
 }  // namespace
 
-ProvenBounds prove_bounds(const Robot& robot, const Forest& forest, const Schedule& schedule) {
-  timing::RobotTimingOptions instrumented;
-  instrumented.trace = instrumented.monitor = true;
-  return {timing::bound_robot(robot, forest, schedule), timing::bound_robot(robot, forest, schedule, instrumented)};
-}
-
 std::string bound_text(std::int64_t ns) {
   if (ns < kNsPerMs) return thousandths(ns) + " us";
   return thousandths((ns + kNsPerUs - 1) / kNsPerUs) + " ms";

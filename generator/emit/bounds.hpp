@@ -14,8 +14,6 @@ struct ProvenBounds {
   timing::RobotBounds plain, monitored;
 };
 
-ProvenBounds prove_bounds(const Robot& robot, const Forest& forest, const Schedule& schedule);
-
 /// A time that is not below `ns`: `187.31 us` exactly, from a millisecond on `12.146 ms`, rounded up.
 std::string bound_text(std::int64_t ns);
 

@@ -182,7 +182,8 @@ std::optional<Robot> build_model(const xml::Document& document, Library& library
   }
   check_version_is_given(reading.tags, diagnostics);
   reading.robot.name = make_name(value_of(root, "name"));
-  if (root.at.file != nullptr) reading.robot.source = root.at.file->name;
+  reading.robot.source = options.source;
+  if (options.source.empty() && root.at.file != nullptr) reading.robot.source = root.at.file->name;
   read_all(reading);
   if (diagnostics.size() == findings) check_there_is_a_device(reading.tags, reading.robot, diagnostics);
   const bool is_right = diagnostics.size() == findings;

@@ -15,6 +15,7 @@ namespace finemote::gen {
 struct ModelOptions {
   std::string board;                      ///< instead of the board the robot names (`--board`); empty: the robot's own
   std::int64_t assumed_wcet_ns = 50'000;  ///< per stage, for devices that declare none and whose type has no default
+  std::string source;                     ///< how outputs call the input; empty: as messages do
   bool from_xacro =
       false;  ///< the text was expanded: a `xacro:` tag that is left is not the user's mistake of file type
 };

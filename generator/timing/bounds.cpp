@@ -2,14 +2,9 @@
 
 namespace finemote::gen::timing {
 
-RobotBounds bound_robot(const Robot& robot, const Forest& forest, const Schedule& schedule,
-                        const RobotTimingOptions& options) {
-  RobotBounds bounds{Table<DeviceId, DeviceBounds>(robot.devices.size()),
+RobotBounds robot_bounds(const std::optional<Timing>& timing, const Forest& forest, const Schedule& schedule) {
+  RobotBounds bounds{Table<DeviceId, DeviceBounds>(forest.order.size()),
                      std::vector<std::optional<Ns>>(schedule.buckets.size()), false};
-  AnalysisRequest request;
-  request.inputs = true;
-  Diagnostics findings;  // `generate` reports them where it asks for the verdict
-  const auto timing = analyse(make_timing_model(robot, forest, schedule, options), request, findings);
   if (!timing || !timing->target) return bounds;
   bounds.answered = true;
   const ProfileResult& target = *timing->target;
@@ -26,6 +21,16 @@ RobotBounds bound_robot(const Robot& robot, const Forest& forest, const Schedule
     if (input.wire_ns) device.output_ns = add(*device.age_ns, *input.wire_ns);
   }
   return bounds;
+}
+
+RobotBounds instrumented_bounds(const Robot& robot, const Forest& forest, const Schedule& schedule) {
+  RobotTimingOptions instrumented;
+  instrumented.trace = instrumented.monitor = true;
+  AnalysisRequest request;
+  request.inputs = true;
+  Diagnostics nobody_asks;  // the robot is judged without them
+  return robot_bounds(analyse(make_timing_model(robot, forest, schedule, instrumented), request, nobody_asks), forest,
+                      schedule);
 }
 
 }  // namespace finemote::gen::timing

@@ -20,8 +20,11 @@ struct RobotBounds {
   bool answered = false;                ///< the analysis came to an end
 };
 
-/// The bounds of profile `target`. Never fails: what the analysis cannot answer has no bound.
-RobotBounds bound_robot(const Robot& robot, const Forest& forest, const Schedule& schedule,
-                        const RobotTimingOptions& options = {});
+/// The bounds of profile `target`, of an analysis that was asked for `inputs`. Never fails: what it did not answer has
+/// no bound.
+RobotBounds robot_bounds(const std::optional<Timing>& timing, const Forest& forest, const Schedule& schedule);
+
+/// The same of the firmware with monitor and trace built in, which is analysed for it.
+RobotBounds instrumented_bounds(const Robot& robot, const Forest& forest, const Schedule& schedule);
 
 }  // namespace finemote::gen::timing

@@ -7,7 +7,7 @@
 
 #include "catch.hpp"
 #include "cli/program.hpp"
-#include "generator/cli/options.hpp"
+#include "generator/cli/command_line.hpp"
 #include "generator/diagnostic/render.hpp"
 
 using namespace finemote::gen;

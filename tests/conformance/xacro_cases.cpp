@@ -8,7 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "generator/xacro/command.hpp"
+#include "generator/diagnostic/render.hpp"
+#include "generator/xacro/expand_file.hpp"
 #include "generator/xml/parse.hpp"
 #include "tests/conformance/tree.hpp"
 
@@ -86,12 +87,9 @@ std::string check_failure(const fs::path& folder, int status, const std::string&
 /// What is wrong with one case, or an empty text.
 std::string run_case(const fs::path& folder) {
   const Json facts = Json::parse(read_file(folder / "args.json"));
-  xacro::XacroOptions options;
-  options.input = facts.value("entry", "input.xacro");
-  const Json arguments = facts.value("args", Json::object());
-  for (const auto& [name, value] : arguments.items()) {
-    options.arguments[name] = value.get<std::string>();
-  }
+  const Json given = facts.value("args", Json::object());
+  xacro::Arguments arguments;
+  for (const auto& [name, value] : given.items()) arguments[name] = value.get<std::string>();
   std::map<std::string, std::string> variables = facts.value("env", std::map<std::string, std::string>());
   const auto paths = facts.value("package_path", std::vector<std::string>());
   for (const std::string& path : paths) {
@@ -99,11 +97,15 @@ std::string run_case(const fs::path& folder) {
   }
   const Environment environment(variables);
   fs::current_path(folder);
-  std::ostringstream out;
-  std::ostringstream err;
-  const int status = xacro::run_xacro(options, out, err);
-  const std::string output = with_case_mark(out.str(), folder.string());
-  const std::string report = with_case_mark(err.str(), folder.string());
+  std::ostringstream messages;
+  finemote::gen::Sources sources;
+  finemote::gen::Diagnostics diagnostics;
+  const auto expanded =
+      xacro::expand_file(facts.value("entry", "input.xacro"), arguments, {}, sources, diagnostics, &messages);
+  const int status = expanded ? 0 : 2;
+  const std::string output = with_case_mark(expanded ? expanded->document : "", folder.string());
+  const std::string report =
+      with_case_mark(messages.str() + finemote::gen::render_text(diagnostics, false), folder.string());
   const bool is_error = fs::exists(folder / "expected_error.txt");
   return is_error ? check_failure(folder, status, output, report)
                   : check_success(folder, facts, status, output, report);

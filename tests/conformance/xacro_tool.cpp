@@ -1,23 +1,31 @@
-// The xacro command alone, for running cases against the module without the rest of the tool.
+// The xacro module alone, for running cases against it without the rest of the tool.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <iostream>
 #include <string_view>
 
-#include "generator/xacro/command.hpp"
+#include "generator/diagnostic/render.hpp"
+#include "generator/xacro/expand_file.hpp"
+
+using namespace finemote::gen;
 
 int main(int count, char** words) {
-  finemote::gen::xacro::XacroOptions options;
+  std::string input;
+  xacro::Arguments arguments;
+  bool only_dependencies = false;
   for (int i = 1; i < count; ++i) {
     const std::string_view word = words[i];
-    if (finemote::gen::xacro::add_argument(word, options.arguments)) continue;
-    if (word == "-o" && i + 1 < count) {
-      options.output = words[++i];
-    } else if (word == "--deps") {
-      options.only_dependencies = true;
-    } else if (word == "-q") {
-      options.verbosity = 0;
-    } else {
-      options.input = word;
-    }
+    if (xacro::add_argument(word, arguments)) continue;
+    if (word == "--deps")
+      only_dependencies = true;
+    else
+      input = word;
   }
-  return finemote::gen::xacro::run_xacro(options, std::cout, std::cerr);
+  Sources sources;
+  Diagnostics diagnostics;
+  const auto expanded = xacro::expand_file(input, arguments, {}, sources, diagnostics, &std::cerr);
+  std::cerr << render_text(diagnostics, false);
+  if (!expanded) return 2;
+  std::cout << (only_dependencies ? fmt::format("{}", fmt::join(expanded->dependencies, " ")) : expanded->document);
 }

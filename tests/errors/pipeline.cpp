@@ -66,12 +66,14 @@ Outcome Pipeline::run(const std::string& text, bool is_xacro) {
   if (diagnostics.has_errors()) return outcome(Outcome::Kind::refused, diagnostics);
   timing::AnalysisRequest request;
   request.requirements = timing::timing_requirements(*robot, forest);
+  request.inputs = true;
   const auto timing = timing::analyse(timing::make_timing_model(*robot, forest, schedule), request, diagnostics);
   if (!timing) return outcome(Outcome::Kind::refused, diagnostics);
 
   Diagnostics findings;
   lint(*robot, {}, findings);
-  const ProvenBounds bounds = prove_bounds(*robot, forest, schedule);
+  const ProvenBounds bounds{timing::robot_bounds(timing, forest, schedule),
+                            timing::instrumented_bounds(*robot, forest, schedule)};
   Diagnostics rendering;
   auto files = render_files({*robot, forest, schedule}, bounds, kSource, rendering);
   if (rendering.has_errors()) return outcome(Outcome::Kind::refused, rendering);

@@ -45,7 +45,12 @@ struct Rendered {
 
   explicit Rendered(const std::string& inner) : planned(inner) {
     const Plan plan{*planned.robot, planned.forest, planned.schedule};
-    const ProvenBounds bounds = prove_bounds(*planned.robot, planned.forest, planned.schedule);
+    timing::AnalysisRequest request;
+    request.inputs = true;
+    const auto timing = timing::analyse(timing::make_timing_model(plan.robot, plan.forest, plan.schedule), request,
+                                        planned.diagnostics);
+    const ProvenBounds bounds{timing::robot_bounds(timing, plan.forest, plan.schedule),
+                              timing::instrumented_bounds(plan.robot, plan.forest, plan.schedule)};
     files = render_files(plan, bounds, FINEMOTE_SOURCE_DIR, planned.diagnostics);
   }
   [[nodiscard]] std::string operator[](const std::string& name) const {

@@ -2,8 +2,7 @@
 #include <sstream>
 
 #include "catch.hpp"
-#include "generator/simulate/command.hpp"
-#include "generator/timing/command.hpp"
+#include "generator/simulate/beside_bounds.hpp"
 #include "generator/timing/table.hpp"
 #include "unit/timing_robots.hpp"
 
@@ -45,14 +44,14 @@ TEST_CASE("finsrov is schedulable with the costs of the board, and keeps its req
 
 TEST_CASE("finsrov simulates below its bounds") {
   Robots finsrov("examples/finsrov.urdf");
-  SimulateOptions options;
-  options.duration_ns = 2'000'000'000;
-  std::ostringstream out, trace;
-  options.trace = &trace;
+  SimulationRequest request;
+  request.duration_ns = 2'000'000'000;
+  std::ostringstream trace;
   Diagnostics diagnostics;
-  const int status = run_simulate(finsrov.model, options, diagnostics, out);
-  INFO(out.str());
-  CHECK(status == 0);
+  const auto simulated = simulate_beside_bounds(finsrov.model, request, diagnostics, &trace);
+  INFO(render_text(diagnostics, false));
+  REQUIRE(simulated);
+  CHECK(simulated->good());
   const auto events = nlohmann::json::parse(trace.str());
   CHECK(events["traceEvents"].size() > 1000);
 }

@@ -8,8 +8,8 @@
 
 #include "catch.hpp"
 #include "generator/diagnostic/render.hpp"
-#include "generator/xacro/command.hpp"
 #include "generator/xacro/expand.hpp"
+#include "generator/xacro/expand_file.hpp"
 #include "generator/xacro/macro.hpp"
 #include "generator/xml/write.hpp"
 
@@ -63,17 +63,13 @@ struct Run {
   std::string err;
 };
 
-Run run(const xacro::XacroOptions& options) {
-  std::ostringstream out;
-  std::ostringstream err;
-  const int status = xacro::run_xacro(options, out, err);
-  return {status, out.str(), err.str()};
-}
-
-xacro::XacroOptions options_for(const std::string& input) {
-  xacro::XacroOptions options;
-  options.input = input;
-  return options;
+/// What is printed of a file, and what is said of it.
+Run run(const std::string& path) {
+  Sources sources;
+  Diagnostics diagnostics;
+  std::ostringstream messages;
+  const auto expanded = xacro::expand_file(path, {}, {}, sources, diagnostics, &messages);
+  return {expanded ? 0 : 2, expanded ? expanded->document : "", messages.str() + render_text(diagnostics, false)};
 }
 
 std::string document(const std::string& content) {
@@ -114,7 +110,7 @@ TEST_CASE("xacro: an error inside macros and includes names the text and the who
   folder.add("in.xacro", document("<xacro:include filename=\"lib.xacro\"/>\n<xacro:outer/>"));
   folder.add("lib.xacro", document("<xacro:macro name=\"inner\"><a v=\"1 ${nope}\"/></xacro:macro>\n"
                                    "<xacro:macro name=\"outer\"><xacro:inner/></xacro:macro>"));
-  const auto r = run(options_for(folder / "in.xacro"));
+  const auto r = run(folder / "in.xacro");
   CHECK(r.status == 2);
   CHECK(r.out.empty());
   CHECK(r.err == (folder / "lib.xacro") +
@@ -148,7 +144,7 @@ TEST_CASE("xacro: arguments of a call into a namespace see the namespace first, 
       document("<xacro:include filename=\"lib.xacro\" ns=\"L\"/>"
                "<xacro:macro name=\"o\" params=\"x y\"><xacro:L.m v=\"${x}\"/><xacro:L.m v=\"${y}\"/></xacro:macro>"
                "<xacro:o x=\"1\" y=\"2\"/>"));
-  const auto r = run(options_for(folder / "in.xacro"));
+  const auto r = run(folder / "in.xacro");
   CHECK(r.out.find("<a v=\"lib\"/>") != std::string::npos);
   CHECK(r.out.find("<a v=\"2\"/>") != std::string::npos);
 }
@@ -238,7 +234,7 @@ TEST_CASE("xacro: include cycles end with the way they took") {
   const Folder folder;
   folder.add("a.xacro", document("<xacro:include filename=\"b.xacro\"/>"));
   folder.add("b.xacro", document("<xacro:include filename=\"a.xacro\"/>"));
-  const auto r = run(options_for(folder / "a.xacro"));
+  const auto r = run(folder / "a.xacro");
   CHECK(r.status == 2);
   CHECK(r.err.find("FM1011") != std::string::npos);
   CHECK(r.err.find("included as '" + (folder / "b.xacro")) != std::string::npos);
@@ -252,17 +248,16 @@ TEST_CASE("xacro: files that cannot be read") {
   folder.add("bad.xacro", "<r>\n  <a>\n</r>");
   folder.add("bytes.xacro", document("<xacro:include filename=\"latin.xacro\"/>"));
   folder.add("latin.xacro", "<r>\xE9</r>");
-  CHECK(run(options_for(folder / "in.xacro")).err.find(":2:1: error[FM1027]: No such file or directory: ") !=
-        std::string::npos);
-  CHECK(run(options_for(folder / "optional.xacro")).status == 0);
-  const auto broken = run(options_for(folder / "broken.xacro"));
+  CHECK(run(folder / "in.xacro").err.find(":2:1: error[FM1027]: No such file or directory: ") != std::string::npos);
+  CHECK(run(folder / "optional.xacro").status == 0);
+  const auto broken = run(folder / "broken.xacro");
   CHECK(broken.status == 2);
   CHECK(broken.err.find((folder / "bad.xacro") +
                         ":3:3: error[FM1001]: XML parsing error: mismatched tag: line 3, column 2") == 0);
   CHECK(broken.err.find("note: included as") != std::string::npos);
-  CHECK(run(options_for(folder / "bytes.xacro")).err.find((folder / "latin.xacro") + ":1:4: error[FM0004]") == 0);
-  CHECK(run(options_for(folder / "missing.xacro")).err.find("error[FM0002]: cannot read") != std::string::npos);
-  CHECK(run(options_for(folder / "missing.xacro")).status == 2);
+  CHECK(run(folder / "bytes.xacro").err.find((folder / "latin.xacro") + ":1:4: error[FM0004]") == 0);
+  CHECK(run(folder / "missing.xacro").err.find("error[FM0002]: cannot read") != std::string::npos);
+  CHECK(run(folder / "missing.xacro").status == 2);
 }
 
 TEST_CASE("xacro: packages are found by the first of four ways") {
@@ -320,34 +315,11 @@ TEST_CASE("xacro: YAML aliases cost nothing, and mistakes are located") {
   folder.add("self.xacro", document("<a v=\"${xacro.load_yaml('self.yaml')}\"/>"));
   folder.add("deep.yaml", std::string(3000, '[') + std::string(3000, ']'));
   folder.add("deep.xacro", document("<a v=\"${xacro.load_yaml('deep.yaml')}\"/>"));
-  CHECK(run(options_for(folder / "len.xacro")).out.find("<a v=\"2\"/>") != std::string::npos);
-  CHECK(run(options_for(folder / "print.xacro")).err.find("error[FM1011]") != std::string::npos);
-  CHECK(run(options_for(folder / "bad.xacro"))
-            .err.find((folder / "bad.yaml") + ":3:2: error[FM1028]: cannot parse YAML") == 0);
-  CHECK(run(options_for(folder / "self.xacro")).err.find("found unconstructable recursive node") != std::string::npos);
-  CHECK(run(options_for(folder / "deep.xacro")).err.find("error[FM1028]") != std::string::npos);
-}
-
-TEST_CASE("xacro: the command writes nothing on failure, and makes folders on success") {
-  const Folder folder;
-  folder.add("bad.xacro", document("${"));
-  folder.add("good.xacro", document("<xacro:include filename=\"part.xacro\"/><v>${xacro.load_yaml('v.yaml')}</v>"));
-  folder.add("part.xacro", document("<p/>"));
-  folder.add("v.yaml", "3");
-  xacro::XacroOptions options = options_for(folder / "bad.xacro");
-  options.output = folder / "new/out.urdf";
-  CHECK(run(options).status == 2);
-  CHECK_FALSE(fs::exists(folder / "new"));
-  options.input = folder / "good.xacro";
-  const auto good = run(options);
-  CHECK(good.status == 0);
-  CHECK(good.out.empty());
-  CHECK(fs::exists(folder / "new/out.urdf"));
-  CHECK(fs::exists(folder / "new/out.urdf.tmp") == false);
-
-  options.output.clear();
-  options.only_dependencies = true;
-  CHECK(run(options).out == (folder / "part.xacro") + " " + (folder / "v.yaml"));
+  CHECK(run(folder / "len.xacro").out.find("<a v=\"2\"/>") != std::string::npos);
+  CHECK(run(folder / "print.xacro").err.find("error[FM1011]") != std::string::npos);
+  CHECK(run(folder / "bad.xacro").err.find((folder / "bad.yaml") + ":3:2: error[FM1028]: cannot parse YAML") == 0);
+  CHECK(run(folder / "self.xacro").err.find("found unconstructable recursive node") != std::string::npos);
+  CHECK(run(folder / "deep.xacro").err.find("error[FM1028]") != std::string::npos);
 }
 
 TEST_CASE("xacro: arguments are read as ROS reads them") {
@@ -358,18 +330,6 @@ TEST_CASE("xacro: arguments are read as ROS reads them") {
   CHECK(xacro::add_argument("__name:=1", arguments));
   CHECK_FALSE(xacro::add_argument("a=1", arguments));
   CHECK(arguments == xacro::Arguments{{"__name", "1"}, {"a", "1"}});
-}
-
-TEST_CASE("xacro: warnings do not fail, and -q drops them") {
-  const Folder folder;
-  folder.add("in.xacro", document("<xacro:property name=\"pi\" value=\"3\" extra=\"1\"/>"));
-  xacro::XacroOptions options = options_for(folder / "in.xacro");
-  const auto loud = run(options);
-  CHECK(loud.status == 0);
-  CHECK(loud.err.find(":2:34: warning[FM1051]: redefining global symbol: pi") != std::string::npos);
-  CHECK(loud.err.find("warning[FM1050]: xacro:property: unknown attribute(s): extra") != std::string::npos);
-  options.verbosity = 0;
-  CHECK(run(options).err.empty());
 }
 
 namespace {

@@ -10,7 +10,8 @@
 #include <iostream>
 #include <sstream>
 
-#include "generator/xacro/command.hpp"
+#include "generator/diagnostic/render.hpp"
+#include "generator/xacro/expand_file.hpp"
 
 namespace {
 
@@ -98,20 +99,17 @@ bool has_ros_xacro() { return std::system("command -v xacro > /dev/null 2>&1") =
 
 void bench(const std::string& label, const fs::path& file, int runs, bool with_ros) {
   std::size_t bytes = 0;
-  int status = 0;
-  xacro::XacroOptions options;
-  options.input = file.string();
   const double ours = median_ms(runs, RUSAGE_SELF, [&] {
-    std::ostringstream out;
-    std::ostringstream err;
-    status = xacro::run_xacro(options, out, err);
-    bytes = out.str().size();
-    if (status != 0) std::cerr << err.str();
+    finemote::gen::Sources sources;
+    finemote::gen::Diagnostics diagnostics;
+    const auto expanded = xacro::expand_file(file.string(), {}, {}, sources, diagnostics);
+    bytes = expanded ? expanded->document.size() : 0;
+    if (!expanded) std::cerr << finemote::gen::render_text(diagnostics, false);
   });
   std::cout << fmt::format("{:<28} {:>10.2f} ms {:>12} bytes", label, ours, bytes);
   if (with_ros && has_ros_xacro()) {
     const std::string command = "xacro '" + file.string() + "' > /dev/null";
-    const double theirs = median_ms(1, RUSAGE_CHILDREN, [&] { status = std::system(command.c_str()); });
+    const double theirs = median_ms(1, RUSAGE_CHILDREN, [&] { return std::system(command.c_str()); });
     std::cout << fmt::format("   ROS xacro {:>10.2f} ms   factor {:.0f}", theirs, theirs / ours);
   }
   std::cout << '\n';

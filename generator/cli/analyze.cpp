@@ -1,0 +1,119 @@
+// finemote analyze: bounds of a robot or a model, with the verdict.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/cli/answer.hpp"
+#include "generator/cli/commands.hpp"
+#include "generator/cli/subject.hpp"
+#include "generator/timing/json.hpp"
+#include "generator/timing/operands.hpp"
+#include "generator/timing/remodel.hpp"
+#include "generator/timing/reorder.hpp"
+#include "generator/timing/slack.hpp"
+#include "generator/timing/table.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using timing::Json;
+using timing::Ns;
+
+Json factor_json(Ns permille) {
+  return permille >= timing::kMostSlack ? Json(nullptr) : Json(static_cast<double>(permille) / 1000);
+}
+
+Json slack_json(const timing::Model& model, const timing::Slack& slack) {
+  Json out{{"factor", factor_json(slack.all)}, {"devices", Json::array()}};
+  for (std::size_t d = 0; d < slack.one.size(); ++d) {
+    out["devices"].push_back(Json{{"name", model.devices[d].name}, {"factor", factor_json(slack.one[d])}});
+  }
+  return out;
+}
+
+std::string factor_text(Ns permille) {
+  if (permille >= timing::kMostSlack) return "over 1000";
+  return fmt::format("{}.{:03}", permille / 1000, permille % 1000);
+}
+
+std::string slack_text(const timing::Model& model, const timing::Slack& slack) {
+  std::string text = fmt::format(
+      "\nslack (factor on execution times up to which every bucket ends in its period)\n  all together  {}\n",
+      factor_text(slack.all));
+  if (slack.one.empty()) return text;
+  timing::Table table({"device alone", "factor"});
+  for (std::size_t d = 0; d < slack.one.size(); ++d) table.row({model.devices[d].name, factor_text(slack.one[d])});
+  return text + table.text();
+}
+
+std::string bounds_text(std::vector<std::string> head, const std::vector<timing::ChangedBound>& bounds) {
+  timing::Table table(std::move(head));
+  for (const timing::ChangedBound& bound : bounds)
+    table.row({bound.what, timing::duration_text(bound.before_ns), timing::duration_text(bound.after_ns)});
+  return table.text();
+}
+
+std::string order_text(const timing::Timing& timing, const std::vector<std::size_t>& order) {
+  if (std::is_sorted(order.begin(), order.end())) return "\nno better order of siblings and roots was found\n";
+  std::string text = "\nsuggested order of registration\n ";
+  for (const std::size_t d : order) text += " " + timing.model.devices[d].name;
+  const timing::OrderEffect effect = timing::effect_of_order(timing, order);
+  return text + "\n" + bounds_text({"tree", "latency", "then"}, effect.trees) +
+         bounds_text({"chain", "end to end", "then"}, effect.chains);
+}
+
+/// What the options ask for beside the analysis.
+struct Extras {
+  std::optional<timing::Slack> slack;
+  std::optional<std::vector<std::size_t>> order;
+};
+
+Json document(const timing::Timing& timing, const Extras& extras) {
+  Json document = timing::timing_json(timing);
+  if (extras.slack) document["slack"] = slack_json(timing.model, *extras.slack);
+  if (extras.order) {
+    for (const std::size_t d : *extras.order) document["suggested_order"].push_back(timing.model.devices[d].name);
+  }
+  return document;
+}
+
+std::string text(const timing::Timing& timing, const Extras& extras) {
+  std::string text = timing::timing_table(timing);
+  if (extras.slack) text += slack_text(timing.model, *extras.slack);
+  if (extras.order) text += order_text(timing, *extras.order);
+  return text;
+}
+
+}  // namespace
+
+Answer run_analyze(const Options& options, Sources& sources, Diagnostics& diagnostics) {
+  timing::AnalysisRequest request;
+  request.profile = profile_option(options.profile, diagnostics);
+  timing::RobotTimingOptions robot_options;
+  robot_options.assumed_wcet_ns = time_option("--assume-wcet", options.assume_wcet, diagnostics);
+  if (diagnostics.has_errors()) return no_answer();
+  const auto subject = read_subject(options, robot_options, sources, diagnostics);
+  if (!subject) return no_answer();
+
+  const timing::Model& model = subject->model;
+  request.chains = timing::parse_chains(model, options.chains, diagnostics);
+  if (diagnostics.has_errors()) return no_answer();
+  request.requirements = subject->requirements;
+  request.remodel = subject->planned
+                        ? timing::robot_remodel(subject->planned->robot, subject->planned->forest, robot_options)
+                        : timing::model_remodel(model);
+  Answer answer;
+  const auto timing = timing::analyse(model, request, answer.judged);
+  if (!timing) return answer;
+  Extras extras;
+  if (options.slack) extras.slack = timing::find_slack(model, timing->asked);
+  if (options.suggest_order) extras.order = timing::suggest_order(model, timing->asked);
+  if (options.format == Format::json) answer.document = document(*timing, extras);
+  if (options.format == Format::text) answer.text = text(*timing, extras);
+  const bool is_refused = options.warnings_are_errors && answer.judged.size() > 0;
+  const bool is_yes = timing->schedulable && timing->requirements_hold();
+  answer.status = is_refused ? kExitInvalid : is_yes ? kExitYes : kExitNo;
+  return answer;
+}
+
+}  // namespace finemote::gen

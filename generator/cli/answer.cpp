@@ -1,0 +1,81 @@
+#include "generator/cli/answer.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "generator/diagnostic/render.hpp"
+#include "generator/diagnostic/render_ci.hpp"
+#include "generator/file/replace_file.hpp"
+#include "generator/version.hpp"
+
+namespace finemote::gen {
+namespace {
+
+bool use_color(ColorMode color) {
+  if (color != ColorMode::automatic) return color == ColorMode::always;
+  const char* no_color = std::getenv("NO_COLOR");
+  return (no_color == nullptr || *no_color == '\0') && isatty(STDERR_FILENO) == 1;
+}
+
+void print_json(const Answer& answer, nlohmann::ordered_json document, const Diagnostics& findings, std::ostream& out) {
+  if (document.is_null()) {
+    out << answer.text;
+    return;
+  }
+  document["diagnostics"] = render_json(findings);
+  out << document.dump(2) << "\n";
+}
+
+}  // namespace
+
+std::string render_for_ci(Format format, const Diagnostics& findings, const std::string& input) {
+  switch (format) {
+    case Format::gcc:
+      return render_gcc(findings);
+    case Format::github:
+      return render_github(findings);
+    case Format::sarif:
+      return render_sarif(findings, kVersion, input).dump(2) + "\n";
+    default:
+      return {};
+  }
+}
+
+void add_findings(const Diagnostics& from, Diagnostics& to) {
+  for (const Diagnostic& finding : from.in_file_order()) to.add(finding);
+}
+
+void report_unwritten(const std::string& path, const std::string& reason, Diagnostics& diagnostics) {
+  diagnostics.error(code::output_not_writable, {}, fmt::format("cannot write '{}': {}", path, reason));
+}
+
+bool write_result(const std::string& path, std::string_view text, Diagnostics& diagnostics) {
+  const auto reason = replace_file(path, text);
+  if (reason) report_unwritten(path, *reason, diagnostics);
+  return !reason;
+}
+
+bool is_refused(const Options& options, const Diagnostics& diagnostics) {
+  return diagnostics.has_errors() || (options.warnings_are_errors && diagnostics.size() > 0);
+}
+
+int finish(const Options& options, Answer answer, const Diagnostics& diagnostics, std::ostream& out,
+           std::ostream& err) {
+  const int status = is_refused(options, diagnostics) ? kExitInvalid : answer.status;
+  Diagnostics findings;
+  add_findings(diagnostics, findings);
+  add_findings(answer.judged, findings);
+  if (options.format == Format::text) out << answer.text;
+  err << answer.summary << render_text(findings, use_color(options.color));
+  const bool answered = status == kExitYes || status == kExitNo;
+  if (options.format == Format::json && answered) print_json(answer, std::move(answer.document), findings, out);
+  // The formats for editors and CI are the result, whatever the status.
+  out << render_for_ci(options.format, findings, options.input);
+  out.flush();
+  err << answer.closing;
+  return status;
+}
+
+}  // namespace finemote::gen

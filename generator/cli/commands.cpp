@@ -1,0 +1,240 @@
+#include "generator/cli/commands.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+
+#include "generator/diagnostic/catalogue.hpp"
+#include "generator/diagnostic/render.hpp"
+#include "generator/lint/rules.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Table = std::vector<Option>;
+constexpr auto kRequired = Option::Need::required;
+constexpr auto kOptional = Option::Need::optional;
+
+/// Pieces of the table one behind the other.
+Table join(std::initializer_list<Table> pieces) {
+  Table all;
+  for (const Table& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());
+  return all;
+}
+
+/// Where what a robot names is found.
+Table search() {
+  return {{"--board", &Options::board, "use this board instead of the one the robot names"},
+          {"--device-path", &Options::device_paths, "further folder with device descriptors"},
+          {"--package", &Options::packages, "name=dir: where a package lies"}};
+}
+
+Table robot() {
+  return join(
+      {{{"IN", &Options::input, "robot description: .urdf, .xacro, or - for standard input", kRequired}}, search()});
+}
+
+/// For commands that read a stranger's file and start nothing.
+Table sandbox() {
+  return {{"--sandbox", &Options::sandbox,
+           "read only below the folder of IN, packages named with --package, and shipped data"}};
+}
+
+/// For commands that compile or run what the file describes: whoever asks for a sandbox must not believe in one.
+Table no_sandbox() {
+  return {{"--sandbox", Refusal{"it compiles the robot's own code, which no sandbox holds"},
+           "refused: this command compiles the robot's own code"}};
+}
+
+Table chains() { return {{"--chain", &Options::chains, "a->b: a chain beside the default ones"}}; }
+
+/// What `analyze` and `simulate` ask of the analysis.
+Table question() {
+  return join(
+      {chains(),
+       {{"--profile", &Options::profile, "profile that decides the verdict", kOptional, "paper|tight|target"},
+        {"--assume-wcet", &Options::assume_wcet, "time for every stage without a known one, for example 50us"}}});
+}
+
+std::string arguments_footer() {
+  return "name:=value, any number and anywhere: the value of a <xacro:arg> (of a file that is read as xacro)";
+}
+
+/// What `--allow` and `--deny` take.
+std::string rules_footer() {
+  std::string text = "Codes:\n";
+  for (const Rule& rule : lint_rules_by_number()) text += fmt::format("  {}  {}\n", code_name(rule.code), rule.finding);
+  return text + "\n" + arguments_footer();
+}
+
+Table options_of_generate() {
+  return join({robot(),
+               {{"-o,--output", &Options::out, "folder to write to"},
+                {"--depfile", &Options::depfile, "write a Makefile rule with every input"}},
+               sandbox(),
+               {{"--list", &Options::list, "print the names of the files and write nothing"},
+                {"--dry-run", &Options::dry_run, "say what would be written and write nothing"},
+                {"--force", &Options::force, "keep files of yours that are in the way as NAME.orig, and write"},
+                {"--allow-unschedulable", &Options::allow_unschedulable, "write even if a deadline can be missed"}}});
+}
+
+Table options_of_check() {
+  return join({robot(),
+               {{"-o,--output", &Options::out, "folder that was generated", kRequired}},
+               sandbox(),
+               {{"--diff", &Options::diff, "print a unified diff of what would change"},
+                {"--allow", &Options::allow, "lint code that is not reported"},
+                {"--deny", &Options::deny, "lint code that makes the exit status 1"}}});
+}
+
+Table options_of_board_sources() {
+  return {{"BOARD", &Options::input, "name of a board", kRequired},
+          {"-o,--output", &Options::out, "folder: runtime/boards/BOARD/generated", kRequired},
+          {"--dry-run", &Options::dry_run, "write nothing; exit status 1 when a file would change"}};
+}
+
+Table options_of_run() {
+  return join(
+      {robot(),
+       no_sandbox(),
+       {{"--duration", &Options::duration, "time to run on the board, for example 100ms"}},
+       chains(),
+       {{"--scenario", &Options::scenario, "file with stimuli and faults (emulated Type C board)"},
+        {"-o", &Options::out, "write a trace for Perfetto to this file"},
+        {"--flash", Choice{{"hit", "miss"}, [](Options& o, std::size_t word) { o.flash_misses = word == 1; }},
+         "emulated board: fetches hit the flash accelerator, or miss it always"},
+        {"--keep", &Options::keep, "keep generated sources and build in this folder"},
+        {"--monitor", &Options::monitor, "build the monitor in: worst response and data age beside their bounds"},
+        {"--build-only", &Options::build_only, "stop after the image is built"},
+        {"--allow-unschedulable", &Options::allow_unschedulable,
+         "exit 0 after a good run even when analyze says that a deadline can be missed"}}});
+}
+
+Table options_of_diff() {
+  return join({{{"A", &Options::input, "robot, model (.json) or generated folder", kRequired},
+                {"B", &Options::other, "the other one", kRequired}},
+               search(),
+               sandbox()});
+}
+
+Table options_of_lint() {
+  return join(
+      {robot(),
+       {{"--allow", &Options::allow, "code that is not reported, for example FM3153"},
+        {"--deny", &Options::deny, "code that makes the exit status 1"}},
+       sandbox(),
+       {{"--fix", &Options::fix, "fix the mechanical findings in the files", kOptional, nullptr, "--sandbox"}}});
+}
+
+Table options_of_docs() {
+  return {{"-o,--output", &Options::out, "folder of the reference: devices/ and boards/ in it", kRequired},
+          {"--dry-run", &Options::dry_run, "write nothing; exit status 1 when a page would change"}};
+}
+
+Table options_of_xacro() {
+  return join({{{"FILE", &Options::input, "xacro file, or - for standard input", kRequired},
+                {"-o", &Options::out, "file to write instead of standard output"},
+                {"--package", &Options::packages, "name=dir: where a package lies"}},
+               sandbox(),
+               {{"--deps", &Options::deps, "print the names of all files read"},
+                {"-i,--inorder", &Options::in_order, "accepted for compatibility: processing is always in order"},
+                {"--verbosity", &Options::verbosity, "0: no warnings, 1: default, 2 and above: more"}}});
+}
+
+Table options_of_analyze() {
+  return join(
+      {robot(),
+       sandbox(),
+       question(),
+       {{"--slack", &Options::slack, "the factor by which execution times may grow"},
+        {"--suggest-order", &Options::suggest_order, "suggest an order of siblings and trees with shorter bounds"}}});
+}
+
+Table options_of_simulate() {
+  return join({robot(),
+               sandbox(),
+               question(),
+               {{"--seed", &Options::seed, "of the random numbers"},
+                {"--duration", &Options::duration, "simulated time, for example 10s"},
+                {"-o", &Options::out, "write a trace for Perfetto to this file"}}});
+}
+
+std::vector<Command> make_commands() {
+  return {
+      {"generate", "write the firmware sources of a robot", options_of_generate(), run_generate, arguments_footer},
+      {"check", "say whether generated files are what would be generated now", options_of_check(), run_check,
+       arguments_footer},
+      {"tree", "show the device trees and the order they run in", join({robot(), sandbox()}), run_tree,
+       arguments_footer},
+      {"board show",
+       "ports, pins, DMA streams and interrupt lines of a board",
+       {{"BOARD", &Options::input, "name of a board; without it: all boards"}},
+       run_board_show},
+      {"board sources", "write what the runtime compiles for a board, from its file", options_of_board_sources(),
+       run_board_sources},
+      {"run", "generate, compile, run and measure the firmware of a robot", options_of_run(), run_run,
+       arguments_footer},
+      {"diff", "what changed between two robots, models or generated folders", options_of_diff(), run_diff},
+      {"lint", "warn about valid but suspicious descriptions", options_of_lint(), run_lint, rules_footer},
+      {"docs", "write the reference pages of device types and board peripherals", options_of_docs(), run_docs},
+      {"explain",
+       "explain a diagnostic and how to fix it; without a code, list all",
+       {{"CODE", &Options::input, "for example FM3012"}},
+       run_explain},
+      {"schema",
+       "print a schema for editors; without a name, list them",
+       {{"NAME", &Options::input, "device, expander, board, scenario or xsd"}},
+       run_schema},
+      {"xacro", "expand a xacro file, as ROS xacro does", options_of_xacro(), run_xacro, arguments_footer},
+      {"analyze", "schedulability, response times, latency of every chain", options_of_analyze(), run_analyze,
+       arguments_footer},
+      {"simulate", "run the schedule with random execution times beside its bounds", options_of_simulate(),
+       run_simulate, arguments_footer},
+  };
+}
+
+Table make_common_options() {
+  const std::vector<std::string> formats(std::begin(kFormatWords), std::end(kFormatWords));
+  return {
+      {"--format", Choice{formats, [](Options& o, std::size_t word) { o.format = static_cast<Format>(word); }},
+       "of the result: text or json; of the diagnostics alone: sarif, github or gcc"},
+      {"--color",
+       Choice{{"auto", "always", "never"},
+              [](Options& o, std::size_t word) { o.color = static_cast<ColorMode>(word); }},
+       "colour of the diagnostics"},
+      {"--data-dir", &Options::data_dir, "folder with schemas, templates and runtime"},
+      {"-q,--quiet", &Options::quiet, "print no summary"},
+      {"-v,--verbose", &Options::verbose, "say what is done"},
+      {"-W", Choice{{"error"}, [](Options& o, std::size_t) { o.warnings_are_errors = true; }},
+       "treat warnings as errors"},
+  };
+}
+
+}  // namespace
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> kCommands = make_commands();
+  return kCommands;
+}
+
+const Command& command_named(std::string_view name) {
+  const auto found =
+      std::find_if(commands().begin(), commands().end(), [&](const Command& command) { return command.name == name; });
+  if (found == commands().end()) throw std::logic_error("no command " + std::string(name));
+  return *found;
+}
+
+const char* group_summary(std::string_view word) {
+  if (word == "board") return "show boards, and make their sources";
+  throw std::logic_error("no commands below " + std::string(word));
+}
+
+const std::vector<Option>& common_options() {
+  static const std::vector<Option> kOptions = make_common_options();
+  return kOptions;
+}
+
+}  // namespace finemote::gen

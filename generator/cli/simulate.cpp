@@ -1,0 +1,121 @@
+// finemote simulate: a run of the schedule with random execution times, beside its bounds.
+#include <fmt/format.h>
+
+#include "generator/cli/answer.hpp"
+#include "generator/cli/commands.hpp"
+#include "generator/cli/subject.hpp"
+#include "generator/diagnostic/clash.hpp"
+#include "generator/file/replace_file.hpp"
+#include "generator/simulate/beside_bounds.hpp"
+#include "generator/timing/json.hpp"
+#include "generator/timing/table.hpp"
+#include "generator/units/units.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using timing::duration_text;
+using timing::Json;
+using timing::Ns;
+
+Json number(std::optional<Ns> value) { return value ? Json(*value) : Json(nullptr); }
+
+Json document(const SimulatedModel& simulated, const SimulationRequest& request) {
+  const auto& [timing, run] = simulated;
+  const auto& bounds = timing.verdict().devices;
+  Json out{{"schema", "finemote.simulation/1"},
+           {"profile", timing::profile_name(timing.asked)},
+           {"seed", request.seed},
+           {"duration_ns", request.duration_ns},
+           {"devices", Json::array()},
+           {"chains", Json::array()},
+           {"misses", run.misses}};
+  for (std::size_t d = 0; d < run.devices.size(); ++d) {
+    out["devices"].push_back(Json{{"name", timing.model.devices[d].name},
+                                  {"response_max_ns", number(observed(run.devices[d].response))},
+                                  {"window_max_ns", number(observed(run.devices[d].window))},
+                                  {"response_bound_ns", number(bounds[d].r_minus_ns)},
+                                  {"window_bound_ns", number(bounds[d].window_ns)}});
+  }
+  for (std::size_t c = 0; c < run.chains.size(); ++c) {
+    out["chains"].push_back(Json{{"from", timing.model.devices[run.chains[c].ends.from].name},
+                                 {"to", timing.model.devices[run.chains[c].ends.to].name},
+                                 {"max_ns", number(observed(run.chains[c].latency))},
+                                 {"bound_ns", number(timing.chains[c].decide_ns)}});
+  }
+  return out;
+}
+
+std::string text(const SimulatedModel& simulated, const SimulationRequest& request) {
+  const auto& [timing, run] = simulated;
+  const auto& bounds = timing.verdict().devices;
+  std::string text =
+      fmt::format("simulated {} with seed {} (profile {}): {} missed\n", duration_text(request.duration_ns),
+                  request.seed, timing::profile_name(timing.asked), run.misses);
+  timing::Table devices({"device", "response", "bound", "window", "bound"});
+  for (std::size_t d = 0; d < run.devices.size(); ++d) {
+    devices.row({timing.model.devices[d].name, duration_text(observed(run.devices[d].response)),
+                 duration_text(bounds[d].r_minus_ns), duration_text(observed(run.devices[d].window)),
+                 duration_text(bounds[d].window_ns)});
+  }
+  timing::Table chains({"chain (decide)", "worst", "bound"});
+  for (std::size_t c = 0; c < run.chains.size(); ++c) {
+    chains.row(
+        {timing.model.devices[run.chains[c].ends.from].name + " -> " + timing.model.devices[run.chains[c].ends.to].name,
+         duration_text(observed(run.chains[c].latency)), duration_text(timing.chains[c].decide_ns)});
+  }
+  text += "\ndevices\n" + devices.text() + "\nchains\n" + chains.text();
+  if (!simulated.holds()) text += "\nan observation exceeds its bound: please report this model\n";
+  return text;
+}
+
+/// What takes hours at the usual periods; longer ones would seem to hang.
+constexpr std::int64_t kLongestSimulation = 86'400'000'000'000;
+
+SimulationRequest request_of(const Options& options, Diagnostics& diagnostics) {
+  SimulationRequest request;
+  request.seed = options.seed;
+  request.chains = options.chains;
+  request.profile = profile_option(options.profile, diagnostics);
+  const auto duration = time_option("--duration", options.duration, diagnostics);
+  if (duration) request.duration_ns = *duration;
+  if (request.duration_ns > kLongestSimulation) {
+    diagnostics
+        .error(code::usage, {},
+               fmt::format("--duration is too long: '{}'; every release of that time is simulated", options.duration))
+        .hint(fmt::format("write at most {}", units::format_duration(kLongestSimulation)));
+  }
+  return request;
+}
+
+}  // namespace
+
+Answer run_simulate(const Options& options, Sources& sources, Diagnostics& diagnostics) {
+  const SimulationRequest request = request_of(options, diagnostics);
+  timing::RobotTimingOptions robot_options;
+  robot_options.assumed_wcet_ns = time_option("--assume-wcet", options.assume_wcet, diagnostics);
+  if (diagnostics.has_errors()) return no_answer();
+  const auto subject = read_subject(options, robot_options, sources, diagnostics);
+  if (!subject) return no_answer();
+
+  const bool is_traced = !options.out.empty();
+  if (is_traced && !check_outputs({{options.out, "-o"}}, sources, diagnostics)) return no_answer();
+  std::optional<ReplacedFile> trace;
+  if (is_traced) trace.emplace(options.out);
+  Answer answer;
+  const auto simulated =
+      simulate_beside_bounds(subject->model, request, answer.judged, trace ? &trace->stream() : nullptr);
+  if (!simulated) return answer;
+  if (trace) {
+    const auto reason = trace->commit();
+    if (reason) report_unwritten(options.out, *reason, diagnostics);
+    if (reason) return answer;
+  }
+  if (options.format == Format::json) answer.document = document(*simulated, request);
+  if (options.format == Format::text) answer.text = text(*simulated, request);
+  const bool is_refused = options.warnings_are_errors && answer.judged.size() > 0;
+  answer.status = is_refused ? kExitInvalid : simulated->good() ? kExitYes : kExitNo;
+  return answer;
+}
+
+}  // namespace finemote::gen

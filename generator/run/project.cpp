@@ -1,0 +1,87 @@
+#include "generator/run/project.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "generator/output/write.hpp"
+#include "generator/run/parts.hpp"
+
+namespace finemote::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string generated_folder(const Project& project) { return project.request.folder + "/generated"; }
+
+WriteOptions options_for_work() {
+  WriteOptions options;
+  options.way_out = "give --keep an empty folder, or one that finemote made";
+  options.other_robot = "give --keep another folder for each robot";
+  return options;
+}
+
+/// Files beside a user's descriptors: the compiler reads them.
+std::vector<std::string> files_of_the_compiler(const FirmwareRequest& request) {
+  std::vector<std::string> files;
+  std::error_code ignored;
+  for (const std::string& dir : request.include_dirs) {
+    for (const auto& entry : fs::directory_iterator(dir, ignored)) files.push_back(entry.path().generic_string());
+  }
+  return files;
+}
+
+}  // namespace
+
+std::vector<std::string> user_include_dirs(const Robot& robot) {
+  std::vector<std::string> dirs;
+  for (const Device& device : robot.devices) {
+    const std::string& dir = device.type->include_dir;
+    if (!dir.empty() && std::find(dirs.begin(), dirs.end(), dir) == dirs.end()) dirs.push_back(dir);
+  }
+  return dirs;
+}
+
+std::vector<std::string> user_sources(const std::vector<std::string>& dirs) {
+  std::vector<std::string> sources;
+  for (const std::string& dir : dirs) {
+    for (const auto& entry : fs::directory_iterator(dir)) {
+      if (entry.path().extension() == ".cpp") sources.push_back(entry.path().string());
+    }
+  }
+  std::sort(sources.begin(), sources.end());
+  return sources;
+}
+
+Project make_project(const FirmwareRequest& request, Output generated, const Robot& robot, bool with_parts) {
+  std::vector<OutputFile> files{{"CMakeLists.txt", project_text(request)}};
+  if (with_parts) files.push_back({"parts.json", emulated_parts(robot).scenario.dump(2) + "\n"});
+  Output project = make_output(std::move(files), generated.manifest.inputs, robot.name.text);
+  return {request, std::move(generated), std::move(project)};
+}
+
+bool is_free_to_write(const Project& project, const std::string& trace, Sources& sources, Diagnostics& diagnostics) {
+  const FirmwareRequest& request = project.request;
+  std::vector<PlannedFile> planned = planned_files(generated_folder(project), project.generated, "--keep");
+  for (PlannedFile& file : planned_files(request.folder, project.project, "--keep")) planned.push_back(std::move(file));
+  planned.push_back({image_path(request), "--keep"});
+  if (!trace.empty()) planned.push_back({trace, "-o"});
+  if (!check_outputs(planned, sources, diagnostics, files_of_the_compiler(request))) return false;
+  WriteOptions options = options_for_work();
+  options.dry_run = true;
+  Diagnostics said;  // warnings are repeated when the files are written
+  write_output(request.folder, project.project, options, sources, said);
+  if (!said.has_errors()) write_output(generated_folder(project), project.generated, options, sources, said);
+  if (!said.has_errors()) return true;
+  for (const Diagnostic& finding : said.in_file_order()) diagnostics.add(finding);
+  return false;
+}
+
+std::optional<std::string> make_image(const Project& project, Sources& sources, Diagnostics& diagnostics) {
+  write_output(generated_folder(project), project.generated, options_for_work(), sources, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  write_output(project.request.folder, project.project, options_for_work(), sources, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
+  return build_firmware(project.request, diagnostics);
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,36 @@
+// Everything a run writes into its work folder before the compiler starts, and the image that is made of it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "generator/diagnostic/diagnostics.hpp"
+#include "generator/output/folder.hpp"
+#include "generator/run/build_firmware.hpp"
+
+namespace finemote::gen {
+
+struct Project {
+  FirmwareRequest request;
+  Output generated;  ///< the robot's own files, below `generated`
+  Output project;    ///< what includes them, in the work folder itself
+};
+
+/// The folders of the robot's own device types.
+std::vector<std::string> user_include_dirs(const Robot& robot);
+
+/// The sources in them, sorted.
+std::vector<std::string> user_sources(const std::vector<std::string>& dirs);
+
+/// The project of `request` around the generated files, for the same robot and inputs.
+/// @param parts  also what hangs on the board, as parts.json
+Project make_project(const FirmwareRequest& request, Output generated, const Robot& robot, bool with_parts);
+
+/// Whether all of it, and the trace (`-o`, empty: none), can be written: looked at before the first file is. Reports
+/// what check_outputs and write_output report.
+bool is_free_to_write(const Project& project, const std::string& trace, Sources& sources, Diagnostics& diagnostics);
+
+/// Writes the files and builds. Returns the path of the image; reports what write_output and build_firmware report.
+std::optional<std::string> make_image(const Project& project, Sources& sources, Diagnostics& diagnostics);
+
+}  // namespace finemote::gen

@@ -1,0 +1,41 @@
+// A model to the worst a simulated run has shown, beside the bounds it must not exceed.
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/simulate/simulate.hpp"
+#include "generator/timing/analyse.hpp"
+
+namespace finemote::gen {
+
+struct SimulationRequest {
+  std::uint64_t seed = 1;
+  timing::Ns duration_ns = 10'000'000'000;
+  std::vector<std::string> chains = {};                   ///< `a->b`, beyond the default ones
+  std::optional<timing::Profile> profile = std::nullopt;  ///< none: target where the model has one, else tight
+};
+
+/// A run and the analysis of its model; `run.chains` are those of `timing`, in the same order.
+struct SimulatedModel {
+  timing::Timing timing;
+  Simulation run;
+
+  /// Nothing that was observed is above its bound.
+  [[nodiscard]] bool holds() const;
+  /// It holds, every release was served, and the analysis promises as much.
+  [[nodiscard]] bool good() const { return timing.schedulable && run.misses == 0 && holds(); }
+};
+
+/// An observed value; none where nothing was.
+std::optional<timing::Ns> observed(timing::Ns worst);
+
+/// Analyses and simulates. Profile paper is simulated as tight: its buses interrupt more often than any wire can.
+/// @param trace  where a Chrome trace is written; null: none
+/// @return  none where timing::parse_chains or timing::analyse report an error and give no answer
+std::optional<SimulatedModel> simulate_beside_bounds(const timing::Model& model, const SimulationRequest& request,
+                                                     Diagnostics& diagnostics, std::ostream* trace = nullptr);
+
+}  // namespace finemote::gen

@@ -1,0 +1,27 @@
+// Another order of registration, and what it does to latencies.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/timing/analyse.hpp"
+
+namespace finemote::gen::timing {
+
+/// A bound before and after.
+struct ChangedBound {
+  std::string what;  ///< the root of a tree, or `imu -> esc`
+  std::optional<Ns> before_ns, after_ns;
+};
+
+struct OrderEffect {
+  std::vector<ChangedBound> trees;   ///< all of the verdict's profile
+  std::vector<ChangedBound> chains;  ///< those of `timing` whose bound is another one
+};
+
+/// Analyses the model of `timing` in another order.
+/// @param order  indices into Model::devices, as of suggest_order
+OrderEffect effect_of_order(const Timing& timing, const std::vector<std::size_t>& order);
+
+}  // namespace finemote::gen::timing
