@@ -5,6 +5,7 @@
 
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
+#include "generator/cli/dump.hpp"
 #include "generator/cli/subject.hpp"
 #include "generator/timing/json.hpp"
 #include "generator/timing/operands.hpp"
@@ -92,6 +93,7 @@ Answer run_analyze(const Options& options, Sources& sources, Diagnostics& diagno
   timing::RobotTimingOptions robot_options;
   robot_options.assumed_wcet_ns = time_option("--assume-wcet", options.assume_wcet, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
+  if (options.dump) return dump_subject(options, robot_options, sources, diagnostics);
   const auto subject = read_subject(options, robot_options, sources, diagnostics);
   if (!subject) return no_answer();
 

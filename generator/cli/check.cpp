@@ -5,6 +5,7 @@
 
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
+#include "generator/cli/dump.hpp"
 #include "generator/cli/lint_options.hpp"
 #include "generator/cli/robot_input.hpp"
 #include "generator/cli/verdict.hpp"
@@ -122,8 +123,13 @@ Answer answer_of(const Options& options, const Output& output, const CheckResult
 }  // namespace
 
 Answer run_check(const Options& options, Sources& sources, Diagnostics& diagnostics) {
+  if (options.out.empty() && !options.dump) {
+    diagnostics.error(code::usage, {}, "command 'check': --output is required").hint("finemote check --help");
+    return no_answer();
+  }
   const auto input = input_of(options, diagnostics);
   if (!input) return no_answer();
+  if (options.dump) return dump_robot(options, *input, {}, sources, diagnostics);
   const auto planned = plan_robot(*input, sources, diagnostics);
   if (!planned) return no_answer();
   const Analysis analysis = analyse_robot(*planned, Hints::wanted);

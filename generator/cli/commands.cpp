@@ -49,6 +49,12 @@ Table no_sandbox() {
            "refused: this command compiles the robot's own code"}};
 }
 
+Table dump() {
+  const std::vector<std::string> stages(std::begin(kStageNames), std::end(kStageNames));
+  return {{"--dump", Choice{stages, [](Options& o, std::size_t word) { o.dump = static_cast<Stage>(word); }},
+           "print this stage of the pipeline as JSON, and do nothing else"}};
+}
+
 Table chains() { return {{"--chain", &Options::chains, "a->b: a chain beside the default ones"}}; }
 
 /// What `analyze` and `simulate` ask of the analysis.
@@ -78,16 +84,18 @@ Table options_of_generate() {
                {{"--list", &Options::list, "print the names of the files and write nothing"},
                 {"--dry-run", &Options::dry_run, "say what would be written and write nothing"},
                 {"--force", &Options::force, "keep files of yours that are in the way as NAME.orig, and write"},
-                {"--allow-unschedulable", &Options::allow_unschedulable, "write even if a deadline can be missed"}}});
+                {"--allow-unschedulable", &Options::allow_unschedulable, "write even if a deadline can be missed"}},
+               dump()});
 }
 
 Table options_of_check() {
   return join({robot(),
-               {{"-o,--output", &Options::out, "folder that was generated", kRequired}},
+               {{"-o,--output", &Options::out, "folder that was generated; required"}},
                sandbox(),
                {{"--diff", &Options::diff, "print a unified diff of what would change"},
                 {"--allow", &Options::allow, "lint code that is not reported"},
-                {"--deny", &Options::deny, "lint code that makes the exit status 1"}}});
+                {"--deny", &Options::deny, "lint code that makes the exit status 1"}},
+               dump()});
 }
 
 Table options_of_board_sources() {
@@ -110,7 +118,8 @@ Table options_of_run() {
         {"--monitor", &Options::monitor, "build the monitor in: worst response and data age beside their bounds"},
         {"--build-only", &Options::build_only, "stop after the image is built"},
         {"--allow-unschedulable", &Options::allow_unschedulable,
-         "exit 0 after a good run even when analyze says that a deadline can be missed"}}});
+         "exit 0 after a good run even when analyze says that a deadline can be missed"}},
+       dump()});
 }
 
 Table options_of_diff() {
@@ -150,7 +159,8 @@ Table options_of_analyze() {
        sandbox(),
        question(),
        {{"--slack", &Options::slack, "the factor by which execution times may grow"},
-        {"--suggest-order", &Options::suggest_order, "suggest an order of siblings and trees with shorter bounds"}}});
+        {"--suggest-order", &Options::suggest_order, "suggest an order of siblings and trees with shorter bounds"}},
+       dump()});
 }
 
 Table options_of_simulate() {
@@ -159,7 +169,8 @@ Table options_of_simulate() {
                question(),
                {{"--seed", &Options::seed, "of the random numbers"},
                 {"--duration", &Options::duration, "simulated time, for example 10s"},
-                {"-o", &Options::out, "write a trace for Perfetto to this file"}}});
+                {"-o", &Options::out, "write a trace for Perfetto to this file"}},
+               dump()});
 }
 
 std::vector<Command> make_commands() {

@@ -3,6 +3,7 @@
 
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
+#include "generator/cli/dump.hpp"
 #include "generator/cli/robot_input.hpp"
 #include "generator/cli/verdict.hpp"
 #include "generator/output/write.hpp"
@@ -111,12 +112,13 @@ Answer write_files(const Options& options, const Output& output, Sources& source
 }  // namespace
 
 Answer run_generate(const Options& options, Sources& sources, Diagnostics& diagnostics) {
-  if (options.out.empty() && !options.list) {
+  if (options.out.empty() && !options.list && !options.dump) {
     diagnostics.error(code::usage, {}, "generate needs a folder to write to").hint("add -o DIR");
     return no_answer();
   }
   const auto input = input_of(options, diagnostics);
   if (!input) return no_answer();
+  if (options.dump) return dump_robot(options, *input, {}, sources, diagnostics);
   const auto planned = plan_robot(*input, sources, diagnostics);
   if (!planned) return no_answer();
   if (options.list) return list_names(*planned);

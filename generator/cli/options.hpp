@@ -2,11 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace finemote::gen {
+
+/// A stage of the pipeline that --dump shows.
+enum class Stage { document, model, forest, schedule, tasks, plan };
+inline constexpr const char* kStageNames[] = {"document", "model", "forest", "schedule", "tasks", "plan"};
 
 enum class Format { text, json, sarif, github, gcc };
 inline constexpr const char* kFormatWords[] = {"text", "json", "sarif", "github", "gcc"};  ///< in the same order
@@ -27,7 +32,8 @@ struct Options {
   bool quiet = false;
   bool verbose = false;
   bool warnings_are_errors = false;
-  bool sandbox = false;  ///< --sandbox: read only what the user named, and not without end
+  std::optional<Stage> dump;  ///< --dump: show this stage instead
+  bool sandbox = false;       ///< --sandbox: read only what the user named, and not without end
 
   std::string out;  ///< -o
   std::string depfile;

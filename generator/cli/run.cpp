@@ -6,6 +6,7 @@
 
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
+#include "generator/cli/dump.hpp"
 #include "generator/cli/robot_input.hpp"
 #include "generator/cli/verdict.hpp"
 #include "generator/descriptor/library.hpp"
@@ -215,6 +216,7 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   auto input = input_of(options, diagnostics);
   if (!input) return no_answer();
   input->board.clear();  // --board runs the image; the robot keeps its own board, so the generated files are the same
+  if (options.dump) return dump_robot(options, *input, {}, sources, diagnostics);
   auto planned = plan_robot(*input, sources, diagnostics);
   if (!planned) return no_answer();
   const auto& [library, robot, forest, schedule] = *planned;

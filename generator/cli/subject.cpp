@@ -22,10 +22,11 @@ std::optional<Subject> read_timing_model(const std::string& path, Sources& sourc
 
 }  // namespace
 
+bool is_timing_model(const std::string& path) { return std::filesystem::path(path).extension() == ".json"; }
+
 std::optional<Subject> read_subject(const Options& options, const timing::RobotTimingOptions& robot_options,
                                     Sources& sources, Diagnostics& diagnostics) {
-  if (std::filesystem::path(options.input).extension() == ".json")
-    return read_timing_model(options.input, sources, diagnostics);
+  if (is_timing_model(options.input)) return read_timing_model(options.input, sources, diagnostics);
   const auto input = input_of(options, diagnostics);
   if (!input) return std::nullopt;
   auto planned = plan_robot(*input, sources, diagnostics);

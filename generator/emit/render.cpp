@@ -8,6 +8,7 @@
 #include "generator/emit/bus_files.hpp"
 #include "generator/emit/constants.hpp"
 #include "generator/emit/link.hpp"
+#include "generator/emit/plan_files.hpp"
 #include "generator/emit/schedule_files.hpp"
 #include "generator/emit/tree.hpp"
 #include "generator/schedule/name_clash.hpp"
@@ -50,16 +51,15 @@ InterfaceTable shipped_interfaces(const std::string& data_dir) {
 
 }  // namespace
 
-std::vector<OutputFile> render_files(const Plan& plan, const ProvenBounds& bounds, const std::string& data_dir,
+std::vector<TemplateData> plan_files(const Plan& plan, const ProvenBounds& bounds, const std::string& data_dir,
                                      Diagnostics& diagnostics) {
-  const std::string templates = data_dir + "/templates";
   std::vector<Constant> constants = make_constants(plan, diagnostics);
   check_names(plan, constants, diagnostics);
   const std::vector<DeviceLink> links = plan_links(plan, shipped_interfaces(data_dir), diagnostics);
   for (const DeviceLink& link : links) constants.push_back(link_constant(plan, link));
-  std::vector<OutputFile> files;
-  const auto add = [&](const std::string& name, const std::string& template_name, const Data& data) {
-    files.push_back({name, fill_template(templates, template_name, data)});
+  std::vector<TemplateData> files;
+  const auto add = [&](const std::string& name, const std::string& template_name, Data data) {
+    files.push_back({name, template_name, std::move(data)});
   };
   add("schedule.hpp", "schedule.hpp.mustache", schedule_header(plan, bounds));
   add("schedule.cpp", "schedule.cpp.mustache", schedule_source(plan, bounds));
@@ -73,6 +73,14 @@ std::vector<OutputFile> render_files(const Plan& plan, const ProvenBounds& bound
   for (const DeviceLink& link : links) {
     add("host/" + plan.robot.devices[link.device].name.cpp + "_link.hpp", "link.hpp.mustache", link_header(plan, link));
   }
+  return files;
+}
+
+std::vector<OutputFile> render_files(const Plan& plan, const ProvenBounds& bounds, const std::string& data_dir,
+                                     Diagnostics& diagnostics) {
+  std::vector<OutputFile> files;
+  for (const TemplateData& file : plan_files(plan, bounds, data_dir, diagnostics))
+    files.push_back({file.name, fill_template(data_dir + "/templates", file.template_name, file.data)});
   return files;
 }
 
