@@ -42,7 +42,8 @@ Table<DeviceId, std::optional<CommandAge>> command_ages(const PlannedRobot& plan
   Table<DeviceId, std::optional<CommandAge>> ages(planned.robot.devices.size());
   for (const timing::ChainResult& input : timing.inputs) {
     if (!input.acquire_ns || !input.decide_ns) continue;
-    ages[planned.forest.order[Rank{input.to}]] = {*input.acquire_ns + *input.decide_ns, planned.forest.order[Rank{input.from}]};
+    ages[planned.forest.order[Rank{input.to}]] = {*input.acquire_ns + *input.decide_ns,
+                                                  planned.forest.order[Rank{input.from}]};
   }
   return ages;
 }

@@ -69,6 +69,35 @@ class ReleaseClock {
   std::vector<Ns> next_;
 };
 
+/// Tells an observer, if there is one, which values a stage uses as it begins.
+class InputReporter {
+ public:
+  InputReporter(const timing::Model& model, const timing::Topology& topology, const DataFlow& flow,
+                SimulationObserver* observer)
+      : model_(model), topology_(topology), flow_(flow), observer_(observer) {}
+
+  void inputs(std::size_t device, bool is_update, Ns now) const {
+    using Stage = SimulationObserver::Stage;
+    if (observer_ == nullptr) return;
+    const auto report = [&](std::size_t producer, Ns published, Stage stage) {
+      if (published >= 0) observer_->hand_over(producer, device, stage, published, now);
+    };
+    if (!is_update) {
+      if (const auto parent = model_.devices[device].parent)
+        report(*parent, flow_.command_time(*parent), Stage::handle);
+      return;
+    }
+    for (const std::size_t child : topology_.children[device]) report(child, flow_.state_time(child), Stage::update);
+    for (const std::size_t read : model_.devices[device].reads) report(read, flow_.state_time(read), Stage::update);
+  }
+
+ private:
+  const timing::Model& model_;
+  const timing::Topology& topology_;
+  const DataFlow& flow_;
+  SimulationObserver* observer_;
+};
+
 /// One processor: interrupts before jobs, jobs by the rank of their buckets.
 class Simulator {
  public:
@@ -82,6 +111,7 @@ class Simulator {
         lengths_(random_),
         clock_(set_.buckets),
         flow_(model, topology_, options.chains),
+        reporter_(model, topology_, flow_, observer),
         jobs_(set_.buckets.size()),
         update_begin_(model.devices.size(), 0) {
     result_.devices.resize(model.devices.size());
@@ -219,20 +249,7 @@ class Simulator {
     } else {
       flow_.begin_handle(d, now_);
     }
-    if (observer_ != nullptr) report_inputs(d, is_update);
-  }
-
-  void report_inputs(std::size_t d, bool is_update) {
-    using Stage = SimulationObserver::Stage;
-    const auto report = [&](std::size_t producer, Ns published, Stage stage) {
-      if (published >= 0) observer_->hand_over(producer, d, stage, published, now_);
-    };
-    if (!is_update) {
-      if (const auto parent = model_.devices[d].parent) report(*parent, flow_.command_time(*parent), Stage::handle);
-      return;
-    }
-    for (const std::size_t child : topology_.children[d]) report(child, flow_.state_time(child), Stage::update);
-    for (const std::size_t read : model_.devices[d].reads) report(read, flow_.state_time(read), Stage::update);
+    reporter_.inputs(d, is_update, now_);
   }
 
   void end_piece(std::size_t w, JobState& job) {
@@ -270,6 +287,7 @@ class Simulator {
   Lengths lengths_;
   ReleaseClock clock_;
   DataFlow flow_;
+  InputReporter reporter_;
   std::vector<ArrivalGenerator> arrivals_;
   std::deque<Interrupt> interrupts_;
   std::vector<JobState> jobs_;
