@@ -84,7 +84,7 @@ class DeviceReader {
     if (reading_.tags.is_misspelt(tag_, "bus")) return;
     auto& finding = at_tag(diagnostics_, code::bus_needed, tag_,
                            fmt::format("{} of type '{}' needs a bus", owner_, device_.type->name));
-    finding.note(fmt::format("it sits on {}", fmt::join(bus_kind_names(device_.type->buses), ", ")));
+    finding.note(fmt::format("it sits on {}", fmt::join(bus_kind_names(device_.type->buses), " or ")));
     const auto candidates = reading_.segment_names(device_.type->buses);
     if (!candidates.empty()) finding.hint(fmt::format("add for example bus=\"{}\"", candidates.front()));
   }
@@ -97,10 +97,10 @@ class DeviceReader {
     }
     if (!reading_.kind_is_known(segment) || contains(type.buses, segment.bus_kind))
       return reading_.kind_is_known(segment) && segment.bus != kNoBus;
-    auto& finding =
-        at_value(diagnostics_, code::bus_kind, bus,
-                 fmt::format("'{}' sits on {}; bus '{}' is of type '{}'", type.name,
-                             fmt::join(bus_kind_names(type.buses), ", "), bus.value, bus_kind_name(segment.bus_kind)));
+    auto& finding = at_value(
+        diagnostics_, code::bus_kind, bus,
+        fmt::format("'{}' sits on {}; bus '{}' is of type '{}'", type.name,
+                    fmt::join(bus_kind_names(type.buses), " or "), bus.value, bus_kind_name(segment.bus_kind)));
     const auto candidates = reading_.segment_names(type.buses);
     if (!candidates.empty()) suggest(finding, bus.value, candidates);
     if (candidates.empty())

@@ -35,7 +35,7 @@ class UseReader {
     for (const UseSpec& spec : device_.type->uses) {
       if (!spec.required || given.count(spec.role) > 0) continue;
       at_tag(diagnostics_, code::use_missing, tag_, fmt::format("{} needs <use role=\"{}\">", owner_, spec.role))
-          .note(fmt::format("it takes: {}", fmt::join(bus_kind_names(spec.buses), ", ")))
+          .note(fmt::format("it takes: {}", fmt::join(bus_kind_names(spec.buses), " or ")))
           .hint(fmt::format("add for example <use role=\"{}\" {}/>", spec.role,
                             contains(spec.buses, BusKind::gpio) ? "pin=\"" + example_pin(spec) + "\"" : "bus=\"...\""));
     }
@@ -121,7 +121,7 @@ class UseReader {
     if (!wants_pin) {
       at_value(diagnostics_, code::use_endpoint, pin,
                fmt::format("<use role=\"{}\"> takes a {}, not a pin", use.spec->role,
-                           fmt::join(bus_kind_names(use.spec->buses), ", ")));
+                           fmt::join(bus_kind_names(use.spec->buses), " or ")));
       return false;
     }
     const PlacedPin found =
@@ -140,9 +140,10 @@ class UseReader {
     const Segment& segment = reading_.robot.segments[*use.segment];
     if (!reading_.kind_is_known(segment)) return false;
     if (contains(use.spec->buses, segment.bus_kind)) return segment.bus != kNoBus;
-    at_value(diagnostics_, code::bus_kind, bus,
-             fmt::format("<use role=\"{}\"> takes {}; bus '{}' is of type '{}'", use.spec->role,
-                         fmt::join(bus_kind_names(use.spec->buses), ", "), bus.value, bus_kind_name(segment.bus_kind)));
+    at_value(
+        diagnostics_, code::bus_kind, bus,
+        fmt::format("<use role=\"{}\"> takes {}; bus '{}' is of type '{}'", use.spec->role,
+                    fmt::join(bus_kind_names(use.spec->buses), " or "), bus.value, bus_kind_name(segment.bus_kind)));
     return false;
   }
 
