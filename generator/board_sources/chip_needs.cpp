@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <optional>
 
@@ -40,6 +41,10 @@ std::optional<std::string> missing_dma(const Port& port) {
                                                  : std::optional<std::string>(fmt::format("the interrupt '{}'", name));
 }
 
+std::optional<std::string> missing_own_interrupt(const Port& port) {
+  return own_interrupt(port) != nullptr ? std::nullopt : std::optional<std::string>("an interrupt of its own name");
+}
+
 std::optional<std::string> first_of(std::optional<std::string> one, std::optional<std::string> other) {
   return one ? one : other;
 }
@@ -67,6 +72,12 @@ const InterruptLine* interrupt_ending(const Port& port, std::string_view ending)
   return nullptr;
 }
 
+const InterruptLine* own_interrupt(const Port& port) {
+  std::string name = port.name;
+  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return interrupt_ending(port, name);
+}
+
 std::string interrupt_name(const DmaStream& stream) {
   return fmt::format("DMA{}_Stream{}", stream.controller.back(), stream.stream);
 }
@@ -82,19 +93,14 @@ std::optional<std::string> missing_for_driver(const Port& port) {
       return first_of(missing_pin(port, {"scl", "sda"}), missing_interrupt(port, {"_EV", "_ER"}));
     case BusKind::spi:
       if (port.selects.empty()) return "the pins of its chip selects";
-      if (port.interrupts.empty()) return "an interrupt";
-      return first_of(missing_pin(port, {"sck", "miso", "mosi"}), port.dma.empty() ? std::nullopt : missing_dma(port));
+      return first_of(missing_pin(port, {"sck", "miso", "mosi"}),
+                      port.dma.empty() ? missing_own_interrupt(port) : missing_dma(port));
     case BusKind::pwm:
       if (!port.timer) return "a timer channel";
       return port.pins.size() == 1 ? std::nullopt : std::optional<std::string>("one pin");
     default:
-      if (port.interrupts.empty()) return "an interrupt";
-      return first_of(missing_pin(port, {"tx", "rx"}), missing_dma(port));
+      return first_of(missing_own_interrupt(port), first_of(missing_pin(port, {"tx", "rx"}), missing_dma(port)));
   }
-}
-
-bool can_interrupt(const NamedPin& pin) {
-  return std::find(pin.functions.begin(), pin.functions.end(), "interrupt") != pin.functions.end();
 }
 
 }  // namespace
@@ -107,7 +113,7 @@ std::vector<std::string> mistakes_for_chip(const Board& board) {
   }
   std::map<std::string, std::string> pins;  // that interrupt, by number
   for (const NamedPin& pin : board.pins) {
-    if (!can_interrupt(pin)) continue;
+    if (!pin.can("interrupt")) continue;
     const std::string& first = pins.emplace(pin.pin.substr(2), pin.pin).first->second;
     if (first != pin.pin)
       mistakes.push_back(fmt::format("pins '{}' and '{}' share an external interrupt line", first, pin.pin));

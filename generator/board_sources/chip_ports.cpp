@@ -41,7 +41,7 @@ Data uart_data(const Port& port) {
   data.set("receive", stream_text(&receive));
   data.set("transmit", stream_text(&transmit));
   data.set("channel", std::to_string(receive.channel));
-  data.set("line", std::to_string(port.interrupts.front().number));
+  data.set("line", std::to_string(own_interrupt(port)->number));
   data.set("receive_line", line_of(port, receive));
   data.set("inverter", port.has_inverter ? "true" : "false");
   return data;
@@ -78,7 +78,7 @@ Data spi_data(const Port& port) {
   data.set("receive", stream_text(receive));
   data.set("transmit", stream_text(transmit));
   data.set("channel", std::to_string(receive != nullptr ? receive->channel : 0));
-  data.set("line", receive != nullptr ? line_of(port, *receive) : std::to_string(port.interrupts.front().number));
+  data.set("line", receive != nullptr ? line_of(port, *receive) : std::to_string(own_interrupt(port)->number));
   return data;
 }
 

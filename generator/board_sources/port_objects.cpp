@@ -24,10 +24,6 @@ PortClass class_of(const Port& port) {
   }
 }
 
-bool can_interrupt(const NamedPin& pin) {
-  return std::find(pin.functions.begin(), pin.functions.end(), "interrupt") != pin.functions.end();
-}
-
 }  // namespace
 
 std::vector<PortObject> port_objects(const Board& board) {
@@ -36,7 +32,7 @@ std::vector<PortObject> port_objects(const Board& board) {
   std::map<std::uint32_t, char> edges;
   std::set<std::string> converters;
   for (const NamedPin& pin : board.pins) {
-    if (can_interrupt(pin)) edges.emplace(std::stoul(pin.pin.substr(2)), pin.pin.at(1));
+    if (pin.can("interrupt")) edges.emplace(std::stoul(pin.pin.substr(2)), pin.pin.at(1));
     if (!pin.converter.empty()) converters.insert(pin.converter);
   }
   for (const auto& [number, port] : edges)

@@ -69,6 +69,7 @@ int finish(const Options& options, Answer answer, const Diagnostics& diagnostics
   add_findings(answer.judged, findings);
   if (options.format == Format::text) out << answer.text;
   err << answer.summary << render_text(findings, use_color(options.color));
+  if (options.format == Format::text) out << answer.file;
   const bool answered = status == kExitYes || status == kExitNo;
   if (options.format == Format::json && answered) print_json(answer, std::move(answer.document), findings, out);
   // The formats for editors and CI are the result, whatever the status.

@@ -15,10 +15,11 @@ namespace finemote::gen {
 /// What a command returns; finish() prints it beside the findings of the run.
 struct Answer {
   int status = kExitInvalid;
-  std::string text = {};                      ///< standard output with --format text
+  std::string text = {};                      ///< standard output with --format text, for people: before the findings
   nlohmann::ordered_json document = nullptr;  ///< the same with --format json; null: `text` is a document by itself
   Diagnostics judged = {};                    ///< findings that have settled `status` (of lint, of the timing analysis)
   std::string summary = {}, closing = {};     ///< standard error, before and after the findings
+  std::string file = {};                      ///< standard output with --format text, for programs: after the findings
 };
 
 /// The command ends without one: what is wrong has been reported.

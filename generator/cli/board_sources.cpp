@@ -42,22 +42,31 @@ const Board* named_board(const std::string& name, Library& library, Sources& sou
 
 /// FM3103 for what a real board's file lacks for the code of its chip.
 void check_for_chip(const Board& board, Diagnostics& diagnostics) {
-  if (board.stands_in) return;
   for (const std::string& mistake : mistakes_for_chip(board))
     diagnostics.error(code::descriptor_contradiction, {}, fmt::format("board '{}': {}", board.name, mistake));
 }
 
-/// Files below the folder that were made of an older board file, by name.
+/// Whether a file is one of this command's: its second line names a board file, which nothing else generated does.
+bool is_board_source(const std::string& text) {
+  const std::size_t first_end = text.find('\n');
+  if (first_end == std::string::npos) return false;
+  const std::string second = text.substr(first_end + 1, text.find('\n', first_end + 1) - first_end - 1);
+  const std::size_t source = second.find("Source: ");
+  return text.substr(0, first_end).find(kMark) != std::string::npos && source != std::string::npos &&
+         second.find(".json", source) != std::string::npos;
+}
+
+/// Ports of an older board file: sources in the folder of ports that are none of `files`.
 std::vector<std::string> left_over(const fs::path& folder, const std::vector<OutputFile>& files) {
   std::vector<std::string> names;
   std::error_code ignored;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
+  for (const auto& entry : fs::directory_iterator(folder / "ports", ignored)) {
     const std::string name = entry.path().lexically_relative(folder).generic_string();
     const bool is_made =
         std::any_of(files.begin(), files.end(), [&](const OutputFile& file) { return file.name == name; });
     if (is_made || !entry.is_regular_file(ignored)) continue;
     const auto text = read_bytes(entry.path().string());
-    if (text && text->substr(0, text->find('\n')).find(kMark) != std::string::npos) names.push_back(name);
+    if (text && is_board_source(*text)) names.push_back(name);
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -122,7 +131,9 @@ Answer run_board_sources(const Options& options, Sources& sources, Diagnostics& 
   if (!library) return no_answer();
   const Board* board = named_board(options.input, *library, sources, diagnostics);
   const std::vector<const Board*> boards = real_boards(*library, sources, diagnostics);
-  if (!diagnostics.has_errors()) check_for_chip(*board, diagnostics);
+  if (diagnostics.has_errors()) return no_answer();
+  for (const Board* used : board->stands_in ? boards : std::vector<const Board*>{board})
+    check_for_chip(*used, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
 
   const std::vector<OutputFile> files = board_sources(*board, boards, data_dir);

@@ -63,7 +63,9 @@ Answer run_xacro(const Options& options, Sources& sources, Diagnostics& diagnost
   if (!expanded || is_refused(options, diagnostics)) return no_answer();
   const std::string text = result_text(*expanded, options.deps);
   if (!options.out.empty()) write_output_file(options.out, text, sources, diagnostics);
-  return {kExitYes, options.out.empty() ? text : "", document_of(*expanded, options)};
+  Answer answer{kExitYes, "", document_of(*expanded, options)};
+  if (options.out.empty()) answer.file = text;
+  return answer;
 }
 
 }  // namespace finemote::gen

@@ -202,9 +202,6 @@ Values split_at_blanks(const std::string& text, std::int64_t limit) {
     std::string part;
     const bool is_last = limit-- <= 0;
     while (at < characters.size() && (is_last || !is_space(code_point(characters[at])))) part += characters[at++];
-    if (is_last) {
-      while (!part.empty() && is_space(static_cast<unsigned char>(part.back()))) part.pop_back();
-    }
     parts.emplace_back(std::move(part));
   }
   return parts;

@@ -40,6 +40,17 @@ TEST_CASE("a port object has the pins, streams and lines of the board file") {
   CHECK(text_of(files, "board.ld").find("CORE_RAM (rw)  : ORIGIN = 0x10000000, LENGTH = 64K") != std::string::npos);
 }
 
+TEST_CASE("the order of a port's interrupts says nothing") {
+  Shelf shelf;
+  Board board = shelf.board("robomaster_type_c");
+  const auto files = board_sources(board, {}, FINEMOTE_SOURCE_DIR);
+  for (Port& port : board.ports) std::reverse(port.interrupts.begin(), port.interrupts.end());
+  for (const char* name :
+       {"ports/usart1.cpp", "ports/can1.cpp", "ports/i2c2.cpp", "ports/spi1.cpp", "ports/spi2.cpp"}) {
+    CHECK(text_of(board_sources(board, {}, FINEMOTE_SOURCE_DIR), name) == text_of(files, name));
+  }
+}
+
 TEST_CASE("edges that share an interrupt line share a file and its routine") {
   Shelf shelf;
   Board board = shelf.board("robomaster_type_c");
@@ -70,11 +81,13 @@ TEST_CASE("what a board file lacks for the drivers of its chip is named") {
   port_of(board, "usart1").dma.pop_back();
   port_of(board, "i2c2").interrupts.clear();
   port_of(board, "pwm1").timer.reset();
+  std::erase_if(port_of(board, "usart6").interrupts, [](const InterruptLine& line) { return line.name == "USART6"; });
   NamedPin pin = *board.named_pin("key");
   pin.pin = "PE0";
   board.pins.push_back(pin);
   CHECK(mistakes_for_chip(board) == std::vector<std::string>{
                                         "port 'usart1' needs DMA streams 'rx' and 'tx'",
+                                        "port 'usart6' needs an interrupt of its own name",
                                         "port 'i2c2' needs an interrupt '..._EV'",
                                         "port 'pwm1' needs a timer channel",
                                         "pins 'PA0' and 'PE0' share an external interrupt line",

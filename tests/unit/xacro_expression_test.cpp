@@ -168,6 +168,9 @@ TEST_CASE("xacro expression: texts") {
   CHECK(value_of("'\\u00e9\\x41\\101'") == "éAA");
   CHECK(value_of("'a b  c'.split()") == "['a', 'b', 'c']");
   CHECK(value_of("'a b c d'.split(None, 2)") == "['a', 'b', 'c d']");
+  CHECK(value_of("' 1  2   3  '.split(None, 1)") == "['1', '2   3  ']");
+  CHECK(value_of("'  1   2 3 '.rsplit(None, 1)") == "['  1   2', '3']");
+  CHECK(value_of("'a à'.split(None, 1)") == "['a', 'à']");
   CHECK(value_of("'a.b.c'.rsplit('.', 1)") == "['a.b', 'c']");
   CHECK(value_of("'left_arm'.title()") == "Left_Arm");
   CHECK(value_of("'STRASSE'.lower() + 'ß'.upper()") == "strasseSS");
