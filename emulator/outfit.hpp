@@ -18,7 +18,7 @@
 
 namespace finemote::emulator {
 
-/// Something a part did that a chain's ends are measured by.
+/// An event at a part where a measured chain begins or ends.
 struct PartEvent {
   enum class Kind {
     sample,  ///< `from`: when the quantity was sampled; `at`: when its last bit could be read

@@ -14,8 +14,8 @@ namespace finemote::gen {
 /// that cannot be read.
 bool repair_device(Json& value, const std::vector<SchemaMistake>& mistakes, const std::string& name);
 
-/// A type whose descriptor has mistakes asks for nothing any more: what a robot gives it is judged, what it leaves out
-/// is not.
+/// Drops what a type whose descriptor has mistakes requires: values that a robot gives are still checked, missing ones
+/// are not reported.
 void relax(DeviceType& type);
 
 }  // namespace finemote::gen

@@ -92,7 +92,7 @@ inline constexpr Code timing_closed_form{4017};    // a safe closed form stands 
 inline constexpr Code timing_chain{4018};          // a chain operand names nothing, or nothing leads from a to b
 inline constexpr Code timing_profile{4019};        // profile target asked of a model without its fields
 inline constexpr Code timing_assumed{4020};        // the verdict depends on assumed execution times
-inline constexpr Code timing_bus_overload{4021};   // warning: a bus is asked for more than all of its time
+inline constexpr Code timing_bus_overload{4021};   // warning: a bus is overloaded
 // 20xx: links and joints of the URDF
 inline constexpr Code urdf_rejected{2001};  // urdfdom, which ROS tools use, refuses the links and joints
 inline constexpr Code unknown_link{2002};

@@ -57,7 +57,7 @@ struct Builtin {
   std::string_view name;
   Signature takes;
   Value (*call)(Runtime& runtime, const Parameters& p);
-  std::string_view deprecated_for = {};  ///< the namespace it should be called through; empty when it is no old name
+  std::string_view deprecated_for = {};  ///< namespace that replaces this bare name; empty: not deprecated
 };
 
 /// A function that belongs to a type: `value.name(...)`.

@@ -62,7 +62,7 @@ class Linter {
   std::vector<Fix> take_fixes() { return std::move(fixes_); }
 
  private:
-  /// Who denies a busy bus denies one that is asked for more than all of its time.
+  /// Denying a busy bus (FM3155) also denies an overloaded one.
   [[nodiscard]] bool is_denied(Code code) const {
     return contains(options_.deny, code) ||
            (code == code::timing_bus_overload && contains(options_.deny, code::lint_bus_load));

@@ -37,11 +37,11 @@ UnitBits can_unit(Ns write, Ns read, Ns) {
   return total;
 }
 
-constexpr BusTraffic kUart{uart_unit, true, false, false, Counted::none, false};
-constexpr BusTraffic kRs485{rs485_unit, false, false, false, Counted::none, false};
-constexpr BusTraffic kI2c{i2c_unit, false, false, true, Counted::always, true};
-constexpr BusTraffic kSpi{spi_unit, false, false, true, Counted::by_dma, false};
-constexpr BusTraffic kCan{can_unit, false, true, false, Counted::none, true};
+constexpr BusTraffic kUart{.unit = uart_unit, .has_two_lines = true};
+constexpr BusTraffic kRs485{.unit = rs485_unit};
+constexpr BusTraffic kI2c{.unit = i2c_unit, .is_mastered = true, .counted = Counted::always, .is_shared = true};
+constexpr BusTraffic kSpi{.unit = spi_unit, .is_mastered = true, .counted = Counted::by_dma};
+constexpr BusTraffic kCan{.unit = can_unit, .is_arbitrated = true, .is_shared = true};
 constexpr BusTraffic kNoFrames{};
 
 }  // namespace

@@ -14,7 +14,7 @@ struct HandOver {
   std::shared_ptr<const Staircase> down, up;
 };
 
-/// Of all uses by releases in one row of the device's release table the oldest; a root that is its own terminal has
+/// The oldest data that any release in one row of the device's release table uses; a root that is its own terminal has
 /// age 0.
 struct OldestUse {
   Ns age = 0;  ///< terminal release less source release

@@ -122,7 +122,7 @@ struct Flush {
   Ns interrupts = 1;
   std::vector<Ns> identifiers;       ///< of its frames, all equally long, on a bus that arbitrates; empty: not known
   std::vector<std::size_t> devices;  ///< whose commands it carries
-  /// Flushes with the same name here fill one slot: one that finds it taken leaves its data to the next of them.
+  /// Flushes with the same output share a slot; if it is busy, the next flush sends the data.
   std::string output;
 };
 

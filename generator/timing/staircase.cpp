@@ -21,7 +21,7 @@ std::vector<Step> room_for(Ns steps) {
 
 Ns steps_in(const Staircase& above, Ns length) { return static_cast<Ns>(above.steps.size()) * (length / above.length); }
 
-// Which step goes on and which one begins is different every time: no branches in these loops.
+// Whether a step goes on or a new one begins is unpredictable: these loops do not branch on it.
 
 Staircase step_down(const Staircase& above, Ns length, Ns period, LagCursor lag) {
   std::vector<Step> room = room_for(steps_in(above, length));

@@ -11,9 +11,9 @@ namespace finemote::gen::timing {
 /// to step.
 ///
 /// Both directions are the recurrence of the paper's Theorem 3, walked from the root instead of from every terminal.
-/// Down: the releases of the device from `device` of the step before up to, without, `device` see the decision of
-/// `root`. Up: the releases of the root after `root` of the step before up to and with `root` use the state of
-/// `device`. There are at most as many steps as the slowest device on the way has releases.
+/// Down: the releases of the device in [device of the step before, device) see the decision of `root`. Up: the releases
+/// of the root in (root of the step before, root] use the state of `device`. There are at most as many steps as the
+/// slowest device on the way has releases.
 struct Staircase {
   struct Step {
     Ns root = 0;    ///< which release: 0 is the one at time 0

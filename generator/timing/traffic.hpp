@@ -19,8 +19,8 @@ class Traffic {
   /// @param place  of the device in Model::devices
   void add_device(const gen::Device& device, std::size_t place);
 
-  /// Where every interrupt of a bus belongs to a transfer the robot asked for: so many in one of any `every` periods of
-  /// the device.
+  /// Allows `count` interrupts in one of any `every` periods of the device. Adds nothing on a bus whose parts send by
+  /// themselves: there, not every interrupt belongs to a transfer the robot asked for.
   void add_budget(std::size_t bus, std::size_t place, Ns count, Ns every = 1);
 
   /// What goes ahead of a unit on a segment: a mux is set, and where there are several, the one set before is switched
