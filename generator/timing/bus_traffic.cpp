@@ -76,7 +76,7 @@ void WireUse::add(const WireRate& rate, Ns write, Ns read) {
   const BusTraffic& traffic = traffic_of(rate.kind);
   if (traffic.unit == nullptr) return;
   const UnitBits use = traffic.unit(write, read, rate.bits_per_byte);
-  wire_ns = timing::add(wire_ns, ceil_div(multiply(use.bits, 1'000'000'000), rate.bits_per_s));
+  wire_ns = gen::add(wire_ns, ceil_div(multiply(use.bits, 1'000'000'000), rate.bits_per_s));
   interrupts += use.interrupts;
 }
 

@@ -98,7 +98,7 @@ class Demand {
   }
 
   void take(const Step& step) {
-    value_ = timing::add(value_, step.value);
+    value_ = gen::add(value_, step.value);
     end_ = std::min(end_, step.end);
   }
 
@@ -117,7 +117,7 @@ class Demand {
       for (const Stream::Budget& b : s.budgets) {
         const Ns periods = ceil_div(x, b.period);
         step.end = std::min(step.end, flat_to(0, periods, b.period));
-        by_budget = timing::add(by_budget, multiply(b.count, ceil_div(timing::add(periods, b.carry_in), b.every)));
+        by_budget = gen::add(by_budget, multiply(b.count, ceil_div(gen::add(periods, b.carry_in), b.every)));
       }
       arrived = std::min(arrived, by_budget);
     }

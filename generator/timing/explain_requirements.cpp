@@ -181,7 +181,7 @@ class RequirementFamilies {
     std::size_t busiest = 0;
     const auto load = [&](std::size_t d) {
       const Device& device = model_.devices[d];
-      return ratio(timing::add(device.update_wcet_ns, device.handle_wcet_ns), device.period_ns);
+      return ratio(gen::add(device.update_wcet_ns, device.handle_wcet_ns), device.period_ns);
     };
     for (std::size_t d = 1; d < model_.devices.size(); ++d) {
       if (load(d) > load(busiest)) busiest = d;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "generator/units/divider.hpp"
+
 namespace finemote::gen::timing {
 namespace {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "generator/timing/response.hpp"
+#include "generator/units/divider.hpp"
 
 namespace finemote::gen::timing {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "generator/units/divider.hpp"
+
 namespace finemote::gen::timing {
 namespace {
 

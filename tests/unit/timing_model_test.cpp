@@ -126,26 +126,6 @@ TEST_CASE("a chain between trees that share no data is refused") {
   CHECK(diagnostics.in_file_order().front().message == "no data leads from 'a' to 'b'");
 }
 
-TEST_CASE("division rounds to minus infinity, with and without a prepared divisor") {
-  CHECK(floor_div(-1, 10) == -1);
-  CHECK(floor_div(-10, 10) == -1);
-  CHECK(ceil_div(-9, 10) == 0);
-  CHECK(ceil_div(11, 10) == 2);
-  const Ns most = std::numeric_limits<Ns>::max();
-  for (const Ns divisor : {Ns{1}, Ns{3}, Ns{10}, Ns{1'000'003}, Ns{60'000'000'000}, Ns{1} << 40, most}) {
-    const Divider divider(divisor);
-    for (Ns base : {Ns{0}, divisor, Ns{7'777'777'777}, most / 3, most / 3 / divisor * divisor, most - 2}) {
-      for (const Ns sign : {1, -1}) {
-        for (Ns near = -2; near <= 2; ++near) {
-          const Ns a = sign * (base - 2) + near;
-          CHECK(divider.floor(a) == floor_div(a, divisor));
-          CHECK(divider.rest(a) == a - floor_div(a, divisor) * divisor);
-        }
-      }
-    }
-  }
-}
-
 TEST_CASE("a window between two devices of a bucket holds at every release, also where there are too many to look at") {
   // Both periods repeat after a million releases; only some of the slower bucket's jobs are preempted.
   Model model;

@@ -43,7 +43,7 @@ std::vector<ChainEnds> leaf_pairs(const Topology& topology) {
 
 Ns run_length(const Model& model) {
   Ns common = 1;
-  for (const Device& d : model.devices) common = timing::lcm(common, d.period_ns);
+  for (const Device& d : model.devices) common = lcm(common, d.period_ns);
   return 4 * common;
 }
 

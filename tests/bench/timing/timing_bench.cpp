@@ -20,7 +20,7 @@ constexpr int kRuns = 12;  ///< simulations of each forest, other seeds
 
 Ns repetition(const Model& model) {
   Ns common = 1;
-  for (const Device& d : model.devices) common = timing::lcm(common, d.period_ns);
+  for (const Device& d : model.devices) common = lcm(common, d.period_ns);
   return common;
 }
 
