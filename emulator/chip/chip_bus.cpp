@@ -1,13 +1,9 @@
 #include "emulator/chip/chip_bus.hpp"
 
+#include "emulator/word_text.hpp"
+
 namespace finemote::emulator {
 namespace {
-
-std::string hex(std::uint32_t value) {
-  char text[16];
-  std::snprintf(text, sizeof text, "0x%08X", value);
-  return text;
-}
 
 constexpr std::uint32_t kFirst = 0x40000000;  ///< address of the first peripheral
 

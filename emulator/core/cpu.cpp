@@ -1,9 +1,10 @@
 #include "emulator/core/cpu.hpp"
 
-#include <cstdio>
 #include <cstring>
 #include <stdexcept>
 #include <tuple>
+
+#include "emulator/word_text.hpp"
 
 namespace finemote::emulator {
 namespace {
@@ -15,12 +16,6 @@ constexpr unsigned kEntryCycles = 12, kReturnCycles = 10, kTailCycles = 6;
 constexpr std::uint32_t kStackingMem = 1U << 4, kInstructionBus = 1U << 8, kPreciseBus = 1U << 9,
                         kBusAddress = 1U << 15, kUndefinedInstruction = 1U << 16, kBadState = 1U << 17,
                         kNoFpu = 1U << 19, kDataMem = 1U << 1, kMemAddress = 1U << 7;
-
-std::string hex(std::uint32_t value) {
-  char text[16];
-  std::snprintf(text, sizeof text, "0x%08X", value);
-  return text;
-}
 
 bool in(std::uint32_t address, std::uint32_t base, std::uint32_t bytes) { return address - base < bytes; }
 

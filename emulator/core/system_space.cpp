@@ -1,16 +1,11 @@
 #include "emulator/core/system_space.hpp"
 
-#include <cstdio>
 #include <string>
+
+#include "emulator/word_text.hpp"
 
 namespace finemote::emulator {
 namespace {
-
-std::string hex(std::uint32_t value) {
-  char text[16];
-  std::snprintf(text, sizeof text, "0x%08X", value);
-  return text;
-}
 
 bool in(std::uint32_t address, std::uint32_t from, std::uint32_t end) { return address >= from && address < end; }
 

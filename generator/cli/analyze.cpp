@@ -91,7 +91,7 @@ Answer run_analyze(const Options& options, Sources& sources, Diagnostics& diagno
   timing::AnalysisRequest request;
   request.profile = profile_option(options.profile, diagnostics);
   timing::RobotTimingOptions robot_options;
-  robot_options.assumed_wcet_ns = time_option("--assume-wcet", options.assume_wcet, diagnostics);
+  robot_options.assumed_wcet_ns = time_option("--assume-wcet", options.assume_wcet, "50us", diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   if (options.dump) return dump_subject(options, robot_options, sources, diagnostics);
   const auto subject = read_subject(options, robot_options, sources, diagnostics);
@@ -112,9 +112,8 @@ Answer run_analyze(const Options& options, Sources& sources, Diagnostics& diagno
   if (options.suggest_order) extras.order = timing::suggest_order(model, timing->asked);
   if (options.format == Format::json) answer.document = document(*timing, extras);
   if (options.format == Format::text) answer.text = text(*timing, extras);
-  const bool is_refused = options.warnings_are_errors && answer.judged.size() > 0;
   const bool is_yes = timing->schedulable && timing->requirements_hold();
-  answer.status = is_refused ? kExitInvalid : is_yes ? kExitYes : kExitNo;
+  answer.status = denies_warnings(options, answer.judged) ? kExitInvalid : is_yes ? kExitYes : kExitNo;
   return answer;
 }
 

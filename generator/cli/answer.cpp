@@ -57,8 +57,12 @@ bool write_result(const std::string& path, std::string_view text, Diagnostics& d
   return !reason;
 }
 
-bool is_refused(const Options& options, const Diagnostics& diagnostics) {
-  return diagnostics.has_errors() || (options.warnings_are_errors && diagnostics.size() > 0);
+bool denies_warnings(const Options& options, const Diagnostics& findings) {
+  return options.warnings_are_errors && findings.size() > 0;
+}
+
+bool is_refused(const Options& options, const Diagnostics& findings) {
+  return findings.has_errors() || denies_warnings(options, findings);
 }
 
 int finish(const Options& options, Answer answer, const Diagnostics& diagnostics, std::ostream& out,

@@ -25,8 +25,11 @@ struct Answer {
 /// The command ends without one: what is wrong has been reported.
 inline Answer no_answer() { return {}; }
 
-/// Whether there can be no answer: errors, or warnings under -W error.
-bool is_refused(const Options& options, const Diagnostics& diagnostics);
+/// Whether -W error is given, and there is something it is given for.
+bool denies_warnings(const Options& options, const Diagnostics& findings);
+
+/// Whether findings are taken as errors: some are, or -W error makes all of them.
+bool is_refused(const Options& options, const Diagnostics& findings);
 
 /// Prints an answer and the findings as the options say, and returns the exit status: kExitInvalid when `diagnostics`
 /// refuse an answer, else the answer's own. With --format json there is no document for the statuses 2 and 3; findings

@@ -101,7 +101,7 @@ Json document(const Options& options, const CheckResult& result, const std::stri
 /// The answer of what was compared, analysed and linted.
 Answer answer_of(const Options& options, const Output& output, const CheckResult& result, const Verdict& verdict,
                  const Diagnostics& lint_findings) {
-  const bool denied = lint_findings.has_errors() || (options.warnings_are_errors && lint_findings.size() > 0);
+  const bool denied = is_refused(options, lint_findings);
   const std::string objection = objections(verdict, denied);
   const bool fresh = result.findings.empty();
   const std::string diff = options.diff ? unified_diff(options.out, output, result) : std::string();

@@ -42,20 +42,6 @@ Properties expander_facts(const Robot& robot, const Expander& expander) {
   return facts;
 }
 
-std::string source_name(Wcet::Source source) {
-  switch (source) {
-    case Wcet::Source::assumed:
-      return "assumed";
-    case Wcet::Source::budget:
-      return "budget";
-    case Wcet::Source::measured:
-      return "measured";
-    case Wcet::Source::static_analysis:
-      return "static";
-  }
-  return {};
-}
-
 std::string use_text(const Robot& robot, const Use& use) {
   std::string text = use.segment ? robot.segments[*use.segment].name.text : use.pin;
   if (use.channel) text += fmt::format(" channel {}", *use.channel);
@@ -80,7 +66,7 @@ Properties device_facts(const PlannedRobot& planned, DeviceId index) {
                    {"place", device_comment(planned.plan(), index)},
                    {"position in the schedule", std::to_string(planned.forest.rank[index].value() + 1)},
                    {"wcet", fmt::format("update {} ns, handle {} ns", device.wcet.update_ns, device.wcet.handle_ns)},
-                   {"source of the wcet", source_name(device.wcet.source)}};
+                   {"source of the wcet", to_string(device.wcet.source)}};
   if (device.parent && device.role) facts["role"] = robot.devices[*device.parent].type->roles[*device.role].name;
   if (!device.link.empty()) facts["link"] = device.link;
   if (!device.joint.empty()) facts["joint"] = device.joint;

@@ -71,7 +71,7 @@ std::string outcome_text(const Diagnostics& findings, const std::string& name, c
 /// What is left to find, which settles the exit status: kExitNo when one is denied.
 Answer answer_of(const Options& options, const Diagnostics& findings, const std::string& name, const Mended& mended,
                  std::size_t fixable) {
-  const bool denied = findings.has_errors() || (options.warnings_are_errors && findings.size() > 0);
+  const bool denied = is_refused(options, findings);
   const std::vector<std::string> names(mended.fixed.empty() ? 0 : 1, name);
   Answer answer{denied ? kExitNo : kExitYes};
   if (!options.quiet) answer.text = outcome_text(findings, name, mended, fixable);

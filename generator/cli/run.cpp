@@ -8,6 +8,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/dump.hpp"
 #include "generator/cli/robot_input.hpp"
+#include "generator/cli/subject.hpp"
 #include "generator/cli/verdict.hpp"
 #include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/code_scenario.hpp"
@@ -21,7 +22,6 @@
 #include "generator/run/work_folder.hpp"
 #include "generator/timing/from_robot.hpp"
 #include "generator/timing/operands.hpp"
-#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -41,11 +41,7 @@ struct Setup {
 
 std::optional<std::int64_t> duration_of(const std::string& asked, const Schedule& schedule, Diagnostics& diagnostics) {
   if (asked.empty()) return default_duration(schedule);
-  const auto parsed = units::parse_duration(asked);
-  if (parsed && *parsed > 0) return *parsed;
-  diagnostics.error(code::usage, {}, fmt::format("--duration must be a time greater than zero, got '{}'", asked))
-      .hint("write for example --duration 100ms");
-  return std::nullopt;
+  return time_option("--duration", asked, "100ms", diagnostics);
 }
 
 /// The first bus whose port the board lacks; null: none, or the board takes every port.
@@ -228,7 +224,7 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
 
   const WorkFolder work(options.keep, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
-  const Analysis analysis = analyse_robot(*planned, Hints::wanted);
+  const Analysis analysis = analyse_robot(*planned, options.build_only ? Hints::left_out : Hints::wanted);
   ProvenBounds proven = prove_bounds(*planned, analysis);
   auto files = emit_files(*planned, proven, input->data_dir, diagnostics);
   if (diagnostics.has_errors()) return no_answer();

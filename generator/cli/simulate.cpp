@@ -78,7 +78,7 @@ SimulationRequest request_of(const Options& options, Diagnostics& diagnostics) {
   request.seed = options.seed;
   request.chains = options.chains;
   request.profile = profile_option(options.profile, diagnostics);
-  const auto duration = time_option("--duration", options.duration, diagnostics);
+  const auto duration = time_option("--duration", options.duration, "50us", diagnostics);
   if (duration) request.duration_ns = *duration;
   if (request.duration_ns > kLongestSimulation) {
     diagnostics
@@ -94,7 +94,7 @@ SimulationRequest request_of(const Options& options, Diagnostics& diagnostics) {
 Answer run_simulate(const Options& options, Sources& sources, Diagnostics& diagnostics) {
   const SimulationRequest request = request_of(options, diagnostics);
   timing::RobotTimingOptions robot_options;
-  robot_options.assumed_wcet_ns = time_option("--assume-wcet", options.assume_wcet, diagnostics);
+  robot_options.assumed_wcet_ns = time_option("--assume-wcet", options.assume_wcet, "50us", diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   if (options.dump) return dump_subject(options, robot_options, sources, diagnostics);
   const auto subject = read_subject(options, robot_options, sources, diagnostics);
@@ -115,8 +115,7 @@ Answer run_simulate(const Options& options, Sources& sources, Diagnostics& diagn
   }
   if (options.format == Format::json) answer.document = document(*simulated, request);
   if (options.format == Format::text) answer.text = text(*simulated, request);
-  const bool is_refused = options.warnings_are_errors && answer.judged.size() > 0;
-  answer.status = is_refused ? kExitInvalid : simulated->good() ? kExitYes : kExitNo;
+  answer.status = denies_warnings(options, answer.judged) ? kExitInvalid : simulated->good() ? kExitYes : kExitNo;
   return answer;
 }
 

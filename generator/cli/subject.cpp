@@ -36,12 +36,13 @@ std::optional<Subject> read_subject(const Options& options, const timing::RobotT
   return Subject{std::move(model), timing::timing_requirements(robot, forest), std::move(planned)};
 }
 
-std::optional<std::int64_t> time_option(const char* option, const std::string& text, Diagnostics& diagnostics) {
+std::optional<std::int64_t> time_option(const char* option, const std::string& text, const char* example,
+                                        Diagnostics& diagnostics) {
   if (text.empty()) return std::nullopt;
   const auto parsed = units::parse_duration(text);
   if (parsed && *parsed > 0) return *parsed;
   diagnostics.error(code::usage, {}, fmt::format("{} must be a time greater than zero, got '{}'", option, text))
-      .hint(fmt::format("write for example {} 50us", option));
+      .hint(fmt::format("write for example {} {}", option, example));
   return std::nullopt;
 }
 

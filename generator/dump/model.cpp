@@ -30,20 +30,6 @@ Json expander_json(const Robot& robot, const Expander& expander) {
           {"address", expander.address}, {"channels", channels},         {"params", params_json(expander.params)}};
 }
 
-const char* source_name(Wcet::Source source) {
-  switch (source) {
-    case Wcet::Source::assumed:
-      return "assumed";
-    case Wcet::Source::budget:
-      return "budget";
-    case Wcet::Source::measured:
-      return "measured";
-    case Wcet::Source::static_analysis:
-      return "static";
-  }
-  return "";
-}
-
 Json uses_json(const Robot& robot, const Device& device) {
   Json list = Json::array();
   for (const Use& use : device.uses) {
@@ -82,7 +68,7 @@ Json device_json(const Robot& robot, const Device& device) {
           {"wcet",
            {{"update_ns", device.wcet.update_ns},
             {"handle_ns", device.wcet.handle_ns},
-            {"source", source_name(device.wcet.source)}}}};
+            {"source", to_string(device.wcet.source)}}}};
 }
 
 Json pose_json(const Pose& pose) { return {{"xyz", pose.xyz}, {"rpy", pose.rpy}}; }

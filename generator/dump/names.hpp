@@ -7,20 +7,15 @@
 
 namespace finemote::gen {
 
-template <typename Index>
-Json device_name(const Robot& robot, Index device) {
-  return robot.devices[device].name.text;
-}
+inline Json device_name(const Robot& robot, DeviceId device) { return robot.devices[device].name.text; }
 
-template <typename Index>
-Json segment_name(const Robot& robot, Index segment) {
-  return robot.segments[segment].name.text;
-}
+inline Json segment_name(const Robot& robot, SegmentId segment) { return robot.segments[segment].name.text; }
 
-template <typename List>
-Json device_names(const Robot& robot, const List& devices) {
+/// @tparam Devices  a range of DeviceId
+template <typename Devices>
+Json device_names(const Robot& robot, const Devices& devices) {
   Json names = Json::array();
-  for (const auto device : devices) names.push_back(device_name(robot, device));
+  for (const DeviceId device : devices) names.push_back(device_name(robot, device));
   return names;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "generator/descriptor/bus_kind.hpp"
 #include "generator/descriptor/library.hpp"
@@ -156,10 +157,16 @@ class DeviceReader {
     if (wcet == nullptr) return;
     device_.wcet.update_ns = read_duration_in(*wcet, "update", "us", diagnostics_).value_or(0);
     device_.wcet.handle_ns = read_duration_in(*wcet, "handle", "us", diagnostics_).value_or(0);
-    const auto source = read_choice(*wcet, "source", {"budget", "measured", "static"}, diagnostics_).value_or("budget");
-    device_.wcet.source = source == "measured" ? Wcet::Source::measured
-                          : source == "static" ? Wcet::Source::static_analysis
-                                               : Wcet::Source::budget;
+    device_.wcet.source = read_source(*wcet);
+  }
+
+  Wcet::Source read_source(const xml::Node& wcet) {
+    constexpr std::array kSources{Wcet::Source::budget, Wcet::Source::measured, Wcet::Source::static_analysis};
+    std::vector<std::string> names;
+    for (const Wcet::Source source : kSources) names.emplace_back(to_string(source));
+    const auto name = read_choice(wcet, "source", names, diagnostics_);
+    const auto found = std::find(names.begin(), names.end(), name.value_or(names.front()));
+    return kSources.at(static_cast<std::size_t>(found - names.begin()));
   }
 
   Reading& reading_;
@@ -171,6 +178,20 @@ class DeviceReader {
 };
 
 }  // namespace
+
+const char* to_string(Wcet::Source source) {
+  switch (source) {
+    case Wcet::Source::assumed:
+      return "assumed";
+    case Wcet::Source::budget:
+      return "budget";
+    case Wcet::Source::measured:
+      return "measured";
+    case Wcet::Source::static_analysis:
+      return "static";
+  }
+  return "";
+}
 
 void read_devices(Reading& reading) {
   for (const DeviceTag& tag : reading.tags.devices) DeviceReader(reading, *tag.node).read();

@@ -89,6 +89,9 @@ struct Wcet {
   Source source = Source::assumed;
 };
 
+/// As the extension spells it: `static`.
+const char* to_string(Wcet::Source source);
+
 struct Device {
   Name name;
   const DeviceType* type = nullptr;

@@ -1,25 +1,19 @@
 #include "generator/run/board_wiring.hpp"
 
 #include "generator/descriptor/bus_kind.hpp"
+#include "generator/model/names.hpp"
 
 namespace finemote::gen {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string lower(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
-
 Json port_wiring(const Port& port) {
   Json pins = Json::array(), buses = Json::array();
   for (const PortPin& pin : port.pins) pins.push_back({{"signal", pin.signal}, {"pin", pin.pin}});
   for (const BusKind kind : port.kinds) buses.push_back(bus_kind_name(kind));
   Json wiring{{"name", port.name}, {"buses", buses}, {"pins", pins}, {"selects", port.selects}};
-  if (port.timer) wiring["timer"] = {{"name", lower(port.timer->timer)}, {"channel", port.timer->channel}};
+  if (port.timer) wiring["timer"] = {{"name", fold_case(port.timer->timer)}, {"channel", port.timer->channel}};
   return wiring;
 }
 

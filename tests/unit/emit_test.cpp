@@ -7,7 +7,7 @@
 #include "generator/emit/names.hpp"
 #include "generator/emit/render.hpp"
 #include "generator/emit/template.hpp"
-#include "unit/planned_robot.hpp"
+#include "unit/robot_plan.hpp"
 
 using namespace finemote::gen;
 namespace fs = std::filesystem;
@@ -40,7 +40,7 @@ ParamSpec spec_of(const std::string& name, ParamKind kind, Unit unit = Unit::non
 
 /// The files of a robot, by name.
 struct Rendered {
-  PlannedRobot planned;
+  RobotPlan planned;
   std::vector<OutputFile> files;
 
   explicit Rendered(const std::string& inner) : planned(inner) {

@@ -4,16 +4,16 @@
 #include "catch.hpp"
 #include "generator/timing/analyse.hpp"
 #include "generator/timing/from_robot.hpp"
-#include "unit/planned_robot.hpp"
+#include "unit/robot_plan.hpp"
 
 namespace finemote::gen::timing {
 
-struct Robots : PlannedRobot {
+struct Robots : RobotPlan {
   timing::Model model;
 
   /// @param name  of a file, from the top of the project.
   explicit Robots(const std::string& name, const RobotTimingOptions& options = {})
-      : PlannedRobot(RobotFile{name}), model(make_timing_model(*robot, forest, schedule, options)) {}
+      : RobotPlan(RobotFile{name}), model(make_timing_model(*robot, forest, schedule, options)) {}
 
   /// A Type C board with `inner` in its <finemote>.
   static Robots with(const std::string& inner) { return Robots(Inner{inner}); }
@@ -31,8 +31,7 @@ struct Robots : PlannedRobot {
   struct Inner {
     const std::string& text;
   };
-  explicit Robots(const Inner& inner)
-      : PlannedRobot(inner.text), model(make_timing_model(*robot, forest, schedule, {})) {}
+  explicit Robots(const Inner& inner) : RobotPlan(inner.text), model(make_timing_model(*robot, forest, schedule, {})) {}
 };
 
 inline const ChainResult& chain(const Timing& timing, const std::string& from, const std::string& to) {

@@ -20,7 +20,7 @@ struct RobotFile {
   std::string path;
 };
 
-struct PlannedRobot {
+struct RobotPlan {
   Sources sources;
   Diagnostics diagnostics;
   std::optional<Library> library;
@@ -29,13 +29,13 @@ struct PlannedRobot {
   Schedule schedule;
 
   /// A Type C board with `inner` in its <finemote>.
-  explicit PlannedRobot(const std::string& inner) {
+  explicit RobotPlan(const std::string& inner) {
     load(*sources.add({"r.urdf", "",
                        "<robot name=\"r\"><link name=\"base\"/><finemote version=\"1\">"
                        "<board name=\"robomaster_type_c\"/>\n" +
                            inner + "</finemote></robot>\n"}));
   }
-  explicit PlannedRobot(const RobotFile& robot_file) {
+  explicit RobotPlan(const RobotFile& robot_file) {
     const std::string path = std::string(FINEMOTE_SOURCE_DIR) + "/" + robot_file.path;
     const SourceFile* file = xml::read_source(path, sources, diagnostics, robot_file.path);
     REQUIRE(file);
@@ -44,22 +44,19 @@ struct PlannedRobot {
 
   [[nodiscard]] std::string said() const { return render_text(diagnostics, false); }
 
-  template <typename Id>
-  [[nodiscard]] const std::string& name(Id device) const {
-    return robot->devices[device].name.text;
-  }
+  [[nodiscard]] const std::string& name(DeviceId device) const { return robot->devices[device].name.text; }
   /// The index of a device.
-  [[nodiscard]] auto device(const std::string& wanted) const {
+  [[nodiscard]] DeviceId device(const std::string& wanted) const {
     const auto found =
-        std::find_if(forest.order.begin(), forest.order.end(), [&](const auto& one) { return name(one) == wanted; });
+        std::find_if(forest.order.begin(), forest.order.end(), [&](DeviceId one) { return name(one) == wanted; });
     if (found == forest.order.end()) throw std::invalid_argument("no device " + wanted);
     return *found;
   }
   /// `imu baro rov`
-  template <typename Ids>
-  [[nodiscard]] std::string names(const Ids& devices) const {
+  template <typename Devices>
+  [[nodiscard]] std::string names(const Devices& devices) const {
     std::string all;
-    for (const auto& device : devices) all += (all.empty() ? "" : " ") + name(device);
+    for (const DeviceId device : devices) all += (all.empty() ? "" : " ") + name(device);
     return all;
   }
 
