@@ -157,7 +157,7 @@ class SourceFiles {
   std::vector<OutputFile> make() {
     add_build();
     add_names();
-    if (board_.chip == "host") {
+    if (board_.is_host()) {
       add_host_ports();
       return std::move(files_);
     }
@@ -176,7 +176,7 @@ class SourceFiles {
   void add_build() {
     const bool is_chip = board_.chip == "stm32f4";
     Data data;
-    data.set("chips", board_.chip == "host" ? "" : is_chip ? "stm32f4 cortex_m4" : board_.chip);
+    data.set("chips", board_.is_host() ? "" : is_chip ? "stm32f4 cortex_m4" : board_.chip);
     data.set("definitions", is_chip ? "FINEMOTE_SILENT" : "");
     add("board.cmake", "board.cmake", data);
   }
@@ -193,7 +193,7 @@ class SourceFiles {
     gpio.set("names", "gpio");
     classes.push_back(gpio);
     add("board/port_names.hpp", "port_names.hpp", Data{"classes", classes});
-    if (board_.chip == "host") add("board/wires.hpp", "host/wires.hpp", Data{"classes", classes});
+    if (board_.is_host()) add("board/wires.hpp", "host/wires.hpp", Data{"classes", classes});
   }
   void add_host_ports() {
     Data data, ports{Data::type::list}, headers{Data::type::list};

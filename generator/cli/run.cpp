@@ -35,7 +35,6 @@ struct Setup {
   std::optional<Scenario> scenario;
 
   [[nodiscard]] bool is_emulated() const { return board.is_emulated; }
-  [[nodiscard]] bool is_on_host() const { return board.chip == "host"; }
   [[nodiscard]] const Scenario* asked_scenario() const { return scenario ? &*scenario : nullptr; }
 };
 
@@ -135,7 +134,7 @@ FirmwareRequest firmware_request(const Options& options, const Setup& setup, con
   request.folder = folder;
   request.data_dir = data_dir;
   request.board = setup.board.name;
-  request.for_host = setup.is_on_host();
+  request.for_host = setup.board.is_host();
   request.duration_ns = options.build_only || setup.is_emulated() ? 0 : setup.duration_ns;
   request.trace = !options.build_only;
   request.monitor = options.monitor;
@@ -169,7 +168,7 @@ std::optional<bool> repeat_verdict(const Analysis& analysis, Diagnostics& diagno
 std::optional<RunRecord> run_image(const std::string& image, const PlannedRobot& planned, const Setup& setup,
                                    const FaultTable& faults, bool flash_misses, Diagnostics& diagnostics) {
   const auto& [library, robot, forest, schedule] = planned;
-  if (!setup.is_emulated()) return execute(image, setup.board.name, forest, setup.duration_ns, faults, diagnostics);
+  if (!setup.is_emulated()) return execute(image, setup.board, forest, setup.duration_ns, faults, diagnostics);
   return emulate(image, robot, forest, setup.duration_ns, {setup.board, faults, setup.asked_scenario(), flash_misses},
                  diagnostics);
 }
@@ -237,7 +236,7 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
     return no_answer();
   const auto path = make_image(project, sources, diagnostics);
   if (!path) return no_answer();
-  const auto image = image_facts(*path, !setup->is_on_host(), !all_constant(robot), diagnostics);
+  const auto image = image_facts(*path, !setup->board.is_host(), !all_constant(robot), diagnostics);
   if (!image || diagnostics.has_errors()) return no_answer();
   if (options.build_only) return answer_of_build(*image, setup->board.name);
 

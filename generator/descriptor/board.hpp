@@ -151,6 +151,8 @@ struct Board {
   Drivers drivers;
   bool has_watchdog = false;  ///< only hardware has one
 
+  /// This computer: no chip, no cross compiler.
+  [[nodiscard]] bool is_host() const { return chip == "host"; }
   [[nodiscard]] const Port* port(std::string_view port_name) const {
     for (const Port& p : ports) {
       if (p.name == port_name) return &p;

@@ -8,7 +8,9 @@
 namespace finemote::gen {
 namespace {
 
-/// QEMU counts instructions: shift=3 is 8 ns for each, the same on every machine and under any load.
+/// QEMU counts instructions: 2^shift ns for each, the same on every machine and under any load.
+constexpr unsigned kInstructionShift = 3;
+
 std::vector<std::string> qemu_command(const std::string& image) {
   return {"qemu-system-arm",
           "-M",
@@ -23,7 +25,7 @@ std::vector<std::string> qemu_command(const std::string& image) {
           "-semihosting-config",
           "enable=on,target=native,chardev=sh",
           "-icount",
-          "shift=3,align=off,sleep=off",
+          fmt::format("shift={},align=off,sleep=off", kInstructionShift),
           "-kernel",
           image};
 }
@@ -46,13 +48,12 @@ void report_end(const ProcessResult& result, std::chrono::seconds limit, const s
 
 }  // namespace
 
-std::optional<RunRecord> execute(const std::string& program, const std::string& board, const Forest& forest,
+std::optional<RunRecord> execute(const std::string& program, const Board& board, const Forest& forest,
                                  std::int64_t duration_ns, const FaultTable& faults, Diagnostics& diagnostics) {
   // An emulated second takes well under a second; the limit only ends images that hang.
   const std::chrono::seconds limit(60 + 10 * (duration_ns / 1'000'000'000));
-  const bool on_host = board == "host";
   const std::vector<std::string> command =
-      on_host ? std::vector<std::string>{program, std::to_string(duration_ns)} : qemu_command(program);
+      board.is_host() ? std::vector<std::string>{program, std::to_string(duration_ns)} : qemu_command(program);
   const ProcessResult result = run_process(command, limit);
   if (!result.started) {
     diagnostics.error(code::missing_tool, {}, fmt::format("cannot start '{}'", command.front()))
@@ -70,6 +71,7 @@ std::optional<RunRecord> execute(const std::string& program, const std::string& 
     return std::nullopt;
   }
   if (!record) diagnostics.error(code::broken_record, {}, "cannot read the record printed by the firmware");
+  if (record && !board.is_host()) record->instruction_ns = 1 << kInstructionShift;
   return record;
 }
 

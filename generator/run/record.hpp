@@ -64,6 +64,7 @@ struct RunRecord {
   bool faulty = false;                          ///< the scenario injects faults: bounds need not hold
   std::vector<std::string> silent;              ///< devices without a model on the emulated board
   std::vector<FaultCount> faults;               ///< in the order of their first times; host and qemu_f405 only
+  std::optional<std::int64_t> instruction_ns;   ///< every one takes that long: the run counts them instead of time
   std::optional<std::int64_t> stopped_ns;       ///< it went to its safe stop; host and qemu_f405 only
 };
 

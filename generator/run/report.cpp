@@ -166,14 +166,15 @@ void print_figure(const RunResult& result, const MeasuredChain& chain, const cha
 
 /// In QEMU every instruction takes 8 ns, so times of a busy processor are counts.
 void print_instructions(const RunResult& result, std::ostream& out) {
-  constexpr std::int64_t kInstruction = 8;
+  if (!result.record.instruction_ns) return;
+  const std::int64_t each = *result.record.instruction_ns;
   out << "\nthe same in instructions: update to handle\n";
   for (const MeasuredChain& chain : result.chains) {
     const Statistics& s = chain.decide.observed;
     if (s.count == 0) continue;
     out << fmt::format("  {:<28} {} to {}, jitter {}\n",
-                       name_of(result, chain.from) + " -> " + name_of(result, chain.to), s.min_ns / kInstruction,
-                       s.max_ns / kInstruction, (s.max_ns - s.min_ns) / kInstruction);
+                       name_of(result, chain.from) + " -> " + name_of(result, chain.to), s.min_ns / each,
+                       s.max_ns / each, (s.max_ns - s.min_ns) / each);
   }
 }
 
@@ -276,7 +277,7 @@ void print_run(const RunResult& result, std::ostream& out) {
   print_order(result, out);
   print_chains(result, out);
   print_monitor(result, out);
-  if (result.board == "qemu_f405") print_instructions(result, out);
+  print_instructions(result, out);
   if (!result.record.buses.empty()) out << "\nbuses\n";
   for (const BusRecord& bus : result.record.buses) {
     if (!result.robot.buses.contains(bus.bus)) continue;
