@@ -1,10 +1,10 @@
 // finemote board show: what a board offers, so that nobody has to guess which connector is which port.
 #include <fmt/format.h>
 
+#include "generator/bus/bus_kind.hpp"
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/data_dir.hpp"
-#include "generator/descriptor/bus_kind.hpp"
 #include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/suggest.hpp"
 

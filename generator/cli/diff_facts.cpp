@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "generator/descriptor/bus_kind.hpp"
+#include "generator/bus/bus_kind.hpp"
 #include "generator/emit/names.hpp"
 #include "generator/schedule/period.hpp"
 

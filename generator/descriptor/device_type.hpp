@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "generator/bus/bus_kind.hpp"
 #include "generator/descriptor/acquisition.hpp"
-#include "generator/descriptor/bus_kind.hpp"
 #include "generator/descriptor/emulation.hpp"
 #include "generator/descriptor/frames.hpp"
 #include "generator/descriptor/interrupts.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/descriptor/bus_kind.hpp"
+#include "generator/bus/bus_kind.hpp"
 
 namespace finemote::gen {
 

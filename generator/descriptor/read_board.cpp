@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/descriptor/bus_kind.hpp"
+#include "generator/bus/bus_kind.hpp"
 #include "generator/descriptor/check_board.hpp"
 #include "generator/descriptor/member.hpp"
 #include "generator/descriptor/read_param.hpp"

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "generator/descriptor/bus_kind.hpp"
+#include "generator/bus/bus_kind.hpp"
 #include "generator/descriptor/check_device_type.hpp"
 #include "generator/descriptor/member.hpp"
 #include "generator/descriptor/read_param.hpp"

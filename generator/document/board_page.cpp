@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/descriptor/bus_kind.hpp"
+#include "generator/bus/bus_kind.hpp"
 #include "generator/document/markdown.hpp"
 #include "generator/document/param_table.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "generator/descriptor/bus_kind.hpp"
+#include "generator/bus/bus_kind.hpp"
 #include "generator/document/markdown.hpp"
 #include "generator/document/param_table.hpp"
 

@@ -1,4 +1,4 @@
-#include "generator/descriptor/bus_kind.hpp"
+#include "generator/bus/bus_kind.hpp"
 #include "generator/dump/dump.hpp"
 #include "generator/dump/names.hpp"
 

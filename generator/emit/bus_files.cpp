@@ -2,59 +2,24 @@
 
 #include <fmt/format.h>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/emit/config.hpp"
 #include "generator/version.hpp"
 
 namespace finemote::gen {
 namespace {
 
-/// What each kind of bus is called in the runtime.
-struct KindNames {
-  const char* bus;
-  const char* slot;  ///< null: devices use the bus itself
-  const char* include;
-  const char* rate_unit;  ///< null: has no rate
-  bool starts;
-  bool supervised;
-};
-
-const KindNames* kind_names(BusKind kind) {
-  static constexpr KindNames kUart{"Uart", nullptr, "<finemote/uart.hpp>", "baud", true, false};
-  static constexpr KindNames kRs485{"Rs485", "Rs485Slot", "<finemote/rs485.hpp>", "baud", true, true};
-  static constexpr KindNames kI2c{"I2cBus", "I2cSlot", "<finemote/i2c.hpp>", "Hz", true, true};
-  static constexpr KindNames kSpi{"SpiBus", "SpiSlot", "<finemote/spi.hpp>", "Hz", true, true};
-  static constexpr KindNames kCan{"CanBus", "CanSlot", "<finemote/can.hpp>", "bit/s", true, true};
-  static constexpr KindNames kPwm{"PwmBus", nullptr, "<finemote/pwm.hpp>", nullptr, true, false};
-  static constexpr KindNames kGpio{"GpioBus", nullptr, "<finemote/gpio.hpp>", nullptr, true, false};
-  switch (kind) {
-    case BusKind::uart:
-      return &kUart;
-    case BusKind::rs485:
-      return &kRs485;
-    case BusKind::i2c:
-      return &kI2c;
-    case BusKind::spi:
-      return &kSpi;
-    case BusKind::can:
-      return &kCan;
-    case BusKind::pwm:
-      return &kPwm;
-    case BusKind::gpio:
-      return &kGpio;
-    case BusKind::virtual_bus:
-      break;
-  }
-  return nullptr;
-}
+/// Whether the runtime has an object for the bus.
+bool is_object(const Bus& bus) { return !bus_type(bus.kind).bus_class.name.empty(); }
 
 /// What PwmBus takes by itself: 50 Hz [ns].
 constexpr std::int64_t kServoPeriod = 20'000'000;
 
 std::string bus_comment(const Bus& bus) {
-  const KindNames& names = *kind_names(bus.kind);
-  if (bus.kind == BusKind::gpio) return "single pins";
+  const BusType& type = bus_type(bus.kind);
+  if (type.channels == BusType::Channels::pins) return "single pins";
   std::string text = fmt::format("port {}", bus.port);
-  if (names.rate_unit != nullptr && bus.rate > 0) text += fmt::format(", {} {}", bus.rate, names.rate_unit);
+  if (type.rate.form != nullptr && bus.rate > 0) text += fmt::format(", {} {}", bus.rate, type.rate.form->units[0]);
   return text;
 }
 
@@ -70,8 +35,8 @@ std::vector<const Slot*> slots_of(const Plan& plan, BusId bus) {
   return slots;
 }
 
-const KindNames& slot_names(const Plan& plan, const Slot& slot) {
-  return *kind_names(plan.robot.segments[slot.segment].bus_kind);
+const SlotClass& slot_class(const Plan& plan, const Slot& slot) {
+  return bus_type(plan.robot.segments[slot.segment].bus_kind).slot_class;
 }
 
 /// `finemote::MuxRoute{0x70, 0x04}`: channel 2 of the mux at 0x70; empty braces: no mux.
@@ -85,21 +50,22 @@ std::string slot_definition(const Plan& plan, const Slot& slot) {
   const Segment& segment = plan.robot.segments[slot.segment];
   const std::string bus = bus_reference(plan, plan.robot.buses[segment.bus].name.cpp);
   std::string arguments = fmt::format("{}, {:#04x}", bus, slot.address);
-  if (segment.bus_kind == BusKind::i2c) arguments += ", " + mux_route(plan, segment);
-  if (segment.bus_kind == BusKind::can) {
+  const SlotClass& type = slot_class(plan, slot);
+  if (type.takes_route) arguments += ", " + mux_route(plan, segment);
+  if (type.takes_own_identifier) {
     const std::uint32_t base = plan.robot.devices[*slot.device].type->receives_base.value_or(0);
     arguments += fmt::format(", /*receives*/ {:#05x}", base + slot.address);
   }
   arguments += fmt::format(", /*priority*/ {}", slot.priority);
   if (slot.spi_mode != kUsualSpiMode) arguments += fmt::format(", /*mode*/ {}", slot.spi_mode);
-  return fmt::format("FINEMOTE_CONSTINIT finemote::{} {}{{{}}};", slot_names(plan, slot).slot, slot.name, arguments);
+  return fmt::format("FINEMOTE_CONSTINIT finemote::{} {}{{{}}};", type.name, slot.name, arguments);
 }
 
 Data slot_list(const Plan& plan) {
   Data list(Data::type::list);
   for (const Slot& slot : plan.schedule.slots) {
     Data entry;
-    entry.set("declaration", fmt::format("extern finemote::{} {};", slot_names(plan, slot).slot, slot.name));
+    entry.set("declaration", fmt::format("extern finemote::{} {};", slot_class(plan, slot).name, slot.name));
     entry.set("definition", slot_definition(plan, slot));
     list.push_back(entry);
   }
@@ -114,7 +80,7 @@ std::vector<std::string> route_lines(const Plan& plan) {
   for (const BusId i : plan.robot.buses.ids()) {
     const std::vector<const Slot*> slots = slots_of(plan, i);
     if (slots.empty()) continue;
-    lines.push_back(fmt::format("constexpr finemote::{}* {}[] = {{", slot_names(plan, *slots.front()).slot,
+    lines.push_back(fmt::format("constexpr finemote::{}* {}[] = {{", slot_class(plan, *slots.front()).name,
                                 routes_name(plan.robot.buses[i])));
     for (const Slot* slot : slots) lines.push_back(fmt::format("    &slots::{},", slot->name));
     lines.push_back("};");
@@ -145,16 +111,16 @@ std::string format_enumerator(const std::string& format) {
 
 std::string bus_definition(const Plan& plan, BusId index) {
   const Bus& bus = plan.robot.buses[index];
-  const KindNames& names = *kind_names(bus.kind);
-  std::string arguments = "finemote::ports::" + (bus.kind == BusKind::gpio ? "gpio" : bus.port);
+  const BusType& type = bus_type(bus.kind);
+  std::string arguments = "finemote::ports::" + (type.channels == BusType::Channels::pins ? "gpio" : bus.port);
   if (const Port* port = plan.robot.board->port(bus.port);
-      bus.kind == BusKind::pwm && port->period_ns != kServoPeriod) {
+      type.channels == BusType::Channels::outputs && port->period_ns != kServoPeriod) {
     arguments += fmt::format(", {} /* ns */", port->period_ns);
   }
-  if (names.rate_unit != nullptr) arguments += fmt::format(", {} /* {} */", bus.rate, names.rate_unit);
+  if (type.rate.form != nullptr) arguments += fmt::format(", {} /* {} */", bus.rate, type.rate.form->units[0]);
   if (!slots_of(plan, index).empty()) arguments += ", " + routes_name(bus);
-  if (bus.kind == BusKind::uart) arguments += ", " + format_enumerator(line_format(plan, index));
-  return fmt::format("FINEMOTE_CONSTINIT finemote::{} {}{{{}}};", names.bus, bus.name.cpp, arguments);
+  if (type.has_line_format) arguments += ", " + format_enumerator(line_format(plan, index));
+  return fmt::format("FINEMOTE_CONSTINIT finemote::{} {}{{{}}};", type.bus_class.name, bus.name.cpp, arguments);
 }
 
 std::string expander_definition(const Plan& plan, const Expander& expander) {
@@ -168,7 +134,7 @@ bool is_object(const Expander& expander) { return expander.model == Expander::Mo
 
 Data bus_list(const Plan& plan) {
   Data list(Data::type::list);
-  const auto add = [&](const std::string& type, const std::string& name, const std::string& comment,
+  const auto add = [&](std::string_view type, const std::string& name, const std::string& comment,
                        const std::string& definition) {
     Data entry;
     entry.set("declaration", fmt::format("extern finemote::{} {};  // {}", type, name, comment));
@@ -177,8 +143,7 @@ Data bus_list(const Plan& plan) {
   };
   for (const BusId i : plan.robot.buses.ids()) {
     const Bus& bus = plan.robot.buses[i];
-    if (const KindNames* names = kind_names(bus.kind))
-      add(names->bus, bus.name.cpp, bus_comment(bus), bus_definition(plan, i));
+    if (is_object(bus)) add(bus_type(bus.kind).bus_class.name, bus.name.cpp, bus_comment(bus), bus_definition(plan, i));
   }
   for (const Expander& expander : plan.robot.expanders) {
     if (is_object(expander)) {
@@ -222,7 +187,8 @@ std::vector<std::string> pin_lines(const Plan& plan) {
                                 pin_number(bus.driver_pin), active_low));
   }
   for (const Device& device : plan.robot.devices) {
-    const bool on_pin = device.segment && plan.robot.segments[*device.segment].bus_kind == BusKind::gpio;
+    const bool on_pin =
+        device.segment && bus_type(plan.robot.segments[*device.segment].bus_kind).channels == BusType::Channels::pins;
     if (on_pin) {
       const NamedPin& pin = plan.robot.board->pins.at(device.channel.value_or(0));
       const std::string what = fmt::format("  // {}: {}", device.name.text, pin.name);
@@ -237,11 +203,10 @@ std::vector<std::string> pin_lines(const Plan& plan) {
   return lines;
 }
 
-std::vector<std::string> call_lines(const Plan& plan, bool KindNames::*wanted, const char* call) {
+std::vector<std::string> call_lines(const Plan& plan, bool BusClass::*wanted, const char* call) {
   std::vector<std::string> lines;
   for (const Bus& bus : plan.robot.buses) {
-    const KindNames* names = kind_names(bus.kind);
-    if (names != nullptr && names->*wanted) lines.push_back(fmt::format("{}.{}();", bus.name.cpp, call));
+    if (bus_type(bus.kind).bus_class.*wanted) lines.push_back(fmt::format("{}.{}();", bus.name.cpp, call));
   }
   return lines;
 }
@@ -253,7 +218,7 @@ Data bus_header(const Plan& plan) {
   data.set("format", std::to_string(kOutputFormat));
   std::vector<std::string> includes{"<finemote/generated_format.hpp>"};
   for (const Bus& bus : plan.robot.buses) {
-    if (const KindNames* names = kind_names(bus.kind)) includes.emplace_back(names->include);
+    if (is_object(bus)) includes.emplace_back(bus_type(bus.kind).bus_class.header);
   }
   for (const Expander& expander : plan.robot.expanders) {
     if (is_object(expander)) includes.emplace_back("<finemote/pca9685.hpp>");
@@ -273,10 +238,10 @@ Data bus_source(const Plan& plan) {
   const std::vector<std::string> routes = route_lines(plan);
   data.set("has_routes", !routes.empty());
   data.set("routes", text_list(routes));
-  std::vector<std::string> starts = call_lines(plan, &KindNames::starts, "start");
+  std::vector<std::string> starts = call_lines(plan, &BusClass::starts, "start");
   for (std::string& line : pin_lines(plan)) starts.push_back(std::move(line));
   data.set("start_lines", text_list(starts));
-  data.set("supervise_lines", text_list(call_lines(plan, &KindNames::supervised, "supervise")));
+  data.set("supervise_lines", text_list(call_lines(plan, &BusClass::supervised, "supervise")));
   return data;
 }
 

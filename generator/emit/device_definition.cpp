@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/emit/config.hpp"
 #include "generator/emit/number.hpp"
 #include "generator/schedule/period.hpp"
@@ -48,29 +49,28 @@ std::string value_class(const Plan& plan, const Use& use) {
            : use.spec->function == "analog"  ? "finemote::AnalogPin"
                                              : "finemote::GpioPin";
   }
-  const BusKind kind = plan.robot.segments[*use.segment].bus_kind;
-  return kind == BusKind::pwm ? "finemote::PwmChannel" : kind == BusKind::gpio ? "finemote::GpioPin" : "";
+  const BusType::Reach reach = bus_type(plan.robot.segments[*use.segment].bus_kind).reach;
+  return reach == BusType::Reach::channel ? "finemote::PwmChannel"
+         : reach == BusType::Reach::pin   ? "finemote::GpioPin"
+                                          : "";
 }
 
 /// How a device reaches a bus or a channel of it.
 std::string endpoint(const Plan& plan, const Segment& segment, const std::string& slot, std::uint32_t channel) {
   const std::string bus = bus_reference(plan, segment.name.cpp);
-  switch (segment.bus_kind) {
-    case BusKind::uart:
+  switch (bus_type(segment.bus_kind).reach) {
+    case BusType::Reach::slot:
+      return bus_reference(plan, "slots::" + slot);
+    case BusType::Reach::bus:
       return bus;
-    case BusKind::pwm:
+    case BusType::Reach::channel:
       return fmt::format("finemote::PwmChannel{{{}, {}}}", bus, channel);
-    case BusKind::gpio:
+    case BusType::Reach::pin:
       return pin_on_bus(plan, channel);
-    case BusKind::virtual_bus:
-      return {};
-    case BusKind::rs485:
-    case BusKind::i2c:
-    case BusKind::spi:
-    case BusKind::can:
+    case BusType::Reach::nothing:
       break;
   }
-  return bus_reference(plan, "slots::" + slot);
+  return {};
 }
 
 std::string use_endpoint(const Plan& plan, const Device& device, const Use& use) {

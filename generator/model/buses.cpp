@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generator/descriptor/bus_kind.hpp"
+#include "generator/bus/bus_kind.hpp"
 #include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/model/attributes.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "generator/descriptor/bus_kind.hpp"
+#include "generator/bus/bus_kind.hpp"
 #include "generator/descriptor/library.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/names.hpp"

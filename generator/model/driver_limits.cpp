@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "generator/descriptor/bus_kind.hpp"
+#include "generator/bus/bus_kind.hpp"
 #include "generator/descriptor/runtime_limits.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/offers.hpp"

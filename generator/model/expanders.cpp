@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "generator/descriptor/bus_kind.hpp"
+#include "generator/bus/bus_kind.hpp"
 #include "generator/descriptor/library.hpp"
 #include "generator/model/address.hpp"
 #include "generator/model/attributes.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "generator/descriptor/bus_kind.hpp"
+#include "generator/bus/bus_kind.hpp"
 
 namespace finemote::gen {
 namespace {

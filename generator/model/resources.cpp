@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "generator/descriptor/bus_kind.hpp"
+#include "generator/bus/bus_kind.hpp"
 #include "generator/diagnostic/code_hardware.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/bus_offers.hpp"

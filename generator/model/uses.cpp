@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "generator/descriptor/bus_kind.hpp"
+#include "generator/bus/bus_kind.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/no_segment.hpp"
 #include "generator/model/pins.hpp"

@@ -1,6 +1,6 @@
 #include "generator/run/board_wiring.hpp"
 
-#include "generator/descriptor/bus_kind.hpp"
+#include "generator/bus/bus_kind.hpp"
 #include "generator/model/names.hpp"
 
 namespace finemote::gen {

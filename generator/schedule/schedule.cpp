@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/schedule/bindings.hpp"
 #include "generator/schedule/period.hpp"
 #include "generator/schedule/slots.hpp"
@@ -57,8 +58,7 @@ std::vector<SegmentId> shared_outputs(const Robot& robot, const Bucket& bucket) 
   std::set<SegmentId> segments;
   const auto note = [&](std::optional<SegmentId> segment) {
     if (!segment) return;
-    const BusKind kind = robot.segments[*segment].bus_kind;
-    if (kind == BusKind::pwm || kind == BusKind::can) segments.insert(*segment);
+    if (bus_type(robot.segments[*segment].bus_kind).flush != BusType::Flush::nothing) segments.insert(*segment);
   };
   for (DeviceId device : bucket.devices) {
     note(robot.devices[device].segment);

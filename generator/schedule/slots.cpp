@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <set>
 
+#include "generator/bus/bus_type.hpp"
+
 namespace finemote::gen {
 namespace {
 
-bool has_slots(BusKind kind) {
-  return kind == BusKind::i2c || kind == BusKind::spi || kind == BusKind::can || kind == BusKind::rs485;
-}
+bool has_slots(BusKind kind) { return bus_type(kind).reach == BusType::Reach::slot; }
 
 /// The fastest bucket with a device on the PWM segment of `expander`; the slowest bucket when nothing uses it.
 std::uint32_t expander_priority(const Robot& robot, const Schedule& schedule, ExpanderId expander) {

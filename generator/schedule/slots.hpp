@@ -5,9 +5,9 @@
 
 namespace finemote::gen {
 
-/// Slots of i2c, spi, can and rs485 buses: per physical bus in document order, then rate-monotonic (the bucket of the
-/// device; of an expander the fastest bucket that uses it), then schedule order. Needs Schedule::bucket_of.
-/// Reports FM3202 when two slots would bear one name.
+/// Slots of the buses that devices reach by one: per physical bus in document order, then rate-monotonic (the bucket of
+/// the device; of an expander the fastest bucket that uses it), then schedule order. Needs Schedule::bucket_of. Reports
+/// FM3202 when two slots would bear one name.
 std::vector<Slot> plan_slots(const Robot& robot, const Forest& forest, const Schedule& schedule,
                              Diagnostics& diagnostics);
 

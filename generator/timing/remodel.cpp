@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/schedule/schedule.hpp"
-#include "generator/timing/bus_traffic.hpp"
 #include "generator/timing/robot_buses.hpp"
 
 namespace finemote::gen::timing {
@@ -39,7 +39,7 @@ std::vector<DeviceId> followers(const Robot& robot, const Forest& forest, const 
 /// done, or where pins differ from port to port.
 bool move_to_new_bus(Robot& robot, const Forest& forest, const Change& change) {
   const BusId from = BusPlaces(robot).buses()[change.bus];
-  if (!traffic_of(robot.buses[from].kind).is_shared) return false;
+  if (!bus_type(robot.buses[from].kind).is_shared) return false;
   const SegmentId old = Robot::segment_of(from);
   Segment segment = robot.segments[old];
   segment.bus = robot.buses.push_back(robot.buses[from]);

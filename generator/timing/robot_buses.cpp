@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/model/offers.hpp"
-#include "generator/timing/bus_traffic.hpp"
 #include "generator/timing/bus_use.hpp"
 
 namespace finemote::gen::timing {
@@ -45,9 +45,9 @@ BusAdvice advice_for(const Robot& robot, BusId id) {
 
 /// Nobody begins a transfer on a bus that only we begin transfers on and nothing sits on; a line that nobody writes to
 /// has no transmit interrupt.
-bool can_interrupt(const DriverSource& source, const BusTraffic& traffic, const BusUse& use) {
-  if (traffic.is_mastered && !use.is_used) return false;
-  const bool is_silent = traffic.has_two_lines && use.is_declared && !use.transmits;
+bool can_interrupt(const DriverSource& source, const BusType& type, const BusUse& use) {
+  if (type.is_mastered && !use.is_used) return false;
+  const bool is_silent = type.has_two_lines && use.is_declared && !use.transmits;
   return !(is_silent && source.name.starts_with("tx"));
 }
 
@@ -60,12 +60,12 @@ const Driver* driver_of(const Robot& robot, BusId bus) {
 
 Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driver) {
   const gen::Bus& bus = robot.buses[id];
-  const BusTraffic& traffic = traffic_of(bus.kind);
+  const BusType& type = bus_type(bus.kind);
   Bus out;
   out.name = bus.name.text;
   out.at = bus.at;
   out.baud_bps = bus.rate;
-  out.arbitrated = traffic.is_arbitrated;
+  out.arbitrated = type.is_arbitrated;
   const Driver usual = driver != nullptr ? *driver : Driver{};
   out.min_frame_bits = std::max<Ns>(bus.min_frame_bits.value_or(usual.min_frame_bits), 1);
   out.wcet_ns = bus.isr_wcet_ns.value_or(usual.isr_wcet_ns);
@@ -73,7 +73,7 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
   if (driver != nullptr) {
     out.sources.emplace();
     for (const DriverSource& source : driver->sources) {
-      if (!can_interrupt(source, traffic, use)) continue;
+      if (!can_interrupt(source, type, use)) continue;
       out.sources->push_back({source.name,
                               bus.isr_wcet_ns.value_or(source.isr_wcet_ns),
                               frame_time(bus.min_frame_bits.value_or(source.min_frame_bits), bus.rate),

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "generator/bus/bus_type.hpp"
+
 namespace finemote::gen::timing {
 namespace {
 
@@ -31,7 +33,7 @@ class FlushAdder {
     const Segment& output = robot_.segments[segment];
     if (output.kind == Segment::Kind::pwm_expander) {
       set_expander_burst(segment, flush);
-    } else if (output.bus_kind == BusKind::can) {
+    } else if (bus_type(output.bus_kind).flush == BusType::Flush::shared_frames) {
       set_shared_frames(segment, flush);
     }
     model_.flushes.push_back(std::move(flush));
@@ -60,7 +62,7 @@ class FlushAdder {
     if (!bus) return;
     const auto [first, last] = channels_of(segment);
     const ExpanderFrames& frames = expander.type->frames;
-    const WireRate rate{BusKind::i2c, model_.buses[*bus].baud_bps, 9};
+    const WireRate rate{robot_.segments[expander.segment].bus_kind, model_.buses[*bus].baud_bps};
     WireUse use;
     use.add(rate, frames.per_flush.write_bytes + frames.per_channel.write_bytes * (last - first + 1), 0);
     traffic_.add_selection(expander.segment, rate, use);
@@ -94,25 +96,28 @@ class FlushAdder {
         if (frame.id_max == 0 || (id >= frame.id_min && id <= frame.id_max)) identifiers.insert(frame.identifier);
       }
     }
+    constexpr Ns kFrameBytes = 8;
+    const WireRate rate{robot_.segments[segment].bus_kind, model_.buses[*bus].baud_bps};
     WireUse use;
     for (std::size_t i = 0; i < std::max<std::size_t>(identifiers.size(), 1); ++i) {
-      use.add({BusKind::can, model_.buses[*bus].baud_bps, 8}, 8, 0);
+      use.add(rate, kFrameBytes, 0);
     }
     flush.bus = bus;
     flush.wire_ns = use.wire_ns;
     flush.interrupts = use.interrupts;
-    if (go_by_identifier(*bus, identifiers.size())) flush.identifiers.assign(identifiers.begin(), identifiers.end());
+    if (go_by_identifier(rate.kind, *bus, identifiers.size()))
+      flush.identifiers.assign(identifiers.begin(), identifiers.end());
   }
 
   /// The controller sends by identifier among its mailboxes. With more frames of ours than those, or with others than
   /// the shared ones, one that waits for a mailbox may be the more urgent.
-  [[nodiscard]] bool go_by_identifier(std::size_t bus, std::size_t frames) const {
+  [[nodiscard]] bool go_by_identifier(BusKind kind, std::size_t bus, std::size_t frames) const {
     const auto is_alone = [&](const Device& device) {
       return std::all_of(device.transfers.begin(), device.transfers.end(),
                          [&](const Transfer& t) { return t.bus != bus || t.after == Transfer::After::autonomous; });
     };
     if (robot_.board == nullptr) return false;
-    const auto driver = robot_.board->drivers.find(BusKind::can);
+    const auto driver = robot_.board->drivers.find(kind);
     const std::size_t mailboxes = driver == robot_.board->drivers.end() ? 0 : driver->second.mailboxes;
     return frames <= mailboxes && std::all_of(model_.devices.begin(), model_.devices.end(), is_alone);
   }

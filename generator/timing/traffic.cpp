@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <map>
 
+#include "generator/bus/bus_type.hpp"
+#include "generator/bus/line_format.hpp"
+
 namespace finemote::gen::timing {
 namespace {
 
@@ -65,7 +68,7 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
   if (!bus) return;
   const std::vector<Frame> frames = frames_over(device, connection);
   const BusKind kind = robot_.buses[places_.buses()[*bus]].kind;
-  const WireRate rate{kind, model_.buses[*bus].baud_bps, bits_per_byte(format_over(device, connection))};
+  const WireRate rate{kind, model_.buses[*bus].baud_bps, line_format(format_over(device, connection)).bits_per_byte()};
   for (Unit& unit : units_of(frames, rate)) {
     if (unit.stage == FrameStage::flush) continue;
     add_selection(connection.segment, rate, unit.use);
@@ -97,7 +100,7 @@ void Traffic::add_transfer(std::size_t place, std::size_t bus, FrameStage stage,
   transfer.interrupts = use.interrupts;
   transfer.after = after(stage);
   transfer.min_interval_ns = by_itself ? use.min_interval_ns : 0;
-  transfer.receive = by_itself && traffic_of(robot_.buses[places_.buses()[bus]].kind).has_two_lines;
+  transfer.receive = by_itself && bus_type(robot_.buses[places_.buses()[bus]].kind).has_two_lines;
   transfer.command = stage == FrameStage::handle && model_.devices[place].takes_command;
   model_.devices[place].transfers.push_back(transfer);
   add_budget(bus, place, use.interrupts);
@@ -111,10 +114,10 @@ void Traffic::add_budget(std::size_t bus, std::size_t place, Ns count, Ns every)
 
 bool Traffic::counts_transfers(std::size_t bus) const {
   const BusId id = places_.buses()[bus];
-  const BusTraffic::Counted counted = traffic_of(robot_.buses[id].kind).counted;
+  const BusType::Counted counted = bus_type(robot_.buses[id].kind).counted;
   const Port* port = robot_.board != nullptr ? robot_.board->port(robot_.buses[id].port) : nullptr;
   const bool has_dma = port != nullptr && !port->dma.empty();
-  const bool is_known = counted == BusTraffic::Counted::always || (counted == BusTraffic::Counted::by_dma && has_dma);
+  const bool is_known = counted == BusType::Counted::always || (counted == BusType::Counted::by_dma && has_dma);
   return is_known && uses_[id].is_declared;
 }
 

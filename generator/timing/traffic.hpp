@@ -1,10 +1,10 @@
 // What devices send and receive, to transfers of the timing model and budgets of the interrupts they cause.
 #pragma once
 
-#include "generator/timing/bus_traffic.hpp"
 #include "generator/timing/bus_use.hpp"
 #include "generator/timing/connection.hpp"
 #include "generator/timing/robot_buses.hpp"
+#include "generator/timing/wire_use.hpp"
 
 namespace finemote::gen::timing {
 

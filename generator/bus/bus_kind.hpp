@@ -8,7 +8,7 @@
 
 namespace finemote::gen {
 
-/// The kinds of bus of the extension, in the order of its reference.
+/// The kinds of bus of the extension. What there is to know about one: bus_type(), in bus_type.hpp.
 enum class BusKind { uart, rs485, i2c, spi, can, pwm, gpio, virtual_bus };
 
 /// `uart` -> BusKind::uart; `virtual` -> BusKind::virtual_bus; none when there is no such kind.

@@ -1,0 +1,37 @@
+// I2C: parts that answer to an address, on two wires; a mux can divide it into channels.
+#include "generator/bus/records.hpp"
+#include "generator/units/checked.hpp"
+
+namespace finemote::gen {
+namespace {
+
+/// NXP UM10204: start or repeated start, address and every byte with its acknowledge 9 bits, stop and bus-free time 2
+/// bits; service for start, address, each byte and the end.
+WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t) {
+  WireUnit total{2, 1};
+  for (const std::int64_t bytes : {write, read}) {
+    if (bytes == 0) continue;
+    total.bits = add(total.bits, add(1 + 9, multiply(9, bytes)));
+    total.interrupts = add(total.interrupts, add(2, bytes));
+  }
+  return total;
+}
+
+}  // namespace
+
+constinit const BusType kI2cBus{
+    .kind = BusKind::i2c,
+    .name = "i2c",
+    .port_class = PortClass::i2c,
+    .rate = {.form = &kClock, .rule = &kStm32I2c, .example = 400'000, .may_be_left_out = true, .offers_fastest = true},
+    .has_addresses = true,
+    .is_shared = true,
+    .is_mastered = true,
+    .counted = BusType::Counted::always,
+    .unit = unit,
+    .reach = BusType::Reach::slot,
+    .bus_class = {.name = "I2cBus", .header = "<finemote/i2c.hpp>", .supervised = true},
+    .slot_class = {.name = "I2cSlot", .takes_route = true},
+};
+
+}  // namespace finemote::gen

@@ -1,0 +1,58 @@
+#include "generator/bus/rate_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace finemote::gen {
+namespace {
+
+double nearest_usart_rate(double clock_hz, double wanted) {
+  return clock_hz / std::max(16.0, std::round(clock_hz / wanted));
+}
+
+double nearest_i2c_rate(double clock_hz, double wanted) {
+  const double step = wanted > 100'000 ? 3 : 2;
+  return clock_hz / (step * std::max(1.0, std::round(clock_hz / (step * wanted))));
+}
+
+double nearest_spi_rate(double clock_hz, double wanted) {
+  double best = clock_hz / 2;
+  for (double divider = 4; divider <= 256; divider *= 2) {
+    if (std::abs(clock_hz / divider - wanted) < std::abs(best - wanted)) best = clock_hz / divider;
+  }
+  return best;
+}
+
+double nearest_can_rate(double clock_hz, double wanted) {
+  constexpr double kQuanta = 14;
+  return clock_hz / (kQuanta * std::max(1.0, std::round(clock_hz / (kQuanta * wanted))));
+}
+
+std::vector<std::int64_t> all_spi_rates(std::int64_t clock_hz) {
+  std::vector<std::int64_t> rates;
+  for (int power = 1; power <= 8; ++power) rates.push_back(clock_hz >> power);
+  return rates;
+}
+
+constexpr const RateRule* kRules[] = {&kStm32Usart, &kStm32I2c, &kStm32Spi, &kStm32Can};
+
+}  // namespace
+
+constinit const RateRule kStm32Usart{.name = "stm32_usart", .nearest = nearest_usart_rate};
+constinit const RateRule kStm32I2c{.name = "stm32_i2c", .nearest = nearest_i2c_rate};
+constinit const RateRule kStm32Spi{.name = "stm32_spi", .nearest = nearest_spi_rate, .all = all_spi_rates};
+constinit const RateRule kStm32Can{.name = "stm32_can", .nearest = nearest_can_rate};
+
+const RateRule* rate_rule(std::string_view name) {
+  const auto* found =
+      std::find_if(std::begin(kRules), std::end(kRules), [&](const RateRule* rule) { return rule->name == name; });
+  return found == std::end(kRules) ? nullptr : *found;
+}
+
+std::vector<std::string> rate_rule_names() {
+  std::vector<std::string> names;
+  for (const RateRule* rule : kRules) names.emplace_back(rule->name);
+  return names;
+}
+
+}  // namespace finemote::gen

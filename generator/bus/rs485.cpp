@@ -1,0 +1,26 @@
+// RS-485: a serial line that several parts share, one of them sending at a time.
+#include "generator/bus/records.hpp"
+#include "generator/units/checked.hpp"
+
+namespace finemote::gen {
+namespace {
+
+WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte) {
+  return {multiply(bits_per_byte, add(write, read)), 2};
+}
+
+}  // namespace
+
+constinit const BusType kRs485Bus{
+    .kind = BusKind::rs485,
+    .name = "rs485",
+    .port_class = PortClass::uart,
+    .rate = {.form = &kBaud, .rule = &kStm32Usart, .example = 115'200},
+    .has_direction = true,
+    .unit = unit,
+    .reach = BusType::Reach::slot,
+    .bus_class = {.name = "Rs485", .header = "<finemote/rs485.hpp>", .supervised = true},
+    .slot_class = {.name = "Rs485Slot"},
+};
+
+}  // namespace finemote::gen

@@ -1,0 +1,29 @@
+// UART: a serial line that connects two ends, each direction on a wire of its own.
+#include <algorithm>
+
+#include "generator/bus/records.hpp"
+#include "generator/units/checked.hpp"
+
+namespace finemote::gen {
+namespace {
+
+WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte) {
+  return {multiply(bits_per_byte, std::max(write, read)), 1};
+}
+
+}  // namespace
+
+constinit const BusType kUartBus{
+    .kind = BusKind::uart,
+    .name = "uart",
+    .port_class = PortClass::uart,
+    .rate = {.form = &kBaud, .rule = &kStm32Usart, .example = 115'200},
+    .is_for_one = true,
+    .has_line_format = true,
+    .has_two_lines = true,
+    .unit = unit,
+    .reach = BusType::Reach::bus,
+    .bus_class = {.name = "Uart", .header = "<finemote/uart.hpp>"},
+};
+
+}  // namespace finemote::gen
