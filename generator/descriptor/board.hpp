@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/bus/rate_rule.hpp"
 #include "generator/descriptor/clocks.hpp"
 #include "generator/descriptor/costs.hpp"
 #include "generator/descriptor/device_type.hpp"
@@ -64,12 +65,15 @@ struct Port {
   std::uint32_t channels = 0;            ///< PWM outputs, chip selects; 0: neither
   std::int64_t period_ns = 20'000'000;   ///< how often a PWM port repeats its pulse
   std::optional<std::int64_t> clock_hz;  ///< kernel clock the rate is divided from
+  const RateRule* rate_rule = nullptr;   ///< how the clock makes a rate; null: as usual for the kind of bus
   std::optional<std::int64_t> min_rate;  ///< of baud, clock or bitrate
   std::optional<std::int64_t> max_rate;
   std::vector<std::int64_t> rates;           ///< the only ones, where not every one in range can be made
   std::string drives;                        ///< interface of what the board has at this PWM output; empty: open
   bool has_inverter = false;                 ///< uart: the board inverts the receive line
   std::int64_t max_rate_error_ppm = 20'000;  ///< how far the rate made may be from the rate asked for
+
+  [[nodiscard]] bool serves(BusKind kind) const { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); }
 
   /// Empty: none.
   [[nodiscard]] std::string timer_name() const { return timer ? timer->timer : std::string(); }

@@ -5,8 +5,14 @@
 namespace finemote::gen {
 namespace {
 
+DriverSource::RaisedBy read_raised_by(const Json& value) {
+  const auto by = optional_member<std::string>(value, "raised_by");
+  if (!by) return DriverSource::RaisedBy::either;
+  return *by == "transmit" ? DriverSource::RaisedBy::transmit : DriverSource::RaisedBy::receive;
+}
+
 DriverSource read_source(const Json& value) {
-  return {value.at("name").get<std::string>(), value.at("isr_wcet_ns").get<std::int64_t>(),
+  return {value.at("name").get<std::string>(), read_raised_by(value), value.at("isr_wcet_ns").get<std::int64_t>(),
           value.at("min_frame_bits").get<std::int64_t>()};
 }
 

@@ -14,7 +14,10 @@ namespace finemote::gen {
 
 /// One interrupt source of a driver.
 struct DriverSource {
+  /// What comes in, what goes out, or either.
+  enum class RaisedBy { either, receive, transmit };
   std::string name;  ///< `rx_idle`
+  RaisedBy raised_by = RaisedBy::either;
   std::int64_t isr_wcet_ns = 0;
   std::int64_t min_frame_bits = 1;  ///< bits on the wire between two of its interrupts, at least
 };

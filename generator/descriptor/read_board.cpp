@@ -67,6 +67,7 @@ Port read_port(const Json& value) {
   port.channels = optional_member<std::uint32_t>(value, "channels").value_or(0);
   port.period_ns = optional_member<std::int64_t>(value, "period_ns").value_or(port.period_ns);
   port.clock_hz = optional_member<std::int64_t>(value, "clock_hz");
+  if (const auto rule = optional_member<std::string>(value, "rate_rule")) port.rate_rule = rate_rule(*rule);
   port.min_rate = optional_member<std::int64_t>(value, "min_rate");
   port.max_rate = optional_member<std::int64_t>(value, "max_rate");
   port.drives = optional_member<std::string>(value, "drives").value_or("");

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/bus/bus_type.hpp"
+#include "generator/bus/rate_form.hpp"
 #include "generator/model/offers.hpp"
 #include "generator/timing/bus_use.hpp"
 
@@ -48,7 +49,7 @@ BusAdvice advice_for(const Robot& robot, BusId id) {
 bool can_interrupt(const DriverSource& source, const BusType& type, const BusUse& use) {
   if (type.is_mastered && !use.is_used) return false;
   const bool is_silent = type.has_two_lines && use.is_declared && !use.transmits;
-  return !(is_silent && source.name.starts_with("tx"));
+  return !(is_silent && source.raised_by == DriverSource::RaisedBy::transmit);
 }
 
 /// What the board says of the driver; null where it says nothing.
