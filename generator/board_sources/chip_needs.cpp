@@ -7,6 +7,8 @@
 #include <map>
 #include <optional>
 
+#include "generator/board_sources/port_objects.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -86,16 +88,16 @@ namespace {
 
 /// What is missing or does not fit, as it ends the sentence: port 'usart1' needs.
 std::optional<std::string> missing_for_driver(const Port& port) {
-  switch (port.kinds.front()) {
-    case BusKind::can:
+  switch (port_class(port)) {
+    case PortClass::can:
       return first_of(missing_pin(port, {"rx", "tx"}), missing_interrupt(port, {"_TX", "_RX0", "_SCE"}));
-    case BusKind::i2c:
+    case PortClass::i2c:
       return first_of(missing_pin(port, {"scl", "sda"}), missing_interrupt(port, {"_EV", "_ER"}));
-    case BusKind::spi:
+    case PortClass::spi:
       if (port.selects.empty()) return "the pins of its chip selects";
       return first_of(missing_pin(port, {"sck", "miso", "mosi"}),
                       port.dma.empty() ? missing_own_interrupt(port) : missing_dma(port));
-    case BusKind::pwm:
+    case PortClass::pwm:
       if (!port.timer) return "a timer channel";
       return port.pins.size() == 1 ? std::nullopt : std::optional<std::string>("one pin");
     default:

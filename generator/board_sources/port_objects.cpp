@@ -6,29 +6,15 @@
 #include <map>
 #include <set>
 
+#include "generator/bus/bus_type.hpp"
+
 namespace finemote::gen {
-namespace {
 
-PortClass class_of(const Port& port) {
-  switch (port.kinds.front()) {
-    case BusKind::can:
-      return PortClass::can;
-    case BusKind::i2c:
-      return PortClass::i2c;
-    case BusKind::spi:
-      return PortClass::spi;
-    case BusKind::pwm:
-      return PortClass::pwm;
-    default:
-      return PortClass::uart;
-  }
-}
-
-}  // namespace
+PortClass port_class(const Port& port) { return bus_type(port.kinds.front()).port_class.value_or(PortClass::uart); }
 
 std::vector<PortObject> port_objects(const Board& board) {
   std::vector<PortObject> objects;
-  for (const Port& port : board.ports) objects.push_back({port.name, board.name, class_of(port), &port, {}});
+  for (const Port& port : board.ports) objects.push_back({port.name, board.name, port_class(port), &port, {}});
   std::map<std::uint32_t, char> edges;
   std::set<std::string> converters;
   for (const NamedPin& pin : board.pins) {

@@ -5,12 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "generator/bus/port_class.hpp"
 #include "generator/descriptor/board.hpp"
 
 namespace finemote::gen {
-
-/// Which class of runtime/include/finemote/ports.hpp a port is of.
-enum class PortClass { uart, can, i2c, spi, pwm, edge, adc };
 
 /// An edge port: a pin that interrupts.
 struct EdgeSource {
@@ -25,6 +23,9 @@ struct PortObject {
   const Port* port = nullptr;  ///< in the board file; null for edges and converters
   EdgeSource edge;             ///< of an edge port
 };
+
+/// Of the first kind of bus that the port serves; a serial port where that has none.
+PortClass port_class(const Port& port);
 
 /// Ports in the order of the board file, then edges by number, then converters by name. Every board has `gpio` beside.
 std::vector<PortObject> port_objects(const Board& board);

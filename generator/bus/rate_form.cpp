@@ -12,6 +12,8 @@ constexpr std::int64_t kUsualBauds[] = {9'600,   19'200,  38'400,    57'600,    
 constexpr std::int64_t kUsualClocks[] = {100'000, 400'000, 1'000'000, 2'000'000, 5'000'000, 10'000'000, 20'000'000};
 constexpr std::int64_t kUsualBitrates[] = {125'000, 250'000, 500'000, 1'000'000};
 
+constexpr const RateForm* kForms[] = {&kBaud, &kClock, &kBitrate};
+
 }  // namespace
 
 constinit const RateForm kBaud{.attribute = "baud",
@@ -37,6 +39,8 @@ constinit const RateForm kBitrate{.attribute = "bitrate",
                                   .slowest = 300,
                                   .usual = kUsualBitrates,
                                   .parse = units::parse_bitrate};
+
+std::span<const RateForm* const> rate_forms() { return kForms; }
 
 std::string_view rate_attribute(BusKind kind) {
   const RateForm* form = bus_type(kind).rate.form;

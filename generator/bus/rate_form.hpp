@@ -28,6 +28,9 @@ extern const RateForm kBaud;
 extern const RateForm kClock;
 extern const RateForm kBitrate;
 
+/// All of them.
+std::span<const RateForm* const> rate_forms();
+
 /// The attribute that holds the rate of a kind of bus: `baud`, `clock`, `bitrate`; empty when the kind has none.
 std::string_view rate_attribute(BusKind kind);
 

@@ -23,7 +23,7 @@ constinit const BusType kSpiBus{
     .unit = unit,
     .reach = BusType::Reach::slot,
     .bus_class = {.name = "SpiBus", .header = "<finemote/spi.hpp>", .supervised = true},
-    .slot_class = {.name = "SpiSlot"},
+    .slot_class = {.name = "SpiSlot", .takes_mode = true},
 };
 
 }  // namespace finemote::gen

@@ -138,7 +138,7 @@ struct ExpanderType {
   std::string display_path;
   std::vector<std::uint32_t> addresses;  ///< allowed ones; empty: any
   std::optional<std::int64_t> max_clock_hz;
-  BusKind provides = BusKind::i2c;
+  BusKind provides = {};
   std::uint32_t channels = 0;
   std::optional<RepeatSpec> repeats;  ///< pwm
   bool named_channels = false;        ///< each `<channel>` is a bus; otherwise the part itself is

@@ -194,7 +194,7 @@ ExpanderType read_expander_type(const Json& value, const SourceFile& source, Dia
   type.addresses = read_addresses(bus.at("address"));
   type.max_clock_hz = optional_member<std::int64_t>(bus, "max_clock_hz");
   const Json& provides = value.at("provides");
-  type.provides = bus_kind(provides.at("bus").get<std::string>()).value_or(BusKind::i2c);
+  type.provides = bus_kind(provides.at("bus").get<std::string>()).value_or(BusKind{});
   type.channels = provides.at("channels").get<std::uint32_t>();
   type.named_channels = provides.at("named").get<bool>();
   if (const auto repeats = provides.find("repeats"); repeats != provides.end()) type.repeats = read_repeats(*repeats);

@@ -1,4 +1,4 @@
-// What the firmware's drivers and its scheduler can hold: the generator refuses more. A test compares these figures
+// What the firmware's scheduler and pulse outputs can do: the generator refuses more. A test compares these figures
 // with the runtime's headers.
 #pragma once
 
@@ -12,15 +12,6 @@ inline constexpr std::int64_t kPeriodTicks = 0x7FFF'FFFF;
 
 /// Buckets: finemote::kMaxBuckets.
 inline constexpr std::size_t kBuckets = 11;
-
-/// Command frames that devices share on one CAN bus: finemote::CanBus::kGroups.
-inline constexpr std::size_t kCanGroups = 5;
-
-/// Devices on one CAN bus: finemote::CanBus::kMaxSlots.
-inline constexpr std::size_t kCanSlots = 32;
-
-/// Devices on one bus of another kind: buses count them in a byte.
-inline constexpr std::size_t kSlots = 255;
 
 /// Repetition of a pulse output [ns]: finemote::kShortestPwmPeriod, finemote::kLongestPwmPeriod.
 inline constexpr std::int64_t kShortestPwmPeriod = 1'000, kLongestPwmPeriod = 400'000'000;

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/bus/bus_kind.hpp"
+#include "generator/bus/bus_type.hpp"
 #include "generator/document/markdown.hpp"
 #include "generator/document/param_table.hpp"
 
@@ -29,31 +29,27 @@ std::string lines_text(const Port& port) {
   return joined(parts);
 }
 
-bool is_clocked(BusKind kind) { return kind == BusKind::i2c || kind == BusKind::spi; }
-bool is_serial(BusKind kind) { return kind == BusKind::uart || kind == BusKind::rs485; }
-
-std::string rate_range(const Port& port) {
-  const char* unit = is_clocked(port.kinds.front()) ? "Hz" : "bit/s";
-  if (!port.rates.empty()) return fmt::format("{} {}", fmt::join(port.rates, ", "), unit);
-  return fmt::format("{} to {} {}", port.min_rate.value_or(0), port.max_rate.value_or(0), unit);
+std::string rate_range(const Port& port, const RateForm& form) {
+  if (!port.rates.empty()) return fmt::format("{} {}", fmt::join(port.rates, ", "), form.page_unit);
+  return fmt::format("{} to {} {}", port.min_rate.value_or(0), port.max_rate.value_or(0), form.page_unit);
 }
 
-std::string rate_text(const Port& port) {
-  const BusKind kind = port.kinds.front();
-  if (kind == BusKind::pwm) return "pulses repeat every " + time_text(port.period_ns);
-  if (kind == BusKind::gpio) return "none";
-  if (!is_serial(kind)) return rate_range(port);
-  return fmt::format("{}, made within {} %", rate_range(port), static_cast<double>(port.max_rate_error_ppm) / 1e4);
+std::string rates_text(const Port& port) {
+  const BusType& type = bus_type(port.kinds.front());
+  if (type.channels == BusType::Channels::outputs) return "pulses repeat every " + time_text(port.period_ns);
+  const RateForm* form = type.rate.form;
+  if (form == nullptr) return "none";
+  if (!form->has_tolerance) return rate_range(port, *form);
+  return fmt::format("{}, made within {} %", rate_range(port, *form),
+                     static_cast<double>(port.max_rate_error_ppm) / 1e4);
 }
 
 /// A bus tag with the attribute that its kind asks for.
 std::string example(const Port& port, BusKind kind) {
-  const std::string rate = is_serial(kind)        ? " baud=\"115200baud\""
-                           : kind == BusKind::can ? " bitrate=\"1Mbit/s\""
-                           : kind == BusKind::i2c ? " clock=\"400kHz\""
-                           : kind == BusKind::spi ? " clock=\"5250kHz\""
-                                                  : "";
-  return fmt::format("<bus name=\"my_bus\" type=\"{}\" port=\"{}\"{}/>\n", bus_kind_name(kind), port.name, rate);
+  const BusRate& rate = bus_type(kind).rate;
+  const std::string written =
+      rate.form != nullptr ? fmt::format(" {}=\"{}\"", rate.form->attribute, rate_text(kind, rate.example)) : "";
+  return fmt::format("<bus name=\"my_bus\" type=\"{}\" port=\"{}\"{}/>\n", bus_kind_name(kind), port.name, written);
 }
 
 std::string driver_row(const Driver& driver, BusKind kind) {
@@ -73,11 +69,11 @@ BoardPage port_page(const Board& board, const Port& port) {
   if (port.timer) text += row({"timer", fmt::format("{} channel {}", port.timer->timer, port.timer->channel)});
   text += row({"DMA", dma_text(port)});
   if (port.has_inverter) text += row({"line", "inverted by the board: for inverted formats, and only those"});
-  if (port.channels > 0 && kind == BusKind::spi)
+  if (port.channels > 0 && bus_type(kind).channels == BusType::Channels::selects)
     text += row({"chip selects", port.selects.empty() ? std::to_string(port.channels) : joined(port.selects)});
   text += row({"interrupt lines", lines_text(port)});
   text += row({"clock", fmt::format("{} Hz", port.clock_hz.value_or(0))});
-  text += row({"rates", rate_text(port)});
+  text += row({"rates", rates_text(port)});
   for (const BusKind each : port.kinds) text += driver_row(board.drivers.at(each), each);
   text += "\n```xml\n";
   for (const BusKind each : port.kinds) text += example(port, each);

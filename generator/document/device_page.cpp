@@ -5,16 +5,22 @@
 
 #include <algorithm>
 
-#include "generator/bus/bus_kind.hpp"
+#include "generator/bus/bus_type.hpp"
 #include "generator/document/markdown.hpp"
 #include "generator/document/param_table.hpp"
 
 namespace finemote::gen {
 namespace {
 
-bool takes(const std::vector<BusKind>& kinds, BusKind kind) {
-  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+/// Whether `test` holds of one of the kinds.
+template <typename Test>
+bool takes(const std::vector<BusKind>& kinds, const Test& test) {
+  return std::any_of(kinds.begin(), kinds.end(), [&](BusKind kind) { return test(bus_type(kind)); });
 }
+
+bool has_line_format(const BusType& type) { return type.has_line_format; }
+bool has_modes(const BusType& type) { return type.slot_class.takes_mode; }
+bool is_of_pins(const BusType& type) { return type.channels == BusType::Channels::pins; }
 
 std::string hex(std::uint32_t address) { return fmt::format("{:#04x}", address); }
 
@@ -40,8 +46,8 @@ std::string bus_text(const DeviceType& type) {
   if (type.needs_channel) parts.push_back("`channel` " + range_of(type.channel_min, type.channel_max));
   if (type.needs_id) parts.push_back("`id` " + range_of(type.id_min, type.id_max));
   if (!type.rates.empty()) parts.push_back(fmt::format("{} bit/s", fmt::join(type.rates, " or ")));
-  if (takes(type.buses, BusKind::uart)) parts.push_back(type.format);
-  if (takes(type.buses, BusKind::spi)) parts.push_back(fmt::format("mode {}", type.spi_mode));
+  if (takes(type.buses, has_line_format)) parts.push_back(type.format);
+  if (takes(type.buses, has_modes)) parts.push_back(fmt::format("mode {}", type.spi_mode));
   if (type.max_clock_hz) parts.push_back(fmt::format("at most {} Hz", *type.max_clock_hz));
   if (type.receives_base)
     parts.push_back(fmt::format("its frames have the identifier {:#05x} + `id`", *type.receives_base));
@@ -71,7 +77,7 @@ std::string role_row(const RoleSpec& role) {
 
 std::string use_row(const UseSpec& use) {
   std::string what = joined(bus_kind_names(use.buses), " or ");
-  if (takes(use.buses, BusKind::gpio)) what += " (" + use.function + ")";
+  if (takes(use.buses, is_of_pins)) what += " (" + use.function + ")";
   what += use.required ? ", required" : ", optional";
   return row({"use `" + use.role + "`", with_summary(what, use.summary)});
 }

@@ -57,7 +57,7 @@ std::string slot_definition(const Plan& plan, const Slot& slot) {
     arguments += fmt::format(", /*receives*/ {:#05x}", base + slot.address);
   }
   arguments += fmt::format(", /*priority*/ {}", slot.priority);
-  if (slot.spi_mode != kUsualSpiMode) arguments += fmt::format(", /*mode*/ {}", slot.spi_mode);
+  if (type.takes_mode && slot.spi_mode != kUsualSpiMode) arguments += fmt::format(", /*mode*/ {}", slot.spi_mode);
   return fmt::format("FINEMOTE_CONSTINIT finemote::{} {}{{{}}};", type.name, slot.name, arguments);
 }
 

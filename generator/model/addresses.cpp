@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/model/address.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/no_segment.hpp"
@@ -141,7 +142,7 @@ void check_addresses(Reading& reading) {
   }
   for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
-    if (!device.segment || !device.address || reading.robot.segments[*device.segment].bus_kind != BusKind::i2c)
+    if (!device.segment || !device.address || !bus_type(reading.robot.segments[*device.segment].bus_kind).has_addresses)
       continue;
     if (is_attached(reading, reading.robot.segments[*device.segment]))
       table.add(*device.segment, *device.address, describe(reading, i));

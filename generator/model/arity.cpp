@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/descriptor/library.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/reading.hpp"
@@ -79,7 +80,7 @@ class MissingChild {
     if (sibling != nullptr && sibling->segment) candidates.push_back(*sibling->segment);
     for (const SegmentId i : segments.ids()) {
       const bool fits = std::find(type.buses.begin(), type.buses.end(), segments[i].bus_kind) != type.buses.end();
-      if (fits && segments[i].bus_kind != BusKind::uart) candidates.push_back(i);
+      if (fits && !bus_type(segments[i].bus_kind).is_for_one) candidates.push_back(i);
     }
     for (const SegmentId segment : candidates) {
       const auto number = number_on(type, segment);

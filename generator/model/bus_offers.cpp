@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "generator/bus/bus_type.hpp"
+#include "generator/bus/line_format.hpp"
 #include "generator/descriptor/library.hpp"
 #include "generator/model/attributes.hpp"
 
@@ -10,11 +12,36 @@ namespace {
 
 /// A bus for devices with an inverted line needs a port with an inverter, any other one without.
 bool suits_line(const Port& port, const std::vector<const DeviceType*>& types) {
-  return std::all_of(types.begin(), types.end(),
-                     [&](const DeviceType* type) { return type->format.ends_with("_inverted") == port.has_inverter; });
+  return std::all_of(types.begin(), types.end(), [&](const DeviceType* type) {
+    return line_format(type->format).is_inverted == port.has_inverter;
+  });
 }
 
 }  // namespace
+
+std::vector<std::string> ports_for(const Board& board, std::optional<BusKind> kind) {
+  std::vector<std::string> names;
+  for (const Port& port : board.ports) {
+    if (!kind || port.serves(*kind)) names.push_back(port.name);
+  }
+  return names;
+}
+
+std::vector<std::string> unclaimed(const Reading& reading, const std::vector<std::string>& ports) {
+  std::vector<std::string> names;
+  for (const std::string& port : ports) {
+    const auto& tags = reading.tags.buses;
+    const auto claims = [&](const xml::Node* tag) { return value_of(*tag, "port") == port; };
+    if (std::none_of(tags.begin(), tags.end(), claims)) names.push_back(port);
+  }
+  return names.empty() ? ports : names;
+}
+
+std::string example_port(const Reading& reading, std::optional<BusKind> kind) {
+  const Board* board = reading.robot.board;
+  const auto names = board != nullptr ? unclaimed(reading, ports_for(*board, kind)) : std::vector<std::string>{};
+  return names.empty() ? std::string() : names.front();
+}
 
 std::vector<const DeviceType*> types_on(Reading& reading, std::string_view bus) {
   const std::vector<std::string> known = device_type_names(reading.library);
@@ -39,10 +66,10 @@ std::vector<std::string> suitable_ports(Reading& reading, const xml::Node& tag, 
   const auto& tags = reading.tags.buses;
   std::vector<std::string> names;
   for (const Port& port : reading.robot.board->ports) {
-    const bool serves = std::find(port.kinds.begin(), port.kinds.end(), kind) != port.kinds.end();
     const bool is_named = std::any_of(tags.begin(), tags.end(),
                                       [&](const xml::Node* other) { return value_of(*other, "port") == port.name; });
-    if (serves && !is_named && (kind != BusKind::uart || suits_line(port, types))) names.push_back(port.name);
+    if (port.serves(kind) && !is_named && (!bus_type(kind).has_line_format || suits_line(port, types)))
+      names.push_back(port.name);
   }
   return names;
 }

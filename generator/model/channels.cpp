@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/places.hpp"
 #include "generator/units/units.hpp"
@@ -12,10 +13,16 @@
 namespace finemote::gen {
 namespace {
 
+using Channels = BusType::Channels;
+
+Channels channels_of(const Reading& reading, SegmentId segment) {
+  return bus_type(reading.robot.segments[segment].bus_kind).channels;
+}
+
 /// Pulse outputs or chip selects of a segment; 0: it has none, or they are not known.
 std::uint32_t use_channels(const Reading& reading, SegmentId segment) {
-  const BusKind kind = reading.robot.segments[segment].bus_kind;
-  return kind == BusKind::pwm || kind == BusKind::spi ? channel_count(reading, segment) : 0;
+  const Channels channels = channels_of(reading, segment);
+  return channels == Channels::outputs || channels == Channels::selects ? channel_count(reading, segment) : 0;
 }
 
 std::string example_channel(const Reading& reading, SegmentId segment, std::uint32_t count) {
@@ -95,7 +102,7 @@ void check_channels(Reading& reading) {
         at_place(reading.diagnostics, code::channel_twice, self, "channel",
                  fmt::format("channel {} of '{}' is used twice", channel, reading.robot.segments[segment].name.text));
     finding.note(fmt::format("{} uses it already", first->second.what), first->second.tag->at);
-    if (reading.robot.segments[segment].bus_kind == BusKind::pwm) finding.hint(other_channels(reading, segment));
+    if (channels_of(reading, segment) == Channels::outputs) finding.hint(other_channels(reading, segment));
   };
   for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
@@ -114,7 +121,8 @@ std::uint32_t channel_count(const Reading& reading, SegmentId index) {
   const Segment& segment = reading.robot.segments[index];
   if (segment.kind == Segment::Kind::pwm_expander) return reading.robot.expanders[*segment.expander].type->channels;
   const Board* board = reading.robot.board;
-  if (segment.bus_kind == BusKind::gpio) return board != nullptr ? static_cast<std::uint32_t>(board->pins.size()) : 0;
+  if (channels_of(reading, index) == Channels::pins)
+    return board != nullptr ? static_cast<std::uint32_t>(board->pins.size()) : 0;
   const Port* port = reading.buses[segment.bus].port;
   return port != nullptr ? std::max(1U, port->channels) : 0;
 }

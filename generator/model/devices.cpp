@@ -6,6 +6,7 @@
 #include <array>
 
 #include "generator/bus/bus_kind.hpp"
+#include "generator/bus/rate_form.hpp"
 #include "generator/descriptor/library.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/names.hpp"

@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <map>
 
-#include "generator/bus/bus_kind.hpp"
-#include "generator/descriptor/runtime_limits.hpp"
+#include "generator/bus/bus_type.hpp"
+#include "generator/bus/line_format.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/offers.hpp"
 #include "generator/model/reading.hpp"
 
 namespace finemote::gen {
 namespace {
-
-bool is_inverted(const std::string& format) { return format.ends_with("_inverted"); }
 
 /// Somebody on a serial line, with the tag that names the bus.
 struct LineUser {
@@ -24,19 +22,18 @@ struct LineUser {
   const xml::Node& tag;
 };
 
-/// The other ports for uart that have an inverter, or have none.
-std::vector<std::string> ports_with(const Board& board, bool inverter) {
+/// The ports for the kind that have an inverter, or have none.
+std::vector<std::string> ports_with(const Board& board, BusKind kind, bool inverter) {
   std::vector<std::string> names;
   for (const Port& port : board.ports) {
-    const bool serves = std::find(port.kinds.begin(), port.kinds.end(), BusKind::uart) != port.kinds.end();
-    if (serves && port.has_inverter == inverter) names.push_back(port.name);
+    if (port.serves(kind) && port.has_inverter == inverter) names.push_back(port.name);
   }
   return names;
 }
 
 void check_line(Reading& reading, const LineUser& user) {
   const Port* port = reading.buses[user.bus].port;
-  const bool inverted = is_inverted(user.format);
+  const bool inverted = line_format(user.format).is_inverted;
   if (port == nullptr || port->has_inverter == inverted) return;
   const xml::Attribute* bus_name = user.tag.attribute("bus");
   const std::string& device = user.device.name.text;
@@ -48,7 +45,7 @@ void check_line(Reading& reading, const LineUser& user) {
   const Bus& bus = reading.robot.buses[user.bus];
   finding.note(fmt::format("bus '{}' is declared here", bus.name.text), bus.at);
   std::string ports;
-  for (const std::string& name : ports_with(*reading.robot.board, inverted))
+  for (const std::string& name : ports_with(*reading.robot.board, bus.kind, inverted))
     ports += fmt::format("{}port=\"{}\"", ports.empty() ? "" : " or ", name);
   finding.hint(ports.empty() ? fmt::format("board '{}' has no such port", reading.robot.board->name)
                              : fmt::format("write {} at bus '{}'", ports, bus.name.text));
@@ -57,7 +54,7 @@ void check_line(Reading& reading, const LineUser& user) {
 void check_lines(Reading& reading) {
   const auto check = [&](std::optional<SegmentId> segment, const Device& device, const std::string& format,
                          const xml::Node& tag) {
-    if (!segment || reading.robot.segments[*segment].bus_kind != BusKind::uart) return;
+    if (!segment || !bus_type(reading.robot.segments[*segment].bus_kind).has_line_format) return;
     check_line(reading, {reading.robot.segments[*segment].bus, device, format, tag});
   };
   for (const DeviceId i : reading.robot.devices.ids()) {
@@ -83,21 +80,23 @@ void report_frame(Reading& reading, DeviceId index, std::uint32_t identifier,
          fmt::format("device '{}' needs command frame 0x{:03X} on bus '{}', which has {} others", device.name.text,
                      identifier, bus.name.text, others.size()))
       .note(fmt::format("{}; the driver of a CAN bus keeps {} command frames", frames_text(others),
-                        runtime_limits::kCanGroups))
+                        bus_type(bus.kind).most_shared_frames))
       .hint("put the device on another bus, or give it an id whose frame is there already");
 }
 
-/// The command frames that the devices of each CAN bus fill together.
+/// The command frames that the devices of each bus fill together.
 void check_frames(Reading& reading) {
   std::map<BusId, std::vector<std::uint32_t>> frames;
   for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
     if (device.type == nullptr || !device.segment || !device.id) continue;
-    std::vector<std::uint32_t>& known = frames[reading.robot.segments[*device.segment].bus];
+    const Segment& segment = reading.robot.segments[*device.segment];
+    const std::size_t most = bus_type(segment.bus_kind).most_shared_frames;
+    std::vector<std::uint32_t>& known = frames[segment.bus];
     for (const SharedFrame& frame : device.type->shared_frames()) {
       const bool is_filled = *device.id >= frame.id_min && *device.id <= frame.id_max;
       if (!is_filled || std::find(known.begin(), known.end(), frame.identifier) != known.end()) continue;
-      if (known.size() < runtime_limits::kCanGroups) {
+      if (known.size() < most) {
         known.push_back(frame.identifier);
       } else {
         report_frame(reading, i, frame.identifier, known);
@@ -122,10 +121,10 @@ void check_counts(Reading& reading) {
   const Table<BusId, std::size_t> counts = devices_per_bus(reading);
   for (const BusId i : counts.ids()) {
     const Bus& bus = reading.robot.buses[i];
-    const std::size_t most = bus.kind == BusKind::can ? runtime_limits::kCanSlots : runtime_limits::kSlots;
-    if (counts[i] <= most || bus.kind == BusKind::virtual_bus) continue;
+    const std::optional<std::size_t> most = bus_type(bus.kind).most_devices;
+    if (!most || counts[i] <= *most) continue;
     at_tag(reading.diagnostics, code::bus_full, *reading.tags.buses[i],
-           fmt::format("bus '{}' has {} devices; its driver serves {}", bus.name.text, counts[i], most))
+           fmt::format("bus '{}' has {} devices; its driver serves {}", bus.name.text, counts[i], *most))
         .hint("put some of them on another bus");
   }
 }

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-#include "generator/bus/bus_kind.hpp"
+#include "generator/bus/bus_type.hpp"
+#include "generator/model/port_rates.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -26,49 +27,19 @@ bool makes(const Port& port, std::int64_t rate) {
   return port.rates.empty() || std::find(port.rates.begin(), port.rates.end(), rate) != port.rates.end();
 }
 
-/// SPI: its clock over powers of two from 2 to 256 (RM0090 28.5.1).
+/// All rates the port makes where these are few, else those that are usual for the kind.
 std::vector<std::int64_t> usual_rates(const Port& port, BusKind kind) {
-  const std::string_view attribute = rate_attribute(kind);
-  if (kind == BusKind::spi && port.clock_hz) {
-    std::vector<std::int64_t> rates;
-    for (int power = 1; power <= 8; ++power) rates.push_back(*port.clock_hz >> power);
-    return rates;
-  }
-  if (attribute == "bitrate") return {125'000, 250'000, 500'000, 1'000'000};
-  if (attribute == "clock") return {100'000, 400'000, 1'000'000, 2'000'000, 5'000'000, 10'000'000, 20'000'000};
-  return {9'600, 19'200, 38'400, 57'600, 115'200, 230'400, 460'800, 921'600, 1'000'000, 2'000'000, 3'000'000};
+  if (has_few_rates(port, kind)) return rule_of(port, kind)->all(*port.clock_hz);
+  const auto usual = bus_type(kind).rate.form->usual;
+  return {usual.begin(), usual.end()};
 }
 
 }  // namespace
 
-std::string_view rate_attribute(BusKind kind) {
-  switch (kind) {
-    case BusKind::uart:
-    case BusKind::rs485:
-      return "baud";
-    case BusKind::i2c:
-    case BusKind::spi:
-      return "clock";
-    case BusKind::can:
-      return "bitrate";
-    default:
-      return {};
-  }
-}
-
-std::string rate_text(BusKind kind, std::int64_t rate) {
-  const std::string_view attribute = rate_attribute(kind);
-  if (attribute == "baud") return fmt::format("{}baud", rate);
-  const std::string_view unit = attribute == "clock" ? "Hz" : "bit/s";
-  if (rate % 1'000'000 == 0) return fmt::format("{}M{}", rate / 1'000'000, unit);
-  if (rate % 1'000 == 0) return fmt::format("{}k{}", rate / 1'000, unit);
-  return fmt::format("{}{}", rate, unit);
-}
-
 std::vector<std::int64_t> faster_rates(const Port& port, BusKind kind, std::int64_t least, const RateLimits& limits) {
   std::vector<std::int64_t> rates = limits.settings.empty() ? usual_rates(port, kind) : limits.settings.front();
   const std::optional<std::int64_t> top = limits.clock ? limits.clock : port.max_rate;
-  if (limits.settings.empty() && kind == BusKind::i2c && top)
+  if (limits.settings.empty() && bus_type(kind).rate.offers_fastest && top)
     rates.push_back(std::min(*top, port.max_rate.value_or(*top)));
   std::sort(rates.begin(), rates.end());
   rates.erase(std::unique(rates.begin(), rates.end()), rates.end());
@@ -92,11 +63,10 @@ std::string fastest_clock(const Port* port, BusKind kind, std::int64_t most) {
 std::vector<std::string> free_ports(const Board& board, const std::vector<std::string>& used, BusKind kind) {
   std::vector<std::string> names;
   for (const Port& port : board.ports) {
-    const bool serves = std::find(port.kinds.begin(), port.kinds.end(), kind) != port.kinds.end();
     const bool is_taken = std::any_of(board.ports.begin(), board.ports.end(), [&](const Port& other) {
       return contains(used, other.name) && (other.name == port.name || meet(port, other));
     });
-    if (serves && !is_taken) names.push_back(port.name);
+    if (port.serves(kind) && !is_taken) names.push_back(port.name);
   }
   return names;
 }

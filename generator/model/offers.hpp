@@ -11,20 +11,14 @@
 
 namespace finemote::gen {
 
-/// The attribute that holds the rate of a kind of bus: `baud`, `clock`, `bitrate`; empty when the kind has none.
-std::string_view rate_attribute(BusKind kind);
-
-/// A rate as the attribute writes it, in the largest unit that divides it: `400kHz`, `1Mbit/s`, `115200baud`.
-std::string rate_text(BusKind kind, std::int64_t rate);
-
 /// What limits the rate of a bus besides its port.
 struct RateLimits {
   std::optional<std::int64_t> clock;                ///< the fastest of the slowest part
   std::vector<std::vector<std::int64_t>> settings;  ///< of parts that know only some rates
 };
 
-/// Rates above `least` that the port makes, rising: the usual ones of the kind and the fastest clock, or those that all
-/// parts with settings have.
+/// Rates above `least` that the port makes, rising: the usual ones of the kind, for some also the fastest clock, or
+/// those that all parts with settings have.
 std::vector<std::int64_t> faster_rates(const Port& port, BusKind kind, std::int64_t least, const RateLimits& limits);
 
 /// The fastest clock up to `most` that the port makes, as the attribute writes it; empty where it makes none, `most`

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/model/attributes.hpp"
 
 namespace finemote::gen {
@@ -49,7 +50,7 @@ void report_missing_places(const Placing& at, Offered& offered) {
 void check_exclusive(Reading& reading) {
   std::map<SegmentId, Occupant> users;
   const auto take = [&](SegmentId segment, const Occupant& occupant) {
-    if (reading.robot.segments[segment].bus_kind != BusKind::uart) return;
+    if (!bus_type(reading.robot.segments[segment].bus_kind).is_for_one) return;
     const auto [first, is_fresh] = users.emplace(segment, occupant);
     if (is_fresh) return;
     at_place(reading.diagnostics, code::bus_shared, occupant, "bus",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/diagnostic/code_hardware.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/offers.hpp"
@@ -65,7 +66,7 @@ std::optional<std::int64_t> repeat_ns(const Reading& reading, const Segment& seg
     const auto repeats = repeats_of(reading.robot.expanders[*segment.expander]);
     return repeats && repeats->is_made() ? std::optional(repeats->period_ns()) : std::nullopt;
   }
-  if (segment.kind != Segment::Kind::bus || segment.bus_kind != BusKind::pwm) return {};
+  if (bus_type(segment.bus_kind).channels != BusType::Channels::outputs) return {};
   const Port* port = reading.buses[segment.bus].port;
   return port != nullptr ? std::optional(port->period_ns) : std::nullopt;
 }
@@ -115,7 +116,7 @@ std::string slower_output(const Reading& reading, const Segment& segment, std::i
     return fmt::format("write <param name=\"{}\">{}Hz</param> at expander '{}'", expander.type->repeats->frequency,
                        frequency_for(pulse_ns), expander.name.text);
   }
-  for (const std::string& name : free_ports(*reading.robot.board, used_ports(reading.robot), BusKind::pwm)) {
+  for (const std::string& name : free_ports(*reading.robot.board, used_ports(reading.robot), segment.bus_kind)) {
     if (reading.robot.board->port(name)->period_ns > pulse_ns)
       return fmt::format("write port=\"{}\" at bus '{}'", name, segment.name.text);
   }
@@ -156,9 +157,10 @@ const Bus* sharer(const Reading& reading, BusId index) {
   return nullptr;
 }
 
-/// A free port whose timer no bus uses, made for what the type provides if there is one.
+/// A free port of the kind whose timer no bus uses, made for what the type provides if there is one.
 /// Those that `offered` holds were offered already.
-std::string port_alone(const Reading& reading, const DeviceType& type, const std::vector<std::string>& offered) {
+std::string port_alone(const Reading& reading, BusKind kind, const DeviceType& type,
+                       const std::vector<std::string>& offered) {
   const Board& board = *reading.robot.board;
   const auto is_alone = [&](const Port& port) {
     return std::none_of(reading.buses.begin(), reading.buses.end(), [&](const Reading::BusState& bus) {
@@ -166,7 +168,7 @@ std::string port_alone(const Reading& reading, const DeviceType& type, const std
     });
   };
   std::string found;
-  for (const std::string& name : free_ports(board, used_ports(reading.robot), BusKind::pwm)) {
+  for (const std::string& name : free_ports(board, used_ports(reading.robot), kind)) {
     const Port& port = *board.port(name);
     if (!is_alone(port) || std::find(offered.begin(), offered.end(), port.timer_name()) != offered.end()) continue;
     const bool is_made_for = !type.provides.empty() && port.drives == type.provides.front().name;
@@ -195,11 +197,12 @@ void check_tuning(Reading& reading, DeviceId index, std::vector<std::string>& of
                              other->port, reading.buses[segment.bus].port->timer_name()),
                  other->at);
   }
-  const std::string port = port_alone(reading, *device.type, offered);
+  const std::string port = port_alone(reading, segment.bus_kind, *device.type, offered);
   if (port.empty()) return;
   offered.push_back(reading.robot.board->port(port)->timer_name());
 
-  finding.hint(fmt::format("put it on a bus of its own: <bus name=\"{}\" type=\"pwm\" port=\"{}\"/>", port, port));
+  finding.hint(fmt::format("put it on a bus of its own: <bus name=\"{}\" type=\"{}\" port=\"{}\"/>", port,
+                           bus_kind_name(segment.bus_kind), port));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "generator/bus/bus_kind.hpp"
+#include "generator/bus/bus_type.hpp"
 #include "generator/diagnostic/code_hardware.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/bus_offers.hpp"
@@ -65,7 +65,8 @@ void add_channel(const Reading& reading, DeviceId index, std::vector<NamedUse>& 
   const xml::Attribute* channel = reading.device_tag(index).attribute("channel");
   if (!device.segment || !device.channel || channel == nullptr || reading.robot.board == nullptr) return;
   const auto& named = reading.robot.board->pins;
-  if (reading.robot.segments[*device.segment].bus_kind != BusKind::gpio || *device.channel >= named.size()) return;
+  const BusType& type = bus_type(reading.robot.segments[*device.segment].bus_kind);
+  if (type.channels != BusType::Channels::pins || *device.channel >= named.size()) return;
   pins.push_back({named[*device.channel].pin,
                   named[*device.channel].functions.front(),
                   fmt::format("device '{}'", device.name.text),

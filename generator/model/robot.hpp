@@ -23,7 +23,7 @@ struct Name {
 /// A bus at a port of the board.
 struct Bus {
   Name name;
-  BusKind kind = BusKind::uart;
+  BusKind kind = {};
   std::string port;                         ///< chip name; empty for virtual
   std::int64_t rate = 0;                    ///< baud [bit/s], clock [Hz] or bitrate [bit/s]; 0 where the kind has none
   std::optional<std::int64_t> isr_wcet_ns;  ///< as given
@@ -59,7 +59,7 @@ struct Segment {
   enum class Kind { bus, mux_channel, pwm_expander };
   Kind kind = Kind::bus;
   Name name;
-  BusKind bus_kind = BusKind::uart;    ///< what a device sees
+  BusKind bus_kind = {};               ///< what a device sees
   BusId bus;                           ///< the physical one
   std::optional<ExpanderId> expander;  ///< for the two other kinds
   std::uint32_t channel = 0;           ///< of the mux

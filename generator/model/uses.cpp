@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "generator/bus/bus_kind.hpp"
+#include "generator/bus/bus_type.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/no_segment.hpp"
 #include "generator/model/pins.hpp"
@@ -18,6 +18,11 @@ std::vector<std::string> names_of(const std::vector<UseSpec>& uses) {
   std::vector<std::string> names;
   for (const UseSpec& use : uses) names.push_back(use.role);
   return names;
+}
+
+bool takes_pin(const UseSpec& use) {
+  return std::any_of(use.buses.begin(), use.buses.end(),
+                     [](BusKind kind) { return bus_type(kind).channels == BusType::Channels::pins; });
 }
 
 class UseReader {
@@ -37,7 +42,7 @@ class UseReader {
       at_tag(diagnostics_, code::use_missing, tag_, fmt::format("{} needs <use role=\"{}\">", owner_, spec.role))
           .note(fmt::format("it takes: {}", fmt::join(bus_kind_names(spec.buses), " or ")))
           .hint(fmt::format("add for example <use role=\"{}\" {}/>", spec.role,
-                            contains(spec.buses, BusKind::gpio) ? "pin=\"" + example_pin(spec) + "\"" : "bus=\"...\""));
+                            takes_pin(spec) ? "pin=\"" + example_pin(spec) + "\"" : "bus=\"...\""));
     }
   }
 
@@ -96,7 +101,7 @@ class UseReader {
   bool read_endpoint(const xml::Node& child, Use& use) {
     const xml::Attribute* bus = child.attribute("bus");
     const xml::Attribute* pin = child.attribute("pin");
-    const bool wants_pin = contains(use.spec->buses, BusKind::gpio);
+    const bool wants_pin = takes_pin(*use.spec);
     const bool wants_bus = use.spec->buses.size() > (wants_pin ? 1U : 0U);
     if (bus != nullptr && pin != nullptr) {
       at_tag(diagnostics_, code::use_endpoint, child,

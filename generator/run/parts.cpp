@@ -6,6 +6,8 @@
 #include <iterator>
 
 #include "emulator/scenario/grammar.hpp"
+#include "generator/bus/bus_type.hpp"
+#include "generator/bus/line_format.hpp"
 #include "generator/geometry/mechanism.hpp"
 #include "generator/run/emulation.hpp"
 #include "generator/run/mechanics.hpp"
@@ -15,10 +17,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void add_line_format(const Bus& bus, const std::string& format, Json& part) {
+const BusType& type_of(const Robot& robot, SegmentId segment) { return bus_type(robot.segments[segment].bus_kind); }
+
+void add_line_format(const Bus& bus, const std::string& text, Json& part) {
+  const LineFormat format = line_format(text);
   part["baud"] = bus.rate;
-  part["even_parity"] = format.find('E') != std::string::npos;
-  part["stop_bits"] = format.size() > 2 && format[2] == '2' ? 2 : 1;
+  part["even_parity"] = format.has_even_parity;
+  part["stop_bits"] = format.stop_bits;
 }
 
 /// Where a part sits: behind a mux channel, at an expander's output, or at a port.
@@ -60,7 +65,7 @@ void add_identifiers(const Device& device, Json& part) {
 /// Further hardware by its role: the place of a pulse output, a chip select's number, or a pin.
 void add_uses(const Robot& robot, const Device& device, Json& part) {
   for (const Use& use : device.uses) {
-    if (use.segment && robot.segments[*use.segment].bus_kind == BusKind::pwm) {
+    if (use.segment && type_of(robot, *use.segment).channels == BusType::Channels::outputs) {
       Json output = Json::object();
       add_place(robot, *use.segment, output);
       if (use.channel) output["channel"] = *use.channel;
@@ -76,7 +81,7 @@ void add_uses(const Robot& robot, const Device& device, Json& part) {
 void add_bus(const Robot& robot, const Device& device, Json& part) {
   add_place(robot, *device.segment, part);
   const Segment& segment = robot.segments[*device.segment];
-  if (segment.bus_kind == BusKind::uart) {
+  if (type_of(robot, *device.segment).has_line_format) {
     add_line_format(robot.buses[segment.bus], device.type->format, part);
     const auto& acquisition = device.type->acquisition;
     part["period_ns"] = acquisition && acquisition->interval_ns ? *acquisition->interval_ns : device.period_ns;
@@ -225,7 +230,7 @@ EmulatedParts emulated_parts(const Robot& robot) {
       result.silent.push_back(device.name.text);
     }
     for (const Use& use : device.uses) {
-      const bool serial = use.segment && robot.segments[*use.segment].bus_kind == BusKind::uart;
+      const bool serial = use.segment && type_of(robot, *use.segment).has_line_format;
       if (serial) parts.push_back(terminal_part(robot, device, use));
     }
   }

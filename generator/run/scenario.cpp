@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "emulator/scenario/read.hpp"
+#include "generator/bus/bus_type.hpp"
 #include "generator/json/parse.hpp"
 #include "generator/run/parts.hpp"
 #include "generator/xml/read_source.hpp"
@@ -52,7 +53,7 @@ scenario::World scenario_world(const Robot& robot, std::int64_t duration_ns) {
   }
   world.ports = ports_of(robot);
   for (const Bus& bus : robot.buses) {
-    if (bus.kind == BusKind::rs485) world.shared.push_back(bus.port);
+    if (bus_type(bus.kind).has_direction) world.shared.push_back(bus.port);
   }
   for (const Port& port : robot.board->ports) {
     if (!port.selects.empty()) world.selects[port.name] = static_cast<unsigned>(port.selects.size());

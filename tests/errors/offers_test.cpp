@@ -7,6 +7,7 @@
 #include "cases.hpp"
 #include "catch.hpp"
 #include "generator/bus/bus_kind.hpp"
+#include "generator/bus/rate_form.hpp"
 #include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/model/offers.hpp"

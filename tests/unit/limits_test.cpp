@@ -5,6 +5,7 @@
 #include "finemote/can.hpp"
 #include "finemote/ports.hpp"
 #include "finemote/schedule.hpp"
+#include "generator/bus/bus_type.hpp"
 
 namespace finemote {
 
@@ -13,8 +14,8 @@ namespace limits = gen::runtime_limits;
 TEST_CASE("the generator knows what the runtime holds") {
   CHECK(limits::kPeriodTicks == kMaxPeriodTicks);
   CHECK(limits::kBuckets == kMaxBuckets);
-  CHECK(limits::kCanGroups == CanBus::kGroups);
-  CHECK(limits::kCanSlots == CanBus::kMaxSlots);
+  CHECK(gen::bus_type(gen::BusKind::can).most_shared_frames == CanBus::kGroups);
+  CHECK(gen::bus_type(gen::BusKind::can).most_devices == CanBus::kMaxSlots);
   CHECK(limits::kShortestPwmPeriod == kShortestPwmPeriod);
   CHECK(limits::kLongestPwmPeriod == kLongestPwmPeriod);
 }

@@ -1,0 +1,24 @@
+// Which rates a port makes: by the rule of its chip, or of the list in its board file.
+#pragma once
+
+#include "generator/descriptor/board.hpp"
+
+namespace finemote::gen {
+
+/// The rule by which the port makes rates for a bus of the kind: its own, else the usual one; null: it makes every rate
+/// in its range.
+const RateRule* rule_of(const Port& port, BusKind kind);
+
+/// Whether the port makes so few rates that they can be listed.
+bool has_few_rates(const Port& port, BusKind kind);
+
+/// The rate nearest to the one asked for that the port can make; `wanted` is above 0 [Hz or bit/s].
+double nearest_rate(const Port& port, BusKind kind, double wanted);
+
+/// How far what the port makes is from what is asked for, as a fraction of that.
+double rate_error(const Port& port, BusKind kind, double wanted);
+
+/// Whether the port makes the rate, nearly enough.
+bool is_made(const Port& port, BusKind kind, std::int64_t rate);
+
+}  // namespace finemote::gen
