@@ -53,10 +53,16 @@ Transfer::After after(FrameStage stage) {
   return Transfer::After::autonomous;
 }
 
+std::vector<std::size_t> sources_per_bus(const Model& model) {
+  std::vector<std::size_t> counts;
+  for (const Bus& bus : model.buses) counts.push_back(bus.sources ? bus.sources->size() : 0);
+  return counts;
+}
+
 }  // namespace
 
 Traffic::Traffic(const Robot& robot, const BusPlaces& places, Model& model)
-    : robot_(robot), places_(places), uses_(bus_uses(robot)), model_(model) {}
+    : robot_(robot), places_(places), uses_(bus_uses(robot)), model_(model), driver_sources_(sources_per_bus(model)) {}
 
 void Traffic::add_device(const gen::Device& device, std::size_t place) {
   for (const Connection& connection : connections_of(device)) add_frames(device, connection, place);
@@ -107,9 +113,8 @@ void Traffic::add_transfer(std::size_t place, std::size_t bus, FrameStage stage,
 }
 
 void Traffic::add_budget(std::size_t bus, std::size_t place, Ns count, Ns every) {
-  auto& sources = model_.buses[bus].sources;
-  if (sources && sources->size() == 1 && counts_transfers(bus))
-    sources->front().budgets.push_back({place, count, every});
+  if (driver_sources_[bus] != 1 || !counts_transfers(bus)) return;
+  model_.buses[bus].sources->front().budgets.push_back({place, count, every});
 }
 
 bool Traffic::counts_transfers(std::size_t bus) const {

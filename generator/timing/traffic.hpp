@@ -37,6 +37,7 @@ class Traffic {
   const BusPlaces& places_;
   const Table<BusId, BusUse> uses_;
   Model& model_;
+  const std::vector<std::size_t> driver_sources_;  ///< how many each bus has; lines of devices come after them
 };
 
 }  // namespace finemote::gen::timing

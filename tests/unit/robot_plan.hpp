@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
 #include "catch.hpp"
@@ -28,18 +29,20 @@ struct RobotPlan {
   Forest forest;
   Schedule schedule;
 
-  /// A Type C board with `inner` in its <finemote>.
+  /// A Type C board with `inner` in its <finemote>; types of its own are those of tests/unit/devices.
   explicit RobotPlan(const std::string& inner) {
     load(*sources.add({"r.urdf", "",
                        "<robot name=\"r\"><link name=\"base\"/><finemote version=\"1\">"
                        "<board name=\"robomaster_type_c\"/>\n" +
-                           inner + "</finemote></robot>\n"}));
+                           inner + "</finemote></robot>\n"}),
+         "tests/unit");
   }
+  /// Types of its own are those beside the file.
   explicit RobotPlan(const RobotFile& robot_file) {
     const std::string path = std::string(FINEMOTE_SOURCE_DIR) + "/" + robot_file.path;
     const SourceFile* file = xml::read_source(path, sources, diagnostics, robot_file.path);
     REQUIRE(file);
-    load(*file);
+    load(*file, std::filesystem::path(robot_file.path).parent_path().string());
   }
 
   [[nodiscard]] std::string said() const { return render_text(diagnostics, false); }
@@ -61,8 +64,9 @@ struct RobotPlan {
   }
 
  private:
-  void load(const SourceFile& file) {
-    library = load_library({FINEMOTE_SOURCE_DIR, std::string(FINEMOTE_SOURCE_DIR) + "/examples", {}, {}}, sources,
+  /// @param folder  whose `devices` the robot can have, from the top of the project
+  void load(const SourceFile& file, const std::string& folder) {
+    library = load_library({FINEMOTE_SOURCE_DIR, std::string(FINEMOTE_SOURCE_DIR) + "/" + folder, {}, {}}, sources,
                            diagnostics);
     REQUIRE(library);
     const auto document = xml::parse(file, diagnostics);

@@ -111,3 +111,27 @@ TEST_CASE("a bus with a clock interrupts when something sits on it, and only the
   REQUIRE(timing);
   CHECK(timing->schedulable);
 }
+
+TEST_CASE("a device with an interrupt line of its own takes no interrupts from those behind it") {
+  const std::string bus = R"(<bus name="i2c" type="i2c" port="i2c2" clock="400kHz"/>)";
+  const std::string load =
+      R"(<device name="slow" type="sim_load" period="100ms"><param name="update">20ms</param></device>)";
+  const std::string ranger =
+      R"(<device name="range" type="ranger" period="5ms" bus="i2c"><use role="ready" pin="key"/></device>)";
+  const std::string depth = R"(<device name="depth" type="ms5837" period="20ms" bus="i2c"/>)";
+  const auto bound_of_slow = [](const Robots& robot) {
+    Diagnostics findings;
+    const auto timing = analyse(robot.model, {}, findings);
+    REQUIRE(timing);
+    return timing->target->devices[robot["slow"]].r_plus_ns;
+  };
+  const Robots before = Robots::with(bus + ranger + depth + load), behind = Robots::with(bus + depth + ranger + load);
+  for (const Robots* robot : {&before, &behind}) {
+    const auto& sources = *robot->model.buses.front().sources;
+    REQUIRE(sources.size() == 2);
+    CHECK(sources[0].budgets.size() == 2);  // of the driver: transfers of both
+    CHECK(sources[1].budgets.empty());      // the line
+  }
+  REQUIRE(bound_of_slow(before));
+  CHECK(bound_of_slow(before) == bound_of_slow(behind));
+}

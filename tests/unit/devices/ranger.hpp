@@ -1,0 +1,2 @@
+// The header that ranger.json names. Nothing of it is compiled: tests of the analysis read the descriptor alone.
+#pragma once
