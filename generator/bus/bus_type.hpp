@@ -34,7 +34,7 @@ struct BusClass {
   std::string_view name = {};    ///< `SpiBus`, in namespace finemote
   std::string_view header = {};  ///< `<finemote/spi.hpp>`
   bool starts = true;            ///< has start(), called once before the scheduler runs
-  bool supervised = false;       ///< has supervise(), called every tick
+  bool supervised = false;       ///< has supervise(), which the fastest bucket runs first
 };
 
 /// The class of the runtime through which a device asks for its transfers.
