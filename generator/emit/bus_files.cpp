@@ -37,7 +37,7 @@ void set_route(const Plan& plan, const Segment& segment, Data& data) {
   if (!has_mux) return;
   const Expander& mux = plan.robot.expanders[*segment.expander];
   data.set("mux_address", fmt::format("{:#04x}", mux.address));
-  data.set("mux_control", fmt::format("{:#04x}", 1u << segment.channel));
+  data.set("mux_control", fmt::format("{:#04x}", mux.type->select->control(segment.channel)));
 }
 
 Data slot_fields(const Plan& plan, const Slot& slot) {
@@ -136,19 +136,24 @@ Data bus_list(const Plan& plan) {
   return list;
 }
 
-bool is_object(const Expander& expander) { return expander.model == Expander::Model::pca9685; }
+std::vector<std::string> expander_includes(const ExpanderType& type) {
+  std::vector<std::string> includes{"<" + type.include + ">"};
+  if (!type.builtin && !type.params.empty()) includes.emplace_back("<finemote/config.hpp>");
+  return includes;
+}
 
 Data expander_list(const Plan& plan) {
   Data list(Data::type::list);
   for (const Expander& expander : plan.robot.expanders) {
-    if (!is_object(expander)) continue;
+    const ExpanderType& type = *expander.type;
+    if (type.is_mux()) continue;
     Data entry;
     entry.set("expander", expander.name.cpp);
-    entry.set("type", "pca9685");
+    entry.set("type", type.name);
     entry.set("segment", plan.robot.segments[expander.segment].name.text);
     entry.set("address", fmt::format("{:#04x}", expander.address));
     entry.set("has_config", !expander.params.empty());
-    set_config("finemote::Pca9685", expander.params, /*is_shipped*/ true, entry);
+    set_config(type.cpp_class, expander.params, type.builtin, entry);
     list.push_back(entry);
   }
   return list;
@@ -171,7 +176,8 @@ Data bus_header(const Plan& plan) {
     if (is_object(bus)) includes.emplace_back(bus_type(bus.kind).bus_class.header);
   }
   for (const Expander& expander : plan.robot.expanders) {
-    if (is_object(expander)) includes.emplace_back("<finemote/pca9685.hpp>");
+    if (expander.type->is_mux()) continue;
+    for (std::string& include : expander_includes(*expander.type)) includes.push_back(std::move(include));
   }
   data.set("includes", include_list(std::move(includes)));
   set_buses(plan, data);
