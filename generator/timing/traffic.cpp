@@ -55,12 +55,12 @@ Transfer::After after(FrameStage stage) {
 Traffic::Traffic(const Robot& robot, const BusPlaces& places, Model& model)
     : robot_(robot), places_(places), uses_(bus_uses(robot)), model_(model) {}
 
-void Traffic::add_device(const gen::Device& device, std::size_t place) {
+void Traffic::add_device(const gen::Device& device, Rank place) {
   for (const Connection& connection : connections_of(device)) add_frames(device, connection, place);
   if (device.segment) add_own_lines(device);
 }
 
-void Traffic::add_frames(const gen::Device& device, const Connection& connection, std::size_t place) {
+void Traffic::add_frames(const gen::Device& device, const Connection& connection, Rank place) {
   const auto bus = places_.of(connection.segment);
   if (!bus) return;
   const std::vector<Frame> frames = frames_over(device, connection);
@@ -89,7 +89,7 @@ void Traffic::add_selection(SegmentId segment, const WireRate& rate, WireUse& us
   if (muxes > 1) use.add(rate, 1, 0);
 }
 
-void Traffic::add_transfer(std::size_t place, std::size_t bus, FrameStage stage, const WireUse& use) {
+void Traffic::add_transfer(Rank place, BusPlace bus, FrameStage stage, const WireUse& use) {
   const bool by_itself = stage == FrameStage::autonomous;
   Transfer transfer;
   transfer.bus = bus;
@@ -103,13 +103,13 @@ void Traffic::add_transfer(std::size_t place, std::size_t bus, FrameStage stage,
   add_budget(bus, place, use.interrupts);
 }
 
-void Traffic::add_budget(std::size_t bus, std::size_t place, Ns count, Ns every) {
+void Traffic::add_budget(BusPlace bus, Rank place, Ns count, Ns every) {
   auto& sources = model_.buses[bus].sources;
   if (sources && sources->size() == 1 && counts_transfers(bus))
     sources->front().budgets.push_back({place, count, every});
 }
 
-bool Traffic::counts_transfers(std::size_t bus) const {
+bool Traffic::counts_transfers(BusPlace bus) const {
   const BusId id = places_.buses()[bus];
   const BusTraffic::Counted counted = traffic_of(robot_.buses[id].kind).counted;
   const Port* port = robot_.board != nullptr ? robot_.board->port(robot_.buses[id].port) : nullptr;

@@ -93,7 +93,7 @@ TEST_CASE("the verdict alone is that of the whole analysis, without its chains a
     request.requirements.resize(2);
     request.requirements[0].kind = timing::Requirement::Kind::utilization;
     request.requirements[1].kind = timing::Requirement::Kind::jitter;
-    request.requirements[1].to = {0};
+    request.requirements[1].to = {Rank{0}};
     const auto whole = analysed(model, request);
     request.verdict_only = true;
     const auto verdict = analysed(model, request);
@@ -102,7 +102,7 @@ TEST_CASE("the verdict alone is that of the whole analysis, without its chains a
     CHECK(verdict->schedulable == whole->schedulable);
     CHECK(verdict->processor_load == whole->processor_load);
     REQUIRE(verdict->bus_loads.size() == whole->bus_loads.size());
-    for (std::size_t b = 0; b < whole->bus_loads.size(); ++b)
+    for (const BusPlace b : whole->bus_loads.ids())
       CHECK(verdict->bus_loads[b].utilization == whole->bus_loads[b].utilization);
     CHECK(verdict->requirements[0].fraction == whole->requirements[0].fraction);
     CHECK(verdict->requirements[1].value_ns == whole->requirements[1].value_ns);

@@ -120,7 +120,7 @@ TEST_CASE("a chain between trees that share no data is refused") {
       diagnostics);
   REQUIRE(model);
   AnalysisRequest request;
-  request.chains = {{0, 1}};
+  request.chains = {{Rank{0}, Rank{1}}};
   CHECK_FALSE(analyse(*model, request, diagnostics));
   REQUIRE(diagnostics.size() == 1);
   CHECK(diagnostics.in_file_order().front().message == "no data leads from 'a' to 'b'");
@@ -130,7 +130,7 @@ TEST_CASE("a window between two devices of a bucket holds at every release, also
   // Both periods repeat after a million releases; only some of the slower bucket's jobs are preempted.
   Model model;
   model.devices.resize(3);
-  const auto set = [&](std::size_t d, const char* name, Ns period, Ns wcet) {
+  const auto set = [&](Rank d, const char* name, Ns period, Ns wcet) {
     model.devices[d].name = name;
     model.devices[d].period_ns = period;
     model.devices[d].update_wcet_ns = model.devices[d].handle_wcet_ns = wcet;
@@ -138,16 +138,16 @@ TEST_CASE("a window between two devices of a bucket holds at every release, also
   set(0, "fast", 1'000'003, 1'000);
   set(1, "leaf", 1'999'993, 10);
   set(2, "root", 1'999'993, 10);
-  model.devices[1].parent = 2;
+  model.devices[Rank{1}].parent = Rank{2};
   AnalysisRequest request;
-  request.chains = {{1, 1}};
+  request.chains = {{Rank{1}, Rank{1}}};
   Diagnostics diagnostics;
   const auto timing = analyse(model, request, diagnostics);
   REQUIRE(timing);
   for (const ChainResult& chain : timing->chains) {
     if (chain.to == 1) CHECK(*chain.decide_ns == 2'040);
   }
-  CHECK(*timing->tight.devices[1].window_ns == 2'040);
+  CHECK(*timing->tight.devices[Rank{1}].window_ns == 2'040);
 }
 
 TEST_CASE("a budget may count interrupts that come in one of so many periods") {
@@ -162,7 +162,7 @@ TEST_CASE("a budget may count interrupts that come in one of so many periods") {
   const auto timing = analyse(*model, {}, diagnostics);
   REQUIRE(timing);
   // In a window of two periods: three in each of them, and the seven once.
-  CHECK(*timing->target->devices[0].r_minus_ns == 200 + 1 + (2 * 3 + 7) * 2);
+  CHECK(*timing->target->devices[Rank{0}].r_minus_ns == 200 + 1 + (2 * 3 + 7) * 2);
   CHECK(
       messages(R"({"tick_ns":10,"buses":[{"name":"b","baud_bps":1,"min_frame_bits":1,"wcet_ns":0,"sources":[{"name":"s",
 "wcet_ns":0,"min_interval_ns":1,"budgets":[{"device":"a","count":1,"every":0}]}]}],"devices":[{"name":"a","period_ns":10,
@@ -242,9 +242,9 @@ TEST_CASE("a suggested order keeps what is read before its readers") {
   REQUIRE(model);
   const auto free = suggest_order(*model, Profile::tight);
   CHECK(free.front() != 0);  // the remote behind the slower tree ends sooner after it begins
-  model->devices[2].reads = {0};
+  model->devices[Rank{2}].reads = {Rank{0}};
   const auto bound = suggest_order(*model, Profile::tight);
-  CHECK(bound == std::vector<std::size_t>{0, 1, 2});
+  CHECK(bound == std::vector<Rank>{Rank{0}, Rank{1}, Rank{2}});
   const Model late = reorder(*model, {1, 2, 0});
   CHECK(suggest_order(late, Profile::tight).front() == 2);  // and it moves a remote that stands behind its reader
 }

@@ -18,7 +18,7 @@ TEST_CASE("finsrov is schedulable with the costs of the board, and keeps its req
   AnalysisRequest request;
   request.requirements = timing_requirements(*finsrov.robot, finsrov.forest);
   REQUIRE(request.requirements.size() == 2);
-  request.chains = {{0, 5}};
+  request.chains = {{Rank{0}, Rank{5}}};
   Diagnostics diagnostics;
   const auto timing = analyse(finsrov.model, request, diagnostics);
   INFO(render_text(diagnostics, false));
@@ -65,12 +65,12 @@ TEST_CASE("an expander driven from two buckets may send a command with a later f
   Robots finsrov("examples/finsrov.urdf");
   const auto wire_of = [](const timing::Model& model) {
     AnalysisRequest request;
-    request.chains = {{0, 5}};
+    request.chains = {{Rank{0}, Rank{5}}};
     Diagnostics diagnostics;
     const auto timing = analyse(model, request, diagnostics);
     REQUIRE(timing);
-    REQUIRE(timing->target->devices[5].r_minus_ns);
-    return chain(*timing, model.devices[0].name, model.devices[5].name).wire_ns;
+    REQUIRE(timing->target->devices[Rank{5}].r_minus_ns);
+    return chain(*timing, model.devices[Rank{0}].name, model.devices[Rank{5}].name).wire_ns;
   };
   timing::Model model = finsrov.model;
   REQUIRE(model.flushes.size() == 1);
