@@ -55,7 +55,7 @@ std::string bounds_text(std::vector<std::string> head, const std::vector<timing:
   return table.text();
 }
 
-std::string order_text(const timing::Timing& timing, const std::vector<Rank>& order) {
+std::string order_text(const timing::Timing& timing, const timing::Order& order) {
   if (std::is_sorted(order.begin(), order.end())) return "\nno better order of siblings and roots was found\n";
   std::string text = "\nsuggested order of registration\n ";
   for (const Rank d : order) text += " " + timing.model.devices[d].name;
@@ -67,7 +67,7 @@ std::string order_text(const timing::Timing& timing, const std::vector<Rank>& or
 /// What the options ask for beside the analysis.
 struct Extras {
   std::optional<timing::Slack> slack;
-  std::optional<std::vector<Rank>> order;
+  std::optional<timing::Order> order;
 };
 
 Json document(const timing::Timing& timing, const Extras& extras) {

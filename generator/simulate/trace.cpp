@@ -20,7 +20,7 @@ std::string stamp(Ns ns) { return fmt::format("{}.{:03}", ns / 1000, ns % 1000);
 }  // namespace
 
 TraceWriter::TraceWriter(const timing::Model& model, timing::Profile profile, std::ostream& out)
-    : model_(model), set_(timing::make_task_set(model, profile)), out_(out), last_empty_(2 * model.devices.size(), -1) {
+    : model_(model), set_(timing::make_task_set(model, profile)), out_(out), last_empty_(model.devices.size()) {
   find_buses();
   out_ << "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n";
   name_tracks();
@@ -71,6 +71,11 @@ void TraceWriter::slice(std::size_t track, const std::string& name, Ns begin, Ns
                    stamp(end - begin), quoted(name)));
 }
 
+Ns& TraceWriter::last_empty(Rank device, Stage stage) {
+  LastEmpty& last = last_empty_[device];
+  return stage == Stage::update ? last.update : last.handle;
+}
+
 std::size_t TraceWriter::bucket_track(Rank device) const { return job_track(set_.bucket_of[device]); }
 
 void TraceWriter::job(std::size_t bucket, Ns begin, Ns end) { slice(job_track(bucket), "job", begin, end); }
@@ -78,7 +83,7 @@ void TraceWriter::job(std::size_t bucket, Ns begin, Ns end) { slice(job_track(bu
 void TraceWriter::stage(Rank device, Stage stage, Ns begin, Ns end) {
   slice(bucket_track(device), model_.devices[device].name + (stage == Stage::update ? ".update" : ".handle"), begin,
         end);
-  if (begin == end) last_empty_[2 * device.value() + (stage == Stage::update ? 0 : 1)] = end;
+  if (begin == end) last_empty(device, stage) = end;
 }
 
 void TraceWriter::interrupt(std::size_t stream, Ns begin, Ns end) {
@@ -90,7 +95,7 @@ void TraceWriter::interrupt(std::size_t stream, Ns begin, Ns end) {
 /// The arrow leaves one nanosecond before the producer's end, inside its slice; where that is empty, at its end.
 void TraceWriter::hand_over(Rank producer, Rank consumer, Stage stage, Ns published, Ns used) {
   const std::string name = quoted(stage == Stage::update ? "state" : "command");
-  const bool is_empty = last_empty_[2 * producer.value() + (stage == Stage::update ? 0 : 1)] == published;
+  const bool is_empty = last_empty(producer, stage) == published;
   ++flow_;
   line(fmt::format(R"({{"ph":"s","pid":1,"tid":{},"ts":{},"id":{},"cat":"data","name":{}}})", bucket_track(producer),
                    stamp(is_empty || published == 0 ? published : published - 1), flow_, name));

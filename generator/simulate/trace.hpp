@@ -24,6 +24,11 @@ class TraceWriter : public SimulationObserver {
   void hand_over(Rank producer, Rank consumer, Stage stage, timing::Ns published, timing::Ns used) override;
 
  private:
+  /// When a stage last ran with no length; -1: never.
+  struct LastEmpty {
+    timing::Ns update = -1, handle = -1;
+  };
+
   void find_buses();
   void name_tracks();
   [[nodiscard]] static std::size_t bus_track(timing::BusPlace bus);
@@ -31,6 +36,7 @@ class TraceWriter : public SimulationObserver {
   void line(const std::string& event);
   void slice(std::size_t track, const std::string& name, timing::Ns begin, timing::Ns end);
   [[nodiscard]] std::size_t bucket_track(Rank device) const;
+  timing::Ns& last_empty(Rank device, Stage stage);
 
   const timing::Model& model_;
   timing::TaskSet set_;
@@ -38,7 +44,7 @@ class TraceWriter : public SimulationObserver {
   bool first_ = true;
   std::uint64_t flow_ = 0;
   std::vector<timing::BusPlace> bus_of_;  ///< per stream of a bus
-  std::vector<timing::Ns> last_empty_;    ///< per update and handle: when it last ran with no length
+  Table<Rank, LastEmpty> last_empty_;
 };
 
 }  // namespace finemote::gen

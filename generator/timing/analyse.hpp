@@ -90,11 +90,14 @@ std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request
 inline constexpr Ns kMostSlack = 1'000'000;
 Ns slack_permille(const Model& model, Profile profile, std::optional<Rank> only = std::nullopt);
 
+/// Another order of registration: the device of each new rank, by its rank in the model as it is.
+using Order = Table<Rank, Rank>;
+
 /// An order of the same devices (siblings and roots exchanged, children before parents) with smaller latencies of
-/// trees; indices into Model::devices. The order as it is when no better one was found within the budget of trials.
-std::vector<Rank> suggest_order(const Model& model, Profile profile);
+/// trees. The order as it is when no better one was found within the budget of trials.
+Order suggest_order(const Model& model, Profile profile);
 
 /// The model with its devices registered in another order.
-Model reorder(const Model& model, const std::vector<Rank>& order);
+Model reorder(const Model& model, const Order& order);
 
 }  // namespace finemote::gen::timing

@@ -72,8 +72,9 @@ struct Siblings {
   Table<Rank, std::vector<Rank>> lists;  ///< children of every device, and the roots as the last list
 };
 
-std::vector<Rank> registration(const Siblings& siblings) {
-  std::vector<Rank> order, stack(siblings.lists.back().begin(), siblings.lists.back().end());
+Order registration(const Siblings& siblings) {
+  Order order;
+  std::vector<Rank> stack = siblings.lists.back();
   while (!stack.empty()) {  // parents first and from behind, then the whole sequence reversed
     const Rank device = stack.back();
     stack.pop_back();
@@ -104,12 +105,12 @@ Ns slack_permille(const Model& model, Profile profile, std::optional<Rank> only)
   return good;
 }
 
-Model reorder(const Model& model, const std::vector<Rank>& order) {
+Model reorder(const Model& model, const Order& order) {
   Table<Rank, Rank> place(order.size());
-  for (const Rank i : place.ids()) place[order[i.value()]] = i;
+  for (const Rank i : place.ids()) place[order[i]] = i;
   Model result = model;
   for (const Rank i : place.ids()) {
-    Device& d = result.devices[i] = model.devices[order[i.value()]];
+    Device& d = result.devices[i] = model.devices[order[i]];
     if (d.parent) d.parent = place[*d.parent];
     for (Rank& read : d.reads) read = place[read];
     for (Rank& end : d.ends_here) end = place[end];
@@ -126,20 +127,20 @@ Model reorder(const Model& model, const std::vector<Rank>& order) {
   return result;
 }
 
-std::vector<Rank> suggest_order(const Model& model, Profile profile) {
+Order suggest_order(const Model& model, Profile profile) {
   Siblings siblings;
   siblings.lists.resize(model.devices.size() + 1);
   for (const Rank d : model.devices.ids()) {
     siblings.lists[model.devices[d].parent.value_or(model.devices.next_id())].push_back(d);
   }
-  std::vector<Rank> best;
+  Order best;
   for (const Rank d : model.devices.ids()) best.push_back(d);
   Score best_score = score(model, profile);
   int trials = 0;
   const int most = most_trials(model.devices.size());
   const auto try_order = [&] {
     ++trials;
-    std::vector<Rank> order = registration(siblings);
+    Order order = registration(siblings);
     const Score s = score(reorder(model, order), profile);
     if (!(s < best_score)) return false;
     best_score = s;

@@ -21,7 +21,7 @@ std::optional<Ns> shown(const ChainResult& chain) {
   return chain.end_to_end_ns ? chain.end_to_end_ns : chain.decide_ns;
 }
 
-std::vector<ChangedBound> changed_chains(const Timing& timing, const std::vector<Rank>& order, const Model& better) {
+std::vector<ChangedBound> changed_chains(const Timing& timing, const Order& order, const Model& better) {
   AnalysisRequest request;
   request.profile = timing.asked;
   const auto place = [&](Rank d) {
@@ -46,7 +46,7 @@ std::vector<ChangedBound> changed_chains(const Timing& timing, const std::vector
 
 }  // namespace
 
-OrderEffect effect_of_order(const Timing& timing, const std::vector<Rank>& order) {
+OrderEffect effect_of_order(const Timing& timing, const Order& order) {
   const Model better = reorder(timing.model, order);
   return {tree_bounds(timing, better), changed_chains(timing, order, better)};
 }

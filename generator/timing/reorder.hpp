@@ -22,6 +22,6 @@ struct OrderEffect {
 
 /// Analyses the model of `timing` in another order.
 /// @param order  as of suggest_order
-OrderEffect effect_of_order(const Timing& timing, const std::vector<Rank>& order);
+OrderEffect effect_of_order(const Timing& timing, const Order& order);
 
 }  // namespace finemote::gen::timing

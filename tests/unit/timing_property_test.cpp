@@ -186,7 +186,8 @@ TEST_CASE("no simulated chain is above its decision bound, through reads or not"
         for (const Simulation::ChainWorst& seen : run.chains) {
           const ChainResult bound = chains.bound(seen.ends.from, seen.ends.to);
           if (!bound.decide_ns) continue;
-          INFO("seed " << seed << " " << seen.ends.from.value() << "->" << seen.ends.to.value() << " " << model_json(model).dump());
+          INFO("seed " << seed << " " << seen.ends.from.value() << "->" << seen.ends.to.value() << " "
+                       << model_json(model).dump());
           CHECK(seen.latency <= *bound.decide_ns);
           ++compared;
           through_reads += bound.through_reads ? 1 : 0;

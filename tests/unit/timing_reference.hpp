@@ -38,9 +38,7 @@ class Reference {
 
   [[nodiscard]] bool ok(Rank d) const { return ok_.at(m_.devices[d].period_ns); }
 
-  [[nodiscard]] std::optional<Ns> r(Rank d, bool handle) const {
-    return ok(d) ? general(d, handle) : std::nullopt;
-  }
+  [[nodiscard]] std::optional<Ns> r(Rank d, bool handle) const { return ok(d) ? general(d, handle) : std::nullopt; }
 
   /// R of one release (profile tight), capped by the general bound.
   Ns r_at(Rank d, bool handle, Ns t) {
@@ -64,7 +62,8 @@ class Reference {
     const Ns e = extra(d, true), response = r_at(d, true, t);
     Ns w = 0;
     for (const Rank o : m_.devices.ids()) {
-      if (o >= d && m_.devices[o].period_ns == device.period_ns) w += m_.devices[o].update_wcet_ns + m_.devices[o].handle_wcet_ns;
+      if (o >= d && m_.devices[o].period_ns == device.period_ns)
+        w += m_.devices[o].update_wcet_ns + m_.devices[o].handle_wcet_ns;
     }
     for (Ns x = w + e;;) {
       Ns need = w + e;
@@ -147,7 +146,7 @@ class Reference {
   }
 
   [[nodiscard]] bool bucket_ok(Ns period) const {
-    for (std::size_t d = 0; d < m_.devices.size(); ++d) {
+    for (const Rank d : m_.devices.ids()) {
       if (m_.devices[d].period_ns == period) return general(d, true).has_value();
     }
     return false;
@@ -189,7 +188,7 @@ class Reference {
     return way;
   }
 
-  Ns back(Ns x, std::size_t producer, std::size_t consumer, bool handle) {
+  Ns back(Ns x, Rank producer, Rank consumer, bool handle) {
     const Ns period = m_.devices[producer].period_ns;
     const bool slower = period > m_.devices[consumer].period_ns;
     if (!tight_) return fl(x - (slower ? *general(producer, handle) : 0), period) * period;
