@@ -13,6 +13,7 @@
 #include "generator/timing/reorder.hpp"
 #include "generator/timing/slack.hpp"
 #include "generator/timing/table.hpp"
+#include "generator/timing/text_table.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -26,7 +27,7 @@ Json factor_json(Ns permille) {
 
 Json slack_json(const timing::Model& model, const timing::Slack& slack) {
   Json out{{"factor", factor_json(slack.all)}, {"devices", Json::array()}};
-  for (std::size_t d = 0; d < slack.one.size(); ++d) {
+  for (const Rank d : slack.one.ids()) {
     out["devices"].push_back(Json{{"name", model.devices[d].name}, {"factor", factor_json(slack.one[d])}});
   }
   return out;
@@ -42,22 +43,22 @@ std::string slack_text(const timing::Model& model, const timing::Slack& slack) {
       "\nslack (factor on execution times up to which every bucket ends in its period)\n  all together  {}\n",
       factor_text(slack.all));
   if (slack.one.empty()) return text;
-  timing::Table table({"device alone", "factor"});
-  for (std::size_t d = 0; d < slack.one.size(); ++d) table.row({model.devices[d].name, factor_text(slack.one[d])});
+  timing::TextTable table({"device alone", "factor"});
+  for (const Rank d : slack.one.ids()) table.row({model.devices[d].name, factor_text(slack.one[d])});
   return text + table.text();
 }
 
 std::string bounds_text(std::vector<std::string> head, const std::vector<timing::ChangedBound>& bounds) {
-  timing::Table table(std::move(head));
+  timing::TextTable table(std::move(head));
   for (const timing::ChangedBound& bound : bounds)
     table.row({bound.what, timing::duration_text(bound.before_ns), timing::duration_text(bound.after_ns)});
   return table.text();
 }
 
-std::string order_text(const timing::Timing& timing, const std::vector<std::size_t>& order) {
+std::string order_text(const timing::Timing& timing, const timing::Order& order) {
   if (std::is_sorted(order.begin(), order.end())) return "\nno better order of siblings and roots was found\n";
   std::string text = "\nsuggested order of registration\n ";
-  for (const std::size_t d : order) text += " " + timing.model.devices[d].name;
+  for (const Rank d : order) text += " " + timing.model.devices[d].name;
   const timing::OrderEffect effect = timing::effect_of_order(timing, order);
   return text + "\n" + bounds_text({"tree", "latency", "then"}, effect.trees) +
          bounds_text({"chain", "end to end", "then"}, effect.chains);
@@ -66,14 +67,14 @@ std::string order_text(const timing::Timing& timing, const std::vector<std::size
 /// What the options ask for beside the analysis.
 struct Extras {
   std::optional<timing::Slack> slack;
-  std::optional<std::vector<std::size_t>> order;
+  std::optional<timing::Order> order;
 };
 
 Json document(const timing::Timing& timing, const Extras& extras) {
   Json document = timing::timing_json(timing);
   if (extras.slack) document["slack"] = slack_json(timing.model, *extras.slack);
   if (extras.order) {
-    for (const std::size_t d : *extras.order) document["suggested_order"].push_back(timing.model.devices[d].name);
+    for (const Rank d : *extras.order) document["suggested_order"].push_back(timing.model.devices[d].name);
   }
   return document;
 }

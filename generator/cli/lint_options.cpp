@@ -30,7 +30,8 @@ std::vector<Code> codes(const char* option, const std::vector<std::string>& word
 /// Load per bus of the robot, found by name: the model has the physical buses with a rate only.
 Table<BusId, double> bus_loads(const Robot& robot, const timing::Timing& timing) {
   Table<BusId, double> loads(robot.buses.size(), 0.0);
-  for (std::size_t i = 0; i < timing.model.buses.size() && i < timing.bus_loads.size(); ++i) {
+  for (const timing::BusPlace i : timing.model.buses.ids()) {
+    if (!timing.bus_loads.contains(i)) continue;
     for (const BusId bus : robot.buses.ids()) {
       if (robot.buses[bus].name.text == timing.model.buses[i].name) loads[bus] = timing.bus_loads[i].utilization;
     }
@@ -42,8 +43,7 @@ Table<DeviceId, std::optional<CommandAge>> command_ages(const PlannedRobot& plan
   Table<DeviceId, std::optional<CommandAge>> ages(planned.robot.devices.size());
   for (const timing::ChainResult& input : timing.inputs) {
     if (!input.acquire_ns || !input.decide_ns) continue;
-    ages[planned.forest.order[Rank{input.to}]] = {*input.acquire_ns + *input.decide_ns,
-                                                  planned.forest.order[Rank{input.from}]};
+    ages[planned.forest.order[input.to]] = {*input.acquire_ns + *input.decide_ns, planned.forest.order[input.from]};
   }
   return ages;
 }

@@ -10,6 +10,7 @@
 #include "generator/simulate/beside_bounds.hpp"
 #include "generator/timing/json.hpp"
 #include "generator/timing/table.hpp"
+#include "generator/timing/text_table.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
@@ -31,7 +32,7 @@ Json document(const SimulatedModel& simulated, const SimulationRequest& request)
            {"devices", Json::array()},
            {"chains", Json::array()},
            {"misses", run.misses}};
-  for (std::size_t d = 0; d < run.devices.size(); ++d) {
+  for (const Rank d : run.devices.ids()) {
     out["devices"].push_back(Json{{"name", timing.model.devices[d].name},
                                   {"response_max_ns", number(observed(run.devices[d].response))},
                                   {"window_max_ns", number(observed(run.devices[d].window))},
@@ -53,13 +54,13 @@ std::string text(const SimulatedModel& simulated, const SimulationRequest& reque
   std::string text =
       fmt::format("simulated {} with seed {} (profile {}): {} missed\n", duration_text(request.duration_ns),
                   request.seed, timing::profile_name(timing.asked), run.misses);
-  timing::Table devices({"device", "response", "bound", "window", "bound"});
-  for (std::size_t d = 0; d < run.devices.size(); ++d) {
+  timing::TextTable devices({"device", "response", "bound", "window", "bound"});
+  for (const Rank d : run.devices.ids()) {
     devices.row({timing.model.devices[d].name, duration_text(observed(run.devices[d].response)),
                  duration_text(bounds[d].r_minus_ns), duration_text(observed(run.devices[d].window)),
                  duration_text(bounds[d].window_ns)});
   }
-  timing::Table chains({"chain (decide)", "worst", "bound"});
+  timing::TextTable chains({"chain (decide)", "worst", "bound"});
   for (std::size_t c = 0; c < run.chains.size(); ++c) {
     chains.row(
         {timing.model.devices[run.chains[c].ends.from].name + " -> " + timing.model.devices[run.chains[c].ends.to].name,

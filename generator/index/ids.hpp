@@ -10,7 +10,7 @@ using BusId = Index<struct BusSpace>;            ///< of Robot::buses
 using SegmentId = Index<struct SegmentSpace>;    ///< of Robot::segments: whatever `bus=` can name
 using ExpanderId = Index<struct ExpanderSpace>;  ///< of Robot::expanders
 
-/// Position of a device in Forest::order, the sequence everything runs in: every child before its parent.
+/// Position of a device in the order everything runs in, of Forest::order and timing::Model: children before parents.
 using Rank = Index<struct RankSpace>;
 
 }  // namespace finemote::gen

@@ -78,8 +78,8 @@ std::vector<MeasuredChain> measure_chains(const Robot& robot, const Forest& fore
   std::vector<MeasuredChain> chains;
   for (const timing::ChainResult& bound : timing.chains) {
     MeasuredChain chain;
-    chain.from = forest.order[Rank{bound.from}];
-    chain.to = forest.order[Rank{bound.to}];
+    chain.from = forest.order[bound.from];
+    chain.to = forest.order[bound.to];
     const auto path = find_chain(robot, chain.from, chain.to);
     const Series series = path ? collect(robot, record, *path) : Series{};
     chain.acquire = {summarize(series.acquire), bound.acquire_ns};

@@ -16,7 +16,7 @@ std::optional<Ns> observed(Ns worst) { return worst < 0 ? std::nullopt : std::op
 
 bool SimulatedModel::holds() const {
   const auto& bounds = timing.verdict().devices;
-  for (std::size_t d = 0; d < bounds.size(); ++d) {
+  for (const Rank d : bounds.ids()) {
     if (above(observed(run.devices[d].response), bounds[d].r_minus_ns)) return false;
     if (above(observed(run.devices[d].window), bounds[d].window_ns)) return false;
   }

@@ -14,27 +14,27 @@ class DataFlow {
  public:
   DataFlow(const timing::Model& model, const timing::Topology& topology, const std::vector<ChainEnds>& chains);
 
-  void begin_update(std::size_t device, timing::Ns now);
-  void end_update(std::size_t device, timing::Ns now);
-  void begin_handle(std::size_t device, timing::Ns now);
+  void begin_update(Rank device, timing::Ns now);
+  void end_update(Rank device, timing::Ns now);
+  void begin_handle(Rank device, timing::Ns now);
   /// Also raises the latency of every chain that ends at `device`.
-  void end_handle(std::size_t device, timing::Ns now, std::vector<Simulation::ChainWorst>& chains);
+  void end_handle(Rank device, timing::Ns now, std::vector<Simulation::ChainWorst>& chains);
 
   /// When the state or command of a device was published; for traces.
-  [[nodiscard]] timing::Ns state_time(std::size_t device) const { return state_time_[device]; }
-  [[nodiscard]] timing::Ns command_time(std::size_t device) const { return command_time_[device]; }
+  [[nodiscard]] timing::Ns state_time(Rank device) const { return state_time_[device]; }
+  [[nodiscard]] timing::Ns command_time(Rank device) const { return command_time_[device]; }
 
  private:
   static constexpr timing::Ns kNothing = -1;  ///< only initial values so far
   using Origins = std::vector<timing::Ns>;    ///< per source: start of the update the value goes back to
 
   const timing::Model& model_;
-  std::vector<std::size_t> sources_;                       ///< devices
-  std::vector<std::vector<std::size_t>> producers_;        ///< per device: children and observed devices
-  std::vector<std::vector<char>> leads_;                   ///< per device and source: its state depends on it
-  std::vector<Origins> seen_, state_, decided_, command_;  ///< per device: in the job; published; both directions
-  std::vector<timing::Ns> state_time_, command_time_;
-  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> ends_;  ///< per device: (chain, source)
+  std::vector<Rank> sources_;                              ///< devices
+  Table<Rank, std::vector<Rank>> producers_;               ///< children and observed devices
+  Table<Rank, std::vector<char>> leads_;                   ///< per source: its state depends on it
+  Table<Rank, Origins> seen_, state_, decided_, command_;  ///< in the job; published; both directions
+  Table<Rank, timing::Ns> state_time_, command_time_;
+  Table<Rank, std::vector<std::pair<std::size_t, std::size_t>>> ends_;  ///< (chain, source)
 };
 
 }  // namespace finemote::gen

@@ -76,10 +76,10 @@ class InputReporter {
                 SimulationObserver* observer)
       : model_(model), topology_(topology), flow_(flow), observer_(observer) {}
 
-  void inputs(std::size_t device, bool is_update, Ns now) const {
+  void inputs(Rank device, bool is_update, Ns now) const {
     using Stage = SimulationObserver::Stage;
     if (observer_ == nullptr) return;
-    const auto report = [&](std::size_t producer, Ns published, Stage stage) {
+    const auto report = [&](Rank producer, Ns published, Stage stage) {
       if (published >= 0) observer_->hand_over(producer, device, stage, published, now);
     };
     if (!is_update) {
@@ -87,8 +87,8 @@ class InputReporter {
         report(*parent, flow_.command_time(*parent), Stage::handle);
       return;
     }
-    for (const std::size_t child : topology_.children[device]) report(child, flow_.state_time(child), Stage::update);
-    for (const std::size_t read : model_.devices[device].reads) report(read, flow_.state_time(read), Stage::update);
+    for (const Rank child : topology_.children[device]) report(child, flow_.state_time(child), Stage::update);
+    for (const Rank read : model_.devices[device].reads) report(read, flow_.state_time(read), Stage::update);
   }
 
  private:
@@ -223,7 +223,7 @@ class Simulator {
   }
 
   /// The device of a piece; pieces 1..n are updates, n+1..2n handles in reverse order.
-  [[nodiscard]] std::size_t device_of(std::size_t w, std::size_t piece) const {
+  [[nodiscard]] Rank device_of(std::size_t w, std::size_t piece) const {
     const auto& devices = set_.buckets[w].devices;
     return piece <= devices.size() ? devices[piece - 1] : devices[2 * devices.size() - piece];
   }
@@ -237,7 +237,7 @@ class Simulator {
       job.left = lengths_.draw(0, job.piece == 0 ? set_.buckets[w].before : set_.buckets[w].after);
       return;
     }
-    const std::size_t d = device_of(w, job.piece);
+    const Rank d = device_of(w, job.piece);
     const bool is_update = job.piece <= n;
     const timing::Device& device = model_.devices[d];
     const bool target = options_.profile == timing::Profile::target;
@@ -263,7 +263,7 @@ class Simulator {
     job.active = false;
   }
 
-  void end_stage(std::size_t d, bool is_update, const JobState& job) {
+  void end_stage(Rank d, bool is_update, const JobState& job) {
     Simulation::DeviceWorst& worst = result_.devices[d];
     if (is_update) {
       flow_.end_update(d, now_);
@@ -291,7 +291,7 @@ class Simulator {
   std::vector<ArrivalGenerator> arrivals_;
   std::deque<Interrupt> interrupts_;
   std::vector<JobState> jobs_;
-  std::vector<Ns> update_begin_;
+  Table<Rank, Ns> update_begin_;
   Ns now_ = 0;
   Ns masked_until_ = 0;
   Simulation result_;

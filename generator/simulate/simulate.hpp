@@ -9,7 +9,7 @@
 namespace finemote::gen {
 
 struct ChainEnds {
-  std::size_t from = 0, to = 0;  ///< indices into Model::devices
+  Rank from, to;
 };
 
 struct SimulationOptions {
@@ -25,11 +25,10 @@ class SimulationObserver {
   virtual ~SimulationObserver() = default;
   enum class Stage { update, handle };
   virtual void job(std::size_t bucket, timing::Ns begin, timing::Ns end) = 0;
-  virtual void stage(std::size_t device, Stage stage, timing::Ns begin, timing::Ns end) = 0;
+  virtual void stage(Rank device, Stage stage, timing::Ns begin, timing::Ns end) = 0;
   virtual void interrupt(std::size_t stream, timing::Ns begin, timing::Ns end) = 0;
   /// Data published by a stage of `producer` that ended at `published`, read by a stage that began at `used`.
-  virtual void hand_over(std::size_t producer, std::size_t consumer, Stage stage, timing::Ns published,
-                         timing::Ns used) = 0;
+  virtual void hand_over(Rank producer, Rank consumer, Stage stage, timing::Ns published, timing::Ns used) = 0;
 };
 
 struct Simulation {
@@ -42,7 +41,7 @@ struct Simulation {
     ChainEnds ends;
     timing::Ns latency = timing::Ns{-1};  ///< start of the source's update() to end of the terminal's handle()
   };
-  std::vector<DeviceWorst> devices;
+  Table<Rank, DeviceWorst> devices;
   std::vector<ChainWorst> chains;
   std::int64_t misses = 0;  ///< releases that found their bucket unfinished, and were skipped
 };

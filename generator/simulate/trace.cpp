@@ -20,7 +20,7 @@ std::string stamp(Ns ns) { return fmt::format("{}.{:03}", ns / 1000, ns % 1000);
 }  // namespace
 
 TraceWriter::TraceWriter(const timing::Model& model, timing::Profile profile, std::ostream& out)
-    : model_(model), set_(timing::make_task_set(model, profile)), out_(out), last_empty_(2 * model.devices.size(), -1) {
+    : model_(model), set_(timing::make_task_set(model, profile)), out_(out), last_empty_(model.devices.size()) {
   find_buses();
   out_ << "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n";
   name_tracks();
@@ -32,15 +32,17 @@ void TraceWriter::close() { out_ << "\n]}\n"; }
 void TraceWriter::find_buses() {
   for (std::size_t s = 0; s < set_.bus_streams; ++s) {
     const std::string& name = set_.streams[s].name;
-    std::optional<std::size_t> best;
-    for (std::size_t b = 0; b < model_.buses.size(); ++b) {
+    std::optional<timing::BusPlace> best;
+    for (const timing::BusPlace b : model_.buses.ids()) {
       const std::string& bus = model_.buses[b].name;
       const bool fits = name == bus || name.rfind(bus + ".", 0) == 0;
       if (fits && (!best || bus.size() > model_.buses[*best].name.size())) best = b;
     }
-    bus_of_.push_back(best.value_or(0));
+    bus_of_.push_back(best.value_or(timing::BusPlace{}));
   }
 }
+
+std::size_t TraceWriter::bus_track(timing::BusPlace bus) { return bus.value() + 1; }
 
 std::size_t TraceWriter::job_track(std::size_t bucket) const { return model_.buses.size() + 2 + bucket; }
 
@@ -51,7 +53,7 @@ void TraceWriter::name_tracks() {
     line(fmt::format(R"({{"ph":"M","pid":1,"tid":{},"name":"thread_sort_index","args":{{"sort_index":{}}}}})", track,
                      track));
   };
-  for (std::size_t b = 0; b < model_.buses.size(); ++b) name(b + 1, "bus " + model_.buses[b].name);
+  for (const timing::BusPlace b : model_.buses.ids()) name(bus_track(b), "bus " + model_.buses[b].name);
   name(model_.buses.size() + 1, "release");
   for (std::size_t w = 0; w < set_.buckets.size(); ++w) {
     name(job_track(w), "every " + timing::duration_text(set_.buckets[w].period));
@@ -69,26 +71,31 @@ void TraceWriter::slice(std::size_t track, const std::string& name, Ns begin, Ns
                    stamp(end - begin), quoted(name)));
 }
 
-std::size_t TraceWriter::bucket_track(std::size_t device) const { return job_track(set_.bucket_of[device]); }
+Ns& TraceWriter::last_empty(Rank device, Stage stage) {
+  LastEmpty& last = last_empty_[device];
+  return stage == Stage::update ? last.update : last.handle;
+}
+
+std::size_t TraceWriter::bucket_track(Rank device) const { return job_track(set_.bucket_of[device]); }
 
 void TraceWriter::job(std::size_t bucket, Ns begin, Ns end) { slice(job_track(bucket), "job", begin, end); }
 
-void TraceWriter::stage(std::size_t device, Stage stage, Ns begin, Ns end) {
+void TraceWriter::stage(Rank device, Stage stage, Ns begin, Ns end) {
   slice(bucket_track(device), model_.devices[device].name + (stage == Stage::update ? ".update" : ".handle"), begin,
         end);
-  if (begin == end) last_empty_[2 * device + (stage == Stage::update ? 0 : 1)] = end;
+  if (begin == end) last_empty(device, stage) = end;
 }
 
 void TraceWriter::interrupt(std::size_t stream, Ns begin, Ns end) {
   const bool is_bus = stream < set_.bus_streams;
-  slice(is_bus ? bus_of_[stream] + 1 : model_.buses.size() + 1, is_bus ? set_.streams[stream].name : "release", begin,
-        end);
+  slice(is_bus ? bus_track(bus_of_[stream]) : model_.buses.size() + 1, is_bus ? set_.streams[stream].name : "release",
+        begin, end);
 }
 
 /// The arrow leaves one nanosecond before the producer's end, inside its slice; where that is empty, at its end.
-void TraceWriter::hand_over(std::size_t producer, std::size_t consumer, Stage stage, Ns published, Ns used) {
+void TraceWriter::hand_over(Rank producer, Rank consumer, Stage stage, Ns published, Ns used) {
   const std::string name = quoted(stage == Stage::update ? "state" : "command");
-  const bool is_empty = last_empty_[2 * producer + (stage == Stage::update ? 0 : 1)] == published;
+  const bool is_empty = last_empty(producer, stage) == published;
   ++flow_;
   line(fmt::format(R"({{"ph":"s","pid":1,"tid":{},"ts":{},"id":{},"cat":"data","name":{}}})", bucket_track(producer),
                    stamp(is_empty || published == 0 ? published : published - 1), flow_, name));

@@ -19,26 +19,32 @@ class TraceWriter : public SimulationObserver {
   void close();
 
   void job(std::size_t bucket, timing::Ns begin, timing::Ns end) override;
-  void stage(std::size_t device, Stage stage, timing::Ns begin, timing::Ns end) override;
+  void stage(Rank device, Stage stage, timing::Ns begin, timing::Ns end) override;
   void interrupt(std::size_t stream, timing::Ns begin, timing::Ns end) override;
-  void hand_over(std::size_t producer, std::size_t consumer, Stage stage, timing::Ns published,
-                 timing::Ns used) override;
+  void hand_over(Rank producer, Rank consumer, Stage stage, timing::Ns published, timing::Ns used) override;
 
  private:
+  /// When a stage last ran with no length; -1: never.
+  struct LastEmpty {
+    timing::Ns update = -1, handle = -1;
+  };
+
   void find_buses();
   void name_tracks();
+  [[nodiscard]] static std::size_t bus_track(timing::BusPlace bus);
   [[nodiscard]] std::size_t job_track(std::size_t bucket) const;
   void line(const std::string& event);
   void slice(std::size_t track, const std::string& name, timing::Ns begin, timing::Ns end);
-  [[nodiscard]] std::size_t bucket_track(std::size_t device) const;
+  [[nodiscard]] std::size_t bucket_track(Rank device) const;
+  timing::Ns& last_empty(Rank device, Stage stage);
 
   const timing::Model& model_;
   timing::TaskSet set_;
   std::ostream& out_;
   bool first_ = true;
   std::uint64_t flow_ = 0;
-  std::vector<std::size_t> bus_of_;     ///< per stream of a bus
-  std::vector<timing::Ns> last_empty_;  ///< per update and handle: when it last ran with no length
+  std::vector<timing::BusPlace> bus_of_;  ///< per stream of a bus
+  Table<Rank, LastEmpty> last_empty_;
 };
 
 }  // namespace finemote::gen

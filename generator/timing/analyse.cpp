@@ -14,12 +14,12 @@ namespace finemote::gen::timing {
 namespace {
 
 /// Worst response of handle() less the least time its job needs to get there.
-std::optional<Ns> jitter(const Model& model, const ProfileAnalysis& profile, std::size_t device) {
+std::optional<Ns> jitter(const Model& model, const ProfileAnalysis& profile, Rank device) {
   const TaskSet& set = profile.set;
   const std::size_t w = set.bucket_of[device];
   if (!profile.responses.ok(w)) return std::nullopt;
   Ns least = 0;
-  for (const std::size_t d : set.buckets[w].devices) {
+  for (const Rank d : set.buckets[w].devices) {
     least = add(least, model.devices[d].update_bcet_ns);
     if (d >= device) least = add(least, model.devices[d].handle_bcet_ns);
   }
@@ -27,8 +27,8 @@ std::optional<Ns> jitter(const Model& model, const ProfileAnalysis& profile, std
 }
 
 /// A requirement that needs no chain: utilization and jitter.
-RequirementResult evaluate_load(const Model& model, const ProfileAnalysis& profile, const std::vector<BusLoad>& loads,
-                                const Requirement& r) {
+RequirementResult evaluate_load(const Model& model, const ProfileAnalysis& profile,
+                                const Table<BusPlace, BusLoad>& loads, const Requirement& r) {
   RequirementResult result;
   result.requirement = r;
   if (r.kind == Requirement::Kind::utilization) {
@@ -44,7 +44,7 @@ RequirementResult evaluate_load(const Model& model, const ProfileAnalysis& profi
 class Evaluation {
  public:
   Evaluation(const Model& model, const ProfileAnalysis& profile, const ChainAnalysis& chains,
-             const std::vector<BusLoad>& loads)
+             const Table<BusPlace, BusLoad>& loads)
       : model_(model), profile_(profile), chains_(chains), loads_(loads) {}
 
   RequirementResult evaluate(const Requirement& r) const {
@@ -64,8 +64,8 @@ class Evaluation {
     };
     Ns worst = 0, decide = 0;
     bool decides = true;
-    for (const std::size_t from : r.from) {
-      for (const std::size_t to : r.to) {
+    for (const Rank from : r.from) {
+      for (const Rank to : r.to) {
         if (!chains_.connected(from, to)) {
           result.unconnected = ChainRequest{from, to};
           result.connected_backwards = chains_.connected(to, from);
@@ -87,11 +87,11 @@ class Evaluation {
   const Model& model_;
   const ProfileAnalysis& profile_;
   const ChainAnalysis& chains_;
-  const std::vector<BusLoad>& loads_;
+  const Table<BusPlace, BusLoad>& loads_;
 };
 
 /// Where a finding about the whole model points: its first device.
-Position start(const Model& model) { return model.devices.empty() ? Position{} : model.devices.front().at; }
+Position start(const Model& model) { return model.devices.empty() ? Position{} : model.devices[Rank{}].at; }
 
 /// The assumed figures as what they become when they are written down: a budget to keep.
 std::string wcet_hint(const Device& device) {
@@ -104,7 +104,7 @@ std::string wcet_hint(const Device& device) {
 constexpr std::size_t kMostNamed = 6;
 
 void report_remarks(const Timing& timing, Diagnostics& diagnostics) {
-  std::vector<std::size_t> closed;
+  std::vector<Rank> closed;
   for (const TreeResult& tree : timing.verdict().trees) {
     for (const PathResult& path : tree.paths) {
       if (path.closed_form) closed.push_back(path.leaf);
@@ -132,8 +132,8 @@ std::vector<ChainRequest> asked_chains(const AnalysisRequest& request, const std
   std::vector<ChainRequest> chains = request.chains;
   for (const Requirement& requirement : requirements) {
     if (!requirement.is_latency()) continue;
-    for (const std::size_t from : requirement.from) {
-      for (const std::size_t to : requirement.to) chains.push_back({from, to});
+    for (const Rank from : requirement.from) {
+      for (const Rank to : requirement.to) chains.push_back({from, to});
     }
   }
   return chains;
@@ -202,7 +202,7 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
   const Evaluation evaluation(model, best, chains, wire.loads());
   for (const Requirement& r : requirements) timing.requirements.push_back(evaluation.evaluate(r));
   timing.bus_loads = wire.loads();
-  for (std::size_t d = 0; d < model.devices.size(); ++d) {
+  for (const Rank d : model.devices.ids()) {
     if (model.devices[d].source == WcetSource::assumed) timing.assumed.push_back(d);
   }
   timing.asked = request.profile.value_or(target ? Profile::target : Profile::tight);

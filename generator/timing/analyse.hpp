@@ -13,9 +13,9 @@ namespace finemote::gen::timing {
 struct Requirement {
   enum class Kind { latency_end_to_end, latency_decision, utilization, jitter };
   Kind kind = Kind::latency_end_to_end;
-  std::string text;                   ///< the operand as written
-  std::vector<std::size_t> from, to;  ///< latency: the maximum over all pairs; jitter: `to` holds one device
-  std::optional<std::size_t> bus;     ///< utilization; none: the processor
+  std::string text;             ///< the operand as written
+  std::vector<Rank> from, to;   ///< latency: the maximum over all pairs; jitter: `to` holds one device
+  std::optional<BusPlace> bus;  ///< utilization; none: the processor
   Ns max_ns = 0;
   double max_fraction = 0;
   Position at;
@@ -24,7 +24,7 @@ struct Requirement {
 };
 
 struct ChainRequest {
-  std::size_t from = 0, to = 0;
+  Rank from, to;
 };
 
 struct RequirementResult {
@@ -65,11 +65,11 @@ struct Timing {
   std::vector<ChainResult> chains;  ///< of `target` where there is one, else `tight`
   std::vector<ChainResult> inputs;  ///< on request: the oldest data behind every command (ChainAnalysis::oldest_inputs)
   std::vector<RequirementResult> requirements;
-  std::vector<BusLoad> bus_loads;       ///< per Model::buses
+  Table<BusPlace, BusLoad> bus_loads;
   std::vector<ProcessorUse> processor;  ///< in the asked profile, largest load first
   std::vector<MissingBound> missing;    ///< of chains without end-to-end bound
   double processor_load = 0;            ///< share of the processor in the long run, in the asked profile
-  std::vector<std::size_t> assumed;     ///< devices whose execution times are assumed
+  std::vector<Rank> assumed;            ///< devices whose execution times are assumed
   bool schedulable = false;             ///< in the asked profile
 
   [[nodiscard]] const ProfileResult& verdict() const {
@@ -88,13 +88,16 @@ std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request
 /// every bucket of the profile still ends in its period; 0 when it does not even at 0; `kMostSlack` when nothing limits
 /// it.
 inline constexpr Ns kMostSlack = 1'000'000;
-Ns slack_permille(const Model& model, Profile profile, std::optional<std::size_t> only = std::nullopt);
+Ns slack_permille(const Model& model, Profile profile, std::optional<Rank> only = std::nullopt);
+
+/// Another order of registration: the device of each new rank, by its rank in the model as it is.
+using Order = Table<Rank, Rank>;
 
 /// An order of the same devices (siblings and roots exchanged, children before parents) with smaller latencies of
-/// trees; indices into Model::devices. The order as it is when no better one was found within the budget of trials.
-std::vector<std::size_t> suggest_order(const Model& model, Profile profile);
+/// trees. The order as it is when no better one was found within the budget of trials.
+Order suggest_order(const Model& model, Profile profile);
 
 /// The model with its devices registered in another order.
-Model reorder(const Model& model, const std::vector<std::size_t>& order);
+Model reorder(const Model& model, const Order& order);
 
 }  // namespace finemote::gen::timing

@@ -8,14 +8,14 @@ RobotBounds robot_bounds(const std::optional<Timing>& timing, const Forest& fore
   if (!timing || !timing->target) return bounds;
   bounds.answered = true;
   const ProfileResult& target = *timing->target;
-  for (std::size_t d = 0; d < target.devices.size(); ++d) {
-    bounds.devices[forest.order[Rank{d}]].response_ns = target.devices[d].r_minus_ns;
+  for (const Rank d : target.devices.ids()) {
+    bounds.devices[forest.order[d]].response_ns = target.devices[d].r_minus_ns;
   }
   for (std::size_t w = 0; w < target.buckets.size(); ++w) bounds.jobs[w] = target.buckets[w].response_ns;
   for (const ChainResult& input : timing->inputs) {
-    DeviceBounds& device = bounds.devices[forest.order[Rank{input.to}]];
+    DeviceBounds& device = bounds.devices[forest.order[input.to]];
     device.has_input = true;
-    device.oldest = forest.order[Rank{input.from}];
+    device.oldest = forest.order[input.from];
     if (!input.acquire_ns || !input.decide_ns) continue;
     device.age_ns = add(*input.acquire_ns, *input.decide_ns);
     if (input.wire_ns) device.output_ns = add(*device.age_ns, *input.wire_ns);

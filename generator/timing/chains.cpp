@@ -36,18 +36,18 @@ ChainAnalysis::ChainAnalysis(const Model& model, const Topology& topology, const
       most_pairs_(most_pairs),
       reach_(model, topology),
       decisions_(model, topology, reach_, profile, effort) {
-  for (std::size_t d = 0; d < model.devices.size(); ++d) {
+  for (const Rank d : model.devices.ids()) {
     const Device& device = model.devices[d];
     if (device.source == WcetSource::assumed) assumed_from_ = std::min(assumed_from_, device.period_ns);
     acquire_.push_back(wire.acquisition(d));
   }
 }
 
-bool ChainAnalysis::is_assumed(std::size_t from, std::size_t to) const {
+bool ChainAnalysis::is_assumed(Rank from, Rank to) const {
   const auto& acquisition = model_.devices[from].acquisition;
   if (acquisition && acquisition->assumed) return true;
   Ns slowest = model_.devices[from].period_ns;
-  for (std::size_t d : {from, to}) {
+  for (Rank d : {from, to}) {
     for (; model_.devices[d].parent; d = *model_.devices[d].parent)
       slowest = std::max(slowest, model_.devices[d].period_ns);
     slowest = std::max(slowest, model_.devices[d].period_ns);
@@ -55,7 +55,7 @@ bool ChainAnalysis::is_assumed(std::size_t from, std::size_t to) const {
   return assumed_from_ <= slowest;
 }
 
-ChainResult ChainAnalysis::complete(std::size_t from, std::size_t to, const Decision& decision) const {
+ChainResult ChainAnalysis::complete(Rank from, Rank to, const Decision& decision) const {
   ChainResult result{from,
                      to,
                      acquire_[from],
@@ -69,14 +69,12 @@ ChainResult ChainAnalysis::complete(std::size_t from, std::size_t to, const Deci
   return result;
 }
 
-ChainResult ChainAnalysis::bound(std::size_t from, std::size_t to) const {
-  return complete(from, to, decisions_.decide(from, to));
-}
+ChainResult ChainAnalysis::bound(Rank from, Rank to) const { return complete(from, to, decisions_.decide(from, to)); }
 
-std::vector<ChainResult> ChainAnalysis::worst_of_pairs(const std::vector<std::size_t>& sources,
-                                                       const std::vector<std::size_t>& terminals) const {
+std::vector<ChainResult> ChainAnalysis::worst_of_pairs(const std::vector<Rank>& sources,
+                                                       const std::vector<Rank>& terminals) const {
   std::vector<ChainResult> results;
-  for (const std::size_t to : terminals) {
+  for (const Rank to : terminals) {
     ChainResult worst = bound(sources.front(), to);
     for (std::size_t s = 1; s < sources.size(); ++s) {
       ChainResult other = bound(sources[s], to);
@@ -89,34 +87,34 @@ std::vector<ChainResult> ChainAnalysis::worst_of_pairs(const std::vector<std::si
 
 /// The same for large trees: per root release the oldest sample of any source, then per terminal its latest use.
 /// Windows within one job are not used.
-std::vector<ChainResult> ChainAnalysis::worst_of_groups(std::size_t root, const std::vector<std::size_t>& leaves,
-                                                        const std::vector<std::size_t>& terminals) const {
+std::vector<ChainResult> ChainAnalysis::worst_of_groups(Rank root, const std::vector<Rank>& leaves,
+                                                        const std::vector<Rank>& terminals) const {
   const auto walk_groups = [&](const std::function<void(const HandOverGroup&)>& visit) {
     walk_tree(model_, topology_, profile_.responses, profile_.set, profile_.table, root, *profile_.hand_overs, effort_,
               visit);
   };
   bool complete_tree = true;
-  for (const std::size_t leaf : leaves) {
+  for (const Rank leaf : leaves) {
     complete_tree &= profile_.responses.ok(profile_.set.bucket_of[leaf]) && acquire_[leaf].has_value();
   }
   OldestSources sources(model_.devices[root].period_ns);
   walk_groups([&](const HandOverGroup& group) {
     OldestSources::Oldest best;
-    for (const std::size_t d : group.devices) {
+    for (const Rank d : group.devices) {
       const bool is_source = std::binary_search(leaves.begin(), leaves.end(), d);
       if (is_source && acquire_[d]) best.offer({*acquire_[d], d});
     }
     if (best.age >= 0) sources.add_group(group, best);
   });
-  const std::set<std::size_t> wanted(terminals.begin(), terminals.end());
-  std::map<std::size_t, ChainResult> found;
+  const std::set<Rank> wanted(terminals.begin(), terminals.end());
+  std::map<Rank, ChainResult> found;
   walk_groups([&](const HandOverGroup& group) {
-    const auto is_wanted = [&](std::size_t d) { return wanted.contains(d); };
+    const auto is_wanted = [&](Rank d) { return wanted.contains(d); };
     if (std::none_of(group.devices.begin(), group.devices.end(), is_wanted)) return;
     const OldestSources::Oldest worst = sources.worst(group);
     effort_.spend(group.exact ? static_cast<Ns>(group.exact->down->steps.size()) : 1);
     if (worst.age < 0) return;
-    for (const std::size_t d : group.devices) {
+    for (const Rank d : group.devices) {
       if (!is_wanted(d)) continue;
       const Ns decide = worst.age - *acquire_[worst.source] + profile_.responses.r_minus[d];
       const bool is_closed = group.exact == nullptr || sources.has_closed_form();
@@ -124,7 +122,7 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(std::size_t root, const 
     }
   });
   std::vector<ChainResult> results;
-  for (const std::size_t to : terminals) {
+  for (const Rank to : terminals) {
     const auto entry = found.find(to);
     results.push_back(entry != found.end() && complete_tree ? entry->second : complete(leaves.front(), to, {}));
   }
@@ -132,10 +130,10 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(std::size_t root, const 
 }
 
 /// Nanoseconds until everything about these devices repeats; kNever when that leaves the range of numbers.
-Ns ChainAnalysis::repetition(const std::vector<std::size_t>& devices) const {
+Ns ChainAnalysis::repetition(const std::vector<Rank>& devices) const {
   Ns length = 1;
   try {
-    for (const std::size_t d : devices) length = lcm(length, profile_.table.repeat(d));
+    for (const Rank d : devices) length = lcm(length, profile_.table.repeat(d));
   } catch (const Overflow&) {
     return kNever;
   }
@@ -143,12 +141,12 @@ Ns ChainAnalysis::repetition(const std::vector<std::size_t>& devices) const {
 }
 
 /// The source with the largest bound, per terminal; all terminals are of one tree. There is a source.
-std::vector<ChainResult> ChainAnalysis::worst_of(const std::vector<std::size_t>& sources,
-                                                 const std::vector<std::size_t>& terminals) const {
-  const std::size_t root = topology_.root_of[terminals.front()];
-  std::vector<std::size_t> concerned = sources;
-  for (const std::size_t source : sources) {
-    for (std::size_t d = source; model_.devices[d].parent; d = *model_.devices[d].parent)
+std::vector<ChainResult> ChainAnalysis::worst_of(const std::vector<Rank>& sources,
+                                                 const std::vector<Rank>& terminals) const {
+  const Rank root = topology_.root_of[terminals.front()];
+  std::vector<Rank> concerned = sources;
+  for (const Rank source : sources) {
+    for (Rank d = source; model_.devices[d].parent; d = *model_.devices[d].parent)
       concerned.push_back(*model_.devices[d].parent);
   }
   concerned.insert(concerned.end(), terminals.begin(), terminals.end());
@@ -157,14 +155,14 @@ std::vector<ChainResult> ChainAnalysis::worst_of(const std::vector<std::size_t>&
   if (pairs <= most_pairs_ && entries <= kMostPairEntries / static_cast<Ns>(pairs))
     return worst_of_pairs(sources, terminals);
 
-  std::vector<std::size_t> leaves, others;
-  for (const std::size_t s : sources) (topology_.children[s].empty() ? leaves : others).push_back(s);
+  std::vector<Rank> leaves, others;
+  for (const Rank s : sources) (topology_.children[s].empty() ? leaves : others).push_back(s);
   // Groups know tree edges only, and another way may be older.
   const bool is_known =
       !reach_.reads_in_tree_of(root) && !leaves.empty() && others.size() * terminals.size() <= most_pairs_;
   std::vector<ChainResult> results;
   if (!is_known) {
-    for (const std::size_t to : terminals) results.push_back(complete(sources.front(), to, {}));
+    for (const Rank to : terminals) results.push_back(complete(sources.front(), to, {}));
     return results;
   }
   results = worst_of_groups(root, leaves, terminals);
@@ -178,14 +176,14 @@ std::vector<ChainResult> ChainAnalysis::worst_of(const std::vector<std::size_t>&
 
 /// In the order of `terminals`, which are of one tree, without those that no data reach; those that the same data reach
 /// are looked at together.
-std::vector<ChainResult> ChainAnalysis::worst_of_all(const std::vector<std::size_t>& terminals) const {
+std::vector<ChainResult> ChainAnalysis::worst_of_all(const std::vector<Rank>& terminals) const {
   std::map<Reach::Turns, std::vector<std::size_t>> places;  // of terminals
   for (std::size_t i = 0; i < terminals.size(); ++i) places[reach_.turns_above(terminals[i])].push_back(i);
   std::vector<std::optional<ChainResult>> found(terminals.size());
   for (const auto& [turns, members] : places) {
-    const std::vector<std::size_t> sources = reach_.sources_of(turns);
+    const std::vector<Rank> sources = reach_.sources_of(turns);
     if (sources.empty()) continue;
-    std::vector<std::size_t> of_group;
+    std::vector<Rank> of_group;
     for (const std::size_t i : members) of_group.push_back(terminals[i]);
     const std::vector<ChainResult> worst = worst_of(sources, of_group);
     for (std::size_t k = 0; k < members.size(); ++k) found[members[k]] = worst[k];
@@ -200,8 +198,8 @@ std::vector<ChainResult> ChainAnalysis::worst_of_all(const std::vector<std::size
 std::vector<ChainResult> ChainAnalysis::defaults() const {
   std::vector<ChainResult> results;
   for (std::size_t tree = 0; tree < topology_.roots.size(); ++tree) {
-    std::vector<std::size_t> terminals;
-    for (const std::size_t leaf : topology_.leaves[tree]) {
+    std::vector<Rank> terminals;
+    for (const Rank leaf : topology_.leaves[tree]) {
       if (model_.devices[leaf].takes_command) terminals.push_back(leaf);
     }
     if (terminals.empty()) terminals.push_back(topology_.roots[tree]);
@@ -211,12 +209,12 @@ std::vector<ChainResult> ChainAnalysis::defaults() const {
 }
 
 std::vector<ChainResult> ChainAnalysis::oldest_inputs() const {
-  std::vector<std::vector<std::size_t>> terminals(model_.devices.size());  // per root
-  for (std::size_t d = 0; d < model_.devices.size(); ++d) {
+  Table<Rank, std::vector<Rank>> terminals(model_.devices.size());  // of roots
+  for (const Rank d : model_.devices.ids()) {
     if (model_.devices[d].takes_command && model_.devices[d].parent) terminals[topology_.root_of[d]].push_back(d);
   }
   std::vector<ChainResult> results;
-  for (const std::size_t root : topology_.roots) {
+  for (const Rank root : topology_.roots) {
     for (ChainResult& r : worst_of_all(terminals[root])) results.push_back(r);
   }
   return results;

@@ -8,7 +8,7 @@ namespace finemote::gen::timing {
 
 /// A chain `from -> to`: the sample `from` reads, up to the root of the tree of `to`, and down to the output of `to`.
 struct ChainResult {
-  std::size_t from = 0, to = 0;
+  Rank from, to;
   std::optional<Ns> acquire_ns;  ///< sample to begin of update(from)
   std::optional<Ns> decide_ns;   ///< begin of update(from) to end of handle(to)
   std::optional<Ns> wire_ns;     ///< end of handle(to) to the last bit
@@ -30,10 +30,10 @@ class ChainAnalysis {
   ChainAnalysis& operator=(const ChainAnalysis&) = delete;
 
   /// Whether data of `from` reaches commands of `to`.
-  [[nodiscard]] bool connected(std::size_t from, std::size_t to) const { return reach_.connected(from, to); }
+  [[nodiscard]] bool connected(Rank from, Rank to) const { return reach_.connected(from, to); }
 
   /// Requires connected(from, to). Throws Overflow, TooLong.
-  [[nodiscard]] ChainResult bound(std::size_t from, std::size_t to) const;
+  [[nodiscard]] ChainResult bound(Rank from, Rank to) const;
 
   /// For every leaf that takes a command (every root where its tree has none): the chain from the oldest data its
   /// command can rest on, of all sources whose data reach it, over `reads` edges too. A source has no children, or
@@ -45,16 +45,16 @@ class ChainAnalysis {
   [[nodiscard]] std::vector<ChainResult> oldest_inputs() const;
 
  private:
-  [[nodiscard]] ChainResult complete(std::size_t from, std::size_t to, const Decision& decision) const;
-  [[nodiscard]] std::vector<ChainResult> worst_of_pairs(const std::vector<std::size_t>& sources,
-                                                        const std::vector<std::size_t>& terminals) const;
-  [[nodiscard]] std::vector<ChainResult> worst_of_groups(std::size_t root, const std::vector<std::size_t>& leaves,
-                                                         const std::vector<std::size_t>& terminals) const;
-  [[nodiscard]] std::vector<ChainResult> worst_of(const std::vector<std::size_t>& sources,
-                                                  const std::vector<std::size_t>& terminals) const;
-  [[nodiscard]] std::vector<ChainResult> worst_of_all(const std::vector<std::size_t>& terminals) const;
-  [[nodiscard]] Ns repetition(const std::vector<std::size_t>& devices) const;
-  [[nodiscard]] bool is_assumed(std::size_t from, std::size_t to) const;
+  [[nodiscard]] ChainResult complete(Rank from, Rank to, const Decision& decision) const;
+  [[nodiscard]] std::vector<ChainResult> worst_of_pairs(const std::vector<Rank>& sources,
+                                                        const std::vector<Rank>& terminals) const;
+  [[nodiscard]] std::vector<ChainResult> worst_of_groups(Rank root, const std::vector<Rank>& leaves,
+                                                         const std::vector<Rank>& terminals) const;
+  [[nodiscard]] std::vector<ChainResult> worst_of(const std::vector<Rank>& sources,
+                                                  const std::vector<Rank>& terminals) const;
+  [[nodiscard]] std::vector<ChainResult> worst_of_all(const std::vector<Rank>& terminals) const;
+  [[nodiscard]] Ns repetition(const std::vector<Rank>& devices) const;
+  [[nodiscard]] bool is_assumed(Rank from, Rank to) const;
 
   const Model& model_;
   const Topology& topology_;
@@ -64,8 +64,8 @@ class ChainAnalysis {
   std::size_t most_pairs_;
   Reach reach_;
   DecisionAnalysis decisions_;
-  std::vector<std::optional<Ns>> acquire_;  ///< per device
-  Ns assumed_from_ = kNever;                ///< shortest period of a device whose execution times are assumed
+  Table<Rank, std::optional<Ns>> acquire_;
+  Ns assumed_from_ = kNever;  ///< shortest period of a device whose execution times are assumed
 };
 
 }  // namespace finemote::gen::timing

@@ -15,7 +15,7 @@ std::optional<Model> change_periods(Model model, const std::vector<Change>& chan
   for (const Change& change : changes) {
     if (change.kind == Change::Kind::rate || change.kind == Change::Kind::bus) return std::nullopt;
     if (change.kind != Change::Kind::period) continue;
-    for (const std::size_t d : change.devices) model.devices[d].period_ns = change.value;
+    for (const Rank d : change.devices) model.devices[d].period_ns = change.value;
   }
   if (!keeps_outputs_together(before, model)) return std::nullopt;
   for (Flush& flush : model.flushes) {
@@ -36,7 +36,7 @@ void change_work(Model& model, const std::vector<Change>& changes) {
   const auto scale = [](Ns& time, Ns permille) { time = time / 1000 * permille + time % 1000 * permille / 1000; };
   for (const Change& change : changes) {
     if (change.kind != Change::Kind::work) continue;
-    for (const std::size_t d : change.devices) {
+    for (const Rank d : change.devices) {
       Device& device = model.devices[d];
       scale(device.update_wcet_ns, change.value);
       scale(device.handle_wcet_ns, change.value);
@@ -48,7 +48,7 @@ void change_work(Model& model, const std::vector<Change>& changes) {
 
 bool keeps_outputs_together(const Model& before, const Model& after) {
   return std::all_of(before.flushes.begin(), before.flushes.end(), [&](const Flush& flush) {
-    return std::all_of(flush.devices.begin(), flush.devices.end(), [&](std::size_t d) {
+    return std::all_of(flush.devices.begin(), flush.devices.end(), [&](Rank d) {
       return after.devices[d].period_ns == after.devices[flush.devices.front()].period_ns;
     });
   });

@@ -18,8 +18,8 @@ struct Change {
     work,    ///< update and handle of `devices` take `value` thousandths of what they take, rounded down
   };
   Kind kind = Kind::period;
-  std::vector<std::size_t> devices = {};  ///< indices into Model::devices
-  std::size_t bus = 0;                    ///< index into Model::buses
+  std::vector<Rank> devices = {};
+  BusPlace bus = {};
   Ns value = 0;
 };
 

@@ -7,14 +7,14 @@ namespace finemote::gen::timing {
 void check_cycles(const Model& model, Diagnostics& diagnostics) {
   enum class Mark : char { fresh, open, done };
   const std::size_t count = model.devices.size();
-  std::vector<std::vector<std::size_t>> producers(count);
-  for (std::size_t d = 0; d < count; ++d) {
+  Table<Rank, std::vector<Rank>> producers(count);
+  for (const Rank d : model.devices.ids()) {
     if (const auto parent = model.devices[d].parent) producers[*parent].push_back(d);
-    for (const std::size_t observed : model.devices[d].reads) producers[d].push_back(observed);
+    for (const Rank observed : model.devices[d].reads) producers[d].push_back(observed);
   }
-  std::vector<Mark> mark(count, Mark::fresh);
-  std::vector<std::pair<std::size_t, std::size_t>> stack;
-  for (std::size_t start = 0; start < count; ++start) {
+  Table<Rank, Mark> mark(count, Mark::fresh);
+  std::vector<std::pair<Rank, std::size_t>> stack;
+  for (const Rank start : model.devices.ids()) {
     if (mark[start] != Mark::fresh) continue;
     stack.assign(1, {start, 0});
     mark[start] = Mark::open;
@@ -25,7 +25,7 @@ void check_cycles(const Model& model, Diagnostics& diagnostics) {
         stack.pop_back();
         continue;
       }
-      const std::size_t producer = producers[device][next++];
+      const Rank producer = producers[device][next++];
       if (mark[producer] == Mark::open) {
         const Device& d = model.devices[device];
         diagnostics.error(code::timing_cycle, d.at, fmt::format("device '{}' reads data made from its own", d.name));

@@ -12,9 +12,9 @@ constexpr Ns kMostEntries = 1'000'000;
 
 /// The devices of a chain: down from the root to the terminal, and everything between the source and the root.
 struct DecisionAnalysis::Route {
-  std::size_t from = 0, to = 0;
-  std::vector<std::size_t> down;                    ///< root first, terminal last
-  std::vector<std::size_t> up;                      ///< root first, source last; every producer after its consumers
+  Rank from, to;
+  std::vector<Rank> down;                           ///< root first, terminal last
+  std::vector<Rank> up;                             ///< root first, source last; every producer after its consumers
   std::vector<std::vector<std::size_t>> consumers;  ///< per entry of `up`: places in `up`
   bool through_reads = false;
 };
@@ -41,40 +41,40 @@ DecisionAnalysis::DecisionAnalysis(const Model& model, const Topology& topology,
 /// Of every device of a tree that was walked, unless closed forms stand in, and unless other ways lead through reads.
 void DecisionAnalysis::find_hand_overs() {
   hand_over_.resize(model_.devices.size());
-  for (const std::size_t root : topology_.roots) {
+  for (const Rank root : topology_.roots) {
     const auto* groups = reach_.reads_in_tree_of(root) ? nullptr : profile_.hand_overs->walked(root);
     if (groups == nullptr) continue;
     for (const HandOverGroup& group : *groups) {
-      for (const std::size_t d : group.devices) hand_over_[d] = group.exact;
+      for (const Rank d : group.devices) hand_over_[d] = group.exact;
     }
   }
 }
 
-DecisionAnalysis::Route DecisionAnalysis::route(std::size_t from, std::size_t to) const {
+DecisionAnalysis::Route DecisionAnalysis::route(Rank from, Rank to) const {
   Route r{from, to, {to}, {}, {}, false};
   while (model_.devices[r.down.back()].parent) r.down.push_back(*model_.devices[r.down.back()].parent);
   std::reverse(r.down.begin(), r.down.end());
-  const std::size_t root = r.down.front();
+  const Rank root = r.down.front();
   // Depth first from the source; a device is finished after all its consumers, and kept when the root is above it.
-  std::map<std::size_t, bool> reaches;
-  std::vector<std::pair<std::size_t, std::size_t>> stack{{from, 0}};
+  std::map<Rank, bool> reaches;
+  std::vector<std::pair<Rank, std::size_t>> stack{{from, 0}};
   while (!stack.empty()) {
     auto& [device, next] = stack.back();
     if (device == root || next == reach_.consumers(device).size()) {
       bool good = device == root;
-      for (const std::size_t c : reach_.consumers(device)) good |= device != root && reaches[c];
+      for (const Rank c : reach_.consumers(device)) good |= device != root && reaches[c];
       reaches[device] = good;
       if (good) r.up.push_back(device);
       stack.pop_back();
       continue;
     }
-    const std::size_t consumer = reach_.consumers(device)[next++];
+    const Rank consumer = reach_.consumers(device)[next++];
     if (!reaches.contains(consumer)) stack.emplace_back(consumer, 0);
   }
-  std::map<std::size_t, std::size_t> place;
-  for (const std::size_t device : r.up) {
+  std::map<Rank, std::size_t> place;
+  for (const Rank device : r.up) {
     auto& list = r.consumers.emplace_back();
-    for (const std::size_t c : reach_.consumers(device)) {
+    for (const Rank c : reach_.consumers(device)) {
       if (device == root || !place.contains(c)) continue;
       list.push_back(place[c]);
       r.through_reads |= model_.devices[device].parent != c;
@@ -85,7 +85,7 @@ DecisionAnalysis::Route DecisionAnalysis::route(std::size_t from, std::size_t to
 }
 
 /// First release of `consumer` whose handle() sees what the release of `producer` decided.
-Ns DecisionAnalysis::hand_down(Ns release, std::size_t producer, std::size_t consumer) const {
+Ns DecisionAnalysis::hand_down(Ns release, Rank producer, Rank consumer) const {
   const Ns period = model_.devices[consumer].period_ns;
   Ns ready = release;
   if (model_.devices[producer].period_ns > period) {
@@ -95,7 +95,7 @@ Ns DecisionAnalysis::hand_down(Ns release, std::size_t producer, std::size_t con
 }
 
 /// Release of `producer` whose state the release of `consumer` uses at `use`, or an older one.
-Ns DecisionAnalysis::used(Ns use, std::size_t producer, std::size_t consumer) const {
+Ns DecisionAnalysis::used(Ns use, Rank producer, Rank consumer) const {
   const Ns period = model_.devices[producer].period_ns;
   const Ns release = round_down(use, period);
   if (period == model_.devices[consumer].period_ns) return producer < consumer ? release : release - period;
@@ -105,7 +105,7 @@ Ns DecisionAnalysis::used(Ns use, std::size_t producer, std::size_t consumer) co
 }
 
 /// Begin of update(from) to end of handle(to) in one job: W of analysis-cases/README.md for two devices of a bucket.
-Ns DecisionAnalysis::pair_window(std::size_t from, std::size_t to, Ns release) const {
+Ns DecisionAnalysis::pair_window(Rank from, Rank to, Ns release) const {
   const TaskSet& set = profile_.set;
   const std::size_t w = set.bucket_of[to];
   const Ns response = profile_.table.r_minus(to, release);
@@ -126,7 +126,7 @@ Ns DecisionAnalysis::pair_window(std::size_t from, std::size_t to, Ns release) c
 }
 
 /// The same maximum from what the latency analysis walked; kNone where it repeats too late.
-Ns DecisionAnalysis::join_hand_overs(std::size_t from, std::size_t to) const {
+Ns DecisionAnalysis::join_hand_overs(Rank from, Rank to) const {
   const Staircase &down = *hand_over_[to]->down, &up = *hand_over_[from]->up;
   const ReleaseTable& table = profile_.table;
   const Ns length = lcm(down.length, up.length);
@@ -185,7 +185,7 @@ Ns DecisionAnalysis::walk(const Route& r, Ns entries) const {
 
 /// Per edge the largest age data can have, T_producer - g + g ceil(r/g); over several routes the largest sum.
 Ns DecisionAnalysis::closed_form(const Route& r) const {
-  const auto hop = [&](std::size_t producer, std::size_t consumer, Ns response) {
+  const auto hop = [&](Rank producer, Rank consumer, Ns response) {
     const Ns from = model_.devices[producer].period_ns, to = model_.devices[consumer].period_ns;
     if (from == to) return producer < consumer || response == kNone ? Ns{0} : from;
     const Ns common = std::gcd(from, to);
@@ -194,7 +194,7 @@ Ns DecisionAnalysis::closed_form(const Route& r) const {
   };
   Ns age = 0;
   for (std::size_t k = 1; k < r.down.size(); ++k) {
-    const std::size_t producer = r.down[k - 1];
+    const Rank producer = r.down[k - 1];
     const bool same = model_.devices[producer].period_ns == model_.devices[r.down[k]].period_ns;
     if (!same) age = add(age, hop(producer, r.down[k], profile_.responses.r_minus[producer]));
   }
@@ -207,7 +207,7 @@ Ns DecisionAnalysis::closed_form(const Route& r) const {
   return add(add(age, oldest.back()), profile_.responses.r_minus[r.to]);
 }
 
-Decision DecisionAnalysis::decide(std::size_t from, std::size_t to) const {
+Decision DecisionAnalysis::decide(Rank from, Rank to) const {
   Decision result;
   if (hand_over_[from] && hand_over_[to] && topology_.root_of[from] == topology_.root_of[to]) {
     const Ns age = join_hand_overs(from, to);
@@ -217,7 +217,7 @@ Decision DecisionAnalysis::decide(std::size_t from, std::size_t to) const {
   result.through_reads = r.through_reads;
   Ns common = 1;
   for (const auto* devices : {&r.down, &r.up}) {
-    for (const std::size_t d : *devices) {
+    for (const Rank d : *devices) {
       if (!profile_.responses.ok(profile_.set.bucket_of[d])) return result;
       common = lcm(common, profile_.table.repeat(d));
     }

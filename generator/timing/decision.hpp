@@ -20,27 +20,27 @@ class DecisionAnalysis {
                    Effort& effort);
 
   /// Requires that data of `from` reaches commands of `to`. Throws Overflow, TooLong.
-  [[nodiscard]] Decision decide(std::size_t from, std::size_t to) const;
+  [[nodiscard]] Decision decide(Rank from, Rank to) const;
 
  private:
   struct Route;
 
   void find_hand_overs();
-  [[nodiscard]] Route route(std::size_t from, std::size_t to) const;
-  [[nodiscard]] Ns join_hand_overs(std::size_t from, std::size_t to) const;
+  [[nodiscard]] Route route(Rank from, Rank to) const;
+  [[nodiscard]] Ns join_hand_overs(Rank from, Rank to) const;
   [[nodiscard]] Ns walk(const Route& route, Ns entries) const;
   [[nodiscard]] Ns closed_form(const Route& route) const;
-  [[nodiscard]] Ns hand_down(Ns release, std::size_t producer, std::size_t consumer) const;
-  [[nodiscard]] Ns used(Ns use, std::size_t producer, std::size_t consumer) const;
-  [[nodiscard]] Ns pair_window(std::size_t from, std::size_t to, Ns release) const;
+  [[nodiscard]] Ns hand_down(Ns release, Rank producer, Rank consumer) const;
+  [[nodiscard]] Ns used(Ns use, Rank producer, Rank consumer) const;
+  [[nodiscard]] Ns pair_window(Rank from, Rank to, Ns release) const;
 
   const Model& model_;
   const Topology& topology_;
   const Reach& reach_;
   const ProfileAnalysis& profile_;
   Effort& effort_;
-  std::vector<Ns> updates_from_, handles_from_;  ///< per device: stages of it and of later devices of its bucket
-  std::vector<std::shared_ptr<const HandOver>> hand_over_;  ///< per device; null: not known
+  Table<Rank, Ns> updates_from_, handles_from_;             ///< stages of it and of later devices of its bucket
+  Table<Rank, std::shared_ptr<const HandOver>> hand_over_;  ///< null: not known
 };
 
 }  // namespace finemote::gen::timing

@@ -12,7 +12,7 @@ constexpr double kGoodBusLoad = 0.7;  ///< what hints aim at: that of lint
 
 /// What makes room on a bus: a faster rate, or fewer messages of ours. What the parts send by themselves is not up to
 /// this file.
-void add_room_hints(const Timing& timing, std::size_t bus, Trials& trials, Diagnostic& finding) {
+void add_room_hints(const Timing& timing, BusPlace bus, Trials& trials, Diagnostic& finding) {
   const Goal goal{[bus](const Timing& t) { return t.bus_loads[bus].utilization; }, kGoodBusLoad};
   const std::vector<Family> families{
       longer_periods(timing.model, periodic_users(timing.model, bus), "what sends on it"),
@@ -27,7 +27,7 @@ void add_room_hints(const Timing& timing, std::size_t bus, Trials& trials, Diagn
 }  // namespace
 
 void report_bus_overloads(const Timing& timing, Trials& trials, Diagnostics& diagnostics) {
-  for (std::size_t b = 0; b < timing.bus_loads.size(); ++b) {
+  for (const BusPlace b : timing.bus_loads.ids()) {
     const double load = timing.bus_loads[b].utilization;
     if (load <= 1) continue;
     Diagnostic& finding = diagnostics.warning(code::timing_bus_overload, timing.model.buses[b].at,

@@ -39,7 +39,7 @@ class ChainExplainer {
  private:
   static std::string text(std::optional<Ns> ns) { return ns ? readable_duration(*ns) : "without bound"; }
 
-  void explain_unbounded(const char* part, std::optional<std::size_t> bus) {
+  void explain_unbounded(const char* part, std::optional<BusPlace> bus) {
     if (!bus) return;
     finding_.note(
         fmt::format("{}: on bus '{}' a message may still wait when the next one is due; the bus needs {} "
@@ -72,10 +72,10 @@ class ChainExplainer {
       finding_.note("decide has no bound: devices on the way may miss their deadline");
       return;
     }
-    const std::vector<std::size_t> way = devices_between(model_, chain_);
-    const auto period = [&](std::size_t d) { return model_.devices[d].period_ns; };
-    const auto [fastest, slowest] = std::minmax_element(
-        way.begin(), way.end(), [&](std::size_t a, std::size_t b) { return period(a) < period(b); });
+    const std::vector<Rank> way = devices_between(model_, chain_);
+    const auto period = [&](Rank d) { return model_.devices[d].period_ns; };
+    const auto [fastest, slowest] =
+        std::minmax_element(way.begin(), way.end(), [&](Rank a, Rank b) { return period(a) < period(b); });
     if (*chain_.decide_ns >= period(*fastest)) {  // waiting for the next job, more than working
       finding_.note(fmt::format("{}'{}' runs every {}, the slowest on the way", decide, model_.devices[*slowest].name,
                                 readable_duration(period(*slowest))));
@@ -86,10 +86,10 @@ class ChainExplainer {
                               readable_duration(period(*slowest)), device.name,
                               readable_duration(device.update_wcet_ns), readable_duration(device.handle_wcet_ns)));
   }
-  [[nodiscard]] std::size_t busiest_within(Ns period) const {
-    std::size_t busiest = chain_.from;
+  [[nodiscard]] Rank busiest_within(Ns period) const {
+    Rank busiest = chain_.from;
     Ns most = -1;
-    for (std::size_t d = 0; d < model_.devices.size(); ++d) {
+    for (const Rank d : model_.devices.ids()) {
       const Device& device = model_.devices[d];
       if (device.period_ns > period || add(device.update_wcet_ns, device.handle_wcet_ns) <= most) continue;
       most = add(device.update_wcet_ns, device.handle_wcet_ns);

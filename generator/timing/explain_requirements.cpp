@@ -129,16 +129,16 @@ class RequirementFamilies {
  private:
   void add(Family family) { list_.push_back(std::move(family)); }
 
-  [[nodiscard]] std::string names(const std::vector<std::size_t>& devices) const {
+  [[nodiscard]] std::string names(const std::vector<Rank>& devices) const {
     return quoted_names(model_, devices, kMostNamed);
   }
 
   /// These devices, and what shares an output with them.
-  [[nodiscard]] std::vector<std::size_t> with_their_outputs(std::vector<std::size_t> devices) const {
-    const auto has = [&](std::size_t d) { return std::find(devices.begin(), devices.end(), d) != devices.end(); };
+  [[nodiscard]] std::vector<Rank> with_their_outputs(std::vector<Rank> devices) const {
+    const auto has = [&](Rank d) { return std::find(devices.begin(), devices.end(), d) != devices.end(); };
     for (const Flush& flush : model_.flushes) {
       if (!std::any_of(flush.devices.begin(), flush.devices.end(), has)) continue;
-      for (const std::size_t d : flush.devices) {
+      for (const Rank d : flush.devices) {
         if (!has(d)) devices.push_back(d);
       }
     }
@@ -147,13 +147,13 @@ class RequirementFamilies {
   }
 
   void add_chain(const ChainResult& chain) {
-    std::vector<std::size_t> way = devices_between(model_, chain);
+    std::vector<Rank> way = devices_between(model_, chain);
     std::sort(way.begin(), way.end());
     way.erase(std::unique(way.begin(), way.end()), way.end());
     Ns slowest = 0;
-    for (const std::size_t d : way) slowest = std::max(slowest, model_.devices[d].period_ns);
-    std::vector<std::size_t> slow;
-    for (const std::size_t d : way) {
+    for (const Rank d : way) slowest = std::max(slowest, model_.devices[d].period_ns);
+    std::vector<Rank> slow;
+    for (const Rank d : way) {
       if (model_.devices[d].period_ns == slowest) slow.push_back(d);
     }
     slow = with_their_outputs(slow);
@@ -170,20 +170,20 @@ class RequirementFamilies {
   }
 
   /// Longer periods of the buckets that `spared` are not in, slower buses, and less work of the busiest device.
-  void add_less_load(const std::vector<std::size_t>& spared) {
+  void add_less_load(const std::vector<Rank>& spared) {
     for (const BucketResult& bucket : timing_.verdict().buckets) {
-      const bool is_spared = std::any_of(
-          spared.begin(), spared.end(), [&](std::size_t d) { return model_.devices[d].period_ns == bucket.period_ns; });
+      const bool is_spared = std::any_of(spared.begin(), spared.end(),
+                                         [&](Rank d) { return model_.devices[d].period_ns == bucket.period_ns; });
       if (is_spared) continue;
       add(longer_periods(model_, bucket.devices, bucket_text(bucket.period_ns)));
     }
-    for (std::size_t b = 0; b < model_.buses.size(); ++b) add(slower_rates(model_, b));
-    std::size_t busiest = 0;
-    const auto load = [&](std::size_t d) {
+    for (const BusPlace b : model_.buses.ids()) add(slower_rates(model_, b));
+    Rank busiest;
+    const auto load = [&](Rank d) {
       const Device& device = model_.devices[d];
       return ratio(gen::add(device.update_wcet_ns, device.handle_wcet_ns), device.period_ns);
     };
-    for (std::size_t d = 1; d < model_.devices.size(); ++d) {
+    for (const Rank d : model_.devices.ids()) {
       if (load(d) > load(busiest)) busiest = d;
     }
     add(less_work(model_, {busiest}, names({busiest})));

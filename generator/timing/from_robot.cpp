@@ -67,7 +67,7 @@ void add_roles(const Robot& robot, const Forest& forest, const gen::Device& devi
   if (device.parent && device.role) out.role = robot.devices[*device.parent].type->roles[*device.role].name;
   if (device.type == nullptr) return;
   const auto note = [&](DeviceId producer, std::size_t role) {
-    if (!device.type->roles[role].passes) out.ends_here.push_back(forest.rank[producer].value());
+    if (!device.type->roles[role].passes) out.ends_here.push_back(forest.rank[producer]);
   };
   for (const DeviceId child : device.children) {
     if (robot.devices[child].role) note(child, *robot.devices[child].role);
@@ -81,7 +81,7 @@ Device make_device(const Robot& robot, const Forest& forest, const gen::Device& 
   Device out;
   out.name = device.name.text;
   out.at = device.at;
-  if (device.parent) out.parent = forest.rank[*device.parent].value();
+  if (device.parent) out.parent = forest.rank[*device.parent];
   out.period_ns = device.period_ns;
   out.update_wcet_ns = device.wcet.update_ns;
   out.handle_wcet_ns = device.wcet.handle_ns;
@@ -92,7 +92,7 @@ Device make_device(const Robot& robot, const Forest& forest, const gen::Device& 
   if (options.monitor) out.handle_extra_ns = costs_of(robot).monitor_handle_ns.value_or(kMonitorGuess);
   out.takes_command = device.type != nullptr && device.type->has_command();
   out.actuator = device.type != nullptr && device.type->actuator;
-  for (const Read& r : device.reads) out.reads.push_back(forest.rank[r.device].value());
+  for (const Read& r : device.reads) out.reads.push_back(forest.rank[r.device]);
   add_roles(robot, forest, device, out);
   out.acquisition = acquisition_of(device);
   return out;
@@ -103,8 +103,8 @@ void add_crossings(const Robot& robot, const Forest& forest, const Schedule& sch
   const gen::Costs& costs = costs_of(robot);
   const Ns copy = costs.latch_ns + kCrossingWords * costs.latch_per_word_ns;
   for (const Crossing& c : schedule.crossings) {
-    Device& producer = model.devices[forest.rank[c.producer].value()];
-    Device& consumer = model.devices[forest.rank[c.consumer].value()];
+    Device& producer = model.devices[forest.rank[c.producer]];
+    Device& consumer = model.devices[forest.rank[c.consumer]];
     const bool state = c.direction == Crossing::Direction::state;
     if (c.kind != Crossing::Kind::copy) (state ? producer.update_extra_ns : producer.handle_extra_ns) += copy;
     (state ? consumer.update_extra_ns : consumer.handle_extra_ns) += copy;
@@ -138,8 +138,7 @@ Model make_timing_model(const Robot& robot, const Forest& forest, const Schedule
   Traffic traffic(robot, places, model);
   for (const DeviceId id : forest.order) {
     const gen::Device& device = robot.devices[id];
-    const std::size_t place = model.devices.size();
-    model.devices.push_back(make_device(robot, forest, device, options));
+    const Rank place = model.devices.push_back(make_device(robot, forest, device, options));
     if (device.type != nullptr) traffic.add_device(device, place);
   }
   add_crossings(robot, forest, schedule, model);
@@ -155,8 +154,8 @@ std::vector<Requirement> timing_requirements(const Robot& robot, const Forest& f
     Requirement out;
     out.kind = kind_of(r.kind);
     out.text = r.text;
-    for (const DeviceId d : r.from) out.from.push_back(forest.rank[d].value());
-    for (const DeviceId d : r.to) out.to.push_back(forest.rank[d].value());
+    for (const DeviceId d : r.from) out.from.push_back(forest.rank[d]);
+    for (const DeviceId d : r.to) out.to.push_back(forest.rank[d]);
     if (r.bus) out.bus = places.of(*r.bus);
     out.max_ns = r.max_ns;
     out.max_fraction = r.max_fraction;

@@ -40,7 +40,7 @@ ClosedForm one_edge_below(const ClosedForm& above, Ns parent_period, Ns period, 
 /// Devices of one period that share a hand-over.
 struct HandOverGroup {
   Ns period = 1;
-  std::vector<std::size_t> devices;
+  std::vector<Rank> devices;
   std::shared_ptr<const HandOver> exact;  ///< null: only `closed` is known
   ClosedForm closed;                      ///< only without `exact`
 };

@@ -69,7 +69,7 @@ void HandOverStore::forget() {
   is_whole_ = false;
 }
 
-const std::vector<HandOverGroup>* HandOverStore::walked(std::size_t root) const {
+const std::vector<HandOverGroup>* HandOverStore::walked(Rank root) const {
   const auto found = walked_.find(root);
   return found == walked_.end() ? nullptr : &found->second;
 }
@@ -78,7 +78,7 @@ void HandOverStore::add(HandOverGroup group) {
   if (is_whole_) tree_.push_back(std::move(group));
 }
 
-void HandOverStore::end_tree(std::size_t root) {
+void HandOverStore::end_tree(Rank root) {
   if (is_whole_) walked_[root] = std::move(tree_);
   tree_.clear();
 }

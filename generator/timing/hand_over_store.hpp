@@ -48,10 +48,10 @@ class HandOverStore {
   bool make_room(Ns steps);
 
   /// The groups of a tree that was walked to its end, in the order of that walk; null when not known.
-  [[nodiscard]] const std::vector<HandOverGroup>* walked(std::size_t root) const;
+  [[nodiscard]] const std::vector<HandOverGroup>* walked(Rank root) const;
   void begin_tree() { tree_.clear(), is_whole_ = true; }
   void add(HandOverGroup group);
-  void end_tree(std::size_t root);
+  void end_tree(Rank root);
 
  private:
   static constexpr Ns kMostLive = Ns{1} << 23;  ///< steps alive at one time
@@ -66,8 +66,8 @@ class HandOverStore {
 
   std::shared_ptr<Ns> live_ = std::make_shared<Ns>(0);
   std::unordered_set<std::shared_ptr<const Staircase>, Hash, SameSteps> small_;
-  std::map<std::size_t, std::vector<HandOverGroup>> walked_;  ///< by root
-  std::vector<HandOverGroup> tree_;                           ///< of the walk that is going on
+  std::map<Rank, std::vector<HandOverGroup>> walked_;  ///< by root
+  std::vector<HandOverGroup> tree_;                    ///< of the walk that is going on
   bool is_whole_ = true;
 };
 

@@ -1,7 +1,6 @@
 // How far a model is from its limits, and how another registration order would do.
 #include <algorithm>
 #include <functional>
-#include <numeric>
 #include <tuple>
 
 #include "generator/timing/analyse.hpp"
@@ -23,10 +22,10 @@ bool is_schedulable(const Model& model, Profile profile) {
 /// Rounded up: a time that still fits fits exactly.
 Ns scaled(Ns time, Ns permille) { return ceil_div(multiply(time, permille), 1000); }
 
-bool survives(const Model& model, Profile profile, std::optional<std::size_t> only, Ns permille) {
+bool survives(const Model& model, Profile profile, std::optional<Rank> only, Ns permille) {
   Model trial = model;
   try {
-    for (std::size_t d = 0; d < trial.devices.size(); ++d) {
+    for (const Rank d : trial.devices.ids()) {
       if (only && *only != d) continue;
       Device& device = trial.devices[d];
       device.update_wcet_ns = scaled(device.update_wcet_ns, permille);
@@ -70,16 +69,17 @@ Score score(const Model& model, Profile profile) {
 
 /// A forest as nested lists of siblings; the order of registration is depth first, parents last.
 struct Siblings {
-  std::vector<std::vector<std::size_t>> lists;  ///< children of every device, and the roots as the last list
+  Table<Rank, std::vector<Rank>> lists;  ///< children of every device, and the roots as the last list
 };
 
-std::vector<std::size_t> registration(const Siblings& siblings) {
-  std::vector<std::size_t> order, stack(siblings.lists.back().begin(), siblings.lists.back().end());
+Order registration(const Siblings& siblings) {
+  Order order;
+  std::vector<Rank> stack = siblings.lists.back();
   while (!stack.empty()) {  // parents first and from behind, then the whole sequence reversed
-    const std::size_t device = stack.back();
+    const Rank device = stack.back();
     stack.pop_back();
     order.push_back(device);
-    for (const std::size_t child : siblings.lists[device]) stack.push_back(child);
+    for (const Rank child : siblings.lists[device]) stack.push_back(child);
   }
   std::reverse(order.begin(), order.end());
   return order;
@@ -93,7 +93,7 @@ int most_trials(std::size_t devices) {
 
 }  // namespace
 
-Ns slack_permille(const Model& model, Profile profile, std::optional<std::size_t> only) {
+Ns slack_permille(const Model& model, Profile profile, std::optional<Rank> only) {
   if (!survives(model, profile, only, 0)) return 0;
   Ns good = 0, bad = 1000;
   while (bad < kMostSlack && survives(model, profile, only, bad)) good = bad, bad *= 2;
@@ -105,15 +105,15 @@ Ns slack_permille(const Model& model, Profile profile, std::optional<std::size_t
   return good;
 }
 
-Model reorder(const Model& model, const std::vector<std::size_t>& order) {
-  std::vector<std::size_t> place(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+Model reorder(const Model& model, const Order& order) {
+  Table<Rank, Rank> place(order.size());
+  for (const Rank i : place.ids()) place[order[i]] = i;
   Model result = model;
-  for (std::size_t i = 0; i < order.size(); ++i) {
+  for (const Rank i : place.ids()) {
     Device& d = result.devices[i] = model.devices[order[i]];
     if (d.parent) d.parent = place[*d.parent];
-    for (std::size_t& read : d.reads) read = place[read];
-    for (std::size_t& end : d.ends_here) end = place[end];
+    for (Rank& read : d.reads) read = place[read];
+    for (Rank& end : d.ends_here) end = place[end];
   }
   for (Bus& bus : result.buses) {
     if (!bus.sources) continue;
@@ -122,25 +122,25 @@ Model reorder(const Model& model, const std::vector<std::size_t>& order) {
     }
   }
   for (Flush& flush : result.flushes) {
-    for (std::size_t& d : flush.devices) d = place[d];
+    for (Rank& d : flush.devices) d = place[d];
   }
   return result;
 }
 
-std::vector<std::size_t> suggest_order(const Model& model, Profile profile) {
+Order suggest_order(const Model& model, Profile profile) {
   Siblings siblings;
   siblings.lists.resize(model.devices.size() + 1);
-  for (std::size_t d = 0; d < model.devices.size(); ++d) {
-    siblings.lists[model.devices[d].parent.value_or(model.devices.size())].push_back(d);
+  for (const Rank d : model.devices.ids()) {
+    siblings.lists[model.devices[d].parent.value_or(model.devices.next_id())].push_back(d);
   }
-  std::vector<std::size_t> best(model.devices.size());
-  std::iota(best.begin(), best.end(), std::size_t{0});
+  Order best;
+  for (const Rank d : model.devices.ids()) best.push_back(d);
   Score best_score = score(model, profile);
   int trials = 0;
   const int most = most_trials(model.devices.size());
   const auto try_order = [&] {
     ++trials;
-    std::vector<std::size_t> order = registration(siblings);
+    Order order = registration(siblings);
     const Score s = score(reorder(model, order), profile);
     if (!(s < best_score)) return false;
     best_score = s;

@@ -7,7 +7,7 @@ namespace {
 
 Json number(const std::optional<Ns>& value) { return value ? Json(*value) : Json(nullptr); }
 
-Json name_of(const Model& model, std::optional<std::size_t> device) {
+Json name_of(const Model& model, std::optional<Rank> device) {
   return device ? Json(model.devices[*device].name) : Json(nullptr);
 }
 
@@ -84,7 +84,7 @@ Json device_json(const Model& model, const Device& d) {
   add_if(out, "handle_extra_ns", d.handle_extra_ns);
   add_if(out, "output_ns", d.output_ns);
   if (!d.takes_command) out["takes_command"] = false;
-  for (const std::size_t r : d.reads) out["reads"].push_back(model.devices[r].name);
+  for (const Rank r : d.reads) out["reads"].push_back(model.devices[r].name);
   if (d.acquisition) {
     Json& a = out["acquisition"] = Json{{"fixed_ns", d.acquisition->fixed_ns}};
     add_if(a, "interval_ns", d.acquisition->interval_ns);
@@ -104,13 +104,13 @@ Json flush_json(const Model& model, const Flush& f) {
   if (f.interrupts != 1) out["interrupts"] = f.interrupts;
   if (!f.identifiers.empty()) out["identifiers"] = f.identifiers;
   if (!f.output.empty()) out["output"] = f.output;
-  for (const std::size_t d : f.devices) out["devices"].push_back(model.devices[d].name);
+  for (const Rank d : f.devices) out["devices"].push_back(model.devices[d].name);
   return out;
 }
 
 Json bucket_json(const Model& model, const BucketResult& bucket) {
   Json devices = Json::array();
-  for (const std::size_t d : bucket.devices) devices.push_back(model.devices[d].name);
+  for (const Rank d : bucket.devices) devices.push_back(model.devices[d].name);
   return {{"period_ns", bucket.period_ns},
           {"wcet_ns", bucket.wcet_ns},
           {"devices", std::move(devices)},
@@ -245,7 +245,7 @@ Json profile_json(const Model& model, const ProfileResult& result) {
   Json& buckets = out["buckets"] = Json::array();
   for (const BucketResult& b : result.buckets) buckets.push_back(bucket_json(model, b));
   Json& devices = out["devices"] = Json::array();
-  for (std::size_t d = 0; d < result.devices.size(); ++d) {
+  for (const Rank d : result.devices.ids()) {
     devices.push_back(device_result_json(model.devices[d], result.devices[d], result.profile));
   }
   Json& trees = out["trees"] = Json::array();
@@ -272,13 +272,13 @@ Json timing_json(const Timing& timing) {
   Json& requirements = out["requirements"] = Json::array();
   for (const RequirementResult& r : timing.requirements) requirements.push_back(requirement_json(r));
   Json& loads = out["bus_load"] = Json::array();
-  for (std::size_t b = 0; b < timing.bus_loads.size(); ++b) {
+  for (const BusPlace b : timing.bus_loads.ids()) {
     loads.push_back(Json{{"name", model.buses[b].name},
                          {"wire_ns_per_s", timing.bus_loads[b].wire_ns_per_s},
                          {"utilization", timing.bus_loads[b].utilization}});
   }
   Json& assumed = out["assumed_wcet"] = Json::array();
-  for (const std::size_t d : timing.assumed) assumed.push_back(model.devices[d].name);
+  for (const Rank d : timing.assumed) assumed.push_back(model.devices[d].name);
   return out;
 }
 

@@ -8,8 +8,8 @@ namespace finemote::gen::timing {
 namespace {
 
 template <typename InRow>
-Lags lags(const TaskSet& set, const ReleaseTable& table, std::size_t producer, Ns consumer_period,
-          ReleaseTable::Range range, InRow in_row) {
+Lags lags(const TaskSet& set, const ReleaseTable& table, Rank producer, Ns consumer_period, ReleaseTable::Range range,
+          InRow in_row) {
   const Ns step = std::gcd(set.buckets[set.bucket_of[producer]].period, consumer_period);
   Lags result;
   result.most = round_up(std::max(range.most, set.least_lag), step);
@@ -25,12 +25,12 @@ Lags lags(const TaskSet& set, const ReleaseTable& table, std::size_t producer, N
 
 }  // namespace
 
-Lags lags_down(const TaskSet& set, const ReleaseTable& table, std::size_t producer, Ns consumer_period) {
+Lags lags_down(const TaskSet& set, const ReleaseTable& table, Rank producer, Ns consumer_period) {
   return lags(set, table, producer, consumer_period, table.r_minus_range(producer),
               [&](std::size_t row) { return table.r_minus_in_row(producer, row); });
 }
 
-Lags lags_up(const TaskSet& set, const ReleaseTable& table, std::size_t producer, Ns consumer_period) {
+Lags lags_up(const TaskSet& set, const ReleaseTable& table, Rank producer, Ns consumer_period) {
   return lags(set, table, producer, consumer_period, table.r_plus_range(producer),
               [&](std::size_t row) { return table.r_plus_in_row(producer, row); });
 }

@@ -14,16 +14,16 @@ struct Lags {
 };
 
 /// What handle() of a producer hands down to a faster consumer, from the producer's R-(t).
-Lags lags_down(const TaskSet& set, const ReleaseTable& table, std::size_t producer, Ns consumer_period);
+Lags lags_down(const TaskSet& set, const ReleaseTable& table, Rank producer, Ns consumer_period);
 
 /// What update() of a producer hands up to a faster consumer, from the producer's R+(t).
-Lags lags_up(const TaskSet& set, const ReleaseTable& table, std::size_t producer, Ns consumer_period);
+Lags lags_up(const TaskSet& set, const ReleaseTable& table, Rank producer, Ns consumer_period);
 
 /// The lag at one release after the other: mostly the same release, or the one after it.
 class LagCursor {
  public:
   /// @param period  of the producer. Lags and table outlive the cursor.
-  LagCursor(const Lags& lags, const ReleaseTable& table, std::size_t producer, Ns period)
+  LagCursor(const Lags& lags, const ReleaseTable& table, Rank producer, Ns period)
       : lags_(lags), table_(table), producer_(producer), period_(period), lag_(lags.most) {}
 
   Ns at(Ns release) {
@@ -44,7 +44,7 @@ class LagCursor {
 
   const Lags& lags_;
   const ReleaseTable& table_;
-  std::size_t producer_;
+  Rank producer_;
   Ns period_;
   Ns release_ = kNone;
   std::size_t turn_ = 0;

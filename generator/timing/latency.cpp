@@ -23,7 +23,7 @@ void offer(Use& worst, Ns age, Ns release, Ns source) {
 /// that share the hand-over share this, whatever their R- is, as R- of one leaf varies by at most `spread`.
 class OldestUses {
  public:
-  OldestUses(const HandOver& over, Ns period, std::size_t leaf, const ReleaseTable& table)
+  OldestUses(const HandOver& over, Ns period, Rank leaf, const ReleaseTable& table)
       : over_(over), period_(period), leaf_(leaf), table_(table), oldest_(table.rows(leaf)) {
     for (std::size_t row = 0; row < oldest_.size(); ++row) oldest_[row] = {kLowest, 0, 0, row};
   }
@@ -56,14 +56,14 @@ class OldestUses {
 
   const HandOver& over_;
   Ns period_;
-  std::size_t leaf_;
+  Rank leaf_;
   const ReleaseTable& table_;
   std::vector<Use> oldest_;
   Ns repetition_ = 1;
 };
 
 /// Of one leaf: `age` is the latency.
-Use worst_use(const std::vector<Use>& oldest, std::size_t leaf, const ReleaseTable& table) {
+Use worst_use(const std::vector<Use>& oldest, Rank leaf, const ReleaseTable& table) {
   Use result{kLowest, 0, 0, 0};
   const Ns most = table.r_minus_range(leaf).most;
   for (const Use& use : oldest) {
@@ -89,7 +89,7 @@ class TreeBound {
         effort_(effort),
         place_(model.devices.size()),
         spread_(set.buckets.size()) {
-    for (std::size_t d = 0; d < model.devices.size(); ++d) {
+    for (const Rank d : model.devices.ids()) {
       const ReleaseTable::Range range = table.r_minus_range(d);
       Ns& spread = spread_[set.bucket_of[d]];
       spread = std::max(spread, range.most - range.least);
@@ -100,7 +100,7 @@ class TreeBound {
     result_ = {};
     result_.root = topology_.roots[tree];
     classify();
-    for (const std::size_t leaf : topology_.leaves[tree]) {
+    for (const Rank leaf : topology_.leaves[tree]) {
       place_[leaf] = result_.paths.size();
       result_.paths.push_back({leaf, {}, {}, {}, false});
     }
@@ -113,12 +113,12 @@ class TreeBound {
   void classify() {
     const Ns root_period = model_.devices[result_.root].period_ns;
     bool same = true, harmonic = true;
-    std::vector<std::size_t> stack{result_.root};
+    std::vector<Rank> stack{result_.root};
     while (!stack.empty()) {
-      const std::size_t parent = stack.back();
+      const Rank parent = stack.back();
       stack.pop_back();
       same &= model_.devices[parent].period_ns == root_period;
-      for (const std::size_t child : topology_.children[parent]) {
+      for (const Rank child : topology_.children[parent]) {
         harmonic &= model_.devices[parent].period_ns % model_.devices[child].period_ns == 0;
         stack.push_back(child);
       }
@@ -135,7 +135,7 @@ class TreeBound {
   /// The latest of the group's leaves; kNone where it has none.
   [[nodiscard]] Ns latest_leaf(const HandOverGroup& group) const {
     Ns most = kNone;
-    for (const std::size_t d : group.devices) {
+    for (const Rank d : group.devices) {
       if (topology_.children[d].empty()) most = std::max(most, responses_.r_minus[d]);
     }
     return most;
@@ -144,7 +144,7 @@ class TreeBound {
   void visit(const HandOverGroup& group) {
     if (latest_leaf(group) == kNone) return;
     const std::vector<Use>* oldest = group.exact != nullptr ? &oldest_uses(group) : nullptr;
-    for (const std::size_t leaf : group.devices) {
+    for (const Rank leaf : group.devices) {
       if (!topology_.children[leaf].empty()) continue;
       PathResult& path = result_.paths[place_[leaf]];
       if (oldest != nullptr) {
@@ -159,20 +159,20 @@ class TreeBound {
   const std::vector<Use>& oldest_uses(const HandOverGroup& group) {
     std::vector<Use>& oldest = store_.oldest_uses[group.exact];
     if (oldest.empty()) {
-      const std::size_t any = group.devices.front();
+      const Rank any = group.devices.front();
       const Ns spread = spread_[set_.bucket_of[any]];
       oldest = OldestUses(*group.exact, group.period, any, table_).find(spread, effort_);
     }
     return oldest;
   }
 
-  void set_closed(PathResult& path, Ns age, std::size_t leaf) const {
+  void set_closed(PathResult& path, Ns age, Rank leaf) const {
     const Ns response = responses_.r_minus[leaf];
     path.closed_form = true;
     path.latency_ns = age == 0 ? std::min(response, table_.window(leaf)) : add(age, response);
   }
 
-  void set_exact(PathResult& path, const std::vector<Use>& oldest, std::size_t leaf) const {
+  void set_exact(PathResult& path, const std::vector<Use>& oldest, Rank leaf) const {
     const Use worst = worst_use(oldest, leaf, table_);
     path.latency_ns = worst.age;
     path.release_ns = worst.release;
@@ -201,7 +201,7 @@ class TreeBound {
   Ns cross_latency() {
     OldestSources sources(model_.devices[result_.root].period_ns);
     walk([&](const HandOverGroup& group) {
-      if (latest_leaf(group) != kNone) sources.add_group(group, {0, 0});
+      if (latest_leaf(group) != kNone) sources.add_group(group, {0, Rank{}});
     });
     Ns worst = 0;
     walk([&](const HandOverGroup& group) {
@@ -215,13 +215,13 @@ class TreeBound {
   /// slower parent adds what the floor of its response leaves, and updates never step back.
   Ns corollary() {
     Ns worst = 0;
-    std::vector<std::pair<std::size_t, Ns>> stack{{result_.root, 0}};
+    std::vector<std::pair<Rank, Ns>> stack{{result_.root, 0}};
     while (!stack.empty()) {
       const auto [parent, age] = stack.back();
       stack.pop_back();
       const Ns period = model_.devices[parent].period_ns;
       if (topology_.children[parent].empty()) worst = std::max(worst, add(age, responses_.r_minus[parent]));
-      for (const std::size_t child : topology_.children[parent]) {
+      for (const Rank child : topology_.children[parent]) {
         const Ns faster = model_.devices[child].period_ns;
         const Ns hop = faster == period ? 0 : add(period - faster, round_up(responses_.r_minus[parent], faster));
         stack.emplace_back(child, add(age, hop));
@@ -239,7 +239,7 @@ class TreeBound {
   HandOverStore& store_;
   Effort& effort_;
   TreeResult result_;
-  std::vector<std::size_t> place_;  ///< of a leaf in result_.paths
+  Table<Rank, std::size_t> place_;  ///< of a leaf in result_.paths
   std::vector<Ns> spread_;          ///< per bucket: how much R- of one of its devices varies over the releases
 };
 

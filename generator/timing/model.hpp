@@ -7,14 +7,18 @@
 #include <vector>
 
 #include "generator/diagnostic/source.hpp"
+#include "generator/index/ids.hpp"
 #include "generator/timing/integer.hpp"
 
 namespace finemote::gen::timing {
 
+/// Place of a bus in Model::buses.
+using BusPlace = Index<struct BusPlaceSpace>;
+
 /// At most `count` interrupts of a source in one of any `every` consecutive periods of `device`, none in the others;
 /// the driver counts and refuses more.
 struct FrameBudget {
-  std::size_t device = 0;  ///< index into Model::devices
+  Rank device;
   Ns count = 0;
   Ns every = 1;  ///< >= 1
 };
@@ -54,7 +58,7 @@ struct Bus {
 /// for a bus is taken in rate-monotonic order (where the bus is not arbitrated), a begun transfer runs to its end.
 struct Transfer {
   enum class After { update, handle, bucket, autonomous };  ///< what hands it to the bus
-  std::size_t bus = 0;                                      ///< index into Model::buses
+  BusPlace bus;
   Ns wire_ns = 0;  ///< first to last bit of the whole unit, mux selection included
   After after = After::handle;
   Ns min_interval_ns = 0;        ///< autonomous: between two of them; 0: the device's period
@@ -81,7 +85,7 @@ enum class WcetSource { unknown, assumed, budget, measured, static_analysis };
 
 struct Device {
   std::string name;
-  std::optional<std::size_t> parent;  ///< index into Model::devices, larger than the device's own
+  std::optional<Rank> parent;  ///< larger than the device's own
   Ns period_ns = 1;
   Ns update_wcet_ns = 0;
   Ns handle_wcet_ns = 0;
@@ -92,10 +96,10 @@ struct Device {
   Ns handle_extra_ns = 0;  ///< the same around handle()
   Ns output_ns = 0;        ///< end of handle() to the output where no bus is in between (a timer's next period)
   bool takes_command = true;
-  bool actuator = false;           ///< its command leaves the robot's software here
-  std::vector<std::size_t> reads;  ///< observed devices outside the own subtree
+  bool actuator = false;    ///< its command leaves the robot's software here
+  std::vector<Rank> reads;  ///< observed devices outside the own subtree
   /// Children and observed devices whose data end here: they are no part of the commands this device sends.
-  std::vector<std::size_t> ends_here;
+  std::vector<Rank> ends_here;
   std::string role;  ///< in the parent; empty: not known
   std::optional<Acquisition> acquisition;
   std::vector<Transfer> transfers;
@@ -117,19 +121,19 @@ struct Costs {
 struct Flush {
   Ns period_ns = 1;
   Ns wcet_ns = 0;
-  std::optional<std::size_t> bus;  ///< where its transfer goes; none: no transfer
+  std::optional<BusPlace> bus;  ///< where its transfer goes; none: no transfer
   Ns wire_ns = 0;
   Ns interrupts = 1;
-  std::vector<Ns> identifiers;       ///< of its frames, all equally long, on a bus that arbitrates; empty: not known
-  std::vector<std::size_t> devices;  ///< whose commands it carries
+  std::vector<Ns> identifiers;  ///< of its frames, all equally long, on a bus that arbitrates; empty: not known
+  std::vector<Rank> devices;    ///< whose commands it carries
   /// Flushes with the same output share a slot; if it is busy, the next flush sends the data.
   std::string output;
 };
 
 struct Model {
   Ns tick_ns = 1;
-  std::vector<Bus> buses;
-  std::vector<Device> devices;  ///< registration order: every child before its parent
+  Table<BusPlace, Bus> buses;
+  Table<Rank, Device> devices;  ///< registration order: every child before its parent
   // profile `target`
   Costs costs;
   std::vector<Flush> flushes;

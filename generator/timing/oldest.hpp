@@ -14,8 +14,8 @@ class OldestSources {
  public:
   struct Oldest {
     Ns age = std::numeric_limits<Ns>::min() / 2;  ///< below every age: none; two of them add without overflow
-    std::size_t source = 0;                       ///< of equally old ones the first
-    void offer(Ns new_age, std::size_t new_source) {
+    Rank source;                                  ///< of equally old ones the first
+    void offer(Ns new_age, Rank new_source) {
       const bool is_older = (new_age > age) | ((new_age == age) & (new_source < source));  // either is likely
       age = is_older ? new_age : age;
       source = is_older ? new_source : source;

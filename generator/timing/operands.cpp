@@ -23,7 +23,7 @@ bool is_actuator(const Device& device) {
 
 /// One end of a chain: whom it names, and whether it did so by role.
 struct Operand {
-  std::vector<std::size_t> devices;
+  std::vector<Rank> devices;
   bool is_role = false;
 };
 
@@ -40,17 +40,17 @@ class OperandReader {
   }
 
  private:
-  [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const {
-    for (std::size_t d = 0; d < model_.devices.size(); ++d) {
+  [[nodiscard]] std::optional<Rank> find(std::string_view name) const {
+    for (const Rank d : model_.devices.ids()) {
       if (model_.devices[d].name == name) return d;
     }
     return std::nullopt;
   }
 
-  std::vector<std::size_t> children_in(std::size_t parent, std::string_view role) {
-    std::vector<std::size_t> found;
+  std::vector<Rank> children_in(Rank parent, std::string_view role) {
+    std::vector<Rank> found;
     std::vector<std::string> roles;
-    for (std::size_t d = 0; d < model_.devices.size(); ++d) {
+    for (const Rank d : model_.devices.ids()) {
       const Device& device = model_.devices[d];
       if (device.parent != parent || device.role.empty()) continue;
       if (device.role == role) found.push_back(d);
@@ -75,10 +75,10 @@ class OperandReader {
   Diagnostics& diagnostics_;
 };
 
-std::vector<std::size_t> actuators_of_all(const Model& model, const std::vector<std::size_t>& devices) {
+std::vector<Rank> actuators_of_all(const Model& model, const std::vector<Rank>& devices) {
   const Topology topology = make_topology(model);
-  std::vector<std::size_t> all;
-  for (const std::size_t d : devices) {
+  std::vector<Rank> all;
+  for (const Rank d : devices) {
     const auto reached = actuators_of(model, topology, d);
     all.insert(all.end(), reached.begin(), reached.end());
   }
@@ -97,21 +97,21 @@ std::vector<ChainRequest> parse_chain(const Model& model, std::string_view text,
   Operand to = reader.read(trimmed(text.substr(arrow + 2)));
   if (to.is_role) to.devices = actuators_of_all(model, to.devices);
   std::vector<ChainRequest> chains;
-  for (const std::size_t a : from.devices) {
-    for (const std::size_t b : to.devices) chains.push_back({a, b});
+  for (const Rank a : from.devices) {
+    for (const Rank b : to.devices) chains.push_back({a, b});
   }
   return chains;
 }
 
 }  // namespace
 
-std::vector<std::size_t> actuators_of(const Model& model, const Topology& topology, std::size_t device) {
-  std::vector<std::size_t> found, stack{device};
+std::vector<Rank> actuators_of(const Model& model, const Topology& topology, Rank device) {
+  std::vector<Rank> found, stack{device};
   while (!stack.empty()) {
-    const std::size_t d = stack.back();
+    const Rank d = stack.back();
     stack.pop_back();
     if (is_actuator(model.devices[d])) found.push_back(d);
-    for (const std::size_t child : topology.children[d]) {
+    for (const Rank child : topology.children[d]) {
       if (model.devices[child].takes_command) stack.push_back(child);
     }
   }
@@ -124,8 +124,8 @@ std::vector<Requirement> reach_actuators(std::vector<Requirement> requirements, 
                                          const Topology& topology) {
   for (Requirement& requirement : requirements) {
     if (!requirement.is_latency()) continue;
-    std::vector<std::size_t> ends;
-    for (const std::size_t to : requirement.to) {
+    std::vector<Rank> ends;
+    for (const Rank to : requirement.to) {
       const auto reached = actuators_of(model, topology, to);
       ends.insert(ends.end(), reached.begin(), reached.end());
     }

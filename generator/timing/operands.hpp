@@ -11,7 +11,7 @@ namespace finemote::gen::timing {
 
 /// Where commands of `device` come out: the actuators at and below it, in registration order; `device` itself where
 /// there is none.
-std::vector<std::size_t> actuators_of(const Model& model, const Topology& topology, std::size_t device);
+std::vector<Rank> actuators_of(const Model& model, const Topology& topology, Rank device);
 
 /// The requirements with every latency that ends in a composite asked of the composite's actuators instead.
 std::vector<Requirement> reach_actuators(std::vector<Requirement> requirements, const Model& model,

@@ -14,7 +14,7 @@ void summarise(const TaskSet& set, const Responses& responses, const ReleaseTabl
     result.schedulable &= responses.ok(w);
     result.buckets.push_back({bucket.period, bucket.cost, bucket.devices, known(responses.bucket[w]), responses.ok(w)});
   }
-  for (std::size_t d = 0; d < set.update.size(); ++d) {
+  for (const Rank d : set.update.ids()) {
     DeviceResult device{responses.b_plus[d], responses.b_minus[d], known(responses.r_plus[d]),
                         known(responses.r_minus[d]), std::nullopt};
     if (result.profile != Profile::paper) device.window_ns = known(table.window(d));

@@ -7,30 +7,29 @@ namespace finemote::gen::timing {
 
 Reach::Reach(const Model& model, const Topology& topology)
     : model_(model), topology_(topology), consumers_(model.devices.size()), reads_in_tree_of_(model.devices.size()) {
-  for (std::size_t d = 0; d < model.devices.size(); ++d) {
+  for (const Rank d : model.devices.ids()) {
     const Device& device = model.devices[d];
     if (device.parent) consumers_[d].push_back(*device.parent);
-    for (const std::size_t observed : device.reads) consumers_[observed].push_back(d);
+    for (const Rank observed : device.reads) consumers_[observed].push_back(d);
     if (!device.reads.empty()) reads_in_tree_of_[topology.root_of[d]] = true;
   }
 }
 
-bool Reach::ends_at(std::size_t producer, std::size_t consumer) const {
+bool Reach::ends_at(Rank producer, Rank consumer) const {
   const auto& ends = model_.devices[consumer].ends_here;
   return std::find(ends.begin(), ends.end(), producer) != ends.end();
 }
 
-bool Reach::connected(std::size_t from, std::size_t to) const {
-  std::set<std::size_t> goals{to};  // every device whose handle() has a part in the command of `to`
-  for (std::size_t d = to; model_.devices[d].parent; d = *model_.devices[d].parent)
-    goals.insert(*model_.devices[d].parent);
-  std::vector<std::size_t> stack{from};
-  std::set<std::size_t> seen{from};
+bool Reach::connected(Rank from, Rank to) const {
+  std::set<Rank> goals{to};  // every device whose handle() has a part in the command of `to`
+  for (Rank d = to; model_.devices[d].parent; d = *model_.devices[d].parent) goals.insert(*model_.devices[d].parent);
+  std::vector<Rank> stack{from};
+  std::set<Rank> seen{from};
   while (!stack.empty()) {
-    const std::size_t device = stack.back();
+    const Rank device = stack.back();
     stack.pop_back();
     if (goals.contains(device)) return true;
-    for (const std::size_t consumer : consumers_[device]) {
+    for (const Rank consumer : consumers_[device]) {
       if (consumer != to && ends_at(device, consumer)) continue;
       if (seen.insert(consumer).second) stack.push_back(consumer);
     }
@@ -38,10 +37,10 @@ bool Reach::connected(std::size_t from, std::size_t to) const {
   return false;
 }
 
-Reach::Turns Reach::turns_above(std::size_t to) const {
+Reach::Turns Reach::turns_above(Rank to) const {
   Turns turns;
   if (!model_.devices[to].ends_here.empty()) turns.end = to;
-  std::size_t d = to;
+  Rank d = to;
   for (; model_.devices[d].parent; d = *model_.devices[d].parent) {
     if (ends_at(d, *model_.devices[d].parent) || turns.end == d) turns.devices.push_back(d);
   }
@@ -49,16 +48,16 @@ Reach::Turns Reach::turns_above(std::size_t to) const {
   return turns;
 }
 
-std::vector<std::size_t> Reach::sources_of(const Turns& turns) const {
-  std::vector<std::size_t> stack = turns.devices, sources;
-  std::set<std::size_t> seen(stack.begin(), stack.end());
+std::vector<Rank> Reach::sources_of(const Turns& turns) const {
+  std::vector<Rank> stack = turns.devices, sources;
+  std::set<Rank> seen(stack.begin(), stack.end());
   while (!stack.empty()) {
-    const std::size_t device = stack.back();
+    const Rank device = stack.back();
     stack.pop_back();
     if (topology_.children[device].empty() || model_.devices[device].acquisition) sources.push_back(device);
-    std::vector<std::size_t> producers = topology_.children[device];
+    std::vector<Rank> producers = topology_.children[device];
     producers.insert(producers.end(), model_.devices[device].reads.begin(), model_.devices[device].reads.end());
-    for (const std::size_t producer : producers) {
+    for (const Rank producer : producers) {
       if (device != turns.end && ends_at(producer, device)) continue;
       if (seen.insert(producer).second) stack.push_back(producer);
     }

@@ -14,36 +14,36 @@ class Reach {
   Reach(const Model& model, const Topology& topology);
 
   /// Who uses the state of a device: its parent, and who reads it.
-  [[nodiscard]] const std::vector<std::size_t>& consumers(std::size_t device) const { return consumers_[device]; }
+  [[nodiscard]] const std::vector<Rank>& consumers(Rank device) const { return consumers_[device]; }
 
   /// Whether some device of the tree of `root` reads another one.
-  [[nodiscard]] bool reads_in_tree_of(std::size_t root) const { return reads_in_tree_of_[root]; }
+  [[nodiscard]] bool reads_in_tree_of(Rank root) const { return reads_in_tree_of_[root]; }
 
   /// Whether data of `from` reaches commands of `to`.
-  [[nodiscard]] bool connected(std::size_t from, std::size_t to) const;
+  [[nodiscard]] bool connected(Rank from, Rank to) const;
 
   /// Where data can turn from going up to going down to a terminal.
   struct Turns {
-    std::optional<std::size_t> end;    ///< the terminal, where some of its children's data end at it
-    std::vector<std::size_t> devices;  ///< the root last
+    std::optional<Rank> end;    ///< the terminal, where some of its children's data end at it
+    std::vector<Rank> devices;  ///< the root last
     auto operator<=>(const Turns&) const = default;
   };
 
   /// The root, everything below an edge that data end at, and the terminal where data end at itself: whatever is
   /// between two of them is reached from the upper one.
-  [[nodiscard]] Turns turns_above(std::size_t to) const;
+  [[nodiscard]] Turns turns_above(Rank to) const;
 
   /// Devices with a sample of their own whose data reach one of the turns, in registration order: those without
   /// children, and those that measure. Data of any other device are as old as what it was made from.
-  [[nodiscard]] std::vector<std::size_t> sources_of(const Turns& turns) const;
+  [[nodiscard]] std::vector<Rank> sources_of(const Turns& turns) const;
 
  private:
-  [[nodiscard]] bool ends_at(std::size_t producer, std::size_t consumer) const;
+  [[nodiscard]] bool ends_at(Rank producer, Rank consumer) const;
 
   const Model& model_;
   const Topology& topology_;
-  std::vector<std::vector<std::size_t>> consumers_;  ///< per device
-  std::vector<bool> reads_in_tree_of_;               ///< per root
+  Table<Rank, std::vector<Rank>> consumers_;
+  Table<Rank, bool> reads_in_tree_of_;  ///< of roots
 };
 
 }  // namespace finemote::gen::timing

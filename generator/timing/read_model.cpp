@@ -51,14 +51,18 @@ class ModelReader {
   void check_period(const Device& device, const Value& v);
   void check_best_case(Ns bcet, Ns wcet, std::string_view key, const Value& v);
 
-  std::string name(const Value& object, std::string_view what, std::map<std::string, std::size_t>& names,
-                   std::size_t index);
-  std::optional<std::size_t> find_device(const std::string& device, const Value& where);
-  std::optional<std::size_t> find_bus(const std::string& bus, const Value& where);
+  template <class Id>
+  std::string name(const Value& object, std::string_view what, std::map<std::string, Id>& names, Id id);
+  std::optional<Rank> find_device(const std::string& device, const Value& where);
+  std::optional<BusPlace> find_bus(const std::string& bus, const Value& where);
+
+  /// The one that is being read.
+  [[nodiscard]] Rank last_device() const { return Rank{model_.devices.size() - 1}; }
 
   ObjectReader values_;
   Model model_;
-  std::map<std::string, std::size_t> bus_names_, device_names_;
+  std::map<std::string, BusPlace> bus_names_;
+  std::map<std::string, Rank> device_names_;
   std::vector<std::function<void()>> later_;  ///< references to devices, once all names are known
 };
 
@@ -159,20 +163,21 @@ Model ModelReader::read(const Value& root) {
 }
 
 /// The unique name of a bus or device, registered in `names` with its index.
-std::string ModelReader::name(const Value& object, std::string_view what, std::map<std::string, std::size_t>& names,
-                              std::size_t index) {
+template <class Id>
+std::string ModelReader::name(const Value& object, std::string_view what, std::map<std::string, Id>& names, Id id) {
   std::string result = values_.member_text(object, what, "name");
-  if (!result.empty() && !names.emplace(result, index).second) {
+  if (!result.empty() && !names.emplace(result, id).second) {
     values_.error(code::timing_name, *object.find("name"), fmt::format("{} '{}' is named twice", what, result));
   }
   return result;
 }
 
 void ModelReader::read_bus(Model& model, const Value& v) {
-  Bus& bus = model.buses.emplace_back();
+  const BusPlace place = model.buses.push_back({});
+  Bus& bus = model.buses[place];
   if (!values_.is_object(v, "a bus")) return;
   bus.at = v.at;
-  bus.name = name(v, "bus", bus_names_, model.buses.size() - 1);
+  bus.name = name(v, "bus", bus_names_, place);
   values_.read_fields(v, "a bus", Tables::kBus, bus, *this);
   if (v.find("baud_bps") != nullptr && v.find("min_frame_bits") != nullptr) set_frame_time(bus, v);
 }
@@ -210,7 +215,8 @@ void ModelReader::read_budget(InterruptSource&, const Value& v) {
   const std::string device = values_.member_text(v, "a budget", "device");
   values_.read_fields(v, "a budget", Tables::kBudget, budget, *this);
   if (device.empty()) return;
-  const std::size_t bus = model_.buses.size() - 1, source = model_.buses.back().sources->size() - 1;
+  const BusPlace bus{model_.buses.size() - 1};
+  const std::size_t source = model_.buses.back().sources->size() - 1;
   later_.emplace_back([this, bus, source, budget, device, where = v.find("device")]() mutable {
     const auto found = find_device(device, *where);
     if (!found) return;
@@ -227,10 +233,11 @@ void ModelReader::read_devices(Model& model, const Value& v) {
 }
 
 void ModelReader::read_device(Model& model, const Value& v) {
-  Device& device = model.devices.emplace_back();
+  const Rank rank = model.devices.push_back({});
+  Device& device = model.devices[rank];
   if (!values_.is_object(v, "a device")) return;
   device.at = v.at;
-  device.name = name(v, "device", device_names_, model.devices.size() - 1);
+  device.name = name(v, "device", device_names_, rank);
   values_.read_fields(v, "a device", Tables::kDevice, device, *this);
   check_period(device, v);
   check_best_case(device.update_bcet_ns, device.update_wcet_ns, "update_bcet_ns", v);
@@ -260,13 +267,13 @@ void ModelReader::read_parent(Device&, const Value& v) {
     values_.error(code::json_type, v, fmt::format("'parent' is {}, not a string or null", describe(v.kind)));
     return;
   }
-  later_.emplace_back([this, index = model_.devices.size() - 1, &v] {
+  later_.emplace_back([this, rank = last_device(), &v] {
     const auto found = find_device(v.text, v);
     if (!found) return;
-    Device& device = model_.devices[index];
-    if (*found > index) {
+    Device& device = model_.devices[rank];
+    if (*found > rank) {
       device.parent = *found;
-    } else if (*found == index) {
+    } else if (*found == rank) {
       values_.error(code::timing_parent, v, fmt::format("device '{}' is its own parent", device.name));
     } else {
       values_
@@ -277,7 +284,7 @@ void ModelReader::read_parent(Device&, const Value& v) {
   });
 }
 
-std::optional<std::size_t> ModelReader::find_device(const std::string& device, const Value& where) {
+std::optional<Rank> ModelReader::find_device(const std::string& device, const Value& where) {
   const auto found = device_names_.find(device);
   if (found != device_names_.end()) return found->second;
   std::vector<std::string> names;
@@ -288,7 +295,7 @@ std::optional<std::size_t> ModelReader::find_device(const std::string& device, c
   return std::nullopt;
 }
 
-std::optional<std::size_t> ModelReader::find_bus(const std::string& bus, const Value& where) {
+std::optional<BusPlace> ModelReader::find_bus(const std::string& bus, const Value& where) {
   const auto found = bus_names_.find(bus);
   if (found != bus_names_.end()) return found->second;
   if (!bus.empty()) values_.error(code::timing_parent, where, fmt::format("there is no bus '{}'", bus));
@@ -300,8 +307,8 @@ void ModelReader::read_observed(Device&, const Value& v) {
     values_.error(code::json_type, v, fmt::format("an element of 'reads' is {}, not a string", describe(v.kind)));
     return;
   }
-  later_.emplace_back([this, index = model_.devices.size() - 1, &v] {
-    if (const auto found = find_device(v.text, v)) model_.devices[index].reads.push_back(*found);
+  later_.emplace_back([this, rank = last_device(), &v] {
+    if (const auto found = find_device(v.text, v)) model_.devices[rank].reads.push_back(*found);
   });
 }
 

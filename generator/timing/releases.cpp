@@ -33,7 +33,7 @@ ReleaseTable::ReleaseTable(const TaskSet& set, const Responses& responses)
     Bucket table;
     table.period = bucket.period;
     std::vector<Cell> row;
-    for (const std::size_t d : bucket.devices) {
+    for (const Rank d : bucket.devices) {
       place_[d] = row.size();
       row.push_back({responses.r_plus[d], responses.r_minus[d], responses.r_minus[d]});
       r_plus_range_[d] = {responses.r_plus[d], responses.r_plus[d]};
@@ -44,17 +44,17 @@ ReleaseTable::ReleaseTable(const TaskSet& set, const Responses& responses)
   }
 }
 
-std::size_t ReleaseTable::row(std::size_t device, Ns release) const {
+std::size_t ReleaseTable::row(Rank device, Ns release) const {
   const Bucket& bucket = buckets_[bucket_of_[device]];
   if (bucket.row_of.empty()) return 0;
   return bucket.row_of[static_cast<std::size_t>(bucket.by_count.rest(bucket.by_period.floor(release)))];
 }
 
-const ReleaseTable::Cell& ReleaseTable::cell(std::size_t device, Ns release) const {
+const ReleaseTable::Cell& ReleaseTable::cell(Rank device, Ns release) const {
   return buckets_[bucket_of_[device]].rows[row(device, release)][place_[device]];
 }
 
-Ns ReleaseTable::repeat(std::size_t device) const {
+Ns ReleaseTable::repeat(Rank device) const {
   const Bucket& bucket = buckets_[bucket_of_[device]];
   return bucket.row_of.empty() ? bucket.period : multiply(bucket.period, static_cast<Ns>(bucket.row_of.size()));
 }
@@ -102,7 +102,7 @@ class ReleaseTable::Builder {
     table.general = true;
     table.row_of.clear();
     std::vector<Cell> row;
-    for (const std::size_t d : bucket_.devices) row.push_back({responses_.r_plus[d], responses_.r_minus[d], kNone});
+    for (const Rank d : bucket_.devices) row.push_back({responses_.r_plus[d], responses_.r_minus[d], kNone});
     Surroundings worst;
     worst.starts.push_back({0, std::vector<Ns>(urgent_.size(), 1)});
     set_windows(worst.starts.back().firsts, row);
@@ -153,7 +153,7 @@ class ReleaseTable::Builder {
     std::vector<Cell> cells(bucket_.devices.size());
     for (const Surroundings::Start& start : around.starts) sweep(start, cells);
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const std::size_t d = bucket_.devices[i];
+      const Rank d = bucket_.devices[i];
       cells[i].r_plus = std::min(cells[i].r_plus, responses_.r_plus[d]);
       cells[i].r_minus = std::min(cells[i].r_minus, responses_.r_minus[d]);
     }
@@ -216,7 +216,7 @@ class ReleaseTable::Builder {
     }
     Ns work = 0, x = 1, begin = kNever, end = 0;
     for (std::size_t i = cells.size(); i-- > 0;) {
-      const std::size_t d = bucket_.devices[i];
+      const Rank d = bucket_.devices[i];
       const Ns extra = set_.handle[d] == 0 ? 1 : 0;
       work = add(work, add(set_.update[d], set_.handle[d]));
       const Ns length = cells[i].r_minus - 1 + extra;
@@ -255,14 +255,14 @@ ReleaseTable ReleaseTable::refined(const TaskSet& set, const Responses& response
     const auto widen = [](Range& range, Ns value) {
       range = {std::min(range.least, value), std::max(range.most, value)};
     };
-    for (const std::size_t d : set.buckets[w].devices) {
+    for (const Rank d : set.buckets[w].devices) {
       const Cell& first = bucket.rows.front()[table.place_[d]];
       table.worst_window_[d] = 0;
       table.r_plus_range_[d] = {first.r_plus, first.r_plus};
       table.r_minus_range_[d] = {first.r_minus, first.r_minus};
     }
     for (const auto& row : bucket.rows) {
-      for (const std::size_t d : set.buckets[w].devices) {
+      for (const Rank d : set.buckets[w].devices) {
         const Cell& cell = row[table.place_[d]];
         table.worst_window_[d] = std::max(table.worst_window_[d], cell.window);
         widen(table.r_plus_range_[d], cell.r_plus);

@@ -30,11 +30,11 @@ std::size_t unbounded(const Timing& timing) {
                                                 [](const ChainResult& chain) { return !chain.end_to_end_ns; }));
 }
 
-Change period_change(const std::vector<std::size_t>& devices, Ns period) {
-  return {Change::Kind::period, devices, 0, period};
+Change period_change(const std::vector<Rank>& devices, Ns period) {
+  return {Change::Kind::period, devices, {}, period};
 }
 
-Family other_rates(const Model& model, std::size_t bus, const std::vector<BusAdvice::Rate>& rates) {
+Family other_rates(const Model& model, BusPlace bus, const std::vector<BusAdvice::Rate>& rates) {
   Family family;
   for (const BusAdvice::Rate& rate : rates)
     family.push_back(
@@ -47,7 +47,7 @@ std::vector<Family> settings(const Timing& timing) {
   std::vector<Family> families;
   for (const BucketResult& bucket : timing.verdict().buckets)
     families.push_back(longer_periods(timing.model, bucket.devices, bucket_text(bucket.period_ns)));
-  for (std::size_t b = 0; b < timing.model.buses.size(); ++b) families.push_back(slower_rates(timing.model, b));
+  for (const BusPlace b : timing.model.buses.ids()) families.push_back(slower_rates(timing.model, b));
   return families;
 }
 
@@ -129,8 +129,8 @@ bool Trials::needs_chains(const Goal& goal) const {
 bool Trials::does_no_harm(const Timing& after) const {
   if (timing_.schedulable && !after.schedulable) return false;
   if (timing_.schedulable && unbounded(after) > unbounded(timing_)) return false;
-  for (std::size_t b = 0; b < after.bus_loads.size(); ++b) {
-    const double now = b < timing_.bus_loads.size() ? timing_.bus_loads[b].utilization : 0;  // else a new bus
+  for (const BusPlace b : after.bus_loads.ids()) {
+    const double now = timing_.bus_loads.contains(b) ? timing_.bus_loads[b].utilization : 0;  // else a new bus
     if (after.bus_loads[b].utilization > std::max(1.0, now)) return false;
   }
   for (std::size_t r = 0; r < after.requirements.size(); ++r) {
@@ -168,15 +168,13 @@ std::vector<Remedy> Trials::find(const std::vector<Family>& families, const Goal
   return found;
 }
 
-Family longer_periods(const Model& model, const std::vector<std::size_t>& devices, const std::string& who) {
+Family longer_periods(const Model& model, const std::vector<Rank>& devices, const std::string& who) {
   Family family;
-  const auto alike = [&](std::size_t d) {
-    return model.devices[d].period_ns == model.devices[devices.front()].period_ns;
-  };
+  const auto alike = [&](Rank d) { return model.devices[d].period_ns == model.devices[devices.front()].period_ns; };
   const bool is_one = !devices.empty() && std::all_of(devices.begin(), devices.end(), alike);
   for (const Ns factor : kFactors) {
     Proposal proposal;
-    for (const std::size_t d : devices)
+    for (const Rank d : devices)
       proposal.changes.push_back(period_change({d}, multiply(model.devices[d].period_ns, factor)));
     proposal.text =
         is_one ? fmt::format("period=\"{}\" for {}", units::format_duration(proposal.changes.front().value), who)
@@ -186,7 +184,7 @@ Family longer_periods(const Model& model, const std::vector<std::size_t>& device
   return family;
 }
 
-Family shorter_periods(const Model& model, const std::vector<std::size_t>& devices, const std::string& who) {
+Family shorter_periods(const Model& model, const std::vector<Rank>& devices, const std::string& who) {
   Family family;
   if (devices.empty()) return family;
   const Ns period = model.devices[devices.front()].period_ns;
@@ -198,38 +196,35 @@ Family shorter_periods(const Model& model, const std::vector<std::size_t>& devic
   return family;
 }
 
-Family faster_rates(const Model& model, std::size_t bus) {
-  return other_rates(model, bus, model.buses[bus].advice.rates);
-}
+Family faster_rates(const Model& model, BusPlace bus) { return other_rates(model, bus, model.buses[bus].advice.rates); }
 
-Family slower_rates(const Model& model, std::size_t bus) {
+Family slower_rates(const Model& model, BusPlace bus) {
   return other_rates(model, bus, model.buses[bus].advice.slower);
 }
 
-Family other_bus(const Model& model, std::size_t bus) {
+Family other_bus(const Model& model, BusPlace bus) {
   constexpr std::size_t kMostNamed = 8;
   Family family;
-  const std::vector<std::size_t> users = bus_users(model, bus);
+  const std::vector<Rank> users = bus_users(model, bus);
   std::size_t last = 0;
   for (const std::size_t parts : {6, 4, 3, 2}) {
     const std::size_t count = users.size() / parts;
     if (count == last || count > kMostNamed || model.buses[bus].advice.other_port.empty()) continue;
     last = count;
-    const std::vector<std::size_t> ones(users.end() - static_cast<std::ptrdiff_t>(count), users.end());
+    const std::vector<Rank> ones(users.end() - static_cast<std::ptrdiff_t>(count), users.end());
     family.push_back({{{Change::Kind::bus, ones, bus, 0}},
                       model.buses[bus].advice.other_port + " for " + quoted_names(model, ones, kMostNamed)});
   }
   return family;
 }
 
-Family less_work(const Model& model, const std::vector<std::size_t>& devices, const std::string& who) {
+Family less_work(const Model& model, const std::vector<Rank>& devices, const std::string& who) {
   Family family;
   Ns now = 0;
-  for (const std::size_t d : devices)
-    now = add(now, add(model.devices[d].update_wcet_ns, model.devices[d].handle_wcet_ns));
+  for (const Rank d : devices) now = add(now, add(model.devices[d].update_wcet_ns, model.devices[d].handle_wcet_ns));
   for (const Ns tenths : {9, 8, 7, 6, 5}) {
     if (now == 0) break;
-    family.push_back({{{Change::Kind::work, devices, 0, tenths * 100}},
+    family.push_back({{{Change::Kind::work, devices, {}, tenths * 100}},
                       fmt::format("execution times {} % shorter for {}", 100 - tenths * 10, who)});
   }
   return family;

@@ -64,20 +64,20 @@ class Trials {
 };
 
 /// Longer periods of `devices`, a multiple of what they are each. `who` names them in the text.
-Family longer_periods(const Model& model, const std::vector<std::size_t>& devices, const std::string& who);
+Family longer_periods(const Model& model, const std::vector<Rank>& devices, const std::string& who);
 
 /// Shorter periods of `devices`, down to one tick.
-Family shorter_periods(const Model& model, const std::vector<std::size_t>& devices, const std::string& who);
+Family shorter_periods(const Model& model, const std::vector<Rank>& devices, const std::string& who);
 
 /// Faster rates of a bus that its port and its devices make; slower ones.
-Family faster_rates(const Model& model, std::size_t bus);
-Family slower_rates(const Model& model, std::size_t bus);
+Family faster_rates(const Model& model, BusPlace bus);
+Family slower_rates(const Model& model, BusPlace bus);
 
 /// The later half of its devices, or fewer, on another bus of its kind.
-Family other_bus(const Model& model, std::size_t bus);
+Family other_bus(const Model& model, BusPlace bus);
 
 /// Nine tenths to half of what update and handle of `devices` take now.
-Family less_work(const Model& model, const std::vector<std::size_t>& devices, const std::string& who);
+Family less_work(const Model& model, const std::vector<Rank>& devices, const std::string& who);
 
 /// Remedies for a robot that is not schedulable: single ones where they are enough, else several changes together, else
 /// those that lower the load of the processor most.

@@ -19,9 +19,9 @@ bool inherits(const gen::Device& device, const gen::Device& parent) {
 }
 
 /// The robot's devices whose period changes when it is written at `devices` of the model.
-std::vector<DeviceId> followers(const Robot& robot, const Forest& forest, const std::vector<std::size_t>& devices) {
+std::vector<DeviceId> followers(const Robot& robot, const Forest& forest, const std::vector<Rank>& devices) {
   std::vector<DeviceId> list;
-  for (const std::size_t d : devices) list.push_back(forest.order[Rank{d}]);
+  for (const Rank d : devices) list.push_back(forest.order[d]);
   Table<DeviceId, bool> is_listed(robot.devices.size(), false);
   for (const DeviceId d : list) is_listed[d] = true;
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -44,8 +44,8 @@ bool move_to_new_bus(Robot& robot, const Forest& forest, const Change& change) {
   Segment segment = robot.segments[old];
   segment.bus = robot.buses.push_back(robot.buses[from]);
   const SegmentId fresh = robot.segments.push_back(segment);
-  for (const std::size_t d : change.devices) {
-    gen::Device& device = robot.devices[forest.order[Rank{d}]];
+  for (const Rank d : change.devices) {
+    gen::Device& device = robot.devices[forest.order[d]];
     const bool uses_more = std::any_of(device.uses.begin(), device.uses.end(),
                                        [](const gen::Use& use) { return use.segment.has_value(); });
     if (device.segment != old || uses_more) return false;

@@ -21,12 +21,11 @@ std::optional<Ns> shown(const ChainResult& chain) {
   return chain.end_to_end_ns ? chain.end_to_end_ns : chain.decide_ns;
 }
 
-std::vector<ChangedBound> changed_chains(const Timing& timing, const std::vector<std::size_t>& order,
-                                         const Model& better) {
+std::vector<ChangedBound> changed_chains(const Timing& timing, const Order& order, const Model& better) {
   AnalysisRequest request;
   request.profile = timing.asked;
-  const auto place = [&](std::size_t d) {
-    return static_cast<std::size_t>(std::find(order.begin(), order.end(), d) - order.begin());
+  const auto place = [&](Rank d) {
+    return Rank{static_cast<std::size_t>(std::find(order.begin(), order.end(), d) - order.begin())};
   };
   for (const ChainResult& chain : timing.chains) request.chains.push_back({place(chain.from), place(chain.to)});
   Diagnostics same_as_before;
@@ -47,7 +46,7 @@ std::vector<ChangedBound> changed_chains(const Timing& timing, const std::vector
 
 }  // namespace
 
-OrderEffect effect_of_order(const Timing& timing, const std::vector<std::size_t>& order) {
+OrderEffect effect_of_order(const Timing& timing, const Order& order) {
   const Model better = reorder(timing.model, order);
   return {tree_bounds(timing, better), changed_chains(timing, order, better)};
 }

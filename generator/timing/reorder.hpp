@@ -21,7 +21,7 @@ struct OrderEffect {
 };
 
 /// Analyses the model of `timing` in another order.
-/// @param order  indices into Model::devices, as of suggest_order
-OrderEffect effect_of_order(const Timing& timing, const std::vector<std::size_t>& order);
+/// @param order  as of suggest_order
+OrderEffect effect_of_order(const Timing& timing, const Order& order);
 
 }  // namespace finemote::gen::timing

@@ -54,7 +54,7 @@ void sweep_bucket(const TaskSet& set, std::size_t w, Effort& effort, Responses& 
   const TaskBucket& bucket = set.buckets[w];
   BucketSweep sweep(set, w, effort);
   Ns work = bucket.before;
-  for (const std::size_t d : bucket.devices) {
+  for (const Rank d : bucket.devices) {
     out.b_plus[d] = work = add(work, set.update[d]);
     out.r_plus[d] = sweep.end_of(add(work, set.blocking), set.update[d] == 0);
   }
@@ -64,15 +64,14 @@ void sweep_bucket(const TaskSet& set, std::size_t w, Effort& effort, Responses& 
   }
   if (bucket.after > 0) out.bucket[w] = sweep.end_of(add(add(work, bucket.after), set.blocking), false);
   if (out.bucket[w] != kNone) return;
-  for (const std::size_t d : bucket.devices) out.r_plus[d] = out.r_minus[d] = kNone;
+  for (const Rank d : bucket.devices) out.r_plus[d] = out.r_minus[d] = kNone;
 }
 
 }  // namespace
 
 Responses bound_responses(const TaskSet& set, Effort& effort) {
-  const std::size_t n = set.update.size();
-  Responses out{std::vector<Ns>(n), std::vector<Ns>(n), std::vector<Ns>(n, kNone), std::vector<Ns>(n, kNone),
-                std::vector<Ns>(set.buckets.size(), kNone)};
+  const Table<Rank, Ns> nothing(set.update.size()), no_bound(set.update.size(), kNone);
+  Responses out{nothing, nothing, no_bound, no_bound, std::vector<Ns>(set.buckets.size(), kNone)};
   for (std::size_t w = 0; w < set.buckets.size(); ++w) sweep_bucket(set, w, effort, out);
   return out;
 }

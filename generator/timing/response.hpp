@@ -11,8 +11,8 @@ inline constexpr Ns kNone = -1;  ///< no bound
 /// Release to end, worst over all releases. kNone for every device of a bucket that is not ok: once a job may run over
 /// its period, the first job of a busy interval need not be the worst one.
 struct Responses {
-  std::vector<Ns> b_plus, b_minus;  ///< own bucket's work up to the end of the stage
-  std::vector<Ns> r_plus, r_minus;
+  Table<Rank, Ns> b_plus, b_minus;  ///< own bucket's work up to the end of the stage
+  Table<Rank, Ns> r_plus, r_minus;
   std::vector<Ns> bucket;  ///< end of a whole job; kNone above the period
   [[nodiscard]] bool ok(std::size_t w) const { return bucket[w] != kNone; }
 };

@@ -30,8 +30,8 @@ struct LiuLayland {
 struct BucketResult {
   Ns period_ns = 0;
   Ns wcet_ns = 0;
-  std::vector<std::size_t> devices;  ///< registration order
-  std::optional<Ns> response_ns;     ///< end of the last stage (profile target: of the whole job)
+  std::vector<Rank> devices;      ///< registration order
+  std::optional<Ns> response_ns;  ///< end of the last stage (profile target: of the whole job)
   bool ok = false;
 };
 
@@ -43,7 +43,7 @@ struct DeviceResult {
 };
 
 struct PathResult {
-  std::size_t leaf = 0;
+  Rank leaf;
   std::optional<Ns> latency_ns;
   std::optional<Ns> release_ns, source_release_ns;  ///< null with `closed_form`
   bool closed_form = false;  ///< a safe bound instead of the maximum: an lcm is too large to walk
@@ -51,10 +51,10 @@ struct PathResult {
 
 struct TreeResult {
   enum class Class { same_period, harmonic, general };
-  std::size_t root = 0;
+  Rank root;
   Class kind = Class::general;
   std::optional<Ns> latency_ns;
-  std::optional<std::size_t> worst_leaf;
+  std::optional<Rank> worst_leaf;
   std::optional<Ns> worst_release_ns, source_release_ns;
   std::optional<Ns> corollary_ns;      ///< profile paper
   std::optional<Ns> cross_latency_ns;  ///< profile paper
@@ -65,8 +65,8 @@ struct ProfileResult {
   Profile profile = Profile::paper;
   bool schedulable = false;
   std::vector<BucketResult> buckets;  ///< ascending period
-  std::vector<DeviceResult> devices;  ///< registration order
-  std::vector<TreeResult> trees;      ///< order of their roots
+  Table<Rank, DeviceResult> devices;
+  std::vector<TreeResult> trees;  ///< order of their roots
 };
 
 }  // namespace finemote::gen::timing

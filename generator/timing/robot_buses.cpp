@@ -90,14 +90,13 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
 BusPlaces::BusPlaces(const Robot& robot) : robot_(robot), places_(robot.buses.size()) {
   for (const BusId bus : robot.buses.ids()) {
     if (robot.buses[bus].rate <= 0) continue;
-    places_[bus] = buses_.size();
-    buses_.push_back(bus);
+    places_[bus] = buses_.push_back(bus);
   }
 }
 
-std::vector<Bus> make_buses(const Robot& robot, const BusPlaces& places) {
+Table<BusPlace, Bus> make_buses(const Robot& robot, const BusPlaces& places) {
   const Table<BusId, BusUse> uses = bus_uses(robot);
-  std::vector<Bus> buses;
+  Table<BusPlace, Bus> buses;
   for (const BusId bus : places.buses()) buses.push_back(make_bus(robot, bus, uses[bus], driver_of(robot, bus)));
   return buses;
 }

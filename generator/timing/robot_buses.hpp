@@ -14,19 +14,19 @@ class BusPlaces {
   explicit BusPlaces(const Robot& robot);
 
   /// Places in Model::buses of a bus, and of the bus under a segment.
-  [[nodiscard]] std::optional<std::size_t> of(BusId bus) const { return places_[bus]; }
-  [[nodiscard]] std::optional<std::size_t> of(SegmentId segment) const { return of(robot_.segments[segment].bus); }
+  [[nodiscard]] std::optional<BusPlace> of(BusId bus) const { return places_[bus]; }
+  [[nodiscard]] std::optional<BusPlace> of(SegmentId segment) const { return of(robot_.segments[segment].bus); }
 
   /// The robot's buses that the model has, by place.
-  [[nodiscard]] const std::vector<BusId>& buses() const { return buses_; }
+  [[nodiscard]] const Table<BusPlace, BusId>& buses() const { return buses_; }
 
  private:
   const Robot& robot_;
-  Table<BusId, std::optional<std::size_t>> places_;
-  std::vector<BusId> buses_;
+  Table<BusId, std::optional<BusPlace>> places_;
+  Table<BusPlace, BusId> buses_;
 };
 
 /// Without budgets and without the lines of devices: with the sources of the driver that can interrupt in this robot.
-std::vector<Bus> make_buses(const Robot& robot, const BusPlaces& places);
+Table<BusPlace, Bus> make_buses(const Robot& robot, const BusPlaces& places);
 
 }  // namespace finemote::gen::timing

@@ -23,7 +23,7 @@ class FlushAdder {
           std::count_if(device.uses.begin(), device.uses.end(), [&](const Use& use) { return use.segment == segment; });
       const Ns mine = (device.segment == segment ? 1 : 0) + used;
       if (mine == 0) continue;
-      flush.devices.push_back(forest_.rank[d].value());
+      flush.devices.push_back(forest_.rank[d]);
       channels += mine;
     }
     if (flush.devices.empty()) return;
@@ -111,7 +111,7 @@ class FlushAdder {
 
   /// The controller sends by identifier among its mailboxes. With more frames of ours than those, or with others than
   /// the shared ones, one that waits for a mailbox may be the more urgent.
-  [[nodiscard]] bool go_by_identifier(BusKind kind, std::size_t bus, std::size_t frames) const {
+  [[nodiscard]] bool go_by_identifier(BusKind kind, BusPlace bus, std::size_t frames) const {
     const auto is_alone = [&](const Device& device) {
       return std::all_of(device.transfers.begin(), device.transfers.end(),
                          [&](const Transfer& t) { return t.bus != bus || t.after == Transfer::After::autonomous; });

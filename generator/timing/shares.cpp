@@ -14,7 +14,7 @@ void add_share(std::vector<Share>& shares, const std::string& who, double load, 
   known->load += load;
 }
 
-std::vector<Share> bus_shares(const Model& model, std::size_t bus) {
+std::vector<Share> bus_shares(const Model& model, BusPlace bus) {
   std::vector<Share> lines[2];
   for (const Device& device : model.devices) {
     for (const Transfer& t : device.transfers) {
@@ -55,17 +55,17 @@ namespace {
 
 /// Devices with a transfer on the bus that is wanted, or in a flush over it.
 template <class Wanted>
-std::vector<std::size_t> users(const Model& model, std::size_t bus, const Wanted& is_wanted) {
-  std::vector<bool> uses(model.devices.size(), false);
-  for (std::size_t d = 0; d < model.devices.size(); ++d) {
+std::vector<Rank> users(const Model& model, BusPlace bus, const Wanted& is_wanted) {
+  Table<Rank, bool> uses(model.devices.size(), false);
+  for (const Rank d : model.devices.ids()) {
     for (const Transfer& t : model.devices[d].transfers) uses[d] = uses[d] || (t.bus == bus && is_wanted(t));
   }
   for (const Flush& flush : model.flushes) {
     if (flush.bus != bus) continue;
-    for (const std::size_t d : flush.devices) uses[d] = true;
+    for (const Rank d : flush.devices) uses[d] = true;
   }
-  std::vector<std::size_t> list;
-  for (std::size_t d = 0; d < uses.size(); ++d) {
+  std::vector<Rank> list;
+  for (const Rank d : uses.ids()) {
     if (uses[d]) list.push_back(d);
   }
   return list;
@@ -73,16 +73,16 @@ std::vector<std::size_t> users(const Model& model, std::size_t bus, const Wanted
 
 }  // namespace
 
-std::vector<std::size_t> periodic_users(const Model& model, std::size_t bus) {
+std::vector<Rank> periodic_users(const Model& model, BusPlace bus) {
   return users(model, bus,
                [](const Transfer& t) { return t.after != Transfer::After::autonomous || t.min_interval_ns == 0; });
 }
 
-std::vector<std::size_t> bus_users(const Model& model, std::size_t bus) {
+std::vector<Rank> bus_users(const Model& model, BusPlace bus) {
   return users(model, bus, [](const Transfer&) { return true; });
 }
 
-std::optional<std::size_t> command_bus(const Model& model, std::size_t to) {
+std::optional<BusPlace> command_bus(const Model& model, Rank to) {
   for (const Transfer& t : model.devices[to].transfers) {
     if (t.command) return t.bus;
   }
@@ -92,17 +92,17 @@ std::optional<std::size_t> command_bus(const Model& model, std::size_t to) {
   return std::nullopt;
 }
 
-std::optional<std::size_t> sample_bus(const Model& model, std::size_t from) {
+std::optional<BusPlace> sample_bus(const Model& model, Rank from) {
   for (const Transfer& t : model.devices[from].transfers) {
     if (!t.command) return t.bus;
   }
   return std::nullopt;
 }
 
-std::vector<std::size_t> devices_between(const Model& model, const ChainResult& chain) {
-  std::vector<std::size_t> way;
-  for (std::optional<std::size_t> d = chain.from; d; d = model.devices[*d].parent) way.push_back(*d);
-  for (std::optional<std::size_t> d = chain.to; d; d = model.devices[*d].parent) way.push_back(*d);
+std::vector<Rank> devices_between(const Model& model, const ChainResult& chain) {
+  std::vector<Rank> way;
+  for (std::optional<Rank> d = chain.from; d; d = model.devices[*d].parent) way.push_back(*d);
+  for (std::optional<Rank> d = chain.to; d; d = model.devices[*d].parent) way.push_back(*d);
   return way;
 }
 

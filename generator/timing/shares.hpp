@@ -20,22 +20,22 @@ struct Share {
 void add_share(std::vector<Share>& shares, const std::string& who, double load, bool autonomous);
 
 /// Who asks for the time of a bus (of its busier line), largest first.
-std::vector<Share> bus_shares(const Model& model, std::size_t bus);
+std::vector<Share> bus_shares(const Model& model, BusPlace bus);
 
 /// Devices that use the bus because they are due: longer periods of theirs make it less busy. Registration order.
-std::vector<std::size_t> periodic_users(const Model& model, std::size_t bus);
+std::vector<Rank> periodic_users(const Model& model, BusPlace bus);
 
 /// All devices that use the bus, parts that send by themselves included. Registration order.
-std::vector<std::size_t> bus_users(const Model& model, std::size_t bus);
+std::vector<Rank> bus_users(const Model& model, BusPlace bus);
 
 /// The bus the command of a device goes over; none where its output is a pin of the chip.
-std::optional<std::size_t> command_bus(const Model& model, std::size_t to);
+std::optional<BusPlace> command_bus(const Model& model, Rank to);
 
 /// The bus the samples of a device come over; none where there is none.
-std::optional<std::size_t> sample_bus(const Model& model, std::size_t from);
+std::optional<BusPlace> sample_bus(const Model& model, Rank from);
 
 /// The devices from both ends of a chain to their roots, ends included.
-std::vector<std::size_t> devices_between(const Model& model, const ChainResult& chain);
+std::vector<Rank> devices_between(const Model& model, const ChainResult& chain);
 
 /// `'imu' by itself: 118.7 %, 'depth': 3.0 %`
 std::string shares_text(const std::vector<Share>& shares);

@@ -6,7 +6,7 @@ Slack find_slack(const Model& model, Profile profile) {
   constexpr std::size_t kMostDevices = 500;
   Slack slack{slack_permille(model, profile), {}};
   if (model.devices.size() > kMostDevices) return slack;
-  for (std::size_t d = 0; d < model.devices.size(); ++d) slack.one.push_back(slack_permille(model, profile, d));
+  for (const Rank d : model.devices.ids()) slack.one.push_back(slack_permille(model, profile, d));
   return slack;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/timing/text_table.hpp"
 #include "generator/timing/words.hpp"
 
 namespace finemote::gen::timing {
@@ -39,7 +40,7 @@ std::string verdict(const Timing& timing) {
 
 /// Who uses the processor, worst first.
 std::string processor(const Timing& timing) {
-  Table table({"used by", "", "every", "one", "load", "share"});
+  TextTable table({"used by", "", "every", "one", "load", "share"});
   for (const ProcessorUse& use : timing.processor) {
     std::string who(kind_name(use.kind));
     if (use.kind != ProcessorUse::Kind::release) who += " " + use.name;
@@ -64,7 +65,7 @@ std::string informative(const Timing& timing) {
 }
 
 std::string buckets(const Timing& timing) {
-  Table table({"period", "devices", "work", "response", "of period", ""});
+  TextTable table({"period", "devices", "work", "response", "of period", ""});
   for (const BucketResult& b : timing.verdict().buckets) {
     table.row({duration_text(b.period_ns), std::to_string(b.devices.size()), duration_text(b.wcet_ns),
                duration_text(b.response_ns), b.ok ? percent(ratio(b.response_ns.value_or(0), b.period_ns)) : "-",
@@ -78,8 +79,8 @@ std::string devices(const Timing& timing) {
   std::vector<std::string> head{"device", "period", "update", "handle", "R+", "R-"};
   if (windows) head.emplace_back("window");
   head.emplace_back("wcet");
-  Table table(head);
-  for (std::size_t d = 0; d < timing.model.devices.size(); ++d) {
+  TextTable table(head);
+  for (const Rank d : timing.model.devices.ids()) {
     const Device& device = timing.model.devices[d];
     const DeviceResult& r = timing.verdict().devices[d];
     std::vector<std::string> cells{device.name,
@@ -98,7 +99,7 @@ std::string devices(const Timing& timing) {
 
 std::string trees(const Timing& timing) {
   static constexpr std::string_view kClass[] = {"same period", "harmonic", "general"};
-  Table table({"tree", "class", "latency", "worst leaf"});
+  TextTable table({"tree", "class", "latency", "worst leaf"});
   for (const TreeResult& t : timing.verdict().trees) {
     table.row({timing.model.devices[t.root].name, std::string(kClass[static_cast<int>(t.kind)]),
                duration_text(t.latency_ns), t.worst_leaf ? timing.model.devices[*t.worst_leaf].name : "-"});
@@ -107,7 +108,7 @@ std::string trees(const Timing& timing) {
 }
 
 std::string chains(const Timing& timing) {
-  Table table({"chain", "acquire", "decide", "wire", "end to end", ""});
+  TextTable table({"chain", "acquire", "decide", "wire", "end to end", ""});
   for (const ChainResult& c : timing.chains) {
     std::string remark = c.assumed ? "assumed" : "";
     if (c.through_reads) remark += remark.empty() ? "through reads" : ", through reads";
@@ -139,8 +140,8 @@ std::string missing(const Timing& timing) {
 
 std::string buses(const Timing& timing) {
   if (timing.model.buses.empty()) return {};
-  Table table({"bus", "interrupt", "at least every", "wire load"});
-  for (std::size_t b = 0; b < timing.model.buses.size(); ++b) {
+  TextTable table({"bus", "interrupt", "at least every", "wire load"});
+  for (const BusPlace b : timing.model.buses.ids()) {
     const Bus& bus = timing.model.buses[b];
     table.row(
         {bus.name, duration_text(bus.wcet_ns), duration_text(bus.frame_ns), percent(timing.bus_loads[b].utilization)});
@@ -150,7 +151,7 @@ std::string buses(const Timing& timing) {
 
 std::string requirements(const Timing& timing) {
   if (timing.requirements.empty()) return {};
-  Table table({"requirement", "at most", "bound", ""});
+  TextTable table({"requirement", "at most", "bound", ""});
   for (const RequirementResult& r : timing.requirements) {
     const bool share = r.fraction.has_value();
     table.row({r.requirement.text, share ? percent(r.requirement.max_fraction) : duration_text(r.requirement.max_ns),
@@ -179,24 +180,6 @@ std::string duration_text(Ns ns) {
 }
 
 std::string duration_text(std::optional<Ns> ns) { return ns ? duration_text(*ns) : "-"; }
-
-std::string Table::text() const {
-  std::vector<std::size_t> widths(rows_.front().size(), 0);
-  for (const auto& row : rows_) {
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
-  }
-  std::string text;
-  for (const auto& row : rows_) {
-    std::string line = fmt::format("  {:<{}}", row.front(), widths.front());
-    for (std::size_t c = 1; c < row.size(); ++c) {
-      const bool remark = c + 1 == row.size() && rows_.front()[c].empty();
-      line += remark ? "  " + row[c] : fmt::format("  {:>{}}", row[c], widths[c]);
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
-  }
-  return text;
-}
 
 std::string timing_table(const Timing& timing) {
   return verdict(timing) + buckets(timing) + processor(timing) + devices(timing) + trees(timing) + chains(timing) +

@@ -41,13 +41,13 @@ void add_release_streams(const Model& model, TaskSet& set) {
 }
 
 void add_buckets(const Model& model, Profile profile, TaskSet& set) {
-  std::map<Ns, std::vector<std::size_t>> by_period;
-  for (std::size_t d = 0; d < model.devices.size(); ++d) by_period[model.devices[d].period_ns].push_back(d);
+  std::map<Ns, std::vector<Rank>> by_period;
+  for (const Rank d : model.devices.ids()) by_period[model.devices[d].period_ns].push_back(d);
   set.bucket_of.resize(model.devices.size());
   for (auto& [period, devices] : by_period) {
     TaskBucket bucket;
     bucket.period = period;
-    for (const std::size_t d : devices) {
+    for (const Rank d : devices) {
       set.bucket_of[d] = set.buckets.size();
       bucket.cost = add(bucket.cost, add(set.update[d], set.handle[d]));
     }

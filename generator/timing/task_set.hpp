@@ -28,19 +28,19 @@ struct Stream {
 
 struct TaskBucket {
   Ns period = 1;
-  Ns before = 0;                     ///< entry of a job, ahead of the first update
-  Ns after = 0;                      ///< flush and exit, behind the last handle
-  Ns cost = 0;                       ///< one whole job
-  std::vector<std::size_t> devices;  ///< registration order
+  Ns before = 0;              ///< entry of a job, ahead of the first update
+  Ns after = 0;               ///< flush and exit, behind the last handle
+  Ns cost = 0;                ///< one whole job
+  std::vector<Rank> devices;  ///< registration order
 };
 
 /// Streams run above all buckets, shorter periods above longer ones.
 struct TaskSet {
-  std::vector<Stream> streams;         ///< of nonzero cost: those of buses first, then of the release interrupt
-  std::size_t bus_streams = 0;         ///< how many are of buses
-  std::vector<TaskBucket> buckets;     ///< ascending period
-  std::vector<std::size_t> bucket_of;  ///< per device
-  std::vector<Ns> update, handle;      ///< per device: one run of the stage with everything around it
+  std::vector<Stream> streams;      ///< of nonzero cost: those of buses first, then of the release interrupt
+  std::size_t bus_streams = 0;      ///< how many are of buses
+  std::vector<TaskBucket> buckets;  ///< ascending period
+  Table<Rank, std::size_t> bucket_of;
+  Table<Rank, Ns> update, handle;  ///< one run of the stage with everything around it
   /// A slower producer's data counts as there no sooner than this after its release. The rule of the cases lets an
   /// empty stage below buckets that are all empty end at its release itself, ahead of a faster consumer that runs
   /// first; with one nanosecond the bound holds there too (docs/timing.md, "Empty buckets").

@@ -3,12 +3,12 @@
 namespace finemote::gen::timing {
 
 Topology make_topology(const Model& model) {
-  const std::size_t n = model.devices.size();
+  const std::size_t count = model.devices.size();
   Topology t;
-  t.children.resize(n);
-  t.root_of.resize(n);
-  std::vector<std::size_t> tree(n);
-  for (std::size_t d = 0; d < n; ++d) {
+  t.children.resize(count);
+  t.root_of.resize(count);
+  Table<Rank, std::size_t> tree(count);
+  for (const Rank d : model.devices.ids()) {
     if (const auto parent = model.devices[d].parent) {
       t.children[*parent].push_back(d);
     } else {
@@ -16,12 +16,13 @@ Topology make_topology(const Model& model) {
       t.roots.push_back(d);
     }
   }
-  for (std::size_t d = n; d-- > 0;) {
+  for (std::size_t position = count; position-- > 0;) {
+    const Rank d{position};
     const auto parent = model.devices[d].parent;
     t.root_of[d] = parent ? t.root_of[*parent] : d;
   }
   t.leaves.resize(t.roots.size());
-  for (std::size_t d = 0; d < n; ++d) {
+  for (const Rank d : model.devices.ids()) {
     if (t.children[d].empty()) t.leaves[tree[t.root_of[d]]].push_back(d);
   }
   return t;

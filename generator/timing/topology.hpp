@@ -8,10 +8,10 @@
 namespace finemote::gen::timing {
 
 struct Topology {
-  std::vector<std::vector<std::size_t>> children;  ///< per device, registration order
-  std::vector<std::size_t> roots;                  ///< registration order
-  std::vector<std::size_t> root_of;                ///< per device
-  std::vector<std::vector<std::size_t>> leaves;    ///< per entry of roots; a root without children is its own leaf
+  Table<Rank, std::vector<Rank>> children;  ///< registration order
+  std::vector<Rank> roots;                  ///< registration order
+  Table<Rank, Rank> root_of;
+  std::vector<std::vector<Rank>> leaves;  ///< per entry of roots; a root without children is its own leaf
 };
 
 /// Requires every parent to be registered after its children.

@@ -53,8 +53,8 @@ Transfer::After after(FrameStage stage) {
   return Transfer::After::autonomous;
 }
 
-std::vector<std::size_t> sources_per_bus(const Model& model) {
-  std::vector<std::size_t> counts;
+Table<BusPlace, std::size_t> sources_per_bus(const Model& model) {
+  Table<BusPlace, std::size_t> counts;
   for (const Bus& bus : model.buses) counts.push_back(bus.sources ? bus.sources->size() : 0);
   return counts;
 }
@@ -64,12 +64,12 @@ std::vector<std::size_t> sources_per_bus(const Model& model) {
 Traffic::Traffic(const Robot& robot, const BusPlaces& places, Model& model)
     : robot_(robot), places_(places), uses_(bus_uses(robot)), model_(model), driver_sources_(sources_per_bus(model)) {}
 
-void Traffic::add_device(const gen::Device& device, std::size_t place) {
+void Traffic::add_device(const gen::Device& device, Rank place) {
   for (const Connection& connection : connections_of(device)) add_frames(device, connection, place);
   if (device.segment) add_own_lines(device);
 }
 
-void Traffic::add_frames(const gen::Device& device, const Connection& connection, std::size_t place) {
+void Traffic::add_frames(const gen::Device& device, const Connection& connection, Rank place) {
   const auto bus = places_.of(connection.segment);
   if (!bus) return;
   const std::vector<Frame> frames = frames_over(device, connection);
@@ -100,7 +100,7 @@ void Traffic::add_selection(SegmentId segment, const WireRate& rate, WireUse& us
   if (others > 0) use.add(rate, others, 0);
 }
 
-void Traffic::add_transfer(std::size_t place, std::size_t bus, FrameStage stage, const WireUse& use) {
+void Traffic::add_transfer(Rank place, BusPlace bus, FrameStage stage, const WireUse& use) {
   const bool by_itself = stage == FrameStage::autonomous;
   Transfer transfer;
   transfer.bus = bus;
@@ -114,12 +114,12 @@ void Traffic::add_transfer(std::size_t place, std::size_t bus, FrameStage stage,
   add_budget(bus, place, use.interrupts);
 }
 
-void Traffic::add_budget(std::size_t bus, std::size_t place, Ns count, Ns every) {
+void Traffic::add_budget(BusPlace bus, Rank place, Ns count, Ns every) {
   if (driver_sources_[bus] != 1 || !counts_transfers(bus)) return;
   model_.buses[bus].sources->front().budgets.push_back({place, count, every});
 }
 
-bool Traffic::counts_transfers(std::size_t bus) const {
+bool Traffic::counts_transfers(BusPlace bus) const {
   const BusId id = places_.buses()[bus];
   const BusType::Counted counted = bus_type(robot_.buses[id].kind).counted;
   const Port* port = robot_.board != nullptr ? robot_.board->port(robot_.buses[id].port) : nullptr;

@@ -10,7 +10,7 @@
 namespace finemote::gen::timing {
 namespace {
 
-const BucketResult& bucket_of(const Timing& timing, std::size_t device) {
+const BucketResult& bucket_of(const Timing& timing, Rank device) {
   const auto& buckets = (timing.target ? *timing.target : timing.tight).buckets;
   return *std::find_if(buckets.begin(), buckets.end(), [&](const BucketResult& bucket) {
     return bucket.period_ns == timing.model.devices[device].period_ns;
@@ -20,16 +20,16 @@ const BucketResult& bucket_of(const Timing& timing, std::size_t device) {
 /// What keeps one part of a chain from having a bound.
 struct Cause {
   std::string part;
-  std::optional<Ns> period;        ///< of a bucket that may miss its deadline
-  std::optional<std::size_t> bus;  ///< else: where a message may wait without end, or longer than until the next
-  std::size_t device = 0;          ///< whose bucket or message it is
+  std::optional<Ns> period;     ///< of a bucket that may miss its deadline
+  std::optional<BusPlace> bus;  ///< else: where a message may wait without end, or longer than until the next
+  Rank device;                  ///< whose bucket or message it is
   friend bool operator==(const Cause& a, const Cause& b) {
     return a.part == b.part && a.period == b.period && a.bus == b.bus;
   }
 };
 
-std::optional<Cause> late_bucket(const Timing& timing, const std::string& part, const std::vector<std::size_t>& on) {
-  for (const std::size_t device : on) {
+std::optional<Cause> late_bucket(const Timing& timing, const std::string& part, const std::vector<Rank>& on) {
+  for (const Rank device : on) {
     const BucketResult& bucket = bucket_of(timing, device);
     if (!bucket.ok) return Cause{part, bucket.period_ns, std::nullopt, device};
   }
@@ -38,7 +38,7 @@ std::optional<Cause> late_bucket(const Timing& timing, const std::string& part, 
 
 std::vector<Cause> causes(const Timing& timing, const ChainResult& chain) {
   std::vector<Cause> list;
-  const auto look = [&](const char* part, const std::vector<std::size_t>& on, std::optional<std::size_t> bus) {
+  const auto look = [&](const char* part, const std::vector<Rank>& on, std::optional<BusPlace> bus) {
     if (const auto late = late_bucket(timing, part, on)) return list.push_back(*late);
     list.push_back({part, std::nullopt, bus, on.front()});
   };
@@ -70,7 +70,7 @@ bool lacks(const ChainResult& chain, const std::string& part) {
 /// Chains of `after` to where `chains` of `before` lead that lack this part. Another source may be the worst one there.
 std::size_t still_missing(const Timing& after, const Timing& before, const std::string& part,
                           const std::vector<std::size_t>& chains) {
-  std::vector<bool> is_end(before.model.devices.size(), false);
+  Table<Rank, bool> is_end(before.model.devices.size(), false);
   for (const std::size_t c : chains) is_end[before.chains[c].to] = true;
   return static_cast<std::size_t>(
       std::count_if(after.chains.begin(), after.chains.end(),

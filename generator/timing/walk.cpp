@@ -19,7 +19,7 @@ class Walker {
         store_(store),
         effort_(effort) {}
 
-  void walk(std::size_t root, const std::function<void(const HandOverGroup&)>& visit) {
+  void walk(Rank root, const std::function<void(const HandOverGroup&)>& visit) {
     if (!responses_.ok(set_.bucket_of[root])) return;
     if (const auto* known = store_.walked(root)) {
       std::for_each(known->begin(), known->end(), visit);
@@ -28,7 +28,7 @@ class Walker {
     root_period_ = model_.devices[root].period_ns;
     store_.begin_tree();
     std::vector<Pending> stack;
-    stack.push_back({{root_period_, {root}, at_root(), {}}, {}, {}, 0, 0});
+    stack.push_back({{root_period_, {root}, at_root(), {}}, {}, {}, {}, 0});
     while (!stack.empty()) {
       Pending pending = std::move(stack.back());
       stack.pop_back();
@@ -44,9 +44,9 @@ class Walker {
   /// A group whose hand-over is still that of its parent's group.
   struct Pending {
     HandOverGroup group;
-    Lags down, up;           ///< of the parent's handle, and of the group's update
-    std::size_t parent = 0;  ///< one of the parents: they share period and row layout
-    Ns parent_period = 0;    ///< 0: the root itself
+    Lags down, up;         ///< of the parent's handle, and of the group's update
+    Rank parent;           ///< one of the parents: they share period and row layout
+    Ns parent_period = 0;  ///< 0: the root itself
   };
 
   std::shared_ptr<const HandOver> at_root() {
@@ -67,7 +67,7 @@ class Walker {
   struct Child {
     Ns period = 1;
     Lags down, up;
-    std::size_t parent = 0, device = 0;
+    Rank parent, device;
     [[nodiscard]] bool joins(const Child& other) const {
       return period == other.period && down == other.down && up == other.up;
     }
@@ -76,8 +76,8 @@ class Walker {
 
   void push_children(const HandOverGroup& group, std::vector<Pending>& stack) {
     children_.clear();
-    for (const std::size_t parent : group.devices) {
-      for (const std::size_t child : topology_.children[parent]) {
+    for (const Rank parent : group.devices) {
+      for (const Rank child : topology_.children[parent]) {
         if (responses_.ok(set_.bucket_of[child])) children_.push_back(child_of(parent, child, group.period));
       }
     }
@@ -92,7 +92,7 @@ class Walker {
     }
   }
 
-  [[nodiscard]] Child child_of(std::size_t parent, std::size_t device, Ns parent_period) const {
+  [[nodiscard]] Child child_of(Rank parent, Rank device, Ns parent_period) const {
     Child child{model_.devices[device].period_ns, {}, {}, parent, device};
     if (child.period < parent_period) {
       child.down = lags_down(set_, table_, parent, child.period);
@@ -121,7 +121,7 @@ class Walker {
   std::shared_ptr<const HandOver> one_edge_further(const Pending& pending) {
     const std::shared_ptr<const HandOver>& above = pending.group.exact;
     const Ns period = pending.group.period, parent_period = pending.parent_period;
-    const std::size_t parent = pending.parent, device = pending.group.devices.front();
+    const Rank parent = pending.parent, device = pending.group.devices.front();
     const Ns down_length = length_below(above->down->length, period, pending.down, parent);
     const Ns up_length = length_below(above->up->length, period, pending.up, device);
     const Ns length = lcm(down_length, up_length);
@@ -142,7 +142,7 @@ class Walker {
     return joined({period, down, up}, length);
   }
 
-  Ns length_below(Ns length, Ns period, const Lags& lags, std::size_t producer) const {
+  Ns length_below(Ns length, Ns period, const Lags& lags, Rank producer) const {
     const Ns common = lcm(length, period);
     return lags.per_row.empty() ? common : lcm(common, table_.repeat(producer));
   }
@@ -161,7 +161,7 @@ class Walker {
 }  // namespace
 
 void walk_tree(const Model& model, const Topology& topology, const Responses& responses, const TaskSet& set,
-               const ReleaseTable& table, std::size_t root, HandOverStore& store, Effort& effort,
+               const ReleaseTable& table, Rank root, HandOverStore& store, Effort& effort,
                const std::function<void(const HandOverGroup&)>& visit) {
   Walker(model, topology, responses, set, table, store, effort).walk(root, visit);
 }

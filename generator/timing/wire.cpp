@@ -45,7 +45,7 @@ void WireAnalysis::collect() {
     items_.push_back(item);
     return items_.size() - 1;
   };
-  for (std::size_t d = 0; d < model_.devices.size(); ++d) {
+  for (const Rank d : model_.devices.ids()) {
     const std::size_t w = profile_.set.bucket_of[d];
     for (const Transfer& t : model_.devices[d].transfers) {
       Item item{t.bus, t.receive, t.after == Transfer::After::autonomous, model_.devices[d].period_ns, 0, t.wire_ns, 0,
@@ -89,7 +89,7 @@ std::size_t WireAnalysis::bucket_of(const Flush& flush) const {
 
 void WireAnalysis::add_load() {
   loads_.resize(model_.buses.size());
-  for (std::size_t b = 0; b < loads_.size(); ++b) {
+  for (const BusPlace b : loads_.ids()) {
     long double lines[2] = {0, 0};
     for (const Item& i : items_) {
       if (i.bus == b) lines[i.receive ? 1 : 0] += static_cast<long double>(i.pure) / static_cast<long double>(i.period);
@@ -133,7 +133,7 @@ std::optional<Ns> WireAnalysis::bound(std::size_t index) const {
   return add(wait, own.wire - before_last);
 }
 
-std::optional<Ns> WireAnalysis::response(std::size_t device, std::size_t transfer) const {
+std::optional<Ns> WireAnalysis::response(Rank device, std::size_t transfer) const {
   return bound(item_of_[device][transfer]);
 }
 
@@ -164,11 +164,11 @@ std::optional<Ns> WireAnalysis::flush_response(std::size_t flush) const {
 
 /// From the end of handle(device) to the end of the job: nothing more urgent is pending when a stage ends, so only
 /// later arrivals and the rest of the job count.
-std::optional<Ns> WireAnalysis::rest_of_job(std::size_t device) const {
+std::optional<Ns> WireAnalysis::rest_of_job(Rank device) const {
   const TaskSet& set = profile_.set;
   const std::size_t w = set.bucket_of[device];
   Ns handles = 0;
-  for (const std::size_t d : set.buckets[w].devices) {
+  for (const Rank d : set.buckets[w].devices) {
     if (d < device) handles = add(handles, set.handle[d]);
   }
   return end_of_job(w, handles);
@@ -186,7 +186,7 @@ std::optional<Ns> WireAnalysis::end_of_job(std::size_t w, Ns handles) const {
   return std::min(least_fit(demand, work, work, kNever - 1), profile_.responses.bucket[w]);
 }
 
-std::optional<Ns> WireAnalysis::command(std::size_t to) const {
+std::optional<Ns> WireAnalysis::command(Rank to) const {
   std::optional<Ns> worst = model_.devices[to].output_ns;
   const auto raise = [&](std::optional<Ns> value) {
     worst = worst && value ? std::optional<Ns>(std::max(*worst, *value)) : std::nullopt;
@@ -211,7 +211,7 @@ std::optional<Ns> WireAnalysis::command(std::size_t to) const {
   return worst;
 }
 
-std::optional<Ns> WireAnalysis::acquisition(std::size_t from) const {
+std::optional<Ns> WireAnalysis::acquisition(Rank from) const {
   const Device& device = model_.devices[from];
   if (!device.acquisition) return 0;
   const Acquisition& a = *device.acquisition;

@@ -22,20 +22,20 @@ class WireAnalysis {
 
   /// Hand-over to last bit of a transfer; none where one may still be queued when the next is handed over. Of a flush:
   /// from the end of its job to the last bit that carries what its job computed.
-  [[nodiscard]] std::optional<Ns> response(std::size_t device, std::size_t transfer) const;
+  [[nodiscard]] std::optional<Ns> response(Rank device, std::size_t transfer) const;
   [[nodiscard]] std::optional<Ns> flush_response(std::size_t flush) const;
 
   /// End of handle(to) to the last bit of its command; 0 where no bus carries one; none where unbounded.
-  [[nodiscard]] std::optional<Ns> command(std::size_t to) const;
+  [[nodiscard]] std::optional<Ns> command(Rank to) const;
 
   /// Age of a sample when update(from) begins; 0 without acquisition data; none where unbounded.
-  [[nodiscard]] std::optional<Ns> acquisition(std::size_t from) const;
+  [[nodiscard]] std::optional<Ns> acquisition(Rank from) const;
 
-  [[nodiscard]] const std::vector<BusLoad>& loads() const { return loads_; }
+  [[nodiscard]] const Table<BusPlace, BusLoad>& loads() const { return loads_; }
 
  private:
   struct Item {
-    std::size_t bus = 0;
+    BusPlace bus;
     bool receive = false;
     bool autonomous = false;
     Ns period = 1;
@@ -63,7 +63,7 @@ class WireAnalysis {
   void add_load();
   Ns with_service(Ns wire, Ns interrupts);
   [[nodiscard]] std::optional<Ns> bound(std::size_t item) const;
-  [[nodiscard]] std::optional<Ns> rest_of_job(std::size_t device) const;
+  [[nodiscard]] std::optional<Ns> rest_of_job(Rank device) const;
   [[nodiscard]] std::optional<Ns> end_of_job(std::size_t bucket, Ns handles) const;
   [[nodiscard]] std::size_t bucket_of(const Flush& flush) const;
 
@@ -71,9 +71,9 @@ class WireAnalysis {
   const ProfileAnalysis& profile_;
   Effort& effort_;
   std::vector<Item> items_;
-  std::vector<std::vector<std::size_t>> item_of_;  ///< per device and transfer
+  Table<Rank, std::vector<std::size_t>> item_of_;  ///< per transfer
   std::vector<std::optional<std::size_t>> flush_item_;
-  std::vector<BusLoad> loads_;
+  Table<BusPlace, BusLoad> loads_;
 };
 
 }  // namespace finemote::gen::timing

@@ -16,7 +16,7 @@ std::string whole_percent(double fraction) { return fmt::format("{:.0f} %", frac
 
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
-std::string quoted_names(const Model& model, const std::vector<std::size_t>& devices, std::size_t most) {
+std::string quoted_names(const Model& model, const std::vector<Rank>& devices, std::size_t most) {
   std::string text;
   for (std::size_t i = 0; i < devices.size() && i < most; ++i) {
     text += (i > 0 ? ", " : "") + quoted(model.devices[devices[i]].name);

@@ -20,7 +20,7 @@ std::string whole_percent(double fraction);
 std::string quoted(const std::string& name);
 
 /// `'a', 'b' and 3 more`: the names of devices, at most so many.
-std::string quoted_names(const Model& model, const std::vector<std::size_t>& devices, std::size_t most);
+std::string quoted_names(const Model& model, const std::vector<Rank>& devices, std::size_t most);
 
 /// `the devices with period 1ms`
 std::string bucket_text(Ns period);

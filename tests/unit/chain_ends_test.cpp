@@ -103,7 +103,7 @@ TEST_CASE("a requirement that ends in composites is asked of their actuators, wi
   REQUIRE(motor.wire_ns);
   CHECK(*motor.wire_ns > 100'000);  // a frame of eight bytes at 1 Mbit/s
   for (const RequirementResult& r : timing->requirements) {
-    CHECK(r.requirement.to == std::vector<std::size_t>{robot["left_motor"], robot["right_motor"]});
+    CHECK(r.requirement.to == std::vector<Rank>{robot["left_motor"], robot["right_motor"]});
     REQUIRE(r.value_ns);
     CHECK(*r.value_ns >= *motor.end_to_end_ns);
   }
@@ -137,12 +137,12 @@ TEST_CASE("default chains are the oldest of all sources that are connected, on r
     Model model = random.make(kForestClasses[seed % 4]);
     random.observe(model);
     Random choice(seed + 1000);
-    for (std::size_t d = 0; d < model.devices.size(); ++d) {
+    for (const Rank d : model.devices.ids()) {
       const auto parent = model.devices[d].parent;
       if (choice.one_in(6))
         model.devices[d].acquisition = timing::Acquisition{choice.between(0, 90), choice.between(0, 90)};
       if (parent && choice.one_in(4)) model.devices[*parent].ends_here.push_back(d), ++ended;
-      for (const std::size_t observed : model.devices[d].reads) {
+      for (const Rank observed : model.devices[d].reads) {
         if (choice.one_in(4)) model.devices[d].ends_here.push_back(observed);
       }
     }
@@ -152,13 +152,13 @@ TEST_CASE("default chains are the oldest of all sources that are connected, on r
     const WireAnalysis wire(model, tight, effort);
     const ChainAnalysis chains(model, topology, tight, wire, effort);
     for (const ChainResult& found : chains.defaults()) {
-      INFO("seed " << seed << ", to " << found.to);
+      INFO("seed " << seed << ", to " << model.devices[found.to].name);
       CHECK(chains.connected(found.from, found.to));
       const auto age = [](const ChainResult& c) {
         return c.acquire_ns && c.decide_ns ? *c.acquire_ns + *c.decide_ns : kNever;
       };
       Ns oldest = 0;
-      for (std::size_t from = 0; from < model.devices.size(); ++from) {
+      for (const Rank from : model.devices.ids()) {
         const bool is_source = topology.children[from].empty() || model.devices[from].acquisition;
         if (is_source && chains.connected(from, found.to)) oldest = std::max(oldest, age(chains.bound(from, found.to)));
       }

@@ -39,7 +39,7 @@ Model applied(Model model, const std::vector<Change>& changes) {
                          std::find(ones.begin(), ones.end(), flush.devices.front()) != ones.end();
       if (moves) flush.period_ns = change.value;
     }
-    for (const std::size_t d : change.devices) {
+    for (const Rank d : change.devices) {
       timing::Device& device = model.devices[d];
       if (change.kind == Change::Kind::period) {
         device.period_ns = change.value;
@@ -93,7 +93,7 @@ TEST_CASE("the verdict alone is that of the whole analysis, without its chains a
     request.requirements.resize(2);
     request.requirements[0].kind = timing::Requirement::Kind::utilization;
     request.requirements[1].kind = timing::Requirement::Kind::jitter;
-    request.requirements[1].to = {0};
+    request.requirements[1].to = {Rank{0}};
     const auto whole = analysed(model, request);
     request.verdict_only = true;
     const auto verdict = analysed(model, request);
@@ -102,7 +102,7 @@ TEST_CASE("the verdict alone is that of the whole analysis, without its chains a
     CHECK(verdict->schedulable == whole->schedulable);
     CHECK(verdict->processor_load == whole->processor_load);
     REQUIRE(verdict->bus_loads.size() == whole->bus_loads.size());
-    for (std::size_t b = 0; b < whole->bus_loads.size(); ++b)
+    for (const BusPlace b : whole->bus_loads.ids())
       CHECK(verdict->bus_loads[b].utilization == whole->bus_loads[b].utilization);
     CHECK(verdict->requirements[0].fraction == whole->requirements[0].fraction);
     CHECK(verdict->requirements[1].value_ns == whole->requirements[1].value_ns);
@@ -127,14 +127,16 @@ TEST_CASE("the uses of the processor sum up to its load, largest first") {
 TEST_CASE("work is not to blame where interrupts need all the time there is") {
   Model model;
   model.tick_ns = 1000;
-  model.devices.resize(1);
-  model.devices[0].name = "a";
-  model.devices[0].period_ns = 10'000;
-  model.devices[0].update_wcet_ns = 1000;
-  model.buses.resize(1);
-  model.buses[0].name = "loud";
-  model.buses[0].frame_ns = 100;
-  model.buses[0].wcet_ns = 100;
+  timing::Device device;
+  device.name = "a";
+  device.period_ns = 10'000;
+  device.update_wcet_ns = 1000;
+  model.devices.push_back(device);
+  timing::Bus bus;
+  bus.name = "loud";
+  bus.frame_ns = 100;
+  bus.wcet_ns = 100;
+  model.buses.push_back(bus);
   AnalysisRequest request;
   request.remodel = model_remodel(model);
   Diagnostics findings;
@@ -156,7 +158,7 @@ TEST_CASE("a device below one whose period changes follows, unless it has a peri
       <device name="own" type="sim_load" period="10ms"/>
     </device>)");
   const Remodel remodel = robot_remodel(*robot.robot, robot.forest);
-  const auto model = remodel({{Change::Kind::period, {robot["root"]}, 0, 20'000'000}});
+  const auto model = remodel({{Change::Kind::period, {robot["root"]}, {}, 20'000'000}});
   REQUIRE(model);
   CHECK(model->devices[robot["root"]].period_ns == 20'000'000);
   CHECK(model->devices[robot["child"]].period_ns == 20'000'000);
@@ -196,5 +198,5 @@ TEST_CASE("a message that may wait too long has a reason and a way back") {
   const auto after = analysed(robot_with(moved).model);
   REQUIRE(after);
   CHECK(after->missing.empty());
-  CHECK(after->bus_loads[0].utilization == Approx(0.675));
+  CHECK(after->bus_loads[BusPlace{0}].utilization == Approx(0.675));
 }

@@ -120,7 +120,7 @@ TEST_CASE("a chain between trees that share no data is refused") {
       diagnostics);
   REQUIRE(model);
   AnalysisRequest request;
-  request.chains = {{0, 1}};
+  request.chains = {{Rank{0}, Rank{1}}};
   CHECK_FALSE(analyse(*model, request, diagnostics));
   REQUIRE(diagnostics.size() == 1);
   CHECK(diagnostics.in_file_order().front().message == "no data leads from 'a' to 'b'");
@@ -130,24 +130,24 @@ TEST_CASE("a window between two devices of a bucket holds at every release, also
   // Both periods repeat after a million releases; only some of the slower bucket's jobs are preempted.
   Model model;
   model.devices.resize(3);
-  const auto set = [&](std::size_t d, const char* name, Ns period, Ns wcet) {
+  const auto set = [&](Rank d, const char* name, Ns period, Ns wcet) {
     model.devices[d].name = name;
     model.devices[d].period_ns = period;
     model.devices[d].update_wcet_ns = model.devices[d].handle_wcet_ns = wcet;
   };
-  set(0, "fast", 1'000'003, 1'000);
-  set(1, "leaf", 1'999'993, 10);
-  set(2, "root", 1'999'993, 10);
-  model.devices[1].parent = 2;
+  set(Rank{0}, "fast", 1'000'003, 1'000);
+  set(Rank{1}, "leaf", 1'999'993, 10);
+  set(Rank{2}, "root", 1'999'993, 10);
+  model.devices[Rank{1}].parent = Rank{2};
   AnalysisRequest request;
-  request.chains = {{1, 1}};
+  request.chains = {{Rank{1}, Rank{1}}};
   Diagnostics diagnostics;
   const auto timing = analyse(model, request, diagnostics);
   REQUIRE(timing);
   for (const ChainResult& chain : timing->chains) {
-    if (chain.to == 1) CHECK(*chain.decide_ns == 2'040);
+    if (chain.to == Rank{1}) CHECK(*chain.decide_ns == 2'040);
   }
-  CHECK(*timing->tight.devices[1].window_ns == 2'040);
+  CHECK(*timing->tight.devices[Rank{1}].window_ns == 2'040);
 }
 
 TEST_CASE("a budget may count interrupts that come in one of so many periods") {
@@ -162,7 +162,7 @@ TEST_CASE("a budget may count interrupts that come in one of so many periods") {
   const auto timing = analyse(*model, {}, diagnostics);
   REQUIRE(timing);
   // In a window of two periods: three in each of them, and the seven once.
-  CHECK(*timing->target->devices[0].r_minus_ns == 200 + 1 + (2 * 3 + 7) * 2);
+  CHECK(*timing->target->devices[Rank{0}].r_minus_ns == 200 + 1 + (2 * 3 + 7) * 2);
   CHECK(
       messages(R"({"tick_ns":10,"buses":[{"name":"b","baud_bps":1,"min_frame_bits":1,"wcet_ns":0,"sources":[{"name":"s",
 "wcet_ns":0,"min_interval_ns":1,"budgets":[{"device":"a","count":1,"every":0}]}]}],"devices":[{"name":"a","period_ns":10,
@@ -190,7 +190,7 @@ struct OnCan {
   Ns report, command;
 };
 
-OnCan on_can(const std::string& text, std::size_t part) {
+OnCan on_can(const std::string& text, Rank part) {
   Sources sources;
   Diagnostics diagnostics;
   const auto model = read_model(*sources.add({"m.json", "", text}), diagnostics);
@@ -214,18 +214,18 @@ OnCan on_can(const std::string& text, std::size_t part) {
 TEST_CASE("identifiers say which frames go first on a bus that arbitrates") {
   // One frame that has begun, then those with smaller identifiers, then its own.
   const std::string one = can_model(true, "[512]", 135);
-  CHECK(on_can(one, 0).report == 3 * 135);
-  CHECK(on_can(one, 2).report == 5 * 135);
-  CHECK(on_can(one, 0).command == 2 * 135);
+  CHECK(on_can(one, Rank{0}).report == 3 * 135);
+  CHECK(on_can(one, Rank{2}).report == 5 * 135);
+  CHECK(on_can(one, Rank{0}).command == 2 * 135);
   // Of two frames of commands the second may wait for the first; both go before every report.
   const std::string two = can_model(true, "[511,512]", 270);
-  CHECK(on_can(two, 0).report == 4 * 135);
-  CHECK(on_can(two, 2).report == 6 * 135);
-  CHECK(on_can(two, 0).command == 4 * 135);
+  CHECK(on_can(two, Rank{0}).report == 4 * 135);
+  CHECK(on_can(two, Rank{2}).report == 6 * 135);
+  CHECK(on_can(two, Rank{0}).command == 4 * 135);
   // Unknown ones may all be more urgent.
   const std::string unknown = can_model(false, "", 135);
-  CHECK(on_can(unknown, 0).report == 5 * 135);
-  CHECK(on_can(unknown, 0).command == 5 * 135);
+  CHECK(on_can(unknown, Rank{0}).report == 5 * 135);
+  CHECK(on_can(unknown, Rank{0}).command == 5 * 135);
 }
 
 TEST_CASE("a suggested order keeps what is read before its readers") {
@@ -241,10 +241,11 @@ TEST_CASE("a suggested order keeps what is read before its readers") {
       diagnostics);
   REQUIRE(model);
   const auto free = suggest_order(*model, Profile::tight);
-  CHECK(free.front() != 0);  // the remote behind the slower tree ends sooner after it begins
-  model->devices[2].reads = {0};
+  CHECK(free[Rank{0}] != Rank{0});  // the remote behind the slower tree ends sooner after it begins
+  model->devices[Rank{2}].reads = {Rank{0}};
   const auto bound = suggest_order(*model, Profile::tight);
-  CHECK(bound == std::vector<std::size_t>{0, 1, 2});
-  const Model late = reorder(*model, {1, 2, 0});
-  CHECK(suggest_order(late, Profile::tight).front() == 2);  // and it moves a remote that stands behind its reader
+  CHECK(bound == Order{Rank{0}, Rank{1}, Rank{2}});
+  const Model late = reorder(*model, {Rank{1}, Rank{2}, Rank{0}});
+  CHECK(suggest_order(late, Profile::tight)[Rank{0}] ==
+        Rank{2});  // and it moves a remote that stands behind its reader
 }

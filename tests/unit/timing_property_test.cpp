@@ -26,7 +26,7 @@ std::uint64_t seed_of(ForestClass kind, int i) {
 std::vector<ChainEnds> leaf_paths(const Topology& topology) {
   std::vector<ChainEnds> chains;
   for (const auto& leaves : topology.leaves) {
-    for (const std::size_t leaf : leaves) chains.push_back({leaf, leaf});
+    for (const Rank leaf : leaves) chains.push_back({leaf, leaf});
   }
   return chains;
 }
@@ -34,8 +34,8 @@ std::vector<ChainEnds> leaf_paths(const Topology& topology) {
 std::vector<ChainEnds> leaf_pairs(const Topology& topology) {
   std::vector<ChainEnds> chains;
   for (const auto& leaves : topology.leaves) {
-    for (const std::size_t a : leaves) {
-      for (const std::size_t b : leaves) chains.push_back({a, b});
+    for (const Rank a : leaves) {
+      for (const Rank b : leaves) chains.push_back({a, b});
     }
   }
   return chains;
@@ -49,7 +49,7 @@ Ns run_length(const Model& model) {
 
 /// Empty when nothing that was simulated is above its bound.
 std::string violation(const Model& model, const ProfileResult& bounds, const Simulation& run) {
-  for (std::size_t d = 0; d < model.devices.size(); ++d) {
+  for (const Rank d : model.devices.ids()) {
     const DeviceResult& b = bounds.devices[d];
     const Simulation::DeviceWorst& w = run.devices[d];
     if (!b.r_minus_ns) continue;
@@ -86,7 +86,7 @@ void check_profile(const Model& model, Profile profile) {
   const Topology topology = make_topology(model);
   const ProfileResult found = analyse_profile(model, topology, profile).result;
   Reference reference(model, profile == Profile::tight);
-  for (std::size_t d = 0; d < model.devices.size(); ++d) {
+  for (const Rank d : model.devices.ids()) {
     CHECK(found.devices[d].r_plus_ns == reference.r(d, false));
     CHECK(found.devices[d].r_minus_ns == reference.r(d, true));
     if (profile == Profile::tight) CHECK(found.devices[d].window_ns == reference.window(d));
@@ -177,8 +177,8 @@ TEST_CASE("no simulated chain is above its decision bound, through reads or not"
         const WireAnalysis wire(model, analysis, effort);
         const ChainAnalysis chains(model, topology, analysis, wire, effort);
         std::vector<ChainEnds> ends;
-        for (std::size_t a = 0; a < model.devices.size(); ++a) {
-          for (std::size_t b = 0; b < model.devices.size(); ++b) {
+        for (const Rank a : model.devices.ids()) {
+          for (const Rank b : model.devices.ids()) {
             if (chains.connected(a, b)) ends.push_back({a, b});
           }
         }
@@ -186,7 +186,8 @@ TEST_CASE("no simulated chain is above its decision bound, through reads or not"
         for (const Simulation::ChainWorst& seen : run.chains) {
           const ChainResult bound = chains.bound(seen.ends.from, seen.ends.to);
           if (!bound.decide_ns) continue;
-          INFO("seed " << seed << " " << seen.ends.from << "->" << seen.ends.to << " " << model_json(model).dump());
+          INFO("seed " << seed << " " << seen.ends.from.value() << "->" << seen.ends.to.value() << " "
+                       << model_json(model).dump());
           CHECK(seen.latency <= *bound.decide_ns);
           ++compared;
           through_reads += bound.through_reads ? 1 : 0;
@@ -239,7 +240,7 @@ TEST_CASE("every classic mistake is caught by the same property") {
         if (!real.result.schedulable) continue;
         Reference wrong(model, false, mistakes);
         ProfileResult bounds = real.result;
-        for (std::size_t d = 0; d < model.devices.size(); ++d) {
+        for (const Rank d : model.devices.ids()) {
           bounds.devices[d].r_plus_ns = wrong.r(d, false);
           bounds.devices[d].r_minus_ns = wrong.r(d, true);
         }
@@ -261,18 +262,19 @@ TEST_CASE("every classic mistake is caught by the same property") {
 TEST_CASE("below an empty bucket the rule of the cases is kept, and profile target is safe") {
   Model model;
   model.tick_ns = 10;
-  model.devices.resize(2);
-  model.devices[0].name = "slow";
-  model.devices[0].parent = 1;
-  model.devices[0].period_ns = 40;
-  model.devices[0].handle_wcet_ns = 1;
-  model.devices[1].name = "fast";
-  model.devices[1].period_ns = 10;
+  Device slow, fast;
+  slow.name = "slow";
+  slow.parent = Rank{1};
+  slow.period_ns = 40;
+  slow.handle_wcet_ns = 1;
+  fast.name = "fast";
+  fast.period_ns = 10;
+  model.devices = {slow, fast};
   const Topology topology = make_topology(model);
   const auto bound = [&](Profile profile) {
     return *analyse_profile(model, topology, profile).result.trees.front().latency_ns;
   };
-  const Simulation run = simulate(model, {1, 400, Profile::tight, {{0, 0}}});
+  const Simulation run = simulate(model, {1, 400, Profile::tight, {{Rank{0}, Rank{0}}}});
   CHECK(bound(Profile::tight) == 1);
   CHECK(run.chains.front().latency == 41);
   CHECK(bound(Profile::target) == 41);

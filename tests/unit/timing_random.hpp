@@ -40,14 +40,14 @@ class RandomForest {
       d.handle_extra_ns = random_.between(0, 2);
     }
     if (random_.one_in(2))
-      model.flushes.push_back({model.devices.front().period_ns, random_.between(0, 6), {}, 0, 1, {}, {}, {}});
+      model.flushes.push_back({model.devices[Rank{}].period_ns, random_.between(0, 6), {}, 0, 1, {}, {}, {}});
     for (Bus& bus : model.buses) {
       if (random_.one_in(3)) continue;
       bus.sources.emplace();
       for (Ns i = random_.between(1, 2); i > 0; --i) {
         InterruptSource source{"source", random_.between(0, 4), random_.between(5, 80), {}};
         if (random_.one_in(2)) {
-          const auto device = static_cast<std::size_t>(random_.between(0, static_cast<Ns>(model.devices.size()) - 1));
+          const Rank device{static_cast<std::size_t>(random_.between(0, static_cast<Ns>(model.devices.size()) - 1))};
           source.budgets.push_back({device, random_.between(0, 3), random_.between(1, 3)});
         }
         bus.sources->push_back(source);
@@ -58,17 +58,17 @@ class RandomForest {
   /// Lets some devices read devices of other trees, without cycles: readers are in later trees than what they read, or
   /// in earlier ones, but not both.
   void observe(Model& model) {
-    std::vector<Ns> tree(model.devices.size());
+    Table<Rank, Ns> tree(model.devices.size());
     Ns trees = 0;
-    for (std::size_t d = 0; d < tree.size(); ++d) {
+    for (const Rank d : tree.ids()) {
       tree[d] = trees;
       if (!model.devices[d].parent) ++trees;
     }
     const bool forward = random_.one_in(2);
     const auto last = static_cast<Ns>(model.devices.size()) - 1;
     for (Ns i = random_.between(1, 3); i > 0; --i) {
-      const auto reader = static_cast<std::size_t>(random_.between(0, last));
-      const auto observed = static_cast<std::size_t>(random_.between(0, last));
+      const Rank reader{static_cast<std::size_t>(random_.between(0, last))};
+      const Rank observed{static_cast<std::size_t>(random_.between(0, last))};
       if (forward ? tree[observed] < tree[reader] : tree[reader] < tree[observed]) {
         model.devices[reader].reads.push_back(observed);
       }
@@ -91,21 +91,23 @@ class RandomForest {
   void grow(Model& model, ForestClass kind, Ns count) {
     const std::size_t begin = model.devices.size(), end = begin + static_cast<std::size_t>(count);
     std::vector<std::size_t> rank(end, 0);  // index into periods_
+    std::vector<Device> tree;               // root first
     for (std::size_t d = end; d-- > begin;) {
       Device device;
       device.name = "d" + std::to_string(d);
       Ns low = 0, high = static_cast<Ns>(periods_.size()) - 1;
       if (d + 1 < end) {
         const auto parent = static_cast<std::size_t>(random_.between(static_cast<Ns>(d) + 1, static_cast<Ns>(end) - 1));
-        device.parent = parent;
+        device.parent = Rank{parent};
         const auto limit = static_cast<Ns>(rank[parent]);
         if (kind == ForestClass::parent_slower) high = limit;
         if (kind == ForestClass::parent_faster) low = limit;
       }
       rank[d] = static_cast<std::size_t>(random_.between(low, high));
       device.period_ns = periods_[rank[d]] * kTick;
-      model.devices.insert(model.devices.begin() + static_cast<std::ptrdiff_t>(begin), device);
+      tree.push_back(device);
     }
+    for (auto device = tree.rbegin(); device != tree.rend(); ++device) model.devices.push_back(*device);
   }
 
   void scale_costs(Model& model) {

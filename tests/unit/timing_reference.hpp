@@ -36,14 +36,12 @@ class Reference {
     for (const Ns t : periods_) ok_[t] = bucket_ok(t);
   }
 
-  [[nodiscard]] bool ok(std::size_t d) const { return ok_.at(m_.devices[d].period_ns); }
+  [[nodiscard]] bool ok(Rank d) const { return ok_.at(m_.devices[d].period_ns); }
 
-  [[nodiscard]] std::optional<Ns> r(std::size_t d, bool handle) const {
-    return ok(d) ? general(d, handle) : std::nullopt;
-  }
+  [[nodiscard]] std::optional<Ns> r(Rank d, bool handle) const { return ok(d) ? general(d, handle) : std::nullopt; }
 
   /// R of one release (profile tight), capped by the general bound.
-  Ns r_at(std::size_t d, bool handle, Ns t) {
+  Ns r_at(Rank d, bool handle, Ns t) {
     const auto key = std::make_tuple(d, handle, t - fl(t, repeat(d)) * repeat(d));
     if (const auto known = responses_.find(key); known != responses_.end()) return known->second;
     const Ns cap = *general(d, handle);
@@ -59,12 +57,13 @@ class Reference {
     return responses_[key] = std::min(worst, cap);
   }
 
-  Ns window_at(std::size_t d, Ns t) {
+  Ns window_at(Rank d, Ns t) {
     const Device& device = m_.devices[d];
     const Ns e = extra(d, true), response = r_at(d, true, t);
     Ns w = 0;
-    for (std::size_t o = d; o < m_.devices.size(); ++o) {
-      if (m_.devices[o].period_ns == device.period_ns) w += m_.devices[o].update_wcet_ns + m_.devices[o].handle_wcet_ns;
+    for (const Rank o : m_.devices.ids()) {
+      if (o >= d && m_.devices[o].period_ns == device.period_ns)
+        w += m_.devices[o].update_wcet_ns + m_.devices[o].handle_wcet_ns;
     }
     for (Ns x = w + e;;) {
       Ns need = w + e;
@@ -79,7 +78,7 @@ class Reference {
     }
   }
 
-  std::optional<Ns> window(std::size_t d) {
+  std::optional<Ns> window(Rank d) {
     if (!ok(d)) return std::nullopt;
     Ns worst = 0;
     for (Ns t = 0; t < repeat(d); t += m_.devices[d].period_ns) worst = std::max(worst, window_at(d, t));
@@ -91,8 +90,8 @@ class Reference {
   };
 
   /// Terminal at `to`, source at `from`, turning at the root; nothing when a bucket on the way is not ok.
-  std::optional<Path> path(std::size_t from, std::size_t to) {
-    const std::vector<std::size_t> down = to_root(to), up = to_root(from);
+  std::optional<Path> path(Rank from, Rank to) {
+    const std::vector<Rank> down = to_root(to), up = to_root(from);
     Ns common = 1;
     for (const auto& way : {down, up}) {
       for (std::size_t i = 0; i < way.size(); ++i) {
@@ -119,9 +118,9 @@ class Reference {
     return a >= 0 ? a / b : -((-a + b - 1) / b);
   }
 
-  [[nodiscard]] Ns base(std::size_t d, bool handle) const {
+  [[nodiscard]] Ns base(Rank d, bool handle) const {
     Ns sum = 0;
-    for (std::size_t o = 0; o < m_.devices.size(); ++o) {
+    for (const Rank o : m_.devices.ids()) {
       if (m_.devices[o].period_ns != m_.devices[d].period_ns) continue;
       if (handle || o <= d) sum += m_.devices[o].update_wcet_ns;
       if (handle && o >= d) sum += m_.devices[o].handle_wcet_ns;
@@ -129,12 +128,12 @@ class Reference {
     return sum;
   }
 
-  [[nodiscard]] Ns extra(std::size_t d, bool handle) const {
+  [[nodiscard]] Ns extra(Rank d, bool handle) const {
     if (mistakes_.literal_zero_rule) return 0;
     return (handle ? m_.devices[d].handle_wcet_ns : m_.devices[d].update_wcet_ns) == 0 ? 1 : 0;
   }
 
-  [[nodiscard]] std::optional<Ns> general(std::size_t d, bool handle) const {
+  [[nodiscard]] std::optional<Ns> general(Rank d, bool handle) const {
     const Ns period = m_.devices[d].period_ns, e = extra(d, handle), b = base(d, handle) + e;
     for (Ns x = b;;) {
       if (x - e > period) return std::nullopt;
@@ -147,7 +146,7 @@ class Reference {
   }
 
   [[nodiscard]] bool bucket_ok(Ns period) const {
-    for (std::size_t d = 0; d < m_.devices.size(); ++d) {
+    for (const Rank d : m_.devices.ids()) {
       if (m_.devices[d].period_ns == period) return general(d, true).has_value();
     }
     return false;
@@ -177,19 +176,19 @@ class Reference {
   }
 
   /// All releases of the device's bucket look alike again after this.
-  [[nodiscard]] Ns repeat(std::size_t d) const {
+  [[nodiscard]] Ns repeat(Rank d) const {
     Ns common = 1;
     for (const Ns t : periods_) common = t <= m_.devices[d].period_ns ? std::lcm(common, t) : common;
     return common;
   }
 
-  [[nodiscard]] std::vector<std::size_t> to_root(std::size_t d) const {
-    std::vector<std::size_t> way{d};
+  [[nodiscard]] std::vector<Rank> to_root(Rank d) const {
+    std::vector<Rank> way{d};
     while (m_.devices[way.back()].parent) way.push_back(*m_.devices[way.back()].parent);
     return way;
   }
 
-  Ns back(Ns x, std::size_t producer, std::size_t consumer, bool handle) {
+  Ns back(Ns x, Rank producer, Rank consumer, bool handle) {
     const Ns period = m_.devices[producer].period_ns;
     const bool slower = period > m_.devices[consumer].period_ns;
     if (!tight_) return fl(x - (slower ? *general(producer, handle) : 0), period) * period;
@@ -204,7 +203,7 @@ class Reference {
   std::vector<std::pair<Ns, Ns>> streams_;
   std::map<Ns, Ns> cost_;
   std::map<Ns, bool> ok_;
-  std::map<std::tuple<std::size_t, bool, Ns>, Ns> responses_;
+  std::map<std::tuple<Rank, bool, Ns>, Ns> responses_;
 };
 
 }  // namespace finemote::gen::timing

@@ -12,13 +12,13 @@ using namespace finemote::gen::timing;
 TEST_CASE("finsrov is schedulable with the costs of the board, and keeps its requirements") {
   Robots finsrov("examples/finsrov.urdf");
   REQUIRE(finsrov.model.devices.size() == 14);
-  CHECK(finsrov.model.devices.front().name == "imu");
+  CHECK(finsrov.model.devices[Rank{0}].name == "imu");
   CHECK(finsrov.model.devices.back().name == "rov");
   CHECK(finsrov.model.buses.size() == 3);
   AnalysisRequest request;
   request.requirements = timing_requirements(*finsrov.robot, finsrov.forest);
   REQUIRE(request.requirements.size() == 2);
-  request.chains = {{0, 5}};
+  request.chains = {{Rank{0}, Rank{5}}};
   Diagnostics diagnostics;
   const auto timing = analyse(finsrov.model, request, diagnostics);
   INFO(render_text(diagnostics, false));
@@ -31,7 +31,7 @@ TEST_CASE("finsrov is schedulable with the costs of the board, and keeps its req
         16);  // by default the worst sensor of each thruster; the requirement's eight, one of them asked for as well
 
   // Costs come on top of the work alone, whatever the interrupts do.
-  for (std::size_t d = 0; d < 14; ++d) {
+  for (const Rank d : finsrov.model.devices.ids()) {
     CHECK(timing->target->devices[d].b_minus_ns > timing->tight.devices[d].b_minus_ns);
     CHECK(*timing->target->devices[d].r_minus_ns > timing->target->devices[d].b_minus_ns);
   }
@@ -65,12 +65,12 @@ TEST_CASE("an expander driven from two buckets may send a command with a later f
   Robots finsrov("examples/finsrov.urdf");
   const auto wire_of = [](const timing::Model& model) {
     AnalysisRequest request;
-    request.chains = {{0, 5}};
+    request.chains = {{Rank{0}, Rank{5}}};
     Diagnostics diagnostics;
     const auto timing = analyse(model, request, diagnostics);
     REQUIRE(timing);
-    REQUIRE(timing->target->devices[5].r_minus_ns);
-    return chain(*timing, model.devices[0].name, model.devices[5].name).wire_ns;
+    REQUIRE(timing->target->devices[Rank{5}].r_minus_ns);
+    return chain(*timing, model.devices[Rank{0}].name, model.devices[Rank{5}].name).wire_ns;
   };
   timing::Model model = finsrov.model;
   REQUIRE(model.flushes.size() == 1);
@@ -81,7 +81,7 @@ TEST_CASE("an expander driven from two buckets may send a command with a later f
   REQUIRE(alone);
   Flush fast = model.flushes[0];
   fast.period_ns = 5'000'000;
-  fast.devices = {0};
+  fast.devices = {Rank{0}};
   model.flushes.push_back(fast);
   const auto shared = wire_of(model);
   REQUIRE(shared);

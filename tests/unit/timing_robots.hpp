@@ -19,12 +19,12 @@ struct Robots : RobotPlan {
   static Robots with(const std::string& inner) { return Robots(Inner{inner}); }
 
   /// Place in the model.
-  [[nodiscard]] std::size_t operator[](const std::string& name) const {
-    for (std::size_t d = 0; d < model.devices.size(); ++d) {
+  [[nodiscard]] Rank operator[](const std::string& name) const {
+    for (const Rank d : model.devices.ids()) {
       if (model.devices[d].name == name) return d;
     }
     FAIL("no device " << name);
-    return 0;
+    return {};
   }
 
  private:

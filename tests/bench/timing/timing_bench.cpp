@@ -27,7 +27,7 @@ Ns repetition(const Model& model) {
 std::vector<ChainEnds> leaf_paths(const Topology& topology) {
   std::vector<ChainEnds> chains;
   for (const auto& leaves : topology.leaves) {
-    for (const std::size_t leaf : leaves) chains.push_back({leaf, leaf});
+    for (const Rank leaf : leaves) chains.push_back({leaf, leaf});
   }
   return chains;
 }
@@ -89,22 +89,22 @@ Model large_model(std::size_t count, const std::vector<Ns>& milliseconds) {
   model.tick_ns = 1'000'000;
   model.buses.resize(3);
   const Ns frames[] = {86'805, 22'500, 47'000};
-  for (std::size_t b = 0; b < 3; ++b) {
-    model.buses[b].name = "b" + std::to_string(b);
-    model.buses[b].frame_ns = frames[b];
+  for (const BusPlace b : model.buses.ids()) {
+    model.buses[b].name = "b" + std::to_string(b.value());
+    model.buses[b].frame_ns = frames[b.value()];
     model.buses[b].wcet_ns = 1'500;
   }
   std::vector<int> depth(count, 0);
   model.devices.resize(count);
   for (std::size_t d = count; d-- > 0;) {
-    Device& device = model.devices[d];
+    Device& device = model.devices[Rank{d}];
     device.name = "d" + std::to_string(d);
     device.period_ns =
         milliseconds[static_cast<std::size_t>(random.between(0, static_cast<Ns>(milliseconds.size()) - 1))] * 1'000'000;
     if (d + 1 < count && d % 100 != 99) {
       const std::size_t last = std::min(count - 1, d / 100 * 100 + 99);
       const auto parent = static_cast<std::size_t>(random.between(static_cast<Ns>(d) + 1, static_cast<Ns>(last)));
-      if (depth[parent] < 7) device.parent = parent, depth[d] = depth[parent] + 1;
+      if (depth[parent] < 7) device.parent = Rank{parent}, depth[d] = depth[parent] + 1;
     }
     const Ns share = std::max<Ns>(device.period_ns / static_cast<Ns>(count) / 4, 1);
     device.update_wcet_ns = random.between(1, share);
