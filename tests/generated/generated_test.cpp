@@ -102,7 +102,8 @@ TEST_CASE("a mux that is a descriptor alone and a user's expander generate, comp
   const auto run = finemote_json({"run", folder + "/expanders.urdf", "--duration", "300ms"});
   const auto& chain = run.at("chains").at(0);
   CHECK(chain.at("from") == "front");
-  CHECK(chain.at("acquire").at("judged") == "held");  // read through channel 0 of the mux
+  REQUIRE(chain.at("acquire").at("max_ns").is_number());  // read through channel 0 of the mux
+  CHECK(chain.at("acquire").at("max_ns") <= chain.at("acquire").at("bound_ns"));
   CHECK(run.at("overruns") == 0);
 }
 
