@@ -39,10 +39,10 @@ struct BusClass {
 
 /// The class of the runtime through which a device asks for its transfers.
 struct SlotClass {
-  std::string_view name = {};         ///< `SpiSlot`, in namespace finemote
-  bool takes_mode = false;            ///< the clock mode of the part, where it is not the usual one
-  bool takes_route = false;           ///< the mux channel to set before each transfer
-  bool takes_own_identifier = false;  ///< of the frames that the part sends
+  std::string_view name = {};      ///< `SpiSlot`, in namespace finemote
+  bool takes_mode = false;         ///< the clock mode of the part, where it is not the usual one
+  bool takes_route = false;        ///< the mux channel to set before each transfer
+  bool takes_identifiers = false;  ///< of the frames that the part sends, and of one that several are commanded by
 };
 
 struct BusType {

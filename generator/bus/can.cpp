@@ -30,7 +30,7 @@ constinit const BusType kCanBus{
     .flush = BusType::Flush::shared_frames,
     .reach = BusType::Reach::slot,
     .bus_class = {.name = "CanBus", .header = "<finemote/can.hpp>", .supervised = true},
-    .slot_class = {.name = "CanSlot", .takes_own_identifier = true},
+    .slot_class = {.name = "CanSlot", .takes_identifiers = true},
 };
 
 }  // namespace finemote::gen

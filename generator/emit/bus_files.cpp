@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "generator/bus/bus_type.hpp"
+#include "generator/emit/can_fields.hpp"
 #include "generator/emit/config.hpp"
 #include "generator/emit/pin_fields.hpp"
 #include "generator/emit/scope.hpp"
@@ -51,11 +52,8 @@ Data slot_fields(const Plan& plan, const Slot& slot) {
   data.set("address", fmt::format("{:#04x}", slot.address));
   data.set("takes_route", type.takes_route);
   set_route(plan, segment, data);
-  data.set("takes_identifier", type.takes_own_identifier);
-  if (type.takes_own_identifier) {
-    const std::uint32_t base = plan.robot.devices[*slot.device].type->receives_base.value_or(0);
-    data.set("receives", fmt::format("{:#05x}", base + slot.address));
-  }
+  data.set("takes_identifiers", type.takes_identifiers);
+  if (type.takes_identifiers) set_can(plan, slot, data);
   data.set("priority", std::to_string(slot.priority));
   data.set("has_mode", has_mode);
   data.set("mode", std::to_string(slot.spi_mode));

@@ -91,10 +91,7 @@ class FlushAdder {
     std::set<std::uint32_t> identifiers;
     for (const gen::Device& device : robot_.devices) {
       if (device.segment != segment || device.type == nullptr) continue;
-      for (const SharedFrame& frame : device.type->shared_frames()) {
-        const std::uint32_t id = device.id.value_or(0);
-        if (frame.id_max == 0 || (id >= frame.id_min && id <= frame.id_max)) identifiers.insert(frame.identifier);
-      }
+      if (const auto frame = device.type->shared_frame(device.id.value_or(0))) identifiers.insert(frame->identifier);
     }
     constexpr Ns kFrameBytes = 8;
     const WireRate rate{robot_.segments[segment].bus_kind, model_.buses[*bus].baud_bps};
