@@ -1,35 +1,7 @@
-#include <fstream>
-#include <map>
-#include <sstream>
-#include <stdexcept>
-
 #include "generator/dump/dump.hpp"
 
 namespace finemote::gen {
 namespace {
-
-/// A key that a template names: a value, or a section with keys of its own.
-struct Hole {
-  std::string key;
-  std::vector<Hole> inside;
-};
-
-/// The holes of a template's text, from `at` to the end of the section `end` (empty: of the text).
-std::vector<Hole> find_holes(std::string_view text, std::size_t& at, std::string_view end) {
-  std::vector<Hole> holes;
-  for (std::size_t open = text.find("{{", at); open != std::string_view::npos; open = text.find("{{", at)) {
-    const std::size_t close = text.find("}}", open);
-    std::string_view word = text.substr(open + 2, close - open - 2);
-    at = close + 2;
-    const char kind = word.empty() ? ' ' : word.front();
-    const bool is_value = std::string_view("#^/").find(kind) == std::string_view::npos;
-    if (!is_value) word.remove_prefix(1);
-    if (kind == '/' && word == end) return holes;
-    Hole& hole = holes.emplace_back(Hole{std::string(word), {}});
-    if (!is_value) hole.inside = find_holes(text, at, word);
-  }
-  return holes;
-}
 
 Json values_of(const std::vector<Hole>& holes, const Data& data);
 
@@ -56,15 +28,6 @@ Json values_of(const std::vector<Hole>& holes, const Data& data) {
   return values;
 }
 
-std::vector<Hole> holes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read template " + path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  std::size_t at = 0;
-  return find_holes(text.str(), at, "");
-}
-
 }  // namespace
 
 Json dump_plan(const std::vector<TemplateData>& files, const std::string& templates) {
@@ -72,7 +35,7 @@ Json dump_plan(const std::vector<TemplateData>& files, const std::string& templa
   for (const TemplateData& file : files) {
     list.push_back({{"file", file.name},
                     {"template", file.template_name},
-                    {"values", values_of(holes_of(templates + "/" + file.template_name), file.data)}});
+                    {"values", values_of(holes_in(read_template(templates, file.template_name)), file.data)}});
   }
   return {{"stage", "plan"}, {"files", list}};
 }

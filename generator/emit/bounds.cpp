@@ -19,12 +19,12 @@ std::string thousandths(std::int64_t value) {
   return text;
 }
 
-std::string no_bound(const RobotBounds& bounds) {
-  return bounds.answered ? "no bound: a job may not have ended when the next one is due"
-                         : "no bound: the timing analysis gives no answer";
-}
+std::string bound_value(std::optional<std::int64_t> ns) { return ns ? std::to_string(*ns) : "finemote::kUnproven"; }
 
-std::string constant(std::optional<std::int64_t> ns) { return ns ? std::to_string(*ns) : "finemote::kUnbounded"; }
+/// Of data behind a command: a device that takes none has nothing to bound.
+std::string age_value(const RobotBounds& bounds, const DeviceBounds& of, std::optional<std::int64_t> ns) {
+  return bounds.answered && !of.has_input ? "finemote::kNothingToBound" : bound_value(ns);
+}
 
 }  // namespace
 
@@ -33,47 +33,60 @@ std::string bound_text(std::int64_t ns) {
   return thousandths((ns + kNsPerUs - 1) / kNsPerUs) + " ms";
 }
 
-std::string bound_comment(const Plan& plan, const RobotBounds& bounds, DeviceId device) {
+void set_device_bound(const Plan& plan, const RobotBounds& bounds, DeviceId device, Data& data) {
   const DeviceBounds& of = bounds.devices[device];
-  if (!of.response_ns) return no_bound(bounds);
-  std::string text = "response <= " + bound_text(*of.response_ns);
-  if (!of.has_input) return text;
-  if (!of.age_ns) return text + "; no bound on the age of its command";
-  text += fmt::format("; data age <= {} when handle() ends", bound_text(*of.age_ns));
-  text +=
-      of.output_ns ? fmt::format(", <= {} at the output", bound_text(*of.output_ns)) : ", without bound at the output";
-  return text + fmt::format(" (oldest: {})", plan.robot.devices[*of.oldest].name.text);
+  const auto set = [&data](const std::string& name, std::optional<std::int64_t> ns) {
+    data.set("has_" + name, ns.has_value());
+    if (ns) data.set(name, bound_text(*ns));
+  };
+  const bool has_age = of.response_ns && of.has_input;
+  data.set("is_answered", bounds.answered);
+  set("response", of.response_ns);
+  set("age", has_age ? of.age_ns : std::nullopt);
+  set("output", of.output_ns);
+  data.set("has_unproven_age", has_age && !of.age_ns);
+  data.set("oldest", of.oldest ? plan.robot.devices[*of.oldest].name.text : std::string());
 }
 
-std::string job_comment(const RobotBounds& bounds, std::size_t bucket) {
+void set_job_bound(const RobotBounds& bounds, std::size_t bucket, Data& data) {
   const auto response = bounds.jobs[bucket];
-  return response ? fmt::format("a job ends within {} of its release", bound_text(*response)) : no_bound(bounds);
+  data.set("is_answered", bounds.answered);
+  data.set("has_bound", response.has_value());
+  if (response) data.set("bound", bound_text(*response));
 }
 
-std::vector<std::string> bound_constants(const Plan& plan, const RobotBounds& bounds) {
-  std::vector<std::string> lines;
+Data bound_list(const Plan& plan, const RobotBounds& bounds) {
+  Data list(Data::type::list);
   for (const DeviceId device : plan.forest.order) {
     const DeviceBounds& of = bounds.devices[device];
-    lines.push_back(fmt::format("inline constexpr finemote::Bounds {}{{{}, {}, {}}};",
-                                plan.robot.devices[device].name.cpp, constant(of.response_ns), constant(of.age_ns),
-                                constant(of.output_ns)));
+    Data entry;
+    entry.set("device", plan.robot.devices[device].name.cpp);
+    entry.set("response", bound_value(of.response_ns));
+    entry.set("age", age_value(bounds, of, of.age_ns));
+    entry.set("output", age_value(bounds, of, of.output_ns));
+    list.push_back(entry);
   }
-  return lines;
+  return list;
 }
 
-std::vector<std::string> monitored_lines(const Plan& plan, const RobotBounds& bounds) {
-  std::vector<std::string> lines;
+Data monitored_list(const Plan& plan, const RobotBounds& bounds) {
+  Data list(Data::type::list);
   for (const DeviceId device : plan.forest.order) {
     const DeviceBounds& of = bounds.devices[device];
     const Device& d = plan.robot.devices[device];
-    const std::string space = plan.forest.trees[plan.forest.tree_of[device]].space;
-    const std::string command = d.parent && d.type->has_command()
-                                    ? fmt::format("&{}::{}.{}", space, d.name.cpp, d.type->provides.front().command)
-                                    : "nullptr";
-    lines.push_back(fmt::format("{{{}, {}, {}, {}}},  // {}", plan.schedule.bucket_of[device], constant(of.response_ns),
-                                constant(of.age_ns), command, d.name.text));
+    const bool has_command = d.parent && d.type->has_command();
+    Data entry;
+    entry.set("bucket", std::to_string(plan.schedule.bucket_of[device]));
+    entry.set("response", bound_value(of.response_ns));
+    entry.set("age", age_value(bounds, of, of.age_ns));
+    entry.set("has_command", has_command);
+    entry.set("space", plan.forest.trees[plan.forest.tree_of[device]].space);
+    entry.set("device", d.name.cpp);
+    if (has_command) entry.set("command", d.type->provides.front().command);
+    entry.set("name", d.name.text);
+    list.push_back(entry);
   }
-  return lines;
+  return list;
 }
 
 }  // namespace finemote::gen

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "generator/emit/names.hpp"
 #include "generator/timing/bounds.hpp"
@@ -17,17 +16,16 @@ struct ProvenBounds {
 /// A time that is not below `ns`: `187.31 us` exactly, from a millisecond on `12.146 ms`, rounded up.
 std::string bound_text(std::int64_t ns);
 
-/// `response <= 187.31 us; data age <= 12.146 ms when handle() ends, <= 14.02 ms at the output (oldest: imu)`, or why
-/// there is no bound.
-std::string bound_comment(const Plan& plan, const timing::RobotBounds& bounds, DeviceId device);
+/// Sets what templates/device_bound.mustache names.
+void set_device_bound(const Plan& plan, const timing::RobotBounds& bounds, DeviceId device, Data& data);
 
-/// `jobs end within 187.31 us`, or why there is no bound.
-std::string job_comment(const timing::RobotBounds& bounds, std::size_t bucket);
+/// Sets what templates/job_bound.mustache names.
+void set_job_bound(const timing::RobotBounds& bounds, std::size_t bucket, Data& data);
 
-/// `inline constexpr finemote::Bounds imu{...};` for every device, in schedule order.
-std::vector<std::string> bound_constants(const Plan& plan, const timing::RobotBounds& bounds);
+/// `device`, `response`, `age` and `output` of every device, in schedule order: values of finemote::Bounds.
+Data bound_list(const Plan& plan, const timing::RobotBounds& bounds);
 
-/// Initialisers of finemote::Monitored for every device, in schedule order.
-std::vector<std::string> monitored_lines(const Plan& plan, const timing::RobotBounds& bounds);
+/// What finemote::Monitored is made from, for every device, in schedule order.
+Data monitored_list(const Plan& plan, const timing::RobotBounds& bounds);
 
 }  // namespace finemote::gen

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "generator/emit/config.hpp"
+#include "generator/emit/value.hpp"
 #include "generator/version.hpp"
 
 namespace finemote::gen {
@@ -149,7 +150,7 @@ std::string bus_definition(const Plan& plan, BusId index) {
   std::string arguments = "finemote::ports::" + (bus.kind == BusKind::gpio ? "gpio" : bus.port);
   if (const Port* port = plan.robot.board->port(bus.port);
       bus.kind == BusKind::pwm && port->period_ns != kServoPeriod) {
-    arguments += fmt::format(", {} /* ns */", port->period_ns);
+    arguments += ", " + duration_expression(port->period_ns);
   }
   if (names.rate_unit != nullptr) arguments += fmt::format(", {} /* {} */", bus.rate, names.rate_unit);
   if (!slots_of(plan, index).empty()) arguments += ", " + routes_name(bus);
@@ -157,11 +158,12 @@ std::string bus_definition(const Plan& plan, BusId index) {
   return fmt::format("FINEMOTE_CONSTINIT finemote::{} {}{{{}}};", names.bus, bus.name.cpp, arguments);
 }
 
-std::string expander_definition(const Plan& plan, const Expander& expander) {
-  std::string arguments = bus_reference(plan, "slots::" + expander.name.cpp);
-  if (!expander.params.empty())
-    arguments += ",\n    " + config_expression("finemote::Pca9685", expander.params, /*is_shipped*/ true);
-  return fmt::format("FINEMOTE_CONSTINIT finemote::Pca9685 {}{{{}}};", expander.name.cpp, arguments);
+Data expander_fields(const Expander& expander) {
+  Data data;
+  data.set("name", expander.name.cpp);
+  data.set("has_config", !expander.params.empty());
+  set_config("finemote::Pca9685", expander.params, /*is_shipped*/ true, data);
+  return data;
 }
 
 bool is_object(const Expander& expander) { return expander.model == Expander::Model::pca9685; }
@@ -169,8 +171,8 @@ bool is_object(const Expander& expander) { return expander.model == Expander::Mo
 Data bus_list(const Plan& plan) {
   Data list(Data::type::list);
   const auto add = [&](const std::string& type, const std::string& name, const std::string& comment,
-                       const std::string& definition) {
-    Data entry;
+                       const std::string& definition, Data entry = {}) {
+    entry.set("is_bus", !definition.empty());
     entry.set("declaration", fmt::format("extern finemote::{} {};  // {}", type, name, comment));
     entry.set("definition", definition);
     list.push_back(entry);
@@ -182,7 +184,7 @@ Data bus_list(const Plan& plan) {
   }
   for (const Expander& expander : plan.robot.expanders) {
     if (is_object(expander)) {
-      add("Pca9685", expander.name.cpp, expander_comment(plan, expander), expander_definition(plan, expander));
+      add("Pca9685", expander.name.cpp, expander_comment(plan, expander), {}, expander_fields(expander));
     }
   }
   return list;

@@ -16,21 +16,31 @@
 namespace finemote::gen {
 namespace {
 
-std::string numbers(std::initializer_list<double> values) {
-  std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ", ") + float_literal(value);
-  return text;
+/// Numbers that stand together: a vector in braces of its own, or some of a row.
+Data cell(std::initializer_list<double> values, bool is_vector = false) {
+  std::string numbers;
+  for (const double value : values) numbers += (numbers.empty() ? "" : ", ") + float_literal(value);
+  Data data;
+  data.set("numbers", numbers);
+  data.set("is_vector", is_vector);
+  return data;
 }
-std::string braced(const Eigen::Vector3d& v) { return "{" + numbers({v.x(), v.y(), v.z()}) + "}"; }
+Data vector(const Eigen::Vector3d& v) { return cell({v.x(), v.y(), v.z()}, true); }
 
-/// A definition with one line per entry.
-std::string list(const std::vector<std::string>& comment, const std::string& head,
-                 const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : comment) text += "/// " + printable(line) + "\n";
-  text += "inline constexpr " + head + " = {\n";
-  for (const std::string& line : lines) text += "    {" + line + "},\n";
-  return text + "};";
+Data row(std::vector<Data> cells) { return Data("cells", enumerated(std::move(cells))); }
+
+/// What every constant says: its kind is a section of the template, without `is_`.
+Data constant_of_kind(const std::string& kind, const std::string& name, const std::string& owner,
+                      const std::vector<Data>& rows) {
+  Data data, list(Data::type::list);
+  for (const Data& entry : rows) list.push_back(entry);
+  set_choice(data, {"is_allocation", "is_rolling", "is_chain", "is_axes", "is_mount", "is_range", "is_role_range"},
+             "is_" + kind);
+  data.set("name", name);
+  data.set("owner", printable(owner));
+  data.set("count", std::to_string(rows.size()));
+  data.set("rows", list);
+  return data;
 }
 
 /// What every kind is written from.
@@ -41,8 +51,11 @@ struct Request {
   const std::string& name;  ///< of the constant
   const std::vector<std::string>& joints;
   const std::string link;  ///< whose frame it is in
-  [[nodiscard]] std::string head(const char* type, const char* row = "") const {
-    return fmt::format("{} {}[{}]{}", type, name, joints.size(), row);
+  [[nodiscard]] Data constant(const std::string& kind, const std::vector<Data>& rows) const {
+    Data data = constant_of_kind(kind, name, owner, rows);
+    data.set("role", printable(role));
+    data.set("link", printable(link));
+    return data;
   }
   [[nodiscard]] std::vector<Axis> axes() const {
     std::vector<Axis> axes;
@@ -51,102 +64,89 @@ struct Request {
   }
 };
 
-std::string allocation_text(const Request& request) {
-  const Eigen::MatrixXd matrix = allocation(request.axes());
-  std::vector<std::string> lines;
-  for (Eigen::Index row = 0; row < matrix.rows(); ++row)
-    lines.push_back(
-        numbers({matrix(row, 0), matrix(row, 1), matrix(row, 2), matrix(row, 3), matrix(row, 4), matrix(row, 5)}));
-  return list(
-      {fmt::format("Allocation of '{}': force [N] of each of its {} (rows) for a wrench fx fy fz [N] mx my mz [Nm]",
-                   request.owner, request.role),
-       fmt::format("in the axes of link '{}' and about its origin.", request.link)},
-      request.head("float", "[6]"), lines);
+Data allocation_fields(const Request& request) {
+  const Eigen::MatrixXd m = allocation(request.axes());
+  std::vector<Data> rows;
+  for (Eigen::Index n = 0; n < m.rows(); ++n)
+    rows.push_back(row({cell({m(n, 0), m(n, 1), m(n, 2), m(n, 3), m(n, 4), m(n, 5)})}));
+  return request.constant("allocation", rows);
 }
 
-std::string rolling_text(const Request& request) {
+Data rolling_fields(const Request& request) {
   const Rolling all = rolling(request.axes());
-  std::vector<std::string> lines;
+  std::vector<Data> rows;
   for (Eigen::Index n = 0; n < all.rows.rows(); ++n)
-    lines.push_back(numbers(
-        {all.rows(n, 0), all.rows(n, 1), all.rows(n, 2), all.columns(0, n), all.columns(1, n), all.columns(2, n)}));
-  return list({fmt::format("Rolling of the {} of '{}' for forward [m/s], left [m/s], turn [rad/s], and their shares in "
-                           "the base's motion:",
-                           request.role, request.owner),
-               fmt::format("in the axes of link '{}' and about its origin.", request.link)},
-              request.head("finemote::RollingWheel"), lines);
+    rows.push_back(row({cell({all.rows(n, 0), all.rows(n, 1), all.rows(n, 2)}),
+                        cell({all.columns(0, n), all.columns(1, n), all.columns(2, n)})}));
+  return request.constant("rolling", rows);
 }
 
-std::string chain_text(const Request& request) {
-  std::vector<std::string> lines;
+Data chain_fields(const Request& request) {
+  std::vector<Data> rows;
   for (const ChainLink& link : chain(request.mechanism, request.joints, request.link))
-    lines.push_back(fmt::format("{}, {}, {}, {}", braced(link.offset), braced(link.axis), braced(link.centre),
-                                float_literal(link.mass)));
-  return list(
-      {fmt::format("Joints of the {} of '{}': offset [m], axis, centre of mass [m], mass [kg]; in the axes of link "
-                   "'{}'.",
-                   request.role, request.owner, request.link)},
-      request.head("finemote::ChainLink"), lines);
+    rows.push_back(row({vector(link.offset), vector(link.axis), vector(link.centre), cell({link.mass})}));
+  return request.constant("chain", rows);
 }
 
-std::string axes_text(const Request& request) {
-  std::vector<std::string> lines;
+Data axes_fields(const Request& request) {
+  std::vector<Data> rows;
   for (const Axis& axis : request.axes())
-    lines.push_back(numbers({axis.direction.x(), axis.direction.y(), axis.direction.z()}));
-  return list({fmt::format("Joint axis of the {} of '{}', in the axes of link '{}'.", request.role, request.owner,
-                           request.link)},
-              request.head("finemote::Vector"), lines);
+    rows.push_back(row({cell({axis.direction.x(), axis.direction.y(), axis.direction.z()})}));
+  return request.constant("axes", rows);
 }
 
-/// Empty where the device has no link, or one that is not turned.
-std::string mount_text(const Robot& robot, const Mechanism& mechanism, DeviceId index, const std::string& name) {
+/// None where the device has no link, or one that is not turned.
+std::optional<Data> mount_fields(const Robot& robot, const Mechanism& mechanism, DeviceId index,
+                                 const std::string& name) {
   const Device& device = robot.devices[index];
   const std::string link = mount_link(robot, index);
   const auto pose = device.link.empty() ? std::nullopt : mechanism.pose(device.link, link);
   if (!pose || pose->linear().isIdentity(1e-9)) return {};
-  std::string rows;
-  for (int i = 0; i < 3; ++i) rows += (i > 0 ? ", " : "") + braced(Eigen::Vector3d(pose->linear().row(i).transpose()));
-  return list({fmt::format("How '{}' is turned: its axes to those of link '{}'.", device.name.text, link)},
-              fmt::format("finemote::Rotation {}[1]", name), {"{" + rows + "}"});
+  std::vector<Data> rows;
+  for (int i = 0; i < 3; ++i) rows.push_back(vector(pose->linear().row(i).transpose()));
+  Data data = constant_of_kind("mount", name, device.name.text, {row(rows)});
+  data.set("link", printable(link));
+  return data;
 }
 
-/// Empty where the device has no joint, or one without limits.
-std::string range_text(const Mechanism& mechanism, const Device& device, const GeometrySpec& spec,
-                       const std::string& name) {
+/// None where the device has no joint, or one without limits.
+std::optional<Data> range_fields(const Mechanism& mechanism, const Device& device, const GeometrySpec& spec,
+                                 const std::string& name) {
   const Joint* joint = mechanism.joint(device.joint);
   const auto limits = joint == nullptr ? std::nullopt : limits_of(*joint);
   if (!limits) return {};
   const Range range = within_travel(*limits, geometry_param(device.params, spec));
-  return list(
-      {fmt::format("How far joint '{}' turns within the travel of '{}' [rad].", device.joint, device.name.text)},
-      fmt::format("finemote::JointRange {}[1]", name), {numbers({range.lower, range.upper})});
+  Data data = constant_of_kind("range", name, device.name.text, {row({cell({range.lower, range.upper})})});
+  data.set("joint", printable(device.joint));
+  return data;
 }
 
-/// Empty where none of the joints has limits.
-std::string role_range_text(const Request& request, const Device& device, const GeometrySpec& spec) {
-  std::vector<std::string> lines;
+/// None where none of the joints has limits.
+std::optional<Data> role_range_fields(const Request& request, const Device& device, const GeometrySpec& spec) {
+  std::vector<Data> rows;
   for (const Range& range : role_ranges(request.mechanism, device.link, device.params, spec, request.joints))
-    lines.push_back(numbers({range.lower, range.upper}));
-  if (lines.empty()) return {};
-  const std::string about = spec.along.empty() ? "" : fmt::format(" about {} of link '{}'", spec.along, request.link);
-  return list({fmt::format("How far the {} of '{}' may turn{} [rad].", request.role, request.owner, about)},
-              request.head("finemote::JointRange"), lines);
+    rows.push_back(row({cell({range.lower, range.upper})}));
+  if (rows.empty()) return {};
+  Data data = request.constant("role_range", rows);
+  data.set("has_along", !spec.along.empty());
+  data.set("along", spec.along);
+  return data;
 }
 
-std::string text_of(const Plan& plan, DeviceId owner, const GeometrySpec& spec, const std::string& name) {
+std::optional<Data> fields_of(const Plan& plan, DeviceId owner, const GeometrySpec& spec, const std::string& name) {
   const Mechanism mechanism(plan.robot.links, plan.robot.joints);
   const Device& device = plan.robot.devices[owner];
-  if (spec.kind == "mount") return mount_text(plan.robot, mechanism, owner, name);
-  if (spec.kind == "range" && spec.role.empty()) return range_text(mechanism, device, spec, name);
+  if (spec.kind == "mount") return mount_fields(plan.robot, mechanism, owner, name);
+  if (spec.kind == "range" && spec.role.empty()) return range_fields(mechanism, device, spec, name);
   const std::vector<std::string> joints = role_joints(plan.robot, device, spec);
   if (joints.empty()) return {};
   const std::string link = geometry_link(mechanism, device.link, spec, joints);
   const Request request{mechanism, device.name.text, spec.role, name, joints, link};
-  if (spec.kind == "rolling") return rolling_text(request);
-  if (spec.kind == "chain") return chain_text(request);
-  if (spec.kind == "axes") return axes_text(request);
-  if (spec.kind == "range") return role_range_text(request, device, spec);
-  return allocation_text(request);  // the descriptor's schema allows no other
+  if (spec.kind == "rolling") return rolling_fields(request);
+  if (spec.kind == "chain") return chain_fields(request);
+  if (spec.kind == "axes") return axes_fields(request);
+  if (spec.kind == "range") return role_range_fields(request, device, spec);
+  return allocation_fields(request);  // the descriptor's schema allows no other
 }
 
 /// `rov_allocation`; with its role where the type asks for the kind more than once: `head_yaw_axes`.
@@ -166,7 +166,7 @@ std::vector<Constant> make_constants(const Plan& plan, Diagnostics& diagnostics)
       const std::string name = name_of(device, spec);
       const char* header = spec.kind == "allocation" ? "" : "<finemote/geometry.hpp>";
       try {
-        constants.push_back({owner, name, text_of(plan, owner, spec, name), false, header});
+        constants.push_back({owner, name, fields_of(plan, owner, spec, name), false, header});
       } catch (const NoFloat& problem) {
         diagnostics
             .error(code::geometry_number, device.at,

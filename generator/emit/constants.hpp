@@ -1,6 +1,7 @@
-// The constants that device types ask for by geometry kind, as C++ text.
+// The constants that device types ask for by geometry kind, as templates/constant.mustache spells them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,12 @@ namespace finemote::gen {
 
 /// One definition in constants.hpp, or, where it names objects, in `ports` of its device's tree.
 struct Constant {
-  DeviceId device;   ///< whose type asked for it
-  std::string name;  ///< `rov_allocation`
-  std::string text;  ///< comment and definition; empty: there is none, the constructor gets a null pointer
+  DeviceId device;             ///< whose type asked for it
+  std::string name;            ///< `rov_allocation`
+  std::optional<Data> fields;  ///< what its template names; none: there is none, the constructor gets a null pointer
   bool in_tree = false;
   std::string header;  ///< of the types it is made of; empty: built-in ones
+  [[nodiscard]] bool exists() const { return fields.has_value(); }
 };
 
 /// All constants, in schedule order of their devices, then in descriptor order.

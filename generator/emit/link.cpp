@@ -6,6 +6,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "generator/emit/scope.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -75,7 +77,7 @@ class Planner {
   /// A device that is read twice goes over the link once.
   void add(DeviceLink& link, const Binding& binding) {
     const Device& device = plan_.robot.devices[binding.device];
-    const std::string target = device_reference(plan_, link.device, binding.device);
+    const std::string target = Scope(plan_, link.device).ports().device(binding.device);
     LinkItem item;
     item.name = device.name.cpp;
     const auto is_here = [&](const LinkItem& other) { return other.name == item.name; };
@@ -142,81 +144,91 @@ class Planner {
   Diagnostics& diagnostics_;
 };
 
-// ------------------------------------------------------------------------------------------------------ on the robot
-
-void add_table(std::string& text, const std::string& name, const LinkItem& item, bool is_up) {
-  if (item.fields.empty()) return;
-  text += fmt::format("inline constexpr finemote::{} {}[] = {{  // {}\n", is_up ? "LinkField" : "LinkSlot", name,
-                      item.name);
+/// `roll`, `rate[0]`, `rate[1]`: every value of an item, with what `set` says of its type.
+template <class Set>
+Data value_list(const LinkItem& item, const Set& set) {
+  Data list(Data::type::list);
   for (const LinkField& field : item.fields) {
     for (unsigned i = 0; i < std::max(1U, field.count); ++i) {
-      const std::string index = field.count > 0 ? fmt::format("[{}]", i) : "";
-      text += fmt::format("    finemote::{}<finemote::LinkKind::{}>({}.{}{}),\n", is_up ? "link_up" : "link_down",
-                          scalar(field.type).kind, item.expression, field.name, index);
+      Data value;
+      value.set("member", field.count > 0 ? fmt::format("{}[{}]", field.name, i) : field.name);
+      set(scalar(field.type), value);
+      list.push_back(value);
     }
   }
-  text += "};\n";
+  return list;
 }
 
-/// The items' tables, then the list of items; returns what stands for it in the layout.
-std::string add_items(std::string& text, const std::string& prefix, const std::vector<LinkItem>& items, bool is_up) {
-  if (items.empty()) return "nullptr";
-  const auto table = [&](std::size_t i) {
-    return items[i].fields.empty() ? std::string("nullptr") : fmt::format("{}_{}", prefix, i);
-  };
-  for (std::size_t i = 0; i < items.size(); ++i) add_table(text, table(i), items[i], is_up);
-  text += fmt::format("inline constexpr finemote::{} {}[] = {{\n", is_up ? "LinkSource" : "LinkTarget", prefix);
-  for (std::size_t i = 0; i < items.size(); ++i)
-    text += fmt::format("    {{{}, {}, /*block*/ {}}},\n", items[i].expression, table(i), items[i].block);
-  text += "};\n";
-  return prefix;
-}
-
-// --------------------------------------------------------------------------------------------------- on the computer
-
-std::vector<std::string> members(const std::vector<LinkItem>& items, bool is_up) {
-  std::vector<std::string> lines;
-  for (const LinkItem& item : items) {
-    lines.push_back(
-        fmt::format("  struct {{  // {}", item.interface.empty() ? "known by its age alone" : item.interface));
-    if (is_up) lines.emplace_back("    std::int64_t origin = 0;  ///< robot's time of the oldest data in it [ns]");
-    lines.push_back(
-        fmt::format("    bool valid = false;{}", is_up ? "" : "  ///< false: the device is told to go safe"));
-    for (const LinkField& field : item.fields) {
-      lines.push_back(field.count > 0
-                          ? fmt::format("    {} {}[{}] = {{}};", scalar(field.type).cpp, field.name, field.count)
-                      : field.type == "bool" ? fmt::format("    bool {} = false;", field.name)
-                                             : fmt::format("    {} {} = 0;", scalar(field.type).cpp, field.name));
-    }
-    lines.push_back(fmt::format("  }} {};", item.name));
-  }
-  return lines;
-}
-
-/// One line per value: `bytes.get(to.imu.roll);`.
-std::vector<std::string> moves(const std::vector<LinkItem>& items, bool is_up, const std::string& call,
-                               const std::string& object) {
-  std::vector<std::string> lines;
-  unsigned block = 0;
+/// The robot's end: templates/link_layout.mustache.
+Data layout_items(const std::vector<LinkItem>& items) {
+  Data list(Data::type::list);
   for (std::size_t i = 0; i < items.size(); ++i) {
-    const LinkItem& item = items[i];
-    if (i == 0 || item.block != block) {
-      if (i != 0) lines.emplace_back("      break;");
-      block = item.block;
-      lines.push_back(fmt::format("    case {}:", block));
-    }
-    const auto move = [&](const std::string& member) {
-      lines.push_back(fmt::format("      {}({}.{}.{});", call, object, item.name, member));
-    };
-    if (is_up) move("origin");
-    move("valid");
-    for (const LinkField& field : item.fields) {
-      for (unsigned k = 0; k < std::max(1U, field.count); ++k)
-        move(field.name + (field.count > 0 ? fmt::format("[{}]", k) : ""));
-    }
+    Data entry;
+    entry.set("item", items[i].name);
+    entry.set("index", std::to_string(i));
+    entry.set("place", items[i].expression);
+    entry.set("block", std::to_string(items[i].block));
+    entry.set("has_table", !items[i].fields.empty());
+    entry.set("values",
+              value_list(items[i], [](const Scalar& scalar, Data& value) { value.set("kind", scalar.kind); }));
+    list.push_back(entry);
   }
-  if (!items.empty()) lines.emplace_back("      break;");
-  return lines;
+  return list;
+}
+
+Data member_list(const LinkItem& item) {
+  Data list(Data::type::list);
+  for (const LinkField& field : item.fields) {
+    Data member;
+    member.set("member", field.name);
+    member.set("type", scalar(field.type).cpp);
+    member.set("count", std::to_string(field.count));
+    set_choice(member, {"is_array", "is_flag", "is_number"},
+               field.count > 0        ? "is_array"
+               : field.type == "bool" ? "is_flag"
+                                      : "is_number");
+    list.push_back(member);
+  }
+  return list;
+}
+
+/// The computer's end, by device: templates/link.hpp.mustache.
+Data struct_items(const std::vector<LinkItem>& items) {
+  Data list(Data::type::list);
+  for (const LinkItem& item : items) {
+    Data entry;
+    entry.set("item", item.name);
+    entry.set("has_interface", !item.interface.empty());
+    entry.set("interface", item.interface);
+    entry.set("members", member_list(item));
+    list.push_back(entry);
+  }
+  return list;
+}
+
+/// The computer's end, by frame.
+Data frame_blocks(const std::vector<LinkItem>& items, unsigned blocks) {
+  Data list(Data::type::list);
+  for (unsigned block = 0; block < blocks; ++block) {
+    Data entry, in_block(Data::type::list);
+    for (const LinkItem& item : items) {
+      if (item.block != block) continue;
+      Data moved;
+      moved.set("item", item.name);
+      moved.set("values", value_list(item, [](const Scalar&, Data&) {}));
+      in_block.push_back(moved);
+    }
+    entry.set("block", std::to_string(block));
+    entry.set("items", in_block);
+    list.push_back(entry);
+  }
+  return list;
+}
+
+void set_layout(const DeviceLink& link, Data& data) {
+  data.set("layout", fmt::format("{:#010x}", link.number));
+  data.set("up_blocks", std::to_string(link.up_blocks));
+  data.set("down_blocks", std::to_string(link.down_blocks));
 }
 
 }  // namespace
@@ -232,12 +244,14 @@ std::vector<DeviceLink> plan_links(const Plan& plan, const InterfaceTable& inter
 
 Constant link_constant(const Plan& plan, const DeviceLink& link) {
   const std::string name = plan.robot.devices[link.device].name.cpp;
-  std::string text = "// What goes over the link, in this order; host/" + name + "_link.hpp is its other end.\n";
-  const std::string up = add_items(text, name + "_up", link.up, true);
-  const std::string down = add_items(text, name + "_down", link.down, false);
-  text += fmt::format("inline constexpr finemote::LinkLayout {}_layout{{{:#010x}, {}, {}, /*blocks*/ {}, {}}};", name,
-                      link.number, up, down, link.up_blocks, link.down_blocks);
-  return {link.device, name + "_layout", text, true, {}};
+  Data data;
+  data.set("link", name);
+  set_layout(link, data);
+  data.set("has_up", !link.up.empty());
+  data.set("up", layout_items(link.up));
+  data.set("has_down", !link.down.empty());
+  data.set("down", layout_items(link.down));
+  return {link.device, name + "_layout", data, true, {}};
 }
 
 Data link_header(const Plan& plan, const DeviceLink& link) {
@@ -245,13 +259,11 @@ Data link_header(const Plan& plan, const DeviceLink& link) {
   Data data = common_data(plan);
   data.set("device", device.name.text);
   data.set("space", device.name.cpp + "_link");
-  data.set("layout", fmt::format("{:#010x}", link.number));
-  data.set("up_blocks", std::to_string(link.up_blocks));
-  data.set("down_blocks", std::to_string(link.down_blocks));
-  data.set("states", text_list(members(link.up, true)));
-  data.set("commands", text_list(members(link.down, false)));
-  data.set("takes", text_list(moves(link.up, true, "bytes.take", "states")));
-  data.set("puts", text_list(moves(link.down, false, "bytes.put", "commands")));
+  set_layout(link, data);
+  data.set("states", struct_items(link.up));
+  data.set("commands", struct_items(link.down));
+  data.set("takes", frame_blocks(link.up, link.up_blocks));
+  data.set("puts", frame_blocks(link.down, link.down_blocks));
   return data;
 }
 

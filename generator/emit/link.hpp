@@ -32,7 +32,7 @@ struct DeviceLink {
 /// Reports FM3205 when a state or command does not fit a frame, or there are more than sixteen blocks.
 std::vector<DeviceLink> plan_links(const Plan& plan, const InterfaceTable& interfaces, Diagnostics& diagnostics);
 
-/// `host_layout` and the tables behind it, for the tree of the device.
+/// `host_layout` and the tables behind it, for the tree of the device: templates/link_layout.mustache.
 Constant link_constant(const Plan& plan, const DeviceLink& link);
 
 /// Template data of host/<device>_link.hpp.

@@ -5,51 +5,15 @@
 #include <algorithm>
 
 #include "generator/diagnostic/printable.hpp"
+#include "generator/emit/value.hpp"
 
 namespace finemote::gen {
-namespace {
-
-std::string tree_space(const Plan& plan, DeviceId device) {
-  const Tree& tree = plan.forest.trees[plan.forest.tree_of[device]];
-  return fmt::format("::{}::{}", plan.robot.name.cpp, tree.space);
-}
-
-bool same_tree(const Plan& plan, DeviceId a, DeviceId b) { return plan.forest.tree_of[a] == plan.forest.tree_of[b]; }
-
-}  // namespace
-
 std::string bus_reference(const Plan& plan, const std::string& cpp_name) {
   return fmt::format("::{}::{}", plan.robot.name.cpp, cpp_name);
 }
 
-std::string ports_prefix(const Plan& plan, DeviceId from, DeviceId home) {
-  return same_tree(plan, from, home) ? "ports::" : tree_space(plan, home) + "::ports::";
-}
-
-std::string device_reference(const Plan& plan, DeviceId from, DeviceId device) {
-  const std::string& name = plan.robot.devices[device].name.cpp;
-  return same_tree(plan, from, device) ? name : tree_space(plan, device) + "::" + name;
-}
-
 std::string pin_number(const std::string& pin) {
   return fmt::format("finemote::pin_number('{}', {})", pin.at(1), pin.substr(2));
-}
-
-std::string string_literal(const std::string& text) {
-  const std::string shown = printable(text);  // a `?` for each byte that is not
-  std::string literal = "\"";
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    const bool is_trigraph = c == '?' && i > 0 && text[i - 1] == '?';
-    if (c == '"' || c == '\\' || is_trigraph) {
-      literal += std::string("\\") + c;
-    } else if (c == '\t' || shown[i] != c) {
-      literal += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
-    } else {
-      literal += c;
-    }
-  }
-  return literal + "\"";
 }
 
 std::string device_comment(const Plan& plan, DeviceId device) {

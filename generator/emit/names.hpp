@@ -19,20 +19,11 @@ struct Plan {
 /// `::FinsROV::i2c`: found from inside any tree, whatever its devices are called.
 std::string bus_reference(const Plan& plan, const std::string& cpp_name);
 
-/// `ports::` from inside the tree of `from`, `::FinsROV::arm::ports::` from any other; for the tree of `home`.
-std::string ports_prefix(const Plan& plan, DeviceId from, DeviceId home);
-
-/// `imu` inside its own tree, `::FinsROV::rov::imu` from another.
-std::string device_reference(const Plan& plan, DeviceId from, DeviceId device);
-
 /// `ms5837 on 'seg1'`, `group`.
 std::string device_comment(const Plan& plan, DeviceId device);
 
 /// `finemote::pin_number('A', 0)` for PA0.
 std::string pin_number(const std::string& pin);
-
-/// `"a \"b\""`: the text as C++ writes it, quotes included.
-std::string string_literal(const std::string& text);
 
 /// What every template begins with: source, robot, robot_space.
 Data common_data(const Plan& plan);

@@ -17,16 +17,16 @@ namespace finemote::gen {
 namespace {
 
 Data constants_data(const Plan& plan, const std::vector<Constant>& constants) {
-  Data data = common_data(plan);
-  std::vector<std::string> texts, headers;
+  Data data = common_data(plan), list(Data::type::list);
+  std::vector<std::string> headers;
   for (const Constant& constant : constants) {
-    if (constant.in_tree || constant.text.empty()) continue;
-    texts.push_back(constant.text);
+    if (constant.in_tree || !constant.exists()) continue;
+    list.push_back(*constant.fields);
     if (!constant.header.empty()) headers.push_back(constant.header);
   }
   data.set("has_includes", !headers.empty());
   data.set("includes", include_list(headers));
-  data.set("constants", text_list(texts));
+  data.set("constants", list);
   return data;
 }
 
@@ -34,7 +34,7 @@ Data constants_data(const Plan& plan, const std::vector<Constant>& constants) {
 void check_names(const Plan& plan, const std::vector<Constant>& constants, Diagnostics& diagnostics) {
   std::map<std::string, DeviceId> owners;
   for (const Constant& constant : constants) {
-    if (constant.text.empty()) continue;
+    if (!constant.exists()) continue;
     const auto [first, is_fresh] = owners.emplace(constant.name, constant.device);
     if (is_fresh) continue;
     const Table<DeviceId, Device>& devices = plan.robot.devices;

@@ -1,9 +1,8 @@
 #include "generator/emit/schedule_files.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "generator/emit/value.hpp"
 #include "generator/schedule/period.hpp"
 
 namespace finemote::gen {
@@ -25,90 +24,121 @@ std::vector<const Tree*> trees_in(const Plan& plan, std::size_t bucket) {
   return trees;
 }
 
-std::vector<std::string> job_lines(const Plan& plan, std::size_t index) {
-  const Bucket& bucket = plan.schedule.buckets[index];
-  std::vector<const Tree*> trees = trees_in(plan, index);
-  std::vector<std::string> lines;
-  if (index == 0) lines.emplace_back("supervise_buses();");
-  for (const Tree* tree : trees) lines.push_back(fmt::format("{}::update_{}();", tree->space, bucket.label));
-  std::reverse(trees.begin(), trees.end());
-  for (const Tree* tree : trees) lines.push_back(fmt::format("{}::handle_{}();", tree->space, bucket.label));
-  for (SegmentId segment : bucket.flushes) {
-    lines.push_back(plan.robot.segments[segment].name.cpp + ".flush();");
+Data tree_list(const std::vector<const Tree*>& trees) {
+  Data list(Data::type::list);
+  for (const Tree* tree : trees) list.push_back(Data("space", tree->space));
+  return list;
+}
+
+Data bus_list(const Plan& plan, const std::vector<SegmentId>& segments) {
+  Data list(Data::type::list);
+  for (const SegmentId segment : segments) list.push_back(Data("bus", plan.robot.segments[segment].name.cpp));
+  return list;
+}
+
+/// The interrupt that the board does not need itself, in whose line the bucket runs.
+std::string lender_of(const Plan& plan, const Bucket& bucket) {
+  for (const SpareLine& line : plan.robot.board->lines) {
+    if (line.number == bucket.line) return line.name;
   }
-  return lines;
+  return {};
+}
+
+void set_trees(const Plan& plan, std::size_t bucket, Data& entry) {
+  std::vector<const Tree*> trees = trees_in(plan, bucket);
+  entry.set("updates", tree_list(trees));
+  std::reverse(trees.begin(), trees.end());
+  entry.set("handles", tree_list(trees));
 }
 
 Data bucket_list(const Plan& plan, const ProvenBounds& bounds) {
   Data list(Data::type::list);
   for (std::size_t i = 0; i < plan.schedule.buckets.size(); ++i) {
     const Bucket& bucket = plan.schedule.buckets[i];
-    const std::size_t count = bucket.devices.size();
     Data entry;
     entry.set("index", std::to_string(i));
+    entry.set("is_fastest", i == 0);
     entry.set("period", bucket.label);
     entry.set("period_text", period_text(bucket.period_ns));
-    entry.set("period_ns", std::to_string(bucket.period_ns));
+    entry.set("period_value", duration_expression(bucket.period_ns));
     entry.set("priority", std::to_string(bucket.priority));
     entry.set("line", std::to_string(bucket.line));
+    entry.set("lender", lender_of(plan, bucket));
     entry.set("watchdog", std::to_string(watchdog_periods(plan)));
-    entry.set("count_text", fmt::format("{} device{}", count, count == 1 ? "" : "s"));
-    entry.set("lines", text_list(job_lines(plan, i)));
-    entry.set("bound", job_comment(bounds.plain, i));
+    entry.set("device_count", std::to_string(bucket.devices.size()));
+    entry.set("is_single", bucket.devices.size() == 1);
+    entry.set("flushes", bus_list(plan, bucket.flushes));
+    set_trees(plan, i, entry);
+    set_job_bound(bounds.plain, i, entry);
     list.push_back(entry);
   }
   return list;
 }
 
-std::string qualified(const Plan& plan, DeviceId device) {
-  return plan.forest.trees[plan.forest.tree_of[device]].space + "::" + plan.robot.devices[device].name.cpp;
+/// A device as seen from the robot's namespace.
+void set_device(const Plan& plan, DeviceId device, const std::string& prefix, Data& data) {
+  data.set(prefix + "space", plan.forest.trees[plan.forest.tree_of[device]].space);
+  data.set(prefix + "device", plan.robot.devices[device].name.cpp);
+  data.set(prefix + "literal", string_literal(plan.robot.devices[device].name.text));
 }
 
-std::vector<std::string> safe_lines(const Plan& plan) {
-  // Once stopped nothing else watches the buses: a stuck one must recover to take the safe output.
-  std::vector<std::string> lines{"supervise_buses();"};
+/// Actuators from root to leaf.
+Data actuator_list(const Plan& plan) {
+  Data list(Data::type::list);
   for (auto device = plan.forest.order.rbegin(); device != plan.forest.order.rend(); ++device) {
-    if (plan.robot.devices[*device].type->actuator) lines.push_back(qualified(plan, *device) + ".safe();");
+    if (!plan.robot.devices[*device].type->actuator) continue;
+    Data entry;
+    set_device(plan, *device, "", entry);
+    list.push_back(entry);
   }
+  return list;
+}
+
+/// Outputs that buckets write at their ends: the safe output has to be written too.
+std::vector<SegmentId> shared_outputs(const Plan& plan) {
+  std::vector<SegmentId> shared;
   for (const SegmentId segment : plan.robot.segments.ids()) {
-    const bool shared = std::any_of(plan.schedule.buckets.begin(), plan.schedule.buckets.end(), [&](const Bucket& b) {
+    const bool flushed = std::any_of(plan.schedule.buckets.begin(), plan.schedule.buckets.end(), [&](const Bucket& b) {
       return std::find(b.flushes.begin(), b.flushes.end(), segment) != b.flushes.end();
     });
-    if (shared) lines.push_back(plan.robot.segments[segment].name.cpp + ".flush();");
+    if (flushed) shared.push_back(segment);
   }
-  return lines;
+  return shared;
 }
 
-std::vector<std::string> crossing_lines(const Plan& plan) {
-  std::vector<std::string> lines;
+Data crossing_list(const Plan& plan) {
+  Data list(Data::type::list);
   for (const Crossing& crossing : plan.schedule.crossings) {
     const Device& producer = plan.robot.devices[crossing.producer];
     const Device& consumer = plan.robot.devices[crossing.consumer];
-    const char* how = crossing.kind == Crossing::Kind::copy      ? "copied before the reader's update"
-                      : crossing.kind == Crossing::Kind::to_slow ? "latch, written faster than read"
-                                                                 : "latch, read faster than written";
-    lines.push_back(fmt::format("{}.{} ({}) -> {} ({}): {}", producer.name.text,
-                                crossing.direction == Crossing::Direction::state ? "update" : "handle",
-                                period_text(producer.period_ns), consumer.name.text, period_text(consumer.period_ns),
-                                how));
+    Data entry;
+    entry.set("producer", producer.name.text);
+    entry.set("producer_period", period_text(producer.period_ns));
+    entry.set("consumer", consumer.name.text);
+    entry.set("consumer_period", period_text(consumer.period_ns));
+    entry.set("is_state", crossing.direction == Crossing::Direction::state);
+    entry.set("is_copy", crossing.kind == Crossing::Kind::copy);
+    entry.set("is_to_slow", crossing.kind == Crossing::Kind::to_slow);
+    entry.set("is_to_fast", crossing.kind == Crossing::Kind::to_fast);
+    list.push_back(entry);
   }
-  return lines;
+  return list;
 }
 
 /// Parent-child edges between objects that cannot be constant-initialised. An edge with one constant end needs no
 /// check: constant initialisation comes first for children, and a constant parent only binds addresses.
-std::vector<std::string> order_checks(const Plan& plan) {
-  std::vector<std::string> lines;
+Data order_checks(const Plan& plan) {
+  Data list(Data::type::list);
   for (DeviceId device : plan.forest.order) {
     const Device& child = plan.robot.devices[device];
     if (!child.parent || child.type->constant_init) continue;
-    const Device& parent = plan.robot.devices[*child.parent];
-    if (parent.type->constant_init) continue;
-    lines.push_back(fmt::format("{{{}.construction_number(), {}.construction_number(), {}, {}}},",
-                                qualified(plan, device), qualified(plan, *child.parent),
-                                string_literal(child.name.text), string_literal(parent.name.text)));
+    if (plan.robot.devices[*child.parent].type->constant_init) continue;
+    Data entry;
+    set_device(plan, device, "child_", entry);
+    set_device(plan, *child.parent, "parent_", entry);
+    list.push_back(entry);
   }
-  return lines;
+  return list;
 }
 
 std::string overrun_policy(const Plan& plan) {
@@ -125,8 +155,8 @@ bool has_assumed(const Robot& robot) {
 Data schedule_header(const Plan& plan, const ProvenBounds& bounds) {
   Data data = common_data(plan);
   data.set("buckets", bucket_list(plan, bounds));
-  data.set("bounds", text_list(bound_constants(plan, bounds.plain)));
-  data.set("assumed", has_assumed(plan.robot) ? "\n/// Some of the execution times behind it are assumed." : "");
+  data.set("bounds", bound_list(plan, bounds.plain));
+  data.set("has_assumed", has_assumed(plan.robot));
   return data;
 }
 
@@ -135,18 +165,17 @@ Data schedule_source(const Plan& plan, const ProvenBounds& bounds) {
   std::vector<std::string> includes{"<finemote/schedule.hpp>", "\"schedule.hpp\"", "\"buses.hpp\""};
   for (const Tree& tree : plan.forest.trees) includes.push_back("\"trees/" + tree.space + ".hpp\"");
   data.set("includes", include_list(std::move(includes)));
-  const std::vector<std::string> crossings = crossing_lines(plan);
-  data.set("has_crossings", !crossings.empty());
-  data.set("crossings", text_list(crossings));
+  data.set("has_crossings", !plan.schedule.crossings.empty());
+  data.set("crossings", crossing_list(plan));
   data.set("buckets", bucket_list(plan, bounds));
-  data.set("monitored", text_list(monitored_lines(plan, bounds.monitored)));
+  data.set("monitored", monitored_list(plan, bounds.monitored));
   data.set("device_count", std::to_string(plan.forest.order.size()));
-  data.set("safe_lines", text_list(safe_lines(plan)));
-  const std::vector<std::string> checks = order_checks(plan);
-  data.set("has_order_checks", !checks.empty());
-  data.set("order_checks", text_list(checks));
-  data.set("order", checks.empty() ? "nullptr" : "kOrder");
-  data.set("tick_ns", std::to_string(plan.robot.tick_ns));
+  data.set("actuators", actuator_list(plan));
+  data.set("shared_outputs", bus_list(plan, shared_outputs(plan)));
+  const Data checks = order_checks(plan);
+  data.set("has_order_checks", checks.is_non_empty_list());
+  data.set("order_checks", checks);
+  data.set("tick_value", duration_expression(plan.robot.tick_ns));
   data.set("overrun", overrun_policy(plan));
   return data;
 }

@@ -1,11 +1,10 @@
 #include "generator/emit/tree.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <set>
 
-#include "generator/emit/device_definition.hpp"
+#include "generator/emit/device_fields.hpp"
+#include "generator/emit/scope.hpp"
 #include "generator/schedule/period.hpp"
 
 namespace finemote::gen {
@@ -20,70 +19,75 @@ std::vector<DeviceId> members(const Plan& plan, const Tree& tree, std::size_t bu
   return result;
 }
 
-std::string stage_line(const Plan& plan, DeviceId device, const char* stage) {
-  const bool is_handle = std::string_view(stage) == "handle";
-  const std::size_t number = 2 * plan.forest.rank[device].value() + (is_handle ? 1 : 0);
-  return fmt::format("{{ Stage stage{{{}}}; {}.{}(); }}", number, plan.robot.devices[device].name.cpp, stage);
-}
-
-std::string with_comment(const std::string& line, const std::string& comment) {
-  constexpr std::size_t kColumn = 60;
-  return fmt::format("{:<{}}  // {}", line, kColumn, comment);
-}
-
-std::string other_end(const Plan& plan, DeviceId device) {
+/// Sets how the comment of a crossing calls its other end.
+void set_other_end(const Plan& plan, DeviceId device, Data& data) {
   const Device& d = plan.robot.devices[device];
-  return fmt::format("{} ({})", d.name.text, period_text(d.period_ns));
+  data.set("other", d.name.text);
+  data.set("other_period", period_text(d.period_ns));
 }
 
-/// `ports::imu_to_rov = ports::imu_to_rov_latch.snapshot();` and its kin: the consumer's side of a crossing.
-std::string fetch_line(const Plan& plan, const Crossing& crossing) {
-  const std::string ports = ports_prefix(plan, crossing.consumer, crossing.home);
-  const std::string comment = "from " + other_end(plan, crossing.producer);
-  const std::string source = crossing.kind == Crossing::Kind::copy
-                                 ? device_reference(plan, crossing.consumer, crossing.producer) + "." + crossing.member
-                                 : fmt::format("{}{}_latch.snapshot()", ports, crossing.name);
-  const std::string target = crossing.direction == Crossing::Direction::state
-                                 ? ports + crossing.name
-                                 : plan.robot.devices[crossing.consumer].name.cpp + "." + crossing.member;
-  return with_comment(fmt::format("{} = {};", target, source), comment);
+std::string member_of(const Plan& plan, DeviceId device, const std::string& member) {
+  return plan.robot.devices[device].name.cpp + "." + member;
 }
 
-/// The producer's side; nothing for a plain copy.
-std::string publish_line(const Plan& plan, const Crossing& crossing) {
-  const std::string ports = ports_prefix(plan, crossing.producer, crossing.home);
-  const std::string value = crossing.direction == Crossing::Direction::state
-                                ? plan.robot.devices[crossing.producer].name.cpp + "." + crossing.member
-                                : ports + crossing.name;
-  return with_comment(fmt::format("{}{}_latch.publish({});", ports, crossing.name, value),
-                      "to " + other_end(plan, crossing.consumer));
+/// The consumer's side of a crossing.
+Data fetch(const Plan& plan, const Scope& scope, const Crossing& crossing) {
+  const std::string port = scope.port(crossing.home, crossing.name);
+  const bool is_latched = crossing.kind != Crossing::Kind::copy;
+  const bool is_state = crossing.direction == Crossing::Direction::state;
+  Data data;
+  data.set("target", is_state ? port : member_of(plan, crossing.consumer, crossing.member));
+  data.set("source", is_latched ? port : scope.device(crossing.producer) + "." + crossing.member);
+  data.set("is_latched", is_latched);
+  set_other_end(plan, crossing.producer, data);
+  return data;
 }
 
-std::vector<std::string> sequence(const Plan& plan, const std::vector<DeviceId>& devices, const char* stage,
-                                  Crossing::Direction direction) {
-  std::vector<std::string> lines;
-  for (DeviceId device : devices) {
-    for (const Crossing& crossing : plan.schedule.crossings) {
-      if (crossing.direction == direction && crossing.consumer == device) lines.push_back(fetch_line(plan, crossing));
-    }
-    lines.push_back(with_comment(stage_line(plan, device, stage), device_comment(plan, device)));
-    for (const Crossing& crossing : plan.schedule.crossings) {
-      const bool moved = crossing.direction == direction && crossing.kind != Crossing::Kind::copy;
-      if (moved && crossing.producer == device) lines.push_back(publish_line(plan, crossing));
-    }
+/// The producer's side; a plain copy has none.
+Data publish(const Plan& plan, const Scope& scope, const Crossing& crossing) {
+  const std::string port = scope.port(crossing.home, crossing.name);
+  const bool is_state = crossing.direction == Crossing::Direction::state;
+  Data data;
+  data.set("port", port);
+  data.set("value", is_state ? member_of(plan, crossing.producer, crossing.member) : port);
+  set_other_end(plan, crossing.consumer, data);
+  return data;
+}
+
+Data stage(const Plan& plan, const Scope& scope, DeviceId device, Crossing::Direction direction) {
+  const bool is_handle = direction == Crossing::Direction::command;
+  Data data, fetches(Data::type::list), publishes(Data::type::list);
+  for (const Crossing& crossing : plan.schedule.crossings) {
+    if (crossing.direction != direction) continue;
+    if (crossing.consumer == device) fetches.push_back(fetch(plan, scope, crossing));
+    if (crossing.producer == device && crossing.kind != Crossing::Kind::copy)
+      publishes.push_back(publish(plan, scope, crossing));
   }
-  return lines;
+  data.set("number", std::to_string(2 * plan.forest.rank[device].value() + (is_handle ? 1 : 0)));
+  data.set("device", plan.robot.devices[device].name.cpp);
+  data.set("call", is_handle ? "handle" : "update");
+  data.set("what", device_comment(plan, device));
+  data.set("fetches", fetches);
+  data.set("publishes", publishes);
+  return data;
+}
+
+Data stages(const Plan& plan, const Scope& scope, const std::vector<DeviceId>& devices, Crossing::Direction direction) {
+  Data list(Data::type::list);
+  for (DeviceId device : devices) list.push_back(stage(plan, scope, device, direction));
+  return list;
 }
 
 Data sequences(const Plan& plan, const Tree& tree) {
+  const Scope scope(plan, tree.root);
   Data list(Data::type::list);
   for (std::size_t bucket : buckets_of(plan, tree)) {
     std::vector<DeviceId> devices = members(plan, tree, bucket);
     Data entry;
     entry.set("period", plan.schedule.buckets[bucket].label);
-    entry.set("updates", text_list(sequence(plan, devices, "update", Crossing::Direction::state)));
+    entry.set("updates", stages(plan, scope, devices, Crossing::Direction::state));
     std::reverse(devices.begin(), devices.end());
-    entry.set("handles", text_list(sequence(plan, devices, "handle", Crossing::Direction::command)));
+    entry.set("handles", stages(plan, scope, devices, Crossing::Direction::command));
     list.push_back(entry);
   }
   return list;
@@ -156,7 +160,7 @@ std::vector<std::string> object_headers(const Plan& plan, const Tree& tree, cons
     if (!type.constant_init) headers.emplace_back("<finemote/order.hpp>");
     for (const Read& read : plan.robot.devices[device].reads) include(*plan.robot.devices[read.device].type);
     for (const Constant& constant : constants) {
-      if (constant.device == device && !constant.in_tree && !constant.text.empty())
+      if (constant.device == device && !constant.in_tree && constant.exists())
         headers.emplace_back("\"constants.hpp\"");
     }
   }
@@ -182,21 +186,16 @@ Data tree_header(const Plan& plan, const Tree& tree, const std::vector<Constant>
   data.set("root", plan.robot.devices[tree.root].name.text);
   data.set("space", tree.space);
   data.set("includes", include_list(object_headers(plan, tree, constants)));
+  const Scope scope(plan, tree.root);
   Data devices(Data::type::list);
   for (DeviceId device : definition_order(plan, tree)) {
-    std::vector<std::string> lines = port_lines(plan, device);
-    for (const Constant& constant : constants) {
-      if (constant.device == device && constant.in_tree) lines.push_back(constant.text);
-    }
-    const Device& d = plan.robot.devices[device];
     Data entry;
-    entry.set("name", d.name.text);
-    entry.set("has_ports", !lines.empty());
-    entry.set("port_lines", text_list(lines));
-    entry.set("comment",
-              fmt::format("{}: {}, every {}", d.name.text, device_comment(plan, device), period_text(d.period_ns)));
-    entry.set("bound", bound_comment(plan, bounds.plain, device));
-    entry.set("definition", device_definition(plan, device, constants));
+    entry.set("name", plan.robot.devices[device].name.text);
+    entry.set("what", device_comment(plan, device));
+    entry.set("period", period_text(plan.robot.devices[device].period_ns));
+    set_device_bound(plan, bounds.plain, device, entry);
+    set_ports(plan, scope, device, constants, entry);
+    set_device(plan, scope, device, constants, entry);
     devices.push_back(entry);
   }
   data.set("devices", devices);

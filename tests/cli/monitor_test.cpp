@@ -93,8 +93,10 @@ TEST_CASE("where nothing is proven the generated files say why") {
   REQUIRE(run_finemote({"generate", folder.path("r.urdf"), "-o", out, "--allow-unschedulable"}).exit_status == 0);
   const std::string header = read_file(out + "/schedule.hpp");
   CHECK(header.find("no bound: a job may not have ended when the next one is due") != std::string::npos);
-  CHECK(header.find("worker{finemote::kUnbounded, finemote::kUnbounded, finemote::kUnbounded}") != std::string::npos);
-  CHECK(header.find("fast_1{finemote::kUnbounded") == std::string::npos);  // the faster bucket keeps its bound
+  CHECK(header.find("worker{finemote::kUnproven, finemote::kUnproven, finemote::kUnproven}") != std::string::npos);
+  CHECK(header.find("top{finemote::kUnproven, finemote::kNothingToBound, finemote::kNothingToBound}") !=
+        std::string::npos);
+  CHECK(header.find("fast_1{finemote::kUnproven") == std::string::npos);  // the faster bucket keeps its bound
   CHECK(read_file(out + "/trees/top.hpp").find("no bound on the age of its command") != std::string::npos);
   CHECK(run_finemote({"check", folder.path("r.urdf"), "-o", out}).output.find("stale") == std::string::npos);
 }

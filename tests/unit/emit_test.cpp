@@ -1,4 +1,5 @@
 // Plans to C++: holes of templates, values, names, and the files of a small robot.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -6,7 +7,9 @@
 #include "generator/emit/config.hpp"
 #include "generator/emit/names.hpp"
 #include "generator/emit/render.hpp"
+#include "generator/emit/scope.hpp"
 #include "generator/emit/template.hpp"
+#include "generator/emit/value.hpp"
 #include "unit/robot_plan.hpp"
 
 using namespace finemote::gen;
@@ -17,18 +20,29 @@ namespace {
 /// A template with this text, for as long as the object lives.
 class TemplateFile {
  public:
-  explicit TemplateFile(const std::string& text) { std::ofstream(folder_ / kName, std::ios::binary) << text; }
+  explicit TemplateFile(const std::string& text, std::string name = "emit_test.in") : name_(std::move(name)) {
+    std::ofstream(folder_ / name_, std::ios::binary) << text;
+  }
   TemplateFile(const TemplateFile&) = delete;
   TemplateFile& operator=(const TemplateFile&) = delete;
-  ~TemplateFile() { fs::remove(folder_ / kName); }
-  [[nodiscard]] std::string fill(const Data& data) const { return fill_template(folder_.string(), kName, data); }
+  ~TemplateFile() { fs::remove(folder_ / name_); }
+  [[nodiscard]] std::string fill(const Data& data) const { return fill_template(folder_.string(), name_, data); }
 
  private:
-  static constexpr const char* kName = "emit_test.in";
   fs::path folder_ = fs::temp_directory_path();
+  std::string name_;
 };
 
 std::string filled(const std::string& text, const Data& data) { return TemplateFile(text).fill(data); }
+
+/// What the shipped template makes of a Config.
+std::string config_of(const std::string& cpp_class, const std::vector<Param>& params, bool is_shipped) {
+  Data data;
+  set_config(cpp_class, params, is_shipped, data);
+  std::string text = fill_template(std::string(FINEMOTE_SOURCE_DIR) + "/templates", "config.mustache", data);
+  text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());  // as inside of a line
+  return text;
+}
 
 ParamSpec spec_of(const std::string& name, ParamKind kind, Unit unit = Unit::none) {
   ParamSpec spec;
@@ -98,6 +112,47 @@ TEST_CASE("a hole that nobody fills is a bug, and names itself") {
   CHECK_THROWS_WITH(fill_template("/nowhere", "t.in", Data("x", "1")), "cannot read template /nowhere/t.in");
 }
 
+TEST_CASE("a tag without an end is a bug, and names itself") {
+  CHECK_THROWS_WITH(filled("a {{x\n", Data("x", "1")), "a template has '{{' without '}}'");
+  CHECK_THROWS_AS(filled("{{#x}}a\n", Data("x", true)), std::logic_error);
+}
+
+TEST_CASE("every element of a list is looked at for what a template names") {
+  Data list(Data::type::list), data;
+  list.push_back(Data("text", "one"));
+  list.push_back(Data("other", "two"));
+  data.set("lines", list);
+  CHECK_THROWS_WITH(filled("{{#lines}}{{text}}{{/lines}}\n", data),
+                    "template emit_test.in names 'text', which the emitter does not provide");
+}
+
+TEST_CASE("of three braces the first is one of C++") {
+  Data data("x", "1");
+  data.set("y", "2");
+  CHECK(filled("A a{{{x}}, {{y}}};\n", data) == "A a{1, 2};\n");
+  CHECK(filled("A a{{{{x}}, {{y}}}};\n", data) == "A a{{1, 2}};\n");
+}
+
+TEST_CASE("a partial stands in its place: alone in a line with its lines, inside of one as one") {
+  const TemplateFile part("{{! What it is. }}\n{{#on}}<{{x}}>{{/on}}\n{{^on}}-{{/on}}\n", "emit_test_part.mustache");
+  Data data("x", "1");
+  data.set("on", true);
+  CHECK(filled("a {{>emit_test_part}};\n", data) == "a <1>;\n");
+  CHECK(filled("a\n{{>emit_test_part}}\nb\n", data).find("a\n<1>\n") == 0);
+  const TemplateFile endless("{{>emit_test_part}}\n", "emit_test_part.mustache");
+  CHECK_THROWS_AS(filled("{{>emit_test_part}}\n", data), std::logic_error);
+}
+
+TEST_CASE("a statement takes one line where it fits, else one for each part") {
+  const std::string text = "{{fit}}A a{{{break}}{{x}}, {{break}}{{y}}};{{end_fit}}\n";
+  Data data("x", "1");
+  data.set("y", "2");
+  CHECK(filled(text, data) == "A a{1, 2};\n");
+  data.set("x", std::string(120, '1'));
+  CHECK(filled(text, data) == "A a{\n    " + std::string(120, '1') + ",\n    2};\n");
+  CHECK(filled("{{x}};{{column}}  // 1\n", Data("x", "a")) == "a;" + std::string(60, ' ') + "  // 1\n");
+}
+
 TEST_CASE("no name at the end of a comment takes the next line into it") {
   CHECK(filled("int a;  // {{x}}\nint b;\n", Data("x", "c:\\")) == "int a;  // c:\\ //\nint b;\n");
   CHECK(filled("int a;  // {{x}}\nint b;\n", Data("x", "\\ ")) == "int a;  // \\  //\nint b;\n");
@@ -124,17 +179,10 @@ TEST_CASE("of a shipped class only what differs from its default is assigned, of
   reverse.fallback = false;
   const std::vector<Param> defaults{{&gain, 1.0, true}, {&reverse, false, false}};
   const std::vector<Param> reversed{{&gain, 1.0, false}, {&reverse, true, true}};
-  CHECK(config_expression("finemote::Esc", defaults, true) == "finemote::Esc::Config{}");
-  const std::string shipped = config_expression("finemote::Esc", reversed, true);
-  CHECK(shipped.find("reverse = true") != std::string::npos);
-  CHECK(shipped.find("gain") == std::string::npos);
-  CHECK(
-      in_order(config_expression("my::Esc", reversed, false), {"my::Esc::Config", "gain", "1.0f", "reverse", "true"}));
-}
-
-TEST_CASE("a pin is written by port and number") {
-  CHECK(pin_number("PA0") == "finemote::pin_number('A', 0)");
-  CHECK(pin_number("PF10") == "finemote::pin_number('F', 10)");
+  CHECK(config_of("finemote::Esc", defaults, true) == "finemote::Esc::Config{}");
+  CHECK(config_of("finemote::Esc", reversed, true) ==
+        "[] { finemote::Esc::Config c{}; c.reverse = true; return c; }()");
+  CHECK(in_order(config_of("my::Esc", reversed, false), {"my::Esc::Config", "gain", "1.0f", "reverse", "true"}));
 }
 
 TEST_CASE("the files of a robot are those that are listed, each says what it is, and twice they are the same") {
@@ -150,6 +198,18 @@ TEST_CASE("the files of a robot are those that are listed, each says what it is,
     CHECK(one.files[i].text.find('\r') == std::string::npos);
     CHECK(one.files[i].text == two.files[i].text);
   }
+}
+
+TEST_CASE("a bus is called by its name alone, unless something of the tree has it") {
+  const std::string bus = R"(<bus name="imu" type="uart" port="usart1" baud="460800baud"/>
+<bus name="ports" type="uart" port="usart6" baud="460800baud"/>)";
+  const auto device = [&](const std::string& name, const std::string& on) {
+    return bus + "<device name=\"" + name + "\" type=\"h30_imu\" bus=\"" + on + "\" period=\"5ms\"/>";
+  };
+  CHECK(Rendered(device("pose", "imu"))["trees/pose.hpp"].find("pose{/*mount*/ nullptr, imu}") != std::string::npos);
+  CHECK(Rendered(load("root", "5ms", device("imu", "imu").substr(bus.size())) + bus)["trees/root.hpp"].find(
+            "imu{/*mount*/ nullptr, ::r::imu}") != std::string::npos);
+  CHECK(Rendered(device("pose", "ports"))["trees/pose.hpp"].find("nullptr, ::r::ports}") != std::string::npos);
 }
 
 TEST_CASE("updates run from leaf to root, handles from root to leaf") {

@@ -15,8 +15,8 @@ namespace finemote {
 /// What the monitor holds a device to. The bounds include the cost of the monitor and of the trace.
 struct Monitored {
   std::uint8_t bucket;   ///< index in Schedule::buckets
-  Duration response;     ///< bound, or kUnbounded
-  Duration age;          ///< bound, or kUnbounded
+  Duration response;     ///< bound, or kUnproven
+  Duration age;          ///< bound, kUnproven or kNothingToBound
   const Stamp* command;  ///< what handle() acts on; null: it takes no command from another device
 };
 

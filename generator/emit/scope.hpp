@@ -1,0 +1,44 @@
+// A thing of the robot to how generated code names it: as short as the place allows, by its whole name where a shorter
+// one would be another thing.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "generator/emit/names.hpp"
+
+namespace finemote::gen {
+
+/// The namespace of one tree, from inside of which things are named.
+///
+/// C++ looks outwards: a name of the robot's namespace can be written alone unless the tree declares the same one: a
+/// device, or what is generated beside devices (`ports`, `update_5ms`, `Stage`).
+class Scope {
+ public:
+  Scope(const Plan& plan, DeviceId inside);
+
+  /// The same, from inside of the tree's namespace `ports`, whose names all begin with that of a device: `imu_to_rov`.
+  [[nodiscard]] Scope ports() const;
+
+  /// A bus, slot or constant: `imu_uart`, `slots::imu`, or `::FinsROV::imu_uart` where a device is called so.
+  [[nodiscard]] std::string of_robot(const std::string& cpp_name) const;
+
+  /// `imu` inside its own tree, `rov::imu` from another.
+  [[nodiscard]] std::string device(DeviceId device) const;
+
+  /// A name of namespace `ports` of the tree of `home`: `ports::imu_to_rov`, `rov::ports::imu_to_rov` from another
+  /// tree.
+  [[nodiscard]] std::string port(DeviceId home, const std::string& name) const;
+
+ private:
+  [[nodiscard]] bool hides(const std::string& name) const;
+  [[nodiscard]] const Tree& tree_of(DeviceId device) const;
+  [[nodiscard]] bool is_here(DeviceId device) const;
+
+  const Plan& plan_;
+  std::size_t tree_;
+  std::set<std::string> declared_;
+  bool in_ports_ = false;
+};
+
+}  // namespace finemote::gen
