@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "generator/emit/config.hpp"
+#include "generator/emit/pin_fields.hpp"
+#include "generator/emit/scope.hpp"
 #include "generator/emit/value.hpp"
 #include "generator/version.hpp"
 
@@ -51,18 +53,6 @@ const KindNames* kind_names(BusKind kind) {
 /// What PwmBus takes by itself: 50 Hz [ns].
 constexpr std::int64_t kServoPeriod = 20'000'000;
 
-std::string bus_comment(const Bus& bus) {
-  const KindNames& names = *kind_names(bus.kind);
-  if (bus.kind == BusKind::gpio) return "single pins";
-  std::string text = fmt::format("port {}", bus.port);
-  if (names.rate_unit != nullptr && bus.rate > 0) text += fmt::format(", {} {}", bus.rate, names.rate_unit);
-  return text;
-}
-
-std::string expander_comment(const Plan& plan, const Expander& expander) {
-  return fmt::format("pca9685 on '{}' at {:#04x}", plan.robot.segments[expander.segment].name.text, expander.address);
-}
-
 std::vector<const Slot*> slots_of(const Plan& plan, BusId bus) {
   std::vector<const Slot*> slots;
   for (const Slot& slot : plan.schedule.slots) {
@@ -75,52 +65,57 @@ const KindNames& slot_names(const Plan& plan, const Slot& slot) {
   return *kind_names(plan.robot.segments[slot.segment].bus_kind);
 }
 
-/// `finemote::MuxRoute{0x70, 0x04}`: channel 2 of the mux at 0x70; empty braces: no mux.
-std::string mux_route(const Plan& plan, const Segment& segment) {
-  if (segment.kind != Segment::Kind::mux_channel) return "finemote::MuxRoute{}";
+/// The channel of the mux that a slot's transfers go through: templates/mux_route.mustache.
+void set_route(const Plan& plan, const Segment& segment, Data& data) {
+  const bool has_mux = segment.kind == Segment::Kind::mux_channel;
+  data.set("has_mux", has_mux);
+  if (!has_mux) return;
   const Expander& mux = plan.robot.expanders[*segment.expander];
-  return fmt::format("finemote::MuxRoute{{{:#04x}, {:#04x}}}", mux.address, 1u << segment.channel);
+  data.set("mux_address", fmt::format("{:#04x}", mux.address));
+  data.set("mux_control", fmt::format("{:#04x}", 1u << segment.channel));
 }
 
-std::string slot_definition(const Plan& plan, const Slot& slot) {
+Data slot_fields(const Plan& plan, const Slot& slot) {
   const Segment& segment = plan.robot.segments[slot.segment];
-  const std::string bus = bus_reference(plan, plan.robot.buses[segment.bus].name.cpp);
-  std::string arguments = fmt::format("{}, {:#04x}", bus, slot.address);
-  if (segment.bus_kind == BusKind::i2c) arguments += ", " + mux_route(plan, segment);
-  if (segment.bus_kind == BusKind::can) {
+  const bool is_can = segment.bus_kind == BusKind::can;
+  Data data;
+  data.set("class", slot_names(plan, slot).slot);
+  data.set("slot", slot.name);
+  data.set("bus", Scope::in_slots(plan).of_robot(plan.robot.buses[segment.bus].name.cpp));
+  data.set("address", fmt::format("{:#04x}", slot.address));
+  data.set("takes_route", segment.bus_kind == BusKind::i2c);
+  set_route(plan, segment, data);
+  data.set("takes_identifier", is_can);
+  if (is_can) {
     const std::uint32_t base = plan.robot.devices[*slot.device].type->receives_base.value_or(0);
-    arguments += fmt::format(", /*receives*/ {:#05x}", base + slot.address);
+    data.set("receives", fmt::format("{:#05x}", base + slot.address));
   }
-  arguments += fmt::format(", /*priority*/ {}", slot.priority);
-  if (slot.spi_mode != kUsualSpiMode) arguments += fmt::format(", /*mode*/ {}", slot.spi_mode);
-  return fmt::format("FINEMOTE_CONSTINIT finemote::{} {}{{{}}};", slot_names(plan, slot).slot, slot.name, arguments);
+  data.set("priority", std::to_string(slot.priority));
+  data.set("has_mode", slot.spi_mode != kUsualSpiMode);
+  data.set("mode", std::to_string(slot.spi_mode));
+  return data;
 }
 
 Data slot_list(const Plan& plan) {
   Data list(Data::type::list);
-  for (const Slot& slot : plan.schedule.slots) {
-    Data entry;
-    entry.set("declaration", fmt::format("extern finemote::{} {};", slot_names(plan, slot).slot, slot.name));
-    entry.set("definition", slot_definition(plan, slot));
-    list.push_back(entry);
-  }
+  for (const Slot& slot : plan.schedule.slots) list.push_back(slot_fields(plan, slot));
   return list;
 }
 
-/// Beside the buses: a name that no bus can have.
-std::string routes_name(const Bus& bus) { return "finemote_" + bus.name.cpp + "_slots"; }
-
-std::vector<std::string> route_lines(const Plan& plan) {
-  std::vector<std::string> lines;
-  for (const BusId i : plan.robot.buses.ids()) {
-    const std::vector<const Slot*> slots = slots_of(plan, i);
+/// Per bus: who is on it.
+Data route_list(const Plan& plan) {
+  Data list(Data::type::list);
+  for (const BusId bus : plan.robot.buses.ids()) {
+    const std::vector<const Slot*> slots = slots_of(plan, bus);
     if (slots.empty()) continue;
-    lines.push_back(fmt::format("constexpr finemote::{}* {}[] = {{", slot_names(plan, *slots.front()).slot,
-                                routes_name(plan.robot.buses[i])));
-    for (const Slot* slot : slots) lines.push_back(fmt::format("    &slots::{},", slot->name));
-    lines.push_back("};");
+    Data entry, names(Data::type::list);
+    for (const Slot* slot : slots) names.push_back(Data("slot", slot->name));
+    entry.set("class", slot_names(plan, *slots.front()).slot);
+    entry.set("bus", plan.robot.buses[bus].name.cpp);
+    entry.set("slots", names);
+    list.push_back(entry);
   }
-  return lines;
+  return list;
 }
 
 /// What the device on a uart, or the device that uses it, says about its line; 8N1 when nobody does.
@@ -137,115 +132,67 @@ std::string line_format(const Plan& plan, BusId bus) {
   return "8N1";
 }
 
-/// `8E1_inverted` -> `finemote::UartFormat::k8E1Inverted`.
-std::string format_enumerator(const std::string& format) {
+/// `8E1_inverted` -> `8E1Inverted`, as the enumerators of the runtime end.
+std::string format_name(const std::string& format) {
   const auto mark = format.find('_');
-  if (mark == std::string::npos) return "finemote::UartFormat::k" + format;
-  return "finemote::UartFormat::k" + format.substr(0, mark) + "Inverted";
+  return mark == std::string::npos ? format : format.substr(0, mark) + "Inverted";
 }
 
-std::string bus_definition(const Plan& plan, BusId index) {
+Data bus_fields(const Plan& plan, BusId index) {
   const Bus& bus = plan.robot.buses[index];
   const KindNames& names = *kind_names(bus.kind);
-  std::string arguments = "finemote::ports::" + (bus.kind == BusKind::gpio ? "gpio" : bus.port);
-  if (const Port* port = plan.robot.board->port(bus.port);
-      bus.kind == BusKind::pwm && port->period_ns != kServoPeriod) {
-    arguments += ", " + duration_expression(port->period_ns);
-  }
-  if (names.rate_unit != nullptr) arguments += fmt::format(", {} /* {} */", bus.rate, names.rate_unit);
-  if (!slots_of(plan, index).empty()) arguments += ", " + routes_name(bus);
-  if (bus.kind == BusKind::uart) arguments += ", " + format_enumerator(line_format(plan, index));
-  return fmt::format("FINEMOTE_CONSTINIT finemote::{} {}{{{}}};", names.bus, bus.name.cpp, arguments);
-}
-
-Data expander_fields(const Expander& expander) {
+  const Port* port = plan.robot.board->port(bus.port);
+  const bool has_period = bus.kind == BusKind::pwm && port->period_ns != kServoPeriod;
+  const bool has_rate = names.rate_unit != nullptr;
   Data data;
-  data.set("name", expander.name.cpp);
-  data.set("has_config", !expander.params.empty());
-  set_config("finemote::Pca9685", expander.params, /*is_shipped*/ true, data);
+  data.set("class", names.bus);
+  data.set("bus", bus.name.cpp);
+  data.set("is_pins", bus.kind == BusKind::gpio);
+  data.set("port", bus.port);
+  data.set("has_period", has_period);
+  if (has_period) data.set("period", duration_expression(port->period_ns));
+  data.set("has_rate", has_rate);
+  data.set("rate", std::to_string(bus.rate));
+  data.set("rate_unit", has_rate ? names.rate_unit : "");
+  data.set("has_slots", !slots_of(plan, index).empty());
+  data.set("has_format", bus.kind == BusKind::uart);
+  data.set("format", format_name(line_format(plan, index)));
+  data.set("starts", names.starts);
+  data.set("is_supervised", names.supervised);
   return data;
 }
 
-bool is_object(const Expander& expander) { return expander.model == Expander::Model::pca9685; }
-
 Data bus_list(const Plan& plan) {
   Data list(Data::type::list);
-  const auto add = [&](const std::string& type, const std::string& name, const std::string& comment,
-                       const std::string& definition, Data entry = {}) {
-    entry.set("is_bus", !definition.empty());
-    entry.set("declaration", fmt::format("extern finemote::{} {};  // {}", type, name, comment));
-    entry.set("definition", definition);
-    list.push_back(entry);
-  };
-  for (const BusId i : plan.robot.buses.ids()) {
-    const Bus& bus = plan.robot.buses[i];
-    if (const KindNames* names = kind_names(bus.kind))
-      add(names->bus, bus.name.cpp, bus_comment(bus), bus_definition(plan, i));
-  }
-  for (const Expander& expander : plan.robot.expanders) {
-    if (is_object(expander)) {
-      add("Pca9685", expander.name.cpp, expander_comment(plan, expander), {}, expander_fields(expander));
-    }
+  for (const BusId bus : plan.robot.buses.ids()) {
+    if (kind_names(plan.robot.buses[bus].kind) != nullptr) list.push_back(bus_fields(plan, bus));
   }
   return list;
 }
 
-/// `finemote::ports::gpio.configure(finemote::pin_number('A', 0), finemote::PinSetting::kInputPullUp);`: idle is
-/// inactive.
-std::string configure_line(const std::string& pin, const NamedPin* named, bool is_output) {
-  const bool idle_high = named != nullptr && named->active_low;
-  const char* mode = is_output          ? (idle_high ? "kOutputHigh" : "kOutputLow")
-                     : named == nullptr ? "kInput"
-                     : idle_high        ? "kInputPullUp"
-                                        : "kInputPullDown";
-  return fmt::format("finemote::ports::gpio.configure({}, finemote::PinSetting::{});", pin_number(pin), mode);
+bool is_object(const Expander& expander) { return expander.model == Expander::Model::pca9685; }
+
+Data expander_list(const Plan& plan) {
+  Data list(Data::type::list);
+  for (const Expander& expander : plan.robot.expanders) {
+    if (!is_object(expander)) continue;
+    Data entry;
+    entry.set("expander", expander.name.cpp);
+    entry.set("type", "pca9685");
+    entry.set("segment", plan.robot.segments[expander.segment].name.text);
+    entry.set("address", fmt::format("{:#04x}", expander.address));
+    entry.set("has_config", !expander.params.empty());
+    set_config("finemote::Pca9685", expander.params, /*is_shipped*/ true, entry);
+    list.push_back(entry);
+  }
+  return list;
 }
 
-std::string start_line(const Use& use) {
-  const bool active_low = use.named != nullptr && use.named->active_low;
-  if (use.spec->function == "interrupt") {
-    return fmt::format("finemote::ports::exti{}.start(/*falling*/ {});", use.pin.substr(2), active_low);
-  }
-  if (use.spec->function == "analog") {
-    return fmt::format("finemote::ports::{}.start({}, {});", use.named->converter, use.named->input,
-                       pin_number(use.pin));
-  }
-  return configure_line(use.pin, use.named, use.spec->function == "output");
-}
-
-/// Brings up the pins that devices use or sit on.
-std::vector<std::string> pin_lines(const Plan& plan) {
-  std::vector<std::string> lines;
-  for (const Bus& bus : plan.robot.buses) {
-    if (bus.driver_pin.empty()) continue;
-    const bool active_low = bus.driver_named != nullptr && bus.driver_named->active_low;
-    lines.push_back(configure_line(bus.driver_pin, bus.driver_named, true) + "  // direction of " + bus.name.text);
-    lines.push_back(fmt::format("finemote::ports::{}.drive_with({}, /*active low*/ {});", bus.port,
-                                pin_number(bus.driver_pin), active_low));
-  }
-  for (const Device& device : plan.robot.devices) {
-    const bool on_pin = device.segment && plan.robot.segments[*device.segment].bus_kind == BusKind::gpio;
-    if (on_pin) {
-      const NamedPin& pin = plan.robot.board->pins.at(device.channel.value_or(0));
-      const std::string what = fmt::format("  // {}: {}", device.name.text, pin.name);
-      lines.push_back(configure_line(pin.pin, &pin, pin.functions.front() == "output") + what);
-    }
-    for (const Use& use : device.uses) {
-      if (use.segment) continue;
-      const std::string& name = use.named != nullptr ? use.named->name : use.pin;
-      lines.push_back(start_line(use) + fmt::format("  // {} ({}): {}", device.name.text, use.spec->role, name));
-    }
-  }
-  return lines;
-}
-
-std::vector<std::string> call_lines(const Plan& plan, bool KindNames::*wanted, const char* call) {
-  std::vector<std::string> lines;
-  for (const Bus& bus : plan.robot.buses) {
-    const KindNames* names = kind_names(bus.kind);
-    if (names != nullptr && names->*wanted) lines.push_back(fmt::format("{}.{}();", bus.name.cpp, call));
-  }
-  return lines;
+void set_buses(const Plan& plan, Data& data) {
+  data.set("buses", bus_list(plan));
+  data.set("expanders", expander_list(plan));
+  data.set("has_slots", !plan.schedule.slots.empty());
+  data.set("slots", slot_list(plan));
 }
 
 }  // namespace
@@ -261,24 +208,16 @@ Data bus_header(const Plan& plan) {
     if (is_object(expander)) includes.emplace_back("<finemote/pca9685.hpp>");
   }
   data.set("includes", include_list(std::move(includes)));
-  data.set("buses", bus_list(plan));
-  data.set("has_slots", !plan.schedule.slots.empty());
-  data.set("slots", slot_list(plan));
+  set_buses(plan, data);
   return data;
 }
 
 Data bus_source(const Plan& plan) {
   Data data = common_data(plan);
-  data.set("buses", bus_list(plan));
-  data.set("has_slots", !plan.schedule.slots.empty());
-  data.set("slots", slot_list(plan));
-  const std::vector<std::string> routes = route_lines(plan);
-  data.set("has_routes", !routes.empty());
-  data.set("routes", text_list(routes));
-  std::vector<std::string> starts = call_lines(plan, &KindNames::starts, "start");
-  for (std::string& line : pin_lines(plan)) starts.push_back(std::move(line));
-  data.set("start_lines", text_list(starts));
-  data.set("supervise_lines", text_list(call_lines(plan, &KindNames::supervised, "supervise")));
+  set_buses(plan, data);
+  data.set("routes", route_list(plan));
+  data.set("drivers", driver_pins(plan));
+  data.set("pins", pin_list(plan));
   return data;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/emit/number.hpp"
+#include "generator/emit/pin_fields.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -132,11 +133,6 @@ Data endpoint_objects(const Plan& plan, const Scope& scope, const Device& device
     list.push_back(entry);
   }
   return list;
-}
-
-void set_pin(const std::string& pin, Data& data) {
-  data.set("pin_letter", pin.substr(1, 1));
-  data.set("pin_number", pin.substr(2));
 }
 
 }  // namespace finemote::gen

@@ -21,7 +21,4 @@ std::optional<Data> use_argument(const Plan& plan, const Scope& scope, const Dev
 /// to.
 Data endpoint_objects(const Plan& plan, const Scope& scope, const Device& device);
 
-/// Sets `pin_letter` and `pin_number` of a pin like `PA0`.
-void set_pin(const std::string& pin, Data& data);
-
 }  // namespace finemote::gen

@@ -123,13 +123,14 @@ class Planner {
 
   /// FNV-1a of everything that decides where a byte stands.
   static std::uint32_t number(const DeviceLink& link) {
-    std::string text = fmt::format("finemote.link/{}\n", kFormat);
+    constexpr char kEnd = '\n';
+    std::string text = fmt::format("finemote.link/{}", kFormat) + kEnd;
     const auto tell = [&](const char* way, const std::vector<LinkItem>& items) {
       for (const LinkItem& item : items) {
         text += fmt::format("{} {} {} {}:", way, item.block, item.name, item.interface);
         for (const LinkField& field : item.fields)
           text += fmt::format(" {} {} {}", field.name, field.type, field.count);
-        text += '\n';
+        text += kEnd;
       }
     };
     tell("up", link.up);

@@ -8,14 +8,6 @@
 #include "generator/emit/value.hpp"
 
 namespace finemote::gen {
-std::string bus_reference(const Plan& plan, const std::string& cpp_name) {
-  return fmt::format("::{}::{}", plan.robot.name.cpp, cpp_name);
-}
-
-std::string pin_number(const std::string& pin) {
-  return fmt::format("finemote::pin_number('{}', {})", pin.at(1), pin.substr(2));
-}
-
 std::string device_comment(const Plan& plan, DeviceId device) {
   const Device& d = plan.robot.devices[device];
   if (!d.segment) return d.type->name;

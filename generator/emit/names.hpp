@@ -16,14 +16,8 @@ struct Plan {
   const Schedule& schedule;
 };
 
-/// `::FinsROV::i2c`: found from inside any tree, whatever its devices are called.
-std::string bus_reference(const Plan& plan, const std::string& cpp_name);
-
 /// `ms5837 on 'seg1'`, `group`.
 std::string device_comment(const Plan& plan, DeviceId device);
-
-/// `finemote::pin_number('A', 0)` for PA0.
-std::string pin_number(const std::string& pin);
 
 /// What every template begins with: source, robot, robot_space.
 Data common_data(const Plan& plan);

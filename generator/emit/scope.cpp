@@ -5,7 +5,13 @@
 namespace finemote::gen {
 
 Scope::Scope(const Plan& plan, DeviceId inside) : plan_(plan), tree_(plan.forest.tree_of[inside]) {
-  for (const DeviceId device : plan.forest.trees[tree_].devices) declared_.insert(plan.robot.devices[device].name.cpp);
+  for (const DeviceId device : plan.forest.trees[*tree_].devices) declared_.insert(plan.robot.devices[device].name.cpp);
+}
+
+Scope Scope::in_slots(const Plan& plan) {
+  Scope scope(plan);
+  for (const Slot& slot : plan.schedule.slots) scope.declared_.insert(slot.name);
+  return scope;
 }
 
 Scope Scope::ports() const {
@@ -18,7 +24,7 @@ std::string Scope::of_robot(const std::string& cpp_name) const {
   const std::size_t end = cpp_name.find(':');
   const std::string first = cpp_name.substr(0, end);
   // `slots` and `constants` of the robot are among the names that no tree declares for this very reason.
-  const bool is_generated = end == std::string::npos && reserved_name(first, NameScope::in_tree);
+  const bool is_generated = tree_ && end == std::string::npos && reserved_name(first, NameScope::in_tree);
   return is_generated || hides(first) ? "::" + plan_.robot.name.cpp + "::" + cpp_name : cpp_name;
 }
 

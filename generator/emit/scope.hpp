@@ -2,6 +2,7 @@
 // one would be another thing.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 
@@ -9,13 +10,17 @@
 
 namespace finemote::gen {
 
-/// The namespace of one tree, from inside of which things are named.
+/// The namespace from inside of which things are named, that of a tree for one.
 ///
 /// C++ looks outwards: a name of the robot's namespace can be written alone unless the tree declares the same one: a
 /// device, or what is generated beside devices (`ports`, `update_5ms`, `Stage`).
 class Scope {
  public:
+  /// The namespace of the tree of `inside`.
   Scope(const Plan& plan, DeviceId inside);
+
+  /// Namespace `slots` of the robot.
+  static Scope in_slots(const Plan& plan);
 
   /// The same, from inside of the tree's namespace `ports`, whose names all begin with that of a device: `imu_to_rov`.
   [[nodiscard]] Scope ports() const;
@@ -31,12 +36,13 @@ class Scope {
   [[nodiscard]] std::string port(DeviceId home, const std::string& name) const;
 
  private:
+  explicit Scope(const Plan& plan) : plan_(plan) {}
   [[nodiscard]] bool hides(const std::string& name) const;
   [[nodiscard]] const Tree& tree_of(DeviceId device) const;
   [[nodiscard]] bool is_here(DeviceId device) const;
 
   const Plan& plan_;
-  std::size_t tree_;
+  std::optional<std::size_t> tree_;  ///< none: outside of all
   std::set<std::string> declared_;
   bool in_ports_ = false;
 };

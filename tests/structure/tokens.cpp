@@ -88,17 +88,20 @@ class Lexer {
   }
 
   void read_quoted(char quote) {
-    tokens_.push_back({std::string(2, quote), line_});
+    tokens_.push_back({std::string(2, quote), line_, {}});
     advance(1);
+    const std::size_t begin = at_;
     while (at_ < text_.size() && peek() != quote) advance(peek() == '\\' ? 2 : 1);
+    tokens_.back().literal = text_.substr(begin, at_ - begin);
     advance(1);
   }
 
   void read_raw_string() {
-    tokens_.push_back({"\"\"", line_});
-    const std::size_t open = text_.find('(', at_);
+    tokens_.push_back({"\"\"", line_, {}});
+    const std::size_t open = text_.find('(', at_), begin = at_;
     if (open == std::string_view::npos) return advance(text_.size());
     skip_past(")" + std::string(text_.substr(at_ + 1, open - at_ - 1)) + "\"", open - at_);
+    tokens_.back().literal = text_.substr(begin, at_ - begin);
   }
 
   /// To the end of the line, or of a later one where backslashes continue it.
@@ -126,7 +129,7 @@ class Lexer {
   }
 
   void read(std::size_t size) {
-    tokens_.push_back({std::string(text_.substr(at_, size)), line_});
+    tokens_.push_back({std::string(text_.substr(at_, size)), line_, {}});
     advance(size);
   }
 

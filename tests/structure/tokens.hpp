@@ -11,7 +11,8 @@ namespace finemote::test {
 /// `""`, `''` for a character.
 struct Token {
   std::string text;
-  int line = 1;  ///< where it begins, from 1
+  int line = 1;           ///< where it begins, from 1
+  std::string literal{};  ///< of a literal: what stands in its quotes, as written
 };
 
 /// What the compiler would see of a file whose macros nobody expands: comments and preprocessor lines are left out.

@@ -8,11 +8,9 @@
 namespace deep_forest {
 
 void start_buses() {
-
 }
 
 void supervise_buses() {
-
 }
 
 }  // namespace deep_forest

@@ -6,7 +6,7 @@
 
 #include <finemote/generated_format.hpp>
 
-static_assert(finemote::kGeneratedFormat == 2, "made for another version of the runtime: run `finemote generate`");
+static_assert(finemote::kGeneratedFormat == 3, "made for another version of the runtime: run `finemote generate`");
 
 namespace deep_forest {
 

@@ -53,19 +53,22 @@ void run_10ms() {
 }
 
 void safe_outputs() {
-  supervise_buses();
+  supervise_buses();  // once stopped nothing else does: a stuck bus must recover to take the safe output
 }
 
+// Line 48 is that of FSMC, whose own interrupt this board does not use.
 extern "C" void finemote_line_48() {
   run_2ms();
   finemote::complete(0);
 }
 
+// Line 49 is that of SDIO, whose own interrupt this board does not use.
 extern "C" void finemote_line_49() {
   run_4ms();
   finemote::complete(1);
 }
 
+// Line 51 is that of SPI3, whose own interrupt this board does not use.
 extern "C" void finemote_line_51() {
   run_10ms();
   finemote::complete(2);
@@ -74,16 +77,17 @@ extern "C" void finemote_line_51() {
 namespace {
 
 constexpr finemote::Bucket kBuckets[] = {
-    // entry, period [ns], line, priority, watchdog [periods]
-    {finemote_line_48, 2000000, 48, 4, 3},
-    {finemote_line_49, 4000000, 49, 5, 3},
-    {finemote_line_51, 10000000, 51, 6, 3},
+    // entry, period, line, priority, watchdog [periods]
+    {finemote_line_48, 2 * finemote::kMillisecond, 48, 4, 3},
+    {finemote_line_49, 4 * finemote::kMillisecond, 49, 5, 3},
+    {finemote_line_51, 10 * finemote::kMillisecond, 51, 6, 3},
 };
 
 }  // namespace
 
 extern "C" constexpr finemote::Schedule finemote_schedule{
-    "deep_forest", 1000000 /* tick [ns] */, kBuckets, finemote::Overrun::skip, start_buses, safe_outputs, nullptr};
+    "deep_forest", /*tick*/ 1 * finemote::kMillisecond, kBuckets, finemote::Overrun::skip,
+    start_buses, safe_outputs, nullptr};
 
 #ifdef FINEMOTE_MONITOR
 
@@ -95,7 +99,7 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {2, 525954, finemote::kUnbounded, nullptr},  // remote
+    {2, 525954, finemote::kNothingToBound, nullptr},  // remote
     {0, 155198, 16155198, &walker::hip_left.command},  // hip-left
     {0, 140920, 16140920, &walker::knee_left.command},  // knee-left
     {1, 256230, 12256230, &walker::leg_left.command},  // leg-left
@@ -105,9 +109,9 @@ constexpr finemote::Monitored kMonitored[] = {
     {1, 245838, 12245838, &walker::front.command},  // front
     {0, 98086, 12098086, &walker::tilt.command},  // tilt
     {2, 517594, 2416562, &walker::body.command},  // body
-    {2, 512398, finemote::kUnbounded, nullptr},  // walker
+    {2, 512398, finemote::kNothingToBound, nullptr},  // walker
     {2, 448438, 10448438, &gripper::finger.command},  // finger
-    {1, 215960, finemote::kUnbounded, nullptr},  // gripper
+    {1, 215960, finemote::kNothingToBound, nullptr},  // gripper
 };
 
 }  // namespace

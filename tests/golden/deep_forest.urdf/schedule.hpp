@@ -8,15 +8,15 @@
 
 namespace deep_forest {
 
-/// Every 2 ms: priority 4, interrupt line 48, 5 devices;
+/// Every 2 ms: priority 4, interrupt line 48 (FSMC), 5 devices;
 /// a job ends within 140.198 us of its release.
 void run_2ms();
 
-/// Every 4 ms: priority 5, interrupt line 49, 4 devices;
+/// Every 4 ms: priority 5, interrupt line 49 (SDIO), 4 devices;
 /// a job ends within 228.93 us of its release.
 void run_4ms();
 
-/// Every 10 ms: priority 6, interrupt line 51, 4 devices;
+/// Every 10 ms: priority 6, interrupt line 51 (SPI3), 4 devices;
 /// a job ends within 486.354 us of its release.
 void run_10ms();
 
@@ -27,7 +27,7 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 /// Some of the execution times behind it are assumed.
 namespace bounds {
-inline constexpr finemote::Bounds remote{486354, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds remote{486354, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds hip_left{140198, 16140198, 16140198};
 inline constexpr finemote::Bounds knee_left{128020, 16128020, 16128020};
 inline constexpr finemote::Bounds leg_left{228930, 12228930, 12228930};
@@ -37,9 +37,9 @@ inline constexpr finemote::Bounds leg_right{225834, 12225834, 12225834};
 inline constexpr finemote::Bounds front{222738, 12222738, 12222738};
 inline constexpr finemote::Bounds tilt{91486, 12091486, 12091486};
 inline constexpr finemote::Bounds body{480094, 2391362, 2391362};
-inline constexpr finemote::Bounds walker{476998, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds walker{476998, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds finger{415138, 10415138, 10415138};
-inline constexpr finemote::Bounds gripper{194960, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds gripper{194960, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace deep_forest

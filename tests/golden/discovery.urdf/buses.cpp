@@ -8,7 +8,7 @@
 namespace discovery {
 
 namespace slots {
-FINEMOTE_CONSTINIT finemote::I2cSlot depth{::discovery::i2c, 0x76, finemote::MuxRoute{}, /*priority*/ 1};
+FINEMOTE_CONSTINIT finemote::I2cSlot depth{i2c, 0x76, finemote::MuxRoute{}, /*priority*/ 1};
 }  // namespace slots
 
 namespace {
@@ -24,8 +24,8 @@ FINEMOTE_CONSTINIT finemote::Uart computer{finemote::ports::usart2, 921600 /* ba
 FINEMOTE_CONSTINIT finemote::Uart imu_line{finemote::ports::usart3, 460800 /* baud */, finemote::UartFormat::k8N1};
 FINEMOTE_CONSTINIT finemote::I2cBus i2c{finemote::ports::i2c1, 400000 /* Hz */, finemote_i2c_slots};
 FINEMOTE_CONSTINIT finemote::PwmBus servo_pulses{finemote::ports::pwm1};
-FINEMOTE_CONSTINIT finemote::PwmBus green{finemote::ports::led_green, 1000000 /* ns */};
-FINEMOTE_CONSTINIT finemote::PwmBus blue{finemote::ports::led_blue, 1000000 /* ns */};
+FINEMOTE_CONSTINIT finemote::PwmBus green{finemote::ports::led_green, 1 * finemote::kMillisecond};
+FINEMOTE_CONSTINIT finemote::PwmBus blue{finemote::ports::led_blue, 1 * finemote::kMillisecond};
 
 void start_buses() {
   computer.start();

@@ -9,7 +9,7 @@
 #include <finemote/pwm.hpp>
 #include <finemote/uart.hpp>
 
-static_assert(finemote::kGeneratedFormat == 2, "made for another version of the runtime: run `finemote generate`");
+static_assert(finemote::kGeneratedFormat == 3, "made for another version of the runtime: run `finemote generate`");
 
 namespace discovery {
 

@@ -27,7 +27,7 @@ void run_10ms() {
 }
 
 void safe_outputs() {
-  supervise_buses();
+  supervise_buses();  // once stopped nothing else does: a stuck bus must recover to take the safe output
   station::blue_led.safe();
   station::green_led.safe();
   station::servo.safe();
@@ -36,11 +36,13 @@ void safe_outputs() {
   blue.flush();
 }
 
+// Line 48 is that of FSMC, whose own interrupt this board does not use.
 extern "C" void finemote_line_48() {
   run_5ms();
   finemote::complete(0);
 }
 
+// Line 49 is that of SDIO, whose own interrupt this board does not use.
 extern "C" void finemote_line_49() {
   run_10ms();
   finemote::complete(1);
@@ -49,15 +51,16 @@ extern "C" void finemote_line_49() {
 namespace {
 
 constexpr finemote::Bucket kBuckets[] = {
-    // entry, period [ns], line, priority, watchdog [periods]
-    {finemote_line_48, 5000000, 48, 4, 3},
-    {finemote_line_49, 10000000, 49, 5, 3},
+    // entry, period, line, priority, watchdog [periods]
+    {finemote_line_48, 5 * finemote::kMillisecond, 48, 4, 3},
+    {finemote_line_49, 10 * finemote::kMillisecond, 49, 5, 3},
 };
 
 }  // namespace
 
 extern "C" constexpr finemote::Schedule finemote_schedule{
-    "discovery", 1000000 /* tick [ns] */, kBuckets, finemote::Overrun::skip, start_buses, safe_outputs, nullptr};
+    "discovery", /*tick*/ 1 * finemote::kMillisecond, kBuckets, finemote::Overrun::skip,
+    start_buses, safe_outputs, nullptr};
 
 #ifdef FINEMOTE_MONITOR
 
@@ -69,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 331488, finemote::kUnbounded, nullptr},  // imu
-    {1, 714626, finemote::kUnbounded, nullptr},  // depth
-    {1, 710666, finemote::kUnbounded, nullptr},  // button
+    {0, 331488, finemote::kNothingToBound, nullptr},  // imu
+    {1, 714626, finemote::kNothingToBound, nullptr},  // depth
+    {1, 710666, finemote::kNothingToBound, nullptr},  // button
     {1, 708406, 21836507, &station::servo.command},  // servo
     {1, 702246, 21830347, &station::green_led.command},  // green_led
     {1, 688586, 21809787, &station::blue_led.command},  // blue_led
-    {1, 679926, finemote::kUnbounded, nullptr},  // station
+    {1, 679926, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

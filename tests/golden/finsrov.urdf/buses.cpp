@@ -8,11 +8,11 @@
 namespace FinsROV {
 
 namespace slots {
-FINEMOTE_CONSTINIT finemote::I2cSlot baro_1{::FinsROV::i2c, 0x76, finemote::MuxRoute{0x70, 0x01}, /*priority*/ 1};
-FINEMOTE_CONSTINIT finemote::I2cSlot baro_2{::FinsROV::i2c, 0x76, finemote::MuxRoute{0x70, 0x02}, /*priority*/ 1};
-FINEMOTE_CONSTINIT finemote::I2cSlot baro_3{::FinsROV::i2c, 0x76, finemote::MuxRoute{0x70, 0x04}, /*priority*/ 1};
-FINEMOTE_CONSTINIT finemote::I2cSlot baro_4{::FinsROV::i2c, 0x76, finemote::MuxRoute{0x70, 0x08}, /*priority*/ 1};
-FINEMOTE_CONSTINIT finemote::I2cSlot pwm{::FinsROV::i2c, 0x40, finemote::MuxRoute{0x70, 0x10}, /*priority*/ 1};
+FINEMOTE_CONSTINIT finemote::I2cSlot baro_1{i2c, 0x76, finemote::MuxRoute{0x70, 0x01}, /*priority*/ 1};
+FINEMOTE_CONSTINIT finemote::I2cSlot baro_2{i2c, 0x76, finemote::MuxRoute{0x70, 0x02}, /*priority*/ 1};
+FINEMOTE_CONSTINIT finemote::I2cSlot baro_3{i2c, 0x76, finemote::MuxRoute{0x70, 0x04}, /*priority*/ 1};
+FINEMOTE_CONSTINIT finemote::I2cSlot baro_4{i2c, 0x76, finemote::MuxRoute{0x70, 0x08}, /*priority*/ 1};
+FINEMOTE_CONSTINIT finemote::I2cSlot pwm{i2c, 0x40, finemote::MuxRoute{0x70, 0x10}, /*priority*/ 1};
 }  // namespace slots
 
 namespace {
@@ -31,8 +31,7 @@ constexpr finemote::I2cSlot* finemote_i2c_slots[] = {
 FINEMOTE_CONSTINIT finemote::Uart imu_uart{finemote::ports::usart1, 921600 /* baud */, finemote::UartFormat::k8N1};
 FINEMOTE_CONSTINIT finemote::Uart tether{finemote::ports::usart6, 115200 /* baud */, finemote::UartFormat::k8E1};
 FINEMOTE_CONSTINIT finemote::I2cBus i2c{finemote::ports::i2c2, 400000 /* Hz */, finemote_i2c_slots};
-FINEMOTE_CONSTINIT finemote::Pca9685 pwm{::FinsROV::slots::pwm,
-    finemote::Pca9685::Config{}};
+FINEMOTE_CONSTINIT finemote::Pca9685 pwm{slots::pwm, finemote::Pca9685::Config{}};
 
 void start_buses() {
   imu_uart.start();

@@ -25,7 +25,7 @@ void run_10ms() {
 }
 
 void safe_outputs() {
-  supervise_buses();
+  supervise_buses();  // once stopped nothing else does: a stuck bus must recover to take the safe output
   rov::thruster_8.safe();
   rov::thruster_7.safe();
   rov::thruster_6.safe();
@@ -37,11 +37,13 @@ void safe_outputs() {
   pwm.flush();
 }
 
+// Line 48 is that of FSMC, whose own interrupt this board does not use.
 extern "C" void finemote_line_48() {
   run_5ms();
   finemote::complete(0);
 }
 
+// Line 49 is that of SDIO, whose own interrupt this board does not use.
 extern "C" void finemote_line_49() {
   run_10ms();
   finemote::complete(1);
@@ -50,15 +52,16 @@ extern "C" void finemote_line_49() {
 namespace {
 
 constexpr finemote::Bucket kBuckets[] = {
-    // entry, period [ns], line, priority, watchdog [periods]
-    {finemote_line_48, 5000000, 48, 4, 3},
-    {finemote_line_49, 10000000, 49, 5, 3},
+    // entry, period, line, priority, watchdog [periods]
+    {finemote_line_48, 5 * finemote::kMillisecond, 48, 4, 3},
+    {finemote_line_49, 10 * finemote::kMillisecond, 49, 5, 3},
 };
 
 }  // namespace
 
 extern "C" constexpr finemote::Schedule finemote_schedule{
-    "FinsROV", 1000000 /* tick [ns] */, kBuckets, finemote::Overrun::skip, start_buses, safe_outputs, nullptr};
+    "FinsROV", /*tick*/ 1 * finemote::kMillisecond, kBuckets, finemote::Overrun::skip,
+    start_buses, safe_outputs, nullptr};
 
 #ifdef FINEMOTE_MONITOR
 
@@ -70,11 +73,11 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 148788, finemote::kUnbounded, nullptr},  // imu
-    {1, 581966, finemote::kUnbounded, nullptr},  // baro_1
-    {1, 578006, finemote::kUnbounded, nullptr},  // baro_2
-    {1, 574046, finemote::kUnbounded, nullptr},  // baro_3
-    {1, 560686, finemote::kUnbounded, nullptr},  // baro_4
+    {0, 148788, finemote::kNothingToBound, nullptr},  // imu
+    {1, 581966, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 578006, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 574046, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 560686, finemote::kNothingToBound, nullptr},  // baro_4
     {1, 556726, 30616536, &rov::thruster_1.command},  // thruster_1
     {1, 538666, 30602876, &rov::thruster_2.command},  // thruster_2
     {1, 515606, 30584816, &rov::thruster_3.command},  // thruster_3
@@ -83,7 +86,7 @@ constexpr finemote::Monitored kMonitored[] = {
     {1, 470826, 30535036, &rov::thruster_6.command},  // thruster_6
     {1, 462166, 30519476, &rov::thruster_7.command},  // thruster_7
     {1, 444106, 30501416, &rov::thruster_8.command},  // thruster_8
-    {1, 423546, finemote::kUnbounded, nullptr},  // rov
+    {1, 423546, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -8,11 +8,11 @@
 
 namespace FinsROV {
 
-/// Every 5 ms: priority 4, interrupt line 48, 1 device;
+/// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
 /// a job ends within 144.588 us of its release.
 void run_5ms();
 
-/// Every 10 ms: priority 5, interrupt line 49, 13 devices;
+/// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
 /// a job ends within 511.566 us of its release.
 void run_10ms();
 
@@ -22,11 +22,11 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{144588, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds baro_1{507966, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds baro_2{506106, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds baro_3{494846, finemote::kUnbounded, finemote::kUnbounded};
-inline constexpr finemote::Bounds baro_4{492986, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds imu{144588, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{507966, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{506106, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{494846, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{492986, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds thruster_1{491126, 30562236, 36279164};
 inline constexpr finemote::Bounds thruster_2{484566, 30546276, 36269764};
 inline constexpr finemote::Bounds thruster_3{468606, 30527816, 36272264};
@@ -35,7 +35,7 @@ inline constexpr finemote::Bounds thruster_5{446086, 30502796, 36269764};
 inline constexpr finemote::Bounds thruster_6{439526, 30496236, 36272264};
 inline constexpr finemote::Bounds thruster_7{421066, 30480276, 36269764};
 inline constexpr finemote::Bounds thruster_8{412006, 30471216, 36269764};
-inline constexpr finemote::Bounds rov{398546, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds rov{398546, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -8,14 +8,14 @@
 namespace infantry {
 
 namespace slots {
-FINEMOTE_CONSTINIT finemote::CanSlot front_left{::infantry::wheel_can, 0x01, /*receives*/ 0x201, /*priority*/ 2};
-FINEMOTE_CONSTINIT finemote::CanSlot front_right{::infantry::wheel_can, 0x02, /*receives*/ 0x202, /*priority*/ 2};
-FINEMOTE_CONSTINIT finemote::CanSlot rear_left{::infantry::wheel_can, 0x03, /*receives*/ 0x203, /*priority*/ 2};
-FINEMOTE_CONSTINIT finemote::CanSlot rear_right{::infantry::wheel_can, 0x04, /*receives*/ 0x204, /*priority*/ 2};
-FINEMOTE_CONSTINIT finemote::CanSlot yaw{::infantry::gimbal_can, 0x01, /*receives*/ 0x205, /*priority*/ 0};
-FINEMOTE_CONSTINIT finemote::CanSlot pitch{::infantry::gimbal_can, 0x02, /*receives*/ 0x206, /*priority*/ 0};
-FINEMOTE_CONSTINIT finemote::SpiSlot imu{::infantry::imu_spi, 0x00, /*priority*/ 0};
-FINEMOTE_CONSTINIT finemote::SpiSlot imu_gyro{::infantry::imu_spi, 0x01, /*priority*/ 0};
+FINEMOTE_CONSTINIT finemote::CanSlot front_left{wheel_can, 0x01, /*receives*/ 0x201, /*priority*/ 2};
+FINEMOTE_CONSTINIT finemote::CanSlot front_right{wheel_can, 0x02, /*receives*/ 0x202, /*priority*/ 2};
+FINEMOTE_CONSTINIT finemote::CanSlot rear_left{wheel_can, 0x03, /*receives*/ 0x203, /*priority*/ 2};
+FINEMOTE_CONSTINIT finemote::CanSlot rear_right{wheel_can, 0x04, /*receives*/ 0x204, /*priority*/ 2};
+FINEMOTE_CONSTINIT finemote::CanSlot yaw{gimbal_can, 0x01, /*receives*/ 0x205, /*priority*/ 0};
+FINEMOTE_CONSTINIT finemote::CanSlot pitch{gimbal_can, 0x02, /*receives*/ 0x206, /*priority*/ 0};
+FINEMOTE_CONSTINIT finemote::SpiSlot imu{imu_spi, 0x00, /*priority*/ 0};
+FINEMOTE_CONSTINIT finemote::SpiSlot imu_gyro{imu_spi, 0x01, /*priority*/ 0};
 }  // namespace slots
 
 namespace {
@@ -42,7 +42,7 @@ FINEMOTE_CONSTINIT finemote::Uart dbus{finemote::ports::usart3, 100000 /* baud *
 FINEMOTE_CONSTINIT finemote::CanBus wheel_can{finemote::ports::can1, 1000000 /* bit/s */, finemote_wheel_can_slots};
 FINEMOTE_CONSTINIT finemote::CanBus gimbal_can{finemote::ports::can2, 1000000 /* bit/s */, finemote_gimbal_can_slots};
 FINEMOTE_CONSTINIT finemote::SpiBus imu_spi{finemote::ports::spi1, 5250000 /* Hz */, finemote_imu_spi_slots};
-FINEMOTE_CONSTINIT finemote::PwmBus imu_warmth{finemote::ports::imu_heater, 1000000 /* ns */};
+FINEMOTE_CONSTINIT finemote::PwmBus imu_warmth{finemote::ports::imu_heater, 1 * finemote::kMillisecond};
 
 void start_buses() {
   dbus.start();

@@ -45,7 +45,7 @@ void run_10ms() {
 }
 
 void safe_outputs() {
-  supervise_buses();
+  supervise_buses();  // once stopped nothing else does: a stuck bus must recover to take the safe output
   chassis::rear_right.safe();
   chassis::rear_left.safe();
   chassis::front_right.safe();
@@ -58,21 +58,25 @@ void safe_outputs() {
   imu_warmth.flush();
 }
 
+// Line 48 is that of FSMC, whose own interrupt this board does not use.
 extern "C" void finemote_line_48() {
   run_1ms();
   finemote::complete(0);
 }
 
+// Line 49 is that of SDIO, whose own interrupt this board does not use.
 extern "C" void finemote_line_49() {
   run_2ms();
   finemote::complete(1);
 }
 
+// Line 51 is that of SPI3, whose own interrupt this board does not use.
 extern "C" void finemote_line_51() {
   run_5ms();
   finemote::complete(2);
 }
 
+// Line 52 is that of UART4, whose own interrupt this board does not use.
 extern "C" void finemote_line_52() {
   run_10ms();
   finemote::complete(3);
@@ -81,17 +85,18 @@ extern "C" void finemote_line_52() {
 namespace {
 
 constexpr finemote::Bucket kBuckets[] = {
-    // entry, period [ns], line, priority, watchdog [periods]
-    {finemote_line_48, 1000000, 48, 4, 3},
-    {finemote_line_49, 2000000, 49, 5, 3},
-    {finemote_line_51, 5000000, 51, 6, 3},
-    {finemote_line_52, 10000000, 52, 7, 3},
+    // entry, period, line, priority, watchdog [periods]
+    {finemote_line_48, 1 * finemote::kMillisecond, 48, 4, 3},
+    {finemote_line_49, 2 * finemote::kMillisecond, 49, 5, 3},
+    {finemote_line_51, 5 * finemote::kMillisecond, 51, 6, 3},
+    {finemote_line_52, 10 * finemote::kMillisecond, 52, 7, 3},
 };
 
 }  // namespace
 
 extern "C" constexpr finemote::Schedule finemote_schedule{
-    "infantry", 1000000 /* tick [ns] */, kBuckets, finemote::Overrun::skip, start_buses, safe_outputs, nullptr};
+    "infantry", /*tick*/ 1 * finemote::kMillisecond, kBuckets, finemote::Overrun::skip,
+    start_buses, safe_outputs, nullptr};
 
 #ifdef FINEMOTE_MONITOR
 
@@ -103,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 165000, finemote::kUnbounded, nullptr},  // imu
+    {0, 165000, finemote::kNothingToBound, nullptr},  // imu
     {0, 140840, 28192690, &gimbal::yaw.command},  // yaw
     {0, 135262, 28187112, &gimbal::pitch.command},  // pitch
-    {1, 212528, finemote::kUnbounded, nullptr},  // gimbal
+    {1, 212528, finemote::kNothingToBound, nullptr},  // gimbal
     {2, 308446, 26360296, &chassis::front_left.command},  // front_left
     {2, 303786, 26355636, &chassis::front_right.command},  // front_right
     {2, 280326, 26332176, &chassis::rear_left.command},  // rear_left
     {2, 275666, 26327516, &chassis::rear_right.command},  // rear_right
-    {2, 271006, finemote::kUnbounded, nullptr},  // chassis
-    {3, 324402, finemote::kUnbounded, nullptr},  // remote
+    {2, 271006, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 324402, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

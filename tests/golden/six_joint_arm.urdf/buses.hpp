@@ -8,7 +8,7 @@
 #include <finemote/generated_format.hpp>
 #include <finemote/uart.hpp>
 
-static_assert(finemote::kGeneratedFormat == 2, "made for another version of the runtime: run `finemote generate`");
+static_assert(finemote::kGeneratedFormat == 3, "made for another version of the runtime: run `finemote generate`");
 
 namespace six_joint_arm {
 

@@ -26,7 +26,7 @@ void run_10ms() {
 }
 
 void safe_outputs() {
-  supervise_buses();
+  supervise_buses();  // once stopped nothing else does: a stuck bus must recover to take the safe output
   arm::flange.safe();
   arm::wrist_pitch.safe();
   arm::wrist_roll.safe();
@@ -37,11 +37,13 @@ void safe_outputs() {
   wrist_can.flush();
 }
 
+// Line 48 is that of FSMC, whose own interrupt this board does not use.
 extern "C" void finemote_line_48() {
   run_2ms();
   finemote::complete(0);
 }
 
+// Line 49 is that of SDIO, whose own interrupt this board does not use.
 extern "C" void finemote_line_49() {
   run_10ms();
   finemote::complete(1);
@@ -50,15 +52,16 @@ extern "C" void finemote_line_49() {
 namespace {
 
 constexpr finemote::Bucket kBuckets[] = {
-    // entry, period [ns], line, priority, watchdog [periods]
-    {finemote_line_48, 2000000, 48, 4, 3},
-    {finemote_line_49, 10000000, 49, 5, 3},
+    // entry, period, line, priority, watchdog [periods]
+    {finemote_line_48, 2 * finemote::kMillisecond, 48, 4, 3},
+    {finemote_line_49, 10 * finemote::kMillisecond, 49, 5, 3},
 };
 
 }  // namespace
 
 extern "C" constexpr finemote::Schedule finemote_schedule{
-    "six_joint_arm", 1000000 /* tick [ns] */, kBuckets, finemote::Overrun::skip, start_buses, safe_outputs, nullptr};
+    "six_joint_arm", /*tick*/ 1 * finemote::kMillisecond, kBuckets, finemote::Overrun::skip,
+    start_buses, safe_outputs, nullptr};
 
 #ifdef FINEMOTE_MONITOR
 
@@ -70,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 268946, finemote::kUnbounded, nullptr},  // sticks
+    {1, 268946, finemote::kNothingToBound, nullptr},  // sticks
     {0, 229708, 27253758, &arm::base.command},  // base
     {0, 225048, 27249098, &arm::shoulder.command},  // shoulder
     {0, 220388, 27244438, &arm::elbow.command},  // elbow
     {0, 215728, 27239778, &arm::wrist_roll.command},  // wrist_roll
     {0, 211068, 27235118, &arm::wrist_pitch.command},  // wrist_pitch
     {0, 185108, 27209158, &arm::flange.command},  // flange
-    {0, 180448, finemote::kUnbounded, nullptr},  // arm
+    {0, 180448, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

@@ -8,11 +8,9 @@
 namespace two_devices {
 
 void start_buses() {
-
 }
 
 void supervise_buses() {
-
 }
 
 }  // namespace two_devices

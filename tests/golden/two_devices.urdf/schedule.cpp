@@ -25,14 +25,16 @@ void run_10ms() {
 }
 
 void safe_outputs() {
-  supervise_buses();
+  supervise_buses();  // once stopped nothing else does: a stuck bus must recover to take the safe output
 }
 
+// Line 48 is that of FSMC, whose own interrupt this board does not use.
 extern "C" void finemote_line_48() {
   run_5ms();
   finemote::complete(0);
 }
 
+// Line 49 is that of SDIO, whose own interrupt this board does not use.
 extern "C" void finemote_line_49() {
   run_10ms();
   finemote::complete(1);
@@ -41,15 +43,16 @@ extern "C" void finemote_line_49() {
 namespace {
 
 constexpr finemote::Bucket kBuckets[] = {
-    // entry, period [ns], line, priority, watchdog [periods]
-    {finemote_line_48, 5000000, 48, 4, 3},
-    {finemote_line_49, 10000000, 49, 5, 3},
+    // entry, period, line, priority, watchdog [periods]
+    {finemote_line_48, 5 * finemote::kMillisecond, 48, 4, 3},
+    {finemote_line_49, 10 * finemote::kMillisecond, 49, 5, 3},
 };
 
 }  // namespace
 
 extern "C" constexpr finemote::Schedule finemote_schedule{
-    "two_devices", 1000000 /* tick [ns] */, kBuckets, finemote::Overrun::skip, start_buses, safe_outputs, nullptr};
+    "two_devices", /*tick*/ 1 * finemote::kMillisecond, kBuckets, finemote::Overrun::skip,
+    start_buses, safe_outputs, nullptr};
 
 #ifdef FINEMOTE_MONITOR
 
@@ -62,7 +65,7 @@ namespace {
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
     {0, 63506, 10063506, &controller::sensor.command},  // sensor
-    {1, 130462, finemote::kUnbounded, nullptr},  // controller
+    {1, 130462, finemote::kNothingToBound, nullptr},  // controller
 };
 
 }  // namespace

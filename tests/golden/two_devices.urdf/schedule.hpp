@@ -8,11 +8,11 @@
 
 namespace two_devices {
 
-/// Every 5 ms: priority 4, interrupt line 48, 1 device;
+/// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
 /// a job ends within 59.306 us of its release.
 void run_5ms();
 
-/// Every 10 ms: priority 5, interrupt line 49, 1 device;
+/// Every 10 ms: priority 5, interrupt line 49 (SDIO), 1 device;
 /// a job ends within 122.062 us of its release.
 void run_10ms();
 
@@ -23,7 +23,7 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
 inline constexpr finemote::Bounds sensor{59306, 10059306, 10059306};
-inline constexpr finemote::Bounds controller{122062, finemote::kUnbounded, finemote::kUnbounded};
+inline constexpr finemote::Bounds controller{122062, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace two_devices

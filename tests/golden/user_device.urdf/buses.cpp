@@ -8,11 +8,9 @@
 namespace line_follower {
 
 void start_buses() {
-
 }
 
 void supervise_buses() {
-
 }
 
 }  // namespace line_follower

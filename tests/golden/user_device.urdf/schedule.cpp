@@ -2,7 +2,6 @@
 // Source: user_device.urdf
 //
 // Composes the trees: in each bucket the updates of the trees in order, then their handles in reverse order.
-
 #include <finemote/schedule.hpp>
 #include "buses.hpp"
 #include "schedule.hpp"
@@ -17,9 +16,10 @@ void run_5ms() {
 }
 
 void safe_outputs() {
-  supervise_buses();
+  supervise_buses();  // once stopped nothing else does: a stuck bus must recover to take the safe output
 }
 
+// Line 48 is that of FSMC, whose own interrupt this board does not use.
 extern "C" void finemote_line_48() {
   run_5ms();
   finemote::complete(0);
@@ -28,14 +28,15 @@ extern "C" void finemote_line_48() {
 namespace {
 
 constexpr finemote::Bucket kBuckets[] = {
-    // entry, period [ns], line, priority, watchdog [periods]
-    {finemote_line_48, 5000000, 48, 4, 3},
+    // entry, period, line, priority, watchdog [periods]
+    {finemote_line_48, 5 * finemote::kMillisecond, 48, 4, 3},
 };
 
 }  // namespace
 
 extern "C" constexpr finemote::Schedule finemote_schedule{
-    "line_follower", 1000000 /* tick [ns] */, kBuckets, finemote::Overrun::skip, start_buses, safe_outputs, nullptr};
+    "line_follower", /*tick*/ 1 * finemote::kMillisecond, kBuckets, finemote::Overrun::skip,
+    start_buses, safe_outputs, nullptr};
 
 #ifdef FINEMOTE_MONITOR
 
@@ -47,9 +48,9 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 40960, finemote::kUnbounded, nullptr},  // line
+    {0, 40960, finemote::kNothingToBound, nullptr},  // line
     {0, 37800, 35000, &follower::drive.command},  // drive
-    {0, 24440, finemote::kUnbounded, nullptr},  // follower
+    {0, 24440, finemote::kNothingToBound, nullptr},  // follower
 };
 
 }  // namespace

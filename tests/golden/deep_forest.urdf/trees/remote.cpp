@@ -9,11 +9,12 @@
 
 namespace deep_forest::remote {
 
+// Brackets a call for trace and monitor, by number: 2 * place of the device in the schedule, + 1 for handle().
 using finemote::Stage;
 
 void update_10ms() {
   { Stage stage{0}; remote.update(); }                          // sim_load
-  ::deep_forest::gripper::ports::remote_to_gripper_latch.publish(remote.state);  // to gripper (4 ms)
+  gripper::ports::remote_to_gripper_latch.publish(remote.state);  // to gripper (4 ms)
 }
 
 void handle_10ms() {

@@ -9,6 +9,7 @@
 
 namespace deep_forest::walker {
 
+// Brackets a call for trace and monitor, by number: 2 * place of the device in the schedule, + 1 for handle().
 using finemote::Stage;
 
 void update_2ms() {
@@ -22,7 +23,7 @@ void update_2ms() {
   ports::knee_right_to_leg_right_latch.publish(knee_right.state);  // to leg-right (4 ms)
   { Stage stage{16}; tilt.update(); }                           // sim_load
   ports::tilt_to_body_latch.publish(tilt.state);                // to body (10 ms)
-  ::deep_forest::gripper::ports::tilt_to_gripper_latch.publish(tilt.state);  // to gripper (4 ms)
+  gripper::ports::tilt_to_gripper_latch.publish(tilt.state);    // to gripper (4 ms)
 }
 
 void handle_2ms() {
@@ -64,7 +65,7 @@ void update_10ms() {
   ports::front_to_body = ports::front_to_body_latch.snapshot();  // from front (4 ms)
   ports::tilt_to_body = ports::tilt_to_body_latch.snapshot();   // from tilt (2 ms)
   { Stage stage{18}; body.update(); }                           // group
-  ports::remote_to_walker = ::deep_forest::remote::remote.state;  // from remote (10 ms)
+  ports::remote_to_walker = remote::remote.state;               // from remote (10 ms)
   { Stage stage{20}; walker.update(); }                         // sim_load
 }
 

@@ -7,6 +7,7 @@
 
 namespace discovery::station {
 
+// Brackets a call for trace and monitor, by number: 2 * place of the device in the schedule, + 1 for handle().
 using finemote::Stage;
 
 void update_5ms() {

@@ -21,11 +21,11 @@ namespace discovery::station {
 
 /// imu: h30_imu on 'imu_line', every 5 ms
 /// response <= 312.888 us
-FINEMOTE_CONSTINIT inline finemote::H30Imu imu{/*mount*/ nullptr, ::discovery::imu_line};
+FINEMOTE_CONSTINIT inline finemote::H30Imu imu{/*mount*/ nullptr, imu_line};
 
 /// depth: ms5837 on 'i2c' at 0x76, every 10 ms
 /// response <= 680.226 us
-FINEMOTE_CONSTINIT inline finemote::Ms5837 depth{finemote::Ms5837::Config{}, ::discovery::slots::depth};
+FINEMOTE_CONSTINIT inline finemote::Ms5837 depth{finemote::Ms5837::Config{}, slots::depth};
 
 /// button: key, every 10 ms
 /// response <= 678.366 us
@@ -38,13 +38,13 @@ FINEMOTE_CONSTINIT inline finemote::Key button{
 FINEMOTE_CONSTINIT inline finemote::PwmServo servo{
     finemote::PwmServo::Config{},
     /*range*/ nullptr,
-    finemote::PwmChannel{::discovery::servo_pulses, 0}};
+    finemote::PwmChannel{servo_pulses, 0}};
 
 /// green_led: led on 'green' channel 0, every 10 ms
 /// response <= 671.646 us; data age <= 21.81 ms when handle() ends, <= 22.156 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::Led green_led{
     finemote::Led::Config{},
-    finemote::PwmChannel{::discovery::green, 0},
+    finemote::PwmChannel{green, 0},
     /*green*/ nullptr,
     /*blue*/ nullptr};
 
@@ -52,7 +52,7 @@ FINEMOTE_CONSTINIT inline finemote::Led green_led{
 /// response <= 667.586 us; data age <= 21.789 ms when handle() ends, <= 22.156 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::Led blue_led{
     finemote::Led::Config{},
-    finemote::PwmChannel{::discovery::blue, 0},
+    finemote::PwmChannel{blue, 0},
     /*green*/ nullptr,
     /*blue*/ nullptr};
 
@@ -140,7 +140,7 @@ inline constexpr finemote::LinkLayout station_layout{0x0564275f, station_up, sta
 FINEMOTE_CONSTINIT inline finemote::HostLink station{
     finemote::HostLink::Config{},
     ports::station_layout,
-    ::discovery::computer,
+    computer,
     ports::station_children};
 
 void update_5ms();

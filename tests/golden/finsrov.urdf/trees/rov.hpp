@@ -20,71 +20,63 @@ namespace FinsROV::rov {
 
 /// imu: h30_imu on 'imu_uart', every 5 ms
 /// response <= 144.588 us
-FINEMOTE_CONSTINIT inline finemote::H30Imu imu{/*mount*/ nullptr, ::FinsROV::imu_uart};
+FINEMOTE_CONSTINIT inline finemote::H30Imu imu{/*mount*/ nullptr, imu_uart};
 
 /// baro_1: ms5837 on 'segment_0' at 0x76, every 10 ms
 /// response <= 507.966 us
-FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_1{finemote::Ms5837::Config{}, ::FinsROV::slots::baro_1};
+FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_1{finemote::Ms5837::Config{}, slots::baro_1};
 
 /// baro_2: ms5837 on 'segment_1' at 0x76, every 10 ms
 /// response <= 506.106 us
-FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_2{finemote::Ms5837::Config{}, ::FinsROV::slots::baro_2};
+FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_2{finemote::Ms5837::Config{}, slots::baro_2};
 
 /// baro_3: ms5837 on 'segment_2' at 0x76, every 10 ms
 /// response <= 494.846 us
-FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_3{finemote::Ms5837::Config{}, ::FinsROV::slots::baro_3};
+FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_3{finemote::Ms5837::Config{}, slots::baro_3};
 
 /// baro_4: ms5837 on 'segment_3' at 0x76, every 10 ms
 /// response <= 492.986 us
-FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_4{finemote::Ms5837::Config{}, ::FinsROV::slots::baro_4};
+FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_4{finemote::Ms5837::Config{}, slots::baro_4};
 
 /// thruster_1: pwm_esc on 'pwm' channel 0, every 10 ms
 /// response <= 491.126 us; data age <= 30.563 ms when handle() ends, <= 36.28 ms at the output (oldest: baro_1)
-FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_1{
-    finemote::PwmEsc::Config{},
-    finemote::PwmChannel{::FinsROV::pwm, 0}};
+FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_1{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 0}};
 
 /// thruster_2: pwm_esc on 'pwm' channel 1, every 10 ms
 /// response <= 484.566 us; data age <= 30.547 ms when handle() ends, <= 36.27 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_2{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
-    finemote::PwmChannel{::FinsROV::pwm, 1}};
+    finemote::PwmChannel{pwm, 1}};
 
 /// thruster_3: pwm_esc on 'pwm' channel 2, every 10 ms
 /// response <= 468.606 us; data age <= 30.528 ms when handle() ends, <= 36.273 ms at the output (oldest: baro_2)
-FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_3{
-    finemote::PwmEsc::Config{},
-    finemote::PwmChannel{::FinsROV::pwm, 2}};
+FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_3{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 2}};
 
 /// thruster_4: pwm_esc on 'pwm' channel 3, every 10 ms
 /// response <= 462.046 us; data age <= 30.519 ms when handle() ends, <= 36.273 ms at the output (oldest: baro_1)
-FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_4{
-    finemote::PwmEsc::Config{},
-    finemote::PwmChannel{::FinsROV::pwm, 3}};
+FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_4{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 3}};
 
 /// thruster_5: pwm_esc on 'pwm' channel 4, every 10 ms
 /// response <= 446.086 us; data age <= 30.503 ms when handle() ends, <= 36.27 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_5{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
-    finemote::PwmChannel{::FinsROV::pwm, 4}};
+    finemote::PwmChannel{pwm, 4}};
 
 /// thruster_6: pwm_esc on 'pwm' channel 5, every 10 ms
 /// response <= 439.526 us; data age <= 30.497 ms when handle() ends, <= 36.273 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_6{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
-    finemote::PwmChannel{::FinsROV::pwm, 5}};
+    finemote::PwmChannel{pwm, 5}};
 
 /// thruster_7: pwm_esc on 'pwm' channel 6, every 10 ms
 /// response <= 421.066 us; data age <= 30.481 ms when handle() ends, <= 36.27 ms at the output (oldest: baro_1)
-FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_7{
-    finemote::PwmEsc::Config{},
-    finemote::PwmChannel{::FinsROV::pwm, 6}};
+FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_7{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 6}};
 
 /// thruster_8: pwm_esc on 'pwm' channel 7, every 10 ms
 /// response <= 412.006 us; data age <= 30.472 ms when handle() ends, <= 36.27 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_8{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
-    finemote::PwmChannel{::FinsROV::pwm, 7}};
+    finemote::PwmChannel{pwm, 7}};
 
 namespace ports {  // what 'rov' sees of others
 // state: imu (5 ms) -> rov (10 ms)
@@ -112,8 +104,8 @@ inline constexpr finemote::Port<finemote::Thruster> rov_thrusters[] = {
 /// response <= 398.546 us
 FINEMOTE_CONSTINIT inline finemote::FinsRov rov{
     finemote::FinsRov::Config{},
-    ::FinsROV::constants::rov_allocation,
-    /*host*/ &::FinsROV::tether,
+    constants::rov_allocation,
+    /*host*/ &tether,
     finemote::Port<finemote::Imu>{ports::imu_to_rov},
     ports::rov_depth,
     ports::rov_thrusters};

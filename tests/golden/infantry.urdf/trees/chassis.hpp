@@ -19,21 +19,19 @@ namespace infantry::chassis {
 
 /// front_left: dji_m3508 on 'wheel_can' id 1, every 5 ms
 /// response <= 260.846 us; data age <= 26.313 ms when handle() ends, <= 26.835 ms at the output (oldest: remote)
-FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_left{finemote::DjiM3508::Config{}, ::infantry::slots::front_left};
+FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_left{finemote::DjiM3508::Config{}, slots::front_left};
 
 /// front_right: dji_m3508 on 'wheel_can' id 2, every 5 ms
 /// response <= 258.286 us; data age <= 26.311 ms when handle() ends, <= 26.835 ms at the output (oldest: remote)
-FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_right{
-    finemote::DjiM3508::Config{},
-    ::infantry::slots::front_right};
+FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_right{finemote::DjiM3508::Config{}, slots::front_right};
 
 /// rear_left: dji_m3508 on 'wheel_can' id 3, every 5 ms
 /// response <= 255.726 us; data age <= 26.308 ms when handle() ends, <= 26.835 ms at the output (oldest: remote)
-FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_left{finemote::DjiM3508::Config{}, ::infantry::slots::rear_left};
+FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_left{finemote::DjiM3508::Config{}, slots::rear_left};
 
 /// rear_right: dji_m3508 on 'wheel_can' id 4, every 5 ms
 /// response <= 234.366 us; data age <= 26.287 ms when handle() ends, <= 26.816 ms at the output (oldest: remote)
-FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_right{finemote::DjiM3508::Config{}, ::infantry::slots::rear_right};
+FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_right{finemote::DjiM3508::Config{}, slots::rear_right};
 
 namespace ports {  // what 'chassis' sees of others
 // state: remote (10 ms) -> chassis (5 ms)
@@ -51,7 +49,7 @@ inline constexpr finemote::Port<finemote::Motor> chassis_wheels[] = {
 /// response <= 231.806 us
 FINEMOTE_CONSTINIT inline finemote::MecanumChassis chassis{
     [] { finemote::MecanumChassis::Config c{}; c.kp = 0.8f; c.ki = 1.0f; return c; }(),
-    ::infantry::constants::chassis_rolling,
+    constants::chassis_rolling,
     ports::chassis_wheels,
     finemote::Port<finemote::Remote>{ports::remote_to_chassis}};
 

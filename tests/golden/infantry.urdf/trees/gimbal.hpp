@@ -28,18 +28,18 @@ FINEMOTE_CONSTINIT inline finemote::EdgePin imu_use_ready{finemote::ports::exti5
 FINEMOTE_CONSTINIT inline finemote::Bmi088 imu{
     finemote::Bmi088::Config{},
     /*mount*/ nullptr,
-    ::infantry::slots::imu,
-    /*gyro*/ ::infantry::slots::imu_gyro,
+    slots::imu,
+    /*gyro*/ slots::imu_gyro,
     /*heater*/ &ports::imu_use_heater,
     /*ready*/ &ports::imu_use_ready};
 
 /// yaw: dji_gm6020 on 'gimbal_can' id 1, every 1 ms
 /// response <= 133.34 us; data age <= 28.186 ms when handle() ends, <= 28.607 ms at the output (oldest: remote)
-FINEMOTE_CONSTINIT inline finemote::DjiGm6020 yaw{finemote::DjiGm6020::Config{}, ::infantry::slots::yaw};
+FINEMOTE_CONSTINIT inline finemote::DjiGm6020 yaw{finemote::DjiGm6020::Config{}, slots::yaw};
 
 /// pitch: dji_gm6020 on 'gimbal_can' id 2, every 1 ms
 /// response <= 129.862 us; data age <= 28.182 ms when handle() ends, <= 28.607 ms at the output (oldest: remote)
-FINEMOTE_CONSTINIT inline finemote::DjiGm6020 pitch{finemote::DjiGm6020::Config{}, ::infantry::slots::pitch};
+FINEMOTE_CONSTINIT inline finemote::DjiGm6020 pitch{finemote::DjiGm6020::Config{}, slots::pitch};
 
 namespace ports {  // what 'gimbal' sees of others
 // state: yaw (1 ms) -> gimbal (2 ms)
@@ -66,10 +66,10 @@ FINEMOTE_CONSTINIT inline finemote::Remote::State remote_to_gimbal{};
 /// response <= 177.428 us
 FINEMOTE_CONSTINIT inline finemote::Gimbal gimbal{
     finemote::Gimbal::Config{},
-    ::infantry::constants::gimbal_yaw_axes,
-    ::infantry::constants::gimbal_pitch_axes,
+    constants::gimbal_yaw_axes,
+    constants::gimbal_pitch_axes,
     /*yaw_range*/ nullptr,
-    ::infantry::constants::gimbal_pitch_range,
+    constants::gimbal_pitch_range,
     finemote::Port<finemote::Motor>{ports::yaw_to_gimbal, ports::gimbal_to_yaw},
     finemote::Port<finemote::Motor>{ports::pitch_to_gimbal, ports::gimbal_to_pitch},
     finemote::Port<finemote::Imu>{ports::imu_to_gimbal},

@@ -9,12 +9,13 @@
 
 namespace infantry::remote {
 
+// Brackets a call for trace and monitor, by number: 2 * place of the device in the schedule, + 1 for handle().
 using finemote::Stage;
 
 void update_10ms() {
   { Stage stage{18}; remote.update(); }                         // dr16 on 'dbus'
-  ::infantry::gimbal::ports::remote_to_gimbal_latch.publish(remote.state);  // to gimbal (2 ms)
-  ::infantry::chassis::ports::remote_to_chassis_latch.publish(remote.state);  // to chassis (5 ms)
+  gimbal::ports::remote_to_gimbal_latch.publish(remote.state);  // to gimbal (2 ms)
+  chassis::ports::remote_to_chassis_latch.publish(remote.state);  // to chassis (5 ms)
 }
 
 void handle_10ms() {

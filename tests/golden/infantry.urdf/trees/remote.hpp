@@ -15,7 +15,7 @@ namespace infantry::remote {
 
 /// remote: dr16 on 'dbus', every 10 ms
 /// response <= 272.602 us
-FINEMOTE_CONSTINIT inline finemote::Dr16 remote{::infantry::dbus};
+FINEMOTE_CONSTINIT inline finemote::Dr16 remote{dbus};
 
 void update_10ms();
 void handle_10ms();

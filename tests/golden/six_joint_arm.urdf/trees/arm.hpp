@@ -20,41 +20,37 @@ namespace six_joint_arm::arm {
 
 /// sticks: sbus on 'receiver', every 10 ms
 /// response <= 225.546 us
-FINEMOTE_CONSTINIT inline finemote::Sbus sticks{::six_joint_arm::receiver};
+FINEMOTE_CONSTINIT inline finemote::Sbus sticks{receiver};
 
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
 /// response <= 209.308 us; data age <= 27.234 ms when handle() ends, <= 27.557 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 base{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
-    ::six_joint_arm::slots::base};
+    slots::base};
 
 /// shoulder: dji_m3508 on 'arm_can' id 2, every 2 ms
 /// response <= 185.448 us; data age <= 27.21 ms when handle() ends, <= 27.536 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 shoulder{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
-    ::six_joint_arm::slots::shoulder};
+    slots::shoulder};
 
 /// elbow: dji_m3508 on 'arm_can' id 3, every 2 ms
 /// response <= 182.888 us; data age <= 27.207 ms when handle() ends, <= 27.536 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 elbow{
     [] { finemote::DjiM3508::Config c{}; c.gear = 38.406f; return c; }(),
-    ::six_joint_arm::slots::elbow};
+    slots::elbow};
 
 /// wrist_roll: dji_m3508 on 'wrist_can' id 1, every 2 ms
 /// response <= 180.328 us; data age <= 27.205 ms when handle() ends, <= 27.536 ms at the output (oldest: sticks)
-FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{
-    finemote::DjiM3508::Config{},
-    ::six_joint_arm::slots::wrist_roll};
+FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{finemote::DjiM3508::Config{}, slots::wrist_roll};
 
 /// wrist_pitch: dji_m2006 on 'wrist_can' id 2, every 2 ms
 /// response <= 177.768 us; data age <= 27.202 ms when handle() ends, <= 27.536 ms at the output (oldest: sticks)
-FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{
-    finemote::DjiM2006::Config{},
-    ::six_joint_arm::slots::wrist_pitch};
+FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{finemote::DjiM2006::Config{}, slots::wrist_pitch};
 
 /// flange: dji_m2006 on 'wrist_can' id 3, every 2 ms
 /// response <= 175.208 us; data age <= 27.2 ms when handle() ends, <= 27.536 ms at the output (oldest: sticks)
-FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{finemote::DjiM2006::Config{}, ::six_joint_arm::slots::flange};
+FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{finemote::DjiM2006::Config{}, slots::flange};
 
 namespace ports {  // what 'arm' sees of others
 // state: sticks (10 ms) -> arm (2 ms)
@@ -81,8 +77,8 @@ FINEMOTE_CONSTINIT inline finemote::SerialArm arm{
       c.max_torque = 10.0f;  // [N m]
       return c;
     }(),
-    ::six_joint_arm::constants::arm_chain,
-    ::six_joint_arm::constants::arm_range,
+    constants::arm_chain,
+    constants::arm_range,
     ports::arm_joints,
     finemote::Port<finemote::Remote>{ports::sticks_to_arm}};
 
