@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "catch.hpp"
-#include "generator/emit/names.hpp"
 #include "generator/emit/number.hpp"
+#include "generator/emit/value.hpp"
 
 using namespace finemote::gen;
 
