@@ -6,7 +6,7 @@
 #include "cli/program.hpp"
 #include "generated/compiler.hpp"
 #include "generator/descriptor/library.hpp"
-#include "generator/emit/config.hpp"
+#include "generator/emit/value.hpp"
 
 using namespace finemote;
 using namespace finemote::test;
