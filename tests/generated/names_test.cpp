@@ -191,3 +191,25 @@ TEST_CASE("no root hides a generated file from another") {
     CHECK(by_file({"r", outcome.files, {}}).substr(0, 2000) == "");
   }
 }
+
+TEST_CASE("a bus may have the name of a device, and of what is generated beside devices") {
+  gen::Pipeline pipeline({});
+  Names names = plain_names();
+  names.at(8) = names.at(0);   // a sensor, its slot, and its bus
+  names.at(11) = names.at(1);  // a device, and the bus of another tree
+  std::vector<Names> robots{names};
+  for (const char* name : {"ports", "Stage", "stage", "update_5ms", "handle_10ms"}) {
+    names = plain_names();
+    names.at(0) = name;
+    robots.push_back(names);
+    names = plain_names();
+    names.at(1) = name;
+    robots.push_back(names);
+  }
+  for (const Names& shared : robots) {
+    const gen::Outcome outcome = pipeline.run(robot_of("r", shared));
+    INFO(shared.at(0) << " " << shared.at(1) << ": " << outcome.said);
+    REQUIRE(!outcome.files.empty());
+    CHECK(by_file({"r", outcome.files, {}}).substr(0, 2000) == "");
+  }
+}

@@ -12,4 +12,3 @@ AdcHardware hardware{  };
 AdcPort ports::adc3{hardware};
 
 }  // namespace finemote
-

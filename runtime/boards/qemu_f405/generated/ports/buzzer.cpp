@@ -12,4 +12,3 @@ PwmHardware hardware{  };
 PwmPort ports::buzzer{hardware};
 
 }  // namespace finemote
-

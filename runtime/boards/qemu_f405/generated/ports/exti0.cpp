@@ -12,4 +12,3 @@ EdgeHardware hardware{  };
 EdgePort ports::exti0{hardware};
 
 }  // namespace finemote
-

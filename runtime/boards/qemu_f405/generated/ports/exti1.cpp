@@ -12,4 +12,3 @@ EdgeHardware hardware{  };
 EdgePort ports::exti1{hardware};
 
 }  // namespace finemote
-

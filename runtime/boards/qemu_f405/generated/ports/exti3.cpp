@@ -12,4 +12,3 @@ EdgeHardware hardware{  };
 EdgePort ports::exti3{hardware};
 
 }  // namespace finemote
-

@@ -12,4 +12,3 @@ EdgeHardware hardware{  };
 EdgePort ports::exti4{hardware};
 
 }  // namespace finemote
-

@@ -12,4 +12,3 @@ EdgeHardware hardware{  };
 EdgePort ports::exti5{hardware};
 
 }  // namespace finemote
-

@@ -12,4 +12,3 @@ PwmHardware hardware{  };
 PwmPort ports::imu_heater{hardware};
 
 }  // namespace finemote
-

@@ -12,4 +12,3 @@ PwmHardware hardware{  };
 PwmPort ports::led_green{hardware};
 
 }  // namespace finemote
-

@@ -12,4 +12,3 @@ PwmHardware hardware{  };
 PwmPort ports::pwm1{hardware};
 
 }  // namespace finemote
-

@@ -12,4 +12,3 @@ PwmHardware hardware{  };
 PwmPort ports::pwm2{hardware};
 
 }  // namespace finemote
-

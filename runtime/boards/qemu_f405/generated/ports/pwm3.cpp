@@ -12,4 +12,3 @@ PwmHardware hardware{  };
 PwmPort ports::pwm3{hardware};
 
 }  // namespace finemote
-

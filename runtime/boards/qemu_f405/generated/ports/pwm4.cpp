@@ -12,4 +12,3 @@ PwmHardware hardware{  };
 PwmPort ports::pwm4{hardware};
 
 }  // namespace finemote
-

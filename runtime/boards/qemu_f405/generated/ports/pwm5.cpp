@@ -12,4 +12,3 @@ PwmHardware hardware{  };
 PwmPort ports::pwm5{hardware};
 
 }  // namespace finemote
-

@@ -12,4 +12,3 @@ PwmHardware hardware{  };
 PwmPort ports::pwm6{hardware};
 
 }  // namespace finemote
-

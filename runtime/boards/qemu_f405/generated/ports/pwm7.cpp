@@ -12,4 +12,3 @@ PwmHardware hardware{  };
 PwmPort ports::pwm7{hardware};
 
 }  // namespace finemote
-

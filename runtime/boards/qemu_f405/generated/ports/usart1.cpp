@@ -12,4 +12,3 @@ UartHardware hardware{  };
 UartPort ports::usart1{hardware};
 
 }  // namespace finemote
-

@@ -12,4 +12,3 @@ UartHardware hardware{  };
 UartPort ports::usart2{hardware};
 
 }  // namespace finemote
-

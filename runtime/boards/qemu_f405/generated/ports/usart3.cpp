@@ -12,4 +12,3 @@ UartHardware hardware{  };
 UartPort ports::usart3{hardware};
 
 }  // namespace finemote
-

@@ -12,4 +12,3 @@ UartHardware hardware{  };
 UartPort ports::usart6{hardware};
 
 }  // namespace finemote
-
