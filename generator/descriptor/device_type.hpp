@@ -122,28 +122,4 @@ struct DeviceType {
   [[nodiscard]] bool has_command() const { return !provides.empty() && provides.front().has_command; }
 };
 
-/// How often the pulses of an expander repeat: its clock over `counts` and a whole divider.
-struct RepeatSpec {
-  std::string frequency, clock;  ///< names of params [Hz]
-  std::int64_t counts = 1;       ///< of the longest pulse
-  std::int64_t least_divider = 1, most_divider = 1;
-};
-
-/// A part that provides buses and is no device (`schemas/expanders/<model>.json`).
-struct ExpanderType {
-  std::string name;  ///< the `model` attribute: `tca9548a`
-  std::string summary;
-  std::string cpp_class;  ///< empty: no object of its own
-  std::string include;
-  std::string display_path;
-  std::vector<std::uint32_t> addresses;  ///< allowed ones; empty: any
-  std::optional<std::int64_t> max_clock_hz;
-  BusKind provides = BusKind::i2c;
-  std::uint32_t channels = 0;
-  std::optional<RepeatSpec> repeats;  ///< pwm
-  bool named_channels = false;        ///< each `<channel>` is a bus; otherwise the part itself is
-  std::vector<ParamSpec> params;
-  ExpanderFrames frames;
-};
-
 }  // namespace finemote::gen

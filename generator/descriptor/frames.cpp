@@ -67,7 +67,10 @@ ExpanderFrames read_expander_frames(const Json& value) {
   ExpanderFrames frames;
   frames.per_flush = read_exchange(value.value("per_flush", Json::object()));
   frames.per_channel = read_exchange(value.value("per_channel", Json::object()));
-  if (const auto check = value.find("check"); check != value.end()) frames.check = read_exchange(*check);
+  if (const auto check = value.find("check"); check != value.end()) {
+    frames.check = read_exchange(*check);
+    frames.checked_every = check->value("every", std::string());
+  }
   return frames;
 }
 

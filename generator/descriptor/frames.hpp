@@ -44,6 +44,7 @@ struct ExpanderFrames {
   Exchange per_flush;
   Exchange per_channel;           ///< from the first to the last channel that is used, in the same exchange
   std::optional<Exchange> check;  ///< ahead of some flushes, in the same unit on the bus
+  std::string checked_every;      ///< the param that counts the flushes from one check to the next; empty: each is
 };
 
 /// Reads a member that the schema accepts.

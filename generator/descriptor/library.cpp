@@ -9,8 +9,10 @@
 #include <sstream>
 
 #include "generator/descriptor/json_file.hpp"
+#include "generator/descriptor/library_folders.hpp"
 #include "generator/descriptor/read_board.hpp"
 #include "generator/descriptor/read_device_type.hpp"
+#include "generator/descriptor/read_expander_type.hpp"
 #include "generator/descriptor/repair.hpp"
 #include "generator/descriptor/schema_check.hpp"
 #include "generator/xml/read_source.hpp"
@@ -18,72 +20,6 @@
 namespace finemote::gen {
 namespace fs = std::filesystem;
 namespace {
-
-/// Every `*.json` of a folder, by name; a folder that does not exist has none.
-std::vector<LibraryFile> list_folder(const fs::path& folder, const std::string& display, bool builtin,
-                                     const files::Access& access, files::Denial& denial) {
-  std::vector<LibraryFile> files;
-  for (const std::string& name : access.list(folder.string(), denial)) {
-    const fs::path file = folder / name;
-    if (file.extension() == ".json")
-      files.push_back({file.stem().string(), file.string(), display + name, builtin, false});
-  }
-  std::sort(files.begin(), files.end(), [](const LibraryFile& a, const LibraryFile& b) { return a.name < b.name; });
-  return files;
-}
-
-/// How messages and outputs name a folder: relative to the input, with `/` at its end.
-std::string display_folder(const fs::path& folder, const std::string& input_dir) {
-  std::error_code problem;
-  const fs::path base = fs::weakly_canonical(input_dir.empty() ? fs::path(".") : fs::path(input_dir), problem);
-  const fs::path relative = fs::weakly_canonical(folder, problem).lexically_relative(base);
-  return relative.empty() ? folder.filename().generic_string() + "/" : relative.generic_string() + "/";
-}
-
-/// What a user's folder adds to a list: `device type` or `board`.
-struct UserFolder {
-  fs::path folder;
-  const char* what;
-  std::vector<LibraryFile>& files;
-};
-
-/// Adds a user's folder; a name that is already there is an error at the later file.
-void add_user_folder(const UserFolder& added, const std::string& input_dir, Sources& sources,
-                     Diagnostics& diagnostics) {
-  files::Denial denial;
-  auto found = list_folder(added.folder, display_folder(added.folder, input_dir), false, sources.access(), denial);
-  if (denial.is_outside) {
-    diagnostics.error(code::outside_sandbox, {},
-                      fmt::format("cannot read folder '{}': {}", added.folder.generic_string(), denial.reason));
-  }
-  for (LibraryFile& file : found) {
-    const auto same = std::find_if(added.files.begin(), added.files.end(),
-                                   [&](const LibraryFile& other) { return other.name == file.name; });
-    if (same == added.files.end()) {
-      added.files.push_back(std::move(file));
-      continue;
-    }
-    std::error_code problem;
-    if (fs::equivalent(same->path, file.path, problem)) continue;
-    const SourceFile* source = sources.add(SourceFile{file.display, file.path, {}});
-    diagnostics
-        .error(code::type_twice, {source, 0, 0, nullptr}, fmt::format("{} '{}' already exists", added.what, file.name))
-        .note(same->builtin ? "FineMote ships one of this name" : fmt::format("also in {}", same->display))
-        .hint("give this one another name, in the file and of the file");
-  }
-}
-
-/// Folders as on the command line: they have to exist.
-void add_user_folders(const std::vector<std::string>& folders, const char* what, std::vector<LibraryFile>& files,
-                      const std::string& input_dir, Sources& sources, Diagnostics& diagnostics) {
-  for (const std::string& folder : folders) {
-    if (sources.access().holds_folder(folder)) {
-      add_user_folder({folder, what, files}, input_dir, sources, diagnostics);
-    } else {
-      diagnostics.error(code::unreadable_file, {}, fmt::format("{} path '{}' is not a folder", what, folder));
-    }
-  }
-}
 
 std::string read_text(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -188,16 +124,17 @@ bool succeeds(Read read) {
   }
 }
 
-/// Where the header of a type is found.
-void place_header(const LibraryFile& file, DeviceType& type) {
+/// Where the header of a device type or an expander is found.
+template <typename Type>
+void place_header(const LibraryFile& file, Type& type) {
   type.builtin = file.builtin;
   type.display_path = file.display;
-  if (file.builtin || type.header.find("runtime/include/") != std::string::npos) return;
+  if (file.builtin || type.header.empty() || type.header.find("runtime/include/") != std::string::npos) return;
   const fs::path path = fs::path(file.path).parent_path() / type.header;
   type.include_dir = path.parent_path().lexically_normal().generic_string();
 }
 
-/// The header of a user's type has to be there; shipped ones are part of the runtime.
+/// The header of a user's descriptor has to be there; shipped ones are part of the runtime.
 void check_header(const JsonFile& json, const LibraryFile& file, const Sources& sources, Diagnostics& diagnostics) {
   const auto member = json.value.find("header");
   if (file.builtin || member == json.value.end() || !member->is_string()) return;
@@ -248,9 +185,11 @@ bool read_expander(Library& library, LibraryFile& file, Sources& sources, Diagno
   if (!json || !reader.is_valid(*json, file, kExpanderFormat) || !reader.has_name(*json, file, kExpanderFormat))
     return false;
   auto type = std::make_unique<ExpanderType>();
-  const bool complete =
-      guarded(*json, diagnostics, [&] { *type = read_expander_type(json->value, *json->source, diagnostics); });
-  type->display_path = file.display;
+  const bool complete = guarded(*json, diagnostics, [&] {
+    *type = read_expander_type(json->value, *json->source, diagnostics);
+    place_header(file, *type);
+    check_header(*json, file, sources, diagnostics);
+  });
   if (!complete || diagnostics.size() != findings) return false;
   library.expander_types.push_back(std::move(type));
   return true;
@@ -334,12 +273,10 @@ std::optional<Library> load_library(const LibraryOptions& options, Sources& sour
         .hint("point --data-dir or FINEMOTE_DATA at FineMote's share folder");
     return {};
   }
-  if (!options.input_dir.empty()) {
-    const fs::path beside = fs::path(options.input_dir) / "devices";
-    add_user_folder({beside, "device type", library.device_files}, options.input_dir, sources, diagnostics);
-  }
-  add_user_folders(options.device_paths, "device type", library.device_files, options.input_dir, sources, diagnostics);
-  add_user_folders(options.board_paths, "board", library.board_files, options.input_dir, sources, diagnostics);
+  UserFolders folders(library, options.input_dir, sources, diagnostics);
+  if (!options.input_dir.empty()) folders.add(fs::path(options.input_dir) / "devices", UserFolders::For::devices);
+  folders.add_given(options.device_paths, UserFolders::For::devices);
+  folders.add_given(options.board_paths, UserFolders::For::boards);
   return library;
 }
 
@@ -369,6 +306,15 @@ std::string suggested_board(Library& library, Sources& sources) {
   for (const LibraryFile& file : std::vector<LibraryFile>(library.board_files)) {
     const Board* board = file.builtin ? find_board(library, file.name, sources, ignored) : nullptr;
     if (board != nullptr && board->is_suggested) return board->name;
+  }
+  return "...";
+}
+
+std::string suggested_mux(Library& library, Sources& sources) {
+  Diagnostics ignored;
+  for (const LibraryFile& file : std::vector<LibraryFile>(library.expander_files)) {
+    const ExpanderType* type = file.builtin ? find_expander_type(library, file.name, sources, ignored) : nullptr;
+    if (type != nullptr && type->is_mux() && type->is_suggested) return type->name;
   }
   return "...";
 }

@@ -9,6 +9,7 @@
 
 #include "generator/descriptor/board.hpp"
 #include "generator/descriptor/device_type.hpp"
+#include "generator/descriptor/expander_type.hpp"
 #include "generator/diagnostic/diagnostics.hpp"
 
 namespace finemote::gen {
@@ -49,13 +50,14 @@ struct Library {
 struct LibraryOptions {
   std::string data_dir;   ///< holds `schemas/`
   std::string input_dir;  ///< folder of the robot's file; `devices/` in it is searched; empty: none
-  std::vector<std::string> device_paths = {};  ///< further folders of device descriptors, as on the command line
+  std::vector<std::string> device_paths = {};  ///< further folders like that, as on the command line
   std::vector<std::string> board_paths = {};   ///< further folders of board files
 };
 
-/// Lists what the folders hold; opens nothing. Reports FM0007 when `data_dir` has no schemas (then there is no
-/// library), FM0002 for a device path that is no folder, FM3106 for a type that two folders define or that hides a
-/// shipped one.
+/// Lists what the folders hold; of the user's descriptors it looks whether they are of a device type or an expander.
+/// Reports FM0007 when `data_dir` has no schemas (then there is no
+/// library), FM0002 for a device path that is no folder, FM3106 for a type or expander that two folders define or that
+/// hides a shipped one.
 std::optional<Library> load_library(const LibraryOptions& options, Sources& sources, Diagnostics& diagnostics);
 
 /// The device type called `name`, read on first use: checked by the JSON Schema (the user's own only: a test checks the
@@ -77,6 +79,9 @@ std::vector<std::string> expander_type_names(const Library& library);
 
 /// The shipped board that hints and examples name. Reads board files: for messages only.
 std::string suggested_board(Library& library, Sources& sources);
+
+/// The same for the shipped mux.
+std::string suggested_mux(Library& library, Sources& sources);
 
 /// Reads and checks every file of the library with its schema, shipped ones too: for tests and `finemote lint`.
 void check_whole_library(Library& library, Sources& sources, Diagnostics& diagnostics);

@@ -53,14 +53,6 @@ UseSpec read_use(const Json& value) {
           value.value("summary", std::string())};
 }
 
-std::vector<std::uint32_t> read_addresses(const Json& address) {
-  std::vector<std::uint32_t> allowed;
-  const auto list = address.find("allowed");
-  if (list == address.end()) return allowed;
-  for (const Json& entry : *list) allowed.push_back(parse_hex(entry.get<std::string>()));
-  return allowed;
-}
-
 using Index = std::optional<std::uint32_t>;
 
 std::pair<Index, Index> read_index_range(const Json& value) {
@@ -124,22 +116,6 @@ GeometrySpec read_geometry(const Json& entry) {
   return spec;
 }
 
-RepeatSpec read_repeats(const Json& value) {
-  const Json& dividers = value.at("dividers");
-  return {value.at("frequency").get<std::string>(), value.at("clock").get<std::string>(),
-          value.at("counts").get<std::int64_t>(), dividers.at(0).get<std::int64_t>(),
-          dividers.at(1).get<std::int64_t>()};
-}
-
-/// What stands behind `runtime/include/`, else the file's name.
-std::string include_name(const std::string& header) {
-  constexpr std::string_view kShipped = "runtime/include/";
-  const std::size_t at = header.rfind(kShipped);
-  if (at != std::string::npos) return header.substr(at + kShipped.size());
-  const std::size_t slash = header.rfind('/');
-  return slash == std::string::npos ? header : header.substr(slash + 1);
-}
-
 }  // namespace
 
 std::vector<SharedFrame> DeviceType::shared_frames() const {
@@ -157,6 +133,22 @@ const char* param_member(const std::string& kind) {
 std::uint32_t parse_hex(const std::string& text) {
   const auto parsed = units::parse_bare(text);
   return parsed ? *parsed : 0;
+}
+
+std::vector<std::uint32_t> read_addresses(const Json& address) {
+  std::vector<std::uint32_t> allowed;
+  const auto list = address.find("allowed");
+  if (list == address.end()) return allowed;
+  for (const Json& entry : *list) allowed.push_back(parse_hex(entry.get<std::string>()));
+  return allowed;
+}
+
+std::string include_name(const std::string& header) {
+  constexpr std::string_view kShipped = "runtime/include/";
+  const std::size_t at = header.rfind(kShipped);
+  if (at != std::string::npos) return header.substr(at + kShipped.size());
+  const std::size_t slash = header.rfind('/');
+  return slash == std::string::npos ? header : header.substr(slash + 1);
 }
 
 DeviceType read_device_type(const Json& value, const SourceFile& source, Diagnostics& diagnostics) {
@@ -181,25 +173,6 @@ DeviceType read_device_type(const Json& value, const SourceFile& source, Diagnos
   type.interrupts = read_list<Interrupt>(value, "interrupts", read_interrupt);
   if (const auto it = value.find("emulation"); it != value.end()) type.emulation = read_emulation(*it);
   check_device_type(type, source, diagnostics);
-  return type;
-}
-
-ExpanderType read_expander_type(const Json& value, const SourceFile& source, Diagnostics& diagnostics) {
-  ExpanderType type;
-  type.name = value.at("model").get<std::string>();
-  type.summary = value.at("summary").get<std::string>();
-  type.cpp_class = value.value("class", "");
-  type.include = include_name(value.value("header", std::string()));
-  const Json& bus = value.at("bus");
-  type.addresses = read_addresses(bus.at("address"));
-  type.max_clock_hz = optional_member<std::int64_t>(bus, "max_clock_hz");
-  const Json& provides = value.at("provides");
-  type.provides = bus_kind(provides.at("bus").get<std::string>()).value_or(BusKind::i2c);
-  type.channels = provides.at("channels").get<std::uint32_t>();
-  type.named_channels = provides.at("named").get<bool>();
-  if (const auto repeats = provides.find("repeats"); repeats != provides.end()) type.repeats = read_repeats(*repeats);
-  type.params = read_params(value, source, diagnostics);
-  if (const auto it = value.find("frames"); it != value.end()) type.frames = read_expander_frames(*it);
   return type;
 }
 

@@ -59,7 +59,8 @@ std::string bus_comment(const Bus& bus) {
 }
 
 std::string expander_comment(const Plan& plan, const Expander& expander) {
-  return fmt::format("pca9685 on '{}' at {:#04x}", plan.robot.segments[expander.segment].name.text, expander.address);
+  return fmt::format("{} on '{}' at {:#04x}", expander.type->name, plan.robot.segments[expander.segment].name.text,
+                     expander.address);
 }
 
 std::vector<const Slot*> slots_of(const Plan& plan, BusId bus) {
@@ -78,7 +79,7 @@ const KindNames& slot_names(const Plan& plan, const Slot& slot) {
 std::string mux_route(const Plan& plan, const Segment& segment) {
   if (segment.kind != Segment::Kind::mux_channel) return "finemote::MuxRoute{}";
   const Expander& mux = plan.robot.expanders[*segment.expander];
-  return fmt::format("finemote::MuxRoute{{{:#04x}, {:#04x}}}", mux.address, 1u << segment.channel);
+  return fmt::format("finemote::MuxRoute{{{:#04x}, {:#04x}}}", mux.address, mux.type->select->control(segment.channel));
 }
 
 std::string slot_definition(const Plan& plan, const Slot& slot) {
@@ -158,31 +159,37 @@ std::string bus_definition(const Plan& plan, BusId index) {
 }
 
 std::string expander_definition(const Plan& plan, const Expander& expander) {
+  const ExpanderType& type = *expander.type;
   std::string arguments = bus_reference(plan, "slots::" + expander.name.cpp);
   if (!expander.params.empty())
-    arguments += ",\n    " + config_expression("finemote::Pca9685", expander.params, /*is_shipped*/ true);
-  return fmt::format("FINEMOTE_CONSTINIT finemote::Pca9685 {}{{{}}};", expander.name.cpp, arguments);
+    arguments += ",\n    " + config_expression(type.cpp_class, expander.params, type.builtin);
+  return fmt::format("FINEMOTE_CONSTINIT {} {}{{{}}};", type.cpp_class, expander.name.cpp, arguments);
 }
 
-bool is_object(const Expander& expander) { return expander.model == Expander::Model::pca9685; }
+std::vector<std::string> expander_includes(const ExpanderType& type) {
+  std::vector<std::string> includes{"<" + type.include + ">"};
+  if (!type.builtin && !type.params.empty()) includes.emplace_back("<finemote/config.hpp>");
+  return includes;
+}
 
 Data bus_list(const Plan& plan) {
   Data list(Data::type::list);
   const auto add = [&](const std::string& type, const std::string& name, const std::string& comment,
                        const std::string& definition) {
     Data entry;
-    entry.set("declaration", fmt::format("extern finemote::{} {};  // {}", type, name, comment));
+    entry.set("declaration", fmt::format("extern {} {};  // {}", type, name, comment));
     entry.set("definition", definition);
     list.push_back(entry);
   };
   for (const BusId i : plan.robot.buses.ids()) {
     const Bus& bus = plan.robot.buses[i];
     if (const KindNames* names = kind_names(bus.kind))
-      add(names->bus, bus.name.cpp, bus_comment(bus), bus_definition(plan, i));
+      add(fmt::format("finemote::{}", names->bus), bus.name.cpp, bus_comment(bus), bus_definition(plan, i));
   }
   for (const Expander& expander : plan.robot.expanders) {
-    if (is_object(expander)) {
-      add("Pca9685", expander.name.cpp, expander_comment(plan, expander), expander_definition(plan, expander));
+    if (!expander.type->is_mux()) {
+      add(expander.type->cpp_class, expander.name.cpp, expander_comment(plan, expander),
+          expander_definition(plan, expander));
     }
   }
   return list;
@@ -256,7 +263,8 @@ Data bus_header(const Plan& plan) {
     if (const KindNames* names = kind_names(bus.kind)) includes.emplace_back(names->include);
   }
   for (const Expander& expander : plan.robot.expanders) {
-    if (is_object(expander)) includes.emplace_back("<finemote/pca9685.hpp>");
+    if (expander.type->is_mux()) continue;
+    for (std::string& include : expander_includes(*expander.type)) includes.push_back(std::move(include));
   }
   data.set("includes", include_list(std::move(includes)));
   data.set("buses", bus_list(plan));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/descriptor/library.hpp"
 #include "generator/model/address.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/no_segment.hpp"
@@ -68,12 +69,12 @@ class AddressTable {
     if (!elsewhere.empty()) finding.hint("or put one on a bus of its own: " + elsewhere);
   }
 
-  static std::string behind_a_mux(const std::string& bus) {
+  [[nodiscard]] std::string behind_a_mux(const std::string& bus) const {
     return fmt::format(
-        "put both behind a multiplexer, each on a channel of its own: <expander name=\"mux\" model=\"tca9548a\" "
+        "put both behind a multiplexer, each on a channel of its own: <expander name=\"mux\" model=\"{}\" "
         "bus=\"{}\" address=\"0x70\"><channel index=\"0\" name=\"mux_0\"/><channel index=\"1\" "
         "name=\"mux_1\"/></expander>, then bus=\"mux_0\" at the one and bus=\"mux_1\" at the other",
-        bus);
+        suggested_mux(reading_.library, reading_.sources), bus);
   }
 
   /// How what sits on the bus itself gets a channel of the multiplexer that `channel` is of.
@@ -85,8 +86,7 @@ class AddressTable {
       return std::any_of(mux.channels.begin(), mux.channels.end(), [&](const auto& c) { return c.index == index; });
     };
     while (taken()) ++index;
-    constexpr std::uint32_t kChannels = 8;
-    if (index >= kChannels)
+    if (mux.type != nullptr && index >= mux.type->channels)
       return fmt::format("put {} on another bus: all channels of '{}' are named", what, mux.name.text);
     return fmt::format(
         "put {0} behind a channel of its own: <channel index=\"{1}\" name=\"{2}_{1}\"/> in '{2}', and "

@@ -162,19 +162,20 @@ std::optional<Robot> build_model(const xml::Document& document, Library& library
   const std::size_t findings = diagnostics.size();
   const xml::Node& root = document.root;
   if (!check_root(root, diagnostics) || !check_version(root, diagnostics)) return {};
-  Reading reading{root,
-                  library,
-                  options,
-                  sources,
-                  diagnostics,
-                  read_tags(
-                      root, options.from_xacro, expander_type_names(library),
-                      [&] { return suggested_board(library, sources); }, diagnostics),
-                  read_urdf(root, diagnostics),
-                  {},
-                  false,
-                  {},
-                  {}};
+  Reading reading{
+      root,
+      library,
+      options,
+      sources,
+      diagnostics,
+      read_tags(root, options.from_xacro, expander_type_names(library),
+                {[&] { return suggested_board(library, sources); }, [&] { return suggested_mux(library, sources); }},
+                diagnostics),
+      read_urdf(root, diagnostics),
+      {},
+      false,
+      {},
+      {}};
   if (reading.tags.has_xacro) return {};
   if (reading.tags.blocks.empty()) {
     if (diagnostics.size() == findings) report_no_extension(root, diagnostics);

@@ -39,10 +39,7 @@ class ExpanderReader {
  private:
   void read_model() {
     const auto model = read_choice(tag_, "model", expander_type_names(reading_.library), diagnostics_);
-    if (!model) return;
-    expander_.type = find_expander_type(reading_.library, *model, reading_.sources, diagnostics_);
-    if (expander_.type != nullptr)
-      expander_.model = expander_.type->named_channels ? Expander::Model::tca9548a : Expander::Model::pca9685;
+    if (model) expander_.type = find_expander_type(reading_.library, *model, reading_.sources, diagnostics_);
   }
   void read_own_address() {
     const xml::Attribute* attribute = tag_.attribute("address");
@@ -55,7 +52,7 @@ class ExpanderReader {
     std::map<std::uint32_t, const xml::Node*> used;
     for (const xml::Node& child : tag_.children) {
       if (!child.is_element("channel")) continue;
-      if (expander_.type != nullptr && !expander_.type->named_channels) {
+      if (expander_.type != nullptr && !expander_.type->is_mux()) {
         at_tag(diagnostics_, code::attribute_unused, child,
                fmt::format("the channels of '{}' are not named", expander_.type->name))
             .hint(fmt::format("remove the <channel>; a device says bus=\"{}\" channel=\"0\"", expander_.name.text));
@@ -105,7 +102,7 @@ class ExpanderReader {
   void add_segments() {
     auto& segments = reading_.robot.segments;
     const ExpanderId self = reading_.robot.expanders.next_id();
-    if (expander_.type != nullptr && !expander_.type->named_channels) {
+    if (expander_.type != nullptr && !expander_.type->is_mux()) {
       segments.push_back({Segment::Kind::pwm_expander, expander_.name, expander_.type->provides, kNoBus, self, 0});
     }
     for (const Expander::Channel& channel : expander_.channels) {
@@ -137,19 +134,18 @@ void report_misnamed(Reading& reading, const xml::Node& tag) {
     bus = other.name.text;
     break;
   }
-  const std::string name = given("name", part->named_channels ? "mux" : "pwm");
+  const std::string name = given("name", part->is_mux() ? "mux" : "pwm");
   const std::string address = part->addresses.empty() ? "0x70" : fmt::format("0x{:02x}", part->addresses.front());
   const std::string start = fmt::format("<expander name=\"{}\" model=\"{}\" bus=\"{}\" address=\"{}\"", name, model,
                                         given("bus", bus), given("address", address));
-  finding.hint(part->named_channels
-                   ? fmt::format("write {}><channel index=\"0\" name=\"{}_0\"/></expander>", start, name)
-                   : fmt::format("write {}/>", start));
+  finding.hint(part->is_mux() ? fmt::format("write {}><channel index=\"0\" name=\"{}_0\"/></expander>", start, name)
+                              : fmt::format("write {}/>", start));
 }
 
 /// Buses an expander can sit on: not what it provides itself, and for a mux no channel of another.
 std::vector<std::string> buses_for(const Reading& reading, ExpanderId index) {
   const Expander& expander = reading.robot.expanders[index];
-  const bool is_mux = expander.type == nullptr || expander.type->named_channels;
+  const bool is_mux = expander.type == nullptr || expander.type->is_mux();
   std::vector<std::string> names;
   for (const Segment& segment : reading.robot.segments) {
     const bool is_behind = segment.kind != Segment::Kind::bus;
@@ -176,7 +172,7 @@ void attach(Reading& reading, ExpanderId index) {
                          bus_kind_name(target.bus_kind)));
     return;
   }
-  if (target.kind == Segment::Kind::mux_channel && expander.type != nullptr && expander.type->named_channels) {
+  if (target.kind == Segment::Kind::mux_channel && expander.type != nullptr && expander.type->is_mux()) {
     at_value(reading.diagnostics, code::mux_nested, *bus,
              fmt::format("expander '{}' is a mux behind a mux", expander.name.text))
         .note(fmt::format("'{}' is a channel of expander '{}'", bus->value,

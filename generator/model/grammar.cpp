@@ -18,7 +18,7 @@ constexpr std::array kBus{A{"name", true, "imu_uart"},    A{"type", true, "uart"
                           A{"baud", false, "115200baud"}, A{"clock", false, "400kHz"},   A{"bitrate", false, "1Mbit/s"},
                           A{"isr_wcet", false, "2us"},    A{"min_frame", false, "20bit"}};
 
-constexpr std::array kExpander{A{"name", true, "mux"}, A{"model", true, "tca9548a"}, A{"bus", true, "i2c"},
+constexpr std::array kExpander{A{"name", true, "mux"}, A{"model", true}, A{"bus", true, "i2c"},
                                A{"address", true, "0x70"}};
 constexpr std::array<std::string_view, 2> kInExpander{"channel", "param"};
 constexpr std::array kChannel{A{"index", true, "0"}, A{"name", true, "segment_0"}};

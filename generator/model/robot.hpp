@@ -8,6 +8,7 @@
 
 #include "generator/descriptor/board.hpp"
 #include "generator/descriptor/device_type.hpp"
+#include "generator/descriptor/expander_type.hpp"
 #include "generator/diagnostic/source.hpp"
 #include "generator/index/ids.hpp"
 #include "generator/urdf/kinematics.hpp"
@@ -38,18 +39,16 @@ struct Bus {
 
 /// A part that provides buses and is no device.
 struct Expander {
-  enum class Model { tca9548a, pca9685 };
   struct Channel {
     std::uint32_t index = 0;
     Name name;  ///< of the i2c bus it is
     Position at;
   };
   Name name;
-  Model model = Model::tca9548a;
   const ExpanderType* type = nullptr;
   SegmentId segment;  ///< the bus it sits on
   std::uint32_t address = 0;
-  std::vector<Channel> channels;  ///< tca9548a
+  std::vector<Channel> channels;  ///< of a mux
   std::vector<Param> params;
   Position at;
 };

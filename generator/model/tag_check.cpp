@@ -71,7 +71,8 @@ void TagCheck::report_missing_attribute(const xml::Node& node, const AttributeRu
 }
 
 std::string TagCheck::example(const xml::Node& node, const AttributeRule& known) {
-  if (node.is_element("board") && known.name == "name") return suggested_board_();
+  if (node.is_element("board") && known.name == "name") return suggested_.board();
+  if (node.is_element("expander") && known.name == "model") return suggested_.mux();
   if (has_own_name(node) && known.name == "name") return free_name(std::string(known.example));
   if (!node.is_element("channel") || known.name != "index") return std::string(known.example);
   for (std::uint32_t index = 0;; ++index) {
@@ -105,7 +106,8 @@ void TagCheck::check_child(const xml::Node& node, const xml::Node& child, const 
   if (child.name == "import") {
     finding.hint("this version cannot import <ros2_control>; write the devices as <device> elements");
   } else if (child.name == "mux") {
-    finding.hint("write <expander name=\"...\" model=\"tca9548a\" bus=\"...\" address=\"0x70\"> beside the <bus>");
+    finding.hint(fmt::format("write <expander name=\"...\" model=\"{}\" bus=\"...\" address=\"0x70\"> beside the <bus>",
+                             suggested_.mux()));
   } else if (!rule.children.empty()) {
     finding.hint(did_you_mean(child.name, {rule.children.begin(), rule.children.end()}));
   }

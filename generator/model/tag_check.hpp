@@ -1,7 +1,6 @@
 // One tag beside the grammar of the extension: attributes, children and text that belong there or do not.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -17,8 +16,8 @@ namespace finemote::gen {
 /// what was misspelt. What it offers as an example nothing else has, and no other finding offers.
 class TagCheck {
  public:
-  TagCheck(bool from_xacro, const std::function<std::string()>& suggested_board, Tags& tags, Diagnostics& diagnostics)
-      : from_xacro_(from_xacro), suggested_board_(suggested_board), tags_(tags), diagnostics_(diagnostics) {}
+  TagCheck(bool from_xacro, const Suggested& suggested, Tags& tags, Diagnostics& diagnostics)
+      : from_xacro_(from_xacro), suggested_(suggested), tags_(tags), diagnostics_(diagnostics) {}
 
   /// Notes the names there are, which are not offered: before the first check().
   void collect_names(const xml::Node& node);
@@ -37,7 +36,7 @@ class TagCheck {
   void report_text(const xml::Node& node, const xml::Node& text);
 
   bool from_xacro_;
-  const std::function<std::string()>& suggested_board_;  ///< read_tags()
+  const Suggested& suggested_;
   Tags& tags_;
   Diagnostics& diagnostics_;
   std::set<std::string> names_;                                ///< there, or offered

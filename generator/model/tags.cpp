@@ -17,12 +17,9 @@ using grammar::ElementRule;
 
 class TagReader {
  public:
-  TagReader(bool from_xacro, const std::vector<std::string>& expander_models,
-            const std::function<std::string()>& suggested_board, Diagnostics& diagnostics)
-      : from_xacro_(from_xacro),
-        expander_models_(expander_models),
-        suggested_board_(suggested_board),
-        diagnostics_(diagnostics) {}
+  TagReader(bool from_xacro, const std::vector<std::string>& expander_models, const Suggested& suggested,
+            Diagnostics& diagnostics)
+      : from_xacro_(from_xacro), expander_models_(expander_models), suggested_(suggested), diagnostics_(diagnostics) {}
 
   Tags read(const xml::Node& robot) {
     find_xacro(robot);
@@ -136,17 +133,17 @@ class TagReader {
 
   bool from_xacro_;
   const std::vector<std::string>& expander_models_;
-  const std::function<std::string()>& suggested_board_;
+  const Suggested& suggested_;
   Diagnostics& diagnostics_;
   Tags tags_;
-  TagCheck check_{from_xacro_, suggested_board_, tags_, diagnostics_};
+  TagCheck check_{from_xacro_, suggested_, tags_, diagnostics_};
 };
 
 }  // namespace
 
 Tags read_tags(const xml::Node& robot, bool from_xacro, const std::vector<std::string>& expander_models,
-               const std::function<std::string()>& suggested_board, Diagnostics& diagnostics) {
-  return TagReader(from_xacro, expander_models, suggested_board, diagnostics).read(robot);
+               const Suggested& suggested, Diagnostics& diagnostics) {
+  return TagReader(from_xacro, expander_models, suggested, diagnostics).read(robot);
 }
 
 }  // namespace finemote::gen

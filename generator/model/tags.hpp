@@ -39,10 +39,15 @@ struct Tags {
   }
 };
 
+/// What hints name, looked up when one does.
+struct Suggested {
+  std::function<std::string()> board, mux;
+};
+
 /// Collects the tags below `<robot>`, which has to outlive them. Reports FM3008 (unknown elements), FM3009 and FM3010
 /// (unknown and missing attributes), FM3028 (text where none belongs), FM1002 (xacro left over).
-/// `suggested_board` is asked for the board that a hint names.
+/// `suggested` is asked for what a hint names.
 Tags read_tags(const xml::Node& robot, bool from_xacro, const std::vector<std::string>& expander_models,
-               const std::function<std::string()>& suggested_board, Diagnostics& diagnostics);
+               const Suggested& suggested, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -168,15 +168,20 @@ bool has_models(const Robot& robot, Diagnostics& diagnostics) {
   std::vector<std::string> known;
   for (const scenario::Model& model : scenario::models()) known.push_back(model.type);
   std::set<std::string> reported;
-  for (const Device& device : robot.devices) {
-    if (!has_part(device)) continue;
-    const std::string& part = device.type->emulation.part;
-    if (scenario::find_model(part) != nullptr || !reported.insert(device.type->name).second) continue;
-    diagnostics.error(code::emulated_part, device.at, fmt::format("the emulated board has no part '{}'", part))
-        .underline(7)
-        .note(fmt::format("'{}' names it as the model of type '{}'", device.type->display_path, device.type->name))
+  const auto check = [&](const auto& type, Position at, std::size_t tag_length) {
+    const std::string& part = type.emulation.part;
+    if (scenario::find_model(part) != nullptr || !reported.insert(type.name).second) return;
+    diagnostics.error(code::emulated_part, at, fmt::format("the emulated board has no part '{}'", part))
+        .underline(tag_length)
+        .note(fmt::format("'{}' names it as the model of type '{}'", type.display_path, type.name))
         .hint(did_you_mean(part, known))
         .hint("or leave out 'emulation': the part's bus stays silent then");
+  };
+  for (const Expander& expander : robot.expanders) {
+    if (has_part(robot, expander)) check(*expander.type, expander.at, std::string_view("<expander").size());
+  }
+  for (const Device& device : robot.devices) {
+    if (has_part(robot, device)) check(*device.type, device.at, std::string_view("<device").size());
   }
   return reported.empty();
 }

@@ -15,7 +15,8 @@ std::string driven_joint(const Robot& robot, const Device& device);
 /// The actuators with a model on the board in the tree of a device, itself included.
 std::vector<const Device*> actuators_in(const Robot& robot, const Device& device);
 
-/// A model of its part is on a bus of the board.
-inline bool has_part(const Device& device) { return device.segment && !device.type->emulation.part.empty(); }
+/// A model of its part is on a bus of the board, or at an expander that has one there.
+bool has_part(const Robot& robot, const Device& device);
+bool has_part(const Robot& robot, const Expander& expander);
 
 }  // namespace finemote::gen

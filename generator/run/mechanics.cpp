@@ -16,7 +16,7 @@ Json list(const std::array<double, 3>& values) { return Json{values[0], values[1
 /// The actuator that drives a joint, where a model of it is on the board.
 const Device* driver_of(const Robot& robot, const Joint& joint) {
   for (const Device& device : robot.devices) {
-    if (device.type->actuator && has_part(device) && driven_joint(robot, device) == joint.name) return &device;
+    if (device.type->actuator && has_part(robot, device) && driven_joint(robot, device) == joint.name) return &device;
   }
   return nullptr;
 }

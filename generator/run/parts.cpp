@@ -37,11 +37,21 @@ void add_place(const Robot& robot, SegmentId index, Json& part) {
   }
 }
 
+/// Params that the part's model is told.
+void add_params(const Emulation& emulation, const std::vector<Param>& params, Json& part) {
+  for (const std::string& name : emulation.params) {
+    const Param* param = find_param(params, name);
+    if (param != nullptr) std::visit([&](const auto& value) { part[name] = value; }, param->value);
+  }
+}
+
 Json expander_part(const Robot& robot, const Expander& expander) {
-  Json part{{"type", expander.model == Expander::Model::pca9685 ? "pca9685" : "tca9548a"},
-            {"name", expander.name.text}};
+  const Emulation& emulation = expander.type->emulation;
+  Json part{{"type", emulation.part}, {"name", expander.name.text}};
   add_place(robot, expander.segment, part);
   part["address"] = expander.address;
+  if (emulation.values) part.update(*emulation.values);
+  add_params(emulation, expander.params, part);
   return part;
 }
 
@@ -85,13 +95,6 @@ void add_bus(const Robot& robot, const Device& device, Json& part) {
   if (device.channel) part["channel"] = *device.channel;
   add_identifiers(device, part);
   add_uses(robot, device, part);
-}
-
-void add_params(const Device& device, Json& part) {
-  for (const std::string& name : device.type->emulation.params) {
-    const Param* param = find_param(device.params, name);
-    if (param != nullptr) std::visit([&](const auto& value) { part[name] = value; }, param->value);
-  }
 }
 
 /// What the part feels of the body, or does to it.
@@ -159,7 +162,7 @@ Json body_by(const Robot& robot, const Device& device, std::vector<UndrivenBody>
   if (!emulation.part.empty()) return driven_joint(robot, device).empty() ? Json() : part;
   UndrivenBody finding{device.at, {}, {}};
   part["wheels"] = wheels_of(robot, device, emulation.wheels, finding.notes);
-  add_params(device, part);
+  add_params(emulation, device.params, part);
   if (!finding.notes.empty() || part["wheels"].empty()) {
     finding.message =
         fmt::format("on the emulated board {} wheel{} of '{}' drive{} the robot's body",
@@ -210,16 +213,18 @@ EmulatedParts emulated_parts(const Robot& robot) {
   Json parts = Json::array();
   const Json body = body_part(robot, result.undriven);
   if (!body.is_null()) parts.push_back(body);
-  for (const Expander& expander : robot.expanders) parts.push_back(expander_part(robot, expander));
+  for (const Expander& expander : robot.expanders) {
+    if (has_part(robot, expander)) parts.push_back(expander_part(robot, expander));
+  }
   for (const Device& device : robot.devices) {
     const Emulation& emulation = device.type->emulation;
-    if (has_part(device)) {
+    if (has_part(robot, device)) {
       Json part{{"type", emulation.part}, {"name", device.name.text}};
       add_bus(robot, device, part);
       add_mechanics(robot, device, body.is_null() ? "" : body["name"], part);
       leave_known(part["type"], part);
       if (emulation.values) part.update(*emulation.values);
-      add_params(device, part);
+      add_params(emulation, device.params, part);
       parts.push_back(part);
     } else if (device.segment) {
       result.silent.push_back(device.name.text);

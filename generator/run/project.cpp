@@ -34,10 +34,11 @@ std::vector<std::string> files_of_the_compiler(const FirmwareRequest& request) {
 
 std::vector<std::string> user_include_dirs(const Robot& robot) {
   std::vector<std::string> dirs;
-  for (const Device& device : robot.devices) {
-    const std::string& dir = device.type->include_dir;
+  const auto add = [&](const std::string& dir) {
     if (!dir.empty() && std::find(dirs.begin(), dirs.end(), dir) == dirs.end()) dirs.push_back(dir);
-  }
+  };
+  for (const Device& device : robot.devices) add(device.type->include_dir);
+  for (const Expander& expander : robot.expanders) add(expander.type->include_dir);
   return dirs;
 }
 

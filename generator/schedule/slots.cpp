@@ -59,7 +59,7 @@ std::vector<Slot> plan_slots(const Robot& robot, const Forest& forest, const Sch
   }
   for (const ExpanderId i : robot.expanders.ids()) {
     const Expander& expander = robot.expanders[i];
-    if (expander.model != Expander::Model::pca9685) continue;  // a mux is part of its users' transfers
+    if (expander.type->is_mux()) continue;  // a mux is part of its users' transfers
     const std::uint32_t priority = expander_priority(robot, schedule, i);
     slots.push_back({expander.segment, std::nullopt, i, expander.address, priority, expander.name.cpp});
   }

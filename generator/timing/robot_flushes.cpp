@@ -79,7 +79,7 @@ class FlushAdder {
 
   /// The driver counts its flushes, whichever bucket they are of: the jobs of one bucket check no more often than this.
   static Ns flushes_per_check(const Expander& expander) {
-    return std::max<Ns>(param_value(expander.params, "refresh", Ns{1}), 1);
+    return std::max<Ns>(param_value(expander.params, expander.type->frames.checked_every, Ns{1}), 1);
   }
 
   /// A flush sends whatever has changed, also of a slower bucket it preempts: at most every shared frame of the bus.

@@ -81,12 +81,14 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
 
 void Traffic::add_selection(SegmentId segment, const WireRate& rate, WireUse& use) const {
   if (robot_.segments[segment].kind != Segment::Kind::mux_channel) return;
-  const BusId bus = robot_.segments[segment].bus;
-  const auto muxes = std::count_if(robot_.expanders.begin(), robot_.expanders.end(), [&](const Expander& expander) {
-    return expander.model == Expander::Model::tca9548a && robot_.segments[expander.segment].bus == bus;
-  });
-  use.add(rate, 1, 0);
-  if (muxes > 1) use.add(rate, 1, 0);
+  const Expander& own = robot_.expanders[*robot_.segments[segment].expander];
+  use.add(rate, own.type->select->bytes, 0);
+  Ns others = 0;  // of which at most one connects anything
+  for (const Expander& mux : robot_.expanders) {
+    const bool is_other = &mux != &own && mux.type->is_mux() && mux.segment == own.segment;
+    if (is_other) others = std::max(others, mux.type->select->bytes);
+  }
+  if (others > 0) use.add(rate, others, 0);
 }
 
 void Traffic::add_transfer(std::size_t place, std::size_t bus, FrameStage stage, const WireUse& use) {

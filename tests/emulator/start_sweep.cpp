@@ -205,7 +205,7 @@ class Draw {
     seat.tags = "<bus name=\"@bus\" type=\"i2c\" port=\"" + name + "\"" + rate_at(port, part["bus"], "i2c", values) +
                 "/>\n<expander name=\"@part\" model=\"" + model + "\" bus=\"@bus\" address=\"" +
                 part["bus"]["address"]["default"].get<std::string>() + "\">";
-    const bool named = part["provides"]["named"];
+    const bool named = part["kind"] == "mux";
     if (named) seat.tags += "<channel index=\"0\" name=\"@channel\"/>";
     // Of its params the default clock: an individual part's is no choice of the robot.
     if (values != Values::usual && !named)

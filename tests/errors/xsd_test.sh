@@ -12,7 +12,7 @@ for robot in "$root"/examples/*.urdf "$root"/examples/*.xacro; do
 done
 
 # Every robot of this folder: a schema sees form, not meaning. Names of cases, or their beginnings.
-visible='FM1001 FM2005_sdf FM3003 FM3008_mux FM3008_outside FM3008_unknown_element FM3009 FM3010_free_name FM3010_missing FM3011 FM3028 FM3030 FM3031_wrong FM3032
+visible='FM1001 FM2005_sdf FM3003 FM3008_mux FM3008_outside FM3008_unknown_element FM3009 FM3010_free_name FM3010_missing FM3011_bus_type FM3011_expander_as_bus FM3028 FM3030 FM3031_wrong FM3032
   FM3033 FM3035 FM3036 FM3061_8bit FM3062 combined'
 seen=0
 for robot in "$root"/tests/errors/*.urdf; do

@@ -96,6 +96,17 @@ TEST_CASE("the user's device of version 0.1.0 still generates and compiles") {
   check_compiles(folder + "/user_device.urdf", {folder + "/devices"});
 }
 
+TEST_CASE("a mux that is a descriptor alone and a user's expander generate, compile and run") {
+  const std::string folder = source_path("tests/generated/expanders");
+  check_compiles(folder + "/expanders.urdf", {folder + "/devices"});
+  const auto run = finemote_json({"run", folder + "/expanders.urdf", "--duration", "300ms"});
+  const auto& chain = run.at("chains").at(0);
+  CHECK(chain.at("from") == "front");
+  REQUIRE(chain.at("acquire").at("max_ns").is_number());  // read through channel 0 of the mux
+  CHECK(chain.at("acquire").at("max_ns") <= chain.at("acquire").at("bound_ns"));
+  CHECK(run.at("overruns") == 0);
+}
+
 TEST_CASE("the example's device runs without its params") {
   const TemporaryFolder folder;
   std::string robot = read_file(source_path("examples/user_device.urdf"));

@@ -1,0 +1,96 @@
+#include "generator/descriptor/read_expander_type.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/descriptor/member.hpp"
+#include "generator/descriptor/read_device_type.hpp"
+#include "generator/descriptor/read_param.hpp"
+
+namespace finemote::gen {
+namespace {
+
+RepeatSpec read_repeats(const Json& value) {
+  const Json& dividers = value.at("dividers");
+  return {value.at("frequency").get<std::string>(), value.at("clock").get<std::string>(),
+          value.at("counts").get<std::int64_t>(), dividers.at(0).get<std::int64_t>(),
+          dividers.at(1).get<std::int64_t>()};
+}
+
+/// What no JSON Schema can see: which members go with which kind.
+class ExpanderCheck {
+ public:
+  ExpanderCheck(const SourceFile& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
+
+  void check(const ExpanderType& type) {
+    if (type.is_mux())
+      check_mux(type);
+    else
+      check_driver(type);
+  }
+
+ private:
+  void check_mux(const ExpanderType& type) {
+    if (!type.cpp_class.empty()) contradiction({"class"}, "a mux is no object: it has no \"class\"");
+    if (type.provides != BusKind::i2c) contradiction({"provides", "bus"}, "a mux provides segments of its i2c bus");
+    if (type.select == nullptr) return contradiction({"kind"}, "a mux needs a \"select\"");
+    if (type.channels > type.select->channels) {
+      contradiction({"provides", "channels"},
+                    fmt::format("\"{}\" tells {} channels apart", type.select->name, type.select->channels));
+    }
+  }
+  void check_driver(const ExpanderType& type) {
+    if (type.select != nullptr) contradiction({"select"}, "only a mux has a \"select\"");
+    if (type.cpp_class.empty() || type.header.empty())
+      contradiction({"kind"}, "a driver needs a \"class\" and a \"header\"");
+    if (type.provides != BusKind::pwm) contradiction({"provides", "bus"}, "a driver provides a pwm bus");
+    if (type.repeats) {
+      check_param(type, type.repeats->frequency, Unit::frequency_hz, {"provides", "repeats", "frequency"});
+      check_param(type, type.repeats->clock, Unit::frequency_hz, {"provides", "repeats", "clock"});
+    }
+    check_param(type, type.frames.checked_every, Unit::none, {"frames", "check", "every"});
+  }
+  void check_param(const ExpanderType& type, const std::string& name, Unit unit, const JsonPath& path) {
+    const bool exists = std::any_of(type.params.begin(), type.params.end(), [&](const ParamSpec& spec) {
+      return spec.name == name && spec.kind == ParamKind::integer && spec.unit == unit;
+    });
+    if (!name.empty() && !exists)
+      contradiction(path, fmt::format("there is no int param '{}'{}", name, unit == Unit::none ? "" : " of unit Hz"));
+  }
+  void contradiction(const JsonPath& path, std::string message) {
+    const Extent extent = find_value(source_, path);
+    diagnostics_.error(code::descriptor_contradiction, extent.at, std::move(message)).underline(extent.length);
+  }
+
+  const SourceFile& source_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+ExpanderType read_expander_type(const Json& value, const SourceFile& source, Diagnostics& diagnostics) {
+  ExpanderType type;
+  type.name = value.at("model").get<std::string>();
+  type.summary = value.at("summary").get<std::string>();
+  type.kind = value.at("kind") == "mux" ? ExpanderType::Kind::mux : ExpanderType::Kind::driver;
+  type.select = find_mux_select(value.value("select", std::string()));
+  type.cpp_class = value.value("class", "");
+  type.header = value.value("header", std::string());
+  type.include = include_name(type.header);
+  const Json& bus = value.at("bus");
+  type.addresses = read_addresses(bus.at("address"));
+  type.max_clock_hz = optional_member<std::int64_t>(bus, "max_clock_hz");
+  const Json& provides = value.at("provides");
+  type.provides = bus_kind(provides.at("bus").get<std::string>()).value_or(BusKind::i2c);
+  type.channels = provides.at("channels").get<std::uint32_t>();
+  if (const auto repeats = provides.find("repeats"); repeats != provides.end()) type.repeats = read_repeats(*repeats);
+  type.is_suggested = value.value("suggested", false);
+  type.params = read_params(value, source, diagnostics);
+  if (const auto it = value.find("frames"); it != value.end()) type.frames = read_expander_frames(*it);
+  if (const auto it = value.find("emulation"); it != value.end()) type.emulation = read_emulation(*it);
+  ExpanderCheck(source, diagnostics).check(type);
+  return type;
+}
+
+}  // namespace finemote::gen
