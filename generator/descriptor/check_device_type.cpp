@@ -24,6 +24,8 @@ class DescriptorCheck {
     if (!type.link_role.empty()) check_link(type);
     if (type.wcet) check_wcet(type);
     check_bus(type);
+    for (const Identifiers& entry : type.receives) check_identifiers(type, entry);
+    check_shared_frames(type);
   }
 
  private:
@@ -115,6 +117,39 @@ class DescriptorCheck {
       return;
     contradiction({"bus", "address", "default"},
                   fmt::format("the default address \"{:#04x}\" is not allowed", *type.default_address));
+  }
+
+  void check_identifiers(const DeviceType& type, const Identifiers& entry) {
+    const JsonPath path{"bus", "receives"};
+    const bool is_block = (entry.count & (entry.count - 1)) == 0;
+    if (!is_block || entry.base % entry.count != 0 || entry.per_id % entry.count != 0) {
+      contradiction(path, fmt::format("{} identifiers from {:#x} on are no block that a filter accepts: the count is a "
+                                      "power of two that divides base and per_id",
+                                      entry.count, entry.base));
+    }
+    const std::uint64_t last = entry.of(type.id_max.value_or(0)).last();
+    if (last > kHighestIdentifier) contradiction(path, fmt::format("the identifier {:#x} has more than 11 bits", last));
+  }
+  void check_shared_frames(const DeviceType& type) {
+    std::vector<SharedFrame> seen;
+    for (std::size_t i = 0; type.frames && i < type.frames->size(); ++i) {
+      const Frame& frame = (*type.frames)[i];
+      const std::string entry = std::to_string(i);
+      if (!frame.shared.empty() && frame.write_bytes != SharedFrame::kBytes)
+        contradiction({"frames", entry, "write"}, "a frame that devices share has 8 bytes");
+      for (const SharedFrame& shared : frame.shared) {
+        const JsonPath path{"frames", entry, frame.shared.size() > 1 ? "identifiers" : "stage"};
+        if (shared.offset(shared.id_max) + shared.width > SharedFrame::kBytes) {
+          contradiction(path, fmt::format("frame {:#x} does not hold {} bytes for each of the ids {} to {}",
+                                          shared.identifier, shared.width, shared.id_min, shared.id_max));
+        }
+        if (std::any_of(seen.begin(), seen.end(), [&](const SharedFrame& other) {
+              return other.holds(shared.id_min) || shared.holds(other.id_min);
+            }))
+          contradiction(path, fmt::format("id {} shares two frames", shared.id_min));
+        seen.push_back(shared);
+      }
+    }
   }
 
   const SourceFile& source_;

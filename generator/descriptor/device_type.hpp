@@ -10,6 +10,7 @@
 #include "generator/descriptor/bus_kind.hpp"
 #include "generator/descriptor/emulation.hpp"
 #include "generator/descriptor/frames.hpp"
+#include "generator/descriptor/identifiers.hpp"
 #include "generator/descriptor/interrupts.hpp"
 #include "generator/descriptor/link_fields.hpp"
 #include "generator/descriptor/param.hpp"
@@ -97,14 +98,14 @@ struct DeviceType {
   std::vector<std::uint32_t> addresses;  ///< allowed ones; empty: any
   std::optional<std::uint32_t> id_min, id_max;
   std::optional<std::uint32_t> channel_min, channel_max;
-  std::optional<std::uint32_t> receives_base;  ///< can: identifier of its own frames is this plus id
-  std::string format = "8N1";                  ///< uart
-  std::vector<std::int64_t> rates;             ///< uart, rs485, can: what the part can be set to; empty: any
-  std::optional<std::int64_t> max_clock_hz;    ///< i2c, spi
-  bool tunes = false;                          ///< pwm: it changes how often its output repeats
-  std::uint32_t spi_mode = kUsualSpiMode;      ///< clock mode: CPOL * 2 + CPHA
-  std::vector<Interface> provides;             ///< first one is the default
-  std::vector<RoleSpec> roles;                 ///< constructor order
+  std::vector<Identifiers> receives;         ///< can: of its own frames, in the order its driver knows them by
+  std::string format = "8N1";                ///< uart
+  std::vector<std::int64_t> rates;           ///< uart, rs485, can: what the part can be set to; empty: any
+  std::optional<std::int64_t> max_clock_hz;  ///< i2c, spi
+  bool tunes = false;                        ///< pwm: it changes how often its output repeats
+  std::uint32_t spi_mode = kUsualSpiMode;    ///< clock mode: CPOL * 2 + CPHA
+  std::vector<Interface> provides;           ///< first one is the default
+  std::vector<RoleSpec> roles;               ///< constructor order
   std::vector<UseSpec> uses;
   std::vector<ParamSpec> params;  ///< members of Config, by name
   std::vector<GeometrySpec> geometry;
@@ -117,8 +118,10 @@ struct DeviceType {
   std::vector<Interrupt> interrupts;
   Emulation emulation;
 
-  /// can: frames it fills together with others.
-  [[nodiscard]] std::vector<SharedFrame> shared_frames() const;
+  /// can: the frame that it fills together with others when it has this id; none: it fills none.
+  [[nodiscard]] std::optional<SharedFrame> shared_frame(std::uint32_t id) const;
+  /// can: identifiers of its own frames when it has this id; 0 where a type has none.
+  [[nodiscard]] std::vector<IdentifierRange> received(std::uint32_t id) const;
   [[nodiscard]] bool has_command() const { return !provides.empty() && provides.front().has_command; }
 };
 

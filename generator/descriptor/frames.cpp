@@ -21,14 +21,15 @@ FrameStage stage_of(const std::string& text) {
 }
 
 std::vector<SharedFrame> read_shared(const Json& frame) {
-  const auto by_id = [](const Json& entry) {
+  const std::uint32_t width = frame.value("width", SharedFrame().width);
+  const auto by_id = [&](const Json& entry) {
     const Json& ids = entry.at("ids");
     return SharedFrame{entry.at("identifier").get<std::uint32_t>(), ids.at(0).get<std::uint32_t>(),
-                       ids.at(1).get<std::uint32_t>()};
+                       ids.at(1).get<std::uint32_t>(), width};
   };
   std::vector<SharedFrame> shared = read_list<SharedFrame>(frame, "identifiers", by_id);
   if (const auto identifier = optional_member<std::uint32_t>(frame, "identifier"))
-    shared.insert(shared.begin(), {*identifier, 0, UINT32_MAX});
+    shared.insert(shared.begin(), {*identifier, 0, UINT32_MAX, width});
   return shared;
 }
 

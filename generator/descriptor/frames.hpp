@@ -9,10 +9,17 @@
 
 namespace finemote::gen {
 
-/// A CAN frame that several devices fill together, for devices with an id in the range.
+/// A CAN frame of eight bytes that the devices with an id in the range fill together, each its bytes in the order of
+/// the ids.
 struct SharedFrame {
+  static constexpr std::uint32_t kBytes = 8;
   std::uint32_t identifier = 0;
   std::uint32_t id_min = 0, id_max = 0;
+  std::uint32_t width = 2;  ///< bytes that belong to one id
+
+  [[nodiscard]] bool holds(std::uint32_t id) const { return id >= id_min && id <= id_max; }
+  /// Where the bytes of an id that it holds begin.
+  [[nodiscard]] std::uint32_t offset(std::uint32_t id) const { return (id - id_min) * width; }
 };
 
 /// What starts a frame: a stage of the device, the flush at the end of its bucket, or the part by itself.

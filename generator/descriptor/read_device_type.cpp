@@ -76,8 +76,7 @@ void read_bus(const Json& bus, DeviceType& type) {
     type.needs_id = true;
     std::tie(type.id_min, type.id_max) = read_index_range(*id);
   }
-  if (const auto receives = bus.find("receives"); receives != bus.end())
-    type.receives_base = receives->at("base").get<std::uint32_t>();
+  if (const auto receives = bus.find("receives"); receives != bus.end()) type.receives = read_identifiers(*receives);
   type.format = bus.value("format", "8N1");
   if (const auto rates = bus.find("rates"); rates != bus.end()) type.rates = rates->get<std::vector<std::int64_t>>();
   type.max_clock_hz = optional_member<std::int64_t>(bus, "max_clock_hz");
@@ -116,13 +115,31 @@ GeometrySpec read_geometry(const Json& entry) {
   return spec;
 }
 
+/// A frame for every id is one for the ids of the type.
+void bound_ids(const DeviceType& type, Frame& frame) {
+  for (SharedFrame& shared : frame.shared) {
+    if (shared.id_max != UINT32_MAX) continue;
+    shared.id_min = type.id_min.value_or(0);
+    shared.id_max = type.id_max.value_or(shared.id_min);
+  }
+}
+
 }  // namespace
 
-std::vector<SharedFrame> DeviceType::shared_frames() const {
-  std::vector<SharedFrame> all;
-  for (const Frame& frame : frames.value_or(std::vector<Frame>()))
-    all.insert(all.end(), frame.shared.begin(), frame.shared.end());
-  return all;
+std::optional<SharedFrame> DeviceType::shared_frame(std::uint32_t id) const {
+  if (!frames) return {};
+  for (const Frame& frame : *frames) {
+    for (const SharedFrame& shared : frame.shared) {
+      if (shared.holds(id)) return shared;
+    }
+  }
+  return {};
+}
+
+std::vector<IdentifierRange> DeviceType::received(std::uint32_t id) const {
+  std::vector<IdentifierRange> ranges;
+  for (const Identifiers& entry : receives) ranges.push_back(entry.of(id));
+  return ranges;
 }
 
 const char* param_member(const std::string& kind) {
@@ -169,7 +186,10 @@ DeviceType read_device_type(const Json& value, const SourceFile& source, Diagnos
   type.constant_init = value.value("constant_init", true);
   type.wcet = read_wcet(value);
   if (const auto it = value.find("acquisition"); it != value.end()) type.acquisition = read_acquisition(*it);
-  if (const auto it = value.find("frames"); it != value.end()) type.frames = read_frames(*it);
+  if (const auto it = value.find("frames"); it != value.end()) {
+    type.frames = read_frames(*it);
+    for (Frame& frame : *type.frames) bound_ids(type, frame);
+  }
   type.interrupts = read_list<Interrupt>(value, "interrupts", read_interrupt);
   if (const auto it = value.find("emulation"); it != value.end()) type.emulation = read_emulation(*it);
   check_device_type(type, source, diagnostics);

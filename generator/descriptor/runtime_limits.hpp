@@ -19,6 +19,9 @@ inline constexpr std::size_t kCanGroups = 5;
 /// Devices on one CAN bus: finemote::CanBus::kMaxSlots.
 inline constexpr std::size_t kCanSlots = 32;
 
+/// Filter banks of a CAN controller, and what one of them accepts: bxCAN in RM0090 32.7.4; CanBus::kMaxIds in all.
+inline constexpr std::size_t kCanFilterBanks = 14, kCanIdsPerBank = 4, kCanBlocksPerBank = 2;
+
 /// Devices on one bus of another kind: buses count them in a byte.
 inline constexpr std::size_t kSlots = 255;
 

@@ -32,6 +32,20 @@ void add_address(const DeviceType& type, std::vector<std::string>& parts) {
   if (!allowed.empty()) parts.push_back("one of " + joined(allowed));
 }
 
+/// `identifier 0x201 + `id``, and with a factor, a block or several where there are.
+std::string identifiers_text(const std::vector<Identifiers>& entries) {
+  std::vector<std::string> texts;
+  for (const Identifiers& entry : entries) {
+    std::string text = fmt::format("{:#05x}", entry.base);
+    if (entry.per_id == 1) text += " + `id`";
+    if (entry.per_id > 1) text += fmt::format(" + {:#x} × `id`", entry.per_id);
+    if (entry.count > 1) text += fmt::format(" and the {} after it", entry.count - 1);
+    texts.push_back(text);
+  }
+  const bool is_one = entries.size() == 1 && entries.front().count == 1;
+  return (is_one ? "identifier " : "identifiers ") + joined(texts);
+}
+
 std::string bus_text(const DeviceType& type) {
   if (type.buses.empty()) return "none";
   std::vector<std::string> parts{joined(bus_kind_names(type.buses), " or ")};
@@ -43,8 +57,7 @@ std::string bus_text(const DeviceType& type) {
   if (takes(type.buses, BusKind::uart)) parts.push_back(type.format);
   if (takes(type.buses, BusKind::spi)) parts.push_back(fmt::format("mode {}", type.spi_mode));
   if (type.max_clock_hz) parts.push_back(fmt::format("at most {} Hz", *type.max_clock_hz));
-  if (type.receives_base)
-    parts.push_back(fmt::format("its frames have the identifier {:#05x} + `id`", *type.receives_base));
+  if (!type.receives.empty()) parts.push_back("its frames have the " + identifiers_text(type.receives));
   return joined(parts, "; ");
 }
 

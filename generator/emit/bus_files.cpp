@@ -82,16 +82,61 @@ std::string mux_route(const Plan& plan, const Segment& segment) {
   return fmt::format("finemote::MuxRoute{{{:#04x}, {:#04x}}}", mux.address, mux.type->select->control(segment.channel));
 }
 
+/// What the slot's device sends on CAN; a further slot of a device receives nothing.
+std::vector<IdentifierRange> received_by(const Plan& plan, const Slot& slot) {
+  if (!slot.device) return {};
+  const Device& device = plan.robot.devices[*slot.device];
+  return device.segment == slot.segment ? device.type->received(slot.address) : std::vector<IdentifierRange>();
+}
+
+/// `0x201`, or `finemote::CanIds{0x020, 32}`.
+std::string identifiers(const IdentifierRange& range) {
+  return range.count == 1 ? fmt::format("{:#05x}", range.first)
+                          : fmt::format("finemote::CanIds{{{:#05x}, {}}}", range.first, range.count);
+}
+
+/// Where a slot keeps frames with further identifiers, beside the slot: a name that no slot can have.
+std::string inboxes_name(const Slot& slot) { return "finemote_" + slot.name + "_inboxes"; }
+
+/// `finemote::CanInbox finemote_drive_inboxes[2]{...};`, one for each identifier after the first; empty: none.
+std::string inboxes_definition(const Plan& plan, const Slot& slot) {
+  const std::vector<IdentifierRange> ranges = received_by(plan, slot);
+  if (ranges.size() < 2) return {};
+  std::string list;
+  for (std::size_t i = 1; i < ranges.size(); ++i) {
+    const std::string next = i + 1 < ranges.size() ? fmt::format(", &{}[{}]", inboxes_name(slot), i) : "";
+    list += fmt::format("{}finemote::CanInbox{{{}{}}}", i > 1 ? ", " : "", identifiers(ranges[i]), next);
+  }
+  return fmt::format("FINEMOTE_CONSTINIT finemote::CanInbox {}[{}]{{{}}};", inboxes_name(slot), ranges.size() - 1,
+                     list);
+}
+
+/// The part of a shared frame that is the device's, and its further inboxes, as far as it has them.
+std::string can_extras(const Plan& plan, const Slot& slot, std::size_t ranges) {
+  if (!slot.device) return {};
+  const Device& device = plan.robot.devices[*slot.device];
+  const auto frame = device.segment == slot.segment ? device.type->shared_frame(slot.address) : std::nullopt;
+  std::string text;
+  if (frame) {
+    text += fmt::format(", /*shares*/ finemote::CanShare{{{:#05x}, {}, {}}}", frame->identifier,
+                        frame->offset(slot.address), frame->width);
+  } else if (ranges > 1) {
+    text += ", finemote::CanShare{}";
+  }
+  return ranges > 1 ? text + ", " + inboxes_name(slot) : text;
+}
+
 std::string slot_definition(const Plan& plan, const Slot& slot) {
   const Segment& segment = plan.robot.segments[slot.segment];
   const std::string bus = bus_reference(plan, plan.robot.buses[segment.bus].name.cpp);
   std::string arguments = fmt::format("{}, {:#04x}", bus, slot.address);
   if (segment.bus_kind == BusKind::i2c) arguments += ", " + mux_route(plan, segment);
+  const std::vector<IdentifierRange> ranges = received_by(plan, slot);
   if (segment.bus_kind == BusKind::can) {
-    const std::uint32_t base = plan.robot.devices[*slot.device].type->receives_base.value_or(0);
-    arguments += fmt::format(", /*receives*/ {:#05x}", base + slot.address);
+    arguments += ", /*receives*/ " + (ranges.empty() ? "finemote::CanIds{}" : identifiers(ranges.front()));
   }
   arguments += fmt::format(", /*priority*/ {}", slot.priority);
+  if (segment.bus_kind == BusKind::can) arguments += can_extras(plan, slot, ranges.size());
   if (slot.spi_mode != kUsualSpiMode) arguments += fmt::format(", /*mode*/ {}", slot.spi_mode);
   return fmt::format("FINEMOTE_CONSTINIT finemote::{} {}{{{}}};", slot_names(plan, slot).slot, slot.name, arguments);
 }
@@ -99,6 +144,12 @@ std::string slot_definition(const Plan& plan, const Slot& slot) {
 Data slot_list(const Plan& plan) {
   Data list(Data::type::list);
   for (const Slot& slot : plan.schedule.slots) {
+    if (const std::string inboxes = inboxes_definition(plan, slot); !inboxes.empty()) {
+      Data entry;
+      entry.set("declaration", fmt::format("extern finemote::CanInbox {}[];", inboxes_name(slot)));
+      entry.set("definition", inboxes);
+      list.push_back(entry);
+    }
     Data entry;
     entry.set("declaration", fmt::format("extern finemote::{} {};", slot_names(plan, slot).slot, slot.name));
     entry.set("definition", slot_definition(plan, slot));

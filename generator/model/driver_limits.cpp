@@ -1,5 +1,6 @@
 // What a port or its driver cannot do for the devices on it: FM3078 (an inverted line), FM3080 (more command frames
-// than a CAN bus holds), FM3083 (more devices than a bus serves). The firmware would stop at its start, or be silent.
+// than a CAN bus holds), FM3083 (more devices or identifiers than a bus serves). The firmware would stop at its start,
+// or be silent.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -94,15 +95,43 @@ void check_frames(Reading& reading) {
     const Device& device = reading.robot.devices[i];
     if (device.type == nullptr || !device.segment || !device.id) continue;
     std::vector<std::uint32_t>& known = frames[reading.robot.segments[*device.segment].bus];
-    for (const SharedFrame& frame : device.type->shared_frames()) {
-      const bool is_filled = *device.id >= frame.id_min && *device.id <= frame.id_max;
-      if (!is_filled || std::find(known.begin(), known.end(), frame.identifier) != known.end()) continue;
-      if (known.size() < runtime_limits::kCanGroups) {
-        known.push_back(frame.identifier);
-      } else {
-        report_frame(reading, i, frame.identifier, known);
-      }
+    const auto frame = device.type->shared_frame(*device.id);
+    if (!frame || std::find(known.begin(), known.end(), frame->identifier) != known.end()) continue;
+    if (known.size() < runtime_limits::kCanGroups) {
+      known.push_back(frame->identifier);
+    } else {
+      report_frame(reading, i, frame->identifier, known);
     }
+  }
+}
+
+/// What the devices of a CAN bus send is accepted by filters: single identifiers by some, blocks by others.
+struct Filters {
+  std::size_t singles = 0, blocks = 0;
+
+  [[nodiscard]] std::size_t banks() const {
+    const auto filled = [](std::size_t count, std::size_t each) { return (count + each - 1) / each; };
+    return filled(singles, runtime_limits::kCanIdsPerBank) + filled(blocks, runtime_limits::kCanBlocksPerBank);
+  }
+};
+
+void check_filters(Reading& reading) {
+  std::map<BusId, Filters> buses;
+  for (const Device& device : reading.robot.devices) {
+    if (device.type == nullptr || !device.segment) continue;
+    Filters& filters = buses[reading.robot.segments[*device.segment].bus];
+    for (const Identifiers& entry : device.type->receives) ++(entry.count == 1 ? filters.singles : filters.blocks);
+  }
+  for (const auto& [index, filters] : buses) {
+    if (filters.banks() <= runtime_limits::kCanFilterBanks) continue;
+    const Bus& bus = reading.robot.buses[index];
+    at_tag(reading.diagnostics, code::bus_full, *reading.tags.buses[index],
+           fmt::format("bus '{}' receives more identifiers than its filters accept", bus.name.text))
+        .note(fmt::format("{} identifiers and {} blocks of them take {} filter banks, and a controller has {}: a bank "
+                          "accepts {} identifiers or {} blocks",
+                          filters.singles, filters.blocks, filters.banks(), runtime_limits::kCanFilterBanks,
+                          runtime_limits::kCanIdsPerBank, runtime_limits::kCanBlocksPerBank))
+        .hint("put some of its devices on another bus");
   }
 }
 
@@ -136,6 +165,7 @@ void check_driver_limits(Reading& reading) {
   if (reading.robot.board == nullptr) return;
   check_lines(reading);
   check_frames(reading);
+  check_filters(reading);
   check_counts(reading);
 }
 

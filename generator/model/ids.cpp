@@ -5,6 +5,7 @@
 #include <map>
 
 #include "generator/model/attributes.hpp"
+#include "generator/model/no_segment.hpp"
 #include "generator/model/offers.hpp"
 #include "generator/model/places.hpp"
 #include "generator/units/units.hpp"
@@ -12,25 +13,48 @@
 namespace finemote::gen {
 namespace {
 
-/// A device with an id on a bus.
+/// A device on a bus for ids. One whose type has none sends the same identifiers always.
 struct IdUser {
   BusId bus;
-  std::uint32_t id;
+  std::optional<std::uint32_t> id;
   const DeviceType* type;
+
+  [[nodiscard]] std::vector<IdentifierRange> received() const { return type->received(id.value_or(0)); }
 };
 
-bool receive_alike(const DeviceType& a, const DeviceType& b) { return a.receives_base && b.receives_base; }
+/// The lowest identifier that frames of both carry.
+std::optional<std::uint64_t> common_identifier(const IdUser& a, const IdUser& b) {
+  std::optional<std::uint64_t> lowest;
+  for (const IdentifierRange& mine : a.received()) {
+    for (const IdentifierRange& other : b.received()) {
+      const auto common = finemote::gen::common_identifier(mine, other);
+      if (common && (!lowest || *common < *lowest)) lowest = common;
+    }
+  }
+  return lowest;
+}
 
-/// The same id of one type, or frames of different types that would carry one identifier.
+/// The frame in which both would fill the same bytes.
+std::optional<std::uint32_t> common_bytes(const IdUser& a, const IdUser& b) {
+  if (!a.id || !b.id) return {};
+  const auto mine = a.type->shared_frame(*a.id), other = b.type->shared_frame(*b.id);
+  if (!mine || !other || mine->identifier != other->identifier) return {};
+  const std::uint32_t at = mine->offset(*a.id), other_at = other->offset(*b.id);
+  if (at + mine->width <= other_at || other_at + other->width <= at) return {};
+  return mine->identifier;
+}
+
+/// The same id of one type, frames that would carry one identifier, or the same bytes of a frame.
 bool clash(const IdUser& a, const IdUser& b) {
   if (a.bus != b.bus) return false;
-  if (receive_alike(*a.type, *b.type)) return *a.type->receives_base + a.id == *b.type->receives_base + b.id;
-  return a.type == b.type && a.id == b.id;
+  return common_identifier(a, b) || common_bytes(a, b) || (a.id && a.type == b.type && a.id == b.id);
 }
 
 std::optional<IdUser> id_user(const Reading& reading, const Device& device) {
-  if (!device.segment || !device.id || device.type == nullptr) return {};
-  return IdUser{reading.robot.segments[*device.segment].bus, *device.id, device.type};
+  if (!device.segment || device.type == nullptr || (device.type->needs_id && !device.id)) return {};
+  const BusId bus = reading.robot.segments[*device.segment].bus;
+  if (!device.id && (bus == kNoBus || reading.robot.buses[bus].kind != BusKind::can)) return {};
+  return IdUser{bus, device.id, device.type};
 }
 
 /// `: 'can_b'`, buses of the same kind; where there are none, one to add; empty where nothing can be added.
@@ -56,7 +80,8 @@ using Promised = std::vector<IdUser>;
 void offer_ids(const Reading& reading, const Device& device, Promised& promised, Diagnostic& finding) {
   const Segment& segment = reading.robot.segments[*device.segment];
   std::string list;
-  for (const std::uint32_t id : free_ids(reading, *device.type, *device.segment)) {
+  const auto free = device.id ? free_ids(reading, *device.type, *device.segment) : std::vector<std::uint32_t>();
+  for (const std::uint32_t id : free) {
     const IdUser user{segment.bus, id, device.type};
     if (std::any_of(promised.begin(), promised.end(), [&](const IdUser& other) { return clash(user, other); }))
       continue;
@@ -69,22 +94,27 @@ void offer_ids(const Reading& reading, const Device& device, Promised& promised,
   }
   const std::string other = another_bus_for(reading, segment);
   if (other.empty() && !list.empty()) return;
-  finding.hint(
-      (list.empty() ? "no id is free here: put one of them on another bus" : "or put one of them on another bus") +
-      other);
+  finding.hint((list.empty() ? (device.id ? "no id is free here: put one of them on another bus"
+                                          : "put one of them on another bus")
+                             : "or put one of them on another bus") +
+               other);
 }
 
 void report_ids(Reading& reading, DeviceId index, DeviceId first, Promised& promised) {
   const Device& device = reading.robot.devices[index];
   const Device& other = reading.robot.devices[first];
   const Name& bus = reading.robot.buses[reading.robot.segments[*device.segment].bus].name;
-  auto& finding =
-      at_place(reading.diagnostics, code::id_conflict, describe(reading, index), "id",
-               fmt::format("device '{}' (id {}) and device '{}' (id {}) use the same CAN identifier on bus '{}'",
-                           device.name.text, *device.id, other.name.text, *other.id, bus.text));
-  if (receive_alike(*device.type, *other.type))
-    finding.note(
-        fmt::format("both send frames with the identifier 0x{:03X}", *device.type->receives_base + *device.id));
+  const auto with_id = [](const Device& each) {
+    return fmt::format("device '{}'", each.name.text) + (each.id ? fmt::format(" (id {})", *each.id) : "");
+  };
+  auto& finding = at_place(
+      reading.diagnostics, code::id_conflict, describe(reading, index), device.id ? "id" : "bus",
+      fmt::format("{} and {} use the same CAN identifier on bus '{}'", with_id(device), with_id(other), bus.text));
+  const IdUser self = *id_user(reading, device), first_user = *id_user(reading, other);
+  if (const auto identifier = common_identifier(self, first_user))
+    finding.note(fmt::format("both send frames with the identifier 0x{:03X}", *identifier));
+  else if (const auto frame = common_bytes(self, first_user))
+    finding.note(fmt::format("both fill the same bytes of frame 0x{:03X}", *frame));
   finding.note(fmt::format("device '{}' is declared here", other.name.text), other.at);
   offer_ids(reading, device, promised, finding);
 }
@@ -147,20 +177,19 @@ void check_shared_frames(Reading& reading) {
   for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
     if (!device.segment || !device.id || reading.devices[i].period_is_wrong || device.period_ns == 0) continue;
-    for (const SharedFrame& frame : device.type->shared_frames()) {
-      if (*device.id < frame.id_min || *device.id > frame.id_max) continue;
-      const auto key = std::make_pair(reading.robot.segments[*device.segment].bus, frame.identifier);
-      const auto [known, is_fresh] = first.emplace(key, Filler{device.period_ns, describe(reading, i)});
-      if (is_fresh || known->second.period_ns == device.period_ns) continue;
-      at_place(reading.diagnostics, code::frame_split, describe(reading, i), "period",
-               fmt::format("device '{}' shares a CAN frame with {} but not its period", device.name.text,
-                           known->second.occupant.what))
-          .note(fmt::format("frame 0x{:03X} carries the commands of both; one runs every {}, the other every {}",
-                            frame.identifier, units::format_duration(known->second.period_ns),
-                            units::format_duration(device.period_ns)))
-          .note(fmt::format("{} is declared here", known->second.occupant.what), known->second.occupant.tag->at)
-          .hint("give both one period, or one of them an id of another frame");
-    }
+    const auto frame = device.type->shared_frame(*device.id);
+    if (!frame) continue;
+    const auto key = std::make_pair(reading.robot.segments[*device.segment].bus, frame->identifier);
+    const auto [known, is_fresh] = first.emplace(key, Filler{device.period_ns, describe(reading, i)});
+    if (is_fresh || known->second.period_ns == device.period_ns) continue;
+    at_place(reading.diagnostics, code::frame_split, describe(reading, i), "period",
+             fmt::format("device '{}' shares a CAN frame with {} but not its period", device.name.text,
+                         known->second.occupant.what))
+        .note(fmt::format("frame 0x{:03X} carries the commands of both; one runs every {}, the other every {}",
+                          frame->identifier, units::format_duration(known->second.period_ns),
+                          units::format_duration(device.period_ns)))
+        .note(fmt::format("{} is declared here", known->second.occupant.what), known->second.occupant.tag->at)
+        .hint("give both one period, or one of them an id of another frame");
   }
 }
 

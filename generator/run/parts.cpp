@@ -55,15 +55,14 @@ Json expander_part(const Robot& robot, const Expander& expander) {
   return part;
 }
 
-/// The identifiers of a device's own frames, and its word in the frame it shares.
+/// The identifier of a device's own frames, the first where there are several, and its word in the frame it shares.
 void add_identifiers(const Device& device, Json& part) {
   if (!device.id) return;
   part["id"] = *device.id;
-  if (device.type->receives_base) part["feedback_id"] = *device.type->receives_base + *device.id;
-  for (const SharedFrame& frame : device.type->shared_frames()) {
-    if (*device.id < frame.id_min || *device.id > frame.id_max) continue;
-    part["command_id"] = frame.identifier;
-    part["word"] = *device.id - frame.id_min;
+  if (!device.type->receives.empty()) part["feedback_id"] = device.type->receives.front().of(*device.id).first;
+  if (const auto frame = device.type->shared_frame(*device.id)) {
+    part["command_id"] = frame->identifier;
+    part["word"] = *device.id - frame->id_min;
   }
 }
 

@@ -89,10 +89,7 @@ class FlushAdder {
     std::set<std::uint32_t> identifiers;
     for (const gen::Device& device : robot_.devices) {
       if (device.segment != segment || device.type == nullptr) continue;
-      for (const SharedFrame& frame : device.type->shared_frames()) {
-        const std::uint32_t id = device.id.value_or(0);
-        if (frame.id_max == 0 || (id >= frame.id_min && id <= frame.id_max)) identifiers.insert(frame.identifier);
-      }
+      if (const auto frame = device.type->shared_frame(device.id.value_or(0))) identifiers.insert(frame->identifier);
     }
     WireUse use;
     for (std::size_t i = 0; i < std::max<std::size_t>(identifiers.size(), 1); ++i) {

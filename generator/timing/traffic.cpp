@@ -31,9 +31,10 @@ std::vector<Unit> units_of(const std::vector<Frame>& frames, const WireRate& rat
 std::optional<Ns> own_identifier(const gen::Device& device, const std::vector<Frame>& frames, FrameStage stage) {
   const auto by_itself = std::count_if(frames.begin(), frames.end(),
                                        [](const Frame& frame) { return frame.stage == FrameStage::autonomous; });
-  const auto base = device.type->receives_base;
-  if (stage != FrameStage::autonomous || by_itself != 1 || !base || !device.id) return std::nullopt;
-  return Ns{*base} + *device.id;
+  const std::vector<IdentifierRange> ranges = device.type->received(device.id.value_or(0));
+  if (stage != FrameStage::autonomous || by_itself != 1 || ranges.size() != 1 || ranges.front().count != 1)
+    return std::nullopt;
+  return static_cast<Ns>(ranges.front().first);
 }
 
 Transfer::After after(FrameStage stage) {

@@ -75,8 +75,9 @@ void DjiMotor::handle() {
 void DjiMotor::safe() { drive(0); }
 
 void DjiMotor::drive(std::int16_t word) {
-  const unsigned index = slot_->id() - 1U;
-  slot_->bus().set_group(index < 4 ? kind_->low_group : kind_->high_group, index % 4, word);
+  const auto bits = static_cast<std::uint16_t>(word);
+  const std::uint8_t bytes[]{static_cast<std::uint8_t>(bits >> 8), static_cast<std::uint8_t>(bits & 0xFF)};
+  slot_->set_shared(bytes);
 }
 
 }  // namespace finemote

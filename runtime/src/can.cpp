@@ -17,9 +17,9 @@ constexpr std::int64_t kRecoveryBits = 128 * 11;
 
 }  // namespace
 
-// ---------------------------------------------------------------------------------------------------------------- slot
+// --------------------------------------------------------------------------------------------------------------- inbox
 
-CanSlot::Received CanSlot::received() const {
+CanInbox::Received CanInbox::received() const {
   Received copy;
   // The count is raised before and after a frame is stored: odd while it is. Frames of one identifier are at least
   // 47 bits apart, so that a copy is disturbed at most once.
@@ -34,6 +34,23 @@ CanSlot::Received CanSlot::received() const {
   return {};
 }
 
+void CanInbox::store(const CanFrame& frame, Time at) {
+  changes_.store(changes_.load() + 1);
+  in_ = frame;
+  at_ = at;
+  changes_.store(changes_.load() + 1);
+}
+
+// ---------------------------------------------------------------------------------------------------------------- slot
+
+CanSlot::Received CanSlot::received(unsigned entry) const {
+  const CanInbox* inbox = &inbox_;
+  for (; entry > 0 && inbox != nullptr; --entry) inbox = inbox->next_;
+  return inbox != nullptr ? inbox->received() : Received{};
+}
+
+bool CanSlot::set_shared(const std::uint8_t* bytes) { return bus_->set_shared(share_, bytes); }
+
 bool CanSlot::send(const CanFrame& frame) {
   if (waiting_.load()) return false;
   out_ = frame;
@@ -46,21 +63,21 @@ bool CanSlot::send(const CanFrame& frame) {
 
 void CanBus::start() {
   list_bus(counters_);
-  std::uint16_t ids[kMaxSlots];
-  for (std::uint8_t i = 0; i < count_; ++i) ids[i] = slots_[i]->receives_;
-  port_->configure(bitrate_, *this, ids, count_);
+  CanIds ids[kMaxIds];
+  std::size_t count = 0;
+  for (std::uint8_t i = 0; i < count_; ++i) {
+    for (const CanInbox* inbox = &slots_[i]->inbox_; inbox != nullptr && count < kMaxIds; inbox = inbox->next_)
+      if (inbox->ids_.count > 0) ids[count++] = inbox->ids_;
+  }
+  port_->configure(bitrate_, *this, ids, count);
 }
 
 void CanBus::on_frame(const CanFrame& frame, Time at) {
   ++counters_.transfers;
   for (std::uint8_t i = 0; i < count_; ++i) {
-    CanSlot& slot = *slots_[i];
-    if (slot.receives_ != frame.id) continue;
-    slot.changes_.store(slot.changes_.load() + 1);
-    slot.in_ = frame;
-    slot.at_ = at;
-    slot.changes_.store(slot.changes_.load() + 1);
-    return;
+    for (CanInbox* inbox = &slots_[i]->inbox_; inbox != nullptr; inbox = inbox->next_) {
+      if (inbox->ids_.hold(frame.id)) return inbox->store(frame, at);
+    }
   }
   ++counters_.lost;  // a filter lets more through than is wanted
 }
@@ -68,7 +85,8 @@ void CanBus::on_frame(const CanFrame& frame, Time at) {
 // Groups first: they carry the actuators. Whatever finds no mailbox is sent from the interrupt that frees one.
 void CanBus::on_interrupt() {
   for (Group& group : groups_) {
-    if (group.waiting.load() && !send_group(group)) return;
+    const bool is_ready = group.waiting.load() && !group.setting.load();  // set_shared() comes back to it
+    if (is_ready && !send_group(group)) return;
   }
   for (std::uint8_t i = 0; i < count_; ++i) {
     CanSlot& slot = *slots_[i];
@@ -84,11 +102,7 @@ bool CanBus::send_group(Group& group) {
   frame.id = group.id.load();
   frame.size = 8;
   group.waiting.store(false);
-  for (int i = 0; i < 4; ++i) {
-    const std::uint16_t word = group.words[i].load();
-    frame.data[2 * i] = static_cast<std::uint8_t>(word >> 8);
-    frame.data[2 * i + 1] = static_cast<std::uint8_t>(word & 0xFF);
-  }
+  for (int i = 0; i < 8; ++i) frame.data[i] = group.bytes[i].load();
   if (!port_->send(frame)) {
     group.waiting.store(true);
     return false;
@@ -97,16 +111,35 @@ bool CanBus::send_group(Group& group) {
   return true;
 }
 
-bool CanBus::set_group(std::uint16_t id, unsigned index, std::int16_t value) {
+CanBus::Group* CanBus::group_of(std::uint16_t id) {
   for (Group& group : groups_) {
     if (group.id.load() == 0) group.id.replace(0, id);  // whoever comes second sees the first's identifier
-    if (group.id.load() != id) continue;
-    group.words[index & 3].store(static_cast<std::uint16_t>(value));
-    group.changed.store(true);
-    return true;
+    if (group.id.load() == id) return &group;
   }
-  count_fault(Module::can, kNoGroup);
-  return false;
+  return nullptr;
+}
+
+bool CanBus::set_shared(const CanShare& share, const std::uint8_t* bytes) {
+  Group* group = share.width > 0 ? group_of(share.frame) : nullptr;
+  if (group == nullptr) {
+    count_fault(Module::can, kNoGroup);
+    return false;
+  }
+  group->setting.store(true);
+  // supervise() may clear the frame in between: what it left of the bytes is written once more.
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const std::uint8_t cleared = group->cleared.load();
+    write(*group, share, bytes);
+    if (group->cleared.load() == cleared) break;
+  }
+  group->changed.store(true);
+  group->setting.store(false);
+  if (group->waiting.load()) port_->pend();  // a flush of a faster bucket found it half written
+  return true;
+}
+
+void CanBus::write(Group& group, const CanShare& share, const std::uint8_t* bytes) {
+  for (std::uint8_t i = 0; i < share.width; ++i) group.bytes[(share.offset + i) & 7].store(bytes[i]);
 }
 
 void CanBus::flush() {
@@ -137,7 +170,8 @@ void CanBus::supervise() {
   ++counters_.errors;
   count_fault(Module::can, kBusOff);
   for (Group& group : groups_) {
-    for (auto& word : group.words) word.store(0);
+    for (auto& byte : group.bytes) byte.store(0);
+    group.cleared.store(static_cast<std::uint8_t>(group.cleared.load() + 1));
     group.waiting.store(group.id.load() != 0);
   }
   for (std::uint8_t i = 0; i < count_; ++i) slots_[i]->waiting_.store(false);

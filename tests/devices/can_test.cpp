@@ -20,7 +20,19 @@ struct Fixture {
     f.data[0] = first;
     return f;
   }
-  CanSlot one{bus, 1, 0x201, 1}, two{bus, 2, 0x202, 1};
+  static bool set_word(CanSlot& slot, std::int16_t value) {
+    const auto word = static_cast<std::uint16_t>(value);
+    const std::uint8_t bytes[]{static_cast<std::uint8_t>(word >> 8), static_cast<std::uint8_t>(word & 0xFF)};
+    return slot.set_shared(bytes);
+  }
+  /// A slot of a device that owns the first word of a frame.
+  CanSlot at_frame(std::uint16_t frame) { return CanSlot{bus, 9, CanIds{}, 1, CanShare{frame, 0, 2}}; }
+  static std::vector<std::uint8_t> sent_bytes(std::size_t index) {
+    const CanFrame& frame = host::can1.sent.at(index).frame;
+    return {frame.data, frame.data + frame.size};
+  }
+
+  CanSlot one{bus, 1, 0x201, 1, CanShare{0x200, 0, 2}}, two{bus, 2, 0x202, 1, CanShare{0x200, 6, 2}};
   CanSlot* const table[2] = {&one, &two};
   CanBus bus{ports::can1, 1000000, table};
 };
@@ -39,7 +51,9 @@ TEST_CASE_METHOD(Fixture, "each device gets the last frame with its identifier, 
   CHECK(one.received().at == 3 * kMillisecond);
   CHECK(two.received().count == 1);
   CHECK(two.received().frame.data[0] == 8);
-  CHECK(host::can1.accepted == std::vector<std::uint16_t>{0x201, 0x202});
+  REQUIRE(host::can1.accepted.size() == 2);
+  CHECK(host::can1.accepted[0].first == 0x201);
+  CHECK(host::can1.accepted[1].first == 0x202);
 }
 
 TEST_CASE_METHOD(Fixture, "an identifier nobody knows is counted and touches nothing") {
@@ -48,27 +62,67 @@ TEST_CASE_METHOD(Fixture, "an identifier nobody knows is counted and touches not
   CHECK(one.received().count == 0);
 }
 
-TEST_CASE_METHOD(Fixture, "a group is one frame with four big-endian words, sent once per flush") {
-  CHECK(bus.set_group(0x200, 0, 0x1234));
-  CHECK(bus.set_group(0x200, 3, -2));
+TEST_CASE_METHOD(Fixture, "a device keeps the last frame of each entry apart, and hears only its identifiers") {
+  CanInbox more[]{CanInbox{0x281, &more[1]}, CanInbox{CanIds{0x020, 32}}};
+  CanSlot many{bus, 1, 0x181, 1, CanShare{}, more};
+  CanSlot silent{bus, 3, CanIds{}, 1};
+  CanSlot* const slots[2] = {&many, &silent};
+  CanBus two_slots{ports::can1, 1000000, slots};
+  two_slots.start();
+  REQUIRE(host::can1.accepted.size() == 3);  // none for the silent one
+  two_slots.on_frame(frame(0x181, 1), 10);
+  two_slots.on_frame(frame(0x281, 2), 20);
+  two_slots.on_frame(frame(0x021, 3), 30);
+  two_slots.on_frame(frame(0x03F, 4), 40);
+  CHECK(many.received().frame.data[0] == 1);
+  CHECK(many.received(1).frame.data[0] == 2);
+  CHECK(many.received(1).at == 20);
+  CHECK(many.received(2).frame.id == 0x03F);
+  CHECK(many.received(2).count == 2);
+  CHECK(many.received(3).count == 0);
+  for (const std::uint16_t id : {0x000, 0x01F, 0x040, 0x182}) two_slots.on_frame(frame(id, 1), 50);
+  CHECK(two_slots.counters().lost == 4);
+}
+
+TEST_CASE_METHOD(Fixture, "devices fill one frame, which is sent once per flush") {
+  CHECK(set_word(one, 0x1234));
+  CHECK(set_word(two, -2));
   bus.flush();
   bus.flush();
   host::advance(1 * kMillisecond);
   REQUIRE(host::can1.sent.size() == 1);
-  const CanFrame& sent = host::can1.sent[0].frame;
-  CHECK(sent.id == 0x200);
-  CHECK(std::vector<std::uint8_t>(sent.data, sent.data + 8) ==
-        std::vector<std::uint8_t>{0x12, 0x34, 0, 0, 0, 0, 0xFF, 0xFE});
+  CHECK(host::can1.sent[0].frame.id == 0x200);
+  CHECK(sent_bytes(0) == std::vector<std::uint8_t>{0x12, 0x34, 0, 0, 0, 0, 0xFF, 0xFE});
+}
+
+TEST_CASE_METHOD(Fixture, "a device's part of a frame may be any of its bytes") {
+  CanSlot byte{bus, 3, CanIds{}, 1, CanShare{0x300, 5, 1}}, half{bus, 4, CanIds{}, 1, CanShare{0x300, 0, 4}};
+  const std::uint8_t bytes[]{1, 2, 3, 4};
+  CHECK(byte.set_shared(bytes));
+  CHECK(half.set_shared(bytes));
+  bus.flush();
+  host::advance(1 * kMillisecond);
+  REQUIRE(host::can1.sent.size() == 1);
+  CHECK(sent_bytes(0) == std::vector<std::uint8_t>{1, 2, 3, 4, 0, 1, 0, 0});
+  CanSlot alone{bus, 5, CanIds{}, 1};
+  CHECK_FALSE(alone.set_shared(bytes));
 }
 
 TEST_CASE_METHOD(Fixture, "groups run out after five identifiers") {
-  for (std::uint16_t id = 1; id <= 5; ++id) CHECK(bus.set_group(id, 0, 1));
-  CHECK_FALSE(bus.set_group(6, 0, 1));
-  CHECK(bus.set_group(3, 1, 1));
+  for (std::uint16_t id = 1; id <= 5; ++id) {
+    CanSlot slot = at_frame(id);
+    CHECK(set_word(slot, 1));
+  }
+  CanSlot sixth = at_frame(6), third = at_frame(3);
+  CHECK_FALSE(set_word(sixth, 1));
+  CHECK(set_word(third, 1));
 }
 
 TEST_CASE_METHOD(Fixture, "more frames than mailboxes all leave, without any received frame") {
-  for (std::uint16_t id = 1; id <= 5; ++id) bus.set_group(id, 0, 1);
+  for (std::uint16_t id = 1; id <= 5; ++id) {
+    CanSlot slot = at_frame(id);
+    set_word(slot, 1);
+  }
   bus.flush();
   CHECK(one.send(frame(0x140, 1)));
   CHECK_FALSE(one.send(frame(0x140, 2)));
@@ -79,7 +133,7 @@ TEST_CASE_METHOD(Fixture, "more frames than mailboxes all leave, without any rec
 }
 
 TEST_CASE_METHOD(Fixture, "after bus-off the groups go to zero first, and what waited is dropped") {
-  bus.set_group(0x200, 0, 1000);
+  set_word(one, 1000);
   host::can1.off = true;
   bus.flush();
   one.send(frame(0x140, 1));

@@ -15,6 +15,7 @@ TEST_CASE("the generator knows what the runtime holds") {
   CHECK(limits::kBuckets == kMaxBuckets);
   CHECK(limits::kCanGroups == CanBus::kGroups);
   CHECK(limits::kCanSlots == CanBus::kMaxSlots);
+  CHECK(limits::kCanFilterBanks * limits::kCanIdsPerBank == CanBus::kMaxIds);
   CHECK(limits::kShortestPwmPeriod == kShortestPwmPeriod);
   CHECK(limits::kLongestPwmPeriod == kLongestPwmPeriod);
 }

@@ -13,25 +13,63 @@ namespace finemote {
 
 class CanBus;
 
-/// One device on a CAN bus: the last frame with its receive identifier, and one frame to send.
-class CanSlot {
+/// Where the last frame with one of a few identifiers is kept.
+class CanInbox {
  public:
-  /// @param id        the device's `id` in the URDF
-  /// @param receives  identifier of the frames it sends to us
-  /// @param priority  0 is the most urgent: the index of the bucket, shortest period first
-  constexpr CanSlot(CanBus& bus, std::uint16_t id, std::uint16_t receives, std::uint8_t priority)
-      : bus_(&bus), id_(id), receives_(receives), priority_(priority) {}
+  /// @param next  where frames with further identifiers of the device are kept; null: there are none
+  constexpr explicit CanInbox(CanIds ids, CanInbox* next = nullptr) : ids_(ids), next_(next) {}
 
   struct Received {
-    CanFrame frame;
+    CanFrame frame;  ///< with its identifier
     Time at = 0;
     std::uint32_t count = 0;  ///< frames so far, modulo 2^31; 0: none yet
   };
   /// The last frame received, whole. Context: the device's bucket.
   [[nodiscard]] Received received() const;
 
+ private:
+  friend class CanBus;
+  friend class CanSlot;
+  void store(const CanFrame& frame, Time at);
+
+  CanIds ids_;
+  Shared<std::uint32_t> changes_{0};  ///< twice the frames so far; odd while one is being stored
+  Time at_ = 0;
+  CanFrame in_;
+  CanInbox* next_;
+};
+
+/// A device's bytes in a command frame that several devices fill.
+struct CanShare {
+  std::uint16_t frame = 0;  ///< identifier
+  std::uint8_t offset = 0;  ///< of its first byte
+  std::uint8_t width = 0;   ///< bytes; 0: it shares no frame
+};
+
+/// One device on a CAN bus: the last frames it sent to us, its part of a shared frame, and one frame to send.
+class CanSlot {
+ public:
+  /// @param id        the device's `id` in the URDF
+  /// @param receives  identifiers of the frames it sends to us
+  /// @param priority  0 is the most urgent: the index of the bucket, shortest period first
+  /// @param share     its bytes in a command frame
+  /// @param more      where frames with further identifiers are kept, in the order of its descriptor
+  constexpr CanSlot(CanBus& bus, std::uint16_t id, CanIds receives, std::uint8_t priority, CanShare share = {},
+                    CanInbox* more = nullptr)
+      : bus_(&bus), id_(id), priority_(priority), share_(share), inbox_(receives, more) {}
+
+  using Received = CanInbox::Received;
+  /// The last frame received of entry `entry` of the descriptor's "receives", whole; of an entry it has not: none.
+  /// Context: the device's bucket.
+  [[nodiscard]] Received received(unsigned entry = 0) const;
+
   /// Sends one frame; false while the one before still waits. Context: the device's bucket.
   bool send(const CanFrame& frame);
+
+  /// Sets the device's bytes, share().width of them, in the frame it shares; the next flush() of the bus sends it.
+  /// False where it shares none, and when the bus keeps no more frames. Context: the device's bucket; safe().
+  bool set_shared(const std::uint8_t* bytes);
+  [[nodiscard]] const CanShare& share() const { return share_; }
 
   [[nodiscard]] std::uint16_t id() const { return id_; }
   [[nodiscard]] std::uint8_t priority() const { return priority_; }
@@ -40,13 +78,12 @@ class CanSlot {
  private:
   friend class CanBus;
   CanBus* bus_;
-  std::uint16_t id_, receives_;
+  std::uint16_t id_;
   std::uint8_t priority_;
   Shared<bool> waiting_{false};
   CanFrame out_;
-  Shared<std::uint32_t> changes_{0};  ///< twice the frames so far; odd while one is being stored
-  CanFrame in_;
-  Time at_ = 0;
+  CanShare share_;
+  CanInbox inbox_;
 };
 
 /// One CAN bus.
@@ -59,7 +96,8 @@ class CanBus {
   }
   constexpr CanBus(CanPort& port, std::int64_t bitrate) : port_(&port), slots_(nullptr), count_(0), bitrate_(bitrate) {}
   static constexpr std::size_t kMaxSlots = 32;
-  static constexpr std::size_t kGroups = 5;  ///< shared command frames
+  static constexpr std::size_t kGroups = 5;   ///< shared command frames
+  static constexpr std::size_t kMaxIds = 56;  ///< entries of CanIds: what the filters of a controller hold at most
 
   /// Context: init.
   void start();
@@ -70,9 +108,6 @@ class CanBus {
   void on_frame(const CanFrame& frame, Time at);
   void on_interrupt();
 
-  /// Sets one of the four big-endian words of the shared command frame `id` (DJI ESCs take one frame for four motors).
-  /// Sent by the next flush(). False when all groups are taken by other identifiers. Context: any bucket.
-  bool set_group(std::uint16_t id, unsigned index, std::int16_t value);
   /// Sends every group that was set since the last flush, once. Context: end of any bucket that drives it.
   void flush();
 
@@ -88,13 +123,19 @@ class CanBus {
 
  private:
   friend class CanSlot;
+  /// A command frame of eight bytes that several devices fill.
   struct Group {
     Shared<std::uint16_t> id{0};  ///< 0: free
-    Shared<std::uint16_t> words[4];
+    Shared<std::uint8_t> bytes[8];
+    Shared<std::uint8_t> cleared{0};  ///< times all bytes went to zero
     Shared<bool> changed{false}, waiting{false};
+    Shared<bool> setting{false};  ///< a device's bytes are half written: it is not sent now
   };
 
   void request() { port_->pend(); }
+  bool set_shared(const CanShare& share, const std::uint8_t* bytes);
+  [[nodiscard]] Group* group_of(std::uint16_t id);
+  static void write(Group& group, const CanShare& share, const std::uint8_t* bytes);
   bool send_group(Group& group);
 
   CanPort* port_;

@@ -209,15 +209,25 @@ struct CanFrame {
   std::uint8_t data[8]{};
 };
 
+/// Identifiers that are accepted: none, one, or a block of a power of two that begins at a multiple of its size.
+struct CanIds {
+  std::uint16_t first = 0, count = 0;
+
+  constexpr CanIds() = default;
+  constexpr CanIds(std::uint16_t one) : first(one), count(1) {}
+  constexpr CanIds(std::uint16_t begin, std::uint16_t size) : first(begin), count(size) {}
+  [[nodiscard]] constexpr bool hold(std::uint16_t id) const { return static_cast<std::uint16_t>(id - first) < count; }
+};
+
 /// A CAN controller that filters by identifier.
 class CanPort {
  public:
   constexpr explicit CanPort(CanHardware& hardware) : hardware_(&hardware) {}
 
-  /// Clocks, pins, bit timing for `bitrate` [bit/s], acceptance of exactly the `count` identifiers in `ids` (a superset
+  /// Clocks, pins, bit timing for `bitrate` [bit/s], acceptance of exactly the `count` entries of `ids` (a superset
   /// where the hardware has too few filters), interrupts for reception, sending and errors. Every interrupt hands each
   /// received frame to `bus.on_frame(frame, now())` and then calls `bus.on_interrupt()` once. Context: init.
-  void configure(std::int64_t bitrate, CanBus& bus, const std::uint16_t* ids, std::size_t count);
+  void configure(std::int64_t bitrate, CanBus& bus, const CanIds* ids, std::size_t count);
   /// As I2cPort::pend(). Context: any.
   void pend();
   /// Puts a frame into a free mailbox; the mailboxes are sent by identifier. False: none is free. Context: interrupt.

@@ -41,13 +41,15 @@ void send_next(CanHardware& wire) {
 
 void CanHardware::feed(Time at, const CanFrame& frame) {
   host::interrupt_at(at, [this, frame] {
-    if (off || std::find(accepted.begin(), accepted.end(), frame.id) == accepted.end()) return;
+    const bool is_accepted =
+        std::any_of(accepted.begin(), accepted.end(), [&](const CanIds& ids) { return ids.hold(frame.id); });
+    if (off || !is_accepted) return;
     bus->on_frame(frame, now());
     bus->on_interrupt();
   });
 }
 
-void CanPort::configure(std::int64_t bitrate, CanBus& bus, const std::uint16_t* ids, std::size_t count) {
+void CanPort::configure(std::int64_t bitrate, CanBus& bus, const CanIds* ids, std::size_t count) {
   hardware_->bitrate = bitrate;
   hardware_->bus = &bus;
   hardware_->accepted.assign(ids, ids + count);

@@ -22,7 +22,7 @@ struct CanHardware {
   std::vector<Sent> sent;
   bool off = false;  ///< the controller has left the bus
 
-  std::vector<std::uint16_t> accepted;
+  std::vector<CanIds> accepted;
   std::vector<CanFrame> mailboxes;  ///< at most three
   std::int64_t bitrate = 0;
   CanBus* bus = nullptr;

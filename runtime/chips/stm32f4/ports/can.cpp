@@ -1,4 +1,5 @@
-// CanPort on the chip's bxCAN: identifier-list filters, three mailboxes sent by identifier, FIFO 0. RM0090 32.
+// CanPort on the chip's bxCAN: filters for identifiers and blocks of them, three mailboxes sent by identifier, FIFO 0.
+// RM0090 32.
 #include "finemote/can.hpp"
 
 #include "finemote/fault.hpp"
@@ -37,38 +38,84 @@ std::uint32_t bit_timing(std::uint32_t bitrate) {  // BTR, RM0090 32.7.7; each f
   return (kSegment2 - 1) << 20 | (kSegment1 - 1) << 16 | (prescaler - 1);
 }
 
-constexpr std::uint32_t kBanks = 14, kIdsPerBank = 4;
+constexpr std::uint32_t kBanks = 14;
 
 /// An identifier as a 16-bit filter holds it: bits 5 to 15 (RM0090 32.7.4, figure "filter bank scale").
 std::uint32_t filter_entry(std::uint16_t id) { return static_cast<std::uint32_t>(id & 0x7FFU) << 5; }
 
-/// Lists of four identifiers per bank; more than fit: one bank that lets everything in.
-void set_filters(std::uint32_t first, const std::uint16_t* ids, std::size_t count) {
+/// Identifier and mask of a block: remote and extended frames, bits 4 and 3, are no part of it.
+std::uint32_t filter_block(const CanIds& ids) {
+  const std::uint32_t mask = filter_entry(static_cast<std::uint16_t>(~(ids.count - 1U))) | 0x18U;
+  return mask << 16 | filter_entry(ids.first);
+}
+
+/// Fills filter banks one after the other; of what is more than fits the caller hears.
+class FilterBanks {
+ public:
+  explicit FilterBanks(std::uint32_t first) : first_(first) {}
+
+  /// Four identifiers per bank; the last bank repeats one.
+  void add_singles(const CanIds* ids, std::size_t count) {
+    std::uint32_t entry[4];
+    std::uint32_t filled = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (ids[i].count != 1) continue;
+      entry[filled++] = filter_entry(ids[i].first);
+      if (filled < 4) continue;
+      put_list(entry);
+      filled = 0;
+    }
+    if (filled == 0) return;
+    while (filled < 4) entry[filled++] = entry[0];
+    put_list(entry);
+  }
+  /// Two blocks per bank; the last bank repeats one.
+  void add_blocks(const CanIds* ids, std::size_t count) {
+    const CanIds* waiting = nullptr;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (ids[i].count <= 1) continue;
+      if (waiting != nullptr) put(false, filter_block(*waiting), filter_block(ids[i]));
+      waiting = waiting != nullptr ? nullptr : &ids[i];
+    }
+    if (waiting != nullptr) put(false, filter_block(*waiting), filter_block(*waiting));
+  }
+  [[nodiscard]] bool overflowed() const { return used_ > kBanks; }
+  /// One bank with mask 0.
+  void let_everything_in() {
+    can::fa1r.clear(((1U << kBanks) - 1) << first_);
+    used_ = 0;
+    put(false, 0, 0);
+  }
+
+ private:
+  void put_list(const std::uint32_t (&entry)[4]) { put(true, entry[1] << 16 | entry[0], entry[3] << 16 | entry[2]); }
+  void put(bool is_list, std::uint32_t low, std::uint32_t high) {
+    if (++used_ > kBanks) return;
+    const std::uint32_t number = first_ + used_ - 1;
+    if (is_list)
+      can::fm1r.set(stm32f4::bit(number));
+    else
+      can::fm1r.clear(stm32f4::bit(number));
+    can::filter(number, 0).write(low);
+    can::filter(number, 1).write(high);
+    can::fa1r.set(stm32f4::bit(number));
+  }
+
+  std::uint32_t first_, used_ = 0;
+};
+
+/// More than fit: one bank that lets everything in.
+void set_filters(std::uint32_t first, const CanIds* ids, std::size_t count) {
   // The other bits keep their reset value: RM0090 32.9.4.
   can::fmr.modify(can::kSplitMask | can::kFilterInit, kBanks << can::kSplitShift | can::kFilterInit);
   const std::uint32_t mine = ((1U << kBanks) - 1) << first;
   can::fa1r.clear(mine);
   can::fs1r.clear(mine);   // 16 bits
   can::ffa1r.clear(mine);  // FIFO 0
-  const std::size_t banks = (count + kIdsPerBank - 1) / kIdsPerBank;
-  if (banks > kBanks) {
-    can::fm1r.clear(stm32f4::bit(first));  // mask 0
-    can::filter(first, 0).write(0);
-    can::filter(first, 1).write(0);
-    can::fa1r.set(stm32f4::bit(first));
-  }
-  for (std::size_t bank = 0; bank < banks && banks <= kBanks; ++bank) {
-    std::uint32_t entry[kIdsPerBank];
-    for (std::size_t i = 0; i < kIdsPerBank; ++i) {
-      const std::size_t index = bank * kIdsPerBank + i;
-      entry[i] = filter_entry(ids[index < count ? index : count - 1]);
-    }
-    const auto number = static_cast<std::uint32_t>(first + bank);
-    can::fm1r.set(stm32f4::bit(number));
-    can::filter(number, 0).write(entry[1] << 16 | entry[0]);
-    can::filter(number, 1).write(entry[3] << 16 | entry[2]);
-    can::fa1r.set(stm32f4::bit(number));
-  }
+  FilterBanks banks(first);
+  banks.add_singles(ids, count);
+  banks.add_blocks(ids, count);
+  if (banks.overflowed()) banks.let_everything_in();
   can::fmr.clear(can::kFilterInit);
 }
 
@@ -83,7 +130,7 @@ void put_word(std::uint8_t* bytes, std::uint32_t word) {
 
 }  // namespace
 
-void CanPort::configure(std::int64_t bitrate, CanBus& bus, const std::uint16_t* ids, std::size_t count) {
+void CanPort::configure(std::int64_t bitrate, CanBus& bus, const CanIds* ids, std::size_t count) {
   const CanSetup& setup = hardware_->setup;
   hardware_->bus = &bus;
   const stm32f4::PinSetup pin{stm32f4::PinMode::alternate, stm32f4::PinPull::up, false, 9};

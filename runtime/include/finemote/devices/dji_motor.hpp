@@ -11,11 +11,9 @@ namespace finemote {
 
 /// What sets one kind of DJI motor with its controller apart.
 struct DjiMotorKind {
-  std::uint16_t low_group;   ///< identifier of the command frame for ids 1..4
-  std::uint16_t high_group;  ///< and for ids 5..8
-  std::int16_t full;         ///< command word for `full_current`
-  float full_current;        ///< A
-  float torque_per_ampere;   ///< N m at the rotor's side of the gear
+  std::int16_t full;        ///< command word for `full_current`
+  float full_current;       ///< A
+  float torque_per_ampere;  ///< N m at the rotor's side of the gear
 };
 
 /// Common to all kinds; use DjiM3508, DjiM2006 or DjiGm6020.
@@ -26,7 +24,7 @@ struct DjiMotorKind {
 /// first one is within half a turn of the rotor either way of where the encoder's zero is said to be.
 ///
 /// Drives while its command is valid, a number, and made from data not older than `max_age`; otherwise no current. Four
-/// motors share one frame: handle() sets a word, the bus sends the frame once at the end of the bucket.
+/// motors share one frame: handle() sets the motor's two bytes, the bus sends the frame once at the end of the bucket.
 class DjiMotor {
  public:
   static constexpr Duration kFeedbackMaxAge = 20 * kMillisecond;
@@ -62,9 +60,9 @@ class DjiMotor {
 };
 
 namespace detail {
-inline constexpr DjiMotorKind kC620{0x200, 0x1FF, 16384, 20, 0.3F * 187 / 3591};
-inline constexpr DjiMotorKind kC610{0x200, 0x1FF, 10000, 10, 0.18F / 36};
-inline constexpr DjiMotorKind kGm6020{0x1FE, 0x2FE, 16384, 3, 0.741F};
+inline constexpr DjiMotorKind kC620{16384, 20, 0.3F * 187 / 3591};
+inline constexpr DjiMotorKind kC610{10000, 10, 0.18F / 36};
+inline constexpr DjiMotorKind kGm6020{16384, 3, 0.741F};
 }  // namespace detail
 
 }  // namespace finemote

@@ -25,9 +25,15 @@ finemote::CanSlot* const right_slots[] = {&slots::right};
 FINEMOTE_CONSTINIT finemote::CanBus left_bus{finemote::ports::can1, 1000000, left_slots};
 FINEMOTE_CONSTINIT finemote::CanBus right_bus{finemote::ports::can2, 500000, right_slots};
 namespace slots {
-FINEMOTE_CONSTINIT finemote::CanSlot left{left_bus, 1, 0x201, 1};
-FINEMOTE_CONSTINIT finemote::CanSlot right{right_bus, 1, 0x201, 1};
+FINEMOTE_CONSTINIT finemote::CanSlot left{left_bus, 1, 0x201, 1, finemote::CanShare{0x200, 0, 2}};
+FINEMOTE_CONSTINIT finemote::CanSlot right{right_bus, 1, 0x201, 1, finemote::CanShare{0x200, 6, 2}};
 }  // namespace slots
+
+void put_word(finemote::CanSlot& slot, std::int16_t word) {
+  const std::uint8_t bytes[]{static_cast<std::uint8_t>(static_cast<std::uint16_t>(word) >> 8),
+                             static_cast<std::uint8_t>(word & 0xFF)};
+  slot.set_shared(bytes);
+}
 
 void run_1ms() {
   if (seen[4] % supervised_every == 0) {
@@ -43,8 +49,8 @@ void run_1ms() {
   seen[5] = left_bus.unreachable() ? 1 : 0;
   seen[6] = left_bus.transmit_errors();
   seen[7] = left_bus.counters().recoveries;
-  left_bus.set_group(0x200, 0, static_cast<std::int16_t>(seen[4]));
-  right_bus.set_group(0x200, 3, -1234);
+  put_word(slots::left, static_cast<std::int16_t>(seen[4]));
+  put_word(slots::right, -1234);
   left_bus.flush();
   right_bus.flush();
 }
