@@ -127,7 +127,7 @@ TEST_CASE("a device with an interrupt line of its own takes no interrupts from t
   };
   const Robots before = Robots::with(bus + ranger + depth + load), behind = Robots::with(bus + depth + ranger + load);
   for (const Robots* robot : {&before, &behind}) {
-    const auto& sources = *robot->model.buses.front().sources;
+    const auto& sources = *robot->model.buses[BusPlace{0}].sources;
     REQUIRE(sources.size() == 2);
     CHECK(sources[0].budgets.size() == 2);  // of the driver: transfers of both
     CHECK(sources[1].budgets.empty());      // the line
