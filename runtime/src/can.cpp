@@ -85,8 +85,11 @@ void CanBus::on_frame(const CanFrame& frame, Time at) {
 // Groups first: they carry the actuators. Whatever finds no mailbox is sent from the interrupt that frees one.
 void CanBus::on_interrupt() {
   for (Group& group : groups_) {
-    const bool is_ready = group.waiting.load() && !group.setting.load();  // set_shared() comes back to it
-    if (is_ready && !send_group(group)) return;
+    if (!group.waiting.load()) continue;
+    if (group.setting.load())
+      group.passed_over.store(true);  // set_shared() comes back to it
+    else if (!send_group(group))
+      return;
   }
   for (std::uint8_t i = 0; i < count_; ++i) {
     CanSlot& slot = *slots_[i];
@@ -134,7 +137,7 @@ bool CanBus::set_shared(const CanShare& share, const std::uint8_t* bytes) {
   }
   group->changed.store(true);
   group->setting.store(false);
-  if (group->waiting.load()) port_->pend();  // a flush of a faster bucket found it half written
+  if (group->passed_over.exchange(false)) port_->pend();  // a flush of a faster bucket found it half written
   return true;
 }
 

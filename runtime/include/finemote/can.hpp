@@ -129,7 +129,8 @@ class CanBus {
     Shared<std::uint8_t> bytes[8];
     Shared<std::uint8_t> cleared{0};  ///< times all bytes went to zero
     Shared<bool> changed{false}, waiting{false};
-    Shared<bool> setting{false};  ///< a device's bytes are half written: it is not sent now
+    Shared<bool> setting{false};      ///< a device's bytes are half written: it is not sent now
+    Shared<bool> passed_over{false};  ///< it should have been sent then
   };
 
   void request() { port_->pend(); }
