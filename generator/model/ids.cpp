@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/no_segment.hpp"
 #include "generator/model/offers.hpp"
@@ -53,7 +54,8 @@ bool clash(const IdUser& a, const IdUser& b) {
 std::optional<IdUser> id_user(const Reading& reading, const Device& device) {
   if (!device.segment || device.type == nullptr || (device.type->needs_id && !device.id)) return {};
   const BusId bus = reading.robot.segments[*device.segment].bus;
-  if (!device.id && (bus == kNoBus || reading.robot.buses[bus].kind != BusKind::can)) return {};
+  const bool has_identifiers = bus != kNoBus && bus_type(reading.robot.buses[bus].kind).slot_class.takes_identifiers;
+  if (!device.id && !has_identifiers) return {};
   return IdUser{bus, device.id, device.type};
 }
 

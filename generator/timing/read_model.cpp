@@ -9,6 +9,7 @@
 
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/json/parse.hpp"
+#include "generator/timing/case_file.hpp"
 #include "generator/timing/check_cycles.hpp"
 #include "generator/timing/object_reader.hpp"
 
@@ -372,21 +373,6 @@ void ModelReader::read_flush_device(Flush&, const Value& v) {
   later_.emplace_back([this, index = model_.flushes.size() - 1, &v] {
     if (const auto found = find_device(v.text, v)) model_.flushes[index].devices.push_back(*found);
   });
-}
-
-/// The model object of the file: the root, or its `model` member.
-const Value* model_object(const Value& root, Diagnostics& diagnostics) {
-  ObjectReader values(diagnostics);
-  if (!values.is_object(root, "the root")) return nullptr;
-  const Value* model = root.find("model");
-  if (model == nullptr) return &root;
-  for (const json::Member& m : root.members) {
-    if (m.key != "model" && m.key != "name" && m.key != "description" && m.key != "expected") {
-      diagnostics.error(code::json_unknown_member, m.at, fmt::format("a case file has no member '{}'", m.key))
-          .underline(m.key.size() + 2);
-    }
-  }
-  return values.is_object(*model, "'model'") ? model : nullptr;
 }
 
 }  // namespace

@@ -155,12 +155,12 @@ TEST_CASE("the clock mode of a part on SPI and the patience of the watchdog arri
   REQUIRE(run_finemote({"generate", folder.path("robot.urdf"), "-o", folder.path("out"), "--allow-unschedulable"})
               .exit_status == 0);
   const std::string buses = read_file(folder.path("out/buses.cpp"));
-  CHECK(buses.find("gauge{::twin::spi, 0x00, /*priority*/ 1, /*mode*/ 1}") != std::string::npos);
-  CHECK(buses.find("gauge_memory{::twin::spi, 0x01, /*priority*/ 1, /*mode*/ 0}") != std::string::npos);
-  CHECK(buses.find("gauge_more{::twin::other, 0x00, /*priority*/ 1, /*mode*/ 1}") != std::string::npos);
+  CHECK(buses.find("gauge{spi, 0x00, /*priority*/ 1, /*mode*/ 1}") != std::string::npos);
+  CHECK(buses.find("gauge_memory{spi, 0x01, /*priority*/ 1, /*mode*/ 0}") != std::string::npos);
+  CHECK(buses.find("gauge_more{other, 0x00, /*priority*/ 1, /*mode*/ 1}") != std::string::npos);
   const std::string schedule = read_file(folder.path("out/schedule.cpp"));
-  CHECK(schedule.find("5000000, 48, 4, 7}") != std::string::npos);
-  CHECK(schedule.find("10000000, 49, 5, 7}") != std::string::npos);
+  CHECK(schedule.find("5 * finemote::kMillisecond, 48, 4, 7}") != std::string::npos);
+  CHECK(schedule.find("10 * finemote::kMillisecond, 49, 5, 7}") != std::string::npos);
 }
 
 TEST_CASE("a param of the board outside its range is refused") {

@@ -110,7 +110,7 @@ TEST_CASE("a mux that is a descriptor alone and a user's expander generate, comp
 TEST_CASE("types on CAN with identifiers of any form compile, and what they send is in the bounds") {
   const std::string folder = source_path("tests/generated/can_types");
   check_compiles(folder + "/can_types.urdf", {folder + "/devices"});
-  const auto timing = finemote_json({"analyze", folder + "/can_types.urdf", "--format", "json"});
+  const auto timing = finemote_json({"analyze", folder + "/can_types.urdf"});
   const auto& load = timing.at("bus_load").at(0);
   // Bits of the longest frames per second, at 1 Mbit/s: 135 of 8 bytes, 95 of 4. A command frame every 5 ms, which both
   // servos share; of each servo a position and a temperature; the drive and the meter.
