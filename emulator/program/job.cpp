@@ -166,7 +166,9 @@ Json run(Bench& bench, const Json& job) {
   const auto zero = wait_for_first_release(board, image, fault_ns);
   Stop stop = Stop::time;
   if (zero) {
-    const std::int64_t rest = *zero + job.at("run_ns").get<std::int64_t>() - static_cast<std::int64_t>(board.now_ns());
+    const std::int64_t end =
+        *zero + job.at("run_ns").get<std::int64_t>() + 1;  // what is due at the last moment happens
+    const std::int64_t rest = end - static_cast<std::int64_t>(board.now_ns());
     if (rest > 0) stop = board.run_for(static_cast<std::uint64_t>(rest));
   }
   if (!zero || stop != Stop::time) {
