@@ -183,7 +183,7 @@ class SourceFiles {
   void add(const std::string& name, const std::string& template_name, Data data) {
     data.set("board", board_.name);
     data.set("sources", sources_);
-    files_.push_back({name, fill_template(templates_, "boards/" + template_name + ".mustache", data)});
+    files_.push_back({name, templates_.fill("boards/" + template_name + ".mustache", data)});
   }
   void add_names() {
     Data classes = names_by_class(objects_);
@@ -232,7 +232,7 @@ class SourceFiles {
   const Board& board_;
   const std::vector<PortObject> objects_;
   const std::string sources_;
-  const std::string templates_;
+  Templates templates_;
   std::vector<OutputFile> files_;
 };
 

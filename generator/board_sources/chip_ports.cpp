@@ -111,7 +111,7 @@ Kind kind_of(PortClass kind) {
 
 class PortFiles {
  public:
-  PortFiles(const Board& board, const std::string& templates) : board_(board), templates_(templates) {}
+  PortFiles(const Board& board, Templates& templates) : board_(board), templates_(templates) {}
 
   std::vector<OutputFile> make() {
     std::map<std::uint32_t, std::vector<PortObject>> edges;  // by interrupt line
@@ -132,7 +132,7 @@ class PortFiles {
   void add(const std::string& name, const char* template_name, Data& data) {
     data.set("board", board_.name);
     files_.push_back({"ports/" + name + ".cpp",
-                      fill_template(templates_, fmt::format("boards/stm32f4/{}.cpp.mustache", template_name), data)});
+                      templates_.fill(fmt::format("boards/stm32f4/{}.cpp.mustache", template_name), data)});
   }
   void add_port(const PortObject& object) {
     const Kind kind = kind_of(object.kind);
@@ -168,13 +168,13 @@ class PortFiles {
   }
 
   const Board& board_;
-  const std::string& templates_;
+  Templates& templates_;
   std::vector<OutputFile> files_;
 };
 
 }  // namespace
 
-std::vector<OutputFile> chip_ports(const Board& board, const std::string& templates) {
+std::vector<OutputFile> chip_ports(const Board& board, Templates& templates) {
   return PortFiles(board, templates).make();
 }
 

@@ -11,6 +11,6 @@ namespace finemote::gen {
 
 /// `ports/usart1.cpp` and its kin. Edges that share an interrupt line share a file. The board has no
 /// mistakes_for_chip().
-std::vector<OutputFile> chip_ports(const Board& board, const std::string& templates);
+std::vector<OutputFile> chip_ports(const Board& board, Templates& templates);
 
 }  // namespace finemote::gen

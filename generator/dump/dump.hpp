@@ -33,7 +33,7 @@ Json dump_schedule(const Robot& robot, const Schedule& schedule);
 Json dump_tasks(const timing::Model& model);
 
 /// What the templates are given: for each generated file its template, and the values of the keys the template names.
-/// @param templates  their folder
+/// @param templates  the folder of templates
 Json dump_plan(const std::vector<TemplateData>& files, const std::string& templates);
 
 }  // namespace finemote::gen

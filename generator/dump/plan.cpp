@@ -30,12 +30,13 @@ Json values_of(const std::vector<Hole>& holes, const Data& data) {
 
 }  // namespace
 
-Json dump_plan(const std::vector<TemplateData>& files, const std::string& templates) {
+Json dump_plan(const std::vector<TemplateData>& files, const std::string& folder) {
+  Templates templates(folder);
   Json list = Json::array();
   for (const TemplateData& file : files) {
     list.push_back({{"file", file.name},
                     {"template", file.template_name},
-                    {"values", values_of(holes_in(read_template(templates, file.template_name)), file.data)}});
+                    {"values", values_of(holes_in(templates.text(file.template_name)), file.data)}});
   }
   return {{"stage", "plan"}, {"files", list}};
 }

@@ -22,7 +22,8 @@ Data identifier_fields(const IdentifierRange& range) {
 
 /// One for each range after the first; each but the last names the next.
 Data inbox_list(const std::vector<IdentifierRange>& ranges) {
-  std::vector<Data> inboxes;
+  DataList inboxes;
+  inboxes.reserve(ranges.size());
   for (std::size_t i = 1; i < ranges.size(); ++i) {
     Data& inbox = inboxes.emplace_back(identifier_fields(ranges[i]));
     inbox.set("next", std::to_string(i));

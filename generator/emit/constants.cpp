@@ -27,11 +27,11 @@ Data cell(std::initializer_list<double> values, bool is_vector = false) {
 }
 Data vector(const Eigen::Vector3d& v) { return cell({v.x(), v.y(), v.z()}, true); }
 
-Data row(std::vector<Data> cells) { return Data("cells", enumerated(std::move(cells))); }
+Data row(DataList cells) { return Data("cells", enumerated(std::move(cells))); }
 
 /// What every constant says: its kind is a section of the template, without `is_`.
 Data constant_of_kind(const std::string& kind, const std::string& name, const std::string& owner,
-                      const std::vector<Data>& rows) {
+                      const DataList& rows) {
   Data data, list(Data::type::list);
   for (const Data& entry : rows) list.push_back(entry);
   set_choice(data, {"is_allocation", "is_rolling", "is_chain", "is_axes", "is_mount", "is_range", "is_role_range"},
@@ -51,7 +51,7 @@ struct Request {
   const std::string& name;  ///< of the constant
   const std::vector<std::string>& joints;
   const std::string link;  ///< whose frame it is in
-  [[nodiscard]] Data constant(const std::string& kind, const std::vector<Data>& rows) const {
+  [[nodiscard]] Data constant(const std::string& kind, const DataList& rows) const {
     Data data = constant_of_kind(kind, name, owner, rows);
     data.set("role", printable(role));
     data.set("link", printable(link));
@@ -66,7 +66,7 @@ struct Request {
 
 Data allocation_fields(const Request& request) {
   const Eigen::MatrixXd m = allocation(request.axes());
-  std::vector<Data> rows;
+  DataList rows;
   for (Eigen::Index n = 0; n < m.rows(); ++n)
     rows.push_back(row({cell({m(n, 0), m(n, 1), m(n, 2), m(n, 3), m(n, 4), m(n, 5)})}));
   return request.constant("allocation", rows);
@@ -74,7 +74,7 @@ Data allocation_fields(const Request& request) {
 
 Data rolling_fields(const Request& request) {
   const Rolling all = rolling(request.axes());
-  std::vector<Data> rows;
+  DataList rows;
   for (Eigen::Index n = 0; n < all.rows.rows(); ++n)
     rows.push_back(row({cell({all.rows(n, 0), all.rows(n, 1), all.rows(n, 2)}),
                         cell({all.columns(0, n), all.columns(1, n), all.columns(2, n)})}));
@@ -82,14 +82,14 @@ Data rolling_fields(const Request& request) {
 }
 
 Data chain_fields(const Request& request) {
-  std::vector<Data> rows;
+  DataList rows;
   for (const ChainLink& link : chain(request.mechanism, request.joints, request.link))
     rows.push_back(row({vector(link.offset), vector(link.axis), vector(link.centre), cell({link.mass})}));
   return request.constant("chain", rows);
 }
 
 Data axes_fields(const Request& request) {
-  std::vector<Data> rows;
+  DataList rows;
   for (const Axis& axis : request.axes())
     rows.push_back(row({cell({axis.direction.x(), axis.direction.y(), axis.direction.z()})}));
   return request.constant("axes", rows);
@@ -102,7 +102,7 @@ std::optional<Data> mount_fields(const Robot& robot, const Mechanism& mechanism,
   const std::string link = mount_link(robot, index);
   const auto pose = device.link.empty() ? std::nullopt : mechanism.pose(device.link, link);
   if (!pose || pose->linear().isIdentity(1e-9)) return {};
-  std::vector<Data> rows;
+  DataList rows;
   for (int i = 0; i < 3; ++i) rows.push_back(vector(pose->linear().row(i).transpose()));
   Data data = constant_of_kind("mount", name, device.name.text, {row(rows)});
   data.set("link", printable(link));
@@ -123,7 +123,7 @@ std::optional<Data> range_fields(const Mechanism& mechanism, const Device& devic
 
 /// None where none of the joints has limits.
 std::optional<Data> role_range_fields(const Request& request, const Device& device, const GeometrySpec& spec) {
-  std::vector<Data> rows;
+  DataList rows;
   for (const Range& range : role_ranges(request.mechanism, device.link, device.params, spec, request.joints))
     rows.push_back(row({cell({range.lower, range.upper})}));
   if (rows.empty()) return {};

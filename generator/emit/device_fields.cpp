@@ -83,10 +83,10 @@ Data role_argument(const Plan& plan, const Scope& scope, DeviceId device, const 
   return argument;
 }
 
-std::vector<Data> arguments_of(const Plan& plan, const Scope& scope, DeviceId index,
-                               const std::vector<Constant>& constants) {
+DataList arguments_of(const Plan& plan, const Scope& scope, DeviceId index, const std::vector<Constant>& constants) {
   const Device& device = plan.robot.devices[index];
-  std::vector<Data> arguments;
+  DataList arguments;
+  arguments.reserve(4 + device.type->uses.size() + plan.schedule.roles[index].size());
   if (!device.params.empty()) {
     arguments.push_back(argument_of_kind("config"));
     set_config(device.type->cpp_class, device.params, device.type->builtin, arguments.back());

@@ -46,9 +46,13 @@ std::string without_marks(const std::string& text) {
 /// At most one blank line in a row: a section that is left out leaves its own blank lines behind.
 std::string without_double_blanks(const std::string& text) {
   std::string result;
-  for (const char c : text) {
-    const bool third = c == '\n' && result.size() >= 2 && result.compare(result.size() - 2, 2, "\n\n") == 0;
-    if (!third) result += c;
+  result.reserve(text.size());
+  std::size_t blanks = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    blanks = text[begin] == '\n' ? blanks + 1 : 0;
+    if (blanks < 2) result.append(text, begin, end - begin);
+    begin = end;
   }
   return result;
 }
@@ -67,13 +71,15 @@ bool joins_next(std::string_view line) {
 /// A name at the end of a comment may end in a backslash, which would make the next line part of the comment.
 std::string with_ended_lines(const std::string& text) {
   std::string result;
-  std::size_t begin = 0;  // of the line
-  for (const char c : text) {
-    if (c == '\n' && joins_next(std::string_view(result).substr(begin))) result += " //";
-    result += c;
-    if (c == '\n') begin = result.size();
+  result.reserve(text.size());
+  std::size_t begin = 0;
+  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', begin)) {
+    const std::string_view line = std::string_view(text).substr(begin, end - begin);
+    result += line;
+    result += joins_next(line) ? " //\n" : "\n";
+    begin = end + 1;
   }
-  return result;
+  return result.append(text, begin);
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ std::vector<TemplateData> plan_files(const Plan& plan, const ProvenBounds& bound
   const std::vector<DeviceLink> links = plan_links(plan, shipped_interfaces(data_dir), diagnostics);
   for (const DeviceLink& link : links) constants.push_back(link_constant(plan, link));
   std::vector<TemplateData> files;
+  files.reserve(5 + 2 * plan.forest.trees.size() + links.size());  // Data that grow are copied, not moved
   const auto add = [&](const std::string& name, const std::string& template_name, Data data) {
     files.push_back({name, template_name, std::move(data)});
   };
@@ -78,9 +79,10 @@ std::vector<TemplateData> plan_files(const Plan& plan, const ProvenBounds& bound
 
 std::vector<OutputFile> render_files(const Plan& plan, const ProvenBounds& bounds, const std::string& data_dir,
                                      Diagnostics& diagnostics) {
+  Templates templates(data_dir + "/templates");
   std::vector<OutputFile> files;
   for (const TemplateData& file : plan_files(plan, bounds, data_dir, diagnostics))
-    files.push_back({file.name, fill_template(data_dir + "/templates", file.template_name, file.data)});
+    files.push_back({file.name, templates.fill(file.template_name, file.data)});
   return files;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -50,10 +51,12 @@ Tag next_tag(std::string_view text, std::size_t at) {
 /// an empty line is not what a section leaves behind.
 std::string plain_text(std::string_view text, std::size_t begin, std::size_t end) {
   std::string result;
-  for (std::size_t i = begin; i < end; ++i) {
-    const bool is_empty_line = text[i] == '\n' && (i == 0 || text[i - 1] == '\n');
+  while (begin < end) {
+    const bool is_empty_line = text[begin] == '\n' && (begin == 0 || text[begin - 1] == '\n');
     if (is_empty_line) result += kEmptyLine;
-    result += text[i];
+    const std::size_t line_end = std::min(text.find('\n', begin), end - 1) + 1;
+    result += text.substr(begin, line_end - begin);
+    begin = line_end;
   }
   std::size_t braces = 0;
   for (; !result.empty() && result.back() == '{'; ++braces) result.pop_back();
@@ -63,26 +66,6 @@ std::string plain_text(std::string_view text, std::size_t begin, std::size_t end
 
 bool is_alone(std::string_view text, const Tag& tag) {
   return (tag.begin == 0 || text[tag.begin - 1] == '\n') && text.substr(tag.end, 1) == "\n";
-}
-
-std::string expanded(const std::string& folder, const std::string& name, unsigned depth) {
-  if (depth > kDeepest) throw std::logic_error("template " + name + " is a part of itself");
-  const std::string text = read_text(folder + "/" + name);
-  std::string result;
-  std::size_t at = 0;
-  for (Tag tag = next_tag(text, at); tag.begin != std::string::npos; tag = next_tag(text, at)) {
-    result += plain_text(text, at, tag.begin);
-    const bool takes_line = tag.kind != ' ' && is_alone(text, tag);
-    if (tag.kind == '>') {
-      std::string part = expanded(folder, tag.key + ".mustache", depth + 1);
-      if (!takes_line) part.erase(std::remove(part.begin(), part.end(), '\n'), part.end());
-      result += part;
-    } else if (tag.kind != '!') {
-      result += text.substr(tag.begin, tag.end - tag.begin);
-    }
-    at = tag.end + (takes_line ? 1 : 0);
-  }
-  return result + plain_text(text, at, text.size());
 }
 
 std::vector<Hole> holes_from(std::string_view text, std::size_t& at, std::string_view end) {
@@ -149,18 +132,42 @@ class KeyCheck {
 
 }  // namespace
 
-std::string read_template(const std::string& folder, const std::string& name) { return expanded(folder, name, 0); }
+const std::string& Templates::text(const std::string& name, unsigned depth) {
+  if (depth > kDeepest) throw std::logic_error("template " + name + " is a part of itself");
+  const auto known = texts_.find(name);
+  if (known != texts_.end()) return known->second;
+  std::string text = expanded(read_text(folder_ + "/" + name), depth);
+  return texts_.emplace(name, std::move(text)).first->second;
+}
+
+std::string Templates::expanded(std::string_view text, unsigned depth) {
+  std::string result;
+  std::size_t at = 0;
+  for (Tag tag = next_tag(text, at); tag.begin != std::string::npos; tag = next_tag(text, at)) {
+    result += plain_text(text, at, tag.begin);
+    const bool takes_line = tag.kind != ' ' && is_alone(text, tag);
+    if (tag.kind == '>') {
+      const std::string& part = this->text(tag.key + ".mustache", depth + 1);
+      std::copy_if(part.begin(), part.end(), std::back_inserter(result),
+                   [&](char c) { return takes_line || c != '\n'; });
+    } else if (tag.kind != '!') {
+      result += text.substr(tag.begin, tag.end - tag.begin);
+    }
+    at = tag.end + (takes_line ? 1 : 0);
+  }
+  return result + plain_text(text, at, text.size());
+}
 
 std::vector<Hole> holes_in(std::string_view text) {
   std::size_t at = 0;
   return holes_from(text, at, {});
 }
 
-std::string fill_template(const std::string& folder, const std::string& name, const Data& data) {
-  const std::string text = read_template(folder, name);
-  kainjow::mustache::mustache filler(text);
+std::string Templates::fill(const std::string& name, const Data& data) {
+  const std::string& template_text = text(name);
+  kainjow::mustache::mustache filler(template_text);
   if (!filler.is_valid()) throw std::logic_error("template " + name + ": " + filler.error_message());
-  KeyCheck(name).run(holes_in(text), data);
+  KeyCheck(name).run(holes_in(template_text), data);
   filler.set_custom_escape([](const std::string& raw) { return raw; });
   kainjow::mustache::context<std::string> context(&layout_marks());
   context.push(&data);
@@ -173,13 +180,9 @@ Data text_list(const std::vector<std::string>& lines) {
   return list;
 }
 
-Data enumerated(std::vector<Data> elements) {
-  Data list(Data::type::list);
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    elements[i].set("is_last", i + 1 == elements.size());
-    list.push_back(elements[i]);
-  }
-  return list;
+Data enumerated(DataList elements) {
+  for (std::size_t i = 0; i < elements.size(); ++i) elements[i].set("is_last", i + 1 == elements.size());
+  return elements;
 }
 
 void set_choice(Data& data, std::initializer_list<const char*> names, std::string_view chosen) {

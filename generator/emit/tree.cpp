@@ -73,23 +73,33 @@ Data stage(const Plan& plan, const Scope& scope, DeviceId device, Crossing::Dire
 }
 
 Data stages(const Plan& plan, const Scope& scope, const std::vector<DeviceId>& devices, Crossing::Direction direction) {
-  Data list(Data::type::list);
+  DataList list;
+  list.reserve(devices.size());
   for (DeviceId device : devices) list.push_back(stage(plan, scope, device, direction));
   return list;
 }
 
 Data sequences(const Plan& plan, const Tree& tree) {
   const Scope scope(plan, tree.root);
-  Data list(Data::type::list);
-  for (std::size_t bucket : buckets_of(plan, tree)) {
+  const std::vector<std::size_t> buckets = buckets_of(plan, tree);
+  DataList list;
+  list.reserve(buckets.size());
+  for (std::size_t bucket : buckets) {
     std::vector<DeviceId> devices = members(plan, tree, bucket);
     Data entry;
     entry.set("period", plan.schedule.buckets[bucket].label);
     entry.set("updates", stages(plan, scope, devices, Crossing::Direction::state));
     std::reverse(devices.begin(), devices.end());
     entry.set("handles", stages(plan, scope, devices, Crossing::Direction::command));
-    list.push_back(entry);
+    list.push_back(std::move(entry));
   }
+  return list;
+}
+
+/// The periods of the tree, for the declarations of its sequences.
+Data period_list(const Plan& plan, const Tree& tree) {
+  Data list(Data::type::list);
+  for (std::size_t bucket : buckets_of(plan, tree)) list.push_back(Data("period", plan.schedule.buckets[bucket].label));
   return list;
 }
 
@@ -187,19 +197,19 @@ Data tree_header(const Plan& plan, const Tree& tree, const std::vector<Constant>
   data.set("space", tree.space);
   data.set("includes", include_list(object_headers(plan, tree, constants)));
   const Scope scope(plan, tree.root);
-  Data devices(Data::type::list);
+  DataList devices;
+  devices.reserve(tree.devices.size());
   for (DeviceId device : definition_order(plan, tree)) {
-    Data entry;
+    Data& entry = devices.emplace_back();
     entry.set("name", plan.robot.devices[device].name.text);
     entry.set("what", device_comment(plan, device));
     entry.set("period", period_text(plan.robot.devices[device].period_ns));
     set_device_bound(plan, bounds.plain, device, entry);
     set_ports(plan, scope, device, constants, entry);
     set_device(plan, scope, device, constants, entry);
-    devices.push_back(entry);
   }
   data.set("devices", devices);
-  data.set("sequences", sequences(plan, tree));
+  data.set("sequences", period_list(plan, tree));
   return data;
 }
 

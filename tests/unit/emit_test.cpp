@@ -26,7 +26,7 @@ class TemplateFile {
   TemplateFile(const TemplateFile&) = delete;
   TemplateFile& operator=(const TemplateFile&) = delete;
   ~TemplateFile() { fs::remove(folder_ / name_); }
-  [[nodiscard]] std::string fill(const Data& data) const { return fill_template(folder_.string(), name_, data); }
+  [[nodiscard]] std::string fill(const Data& data) const { return Templates(folder_.string()).fill(name_, data); }
 
  private:
   fs::path folder_ = fs::temp_directory_path();
@@ -39,7 +39,7 @@ std::string filled(const std::string& text, const Data& data) { return TemplateF
 std::string config_of(const std::string& cpp_class, const std::vector<Param>& params, bool is_shipped) {
   Data data;
   set_config(cpp_class, params, is_shipped, data);
-  std::string text = fill_template(std::string(FINEMOTE_SOURCE_DIR) + "/templates", "config.mustache", data);
+  std::string text = Templates(std::string(FINEMOTE_SOURCE_DIR) + "/templates").fill("config.mustache", data);
   text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());  // as inside of a line
   return text;
 }
@@ -109,7 +109,7 @@ TEST_CASE("a section of an empty list, or of what is false, leaves no second bla
 TEST_CASE("a hole that nobody fills is a bug, and names itself") {
   CHECK_THROWS_WITH(filled("{{y}}\n", Data("x", "1")),
                     "template emit_test.in names 'y', which the emitter does not provide");
-  CHECK_THROWS_WITH(fill_template("/nowhere", "t.in", Data("x", "1")), "cannot read template /nowhere/t.in");
+  CHECK_THROWS_WITH(Templates("/nowhere").fill("t.in", Data("x", "1")), "cannot read template /nowhere/t.in");
 }
 
 TEST_CASE("a tag without an end is a bug, and names itself") {
