@@ -113,7 +113,7 @@ const std::vector<PortKind>& port_kinds() {
       {"pwm",
        "PWM header",
        {"pwm1", "pwm2", "pwm3", "pwm4", "pwm5", "pwm6", "pwm7", "imu_heater", "buzzer", "led_red", "led_green",
-        "led_blue"},
+        "led_orange", "led_blue"},
        {}},
   };
   return kKinds;

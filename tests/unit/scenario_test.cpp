@@ -1,6 +1,7 @@
 // Scenarios: the table behind them, what is made of it, and how mistakes in them are found.
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
@@ -148,6 +149,18 @@ TEST_CASE("the JSON Schema of scenarios is the one made from the table") {
   if (rewrites()) std::ofstream(path, std::ios::binary) << text;
   INFO("FINEMOTE_UPDATE_GOLDEN=1 writes it anew");
   CHECK(read(path) == text);
+}
+
+TEST_CASE("a scenario can name every port of every shipped board, as what it is") {
+  for (const auto& file : std::filesystem::directory_iterator(kSource + "/schemas/boards")) {
+    for (const Json& port : Json::parse(read(file.path())).value("ports", Json::array())) {
+      const std::string name = port["name"], bus = port["buses"][0];
+      INFO(file.path() << ", " << name);
+      const scenario::PortKind* kind = scenario::kind_of_port(name);
+      REQUIRE(kind != nullptr);
+      CHECK(kind->name == (bus == "uart" ? "serial" : bus));
+    }
+  }
 }
 
 TEST_CASE("the reference page has the tables made from the table") {
