@@ -108,8 +108,16 @@ class DescriptorCheck {
     if (low && high && *low > *high)
       contradiction({"bus", member, "max"}, fmt::format("{}: max {} is below min {}", member, *high, *low));
   }
+  static bool has_identifiers(const DeviceType& type) {
+    const auto is_shared = [](const Frame& frame) { return !frame.shared.empty(); };
+    return !type.receives.empty() || (type.frames && std::any_of(type.frames->begin(), type.frames->end(), is_shared));
+  }
   void check_bus(const DeviceType& type) {
     check_range(type.id_min, type.id_max, "id");
+    if (type.id_max.value_or(0) > kHighestId)
+      contradiction({"bus", "id", "max"}, fmt::format("ids have 16 bits: {} is too high", *type.id_max));
+    if (type.needs_id && !type.id_max && has_identifiers(type))
+      contradiction({"bus", "id"}, "the highest id is missing: \"max\"; identifiers depend on it");
     check_range(type.channel_min, type.channel_max, "channel");
     const auto& allowed = type.addresses;
     if (!type.default_address || allowed.empty() ||
@@ -139,7 +147,10 @@ class DescriptorCheck {
         contradiction({"frames", entry, "write"}, "a frame that devices share has 8 bytes");
       for (const SharedFrame& shared : frame.shared) {
         const JsonPath path{"frames", entry, frame.shared.size() > 1 ? "identifiers" : "stage"};
-        if (shared.offset(shared.id_max) + shared.width > SharedFrame::kBytes) {
+        if (shared.id_min > shared.id_max)
+          contradiction(path,
+                        fmt::format("the ids end at {}, before {}, where they begin", shared.id_max, shared.id_min));
+        if (shared.id_min <= shared.id_max && shared.offset(shared.id_max) + shared.width > SharedFrame::kBytes) {
           contradiction(path, fmt::format("frame {:#x} does not hold {} bytes for each of the ids {} to {}",
                                           shared.identifier, shared.width, shared.id_min, shared.id_max));
         }

@@ -19,7 +19,7 @@ struct SharedFrame {
 
   [[nodiscard]] bool holds(std::uint32_t id) const { return id >= id_min && id <= id_max; }
   /// Where the bytes of an id that it holds begin.
-  [[nodiscard]] std::uint32_t offset(std::uint32_t id) const { return (id - id_min) * width; }
+  [[nodiscard]] std::uint64_t offset(std::uint32_t id) const { return std::uint64_t{id - id_min} * width; }
 };
 
 /// What starts a frame: a stage of the device, the flush at the end of its bucket, or the part by itself.

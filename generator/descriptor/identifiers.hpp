@@ -27,6 +27,9 @@ struct Identifiers {
   [[nodiscard]] IdentifierRange of(std::uint32_t id) const { return {base + std::uint64_t{per_id} * id, count}; }
 };
 
+/// The highest id of a device on a bus: slots keep 16 bits.
+inline constexpr std::uint32_t kHighestId = 0xFFFF;
+
 /// The highest identifier: eleven bits.
 inline constexpr std::uint64_t kHighestIdentifier = 0x7FF;
 

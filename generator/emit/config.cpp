@@ -1,6 +1,7 @@
 #include "generator/emit/config.hpp"
 
 #include "generator/diagnostic/printable.hpp"
+#include "generator/emit/names.hpp"
 #include "generator/emit/value.hpp"
 
 namespace finemote::gen {
@@ -37,7 +38,7 @@ void set_config(const std::string& cpp_class, const std::vector<Param>& params, 
     members.push_back(member);
   }
   const bool share_line = is_shipped && members.list_value().size() <= kMostInLine && width <= kWidestInLine;
-  data.set("class", cpp_class);
+  data.set("class", class_name(cpp_class));
   set_choice(data, {"is_default", "is_in_line", "is_in_lines"},
              members.is_empty_list() ? "is_default"
              : share_line            ? "is_in_line"

@@ -14,7 +14,7 @@ void set_port(const Plan& plan, const Scope& scope, DeviceId owner, const RoleBi
               Data& data) {
   const std::string target = scope.device(binding.device);
   const auto crossed = [&](std::size_t crossing) { return scope.port(owner, plan.schedule.crossings[crossing].name); };
-  data.set("interface", role.interface);
+  data.set("interface", class_name(role.interface));
   data.set("state", binding.state_crossing ? crossed(*binding.state_crossing) : target + "." + binding.state_member);
   data.set("has_command", binding.has_command);
   data.set("command", binding.command_crossing ? crossed(*binding.command_crossing)
@@ -32,7 +32,7 @@ Data crossing_list(const Plan& plan, DeviceId home) {
     entry.set("is_copy", crossing.kind == Crossing::Kind::copy);
     entry.set("is_to_slow", crossing.kind == Crossing::Kind::to_slow);
     entry.set("is_to_fast", crossing.kind == Crossing::Kind::to_fast);
-    entry.set("type", crossing.type);
+    entry.set("type", class_name(crossing.type));
     entry.set("port", crossing.name);
     entry.set("producer", producer.name.text);
     entry.set("producer_period", period_text(producer.period_ns));
@@ -51,7 +51,7 @@ Data role_fields(const Plan& plan, const Scope& scope, DeviceId device, const Ro
     set_port(plan, scope.ports(), device, role, binding, port);
     bindings.push_back(port);
   }
-  data.set("interface", role.interface);
+  data.set("interface", class_name(role.interface));
   data.set("sinks", sinks);
   data.set("has_array", !role.array.empty());
   data.set("array", role.array);
@@ -78,7 +78,7 @@ Data role_argument(const Plan& plan, const Scope& scope, DeviceId device, const 
     return argument;
   }
   Data argument = argument_of_kind(role.array.empty() ? "no_port" : "name");
-  argument.set("interface", role.interface);
+  argument.set("interface", class_name(role.interface));
   argument.set("name", "ports::" + role.array);
   return argument;
 }
@@ -109,7 +109,7 @@ void set_device(const Plan& plan, const Scope& scope, DeviceId index, const std:
                 Data& data) {
   const Device& device = plan.robot.devices[index];
   data.set("device", device.name.cpp);
-  data.set("class", device.type->cpp_class);
+  data.set("class", class_name(device.type->cpp_class));
   data.set("is_constant", device.type->constant_init);
   data.set("arguments", enumerated(arguments_of(plan, scope, index, constants)));
 }

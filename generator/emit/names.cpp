@@ -19,6 +19,10 @@ std::string device_comment(const Plan& plan, DeviceId device) {
   return text;
 }
 
+std::string class_name(const std::string& qualified) {
+  return qualified.starts_with("finemote::") ? qualified : "::" + qualified;
+}
+
 Data common_data(const Plan& plan) {
   Data data;
   data.set("source", printable(plan.robot.source));

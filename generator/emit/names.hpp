@@ -19,6 +19,10 @@ struct Plan {
 /// `ms5837 on 'seg1'`, `group`.
 std::string device_comment(const Plan& plan, DeviceId device);
 
+/// A class that a descriptor names, as generated code names it wherever it stands: no name of a robot hides
+/// namespace finemote, any may hide a user's.
+std::string class_name(const std::string& qualified);
+
 /// What every template begins with: source, robot, robot_space.
 Data common_data(const Plan& plan);
 

@@ -20,7 +20,9 @@ struct IdUser {
   std::optional<std::uint32_t> id;
   const DeviceType* type;
 
-  [[nodiscard]] std::vector<IdentifierRange> received() const { return type->received(id.value_or(0)); }
+  /// What its frames are told by.
+  [[nodiscard]] std::uint32_t number() const { return id.value_or(0); }
+  [[nodiscard]] std::vector<IdentifierRange> received() const { return type->received(number()); }
 };
 
 /// The lowest identifier that frames of both carry.
@@ -37,10 +39,9 @@ std::optional<std::uint64_t> common_identifier(const IdUser& a, const IdUser& b)
 
 /// The frame in which both would fill the same bytes.
 std::optional<std::uint32_t> common_bytes(const IdUser& a, const IdUser& b) {
-  if (!a.id || !b.id) return {};
-  const auto mine = a.type->shared_frame(*a.id), other = b.type->shared_frame(*b.id);
+  const auto mine = a.type->shared_frame(a.number()), other = b.type->shared_frame(b.number());
   if (!mine || !other || mine->identifier != other->identifier) return {};
-  const std::uint32_t at = mine->offset(*a.id), other_at = other->offset(*b.id);
+  const std::uint64_t at = mine->offset(a.number()), other_at = other->offset(b.number());
   if (at + mine->width <= other_at || other_at + other->width <= at) return {};
   return mine->identifier;
 }
@@ -127,7 +128,7 @@ void read_id(const Placing& at) {
   if (!at.applies("id", at.type.needs_id)) return;
   const xml::Attribute* attribute = at.tag.attribute("id");
   const std::uint32_t least = at.type.id_min.value_or(0);
-  const std::uint32_t most = at.type.id_max.value_or(UINT32_MAX);
+  const std::uint32_t most = at.type.id_max.value_or(kHighestId);
   if (attribute == nullptr) return;  // report_missing_places()
   const auto id = read_quantity(at.tag, "id", units::parse_bare, at.diagnostics());
   if (!id) return;
@@ -178,8 +179,9 @@ void check_shared_frames(Reading& reading) {
   std::map<std::pair<BusId, std::uint32_t>, Filler> first;
   for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
-    if (!device.segment || !device.id || reading.devices[i].period_is_wrong || device.period_ns == 0) continue;
-    const auto frame = device.type->shared_frame(*device.id);
+    if (reading.devices[i].period_is_wrong || device.period_ns == 0) continue;
+    const auto user = id_user(reading, device);
+    const auto frame = user ? user->type->shared_frame(user->number()) : std::nullopt;
     if (!frame) continue;
     const auto key = std::make_pair(reading.robot.segments[*device.segment].bus, frame->identifier);
     const auto [known, is_fresh] = first.emplace(key, Filler{device.period_ns, describe(reading, i)});

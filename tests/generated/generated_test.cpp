@@ -117,6 +117,11 @@ TEST_CASE("types on CAN with identifiers of any form compile, and what they send
   CHECK(load.at("wire_ns_per_s") == 1000 * (135 * 200 + 2 * (135 * 200 + 95 * 10) + 2 * 135 * 100));
 }
 
+TEST_CASE("no name of a robot hides a class or an interface of the user's") {
+  const std::string folder = source_path("tests/generated/can_types");
+  check_compiles(folder + "/hidden_names.urdf", {folder + "/devices"});
+}
+
 TEST_CASE("the example's device runs without its params") {
   const TemporaryFolder folder;
   std::string robot = read_file(source_path("examples/user_device.urdf"));

@@ -18,9 +18,9 @@ namespace line_follower::follower {
 
 /// line: line_sensor, every 5 ms
 /// response <= 31.36 us
-FINEMOTE_CONSTINIT inline example::LineSensor line{
+FINEMOTE_CONSTINIT inline ::example::LineSensor line{
     [] {
-      example::LineSensor::Config c{};
+      ::example::LineSensor::Config c{};
       c.threshold = finemote::exact<decltype(c.threshold)>(0.25f);
       c.hold = finemote::exact<decltype(c.hold)>(20 * finemote::kMillisecond);
       return c;
