@@ -10,8 +10,8 @@
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/data_dir.hpp"
+#include "generator/cli/named_board.hpp"
 #include "generator/descriptor/library.hpp"
-#include "generator/diagnostic/suggest.hpp"
 #include "generator/file/system_reason.hpp"
 #include "generator/output/folder.hpp"
 
@@ -28,15 +28,6 @@ std::vector<const Board*> real_boards(Library& library, Sources& sources, Diagno
     if (board != nullptr && !board->stands_in) boards.push_back(board);
   }
   return boards;
-}
-
-const Board* named_board(const std::string& name, Library& library, Sources& sources, Diagnostics& diagnostics) {
-  const Board* board = find_board(library, name, sources, diagnostics);
-  if (board == nullptr && !diagnostics.has_errors()) {
-    suggest(diagnostics.error(code::unknown_board, {}, fmt::format("there is no board '{}'", name)), name,
-            board_names(library));
-  }
-  return board;
 }
 
 /// FM3103 for what a real board's file lacks for the code of its chip.

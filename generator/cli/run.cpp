@@ -7,6 +7,7 @@
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/dump.hpp"
+#include "generator/cli/named_board.hpp"
 #include "generator/cli/robot_input.hpp"
 #include "generator/cli/subject.hpp"
 #include "generator/cli/verdict.hpp"
@@ -55,12 +56,7 @@ const Bus* bus_without_port(const Robot& robot, const Board& board) {
 /// where there is none of that name, FM3012 where it lacks a port of the robot.
 const Board* playing_board(const std::string& name, PlannedRobot& planned, Sources& sources, Diagnostics& diagnostics) {
   if (name.empty()) return planned.robot.board;
-  const std::vector<std::string> known = board_names(planned.library);
-  if (std::find(known.begin(), known.end(), name) == known.end()) {
-    suggest(diagnostics.error(code::unknown_board, {}, fmt::format("there is no board '{}'", name)), name, known);
-    return nullptr;
-  }
-  const Board* board = find_board(planned.library, name, sources, diagnostics);
+  const Board* board = named_board(name, planned.library, sources, diagnostics);
   const Bus* bus = board != nullptr ? bus_without_port(planned.robot, *board) : nullptr;
   if (bus == nullptr) return board;
   diagnostics

@@ -41,14 +41,14 @@ void set_route(const Plan& plan, const Segment& segment, Data& data) {
   data.set("mux_control", fmt::format("{:#04x}", mux.type->select->control(segment.channel)));
 }
 
-Data slot_fields(const Plan& plan, const Slot& slot) {
+Data slot_fields(const Plan& plan, const Scope& scope, const Slot& slot) {
   const Segment& segment = plan.robot.segments[slot.segment];
   const SlotClass& type = slot_class(plan, slot);
   const bool has_mode = type.takes_mode && slot.spi_mode != kUsualSpiMode;
   Data data;
   data.set("class", std::string(type.name));
   data.set("slot", slot.name);
-  data.set("bus", Scope::in_slots(plan).of_robot(plan.robot.buses[segment.bus].name.cpp));
+  data.set("bus", scope.of_robot(plan.robot.buses[segment.bus].name.cpp));
   data.set("address", fmt::format("{:#04x}", slot.address));
   data.set("takes_route", type.takes_route);
   set_route(plan, segment, data);
@@ -61,8 +61,9 @@ Data slot_fields(const Plan& plan, const Slot& slot) {
 }
 
 Data slot_list(const Plan& plan) {
+  const Scope scope = Scope::in_slots(plan);
   Data list(Data::type::list);
-  for (const Slot& slot : plan.schedule.slots) list.push_back(slot_fields(plan, slot));
+  for (const Slot& slot : plan.schedule.slots) list.push_back(slot_fields(plan, scope, slot));
   return list;
 }
 

@@ -63,9 +63,10 @@ class Planner {
     DeviceLink link;
     link.device = device;
     const DeviceType& type = *plan_.robot.devices[device].type;
+    const Scope scope = Scope(plan_, device).ports();
     for (std::size_t role = 0; role < type.roles.size(); ++role) {
       if (type.roles[role].name != type.link_role) continue;
-      for (const Binding& binding : plan_.schedule.roles[device][role].bindings) add(link, binding);
+      for (const Binding& binding : plan_.schedule.roles[device][role].bindings) add(link, scope, binding);
     }
     link.up_blocks = cut(link, link.up, kTimeSize, kStateStamp);
     link.down_blocks = cut(link, link.down, 0, kCommandStamp);
@@ -75,9 +76,9 @@ class Planner {
 
  private:
   /// A device that is read twice goes over the link once.
-  void add(DeviceLink& link, const Binding& binding) {
+  void add(DeviceLink& link, const Scope& scope, const Binding& binding) {
     const Device& device = plan_.robot.devices[binding.device];
-    const std::string target = Scope(plan_, link.device).ports().device(binding.device);
+    const std::string target = scope.device(binding.device);
     LinkItem item;
     item.name = device.name.cpp;
     const auto is_here = [&](const LinkItem& other) { return other.name == item.name; };

@@ -5,12 +5,16 @@
 namespace finemote::gen {
 
 Scope::Scope(const Plan& plan, DeviceId inside) : plan_(plan), tree_(plan.forest.tree_of[inside]) {
-  for (const DeviceId device : plan.forest.trees[*tree_].devices) declared_.insert(plan.robot.devices[device].name.cpp);
+  Names declared;
+  for (const DeviceId device : plan.forest.trees[*tree_].devices) declared.insert(plan.robot.devices[device].name.cpp);
+  declared_ = std::make_shared<const Names>(std::move(declared));
 }
 
 Scope Scope::in_slots(const Plan& plan) {
+  Names declared;
+  for (const Slot& slot : plan.schedule.slots) declared.insert(slot.name);
   Scope scope(plan);
-  for (const Slot& slot : plan.schedule.slots) scope.declared_.insert(slot.name);
+  scope.declared_ = std::make_shared<const Names>(std::move(declared));
   return scope;
 }
 
@@ -39,11 +43,11 @@ std::string Scope::port(DeviceId home, const std::string& name) const {
 }
 
 bool Scope::hides(const std::string& name) const {
-  if (declared_.count(name) != 0) return true;
+  if (declared_->count(name) != 0) return true;
   if (!in_ports_) return false;
   for (std::size_t end = name.find('_'); end != std::string::npos; end = name.find('_', end + 1)) {
     for (const Device& device : plan_.robot.devices) {
-      if (device.name.cpp == name.substr(0, end)) return true;
+      if (device.name.cpp == std::string_view(name).substr(0, end)) return true;
     }
   }
   return false;

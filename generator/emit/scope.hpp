@@ -2,6 +2,7 @@
 // one would be another thing.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -36,14 +37,15 @@ class Scope {
   [[nodiscard]] std::string port(DeviceId home, const std::string& name) const;
 
  private:
+  using Names = std::set<std::string>;
   explicit Scope(const Plan& plan) : plan_(plan) {}
   [[nodiscard]] bool hides(const std::string& name) const;
   [[nodiscard]] const Tree& tree_of(DeviceId device) const;
   [[nodiscard]] bool is_here(DeviceId device) const;
 
   const Plan& plan_;
-  std::optional<std::size_t> tree_;  ///< none: outside of all
-  std::set<std::string> declared_;
+  std::optional<std::size_t> tree_;        ///< none: outside of all
+  std::shared_ptr<const Names> declared_;  ///< one for a scope and its ports()
   bool in_ports_ = false;
 };
 

@@ -12,6 +12,7 @@
 #include "generator/model/attributes.hpp"
 #include "generator/model/offers.hpp"
 #include "generator/model/reading.hpp"
+#include "generator/model/shared_frame.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -91,12 +92,11 @@ void check_frames(Reading& reading) {
   std::map<BusId, std::vector<std::uint32_t>> frames;
   for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
-    const bool lacks_id = device.type != nullptr && device.type->needs_id && !device.id;
-    if (device.type == nullptr || !device.segment || lacks_id) continue;
+    const auto frame = shared_frame_of(device);
+    if (!frame) continue;
     const Segment& segment = reading.robot.segments[*device.segment];
     std::vector<std::uint32_t>& known = frames[segment.bus];
-    const auto frame = device.type->shared_frame(device.id.value_or(0));
-    if (!frame || std::find(known.begin(), known.end(), frame->identifier) != known.end()) continue;
+    if (std::find(known.begin(), known.end(), frame->identifier) != known.end()) continue;
     if (known.size() < bus_type(segment.bus_kind).most_shared_frames) {
       known.push_back(frame->identifier);
     } else {

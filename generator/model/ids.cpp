@@ -9,6 +9,7 @@
 #include "generator/model/no_segment.hpp"
 #include "generator/model/offers.hpp"
 #include "generator/model/places.hpp"
+#include "generator/model/shared_frame.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
@@ -179,10 +180,8 @@ void check_shared_frames(Reading& reading) {
   std::map<std::pair<BusId, std::uint32_t>, Filler> first;
   for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
-    if (reading.devices[i].period_is_wrong || device.period_ns == 0) continue;
-    const auto user = id_user(reading, device);
-    const auto frame = user ? user->type->shared_frame(user->number()) : std::nullopt;
-    if (!frame) continue;
+    const auto frame = shared_frame_of(device);
+    if (!frame || reading.devices[i].period_is_wrong || device.period_ns == 0) continue;
     const auto key = std::make_pair(reading.robot.segments[*device.segment].bus, frame->identifier);
     const auto [known, is_fresh] = first.emplace(key, Filler{device.period_ns, describe(reading, i)});
     if (is_fresh || known->second.period_ns == device.period_ns) continue;

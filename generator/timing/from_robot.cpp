@@ -130,12 +130,13 @@ Requirement::Kind kind_of(gen::Requirement::Kind kind) {
 Model make_timing_model(const Robot& robot, const Forest& forest, const Schedule& schedule,
                         const RobotTimingOptions& options) {
   const BusPlaces places(robot);
+  const Table<BusId, BusUse> uses = bus_uses(robot);
   Model model;
   model.tick_ns = robot.tick_ns;
   model.has_target = true;
   model.costs = processor_costs(costs_of(robot), options);
-  model.buses = make_buses(robot, places);
-  Traffic traffic(robot, places, model);
+  model.buses = make_buses(robot, places, uses);
+  Traffic traffic(robot, places, uses, model);
   for (const DeviceId id : forest.order) {
     const gen::Device& device = robot.devices[id];
     const Rank place = model.devices.push_back(make_device(robot, forest, device, options));
@@ -148,6 +149,7 @@ Model make_timing_model(const Robot& robot, const Forest& forest, const Schedule
 
 std::vector<Requirement> timing_requirements(const Robot& robot, const Forest& forest) {
   const BusPlaces places(robot);
+  const Table<BusId, BusUse> uses = bus_uses(robot);
   std::vector<Requirement> list;
   for (const gen::Requirement& r : robot.requirements) {
     if (r.bus && !places.of(*r.bus)) continue;  // a bus without frames is never busy

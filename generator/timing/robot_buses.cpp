@@ -5,7 +5,6 @@
 #include "generator/bus/bus_type.hpp"
 #include "generator/bus/rate_form.hpp"
 #include "generator/model/offers.hpp"
-#include "generator/timing/bus_use.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -94,8 +93,7 @@ BusPlaces::BusPlaces(const Robot& robot) : robot_(robot), places_(robot.buses.si
   }
 }
 
-Table<BusPlace, Bus> make_buses(const Robot& robot, const BusPlaces& places) {
-  const Table<BusId, BusUse> uses = bus_uses(robot);
+Table<BusPlace, Bus> make_buses(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses) {
   Table<BusPlace, Bus> buses;
   for (const BusId bus : places.buses()) buses.push_back(make_bus(robot, bus, uses[bus], driver_of(robot, bus)));
   return buses;

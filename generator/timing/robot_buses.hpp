@@ -2,6 +2,7 @@
 #pragma once
 
 #include "generator/model/robot.hpp"
+#include "generator/timing/bus_use.hpp"
 #include "generator/timing/model.hpp"
 
 namespace finemote::gen::timing {
@@ -27,6 +28,6 @@ class BusPlaces {
 };
 
 /// Without budgets and without the lines of devices: with the sources of the driver that can interrupt in this robot.
-Table<BusPlace, Bus> make_buses(const Robot& robot, const BusPlaces& places);
+Table<BusPlace, Bus> make_buses(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses);
 
 }  // namespace finemote::gen::timing

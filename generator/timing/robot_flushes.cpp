@@ -4,6 +4,7 @@
 #include <set>
 
 #include "generator/bus/bus_type.hpp"
+#include "generator/model/shared_frame.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -90,8 +91,8 @@ class FlushAdder {
     if (!bus) return;
     std::set<std::uint32_t> identifiers;
     for (const gen::Device& device : robot_.devices) {
-      if (device.segment != segment || device.type == nullptr) continue;
-      if (const auto frame = device.type->shared_frame(device.id.value_or(0))) identifiers.insert(frame->identifier);
+      if (device.segment != segment) continue;
+      if (const auto frame = shared_frame_of(device)) identifiers.insert(frame->identifier);
     }
     constexpr Ns kFrameBytes = 8;
     const WireRate rate{robot_.segments[segment].bus_kind, model_.buses[*bus].baud_bps};

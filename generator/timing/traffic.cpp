@@ -62,8 +62,8 @@ Table<BusPlace, std::size_t> sources_per_bus(const Model& model) {
 
 }  // namespace
 
-Traffic::Traffic(const Robot& robot, const BusPlaces& places, Model& model)
-    : robot_(robot), places_(places), uses_(bus_uses(robot)), model_(model), driver_sources_(sources_per_bus(model)) {}
+Traffic::Traffic(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses, Model& model)
+    : robot_(robot), places_(places), uses_(uses), model_(model), driver_sources_(sources_per_bus(model)) {}
 
 void Traffic::add_device(const gen::Device& device, Rank place) {
   for (const Connection& connection : connections_of(device)) add_frames(device, connection, place);

@@ -12,7 +12,7 @@ namespace finemote::gen::timing {
 class Traffic {
  public:
   /// Everything must outlive this.
-  Traffic(const Robot& robot, const BusPlaces& places, Model& model);
+  Traffic(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses, Model& model);
 
   /// Transfers of a device that has a type, over its own bus and those of its uses, and interrupts of lines of its own.
   /// Frames of stage `flush` are left to the flush of its bucket.
@@ -35,7 +35,7 @@ class Traffic {
 
   const Robot& robot_;
   const BusPlaces& places_;
-  const Table<BusId, BusUse> uses_;
+  const Table<BusId, BusUse>& uses_;
   Model& model_;
   const Table<BusPlace, std::size_t> driver_sources_;  ///< how many each bus has; lines of devices come after them
 };
