@@ -13,7 +13,7 @@ inline constexpr std::int64_t kPeriodTicks = 0x7FFF'FFFF;
 /// Buckets: finemote::kMaxBuckets.
 inline constexpr std::size_t kBuckets = 11;
 
-/// Filter banks of a CAN controller, and what one of them accepts: bxCAN in RM0090 32.7.4; CanBus::kMaxIds in all.
+/// Filter banks of a CAN controller, and what one of them accepts: bxCAN in RM0090 32.7.4.
 inline constexpr std::size_t kCanFilterBanks = 14, kCanIdsPerBank = 4, kCanBlocksPerBank = 2;
 
 /// Repetition of a pulse output [ns]: finemote::kShortestPwmPeriod, finemote::kLongestPwmPeriod.

@@ -63,13 +63,7 @@ bool CanSlot::send(const CanFrame& frame) {
 
 void CanBus::start() {
   list_bus(counters_);
-  CanIds ids[kMaxIds];
-  std::size_t count = 0;
-  for (std::uint8_t i = 0; i < count_; ++i) {
-    for (const CanInbox* inbox = &slots_[i]->inbox_; inbox != nullptr && count < kMaxIds; inbox = inbox->next_)
-      if (inbox->ids_.count > 0) ids[count++] = inbox->ids_;
-  }
-  port_->configure(bitrate_, *this, ids, count);
+  port_->configure(bitrate_, *this);
 }
 
 void CanBus::on_frame(const CanFrame& frame, Time at) {

@@ -16,7 +16,6 @@ TEST_CASE("the generator knows what the runtime holds") {
   CHECK(limits::kBuckets == kMaxBuckets);
   CHECK(gen::bus_type(gen::BusKind::can).most_shared_frames == CanBus::kGroups);
   CHECK(gen::bus_type(gen::BusKind::can).most_devices == CanBus::kMaxSlots);
-  CHECK(limits::kCanFilterBanks * limits::kCanIdsPerBank == CanBus::kMaxIds);
   CHECK(limits::kShortestPwmPeriod == kShortestPwmPeriod);
   CHECK(limits::kLongestPwmPeriod == kLongestPwmPeriod);
 }

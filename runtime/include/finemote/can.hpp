@@ -96,14 +96,16 @@ class CanBus {
   }
   constexpr CanBus(CanPort& port, std::int64_t bitrate) : port_(&port), slots_(nullptr), count_(0), bitrate_(bitrate) {}
   static constexpr std::size_t kMaxSlots = 32;
-  static constexpr std::size_t kGroups = 5;   ///< shared command frames
-  static constexpr std::size_t kMaxIds = 56;  ///< entries of CanIds: what the filters of a controller hold at most
+  static constexpr std::size_t kGroups = 5;  ///< shared command frames
 
   /// Context: init.
   void start();
   /// Brings a controller that went off the bus back, with groups set to zero first; drops frames that nobody
   /// acknowledges. Context: fastest bucket.
   void supervise();
+  /// Calls `accept(const CanIds&)` with each entry of what the devices receive. Context: init.
+  template <typename Accept>
+  void each_ids(Accept&& accept) const;
   /// Context: interrupt.
   void on_frame(const CanFrame& frame, Time at);
   void on_interrupt();
@@ -148,5 +150,14 @@ class CanBus {
   Group groups_[kGroups];
   BusCounters counters_;
 };
+
+template <typename Accept>
+void CanBus::each_ids(Accept&& accept) const {
+  for (std::uint8_t i = 0; i < count_; ++i) {
+    for (const CanInbox* inbox = &slots_[i]->inbox_; inbox != nullptr; inbox = inbox->next_) {
+      if (inbox->ids_.count > 0) accept(inbox->ids_);
+    }
+  }
+}
 
 }  // namespace finemote

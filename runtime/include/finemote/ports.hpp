@@ -224,10 +224,10 @@ class CanPort {
  public:
   constexpr explicit CanPort(CanHardware& hardware) : hardware_(&hardware) {}
 
-  /// Clocks, pins, bit timing for `bitrate` [bit/s], acceptance of exactly the `count` entries of `ids` (a superset
+  /// Clocks, pins, bit timing for `bitrate` [bit/s], acceptance of exactly what `bus.each_ids()` lists (a superset
   /// where the hardware has too few filters), interrupts for reception, sending and errors. Every interrupt hands each
   /// received frame to `bus.on_frame(frame, now())` and then calls `bus.on_interrupt()` once. Context: init.
-  void configure(std::int64_t bitrate, CanBus& bus, const CanIds* ids, std::size_t count);
+  void configure(std::int64_t bitrate, CanBus& bus);
   /// As I2cPort::pend(). Context: any.
   void pend();
   /// Puts a frame into a free mailbox; the mailboxes are sent by identifier. False: none is free. Context: interrupt.

@@ -49,10 +49,11 @@ void CanHardware::feed(Time at, const CanFrame& frame) {
   });
 }
 
-void CanPort::configure(std::int64_t bitrate, CanBus& bus, const CanIds* ids, std::size_t count) {
+void CanPort::configure(std::int64_t bitrate, CanBus& bus) {
   hardware_->bitrate = bitrate;
   hardware_->bus = &bus;
-  hardware_->accepted.assign(ids, ids + count);
+  hardware_->accepted.clear();
+  bus.each_ids([this](const CanIds& ids) { hardware_->accepted.push_back(ids); });
 }
 
 void CanPort::pend() {

@@ -3,7 +3,7 @@
 
 namespace finemote {
 
-void CanPort::configure(std::int64_t, CanBus& bus, const CanIds*, std::size_t) {
+void CanPort::configure(std::int64_t, CanBus& bus) {
   hardware_->bus = &bus;
   cortex_m4::enable_line(hardware_->line, cortex_m4::kSlowBusPriority);
 }

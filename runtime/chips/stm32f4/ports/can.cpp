@@ -49,46 +49,43 @@ std::uint32_t filter_block(const CanIds& ids) {
   return mask << 16 | filter_entry(ids.first);
 }
 
-/// Fills filter banks one after the other; of what is more than fits the caller hears.
+/// Fills filter banks one after the other: four identifiers or two blocks in each.
 class FilterBanks {
  public:
   explicit FilterBanks(std::uint32_t first) : first_(first) {}
 
-  /// Four identifiers per bank; the last bank repeats one.
-  void add_singles(const CanIds* ids, std::size_t count) {
-    std::uint32_t entry[4];
-    std::uint32_t filled = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (ids[i].count != 1) continue;
-      entry[filled++] = filter_entry(ids[i].first);
-      if (filled < 4) continue;
-      put_list(entry);
-      filled = 0;
-    }
-    if (filled == 0) return;
-    while (filled < 4) entry[filled++] = entry[0];
-    put_list(entry);
+  void add(const CanIds& ids) {
+    if (ids.count == 1)
+      add_single(filter_entry(ids.first));
+    else
+      add_block(filter_block(ids));
   }
-  /// Two blocks per bank; the last bank repeats one.
-  void add_blocks(const CanIds* ids, std::size_t count) {
-    const CanIds* waiting = nullptr;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (ids[i].count <= 1) continue;
-      if (waiting != nullptr) put(false, filter_block(*waiting), filter_block(ids[i]));
-      waiting = waiting != nullptr ? nullptr : &ids[i];
-    }
-    if (waiting != nullptr) put(false, filter_block(*waiting), filter_block(*waiting));
+  /// What is left goes into a last bank of each kind, which repeats one. Every identifier passes where there are too
+  /// few banks.
+  void finish() {
+    const std::uint32_t single = singles_[0];
+    while (singles_count_ > 0) add_single(single);
+    if (block_ != 0) add_block(block_);
+    if (used_ > kBanks) let_everything_in();
   }
-  [[nodiscard]] bool overflowed() const { return used_ > kBanks; }
+
+ private:
+  void add_single(std::uint32_t entry) {
+    singles_[singles_count_++] = entry;
+    if (singles_count_ < 4) return;
+    put(true, singles_[1] << 16 | singles_[0], singles_[3] << 16 | singles_[2]);
+    singles_count_ = 0;
+  }
+  void add_block(std::uint32_t block) {
+    if (block_ != 0) put(false, block_, block);
+    block_ = block_ != 0 ? 0 : block;
+  }
   /// One bank with mask 0.
   void let_everything_in() {
     can::fa1r.clear(((1U << kBanks) - 1) << first_);
     used_ = 0;
     put(false, 0, 0);
   }
-
- private:
-  void put_list(const std::uint32_t (&entry)[4]) { put(true, entry[1] << 16 | entry[0], entry[3] << 16 | entry[2]); }
   void put(bool is_list, std::uint32_t low, std::uint32_t high) {
     if (++used_ > kBanks) return;
     const std::uint32_t number = first_ + used_ - 1;
@@ -102,10 +99,11 @@ class FilterBanks {
   }
 
   std::uint32_t first_, used_ = 0;
+  std::uint32_t singles_[4]{}, singles_count_ = 0;  ///< that wait for a full bank
+  std::uint32_t block_ = 0;                         ///< that waits; 0: none does, a block's mask is never 0
 };
 
-/// More than fit: one bank that lets everything in.
-void set_filters(std::uint32_t first, const CanIds* ids, std::size_t count) {
+void set_filters(std::uint32_t first, const CanBus& bus) {
   // The other bits keep their reset value: RM0090 32.9.4.
   can::fmr.modify(can::kSplitMask | can::kFilterInit, kBanks << can::kSplitShift | can::kFilterInit);
   const std::uint32_t mine = ((1U << kBanks) - 1) << first;
@@ -113,9 +111,8 @@ void set_filters(std::uint32_t first, const CanIds* ids, std::size_t count) {
   can::fs1r.clear(mine);   // 16 bits
   can::ffa1r.clear(mine);  // FIFO 0
   FilterBanks banks(first);
-  banks.add_singles(ids, count);
-  banks.add_blocks(ids, count);
-  if (banks.overflowed()) banks.let_everything_in();
+  bus.each_ids([&banks](const CanIds& ids) { banks.add(ids); });
+  banks.finish();
   can::fmr.clear(can::kFilterInit);
 }
 
@@ -130,7 +127,7 @@ void put_word(std::uint8_t* bytes, std::uint32_t word) {
 
 }  // namespace
 
-void CanPort::configure(std::int64_t bitrate, CanBus& bus, const CanIds* ids, std::size_t count) {
+void CanPort::configure(std::int64_t bitrate, CanBus& bus) {
   const CanSetup& setup = hardware_->setup;
   hardware_->bus = &bus;
   const stm32f4::PinSetup pin{stm32f4::PinMode::alternate, stm32f4::PinPull::up, false, 9};
@@ -142,7 +139,7 @@ void CanPort::configure(std::int64_t bitrate, CanBus& bus, const CanIds* ids, st
     count_fault(Module::can, static_cast<std::uint8_t>(CanFault::init));
   }
   setup.can.btr().write(bit_timing(static_cast<std::uint32_t>(bitrate)));
-  set_filters(setup.first_bank, ids, count);
+  set_filters(setup.first_bank, bus);
   setup.can.ier().write(can::kTransmitInterrupt | can::kReceiveInterrupt | can::kBusOffInterrupt |
                         can::kErrorInterrupt);
   setup.can.mcr().write(0);  // joins the bus by itself after eleven recessive bits: RM0090 32.4.2
