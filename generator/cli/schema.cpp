@@ -4,6 +4,7 @@
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/data_dir.hpp"
+#include "generator/descriptor/schema_file.hpp"
 #include "generator/diagnostic/suggest.hpp"
 
 namespace finemote::gen {
@@ -51,7 +52,10 @@ Answer run_schema(const Options& options, Sources& /*sources*/, Diagnostics& dia
   for (const Schema& schema : kSchemas) {
     names.emplace_back(schema.name);
     if (options.input != schema.name) continue;
-    const auto text = read_data_file(data_dir + "/schemas/" + schema.file, diagnostics);
+    const std::string folder = data_dir + "/schemas";
+    const auto text = std::string_view(schema.file).ends_with(".json")
+                          ? read_schema(folder, schema.file, diagnostics)
+                          : read_data_file(folder + "/" + schema.file, diagnostics);
     return text ? print_schema(schema, *text) : no_answer();
   }
   diagnostics.error(code::usage, {}, fmt::format("there is no schema '{}'", options.input))

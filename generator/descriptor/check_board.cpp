@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "generator/descriptor/json_file.hpp"
+#include "generator/descriptor/contradictions.hpp"
 #include "generator/descriptor/runtime_limits.hpp"
 
 namespace finemote::gen {
@@ -14,7 +14,7 @@ namespace {
 
 class BoardCheck {
  public:
-  BoardCheck(const SourceFile& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
+  BoardCheck(const SourceFile& source, Diagnostics& diagnostics) : found_(source, diagnostics) {}
 
   void check(const Board& board) {
     check_port_names(board);
@@ -28,10 +28,7 @@ class BoardCheck {
   }
 
  private:
-  void contradiction(const JsonPath& path, std::string message) {
-    const Extent extent = find_value(source_, path);
-    diagnostics_.error(code::descriptor_contradiction, extent.at, std::move(message)).underline(extent.length);
-  }
+  void contradiction(const JsonPath& path, std::string message) { found_.add(path, std::move(message)); }
   void check_port_names(const Board& board) {
     std::set<std::string> seen;
     for (std::size_t i = 0; i < board.ports.size(); ++i) {
@@ -67,7 +64,7 @@ class BoardCheck {
   }
   void check_levels(const Board& board) {
     if (board.first_bucket_level > board.last_bucket_level)
-      contradiction({"priorities", "buckets"}, "the last level for buckets is below the first");
+      contradiction({"priorities", "buckets", "1"}, "the last level for buckets is below the first");
   }
 
   /// One store to a register of the interrupt controller, which has 32 lines, releases all buckets of an instant.
@@ -115,18 +112,17 @@ class BoardCheck {
       if (std::find(board.chip_pins.begin(), board.chip_pins.end(), pin) == board.chip_pins.end())
         contradiction(path, fmt::format("the package has no pin '{}'", pin));
     };
+    const auto check_all = [&](const char* list, std::size_t index, const std::vector<std::string>& pins) {
+      for (std::size_t i = 0; i < pins.size(); ++i)
+        check({list, std::to_string(index), "pins", std::to_string(i)}, pins[i]);
+    };
     for (std::size_t i = 0; i < board.pins.size(); ++i) check({"pins", std::to_string(i), "pin"}, board.pins[i].pin);
-    for (std::size_t i = 0; i < board.connectors.size(); ++i) {
-      for (const std::string& pin : board.connectors[i].pins) check({"connectors", std::to_string(i), "pins"}, pin);
-    }
-    for (std::size_t i = 0; i < board.reserved_pins.size(); ++i) {
-      for (const std::string& pin : board.reserved_pins[i].pins)
-        check({"reserved_pins", std::to_string(i), "pins"}, pin);
-    }
+    for (std::size_t i = 0; i < board.connectors.size(); ++i) check_all("connectors", i, board.connectors[i].pins);
+    for (std::size_t i = 0; i < board.reserved_pins.size(); ++i)
+      check_all("reserved_pins", i, board.reserved_pins[i].pins);
   }
 
-  const SourceFile& source_;
-  Diagnostics& diagnostics_;
+  Contradictions found_;
 };
 
 }  // namespace

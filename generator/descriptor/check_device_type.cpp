@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <set>
 
-#include "generator/descriptor/json_file.hpp"
+#include "generator/descriptor/check_can_frames.hpp"
+#include "generator/descriptor/check_class.hpp"
+#include "generator/descriptor/check_emulation.hpp"
+#include "generator/descriptor/contradictions.hpp"
 
 namespace finemote::gen {
 namespace {
 
 class DescriptorCheck {
  public:
-  DescriptorCheck(const SourceFile& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
+  explicit DescriptorCheck(const Contradictions& found) : found_(found) {}
 
   void check(const DeviceType& type) {
     check_names(type.roles, &RoleSpec::name, {"roles", "name", "role"});
@@ -24,15 +27,17 @@ class DescriptorCheck {
     if (!type.link_role.empty()) check_link(type);
     if (type.wcet) check_wcet(type);
     check_bus(type);
-    for (const Identifiers& entry : type.receives) check_identifiers(type, entry);
-    check_shared_frames(type);
+    for (std::size_t i = 0; type.frames && i < type.frames->size(); ++i)
+      check_use_named(type, (*type.frames)[i].use, {"frames", std::to_string(i), "use"});
+    for (std::size_t i = 0; i < type.interrupts.size(); ++i)
+      check_use_named(type, type.interrupts[i].use, {"interrupts", std::to_string(i), "use"});
+    if (type.acquisition && type.acquisition->conversion)
+      check_param_named(type, type.acquisition->conversion->param, false, {"acquisition", "conversion", "param"});
+    check_role_named(type, type.emulation.wheels, {"emulation", "wheels"});
   }
 
  private:
-  void contradiction(const JsonPath& path, std::string message) {
-    const Extent extent = find_value(source_, path);
-    diagnostics_.error(code::descriptor_contradiction, extent.at, std::move(message)).underline(extent.length);
-  }
+  void contradiction(const JsonPath& path, std::string message) { found_.add(path, std::move(message)); }
   /// Where a list of named entries stands, and what an entry is called.
   struct Named {
     const char *list, *member, *what;
@@ -76,6 +81,11 @@ class DescriptorCheck {
     const bool exists =
         std::any_of(type.roles.begin(), type.roles.end(), [&](const RoleSpec& role) { return role.name == name; });
     if (!name.empty() && !exists) contradiction(path, fmt::format("there is no role '{}'", name));
+  }
+  void check_use_named(const DeviceType& type, const std::string& name, const JsonPath& path) {
+    const bool exists =
+        std::any_of(type.uses.begin(), type.uses.end(), [&](const UseSpec& use) { return use.role == name; });
+    if (!name.empty() && !exists) contradiction(path, fmt::format("there is no use '{}'", name));
   }
   void check_param_named(const DeviceType& type, const std::string& name, bool is_real, const JsonPath& path) {
     const auto found =
@@ -127,50 +137,19 @@ class DescriptorCheck {
                   fmt::format("the default address \"{:#04x}\" is not allowed", *type.default_address));
   }
 
-  void check_identifiers(const DeviceType& type, const Identifiers& entry) {
-    const JsonPath path{"bus", "receives"};
-    const bool is_block = (entry.count & (entry.count - 1)) == 0;
-    if (!is_block || entry.base % entry.count != 0 || entry.per_id % entry.count != 0) {
-      contradiction(path, fmt::format("{} identifiers from {:#x} on are no block that a filter accepts: the count is a "
-                                      "power of two that divides base and per_id",
-                                      entry.count, entry.base));
-    }
-    const std::uint64_t last = entry.of(type.id_max.value_or(0)).last();
-    if (last > kHighestIdentifier) contradiction(path, fmt::format("the identifier {:#x} has more than 11 bits", last));
-  }
-  void check_shared_frames(const DeviceType& type) {
-    std::vector<SharedFrame> seen;
-    for (std::size_t i = 0; type.frames && i < type.frames->size(); ++i) {
-      const Frame& frame = (*type.frames)[i];
-      const std::string entry = std::to_string(i);
-      if (!frame.shared.empty() && frame.write_bytes != SharedFrame::kBytes)
-        contradiction({"frames", entry, "write"}, "a frame that devices share has 8 bytes");
-      for (const SharedFrame& shared : frame.shared) {
-        const JsonPath path{"frames", entry, frame.shared.size() > 1 ? "identifiers" : "stage"};
-        if (shared.id_min > shared.id_max)
-          contradiction(path,
-                        fmt::format("the ids end at {}, before {}, where they begin", shared.id_max, shared.id_min));
-        if (shared.id_min <= shared.id_max && shared.offset(shared.id_max) + shared.width > SharedFrame::kBytes) {
-          contradiction(path, fmt::format("frame {:#x} does not hold {} bytes for each of the ids {} to {}",
-                                          shared.identifier, shared.width, shared.id_min, shared.id_max));
-        }
-        if (std::any_of(seen.begin(), seen.end(), [&](const SharedFrame& other) {
-              return other.holds(shared.id_min) || shared.holds(other.id_min);
-            }))
-          contradiction(path, fmt::format("id {} shares two frames", shared.id_min));
-        seen.push_back(shared);
-      }
-    }
-  }
-
-  const SourceFile& source_;
-  Diagnostics& diagnostics_;
+  const Contradictions& found_;
 };
 
 }  // namespace
 
 void check_device_type(const DeviceType& type, const SourceFile& source, Diagnostics& diagnostics) {
-  DescriptorCheck(source, diagnostics).check(type);
+  const Contradictions found(source, diagnostics);
+  check_class(type.cpp_class, found);
+  DescriptorCheck(found).check(type);
+  check_can_frames(type, found);
+  check_emulation(type.emulation, type.params, found);
+  for (std::size_t i = 0; i < type.uses.size() && !type.emulation.part.empty(); ++i)
+    check_part_member(type.uses[i].role, {"uses", std::to_string(i), "name"}, found);
 }
 
 }  // namespace finemote::gen

@@ -102,10 +102,20 @@ std::size_t value_end(std::string_view text, std::size_t offset) {
   return offset + std::min(end + 1, rest.size());
 }
 
-/// Notes every key an object has twice.
-class DuplicateKeys {
+/// A number that nlohmann cannot hold: it is quoted in what it says.
+void report_number(const SourceFile& source, std::string_view words, Diagnostics& diagnostics) {
+  const std::size_t begin = words.find('\'') + 1;
+  const std::string_view number = words.substr(begin, words.rfind('\'') - begin);
+  const std::size_t offset = std::min(source.text.find(number), source.text.size());
+  diagnostics.error(code::descriptor_malformed, position_at(source, offset), "the number is too large")
+      .underline(number.size());
+}
+
+/// Notes what nlohmann takes and a descriptor may not have: a key twice in one object, endless nesting, numbers beyond
+/// 63 bits and texts without end, which the schema's patterns cannot be held against.
+class ShapeCheck {
  public:
-  DuplicateKeys(const SourceFile& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
+  ShapeCheck(const SourceFile& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
 
   void run() {
     Scanner scan(source_.text);
@@ -114,6 +124,8 @@ class DuplicateKeys {
     while (scan.peek() != '\0') {
       const char c = scan.peek();
       if (c == '{' || c == '[') {
+        if (open.size() == static_cast<std::size_t>(json::kMaxDepth))
+          return report(scan.offset(), fmt::format("arrays and objects are nested deeper than {}", json::kMaxDepth));
         open += c;
         objects.emplace_back();
         scan.take(c);
@@ -129,7 +141,7 @@ class DuplicateKeys {
       } else if (expect_key_ && c == '"') {
         take_key(scan, objects.back());
       } else {
-        scan.skip_value();
+        take_scalar(scan);
       }
     }
   }
@@ -148,6 +160,27 @@ class DuplicateKeys {
         .underline(key.size() + 2);
   }
 
+  void take_scalar(Scanner& scan) {
+    constexpr std::size_t kLongest = 4096;
+    const std::size_t offset = scan.offset();
+    scan.skip_value();
+    constexpr std::size_t kSafeDigits = 18;  // of a whole number that surely fits
+    if (scan.offset() - offset <= kSafeDigits) return;
+    const std::string_view token =
+        std::string_view(source_.text).substr(offset, value_end(source_.text, offset) - offset);
+    if (token.size() > kLongest) return report(offset, fmt::format("a text has at most {} bytes", kLongest));
+    if (token.front() == '"') return;
+    const Json value = Json::parse(token);
+    const bool is_large = value.is_number_unsigned() && value.get<std::uint64_t>() > std::uint64_t{INT64_MAX};
+    if (is_large) report(offset, "the number is too large");
+  }
+  void report(std::size_t offset, std::string message) {
+    found_ = true;
+    diagnostics_.error(code::descriptor_malformed, position_at(source_, offset), std::move(message))
+        .underline(
+            source_.text[offset] == '[' || source_.text[offset] == '{' ? 1 : value_end(source_.text, offset) - offset);
+  }
+
   const SourceFile& source_;
   Diagnostics& diagnostics_;
   bool expect_key_ = false;
@@ -155,7 +188,7 @@ class DuplicateKeys {
 };
 
 /// nlohmann reads no further, and says so in the words of its parser: ours say it again, at the same place or nearer.
-void report_malformed(const SourceFile& source, const Json::parse_error& problem, Diagnostics& diagnostics) {
+void report_malformed(const SourceFile& source, std::size_t byte, Diagnostics& diagnostics) {
   Diagnostics findings;
   json::parse(source, findings);
   for (const Diagnostic& finding : findings.in_file_order()) {
@@ -163,7 +196,7 @@ void report_malformed(const SourceFile& source, const Json::parse_error& problem
     diagnostics.error(code::descriptor_malformed, finding.at, "this is not JSON: " + finding.message);
     return;
   }
-  const std::size_t offset = problem.byte > 0 ? problem.byte - 1 : 0;
+  const std::size_t offset = byte > 0 ? byte - 1 : 0;
   diagnostics.error(code::descriptor_malformed, position_at(source, std::min(offset, source.text.size())),
                     "this is not JSON");
 }
@@ -183,13 +216,27 @@ std::optional<JsonFile> parse_json(const SourceFile& source, Diagnostics& diagno
   try {
     file.value = Json::parse(source.text);
   } catch (const Json::parse_error& problem) {
-    report_malformed(source, problem, diagnostics);
+    report_malformed(source, problem.byte, diagnostics);
+    return {};
+  } catch (const Json::out_of_range& problem) {
+    report_number(source, problem.what(), diagnostics);
     return {};
   }
-  DuplicateKeys duplicates(source, diagnostics);
-  duplicates.run();
-  if (duplicates.found()) return {};
+  ShapeCheck shape(source, diagnostics);
+  shape.run();
+  if (shape.found()) return {};
   return file;
+}
+
+std::optional<std::string> peek_text(std::string_view text, const char* key) {
+  Scanner scan(text);
+  if (!enter(scan, key) || scan.peek() != '"') return {};
+  return scan.take_string();
+}
+
+bool holds_value(const SourceFile& source, const JsonPath& path) {
+  Scanner scan(source.text);
+  return std::all_of(path.begin(), path.end(), [&](const std::string& token) { return enter(scan, token); });
 }
 
 Extent find_value(const SourceFile& source, const JsonPath& path) {

@@ -27,13 +27,19 @@ struct Extent {
   std::size_t length = 1;
 };
 
-/// Parses a text. Reports FM3101 at the wrong byte, and FM3103 where an object has one key twice; then there is no
-/// value.
+/// Parses a text. Reports FM3101 at the wrong byte and where it is nested too deep, and FM3103 where an object has one
+/// key twice; then there is no value.
 std::optional<JsonFile> parse_json(const SourceFile& source, Diagnostics& diagnostics);
+
+/// The text that is a member of the outermost object, whatever else is wrong with `text`; none where it cannot be told.
+std::optional<std::string> peek_text(std::string_view text, const char* key);
 
 /// Where the value at `path` stands, or its nearest ancestor that exists; a container is shown by its key.
 /// Looked up in the text when asked, so a text without mistakes costs nothing.
 Extent find_value(const SourceFile& source, const JsonPath& path);
+
+/// Whether there is a value at `path`.
+bool holds_value(const SourceFile& source, const JsonPath& path);
 
 /// The place of a byte of a text.
 Position position_at(const SourceFile& source, std::size_t offset);

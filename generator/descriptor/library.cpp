@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 
+#include "generator/descriptor/file_format.hpp"
 #include "generator/descriptor/json_file.hpp"
 #include "generator/descriptor/library_folders.hpp"
 #include "generator/descriptor/read_board.hpp"
@@ -15,18 +14,12 @@
 #include "generator/descriptor/read_expander_type.hpp"
 #include "generator/descriptor/repair.hpp"
 #include "generator/descriptor/schema_check.hpp"
+#include "generator/descriptor/schema_file.hpp"
 #include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
 namespace fs = std::filesystem;
 namespace {
-
-std::string read_text(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 /// What the three kinds of descriptor have in common: opening, schema version, JSON Schema, the name inside.
 class FileReader {
@@ -34,28 +27,23 @@ class FileReader {
   FileReader(const Library& library, Sources& sources, Diagnostics& diagnostics, bool always_validate = false)
       : library_(library), sources_(sources), diagnostics_(diagnostics), always_validate_(always_validate) {}
 
-  struct Format {
-    std::string_view version;      ///< value of "schema"
-    std::string_view schema_file;  ///< in the schema folder
-    const char* name_key;
-  };
-
-  std::optional<JsonFile> read(const LibraryFile& file, const Format& format) {
+  std::optional<JsonFile> read(const LibraryFile& file, const FileFormat& format) {
     const SourceFile* source = xml::read_source(file.path, sources_, diagnostics_, file.display);
     if (source == nullptr) return {};
     std::optional<JsonFile> json = parse_json(*source, diagnostics_);
     if (!json || !has_version(*json, format)) return {};
     return json;
   }
-  bool is_valid(const JsonFile& json, const LibraryFile& file, const Format& format) {
+  bool is_valid(const JsonFile& json, const LibraryFile& file, const FileFormat& format) {
     return mistakes(json, file, format).empty();
   }
-  std::vector<SchemaMistake> mistakes(const JsonFile& json, const LibraryFile& file, const Format& format) {
+  std::vector<SchemaMistake> mistakes(const JsonFile& json, const LibraryFile& file, const FileFormat& format) {
     if (file.builtin && !always_validate_) return {};
-    const std::string schema = read_text(fs::path(library_.schema_dir) / format.schema_file);
-    return check_schema(json.value, schema, *json.source, diagnostics_);
+    const auto schema = read_schema(library_.schema_dir, std::string(format.schema_file), diagnostics_);
+    if (!schema) return {SchemaMistake{}};
+    return check_schema(json.value, *schema, *json.source, diagnostics_);
   }
-  bool has_name(const JsonFile& json, const LibraryFile& file, const Format& format) {
+  bool has_name(const JsonFile& json, const LibraryFile& file, const FileFormat& format) {
     const auto name = json.value.find(format.name_key);
     if (name == json.value.end() || !name->is_string() || *name == file.name) return true;
     const Extent extent = find_value(*json.source, {format.name_key});
@@ -69,7 +57,7 @@ class FileReader {
   }
 
  private:
-  bool has_version(const JsonFile& json, const Format& format) {
+  bool has_version(const JsonFile& json, const FileFormat& format) {
     const auto version = json.value.is_object() ? json.value.find("schema") : json.value.end();
     const bool is_known = json.value.is_object() && version != json.value.end() && *version == format.version;
     if (is_known) return true;
@@ -89,10 +77,6 @@ class FileReader {
   Diagnostics& diagnostics_;
   bool always_validate_;
 };
-
-constexpr FileReader::Format kDeviceFormat{"finemote.device/1", "device.schema.json", "type"};
-constexpr FileReader::Format kExpanderFormat{"finemote.expander/1", "expander.schema.json", "model"};
-constexpr FileReader::Format kBoardFormat{"finemote.board/1", "board.schema.json", "name"};
 
 LibraryFile* find_file(std::vector<LibraryFile>& files, std::string_view name) {
   const auto found =

@@ -18,13 +18,10 @@ std::string display_folder(const fs::path& folder, const std::string& input_dir)
   return relative.empty() ? folder.filename().generic_string() + "/" : relative.generic_string() + "/";
 }
 
-/// A folder for device types holds descriptors of expanders as well: their "schema" says so.
-bool describes_expander(const LibraryFile& file, const files::Access& access) {
+/// As much of a file as is looked at to tell what it describes.
+std::string begin_of(const LibraryFile& file, const files::Access& access) {
   constexpr std::size_t kMost = std::size_t{1} << 20;
-  const Json json = Json::parse(access.read(file.path, kMost).value_or(""), nullptr, /*allow_exceptions*/ false);
-  const auto version = json.is_object() ? json.find("schema") : json.end();
-  return version != json.end() && version->is_string() &&
-         version->get_ref<const std::string&>().starts_with("finemote.expander/");
+  return access.read(file.path, kMost).value_or("");
 }
 
 }  // namespace
@@ -44,18 +41,23 @@ std::vector<LibraryFile> list_folder(const fs::path& folder, const std::string& 
 void UserFolders::add(const fs::path& folder, For purpose) {
   files::Denial denial;
   auto found = list_folder(folder, display_folder(folder, input_dir_), false, sources_.access(), denial);
-  if (denial.is_outside) {
-    diagnostics_.error(code::outside_sandbox, {},
+  if (!denial.reason.empty()) {
+    diagnostics_.error(denial.is_outside ? code::outside_sandbox : code::unreadable_file, {},
                        fmt::format("cannot read folder '{}': {}", folder.generic_string(), denial.reason));
   }
-  for (LibraryFile& file : found) {
+  for (const LibraryFile& file : found) {
     if (purpose == For::boards)
-      add_file(file, "board", library_.board_files);
-    else if (describes_expander(file, sources_.access()))
-      add_file(file, "expander", library_.expander_files);
+      add_file(file, kBoardFormat, library_.board_files);
     else
-      add_file(file, "device type", library_.device_files);
+      add_descriptor(file);
   }
+}
+
+void UserFolders::add_descriptor(const LibraryFile& file) {
+  const std::string version = peek_text(begin_of(file, sources_.access()), "schema").value_or("");
+  const bool is_device = kDeviceFormat.is_kind_of(version), is_expander = kExpanderFormat.is_kind_of(version);
+  if (!is_device) add_file(file, kExpanderFormat, library_.expander_files);
+  if (!is_expander) add_file(file, kDeviceFormat, library_.device_files);
 }
 
 void UserFolders::add_given(const std::vector<std::string>& folders, For purpose) {
@@ -70,17 +72,19 @@ void UserFolders::add_given(const std::vector<std::string>& folders, For purpose
   }
 }
 
-void UserFolders::add_file(LibraryFile& file, const char* what, std::vector<LibraryFile>& files) {
+void UserFolders::add_file(const LibraryFile& file, const FileFormat& format, std::vector<LibraryFile>& files) {
   const auto same =
       std::find_if(files.begin(), files.end(), [&](const LibraryFile& other) { return other.name == file.name; });
   if (same == files.end()) {
-    files.push_back(std::move(file));
+    files.push_back(file);
     return;
   }
   std::error_code problem;
   if (fs::equivalent(same->path, file.path, problem)) return;
-  const SourceFile* source = sources_.add(SourceFile{file.display, file.path, {}});
-  diagnostics_.error(code::type_twice, {source, 0, 0, nullptr}, fmt::format("{} '{}' already exists", what, file.name))
+  const SourceFile* source = sources_.add({file.display, file.path, begin_of(file, sources_.access())});
+  const Extent extent = find_value(*source, {format.name_key});
+  diagnostics_.error(code::type_twice, extent.at, fmt::format("{} '{}' already exists", format.what, file.name))
+      .underline(extent.length)
       .note(same->builtin ? "FineMote ships one of this name" : fmt::format("also in {}", same->display))
       .hint("give this one another name, in the file and of the file");
 }

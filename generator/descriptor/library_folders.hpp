@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/descriptor/file_format.hpp"
 #include "generator/descriptor/library.hpp"
 
 namespace finemote::gen {
@@ -28,7 +29,9 @@ class UserFolders {
   void add_given(const std::vector<std::string>& folders, For purpose);
 
  private:
-  void add_file(LibraryFile& file, const char* what, std::vector<LibraryFile>& files);
+  /// One that does not say what it describes is taken for both: whoever names it is told what is wrong with it.
+  void add_descriptor(const LibraryFile& file);
+  void add_file(const LibraryFile& file, const FileFormat& format, std::vector<LibraryFile>& files);
 
   Library& library_;
   const std::string& input_dir_;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "generator/descriptor/check_class.hpp"
+#include "generator/descriptor/check_emulation.hpp"
 #include "generator/descriptor/member.hpp"
 #include "generator/descriptor/read_device_type.hpp"
 #include "generator/descriptor/read_param.hpp"
@@ -21,7 +23,7 @@ RepeatSpec read_repeats(const Json& value) {
 /// What no JSON Schema can see: which members go with which kind.
 class ExpanderCheck {
  public:
-  ExpanderCheck(const SourceFile& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
+  ExpanderCheck(const Json& value, const Contradictions& found) : value_(value), found_(found) {}
 
   void check(const ExpanderType& type) {
     if (type.is_mux())
@@ -32,7 +34,10 @@ class ExpanderCheck {
 
  private:
   void check_mux(const ExpanderType& type) {
-    if (!type.cpp_class.empty()) contradiction({"class"}, "a mux is no object: it has no \"class\"");
+    for (const char* member : {"class", "header", "params", "frames"}) {
+      if (value_.contains(member)) contradiction({member}, fmt::format("a mux is no object: it has no \"{}\"", member));
+    }
+    if (type.repeats) contradiction({"provides", "repeats"}, "a mux makes no pulses: it has no \"repeats\"");
     if (type.provides != BusKind::i2c) contradiction({"provides", "bus"}, "a mux provides segments of its i2c bus");
     if (type.select == nullptr) return contradiction({"kind"}, "a mux needs a \"select\"");
     if (type.channels > type.select->channels) {
@@ -46,6 +51,8 @@ class ExpanderCheck {
       contradiction({"kind"}, "a driver needs a \"class\" and a \"header\"");
     if (type.provides != BusKind::pwm) contradiction({"provides", "bus"}, "a driver provides a pwm bus");
     if (type.repeats) {
+      if (type.repeats->least_divider > type.repeats->most_divider)
+        contradiction({"provides", "repeats", "dividers", "0"}, "the smallest divider is above the largest");
       check_param(type, type.repeats->frequency, Unit::frequency_hz, {"provides", "repeats", "frequency"});
       check_param(type, type.repeats->clock, Unit::frequency_hz, {"provides", "repeats", "clock"});
     }
@@ -58,13 +65,10 @@ class ExpanderCheck {
     if (!name.empty() && !exists)
       contradiction(path, fmt::format("there is no int param '{}'{}", name, unit == Unit::none ? "" : " of unit Hz"));
   }
-  void contradiction(const JsonPath& path, std::string message) {
-    const Extent extent = find_value(source_, path);
-    diagnostics_.error(code::descriptor_contradiction, extent.at, std::move(message)).underline(extent.length);
-  }
+  void contradiction(const JsonPath& path, std::string message) { found_.add(path, std::move(message)); }
 
-  const SourceFile& source_;
-  Diagnostics& diagnostics_;
+  const Json& value_;
+  const Contradictions& found_;
 };
 
 }  // namespace
@@ -89,7 +93,10 @@ ExpanderType read_expander_type(const Json& value, const SourceFile& source, Dia
   type.params = read_params(value, source, diagnostics);
   if (const auto it = value.find("frames"); it != value.end()) type.frames = read_expander_frames(*it);
   if (const auto it = value.find("emulation"); it != value.end()) type.emulation = read_emulation(*it);
-  ExpanderCheck(source, diagnostics).check(type);
+  const Contradictions found(source, diagnostics);
+  check_class(type.cpp_class, found);
+  check_emulation(type.emulation, type.params, found);
+  ExpanderCheck(value, found).check(type);
   return type;
 }
 

@@ -160,7 +160,7 @@ class SpecReader {
   ParamSpec read() {
     spec_.name = value_.at("name").get<std::string>();
     if (const auto fault = invalid_name(spec_.name))
-      complain("name", code::descriptor_contradiction, "the name " + *fault + ", so no member of Config can have it");
+      complain({"name"}, code::descriptor_contradiction, "the name " + *fault + ", so no member of Config can have it");
     spec_.kind = kind_named(value_.at("type").get<std::string>());
     spec_.unit_text = value_.value("unit", "");
     spec_.unit = exact_unit(spec_.unit_text);
@@ -176,8 +176,10 @@ class SpecReader {
   }
 
  private:
-  void complain(const std::string& member, Code code, const std::string& message) {
-    const Extent extent = find_value(source_, {"params", std::to_string(index_), member});
+  void complain(const JsonPath& member, Code code, const std::string& message) {
+    JsonPath path{"params", std::to_string(index_)};
+    path.insert(path.end(), member.begin(), member.end());
+    const Extent extent = find_value(source_, path);
     diagnostics_.error(code, extent.at, fmt::format("param '{}': {}", spec_.name, message)).underline(extent.length);
   }
   void read_values() {
@@ -190,22 +192,22 @@ class SpecReader {
       spec_.enumerators[spelling] = enumerator.get<std::string>();
     for (const std::string& spelling : spec_.values) {
       if (spec_.enumerators.count(spelling) == 0)
-        complain("enumerators", code::descriptor_contradiction,
+        complain({"enumerators"}, code::descriptor_contradiction,
                  fmt::format("the value '{}' has no enumerator", spelling));
     }
   }
   void read_range() {
     const auto range = value_.find("range");
     if (range == value_.end()) return;
-    spec_.min = read_bound(range->at(0), "range");
-    spec_.max = read_bound(range->at(1), "range");
+    spec_.min = read_bound(range->at(0), "0");
+    spec_.max = read_bound(range->at(1), "1");
     if (spec_.min && spec_.max && *spec_.min > *spec_.max)
-      complain("range", code::descriptor_contradiction, "the lowest value is above the highest");
+      complain({"range", "0"}, code::descriptor_contradiction, "the lowest value is above the highest");
   }
-  std::optional<double> read_bound(const Json& bound, const std::string& member) {
+  std::optional<double> read_bound(const Json& bound, const std::string& index) {
     const Parsed parsed = parse_number(spec_, as_text(bound));
     if (parsed.index() == 0) return number_of(std::get<0>(parsed));
-    complain(member, std::get<1>(parsed).code, std::get<1>(parsed).message);
+    complain({"range", index}, std::get<1>(parsed).code, std::get<1>(parsed).message);
     return {};
   }
   void read_default() {
@@ -215,7 +217,7 @@ class SpecReader {
     if (parsed.index() == 0) {
       spec_.fallback = std::get<0>(parsed);
     } else {
-      complain("default", code::descriptor_contradiction, "the default " + std::get<1>(parsed).message);
+      complain({"default"}, code::descriptor_contradiction, "the default " + std::get<1>(parsed).message);
     }
   }
 

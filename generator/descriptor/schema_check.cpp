@@ -192,8 +192,8 @@ std::string shown(const JsonPath& path) {
 std::vector<SchemaMistake> check_schema(const Json& value, const std::string& schema_text, const SourceFile& source,
                                         Diagnostics& diagnostics) {
   // valijson knows nlohmann's unordered values only
-  const auto schema_json = nlohmann::json::parse(schema_text);
-  const auto plain = nlohmann::json::parse(value.dump());
+  const auto schema_json = Plain::parse(schema_text);
+  const auto plain = Plain(value);
   valijson::Schema schema;
   valijson::SchemaParser parser;
   parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);

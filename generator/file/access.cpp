@@ -153,7 +153,7 @@ std::vector<std::string> Access::list(const std::string& folder, Denial& denial)
   constexpr int flags = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
   Denial reason;
   const int descriptor = is_sandbox_ ? open_inside(folder, flags, reason) : open_any(folder, flags, reason);
-  if (reason.is_outside) denial = reason;
+  if (descriptor < 0 && reason.error != ENOENT && reason.error != ENOTDIR) denial = reason;
   DIR* opened = descriptor < 0 ? nullptr : ::fdopendir(descriptor);
   if (opened == nullptr) return {};
   const CloseFolder guard{opened};

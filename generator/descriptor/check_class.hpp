@@ -1,0 +1,13 @@
+// The C++ class a descriptor names: what the pattern of its schema cannot see.
+#pragma once
+
+#include <string>
+
+#include "generator/descriptor/contradictions.hpp"
+
+namespace finemote::gen {
+
+/// Reports a qualified name of which a part cannot be a name in C++, at `class`; an empty one is none.
+void check_class(const std::string& qualified, const Contradictions& found);
+
+}  // namespace finemote::gen
