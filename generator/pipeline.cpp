@@ -42,8 +42,8 @@ Analysis analyse_robot(const PlannedRobot& planned, Hints hints) {
   request.inputs = true;
   if (hints == Hints::wanted) request.remodel = timing::robot_remodel(robot, forest);
   Analysis analysis;
-  const timing::Model tasks = timing::make_timing_model(robot, forest, schedule);
-  analysis.timing = timing::analyse(tasks, request, analysis.findings);
+  const auto tasks = timing::make_timing_model(robot, forest, schedule, analysis.findings);
+  if (tasks) analysis.timing = timing::analyse(*tasks, request, analysis.findings);
   return analysis;
 }
 

@@ -19,9 +19,8 @@ namespace finemote::gen {
 namespace {
 
 using timing::Json;
-using timing::Ns;
 
-Json factor_json(Ns permille) {
+Json factor_json(std::int64_t permille) {
   return permille >= timing::kMostSlack ? Json(nullptr) : Json(static_cast<double>(permille) / 1000);
 }
 
@@ -33,7 +32,7 @@ Json slack_json(const timing::Model& model, const timing::Slack& slack) {
   return out;
 }
 
-std::string factor_text(Ns permille) {
+std::string factor_text(std::int64_t permille) {
   if (permille >= timing::kMostSlack) return "over 1000";
   return fmt::format("{}.{:03}", permille / 1000, permille % 1000);
 }
@@ -51,7 +50,7 @@ std::string slack_text(const timing::Model& model, const timing::Slack& slack) {
 std::string bounds_text(std::vector<std::string> head, const std::vector<timing::ChangedBound>& bounds) {
   timing::TextTable table(std::move(head));
   for (const timing::ChangedBound& bound : bounds)
-    table.row({bound.what, timing::duration_text(bound.before_ns), timing::duration_text(bound.after_ns)});
+    table.row({bound.what, timing::duration_text(bound.before), timing::duration_text(bound.after)});
   return table.text();
 }
 
@@ -92,7 +91,7 @@ Answer run_analyze(const Options& options, Sources& sources, Diagnostics& diagno
   timing::AnalysisRequest request;
   request.profile = profile_option(options.profile, diagnostics);
   timing::RobotTimingOptions robot_options;
-  robot_options.assumed_wcet_ns = time_option("--assume-wcet", options.assume_wcet, "50us", diagnostics);
+  robot_options.assumed_wcet = time_option("--assume-wcet", options.assume_wcet, "50us", diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   if (options.dump) return dump_subject(options, robot_options, sources, diagnostics);
   const auto subject = read_subject(options, robot_options, sources, diagnostics);

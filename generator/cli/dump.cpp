@@ -24,7 +24,10 @@ std::optional<Json> stage_json(Stage stage, const Input& input, const timing::Ro
   if (stage == Stage::model) return dump_model(robot);
   if (stage == Stage::forest) return dump_forest(robot, forest);
   if (stage == Stage::schedule) return dump_schedule(robot, schedule);
-  if (stage == Stage::tasks) return dump_tasks(timing::make_timing_model(robot, forest, schedule, tasks));
+  if (stage == Stage::tasks) {
+    const auto model = timing::make_timing_model(robot, forest, schedule, diagnostics, tasks);
+    return model ? std::optional(dump_tasks(*model)) : std::nullopt;
+  }
   const ProvenBounds bounds = prove_bounds(*planned, analyse_robot(*planned, Hints::left_out));
   const auto files = plan_files(planned->plan(), bounds, input.data_dir, diagnostics);
   return dump_plan(files, input.data_dir + "/templates");

@@ -42,8 +42,8 @@ Table<BusId, double> bus_loads(const Robot& robot, const timing::Timing& timing)
 Table<DeviceId, std::optional<CommandAge>> command_ages(const PlannedRobot& planned, const timing::Timing& timing) {
   Table<DeviceId, std::optional<CommandAge>> ages(planned.robot.devices.size());
   for (const timing::ChainResult& input : timing.inputs) {
-    if (!input.acquire_ns || !input.decide_ns) continue;
-    ages[planned.forest.order[input.to]] = {*input.acquire_ns + *input.decide_ns, planned.forest.order[input.from]};
+    if (!input.age) continue;
+    ages[planned.forest.order[input.to]] = {input.age->ns(), planned.forest.order[input.from]};
   }
   return ages;
 }

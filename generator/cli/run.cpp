@@ -41,7 +41,8 @@ struct Setup {
 
 std::optional<std::int64_t> duration_of(const std::string& asked, const Schedule& schedule, Diagnostics& diagnostics) {
   if (asked.empty()) return default_duration(schedule);
-  return time_option("--duration", asked, "100ms", diagnostics);
+  const auto duration = time_option("--duration", asked, "100ms", diagnostics);
+  return duration ? std::optional(duration->ns()) : std::nullopt;
 }
 
 /// The first bus whose port the board lacks; null: none, or the board takes every port.
@@ -101,7 +102,7 @@ bool has_parts(const Robot& robot, const Setup& setup, bool build_only, Diagnost
 
 /// The image as it runs, with the cost of its trace.
 struct ImageTiming {
-  std::int64_t stage_cost_ns = 0;        ///< of dispatch and trace
+  std::optional<Duration> stage_cost;    ///< of dispatch and trace; none: its times leave 64 bits
   std::optional<timing::Timing> timing;  ///< none: no answer
 };
 
@@ -111,13 +112,14 @@ ImageTiming analyse_image(const Options& options, const PlannedRobot& planned, D
   timing::RobotTimingOptions instrumented;
   instrumented.trace = true;
   instrumented.monitor = options.monitor;
-  const timing::Model model = timing::make_timing_model(robot, forest, schedule, instrumented);
   timing::AnalysisRequest request;
   request.requirements = timing::timing_requirements(robot, forest);
   Diagnostics findings;
-  request.chains = timing::parse_chains(model, options.chains, findings);
-  ImageTiming image{model.costs.stage_ns, std::nullopt};
-  if (!findings.has_errors()) image.timing = timing::analyse(model, request, findings);
+  const auto model = timing::make_timing_model(robot, forest, schedule, findings, instrumented);
+  if (!model) return {};
+  request.chains = timing::parse_chains(*model, options.chains, findings);
+  ImageTiming image{model->costs.stage, std::nullopt};
+  if (!findings.has_errors()) image.timing = timing::analyse(*model, request, findings);
   for (const Diagnostic& finding : findings.in_file_order()) {
     if (finding.code == code::timing_chain) diagnostics.add(finding);
   }
@@ -239,7 +241,8 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   const auto schedulable = repeat_verdict(analysis, diagnostics);
   auto record = run_image(*path, *planned, *setup, faults, options.flash_misses, diagnostics);
   if (!record) return no_answer();
-  if (setup->is_emulated()) check_wcet(robot, *record, image_timing.stage_cost_ns, diagnostics);
+  if (setup->is_emulated() && image_timing.stage_cost)
+    check_wcet(robot, *record, image_timing.stage_cost->ns(), diagnostics);
   RunResult result = result_of(*planned, *setup, *image, std::move(*record), faults);
   if (options.monitor) result.bounds = std::move(proven.monitored);
   result.schedulable = schedulable;

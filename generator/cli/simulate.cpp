@@ -18,9 +18,8 @@ namespace {
 
 using timing::duration_text;
 using timing::Json;
-using timing::Ns;
 
-Json number(std::optional<Ns> value) { return value ? Json(*value) : Json(nullptr); }
+Json number(std::optional<Duration> value) { return value ? Json(value->ns()) : Json(nullptr); }
 
 Json document(const SimulatedModel& simulated, const SimulationRequest& request) {
   const auto& [timing, run] = simulated;
@@ -28,7 +27,7 @@ Json document(const SimulatedModel& simulated, const SimulationRequest& request)
   Json out{{"schema", "finemote.simulation/1"},
            {"profile", timing::profile_name(timing.asked)},
            {"seed", request.seed},
-           {"duration_ns", request.duration_ns},
+           {"duration_ns", request.duration.ns()},
            {"devices", Json::array()},
            {"chains", Json::array()},
            {"misses", run.misses}};
@@ -36,14 +35,14 @@ Json document(const SimulatedModel& simulated, const SimulationRequest& request)
     out["devices"].push_back(Json{{"name", timing.model.devices[d].name},
                                   {"response_max_ns", number(observed(run.devices[d].response))},
                                   {"window_max_ns", number(observed(run.devices[d].window))},
-                                  {"response_bound_ns", number(bounds[d].r_minus_ns)},
-                                  {"window_bound_ns", number(bounds[d].window_ns)}});
+                                  {"response_bound_ns", number(bounds[d].r_minus)},
+                                  {"window_bound_ns", number(bounds[d].window)}});
   }
   for (std::size_t c = 0; c < run.chains.size(); ++c) {
     out["chains"].push_back(Json{{"from", timing.model.devices[run.chains[c].ends.from].name},
                                  {"to", timing.model.devices[run.chains[c].ends.to].name},
                                  {"max_ns", number(observed(run.chains[c].latency))},
-                                 {"bound_ns", number(timing.chains[c].decide_ns)}});
+                                 {"bound_ns", number(timing.chains[c].decide)}});
   }
   return out;
 }
@@ -51,20 +50,19 @@ Json document(const SimulatedModel& simulated, const SimulationRequest& request)
 std::string text(const SimulatedModel& simulated, const SimulationRequest& request) {
   const auto& [timing, run] = simulated;
   const auto& bounds = timing.verdict().devices;
-  std::string text =
-      fmt::format("simulated {} with seed {} (profile {}): {} missed\n", duration_text(request.duration_ns),
-                  request.seed, timing::profile_name(timing.asked), run.misses);
+  std::string text = fmt::format("simulated {} with seed {} (profile {}): {} missed\n", duration_text(request.duration),
+                                 request.seed, timing::profile_name(timing.asked), run.misses);
   timing::TextTable devices({"device", "response", "bound", "window", "bound"});
   for (const Rank d : run.devices.ids()) {
     devices.row({timing.model.devices[d].name, duration_text(observed(run.devices[d].response)),
-                 duration_text(bounds[d].r_minus_ns), duration_text(observed(run.devices[d].window)),
-                 duration_text(bounds[d].window_ns)});
+                 duration_text(bounds[d].r_minus), duration_text(observed(run.devices[d].window)),
+                 duration_text(bounds[d].window)});
   }
   timing::TextTable chains({"chain (decide)", "worst", "bound"});
   for (std::size_t c = 0; c < run.chains.size(); ++c) {
     chains.row(
         {timing.model.devices[run.chains[c].ends.from].name + " -> " + timing.model.devices[run.chains[c].ends.to].name,
-         duration_text(observed(run.chains[c].latency)), duration_text(timing.chains[c].decide_ns)});
+         duration_text(observed(run.chains[c].latency)), duration_text(timing.chains[c].decide)});
   }
   text += "\ndevices\n" + devices.text() + "\nchains\n" + chains.text();
   if (!simulated.holds()) text += "\nan observation exceeds its bound: please report this model\n";
@@ -72,7 +70,7 @@ std::string text(const SimulatedModel& simulated, const SimulationRequest& reque
 }
 
 /// What takes hours at the usual periods; longer ones would seem to hang.
-constexpr std::int64_t kLongestSimulation = 86'400'000'000'000;
+constexpr Duration kLongestSimulation = seconds(86'400);
 
 SimulationRequest request_of(const Options& options, Diagnostics& diagnostics) {
   SimulationRequest request;
@@ -80,12 +78,12 @@ SimulationRequest request_of(const Options& options, Diagnostics& diagnostics) {
   request.chains = options.chains;
   request.profile = profile_option(options.profile, diagnostics);
   const auto duration = time_option("--duration", options.duration, "50us", diagnostics);
-  if (duration) request.duration_ns = *duration;
-  if (request.duration_ns > kLongestSimulation) {
+  if (duration) request.duration = *duration;
+  if (request.duration > kLongestSimulation) {
     diagnostics
         .error(code::usage, {},
                fmt::format("--duration is too long: '{}'; every release of that time is simulated", options.duration))
-        .hint(fmt::format("write at most {}", units::format_duration(kLongestSimulation)));
+        .hint(fmt::format("write at most {}", units::format_duration(kLongestSimulation.ns())));
   }
   return request;
 }
@@ -95,7 +93,7 @@ SimulationRequest request_of(const Options& options, Diagnostics& diagnostics) {
 Answer run_simulate(const Options& options, Sources& sources, Diagnostics& diagnostics) {
   const SimulationRequest request = request_of(options, diagnostics);
   timing::RobotTimingOptions robot_options;
-  robot_options.assumed_wcet_ns = time_option("--assume-wcet", options.assume_wcet, "50us", diagnostics);
+  robot_options.assumed_wcet = time_option("--assume-wcet", options.assume_wcet, "50us", diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   if (options.dump) return dump_subject(options, robot_options, sources, diagnostics);
   const auto subject = read_subject(options, robot_options, sources, diagnostics);

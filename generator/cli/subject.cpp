@@ -32,15 +32,16 @@ std::optional<Subject> read_subject(const Options& options, const timing::RobotT
   auto planned = plan_robot(*input, sources, diagnostics);
   if (!planned) return std::nullopt;
   const auto& [library, robot, forest, schedule] = *planned;
-  timing::Model model = timing::make_timing_model(robot, forest, schedule, robot_options);
-  return Subject{std::move(model), timing::timing_requirements(robot, forest), std::move(planned)};
+  auto model = timing::make_timing_model(robot, forest, schedule, diagnostics, robot_options);
+  if (!model) return std::nullopt;
+  return Subject{std::move(*model), timing::timing_requirements(robot, forest), std::move(planned)};
 }
 
-std::optional<std::int64_t> time_option(const char* option, const std::string& text, const char* example,
-                                        Diagnostics& diagnostics) {
+std::optional<Duration> time_option(const char* option, const std::string& text, const char* example,
+                                    Diagnostics& diagnostics) {
   if (text.empty()) return std::nullopt;
   const auto parsed = units::parse_duration(text);
-  if (parsed && *parsed > 0) return *parsed;
+  if (parsed && *parsed > 0) return nanoseconds(*parsed);
   diagnostics.error(code::usage, {}, fmt::format("{} must be a time greater than zero, got '{}'", option, text))
       .hint(fmt::format("write for example {} {}", option, example));
   return std::nullopt;

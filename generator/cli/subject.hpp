@@ -25,10 +25,10 @@ bool is_timing_model(const std::string& path);
 std::optional<Subject> read_subject(const Options& options, const timing::RobotTimingOptions& robot_options,
                                     Sources& sources, Diagnostics& diagnostics);
 
-/// The value of an option that is a time [ns]; none where it is not given, or wrong: then FM0001 is reported, with
+/// The value of an option that is a time; none where it is not given, or wrong: then FM0001 is reported, with
 /// `example` in the hint.
-std::optional<std::int64_t> time_option(const char* option, const std::string& text, const char* example,
-                                        Diagnostics& diagnostics);
+std::optional<Duration> time_option(const char* option, const std::string& text, const char* example,
+                                    Diagnostics& diagnostics);
 
 /// The value of --profile; none where it is not given, or wrong: then FM0001 is reported.
 std::optional<timing::Profile> profile_option(const std::string& name, Diagnostics& diagnostics);

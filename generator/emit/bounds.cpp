@@ -19,32 +19,34 @@ std::string thousandths(std::int64_t value) {
   return text;
 }
 
-std::string bound_value(std::optional<std::int64_t> ns) { return ns ? std::to_string(*ns) : "finemote::kUnproven"; }
+std::string bound_value(std::optional<Duration> bound) {
+  return bound ? std::to_string(bound->ns()) : "finemote::kUnproven";
+}
 
 /// Of data behind a command: a device that takes none has nothing to bound.
-std::string age_value(const RobotBounds& bounds, const DeviceBounds& of, std::optional<std::int64_t> ns) {
-  return bounds.answered && !of.has_input ? "finemote::kNothingToBound" : bound_value(ns);
+std::string age_value(const RobotBounds& bounds, const DeviceBounds& of, std::optional<Duration> bound) {
+  return bounds.answered && !of.has_input ? "finemote::kNothingToBound" : bound_value(bound);
 }
 
 }  // namespace
 
-std::string bound_text(std::int64_t ns) {
-  if (ns < kNsPerMs) return thousandths(ns) + " us";
-  return thousandths((ns + kNsPerUs - 1) / kNsPerUs) + " ms";
+std::string bound_text(Duration bound) {
+  if (bound < milliseconds(1)) return thousandths(bound.ns()) + " us";
+  return thousandths(ceil_div(bound, microseconds(1))) + " ms";
 }
 
 void set_device_bound(const Plan& plan, const RobotBounds& bounds, DeviceId device, Data& data) {
   const DeviceBounds& of = bounds.devices[device];
-  const auto set = [&data](const std::string& name, std::optional<std::int64_t> ns) {
-    data.set("has_" + name, ns.has_value());
-    if (ns) data.set(name, bound_text(*ns));
+  const auto set = [&data](const std::string& name, std::optional<Duration> bound) {
+    data.set("has_" + name, bound.has_value());
+    if (bound) data.set(name, bound_text(*bound));
   };
-  const bool has_age = of.response_ns && of.has_input;
+  const bool has_age = of.response && of.has_input;
   data.set("is_answered", bounds.answered);
-  set("response", of.response_ns);
-  set("age", has_age ? of.age_ns : std::nullopt);
-  set("output", of.output_ns);
-  data.set("has_unproven_age", has_age && !of.age_ns);
+  set("response", of.response);
+  set("age", has_age ? of.age : std::nullopt);
+  set("output", of.output);
+  data.set("has_unproven_age", has_age && !of.age);
   data.set("oldest", of.oldest ? plan.robot.devices[*of.oldest].name.text : std::string());
 }
 
@@ -61,9 +63,9 @@ Data bound_list(const Plan& plan, const RobotBounds& bounds) {
     const DeviceBounds& of = bounds.devices[device];
     Data entry;
     entry.set("device", plan.robot.devices[device].name.cpp);
-    entry.set("response", bound_value(of.response_ns));
-    entry.set("age", age_value(bounds, of, of.age_ns));
-    entry.set("output", age_value(bounds, of, of.output_ns));
+    entry.set("response", bound_value(of.response));
+    entry.set("age", age_value(bounds, of, of.age));
+    entry.set("output", age_value(bounds, of, of.output));
     list.push_back(entry);
   }
   return list;
@@ -77,8 +79,8 @@ Data monitored_list(const Plan& plan, const RobotBounds& bounds) {
     const bool has_command = d.parent && d.type->has_command();
     Data entry;
     entry.set("bucket", std::to_string(plan.schedule.bucket_of[device]));
-    entry.set("response", bound_value(of.response_ns));
-    entry.set("age", age_value(bounds, of, of.age_ns));
+    entry.set("response", bound_value(of.response));
+    entry.set("age", age_value(bounds, of, of.age));
     entry.set("has_command", has_command);
     entry.set("space", plan.forest.trees[plan.forest.tree_of[device]].space);
     entry.set("device", d.name.cpp);

@@ -13,8 +13,8 @@ struct ProvenBounds {
   timing::RobotBounds plain, monitored;
 };
 
-/// A time that is not below `ns`: `187.31 us` exactly, from a millisecond on `12.146 ms`, rounded up.
-std::string bound_text(std::int64_t ns);
+/// A time that is not below `bound`: `187.31 us` exactly, from a millisecond on `12.146 ms`, rounded up.
+std::string bound_text(Duration bound);
 
 /// Sets what templates/device_bound.mustache names.
 void set_device_bound(const Plan& plan, const timing::RobotBounds& bounds, DeviceId device, Data& data);

@@ -82,10 +82,10 @@ std::vector<MeasuredChain> measure_chains(const Robot& robot, const Forest& fore
     chain.to = forest.order[bound.to];
     const auto path = find_chain(robot, chain.from, chain.to);
     const Series series = path ? collect(robot, record, *path) : Series{};
-    chain.acquire = {summarize(series.acquire), bound.acquire_ns};
-    chain.decide = {summarize(series.decide), bound.decide_ns};
-    chain.wire = {summarize(series.wire), bound.wire_ns};
-    chain.end_to_end = {summarize(series.end_to_end), bound.end_to_end_ns};
+    chain.acquire = {summarize(series.acquire), bound.acquire};
+    chain.decide = {summarize(series.decide), bound.decide};
+    chain.wire = {summarize(series.wire), bound.wire};
+    chain.end_to_end = {summarize(series.end_to_end), bound.end_to_end};
     chains.push_back(chain);
   }
   return chains;

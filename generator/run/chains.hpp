@@ -11,9 +11,9 @@ namespace finemote::gen {
 /// One figure of a chain.
 struct Measured {
   Statistics observed;
-  std::optional<std::int64_t> bound_ns;
+  std::optional<Duration> bound;
 
-  [[nodiscard]] bool holds() const { return !bound_ns || observed.count == 0 || observed.max_ns <= *bound_ns; }
+  [[nodiscard]] bool holds() const { return !bound || observed.count == 0 || observed.max_ns <= bound->ns(); }
 };
 
 struct MeasuredChain {

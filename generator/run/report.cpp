@@ -21,7 +21,7 @@ Json statistics(const Measured& figure) {
           {"mean_ns", any ? Json(s.mean_ns) : Json(nullptr)},
           {"sd_ns", any ? Json(s.sd_ns) : Json(nullptr)},
           {"max_ns", any ? Json(s.max_ns) : Json(nullptr)},
-          {"bound_ns", figure.bound_ns ? Json(*figure.bound_ns) : Json(nullptr)}};
+          {"bound_ns", figure.bound ? Json(figure.bound->ns()) : Json(nullptr)}};
 }
 
 Json stage_list(const RunResult& result) {
@@ -79,7 +79,7 @@ Json bus_list(const RunResult& result) {
   return list;
 }
 
-Json bound(std::optional<std::int64_t> ns) { return ns ? Json(*ns) : Json(nullptr); }
+Json bound(std::optional<Duration> time) { return time ? Json(time->ns()) : Json(nullptr); }
 
 Json monitor_list(const RunResult& result) {
   Json list = Json::array();
@@ -87,9 +87,9 @@ Json monitor_list(const RunResult& result) {
     const timing::DeviceBounds& of = result.bounds.devices[entry.device];
     list.push_back({{"device", name_of(result, entry.device)},
                     {"response_max_ns", entry.response_max_ns},
-                    {"response_bound_ns", bound(of.response_ns)},
+                    {"response_bound_ns", bound(of.response)},
                     {"age_max_ns", entry.age_max_ns > 0 ? Json(entry.age_max_ns) : Json(nullptr)},
-                    {"age_bound_ns", bound(of.age_ns)},
+                    {"age_bound_ns", bound(of.age)},
                     {"response_violations", entry.response_violations},
                     {"age_violations", entry.age_violations}});
   }
@@ -160,7 +160,7 @@ void print_figure(const RunResult& result, const MeasuredChain& chain, const cha
   out << fmt::format("  {:<28} {:<10} {:>7} {:>11} {:>11} {:>11} {:>9} {:>11}{}\n", name, part, s.count,
                      microseconds(s, static_cast<double>(s.min_ns)), microseconds(s, s.mean_ns),
                      microseconds(s, static_cast<double>(s.max_ns)), microseconds(s, s.sd_ns),
-                     figure.bound_ns ? fmt::format("{:.3f}", static_cast<double>(*figure.bound_ns) / 1e3) : "-",
+                     figure.bound ? fmt::format("{:.3f}", static_cast<double>(figure.bound->ns()) / 1e3) : "-",
                      figure.holds() ? "" : "  ABOVE ITS BOUND");
 }
 
@@ -192,18 +192,18 @@ void print_chains(const RunResult& result, std::ostream& out) {
 
 void print_monitor(const RunResult& result, std::ostream& out) {
   if (result.record.monitor.empty()) return;
-  const auto time = [](std::optional<std::int64_t> ns) {
-    return ns ? fmt::format("{:.3f}", static_cast<double>(*ns) / 1e3) : "-";
+  const auto time = [](std::optional<Duration> value) {
+    return value ? fmt::format("{:.3f}", static_cast<double>(value->ns()) / 1e3) : "-";
   };
   out << "\nmonitored in the firmware, us: release to end of handle, and age of the data behind the command\n";
   out << fmt::format("  {:<28} {:>11} {:>11} {:>7} {:>11} {:>11} {:>7}\n", "device", "response", "bound", "above",
                      "age", "bound", "above");
   for (const MonitorEntry& entry : result.record.monitor) {
     const timing::DeviceBounds& of = result.bounds.devices[entry.device];
-    const auto age = entry.age_max_ns > 0 ? std::optional<std::int64_t>(entry.age_max_ns) : std::nullopt;
+    const auto age = entry.age_max_ns > 0 ? std::optional(nanoseconds(entry.age_max_ns)) : std::nullopt;
     out << fmt::format("  {:<28} {:>11} {:>11} {:>7} {:>11} {:>11} {:>7}\n", name_of(result, entry.device),
-                       time(entry.response_max_ns), time(of.response_ns), entry.response_violations, time(age),
-                       time(of.age_ns), entry.age_violations);
+                       time(nanoseconds(entry.response_max_ns)), time(of.response), entry.response_violations,
+                       time(age), time(of.age), entry.age_violations);
   }
 }
 

@@ -6,22 +6,30 @@
 namespace finemote::gen {
 namespace {
 
-using timing::Ns;
+bool above(std::optional<Duration> value, std::optional<Duration> bound) { return value && bound && *value > *bound; }
 
-bool above(std::optional<Ns> value, std::optional<Ns> bound) { return value && bound && *value > *bound; }
+Simulation simulate_traced(const timing::Model& model, const SimulationOptions& options, std::ostream* trace) {
+  if (trace == nullptr) return simulate(model, options);
+  TraceWriter writer(model, options.profile, *trace);
+  Simulation run = simulate(model, options, &writer);
+  writer.close();
+  return run;
+}
 
 }  // namespace
 
-std::optional<Ns> observed(Ns worst) { return worst < 0 ? std::nullopt : std::optional<Ns>(worst); }
+std::optional<Duration> observed(Duration worst) {
+  return worst < Duration::zero() ? std::nullopt : std::optional(worst);
+}
 
 bool SimulatedModel::holds() const {
   const auto& bounds = timing.verdict().devices;
   for (const Rank d : bounds.ids()) {
-    if (above(observed(run.devices[d].response), bounds[d].r_minus_ns)) return false;
-    if (above(observed(run.devices[d].window), bounds[d].window_ns)) return false;
+    if (above(observed(run.devices[d].response), bounds[d].r_minus)) return false;
+    if (above(observed(run.devices[d].window), bounds[d].window)) return false;
   }
   for (std::size_t c = 0; c < run.chains.size(); ++c) {
-    if (above(observed(run.chains[c].latency), timing.chains[c].decide_ns)) return false;
+    if (above(observed(run.chains[c].latency), timing.chains[c].decide)) return false;
   }
   return true;
 }
@@ -35,13 +43,14 @@ std::optional<SimulatedModel> simulate_beside_bounds(const timing::Model& model,
   auto timing = timing::analyse(model, question, diagnostics);
   if (!timing) return std::nullopt;
   const bool as_paper = timing->asked == timing::Profile::paper;
-  SimulationOptions options{request.seed, request.duration_ns, as_paper ? timing::Profile::tight : timing->asked, {}};
+  SimulationOptions options{request.seed, request.duration, as_paper ? timing::Profile::tight : timing->asked, {}};
   for (const timing::ChainResult& chain : timing->chains) options.chains.push_back({chain.from, chain.to});
-  std::optional<TraceWriter> writer;
-  if (trace != nullptr) writer.emplace(model, options.profile, *trace);
-  Simulation run = simulate(model, options, writer ? &*writer : nullptr);
-  if (writer) writer->close();
-  return SimulatedModel{std::move(*timing), std::move(run)};
+  try {
+    return SimulatedModel{std::move(*timing), simulate_traced(model, options, trace)};
+  } catch (const Overflow& overflow) {
+    timing::report_overflow(timing::start(model), overflow, diagnostics);
+    return std::nullopt;
+  }
 }
 
 }  // namespace finemote::gen

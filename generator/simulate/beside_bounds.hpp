@@ -13,7 +13,7 @@ namespace finemote::gen {
 
 struct SimulationRequest {
   std::uint64_t seed = 1;
-  timing::Ns duration_ns = 10'000'000'000;
+  Duration duration = seconds(10);
   std::vector<std::string> chains = {};                   ///< `a->b`, beyond the default ones
   std::optional<timing::Profile> profile = std::nullopt;  ///< none: target where the model has one, else tight
 };
@@ -30,11 +30,12 @@ struct SimulatedModel {
 };
 
 /// An observed value; none where nothing was.
-std::optional<timing::Ns> observed(timing::Ns worst);
+std::optional<Duration> observed(Duration worst);
 
 /// Analyses and simulates. Profile paper is simulated as tight: its buses interrupt more often than any wire can.
 /// @param trace  where a Chrome trace is written; null: none
-/// @return  none where timing::parse_chains or timing::analyse report an error and give no answer
+/// @return  none where timing::parse_chains or timing::analyse report an error and give no answer, and where a time of
+/// the run leaves 64 bits, which is reported as FM4010
 std::optional<SimulatedModel> simulate_beside_bounds(const timing::Model& model, const SimulationRequest& request,
                                                      Diagnostics& diagnostics, std::ostream* trace = nullptr);
 

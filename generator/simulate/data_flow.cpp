@@ -5,8 +5,6 @@
 
 namespace finemote::gen {
 
-using timing::Ns;
-
 DataFlow::DataFlow(const timing::Model& model, const timing::Topology& topology, const std::vector<ChainEnds>& chains)
     : model_(model),
       producers_(topology.children),
@@ -41,7 +39,7 @@ DataFlow::DataFlow(const timing::Model& model, const timing::Topology& topology,
   }
 }
 
-void DataFlow::begin_update(Rank device, Ns now) {
+void DataFlow::begin_update(Rank device, Duration now) {
   Origins& seen = seen_[device];
   for (std::size_t s = 0; s < sources_.size(); ++s) {
     if (sources_[s] == device) {
@@ -49,7 +47,7 @@ void DataFlow::begin_update(Rank device, Ns now) {
       continue;
     }
     if (!leads_[device][s]) continue;
-    Ns oldest = now;
+    Duration oldest = now;
     for (const Rank p : producers_[device]) {
       if (leads_[p][s]) oldest = std::min(oldest, state_[p][s]);
     }
@@ -57,21 +55,21 @@ void DataFlow::begin_update(Rank device, Ns now) {
   }
 }
 
-void DataFlow::end_update(Rank device, Ns now) {
+void DataFlow::end_update(Rank device, Duration now) {
   state_[device] = seen_[device];
   state_time_[device] = now;
 }
 
-void DataFlow::begin_handle(Rank device, Ns) {
+void DataFlow::begin_handle(Rank device, Duration) {
   const auto parent = model_.devices[device].parent;
   decided_[device] = parent ? command_[*parent] : seen_[device];
 }
 
-void DataFlow::end_handle(Rank device, Ns now, std::vector<Simulation::ChainWorst>& chains) {
+void DataFlow::end_handle(Rank device, Duration now, std::vector<Simulation::ChainWorst>& chains) {
   command_[device] = decided_[device];
   command_time_[device] = now;
   for (const auto& [chain, source] : ends_[device]) {
-    const Ns origin = decided_[device][source];
+    const Duration origin = decided_[device][source];
     if (origin != kNothing) chains[chain].latency = std::max(chains[chain].latency, now - origin);
   }
 }

@@ -2,7 +2,7 @@
 
 namespace finemote::gen {
 
-timing::Ns Lengths::draw(timing::Ns least, timing::Ns most) {
+Duration Lengths::draw(Duration least, Duration most) {
   if (--left_ <= 0) {
     manner_ = static_cast<Manner>(random_.between(0, 4));
     left_ = random_.between(1, 60);

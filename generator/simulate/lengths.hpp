@@ -11,14 +11,14 @@ class Lengths {
   explicit Lengths(Random& random) : random_(random) {}
 
   /// Between nothing less than `least` and nothing more than `most` [ns], in the manner of the moment.
-  timing::Ns draw(timing::Ns least, timing::Ns most);
+  Duration draw(Duration least, Duration most);
 
  private:
   enum class Manner { worst, best, uniform, extreme, mostly_worst };
 
   Random& random_;
   Manner manner_ = Manner::worst;
-  timing::Ns left_ = 0;  ///< draws until the manner changes
+  std::int64_t left_ = 0;  ///< draws until the manner changes
 };
 
 }  // namespace finemote::gen

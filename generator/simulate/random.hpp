@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "generator/units/duration.hpp"
+
 namespace finemote::gen {
 
 /// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014).
@@ -22,6 +24,8 @@ class Random {
     const auto span = static_cast<std::uint64_t>(high - low) + 1;
     return low + static_cast<std::int64_t>(span == 0 ? next() : next() % span);
   }
+
+  Duration between(Duration low, Duration high) { return nanoseconds(between(low.ns(), high.ns())); }
 
   bool one_in(std::int64_t n) { return between(1, n) == 1; }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <limits>
 
 #include "generator/simulate/data_flow.hpp"
 #include "generator/simulate/lengths.hpp"
@@ -12,26 +11,24 @@
 namespace finemote::gen {
 namespace {
 
-using timing::Ns;
-
 /// A piece of interrupt work; the release interrupt makes its buckets ready at its end.
 struct Interrupt {
   std::size_t stream = 0;
-  Ns left = 0;
-  Ns begin = -1;
+  Duration left;
+  Duration begin = kNothing;
   std::vector<std::size_t> due;  ///< buckets, for a release
-  Ns released = 0;
+  Duration released;
 };
 
 /// The job of one bucket: entry, updates forward, handles backward, flush.
 struct JobState {
   bool active = false;
-  Ns release = 0;
-  Ns begin = -1;
+  Duration release;
+  Duration begin = kNothing;
   std::size_t piece = 0;  ///< 0 entry, 1..n updates, n+1..2n handles, 2n+1 flush
   bool piece_begun = false;
-  Ns piece_begin = 0;
-  Ns left = 0;
+  Duration piece_begin;
+  Duration left;
 };
 
 /// When buckets are released: each once per period, from time 0 on.
@@ -40,20 +37,20 @@ class ReleaseClock {
   /// What is released together.
   struct Due {
     std::vector<std::size_t> buckets;
-    Ns released = 0;  ///< when the last of them was due
+    Duration released;  ///< when the last of them was due
   };
 
-  explicit ReleaseClock(const std::vector<timing::TaskBucket>& buckets) : buckets_(buckets), next_(buckets.size(), 0) {}
+  explicit ReleaseClock(const std::vector<timing::TaskBucket>& buckets) : buckets_(buckets), next_(buckets.size()) {}
 
   /// The next release of all.
-  [[nodiscard]] Ns next() const {
+  [[nodiscard]] Duration next() const {
     const auto soonest = std::min_element(next_.begin(), next_.end());
-    return soonest == next_.end() ? std::numeric_limits<Ns>::max() : *soonest;
+    return soonest == next_.end() ? Duration::max() : *soonest;
   }
-  [[nodiscard]] Ns next_of(std::size_t bucket) const { return next_[bucket]; }
+  [[nodiscard]] Duration next_of(std::size_t bucket) const { return next_[bucket]; }
 
   /// Everything that is due at `now`.
-  Due take(Ns now) {
+  Due take(Duration now) {
     Due due;
     for (std::size_t w = 0; w < next_.size(); ++w) {
       if (next_[w] > now) continue;
@@ -66,7 +63,7 @@ class ReleaseClock {
 
  private:
   const std::vector<timing::TaskBucket>& buckets_;
-  std::vector<Ns> next_;
+  std::vector<Duration> next_;
 };
 
 /// Tells an observer, if there is one, which values a stage uses as it begins.
@@ -76,11 +73,11 @@ class InputReporter {
                 SimulationObserver* observer)
       : model_(model), topology_(topology), flow_(flow), observer_(observer) {}
 
-  void inputs(Rank device, bool is_update, Ns now) const {
+  void inputs(Rank device, bool is_update, Duration now) const {
     using Stage = SimulationObserver::Stage;
     if (observer_ == nullptr) return;
-    const auto report = [&](Rank producer, Ns published, Stage stage) {
-      if (published >= 0) observer_->hand_over(producer, device, stage, published, now);
+    const auto report = [&](Rank producer, Duration published, Stage stage) {
+      if (published >= Duration::zero()) observer_->hand_over(producer, device, stage, published, now);
     };
     if (!is_update) {
       if (const auto parent = model_.devices[device].parent)
@@ -113,17 +110,17 @@ class Simulator {
         flow_(model, topology_, options.chains),
         reporter_(model, topology_, flow_, observer),
         jobs_(set_.buckets.size()),
-        update_begin_(model.devices.size(), 0) {
+        update_begin_(model.devices.size()) {
     result_.devices.resize(model.devices.size());
-    for (const ChainEnds& ends : options.chains) result_.chains.push_back({ends, -1});
+    for (const ChainEnds& ends : options.chains) result_.chains.push_back({ends, kNothing});
     for (std::size_t s = 0; s < set_.bus_streams; ++s) {
       arrivals_.emplace_back(set_.streams[s], set_.buckets.back().period, random_);
     }
   }
 
   Simulation run() {
-    while (now_ < options_.duration_ns) {
-      const Ns event = next_event();
+    while (now_ < options_.duration) {
+      const Duration event = next_event();
       if (event <= now_) {
         admit();
         continue;
@@ -140,8 +137,8 @@ class Simulator {
   }
 
  private:
-  [[nodiscard]] Ns next_event() const {
-    Ns event = clock_.next();
+  [[nodiscard]] Duration next_event() const {
+    Duration event = clock_.next();
     for (const ArrivalGenerator& a : arrivals_) event = std::min(event, a.next());
     return std::max(event, masked_until_);
   }
@@ -153,11 +150,11 @@ class Simulator {
   }
 
   void admit() {
-    masked_until_ = 0;
+    masked_until_ = {};
     for (std::size_t s = 0; s < arrivals_.size(); ++s) {
       while (arrivals_[s].next() <= now_) {
-        interrupts_.push_back({s, lengths_.draw(0, set_.streams[s].cost), -1, {}, 0});
-        const auto w = static_cast<std::size_t>(random_.between(0, static_cast<Ns>(jobs_.size()) - 1));
+        interrupts_.push_back({s, lengths_.draw({}, set_.streams[s].cost), kNothing, {}, {}});
+        const auto w = static_cast<std::size_t>(random_.between(0, static_cast<std::int64_t>(jobs_.size()) - 1));
         arrivals_[s].advance(clock_.next_of(w));
       }
     }
@@ -167,9 +164,9 @@ class Simulator {
 
   void release(ReleaseClock::Due due) {
     if (options_.profile != timing::Profile::target) return make_ready(due.buckets, due.released);
-    const Ns count = static_cast<Ns>(due.buckets.size());
-    const Ns most = model_.costs.release_ns + count * model_.costs.release_per_bucket_ns;
-    Interrupt interrupt{set_.bus_streams, lengths_.draw(0, most), -1, std::move(due.buckets), due.released};
+    const auto count = static_cast<std::int64_t>(due.buckets.size());
+    const Duration most = model_.costs.release + count * model_.costs.release_per_bucket;
+    Interrupt interrupt{set_.bus_streams, lengths_.draw({}, most), kNothing, std::move(due.buckets), due.released};
     if (random_.one_in(2)) {
       interrupts_.push_back(std::move(interrupt));
     } else {
@@ -177,7 +174,7 @@ class Simulator {
     }
   }
 
-  void make_ready(const std::vector<std::size_t>& due, Ns released) {
+  void make_ready(const std::vector<std::size_t>& due, Duration released) {
     for (const std::size_t w : due) {
       if (jobs_[w].active) {
         ++result_.misses;
@@ -189,10 +186,10 @@ class Simulator {
     }
   }
 
-  void run_interrupt(Ns event) {
+  void run_interrupt(Duration event) {
     Interrupt& front = interrupts_.front();
-    if (front.begin < 0) front.begin = now_;
-    const Ns end = now_ + front.left;
+    if (front.begin < Duration::zero()) front.begin = now_;
+    const Duration end = now_ + front.left;
     if (end > event) {
       front.left = end - event;
       now_ = event;
@@ -205,10 +202,10 @@ class Simulator {
     make_ready(done.due, done.released);
   }
 
-  void run_job(std::size_t w, Ns event) {
+  void run_job(std::size_t w, Duration event) {
     JobState& job = jobs_[w];
     if (!job.piece_begun) begin_piece(w, job);
-    const Ns end = now_ + job.left;
+    const Duration end = now_ + job.left;
     if (end <= event) {
       now_ = end;
       end_piece(w, job);
@@ -217,8 +214,8 @@ class Simulator {
     job.left = end - event;
     now_ = event;
     // The code at work may have interrupts masked just now.
-    if (set_.blocking > 0 && masked_until_ == 0 && random_.one_in(2)) {
-      masked_until_ = now_ + std::min(random_.between(0, set_.blocking), job.left);
+    if (set_.blocking > Duration::zero() && masked_until_ == Duration::zero() && random_.one_in(2)) {
+      masked_until_ = now_ + std::min(random_.between({}, set_.blocking), job.left);
     }
   }
 
@@ -232,17 +229,17 @@ class Simulator {
     const std::size_t n = set_.buckets[w].devices.size();
     job.piece_begun = true;
     job.piece_begin = now_;
-    if (job.begin < 0) job.begin = now_;
+    if (job.begin < Duration::zero()) job.begin = now_;
     if (job.piece == 0 || job.piece > 2 * n) {
-      job.left = lengths_.draw(0, job.piece == 0 ? set_.buckets[w].before : set_.buckets[w].after);
+      job.left = lengths_.draw({}, job.piece == 0 ? set_.buckets[w].before : set_.buckets[w].after);
       return;
     }
     const Rank d = device_of(w, job.piece);
     const bool is_update = job.piece <= n;
     const timing::Device& device = model_.devices[d];
     const bool target = options_.profile == timing::Profile::target;
-    job.left = is_update ? lengths_.draw(target ? device.update_bcet_ns : 0, set_.update[d])
-                         : lengths_.draw(target ? device.handle_bcet_ns : 0, set_.handle[d]);
+    job.left = is_update ? lengths_.draw(target ? device.update_bcet : Duration::zero(), set_.update[d])
+                         : lengths_.draw(target ? device.handle_bcet : Duration::zero(), set_.handle[d]);
     if (is_update) {
       update_begin_[d] = now_;
       flow_.begin_update(d, now_);
@@ -256,7 +253,7 @@ class Simulator {
     const std::size_t n = set_.buckets[w].devices.size();
     if (job.piece >= 1 && job.piece <= 2 * n) end_stage(device_of(w, job.piece), job.piece <= n, job);
     job.piece_begun = false;
-    const std::size_t last = set_.buckets[w].after > 0 ? 2 * n + 1 : 2 * n;
+    const std::size_t last = set_.buckets[w].after > Duration::zero() ? 2 * n + 1 : 2 * n;
     if (job.piece++ < last) return;
     if (now_ - job.release > set_.buckets[w].period) ++result_.misses;
     if (observer_ != nullptr) observer_->job(w, job.begin, now_);
@@ -291,9 +288,9 @@ class Simulator {
   std::vector<ArrivalGenerator> arrivals_;
   std::deque<Interrupt> interrupts_;
   std::vector<JobState> jobs_;
-  Table<Rank, Ns> update_begin_;
-  Ns now_ = 0;
-  Ns masked_until_ = 0;
+  Table<Rank, Duration> update_begin_;
+  Duration now_;
+  Duration masked_until_;
   Simulation result_;
 };
 

@@ -14,7 +14,7 @@ struct ChainEnds {
 
 struct SimulationOptions {
   std::uint64_t seed = 1;
-  timing::Ns duration_ns = 1'000'000'000;
+  Duration duration = seconds(1);
   timing::Profile profile = timing::Profile::tight;  ///< which costs and interrupts are simulated
   std::vector<ChainEnds> chains;
 };
@@ -24,22 +24,25 @@ class SimulationObserver {
  public:
   virtual ~SimulationObserver() = default;
   enum class Stage { update, handle };
-  virtual void job(std::size_t bucket, timing::Ns begin, timing::Ns end) = 0;
-  virtual void stage(Rank device, Stage stage, timing::Ns begin, timing::Ns end) = 0;
-  virtual void interrupt(std::size_t stream, timing::Ns begin, timing::Ns end) = 0;
+  virtual void job(std::size_t bucket, Duration begin, Duration end) = 0;
+  virtual void stage(Rank device, Stage stage, Duration begin, Duration end) = 0;
+  virtual void interrupt(std::size_t stream, Duration begin, Duration end) = 0;
   /// Data published by a stage of `producer` that ended at `published`, read by a stage that began at `used`.
-  virtual void hand_over(Rank producer, Rank consumer, Stage stage, timing::Ns published, timing::Ns used) = 0;
+  virtual void hand_over(Rank producer, Rank consumer, Stage stage, Duration published, Duration used) = 0;
 };
+
+/// Of what has not happened: below every time.
+inline constexpr Duration kNothing = nanoseconds(-1);
 
 struct Simulation {
   struct DeviceWorst {
-    timing::Ns update_response = timing::Ns{-1};  ///< release to end of update(); -1: never ran
-    timing::Ns response = timing::Ns{-1};         ///< release to end of handle()
-    timing::Ns window = timing::Ns{-1};           ///< start of update() to end of handle()
+    Duration update_response = kNothing;  ///< release to end of update(); kNothing: never ran
+    Duration response = kNothing;         ///< release to end of handle()
+    Duration window = kNothing;           ///< start of update() to end of handle()
   };
   struct ChainWorst {
     ChainEnds ends;
-    timing::Ns latency = timing::Ns{-1};  ///< start of the source's update() to end of the terminal's handle()
+    Duration latency = kNothing;  ///< start of the source's update() to end of the terminal's handle()
   };
   Table<Rank, DeviceWorst> devices;
   std::vector<ChainWorst> chains;
@@ -49,7 +52,7 @@ struct Simulation {
 /// At one instant, ended stages publish, then releases and interrupts are admitted, then the most urgent work runs.
 /// Stages read at their start and publish at their end. Execution times and arrivals change their manner now and then:
 /// all worst, all best, uniform, either extreme; interrupts as fast as allowed, in bursts at releases, at random.
-/// The same seed gives the same run on every machine. Requires a model that read_model accepts.
+/// The same seed gives the same run on every machine. Requires a model that read_model accepts. Throws Overflow.
 Simulation simulate(const timing::Model& model, const SimulationOptions& options,
                     SimulationObserver* observer = nullptr);
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 #include <vector>
 
 #include "generator/simulate/random.hpp"
@@ -12,31 +12,31 @@ namespace finemote::gen {
 
 class ArrivalGenerator {
  public:
-  ArrivalGenerator(const timing::Stream& stream, timing::Ns largest_period, Random& random)
+  ArrivalGenerator(const timing::Stream& stream, Duration largest_period, Random& random)
       : stream_(stream), largest_period_(largest_period), random_(random) {
-    next_ = random_.one_in(2) ? 0 : random_.between(0, largest_period);
+    next_ = random_.one_in(2) ? Duration::zero() : random_.between({}, largest_period);
     used_.assign(stream.budgets.size(), {kNoPeriod, 0});
     settle();
   }
 
-  [[nodiscard]] timing::Ns next() const { return next_; }
+  [[nodiscard]] Duration next() const { return next_; }
 
   /// Called when `next()` has arrived; `release` is an instant at which some bucket is released later.
-  void advance(timing::Ns release) {
+  void advance(Duration release) {
     if (--left_ <= 0) choose();
-    const timing::Ns earliest = next_ + stream_.separation;
+    const Duration earliest = next_ + stream_.separation;
     switch (manner_) {
       case Manner::fastest:
         next_ = earliest;
         break;
       case Manner::sparse:
-        next_ = earliest + random_.between(0, 3 * stream_.separation);
+        next_ = earliest + random_.between({}, 3 * stream_.separation);
         break;
       case Manner::at_release:
         next_ = std::max(earliest, release), manner_ = Manner::fastest;
         break;
       case Manner::pause:
-        next_ = earliest + random_.between(0, largest_period_), manner_ = Manner::fastest;
+        next_ = earliest + random_.between({}, largest_period_), manner_ = Manner::fastest;
         break;
     }
     settle();
@@ -44,7 +44,7 @@ class ArrivalGenerator {
 
  private:
   enum class Manner { fastest, sparse, at_release, pause };
-  static constexpr timing::Ns kNoPeriod = -1;
+  static constexpr std::int64_t kNoPeriod = -1;
 
   void choose() {
     manner_ = static_cast<Manner>(random_.between(0, 3));
@@ -55,38 +55,38 @@ class ArrivalGenerator {
   void settle() {
     if (stream_.budgets.empty()) return;
     for (;;) {
-      timing::Ns soonest = -1;
+      std::optional<Duration> soonest;
       for (std::size_t i = 0; i < used_.size(); ++i) {
         const timing::Stream::Budget& b = stream_.budgets[i];
-        const timing::Ns period = next_ / b.period;
+        const std::int64_t period = floor_div(next_, b.period);
         const bool is_next = used_[i].period == kNoPeriod || period >= used_[i].period + b.every;
         if (is_next) used_[i] = {period, 0};
         if (used_[i].period == period && used_[i].count < b.count) {
           ++used_[i].count;
           return;
         }
-        const timing::Ns later = (used_[i].period + b.every) * b.period;
-        if (b.count > 0 && (soonest < 0 || later < soonest)) soonest = later;
+        const Duration later = (used_[i].period + b.every) * b.period;
+        if (b.count > 0 && (!soonest || later < *soonest)) soonest = later;
       }
-      if (soonest < 0) {
-        next_ = std::numeric_limits<timing::Ns>::max() / 4;
+      if (!soonest) {
+        next_ = floor_div(Duration::max(), 4);
         return;
       }
-      next_ = soonest;
+      next_ = *soonest;
     }
   }
 
   struct Used {
-    timing::Ns period = kNoPeriod;  ///< the last one with room
-    timing::Ns count = 0;
+    std::int64_t period = kNoPeriod;  ///< the last one with room
+    std::int64_t count = 0;
   };
 
   const timing::Stream& stream_;
-  timing::Ns largest_period_;
+  Duration largest_period_;
   Random& random_;
-  timing::Ns next_ = 0;
+  Duration next_;
   Manner manner_ = Manner::fastest;
-  timing::Ns left_ = 8;
+  std::int64_t left_ = 8;
   std::vector<Used> used_;
 };
 

@@ -10,12 +10,10 @@
 namespace finemote::gen {
 namespace {
 
-using timing::Ns;
-
 std::string quoted(const std::string& text) { return nlohmann::ordered_json(text).dump(); }
 
 /// Microseconds, exactly.
-std::string stamp(Ns ns) { return fmt::format("{}.{:03}", ns / 1000, ns % 1000); }
+std::string stamp(Duration time) { return fmt::format("{}.{:03}", time.ns() / 1000, time.ns() % 1000); }
 
 }  // namespace
 
@@ -66,39 +64,40 @@ void TraceWriter::line(const std::string& event) {
   out_ << event;
 }
 
-void TraceWriter::slice(std::size_t track, const std::string& name, Ns begin, Ns end) {
+void TraceWriter::slice(std::size_t track, const std::string& name, Duration begin, Duration end) {
   line(fmt::format(R"({{"ph":"X","pid":1,"tid":{},"ts":{},"dur":{},"name":{}}})", track, stamp(begin),
                    stamp(end - begin), quoted(name)));
 }
 
-Ns& TraceWriter::last_empty(Rank device, Stage stage) {
+Duration& TraceWriter::last_empty(Rank device, Stage stage) {
   LastEmpty& last = last_empty_[device];
   return stage == Stage::update ? last.update : last.handle;
 }
 
 std::size_t TraceWriter::bucket_track(Rank device) const { return job_track(set_.bucket_of[device]); }
 
-void TraceWriter::job(std::size_t bucket, Ns begin, Ns end) { slice(job_track(bucket), "job", begin, end); }
+void TraceWriter::job(std::size_t bucket, Duration begin, Duration end) { slice(job_track(bucket), "job", begin, end); }
 
-void TraceWriter::stage(Rank device, Stage stage, Ns begin, Ns end) {
+void TraceWriter::stage(Rank device, Stage stage, Duration begin, Duration end) {
   slice(bucket_track(device), model_.devices[device].name + (stage == Stage::update ? ".update" : ".handle"), begin,
         end);
   if (begin == end) last_empty(device, stage) = end;
 }
 
-void TraceWriter::interrupt(std::size_t stream, Ns begin, Ns end) {
+void TraceWriter::interrupt(std::size_t stream, Duration begin, Duration end) {
   const bool is_bus = stream < set_.bus_streams;
   slice(is_bus ? bus_track(bus_of_[stream]) : model_.buses.size() + 1, is_bus ? set_.streams[stream].name : "release",
         begin, end);
 }
 
 /// The arrow leaves one nanosecond before the producer's end, inside its slice; where that is empty, at its end.
-void TraceWriter::hand_over(Rank producer, Rank consumer, Stage stage, Ns published, Ns used) {
+void TraceWriter::hand_over(Rank producer, Rank consumer, Stage stage, Duration published, Duration used) {
   const std::string name = quoted(stage == Stage::update ? "state" : "command");
   const bool is_empty = last_empty(producer, stage) == published;
   ++flow_;
   line(fmt::format(R"({{"ph":"s","pid":1,"tid":{},"ts":{},"id":{},"cat":"data","name":{}}})", bucket_track(producer),
-                   stamp(is_empty || published == 0 ? published : published - 1), flow_, name));
+                   stamp(is_empty || published == Duration::zero() ? published : published - nanoseconds(1)), flow_,
+                   name));
   line(fmt::format(R"({{"ph":"f","bp":"e","pid":1,"tid":{},"ts":{},"id":{},"cat":"data","name":{}}})",
                    bucket_track(consumer), stamp(used), flow_, name));
 }

@@ -18,15 +18,15 @@ class TraceWriter : public SimulationObserver {
   TraceWriter(const timing::Model& model, timing::Profile profile, std::ostream& out);
   void close();
 
-  void job(std::size_t bucket, timing::Ns begin, timing::Ns end) override;
-  void stage(Rank device, Stage stage, timing::Ns begin, timing::Ns end) override;
-  void interrupt(std::size_t stream, timing::Ns begin, timing::Ns end) override;
-  void hand_over(Rank producer, Rank consumer, Stage stage, timing::Ns published, timing::Ns used) override;
+  void job(std::size_t bucket, Duration begin, Duration end) override;
+  void stage(Rank device, Stage stage, Duration begin, Duration end) override;
+  void interrupt(std::size_t stream, Duration begin, Duration end) override;
+  void hand_over(Rank producer, Rank consumer, Stage stage, Duration published, Duration used) override;
 
  private:
-  /// When a stage last ran with no length; -1: never.
+  /// When a stage last ran with no length; kNothing: never.
   struct LastEmpty {
-    timing::Ns update = -1, handle = -1;
+    Duration update = kNothing, handle = kNothing;
   };
 
   void find_buses();
@@ -34,9 +34,9 @@ class TraceWriter : public SimulationObserver {
   [[nodiscard]] static std::size_t bus_track(timing::BusPlace bus);
   [[nodiscard]] std::size_t job_track(std::size_t bucket) const;
   void line(const std::string& event);
-  void slice(std::size_t track, const std::string& name, timing::Ns begin, timing::Ns end);
+  void slice(std::size_t track, const std::string& name, Duration begin, Duration end);
   [[nodiscard]] std::size_t bucket_track(Rank device) const;
-  timing::Ns& last_empty(Rank device, Stage stage);
+  Duration& last_empty(Rank device, Stage stage);
 
   const timing::Model& model_;
   timing::TaskSet set_;

@@ -14,14 +14,14 @@ namespace finemote::gen::timing {
 namespace {
 
 /// Worst response of handle() less the least time its job needs to get there.
-std::optional<Ns> jitter(const Model& model, const ProfileAnalysis& profile, Rank device) {
+std::optional<Duration> jitter(const Model& model, const ProfileAnalysis& profile, Rank device) {
   const TaskSet& set = profile.set;
   const std::size_t w = set.bucket_of[device];
   if (!profile.responses.ok(w)) return std::nullopt;
-  Ns least = 0;
+  Duration least;
   for (const Rank d : set.buckets[w].devices) {
-    least = add(least, model.devices[d].update_bcet_ns);
-    if (d >= device) least = add(least, model.devices[d].handle_bcet_ns);
+    least += model.devices[d].update_bcet;
+    if (d >= device) least += model.devices[d].handle_bcet;
   }
   return profile.responses.r_minus[device] - least;
 }
@@ -36,8 +36,8 @@ RequirementResult evaluate_load(const Model& model, const ProfileAnalysis& profi
     result.ok = *result.fraction <= r.max_fraction;
     return result;
   }
-  result.value_ns = jitter(model, profile, r.to.front());
-  result.ok = result.value_ns && *result.value_ns <= r.max_ns;
+  result.value = jitter(model, profile, r.to.front());
+  result.ok = result.value && *result.value <= r.max;
   return result;
 }
 
@@ -52,7 +52,7 @@ class Evaluation {
     RequirementResult result;
     result.requirement = r;
     find_latency(r, result);
-    result.ok = result.value_ns && *result.value_ns <= r.max_ns;
+    result.ok = result.value && *result.value <= r.max;
     return result;
   }
 
@@ -60,9 +60,9 @@ class Evaluation {
   /// The largest of all pairs; none when one of them has none.
   void find_latency(const Requirement& r, RequirementResult& result) const {
     const auto value_of = [&](const ChainResult& chain) {
-      return r.kind == Requirement::Kind::latency_decision ? chain.decide_ns : chain.end_to_end_ns;
+      return r.kind == Requirement::Kind::latency_decision ? chain.decide : chain.end_to_end;
     };
-    Ns worst = 0, decide = 0;
+    Duration worst, decide;
     bool decides = true;
     for (const Rank from : r.from) {
       for (const Rank to : r.to) {
@@ -72,16 +72,16 @@ class Evaluation {
           return;
         }
         const ChainResult chain = chains_.bound(from, to);
-        decides &= chain.decide_ns.has_value();
-        decide = std::max(decide, chain.decide_ns.value_or(0));
+        decides &= chain.decide.has_value();
+        decide = std::max(decide, chain.decide.value_or(Duration::zero()));
         const auto value = value_of(chain);
         const bool is_worst = !result.chain || (value_of(*result.chain) && (!value || *value > worst));
         if (is_worst) result.chain = chain;
-        worst = std::max(worst, value.value_or(0));
+        worst = std::max(worst, value.value_or(Duration::zero()));
       }
     }
-    if (decides) result.decide_ns = decide;
-    if (result.chain && value_of(*result.chain)) result.value_ns = worst;
+    if (decides) result.decide = decide;
+    if (result.chain && value_of(*result.chain)) result.value = worst;
   }
 
   const Model& model_;
@@ -90,15 +90,12 @@ class Evaluation {
   const Table<BusPlace, BusLoad>& loads_;
 };
 
-/// Where a finding about the whole model points: its first device.
-Position start(const Model& model) { return model.devices.empty() ? Position{} : model.devices[Rank{}].at; }
-
 /// The assumed figures as what they become when they are written down: a budget to keep.
 std::string wcet_hint(const Device& device) {
   return fmt::format(
       "<wcet update=\"{}\" handle=\"{}\" source=\"budget\"/> at '{}' if it keeps to that; finemote run prints "
       "the element with source=\"measured\"",
-      units::format_duration(device.update_wcet_ns), units::format_duration(device.handle_wcet_ns), device.name);
+      units::format_duration(device.update_wcet.ns()), units::format_duration(device.handle_wcet.ns()), device.name);
 }
 
 constexpr std::size_t kMostNamed = 6;
@@ -230,6 +227,13 @@ bool Timing::requirements_hold() const {
   return std::all_of(requirements.begin(), requirements.end(), [](const RequirementResult& r) { return r.ok; });
 }
 
+Position start(const Model& model) { return model.devices.empty() ? Position{} : model.devices[Rank{}].at; }
+
+void report_overflow(const Position& at, const Overflow& overflow, Diagnostics& diagnostics) {
+  diagnostics.error(code::timing_overflow, at, fmt::format("{} does not fit signed 64 bits", overflow.what()))
+      .note("times are integer nanoseconds, at most 292 years");
+}
+
 std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics) {
   if (request.profile == Profile::target && !model.has_target) {
     diagnostics.error(code::timing_profile, start(model), "profile 'target' needs costs, and this model has none")
@@ -240,9 +244,7 @@ std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request
     if (request.verdict_only) return analyse_verdict(model, request);
     return analyse_all(model, request, diagnostics);
   } catch (const Overflow& overflow) {
-    diagnostics
-        .error(code::timing_overflow, start(model), fmt::format("{} does not fit signed 64 bits", overflow.what()))
-        .note("times are integer nanoseconds, at most 292 years");
+    report_overflow(start(model), overflow, diagnostics);
   } catch (const TooLong& reason) {
     diagnostics.error(code::timing_too_long, start(model), reason.what())
         .hint("periods with small common multiples, or a lower utilization, are quick to analyse");

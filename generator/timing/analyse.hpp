@@ -16,7 +16,7 @@ struct Requirement {
   std::string text;             ///< the operand as written
   std::vector<Rank> from, to;   ///< latency: the maximum over all pairs; jitter: `to` holds one device
   std::optional<BusPlace> bus;  ///< utilization; none: the processor
-  Ns max_ns = 0;
+  Duration max;
   double max_fraction = 0;
   Position at;
 
@@ -29,11 +29,11 @@ struct ChainRequest {
 
 struct RequirementResult {
   Requirement requirement;
-  std::optional<Ns> value_ns;      ///< latency, jitter
+  std::optional<Duration> value;   ///< latency, jitter
   std::optional<double> fraction;  ///< utilization
   bool ok = false;
   std::optional<ChainResult> chain;         ///< latency: the worst one, or one without a bound
-  std::optional<Ns> decide_ns;              ///< latency: the worst decision among all pairs
+  std::optional<Duration> decide;           ///< latency: the worst decision among all pairs
   std::optional<ChainRequest> unconnected;  ///< latency: a pair no data leads along
   bool connected_backwards = false;         ///< data lead along that pair the other way round
 };
@@ -84,11 +84,17 @@ struct Timing {
 /// FM4021 (an overloaded bus).
 std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics);
 
+/// Where a finding about the whole model points: its first device.
+Position start(const Model& model);
+
+/// Reports FM4010: what was calculated with the times of a model left 64 bits.
+void report_overflow(const Position& at, const Overflow& overflow, Diagnostics& diagnostics);
+
 /// Largest factor, in thousandths, all execution times of devices (`only`: of one) can be multiplied with such that
 /// every bucket of the profile still ends in its period; 0 when it does not even at 0; `kMostSlack` when nothing limits
 /// it.
-inline constexpr Ns kMostSlack = 1'000'000;
-Ns slack_permille(const Model& model, Profile profile, std::optional<Rank> only = std::nullopt);
+inline constexpr std::int64_t kMostSlack = 1'000'000;
+std::int64_t slack_permille(const Model& model, Profile profile, std::optional<Rank> only = std::nullopt);
 
 /// Another order of registration: the device of each new rank, by its rank in the model as it is.
 using Order = Table<Rank, Rank>;

@@ -7,17 +7,17 @@ namespace finemote::gen::timing {
 
 /// Of one device; without a value there is no bound, or nothing to bound.
 struct DeviceBounds {
-  std::optional<Ns> response_ns;   ///< release to end of handle()
-  bool has_input = false;          ///< it takes its command from another device
-  std::optional<Ns> age_ns;        ///< oldest sample behind that command, at the end of handle()
-  std::optional<Ns> output_ns;     ///< the same sample, at the last bit of the output
-  std::optional<DeviceId> oldest;  ///< whose sample
+  std::optional<Duration> response;  ///< release to end of handle()
+  bool has_input = false;            ///< it takes its command from another device
+  std::optional<Duration> age;       ///< oldest sample behind that command, at the end of handle()
+  std::optional<Duration> output;    ///< the same sample, at the last bit of the output
+  std::optional<DeviceId> oldest;    ///< whose sample
 };
 
 struct RobotBounds {
   Table<DeviceId, DeviceBounds> devices;
-  std::vector<std::optional<Ns>> jobs;  ///< per Schedule::buckets: release to end of a job
-  bool answered = false;                ///< the analysis came to an end
+  std::vector<std::optional<Duration>> jobs;  ///< per Schedule::buckets: release to end of a job
+  bool answered = false;                      ///< the analysis came to an end
 };
 
 /// The bounds of profile `target`, of an analysis that was asked for `inputs`. Never fails: what it did not answer has

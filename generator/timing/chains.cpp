@@ -10,19 +10,18 @@
 namespace finemote::gen::timing {
 namespace {
 
-constexpr Ns kMostPairEntries = Ns{1} << 18;  ///< pairs of leaves times root releases looked at for each
+constexpr std::int64_t kMostPairEntries = std::int64_t{1}
+                                          << 18;  ///< pairs of leaves times root releases looked at for each
 
-std::optional<Ns> sum(std::optional<Ns> a, std::optional<Ns> b) {
-  return a && b ? std::optional<Ns>(add(*a, *b)) : std::nullopt;
+std::optional<Duration> sum(std::optional<Duration> a, std::optional<Duration> b) {
+  return a && b ? std::optional<Duration>(*a + *b) : std::nullopt;
 }
 
 /// Orders bounds, unbounded last.
-bool less(std::optional<Ns> a, std::optional<Ns> b) { return a && (!b || *a < *b); }
+bool less(std::optional<Duration> a, std::optional<Duration> b) { return a && (!b || *a < *b); }
 
 /// Whether the data of `a` are older when the command is made.
-bool is_older(const ChainResult& a, const ChainResult& b) {
-  return less(sum(b.acquire_ns, b.decide_ns), sum(a.acquire_ns, a.decide_ns));
-}
+bool is_older(const ChainResult& a, const ChainResult& b) { return less(b.age, a.age); }
 
 }  // namespace
 
@@ -38,7 +37,7 @@ ChainAnalysis::ChainAnalysis(const Model& model, const Topology& topology, const
       decisions_(model, topology, reach_, profile, effort) {
   for (const Rank d : model.devices.ids()) {
     const Device& device = model.devices[d];
-    if (device.source == WcetSource::assumed) assumed_from_ = std::min(assumed_from_, device.period_ns);
+    if (device.source == WcetSource::assumed) assumed_from_ = std::min(assumed_from_, device.period);
     acquire_.push_back(wire.acquisition(d));
   }
 }
@@ -46,26 +45,20 @@ ChainAnalysis::ChainAnalysis(const Model& model, const Topology& topology, const
 bool ChainAnalysis::is_assumed(Rank from, Rank to) const {
   const auto& acquisition = model_.devices[from].acquisition;
   if (acquisition && acquisition->assumed) return true;
-  Ns slowest = model_.devices[from].period_ns;
+  Duration slowest = model_.devices[from].period;
   for (Rank d : {from, to}) {
     for (; model_.devices[d].parent; d = *model_.devices[d].parent)
-      slowest = std::max(slowest, model_.devices[d].period_ns);
-    slowest = std::max(slowest, model_.devices[d].period_ns);
+      slowest = std::max(slowest, model_.devices[d].period);
+    slowest = std::max(slowest, model_.devices[d].period);
   }
   return assumed_from_ <= slowest;
 }
 
 ChainResult ChainAnalysis::complete(Rank from, Rank to, const Decision& decision) const {
-  ChainResult result{from,
-                     to,
-                     acquire_[from],
-                     decision.ns,
-                     wire_.command(to),
-                     {},
-                     is_assumed(from, to),
-                     decision.through_reads,
-                     decision.closed_form};
-  result.end_to_end_ns = sum(sum(result.acquire_ns, result.decide_ns), result.wire_ns);
+  ChainResult result{from, to, acquire_[from],       decision.latency,       wire_.command(to),
+                     {},   {}, is_assumed(from, to), decision.through_reads, decision.closed_form};
+  result.age = sum(result.acquire, result.decide);
+  result.end_to_end = sum(result.age, result.wire);
   return result;
 }
 
@@ -97,14 +90,14 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(Rank root, const std::ve
   for (const Rank leaf : leaves) {
     complete_tree &= profile_.responses.ok(profile_.set.bucket_of[leaf]) && acquire_[leaf].has_value();
   }
-  OldestSources sources(model_.devices[root].period_ns);
+  OldestSources sources(model_.devices[root].period);
   walk_groups([&](const HandOverGroup& group) {
     OldestSources::Oldest best;
     for (const Rank d : group.devices) {
       const bool is_source = std::binary_search(leaves.begin(), leaves.end(), d);
       if (is_source && acquire_[d]) best.offer({*acquire_[d], d});
     }
-    if (best.age >= 0) sources.add_group(group, best);
+    if (best.age >= Duration::zero()) sources.add_group(group, best);
   });
   const std::set<Rank> wanted(terminals.begin(), terminals.end());
   std::map<Rank, ChainResult> found;
@@ -112,11 +105,11 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(Rank root, const std::ve
     const auto is_wanted = [&](Rank d) { return wanted.contains(d); };
     if (std::none_of(group.devices.begin(), group.devices.end(), is_wanted)) return;
     const OldestSources::Oldest worst = sources.worst(group);
-    effort_.spend(group.exact ? static_cast<Ns>(group.exact->down->steps.size()) : 1);
-    if (worst.age < 0) return;
+    effort_.spend(group.exact ? static_cast<std::int64_t>(group.exact->down->steps.size()) : 1);
+    if (worst.age < Duration::zero()) return;
     for (const Rank d : group.devices) {
       if (!is_wanted(d)) continue;
-      const Ns decide = worst.age - *acquire_[worst.source] + profile_.responses.r_minus[d];
+      const Duration decide = worst.age - *acquire_[worst.source] + profile_.responses.r_minus[d];
       const bool is_closed = group.exact == nullptr || sources.has_closed_form();
       found.emplace(d, complete(worst.source, d, {decide, is_closed, false}));
     }
@@ -129,9 +122,9 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(Rank root, const std::ve
   return results;
 }
 
-/// Nanoseconds until everything about these devices repeats; kNever when that leaves the range of numbers.
-Ns ChainAnalysis::repetition(const std::vector<Rank>& devices) const {
-  Ns length = 1;
+/// Time until everything about these devices repeats; kNever when that leaves the range of numbers.
+Duration ChainAnalysis::repetition(const std::vector<Rank>& devices) const {
+  Duration length = nanoseconds(1);
   try {
     for (const Rank d : devices) length = lcm(length, profile_.table.repeat(d));
   } catch (const Overflow&) {
@@ -151,8 +144,8 @@ std::vector<ChainResult> ChainAnalysis::worst_of(const std::vector<Rank>& source
   }
   concerned.insert(concerned.end(), terminals.begin(), terminals.end());
   const std::size_t pairs = sources.size() * terminals.size();
-  const Ns entries = repetition(concerned) / model_.devices[root].period_ns;
-  if (pairs <= most_pairs_ && entries <= kMostPairEntries / static_cast<Ns>(pairs))
+  const std::int64_t entries = floor_div(repetition(concerned), model_.devices[root].period);
+  if (pairs <= most_pairs_ && entries <= kMostPairEntries / static_cast<std::int64_t>(pairs))
     return worst_of_pairs(sources, terminals);
 
   std::vector<Rank> leaves, others;

@@ -9,12 +9,13 @@ namespace finemote::gen::timing {
 /// A chain `from -> to`: the sample `from` reads, up to the root of the tree of `to`, and down to the output of `to`.
 struct ChainResult {
   Rank from, to;
-  std::optional<Ns> acquire_ns;  ///< sample to begin of update(from)
-  std::optional<Ns> decide_ns;   ///< begin of update(from) to end of handle(to)
-  std::optional<Ns> wire_ns;     ///< end of handle(to) to the last bit
-  std::optional<Ns> end_to_end_ns;
-  bool assumed = false;        ///< some execution time or acquisition behind it is an assumption
-  bool through_reads = false;  ///< passes a `reads` edge: outside Theorem 3
+  std::optional<Duration> acquire;     ///< sample to begin of update(from)
+  std::optional<Duration> decide;      ///< begin of update(from) to end of handle(to)
+  std::optional<Duration> wire;        ///< end of handle(to) to the last bit
+  std::optional<Duration> age;         ///< of the sample at the end of handle(to): acquire + decide
+  std::optional<Duration> end_to_end;  ///< age + wire
+  bool assumed = false;                ///< some execution time or acquisition behind it is an assumption
+  bool through_reads = false;          ///< passes a `reads` edge: outside Theorem 3
   bool closed_form = false;
 };
 
@@ -53,7 +54,7 @@ class ChainAnalysis {
   [[nodiscard]] std::vector<ChainResult> worst_of(const std::vector<Rank>& sources,
                                                   const std::vector<Rank>& terminals) const;
   [[nodiscard]] std::vector<ChainResult> worst_of_all(const std::vector<Rank>& terminals) const;
-  [[nodiscard]] Ns repetition(const std::vector<Rank>& devices) const;
+  [[nodiscard]] Duration repetition(const std::vector<Rank>& devices) const;
   [[nodiscard]] bool is_assumed(Rank from, Rank to) const;
 
   const Model& model_;
@@ -64,8 +65,8 @@ class ChainAnalysis {
   std::size_t most_pairs_;
   Reach reach_;
   DecisionAnalysis decisions_;
-  Table<Rank, std::optional<Ns>> acquire_;
-  Ns assumed_from_ = kNever;  ///< shortest period of a device whose execution times are assumed
+  Table<Rank, std::optional<Duration>> acquire_;
+  Duration assumed_from_ = kNever;  ///< shortest period of a device whose execution times are assumed
 };
 
 }  // namespace finemote::gen::timing

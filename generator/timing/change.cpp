@@ -5,9 +5,9 @@
 namespace finemote::gen::timing {
 namespace {
 
-bool has_period(const Model& model, Ns period) {
+bool has_period(const Model& model, Duration period) {
   return std::any_of(model.devices.begin(), model.devices.end(),
-                     [&](const Device& device) { return device.period_ns == period; });
+                     [&](const Device& device) { return device.period == period; });
 }
 
 std::optional<Model> change_periods(Model model, const std::vector<Change>& changes) {
@@ -15,12 +15,12 @@ std::optional<Model> change_periods(Model model, const std::vector<Change>& chan
   for (const Change& change : changes) {
     if (change.kind == Change::Kind::rate || change.kind == Change::Kind::bus) return std::nullopt;
     if (change.kind != Change::Kind::period) continue;
-    for (const Rank d : change.devices) model.devices[d].period_ns = change.value;
+    for (const Rank d : change.devices) model.devices[d].period = change.period;
   }
   if (!keeps_outputs_together(before, model)) return std::nullopt;
   for (Flush& flush : model.flushes) {
-    if (!flush.devices.empty()) flush.period_ns = model.devices[flush.devices.front()].period_ns;
-    if (!has_period(model, flush.period_ns)) return std::nullopt;
+    if (!flush.devices.empty()) flush.period = model.devices[flush.devices.front()].period;
+    if (!has_period(model, flush.period)) return std::nullopt;
   }
   change_work(model, changes);
   return model;
@@ -33,24 +33,26 @@ Remodel model_remodel(const Model& model) {
 }
 
 void change_work(Model& model, const std::vector<Change>& changes) {
-  const auto scale = [](Ns& time, Ns permille) { time = time / 1000 * permille + time % 1000 * permille / 1000; };
+  const auto scale = [](Duration& time, std::int64_t permille) {
+    const Duration thousandth = floor_div(time, 1000);
+    time = thousandth * permille + floor_div((time - thousandth * 1000) * permille, 1000);
+  };
   for (const Change& change : changes) {
     if (change.kind != Change::Kind::work) continue;
     for (const Rank d : change.devices) {
       Device& device = model.devices[d];
-      scale(device.update_wcet_ns, change.value);
-      scale(device.handle_wcet_ns, change.value);
-      device.update_bcet_ns = std::min(device.update_bcet_ns, device.update_wcet_ns);
-      device.handle_bcet_ns = std::min(device.handle_bcet_ns, device.handle_wcet_ns);
+      scale(device.update_wcet, change.value);
+      scale(device.handle_wcet, change.value);
+      device.update_bcet = std::min(device.update_bcet, device.update_wcet);
+      device.handle_bcet = std::min(device.handle_bcet, device.handle_wcet);
     }
   }
 }
 
 bool keeps_outputs_together(const Model& before, const Model& after) {
   return std::all_of(before.flushes.begin(), before.flushes.end(), [&](const Flush& flush) {
-    return std::all_of(flush.devices.begin(), flush.devices.end(), [&](Rank d) {
-      return after.devices[d].period_ns == after.devices[flush.devices.front()].period_ns;
-    });
+    return std::all_of(flush.devices.begin(), flush.devices.end(),
+                       [&](Rank d) { return after.devices[d].period == after.devices[flush.devices.front()].period; });
   });
 }
 

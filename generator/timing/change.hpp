@@ -12,7 +12,7 @@ namespace finemote::gen::timing {
 /// One change: a longer or shorter period, another rate of a bus, another bus, less work.
 struct Change {
   enum class Kind {
-    period,  ///< `devices` get the period `value` [ns]
+    period,  ///< `devices` get `period`
     rate,    ///< `bus` gets the rate `value` [bit/s]
     bus,     ///< `devices` leave `bus` for a new one of its kind and rate
     work,    ///< update and handle of `devices` take `value` thousandths of what they take, rounded down
@@ -20,7 +20,8 @@ struct Change {
   Kind kind = Kind::period;
   std::vector<Rank> devices = {};
   BusPlace bus = {};
-  Ns value = 0;
+  Duration period = {};  ///< the new one
+  std::int64_t value = 0;
 };
 
 /// The model of the description with these changes, in the same order of devices and buses, new buses last; none where

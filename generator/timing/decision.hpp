@@ -7,9 +7,9 @@
 namespace finemote::gen::timing {
 
 struct Decision {
-  std::optional<Ns> ns;        ///< none: a device on the way may miss its deadline
-  bool closed_form = false;    ///< a safe bound instead of the maximum
-  bool through_reads = false;  ///< passes a `reads` edge: outside Theorem 3
+  std::optional<Duration> latency;  ///< none: a device on the way may miss its deadline
+  bool closed_form = false;         ///< a safe bound instead of the maximum
+  bool through_reads = false;       ///< passes a `reads` edge: outside Theorem 3
 };
 
 /// Looks at one chain after the other in one analysed profile.
@@ -27,19 +27,19 @@ class DecisionAnalysis {
 
   void find_hand_overs();
   [[nodiscard]] Route route(Rank from, Rank to) const;
-  [[nodiscard]] Ns join_hand_overs(Rank from, Rank to) const;
-  [[nodiscard]] Ns walk(const Route& route, Ns entries) const;
-  [[nodiscard]] Ns closed_form(const Route& route) const;
-  [[nodiscard]] Ns hand_down(Ns release, Rank producer, Rank consumer) const;
-  [[nodiscard]] Ns used(Ns use, Rank producer, Rank consumer) const;
-  [[nodiscard]] Ns pair_window(Rank from, Rank to, Ns release) const;
+  [[nodiscard]] Duration join_hand_overs(Rank from, Rank to) const;
+  [[nodiscard]] Duration walk(const Route& route, std::int64_t entries) const;
+  [[nodiscard]] Duration closed_form(const Route& route) const;
+  [[nodiscard]] Duration hand_down(Duration release, Rank producer, Rank consumer) const;
+  [[nodiscard]] Duration used(Duration use, Rank producer, Rank consumer) const;
+  [[nodiscard]] Duration pair_window(Rank from, Rank to, Duration release) const;
 
   const Model& model_;
   const Topology& topology_;
   const Reach& reach_;
   const ProfileAnalysis& profile_;
   Effort& effort_;
-  Table<Rank, Ns> updates_from_, handles_from_;             ///< stages of it and of later devices of its bucket
+  Table<Rank, Duration> updates_from_, handles_from_;       ///< stages of it and of later devices of its bucket
   Table<Rank, std::shared_ptr<const HandOver>> hand_over_;  ///< null: not known
 };
 

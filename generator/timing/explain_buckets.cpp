@@ -14,14 +14,14 @@ struct Loads {
   double own = 0, faster = 0, interrupts = 0;
 };
 
-Loads loads_of(const Timing& timing, Ns period) {
+Loads loads_of(const Timing& timing, Duration period) {
   Loads loads;
   for (const ProcessorUse& use : timing.processor) {
     const bool is_work = use.kind == ProcessorUse::Kind::bucket || use.kind == ProcessorUse::Kind::flush;
     if (!is_work) {
       loads.interrupts += use.utilization;
-    } else if (use.every_ns <= period) {
-      (use.every_ns == period ? loads.own : loads.faster) += use.utilization;
+    } else if (use.every <= period) {
+      (use.every == period ? loads.own : loads.faster) += use.utilization;
     }
   }
   return loads;
@@ -62,8 +62,8 @@ void report_buckets(const Timing& timing, Trials& trials, Diagnostics& diagnosti
   for (const BucketResult& bucket : timing.verdict().buckets) {
     if (bucket.ok) continue;
     Diagnostic& finding = diagnostics.error(code::timing_unschedulable, timing.model.devices[bucket.devices.front()].at,
-                                            bucket_text(bucket.period_ns) + " may miss their deadline");
-    const Loads loads = loads_of(timing, bucket.period_ns);
+                                            bucket_text(bucket.period) + " may miss their deadline");
+    const Loads loads = loads_of(timing, bucket.period);
     finding.note(fmt::format("they need {} of the processor, shorter periods {}, interrupts {} (profile {})",
                              percent(loads.own), percent(loads.faster), percent(loads.interrupts),
                              profile_name(timing.asked)));

@@ -21,23 +21,25 @@ class ChainExplainer {
   void explain(bool decision_only) {
     const std::string &from = model_.devices[chain_.from].name, &to = model_.devices[chain_.to].name;
     if (!decision_only) {
-      finding_.note(fmt::format("acquire {} + decide {} + wire {}, from '{}' to '{}'", text(chain_.acquire_ns),
-                                text(chain_.decide_ns), text(chain_.wire_ns), from, to));
+      finding_.note(fmt::format("acquire {} + decide {} + wire {}, from '{}' to '{}'", text(chain_.acquire),
+                                text(chain_.decide), text(chain_.wire), from, to));
     }
-    const auto is_largest = [&](std::optional<Ns> part) {
-      return part ==
-             std::max({chain_.acquire_ns.value_or(0), chain_.decide_ns.value_or(0), chain_.wire_ns.value_or(0)});
+    const auto is_largest = [&](std::optional<Duration> part) {
+      return part == std::max({chain_.acquire.value_or(Duration::zero()), chain_.decide.value_or(Duration::zero()),
+                               chain_.wire.value_or(Duration::zero())});
     };
-    if (decision_only || !chain_.decide_ns) return explain_decide();
-    if (!chain_.acquire_ns) return explain_unbounded("acquire", sample_bus(model_, chain_.from));
-    if (!chain_.wire_ns) return explain_unbounded("wire", command_bus(model_, chain_.to));
-    if (is_largest(chain_.decide_ns)) return explain_decide("decide is the largest part: ");
-    if (is_largest(chain_.acquire_ns)) return explain_acquire();
+    if (decision_only || !chain_.decide) return explain_decide();
+    if (!chain_.acquire) return explain_unbounded("acquire", sample_bus(model_, chain_.from));
+    if (!chain_.wire) return explain_unbounded("wire", command_bus(model_, chain_.to));
+    if (is_largest(chain_.decide)) return explain_decide("decide is the largest part: ");
+    if (is_largest(chain_.acquire)) return explain_acquire();
     explain_wire();
   }
 
  private:
-  static std::string text(std::optional<Ns> ns) { return ns ? readable_duration(*ns) : "without bound"; }
+  static std::string text(std::optional<Duration> time) {
+    return time ? readable_duration(time->ns()) : "without bound";
+  }
 
   void explain_unbounded(const char* part, std::optional<BusPlace> bus) {
     if (!bus) return;
@@ -54,8 +56,8 @@ class ChainExplainer {
       return;
     }
     finding_.note(fmt::format("acquire is the largest part: {} periods of '{}' ({}) for one measurement",
-                              std::max<Ns>(*chain_.acquire_ns / device.period_ns, 1), device.name,
-                              readable_duration(device.period_ns)));
+                              std::max<std::int64_t>(floor_div(*chain_.acquire, device.period), 1), device.name,
+                              readable_duration(device.period.ns())));
   }
   void explain_wire() {
     const auto bus = command_bus(model_, chain_.to);
@@ -68,31 +70,31 @@ class ChainExplainer {
                               model_.buses[*bus].name, whole_percent(timing_.bus_loads[*bus].utilization)));
   }
   void explain_decide(const char* decide = "") {
-    if (!chain_.decide_ns) {
+    if (!chain_.decide) {
       finding_.note("decide has no bound: devices on the way may miss their deadline");
       return;
     }
     const std::vector<Rank> way = devices_between(model_, chain_);
-    const auto period = [&](Rank d) { return model_.devices[d].period_ns; };
+    const auto period = [&](Rank d) { return model_.devices[d].period; };
     const auto [fastest, slowest] =
         std::minmax_element(way.begin(), way.end(), [&](Rank a, Rank b) { return period(a) < period(b); });
-    if (*chain_.decide_ns >= period(*fastest)) {  // waiting for the next job, more than working
+    if (*chain_.decide >= period(*fastest)) {  // waiting for the next job, more than working
       finding_.note(fmt::format("{}'{}' runs every {}, the slowest on the way", decide, model_.devices[*slowest].name,
-                                readable_duration(period(*slowest))));
+                                readable_duration(period(*slowest).ns())));
       return;
     }
     const Device& device = model_.devices[busiest_within(period(*slowest))];
     finding_.note(fmt::format("{}of what runs every {} or more often, '{}' takes longest: update {}, handle {}", decide,
-                              readable_duration(period(*slowest)), device.name,
-                              readable_duration(device.update_wcet_ns), readable_duration(device.handle_wcet_ns)));
+                              readable_duration(period(*slowest).ns()), device.name,
+                              readable_duration(device.update_wcet.ns()), readable_duration(device.handle_wcet.ns())));
   }
-  [[nodiscard]] Rank busiest_within(Ns period) const {
+  [[nodiscard]] Rank busiest_within(Duration period) const {
     Rank busiest = chain_.from;
-    Ns most = -1;
+    Duration most = nanoseconds(-1);
     for (const Rank d : model_.devices.ids()) {
       const Device& device = model_.devices[d];
-      if (device.period_ns > period || add(device.update_wcet_ns, device.handle_wcet_ns) <= most) continue;
-      most = add(device.update_wcet_ns, device.handle_wcet_ns);
+      if (device.period > period || device.update_wcet + device.handle_wcet <= most) continue;
+      most = device.update_wcet + device.handle_wcet;
       busiest = d;
     }
     return busiest;

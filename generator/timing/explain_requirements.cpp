@@ -61,9 +61,9 @@ std::string message_of(const RequirementResult& r) {
                        percent_above(*r.fraction, r.requirement.max_fraction),
                        exact_percent(r.requirement.max_fraction));
   }
-  const std::string max = readable_duration(r.requirement.max_ns);
-  return r.value_ns ? fmt::format("{} is up to {}, above its max of {}", what, readable_duration(*r.value_ns), max)
-                    : fmt::format("{} has no bound, its max is {}", what, max);
+  const std::string max = readable_duration(r.requirement.max.ns());
+  return r.value ? fmt::format("{} is up to {}, above its max of {}", what, readable_duration(r.value->ns()), max)
+                 : fmt::format("{} has no bound, its max is {}", what, max);
 }
 
 void explain_utilization(const Timing& timing, const RequirementResult& r, Diagnostic& finding) {
@@ -74,7 +74,7 @@ void explain_utilization(const Timing& timing, const RequirementResult& r, Diagn
   }
   double devices = 0;
   for (const Device& device : timing.model.devices) {
-    const double load = ratio(add(device.update_wcet_ns, device.handle_wcet_ns), device.period_ns);
+    const double load = ratio(device.update_wcet + device.handle_wcet, device.period);
     add_share(shares, quoted(device.name), load, false);
     devices += load;
   }
@@ -101,10 +101,10 @@ void explain(const Timing& timing, const RequirementResult& r, Diagnostic& findi
   if (!r.chain) return;
   explain_chain(timing, *r.chain, r.requirement.kind == Kind::latency_decision, finding);
   const bool decision_holds =
-      r.requirement.kind == Kind::latency_end_to_end && r.decide_ns && *r.decide_ns <= r.requirement.max_ns;
+      r.requirement.kind == Kind::latency_end_to_end && r.decide && *r.decide <= r.requirement.max;
   if (decision_holds) {
     finding.hint(fmt::format("of=\"decision\" holds: update of the one to handle of the other takes {}",
-                             readable_duration(*r.decide_ns)));
+                             readable_duration(r.decide->ns())));
   }
 }
 
@@ -150,21 +150,21 @@ class RequirementFamilies {
     std::vector<Rank> way = devices_between(model_, chain);
     std::sort(way.begin(), way.end());
     way.erase(std::unique(way.begin(), way.end()), way.end());
-    Ns slowest = 0;
-    for (const Rank d : way) slowest = std::max(slowest, model_.devices[d].period_ns);
+    Duration slowest;
+    for (const Rank d : way) slowest = std::max(slowest, model_.devices[d].period);
     std::vector<Rank> slow;
     for (const Rank d : way) {
-      if (model_.devices[d].period_ns == slowest) slow.push_back(d);
+      if (model_.devices[d].period == slowest) slow.push_back(d);
     }
     slow = with_their_outputs(slow);
     add(shorter_periods(model_, slow, names(slow)));
-    if (model_.devices[chain.from].period_ns != slowest || slow.size() > 1)
+    if (model_.devices[chain.from].period != slowest || slow.size() > 1)
       add(shorter_periods(model_, {chain.from}, names({chain.from})));
     for (const auto bus : {sample_bus(model_, chain.from), command_bus(model_, chain.to)}) {
       if (!bus) continue;
       add(faster_rates(model_, *bus));
       add(other_bus(model_, *bus));
-      if (!chain.end_to_end_ns) add(longer_periods(model_, periodic_users(model_, *bus), "what sends on that bus"));
+      if (!chain.end_to_end) add(longer_periods(model_, periodic_users(model_, *bus), "what sends on that bus"));
     }
     add_less_load(way);
   }
@@ -172,16 +172,16 @@ class RequirementFamilies {
   /// Longer periods of the buckets that `spared` are not in, slower buses, and less work of the busiest device.
   void add_less_load(const std::vector<Rank>& spared) {
     for (const BucketResult& bucket : timing_.verdict().buckets) {
-      const bool is_spared = std::any_of(spared.begin(), spared.end(),
-                                         [&](Rank d) { return model_.devices[d].period_ns == bucket.period_ns; });
+      const bool is_spared =
+          std::any_of(spared.begin(), spared.end(), [&](Rank d) { return model_.devices[d].period == bucket.period; });
       if (is_spared) continue;
-      add(longer_periods(model_, bucket.devices, bucket_text(bucket.period_ns)));
+      add(longer_periods(model_, bucket.devices, bucket_text(bucket.period)));
     }
     for (const BusPlace b : model_.buses.ids()) add(slower_rates(model_, b));
     Rank busiest;
     const auto load = [&](Rank d) {
       const Device& device = model_.devices[d];
-      return ratio(gen::add(device.update_wcet_ns, device.handle_wcet_ns), device.period_ns);
+      return ratio(device.update_wcet + device.handle_wcet, device.period);
     };
     for (const Rank d : model_.devices.ids()) {
       if (load(d) > load(busiest)) busiest = d;
@@ -200,13 +200,13 @@ void add_remedies(const Timing& timing, std::size_t index, Trials& trials, Diagn
   const auto value_of = [index](const Timing& t) {
     const RequirementResult& r = t.requirements[index];
     if (r.fraction) return *r.fraction;
-    return r.value_ns ? static_cast<double>(*r.value_ns) : std::numeric_limits<double>::infinity();
+    return r.value ? static_cast<double>(r.value->ns()) : std::numeric_limits<double>::infinity();
   };
-  const double max = now.fraction ? now.requirement.max_fraction : static_cast<double>(now.requirement.max_ns);
+  const double max = now.fraction ? now.requirement.max_fraction : static_cast<double>(now.requirement.max.ns());
   for (const Remedy& remedy :
        trials.find(RequirementFamilies(timing, now).list(), {value_of, max, now.chain.has_value()})) {
     const std::string value =
-        now.fraction ? percent_text(remedy.value) : readable_duration(static_cast<Ns>(remedy.value));
+        now.fraction ? percent_text(remedy.value) : readable_duration(static_cast<std::int64_t>(remedy.value));
     finding.hint(fmt::format("{} brings it to {}{}", remedy.proposal.text, value,
                              remedy.enough ? "" : ", which is not enough alone"));
   }
@@ -222,8 +222,8 @@ void report_requirements(const Timing& timing, Trials& trials, Diagnostics& diag
     finding.underline(8);
     explain(timing, r, finding);
     add_remedies(timing, i, trials, finding);
-    if (r.value_ns)
-      finding.hint(fmt::format("max=\"{}\" is the smallest that holds today", readable_duration(*r.value_ns)));
+    if (r.value)
+      finding.hint(fmt::format("max=\"{}\" is the smallest that holds today", readable_duration(r.value->ns())));
     if (r.fraction) finding.hint(fmt::format("max=\"{}\" is the smallest that holds today", percent_text(*r.fraction)));
   }
 }

@@ -11,25 +11,28 @@ namespace {
 
 /// A state or command that crosses buckets is copied as so many words at most. Generated code knows the types, the
 /// generator does not: more does not compile (finemote::kCrossingBytes). The interfaces shipped have at most 24.
-constexpr Ns kCrossingWords = 32;
+constexpr std::int64_t kCrossingWords = 32;
 
 /// What the monitor costs at a job or a handle, on a board that does not say: a generous guess.
-constexpr Ns kMonitorGuess = 3000;
+constexpr Duration kMonitorGuess = microseconds(3);
 
 const gen::Costs& costs_of(const Robot& robot) {
   static constexpr gen::Costs kNone{};  // of a robot without a board
   return robot.board != nullptr ? robot.board->costs : kNone;
 }
 
+Duration monitor_cost(std::optional<std::int64_t> ns) { return ns ? nanoseconds(*ns) : kMonitorGuess; }
+
 Costs processor_costs(const gen::Costs& costs, const RobotTimingOptions& options) {
   Costs result;
-  result.release_ns = costs.release_ns + costs.exception_ns();
-  result.release_per_bucket_ns = costs.release_per_bucket_ns;
-  result.interrupt_ns = costs.exception_ns();
-  result.job_ns = costs.bucket_ns + costs.exception_ns();
-  result.stage_ns = costs.stage_ns + (options.trace ? 2 * costs.trace_event_ns : 0);
-  result.masked_ns = costs.masked_section_ns;
-  if (options.monitor) result.job_ns += costs.monitor_job_ns.value_or(kMonitorGuess);
+  result.interrupt = nanoseconds(costs.exception_entry_ns) + nanoseconds(costs.exception_exit_ns);
+  result.release = nanoseconds(costs.release_ns) + result.interrupt;
+  result.release_per_bucket = nanoseconds(costs.release_per_bucket_ns);
+  result.job = nanoseconds(costs.bucket_ns) + result.interrupt;
+  result.stage = nanoseconds(costs.stage_ns);
+  if (options.trace) result.stage += 2 * nanoseconds(costs.trace_event_ns);
+  result.masked = nanoseconds(costs.masked_section_ns);
+  if (options.monitor) result.job += monitor_cost(costs.monitor_job_ns);
   return result;
 }
 
@@ -51,13 +54,13 @@ std::optional<Acquisition> acquisition_of(const gen::Device& device) {
   if (device.type == nullptr || !device.type->acquisition) return {};
   const gen::Acquisition& given = *device.type->acquisition;
   Acquisition result;
-  result.fixed_ns = given.latency_ns;
+  result.fixed = nanoseconds(given.latency_ns);
   if (given.model == gen::Acquisition::Model::streamed) {
-    result.interval_ns = given.interval_ns.value_or(0);
+    result.interval = nanoseconds(given.interval_ns.value_or(0));
   } else {
     result.periods = given.periods.value_or(1);
     result.every = given.published_every;
-    result.conversion_ns = conversion_ns(device);
+    result.conversion = nanoseconds(conversion_ns(device));
   }
   return result;
 }
@@ -82,14 +85,14 @@ Device make_device(const Robot& robot, const Forest& forest, const gen::Device& 
   out.name = device.name.text;
   out.at = device.at;
   if (device.parent) out.parent = forest.rank[*device.parent];
-  out.period_ns = device.period_ns;
-  out.update_wcet_ns = device.wcet.update_ns;
-  out.handle_wcet_ns = device.wcet.handle_ns;
+  out.period = nanoseconds(device.period_ns);
+  out.update_wcet = nanoseconds(device.wcet.update_ns);
+  out.handle_wcet = nanoseconds(device.wcet.handle_ns);
   out.source = source_of(device.wcet.source);
-  if (out.source == WcetSource::assumed && options.assumed_wcet_ns) {
-    out.update_wcet_ns = out.handle_wcet_ns = *options.assumed_wcet_ns;
+  if (out.source == WcetSource::assumed && options.assumed_wcet) {
+    out.update_wcet = out.handle_wcet = *options.assumed_wcet;
   }
-  if (options.monitor) out.handle_extra_ns = costs_of(robot).monitor_handle_ns.value_or(kMonitorGuess);
+  if (options.monitor) out.handle_extra = monitor_cost(costs_of(robot).monitor_handle_ns);
   out.takes_command = device.type != nullptr && device.type->has_command();
   out.actuator = device.type != nullptr && device.type->actuator;
   for (const Read& r : device.reads) out.reads.push_back(forest.rank[r.device]);
@@ -101,13 +104,13 @@ Device make_device(const Robot& robot, const Forest& forest, const gen::Device& 
 /// What publishing and snapshots add to the stages around them.
 void add_crossings(const Robot& robot, const Forest& forest, const Schedule& schedule, Model& model) {
   const gen::Costs& costs = costs_of(robot);
-  const Ns copy = costs.latch_ns + kCrossingWords * costs.latch_per_word_ns;
+  const Duration copy = nanoseconds(costs.latch_ns) + kCrossingWords * nanoseconds(costs.latch_per_word_ns);
   for (const Crossing& c : schedule.crossings) {
     Device& producer = model.devices[forest.rank[c.producer]];
     Device& consumer = model.devices[forest.rank[c.consumer]];
     const bool state = c.direction == Crossing::Direction::state;
-    if (c.kind != Crossing::Kind::copy) (state ? producer.update_extra_ns : producer.handle_extra_ns) += copy;
-    (state ? consumer.update_extra_ns : consumer.handle_extra_ns) += copy;
+    if (c.kind != Crossing::Kind::copy) (state ? producer.update_extra : producer.handle_extra) += copy;
+    (state ? consumer.update_extra : consumer.handle_extra) += copy;
   }
 }
 
@@ -125,14 +128,12 @@ Requirement::Kind kind_of(gen::Requirement::Kind kind) {
   return Requirement::Kind::jitter;
 }
 
-}  // namespace
-
-Model make_timing_model(const Robot& robot, const Forest& forest, const Schedule& schedule,
-                        const RobotTimingOptions& options) {
+/// Throws Overflow.
+Model model_of(const Robot& robot, const Forest& forest, const Schedule& schedule, const RobotTimingOptions& options) {
   const BusPlaces places(robot);
   const Table<BusId, BusUse> uses = bus_uses(robot);
   Model model;
-  model.tick_ns = robot.tick_ns;
+  model.tick = nanoseconds(robot.tick_ns);
   model.has_target = true;
   model.costs = processor_costs(costs_of(robot), options);
   model.buses = make_buses(robot, places, uses);
@@ -147,6 +148,23 @@ Model make_timing_model(const Robot& robot, const Forest& forest, const Schedule
   return model;
 }
 
+/// Where a finding about the whole robot points: its first device.
+Position start(const Robot& robot, const Forest& forest) {
+  return forest.order.empty() ? Position{} : robot.devices[forest.order[Rank{}]].at;
+}
+
+}  // namespace
+
+std::optional<Model> make_timing_model(const Robot& robot, const Forest& forest, const Schedule& schedule,
+                                       Diagnostics& diagnostics, const RobotTimingOptions& options) {
+  try {
+    return model_of(robot, forest, schedule, options);
+  } catch (const Overflow& overflow) {
+    report_overflow(start(robot, forest), overflow, diagnostics);
+    return std::nullopt;
+  }
+}
+
 std::vector<Requirement> timing_requirements(const Robot& robot, const Forest& forest) {
   const BusPlaces places(robot);
   const Table<BusId, BusUse> uses = bus_uses(robot);
@@ -159,7 +177,7 @@ std::vector<Requirement> timing_requirements(const Robot& robot, const Forest& f
     for (const DeviceId d : r.from) out.from.push_back(forest.rank[d]);
     for (const DeviceId d : r.to) out.to.push_back(forest.rank[d]);
     if (r.bus) out.bus = places.of(*r.bus);
-    out.max_ns = r.max_ns;
+    out.max = nanoseconds(r.max_ns);
     out.max_fraction = r.max_fraction;
     out.at = r.at;
     list.push_back(std::move(out));

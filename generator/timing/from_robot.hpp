@@ -8,15 +8,16 @@
 namespace finemote::gen::timing {
 
 struct RobotTimingOptions {
-  bool trace = false;                 ///< the trace option is on: every stage records two events
-  bool monitor = false;               ///< the monitor option is on: every handle and every job is looked at
-  std::optional<Ns> assumed_wcet_ns;  ///< instead of every assumed execution time (`--assume-wcet`)
+  bool trace = false;                    ///< the trace option is on: every stage records two events
+  bool monitor = false;                  ///< the monitor option is on: every handle and every job is looked at
+  std::optional<Duration> assumed_wcet;  ///< instead of every assumed execution time (`--assume-wcet`)
 };
 
 /// The model in registration order. Buses are the physical ones that have a rate; costs and interrupts come from
-/// the board, frames and acquisition from the device types. `has_target` is set.
-Model make_timing_model(const Robot& robot, const Forest& forest, const Schedule& schedule,
-                        const RobotTimingOptions& options = {});
+/// the board, frames and acquisition from the device types. `has_target` is set. None where what the board, the types
+/// and the robot say adds up to more than 64 bits hold: FM4010 is reported.
+std::optional<Model> make_timing_model(const Robot& robot, const Forest& forest, const Schedule& schedule,
+                                       Diagnostics& diagnostics, const RobotTimingOptions& options = {});
 
 /// `Robot::requirements` in terms of that model.
 std::vector<Requirement> timing_requirements(const Robot& robot, const Forest& forest);

@@ -6,37 +6,39 @@ namespace {
 /// Adds to a number as long as it lives.
 class Counted {
  public:
-  Counted(std::shared_ptr<Ns> total, Ns count) : total_(std::move(total)), count_(count) { *total_ += count_; }
+  Counted(std::shared_ptr<std::int64_t> total, std::int64_t count) : total_(std::move(total)), count_(count) {
+    *total_ += count_;
+  }
   ~Counted() { *total_ -= count_; }
   Counted(const Counted&) = delete;
   Counted& operator=(const Counted&) = delete;
 
  private:
-  std::shared_ptr<Ns> total_;
-  Ns count_;
+  std::shared_ptr<std::int64_t> total_;
+  std::int64_t count_;
 };
 
 }  // namespace
 
 std::size_t HandOverStore::Hash::operator()(const Edge& edge) const {
   std::uint64_t hash = reinterpret_cast<std::uintptr_t>(edge.above.get());
-  mix(hash, edge.above_period);
-  mix(hash, edge.period);
-  mix(hash, edge.lags.most);
-  for (const Ns lag : edge.lags.per_row) mix(hash, lag);
+  mix(hash, edge.above_period.ns());
+  mix(hash, edge.period.ns());
+  mix(hash, edge.lags.most.ns());
+  for (const Duration lag : edge.lags.per_row) mix(hash, lag.ns());
   return hash;
 }
 
 std::size_t HandOverStore::Hash::operator()(const Ends& ends) const {
   std::uint64_t hash = reinterpret_cast<std::uintptr_t>(ends.down.get());
-  mix(hash, static_cast<Ns>(reinterpret_cast<std::uintptr_t>(ends.up.get())));
-  mix(hash, ends.period);
+  mix(hash, static_cast<std::int64_t>(reinterpret_cast<std::uintptr_t>(ends.up.get())));
+  mix(hash, ends.period.ns());
   return hash;
 }
 
 std::size_t HandOverStore::Hash::operator()(const std::shared_ptr<const Staircase>& stairs) const {
-  auto hash = static_cast<std::uint64_t>(stairs->length);
-  for (const Staircase::Step& step : stairs->steps) mix(hash, step.root), mix(hash, step.device);
+  auto hash = static_cast<std::uint64_t>(stairs->length.ns());
+  for (const Staircase::Step& step : stairs->steps) mix(hash, step.root), mix(hash, step.device.ns());
   return hash;
 }
 
@@ -44,8 +46,8 @@ std::shared_ptr<const Staircase> HandOverStore::keep(Staircase stairs) {
   struct Kept {
     Staircase stairs;
     Counted counted;
-    Kept(Staircase s, const std::shared_ptr<Ns>& live)
-        : stairs(std::move(s)), counted(live, static_cast<Ns>(stairs.steps.size())) {}
+    Kept(Staircase s, const std::shared_ptr<std::int64_t>& live)
+        : stairs(std::move(s)), counted(live, static_cast<std::int64_t>(stairs.steps.size())) {}
   };
   const bool is_small = stairs.steps.size() <= kSmall;
   const auto kept = std::make_shared<const Kept>(std::move(stairs), live_);
@@ -53,7 +55,7 @@ std::shared_ptr<const Staircase> HandOverStore::keep(Staircase stairs) {
   return is_small ? *small_.insert(std::move(result)).first : result;
 }
 
-bool HandOverStore::make_room(Ns steps) {
+bool HandOverStore::make_room(std::int64_t steps) {
   if (*live_ + steps > kMostLive) forget();
   return *live_ + steps <= kMostLive;
 }

@@ -16,18 +16,18 @@ class HandOverStore {
   /// One edge further than `above`; null: the root itself.
   struct Edge {
     std::shared_ptr<const Staircase> above;
-    Ns above_period = 0;
-    Ns period = 1;
+    Duration above_period;
+    Duration period = nanoseconds(1);
     Lags lags;
     friend bool operator==(const Edge&, const Edge&) = default;
   };
   struct Ends {
-    Ns period = 1;  ///< of the device: staircases do not tell
+    Duration period = nanoseconds(1);  ///< of the device: staircases do not tell
     std::shared_ptr<const Staircase> down, up;
     friend bool operator==(const Ends&, const Ends&) = default;
   };
   struct Hash {
-    static void mix(std::uint64_t& hash, Ns value) {
+    static void mix(std::uint64_t& hash, std::int64_t value) {
       hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15U;
       hash ^= hash >> 29;
     }
@@ -45,7 +45,7 @@ class HandOverStore {
   /// Counts the steps of a staircase as long as it lives. Small ones of the same content become one.
   std::shared_ptr<const Staircase> keep(Staircase stairs);
   /// Whether so many steps more may live beside those in use; forgets what is not in use when it has to.
-  bool make_room(Ns steps);
+  bool make_room(std::int64_t steps);
 
   /// The groups of a tree that was walked to its end, in the order of that walk; null when not known.
   [[nodiscard]] const std::vector<HandOverGroup>* walked(Rank root) const;
@@ -54,7 +54,7 @@ class HandOverStore {
   void end_tree(Rank root);
 
  private:
-  static constexpr Ns kMostLive = Ns{1} << 23;  ///< steps alive at one time
+  static constexpr std::int64_t kMostLive = std::int64_t{1} << 23;  ///< steps alive at one time
   void forget();
 
   static constexpr std::size_t kSmall = 8;  ///< steps
@@ -64,7 +64,7 @@ class HandOverStore {
     }
   };
 
-  std::shared_ptr<Ns> live_ = std::make_shared<Ns>(0);
+  std::shared_ptr<std::int64_t> live_ = std::make_shared<std::int64_t>(0);
   std::unordered_set<std::shared_ptr<const Staircase>, Hash, SameSteps> small_;
   std::map<Rank, std::vector<HandOverGroup>> walked_;  ///< by root
   std::vector<HandOverGroup> tree_;                    ///< of the walk that is going on

@@ -13,23 +13,23 @@ bool is_schedulable(const Model& model, Profile profile) {
     Effort effort;
     const TaskSet set = make_task_set(model, profile);
     const Responses responses = bound_responses(set, effort);
-    return std::none_of(responses.bucket.begin(), responses.bucket.end(), [](Ns r) { return r == kNone; });
+    return std::none_of(responses.bucket.begin(), responses.bucket.end(), [](Duration r) { return r == kNone; });
   } catch (const Overflow&) {
     return false;
   }
 }
 
 /// Rounded up: a time that still fits fits exactly.
-Ns scaled(Ns time, Ns permille) { return ceil_div(multiply(time, permille), 1000); }
+Duration scaled(Duration time, std::int64_t permille) { return ceil_div(time * permille, 1000); }
 
-bool survives(const Model& model, Profile profile, std::optional<Rank> only, Ns permille) {
+bool survives(const Model& model, Profile profile, std::optional<Rank> only, std::int64_t permille) {
   Model trial = model;
   try {
     for (const Rank d : trial.devices.ids()) {
       if (only && *only != d) continue;
       Device& device = trial.devices[d];
-      device.update_wcet_ns = scaled(device.update_wcet_ns, permille);
-      device.handle_wcet_ns = scaled(device.handle_wcet_ns, permille);
+      device.update_wcet = scaled(device.update_wcet, permille);
+      device.handle_wcet = scaled(device.handle_wcet, permille);
     }
   } catch (const Overflow&) {
     return false;
@@ -39,11 +39,11 @@ bool survives(const Model& model, Profile profile, std::optional<Rank> only, Ns 
 
 /// Orders are judged by what analyze shows: the worst of tree latencies and chains, then their sum; unbounded is worst.
 struct Score {
-  Ns worst = 0;
+  Duration worst;
   long double total = 0;
-  void add(std::optional<Ns> bound) {
+  void add(std::optional<Duration> bound) {
     worst = std::max(worst, bound.value_or(kNever));
-    total += static_cast<long double>(bound.value_or(kNever));
+    total += static_cast<long double>(bound.value_or(kNever).ns());
   }
   friend bool operator<(const Score& a, const Score& b) {
     return std::tie(a.worst, a.total) < std::tie(b.worst, b.total);
@@ -54,17 +54,28 @@ void add_chains(const Model& model, const Topology& topology, const ProfileAnaly
   Effort effort;
   const WireAnalysis wire(model, analysis, effort);
   for (const ChainResult& chain : ChainAnalysis(model, topology, analysis, wire, effort).defaults())
-    score.add(chain.end_to_end_ns ? chain.end_to_end_ns : chain.decide_ns);
+    score.add(chain.end_to_end ? chain.end_to_end : chain.decide);
 }
 
 Score score(const Model& model, Profile profile) {
   const Topology topology = make_topology(model);
   const ProfileAnalysis analysis = analyse_profile(model, topology, profile);
   Score s;
-  for (const TreeResult& tree : analysis.result.trees) s.add(tree.latency_ns);
+  for (const TreeResult& tree : analysis.result.trees) s.add(tree.latency);
   const Profile of_chains = model.has_target ? Profile::target : Profile::tight;
   add_chains(model, topology, profile == of_chains ? analysis : analyse_profile(model, topology, of_chains), s);
   return s;
+}
+
+/// None where a number of the analysis leaves 64 bits, or it takes too long: no order to suggest.
+std::optional<Score> judge(const Model& model, Profile profile) {
+  try {
+    return score(model, profile);
+  } catch (const Overflow&) {
+    return std::nullopt;
+  } catch (const TooLong&) {
+    return std::nullopt;
+  }
 }
 
 /// A forest as nested lists of siblings; the order of registration is depth first, parents last.
@@ -93,13 +104,13 @@ int most_trials(std::size_t devices) {
 
 }  // namespace
 
-Ns slack_permille(const Model& model, Profile profile, std::optional<Rank> only) {
+std::int64_t slack_permille(const Model& model, Profile profile, std::optional<Rank> only) {
   if (!survives(model, profile, only, 0)) return 0;
-  Ns good = 0, bad = 1000;
+  std::int64_t good = 0, bad = 1000;
   while (bad < kMostSlack && survives(model, profile, only, bad)) good = bad, bad *= 2;
   if (bad >= kMostSlack) return kMostSlack;
   while (bad - good > 1) {
-    const Ns middle = good + (bad - good) / 2;
+    const std::int64_t middle = good + (bad - good) / 2;
     (survives(model, profile, only, middle) ? good : bad) = middle;
   }
   return good;
@@ -135,14 +146,14 @@ Order suggest_order(const Model& model, Profile profile) {
   }
   Order best;
   for (const Rank d : model.devices.ids()) best.push_back(d);
-  Score best_score = score(model, profile);
+  std::optional<Score> best_score = judge(model, profile);
   int trials = 0;
   const int most = most_trials(model.devices.size());
   const auto try_order = [&] {
     ++trials;
     Order order = registration(siblings);
-    const Score s = score(reorder(model, order), profile);
-    if (!(s < best_score)) return false;
+    const auto s = judge(reorder(model, order), profile);
+    if (!s || !best_score || !(*s < *best_score)) return false;
     best_score = s;
     best = std::move(order);
     return true;

@@ -5,7 +5,7 @@
 namespace finemote::gen::timing {
 namespace {
 
-Json number(const std::optional<Ns>& value) { return value ? Json(*value) : Json(nullptr); }
+Json number(const std::optional<Duration>& value) { return value ? Json(value->ns()) : Json(nullptr); }
 
 Json name_of(const Model& model, std::optional<Rank> device) {
   return device ? Json(model.devices[*device].name) : Json(nullptr);
@@ -37,12 +37,13 @@ std::string_view after_name(Transfer::After after) {
   return "";
 }
 
-void add_if(Json& out, const char* key, Ns value) {
+void add_if(Json& out, const char* key, std::int64_t value) {
   if (value != 0) out[key] = value;
 }
+void add_if(Json& out, const char* key, Duration value) { add_if(out, key, value.ns()); }
 
 Json source_json(const Model& model, const InterruptSource& source) {
-  Json out{{"name", source.name}, {"wcet_ns", source.wcet_ns}, {"min_interval_ns", source.min_interval_ns}};
+  Json out{{"name", source.name}, {"wcet_ns", source.wcet.ns()}, {"min_interval_ns", source.min_interval.ns()}};
   for (const FrameBudget& b : source.budgets) {
     Json budget{{"device", model.devices[b.device].name}, {"count", b.count}};
     if (b.every != 1) budget["every"] = b.every;
@@ -52,8 +53,10 @@ Json source_json(const Model& model, const InterruptSource& source) {
 }
 
 Json bus_json(const Model& model, const Bus& bus) {
-  Json out{
-      {"name", bus.name}, {"baud_bps", bus.baud_bps}, {"min_frame_bits", bus.min_frame_bits}, {"wcet_ns", bus.wcet_ns}};
+  Json out{{"name", bus.name},
+           {"baud_bps", bus.baud_bps},
+           {"min_frame_bits", bus.min_frame_bits},
+           {"wcet_ns", bus.wcet.ns()}};
   if (bus.arbitrated) out["arbitrated"] = true;
   if (bus.sources) {
     Json& list = out["sources"] = Json::array();
@@ -63,8 +66,8 @@ Json bus_json(const Model& model, const Bus& bus) {
 }
 
 Json transfer_json(const Model& model, const Transfer& t) {
-  Json out{{"bus", model.buses[t.bus].name}, {"wire_ns", t.wire_ns}, {"after", after_name(t.after)}};
-  add_if(out, "min_interval_ns", t.min_interval_ns);
+  Json out{{"bus", model.buses[t.bus].name}, {"wire_ns", t.wire.ns()}, {"after", after_name(t.after)}};
+  add_if(out, "min_interval_ns", t.min_interval);
   if (t.interrupts != 1) out["interrupts"] = t.interrupts;
   if (t.identifier) out["identifier"] = *t.identifier;
   if (t.command) out["command"] = true;
@@ -75,22 +78,22 @@ Json transfer_json(const Model& model, const Transfer& t) {
 Json device_json(const Model& model, const Device& d) {
   Json out{{"name", d.name},
            {"parent", name_of(model, d.parent)},
-           {"period_ns", d.period_ns},
-           {"update_wcet_ns", d.update_wcet_ns},
-           {"handle_wcet_ns", d.handle_wcet_ns}};
-  add_if(out, "update_bcet_ns", d.update_bcet_ns);
-  add_if(out, "handle_bcet_ns", d.handle_bcet_ns);
-  add_if(out, "update_extra_ns", d.update_extra_ns);
-  add_if(out, "handle_extra_ns", d.handle_extra_ns);
-  add_if(out, "output_ns", d.output_ns);
+           {"period_ns", d.period.ns()},
+           {"update_wcet_ns", d.update_wcet.ns()},
+           {"handle_wcet_ns", d.handle_wcet.ns()}};
+  add_if(out, "update_bcet_ns", d.update_bcet);
+  add_if(out, "handle_bcet_ns", d.handle_bcet);
+  add_if(out, "update_extra_ns", d.update_extra);
+  add_if(out, "handle_extra_ns", d.handle_extra);
+  add_if(out, "output_ns", d.output);
   if (!d.takes_command) out["takes_command"] = false;
   for (const Rank r : d.reads) out["reads"].push_back(model.devices[r].name);
   if (d.acquisition) {
-    Json& a = out["acquisition"] = Json{{"fixed_ns", d.acquisition->fixed_ns}};
-    add_if(a, "interval_ns", d.acquisition->interval_ns);
+    Json& a = out["acquisition"] = Json{{"fixed_ns", d.acquisition->fixed.ns()}};
+    add_if(a, "interval_ns", d.acquisition->interval);
     add_if(a, "periods", d.acquisition->periods);
     if (d.acquisition->every != 1) a["every"] = d.acquisition->every;
-    add_if(a, "conversion_ns", d.acquisition->conversion_ns);
+    add_if(a, "conversion_ns", d.acquisition->conversion);
     if (d.acquisition->assumed) a["assumed"] = true;
   }
   for (const Transfer& t : d.transfers) out["transfers"].push_back(transfer_json(model, t));
@@ -98,9 +101,9 @@ Json device_json(const Model& model, const Device& d) {
 }
 
 Json flush_json(const Model& model, const Flush& f) {
-  Json out{{"period_ns", f.period_ns}, {"wcet_ns", f.wcet_ns}};
+  Json out{{"period_ns", f.period.ns()}, {"wcet_ns", f.wcet.ns()}};
   if (f.bus) out["bus"] = model.buses[*f.bus].name;
-  add_if(out, "wire_ns", f.wire_ns);
+  add_if(out, "wire_ns", f.wire);
   if (f.interrupts != 1) out["interrupts"] = f.interrupts;
   if (!f.identifiers.empty()) out["identifiers"] = f.identifiers;
   if (!f.output.empty()) out["output"] = f.output;
@@ -111,28 +114,28 @@ Json flush_json(const Model& model, const Flush& f) {
 Json bucket_json(const Model& model, const BucketResult& bucket) {
   Json devices = Json::array();
   for (const Rank d : bucket.devices) devices.push_back(model.devices[d].name);
-  return {{"period_ns", bucket.period_ns},
-          {"wcet_ns", bucket.wcet_ns},
+  return {{"period_ns", bucket.period.ns()},
+          {"wcet_ns", bucket.wcet.ns()},
           {"devices", std::move(devices)},
-          {"response_ns", number(bucket.response_ns)},
+          {"response_ns", number(bucket.response)},
           {"ok", bucket.ok}};
 }
 
 Json device_result_json(const Device& device, const DeviceResult& r, Profile profile) {
   Json out{{"name", device.name},
-           {"b_plus_ns", r.b_plus_ns},
-           {"b_minus_ns", r.b_minus_ns},
-           {"r_plus_ns", number(r.r_plus_ns)},
-           {"r_minus_ns", number(r.r_minus_ns)}};
-  if (profile != Profile::paper) out["window_ns"] = number(r.window_ns);
+           {"b_plus_ns", r.b_plus.ns()},
+           {"b_minus_ns", r.b_minus.ns()},
+           {"r_plus_ns", number(r.r_plus)},
+           {"r_minus_ns", number(r.r_minus)}};
+  if (profile != Profile::paper) out["window_ns"] = number(r.window);
   return out;
 }
 
 Json path_json(const Model& model, const PathResult& path) {
   Json out{{"leaf", model.devices[path.leaf].name},
-           {"latency_ns", number(path.latency_ns)},
-           {"release_ns", number(path.release_ns)},
-           {"source_release_ns", number(path.source_release_ns)}};
+           {"latency_ns", number(path.latency)},
+           {"release_ns", number(path.release)},
+           {"source_release_ns", number(path.source_release)}};
   if (path.closed_form) out["closed_form"] = true;
   return out;
 }
@@ -140,13 +143,13 @@ Json path_json(const Model& model, const PathResult& path) {
 Json tree_json(const Model& model, const TreeResult& tree, Profile profile) {
   Json out{{"root", model.devices[tree.root].name},
            {"class", class_name(tree.kind)},
-           {"latency_ns", number(tree.latency_ns)},
+           {"latency_ns", number(tree.latency)},
            {"worst_leaf", name_of(model, tree.worst_leaf)},
-           {"worst_release_ns", number(tree.worst_release_ns)},
-           {"source_release_ns", number(tree.source_release_ns)}};
+           {"worst_release_ns", number(tree.worst_release)},
+           {"source_release_ns", number(tree.source_release)}};
   if (profile == Profile::paper) {
-    out["corollary_ns"] = number(tree.corollary_ns);
-    out["cross_latency_ns"] = number(tree.cross_latency_ns);
+    out["corollary_ns"] = number(tree.corollary);
+    out["cross_latency_ns"] = number(tree.cross_latency);
   }
   Json& paths = out["paths"] = Json::array();
   for (const PathResult& p : tree.paths) paths.push_back(path_json(model, p));
@@ -156,10 +159,10 @@ Json tree_json(const Model& model, const TreeResult& tree, Profile profile) {
 Json chain_json(const Model& model, const ChainResult& c) {
   Json out{{"from", model.devices[c.from].name},
            {"to", model.devices[c.to].name},
-           {"decide_ns", number(c.decide_ns)},
-           {"acquire_ns", number(c.acquire_ns)},
-           {"wire_ns", number(c.wire_ns)},
-           {"end_to_end_ns", number(c.end_to_end_ns)},
+           {"decide_ns", number(c.decide)},
+           {"acquire_ns", number(c.acquire)},
+           {"wire_ns", number(c.wire)},
+           {"end_to_end_ns", number(c.end_to_end)},
            {"assumed", c.assumed}};
   if (c.through_reads) out["through_reads"] = true;
   if (c.closed_form) out["closed_form"] = true;
@@ -184,8 +187,8 @@ Json requirement_json(const RequirementResult& r) {
   const bool share = wanted.kind == Requirement::Kind::utilization;
   Json out{{"kind", kind_name(wanted.kind)}, {"text", wanted.text}};
   if (wanted.kind == Requirement::Kind::latency_decision) out["of"] = "decision";
-  out["max"] = share ? Json(wanted.max_fraction) : Json(wanted.max_ns);
-  out["value"] = share ? Json(*r.fraction) : number(r.value_ns);
+  out["max"] = share ? Json(wanted.max_fraction) : Json(wanted.max.ns());
+  out["value"] = share ? Json(*r.fraction) : number(r.value);
   out["ok"] = r.ok;
   out["where"] =
       wanted.at.file != nullptr ? Json(wanted.at.file->name + ":" + std::to_string(wanted.at.line)) : Json(nullptr);
@@ -198,8 +201,8 @@ Json processor_json(const Timing& timing) {
     list.push_back(Json{{"kind", kind_name(use.kind)},
                         {"name", use.name},
                         {"source", use.source.empty() ? Json(nullptr) : Json(use.source)},
-                        {"cost_ns", use.cost_ns},
-                        {"every_ns", use.every_ns},
+                        {"cost_ns", use.cost.ns()},
+                        {"every_ns", use.every.ns()},
                         {"utilization", use.utilization},
                         {"share", use.utilization / timing.processor_load}});
   }
@@ -209,16 +212,16 @@ Json processor_json(const Timing& timing) {
 }  // namespace
 
 Json model_json(const Model& model) {
-  Json out{{"tick_ns", model.tick_ns}, {"buses", Json::array()}, {"devices", Json::array()}};
+  Json out{{"tick_ns", model.tick.ns()}, {"buses", Json::array()}, {"devices", Json::array()}};
   for (const Bus& bus : model.buses) out["buses"].push_back(bus_json(model, bus));
   for (const Device& d : model.devices) out["devices"].push_back(device_json(model, d));
   Json costs = Json::object();
-  add_if(costs, "release_ns", model.costs.release_ns);
-  add_if(costs, "release_per_bucket_ns", model.costs.release_per_bucket_ns);
-  add_if(costs, "interrupt_ns", model.costs.interrupt_ns);
-  add_if(costs, "job_ns", model.costs.job_ns);
-  add_if(costs, "stage_ns", model.costs.stage_ns);
-  add_if(costs, "masked_ns", model.costs.masked_ns);
+  add_if(costs, "release_ns", model.costs.release);
+  add_if(costs, "release_per_bucket_ns", model.costs.release_per_bucket);
+  add_if(costs, "interrupt_ns", model.costs.interrupt);
+  add_if(costs, "job_ns", model.costs.job);
+  add_if(costs, "stage_ns", model.costs.stage);
+  add_if(costs, "masked_ns", model.costs.masked);
   if (!costs.empty()) out["costs"] = std::move(costs);
   for (const Flush& f : model.flushes) {
     out["flushes"].push_back(flush_json(model, f));
@@ -234,9 +237,9 @@ void add_utilization(const Model& model, const UtilizationTests& tests, Json& ou
   Json& buses = out["buses"] = Json::array();
   for (const Bus& bus : model.buses) {
     buses.push_back(Json{{"name", bus.name},
-                         {"frame_ns", bus.frame_ns},
-                         {"period_ns", std::min(bus.frame_ns, model.tick_ns)},
-                         {"wcet_ns", bus.wcet_ns}});
+                         {"frame_ns", bus.frame.ns()},
+                         {"period_ns", std::min(bus.frame, model.tick).ns()},
+                         {"wcet_ns", bus.wcet.ns()}});
   }
 }
 
@@ -274,7 +277,7 @@ Json timing_json(const Timing& timing) {
   Json& loads = out["bus_load"] = Json::array();
   for (const BusPlace b : timing.bus_loads.ids()) {
     loads.push_back(Json{{"name", model.buses[b].name},
-                         {"wire_ns_per_s", timing.bus_loads[b].wire_ns_per_s},
+                         {"wire_ns_per_s", timing.bus_loads[b].wire_per_s.ns()},
                          {"utilization", timing.bus_loads[b].utilization}});
   }
   Json& assumed = out["assumed_wcet"] = Json::array();

@@ -8,29 +8,29 @@ namespace finemote::gen::timing {
 namespace {
 
 template <typename InRow>
-Lags lags(const TaskSet& set, const ReleaseTable& table, Rank producer, Ns consumer_period, ReleaseTable::Range range,
-          InRow in_row) {
-  const Ns step = std::gcd(set.buckets[set.bucket_of[producer]].period, consumer_period);
+Lags lags(const TaskSet& set, const ReleaseTable& table, Rank producer, Duration consumer_period,
+          ReleaseTable::Range range, InRow in_row) {
+  const Duration step = gcd(set.buckets[set.bucket_of[producer]].period, consumer_period);
   Lags result;
   result.most = round_up(std::max(range.most, set.least_lag), step);
   if (round_up(std::max(range.least, set.least_lag), step) == result.most) return result;
   const std::size_t rows = table.rows(producer);
   result.per_row.reserve(rows);
-  const Divider by_step(step);
+  const Divider by_step(step.ns());
   for (std::size_t row = 0; row < rows; ++row) {
-    result.per_row.push_back(-by_step.floor(-std::max(in_row(row), set.least_lag)) * step);
+    result.per_row.push_back(-by_step.floor(-std::max(in_row(row), set.least_lag).ns()) * step);
   }
   return result;
 }
 
 }  // namespace
 
-Lags lags_down(const TaskSet& set, const ReleaseTable& table, Rank producer, Ns consumer_period) {
+Lags lags_down(const TaskSet& set, const ReleaseTable& table, Rank producer, Duration consumer_period) {
   return lags(set, table, producer, consumer_period, table.r_minus_range(producer),
               [&](std::size_t row) { return table.r_minus_in_row(producer, row); });
 }
 
-Lags lags_up(const TaskSet& set, const ReleaseTable& table, Rank producer, Ns consumer_period) {
+Lags lags_up(const TaskSet& set, const ReleaseTable& table, Rank producer, Duration consumer_period) {
   return lags(set, table, producer, consumer_period, table.r_plus_range(producer),
               [&](std::size_t row) { return table.r_plus_in_row(producer, row); });
 }

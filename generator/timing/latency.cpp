@@ -8,12 +8,12 @@ namespace finemote::gen::timing {
 namespace {
 
 /// Below every age, also below the negative ones of root releases no terminal uses; two of them add without overflow.
-constexpr Ns kLowest = std::numeric_limits<Ns>::min() / 2;
+constexpr Duration kLowest = floor_div(Duration::min(), 2);
 
 using Use = OldestUse;
 
 /// Keeps the older use; of equally old ones the first in [0, repetition).
-void offer(Use& worst, Ns age, Ns release, Ns source) {
+void offer(Use& worst, Duration age, Duration release, Duration source) {
   if (age > worst.age || (age == worst.age && release < worst.release)) {
     worst.age = age, worst.release = release, worst.source = source;
   }
@@ -23,21 +23,21 @@ void offer(Use& worst, Ns age, Ns release, Ns source) {
 /// that share the hand-over share this, whatever their R- is, as R- of one leaf varies by at most `spread`.
 class OldestUses {
  public:
-  OldestUses(const HandOver& over, Ns period, Rank leaf, const ReleaseTable& table)
+  OldestUses(const HandOver& over, Duration period, Rank leaf, const ReleaseTable& table)
       : over_(over), period_(period), leaf_(leaf), table_(table), oldest_(table.rows(leaf)) {
-    for (std::size_t row = 0; row < oldest_.size(); ++row) oldest_[row] = {kLowest, 0, 0, row};
+    for (std::size_t row = 0; row < oldest_.size(); ++row) oldest_[row] = {kLowest, {}, {}, row};
   }
 
-  std::vector<Use> find(Ns spread, Effort& effort) {
+  std::vector<Use> find(Duration spread, Effort& effort) {
     repetition_ = oldest_.size() > 1 ? lcm(over_.length, table_.repeat(leaf_)) : over_.length;
     const std::vector<TerminalUse> uses = join(*over_.down, *over_.up, over_.length);
-    effort.spend(add(static_cast<Ns>(uses.size()), repetition_ / over_.length));
-    const Ns least = oldest_age(uses) - period_ - spread;  // ages below cannot be part of a maximum
-    Ns before = uses.back().next - over_.length;
+    effort.spend(add(static_cast<std::int64_t>(uses.size()), floor_div(repetition_, over_.length)));
+    const Duration least = oldest_age(uses) - period_ - spread;  // ages below cannot be part of a maximum
+    Duration before = uses.back().next - over_.length;
     for (const TerminalUse& use : uses) {
       // Last one first; mostly the last one alone is old enough.
-      for (Ns t = use.next - period_; t - use.source >= least && t >= before; t -= period_) {
-        for (Ns shift = 0; shift < repetition_; shift += over_.length) take(t + shift, t - use.source);
+      for (Duration t = use.next - period_; t - use.source >= least && t >= before; t -= period_) {
+        for (Duration shift; shift < repetition_; shift += over_.length) take(t + shift, t - use.source);
       }
       before = use.next;
     }
@@ -47,29 +47,30 @@ class OldestUses {
   }
 
  private:
-  void take(Ns t, Ns age) {
+  void take(Duration t, Duration age) {
     Use& oldest = oldest_[oldest_.size() > 1 ? table_.row(leaf_, t) : 0];
     if (age < oldest.age) return;
-    const Ns first = t - round_down(t, repetition_);
+    const Duration first = t - round_down(t, repetition_);
     offer(oldest, age, first, first - age);
   }
 
   const HandOver& over_;
-  Ns period_;
+  Duration period_;
   Rank leaf_;
   const ReleaseTable& table_;
   std::vector<Use> oldest_;
-  Ns repetition_ = 1;
+  Duration repetition_ = nanoseconds(1);
 };
 
 /// Of one leaf: `age` is the latency.
 Use worst_use(const std::vector<Use>& oldest, Rank leaf, const ReleaseTable& table) {
-  Use result{kLowest, 0, 0, 0};
-  const Ns most = table.r_minus_range(leaf).most;
+  Use result{kLowest, {}, {}, 0};
+  const Duration most = table.r_minus_range(leaf).most;
   for (const Use& use : oldest) {
     if (use.age + most < result.age) break;  // and so are all that follow
-    const Ns response = table.r_minus_in_row(leaf, use.row);
-    const Ns latency = use.age == 0 ? std::min(response, table.window_in_row(leaf, use.row)) : add(use.age, response);
+    const Duration response = table.r_minus_in_row(leaf, use.row);
+    const Duration latency =
+        use.age == Duration::zero() ? std::min(response, table.window_in_row(leaf, use.row)) : use.age + response;
     offer(result, latency, use.release, use.source);
   }
   return result;
@@ -91,7 +92,7 @@ class TreeBound {
         spread_(set.buckets.size()) {
     for (const Rank d : model.devices.ids()) {
       const ReleaseTable::Range range = table.r_minus_range(d);
-      Ns& spread = spread_[set.bucket_of[d]];
+      Duration& spread = spread_[set.bucket_of[d]];
       spread = std::max(spread, range.most - range.least);
     }
   }
@@ -111,15 +112,15 @@ class TreeBound {
 
  private:
   void classify() {
-    const Ns root_period = model_.devices[result_.root].period_ns;
+    const Duration root_period = model_.devices[result_.root].period;
     bool same = true, harmonic = true;
     std::vector<Rank> stack{result_.root};
     while (!stack.empty()) {
       const Rank parent = stack.back();
       stack.pop_back();
-      same &= model_.devices[parent].period_ns == root_period;
+      same &= model_.devices[parent].period == root_period;
       for (const Rank child : topology_.children[parent]) {
-        harmonic &= model_.devices[parent].period_ns % model_.devices[child].period_ns == 0;
+        harmonic &= is_multiple(model_.devices[parent].period, model_.devices[child].period);
         stack.push_back(child);
       }
     }
@@ -133,8 +134,8 @@ class TreeBound {
   }
 
   /// The latest of the group's leaves; kNone where it has none.
-  [[nodiscard]] Ns latest_leaf(const HandOverGroup& group) const {
-    Ns most = kNone;
+  [[nodiscard]] Duration latest_leaf(const HandOverGroup& group) const {
+    Duration most = kNone;
     for (const Rank d : group.devices) {
       if (topology_.children[d].empty()) most = std::max(most, responses_.r_minus[d]);
     }
@@ -160,71 +161,72 @@ class TreeBound {
     std::vector<Use>& oldest = store_.oldest_uses[group.exact];
     if (oldest.empty()) {
       const Rank any = group.devices.front();
-      const Ns spread = spread_[set_.bucket_of[any]];
+      const Duration spread = spread_[set_.bucket_of[any]];
       oldest = OldestUses(*group.exact, group.period, any, table_).find(spread, effort_);
     }
     return oldest;
   }
 
-  void set_closed(PathResult& path, Ns age, Rank leaf) const {
-    const Ns response = responses_.r_minus[leaf];
+  void set_closed(PathResult& path, Duration age, Rank leaf) const {
+    const Duration response = responses_.r_minus[leaf];
     path.closed_form = true;
-    path.latency_ns = age == 0 ? std::min(response, table_.window(leaf)) : add(age, response);
+    path.latency = age == Duration::zero() ? std::min(response, table_.window(leaf)) : age + response;
   }
 
   void set_exact(PathResult& path, const std::vector<Use>& oldest, Rank leaf) const {
     const Use worst = worst_use(oldest, leaf, table_);
-    path.latency_ns = worst.age;
-    path.release_ns = worst.release;
-    path.source_release_ns = worst.source;
+    path.latency = worst.age;
+    path.release = worst.release;
+    path.source_release = worst.source;
   }
 
   void summarise() {
-    Ns worst = kNone;
+    Duration worst = kNone;
     for (const PathResult& path : result_.paths) {
-      if (!path.latency_ns) return;
+      if (!path.latency) return;
     }
     for (const PathResult& path : result_.paths) {
-      if (*path.latency_ns <= worst) continue;
-      worst = *path.latency_ns;
+      if (*path.latency <= worst) continue;
+      worst = *path.latency;
       result_.worst_leaf = path.leaf;
-      result_.worst_release_ns = path.release_ns;
-      result_.source_release_ns = path.source_release_ns;
+      result_.worst_release = path.release;
+      result_.source_release = path.source_release;
     }
-    result_.latency_ns = worst;
+    result_.latency = worst;
     if (!corollaries_) return;
-    result_.cross_latency_ns = cross_latency();
-    if (result_.kind != TreeResult::Class::general) result_.corollary_ns = corollary();
+    result_.cross_latency = cross_latency();
+    if (result_.kind != TreeResult::Class::general) result_.corollary = corollary();
   }
 
   /// Over all pairs of leaves: what the terminal uses of the oldest source, and its response.
-  Ns cross_latency() {
-    OldestSources sources(model_.devices[result_.root].period_ns);
+  Duration cross_latency() {
+    OldestSources sources(model_.devices[result_.root].period);
     walk([&](const HandOverGroup& group) {
-      if (latest_leaf(group) != kNone) sources.add_group(group, {0, Rank{}});
+      if (latest_leaf(group) != kNone) sources.add_group(group, {{}, Rank{}});
     });
-    Ns worst = 0;
+    Duration worst;
     walk([&](const HandOverGroup& group) {
-      const Ns response = latest_leaf(group);
-      if (response != kNone) worst = std::max(worst, add(sources.worst(group).age, response));
+      const Duration response = latest_leaf(group);
+      if (response != kNone) worst = std::max(worst, sources.worst(group).age + response);
     });
     return worst;
   }
 
   /// The paper's corollaries: in a same-period tree the worst R- of a leaf; in a harmonic tree every handle() of a
   /// slower parent adds what the floor of its response leaves, and updates never step back.
-  Ns corollary() {
-    Ns worst = 0;
-    std::vector<std::pair<Rank, Ns>> stack{{result_.root, 0}};
+  Duration corollary() {
+    Duration worst;
+    std::vector<std::pair<Rank, Duration>> stack{{result_.root, {}}};
     while (!stack.empty()) {
       const auto [parent, age] = stack.back();
       stack.pop_back();
-      const Ns period = model_.devices[parent].period_ns;
-      if (topology_.children[parent].empty()) worst = std::max(worst, add(age, responses_.r_minus[parent]));
+      const Duration period = model_.devices[parent].period;
+      if (topology_.children[parent].empty()) worst = std::max(worst, age + responses_.r_minus[parent]);
       for (const Rank child : topology_.children[parent]) {
-        const Ns faster = model_.devices[child].period_ns;
-        const Ns hop = faster == period ? 0 : add(period - faster, round_up(responses_.r_minus[parent], faster));
-        stack.emplace_back(child, add(age, hop));
+        const Duration faster = model_.devices[child].period;
+        const Duration hop =
+            faster == period ? Duration::zero() : period - faster + round_up(responses_.r_minus[parent], faster);
+        stack.emplace_back(child, age + hop);
       }
     }
     return worst;
@@ -240,7 +242,7 @@ class TreeBound {
   Effort& effort_;
   TreeResult result_;
   Table<Rank, std::size_t> place_;  ///< of a leaf in result_.paths
-  std::vector<Ns> spread_;          ///< per bucket: how much R- of one of its devices varies over the releases
+  std::vector<Duration> spread_;    ///< per bucket: how much R- of one of its devices varies over the releases
 };
 
 }  // namespace

@@ -28,17 +28,18 @@ bool ObjectReader::is_array(const Value& value, std::string_view key) {
   return false;
 }
 
-Ns ObjectReader::integer(const Value& value, std::string_view key, Ns least) {
+std::int64_t ObjectReader::integer(const Value& value, std::string_view key, std::int64_t least) {
   if (!value.is(Value::Kind::number)) {
     error(code::json_type, value, fmt::format("'{}' is {}, not an integer", key, describe(value.kind)));
     return least;
   }
-  Ns number = 0;
+  std::int64_t number = 0;
   const char* end = value.text.data() + value.text.size();
   const auto [rest, status] = std::from_chars(value.text.data(), end, number);
   if (status == std::errc::result_out_of_range || (rest == end && number < least)) {
-    error(code::json_number_range, value,
-          fmt::format("'{}' is {}, outside {} to {}", key, value.text, least, std::numeric_limits<Ns>::max()));
+    error(
+        code::json_number_range, value,
+        fmt::format("'{}' is {}, outside {} to {}", key, value.text, least, std::numeric_limits<std::int64_t>::max()));
     return least;
   }
   if (rest != end) {

@@ -9,7 +9,7 @@
 
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/json/value.hpp"
-#include "generator/timing/integer.hpp"
+#include "generator/units/duration.hpp"
 
 namespace finemote::gen::timing {
 
@@ -28,12 +28,12 @@ struct Field {
   };
   /// Read apart.
   using Apart = std::monostate;
-  using Target = std::variant<Ns Object::*, bool Object::*, Whole, Each, Apart>;
+  using Target = std::variant<std::int64_t Object::*, Duration Object::*, bool Object::*, Whole, Each, Apart>;
 
   std::string_view name;
   Need need = Need::optional;
   Target target = Apart{};
-  Ns least = 0;  ///< of a number
+  std::int64_t least = 0;  ///< of a number, or of the nanoseconds of a time
 };
 
 /// Reads values and reports what is wrong with them where they stand: FM4003 to FM4007. A mistake leaves a value that
@@ -47,7 +47,7 @@ class ObjectReader {
   bool is_object(const json::Value& value, std::string_view what);
   bool is_array(const json::Value& value, std::string_view key);
   /// An integer from `least` to the largest of 64 bits; else `least`.
-  Ns integer(const json::Value& value, std::string_view key, Ns least);
+  std::int64_t integer(const json::Value& value, std::string_view key, std::int64_t least);
   bool flag(const json::Value& value, std::string_view key);
   /// A text that is not empty; else an empty one. `what` has the member.
   std::string text(const json::Value& value, std::string_view what, std::string_view key);
@@ -91,6 +91,8 @@ class ObjectReader {
       for (const json::Value& item : value.items) (reader.*target.read)(object, item);
     } else if constexpr (std::is_same_v<Target, bool Object::*>) {
       object.*target = flag(value, field.name);
+    } else if constexpr (std::is_same_v<Target, Duration Object::*>) {
+      object.*target = nanoseconds(integer(value, field.name, field.least));
     } else if constexpr (!std::is_same_v<Target, typename AnyField::Apart>) {
       object.*target = integer(value, field.name, field.least);
     }

@@ -5,7 +5,7 @@
 namespace finemote::gen::timing {
 
 void OldestSources::add_group(const HandOverGroup& group, const Oldest& best) {
-  if (group.exact == nullptr) return closed_.offer({add(group.closed.up, best.age), best.source});
+  if (group.exact == nullptr) return closed_.offer({group.closed.up + best.age, best.source});
   sources_.push_back({group.exact->up, best});
 }
 

@@ -1,7 +1,6 @@
 // Hand-overs of a tree to its oldest data: per release of the root, the source with the oldest sample.
 #pragma once
 
-#include <limits>
 #include <map>
 
 #include "generator/timing/walk.hpp"
@@ -13,9 +12,9 @@ namespace finemote::gen::timing {
 class OldestSources {
  public:
   struct Oldest {
-    Ns age = std::numeric_limits<Ns>::min() / 2;  ///< below every age: none; two of them add without overflow
-    Rank source;                                  ///< of equally old ones the first
-    void offer(Ns new_age, Rank new_source) {
+    Duration age = floor_div(Duration::min(), 2);  ///< below every age: none; two of them add without overflow
+    Rank source;                                   ///< of equally old ones the first
+    void offer(Duration new_age, Rank new_source) {
       const bool is_older = (new_age > age) | ((new_age == age) & (new_source < source));  // either is likely
       age = is_older ? new_age : age;
       source = is_older ? new_source : source;
@@ -23,7 +22,7 @@ class OldestSources {
     void offer(const Oldest& other) { offer(other.age, other.source); }
   };
 
-  explicit OldestSources(Ns root_period) : root_period_(root_period) {}
+  explicit OldestSources(Duration root_period) : root_period_(root_period) {}
 
   /// @param best  of the devices of the group: how old its sample is when its update() begins, and which device it is.
   void add_group(const HandOverGroup& group, const Oldest& best);
@@ -32,7 +31,7 @@ class OldestSources {
   /// that release uses. Not one nanosecond younger than what is possible, and with closed forms maybe older.
   Oldest worst(const HandOverGroup& group);
 
-  [[nodiscard]] bool has_closed_form() const { return closed_.age >= 0; }
+  [[nodiscard]] bool has_closed_form() const { return closed_.age >= Duration::zero(); }
 
  private:
   using List = std::vector<Oldest>;  ///< per root release of one repetition
@@ -41,7 +40,7 @@ class OldestSources {
   void gather();
   const List& folded(std::size_t whole, std::size_t common);
 
-  Ns root_period_;
+  Duration root_period_;
   struct Source {
     std::shared_ptr<const Staircase> up;
     Oldest best;

@@ -9,20 +9,26 @@
 namespace finemote::gen::timing {
 namespace {
 
-long double ratio(Ns part, Ns whole) { return static_cast<long double>(part) / static_cast<long double>(whole); }
+long double ratio(Duration part, Duration whole) {
+  return static_cast<long double>(part.ns()) / static_cast<long double>(whole.ns());
+}
 
 /// Runs per nanosecond: by the distance of two, or by budgets where they are slower.
 long double rate(const Stream& stream) {
-  const long double by_distance = 1.0L / static_cast<long double>(stream.separation);
+  const long double by_distance = 1.0L / static_cast<long double>(stream.separation.ns());
   if (stream.budgets.empty()) return by_distance;
   long double budget = 0;
-  for (const Stream::Budget& b : stream.budgets) budget += ratio(b.count, b.period) / static_cast<long double>(b.every);
+  for (const Stream::Budget& b : stream.budgets)
+    budget +=
+        static_cast<long double>(b.count) / static_cast<long double>(b.period.ns()) / static_cast<long double>(b.every);
   return std::min(by_distance, budget);
 }
 
-double share(const Stream& stream) { return static_cast<double>(rate(stream) * static_cast<long double>(stream.cost)); }
+double share(const Stream& stream) {
+  return static_cast<double>(rate(stream) * static_cast<long double>(stream.cost.ns()));
+}
 
-std::string period_text(Ns period) { return units::format_duration(period); }
+std::string period_text(Duration period) { return units::format_duration(period.ns()); }
 
 /// What people call a flush: its output, the bus it goes over, or the first device it writes.
 std::string flush_name(const Model& model, const Flush& flush) {
@@ -33,20 +39,20 @@ std::string flush_name(const Model& model, const Flush& flush) {
 
 void add_buckets(const Model& model, const TaskSet& set, std::vector<ProcessorUse>& list) {
   for (const TaskBucket& bucket : set.buckets) {
-    const Ns work = bucket.cost - bucket.after;
+    const Duration work = bucket.cost - bucket.after;
     list.push_back({ProcessorUse::Kind::bucket, period_text(bucket.period), "", work, bucket.period,
                     static_cast<double>(ratio(work, bucket.period))});
-    if (bucket.after == 0) continue;  // the profile has no flushes
+    if (bucket.after == Duration::zero()) continue;  // the profile has no flushes
     for (const Flush& flush : model.flushes) {
-      if (flush.period_ns != bucket.period) continue;
-      list.push_back({ProcessorUse::Kind::flush, flush_name(model, flush), period_text(flush.period_ns), flush.wcet_ns,
-                      flush.period_ns, static_cast<double>(ratio(flush.wcet_ns, flush.period_ns))});
+      if (flush.period != bucket.period) continue;
+      list.push_back({ProcessorUse::Kind::flush, flush_name(model, flush), period_text(flush.period), flush.wcet,
+                      flush.period, static_cast<double>(ratio(flush.wcet, flush.period))});
     }
   }
 }
 
 void add_interrupts(const TaskSet& set, std::vector<ProcessorUse>& list) {
-  ProcessorUse release{ProcessorUse::Kind::release, "release", "", 0, 1, 0};
+  ProcessorUse release{ProcessorUse::Kind::release, "release", "", {}, nanoseconds(1), 0};
   for (std::size_t s = 0; s < set.streams.size(); ++s) {
     const Stream& stream = set.streams[s];
     if (s < set.bus_streams) {
@@ -54,8 +60,8 @@ void add_interrupts(const TaskSet& set, std::vector<ProcessorUse>& list) {
           {ProcessorUse::Kind::interrupt, stream.bus, stream.source, stream.cost, stream.separation, share(stream)});
       continue;
     }
-    release.cost_ns += stream.cost;
-    release.every_ns = stream.separation;  // the release itself comes last
+    release.cost += stream.cost;
+    release.every = stream.separation;  // the release itself comes last
     release.utilization += share(stream);
   }
   list.push_back(release);
@@ -104,7 +110,7 @@ std::vector<ProcessorUse> processor_use(const Model& model, const TaskSet& set) 
 
 double processor_share(const TaskSet& set) {
   long double sum = 0;
-  for (const Stream& stream : set.streams) sum += rate(stream) * static_cast<long double>(stream.cost);
+  for (const Stream& stream : set.streams) sum += rate(stream) * static_cast<long double>(stream.cost.ns());
   for (const TaskBucket& bucket : set.buckets) sum += ratio(bucket.cost, bucket.period);
   return static_cast<double>(sum);
 }

@@ -15,8 +15,8 @@ struct ProcessorUse {
   Kind kind = Kind::bucket;
   std::string name;    ///< bucket: its period; flush: its output, bus or first device; interrupt: the bus; `release`
   std::string source;  ///< interrupt: which of the bus, empty where it has one; flush: the period of its bucket
-  Ns cost_ns = 0;      ///< of one, exception entry and exit included
-  Ns every_ns = 1;     ///< period, or least distance of two interrupts
+  Duration cost;       ///< of one, exception entry and exit included
+  Duration every = nanoseconds(1);  ///< period, or least distance of two interrupts
   double utilization = 0;  ///< long-run share of the processor, 0 and more; budgets counted where they are slower
 };
 

@@ -5,7 +5,7 @@
 namespace finemote::gen::timing {
 namespace {
 
-std::optional<Ns> known(Ns value) { return value == kNone ? std::nullopt : std::optional<Ns>(value); }
+std::optional<Duration> known(Duration value) { return value == kNone ? std::nullopt : std::optional<Duration>(value); }
 
 void summarise(const TaskSet& set, const Responses& responses, const ReleaseTable& table, ProfileResult& result) {
   result.schedulable = true;
@@ -17,7 +17,7 @@ void summarise(const TaskSet& set, const Responses& responses, const ReleaseTabl
   for (const Rank d : set.update.ids()) {
     DeviceResult device{responses.b_plus[d], responses.b_minus[d], known(responses.r_plus[d]),
                         known(responses.r_minus[d]), std::nullopt};
-    if (result.profile != Profile::paper) device.window_ns = known(table.window(d));
+    if (result.profile != Profile::paper) device.window = known(table.window(d));
     result.devices.push_back(device);
   }
 }

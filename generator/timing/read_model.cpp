@@ -50,7 +50,7 @@ class ModelReader {
 
   void set_frame_time(Bus& bus, const Value& v);
   void check_period(const Device& device, const Value& v);
-  void check_best_case(Ns bcet, Ns wcet, std::string_view key, const Value& v);
+  void check_best_case(Duration bcet, Duration wcet, std::string_view key, const Value& v);
 
   template <class Id>
   std::string name(const Value& object, std::string_view what, std::map<std::string, Id>& names, Id id);
@@ -77,7 +77,7 @@ struct ModelReader::Tables {
   using Whole = typename Field<Object>::Whole;
 
   static constexpr Field<Model> kModel[] = {
-      {"tick_ns", Need::required, &Model::tick_ns, 1},
+      {"tick_ns", Need::required, &Model::tick, 1},
       {"buses", Need::optional, Each<Model>{&ModelReader::read_bus}},
       {"devices", Need::required, Whole<Model>{&ModelReader::read_devices}},
       {"costs", Need::target, Whole<Model>{&ModelReader::read_costs}},
@@ -87,14 +87,14 @@ struct ModelReader::Tables {
       {"name"},
       {"baud_bps", Need::required, &Bus::baud_bps, 1},
       {"min_frame_bits", Need::required, &Bus::min_frame_bits, 1},
-      {"wcet_ns", Need::required, &Bus::wcet_ns},
+      {"wcet_ns", Need::required, &Bus::wcet},
       {"arbitrated", Need::target, &Bus::arbitrated},
       {"sources", Need::target, Whole<Bus>{&ModelReader::read_sources}},
   };
   static constexpr Field<InterruptSource> kSource[] = {
       {"name", Need::required, Whole<InterruptSource>{&ModelReader::read_source_name}},
-      {"wcet_ns", Need::required, &InterruptSource::wcet_ns},
-      {"min_interval_ns", Need::required, &InterruptSource::min_interval_ns, 1},
+      {"wcet_ns", Need::required, &InterruptSource::wcet},
+      {"min_interval_ns", Need::required, &InterruptSource::min_interval, 1},
       {"budgets", Need::target, Each<InterruptSource>{&ModelReader::read_budget}},
   };
   static constexpr Field<FrameBudget> kBudget[] = {
@@ -105,50 +105,47 @@ struct ModelReader::Tables {
   static constexpr Field<Device> kDevice[] = {
       {"name"},
       {"parent", Need::optional, Whole<Device>{&ModelReader::read_parent}},
-      {"period_ns", Need::required, &Device::period_ns, 1},
-      {"update_wcet_ns", Need::required, &Device::update_wcet_ns},
-      {"handle_wcet_ns", Need::required, &Device::handle_wcet_ns},
-      {"update_bcet_ns", Need::target, &Device::update_bcet_ns},
-      {"handle_bcet_ns", Need::target, &Device::handle_bcet_ns},
-      {"update_extra_ns", Need::target, &Device::update_extra_ns},
-      {"handle_extra_ns", Need::target, &Device::handle_extra_ns},
-      {"output_ns", Need::target, &Device::output_ns},
+      {"period_ns", Need::required, &Device::period, 1},
+      {"update_wcet_ns", Need::required, &Device::update_wcet},
+      {"handle_wcet_ns", Need::required, &Device::handle_wcet},
+      {"update_bcet_ns", Need::target, &Device::update_bcet},
+      {"handle_bcet_ns", Need::target, &Device::handle_bcet},
+      {"update_extra_ns", Need::target, &Device::update_extra},
+      {"handle_extra_ns", Need::target, &Device::handle_extra},
+      {"output_ns", Need::target, &Device::output},
       {"takes_command", Need::target, &Device::takes_command},
       {"reads", Need::target, Each<Device>{&ModelReader::read_observed}},
       {"acquisition", Need::target, Whole<Device>{&ModelReader::read_acquisition}},
       {"transfers", Need::target, Each<Device>{&ModelReader::read_transfer}},
   };
   static constexpr Field<Acquisition> kAcquisition[] = {
-      {"fixed_ns", Need::target, &Acquisition::fixed_ns},
-      {"interval_ns", Need::target, &Acquisition::interval_ns},
-      {"periods", Need::target, &Acquisition::periods},
-      {"every", Need::target, &Acquisition::every, 1},
-      {"conversion_ns", Need::target, &Acquisition::conversion_ns},
-      {"assumed", Need::target, &Acquisition::assumed},
+      {"fixed_ns", Need::target, &Acquisition::fixed},           {"interval_ns", Need::target, &Acquisition::interval},
+      {"periods", Need::target, &Acquisition::periods},          {"every", Need::target, &Acquisition::every, 1},
+      {"conversion_ns", Need::target, &Acquisition::conversion}, {"assumed", Need::target, &Acquisition::assumed},
   };
   static constexpr Field<Transfer> kTransfer[] = {
       {"bus", Need::required, Whole<Transfer>{&ModelReader::read_transfer_bus}},
-      {"wire_ns", Need::required, &Transfer::wire_ns},
+      {"wire_ns", Need::required, &Transfer::wire},
       {"after", Need::target, Whole<Transfer>{&ModelReader::read_after}},
-      {"min_interval_ns", Need::target, &Transfer::min_interval_ns},
+      {"min_interval_ns", Need::target, &Transfer::min_interval},
       {"interrupts", Need::target, &Transfer::interrupts},
       {"command", Need::target, &Transfer::command},
       {"receive", Need::target, &Transfer::receive},
       {"identifier", Need::target, Whole<Transfer>{&ModelReader::read_identifier}},
   };
   static constexpr Field<Costs> kCosts[] = {
-      {"release_ns", Need::target, &Costs::release_ns},
-      {"release_per_bucket_ns", Need::target, &Costs::release_per_bucket_ns},
-      {"interrupt_ns", Need::target, &Costs::interrupt_ns},
-      {"job_ns", Need::target, &Costs::job_ns},
-      {"stage_ns", Need::target, &Costs::stage_ns},
-      {"masked_ns", Need::target, &Costs::masked_ns},
+      {"release_ns", Need::target, &Costs::release},
+      {"release_per_bucket_ns", Need::target, &Costs::release_per_bucket},
+      {"interrupt_ns", Need::target, &Costs::interrupt},
+      {"job_ns", Need::target, &Costs::job},
+      {"stage_ns", Need::target, &Costs::stage},
+      {"masked_ns", Need::target, &Costs::masked},
   };
   static constexpr Field<Flush> kFlush[] = {
-      {"period_ns", Need::required, &Flush::period_ns, 1},
-      {"wcet_ns", Need::required, &Flush::wcet_ns},
+      {"period_ns", Need::required, &Flush::period, 1},
+      {"wcet_ns", Need::required, &Flush::wcet},
       {"bus", Need::target, Whole<Flush>{&ModelReader::read_flush_bus}},
-      {"wire_ns", Need::target, &Flush::wire_ns},
+      {"wire_ns", Need::target, &Flush::wire},
       {"interrupts", Need::target, &Flush::interrupts},
       {"identifiers", Need::target, Each<Flush>{&ModelReader::read_flush_identifier}},
       {"devices", Need::target, Each<Flush>{&ModelReader::read_flush_device}},
@@ -186,13 +183,13 @@ void ModelReader::read_bus(Model& model, const Value& v) {
 void ModelReader::set_frame_time(Bus& bus, const Value& v) {
   const Value& bits = *v.find("min_frame_bits");
   try {
-    bus.frame_ns = multiply(bus.min_frame_bits, 1'000'000'000) / bus.baud_bps;
+    bus.frame = floor_div(bus.min_frame_bits * seconds(1), bus.baud_bps);
   } catch (const Overflow&) {
     values_.error(code::timing_overflow, bits, "the frame time does not fit signed 64 bits");
     return;
   }
-  if (bus.frame_ns >= 1) return;
-  bus.frame_ns = 1;
+  if (bus.frame >= nanoseconds(1)) return;
+  bus.frame = nanoseconds(1);
   values_.error(code::timing_frame_time, bits, fmt::format("the frame time of bus '{}' is below 1 ns", bus.name))
       .note(fmt::format("{} bits at {} bit/s", bus.min_frame_bits, bus.baud_bps));
 }
@@ -241,23 +238,22 @@ void ModelReader::read_device(Model& model, const Value& v) {
   device.name = name(v, "device", device_names_, rank);
   values_.read_fields(v, "a device", Tables::kDevice, device, *this);
   check_period(device, v);
-  check_best_case(device.update_bcet_ns, device.update_wcet_ns, "update_bcet_ns", v);
-  check_best_case(device.handle_bcet_ns, device.handle_wcet_ns, "handle_bcet_ns", v);
+  check_best_case(device.update_bcet, device.update_wcet, "update_bcet_ns", v);
+  check_best_case(device.handle_bcet, device.handle_wcet, "handle_bcet_ns", v);
 }
 
 void ModelReader::check_period(const Device& device, const Value& v) {
   const Value* period = v.find("period_ns");
-  const Ns tick = model_.tick_ns, rest = device.period_ns % tick;
-  if (period == nullptr || rest == 0 || period->text != std::to_string(device.period_ns)) return;
-  const Ns below = device.period_ns - rest;
-  const bool has_above = device.period_ns <= std::numeric_limits<Ns>::max() - tick;
+  const Duration tick = model_.tick, below = round_down(device.period, tick);
+  if (period == nullptr || below == device.period || period->text != std::to_string(device.period.ns())) return;
+  const bool has_above = device.period <= Duration::max() - tick;
   values_
       .error(code::timing_period, *period,
-             fmt::format("the period of device '{}' is not a multiple of the tick of {} ns", device.name, tick))
-      .hint(fmt::format("write {} or {}", std::max(below, tick), has_above ? below + tick : below));
+             fmt::format("the period of device '{}' is not a multiple of the tick of {} ns", device.name, tick.ns()))
+      .hint(fmt::format("write {} or {}", std::max(below, tick).ns(), (has_above ? below + tick : below).ns()));
 }
 
-void ModelReader::check_best_case(Ns bcet, Ns wcet, std::string_view key, const Value& v) {
+void ModelReader::check_best_case(Duration bcet, Duration wcet, std::string_view key, const Value& v) {
   if (bcet <= wcet) return;
   values_.error(code::json_number_range, *v.find(key), fmt::format("'{}' is above the worst case", key));
 }
@@ -353,7 +349,7 @@ void ModelReader::read_flush(Model& model, const Value& v) {
   Flush& flush = model.flushes.emplace_back();
   values_.read_fields(v, "a flush", Tables::kFlush, flush, *this);
   const bool is_known = std::any_of(model.devices.begin(), model.devices.end(),
-                                    [&](const Device& d) { return d.period_ns == flush.period_ns; });
+                                    [&](const Device& d) { return d.period == flush.period; });
   if (!is_known) values_.error(code::timing_period, v, "no device has the period of this flush");
 }
 

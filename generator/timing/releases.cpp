@@ -6,15 +6,15 @@
 namespace finemote::gen::timing {
 namespace {
 
-constexpr Ns kMostReleases = 1'000'000;       ///< of one bucket in its least common multiple
-constexpr std::size_t kMostCells = 1U << 23;  ///< of one bucket: 200 MB
+constexpr std::int64_t kMostReleases = 1'000'000;  ///< of one bucket in its least common multiple
+constexpr std::size_t kMostCells = 1U << 23;       ///< of one bucket: 200 MB
 
 /// What surrounds a release: for each instant t0 from which more urgent work may be pending (the release itself comes
 /// last), its distance and the first release of every more urgent bucket from it on.
 struct Surroundings {
   struct Start {
-    Ns distance = 0;         ///< t - t0
-    std::vector<Ns> firsts;  ///< per more urgent bucket: first release at or after t0, less t0
+    Duration distance;             ///< t - t0
+    std::vector<Duration> firsts;  ///< per more urgent bucket: first release at or after t0, less t0
     friend auto operator<=>(const Start&, const Start&) = default;
   };
   std::vector<Start> starts;
@@ -44,19 +44,19 @@ ReleaseTable::ReleaseTable(const TaskSet& set, const Responses& responses)
   }
 }
 
-std::size_t ReleaseTable::row(Rank device, Ns release) const {
+std::size_t ReleaseTable::row(Rank device, Duration release) const {
   const Bucket& bucket = buckets_[bucket_of_[device]];
   if (bucket.row_of.empty()) return 0;
-  return bucket.row_of[static_cast<std::size_t>(bucket.by_count.rest(bucket.by_period.floor(release)))];
+  return bucket.row_of[static_cast<std::size_t>(bucket.by_count.rest(bucket.by_period.floor(release.ns())))];
 }
 
-const ReleaseTable::Cell& ReleaseTable::cell(Rank device, Ns release) const {
+const ReleaseTable::Cell& ReleaseTable::cell(Rank device, Duration release) const {
   return buckets_[bucket_of_[device]].rows[row(device, release)][place_[device]];
 }
 
-Ns ReleaseTable::repeat(Rank device) const {
+Duration ReleaseTable::repeat(Rank device) const {
   const Bucket& bucket = buckets_[bucket_of_[device]];
-  return bucket.row_of.empty() ? bucket.period : multiply(bucket.period, static_cast<Ns>(bucket.row_of.size()));
+  return bucket.row_of.empty() ? bucket.period : bucket.period * static_cast<std::int64_t>(bucket.row_of.size());
 }
 
 /// Fills the rows of one bucket.
@@ -65,20 +65,20 @@ class ReleaseTable::Builder {
   Builder(const TaskSet& set, const Responses& responses, std::size_t w, Effort& effort)
       : set_(set), responses_(responses), bucket_(set.buckets[w]), w_(w), effort_(effort), demand_(effort) {
     for (std::size_t v = 0; v < w; ++v) {
-      if (set.buckets[v].cost > 0) urgent_.push_back({set.buckets[v].period, set.buckets[v].cost});
+      if (set.buckets[v].cost > Duration::zero()) urgent_.push_back({set.buckets[v].period, set.buckets[v].cost});
     }
     demand_.add_streams(set.streams);
   }
 
   void fill(Bucket& table) {
-    Ns common = bucket_.period;
+    Duration common = bucket_.period;
     for (std::size_t v = 0; v < w_; ++v) common = lcm(common, set_.buckets[v].period);
-    const Ns count = common / bucket_.period;
+    const std::int64_t count = floor_div(common, bucket_.period);
     find_longest_busy();
     table.rows.clear();
     if (count > kMostReleases) return fill_general(table);
     std::map<Surroundings, std::uint32_t> known;
-    for (Ns i = 0; i < count; ++i) {
+    for (std::int64_t i = 0; i < count; ++i) {
       const Surroundings around = surroundings(i * bucket_.period);
       const auto [entry, fresh] = known.emplace(around, static_cast<std::uint32_t>(table.rows.size()));
       if (fresh) {
@@ -93,8 +93,8 @@ class ReleaseTable::Builder {
 
  private:
   struct Urgent {
-    Ns period = 1;
-    Ns cost = 0;
+    Duration period = nanoseconds(1);
+    Duration cost;
   };
 
   /// R of all releases, and windows with as many more urgent activations as any release can see.
@@ -104,7 +104,7 @@ class ReleaseTable::Builder {
     std::vector<Cell> row;
     for (const Rank d : bucket_.devices) row.push_back({responses_.r_plus[d], responses_.r_minus[d], kNone});
     Surroundings worst;
-    worst.starts.push_back({0, std::vector<Ns>(urgent_.size(), 1)});
+    worst.starts.push_back({{}, std::vector<Duration>(urgent_.size(), nanoseconds(1))});
     set_windows(worst.starts.back().firsts, row);
     table.rows.assign(1, std::move(row));
   }
@@ -112,13 +112,13 @@ class ReleaseTable::Builder {
   /// No more urgent work of buckets and streams stays pending for longer than this.
   void find_longest_busy() {
     demand_.clear_terms();
-    for (const Urgent& u : urgent_) demand_.add({0, u.period, u.cost});
-    longest_busy_ = urgent_.empty() ? 0 : least_fit(demand_, set_.blocking, 1, kNever - 1);
+    for (const Urgent& u : urgent_) demand_.add({{}, u.period, u.cost});
+    longest_busy_ = urgent_.empty() ? Duration::zero() : least_fit(demand_, set_.blocking, nanoseconds(1), kLongest);
   }
 
-  Surroundings::Start start_at(Ns t0, Ns t) const {
+  Surroundings::Start start_at(Duration t0, Duration t) const {
     Surroundings::Start start{t - t0, {}};
-    const Ns horizon = add(add(t - t0, responses_.bucket[w_]), 2);  // later releases cannot matter
+    const Duration horizon = t - t0 + responses_.bucket[w_] + nanoseconds(2);  // later releases cannot matter
     for (const Urgent& u : urgent_) start.firsts.push_back(std::min(round_up(t0, u.period) - t0, horizon));
     return start;
   }
@@ -131,14 +131,14 @@ class ReleaseTable::Builder {
   /// Whether more urgent work released from t0 on keeps the processor busy beyond t.
   bool stays_busy(const Surroundings::Start& start) {
     use(start);
-    return least_fit(demand_, set_.blocking, 1, start.distance) == kNever;
+    return least_fit(demand_, set_.blocking, nanoseconds(1), start.distance) == kNever;
   }
 
-  Surroundings surroundings(Ns t) {
+  Surroundings surroundings(Duration t) {
     Surroundings around;
     for (const Urgent& u : urgent_) {
-      if (std::gcd(u.period, bucket_.period) >= longest_busy_) continue;  // none is that near
-      for (Ns t0 = round_down(t - 1, u.period); t - t0 < longest_busy_; t0 -= u.period) {
+      if (gcd(u.period, bucket_.period) >= longest_busy_) continue;  // none is that near
+      for (Duration t0 = round_down(t - nanoseconds(1), u.period); t - t0 < longest_busy_; t0 -= u.period) {
         Surroundings::Start start = start_at(t0, t);
         if (stays_busy(start)) around.starts.push_back(std::move(start));
       }
@@ -164,23 +164,23 @@ class ReleaseTable::Builder {
   /// Raises every R of the row to what a busy interval from one start gives.
   void sweep(const Surroundings::Start& start, std::vector<Cell>& cells) {
     use(start);
-    Ns x = start.distance + 1;
-    const auto end_of = [&](Ns work, bool empty) {
-      const Ns extra = empty ? 1 : 0;
-      const Ns base = add(work, extra);
-      x = least_fit(demand_, base, std::max(x, base), kNever - 1);
+    Duration x = start.distance + nanoseconds(1);
+    const auto end_of = [&](Duration work, bool empty) {
+      const Duration extra = nanoseconds(empty ? 1 : 0);
+      const Duration base = work + extra;
+      x = least_fit(demand_, base, std::max(x, base), kLongest);
       return x - extra - start.distance;
     };
-    Ns work = add(set_.blocking, bucket_.before);
+    Duration work = set_.blocking + bucket_.before;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const Ns cost = set_.update[bucket_.devices[i]];
-      work = add(work, cost);
-      cells[i].r_plus = std::max(cells[i].r_plus, end_of(work, cost == 0));
+      const Duration cost = set_.update[bucket_.devices[i]];
+      work += cost;
+      cells[i].r_plus = std::max(cells[i].r_plus, end_of(work, cost == Duration::zero()));
     }
     for (std::size_t i = cells.size(); i-- > 0;) {
-      const Ns cost = set_.handle[bucket_.devices[i]];
-      work = add(work, cost);
-      cells[i].r_minus = std::max(cells[i].r_minus, end_of(work, cost == 0));
+      const Duration cost = set_.handle[bucket_.devices[i]];
+      work += cost;
+      cells[i].r_minus = std::max(cells[i].r_minus, end_of(work, cost == Duration::zero()));
     }
   }
 
@@ -188,38 +188,43 @@ class ReleaseTable::Builder {
   class Inside {
    public:
     /// @param first  how much later than t the first release at or after t is
-    Inside(const Urgent& urgent, Ns first) : period_(urgent.period), first_(first == 0 ? period_ : first) {}
+    Inside(const Urgent& urgent, Duration first)
+        : period_(urgent.period), first_(first == Duration::zero() ? period_ : first) {}
     /// Up to which length there are no more of them.
-    [[nodiscard]] Ns end() const { return end_; }
-    Ns count(Ns length) {
+    [[nodiscard]] Duration end() const { return end_; }
+    std::int64_t count(Duration length) {
       if (length >= begin_ && length <= end_) return count_;
-      count_ = length < first_ ? 0 : (length - first_) / period_ + 1;
-      begin_ = count_ == 0 ? 0 : first_ + (count_ - 1) * period_;
-      if (__builtin_add_overflow(count_ == 0 ? first_ - 1 : begin_, count_ == 0 ? 0 : period_ - 1, &end_))
-        end_ = kNever;
+      count_ = length < first_ ? 0 : floor_div(length - first_, period_) + 1;
+      begin_ = count_ == 0 ? Duration::zero() : first_ + (count_ - 1) * period_;
+      const Duration before_next = period_ - nanoseconds(1);
+      if (count_ == 0) {
+        end_ = first_ - nanoseconds(1);
+      } else {
+        end_ = begin_ > kNever - before_next ? kNever : begin_ + before_next;
+      }
       return count_;
     }
 
    private:
-    Ns period_, first_;
-    Ns count_ = 0;
-    Ns begin_ = 1, end_ = 0;  ///< lengths with this count
+    Duration period_, first_;
+    std::int64_t count_ = 0;
+    Duration begin_ = nanoseconds(1), end_;  ///< lengths with this count
   };
 
   /// Windows from R-(t), from the last device (the shortest window) to the first.
-  void set_windows(const std::vector<Ns>& firsts, std::vector<Cell>& cells) {
+  void set_windows(const std::vector<Duration>& firsts, std::vector<Cell>& cells) {
     demand_.clear_terms();
     std::vector<Inside> inside;
     for (std::size_t u = 0; u < urgent_.size(); ++u) {
-      demand_.add({0, urgent_[u].period, urgent_[u].cost, 0});
+      demand_.add({{}, urgent_[u].period, urgent_[u].cost, 0});
       inside.emplace_back(urgent_[u], firsts[u]);
     }
-    Ns work = 0, x = 1, begin = kNever, end = 0;
+    Duration work, x = nanoseconds(1), begin = kNever, end;
     for (std::size_t i = cells.size(); i-- > 0;) {
       const Rank d = bucket_.devices[i];
-      const Ns extra = set_.handle[d] == 0 ? 1 : 0;
-      work = add(work, add(set_.update[d], set_.handle[d]));
-      const Ns length = cells[i].r_minus - 1 + extra;
+      const Duration extra = nanoseconds(set_.handle[d] == Duration::zero() ? 1 : 0);
+      work += set_.update[d] + set_.handle[d];
+      const Duration length = cells[i].r_minus - nanoseconds(1) + extra;
       if (length < begin || length > end) {
         begin = length;
         end = kNever;
@@ -228,8 +233,8 @@ class ReleaseTable::Builder {
           end = std::min(end, inside[u].end());
         }
       }
-      const Ns base = add(work, extra);
-      x = least_fit(demand_, base, std::max(x, base), kNever - 1);
+      const Duration base = work + extra;
+      x = least_fit(demand_, base, std::max(x, base), kLongest);
       cells[i].window = std::min(x - extra, cells[i].r_minus);
     }
   }
@@ -241,7 +246,7 @@ class ReleaseTable::Builder {
   Effort& effort_;
   Demand demand_;
   std::vector<Urgent> urgent_;  ///< shorter periods of nonzero cost
-  Ns longest_busy_ = 0;
+  Duration longest_busy_;
 };
 
 ReleaseTable ReleaseTable::refined(const TaskSet& set, const Responses& responses, Effort& effort) {
@@ -250,14 +255,14 @@ ReleaseTable ReleaseTable::refined(const TaskSet& set, const Responses& response
     if (!responses.ok(w)) continue;
     Bucket& bucket = table.buckets_[w];
     Builder(set, responses, w, effort).fill(bucket);
-    bucket.by_period = Divider(bucket.period);
-    bucket.by_count = Divider(std::max<Ns>(static_cast<Ns>(bucket.row_of.size()), 1));
-    const auto widen = [](Range& range, Ns value) {
+    bucket.by_period = Divider(bucket.period.ns());
+    bucket.by_count = Divider(std::max<std::int64_t>(static_cast<std::int64_t>(bucket.row_of.size()), 1));
+    const auto widen = [](Range& range, Duration value) {
       range = {std::min(range.least, value), std::max(range.most, value)};
     };
     for (const Rank d : set.buckets[w].devices) {
       const Cell& first = bucket.rows.front()[table.place_[d]];
-      table.worst_window_[d] = 0;
+      table.worst_window_[d] = {};
       table.r_plus_range_[d] = {first.r_plus, first.r_plus};
       table.r_minus_range_[d] = {first.r_minus, first.r_minus};
     }

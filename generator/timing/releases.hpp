@@ -16,53 +16,53 @@ class ReleaseTable {
   /// multiple of their periods keep general bounds and are listed by `is_general`. Throws Overflow, TooLong.
   static ReleaseTable refined(const TaskSet& set, const Responses& responses, Effort& effort);
 
-  [[nodiscard]] Ns r_plus(Rank device, Ns release) const { return cell(device, release).r_plus; }
-  [[nodiscard]] Ns r_minus(Rank device, Ns release) const { return cell(device, release).r_minus; }
-  [[nodiscard]] Ns window(Rank device, Ns release) const { return cell(device, release).window; }
+  [[nodiscard]] Duration r_plus(Rank device, Duration release) const { return cell(device, release).r_plus; }
+  [[nodiscard]] Duration r_minus(Rank device, Duration release) const { return cell(device, release).r_minus; }
+  [[nodiscard]] Duration window(Rank device, Duration release) const { return cell(device, release).window; }
   /// Worst window over all releases; kNone when the bucket is not ok.
-  [[nodiscard]] Ns window(Rank device) const { return worst_window_[device]; }
+  [[nodiscard]] Duration window(Rank device) const { return worst_window_[device]; }
 
   /// Rows of a device's bucket, and which one a release has.
   [[nodiscard]] std::size_t rows(Rank device) const { return buckets_[bucket_of_[device]].rows.size(); }
-  [[nodiscard]] std::size_t row(Rank device, Ns release) const;
+  [[nodiscard]] std::size_t row(Rank device, Duration release) const;
   /// The same in two steps, for those who go from release to release: its turn in one repetition, and the row of a
   /// turn. Only where there is more than one row.
   [[nodiscard]] std::size_t turns(Rank device) const { return buckets_[bucket_of_[device]].row_of.size(); }
-  [[nodiscard]] std::size_t turn(Rank device, Ns release) const {
+  [[nodiscard]] std::size_t turn(Rank device, Duration release) const {
     const Bucket& bucket = buckets_[bucket_of_[device]];
-    return static_cast<std::size_t>(bucket.by_count.rest(bucket.by_period.floor(release)));
+    return static_cast<std::size_t>(bucket.by_count.rest(bucket.by_period.floor(release.ns())));
   }
   [[nodiscard]] std::size_t row_of_turn(Rank device, std::size_t turn) const {
     return buckets_[bucket_of_[device]].row_of[turn];
   }
-  [[nodiscard]] Ns r_plus_in_row(Rank device, std::size_t row) const {
+  [[nodiscard]] Duration r_plus_in_row(Rank device, std::size_t row) const {
     return buckets_[bucket_of_[device]].rows[row][place_[device]].r_plus;
   }
-  [[nodiscard]] Ns r_minus_in_row(Rank device, std::size_t row) const {
+  [[nodiscard]] Duration r_minus_in_row(Rank device, std::size_t row) const {
     return buckets_[bucket_of_[device]].rows[row][place_[device]].r_minus;
   }
 
   /// Smallest and largest value over all rows.
   struct Range {
-    Ns least = kNone, most = kNone;
+    Duration least = kNone, most = kNone;
   };
   [[nodiscard]] Range r_plus_range(Rank device) const { return r_plus_range_[device]; }
   [[nodiscard]] Range r_minus_range(Rank device) const { return r_minus_range_[device]; }
 
-  [[nodiscard]] Ns window_in_row(Rank device, std::size_t row) const {
+  [[nodiscard]] Duration window_in_row(Rank device, std::size_t row) const {
     return buckets_[bucket_of_[device]].rows[row][place_[device]].window;
   }
 
   /// After how many nanoseconds the rows of a device's bucket repeat: its period when all releases are alike.
-  [[nodiscard]] Ns repeat(Rank device) const;
+  [[nodiscard]] Duration repeat(Rank device) const;
   [[nodiscard]] bool is_general(std::size_t bucket) const { return buckets_[bucket].general; }
 
  private:
   struct Cell {
-    Ns r_plus = kNone, r_minus = kNone, window = kNone;
+    Duration r_plus = kNone, r_minus = kNone, window = kNone;
   };
   struct Bucket {
-    Ns period = 1;
+    Duration period = nanoseconds(1);
     std::vector<std::uint32_t> row_of;  ///< per release in one repetition; empty: row 0 always
     std::vector<std::vector<Cell>> rows;
     bool general = false;
@@ -70,11 +70,11 @@ class ReleaseTable {
   };
   class Builder;
 
-  [[nodiscard]] const Cell& cell(Rank device, Ns release) const;
+  [[nodiscard]] const Cell& cell(Rank device, Duration release) const;
 
   std::vector<Bucket> buckets_;
   Table<Rank, std::size_t> bucket_of_, place_;  ///< of a device: its bucket and its place in it
-  Table<Rank, Ns> worst_window_;
+  Table<Rank, Duration> worst_window_;
   Table<Rank, Range> r_plus_range_, r_minus_range_;
 };
 

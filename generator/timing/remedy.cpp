@@ -14,7 +14,7 @@
 namespace finemote::gen::timing {
 namespace {
 
-constexpr std::array<Ns, 9> kFactors = {2, 3, 4, 5, 6, 8, 10, 16, 20};
+constexpr std::array<std::int64_t, 9> kFactors = {2, 3, 4, 5, 6, 8, 10, 16, 20};
 
 /// Robots that are analysed to find hints: fewer where one takes long.
 int most_trials(std::size_t devices) {
@@ -27,18 +27,18 @@ constexpr std::int64_t kTrialSteps = std::int64_t{1} << 24;
 
 std::size_t unbounded(const Timing& timing) {
   return static_cast<std::size_t>(std::count_if(timing.chains.begin(), timing.chains.end(),
-                                                [](const ChainResult& chain) { return !chain.end_to_end_ns; }));
+                                                [](const ChainResult& chain) { return !chain.end_to_end; }));
 }
 
-Change period_change(const std::vector<Rank>& devices, Ns period) {
+Change period_change(const std::vector<Rank>& devices, Duration period) {
   return {Change::Kind::period, devices, {}, period};
 }
 
 Family other_rates(const Model& model, BusPlace bus, const std::vector<BusAdvice::Rate>& rates) {
   Family family;
   for (const BusAdvice::Rate& rate : rates)
-    family.push_back(
-        {{{Change::Kind::rate, {}, bus, rate.bps}}, fmt::format("{} at bus '{}'", rate.text, model.buses[bus].name)});
+    family.push_back({{{Change::Kind::rate, {}, bus, {}, rate.bps}},
+                      fmt::format("{} at bus '{}'", rate.text, model.buses[bus].name)});
   return family;
 }
 
@@ -46,7 +46,7 @@ Family other_rates(const Model& model, BusPlace bus, const std::vector<BusAdvice
 std::vector<Family> settings(const Timing& timing) {
   std::vector<Family> families;
   for (const BucketResult& bucket : timing.verdict().buckets)
-    families.push_back(longer_periods(timing.model, bucket.devices, bucket_text(bucket.period_ns)));
+    families.push_back(longer_periods(timing.model, bucket.devices, bucket_text(bucket.period)));
   for (const BusPlace b : timing.model.buses.ids()) families.push_back(slower_rates(timing.model, b));
   return families;
 }
@@ -55,7 +55,7 @@ std::vector<Family> settings(const Timing& timing) {
 std::vector<Family> work(const Timing& timing) {
   std::vector<Family> families;
   for (const BucketResult& bucket : timing.verdict().buckets)
-    families.push_back(less_work(timing.model, bucket.devices, bucket_text(bucket.period_ns)));
+    families.push_back(less_work(timing.model, bucket.devices, bucket_text(bucket.period)));
   return families;
 }
 
@@ -170,14 +170,13 @@ std::vector<Remedy> Trials::find(const std::vector<Family>& families, const Goal
 
 Family longer_periods(const Model& model, const std::vector<Rank>& devices, const std::string& who) {
   Family family;
-  const auto alike = [&](Rank d) { return model.devices[d].period_ns == model.devices[devices.front()].period_ns; };
+  const auto alike = [&](Rank d) { return model.devices[d].period == model.devices[devices.front()].period; };
   const bool is_one = !devices.empty() && std::all_of(devices.begin(), devices.end(), alike);
-  for (const Ns factor : kFactors) {
+  for (const std::int64_t factor : kFactors) {
     Proposal proposal;
-    for (const Rank d : devices)
-      proposal.changes.push_back(period_change({d}, multiply(model.devices[d].period_ns, factor)));
+    for (const Rank d : devices) proposal.changes.push_back(period_change({d}, model.devices[d].period * factor));
     proposal.text =
-        is_one ? fmt::format("period=\"{}\" for {}", units::format_duration(proposal.changes.front().value), who)
+        is_one ? fmt::format("period=\"{}\" for {}", units::format_duration(proposal.changes.front().period.ns()), who)
                : fmt::format("periods {} times as long for {}", factor, who);
     if (!devices.empty()) family.push_back(std::move(proposal));
   }
@@ -187,11 +186,12 @@ Family longer_periods(const Model& model, const std::vector<Rank>& devices, cons
 Family shorter_periods(const Model& model, const std::vector<Rank>& devices, const std::string& who) {
   Family family;
   if (devices.empty()) return family;
-  const Ns period = model.devices[devices.front()].period_ns;
-  for (const Ns factor : kFactors) {
-    if (period % factor != 0 || period / factor % model.tick_ns != 0) continue;
-    family.push_back({{period_change(devices, period / factor)},
-                      fmt::format("period=\"{}\" for {}", units::format_duration(period / factor), who)});
+  const Duration period = model.devices[devices.front()].period;
+  for (const std::int64_t factor : kFactors) {
+    const Duration shorter = floor_div(period, factor);
+    if (shorter * factor != period || !is_multiple(shorter, model.tick)) continue;
+    family.push_back({{period_change(devices, shorter)},
+                      fmt::format("period=\"{}\" for {}", units::format_duration(shorter.ns()), who)});
   }
   return family;
 }
@@ -212,7 +212,7 @@ Family other_bus(const Model& model, BusPlace bus) {
     if (count == last || count > kMostNamed || model.buses[bus].advice.other_port.empty()) continue;
     last = count;
     const std::vector<Rank> ones(users.end() - static_cast<std::ptrdiff_t>(count), users.end());
-    family.push_back({{{Change::Kind::bus, ones, bus, 0}},
+    family.push_back({{{Change::Kind::bus, ones, bus}},
                       model.buses[bus].advice.other_port + " for " + quoted_names(model, ones, kMostNamed)});
   }
   return family;
@@ -220,11 +220,11 @@ Family other_bus(const Model& model, BusPlace bus) {
 
 Family less_work(const Model& model, const std::vector<Rank>& devices, const std::string& who) {
   Family family;
-  Ns now = 0;
-  for (const Rank d : devices) now = add(now, add(model.devices[d].update_wcet_ns, model.devices[d].handle_wcet_ns));
-  for (const Ns tenths : {9, 8, 7, 6, 5}) {
-    if (now == 0) break;
-    family.push_back({{{Change::Kind::work, devices, {}, tenths * 100}},
+  Duration now;
+  for (const Rank d : devices) now += model.devices[d].update_wcet + model.devices[d].handle_wcet;
+  for (const std::int64_t tenths : {9, 8, 7, 6, 5}) {
+    if (now == Duration::zero()) break;
+    family.push_back({{{Change::Kind::work, devices, {}, {}, tenths * 100}},
                       fmt::format("execution times {} % shorter for {}", 100 - tenths * 10, who)});
   }
   return family;

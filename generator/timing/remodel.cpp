@@ -60,7 +60,7 @@ bool apply(Robot& robot, const Forest& forest, const Change& change) {
       robot.buses[BusPlaces(robot).buses()[change.bus]].rate = change.value;
       return true;
     case Change::Kind::period:
-      for (const DeviceId d : followers(robot, forest, change.devices)) robot.devices[d].period_ns = change.value;
+      for (const DeviceId d : followers(robot, forest, change.devices)) robot.devices[d].period_ns = change.period.ns();
       return true;
     case Change::Kind::bus:
       return move_to_new_bus(robot, forest, change);
@@ -79,8 +79,8 @@ std::optional<Model> remodel(const Robot& robot, const Forest& forest, const Rob
   Diagnostics mistakes;
   const Schedule schedule = plan_schedule(changed, forest, mistakes);
   if (mistakes.has_errors()) return std::nullopt;
-  Model model = make_timing_model(changed, forest, schedule, options);
-  change_work(model, changes);
+  std::optional<Model> model = make_timing_model(changed, forest, schedule, mistakes, options);
+  if (model) change_work(*model, changes);
   return model;
 }
 

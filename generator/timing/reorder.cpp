@@ -12,14 +12,12 @@ std::vector<ChangedBound> tree_bounds(const Timing& timing, const Model& better)
     const std::string& root = timing.model.devices[tree.root].name;
     const auto then = std::find_if(result.trees.begin(), result.trees.end(),
                                    [&](const TreeResult& t) { return better.devices[t.root].name == root; });
-    bounds.push_back({root, tree.latency_ns, then->latency_ns});
+    bounds.push_back({root, tree.latency, then->latency});
   }
   return bounds;
 }
 
-std::optional<Ns> shown(const ChainResult& chain) {
-  return chain.end_to_end_ns ? chain.end_to_end_ns : chain.decide_ns;
-}
+std::optional<Duration> shown(const ChainResult& chain) { return chain.end_to_end ? chain.end_to_end : chain.decide; }
 
 std::vector<ChangedBound> changed_chains(const Timing& timing, const Order& order, const Model& better) {
   AnalysisRequest request;

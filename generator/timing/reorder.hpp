@@ -12,7 +12,7 @@ namespace finemote::gen::timing {
 /// A bound before and after.
 struct ChangedBound {
   std::string what;  ///< the root of a tree, or `imu -> esc`
-  std::optional<Ns> before_ns, after_ns;
+  std::optional<Duration> before, after;
 };
 
 struct OrderEffect {

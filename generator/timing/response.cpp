@@ -9,17 +9,17 @@ namespace {
 
 /// Every fixed point x of x = base + demand(x) is at least base / (1 - U). A start slightly below it saves the many
 /// short steps of a nearly saturated processor and cannot pass the least fixed point.
-Ns lower_bound(const TaskSet& set, std::size_t w, Ns base) {
+Duration lower_bound(const TaskSet& set, std::size_t w, Duration base) {
   long double rate = 0;
   for (const Stream& s : set.streams) {
-    if (s.budgets.empty()) rate += static_cast<long double>(s.cost) / static_cast<long double>(s.separation);
+    if (s.budgets.empty()) rate += static_cast<long double>(s.cost.ns()) / static_cast<long double>(s.separation.ns());
   }
   for (std::size_t v = 0; v < w; ++v) {
-    rate += static_cast<long double>(set.buckets[v].cost) / static_cast<long double>(set.buckets[v].period);
+    rate += static_cast<long double>(set.buckets[v].cost.ns()) / static_cast<long double>(set.buckets[v].period.ns());
   }
   if (rate < 0.5L) return base;
-  const long double start = static_cast<long double>(base) / (1 - rate + 1e-12L) * (1 - 1e-6L);
-  return start < 9e18L ? std::max(base, static_cast<Ns>(start)) : kNever;
+  const long double start = static_cast<long double>(base.ns()) / (1 - rate + 1e-12L) * (1 - 1e-6L);
+  return start < 9e18L ? std::max(base, nanoseconds(static_cast<std::int64_t>(start))) : kNever;
 }
 
 /// The stages of one bucket, in the order they run.
@@ -27,18 +27,18 @@ class BucketSweep {
  public:
   BucketSweep(const TaskSet& set, std::size_t w, Effort& effort) : bucket_(set.buckets[w]), demand_(effort) {
     demand_.add_streams(set.streams);
-    for (std::size_t v = 0; v < w; ++v) demand_.add({0, set.buckets[v].period, set.buckets[v].cost});
-    const Ns first = add(set.blocking, bucket_.before);
-    x_ = lower_bound(set, w, std::max<Ns>(first, 1));
+    for (std::size_t v = 0; v < w; ++v) demand_.add({{}, set.buckets[v].period, set.buckets[v].cost});
+    const Duration first = set.blocking + bucket_.before;
+    x_ = lower_bound(set, w, std::max(first, nanoseconds(1)));
     good_ = !is_saturated(set, w) && x_ != kNever;
   }
 
   /// Bound of a stage that ends when `work` of the own bucket is done; kNone from the first miss on.
-  Ns end_of(Ns work, bool empty) {
+  Duration end_of(Duration work, bool empty) {
     if (!good_) return kNone;
-    const Ns extra = empty ? 1 : 0;
-    const Ns base = add(work, extra);
-    x_ = least_fit(demand_, base, std::max(x_, base), add(bucket_.period, extra));
+    const Duration extra = nanoseconds(empty ? 1 : 0);
+    const Duration base = work + extra;
+    x_ = least_fit(demand_, base, std::max(x_, base), bucket_.period + extra);
     good_ = x_ != kNever;
     return good_ ? x_ - extra : kNone;
   }
@@ -46,23 +46,23 @@ class BucketSweep {
  private:
   const TaskBucket& bucket_;
   Demand demand_;
-  Ns x_ = 1;
+  Duration x_ = nanoseconds(1);
   bool good_ = true;
 };
 
 void sweep_bucket(const TaskSet& set, std::size_t w, Effort& effort, Responses& out) {
   const TaskBucket& bucket = set.buckets[w];
   BucketSweep sweep(set, w, effort);
-  Ns work = bucket.before;
+  Duration work = bucket.before;
   for (const Rank d : bucket.devices) {
-    out.b_plus[d] = work = add(work, set.update[d]);
-    out.r_plus[d] = sweep.end_of(add(work, set.blocking), set.update[d] == 0);
+    out.b_plus[d] = work += set.update[d];
+    out.r_plus[d] = sweep.end_of(work + set.blocking, set.update[d] == Duration::zero());
   }
   for (auto d = bucket.devices.rbegin(); d != bucket.devices.rend(); ++d) {
-    out.b_minus[*d] = work = add(work, set.handle[*d]);
-    out.r_minus[*d] = out.bucket[w] = sweep.end_of(add(work, set.blocking), set.handle[*d] == 0);
+    out.b_minus[*d] = work += set.handle[*d];
+    out.r_minus[*d] = out.bucket[w] = sweep.end_of(work + set.blocking, set.handle[*d] == Duration::zero());
   }
-  if (bucket.after > 0) out.bucket[w] = sweep.end_of(add(add(work, bucket.after), set.blocking), false);
+  if (bucket.after > Duration::zero()) out.bucket[w] = sweep.end_of(work + bucket.after + set.blocking, false);
   if (out.bucket[w] != kNone) return;
   for (const Rank d : bucket.devices) out.r_plus[d] = out.r_minus[d] = kNone;
 }
@@ -70,8 +70,8 @@ void sweep_bucket(const TaskSet& set, std::size_t w, Effort& effort, Responses& 
 }  // namespace
 
 Responses bound_responses(const TaskSet& set, Effort& effort) {
-  const Table<Rank, Ns> nothing(set.update.size()), no_bound(set.update.size(), kNone);
-  Responses out{nothing, nothing, no_bound, no_bound, std::vector<Ns>(set.buckets.size(), kNone)};
+  const Table<Rank, Duration> nothing(set.update.size()), no_bound(set.update.size(), kNone);
+  Responses out{nothing, nothing, no_bound, no_bound, std::vector<Duration>(set.buckets.size(), kNone)};
   for (std::size_t w = 0; w < set.buckets.size(); ++w) sweep_bucket(set, w, effort, out);
   return out;
 }

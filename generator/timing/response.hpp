@@ -6,14 +6,14 @@
 
 namespace finemote::gen::timing {
 
-inline constexpr Ns kNone = -1;  ///< no bound
+inline constexpr Duration kNone = nanoseconds(-1);  ///< no bound
 
 /// Release to end, worst over all releases. kNone for every device of a bucket that is not ok: once a job may run over
 /// its period, the first job of a busy interval need not be the worst one.
 struct Responses {
-  Table<Rank, Ns> b_plus, b_minus;  ///< own bucket's work up to the end of the stage
-  Table<Rank, Ns> r_plus, r_minus;
-  std::vector<Ns> bucket;  ///< end of a whole job; kNone above the period
+  Table<Rank, Duration> b_plus, b_minus;  ///< own bucket's work up to the end of the stage
+  Table<Rank, Duration> r_plus, r_minus;
+  std::vector<Duration> bucket;  ///< end of a whole job; kNone above the period
   [[nodiscard]] bool ok(std::size_t w) const { return bucket[w] != kNone; }
 };
 

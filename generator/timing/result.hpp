@@ -28,24 +28,24 @@ struct LiuLayland {
 };
 
 struct BucketResult {
-  Ns period_ns = 0;
-  Ns wcet_ns = 0;
-  std::vector<Rank> devices;      ///< registration order
-  std::optional<Ns> response_ns;  ///< end of the last stage (profile target: of the whole job)
+  Duration period;
+  Duration wcet;
+  std::vector<Rank> devices;         ///< registration order
+  std::optional<Duration> response;  ///< end of the last stage (profile target: of the whole job)
   bool ok = false;
 };
 
 /// Bounds of one device; null where its bucket is not schedulable.
 struct DeviceResult {
-  Ns b_plus_ns = 0, b_minus_ns = 0;
-  std::optional<Ns> r_plus_ns, r_minus_ns;
-  std::optional<Ns> window_ns;  ///< start of update to end of handle; profiles tight and target
+  Duration b_plus, b_minus;
+  std::optional<Duration> r_plus, r_minus;
+  std::optional<Duration> window;  ///< start of update to end of handle; profiles tight and target
 };
 
 struct PathResult {
   Rank leaf;
-  std::optional<Ns> latency_ns;
-  std::optional<Ns> release_ns, source_release_ns;  ///< null with `closed_form`
+  std::optional<Duration> latency;
+  std::optional<Duration> release, source_release;  ///< null with `closed_form`
   bool closed_form = false;  ///< a safe bound instead of the maximum: an lcm is too large to walk
 };
 
@@ -53,12 +53,12 @@ struct TreeResult {
   enum class Class { same_period, harmonic, general };
   Rank root;
   Class kind = Class::general;
-  std::optional<Ns> latency_ns;
+  std::optional<Duration> latency;
   std::optional<Rank> worst_leaf;
-  std::optional<Ns> worst_release_ns, source_release_ns;
-  std::optional<Ns> corollary_ns;      ///< profile paper
-  std::optional<Ns> cross_latency_ns;  ///< profile paper
-  std::vector<PathResult> paths;       ///< leaves in registration order
+  std::optional<Duration> worst_release, source_release;
+  std::optional<Duration> corollary;      ///< profile paper
+  std::optional<Duration> cross_latency;  ///< profile paper
+  std::vector<PathResult> paths;          ///< leaves in registration order
 };
 
 struct ProfileResult {

@@ -9,7 +9,9 @@
 namespace finemote::gen::timing {
 namespace {
 
-Ns frame_time(Ns bits, Ns rate) { return std::max<Ns>(multiply(bits, 1'000'000'000) / rate, 1); }
+Duration frame_time(std::int64_t bits, std::int64_t rate) {
+  return std::max(floor_div(bits * seconds(1), rate), nanoseconds(1));
+}
 
 /// What limits the rate of a bus beside its port: the parts on it.
 RateLimits limits_of(const Robot& robot, BusId bus) {
@@ -67,15 +69,15 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
   out.baud_bps = bus.rate;
   out.arbitrated = type.is_arbitrated;
   const Driver usual = driver != nullptr ? *driver : Driver{};
-  out.min_frame_bits = std::max<Ns>(bus.min_frame_bits.value_or(usual.min_frame_bits), 1);
-  out.wcet_ns = bus.isr_wcet_ns.value_or(usual.isr_wcet_ns);
-  out.frame_ns = frame_time(out.min_frame_bits, bus.rate);
+  out.min_frame_bits = std::max<std::int64_t>(bus.min_frame_bits.value_or(usual.min_frame_bits), 1);
+  out.wcet = nanoseconds(bus.isr_wcet_ns.value_or(usual.isr_wcet_ns));
+  out.frame = frame_time(out.min_frame_bits, bus.rate);
   if (driver != nullptr) {
     out.sources.emplace();
     for (const DriverSource& source : driver->sources) {
       if (!can_interrupt(source, type, use)) continue;
       out.sources->push_back({source.name,
-                              bus.isr_wcet_ns.value_or(source.isr_wcet_ns),
+                              nanoseconds(bus.isr_wcet_ns.value_or(source.isr_wcet_ns)),
                               frame_time(bus.min_frame_bits.value_or(source.min_frame_bits), bus.rate),
                               {}});
     }

@@ -16,20 +16,21 @@ class FlushAdder {
 
   void add(const gen::Bucket& bucket, SegmentId segment) {
     Flush flush;
-    flush.period_ns = bucket.period_ns;
-    Ns channels = 0;
+    flush.period = nanoseconds(bucket.period_ns);
+    std::int64_t channels = 0;
     for (const DeviceId d : bucket.devices) {
       const gen::Device& device = robot_.devices[d];
       const auto used =
           std::count_if(device.uses.begin(), device.uses.end(), [&](const Use& use) { return use.segment == segment; });
-      const Ns mine = (device.segment == segment ? 1 : 0) + used;
+      const std::int64_t mine = (device.segment == segment ? 1 : 0) + used;
       if (mine == 0) continue;
       flush.devices.push_back(forest_.rank[d]);
       channels += mine;
     }
     if (flush.devices.empty()) return;
     if (robot_.board != nullptr) {
-      flush.wcet_ns = robot_.board->costs.flush_ns + channels * robot_.board->costs.flush_per_channel_ns;
+      const gen::Costs& costs = robot_.board->costs;
+      flush.wcet = nanoseconds(costs.flush_ns) + channels * nanoseconds(costs.flush_per_channel_ns);
     }
     const Segment& output = robot_.segments[segment];
     if (output.kind == Segment::Kind::pwm_expander) {
@@ -42,12 +43,12 @@ class FlushAdder {
 
  private:
   /// The first and the last channel of an output that are used.
-  [[nodiscard]] std::pair<Ns, Ns> channels_of(SegmentId output) const {
-    Ns first = 255, last = 0;
+  [[nodiscard]] std::pair<std::int64_t, std::int64_t> channels_of(SegmentId output) const {
+    std::int64_t first = 255, last = 0;
     const auto note = [&](std::optional<SegmentId> place, std::optional<std::uint32_t> channel) {
       if (place != output || !channel) return;
-      first = std::min<Ns>(first, *channel);
-      last = std::max<Ns>(last, *channel);
+      first = std::min<std::int64_t>(first, *channel);
+      last = std::max<std::int64_t>(last, *channel);
     };
     for (const gen::Device& device : robot_.devices) {
       note(device.segment, device.channel);
@@ -65,7 +66,8 @@ class FlushAdder {
     const ExpanderFrames& frames = expander.type->frames;
     const WireRate rate{robot_.segments[expander.segment].bus_kind, model_.buses[*bus].baud_bps};
     WireUse use;
-    use.add(rate, frames.per_flush.write_bytes + frames.per_channel.write_bytes * (last - first + 1), 0);
+    use.add(rate, gen::add(frames.per_flush.write_bytes, multiply(frames.per_channel.write_bytes, last - first + 1)),
+            0);
     traffic_.add_selection(expander.segment, rate, use);
     flush.output = output.name.text;
     flush.bus = bus;
@@ -76,13 +78,14 @@ class FlushAdder {
       traffic_.add_budget(*bus, flush.devices.front(), check.interrupts, flushes_per_check(expander));
       use.add(rate, frames.check->write_bytes, frames.check->read_bytes);
     }
-    flush.wire_ns = use.wire_ns;
+    flush.wire = use.wire;
     flush.interrupts = use.interrupts;
   }
 
   /// The driver counts its flushes, whichever bucket they are of: the jobs of one bucket check no more often than this.
-  static Ns flushes_per_check(const Expander& expander) {
-    return std::max<Ns>(param_value(expander.params, expander.type->frames.checked_every, Ns{1}), 1);
+  static std::int64_t flushes_per_check(const Expander& expander) {
+    return std::max<std::int64_t>(param_value(expander.params, expander.type->frames.checked_every, std::int64_t{1}),
+                                  1);
   }
 
   /// A flush sends whatever has changed, also of a slower bucket it preempts: at most every shared frame of the bus.
@@ -94,14 +97,14 @@ class FlushAdder {
       if (device.segment != segment) continue;
       if (const auto frame = shared_frame_of(device)) identifiers.insert(frame->identifier);
     }
-    constexpr Ns kFrameBytes = 8;
+    constexpr std::int64_t kFrameBytes = 8;
     const WireRate rate{robot_.segments[segment].bus_kind, model_.buses[*bus].baud_bps};
     WireUse use;
     for (std::size_t i = 0; i < std::max<std::size_t>(identifiers.size(), 1); ++i) {
       use.add(rate, kFrameBytes, 0);
     }
     flush.bus = bus;
-    flush.wire_ns = use.wire_ns;
+    flush.wire = use.wire;
     flush.interrupts = use.interrupts;
     if (go_by_identifier(rate.kind, *bus, identifiers.size()))
       flush.identifiers.assign(identifiers.begin(), identifiers.end());

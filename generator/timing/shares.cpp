@@ -20,14 +20,14 @@ std::vector<Share> bus_shares(const Model& model, BusPlace bus) {
     for (const Transfer& t : device.transfers) {
       if (t.bus != bus) continue;
       const bool autonomous = t.after == Transfer::After::autonomous;
-      const Ns period = autonomous && t.min_interval_ns > 0 ? t.min_interval_ns : device.period_ns;
-      add_share(lines[t.receive ? 1 : 0], quoted(device.name), ratio(t.wire_ns, period), autonomous);
+      const Duration period = autonomous && t.min_interval > Duration::zero() ? t.min_interval : device.period;
+      add_share(lines[t.receive ? 1 : 0], quoted(device.name), ratio(t.wire, period), autonomous);
     }
   }
   for (const Flush& flush : model.flushes) {
     if (flush.bus != bus || flush.devices.empty()) continue;
     const std::string more = flush.devices.size() > 1 ? fmt::format(" and {} more", flush.devices.size() - 1) : "";
-    add_share(lines[0], quoted(model.devices[flush.devices.front()].name) + more, ratio(flush.wire_ns, flush.period_ns),
+    add_share(lines[0], quoted(model.devices[flush.devices.front()].name) + more, ratio(flush.wire, flush.period),
               false);
   }
   const auto sum = [](const std::vector<Share>& shares) {
@@ -74,8 +74,9 @@ std::vector<Rank> users(const Model& model, BusPlace bus, const Wanted& is_wante
 }  // namespace
 
 std::vector<Rank> periodic_users(const Model& model, BusPlace bus) {
-  return users(model, bus,
-               [](const Transfer& t) { return t.after != Transfer::After::autonomous || t.min_interval_ns == 0; });
+  return users(model, bus, [](const Transfer& t) {
+    return t.after != Transfer::After::autonomous || t.min_interval == Duration::zero();
+  });
 }
 
 std::vector<Rank> bus_users(const Model& model, BusPlace bus) {

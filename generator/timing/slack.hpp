@@ -9,8 +9,9 @@ namespace finemote::gen::timing {
 
 /// Factors in thousandths, as of slack_permille.
 struct Slack {
-  Ns all = 0;           ///< of all devices together
-  Table<Rank, Ns> one;  ///< of each device alone; empty for models of more than 500 devices: each takes a search
+  std::int64_t all = 0;  ///< of all devices together
+  Table<Rank, std::int64_t>
+      one;  ///< of each device alone; empty for models of more than 500 devices: each takes a search
 };
 
 Slack find_slack(const Model& model, Profile profile);

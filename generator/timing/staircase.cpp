@@ -1,7 +1,6 @@
 #include "generator/timing/staircase.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "generator/units/divider.hpp"
 
@@ -10,10 +9,10 @@ namespace {
 
 using Step = Staircase::Step;
 
-constexpr Ns kLongAgo = std::numeric_limits<Ns>::min();
+constexpr Duration kLongAgo = Duration::min();
 
 /// Room for as many steps as there can be, behind one that is none.
-std::vector<Step> room_for(Ns steps) {
+std::vector<Step> room_for(std::int64_t steps) {
   std::vector<Step> room(static_cast<std::size_t>(steps) + 2);
   room.front() = {0, kLongAgo};
   return room;
@@ -21,19 +20,21 @@ std::vector<Step> room_for(Ns steps) {
 
 }  // namespace
 
-Ns steps_in(const Staircase& above, Ns length) { return static_cast<Ns>(above.steps.size()) * (length / above.length); }
+std::int64_t steps_in(const Staircase& above, Duration length) {
+  return static_cast<std::int64_t>(above.steps.size()) * floor_div(length, above.length);
+}
 
 // Whether a step goes on or a new one begins is unpredictable: these loops do not branch on it.
 
-Staircase step_down(const Staircase& above, Ns length, Ns period, LagCursor lag) {
+Staircase step_down(const Staircase& above, Duration length, Duration period, LagCursor lag) {
   std::vector<Step> room = room_for(steps_in(above, length));
   Step* last = room.data();
-  const Divider by_period(period);
-  Ns root_shift = 0;
-  for (Ns shift = 0; shift < length; shift += above.length, root_shift += above.root_releases) {
+  const Divider by_period(period.ns());
+  std::int64_t root_shift = 0;
+  for (Duration shift; shift < length; shift += above.length, root_shift += above.root_releases) {
     for (const Step& step : above.steps) {
-      const Ns decided = step.device + shift;
-      const Ns seen = -by_period.floor(-(decided + lag.at(decided))) * period;
+      const Duration decided = step.device + shift;
+      const Duration seen = -by_period.floor(-(decided + lag.at(decided)).ns()) * period;
       last[1] = {step.root + root_shift, seen};  // and forgotten where the step before has led there already
       last += seen > last->device ? 1 : 0;
     }
@@ -44,16 +45,16 @@ Staircase step_down(const Staircase& above, Ns length, Ns period, LagCursor lag)
   return {length, root_shift, std::vector<Step>(first, static_cast<const Step*>(last) + 1)};
 }
 
-Staircase step_up(const Staircase& above, Ns length, Ns period, LagCursor lag) {
+Staircase step_up(const Staircase& above, Duration length, Duration period, LagCursor lag) {
   std::vector<Step> room = room_for(steps_in(above, length));
   Step* last = room.data();
-  const Divider by_period(period);
-  Ns root_shift = 0;
-  for (Ns shift = 0; shift < length; shift += above.length, root_shift += above.root_releases) {
+  const Divider by_period(period.ns());
+  std::int64_t root_shift = 0;
+  for (Duration shift; shift < length; shift += above.length, root_shift += above.root_releases) {
     for (const Step& step : above.steps) {
-      const Ns use = step.device + shift;
-      const Ns release = by_period.floor(use) * period;
-      const Ns source = release + lag.at(release) > use ? release - period : release;  // not there yet
+      const Duration use = step.device + shift;
+      const Duration release = by_period.floor(use.ns()) * period;
+      const Duration source = release + lag.at(release) > use ? release - period : release;  // not there yet
       last += source != last->device ? 1 : 0;
       *last = {step.root + root_shift, source};
     }
@@ -64,15 +65,16 @@ Staircase step_up(const Staircase& above, Ns length, Ns period, LagCursor lag) {
   return {length, root_shift, std::vector<Step>(first, static_cast<const Step*>(last) + 1)};
 }
 
-std::vector<TerminalUse> join(const Staircase& down, const Staircase& up, Ns length) {
+std::vector<TerminalUse> join(const Staircase& down, const Staircase& up, Duration length) {
   const std::size_t down_size = down.steps.size();
-  const auto repetitions = static_cast<std::size_t>(length / down.length);
+  const auto repetitions = static_cast<std::size_t>(floor_div(length, down.length));
   std::vector<TerminalUse> uses(down_size * repetitions + 1);
   TerminalUse* use = uses.data();
-  Ns up_shift = 0, up_root_shift = 0, root_shift = 0;
+  Duration up_shift;
+  std::int64_t up_root_shift = 0, root_shift = 0;
   const Staircase::Step* source = up.steps.data();
   const Staircase::Step* const up_end = source + up.steps.size();
-  for (Ns shift = 0; shift < length; shift += down.length, root_shift += down.root_releases) {
+  for (Duration shift; shift < length; shift += down.length, root_shift += down.root_releases) {
     const Staircase::Step* step = down.steps.data();
     const Staircase::Step* const end = step + down_size;
     while (step != end) {
@@ -93,8 +95,8 @@ std::vector<TerminalUse> join(const Staircase& down, const Staircase& up, Ns len
   return uses;
 }
 
-Ns oldest_age(const std::vector<TerminalUse>& uses) {
-  Ns oldest = std::numeric_limits<Ns>::min();
+Duration oldest_age(const std::vector<TerminalUse>& uses) {
+  Duration oldest = Duration::min();
   for (const TerminalUse& use : uses) oldest = std::max(oldest, use.next - use.source);
   return oldest;
 }

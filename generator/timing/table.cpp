@@ -46,7 +46,7 @@ std::string processor(const Timing& timing) {
     if (use.kind != ProcessorUse::Kind::release) who += " " + use.name;
     if (!use.source.empty()) who += (use.kind == ProcessorUse::Kind::flush ? " every " : ", ") + use.source;
     const bool is_least = use.kind == ProcessorUse::Kind::interrupt || use.kind == ProcessorUse::Kind::release;
-    table.row({who, is_least ? "at least" : "", duration_text(use.every_ns), duration_text(use.cost_ns),
+    table.row({who, is_least ? "at least" : "", duration_text(use.every), duration_text(use.cost),
                percent(use.utilization), percent(use.utilization / timing.processor_load)});
   }
   return fmt::format("\nprocessor: {} of its time in the long run (profile {})\n", percent(timing.processor_load),
@@ -67,8 +67,8 @@ std::string informative(const Timing& timing) {
 std::string buckets(const Timing& timing) {
   TextTable table({"period", "devices", "work", "response", "of period", ""});
   for (const BucketResult& b : timing.verdict().buckets) {
-    table.row({duration_text(b.period_ns), std::to_string(b.devices.size()), duration_text(b.wcet_ns),
-               duration_text(b.response_ns), b.ok ? percent(ratio(b.response_ns.value_or(0), b.period_ns)) : "-",
+    table.row({duration_text(b.period), std::to_string(b.devices.size()), duration_text(b.wcet),
+               duration_text(b.response), b.ok ? percent(ratio(b.response.value_or(Duration::zero()), b.period)) : "-",
                b.ok ? "ok" : "may miss its deadline"});
   }
   return "\nbuckets\n" + table.text();
@@ -84,12 +84,12 @@ std::string devices(const Timing& timing) {
     const Device& device = timing.model.devices[d];
     const DeviceResult& r = timing.verdict().devices[d];
     std::vector<std::string> cells{device.name,
-                                   duration_text(device.period_ns),
-                                   duration_text(device.update_wcet_ns),
-                                   duration_text(device.handle_wcet_ns),
-                                   duration_text(r.r_plus_ns),
-                                   duration_text(r.r_minus_ns)};
-    if (windows) cells.push_back(duration_text(r.window_ns));
+                                   duration_text(device.period),
+                                   duration_text(device.update_wcet),
+                                   duration_text(device.handle_wcet),
+                                   duration_text(r.r_plus),
+                                   duration_text(r.r_minus)};
+    if (windows) cells.push_back(duration_text(r.window));
     cells.emplace_back(source_text(device.source));
     table.row(cells);
   }
@@ -102,7 +102,7 @@ std::string trees(const Timing& timing) {
   TextTable table({"tree", "class", "latency", "worst leaf"});
   for (const TreeResult& t : timing.verdict().trees) {
     table.row({timing.model.devices[t.root].name, std::string(kClass[static_cast<int>(t.kind)]),
-               duration_text(t.latency_ns), t.worst_leaf ? timing.model.devices[*t.worst_leaf].name : "-"});
+               duration_text(t.latency), t.worst_leaf ? timing.model.devices[*t.worst_leaf].name : "-"});
   }
   return "\ntrees (latency: begin of a leaf's update to the end of its handle that uses it)\n" + table.text();
 }
@@ -113,9 +113,8 @@ std::string chains(const Timing& timing) {
     std::string remark = c.assumed ? "assumed" : "";
     if (c.through_reads) remark += remark.empty() ? "through reads" : ", through reads";
     if (c.closed_form) remark += remark.empty() ? "closed form" : ", closed form";
-    table.row({timing.model.devices[c.from].name + " -> " + timing.model.devices[c.to].name,
-               duration_text(c.acquire_ns), duration_text(c.decide_ns), duration_text(c.wire_ns),
-               duration_text(c.end_to_end_ns), remark});
+    table.row({timing.model.devices[c.from].name + " -> " + timing.model.devices[c.to].name, duration_text(c.acquire),
+               duration_text(c.decide), duration_text(c.wire), duration_text(c.end_to_end), remark});
   }
   return fmt::format("\nchains (profile {})\n", timing.target ? "target" : "tight") + table.text();
 }
@@ -143,8 +142,7 @@ std::string buses(const Timing& timing) {
   TextTable table({"bus", "interrupt", "at least every", "wire load"});
   for (const BusPlace b : timing.model.buses.ids()) {
     const Bus& bus = timing.model.buses[b];
-    table.row(
-        {bus.name, duration_text(bus.wcet_ns), duration_text(bus.frame_ns), percent(timing.bus_loads[b].utilization)});
+    table.row({bus.name, duration_text(bus.wcet), duration_text(bus.frame), percent(timing.bus_loads[b].utilization)});
   }
   return "\nbuses\n" + table.text();
 }
@@ -154,32 +152,33 @@ std::string requirements(const Timing& timing) {
   TextTable table({"requirement", "at most", "bound", ""});
   for (const RequirementResult& r : timing.requirements) {
     const bool share = r.fraction.has_value();
-    table.row({r.requirement.text, share ? percent(r.requirement.max_fraction) : duration_text(r.requirement.max_ns),
-               share ? percent(*r.fraction) : duration_text(r.value_ns), r.ok ? "holds" : "fails"});
+    table.row({r.requirement.text, share ? percent(r.requirement.max_fraction) : duration_text(r.requirement.max),
+               share ? percent(*r.fraction) : duration_text(r.value), r.ok ? "holds" : "fails"});
   }
   return "\nrequirements\n" + table.text();
 }
 
 }  // namespace
 
-std::string duration_text(Ns ns) {
+std::string duration_text(Duration time) {
   struct Scale {
-    Ns size;
+    Duration size;
     std::string_view unit;
   };
-  static constexpr Scale kScales[] = {{1'000'000'000, "s"}, {1'000'000, "ms"}, {1'000, "us"}};
+  static constexpr Scale kScales[] = {{seconds(1), "s"}, {milliseconds(1), "ms"}, {microseconds(1), "us"}};
   for (const Scale& s : kScales) {
-    if (ns < s.size) continue;
-    const Ns thousandths = ns / s.size * 1000 + (ns % s.size * 1000 + s.size - 1) / s.size;
+    if (time < s.size) continue;
+    const std::int64_t whole = floor_div(time, s.size);
+    const std::int64_t thousandths = whole * 1000 + ceil_div((time - whole * s.size) * 1000, s.size);
     std::string digits = fmt::format("{}.{:03}", thousandths / 1000, thousandths % 1000);
     digits.erase(digits.find_last_not_of('0') + 1);
     if (digits.back() == '.') digits.pop_back();
     return fmt::format("{} {}", digits, s.unit);
   }
-  return fmt::format("{} ns", ns);
+  return fmt::format("{} ns", time.ns());
 }
 
-std::string duration_text(std::optional<Ns> ns) { return ns ? duration_text(*ns) : "-"; }
+std::string duration_text(std::optional<Duration> time) { return time ? duration_text(*time) : "-"; }
 
 std::string timing_table(const Timing& timing) {
   return verdict(timing) + buckets(timing) + processor(timing) + devices(timing) + trees(timing) + chains(timing) +

@@ -8,8 +8,8 @@
 namespace finemote::gen::timing {
 
 /// `104.5 us`: three decimals at most, rounded up, so that a printed bound is never below the computed one.
-std::string duration_text(Ns ns);
-std::string duration_text(std::optional<Ns> ns);  ///< `-` for none
+std::string duration_text(Duration time);
+std::string duration_text(std::optional<Duration> time);  ///< `-` for none
 
 /// Of the asked profile: the verdict on one line, buckets, who uses the processor, devices, trees, chains, buses and
 /// requirements; last the figures that decide nothing.

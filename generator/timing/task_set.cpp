@@ -7,18 +7,18 @@ namespace finemote::gen::timing {
 namespace {
 
 void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
-  const Ns entry = profile == Profile::target ? model.costs.interrupt_ns : 0;
+  const Duration entry = profile == Profile::target ? model.costs.interrupt : Duration::zero();
   for (const Bus& bus : model.buses) {
     if (profile != Profile::target || !bus.sources) {
-      const Ns separation = profile == Profile::paper ? std::min(bus.frame_ns, model.tick_ns) : bus.frame_ns;
-      set.streams.push_back({separation, bus.wcet_ns > 0 ? add(bus.wcet_ns, entry) : 0, {}, bus.name, bus.name, ""});
+      const Duration separation = profile == Profile::paper ? std::min(bus.frame, model.tick) : bus.frame;
+      set.streams.push_back(
+          {separation, bus.wcet > Duration::zero() ? bus.wcet + entry : Duration::zero(), {}, bus.name, bus.name, ""});
       continue;
     }
     for (const InterruptSource& source : *bus.sources) {
-      Stream stream{
-          source.min_interval_ns, add(source.wcet_ns, entry), {}, bus.name + "." + source.name, bus.name, source.name};
+      Stream stream{source.min_interval, source.wcet + entry, {}, bus.name + "." + source.name, bus.name, source.name};
       for (const FrameBudget& b : source.budgets) {
-        stream.budgets.push_back({b.count, model.devices[b.device].period_ns, 1, b.every});
+        stream.budgets.push_back({b.count, model.devices[b.device].period, 1, b.every});
       }
       set.streams.push_back(std::move(stream));
     }
@@ -28,12 +28,12 @@ void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
 /// The release interrupt runs at the releases of the buckets and nowhere else: in any window of length L at most
 /// ceil(L/gcd of the periods) times, and at most sum ceil(L/period) times. It costs more for every bucket due.
 void add_release_streams(const Model& model, TaskSet& set) {
-  Ns distance = 0;
-  Stream release{1, model.costs.release_ns, {}, "release"};
+  Duration distance;
+  Stream release{nanoseconds(1), model.costs.release, {}, "release"};
   for (const TaskBucket& bucket : set.buckets) {
-    distance = std::gcd(distance, bucket.period);
+    distance = gcd(distance, bucket.period);
     release.budgets.push_back({1, bucket.period, 0, 1});
-    set.streams.push_back({bucket.period, model.costs.release_per_bucket_ns, {}, "release"});
+    set.streams.push_back({bucket.period, model.costs.release_per_bucket, {}, "release"});
   }
   release.separation = distance;
   if (distance == set.buckets.front().period) release.budgets.clear();
@@ -41,20 +41,20 @@ void add_release_streams(const Model& model, TaskSet& set) {
 }
 
 void add_buckets(const Model& model, Profile profile, TaskSet& set) {
-  std::map<Ns, std::vector<Rank>> by_period;
-  for (const Rank d : model.devices.ids()) by_period[model.devices[d].period_ns].push_back(d);
+  std::map<Duration, std::vector<Rank>> by_period;
+  for (const Rank d : model.devices.ids()) by_period[model.devices[d].period].push_back(d);
   set.bucket_of.resize(model.devices.size());
   for (auto& [period, devices] : by_period) {
     TaskBucket bucket;
     bucket.period = period;
     for (const Rank d : devices) {
       set.bucket_of[d] = set.buckets.size();
-      bucket.cost = add(bucket.cost, add(set.update[d], set.handle[d]));
+      bucket.cost += set.update[d] + set.handle[d];
     }
     if (profile == Profile::target) {
-      bucket.before = model.costs.job_ns;
-      for (const Flush& f : model.flushes) bucket.after = add(bucket.after, f.period_ns == period ? f.wcet_ns : 0);
-      bucket.cost = add(bucket.cost, add(bucket.before, bucket.after));
+      bucket.before = model.costs.job;
+      for (const Flush& f : model.flushes) bucket.after += (f.period == period ? f.wcet : Duration::zero());
+      bucket.cost += bucket.before + bucket.after;
     }
     bucket.devices = std::move(devices);
     set.buckets.push_back(std::move(bucket));
@@ -67,20 +67,18 @@ TaskSet make_task_set(const Model& model, Profile profile) {
   TaskSet set;
   const bool target = profile == Profile::target;
   for (const Device& d : model.devices) {
-    set.update.push_back(target ? add(d.update_wcet_ns, add(d.update_extra_ns, model.costs.stage_ns))
-                                : d.update_wcet_ns);
-    set.handle.push_back(target ? add(d.handle_wcet_ns, add(d.handle_extra_ns, model.costs.stage_ns))
-                                : d.handle_wcet_ns);
+    set.update.push_back(target ? d.update_wcet + d.update_extra + model.costs.stage : d.update_wcet);
+    set.handle.push_back(target ? d.handle_wcet + d.handle_extra + model.costs.stage : d.handle_wcet);
   }
   add_buckets(model, profile, set);
   add_bus_streams(model, profile, set);
-  const auto is_free = [](const Stream& s) { return s.cost == 0; };
+  const auto is_free = [](const Stream& s) { return s.cost == Duration::zero(); };
   std::erase_if(set.streams, is_free);
   set.bus_streams = set.streams.size();
   if (target) {
     add_release_streams(model, set);
-    set.blocking = model.costs.masked_ns;
-    set.least_lag = 1;
+    set.blocking = model.costs.masked;
+    set.least_lag = nanoseconds(1);
   }
   std::erase_if(set.streams, is_free);
   return set;

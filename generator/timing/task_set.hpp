@@ -13,13 +13,13 @@ namespace finemote::gen::timing {
 /// sum count * ceil((ceil(L/period) + carry_in) / every).
 struct Stream {
   struct Budget {
-    Ns count = 0;
-    Ns period = 1;
-    Ns carry_in = 0;
-    Ns every = 1;  ///< in so many periods that follow one another
+    std::int64_t count = 0;
+    Duration period = nanoseconds(1);
+    std::int64_t carry_in = 0;
+    std::int64_t every = 1;  ///< in so many periods that follow one another
   };
-  Ns separation = 1;
-  Ns cost = 0;
+  Duration separation = nanoseconds(1);
+  Duration cost;
   std::vector<Budget> budgets;
   std::string name;         ///< of the bus, with its source where it has several; for people
   std::string bus = {};     ///< the same apart: the bus,
@@ -27,10 +27,10 @@ struct Stream {
 };
 
 struct TaskBucket {
-  Ns period = 1;
-  Ns before = 0;              ///< entry of a job, ahead of the first update
-  Ns after = 0;               ///< flush and exit, behind the last handle
-  Ns cost = 0;                ///< one whole job
+  Duration period = nanoseconds(1);
+  Duration before;            ///< entry of a job, ahead of the first update
+  Duration after;             ///< flush and exit, behind the last handle
+  Duration cost;              ///< one whole job
   std::vector<Rank> devices;  ///< registration order
 };
 
@@ -40,12 +40,12 @@ struct TaskSet {
   std::size_t bus_streams = 0;      ///< how many are of buses
   std::vector<TaskBucket> buckets;  ///< ascending period
   Table<Rank, std::size_t> bucket_of;
-  Table<Rank, Ns> update, handle;  ///< one run of the stage with everything around it
+  Table<Rank, Duration> update, handle;  ///< one run of the stage with everything around it
   /// A slower producer's data counts as there no sooner than this after its release. The rule of the cases lets an
   /// empty stage below buckets that are all empty end at its release itself, ahead of a faster consumer that runs
   /// first; with one nanosecond the bound holds there too (docs/timing.md, "Empty buckets").
-  Ns least_lag = 0;
-  Ns blocking = 0;  ///< longest masked section: delays every busy window once
+  Duration least_lag;
+  Duration blocking;  ///< longest masked section: delays every busy window once
 };
 
 /// Requires a model that read_model accepts. May throw Overflow.

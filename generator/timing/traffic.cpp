@@ -23,7 +23,7 @@ std::vector<Unit> units_of(const std::vector<Frame>& frames, const WireRate& rat
     Unit& unit = units[{to_string(frame.stage), frame.unit > 0 ? frame.unit : alone--}];
     unit.stage = frame.stage;
     unit.use.add(rate, frame.write_bytes, frame.read_bytes);
-    unit.use.min_interval_ns = std::max(unit.use.min_interval_ns, frame.min_interval_ns.value_or(0));
+    unit.use.min_interval = std::max(unit.use.min_interval, nanoseconds(frame.min_interval_ns.value_or(0)));
   }
   std::vector<Unit> list;
   for (const auto& [key, unit] : units) list.push_back(unit);
@@ -31,13 +31,14 @@ std::vector<Unit> units_of(const std::vector<Frame>& frames, const WireRate& rat
 }
 
 /// Of the one frame that a part on CAN sends by itself; none where it may be another.
-std::optional<Ns> own_identifier(const gen::Device& device, const std::vector<Frame>& frames, FrameStage stage) {
+std::optional<std::int64_t> own_identifier(const gen::Device& device, const std::vector<Frame>& frames,
+                                           FrameStage stage) {
   const auto by_itself = std::count_if(frames.begin(), frames.end(),
                                        [](const Frame& frame) { return frame.stage == FrameStage::autonomous; });
   const std::vector<IdentifierRange> ranges = device.type->received(device.id.value_or(0));
   if (stage != FrameStage::autonomous || by_itself != 1 || ranges.size() != 1 || ranges.front().count != 1)
     return std::nullopt;
-  return static_cast<Ns>(ranges.front().first);
+  return static_cast<std::int64_t>(ranges.front().first);
 }
 
 Transfer::After after(FrameStage stage) {
@@ -93,7 +94,7 @@ void Traffic::add_selection(SegmentId segment, const WireRate& rate, WireUse& us
   if (robot_.segments[segment].kind != Segment::Kind::mux_channel) return;
   const Expander& own = robot_.expanders[*robot_.segments[segment].expander];
   use.add(rate, own.type->select->bytes, 0);
-  Ns others = 0;  // of which at most one connects anything
+  std::int64_t others = 0;  // of which at most one connects anything
   for (const Expander& mux : robot_.expanders) {
     const bool is_other = &mux != &own && mux.type->is_mux() && mux.segment == own.segment;
     if (is_other) others = std::max(others, mux.type->select->bytes);
@@ -105,17 +106,17 @@ void Traffic::add_transfer(Rank place, BusPlace bus, FrameStage stage, const Wir
   const bool by_itself = stage == FrameStage::autonomous;
   Transfer transfer;
   transfer.bus = bus;
-  transfer.wire_ns = use.wire_ns;
+  transfer.wire = use.wire;
   transfer.interrupts = use.interrupts;
   transfer.after = after(stage);
-  transfer.min_interval_ns = by_itself ? use.min_interval_ns : 0;
+  transfer.min_interval = by_itself ? use.min_interval : Duration::zero();
   transfer.receive = by_itself && bus_type(robot_.buses[places_.buses()[bus]].kind).has_two_lines;
   transfer.command = stage == FrameStage::handle && model_.devices[place].takes_command;
   model_.devices[place].transfers.push_back(transfer);
   add_budget(bus, place, use.interrupts);
 }
 
-void Traffic::add_budget(BusPlace bus, Rank place, Ns count, Ns every) {
+void Traffic::add_budget(BusPlace bus, Rank place, std::int64_t count, std::int64_t every) {
   if (driver_sources_[bus] != 1 || !counts_transfers(bus)) return;
   model_.buses[bus].sources->front().budgets.push_back({place, count, every});
 }
@@ -138,11 +139,11 @@ void Traffic::add_own_lines(const gen::Device& device) {
     const bool given = !entry.use.empty() && std::any_of(device.uses.begin(), device.uses.end(),
                                                          [&](const Use& use) { return use.spec->role == entry.use; });
     if (!given) continue;
-    const Ns interval =
-        entry.is_autonomous ? entry.min_interval_ns.value_or(1) : device.period_ns / std::max<Ns>(entry.count, 1);
+    const std::int64_t interval = entry.is_autonomous ? entry.min_interval_ns.value_or(1)
+                                                      : device.period_ns / std::max<std::int64_t>(entry.count, 1);
     model_.buses[*bus].sources->push_back({device.name.text + ": " + entry.source,
-                                           entry.wcet_ns.value_or(model_.buses[*bus].wcet_ns),
-                                           std::max<Ns>(interval, 1),
+                                           entry.wcet_ns ? nanoseconds(*entry.wcet_ns) : model_.buses[*bus].wcet,
+                                           nanoseconds(std::max<std::int64_t>(interval, 1)),
                                            {}});
   }
 }

@@ -21,7 +21,7 @@ class Traffic {
 
   /// Allows `count` interrupts in one of any `every` periods of the device. Adds nothing on a bus whose parts send by
   /// themselves: there, not every interrupt belongs to a transfer the robot asked for.
-  void add_budget(BusPlace bus, Rank place, Ns count, Ns every = 1);
+  void add_budget(BusPlace bus, Rank place, std::int64_t count, std::int64_t every = 1);
 
   /// What goes ahead of a unit on a segment: a mux is set, and where there are several, the one set before is switched
   /// off first.

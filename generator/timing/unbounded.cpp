@@ -13,16 +13,16 @@ namespace {
 const BucketResult& bucket_of(const Timing& timing, Rank device) {
   const auto& buckets = (timing.target ? *timing.target : timing.tight).buckets;
   return *std::find_if(buckets.begin(), buckets.end(), [&](const BucketResult& bucket) {
-    return bucket.period_ns == timing.model.devices[device].period_ns;
+    return bucket.period == timing.model.devices[device].period;
   });
 }
 
 /// What keeps one part of a chain from having a bound.
 struct Cause {
   std::string part;
-  std::optional<Ns> period;     ///< of a bucket that may miss its deadline
-  std::optional<BusPlace> bus;  ///< else: where a message may wait without end, or longer than until the next
-  Rank device;                  ///< whose bucket or message it is
+  std::optional<Duration> period;  ///< of a bucket that may miss its deadline
+  std::optional<BusPlace> bus;     ///< else: where a message may wait without end, or longer than until the next
+  Rank device;                     ///< whose bucket or message it is
   friend bool operator==(const Cause& a, const Cause& b) {
     return a.part == b.part && a.period == b.period && a.bus == b.bus;
   }
@@ -31,7 +31,7 @@ struct Cause {
 std::optional<Cause> late_bucket(const Timing& timing, const std::string& part, const std::vector<Rank>& on) {
   for (const Rank device : on) {
     const BucketResult& bucket = bucket_of(timing, device);
-    if (!bucket.ok) return Cause{part, bucket.period_ns, std::nullopt, device};
+    if (!bucket.ok) return Cause{part, bucket.period, std::nullopt, device};
   }
   return std::nullopt;
 }
@@ -42,9 +42,9 @@ std::vector<Cause> causes(const Timing& timing, const ChainResult& chain) {
     if (const auto late = late_bucket(timing, part, on)) return list.push_back(*late);
     list.push_back({part, std::nullopt, bus, on.front()});
   };
-  if (!chain.acquire_ns) look("acquire", {chain.from}, sample_bus(timing.model, chain.from));
-  if (!chain.decide_ns) look("decide", devices_between(timing.model, chain), std::nullopt);
-  if (!chain.wire_ns) look("wire", {chain.to}, command_bus(timing.model, chain.to));
+  if (!chain.acquire) look("acquire", {chain.from}, sample_bus(timing.model, chain.from));
+  if (!chain.decide) look("decide", devices_between(timing.model, chain), std::nullopt);
+  if (!chain.wire) look("wire", {chain.to}, command_bus(timing.model, chain.to));
   return list;
 }
 
@@ -64,7 +64,7 @@ std::string why(const Timing& timing, const Cause& cause) {
 }
 
 bool lacks(const ChainResult& chain, const std::string& part) {
-  return !(part == "acquire" ? chain.acquire_ns : part == "wire" ? chain.wire_ns : chain.decide_ns);
+  return !(part == "acquire" ? chain.acquire : part == "wire" ? chain.wire : chain.decide);
 }
 
 /// Chains of `after` to where `chains` of `before` lead that lack this part. Another source may be the worst one there.
@@ -100,7 +100,7 @@ std::vector<MissingBound> missing_bounds(const Timing& timing, Trials& trials) {
   std::vector<MissingBound> list;
   std::vector<Cause> known;
   for (std::size_t c = 0; c < timing.chains.size(); ++c) {
-    if (timing.chains[c].end_to_end_ns) continue;
+    if (timing.chains[c].end_to_end) continue;
     for (const Cause& cause : causes(timing, timing.chains[c])) {
       const auto at = static_cast<std::size_t>(std::find(known.begin(), known.end(), cause) - known.begin());
       if (at == known.size()) {

@@ -14,20 +14,20 @@ using Big = boost::multiprecision::cpp_int;
 constexpr long double kGuard = 1e-12L;
 
 struct Share {
-  Ns cost = 0;
-  Ns period = 1;
+  Duration cost;
+  Duration period = nanoseconds(1);
 };
 
 /// A sum of fractions over one growing common denominator; reduced only when asked.
 class Fraction {
  public:
   void add(const Share& s) {
-    const Big period = s.period;
+    const Big period = s.period.ns();
     const Big factor = period / boost::multiprecision::gcd(denominator_, period);
     numerator_ *= factor;
     denominator_ *= factor;
-    numerator_ += denominator_ / period * s.cost;
-    approximate_ += static_cast<long double>(s.cost) / static_cast<long double>(s.period);
+    numerator_ += denominator_ / period * s.cost.ns();
+    approximate_ += static_cast<long double>(s.cost.ns()) / static_cast<long double>(s.period.ns());
   }
   [[nodiscard]] const Big& numerator() const { return numerator_; }
   [[nodiscard]] const Big& denominator() const { return denominator_; }
@@ -44,7 +44,7 @@ class Fraction {
 
 std::vector<Share> shares(const Model& model) {
   std::vector<Share> list;
-  for (const Bus& bus : model.buses) list.push_back({bus.wcet_ns, std::min(bus.frame_ns, model.tick_ns)});
+  for (const Bus& bus : model.buses) list.push_back({bus.wcet, std::min(bus.frame, model.tick)});
   for (const TaskBucket& bucket : make_task_set(model, Profile::paper).buckets) {
     list.push_back({bucket.cost, bucket.period});
   }
@@ -62,13 +62,13 @@ bool liu_layland_holds(const Fraction& u, std::size_t n) {
 bool hyperbolic_holds(const std::vector<Share>& list) {
   long double distance = -std::log(2.0L);
   for (const Share& s : list) {
-    distance += std::log1p(static_cast<long double>(s.cost) / static_cast<long double>(s.period));
+    distance += std::log1p(static_cast<long double>(s.cost.ns()) / static_cast<long double>(s.period.ns()));
   }
   if (std::fabs(distance) > kGuard) return distance < 0;
   Big left = 1, right = 2;
   for (const Share& s : list) {
-    left *= Big(s.period) + s.cost;
-    right *= s.period;
+    left *= Big(s.period.ns()) + s.cost.ns();
+    right *= s.period.ns();
   }
   return left <= right;
 }
@@ -76,14 +76,12 @@ bool hyperbolic_holds(const std::vector<Share>& list) {
 /// Adds the long-run rate of a stream: of its separation, or of its budgets where they are slower.
 void add_rate(const Stream& stream, Fraction& total) {
   Fraction budgets;
-  for (const Stream::Budget& b : stream.budgets)
-    budgets.add({multiply(b.count, stream.cost), multiply(b.period, b.every)});
+  for (const Stream::Budget& b : stream.budgets) budgets.add({b.count * stream.cost, b.period * b.every});
   const Share separation{stream.cost, stream.separation};
-  const bool slower =
-      !stream.budgets.empty() && budgets.numerator() * separation.period < budgets.denominator() * separation.cost;
+  const bool slower = !stream.budgets.empty() &&
+                      budgets.numerator() * separation.period.ns() < budgets.denominator() * separation.cost.ns();
   if (!slower) return total.add(separation);
-  for (const Stream::Budget& b : stream.budgets)
-    total.add({multiply(b.count, stream.cost), multiply(b.period, b.every)});
+  for (const Stream::Budget& b : stream.budgets) total.add({b.count * stream.cost, b.period * b.every});
 }
 
 }  // namespace

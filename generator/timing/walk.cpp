@@ -5,7 +5,7 @@
 namespace finemote::gen::timing {
 namespace {
 
-constexpr Ns kMostEntries = 1'000'000;  ///< root releases in one repetition of a hand-over
+constexpr std::int64_t kMostEntries = 1'000'000;  ///< root releases in one repetition of a hand-over
 
 class Walker {
  public:
@@ -25,10 +25,10 @@ class Walker {
       std::for_each(known->begin(), known->end(), visit);
       return;
     }
-    root_period_ = model_.devices[root].period_ns;
+    root_period_ = model_.devices[root].period;
     store_.begin_tree();
     std::vector<Pending> stack;
-    stack.push_back({{root_period_, {root}, at_root(), {}}, {}, {}, {}, 0});
+    stack.push_back({{root_period_, {root}, at_root(), {}}, {}, {}, {}, {}});
     while (!stack.empty()) {
       Pending pending = std::move(stack.back());
       stack.pop_back();
@@ -44,20 +44,20 @@ class Walker {
   /// A group whose hand-over is still that of its parent's group.
   struct Pending {
     HandOverGroup group;
-    Lags down, up;         ///< of the parent's handle, and of the group's update
-    Rank parent;           ///< one of the parents: they share period and row layout
-    Ns parent_period = 0;  ///< 0: the root itself
+    Lags down, up;           ///< of the parent's handle, and of the group's update
+    Rank parent;             ///< one of the parents: they share period and row layout
+    Duration parent_period;  ///< 0: the root itself
   };
 
   std::shared_ptr<const HandOver> at_root() {
-    auto& down = store_.down[{nullptr, 0, root_period_, {}}];
-    auto& up = store_.up[{nullptr, 0, root_period_, {}}];
+    auto& down = store_.down[{nullptr, {}, root_period_, {}}];
+    auto& up = store_.up[{nullptr, {}, root_period_, {}}];
     if (down == nullptr) down = store_.keep({root_period_, 1, {{0, root_period_}}});
-    if (up == nullptr) up = store_.keep({root_period_, 1, {{0, 0}}});
+    if (up == nullptr) up = store_.keep({root_period_, 1, {{0, {}}}});
     return joined({root_period_, down, up}, root_period_);
   }
 
-  std::shared_ptr<const HandOver> joined(const HandOverStore::Ends& ends, Ns length) {
+  std::shared_ptr<const HandOver> joined(const HandOverStore::Ends& ends, Duration length) {
     auto& known = store_.pairs[ends];
     if (known == nullptr) known = std::make_shared<HandOver>(HandOver{length, ends.down, ends.up});
     return known;
@@ -65,7 +65,7 @@ class Walker {
 
   /// A child on its way into a group: what decides which, and whose it is.
   struct Child {
-    Ns period = 1;
+    Duration period = nanoseconds(1);
     Lags down, up;
     Rank parent, device;
     [[nodiscard]] bool joins(const Child& other) const {
@@ -92,8 +92,8 @@ class Walker {
     }
   }
 
-  [[nodiscard]] Child child_of(Rank parent, Rank device, Ns parent_period) const {
-    Child child{model_.devices[device].period_ns, {}, {}, parent, device};
+  [[nodiscard]] Child child_of(Rank parent, Rank device, Duration parent_period) const {
+    Child child{model_.devices[device].period, {}, {}, parent, device};
     if (child.period < parent_period) {
       child.down = lags_down(set_, table_, parent, child.period);
     } else if (child.period > parent_period) {
@@ -104,7 +104,7 @@ class Walker {
 
   HandOverGroup finish(Pending pending) {
     HandOverGroup& group = pending.group;
-    if (pending.parent_period == 0 || pending.parent_period == group.period) return std::move(group);
+    if (pending.parent_period == Duration::zero() || pending.parent_period == group.period) return std::move(group);
     if (group.exact != nullptr) {
       if (auto below = one_edge_further(pending)) {
         group.exact = std::move(below);
@@ -120,13 +120,13 @@ class Walker {
   /// The hand-over of the group; null where it repeats too late.
   std::shared_ptr<const HandOver> one_edge_further(const Pending& pending) {
     const std::shared_ptr<const HandOver>& above = pending.group.exact;
-    const Ns period = pending.group.period, parent_period = pending.parent_period;
+    const Duration period = pending.group.period, parent_period = pending.parent_period;
     const Rank parent = pending.parent, device = pending.group.devices.front();
-    const Ns down_length = length_below(above->down->length, period, pending.down, parent);
-    const Ns up_length = length_below(above->up->length, period, pending.up, device);
-    const Ns length = lcm(down_length, up_length);
-    if (length / root_period_ > kMostEntries) return nullptr;
-    const Ns down_steps = steps_in(*above->down, down_length), up_steps = steps_in(*above->up, up_length);
+    const Duration down_length = length_below(above->down->length, period, pending.down, parent);
+    const Duration up_length = length_below(above->up->length, period, pending.up, device);
+    const Duration length = lcm(down_length, up_length);
+    if (floor_div(length, root_period_) > kMostEntries) return nullptr;
+    const std::int64_t down_steps = steps_in(*above->down, down_length), up_steps = steps_in(*above->up, up_length);
     if (!store_.make_room(down_steps + up_steps)) return nullptr;
     auto& down = store_.down[{above->down, parent_period, period, pending.down}];
     if (down == nullptr) {
@@ -142,8 +142,8 @@ class Walker {
     return joined({period, down, up}, length);
   }
 
-  Ns length_below(Ns length, Ns period, const Lags& lags, Rank producer) const {
-    const Ns common = lcm(length, period);
+  Duration length_below(Duration length, Duration period, const Lags& lags, Rank producer) const {
+    const Duration common = lcm(length, period);
     return lags.per_row.empty() ? common : lcm(common, table_.repeat(producer));
   }
 
@@ -154,7 +154,7 @@ class Walker {
   const ReleaseTable& table_;
   HandOverStore& store_;
   Effort& effort_;
-  Ns root_period_ = 1;
+  Duration root_period_ = nanoseconds(1);
   std::vector<Child> children_;  ///< of the group that was visited last
 };
 

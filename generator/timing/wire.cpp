@@ -22,22 +22,22 @@ WireAnalysis::WireAnalysis(const Model& model, const ProfileAnalysis& profile, E
 /// Time a transfer needs whose wire stands still while it waits for service. Each of its interrupts waits at most for
 /// all interrupt work there can be at once; and all of them together for no more than the interrupt work that arrives
 /// while the transfer lasts, plus one masked section each. Both are bounds; the smaller counts.
-Ns WireAnalysis::with_service(Ns wire, Ns interrupts) {
+Duration WireAnalysis::with_service(Duration wire, std::int64_t interrupts) {
   const TaskSet& set = profile_.set;
   if (profile_.result.profile != Profile::target || interrupts == 0 || is_saturated(set, 0)) return wire;
   Demand demand(effort_);
   demand.add_streams(set.streams);
-  const Ns delay = least_fit(demand, set.blocking, 1, kNever - 1);
+  const Duration delay = least_fit(demand, set.blocking, nanoseconds(1), kLongest);
   demand.rewind();
-  const Ns base = add(wire, multiply(add(interrupts, 1), set.blocking));
-  const Ns together = least_fit(demand, base, std::max<Ns>(base, 1), kNever - 1);
-  return std::min(add(wire, multiply(interrupts, delay)), together);
+  const Duration base = wire + add(interrupts, 1) * set.blocking;
+  const Duration together = least_fit(demand, base, std::max(base, nanoseconds(1)), kLongest);
+  return std::min(wire + interrupts * delay, together);
 }
 
 void WireAnalysis::collect() {
   const Responses& r = profile_.responses;
   item_of_.resize(model_.devices.size());
-  const auto add_item = [&](Item item, Ns interrupts) {
+  const auto add_item = [&](Item item, std::int64_t interrupts) {
     item.pure = item.wire;
     item.wire = with_service(item.wire, interrupts);
     item.arbitrated = model_.buses[item.bus].arbitrated;
@@ -48,7 +48,7 @@ void WireAnalysis::collect() {
   for (const Rank d : model_.devices.ids()) {
     const std::size_t w = profile_.set.bucket_of[d];
     for (const Transfer& t : model_.devices[d].transfers) {
-      Item item{t.bus, t.receive, t.after == Transfer::After::autonomous, model_.devices[d].period_ns, 0, t.wire_ns, 0,
+      Item item{t.bus, t.receive, t.after == Transfer::After::autonomous, model_.devices[d].period, {}, t.wire, {},
                 w + 1, r.ok(w)};
       if (t.after == Transfer::After::update) item.jitter = r.r_plus[d];
       if (t.after == Transfer::After::handle) item.jitter = r.r_minus[d];
@@ -56,7 +56,7 @@ void WireAnalysis::collect() {
       if (item.autonomous) {
         item.rank = 0;
         item.bounded = true;
-        if (t.min_interval_ns > 0) item.period = t.min_interval_ns;
+        if (t.min_interval > Duration::zero()) item.period = t.min_interval;
       }
       if (t.identifier) item.identifiers = {*t.identifier, *t.identifier};
       item_of_[d].push_back(add_item(item, t.interrupts));
@@ -71,11 +71,11 @@ void WireAnalysis::collect() {
     for (const Flush& other : model_.flushes) {
       if (share_slot(f, other)) rank = std::min(rank, bucket_of(other) + 1);
     }
-    Item item{*f.bus, false, false, f.period_ns, r.bucket[w], f.wire_ns, 0, rank, r.ok(w)};
+    Item item{*f.bus, false, false, f.period, r.bucket[w], f.wire, {}, rank, r.ok(w)};
     if (!f.identifiers.empty()) {
       const auto [first, last] = std::minmax_element(f.identifiers.begin(), f.identifiers.end());
       item.identifiers = {*first, *last};
-      item.frames = static_cast<Ns>(f.identifiers.size());
+      item.frames = static_cast<std::int64_t>(f.identifiers.size());
     }
     flush_item_.back() = add_item(item, f.interrupts);
   }
@@ -83,7 +83,7 @@ void WireAnalysis::collect() {
 
 std::size_t WireAnalysis::bucket_of(const Flush& flush) const {
   std::size_t w = 0;
-  while (profile_.set.buckets[w].period != flush.period_ns) ++w;
+  while (profile_.set.buckets[w].period != flush.period) ++w;
   return w;
 }
 
@@ -92,35 +92,36 @@ void WireAnalysis::add_load() {
   for (const BusPlace b : loads_.ids()) {
     long double lines[2] = {0, 0};
     for (const Item& i : items_) {
-      if (i.bus == b) lines[i.receive ? 1 : 0] += static_cast<long double>(i.pure) / static_cast<long double>(i.period);
+      if (i.bus == b)
+        lines[i.receive ? 1 : 0] += static_cast<long double>(i.pure.ns()) / static_cast<long double>(i.period.ns());
     }
     const long double load = std::max(lines[0], lines[1]);
-    loads_[b] = {static_cast<Ns>(load * 1e9L + 0.5L), static_cast<double>(load)};
+    loads_[b] = {nanoseconds(static_cast<std::int64_t>(load * 1e9L + 0.5L)), static_cast<double>(load)};
   }
 }
 
-std::optional<Ns> WireAnalysis::bound(std::size_t index) const {
+std::optional<Duration> WireAnalysis::bound(std::size_t index) const {
   const Item& own = items_[index];
   if (!own.bounded) return std::nullopt;
   const auto competes = [&](const Item& i) { return i.bus == own.bus && i.receive == own.receive; };
-  Ns blocking = own.on_wire();
+  Duration blocking = own.on_wire();
   bool alone = true;
   for (std::size_t i = 0; i < items_.size(); ++i) {
     alone &= i == index || !competes(items_[i]);
     if (competes(items_[i]) && items_[i].yields_to(own))
       blocking = std::max(blocking, own.yields_to(items_[i]) ? items_[i].on_wire() : items_[i].frame());
   }
-  if (alone) blocking = 0;
-  const Ns before_last = own.on_wire() - own.frame();  // of its own; more urgent ones may come between
-  Ns wait = add(blocking, before_last);
+  if (alone) blocking = {};
+  const Duration before_last = own.on_wire() - own.frame();  // of its own; more urgent ones may come between
+  Duration wait = blocking + before_last;
   for (bool stable = false; !stable;) {
-    Ns need = add(blocking, before_last);
+    Duration need = blocking + before_last;
     for (std::size_t i = 0; i < items_.size(); ++i) {
       const Item& other = items_[i];
       // Of equal rank the order of the slots decides; counting both ways is safe.
       if (i == index || !competes(other) || !own.yields_to(other)) continue;
       if (!other.bounded) return std::nullopt;
-      need = add(need, multiply(add(wait, other.jitter) / other.period + 1, other.on_wire()));
+      need += (floor_div(wait + other.jitter, other.period) + 1) * other.on_wire();
     }
     effort_.spend(static_cast<std::int64_t>(items_.size()));
     if (need > own.period) return std::nullopt;
@@ -129,11 +130,11 @@ std::optional<Ns> WireAnalysis::bound(std::size_t index) const {
   }
   // The slot must be free again before it is filled the next time. That of a part that sends by itself, and the mailbox
   // of a controller that arbitrates, are free when the frame has left the wire, whenever it is served.
-  if (add(add(wait, own.frame()), own.jitter) > own.period) return std::nullopt;
-  return add(wait, own.wire - before_last);
+  if (wait + own.frame() + own.jitter > own.period) return std::nullopt;
+  return wait + own.wire - before_last;
 }
 
-std::optional<Ns> WireAnalysis::response(Rank device, std::size_t transfer) const {
+std::optional<Duration> WireAnalysis::response(Rank device, std::size_t transfer) const {
   return bound(item_of_[device][transfer]);
 }
 
@@ -142,15 +143,15 @@ std::optional<Ns> WireAnalysis::response(Rank device, std::size_t transfer) cons
 /// over without our data is handed over within L and over after another w; a flush that began before that has ended
 /// after another L. The next flush of the fastest bucket (within T + R) sends our data, or finds them sent, or preempts
 /// a flush that sends them within L.
-std::optional<Ns> WireAnalysis::flush_response(std::size_t flush) const {
-  if (!flush_item_[flush]) return 0;
+std::optional<Duration> WireAnalysis::flush_response(std::size_t flush) const {
+  if (!flush_item_[flush]) return Duration::zero();
   const Flush& own = model_.flushes[flush];
   std::size_t sharers = 0, fastest = bucket_of(own);
-  Ns wire = 0, last = 0;
+  Duration wire, last;
   for (std::size_t f = 0; f < model_.flushes.size(); ++f) {
     if (f != flush && !share_slot(own, model_.flushes[f])) continue;
     const auto transfer = bound(*flush_item_[f]);
-    const auto end = end_of_job(bucket_of(model_.flushes[f]), 0);
+    const auto end = end_of_job(bucket_of(model_.flushes[f]), {});
     if (!transfer || !end) return std::nullopt;
     wire = std::max(wire, *transfer);
     last = std::max(last, *end);
@@ -158,42 +159,42 @@ std::optional<Ns> WireAnalysis::flush_response(std::size_t flush) const {
     ++sharers;
   }
   if (sharers == 1) return wire;
-  const Ns next = add(profile_.set.buckets[fastest].period, profile_.responses.bucket[fastest]);
-  return add(add(multiply(2, wire), multiply(3, last)), next);
+  const Duration next = profile_.set.buckets[fastest].period + profile_.responses.bucket[fastest];
+  return 2 * wire + 3 * last + next;
 }
 
 /// From the end of handle(device) to the end of the job: nothing more urgent is pending when a stage ends, so only
 /// later arrivals and the rest of the job count.
-std::optional<Ns> WireAnalysis::rest_of_job(Rank device) const {
+std::optional<Duration> WireAnalysis::rest_of_job(Rank device) const {
   const TaskSet& set = profile_.set;
   const std::size_t w = set.bucket_of[device];
-  Ns handles = 0;
+  Duration handles;
   for (const Rank d : set.buckets[w].devices) {
-    if (d < device) handles = add(handles, set.handle[d]);
+    if (d < device) handles += set.handle[d];
   }
   return end_of_job(w, handles);
 }
 
 /// The same from where so much of its handles is left, and the flush.
-std::optional<Ns> WireAnalysis::end_of_job(std::size_t w, Ns handles) const {
+std::optional<Duration> WireAnalysis::end_of_job(std::size_t w, Duration handles) const {
   const TaskSet& set = profile_.set;
   if (!profile_.responses.ok(w)) return std::nullopt;
-  const Ns work = add(add(set.buckets[w].after, set.blocking), handles);
-  if (work == 0) return 0;
+  const Duration work = set.buckets[w].after + set.blocking + handles;
+  if (work == Duration::zero()) return Duration::zero();
   Demand demand(effort_);
   demand.add_streams(set.streams);
-  for (std::size_t v = 0; v < w; ++v) demand.add({0, set.buckets[v].period, set.buckets[v].cost});
-  return std::min(least_fit(demand, work, work, kNever - 1), profile_.responses.bucket[w]);
+  for (std::size_t v = 0; v < w; ++v) demand.add({{}, set.buckets[v].period, set.buckets[v].cost});
+  return std::min(least_fit(demand, work, work, kLongest), profile_.responses.bucket[w]);
 }
 
-std::optional<Ns> WireAnalysis::command(Rank to) const {
-  std::optional<Ns> worst = model_.devices[to].output_ns;
-  const auto raise = [&](std::optional<Ns> value) {
-    worst = worst && value ? std::optional<Ns>(std::max(*worst, *value)) : std::nullopt;
+std::optional<Duration> WireAnalysis::command(Rank to) const {
+  std::optional<Duration> worst = model_.devices[to].output;
+  const auto raise = [&](std::optional<Duration> value) {
+    worst = worst && value ? std::optional<Duration>(std::max(*worst, *value)) : std::nullopt;
   };
-  const auto after_job = [&](std::optional<Ns> value) {
+  const auto after_job = [&](std::optional<Duration> value) {
     const auto rest = rest_of_job(to);
-    raise(rest && value ? std::optional<Ns>(add(*rest, *value)) : std::nullopt);
+    raise(rest && value ? std::optional<Duration>(*rest + *value) : std::nullopt);
   };
   for (std::size_t t = 0; t < model_.devices[to].transfers.size(); ++t) {
     const Transfer& transfer = model_.devices[to].transfers[t];
@@ -211,34 +212,35 @@ std::optional<Ns> WireAnalysis::command(Rank to) const {
   return worst;
 }
 
-std::optional<Ns> WireAnalysis::acquisition(Rank from) const {
+std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
   const Device& device = model_.devices[from];
-  if (!device.acquisition) return 0;
+  if (!device.acquisition) return Duration::zero();
   const Acquisition& a = *device.acquisition;
   if (a.periods == 0) {
-    Ns wire = 0;
+    Duration wire;
     for (std::size_t t = 0; t < device.transfers.size(); ++t) {
       if (device.transfers[t].after != Transfer::After::autonomous) continue;
       const auto bound = response(from, t);
       if (!bound) return std::nullopt;
       wire = std::max(wire, *bound);
     }
-    return add(add(a.fixed_ns, a.interval_ns), wire);
+    return a.fixed + a.interval + wire;
   }
   const std::size_t w = profile_.set.bucket_of[from];
   if (!profile_.responses.ok(w)) return std::nullopt;
-  Ns wire = 0;
+  Duration wire;
   for (std::size_t t = 0; t < device.transfers.size(); ++t) {
     if (device.transfers[t].after == Transfer::After::autonomous || device.transfers[t].command) continue;
     const auto bound = response(from, t);
     if (!bound) return std::nullopt;
     wire = std::max(wire, *bound);
   }
-  const Ns response = profile_.responses.r_plus[from];
-  const Ns busy = add(add(response, wire), a.conversion_ns);
-  const Ns extra = a.conversion_ns == 0 ? 0 : std::max<Ns>(ceil_div(busy, device.period_ns) - 1, 0);
-  const Ns periods = add(add(a.periods, extra), multiply(a.every - 1, extra + 1));
-  return add(add(a.fixed_ns, response), multiply(periods, device.period_ns));
+  const Duration response = profile_.responses.r_plus[from];
+  const Duration busy = response + wire + a.conversion;
+  const std::int64_t extra =
+      a.conversion == Duration::zero() ? 0 : std::max<std::int64_t>(ceil_div(busy, device.period) - 1, 0);
+  const std::int64_t periods = add(add(a.periods, extra), multiply(a.every - 1, extra + 1));
+  return a.fixed + response + periods * device.period;
 }
 
 }  // namespace finemote::gen::timing

@@ -6,7 +6,7 @@
 namespace finemote::gen::timing {
 
 struct BusLoad {
-  Ns wire_ns_per_s = 0;  ///< of the busier line where a bus has two
+  Duration wire_per_s;  ///< in every second; of the busier line where a bus has two
   double utilization = 0;
 };
 
@@ -22,14 +22,14 @@ class WireAnalysis {
 
   /// Hand-over to last bit of a transfer; none where one may still be queued when the next is handed over. Of a flush:
   /// from the end of its job to the last bit that carries what its job computed.
-  [[nodiscard]] std::optional<Ns> response(Rank device, std::size_t transfer) const;
-  [[nodiscard]] std::optional<Ns> flush_response(std::size_t flush) const;
+  [[nodiscard]] std::optional<Duration> response(Rank device, std::size_t transfer) const;
+  [[nodiscard]] std::optional<Duration> flush_response(std::size_t flush) const;
 
   /// End of handle(to) to the last bit of its command; 0 where no bus carries one; none where unbounded.
-  [[nodiscard]] std::optional<Ns> command(Rank to) const;
+  [[nodiscard]] std::optional<Duration> command(Rank to) const;
 
   /// Age of a sample when update(from) begins; 0 without acquisition data; none where unbounded.
-  [[nodiscard]] std::optional<Ns> acquisition(Rank from) const;
+  [[nodiscard]] std::optional<Duration> acquisition(Rank from) const;
 
   [[nodiscard]] const Table<BusPlace, BusLoad>& loads() const { return loads_; }
 
@@ -38,17 +38,17 @@ class WireAnalysis {
     BusPlace bus;
     bool receive = false;
     bool autonomous = false;
-    Ns period = 1;
-    Ns jitter = 0;            ///< release to hand-over
-    Ns wire = 0;              ///< occupation of the bus, service routines included
-    Ns pure = 0;              ///< the same without them
+    Duration period = nanoseconds(1);
+    Duration jitter;          ///< release to hand-over
+    Duration wire;            ///< occupation of the bus, service routines included
+    Duration pure;            ///< the same without them
     std::size_t rank = 0;     ///< 0 is the most urgent
     bool bounded = true;      ///< its bucket is ok
     bool arbitrated = false;  ///< on a bus that arbitrates frame by frame
     /// Identifiers of its first and last frame there; none: not known.
-    std::optional<std::pair<Ns, Ns>> identifiers = std::nullopt;
-    Ns frames = 1;  ///< that it is sent in, all equally long
-    [[nodiscard]] Ns frame() const { return (on_wire() + frames - 1) / frames; }
+    std::optional<std::pair<std::int64_t, std::int64_t>> identifiers = std::nullopt;
+    std::int64_t frames = 1;  ///< that it is sent in, all equally long
+    [[nodiscard]] Duration frame() const { return ceil_div(on_wire(), frames); }
     /// Whether `other` goes first where both wait.
     [[nodiscard]] bool yields_to(const Item& other) const {
       if (!arbitrated) return other.rank <= rank;
@@ -56,15 +56,15 @@ class WireAnalysis {
     }
     /// How long it keeps others off the wire. Neither a part that sends by itself nor a frame in a mailbox of the
     /// controller waits for our service routines on the wire; between frames the wire is free for others.
-    [[nodiscard]] Ns on_wire() const { return autonomous || arbitrated ? pure : wire; }
+    [[nodiscard]] Duration on_wire() const { return autonomous || arbitrated ? pure : wire; }
   };
 
   void collect();
   void add_load();
-  Ns with_service(Ns wire, Ns interrupts);
-  [[nodiscard]] std::optional<Ns> bound(std::size_t item) const;
-  [[nodiscard]] std::optional<Ns> rest_of_job(Rank device) const;
-  [[nodiscard]] std::optional<Ns> end_of_job(std::size_t bucket, Ns handles) const;
+  Duration with_service(Duration wire, std::int64_t interrupts);
+  [[nodiscard]] std::optional<Duration> bound(std::size_t item) const;
+  [[nodiscard]] std::optional<Duration> rest_of_job(Rank device) const;
+  [[nodiscard]] std::optional<Duration> end_of_job(std::size_t bucket, Duration handles) const;
   [[nodiscard]] std::size_t bucket_of(const Flush& flush) const;
 
   const Model& model_;

@@ -4,12 +4,12 @@
 
 namespace finemote::gen::timing {
 
-void WireUse::add(const WireRate& rate, Ns write, Ns read) {
+void WireUse::add(const WireRate& rate, std::int64_t write, std::int64_t read) {
   const BusType& type = bus_type(rate.kind);
   if (type.unit == nullptr) return;
   const WireUnit unit = type.unit(write, read, rate.bits_per_byte);
-  wire_ns = gen::add(wire_ns, ceil_div(multiply(unit.bits, 1'000'000'000), rate.bits_per_s));
-  interrupts += unit.interrupts;
+  wire += ceil_div(unit.bits * seconds(1), rate.bits_per_s);
+  interrupts = gen::add(interrupts, unit.interrupts);
 }
 
 }  // namespace finemote::gen::timing

@@ -2,24 +2,24 @@
 #pragma once
 
 #include "generator/bus/bus_kind.hpp"
-#include "generator/timing/integer.hpp"
+#include "generator/units/duration.hpp"
 
 namespace finemote::gen::timing {
 
 struct WireRate {
   BusKind kind = {};
-  Ns bits_per_s = 1;
-  Ns bits_per_byte = 10;  ///< of a serial line: start, data, parity and stop bits
+  std::int64_t bits_per_s = 1;
+  std::int64_t bits_per_byte = 10;  ///< of a serial line: start, data, parity and stop bits
 };
 
 /// Time on the wire and service routines of what goes over a bus together, one unit after the other.
 struct WireUse {
-  Ns wire_ns = 0;
-  Ns interrupts = 0;
-  Ns min_interval_ns = 0;
+  Duration wire;
+  std::int64_t interrupts = 0;
+  Duration min_interval;
 
   /// Throws Overflow.
-  void add(const WireRate& rate, Ns write, Ns read);
+  void add(const WireRate& rate, std::int64_t write, std::int64_t read);
 };
 
 }  // namespace finemote::gen::timing

@@ -8,7 +8,9 @@
 
 namespace finemote::gen::timing {
 
-double ratio(Ns part, Ns whole) { return static_cast<double>(part) / static_cast<double>(std::max<Ns>(whole, 1)); }
+double ratio(Duration part, Duration whole) {
+  return static_cast<double>(part.ns()) / static_cast<double>(std::max(whole, nanoseconds(1)).ns());
+}
 
 std::string percent(double fraction) { return fmt::format("{:.1f} %", fraction * 100); }
 
@@ -24,6 +26,8 @@ std::string quoted_names(const Model& model, const std::vector<Rank>& devices, s
   return devices.size() > most ? fmt::format("{} and {} more", text, devices.size() - most) : text;
 }
 
-std::string bucket_text(Ns period) { return fmt::format("the devices with period {}", units::format_duration(period)); }
+std::string bucket_text(Duration period) {
+  return fmt::format("the devices with period {}", units::format_duration(period.ns()));
+}
 
 }  // namespace finemote::gen::timing

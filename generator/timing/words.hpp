@@ -7,8 +7,8 @@
 
 namespace finemote::gen::timing {
 
-/// 0 and above; a whole of 0 counts as 1.
-double ratio(Ns part, Ns whole);
+/// 0 and above; a whole of 0 counts as 1 ns.
+double ratio(Duration part, Duration whole);
 
 /// `38.2 %`
 std::string percent(double fraction);
@@ -23,6 +23,6 @@ std::string quoted(const std::string& name);
 std::string quoted_names(const Model& model, const std::vector<Rank>& devices, std::size_t most);
 
 /// `the devices with period 1ms`
-std::string bucket_text(Ns period);
+std::string bucket_text(Duration period);
 
 }  // namespace finemote::gen::timing

@@ -27,8 +27,10 @@ class Duration {
   [[nodiscard]] constexpr std::int64_t ns() const { return ns_; }
 
   friend constexpr Duration nanoseconds(std::int64_t count);
-  /// The largest there is: about 292 years.
+  static constexpr Duration zero() { return {}; }
+  /// The largest and the smallest there is: about 292 years from now and ago.
   static constexpr Duration max() { return Duration(std::numeric_limits<std::int64_t>::max()); }
+  static constexpr Duration min() { return Duration(std::numeric_limits<std::int64_t>::min()); }
 
   friend constexpr bool operator==(Duration, Duration) = default;
   friend constexpr auto operator<=>(Duration, Duration) = default;
@@ -37,7 +39,7 @@ class Duration {
   constexpr Duration& operator-=(Duration other) { return ns_ = subtract(ns_, other.ns_), *this; }
   friend constexpr Duration operator+(Duration a, Duration b) { return a += b; }
   friend constexpr Duration operator-(Duration a, Duration b) { return a -= b; }
-  friend constexpr Duration operator-(Duration a) { return Duration() - a; }
+  friend constexpr Duration operator-(Duration a) { return zero() - a; }
   friend constexpr Duration operator*(Duration a, std::int64_t count) { return Duration(multiply(a.ns_, count)); }
   friend constexpr Duration operator*(std::int64_t count, Duration a) { return a * count; }
 

@@ -67,7 +67,8 @@ Outcome Pipeline::run(const std::string& text, bool is_xacro) {
   timing::AnalysisRequest request;
   request.requirements = timing::timing_requirements(*robot, forest);
   request.inputs = true;
-  const auto timing = timing::analyse(timing::make_timing_model(*robot, forest, schedule), request, diagnostics);
+  const auto model = timing::make_timing_model(*robot, forest, schedule, diagnostics);
+  const auto timing = model ? timing::analyse(*model, request, diagnostics) : std::nullopt;
   if (!timing) return outcome(Outcome::Kind::refused, diagnostics);
 
   Diagnostics findings;

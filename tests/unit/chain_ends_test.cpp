@@ -1,5 +1,6 @@
 // Where chains begin and end: whose data reach a command, and where a command comes out.
 #include "generator/timing/operands.hpp"
+#include "unit/duration_literals.hpp"
 #include "unit/timing_random.hpp"
 #include "unit/timing_robots.hpp"
 
@@ -100,12 +101,12 @@ TEST_CASE("a requirement that ends in composites is asked of their actuators, wi
   REQUIRE(timing);
   REQUIRE(timing->requirements.size() == 2);
   const ChainResult& motor = chain(*timing, "remote", "right_motor");
-  REQUIRE(motor.wire_ns);
-  CHECK(*motor.wire_ns > 100'000);  // a frame of eight bytes at 1 Mbit/s
+  REQUIRE(motor.wire);
+  CHECK(*motor.wire > 100_us);  // a frame of eight bytes at 1 Mbit/s
   for (const RequirementResult& r : timing->requirements) {
     CHECK(r.requirement.to == std::vector<Rank>{robot["left_motor"], robot["right_motor"]});
-    REQUIRE(r.value_ns);
-    CHECK(*r.value_ns >= *motor.end_to_end_ns);
+    REQUIRE(r.value);
+    CHECK(*r.value >= *motor.end_to_end);
   }
   CHECK_FALSE(timing->requirements[0].ok);
   CHECK(timing->requirements[1].ok);
@@ -139,8 +140,11 @@ TEST_CASE("default chains are the oldest of all sources that are connected, on r
     Random choice(seed + 1000);
     for (const Rank d : model.devices.ids()) {
       const auto parent = model.devices[d].parent;
-      if (choice.one_in(6))
-        model.devices[d].acquisition = timing::Acquisition{choice.between(0, 90), choice.between(0, 90)};
+      if (choice.one_in(6)) {
+        timing::Acquisition& acquisition = model.devices[d].acquisition.emplace();
+        acquisition.fixed = choice.between({}, 90_ns);
+        acquisition.interval = choice.between({}, 90_ns);
+      }
       if (parent && choice.one_in(4)) model.devices[*parent].ends_here.push_back(d), ++ended;
       for (const Rank observed : model.devices[d].reads) {
         if (choice.one_in(4)) model.devices[d].ends_here.push_back(observed);
@@ -154,10 +158,8 @@ TEST_CASE("default chains are the oldest of all sources that are connected, on r
     for (const ChainResult& found : chains.defaults()) {
       INFO("seed " << seed << ", to " << model.devices[found.to].name);
       CHECK(chains.connected(found.from, found.to));
-      const auto age = [](const ChainResult& c) {
-        return c.acquire_ns && c.decide_ns ? *c.acquire_ns + *c.decide_ns : kNever;
-      };
-      Ns oldest = 0;
+      const auto age = [](const ChainResult& c) { return c.acquire && c.decide ? *c.acquire + *c.decide : kNever; };
+      Duration oldest;
       for (const Rank from : model.devices.ids()) {
         const bool is_source = topology.children[from].empty() || model.devices[from].acquisition;
         if (is_source && chains.connected(from, found.to)) oldest = std::max(oldest, age(chains.bound(from, found.to)));

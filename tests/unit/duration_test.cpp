@@ -41,7 +41,7 @@ TEST_CASE("times are written in the unit that suits them") {
   CHECK(milliseconds(1) == microseconds(1000));
   CHECK(microseconds(1).ns() == 1000);
   CHECK(3 * microseconds(50) - nanoseconds(1) == nanoseconds(149'999));
-  CHECK(-nanoseconds(2) < Duration());
+  CHECK(-nanoseconds(2) < Duration::zero());
 }
 
 TEST_CASE("times are divided as mathematics does") {

@@ -61,8 +61,8 @@ struct Rendered {
     const Plan plan{*planned.robot, planned.forest, planned.schedule};
     timing::AnalysisRequest request;
     request.inputs = true;
-    const auto timing = timing::analyse(timing::make_timing_model(plan.robot, plan.forest, plan.schedule), request,
-                                        planned.diagnostics);
+    const auto model = timing::make_timing_model(plan.robot, plan.forest, plan.schedule, planned.diagnostics).value();
+    const auto timing = timing::analyse(model, request, planned.diagnostics);
     const ProvenBounds bounds{timing::robot_bounds(timing, plan.forest, plan.schedule),
                               timing::instrumented_bounds(plan.robot, plan.forest, plan.schedule)};
     files = render_files(plan, bounds, FINEMOTE_SOURCE_DIR, planned.diagnostics);

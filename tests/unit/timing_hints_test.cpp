@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "duration_literals.hpp"
 #include "generator/timing/remedy.hpp"
 #include "generator/timing/remodel.hpp"
 #include "timing_random.hpp"
@@ -23,8 +24,8 @@ Model unschedulable(std::uint64_t seed) {
     const auto timing = analyse(model, {}, unsaid);
     if (timing && !timing->schedulable) return model;
     for (timing::Device& device : model.devices) {
-      device.update_wcet_ns = device.update_wcet_ns * 5 / 4 + 1;
-      device.handle_wcet_ns = device.handle_wcet_ns * 5 / 4 + 1;
+      device.update_wcet = floor_div(device.update_wcet * 5, 4) + 1_ns;
+      device.handle_wcet = floor_div(device.handle_wcet * 5, 4) + 1_ns;
     }
   }
 }
@@ -37,15 +38,15 @@ Model applied(Model model, const std::vector<Change>& changes) {
       const auto& ones = change.devices;
       const bool moves = change.kind == Change::Kind::period && !flush.devices.empty() &&
                          std::find(ones.begin(), ones.end(), flush.devices.front()) != ones.end();
-      if (moves) flush.period_ns = change.value;
+      if (moves) flush.period = change.period;
     }
     for (const Rank d : change.devices) {
       timing::Device& device = model.devices[d];
       if (change.kind == Change::Kind::period) {
-        device.period_ns = change.value;
+        device.period = change.period;
       } else {
-        device.update_wcet_ns = device.update_wcet_ns * change.value / 1000;
-        device.handle_wcet_ns = device.handle_wcet_ns * change.value / 1000;
+        device.update_wcet = floor_div(device.update_wcet * change.value, 1000);
+        device.handle_wcet = floor_div(device.handle_wcet * change.value, 1000);
       }
     }
   }
@@ -105,7 +106,7 @@ TEST_CASE("the verdict alone is that of the whole analysis, without its chains a
     for (const BusPlace b : whole->bus_loads.ids())
       CHECK(verdict->bus_loads[b].utilization == whole->bus_loads[b].utilization);
     CHECK(verdict->requirements[0].fraction == whole->requirements[0].fraction);
-    CHECK(verdict->requirements[1].value_ns == whole->requirements[1].value_ns);
+    CHECK(verdict->requirements[1].value == whole->requirements[1].value);
     CHECK(verdict->chains.empty());
     CHECK(verdict->tight.trees.empty());
   }
@@ -126,16 +127,16 @@ TEST_CASE("the uses of the processor sum up to its load, largest first") {
 
 TEST_CASE("work is not to blame where interrupts need all the time there is") {
   Model model;
-  model.tick_ns = 1000;
+  model.tick = 1_us;
   timing::Device device;
   device.name = "a";
-  device.period_ns = 10'000;
-  device.update_wcet_ns = 1000;
+  device.period = 10_us;
+  device.update_wcet = 1_us;
   model.devices.push_back(device);
   timing::Bus bus;
   bus.name = "loud";
-  bus.frame_ns = 100;
-  bus.wcet_ns = 100;
+  bus.frame = 100_ns;
+  bus.wcet = 100_ns;
   model.buses.push_back(bus);
   AnalysisRequest request;
   request.remodel = model_remodel(model);
@@ -158,11 +159,11 @@ TEST_CASE("a device below one whose period changes follows, unless it has a peri
       <device name="own" type="sim_load" period="10ms"/>
     </device>)");
   const Remodel remodel = robot_remodel(*robot.robot, robot.forest);
-  const auto model = remodel({{Change::Kind::period, {robot["root"]}, {}, 20'000'000}});
+  const auto model = remodel({{Change::Kind::period, {robot["root"]}, {}, 20_ms}});
   REQUIRE(model);
-  CHECK(model->devices[robot["root"]].period_ns == 20'000'000);
-  CHECK(model->devices[robot["child"]].period_ns == 20'000'000);
-  CHECK(model->devices[robot["own"]].period_ns == 10'000'000);
+  CHECK(model->devices[robot["root"]].period == 20_ms);
+  CHECK(model->devices[robot["child"]].period == 20_ms);
+  CHECK(model->devices[robot["own"]].period == 10_ms);
 }
 
 TEST_CASE("a message that may wait too long has a reason and a way back") {

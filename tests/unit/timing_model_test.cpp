@@ -5,6 +5,7 @@
 #include "generator/diagnostic/render.hpp"
 #include "generator/timing/analyse.hpp"
 #include "generator/timing/read_model.hpp"
+#include "unit/duration_literals.hpp"
 
 using namespace finemote::gen;
 using namespace finemote::gen::timing;
@@ -130,14 +131,14 @@ TEST_CASE("a window between two devices of a bucket holds at every release, also
   // Both periods repeat after a million releases; only some of the slower bucket's jobs are preempted.
   Model model;
   model.devices.resize(3);
-  const auto set = [&](Rank d, const char* name, Ns period, Ns wcet) {
+  const auto set = [&](Rank d, const char* name, Duration period, Duration wcet) {
     model.devices[d].name = name;
-    model.devices[d].period_ns = period;
-    model.devices[d].update_wcet_ns = model.devices[d].handle_wcet_ns = wcet;
+    model.devices[d].period = period;
+    model.devices[d].update_wcet = model.devices[d].handle_wcet = wcet;
   };
-  set(Rank{0}, "fast", 1'000'003, 1'000);
-  set(Rank{1}, "leaf", 1'999'993, 10);
-  set(Rank{2}, "root", 1'999'993, 10);
+  set(Rank{0}, "fast", 1'000'003_ns, 1'000_ns);
+  set(Rank{1}, "leaf", 1'999'993_ns, 10_ns);
+  set(Rank{2}, "root", 1'999'993_ns, 10_ns);
   model.devices[Rank{1}].parent = Rank{2};
   AnalysisRequest request;
   request.chains = {{Rank{1}, Rank{1}}};
@@ -145,9 +146,9 @@ TEST_CASE("a window between two devices of a bucket holds at every release, also
   const auto timing = analyse(model, request, diagnostics);
   REQUIRE(timing);
   for (const ChainResult& chain : timing->chains) {
-    if (chain.to == Rank{1}) CHECK(*chain.decide_ns == 2'040);
+    if (chain.to == Rank{1}) CHECK(*chain.decide == 2'040_ns);
   }
-  CHECK(*timing->tight.devices[Rank{1}].window_ns == 2'040);
+  CHECK(*timing->tight.devices[Rank{1}].window == 2'040_ns);
 }
 
 TEST_CASE("a budget may count interrupts that come in one of so many periods") {
@@ -162,7 +163,7 @@ TEST_CASE("a budget may count interrupts that come in one of so many periods") {
   const auto timing = analyse(*model, {}, diagnostics);
   REQUIRE(timing);
   // In a window of two periods: three in each of them, and the seven once.
-  CHECK(*timing->target->devices[Rank{0}].r_minus_ns == 200 + 1 + (2 * 3 + 7) * 2);
+  CHECK(*timing->target->devices[Rank{0}].r_minus == nanoseconds(200 + 1 + (2 * 3 + 7) * 2));
   CHECK(
       messages(R"({"tick_ns":10,"buses":[{"name":"b","baud_bps":1,"min_frame_bits":1,"wcet_ns":0,"sources":[{"name":"s",
 "wcet_ns":0,"min_interval_ns":1,"budgets":[{"device":"a","count":1,"every":0}]}]}],"devices":[{"name":"a","period_ns":10,
@@ -187,7 +188,7 @@ std::string can_model(bool known, const std::string& commands, int wire) {
 }
 
 struct OnCan {
-  Ns report, command;
+  Duration report, command;
 };
 
 OnCan on_can(const std::string& text, Rank part) {
@@ -204,9 +205,9 @@ OnCan on_can(const std::string& text, Rank part) {
                                   [&](const ChainResult& c) { return c.from == part && c.to == part; });
   REQUIRE(found != timing->chains.end());
   const ChainResult& chain = *found;
-  REQUIRE(chain.acquire_ns);
-  REQUIRE(chain.wire_ns);
-  return {*chain.acquire_ns - 1000, *chain.wire_ns};
+  REQUIRE(chain.acquire);
+  REQUIRE(chain.wire);
+  return {*chain.acquire - 1000_ns, *chain.wire};
 }
 
 }  // namespace
@@ -214,18 +215,18 @@ OnCan on_can(const std::string& text, Rank part) {
 TEST_CASE("identifiers say which frames go first on a bus that arbitrates") {
   // One frame that has begun, then those with smaller identifiers, then its own.
   const std::string one = can_model(true, "[512]", 135);
-  CHECK(on_can(one, Rank{0}).report == 3 * 135);
-  CHECK(on_can(one, Rank{2}).report == 5 * 135);
-  CHECK(on_can(one, Rank{0}).command == 2 * 135);
+  CHECK(on_can(one, Rank{0}).report == 3 * 135_ns);
+  CHECK(on_can(one, Rank{2}).report == 5 * 135_ns);
+  CHECK(on_can(one, Rank{0}).command == 2 * 135_ns);
   // Of two frames of commands the second may wait for the first; both go before every report.
   const std::string two = can_model(true, "[511,512]", 270);
-  CHECK(on_can(two, Rank{0}).report == 4 * 135);
-  CHECK(on_can(two, Rank{2}).report == 6 * 135);
-  CHECK(on_can(two, Rank{0}).command == 4 * 135);
+  CHECK(on_can(two, Rank{0}).report == 4 * 135_ns);
+  CHECK(on_can(two, Rank{2}).report == 6 * 135_ns);
+  CHECK(on_can(two, Rank{0}).command == 4 * 135_ns);
   // Unknown ones may all be more urgent.
   const std::string unknown = can_model(false, "", 135);
-  CHECK(on_can(unknown, Rank{0}).report == 5 * 135);
-  CHECK(on_can(unknown, Rank{0}).command == 5 * 135);
+  CHECK(on_can(unknown, Rank{0}).report == 5 * 135_ns);
+  CHECK(on_can(unknown, Rank{0}).command == 5 * 135_ns);
 }
 
 TEST_CASE("a suggested order keeps what is read before its readers") {

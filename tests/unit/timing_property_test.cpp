@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "catch.hpp"
+#include "duration_literals.hpp"
 #include "generator/simulate/simulate.hpp"
 #include "generator/timing/analyse.hpp"
 #include "generator/timing/json.hpp"
@@ -41,9 +42,9 @@ std::vector<ChainEnds> leaf_pairs(const Topology& topology) {
   return chains;
 }
 
-Ns run_length(const Model& model) {
-  Ns common = 1;
-  for (const Device& d : model.devices) common = lcm(common, d.period_ns);
+Duration run_length(const Model& model) {
+  Duration common = nanoseconds(1);
+  for (const Device& d : model.devices) common = lcm(common, d.period);
   return 4 * common;
 }
 
@@ -52,16 +53,16 @@ std::string violation(const Model& model, const ProfileResult& bounds, const Sim
   for (const Rank d : model.devices.ids()) {
     const DeviceResult& b = bounds.devices[d];
     const Simulation::DeviceWorst& w = run.devices[d];
-    if (!b.r_minus_ns) continue;
-    if (w.update_response > *b.r_plus_ns) return "R+ of " + model.devices[d].name;
-    if (w.response > *b.r_minus_ns) return "R- of " + model.devices[d].name;
-    if (b.window_ns && w.window > *b.window_ns) return "window of " + model.devices[d].name;
+    if (!b.r_minus) continue;
+    if (w.update_response > *b.r_plus) return "R+ of " + model.devices[d].name;
+    if (w.response > *b.r_minus) return "R- of " + model.devices[d].name;
+    if (b.window && w.window > *b.window) return "window of " + model.devices[d].name;
   }
   std::size_t chain = 0;
   for (const TreeResult& tree : bounds.trees) {
     for (const PathResult& path : tree.paths) {
-      const Ns seen = run.chains[chain++].latency;
-      if (path.latency_ns && seen > *path.latency_ns) return "latency of " + model.devices[path.leaf].name;
+      const Duration seen = run.chains[chain++].latency;
+      if (path.latency && seen > *path.latency) return "latency of " + model.devices[path.leaf].name;
     }
   }
   return {};
@@ -71,15 +72,17 @@ std::string violation(const Model& model, const ProfileResult& bounds, const Sim
 /// unfinished.
 bool ends_before_period(const ProfileResult& bounds) {
   return std::all_of(bounds.buckets.begin(), bounds.buckets.end(),
-                     [](const BucketResult& b) { return *b.response_ns < b.period_ns; });
+                     [](const BucketResult& b) { return *b.response < b.period; });
 }
 
+std::optional<Ns> ns(std::optional<Duration> time) { return time ? std::optional(time->ns()) : std::nullopt; }
+
 void check_path(const PathResult& found, std::optional<Reference::Path> expected) {
-  REQUIRE(found.latency_ns.has_value() == expected.has_value());
+  REQUIRE(found.latency.has_value() == expected.has_value());
   if (!expected) return;
-  CHECK(*found.latency_ns == expected->value);
-  CHECK(*found.release_ns == expected->release);
-  CHECK(*found.source_release_ns == expected->source);
+  CHECK(found.latency->ns() == expected->value);
+  CHECK(found.release->ns() == expected->release);
+  CHECK(found.source_release->ns() == expected->source);
 }
 
 void check_profile(const Model& model, Profile profile) {
@@ -87,21 +90,21 @@ void check_profile(const Model& model, Profile profile) {
   const ProfileResult found = analyse_profile(model, topology, profile).result;
   Reference reference(model, profile == Profile::tight);
   for (const Rank d : model.devices.ids()) {
-    CHECK(found.devices[d].r_plus_ns == reference.r(d, false));
-    CHECK(found.devices[d].r_minus_ns == reference.r(d, true));
-    if (profile == Profile::tight) CHECK(found.devices[d].window_ns == reference.window(d));
+    CHECK(ns(found.devices[d].r_plus) == reference.r(d, false));
+    CHECK(ns(found.devices[d].r_minus) == reference.r(d, true));
+    if (profile == Profile::tight) CHECK(ns(found.devices[d].window) == reference.window(d));
   }
   for (const TreeResult& tree : found.trees) {
     Ns cross = 0;
     for (const PathResult& path : tree.paths) {
       check_path(path, reference.path(path.leaf, path.leaf));
       for (const PathResult& other : tree.paths) {
-        if (!tree.cross_latency_ns) break;
+        if (!tree.cross_latency) break;
         cross = std::max(cross, reference.path(other.leaf, path.leaf)->value);
       }
     }
-    if (tree.cross_latency_ns) CHECK(*tree.cross_latency_ns == cross);
-    if (tree.corollary_ns) CHECK(*tree.corollary_ns == *tree.latency_ns);
+    if (tree.cross_latency) CHECK(tree.cross_latency->ns() == cross);
+    if (tree.corollary) CHECK(*tree.corollary == *tree.latency);
   }
 }
 
@@ -153,8 +156,8 @@ TEST_CASE("no simulated pair of leaves is above the cross latency") {
       std::size_t chain = 0;
       for (const TreeResult& tree : bounds.trees) {
         for (std::size_t pair = 0; pair < tree.paths.size() * tree.paths.size(); ++pair) {
-          const Ns seen = run.chains[chain++].latency;
-          if (tree.cross_latency_ns) CHECK(seen <= *tree.cross_latency_ns);
+          const Duration seen = run.chains[chain++].latency;
+          if (tree.cross_latency) CHECK(seen <= *tree.cross_latency);
         }
       }
     }
@@ -185,17 +188,17 @@ TEST_CASE("no simulated chain is above its decision bound, through reads or not"
         const Simulation run = simulate(model, {seed, run_length(model), profile, ends});
         for (const Simulation::ChainWorst& seen : run.chains) {
           const ChainResult bound = chains.bound(seen.ends.from, seen.ends.to);
-          if (!bound.decide_ns) continue;
+          if (!bound.decide) continue;
           INFO("seed " << seed << " " << seen.ends.from.value() << "->" << seen.ends.to.value() << " "
                        << model_json(model).dump());
-          CHECK(seen.latency <= *bound.decide_ns);
+          CHECK(seen.latency <= *bound.decide);
           ++compared;
           through_reads += bound.through_reads ? 1 : 0;
         }
         for (const TreeResult& tree : analysis.result.trees) {
           for (const PathResult& path : tree.paths) {
-            if (!model.devices[path.leaf].reads.empty() || !path.latency_ns) continue;
-            CHECK(*chains.bound(path.leaf, path.leaf).decide_ns >= *path.latency_ns);
+            if (!model.devices[path.leaf].reads.empty() || !path.latency) continue;
+            CHECK(*chains.bound(path.leaf, path.leaf).decide >= *path.latency);
           }
         }
       }
@@ -220,10 +223,10 @@ TEST_CASE("the default chains of a large tree are at least those of every pair")
       REQUIRE(exact.size() == quick.size());
       for (std::size_t c = 0; c < exact.size(); ++c) {
         REQUIRE(exact[c].to == quick[c].to);
-        REQUIRE(exact[c].decide_ns.has_value() == quick[c].decide_ns.has_value());
-        if (!exact[c].decide_ns) continue;
-        CHECK(*quick[c].decide_ns >= *exact[c].decide_ns);
-        CHECK(*quick[c].decide_ns >= *pairs.bound(quick[c].from, quick[c].to).decide_ns);
+        REQUIRE(exact[c].decide.has_value() == quick[c].decide.has_value());
+        if (!exact[c].decide) continue;
+        CHECK(*quick[c].decide >= *exact[c].decide);
+        CHECK(*quick[c].decide >= *pairs.bound(quick[c].from, quick[c].to).decide);
       }
     }
   }
@@ -241,11 +244,11 @@ TEST_CASE("every classic mistake is caught by the same property") {
         Reference wrong(model, false, mistakes);
         ProfileResult bounds = real.result;
         for (const Rank d : model.devices.ids()) {
-          bounds.devices[d].r_plus_ns = wrong.r(d, false);
-          bounds.devices[d].r_minus_ns = wrong.r(d, true);
+          bounds.devices[d].r_plus = nanoseconds(*wrong.r(d, false));
+          bounds.devices[d].r_minus = nanoseconds(*wrong.r(d, true));
         }
         for (TreeResult& tree : bounds.trees) {
-          for (PathResult& path : tree.paths) path.latency_ns = wrong.path(path.leaf, path.leaf)->value;
+          for (PathResult& path : tree.paths) path.latency = nanoseconds(wrong.path(path.leaf, path.leaf)->value);
         }
         const Simulation run = simulate(model, {11, run_length(model), Profile::tight, leaf_paths(topology)});
         count += violation(model, bounds, run).empty() ? 0 : 1;
@@ -261,21 +264,21 @@ TEST_CASE("every classic mistake is caught by the same property") {
 
 TEST_CASE("below an empty bucket the rule of the cases is kept, and profile target is safe") {
   Model model;
-  model.tick_ns = 10;
+  model.tick = 10_ns;
   Device slow, fast;
   slow.name = "slow";
   slow.parent = Rank{1};
-  slow.period_ns = 40;
-  slow.handle_wcet_ns = 1;
+  slow.period = 40_ns;
+  slow.handle_wcet = 1_ns;
   fast.name = "fast";
-  fast.period_ns = 10;
+  fast.period = 10_ns;
   model.devices = {slow, fast};
   const Topology topology = make_topology(model);
   const auto bound = [&](Profile profile) {
-    return *analyse_profile(model, topology, profile).result.trees.front().latency_ns;
+    return *analyse_profile(model, topology, profile).result.trees.front().latency;
   };
-  const Simulation run = simulate(model, {1, 400, Profile::tight, {{Rank{0}, Rank{0}}}});
-  CHECK(bound(Profile::tight) == 1);
-  CHECK(run.chains.front().latency == 41);
-  CHECK(bound(Profile::target) == 41);
+  const Simulation run = simulate(model, {1, 400_ns, Profile::tight, {{Rank{0}, Rank{0}}}});
+  CHECK(bound(Profile::tight) == 1_ns);
+  CHECK(run.chains.front().latency == 41_ns);
+  CHECK(bound(Profile::target) == 41_ns);
 }

@@ -18,11 +18,11 @@ class RandomForest {
 
   Model make(ForestClass kind) {
     Model model;
-    model.tick_ns = kTick;
+    model.tick = nanoseconds(kTick);
     periods_ = periods(kind);
     zero_one_in_ = random_.one_in(2) ? 3 : 1'000'000;
-    const Ns trees = random_.between(1, 3);
-    for (Ns tree = 0; tree < trees; ++tree) grow(model, kind, random_.between(1, 6));
+    const std::int64_t trees = random_.between(1, 3);
+    for (std::int64_t tree = 0; tree < trees; ++tree) grow(model, kind, random_.between(1, 6));
     scale_costs(model);
     fill_empty_buckets(model);
     add_buses(model);
@@ -32,22 +32,21 @@ class RandomForest {
   /// Costs, interrupt sources with budgets, copies and flushes on top.
   void extend(Model& model) {
     model.has_target = true;
-    model.costs = {random_.between(0, 3), random_.between(0, 2), random_.between(0, 1),
-                   random_.between(0, 4), random_.between(0, 1), random_.between(0, 4)};
+    model.costs = {up_to(3), up_to(2), up_to(1), up_to(4), up_to(1), up_to(4)};
     for (Device& d : model.devices) {
-      d.update_bcet_ns = random_.between(0, d.update_wcet_ns);
-      d.update_extra_ns = random_.between(0, 2);
-      d.handle_extra_ns = random_.between(0, 2);
+      d.update_bcet = random_.between({}, d.update_wcet);
+      d.update_extra = up_to(2);
+      d.handle_extra = up_to(2);
     }
-    if (random_.one_in(2))
-      model.flushes.push_back({model.devices[Rank{}].period_ns, random_.between(0, 6), {}, 0, 1, {}, {}, {}});
+    if (random_.one_in(2)) model.flushes.push_back({model.devices[Rank{}].period, up_to(6), {}, {}, 1, {}, {}, {}});
     for (Bus& bus : model.buses) {
       if (random_.one_in(3)) continue;
       bus.sources.emplace();
-      for (Ns i = random_.between(1, 2); i > 0; --i) {
-        InterruptSource source{"source", random_.between(0, 4), random_.between(5, 80), {}};
+      for (std::int64_t i = random_.between(1, 2); i > 0; --i) {
+        InterruptSource source{"source", up_to(4), nanoseconds(random_.between(5, 80)), {}};
         if (random_.one_in(2)) {
-          const Rank device{static_cast<std::size_t>(random_.between(0, static_cast<Ns>(model.devices.size()) - 1))};
+          const Rank device{
+              static_cast<std::size_t>(random_.between(0, static_cast<std::int64_t>(model.devices.size()) - 1))};
           source.budgets.push_back({device, random_.between(0, 3), random_.between(1, 3)});
         }
         bus.sources->push_back(source);
@@ -58,15 +57,15 @@ class RandomForest {
   /// Lets some devices read devices of other trees, without cycles: readers are in later trees than what they read, or
   /// in earlier ones, but not both.
   void observe(Model& model) {
-    Table<Rank, Ns> tree(model.devices.size());
-    Ns trees = 0;
+    Table<Rank, std::int64_t> tree(model.devices.size());
+    std::int64_t trees = 0;
     for (const Rank d : tree.ids()) {
       tree[d] = trees;
       if (!model.devices[d].parent) ++trees;
     }
     const bool forward = random_.one_in(2);
-    const auto last = static_cast<Ns>(model.devices.size()) - 1;
-    for (Ns i = random_.between(1, 3); i > 0; --i) {
+    const auto last = static_cast<std::int64_t>(model.devices.size()) - 1;
+    for (std::int64_t i = random_.between(1, 3); i > 0; --i) {
       const Rank reader{static_cast<std::size_t>(random_.between(0, last))};
       const Rank observed{static_cast<std::size_t>(random_.between(0, last))};
       if (forward ? tree[observed] < tree[reader] : tree[reader] < tree[observed]) {
@@ -76,76 +75,82 @@ class RandomForest {
   }
 
  private:
-  static constexpr Ns kTick = 20;
+  Duration up_to(std::int64_t most_ns) { return nanoseconds(random_.between(0, most_ns)); }
 
-  std::vector<Ns> periods(ForestClass kind) {
-    static const std::vector<std::vector<Ns>> kHarmonic{{5, 10, 20}, {4, 8, 16}, {3, 6, 12}, {2, 10, 20}};
-    static const std::vector<std::vector<Ns>> kOther{{4, 6, 10}, {2, 3, 5},  {3, 5, 7},
-                                                     {4, 6, 9},  {5, 7, 10}, {6, 7, 8}};
+  static constexpr std::int64_t kTick = 20;  ///< [ns]
+
+  std::vector<std::int64_t> periods(ForestClass kind) {
+    static const std::vector<std::vector<std::int64_t>> kHarmonic{{5, 10, 20}, {4, 8, 16}, {3, 6, 12}, {2, 10, 20}};
+    static const std::vector<std::vector<std::int64_t>> kOther{{4, 6, 10}, {2, 3, 5},  {3, 5, 7},
+                                                               {4, 6, 9},  {5, 7, 10}, {6, 7, 8}};
     if (kind == ForestClass::same_period) return {random_.between(4, 20)};
     const auto& sets = kind == ForestClass::non_harmonic ? kOther : kHarmonic;
-    return sets[static_cast<std::size_t>(random_.between(0, static_cast<Ns>(sets.size()) - 1))];
+    return sets[static_cast<std::size_t>(random_.between(0, static_cast<std::int64_t>(sets.size()) - 1))];
   }
 
   /// One tree in registration order: a random parent for every device but the last.
-  void grow(Model& model, ForestClass kind, Ns count) {
+  void grow(Model& model, ForestClass kind, std::int64_t count) {
     const std::size_t begin = model.devices.size(), end = begin + static_cast<std::size_t>(count);
     std::vector<std::size_t> rank(end, 0);  // index into periods_
     std::vector<Device> tree;               // root first
     for (std::size_t d = end; d-- > begin;) {
       Device device;
       device.name = "d" + std::to_string(d);
-      Ns low = 0, high = static_cast<Ns>(periods_.size()) - 1;
+      std::int64_t low = 0, high = static_cast<std::int64_t>(periods_.size()) - 1;
       if (d + 1 < end) {
-        const auto parent = static_cast<std::size_t>(random_.between(static_cast<Ns>(d) + 1, static_cast<Ns>(end) - 1));
+        const auto parent = static_cast<std::size_t>(
+            random_.between(static_cast<std::int64_t>(d) + 1, static_cast<std::int64_t>(end) - 1));
         device.parent = Rank{parent};
-        const auto limit = static_cast<Ns>(rank[parent]);
+        const auto limit = static_cast<std::int64_t>(rank[parent]);
         if (kind == ForestClass::parent_slower) high = limit;
         if (kind == ForestClass::parent_faster) low = limit;
       }
       rank[d] = static_cast<std::size_t>(random_.between(low, high));
-      device.period_ns = periods_[rank[d]] * kTick;
+      device.period = nanoseconds(periods_[rank[d]] * kTick);
       tree.push_back(device);
     }
     for (auto device = tree.rbegin(); device != tree.rend(); ++device) model.devices.push_back(*device);
   }
 
   void scale_costs(Model& model) {
-    const Ns load = random_.between(10, 90);  // percent of the processor, roughly
-    const auto count = static_cast<Ns>(model.devices.size());
+    const std::int64_t load = random_.between(10, 90);  // percent of the processor, roughly
+    const auto count = static_cast<std::int64_t>(model.devices.size());
     for (Device& d : model.devices) {
-      const Ns share = std::max<Ns>(1, d.period_ns * load / 100 / count);
-      d.update_wcet_ns = random_.one_in(zero_one_in_) ? 0 : random_.between(0, share);
-      d.handle_wcet_ns = random_.one_in(zero_one_in_) ? 0 : random_.between(0, share);
-      if (zero_one_in_ > 3) d.update_wcet_ns += d.update_wcet_ns == 0, d.handle_wcet_ns += d.handle_wcet_ns == 0;
+      const std::int64_t share = std::max<std::int64_t>(1, d.period.ns() * load / 100 / count);
+      d.update_wcet = random_.one_in(zero_one_in_) ? Duration::zero() : up_to(share);
+      d.handle_wcet = random_.one_in(zero_one_in_) ? Duration::zero() : up_to(share);
+      if (zero_one_in_ > 3) {
+        d.update_wcet = std::max(d.update_wcet, nanoseconds(1));
+        d.handle_wcet = std::max(d.handle_wcet, nanoseconds(1));
+      }
     }
   }
 
   /// The rule of the cases is not safe below buckets that are empty as a whole; see the test of that name.
   static void fill_empty_buckets(Model& model) {
     for (Device& d : model.devices) {
-      Ns cost = 0;
+      Duration cost;
       for (const Device& o : model.devices)
-        cost += o.period_ns == d.period_ns ? o.update_wcet_ns + o.handle_wcet_ns : 0;
-      if (cost == 0) d.handle_wcet_ns = 1;
+        cost += o.period == d.period ? o.update_wcet + o.handle_wcet : Duration::zero();
+      if (cost == Duration::zero()) d.handle_wcet = nanoseconds(1);
     }
   }
 
   void add_buses(Model& model) {
-    for (Ns i = random_.between(0, 3); i > 0; --i) {
+    for (std::int64_t i = random_.between(0, 3); i > 0; --i) {
       Bus bus;
       bus.name = "b" + std::to_string(i);
       bus.baud_bps = 300'000'000;  // one bit is 10/3 ns: frame times are fractions
       bus.min_frame_bits = random_.between(3, 40);
-      bus.frame_ns = bus.min_frame_bits * 1'000'000'000 / bus.baud_bps;
-      bus.wcet_ns = random_.between(0, std::max<Ns>(1, bus.frame_ns / 5));
+      bus.frame = floor_div(bus.min_frame_bits * seconds(1), bus.baud_bps);
+      bus.wcet = random_.between({}, std::max(nanoseconds(1), floor_div(bus.frame, 5)));
       model.buses.push_back(bus);
     }
   }
 
   Random random_;
-  std::vector<Ns> periods_;
-  Ns zero_one_in_ = 3;
+  std::vector<std::int64_t> periods_;  ///< in ticks
+  std::int64_t zero_one_in_ = 3;
 };
 
 }  // namespace finemote::gen::timing

@@ -13,6 +13,8 @@
 
 namespace finemote::gen::timing {
 
+using Ns = std::int64_t;  ///< whole nanoseconds
+
 struct Mistakes {
   bool truncating_division = false;  ///< `/` instead of floor
   bool literal_zero_rule = false;    ///< least fixed point of an empty stage taken as it stands
@@ -22,21 +24,21 @@ struct Mistakes {
 class Reference {
  public:
   Reference(const Model& model, bool tight, Mistakes mistakes = {}) : m_(model), tight_(tight), mistakes_(mistakes) {
-    for (const Device& d : m_.devices) periods_.insert(d.period_ns);
+    for (const Device& d : m_.devices) periods_.insert(d.period.ns());
     for (const Bus& b : m_.buses) {
       const Ns bits = b.min_frame_bits * 1'000'000'000;
       const Ns frame = mistakes.ceiled_frame_times ? (bits + b.baud_bps - 1) / b.baud_bps : bits / b.baud_bps;
-      streams_.push_back({tight ? frame : std::min(frame, m_.tick_ns), b.wcet_ns});
+      streams_.push_back({tight ? frame : std::min(frame, m_.tick.ns()), b.wcet.ns()});
     }
     for (const Ns t : periods_) {
       Ns cost = 0;
-      for (const Device& d : m_.devices) cost += d.period_ns == t ? d.update_wcet_ns + d.handle_wcet_ns : 0;
+      for (const Device& d : m_.devices) cost += d.period.ns() == t ? d.update_wcet.ns() + d.handle_wcet.ns() : 0;
       cost_[t] = cost;
     }
     for (const Ns t : periods_) ok_[t] = bucket_ok(t);
   }
 
-  [[nodiscard]] bool ok(Rank d) const { return ok_.at(m_.devices[d].period_ns); }
+  [[nodiscard]] bool ok(Rank d) const { return ok_.at(m_.devices[d].period.ns()); }
 
   [[nodiscard]] std::optional<Ns> r(Rank d, bool handle) const { return ok(d) ? general(d, handle) : std::nullopt; }
 
@@ -46,7 +48,7 @@ class Reference {
     if (const auto known = responses_.find(key); known != responses_.end()) return known->second;
     const Ns cap = *general(d, handle);
     if (!tight_) return cap;
-    const Ns b = base(d, handle), e = extra(d, handle), period = m_.devices[d].period_ns;
+    const Ns b = base(d, handle), e = extra(d, handle), period = m_.devices[d].period.ns();
     Ns worst = from_start(b, e, t, t, period);
     for (const Ns urgent : periods_) {
       if (urgent >= period || cost_[urgent] == 0) continue;
@@ -62,14 +64,14 @@ class Reference {
     const Ns e = extra(d, true), response = r_at(d, true, t);
     Ns w = 0;
     for (const Rank o : m_.devices.ids()) {
-      if (o >= d && m_.devices[o].period_ns == device.period_ns)
-        w += m_.devices[o].update_wcet_ns + m_.devices[o].handle_wcet_ns;
+      if (o >= d && m_.devices[o].period.ns() == device.period.ns())
+        w += m_.devices[o].update_wcet.ns() + m_.devices[o].handle_wcet.ns();
     }
     for (Ns x = w + e;;) {
       Ns need = w + e;
       for (const auto& [p, c] : streams_) need += (x + p - 1) / p * c;
       for (const Ns u : periods_) {
-        if (u >= device.period_ns) continue;
+        if (u >= device.period.ns()) continue;
         const Ns k = fl(t + response - 1 + e, u) - fl(t, u);
         need += std::min((x + u - 1) / u, k) * cost_[u];
       }
@@ -81,7 +83,7 @@ class Reference {
   std::optional<Ns> window(Rank d) {
     if (!ok(d)) return std::nullopt;
     Ns worst = 0;
-    for (Ns t = 0; t < repeat(d); t += m_.devices[d].period_ns) worst = std::max(worst, window_at(d, t));
+    for (Ns t = 0; t < repeat(d); t += m_.devices[d].period.ns()) worst = std::max(worst, window_at(d, t));
     return worst;
   }
 
@@ -96,12 +98,12 @@ class Reference {
     for (const auto& way : {down, up}) {
       for (std::size_t i = 0; i < way.size(); ++i) {
         if (!ok(way[i])) return std::nullopt;
-        common = std::lcm(common, m_.devices[way[i]].period_ns);
+        common = std::lcm(common, m_.devices[way[i]].period.ns());
         if (tight_) common = std::lcm(common, repeat(way[i]));
       }
     }
     Path worst;
-    for (Ns t = 0; t < common; t += m_.devices[to].period_ns) {
+    for (Ns t = 0; t < common; t += m_.devices[to].period.ns()) {
       Ns x = t;
       for (std::size_t i = 1; i < down.size(); ++i) x = back(x, down[i], down[i - 1], true);
       for (std::size_t i = up.size() - 1; i-- > 0;) x = back(x, up[i], up[i + 1], false);
@@ -121,20 +123,20 @@ class Reference {
   [[nodiscard]] Ns base(Rank d, bool handle) const {
     Ns sum = 0;
     for (const Rank o : m_.devices.ids()) {
-      if (m_.devices[o].period_ns != m_.devices[d].period_ns) continue;
-      if (handle || o <= d) sum += m_.devices[o].update_wcet_ns;
-      if (handle && o >= d) sum += m_.devices[o].handle_wcet_ns;
+      if (m_.devices[o].period.ns() != m_.devices[d].period.ns()) continue;
+      if (handle || o <= d) sum += m_.devices[o].update_wcet.ns();
+      if (handle && o >= d) sum += m_.devices[o].handle_wcet.ns();
     }
     return sum;
   }
 
   [[nodiscard]] Ns extra(Rank d, bool handle) const {
     if (mistakes_.literal_zero_rule) return 0;
-    return (handle ? m_.devices[d].handle_wcet_ns : m_.devices[d].update_wcet_ns) == 0 ? 1 : 0;
+    return (handle ? m_.devices[d].handle_wcet.ns() : m_.devices[d].update_wcet.ns()) == 0 ? 1 : 0;
   }
 
   [[nodiscard]] std::optional<Ns> general(Rank d, bool handle) const {
-    const Ns period = m_.devices[d].period_ns, e = extra(d, handle), b = base(d, handle) + e;
+    const Ns period = m_.devices[d].period.ns(), e = extra(d, handle), b = base(d, handle) + e;
     for (Ns x = b;;) {
       if (x - e > period) return std::nullopt;
       Ns need = b;
@@ -147,7 +149,7 @@ class Reference {
 
   [[nodiscard]] bool bucket_ok(Ns period) const {
     for (const Rank d : m_.devices.ids()) {
-      if (m_.devices[d].period_ns == period) return general(d, true).has_value();
+      if (m_.devices[d].period.ns() == period) return general(d, true).has_value();
     }
     return false;
   }
@@ -178,7 +180,7 @@ class Reference {
   /// All releases of the device's bucket look alike again after this.
   [[nodiscard]] Ns repeat(Rank d) const {
     Ns common = 1;
-    for (const Ns t : periods_) common = t <= m_.devices[d].period_ns ? std::lcm(common, t) : common;
+    for (const Ns t : periods_) common = t <= m_.devices[d].period.ns() ? std::lcm(common, t) : common;
     return common;
   }
 
@@ -189,8 +191,8 @@ class Reference {
   }
 
   Ns back(Ns x, Rank producer, Rank consumer, bool handle) {
-    const Ns period = m_.devices[producer].period_ns;
-    const bool slower = period > m_.devices[consumer].period_ns;
+    const Ns period = m_.devices[producer].period.ns();
+    const bool slower = period > m_.devices[consumer].period.ns();
     if (!tight_) return fl(x - (slower ? *general(producer, handle) : 0), period) * period;
     const Ns q = fl(x, period) * period;
     return slower && q + r_at(producer, handle, q) > x ? q - period : q;

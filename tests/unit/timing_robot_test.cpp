@@ -4,6 +4,7 @@
 #include "catch.hpp"
 #include "generator/simulate/beside_bounds.hpp"
 #include "generator/timing/table.hpp"
+#include "unit/duration_literals.hpp"
 #include "unit/timing_robots.hpp"
 
 using namespace finemote::gen;
@@ -32,20 +33,20 @@ TEST_CASE("finsrov is schedulable with the costs of the board, and keeps its req
 
   // Costs come on top of the work alone, whatever the interrupts do.
   for (const Rank d : finsrov.model.devices.ids()) {
-    CHECK(timing->target->devices[d].b_minus_ns > timing->tight.devices[d].b_minus_ns);
-    CHECK(*timing->target->devices[d].r_minus_ns > timing->target->devices[d].b_minus_ns);
+    CHECK(timing->target->devices[d].b_minus > timing->tight.devices[d].b_minus);
+    CHECK(*timing->target->devices[d].r_minus > timing->target->devices[d].b_minus);
   }
   // The sensor with the oldest data is asked for its pressure; the attitude comes by itself.
   const ChainResult& attitude = chain(*timing, "imu", "thruster_1");
-  CHECK(*attitude.acquire_ns >= 5'000'000 + 1'000'000 + 67 * 10 * std::int64_t{1'000'000'000} / 921'600);
-  CHECK(*attitude.wire_ns >= 33 * 9 * 2'500);  // the burst to eight channels
-  CHECK(*attitude.end_to_end_ns == *attitude.acquire_ns + *attitude.decide_ns + *attitude.wire_ns);
+  CHECK(*attitude.acquire >= 5_ms + 1_ms + floor_div(67 * 10 * 1_s, 921'600));
+  CHECK(*attitude.wire >= 33 * 9 * 2'500_ns);  // the burst to eight channels
+  CHECK(*attitude.end_to_end == *attitude.acquire + *attitude.decide + *attitude.wire);
 }
 
 TEST_CASE("finsrov simulates below its bounds") {
   Robots finsrov("examples/finsrov.urdf");
   SimulationRequest request;
-  request.duration_ns = 2'000'000'000;
+  request.duration = 2_s;
   std::ostringstream trace;
   Diagnostics diagnostics;
   const auto simulated = simulate_beside_bounds(finsrov.model, request, diagnostics, &trace);
@@ -58,7 +59,7 @@ TEST_CASE("finsrov simulates below its bounds") {
 
 TEST_CASE("tracing costs time") {
   Robots plain("examples/finsrov.urdf"), traced("examples/finsrov.urdf", {true, false, {}});
-  CHECK(traced.model.costs.stage_ns > plain.model.costs.stage_ns);
+  CHECK(traced.model.costs.stage > plain.model.costs.stage);
 }
 
 TEST_CASE("an expander driven from two buckets may send a command with a later flush") {
@@ -69,24 +70,24 @@ TEST_CASE("an expander driven from two buckets may send a command with a later f
     Diagnostics diagnostics;
     const auto timing = analyse(model, request, diagnostics);
     REQUIRE(timing);
-    REQUIRE(timing->target->devices[Rank{5}].r_minus_ns);
-    return chain(*timing, model.devices[Rank{0}].name, model.devices[Rank{5}].name).wire_ns;
+    REQUIRE(timing->target->devices[Rank{5}].r_minus);
+    return chain(*timing, model.devices[Rank{0}].name, model.devices[Rank{5}].name).wire;
   };
   timing::Model model = finsrov.model;
   REQUIRE(model.flushes.size() == 1);
   REQUIRE(model.flushes[0].output == "pwm");
-  model.flushes[0].wire_ns = 100'000;
+  model.flushes[0].wire = 100_us;
   model.flushes[0].interrupts = 1;
   const auto alone = wire_of(model);
   REQUIRE(alone);
   Flush fast = model.flushes[0];
-  fast.period_ns = 5'000'000;
+  fast.period = 5_ms;
   fast.devices = {Rank{0}};
   model.flushes.push_back(fast);
   const auto shared = wire_of(model);
   REQUIRE(shared);
-  CHECK(*shared > 5'000'000 + model.flushes[0].wire_ns);  // T of the fastest; its urgency is higher than alone
-  CHECK(*shared < 2 * *alone + 3 * 1'000'000 + 5'000'000 + 1'000'000);  // and not much more
+  CHECK(*shared > 5_ms + model.flushes[0].wire);         // T of the fastest; its urgency is higher than alone
+  CHECK(*shared < 2 * *alone + 3 * 1_ms + 5_ms + 1_ms);  // and not much more
   model.flushes.back().output = "another";
   const auto apart = wire_of(model);
   REQUIRE(apart);
@@ -123,7 +124,7 @@ TEST_CASE("a device with an interrupt line of its own takes no interrupts from t
     Diagnostics findings;
     const auto timing = analyse(robot.model, {}, findings);
     REQUIRE(timing);
-    return timing->target->devices[robot["slow"]].r_plus_ns;
+    return timing->target->devices[robot["slow"]].r_plus;
   };
   const Robots before = Robots::with(bus + ranger + depth + load), behind = Robots::with(bus + depth + ranger + load);
   for (const Robots* robot : {&before, &behind}) {

@@ -13,7 +13,7 @@ struct Robots : RobotPlan {
 
   /// @param name  of a file, from the top of the project.
   explicit Robots(const std::string& name, const RobotTimingOptions& options = {})
-      : RobotPlan(RobotFile{name}), model(make_timing_model(*robot, forest, schedule, options)) {}
+      : RobotPlan(RobotFile{name}), model(make_timing_model(*robot, forest, schedule, diagnostics, options).value()) {}
 
   /// A Type C board with `inner` in its <finemote>.
   static Robots with(const std::string& inner) { return Robots(Inner{inner}); }
@@ -31,7 +31,8 @@ struct Robots : RobotPlan {
   struct Inner {
     const std::string& text;
   };
-  explicit Robots(const Inner& inner) : RobotPlan(inner.text), model(make_timing_model(*robot, forest, schedule, {})) {}
+  explicit Robots(const Inner& inner)
+      : RobotPlan(inner.text), model(make_timing_model(*robot, forest, schedule, diagnostics).value()) {}
 };
 
 inline const ChainResult& chain(const Timing& timing, const std::string& from, const std::string& to) {

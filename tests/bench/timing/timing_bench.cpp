@@ -8,6 +8,7 @@
 
 #include "generator/simulate/simulate.hpp"
 #include "generator/timing/analyse.hpp"
+#include "generator/timing/words.hpp"
 #include "tests/unit/timing_random.hpp"
 
 using namespace finemote::gen;
@@ -18,9 +19,9 @@ namespace {
 constexpr int kForests = 150;
 constexpr int kRuns = 12;  ///< simulations of each forest, other seeds
 
-Ns repetition(const Model& model) {
-  Ns common = 1;
-  for (const Device& d : model.devices) common = lcm(common, d.period_ns);
+Duration repetition(const Model& model) {
+  Duration common = nanoseconds(1);
+  for (const Device& d : model.devices) common = lcm(common, d.period);
   return common;
 }
 
@@ -43,7 +44,7 @@ void compare(const Model& model, Ratios& ratios) {
   const ProfileResult tight = analyse_profile(model, topology, Profile::tight).result;
   if (!paper.schedulable || !tight.schedulable) return;
   const auto chains = leaf_paths(topology);
-  std::vector<Ns> worst(chains.size(), -1);
+  std::vector<Duration> worst(chains.size(), kNothing);
   for (int run = 0; run < kRuns; ++run) {
     const Simulation s =
         simulate(model, {static_cast<std::uint64_t>(run) + 1, 40 * repetition(model), Profile::tight, chains});
@@ -52,11 +53,9 @@ void compare(const Model& model, Ratios& ratios) {
   std::size_t chain = 0;
   for (std::size_t t = 0; t < tight.trees.size(); ++t) {
     for (std::size_t p = 0; p < tight.trees[t].paths.size(); ++p, ++chain) {
-      if (!model.devices[chains[chain].from].parent || worst[chain] <= 0) continue;
-      ratios.paper.push_back(static_cast<double>(*paper.trees[t].paths[p].latency_ns) /
-                             static_cast<double>(worst[chain]));
-      ratios.tight.push_back(static_cast<double>(*tight.trees[t].paths[p].latency_ns) /
-                             static_cast<double>(worst[chain]));
+      if (!model.devices[chains[chain].from].parent || worst[chain] <= Duration::zero()) continue;
+      ratios.paper.push_back(ratio(*paper.trees[t].paths[p].latency, worst[chain]));
+      ratios.tight.push_back(ratio(*tight.trees[t].paths[p].latency, worst[chain]));
     }
   }
 }
@@ -81,40 +80,41 @@ void print_tightness() {
   }
 }
 
-/// `count` devices in trees up to eight deep, three buses, periods drawn from `milliseconds`, half of the processor
+/// `count` devices in trees up to eight deep, three buses, periods drawn from `periods_ms`, half of the processor
 /// used.
-Model large_model(std::size_t count, const std::vector<Ns>& milliseconds) {
+Model large_model(std::size_t count, const std::vector<std::int64_t>& periods_ms) {
   Random random(42);
   Model model;
-  model.tick_ns = 1'000'000;
+  model.tick = milliseconds(1);
   model.buses.resize(3);
-  const Ns frames[] = {86'805, 22'500, 47'000};
+  const std::int64_t frames[] = {86'805, 22'500, 47'000};
   for (const BusPlace b : model.buses.ids()) {
     model.buses[b].name = "b" + std::to_string(b.value());
-    model.buses[b].frame_ns = frames[b.value()];
-    model.buses[b].wcet_ns = 1'500;
+    model.buses[b].frame = nanoseconds(frames[b.value()]);
+    model.buses[b].wcet = nanoseconds(1'500);
   }
   std::vector<int> depth(count, 0);
   model.devices.resize(count);
   for (std::size_t d = count; d-- > 0;) {
     Device& device = model.devices[Rank{d}];
     device.name = "d" + std::to_string(d);
-    device.period_ns =
-        milliseconds[static_cast<std::size_t>(random.between(0, static_cast<Ns>(milliseconds.size()) - 1))] * 1'000'000;
+    device.period = milliseconds(
+        periods_ms[static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(periods_ms.size()) - 1))]);
     if (d + 1 < count && d % 100 != 99) {
       const std::size_t last = std::min(count - 1, d / 100 * 100 + 99);
-      const auto parent = static_cast<std::size_t>(random.between(static_cast<Ns>(d) + 1, static_cast<Ns>(last)));
+      const auto parent =
+          static_cast<std::size_t>(random.between(static_cast<std::int64_t>(d) + 1, static_cast<std::int64_t>(last)));
       if (depth[parent] < 7) device.parent = Rank{parent}, depth[d] = depth[parent] + 1;
     }
-    const Ns share = std::max<Ns>(device.period_ns / static_cast<Ns>(count) / 4, 1);
-    device.update_wcet_ns = random.between(1, share);
-    device.handle_wcet_ns = random.between(1, share);
+    const Duration share = std::max(floor_div(device.period, static_cast<std::int64_t>(count) * 4), nanoseconds(1));
+    device.update_wcet = random.between(nanoseconds(1), share);
+    device.handle_wcet = random.between(nanoseconds(1), share);
   }
   return model;
 }
 
-void print_cost(std::string_view name, std::size_t count, const std::vector<Ns>& milliseconds) {
-  const Model model = large_model(count, milliseconds);
+void print_cost(std::string_view name, std::size_t count, const std::vector<std::int64_t>& periods_ms) {
+  const Model model = large_model(count, periods_ms);
   // Processor time of this program, so that a busy machine does not count.
   const auto time = [](const auto& work) {
     double best = 1e9;
@@ -140,8 +140,8 @@ void print_cost(std::string_view name, std::size_t count, const std::vector<Ns>&
 int main(int argc, char** argv) {
   const std::string wanted = argc > 1 ? argv[1] : "";  // only the analyses whose name contains it, to profile them
   if (wanted.empty()) print_tightness();
-  const auto print_cost = [&](std::string_view name, std::size_t count, const std::vector<Ns>& milliseconds) {
-    if (name.find(wanted) != std::string_view::npos) ::print_cost(name, count, milliseconds);
+  const auto print_cost = [&](std::string_view name, std::size_t count, const std::vector<std::int64_t>& periods_ms) {
+    if (name.find(wanted) != std::string_view::npos) ::print_cost(name, count, periods_ms);
   };
   fmt::print("\nanalysis [ms], best of three        devices      paper      tight     everything\n");
   print_cost("one period", 10'000, {10});
