@@ -54,7 +54,9 @@ class Members {
     std::string said = schema.value("description", std::string());
     const std::string target = schema.value("$ref", std::string());
     if (said.empty() && !target.empty()) {
-      const Json& definition = root_.at(Json::json_pointer(target.substr(target.find('#') + 1)));
+      const std::size_t hash = target.find('#');
+      const Json other = hash == 0 ? Json() : Json::parse(read(kSource / "schemas" / target.substr(0, hash)));
+      const Json& definition = (hash == 0 ? root_ : other).at(Json::json_pointer(target.substr(hash + 1)));
       said = definition.value("description", std::string());
     }
     return said.rfind("Documentation", 0) == 0;
