@@ -78,7 +78,7 @@ bool ValueCheck::is_kind(const std::string& name, const Value& value, Value::Kin
   if (kind != Value::Kind::number || !value.is(Value::Kind::string)) return false;
   const Value bare{Value::Kind::number, false, value.text, {}, {}, {}, 1};
   if (const auto time = gen::units::parse_duration(value.text)) {
-    finding.hint(fmt::format("for example {}", *time));
+    finding.hint(fmt::format("for example {}", (*time).ns()));
   } else if (std::isfinite(number_of(bare))) {
     finding.hint(fmt::format("write {} without quotes", value.text));
   }

@@ -26,7 +26,7 @@ void add_given(const char* property, const std::optional<T>& value, Properties& 
 
 Properties bus_facts(const Bus& bus) {
   Properties facts{{"type", bus_kind_name(bus.kind)}, {"port", bus.port}, {"rate", std::to_string(bus.rate)}};
-  add_given("isr_wcet [ns]", bus.isr_wcet_ns, facts);
+  if (bus.isr_wcet) facts["isr_wcet [ns]"] = std::to_string(bus.isr_wcet->ns());
   add_given("min_frame [bit]", bus.min_frame_bits, facts);
   add_params(bus.params, facts);
   return facts;
@@ -60,13 +60,14 @@ std::string reads_text(const Robot& robot, const Device& device) {
 Properties device_facts(const PlannedRobot& planned, DeviceId index) {
   const Robot& robot = planned.robot;
   const Device& device = robot.devices[index];
-  Properties facts{{"type", device.type->name},
-                   {"parent", device.parent ? robot.devices[*device.parent].name.text : "none"},
-                   {"period", period_text(device.period_ns)},
-                   {"place", device_comment(planned.plan(), index)},
-                   {"position in the schedule", std::to_string(planned.forest.rank[index].value() + 1)},
-                   {"wcet", fmt::format("update {} ns, handle {} ns", device.wcet.update_ns, device.wcet.handle_ns)},
-                   {"source of the wcet", to_string(device.wcet.source)}};
+  Properties facts{
+      {"type", device.type->name},
+      {"parent", device.parent ? robot.devices[*device.parent].name.text : "none"},
+      {"period", period_text(device.period)},
+      {"place", device_comment(planned.plan(), index)},
+      {"position in the schedule", std::to_string(planned.forest.rank[index].value() + 1)},
+      {"wcet", fmt::format("update {} ns, handle {} ns", device.wcet.update.ns(), device.wcet.handle.ns())},
+      {"source of the wcet", to_string(device.wcet.source)}};
   if (device.parent && device.role) facts["role"] = robot.devices[*device.parent].type->roles[*device.role].name;
   if (!device.link.empty()) facts["link"] = device.link;
   if (!device.joint.empty()) facts["joint"] = device.joint;
@@ -133,7 +134,7 @@ void add_requirement(const Requirement& requirement, Facts& facts) {
 Facts facts_of(const PlannedRobot& planned) {
   const Robot& robot = planned.robot;
   Facts facts;
-  facts["robot"] = {{"name", robot.name.text}, {"board", robot.board->name}, {"tick", period_text(robot.tick_ns)}};
+  facts["robot"] = {{"name", robot.name.text}, {"board", robot.board->name}, {"tick", period_text(robot.tick)}};
   add_params(robot.board_params, facts["robot"]);
   for (const Bus& bus : robot.buses) facts[fmt::format("bus '{}'", bus.name.text)] = bus_facts(bus);
   for (const Expander& expander : robot.expanders)

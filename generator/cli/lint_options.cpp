@@ -43,7 +43,7 @@ Table<DeviceId, std::optional<CommandAge>> command_ages(const PlannedRobot& plan
   Table<DeviceId, std::optional<CommandAge>> ages(planned.robot.devices.size());
   for (const timing::ChainResult& input : timing.inputs) {
     if (!input.age) continue;
-    ages[planned.forest.order[input.to]] = {input.age->ns(), planned.forest.order[input.from]};
+    ages[planned.forest.order[input.to]] = {*input.age, planned.forest.order[input.from]};
   }
   return ages;
 }

@@ -32,17 +32,16 @@ using Json = nlohmann::ordered_json;
 /// Where a robot runs, how long and under what: settled before anything is generated.
 struct Setup {
   const Board& board;
-  std::int64_t duration_ns = 0;
+  Duration duration;
   std::optional<Scenario> scenario;
 
   [[nodiscard]] bool is_emulated() const { return board.is_emulated; }
   [[nodiscard]] const Scenario* asked_scenario() const { return scenario ? &*scenario : nullptr; }
 };
 
-std::optional<std::int64_t> duration_of(const std::string& asked, const Schedule& schedule, Diagnostics& diagnostics) {
+std::optional<Duration> duration_of(const std::string& asked, const Schedule& schedule, Diagnostics& diagnostics) {
   if (asked.empty()) return default_duration(schedule);
-  const auto duration = time_option("--duration", asked, "100ms", diagnostics);
-  return duration ? std::optional(duration->ns()) : std::nullopt;
+  return time_option("--duration", asked, "100ms", diagnostics);
 }
 
 /// The first bus whose port the board lacks; null: none, or the board takes every port.
@@ -69,7 +68,7 @@ const Board* playing_board(const std::string& name, PlannedRobot& planned, Sourc
 /// The scenario that was asked for; none where it is wrong.
 std::optional<Scenario> read_asked_scenario(const std::string& path, PlannedRobot& planned, const Setup& setup,
                                             Sources& sources, Diagnostics& diagnostics) {
-  if (setup.is_emulated()) return read_scenario(path, planned.robot, setup.duration_ns, sources, diagnostics);
+  if (setup.is_emulated()) return read_scenario(path, planned.robot, setup.duration, sources, diagnostics);
   const Board& own = *planned.robot.board;
   diagnostics
       .error(code::scenario_unjudged, {},
@@ -133,7 +132,7 @@ FirmwareRequest firmware_request(const Options& options, const Setup& setup, con
   request.data_dir = data_dir;
   request.board = setup.board.name;
   request.for_host = setup.board.is_host();
-  request.duration_ns = options.build_only || setup.is_emulated() ? 0 : setup.duration_ns;
+  request.duration = options.build_only || setup.is_emulated() ? Duration::zero() : setup.duration;
   request.trace = !options.build_only;
   request.monitor = options.monitor;
   request.include_dirs = user_include_dirs(robot);
@@ -166,8 +165,8 @@ std::optional<bool> repeat_verdict(const Analysis& analysis, Diagnostics& diagno
 std::optional<RunRecord> run_image(const std::string& image, const PlannedRobot& planned, const Setup& setup,
                                    const FaultTable& faults, bool flash_misses, Diagnostics& diagnostics) {
   const auto& [library, robot, forest, schedule] = planned;
-  if (!setup.is_emulated()) return execute(image, setup.board, forest, setup.duration_ns, faults, diagnostics);
-  return emulate(image, robot, forest, setup.duration_ns, {setup.board, faults, setup.asked_scenario(), flash_misses},
+  if (!setup.is_emulated()) return execute(image, setup.board, forest, setup.duration, faults, diagnostics);
+  return emulate(image, robot, forest, setup.duration, {setup.board, faults, setup.asked_scenario(), flash_misses},
                  diagnostics);
 }
 
@@ -175,10 +174,10 @@ std::optional<RunRecord> run_image(const std::string& image, const PlannedRobot&
 RunResult result_of(const PlannedRobot& planned, const Setup& setup, const ImageFacts& image, RunRecord record,
                     const FaultTable& faults) {
   const auto& [library, robot, forest, schedule] = planned;
-  const auto whole = hyperperiod(schedule, setup.duration_ns);
-  const std::int64_t shown_ns = whole ? std::min(2 * *whole, setup.duration_ns) : setup.duration_ns;
-  return {robot, forest, schedule, setup.board.name, setup.duration_ns, shown_ns, image, std::move(record),
-          {},    faults, {}};
+  const auto whole = hyperperiod(schedule, setup.duration);
+  const bool fits_twice = whole && *whole <= floor_div(setup.duration, 2);
+  const Duration shown = fits_twice ? 2 * *whole : setup.duration;
+  return {robot, forest, schedule, setup.board.name, setup.duration, shown, image, std::move(record), {}, faults, {}};
 }
 
 Answer answer_of_build(const ImageFacts& image, const std::string& board) {
@@ -242,7 +241,7 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   auto record = run_image(*path, *planned, *setup, faults, options.flash_misses, diagnostics);
   if (!record) return no_answer();
   if (setup->is_emulated() && image_timing.stage_cost)
-    check_wcet(robot, *record, image_timing.stage_cost->ns(), diagnostics);
+    check_wcet(robot, *record, *image_timing.stage_cost, diagnostics);
   RunResult result = result_of(*planned, *setup, *image, std::move(*record), faults);
   if (options.monitor) result.bounds = std::move(proven.monitored);
   result.schedulable = schedulable;

@@ -83,7 +83,7 @@ SimulationRequest request_of(const Options& options, Diagnostics& diagnostics) {
     diagnostics
         .error(code::usage, {},
                fmt::format("--duration is too long: '{}'; every release of that time is simulated", options.duration))
-        .hint(fmt::format("write at most {}", units::format_duration(kLongestSimulation.ns())));
+        .hint(fmt::format("write at most {}", units::format_duration(kLongestSimulation)));
   }
   return request;
 }

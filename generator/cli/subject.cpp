@@ -41,7 +41,7 @@ std::optional<Duration> time_option(const char* option, const std::string& text,
                                     Diagnostics& diagnostics) {
   if (text.empty()) return std::nullopt;
   const auto parsed = units::parse_duration(text);
-  if (parsed && *parsed > 0) return nanoseconds(*parsed);
+  if (parsed && *parsed > Duration::zero()) return *parsed;
   diagnostics.error(code::usage, {}, fmt::format("{} must be a time greater than zero, got '{}'", option, text))
       .hint(fmt::format("write for example {} {}", option, example));
   return std::nullopt;

@@ -61,7 +61,7 @@ std::string comment_of(const Plan& plan, DeviceId index) {
 
 std::string trees_text(const PlannedRobot& planned) {
   const Robot& robot = planned.robot;
-  std::string text = fmt::format("{} on {}, tick {}\n", robot.name.text, robot.board->name, period_text(robot.tick_ns));
+  std::string text = fmt::format("{} on {}, tick {}\n", robot.name.text, robot.board->name, period_text(robot.tick));
   for (const Tree& tree : planned.forest.trees) {
     const std::vector<Row> rows = rows_of(robot, tree.root);
     std::size_t widest = 0;
@@ -69,7 +69,7 @@ std::string trees_text(const PlannedRobot& planned) {
     text += "\n";
     for (const Row& row : rows) {
       text += fmt::format("{}{}  {:>8}  {}\n", row.name, std::string(widest - row.width, ' '),
-                          period_text(robot.devices[row.device].period_ns), comment_of(planned.plan(), row.device));
+                          period_text(robot.devices[row.device].period), comment_of(planned.plan(), row.device));
     }
   }
   return text;
@@ -78,7 +78,7 @@ std::string trees_text(const PlannedRobot& planned) {
 std::string order_text(const PlannedRobot& planned) {
   std::string text;
   for (const Bucket& bucket : planned.schedule.buckets) {
-    text += fmt::format("\nevery {}: priority {}, interrupt line {}\n", period_text(bucket.period_ns), bucket.priority,
+    text += fmt::format("\nevery {}: priority {}, interrupt line {}\n", period_text(bucket.period), bucket.priority,
                         bucket.line);
     text += "  update";
     for (const DeviceId device : bucket.devices) text += " " + planned.robot.devices[device].name.text;
@@ -109,7 +109,7 @@ Json document(const PlannedRobot& planned) {
            {"parent", device.parent ? Json(robot.devices[*device.parent].name.text) : Json(nullptr)},
            {"type", device.type->name},
            {"role", device.role ? Json(robot.devices[*device.parent].type->roles[*device.role].name) : Json(nullptr)},
-           {"period_ns", device.period_ns},
+           {"period_ns", device.period.ns()},
            {"geometry_link", link.empty() ? Json(nullptr) : Json(link)},
            {"bus", device.segment ? Json(robot.segments[*device.segment].name.text) : Json(nullptr)}});
     }
@@ -118,14 +118,14 @@ Json document(const PlannedRobot& planned) {
   Json buckets = Json::array();
   for (const Bucket& bucket : planned.schedule.buckets) {
     std::vector<DeviceId> handles(bucket.devices.rbegin(), bucket.devices.rend());
-    buckets.push_back({{"period_ns", bucket.period_ns},
+    buckets.push_back({{"period_ns", bucket.period.ns()},
                        {"priority", bucket.priority},
                        {"line", bucket.line},
                        {"update", names(robot, bucket.devices)},
                        {"handle", names(robot, handles)}});
   }
   return Json{{"schema", "finemote.tree/1"}, {"robot", robot.name.text}, {"board", robot.board->name},
-              {"tick_ns", robot.tick_ns},    {"trees", trees},           {"buckets", buckets}};
+              {"tick_ns", robot.tick.ns()},  {"trees", trees},           {"buckets", buckets}};
 }
 
 }  // namespace

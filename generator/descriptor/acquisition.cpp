@@ -9,17 +9,19 @@ namespace {
 
 Conversion read_conversion(const Json& value) {
   Conversion conversion;
-  conversion.fixed_ns = value.value("ns", std::int64_t{0});
+  conversion.fixed = duration_member(value, "ns").value_or(Duration::zero());
   conversion.param = value.value("param", std::string());
-  conversion.ns_by_value = value.value("ns_by_value", conversion.ns_by_value);
+  if (const auto times = value.find("ns_by_value"); times != value.end()) {
+    for (const auto& [text, ns] : times->items()) conversion.by_value[text] = nanoseconds(ns.get<std::int64_t>());
+  }
   return conversion;
 }
 
 }  // namespace
 
-std::int64_t Conversion::longest_ns() const {
-  std::int64_t longest = param.empty() ? fixed_ns : 0;
-  for (const auto& [value, ns] : ns_by_value) longest = std::max(longest, ns);
+Duration Conversion::longest() const {
+  Duration longest = param.empty() ? fixed : Duration::zero();
+  for (const auto& [value, time] : by_value) longest = std::max(longest, time);
   return longest;
 }
 
@@ -27,8 +29,8 @@ Acquisition read_acquisition(const Json& value) {
   Acquisition acquisition;
   const auto model = value.at("model").get<std::string>();
   acquisition.model = model == "streamed" ? Acquisition::Model::streamed : Acquisition::Model::polled;
-  acquisition.latency_ns = value.value("latency_ns", std::int64_t{0});
-  acquisition.interval_ns = optional_member<std::int64_t>(value, "interval_ns");
+  acquisition.latency = duration_member(value, "latency_ns").value_or(Duration::zero());
+  acquisition.interval = duration_member(value, "interval_ns");
   acquisition.periods = optional_member<std::int64_t>(value, "periods");
   acquisition.published_every = value.value("published_every", std::int64_t{1});
   if (const auto conversion = value.find("conversion"); conversion != value.end())

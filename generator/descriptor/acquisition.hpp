@@ -7,16 +7,18 @@
 #include <optional>
 #include <string>
 
+#include "generator/units/duration.hpp"
+
 namespace finemote::gen {
 
 /// How long a part measures: always the same, or by the value of a param.
 struct Conversion {
-  std::int64_t fixed_ns = 0;
-  std::string param;                                ///< empty: `fixed_ns` counts
-  std::map<std::string, std::int64_t> ns_by_value;  ///< by the value as the URDF spells it
+  Duration fixed;
+  std::string param;                         ///< empty: `fixed` counts
+  std::map<std::string, Duration> by_value;  ///< by the value as the URDF spells it
 
   /// The longest of all values.
-  [[nodiscard]] std::int64_t longest_ns() const;
+  [[nodiscard]] Duration longest() const;
 };
 
 struct Acquisition {
@@ -25,11 +27,11 @@ struct Acquisition {
     polled,    ///< the device starts each measurement
   };
   Model model = Model::polled;
-  std::int64_t latency_ns = 0;              ///< inside the part: filters, averaging
-  std::optional<std::int64_t> interval_ns;  ///< streamed: longest time between two frames
-  std::optional<std::int64_t> periods;      ///< polled: own periods from the begin of a measurement to its update()
-  std::int64_t published_every = 1;         ///< polled: a fresh value at least every so many measurements
-  std::optional<Conversion> conversion;     ///< polled
+  Duration latency;                      ///< inside the part: filters, averaging
+  std::optional<Duration> interval;      ///< streamed: longest time between two frames
+  std::optional<std::int64_t> periods;   ///< polled: own periods from the begin of a measurement to its update()
+  std::int64_t published_every = 1;      ///< polled: a fresh value at least every so many measurements
+  std::optional<Conversion> conversion;  ///< polled
 };
 
 /// Reads a member that the schema accepts.

@@ -13,6 +13,7 @@
 #include "generator/descriptor/costs.hpp"
 #include "generator/descriptor/device_type.hpp"
 #include "generator/descriptor/drivers.hpp"
+#include "generator/units/duration.hpp"
 
 namespace finemote::gen {
 
@@ -63,7 +64,7 @@ struct Port {
   std::optional<TimerChannel> timer;     ///< pwm
   std::vector<Resource> resources;       ///< pins, DMA streams, timer channel and interrupt lines together
   std::uint32_t channels = 0;            ///< PWM outputs, chip selects; 0: neither
-  std::int64_t period_ns = 20'000'000;   ///< how often a PWM port repeats its pulse
+  Duration period = milliseconds(20);    ///< how often a PWM port repeats its pulse
   std::optional<std::int64_t> clock_hz;  ///< kernel clock the rate is divided from
   const RateRule* rate_rule = nullptr;   ///< how the clock makes a rate; null: as usual for the kind of bus
   std::optional<std::int64_t> min_rate;  ///< of baud, clock or bitrate
@@ -141,7 +142,7 @@ struct Board {
   std::optional<Clocks> clocks;
   std::vector<Memory> memory;
   std::int64_t cpu_hz = 0;
-  std::int64_t default_tick_ns = 1'000'000, min_tick_ns = 1, max_tick_ns = 1'000'000'000;
+  Duration default_tick = milliseconds(1), min_tick = nanoseconds(1), max_tick = seconds(1);
   std::vector<Port> ports;
   std::vector<NamedPin> pins;
   std::vector<std::string> chip_pins;  ///< those that the package of the chip has, in order

@@ -83,7 +83,7 @@ class BoardCheck {
     }
   }
   void check_tick(const Board& board) {
-    const auto cycles = static_cast<double>(board.max_tick_ns) * static_cast<double>(board.cpu_hz) / 1e9;
+    const auto cycles = static_cast<double>(board.max_tick.ns()) * static_cast<double>(board.cpu_hz) / 1e9;
     if (cycles > static_cast<double>(runtime_limits::kTickCycles)) {
       contradiction({"tick", "max_ns"},
                     fmt::format("the release timer counts {} core cycles at most", runtime_limits::kTickCycles));
@@ -95,11 +95,11 @@ class BoardCheck {
     for (std::size_t i = 0; i < board.ports.size(); ++i) {
       const Port& port = board.ports[i];
       const JsonPath path{"ports", std::to_string(i), "period_ns"};
-      if (port.period_ns < runtime_limits::kShortestPwmPeriod || port.period_ns > runtime_limits::kLongestPwmPeriod)
+      if (port.period < runtime_limits::kShortestPwmPeriod || port.period > runtime_limits::kLongestPwmPeriod)
         contradiction(path, fmt::format("port '{}': pulses repeat every 1 us to 400 ms", port.name));
       if (!port.timer) continue;
       const Port& first = *timers.emplace(port.timer->timer, &port).first->second;
-      if (first.period_ns != port.period_ns) {
+      if (first.period != port.period) {
         contradiction(path,
                       fmt::format("ports '{}' and '{}' share a timer and need one period", first.name, port.name));
       }

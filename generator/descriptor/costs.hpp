@@ -5,22 +5,24 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
+#include "generator/units/duration.hpp"
+
 namespace finemote::gen {
 
-/// Worst-case times [ns]; the board file says of each whether it is measured or assumed.
+/// Worst-case times; the board file says of each whether it is measured or assumed.
 struct Costs {
-  std::int64_t release_ns = 0;             ///< release interrupt, without its buckets
-  std::int64_t release_per_bucket_ns = 0;  ///< for every released bucket
-  std::int64_t exception_entry_ns = 0, exception_exit_ns = 0;
-  std::int64_t bucket_ns = 0;  ///< entry, bookkeeping and completion of one job
-  std::int64_t stage_ns = 0;   ///< dispatch of one update or handle
-  std::int64_t masked_section_ns = 0;
-  std::int64_t flush_ns = 0, flush_per_channel_ns = 0;
-  std::int64_t latch_ns = 0, latch_per_word_ns = 0;  ///< publish or snapshot of a crossing; copy of four bytes
-  std::int64_t trace_event_ns = 0;
-  std::optional<std::int64_t> monitor_handle_ns, monitor_job_ns;  ///< none: the board does not say
+  Duration release;             ///< release interrupt, without its buckets
+  Duration release_per_bucket;  ///< for every released bucket
+  Duration exception_entry, exception_exit;
+  Duration bucket;  ///< entry, bookkeeping and completion of one job
+  Duration stage;   ///< dispatch of one update or handle
+  Duration masked_section;
+  Duration flush, flush_per_channel;
+  Duration latch, latch_per_word;  ///< publish or snapshot of a crossing; copy of four bytes
+  Duration trace_event;
+  std::optional<Duration> monitor_handle, monitor_job;  ///< none: the board does not say
 
-  [[nodiscard]] std::int64_t exception_ns() const { return exception_entry_ns + exception_exit_ns; }
+  [[nodiscard]] Duration exception() const { return exception_entry + exception_exit; }  ///< throws Overflow
 };
 
 /// Reads a member that the schema accepts.

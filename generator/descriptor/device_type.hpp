@@ -15,6 +15,7 @@
 #include "generator/descriptor/link_fields.hpp"
 #include "generator/descriptor/param.hpp"
 #include "generator/diagnostic/source.hpp"
+#include "generator/units/duration.hpp"
 
 namespace finemote::gen {
 
@@ -76,10 +77,10 @@ const char* param_member(const std::string& kind);
 
 /// Assumed execution time of a device without `<wcet>`: fixed part, values of params, and a part per child.
 struct WcetDefault {
-  std::int64_t update_ns = 0;
-  std::int64_t handle_ns = 0;
+  Duration update;
+  Duration handle;
   std::vector<std::string> update_params, handle_params;  ///< names of params of unit time
-  std::int64_t per_child_ns = 0;
+  Duration per_child;
 };
 
 struct DeviceType {

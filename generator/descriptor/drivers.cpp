@@ -12,13 +12,13 @@ DriverSource::RaisedBy read_raised_by(const Json& value) {
 }
 
 DriverSource read_source(const Json& value) {
-  return {value.at("name").get<std::string>(), read_raised_by(value), value.at("isr_wcet_ns").get<std::int64_t>(),
-          value.at("min_frame_bits").get<std::int64_t>()};
+  return {value.at("name").get<std::string>(), read_raised_by(value),
+          nanoseconds(value.at("isr_wcet_ns").get<std::int64_t>()), value.at("min_frame_bits").get<std::int64_t>()};
 }
 
 Driver read_driver(const Json& value) {
   Driver driver;
-  driver.isr_wcet_ns = value.at("isr_wcet_ns").get<std::int64_t>();
+  driver.isr_wcet = nanoseconds(value.at("isr_wcet_ns").get<std::int64_t>());
   driver.min_frame_bits = value.at("min_frame_bits").get<std::int64_t>();
   driver.sources = read_list<DriverSource>(value, "sources", read_source);
   driver.mailboxes = optional_member<std::size_t>(value, "mailboxes").value_or(0);

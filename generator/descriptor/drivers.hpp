@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generator/bus/bus_kind.hpp"
+#include "generator/units/duration.hpp"
 
 namespace finemote::gen {
 
@@ -18,12 +19,12 @@ struct DriverSource {
   enum class RaisedBy { either, receive, transmit };
   std::string name;  ///< `rx_idle`
   RaisedBy raised_by = RaisedBy::either;
-  std::int64_t isr_wcet_ns = 0;
+  Duration isr_wcet;
   std::int64_t min_frame_bits = 1;  ///< bits on the wire between two of its interrupts, at least
 };
 
 struct Driver {
-  std::int64_t isr_wcet_ns = 0;
+  Duration isr_wcet;
   std::int64_t min_frame_bits = 1;
   std::vector<DriverSource> sources;
   std::size_t mailboxes = 0;  ///< can: frames that wait in the controller and go by identifier; 0: not known

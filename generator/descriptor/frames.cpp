@@ -40,7 +40,7 @@ Frame read_frame(const Json& value) {
   frame.read_bytes = value.value("read", std::int64_t{0});
   frame.use = value.value("use", std::string());
   frame.unit = value.value("unit", 0);
-  frame.min_interval_ns = optional_member<std::int64_t>(value, "min_interval_ns");
+  frame.min_interval = duration_member(value, "min_interval_ns");
   frame.shared = read_shared(value);
   frame.summary = value.value("summary", std::string());
   return frame;

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "generator/units/duration.hpp"
+
 namespace finemote::gen {
 
 /// A CAN frame of eight bytes that the devices with an id in the range fill together, each its bytes in the order of
@@ -29,9 +31,9 @@ struct Frame {
   FrameStage stage = FrameStage::update;
   std::int64_t write_bytes = 0, read_bytes = 0;  ///< without address bytes
   std::string use;                               ///< over the bus of this use; empty: the device's own
-  int unit = 0;  ///< frames with the same number are one unit on the bus; 0: it stands alone
-  std::optional<std::int64_t> min_interval_ns;  ///< autonomous: at least so far apart
-  std::vector<SharedFrame> shared;              ///< can: identifiers of the frame several devices fill
+  int unit = 0;                          ///< frames with the same number are one unit on the bus; 0: it stands alone
+  std::optional<Duration> min_interval;  ///< autonomous: at least so far apart
+  std::vector<SharedFrame> shared;       ///< can: identifiers of the frame several devices fill
   std::string summary;
 };
 

@@ -10,8 +10,8 @@ Interrupt read_interrupt(const Json& value) {
   interrupt.use = value.value("use", std::string());
   interrupt.is_autonomous = value.at("arrival").get<std::string>() == "autonomous";
   interrupt.count = value.value("count", std::int64_t{1});
-  interrupt.min_interval_ns = optional_member<std::int64_t>(value, "min_interval_ns");
-  interrupt.wcet_ns = optional_member<std::int64_t>(value, "wcet_ns");
+  interrupt.min_interval = duration_member(value, "min_interval_ns");
+  interrupt.wcet = duration_member(value, "wcet_ns");
   return interrupt;
 }
 

@@ -6,15 +6,17 @@
 #include <optional>
 #include <string>
 
+#include "generator/units/duration.hpp"
+
 namespace finemote::gen {
 
 struct Interrupt {
   std::string source;          ///< what raises it, for people
   std::string use;             ///< the line that raises it; empty: the entry is documentation, the driver raises it
-  bool is_autonomous = false;  ///< by itself, at least `min_interval_ns` apart; else `count` per own period
+  bool is_autonomous = false;  ///< by itself, at least `min_interval` apart; else `count` per own period
   std::int64_t count = 1;
-  std::optional<std::int64_t> min_interval_ns;
-  std::optional<std::int64_t> wcet_ns;  ///< none: that of the bus driver
+  std::optional<Duration> min_interval;
+  std::optional<Duration> wcet;  ///< none: that of the bus driver
 };
 
 /// Reads an entry that the schema accepts.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "generator/descriptor/json_file.hpp"
+#include "generator/units/duration.hpp"
 
 namespace finemote::gen {
 
@@ -14,6 +15,12 @@ std::optional<T> optional_member(const Json& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end() || found->is_null()) return {};
   return found->get<T>();
+}
+
+/// A member that counts nanoseconds.
+inline std::optional<Duration> duration_member(const Json& object, const char* key) {
+  const auto ns = optional_member<std::int64_t>(object, key);
+  return ns ? std::optional(nanoseconds(*ns)) : std::nullopt;
 }
 
 /// The entries of an array, each as `read` makes it; none where the member is absent or null.

@@ -65,7 +65,7 @@ Port read_port(const Json& value) {
   }
   read_resources(value, port);
   port.channels = optional_member<std::uint32_t>(value, "channels").value_or(0);
-  port.period_ns = optional_member<std::int64_t>(value, "period_ns").value_or(port.period_ns);
+  port.period = duration_member(value, "period_ns").value_or(port.period);
   port.clock_hz = optional_member<std::int64_t>(value, "clock_hz");
   if (const auto rule = optional_member<std::string>(value, "rate_rule")) port.rate_rule = rate_rule(*rule);
   port.min_rate = optional_member<std::int64_t>(value, "min_rate");
@@ -162,9 +162,9 @@ Board read_board(const Json& value, const SourceFile& source, Diagnostics& diagn
   board.memory = read_list<Memory>(value, "memory", read_memory);
   board.cpu_hz = value.at("cpu").at("clock_hz").get<std::int64_t>();
   const Json& tick = value.at("tick");
-  board.default_tick_ns = tick.at("default_ns").get<std::int64_t>();
-  board.min_tick_ns = tick.at("min_ns").get<std::int64_t>();
-  board.max_tick_ns = tick.at("max_ns").get<std::int64_t>();
+  board.default_tick = nanoseconds(tick.at("default_ns").get<std::int64_t>());
+  board.min_tick = nanoseconds(tick.at("min_ns").get<std::int64_t>());
+  board.max_tick = nanoseconds(tick.at("max_ns").get<std::int64_t>());
   board.ports = read_list<Port>(value, "ports", read_port);
   board.pins = read_list<NamedPin>(value, "pins", read_pin);
   board.chip_pins = read_chip_pins(value);

@@ -88,13 +88,13 @@ std::optional<WcetDefault> read_wcet(const Json& value) {
   const auto wcet = value.find("wcet");
   if (wcet == value.end()) return {};
   WcetDefault result;
-  result.update_ns = wcet->at("update_ns").get<std::int64_t>();
-  result.handle_ns = wcet->at("handle_ns").get<std::int64_t>();
+  result.update = nanoseconds(wcet->at("update_ns").get<std::int64_t>());
+  result.handle = nanoseconds(wcet->at("handle_ns").get<std::int64_t>());
   if (const auto params = wcet->find("update_params"); params != wcet->end())
     result.update_params = params->get<std::vector<std::string>>();
   if (const auto params = wcet->find("handle_params"); params != wcet->end())
     result.handle_params = params->get<std::vector<std::string>>();
-  result.per_child_ns = wcet->value("per_child_ns", std::int64_t{0});
+  result.per_child = duration_member(*wcet, "per_child_ns").value_or(Duration::zero());
   return result;
 }
 

@@ -33,6 +33,11 @@ Parsed wrap(const units::Result<T>& result) {
   return ParamFault{is_type_error ? code::param_type : fault.code, fault.message, fault.hint};
 }
 
+/// A param counts its times in nanoseconds: its value is a number, with the unit beside it.
+Parsed wrap(const units::Result<Duration>& time) {
+  return time ? wrap(units::Result<std::int64_t>((*time).ns())) : wrap(units::Result<std::int64_t>(time.fault()));
+}
+
 /// A number whose unit is documentation: the unit may follow, it need not.
 Parsed parse_documented(const ParamSpec& spec, std::string_view text) {
   return spec.kind == ParamKind::integer ? wrap(units::parse_integer(text, spec.unit_text))
@@ -73,7 +78,7 @@ Parsed parse_enumeration(const ParamSpec& spec, std::string_view text) {
 std::string usual_time_unit(const ParamSpec& spec) {
   const auto* usual = spec.fallback ? std::get_if<std::int64_t>(&*spec.fallback) : nullptr;
   if (usual == nullptr) return {};
-  const std::string text = units::format_duration(*usual);
+  const std::string text = units::format_duration(nanoseconds(*usual));
   return text.substr(text.find_first_not_of("0123456789."));
 }
 
@@ -261,7 +266,7 @@ double number_of(const ParamValue& value) {
 }
 
 std::string number_text(const ParamSpec& spec, double value) {
-  if (spec.unit == Unit::time_ns) return units::format_duration(static_cast<std::int64_t>(value));
+  if (spec.unit == Unit::time_ns) return units::format_duration(nanoseconds(static_cast<std::int64_t>(value)));
   if (spec.unit == Unit::percent) return fmt::format("{}%", value * 100);
   const std::string unit = spec.unit == Unit::none ? "" : spec.unit_text;
   return fmt::format("{}{}", value, unit);

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "generator/units/duration.hpp"
+
 namespace finemote::gen::runtime_limits {
 
 /// Longest period [ticks]: finemote::kMaxPeriodTicks.
@@ -16,8 +18,8 @@ inline constexpr std::size_t kBuckets = 11;
 /// Filter banks of a CAN controller, and what one of them accepts: bxCAN in RM0090 32.7.4.
 inline constexpr std::size_t kCanFilterBanks = 14, kCanIdsPerBank = 4, kCanBlocksPerBank = 2;
 
-/// Repetition of a pulse output [ns]: finemote::kShortestPwmPeriod, finemote::kLongestPwmPeriod.
-inline constexpr std::int64_t kShortestPwmPeriod = 1'000, kLongestPwmPeriod = 400'000'000;
+/// Repetition of a pulse output: finemote::kShortestPwmPeriod, finemote::kLongestPwmPeriod.
+inline constexpr Duration kShortestPwmPeriod = microseconds(1), kLongestPwmPeriod = milliseconds(400);
 
 /// The release timer counts 24 bits of core cycles (SysTick, PM0214 4.5).
 inline constexpr std::int64_t kTickCycles = std::int64_t{1} << 24;

@@ -36,7 +36,7 @@ std::string rate_range(const Port& port, const RateForm& form) {
 
 std::string rates_text(const Port& port) {
   const BusType& type = bus_type(port.kinds.front());
-  if (type.channels == BusType::Channels::outputs) return "pulses repeat every " + time_text(port.period_ns);
+  if (type.channels == BusType::Channels::outputs) return "pulses repeat every " + time_text(port.period);
   const RateForm* form = type.rate.form;
   if (form == nullptr) return "none";
   if (!form->has_tolerance) return rate_range(port, *form);
@@ -55,7 +55,7 @@ std::string example(const Port& port, BusKind kind) {
 std::string driver_row(const Driver& driver, BusKind kind) {
   return row({fmt::format("driver `{}`", bus_kind_name(kind)),
               fmt::format("{}{}; an interrupt takes at most {}", driver.summary, driver.is_assumed ? " (assumed)" : "",
-                          time_text(driver.isr_wcet_ns))});
+                          time_text(driver.isr_wcet))});
 }
 
 BoardPage port_page(const Board& board, const Port& port) {

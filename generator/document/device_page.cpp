@@ -98,9 +98,10 @@ std::string use_row(const UseSpec& use) {
 std::string sample_text(const Acquisition& acquisition) {
   const bool is_streamed = acquisition.model == Acquisition::Model::streamed;
   std::string text = is_streamed ? "sent by the part" : "requested by update()";
-  if (acquisition.interval_ns) text += ", every " + time_text(*acquisition.interval_ns);
+  if (acquisition.interval) text += ", every " + time_text(*acquisition.interval);
   if (acquisition.periods) text += fmt::format(", published {} period(s) later", *acquisition.periods);
-  if (acquisition.latency_ns > 0) text += ", up to " + time_text(acquisition.latency_ns) + " old inside the part";
+  if (acquisition.latency > Duration::zero())
+    text += ", up to " + time_text(acquisition.latency) + " old inside the part";
   return text;
 }
 
@@ -110,14 +111,14 @@ std::string frame_text(const Frame& frame) {
   if (frame.read_bytes > 0) parts.push_back(fmt::format("{} bytes in", frame.read_bytes));
   std::string when = to_string(frame.stage);
   if (!frame.use.empty()) when += ", over the use `" + frame.use + "`";
-  if (frame.min_interval_ns) when += ", at least " + time_text(*frame.min_interval_ns) + " apart";
+  if (frame.min_interval) when += ", at least " + time_text(*frame.min_interval) + " apart";
   return with_summary(fmt::format("{}: {}", when, joined(parts)), frame.summary);
 }
 
 std::string interrupt_text(const Interrupt& interrupt) {
   std::string text = interrupt.source;
   if (!interrupt.use.empty()) text += ", with the use `" + interrupt.use + "`";
-  if (interrupt.min_interval_ns) text += ", at least " + time_text(*interrupt.min_interval_ns) + " apart";
+  if (interrupt.min_interval) text += ", at least " + time_text(*interrupt.min_interval) + " apart";
   return text;
 }
 
@@ -153,8 +154,8 @@ std::string device_page(const DeviceType& type) {
   for (const Frame& frame : type.frames.value_or(std::vector<Frame>())) text += row({"on the wire", frame_text(frame)});
   for (const Interrupt& interrupt : type.interrupts) text += row({"interrupt", interrupt_text(interrupt)});
   if (type.wcet) {
-    text += row({"assumed without `<wcet>`", fmt::format("update {}, handle {}", time_text(type.wcet->update_ns),
-                                                         time_text(type.wcet->handle_ns))});
+    text += row({"assumed without `<wcet>`",
+                 fmt::format("update {}, handle {}", time_text(type.wcet->update), time_text(type.wcet->handle))});
   }
   return text + param_table(type.params);
 }

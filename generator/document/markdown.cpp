@@ -30,7 +30,8 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
   return text.empty() ? none : text;
 }
 
-std::string time_text(std::int64_t ns) {
+std::string time_text(Duration time) {
+  const std::int64_t ns = time.ns();
   if (ns != 0 && ns % 1'000'000'000 == 0) return fmt::format("{} s", ns / 1'000'000'000);
   if (ns != 0 && ns % 1'000'000 == 0) return fmt::format("{} ms", ns / 1'000'000);
   if (ns != 0 && ns % 1'000 == 0) return fmt::format("{} us", ns / 1'000);

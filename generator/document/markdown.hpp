@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "generator/units/duration.hpp"
+
 namespace finemote::gen {
 
 /// A table row: `| a | b |` and a line end.
@@ -19,7 +21,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
                    const std::string& none = "none");
 
 /// `950us`, `1s`: in the largest unit that divides it.
-std::string time_text(std::int64_t ns);
+std::string time_text(Duration time);
 
 /// The first letter large, a full stop at the end.
 std::string sentence(std::string text);

@@ -17,7 +17,7 @@ Json bus_json(const Bus& bus) {
           {"type", bus_kind_name(bus.kind)},
           {"port", text_or_null(bus.port)},
           {"rate", bus.rate},
-          {"isr_wcet_ns", value_or_null(bus.isr_wcet_ns)},
+          {"isr_wcet_ns", value_or_null(bus.isr_wcet)},
           {"min_frame_bits", value_or_null(bus.min_frame_bits)},
           {"params", params_json(bus.params)}};
 }
@@ -56,7 +56,7 @@ Json device_json(const Robot& robot, const Device& device) {
           {"role", device.role ? Json(robot.devices[*device.parent].type->roles[*device.role].name) : Json(nullptr)},
           {"children", device_names(robot, device.children)},
           {"reads", reads_json(robot, device)},
-          {"period_ns", device.period_ns},
+          {"period_ns", device.period.ns()},
           {"bus", device.segment ? segment_name(robot, *device.segment) : Json(nullptr)},
           {"address", value_or_null(device.address)},
           {"channel", value_or_null(device.channel)},
@@ -66,8 +66,8 @@ Json device_json(const Robot& robot, const Device& device) {
           {"params", params_json(device.params)},
           {"uses", uses_json(robot, device)},
           {"wcet",
-           {{"update_ns", device.wcet.update_ns},
-            {"handle_ns", device.wcet.handle_ns},
+           {{"update_ns", device.wcet.update.ns()},
+            {"handle_ns", device.wcet.handle.ns()},
             {"source", to_string(device.wcet.source)}}}};
 }
 
@@ -110,7 +110,7 @@ Json dump_model(const Robot& robot) {
            {"source", robot.source},
            {"board", robot.board->name},
            {"board_params", params_json(robot.board_params)},
-           {"tick_ns", robot.tick_ns}};
+           {"tick_ns", robot.tick.ns()}};
   for (const char* list : {"buses", "expanders", "segments", "devices", "requirements", "links", "joints"})
     out[list] = Json::array();
   for (const Bus& bus : robot.buses) out["buses"].push_back(bus_json(bus));

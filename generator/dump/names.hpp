@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "generator/dump/dump.hpp"
+#include "generator/units/duration.hpp"
 
 namespace finemote::gen {
 
@@ -24,6 +25,9 @@ template <typename Type>
 Json value_or_null(const std::optional<Type>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
+
+/// Nanoseconds; null for none.
+inline Json value_or_null(std::optional<Duration> time) { return time ? Json(time->ns()) : Json(nullptr); }
 
 /// Null for an empty text.
 inline Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }

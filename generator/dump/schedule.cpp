@@ -7,7 +7,7 @@ namespace {
 Json bucket_json(const Robot& robot, const Bucket& bucket) {
   Json flushes = Json::array();
   for (const auto segment : bucket.flushes) flushes.push_back(segment_name(robot, segment));
-  return {{"period_ns", bucket.period_ns},
+  return {{"period_ns", bucket.period.ns()},
           {"label", bucket.label},
           {"priority", bucket.priority},
           {"line", bucket.line},

@@ -17,7 +17,7 @@ namespace {
 bool is_object(const Bus& bus) { return !bus_type(bus.kind).bus_class.name.empty(); }
 
 /// What PwmBus takes by itself: 50 Hz [ns].
-constexpr std::int64_t kServoPeriod = 20'000'000;
+constexpr Duration kServoPeriod = milliseconds(20);
 
 std::vector<const Slot*> slots_of(const Plan& plan, BusId bus) {
   std::vector<const Slot*> slots;
@@ -107,7 +107,7 @@ Data bus_fields(const Plan& plan, BusId index) {
   const Bus& bus = plan.robot.buses[index];
   const BusType& type = bus_type(bus.kind);
   const Port* port = plan.robot.board->port(bus.port);
-  const bool has_period = type.channels == BusType::Channels::outputs && port->period_ns != kServoPeriod;
+  const bool has_period = type.channels == BusType::Channels::outputs && port->period != kServoPeriod;
   const bool has_rate = type.rate.form != nullptr;
   Data data;
   data.set("class", std::string(type.bus_class.name));
@@ -115,7 +115,7 @@ Data bus_fields(const Plan& plan, BusId index) {
   data.set("is_pins", type.channels == BusType::Channels::pins);
   data.set("port", bus.port);
   data.set("has_period", has_period);
-  if (has_period) data.set("period", duration_expression(port->period_ns));
+  if (has_period) data.set("period", duration_expression(port->period));
   data.set("has_rate", has_rate);
   data.set("rate", std::to_string(bus.rate));
   data.set("rate_unit", std::string(has_rate ? type.rate.form->units[0] : ""));

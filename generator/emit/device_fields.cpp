@@ -35,9 +35,9 @@ Data crossing_list(const Plan& plan, DeviceId home) {
     entry.set("type", class_name(crossing.type));
     entry.set("port", crossing.name);
     entry.set("producer", producer.name.text);
-    entry.set("producer_period", period_text(producer.period_ns));
+    entry.set("producer_period", period_text(producer.period));
     entry.set("consumer", consumer.name.text);
-    entry.set("consumer_period", period_text(consumer.period_ns));
+    entry.set("consumer_period", period_text(consumer.period));
     list.push_back(entry);
   }
   return list;

@@ -59,8 +59,8 @@ Data bucket_list(const Plan& plan, const ProvenBounds& bounds) {
     entry.set("index", std::to_string(i));
     entry.set("is_fastest", i == 0);
     entry.set("period", bucket.label);
-    entry.set("period_text", period_text(bucket.period_ns));
-    entry.set("period_value", duration_expression(bucket.period_ns));
+    entry.set("period_text", period_text(bucket.period));
+    entry.set("period_value", duration_expression(bucket.period));
     entry.set("priority", std::to_string(bucket.priority));
     entry.set("line", std::to_string(bucket.line));
     entry.set("lender", lender_of(plan, bucket));
@@ -113,9 +113,9 @@ Data crossing_list(const Plan& plan) {
     const Device& consumer = plan.robot.devices[crossing.consumer];
     Data entry;
     entry.set("producer", producer.name.text);
-    entry.set("producer_period", period_text(producer.period_ns));
+    entry.set("producer_period", period_text(producer.period));
     entry.set("consumer", consumer.name.text);
-    entry.set("consumer_period", period_text(consumer.period_ns));
+    entry.set("consumer_period", period_text(consumer.period));
     entry.set("is_state", crossing.direction == Crossing::Direction::state);
     entry.set("is_copy", crossing.kind == Crossing::Kind::copy);
     entry.set("is_to_slow", crossing.kind == Crossing::Kind::to_slow);
@@ -175,7 +175,7 @@ Data schedule_source(const Plan& plan, const ProvenBounds& bounds) {
   const Data checks = order_checks(plan);
   data.set("has_order_checks", checks.is_non_empty_list());
   data.set("order_checks", checks);
-  data.set("tick_value", duration_expression(plan.robot.tick_ns));
+  data.set("tick_value", duration_expression(plan.robot.tick));
   data.set("overrun", overrun_policy(plan));
   return data;
 }

@@ -23,7 +23,7 @@ std::vector<DeviceId> members(const Plan& plan, const Tree& tree, std::size_t bu
 void set_other_end(const Plan& plan, DeviceId device, Data& data) {
   const Device& d = plan.robot.devices[device];
   data.set("other", d.name.text);
-  data.set("other_period", period_text(d.period_ns));
+  data.set("other_period", period_text(d.period));
 }
 
 std::string member_of(const Plan& plan, DeviceId device, const std::string& member) {
@@ -203,7 +203,7 @@ Data tree_header(const Plan& plan, const Tree& tree, const std::vector<Constant>
     Data& entry = devices.emplace_back();
     entry.set("name", plan.robot.devices[device].name.text);
     entry.set("what", device_comment(plan, device));
-    entry.set("period", period_text(plan.robot.devices[device].period_ns));
+    entry.set("period", period_text(plan.robot.devices[device].period));
     set_device_bound(plan, bounds.plain, device, entry);
     set_ports(plan, scope, device, constants, entry);
     set_device(plan, scope, device, constants, entry);

@@ -13,7 +13,7 @@ namespace {
 
 std::string integer_expression(const ParamSpec& spec, std::int64_t value) {
   if (spec.kind == ParamKind::real) return given_float_literal(static_cast<double>(value));
-  if (spec.unit == Unit::time_ns) return duration_expression(value);
+  if (spec.unit == Unit::time_ns) return duration_expression(nanoseconds(value));
   if (spec.unit != Unit::none) return fmt::format("std::int64_t{{{}}}", value);
   // Read as a sign before a number that does not fit, the lowest one would be wider than the others.
   return value == std::numeric_limits<std::int32_t>::min() ? "-2147483647 - 1" : std::to_string(value);
@@ -27,17 +27,18 @@ std::string text_expression(const ParamSpec& spec, const std::string& value) {
 
 }  // namespace
 
-std::string duration_expression(std::int64_t ns) {
+std::string duration_expression(Duration time) {
   struct Named {
-    std::int64_t ns;
+    Duration length;
     const char* name;
   };
-  constexpr std::array kUnits{Named{1'000'000'000, "kSecond"}, Named{1'000'000, "kMillisecond"},
-                              Named{1'000, "kMicrosecond"}};
-  for (const Named& unit : kUnits) {
-    if (ns != 0 && ns % unit.ns == 0) return fmt::format("{} * finemote::{}", ns / unit.ns, unit.name);
+  constexpr std::array kUnits{Named{seconds(1), "kSecond"}, Named{milliseconds(1), "kMillisecond"},
+                              Named{microseconds(1), "kMicrosecond"}};
+  for (const auto& [length, name] : kUnits) {
+    if (time != Duration::zero() && is_multiple(time, length))
+      return fmt::format("{} * finemote::{}", floor_div(time, length), name);
   }
-  return fmt::format("finemote::Duration{{{}}}", ns);
+  return fmt::format("finemote::Duration{{{}}}", time.ns());
 }
 
 std::string string_literal(const std::string& text) {

@@ -5,11 +5,12 @@
 #include <string>
 
 #include "generator/model/robot.hpp"
+#include "generator/units/duration.hpp"
 
 namespace finemote::gen {
 
 /// `20 * finemote::kMillisecond`: in the largest unit that divides it.
-std::string duration_expression(std::int64_t ns);
+std::string duration_expression(Duration time);
 
 /// `"a \"b\""`: the text as C++ writes it, quotes included.
 std::string string_literal(const std::string& text);

@@ -10,12 +10,13 @@
 
 #include "generator/geometry/mechanism.hpp"
 #include "generator/lint/findings.hpp"
+#include "generator/units/duration.hpp"
 
 namespace finemote::gen {
 
 /// The oldest data behind a device's command, at the end of its handle().
 struct CommandAge {
-  std::int64_t ns = 0;
+  Duration value;
   DeviceId source;  ///< whose sample
 };
 

@@ -59,8 +59,8 @@ Diagnostic& at_tag(Diagnostics& diagnostics, Code code, const xml::Node& node, s
   return diagnostics.error(code, node.at, std::move(message)).underline(node.name.size() + 1);
 }
 
-std::optional<std::int64_t> read_duration_in(const xml::Node& node, std::string_view name, std::string_view unit,
-                                             Diagnostics& diagnostics) {
+std::optional<Duration> read_duration_in(const xml::Node& node, std::string_view name, std::string_view unit,
+                                         Diagnostics& diagnostics) {
   const xml::Attribute* attribute = node.attribute(name);
   if (attribute == nullptr) return {};
   const auto result = units::parse_duration(attribute->value);

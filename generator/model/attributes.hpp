@@ -9,6 +9,7 @@
 
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/diagnostic/suggest.hpp"
+#include "generator/units/duration.hpp"
 #include "generator/units/units.hpp"
 #include "generator/xml/node.hpp"
 
@@ -51,8 +52,8 @@ std::optional<T> read_quantity(const xml::Node& node, std::string_view name,
 }
 
 /// A duration whose number without unit is more likely one of `unit` than of ms.
-std::optional<std::int64_t> read_duration_in(const xml::Node& node, std::string_view name, std::string_view unit,
-                                             Diagnostics& diagnostics);
+std::optional<Duration> read_duration_in(const xml::Node& node, std::string_view name, std::string_view unit,
+                                         Diagnostics& diagnostics);
 
 /// The attribute's value when it is one of `choices`; else FM3011.
 std::optional<std::string> read_choice(const xml::Node& node, std::string_view name,

@@ -28,21 +28,19 @@ const Board* find_named_board(Reading& reading, const xml::Node& tag) {
 }
 
 /// The tick has to be a whole number of CPU cycles: releases would drift otherwise.
-bool is_whole_cycles(const Board& board, std::int64_t tick_ns) {
-  constexpr std::int64_t kSecond = 1'000'000'000;
-  return tick_ns % kSecond * board.cpu_hz % kSecond == 0;  // fits: below 1e9 times below 9e9
+bool is_whole_cycles(const Board& board, Duration tick) {
+  constexpr std::int64_t kSecond = seconds(1).ns();
+  return tick.ns() % kSecond * board.cpu_hz % kSecond == 0;  // fits: below 1e9 times below 9e9
 }
 
 /// The nearest tick above that is whole, for the hint: cycles come in steps of the reduced denominator.
-std::int64_t whole_tick_above(const Board& board, std::int64_t tick_ns) {
-  constexpr std::int64_t kSecond = 1'000'000'000;
-  const std::int64_t step = kSecond / std::gcd(kSecond, board.cpu_hz);
-  return (tick_ns + step - 1) / step * step;
+Duration whole_tick_above(const Board& board, Duration tick) {
+  return round_up(tick, floor_div(seconds(1), std::gcd(seconds(1).ns(), board.cpu_hz)));
 }
 
 void read_tick(Reading& reading, const xml::Node& tag) {
   const Board* board = reading.robot.board;
-  reading.robot.tick_ns = board != nullptr ? board->default_tick_ns : 1'000'000;
+  reading.robot.tick = board != nullptr ? board->default_tick : milliseconds(1);
   const xml::Attribute* attribute = tag.attribute("tick");
   if (attribute == nullptr) {
     reading.tick_is_known = true;
@@ -50,19 +48,19 @@ void read_tick(Reading& reading, const xml::Node& tag) {
   }
   const auto tick = read_quantity(tag, "tick", units::parse_duration, reading.diagnostics);
   if (!tick) return;
-  if (*tick == 0) {
+  if (*tick == Duration::zero()) {
     at_value(reading.diagnostics, code::period_zero, *attribute, "the tick is zero")
         .hint("write for example tick=\"1ms\"");
     return;
   }
-  if (board != nullptr && (*tick < board->min_tick_ns || *tick > board->max_tick_ns)) {
+  if (board != nullptr && (*tick < board->min_tick || *tick > board->max_tick)) {
     at_value(reading.diagnostics, code::tick_cycles, *attribute,
              fmt::format("a tick of {} is out of range for board '{}'", attribute->value, board->name))
-        .hint(fmt::format("write a tick from {} to {}", units::format_duration(board->min_tick_ns),
-                          units::format_duration(board->max_tick_ns)));
+        .hint(fmt::format("write a tick from {} to {}", units::format_duration(board->min_tick),
+                          units::format_duration(board->max_tick)));
     return;
   }
-  reading.robot.tick_ns = *tick;
+  reading.robot.tick = *tick;
   reading.tick_is_known = board == nullptr || is_whole_cycles(*board, *tick);
   if (reading.tick_is_known) return;
   at_value(reading.diagnostics, code::tick_cycles, *attribute,

@@ -108,25 +108,27 @@ void check_there_is_a_device(const Tags& tags, const Robot& robot, Diagnostics& 
       .hint("add for example <device name=\"load\" type=\"sim_load\" period=\"10ms\"/>");
 }
 
-/// Saturates: such a time fails every analysis, which says so.
-std::int64_t add_times(std::int64_t a, std::int64_t b) {
-  std::int64_t sum = 0;
-  return __builtin_add_overflow(a, b, &sum) ? INT64_MAX : sum;
+/// What a stage is assumed to take: `alone`, more for every child, and what some params say. Saturates: such a time
+/// fails every analysis, which says so.
+Duration assumed_stage(const Device& device, Duration alone, const std::vector<std::string>& params) {
+  const auto children = static_cast<std::int64_t>(device.children.size() + device.reads.size());
+  try {
+    Duration sum = alone + device.type->wcet->per_child * children;
+    for (const std::string& param : params) sum += nanoseconds(param_value(device.params, param, std::int64_t{0}));
+    return sum;
+  } catch (const Overflow&) {
+    return Duration::max();
+  }
 }
 
 /// What a device without <wcet> is assumed to need: its type's default, or the tool's.
-void assume_wcet(Device& device, std::int64_t otherwise_ns) {
+void assume_wcet(Device& device, Duration otherwise) {
   if (device.wcet.source != Wcet::Source::assumed) return;
-  device.wcet.update_ns = device.wcet.handle_ns = otherwise_ns;
+  device.wcet.update = device.wcet.handle = otherwise;
   if (device.type == nullptr || !device.type->wcet) return;
   const WcetDefault& wcet = *device.type->wcet;
-  const auto children = static_cast<std::int64_t>(device.children.size() + device.reads.size());
-  device.wcet.update_ns = add_times(wcet.update_ns, wcet.per_child_ns * children);
-  device.wcet.handle_ns = add_times(wcet.handle_ns, wcet.per_child_ns * children);
-  for (const std::string& param : wcet.update_params)
-    device.wcet.update_ns = add_times(device.wcet.update_ns, param_value(device.params, param, std::int64_t{0}));
-  for (const std::string& param : wcet.handle_params)
-    device.wcet.handle_ns = add_times(device.wcet.handle_ns, param_value(device.params, param, std::int64_t{0}));
+  device.wcet.update = assumed_stage(device, wcet.update, wcet.update_params);
+  device.wcet.handle = assumed_stage(device, wcet.handle, wcet.handle_params);
 }
 
 void list_inputs(Robot& robot, const Sources& sources) {
@@ -192,7 +194,7 @@ std::optional<Robot> build_model(const xml::Document& document, Library& library
   if (!is_right || reading.robot.board == nullptr) return {};
   reading.robot.links = reading.kinematics.links;
   reading.robot.joints = reading.kinematics.joints;
-  for (Device& device : reading.robot.devices) assume_wcet(device, options.assumed_wcet_ns);
+  for (Device& device : reading.robot.devices) assume_wcet(device, options.assumed_wcet);
   list_inputs(reading.robot, sources);
   return std::move(reading.robot);
 }

@@ -8,14 +8,15 @@
 #include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/model/robot.hpp"
+#include "generator/units/duration.hpp"
 #include "generator/xml/node.hpp"
 
 namespace finemote::gen {
 
 struct ModelOptions {
-  std::string board;                      ///< instead of the board the robot names (`--board`); empty: the robot's own
-  std::int64_t assumed_wcet_ns = 50'000;  ///< per stage, for devices that declare none and whose type has no default
-  std::string source;                     ///< how outputs call the input; empty: as messages do
+  std::string board;  ///< instead of the board the robot names (`--board`); empty: the robot's own
+  Duration assumed_wcet = microseconds(50);  ///< per stage, for devices that declare none and whose type has no default
+  std::string source;                        ///< how outputs call the input; empty: as messages do
   bool from_xacro =
       false;  ///< the text was expanded: a `xacro:` tag that is left is not the user's mistake of file type
 };

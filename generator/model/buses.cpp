@@ -154,7 +154,7 @@ void read_bus(Reading& reading, const xml::Node& tag) {
   state.port = PortFinder(reading, tag, kind).find();
   if (state.port != nullptr) bus.port = state.port->name;
   if (kind) read_rate(reading, tag, bus, state);
-  bus.isr_wcet_ns = read_duration_in(tag, "isr_wcet", "us", reading.diagnostics);
+  bus.isr_wcet = read_duration_in(tag, "isr_wcet", "us", reading.diagnostics);
   bus.min_frame_bits = read_quantity(tag, "min_frame", units::parse_bits, reading.diagnostics);
   if (bus.min_frame_bits == 0) {
     at_value(reading.diagnostics, code::param_range, *tag.attribute("min_frame"),

@@ -14,16 +14,17 @@ std::string key_of(const ParamValue& value) {
 
 }  // namespace
 
-std::int64_t conversion_ns(const Device& device) {
+Duration conversion_time(const Device& device) {
   const auto& acquisition = device.type->acquisition;
-  if (!acquisition || acquisition->model != Acquisition::Model::polled || !acquisition->conversion) return 0;
+  if (!acquisition || acquisition->model != Acquisition::Model::polled || !acquisition->conversion)
+    return Duration::zero();
   const Conversion& conversion = *acquisition->conversion;
   const auto param = std::find_if(device.params.begin(), device.params.end(), [&](const Param& p) {
     return p.spec != nullptr && !conversion.param.empty() && p.spec->name == conversion.param;
   });
-  if (param == device.params.end()) return conversion.longest_ns();
-  const auto known = conversion.ns_by_value.find(key_of(param->value));
-  return known == conversion.ns_by_value.end() ? conversion.longest_ns() : known->second;
+  if (param == device.params.end()) return conversion.longest();
+  const auto known = conversion.by_value.find(key_of(param->value));
+  return known == conversion.by_value.end() ? conversion.longest() : known->second;
 }
 
 }  // namespace finemote::gen

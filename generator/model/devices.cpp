@@ -156,8 +156,8 @@ class DeviceReader {
       }
     }
     if (wcet == nullptr) return;
-    device_.wcet.update_ns = read_duration_in(*wcet, "update", "us", diagnostics_).value_or(0);
-    device_.wcet.handle_ns = read_duration_in(*wcet, "handle", "us", diagnostics_).value_or(0);
+    device_.wcet.update = read_duration_in(*wcet, "update", "us", diagnostics_).value_or(Duration::zero());
+    device_.wcet.handle = read_duration_in(*wcet, "handle", "us", diagnostics_).value_or(Duration::zero());
     device_.wcet.source = read_source(*wcet);
   }
 

@@ -174,23 +174,23 @@ void check_ids(Reading& reading) {
 /// Devices that fill one frame have to run in one bucket: the frame is sent once per period.
 void check_shared_frames(Reading& reading) {
   struct Filler {
-    std::int64_t period_ns;
+    Duration period;
     Occupant occupant;
   };
   std::map<std::pair<BusId, std::uint32_t>, Filler> first;
   for (const DeviceId i : reading.robot.devices.ids()) {
     const Device& device = reading.robot.devices[i];
     const auto frame = shared_frame_of(device);
-    if (!frame || reading.devices[i].period_is_wrong || device.period_ns == 0) continue;
+    if (!frame || reading.devices[i].period_is_wrong || device.period == Duration::zero()) continue;
     const auto key = std::make_pair(reading.robot.segments[*device.segment].bus, frame->identifier);
-    const auto [known, is_fresh] = first.emplace(key, Filler{device.period_ns, describe(reading, i)});
-    if (is_fresh || known->second.period_ns == device.period_ns) continue;
+    const auto [known, is_fresh] = first.emplace(key, Filler{device.period, describe(reading, i)});
+    if (is_fresh || known->second.period == device.period) continue;
     at_place(reading.diagnostics, code::frame_split, describe(reading, i), "period",
              fmt::format("device '{}' shares a CAN frame with {} but not its period", device.name.text,
                          known->second.occupant.what))
         .note(fmt::format("frame 0x{:03X} carries the commands of both; one runs every {}, the other every {}",
-                          frame->identifier, units::format_duration(known->second.period_ns),
-                          units::format_duration(device.period_ns)))
+                          frame->identifier, units::format_duration(known->second.period),
+                          units::format_duration(device.period)))
         .note(fmt::format("{} is declared here", known->second.occupant.what), known->second.occupant.tag->at)
         .hint("give both one period, or one of them an id of another frame");
   }

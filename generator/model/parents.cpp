@@ -81,12 +81,12 @@ void find_cycles(Reading& reading) {
 void inherit_period(Reading& reading, DeviceId index) {
   auto& devices = reading.robot.devices;
   Device& device = devices[index];
-  if (device.period_ns > 0 || reading.devices[index].period_is_wrong) return;
+  if (device.period > Duration::zero() || reading.devices[index].period_is_wrong) return;
   DeviceId at = index;
   for (std::size_t steps = 0; steps <= devices.size(); ++steps) {
     const bool is_lost =
         reading.devices[at].period_is_wrong || reading.devices[at].in_cycle || reading.devices[at].parent_is_wrong;
-    if (devices[at].period_ns > 0) break;
+    if (devices[at].period > Duration::zero()) break;
     if (is_lost) {
       reading.devices[index].period_is_wrong = true;
       return;
@@ -103,7 +103,7 @@ void inherit_period(Reading& reading, DeviceId index) {
     }
     at = *devices[at].parent;
   }
-  device.period_ns = devices[at].period_ns;
+  device.period = devices[at].period;
   device.period_at = devices[at].period_at;
 }
 

@@ -29,21 +29,21 @@ class PeriodReader {
       if (!fault.hint.empty()) finding.hint(in_ticks(fault.hint));
       return;
     }
-    if (*period == 0) {
+    if (*period == Duration::zero()) {
       at_value(diagnostics_, code::period_zero, *attribute, fmt::format("the period of {} is zero", owner_))
           .hint("write for example period=\"10ms\"");
       return;
     }
-    device_.period_ns = *period;
+    device_.period = *period;
     state_.period_is_wrong = false;
     check_tick(*attribute, *period);
     check_length(*attribute, *period);
   }
 
  private:
-  void check_tick(const xml::Attribute& attribute, std::int64_t period) {
-    const std::int64_t tick = reading_.robot.tick_ns;
-    if (!reading_.tick_is_known || period % tick == 0) return;
+  void check_tick(const xml::Attribute& attribute, Duration period) {
+    const Duration tick = reading_.robot.tick;
+    if (!reading_.tick_is_known || is_multiple(period, tick)) return;
     const auto [below, above] = ticks_beside(period);
     at_value(diagnostics_, code::period_tick, attribute,
              fmt::format("the period of {} is not a multiple of the tick of {}", owner_, units::format_duration(tick)))
@@ -51,11 +51,11 @@ class PeriodReader {
                             : fmt::format("write period=\"{}\" or period=\"{}\"", below, above));
   }
   /// The multiples of the tick below and above a period; empty when there is none.
-  [[nodiscard]] std::pair<std::string, std::string> ticks_beside(std::int64_t period) const {
-    const std::int64_t tick = reading_.robot.tick_ns;
-    const std::int64_t below = period / tick * tick;
-    return {below > 0 ? units::format_duration(below) : "",
-            period > INT64_MAX - tick ? "" : units::format_duration(below + tick)};
+  [[nodiscard]] std::pair<std::string, std::string> ticks_beside(Duration period) const {
+    const Duration tick = reading_.robot.tick;
+    const Duration below = round_down(period, tick);
+    return {below > Duration::zero() ? units::format_duration(below) : "",
+            period > Duration::max() - tick ? "" : units::format_duration(below + tick)};
   }
   /// A hint that offers a quantity (`write '2500us'; ...`), with multiples of the tick in its place.
   [[nodiscard]] std::string in_ticks(const std::string& hint) const {
@@ -64,15 +64,15 @@ class PeriodReader {
     const std::size_t end = hint.find('\'', begin);
     if (hint.find(kOffer) == std::string::npos || end == std::string::npos || !reading_.tick_is_known) return hint;
     const auto offered = units::parse_duration(std::string_view(hint).substr(begin, end - begin));
-    if (!offered || *offered % reading_.robot.tick_ns == 0) return hint;
+    if (!offered || is_multiple(*offered, reading_.robot.tick)) return hint;
     const auto [below, above] = ticks_beside(*offered);
     return fmt::format("write '{}{}{}'; the tick is {}", below, below.empty() ? "" : "' or '", above,
-                       units::format_duration(reading_.robot.tick_ns));
+                       units::format_duration(reading_.robot.tick));
   }
   /// The scheduler counts the ticks of a period in 31 bits.
-  void check_length(const xml::Attribute& attribute, std::int64_t period) {
-    const std::int64_t tick = reading_.robot.tick_ns;
-    if (!reading_.tick_is_known || period / tick <= runtime_limits::kPeriodTicks) return;
+  void check_length(const xml::Attribute& attribute, Duration period) {
+    const Duration tick = reading_.robot.tick;
+    if (!reading_.tick_is_known || floor_div(period, tick) <= runtime_limits::kPeriodTicks) return;
     at_value(diagnostics_, code::period_too_long, attribute,
              fmt::format("the period of {} is longer than {} ticks of {}", owner_, runtime_limits::kPeriodTicks,
                          units::format_duration(tick)))

@@ -15,8 +15,6 @@
 namespace finemote::gen {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000'000;
-
 /// The `<param>` of a tag; null when it has none of the name.
 const xml::Node* param_tag(const xml::Node& tag, const std::string& name) {
   for (const xml::Node& child : tag.children) {
@@ -48,7 +46,7 @@ struct Repeats {
   }
   [[nodiscard]] bool is_made() const { return divider() >= spec.least_divider && divider() <= spec.most_divider; }
   /// Both fit 64 bits: counts and dividers are small, the clock is below 1 GHz.
-  [[nodiscard]] std::int64_t period_ns() const { return divider() * spec.counts * kSecond / clock_hz; }
+  [[nodiscard]] Duration period() const { return floor_div(seconds(divider() * spec.counts), clock_hz); }
 };
 
 std::optional<Repeats> repeats_of(const Expander& expander) {
@@ -61,14 +59,14 @@ std::optional<Repeats> repeats_of(const Expander& expander) {
 }
 
 /// Time between two pulses on a segment; none where it is not known.
-std::optional<std::int64_t> repeat_ns(const Reading& reading, const Segment& segment) {
+std::optional<Duration> repetition(const Reading& reading, const Segment& segment) {
   if (segment.kind == Segment::Kind::pwm_expander) {
     const auto repeats = repeats_of(reading.robot.expanders[*segment.expander]);
-    return repeats && repeats->is_made() ? std::optional(repeats->period_ns()) : std::nullopt;
+    return repeats && repeats->is_made() ? std::optional(repeats->period()) : std::nullopt;
   }
   if (bus_type(segment.bus_kind).channels != BusType::Channels::outputs) return {};
   const Port* port = reading.buses[segment.bus].port;
-  return port != nullptr ? std::optional(port->period_ns) : std::nullopt;
+  return port != nullptr ? std::optional(port->period) : std::nullopt;
 }
 
 void check_frequency(Reading& reading, ExpanderId index) {
@@ -103,21 +101,21 @@ const Param* longest_pulse(const Device& device) {
 }
 
 /// Of the usual frequencies, the highest at which the pulse is over a tenth of the time before the next one.
-std::int64_t frequency_for(std::int64_t pulse_ns) {
+std::int64_t frequency_for(Duration pulse) {
   constexpr std::array<std::int64_t, 7> kUsual{400, 333, 250, 200, 100, 60, 50};
-  const auto suits = [&](std::int64_t hz) { return pulse_ns * hz <= kSecond / 10 * 9; };
+  const auto suits = [&](std::int64_t hz) { return pulse <= floor_div(milliseconds(900), hz); };
   const auto* found = std::find_if(kUsual.begin(), kUsual.end(), suits);
   return found == kUsual.end() ? kUsual.back() : *found;
 }
 
-std::string slower_output(const Reading& reading, const Segment& segment, std::int64_t pulse_ns) {
+std::string slower_output(const Reading& reading, const Segment& segment, Duration pulse) {
   if (segment.kind == Segment::Kind::pwm_expander) {
     const Expander& expander = reading.robot.expanders[*segment.expander];
     return fmt::format("write <param name=\"{}\">{}Hz</param> at expander '{}'", expander.type->repeats->frequency,
-                       frequency_for(pulse_ns), expander.name.text);
+                       frequency_for(pulse), expander.name.text);
   }
   for (const std::string& name : free_ports(*reading.robot.board, used_ports(reading.robot), segment.bus_kind)) {
-    if (reading.robot.board->port(name)->period_ns > pulse_ns)
+    if (reading.robot.board->port(name)->period > pulse)
       return fmt::format("write port=\"{}\" at bus '{}'", name, segment.name.text);
   }
   return {};
@@ -128,10 +126,10 @@ void check_pulse(Reading& reading, DeviceId index) {
   const Param* param = longest_pulse(device);
   if (!device.segment || param == nullptr) return;
   const Segment& segment = reading.robot.segments[*device.segment];
-  const auto period = repeat_ns(reading, segment);
-  const std::int64_t pulse = std::get<std::int64_t>(param->value);
+  const auto period = repetition(reading, segment);
+  const Duration pulse = nanoseconds(std::get<std::int64_t>(param->value));
   constexpr std::int64_t kCounts = 4096;  // an output needs at least one count of low level
-  if (!period || pulse < *period - *period / kCounts) return;
+  if (!period || pulse < *period - floor_div(*period, kCounts)) return;
   Diagnostic& finding =
       at_param(reading.diagnostics, code::pulse_period, reading.device_tag(index), param->spec->name,
                fmt::format("device '{}' sends pulses of up to {}, but '{}' repeats them every {}", device.name.text,

@@ -91,7 +91,7 @@ class RequirementReader {
   }
   void read_max_time() {
     requirement_.max_text = value_of(tag_, "max");
-    requirement_.max_ns = read_quantity(tag_, "max", units::parse_duration, diagnostics_).value_or(0);
+    requirement_.max = read_quantity(tag_, "max", units::parse_duration, diagnostics_).value_or(Duration::zero());
   }
 
   std::optional<BusId> find_bus(const xml::Attribute& attribute) {

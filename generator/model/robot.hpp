@@ -11,6 +11,7 @@
 #include "generator/descriptor/expander_type.hpp"
 #include "generator/diagnostic/source.hpp"
 #include "generator/index/ids.hpp"
+#include "generator/units/duration.hpp"
 #include "generator/urdf/kinematics.hpp"
 
 namespace finemote::gen {
@@ -25,9 +26,9 @@ struct Name {
 struct Bus {
   Name name;
   BusKind kind = {};
-  std::string port;                         ///< chip name; empty for virtual
-  std::int64_t rate = 0;                    ///< baud [bit/s], clock [Hz] or bitrate [bit/s]; 0 where the kind has none
-  std::optional<std::int64_t> isr_wcet_ns;  ///< as given
+  std::string port;                  ///< chip name; empty for virtual
+  std::int64_t rate = 0;             ///< baud [bit/s], clock [Hz] or bitrate [bit/s]; 0 where the kind has none
+  std::optional<Duration> isr_wcet;  ///< as given
   std::optional<std::int64_t> min_frame_bits;
   std::vector<Param> params;
   std::string driver_pin;                  ///< rs485: turns the line driver on; empty: it does so by itself
@@ -83,8 +84,8 @@ struct Read {
 
 struct Wcet {
   enum class Source { assumed, budget, measured, static_analysis };
-  std::int64_t update_ns = 0;
-  std::int64_t handle_ns = 0;
+  Duration update;
+  Duration handle;
   Source source = Source::assumed;
 };
 
@@ -96,7 +97,7 @@ struct Device {
   const DeviceType* type = nullptr;
   std::optional<DeviceId> parent;   ///< none: a root
   std::optional<std::size_t> role;  ///< index into the parent's roles
-  std::int64_t period_ns = 0;
+  Duration period;
   std::optional<SegmentId> segment;  ///< none: composite or virtual
   std::optional<std::uint32_t> address, channel, id;
   std::string link, joint;    ///< empty: none
@@ -115,7 +116,7 @@ struct Requirement {
   std::string text;                ///< the operand as written: `imu -> thrusters`
   std::vector<DeviceId> from, to;  ///< latency: devices (a role names several); jitter: `to` holds one
   std::optional<BusId> bus;        ///< utilization of a physical bus; none: the cpu
-  std::int64_t max_ns = 0;         ///< latency, jitter
+  Duration max;                    ///< latency, jitter
   double max_fraction = 0;         ///< utilization, 0..1
   std::string max_text;            ///< as written
   Position at;
@@ -125,7 +126,7 @@ struct Robot {
   Name name;
   const Board* board = nullptr;
   std::vector<Param> board_params;
-  std::int64_t tick_ns = 1'000'000;
+  Duration tick = milliseconds(1);
   std::vector<Link> links;
   std::vector<Joint> joints;
   Table<BusId, Bus> buses;                ///< document order

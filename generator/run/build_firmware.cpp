@@ -85,7 +85,7 @@ std::string project_text(const FirmwareRequest& request) {
                          fs::absolute(request.data_dir).generic_string())
           << "finemote_add_firmware(firmware GENERATED ${CMAKE_CURRENT_SOURCE_DIR}/generated BOARD " << request.board
           << (request.trace ? " TRACE" : "") << (request.monitor ? " MONITOR" : "")
-          << (request.duration_ns > 0 ? fmt::format(" DURATION {}ns", request.duration_ns) : "")
+          << (request.duration > Duration::zero() ? fmt::format(" DURATION {}ns", request.duration.ns()) : "")
           << cmake_list("INCLUDES", request.include_dirs) << cmake_list("SOURCES", request.sources) << ")\n";
   return project.str();
 }

@@ -6,15 +6,16 @@
 #include <vector>
 
 #include "generator/diagnostic/diagnostics.hpp"
+#include "generator/units/duration.hpp"
 
 namespace finemote::gen {
 
 struct FirmwareRequest {
-  std::string folder;            ///< work folder: holds CMakeLists.txt and `generated`; `build` is made
-  std::string data_dir;          ///< holds runtime and cmake
-  std::string board;             ///< folder below runtime/boards
-  bool for_host = false;         ///< the board is this computer: no cross compiler
-  std::int64_t duration_ns = 0;  ///< the run ends by itself; 0: never
+  std::string folder;     ///< work folder: holds CMakeLists.txt and `generated`; `build` is made
+  std::string data_dir;   ///< holds runtime and cmake
+  std::string board;      ///< folder below runtime/boards
+  bool for_host = false;  ///< the board is this computer: no cross compiler
+  Duration duration;      ///< the run ends by itself; 0: never
   bool trace = true;
   bool monitor = false;
   std::vector<std::string> include_dirs;  ///< of the user's own device types

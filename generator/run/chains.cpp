@@ -26,29 +26,28 @@ std::vector<PartRecord> events_of(const RunRecord& record, const std::string& pa
     const bool meant = event.is_output == outputs && (!outputs || event.channel == channel);
     if (meant && event.part == part) events.push_back(event);
   }
-  std::stable_sort(events.begin(), events.end(), [](const auto& a, const auto& b) { return a.at_ns < b.at_ns; });
+  std::stable_sort(events.begin(), events.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
   return events;
 }
 
 /// Age of the newest sample that could be read at `time`.
-std::optional<std::int64_t> sample_age(const std::vector<PartRecord>& samples, std::int64_t time) {
+std::optional<Duration> sample_age(const std::vector<PartRecord>& samples, Duration time) {
   const auto after = std::upper_bound(samples.begin(), samples.end(), time,
-                                      [](std::int64_t t, const PartRecord& event) { return t < event.at_ns; });
+                                      [](Duration t, const PartRecord& event) { return t < event.at; });
   if (after == samples.begin()) return std::nullopt;
-  return time - std::prev(after)->from_ns;  // parts sample in the order they send
+  return time - std::prev(after)->from;  // parts sample in the order they send
 }
 
 /// When the output changed after `begin` and before the next command was made at `end`.
-std::optional<std::int64_t> output_change(const std::vector<PartRecord>& outputs, std::int64_t begin,
-                                          std::int64_t end) {
+std::optional<Duration> output_change(const std::vector<PartRecord>& outputs, Duration begin, Duration end) {
   const auto found = std::lower_bound(outputs.begin(), outputs.end(), begin,
-                                      [](const PartRecord& event, std::int64_t t) { return event.at_ns < t; });
-  if (found == outputs.end() || found->at_ns >= end) return std::nullopt;
-  return found->at_ns;
+                                      [](const PartRecord& event, Duration t) { return event.at < t; });
+  if (found == outputs.end() || found->at >= end) return std::nullopt;
+  return found->at;
 }
 
 struct Series {
-  std::vector<std::int64_t> acquire, decide, wire, end_to_end;
+  std::vector<Duration> acquire, decide, wire, end_to_end;
 };
 
 Series collect(const Robot& robot, const RunRecord& record, const ChainPath& path) {
@@ -59,14 +58,14 @@ Series collect(const Robot& robot, const RunRecord& record, const ChainPath& pat
   const auto outputs = events_of(record, place.part, true, place.channel);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const DecisionSample& sample = samples[i];
-    const std::int64_t next = i + 1 < samples.size() ? samples[i + 1].handle_end_ns : sample.handle_end_ns;
-    const std::int64_t decide = sample.handle_end_ns - sample.update_begin_ns;
-    const auto acquire = sample_age(sensed, sample.update_begin_ns);
-    const auto change = output_change(outputs, sample.handle_end_ns, next);
+    const Duration next = i + 1 < samples.size() ? samples[i + 1].handle_end : sample.handle_end;
+    const Duration decide = sample.handle_end - sample.update_begin;
+    const auto acquire = sample_age(sensed, sample.update_begin);
+    const auto change = output_change(outputs, sample.handle_end, next);
     series.decide.push_back(decide);
     if (acquire) series.acquire.push_back(*acquire);
-    if (change) series.wire.push_back(*change - sample.handle_end_ns);
-    if (acquire && change) series.end_to_end.push_back(*acquire + decide + *change - sample.handle_end_ns);
+    if (change) series.wire.push_back(*change - sample.handle_end);
+    if (acquire && change) series.end_to_end.push_back(*acquire + decide + *change - sample.handle_end);
   }
   return series;
 }

@@ -13,7 +13,7 @@ struct Measured {
   Statistics observed;
   std::optional<Duration> bound;
 
-  [[nodiscard]] bool holds() const { return !bound || observed.count == 0 || observed.max_ns <= bound->ns(); }
+  [[nodiscard]] bool holds() const { return !bound || observed.count == 0 || observed.max <= *bound; }
 };
 
 struct MeasuredChain {

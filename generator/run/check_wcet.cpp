@@ -13,27 +13,27 @@ namespace finemote::gen {
 namespace {
 
 struct Extremes {
-  std::int64_t shortest = std::numeric_limits<std::int64_t>::max();  ///< ns; this value: the stage never ended
-  std::int64_t longest = 0;                                          ///< ns
+  Duration shortest = Duration::max();  ///< this value: the stage never ended
+  Duration longest;
 };
 using Stages = std::array<Extremes, 2>;  ///< of update(), of handle()
 
 struct Running {
   DeviceId device;
   bool is_handle = false;
-  std::int64_t alone_ns = 0;  ///< so far, without the stages that interrupted it
+  Duration alone;  ///< so far, without the stages that interrupted it
 };
 
 /// Extremes of every device's stages, the time of interrupting stages taken out.
 Table<DeviceId, Stages> stage_extremes(const RunRecord& record, std::size_t devices) {
   Table<DeviceId, Stages> result(devices);
   std::vector<Running> open;  // the one that runs is last
-  std::int64_t last = 0;
+  Duration last;
   for (const Event& event : record.events) {
-    if (!open.empty()) open.back().alone_ns += event.t_ns - last;
-    last = event.t_ns;
+    if (!open.empty()) open.back().alone += event.at - last;
+    last = event.at;
     if (!event.is_end) {
-      open.push_back({event.device, event.is_handle});
+      open.push_back({event.device, event.is_handle, Duration::zero()});
       continue;
     }
     const bool is_whole =
@@ -43,37 +43,36 @@ Table<DeviceId, Stages> stage_extremes(const RunRecord& record, std::size_t devi
       continue;
     }
     Extremes& seen = result[event.device][event.is_handle ? 1 : 0];
-    seen.shortest = std::min(seen.shortest, open.back().alone_ns);
-    seen.longest = std::max(seen.longest, open.back().alone_ns);
+    seen.shortest = std::min(seen.shortest, open.back().alone);
+    seen.longest = std::max(seen.longest, open.back().alone);
     open.pop_back();
   }
   return result;
 }
 
 /// A quarter more, to two digits: what one run has not shown.
-std::int64_t with_margin(std::int64_t seen_ns) {
-  std::int64_t unit = 1;
-  const std::int64_t wanted = seen_ns + seen_ns / 4;
-  while (wanted / unit >= 100) unit *= 10;
-  return (wanted + unit - 1) / unit * unit;
+Duration with_margin(Duration seen) {
+  Duration unit = nanoseconds(1);
+  const Duration wanted = seen + floor_div(seen, 4);
+  while (floor_div(wanted, unit) >= 100) unit = 10 * unit;
+  return round_up(wanted, unit);
 }
 
 /// None where a stage never ran: what was not measured is not called so.
 std::optional<MeasuredWcet> measured_wcet(DeviceId device, const Stages& seen) {
-  if (seen[0].longest == 0 || seen[1].longest == 0) return std::nullopt;
+  if (seen[0].longest == Duration::zero() || seen[1].longest == Duration::zero()) return std::nullopt;
   return MeasuredWcet{device, with_margin(seen[0].longest), with_margin(seen[1].longest)};
 }
 
-void warn(const Device& device, DeviceId index, const Stages& seen, std::int64_t stage_cost_ns,
-          Diagnostics& diagnostics) {
+void warn(const Device& device, DeviceId index, const Stages& seen, Duration stage_cost, Diagnostics& diagnostics) {
   constexpr std::array<const char*, 2> kNames = {"update", "handle"};
-  const std::array<std::int64_t, 2> wcet = {device.wcet.update_ns, device.wcet.handle_ns};
+  const std::array<Duration, 2> wcet = {device.wcet.update, device.wcet.handle};
   std::string said;
   for (std::size_t i = 0; i < wcet.size(); ++i) {
-    const bool ran = seen[i].longest > 0;
-    if (!ran || seen[i].shortest - stage_cost_ns <= wcet[i]) continue;
+    const bool ran = seen[i].longest > Duration::zero();
+    if (!ran || seen[i].shortest - stage_cost <= wcet[i]) continue;
     said += fmt::format("{}{}() never took less than {} us, its WCET is {}", said.empty() ? "" : "; ", kNames[i],
-                        (seen[i].shortest - stage_cost_ns) / 1000.0, units::format_duration(wcet[i]));
+                        (seen[i].shortest - stage_cost).ns() / 1000.0, units::format_duration(wcet[i]));
   }
   if (said.empty()) return;
   auto& finding = diagnostics.warning(code::wcet_exceeded, device.at, fmt::format("'{}': {}", device.name.text, said));
@@ -89,9 +88,9 @@ void warn(const Device& device, DeviceId index, const Stages& seen, std::int64_t
 
 }  // namespace
 
-void check_wcet(const Robot& robot, const RunRecord& record, std::int64_t stage_cost_ns, Diagnostics& diagnostics) {
+void check_wcet(const Robot& robot, const RunRecord& record, Duration stage_cost, Diagnostics& diagnostics) {
   const Table<DeviceId, Stages> seen = stage_extremes(record, robot.devices.size());
-  for (const DeviceId i : robot.devices.ids()) warn(robot.devices[i], i, seen[i], stage_cost_ns, diagnostics);
+  for (const DeviceId i : robot.devices.ids()) warn(robot.devices[i], i, seen[i], stage_cost, diagnostics);
 }
 
 std::vector<MeasuredWcet> measured_wcets(const Robot& robot, const RunRecord& record) {
@@ -105,8 +104,8 @@ std::vector<MeasuredWcet> measured_wcets(const Robot& robot, const RunRecord& re
 }
 
 std::string wcet_element(const MeasuredWcet& wcet) {
-  return fmt::format("<wcet update=\"{}\" handle=\"{}\" source=\"measured\"/>", units::format_duration(wcet.update_ns),
-                     units::format_duration(wcet.handle_ns));
+  return fmt::format("<wcet update=\"{}\" handle=\"{}\" source=\"measured\"/>", units::format_duration(wcet.update),
+                     units::format_duration(wcet.handle));
 }
 
 }  // namespace finemote::gen

@@ -11,14 +11,14 @@
 namespace finemote::gen {
 
 /// Warns (FM6006) of every device of which even the shortest run of a stage took longer than its WCET and
-/// `stage_cost_ns`, what the model adds for dispatch and trace: bounds made from that WCET are not proven. Time of
+/// `stage_cost`, what the model adds for dispatch and trace: bounds made from that WCET are not proven. Time of
 /// stages that interrupted it does not count; interrupts of buses do, therefore the shortest run is asked.
-void check_wcet(const Robot& robot, const RunRecord& record, std::int64_t stage_cost_ns, Diagnostics& diagnostics);
+void check_wcet(const Robot& robot, const RunRecord& record, Duration stage_cost, Diagnostics& diagnostics);
 
 /// Execution times a run has shown: the longest run of each stage, interrupts included, and a quarter.
 struct MeasuredWcet {
   DeviceId device;
-  std::int64_t update_ns = 0, handle_ns = 0;
+  Duration update, handle;
 };
 
 /// Of every device whose execution times are assumed and both of whose stages ran.

@@ -1,23 +1,22 @@
 #include "generator/run/duration.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace finemote::gen {
 
-std::optional<std::int64_t> hyperperiod(const Schedule& schedule, std::int64_t limit) {
-  std::int64_t result = 1;
+std::optional<Duration> hyperperiod(const Schedule& schedule, Duration limit) {
+  Duration result = nanoseconds(1);
   for (const Bucket& bucket : schedule.buckets) {
-    const std::int64_t factor = bucket.period_ns / std::gcd(result, bucket.period_ns);
-    if (factor > limit / result) return std::nullopt;
-    result *= factor;
+    const std::int64_t factor = floor_div(bucket.period, gcd(result, bucket.period));
+    if (factor > floor_div(limit, result)) return std::nullopt;
+    result = factor * result;
   }
   return result;
 }
 
-std::int64_t default_duration(const Schedule& schedule) {
-  constexpr std::int64_t kShortest = 100'000'000;
-  constexpr std::int64_t kLongest = 1'000'000'000;
+Duration default_duration(const Schedule& schedule) {
+  constexpr Duration kShortest = milliseconds(100);
+  constexpr Duration kLongest = seconds(1);
   const auto whole = hyperperiod(schedule, kLongest);
   return whole ? std::clamp(2 * *whole, kShortest, kLongest) : kLongest;
 }

@@ -34,14 +34,14 @@ Json ports_of(const Robot& robot) {
 }
 
 /// Runs the job; null and FM0006 or FM6003 where the program is missing or fails.
-Json run_job(const Json& job, const std::string& stem, std::int64_t duration_ns, Diagnostics& diagnostics) {
+Json run_job(const Json& job, const std::string& stem, Duration duration, Diagnostics& diagnostics) {
   const std::string job_file = stem + ".job.json", record_file = stem + ".record.json";
   if (const auto reason = replace_file(job_file, job.dump() + "\n")) {
     diagnostics.error(code::output_not_writable, {}, fmt::format("cannot write '{}': {}", job_file, *reason));
     return {};
   }
   fs::remove(record_file);
-  const std::chrono::seconds limit(120 + 60 * (duration_ns / 1'000'000'000));
+  const std::chrono::seconds limit(120 + 60 * floor_div(duration, seconds(1)));
   const std::string program = (program_folder() / "finemote-emulator").string();
   const ProcessResult result = run_process({program, job_file, record_file}, limit);
   std::ifstream file(record_file);
@@ -63,6 +63,9 @@ std::vector<FaultCount> faults_of(const Json& record) {
   return faults;
 }
 
+/// The record counts times in nanoseconds.
+Duration time_of(const Json& ns) { return nanoseconds(ns.get<std::int64_t>()); }
+
 bool overrun_stops(const Robot& robot) {
   return param_value(robot.board_params, "overrun", std::string()) == "safe_stop";
 }
@@ -73,7 +76,7 @@ bool is_stopped_later(const Json& record, const Robot& robot, const FaultTable& 
   const FaultCount* stop = stopping_fault(table, faults, overrun_stops(robot));
   if (stop == nullptr || record.at("faulty").get<bool>()) return false;
   const Json& stages = record.at("stages");
-  const std::int64_t last = stages.empty() ? 0 : stages.back().at(0).get<std::int64_t>();
+  const Duration last = stages.empty() ? Duration::zero() : time_of(stages.back().at(0));
   report_safe_stop(table, faults, *stop, fmt::format("after its last stage at {}", units::format_duration(last)),
                    diagnostics);
   return true;
@@ -81,10 +84,10 @@ bool is_stopped_later(const Json& record, const Robot& robot, const FaultTable& 
 
 /// The emulated board looks for faults once a millisecond.
 std::string when_at_start(const Json& record) {
-  const Json& fault_ns = record.at("fault_ns");
-  if (fault_ns.is_null()) return "before its first release";
+  const Json& fault = record.at("fault_ns");
+  if (fault.is_null()) return "before its first release";
   return fmt::format("before its first release, within {} of power-on",
-                     units::format_duration(fault_ns.get<std::int64_t>() / 1'000'000 * 1'000'000));
+                     units::format_duration(round_down(time_of(fault), milliseconds(1))));
 }
 
 void report_stop(const Json& record, const FaultTable& table, Diagnostics& diagnostics) {
@@ -116,7 +119,7 @@ std::vector<Event> events_of(const Json& record, const Forest& forest) {
     const auto stage = event.at(1).get<std::uint32_t>();
     const Rank rank{stage / 2};
     if (!forest.order.contains(rank)) continue;
-    events.push_back({event.at(0), forest.order[rank], stage % 2 == 1, !event.at(2).get<bool>()});
+    events.push_back({time_of(event.at(0)), forest.order[rank], stage % 2 == 1, !event.at(2).get<bool>()});
   }
   return events;
 }
@@ -125,8 +128,8 @@ std::vector<ExpectationRecord> expectations_of(const Json& record) {
   const auto seen = [](const Json& value) { return value.is_null() ? std::nullopt : std::optional<double>(value); };
   std::vector<ExpectationRecord> all;
   for (const Json& e : record.at("expectations")) {
-    all.push_back({e.at("part"), e.at("value"), e.at("from_ns"), e.at("to_ns"), e.at("min"), e.at("max"),
-                   seen(e.at("lowest")), seen(e.at("highest")), e.at("finite"), e.at("ok")});
+    all.push_back({e.at("part"), e.at("value"), time_of(e.at("from_ns")), time_of(e.at("to_ns")), e.at("min"),
+                   e.at("max"), seen(e.at("lowest")), seen(e.at("highest")), e.at("finite"), e.at("ok")});
   }
   return all;
 }
@@ -135,8 +138,8 @@ RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest
   RunRecord record;
   record.events = events_of(json, forest);
   for (const Json& part : json.at("parts")) {
-    record.parts.push_back(
-        {part.at("part"), part.at("output"), part.at("channel"), part.at("from_ns"), part.at("at_ns")});
+    record.parts.push_back({part.at("part"), part.at("output"), part.at("channel"), time_of(part.at("from_ns")),
+                            time_of(part.at("at_ns"))});
   }
   record.expectations = expectations_of(json);
   std::size_t port = 0;
@@ -148,7 +151,8 @@ RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest
   for (const Rank rank : forest.order.ids()) {
     if (rank.value() >= json.at("monitor").size()) break;
     const Json& entry = json.at("monitor").at(rank.value());
-    record.monitor.push_back({forest.order[rank], entry.at(0), entry.at(1), entry.at(2), entry.at(3)});
+    record.monitor.push_back(
+        {forest.order[rank], time_of(entry.at(0)), time_of(entry.at(1)), entry.at(2), entry.at(3)});
   }
   record.resets = json.at("resets");
   record.faulty = json.at("faulty");
@@ -190,7 +194,7 @@ bool rehearse(const Board& board, const Scenario* scenario, const Robot& robot, 
               Diagnostics& diagnostics) {
   Json job{{"board", board_wiring(board)}, {"parts", emulated_parts(robot).scenario}};
   if (scenario != nullptr) job["events"] = scenario->document;
-  const Json json = run_job(job, stem, 0, diagnostics);
+  const Json json = run_job(job, stem, Duration::zero(), diagnostics);
   if (json.is_null()) return false;
   if (json.contains("error")) {
     const bool is_given = scenario != nullptr;
@@ -201,20 +205,20 @@ bool rehearse(const Board& board, const Scenario* scenario, const Robot& robot, 
   return !json.contains("error");
 }
 
-std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, const Forest& forest,
-                                 std::int64_t duration_ns, const EmulationOptions& options, Diagnostics& diagnostics) {
+std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, const Forest& forest, Duration duration,
+                                 const EmulationOptions& options, Diagnostics& diagnostics) {
   const EmulatedParts parts = emulated_parts(robot);
   const char* flash = options.flash_misses ? "miss" : "hit";
-  const std::int64_t last_event_ns = options.scenario == nullptr ? 0 : options.scenario->last_event_ns;
+  const Duration last_event = options.scenario == nullptr ? Duration::zero() : options.scenario->last_event;
   Json job = {{"board", board_wiring(options.board)},
               {"image", image},
               {"flash", flash},
-              {"duration_ns", duration_ns},
-              {"run_ns", std::max(duration_ns, last_event_ns)},
+              {"duration_ns", duration.ns()},
+              {"run_ns", std::max(duration, last_event).ns()},
               {"ports", ports_of(robot)},
               {"parts", parts.scenario}};
   if (options.scenario != nullptr) job["events"] = options.scenario->document;
-  const Json json = run_job(job, image, job.at("run_ns"), diagnostics);
+  const Json json = run_job(job, image, std::max(duration, last_event), diagnostics);
   if (json.is_null()) return std::nullopt;
   if (!json.at("stop").is_null()) {
     report_stop(json, options.faults, diagnostics);

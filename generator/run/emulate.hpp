@@ -29,10 +29,10 @@ bool has_models(const Robot& robot, Diagnostics& diagnostics);
 bool rehearse(const Board& board, const Scenario* scenario, const Robot& robot, const std::string& stem,
               Diagnostics& diagnostics);
 
-/// Runs `image` for `duration_ns` from its first release on, or until the scenario's last event where that is later,
+/// Runs `image` for `duration` from its first release on, or until the scenario's last event where that is later,
 /// with the robot's parts on the buses. Reports FM6002 when the firmware locks up, resets or ends, FM6005 as a warning
 /// for every wrong use of the hardware.
-std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, const Forest& forest,
-                                 std::int64_t duration_ns, const EmulationOptions& options, Diagnostics& diagnostics);
+std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, const Forest& forest, Duration duration,
+                                 const EmulationOptions& options, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

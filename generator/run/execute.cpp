@@ -49,29 +49,29 @@ void report_end(const ProcessResult& result, std::chrono::seconds limit, const s
 }  // namespace
 
 std::optional<RunRecord> execute(const std::string& program, const Board& board, const Forest& forest,
-                                 std::int64_t duration_ns, const FaultTable& faults, Diagnostics& diagnostics) {
+                                 Duration duration, const FaultTable& faults, Diagnostics& diagnostics) {
   // An emulated second takes well under a second; the limit only ends images that hang.
-  const std::chrono::seconds limit(60 + 10 * (duration_ns / 1'000'000'000));
+  const std::chrono::seconds limit(60 + 10 * floor_div(duration, seconds(1)));
   const std::vector<std::string> command =
-      board.is_host() ? std::vector<std::string>{program, std::to_string(duration_ns)} : qemu_command(program);
+      board.is_host() ? std::vector<std::string>{program, std::to_string(duration.ns())} : qemu_command(program);
   const ProcessResult result = run_process(command, limit);
   if (!result.started) {
     diagnostics.error(code::missing_tool, {}, fmt::format("cannot start '{}'", command.front()))
         .hint("apt-get install qemu-system-arm");
     return std::nullopt;
   }
-  auto record = parse_record(result.output, forest, duration_ns);
+  auto record = parse_record(result.output, forest, duration);
   if (result.timed_out || result.exit_status != 0) {
-    const FaultCount* stop = record && record->stopped_ns ? stopping_fault(faults, record->faults, true) : nullptr;
+    const FaultCount* stop = record && record->stopped_at ? stopping_fault(faults, record->faults, true) : nullptr;
     if (stop != nullptr) {
-      report_safe_stop(faults, record->faults, *stop, "at " + units::format_duration(*record->stopped_ns), diagnostics);
+      report_safe_stop(faults, record->faults, *stop, "at " + units::format_duration(*record->stopped_at), diagnostics);
     } else {
       report_end(result, limit, record, faults, diagnostics);
     }
     return std::nullopt;
   }
   if (!record) diagnostics.error(code::broken_record, {}, "cannot read the record printed by the firmware");
-  if (record && !board.is_host()) record->instruction_ns = 1 << kInstructionShift;
+  if (record && !board.is_host()) record->instruction_time = nanoseconds(1 << kInstructionShift);
   return record;
 }
 

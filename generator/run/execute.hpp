@@ -13,6 +13,6 @@ namespace finemote::gen {
 /// Runs `program` as built for `board`, which stands in for others. Reports FM0006 when the emulator is missing, FM6002
 /// when the firmware stops with a fault or does not end in time, FM6003 when its record cannot be read.
 std::optional<RunRecord> execute(const std::string& program, const Board& board, const Forest& forest,
-                                 std::int64_t duration_ns, const FaultTable& faults, Diagnostics& diagnostics);
+                                 Duration duration, const FaultTable& faults, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

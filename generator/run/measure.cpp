@@ -9,26 +9,25 @@ namespace finemote::gen {
 namespace {
 
 struct Interval {
-  std::int64_t begin = 0, end = 0;
+  Duration begin, end;
 };
 
 /// Completed runs of a stage, in time order.
 std::vector<Interval> intervals(const RunRecord& record, DeviceId device, bool is_handle) {
   std::vector<Interval> list;
-  constexpr std::int64_t kNotRunning = -1;
-  std::int64_t begin = kNotRunning;
+  std::optional<Duration> begin;  // none: it does not run
   for (const Event& event : record.events) {
     if (event.device != device || event.is_handle != is_handle) continue;
-    if (event.is_end && begin != kNotRunning) list.push_back({begin, event.t_ns});
-    begin = event.is_end ? kNotRunning : event.t_ns;
+    if (event.is_end && begin) list.push_back({*begin, event.at});
+    begin = event.is_end ? std::nullopt : std::optional(event.at);
   }
   return list;
 }
 
 /// The last run that was finished at `time`.
-const Interval* finished_by(const std::vector<Interval>& runs, std::int64_t time) {
+const Interval* finished_by(const std::vector<Interval>& runs, Duration time) {
   const auto after =
-      std::upper_bound(runs.begin(), runs.end(), time, [](std::int64_t t, const Interval& run) { return t < run.end; });
+      std::upper_bound(runs.begin(), runs.end(), time, [](Duration t, const Interval& run) { return t < run.end; });
   return after == runs.begin() ? nullptr : &*std::prev(after);
 }
 
@@ -70,22 +69,22 @@ std::optional<ChainPath> find_way(const Robot& robot, DeviceId from, DeviceId to
 
 }  // namespace
 
-Statistics summarize(const std::vector<std::int64_t>& values) {
+Statistics summarize(const std::vector<Duration>& values) {
   Statistics s;
   s.count = values.size();
   if (values.empty()) return s;
-  s.min_ns = *std::min_element(values.begin(), values.end());
-  s.max_ns = *std::max_element(values.begin(), values.end());
+  s.min = *std::min_element(values.begin(), values.end());
+  s.max = *std::max_element(values.begin(), values.end());
   const auto count = static_cast<double>(values.size());
-  for (const std::int64_t value : values) s.mean_ns += static_cast<double>(value) / count;
+  for (const Duration value : values) s.mean_ns += static_cast<double>(value.ns()) / count;
   double variance = 0;
-  for (const std::int64_t value : values) variance += std::pow(static_cast<double>(value) - s.mean_ns, 2) / count;
+  for (const Duration value : values) variance += std::pow(static_cast<double>(value.ns()) - s.mean_ns, 2) / count;
   s.sd_ns = std::sqrt(variance);
   return s;
 }
 
-std::vector<std::int64_t> stage_times(const RunRecord& record, DeviceId device, bool is_handle) {
-  std::vector<std::int64_t> times;
+std::vector<Duration> stage_times(const RunRecord& record, DeviceId device, bool is_handle) {
+  std::vector<Duration> times;
   for (const Interval& run : intervals(record, device, is_handle)) times.push_back(run.end - run.begin);
   return times;
 }

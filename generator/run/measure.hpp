@@ -12,14 +12,14 @@ namespace finemote::gen {
 /// Smallest, mean, standard deviation and largest of a series, ns. With count 0 the rest means nothing.
 struct Statistics {
   std::uint64_t count = 0;
-  std::int64_t min_ns = 0, max_ns = 0;
-  double mean_ns = 0, sd_ns = 0;  ///< sd: of the whole series (divides by count)
+  Duration min, max;
+  double mean_ns = 0, sd_ns = 0;  ///< fractions of a nanosecond count; sd: of the whole series (divides by count)
 };
 
-Statistics summarize(const std::vector<std::int64_t>& values);
+Statistics summarize(const std::vector<Duration>& values);
 
 /// Time from begin to end of every completed run of a stage, preemption included.
-std::vector<std::int64_t> stage_times(const RunRecord& record, DeviceId device, bool is_handle);
+std::vector<Duration> stage_times(const RunRecord& record, DeviceId device, bool is_handle);
 
 /// The way of data from update() of one device to handle() of another.
 struct ChainPath {
@@ -34,8 +34,8 @@ std::optional<ChainPath> find_chain(const Robot& robot, DeviceId from, DeviceId 
 
 /// One command of a chain's end, and the update its data came from.
 struct DecisionSample {
-  std::int64_t update_begin_ns = 0;  ///< begin of the source's update()
-  std::int64_t handle_end_ns = 0;    ///< end of the actuator's handle()
+  Duration update_begin;  ///< begin of the source's update()
+  Duration handle_end;    ///< end of the actuator's handle()
 };
 
 /// One sample per handle() of the chain's end. Every hop takes the latest value finished before the reader's stage

@@ -5,11 +5,22 @@
 namespace finemote::gen {
 namespace {
 
+/// Later than any run gets.
+constexpr Duration kLatest = 1000 * seconds(86'400);
+
+/// The next word, which counts nanoseconds; `words` fails where it does not, or lies beyond kLatest.
+Duration read_time(std::istringstream& words) {
+  std::int64_t ns = 0;
+  words >> ns;
+  if (nanoseconds(ns) > kLatest || nanoseconds(ns) < -kLatest) words.setstate(std::ios::failbit);
+  return nanoseconds(ns);
+}
+
 bool read_event(std::istringstream& words, const Forest& forest, RunRecord& record) {
-  std::int64_t at = 0;
+  const Duration at = read_time(words);
   std::size_t stage = 0;
   char edge = 0;
-  if (!(words >> at >> stage >> edge) || (edge != 'B' && edge != 'E')) return false;
+  if (!(words >> stage >> edge) || (edge != 'B' && edge != 'E')) return false;
   const Rank rank{stage / 2};
   if (!forest.order.contains(rank)) return false;
   record.events.push_back({at, forest.order[rank], stage % 2 == 1, edge == 'E'});
@@ -25,13 +36,13 @@ bool read_overruns(std::istringstream& words, RunRecord& record) {
   return true;
 }
 
-bool read_bus(std::istringstream& words, std::int64_t duration_ns, RunRecord& record) {
+bool read_bus(std::istringstream& words, Duration duration, RunRecord& record) {
   BusRecord bus;
   std::size_t index = 0;
   double busy_ns = 0;
   if (!(words >> index >> bus.transfers >> bus.errors)) return false;
   bus.bus = BusId{index};
-  if (words >> busy_ns && duration_ns > 0) bus.busy = busy_ns / static_cast<double>(duration_ns);
+  if (words >> busy_ns && duration > Duration::zero()) bus.busy = busy_ns / static_cast<double>(duration.ns());
   record.buses.push_back(bus);
   return true;
 }
@@ -44,16 +55,19 @@ bool read_fault(std::istringstream& words, RunRecord& record) {
 }
 
 bool read_stop(std::istringstream& words, RunRecord& record) {
-  std::int64_t at = 0;
-  if (!(words >> at)) return false;
-  record.stopped_ns = at;
+  const Duration at = read_time(words);
+  if (!words) return false;
+  record.stopped_at = at;
   return true;
 }
 
 bool read_monitor(std::istringstream& words, const Forest& forest, RunRecord& record) {
   MonitorEntry entry;
   std::size_t place = 0;
-  words >> place >> entry.response_max_ns >> entry.age_max_ns >> entry.response_violations >> entry.age_violations;
+  words >> place;
+  entry.response_max = read_time(words);
+  entry.age_max = read_time(words);
+  words >> entry.response_violations >> entry.age_violations;
   if (!words || !forest.order.contains(Rank{place})) return false;
   entry.device = forest.order[Rank{place}];
   record.monitor.push_back(entry);
@@ -62,7 +76,7 @@ bool read_monitor(std::istringstream& words, const Forest& forest, RunRecord& re
 
 }  // namespace
 
-std::optional<RunRecord> parse_record(const std::string& text, const Forest& forest, std::int64_t duration_ns) {
+std::optional<RunRecord> parse_record(const std::string& text, const Forest& forest, Duration duration) {
   RunRecord record;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -77,7 +91,7 @@ std::optional<RunRecord> parse_record(const std::string& text, const Forest& for
         good = read_overruns(words, record);
         break;
       case 'B':
-        good = read_bus(words, duration_ns, record);
+        good = read_bus(words, duration, record);
         break;
       case 'F':
         good = read_fault(words, record);

@@ -13,7 +13,7 @@ namespace finemote::gen {
 
 /// One begin or end of a stage.
 struct Event {
-  std::int64_t t_ns = 0;
+  Duration at;
   DeviceId device;
   bool is_handle = false;
   bool is_end = false;
@@ -30,22 +30,22 @@ struct PartRecord {
   std::string part;        ///< named like its device or expander
   bool is_output = false;  ///< an output took a value; else a quantity was sampled
   std::uint32_t channel = 0;
-  std::int64_t from_ns = 0;  ///< when the quantity was sampled
-  std::int64_t at_ns = 0;    ///< when its last bit could be read, or the output took its value
+  Duration from;  ///< when the quantity was sampled
+  Duration at;    ///< when its last bit could be read, or the output took its value
 };
 
 /// What the monitor in the firmware kept of one device.
 struct MonitorEntry {
   DeviceId device;
-  std::int64_t response_max_ns = 0;
-  std::int64_t age_max_ns = 0;  ///< 0: no valid command was handled
+  Duration response_max;
+  Duration age_max;  ///< zero: no valid command was handled
   std::uint64_t response_violations = 0, age_violations = 0;
 };
 
 /// A value of a part that had to stay between two limits, as the scenario says.
 struct ExpectationRecord {
   std::string part, value;
-  std::int64_t from_ns = 0, to_ns = 0;  ///< since the first release
+  Duration from, to;  ///< since the first release
   double min = 0, max = 0;
   std::optional<double> lowest, highest;  ///< seen, of the finite values; none: no such value
   bool finite = true;                     ///< none was infinite or no number
@@ -64,13 +64,13 @@ struct RunRecord {
   bool faulty = false;                          ///< the scenario injects faults: bounds need not hold
   std::vector<std::string> silent;              ///< devices without a model on the emulated board
   std::vector<FaultCount> faults;               ///< in the order of their first times; host and qemu_f405 only
-  std::optional<std::int64_t> instruction_ns;   ///< every one takes that long: the run counts them instead of time
-  std::optional<std::int64_t> stopped_ns;       ///< it went to its safe stop; host and qemu_f405 only
+  std::optional<Duration> instruction_time;     ///< every one takes that long: the run counts them instead of time
+  std::optional<Duration> stopped_at;           ///< it went to its safe stop; host and qemu_f405 only
 };
 
 /// Reads the lines the firmware prints: `E <ns> <stage> B|E`, `O <bucket> <count>`, `B <bus> <transfers> <errors> <busy
 /// ns>`, `F <module> <number> <count>`, `S <ns>`, `M <device> <worst response> <worst age> <late> <old>`; other lines
-/// are ignored. None when a line is broken or a stage does not exist.
-std::optional<RunRecord> parse_record(const std::string& text, const Forest& forest, std::int64_t duration_ns);
+/// are ignored. None when a line is broken, a stage does not exist or a time is beyond 1000 days.
+std::optional<RunRecord> parse_record(const std::string& text, const Forest& forest, Duration duration);
 
 }  // namespace finemote::gen

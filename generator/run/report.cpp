@@ -12,15 +12,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// For people, and for the viewers of traces.
+double microseconds_of(Duration time) { return static_cast<double>(time.ns()) / 1e3; }
+double milliseconds_of(Duration time) { return static_cast<double>(time.ns()) / 1e6; }
+
 const std::string& name_of(const RunResult& result, DeviceId device) { return result.robot.devices[device].name.text; }
 
 Json statistics(const Measured& figure) {
   const Statistics& s = figure.observed;
   const bool any = s.count > 0;
-  return {{"min_ns", any ? Json(s.min_ns) : Json(nullptr)},
+  return {{"min_ns", any ? Json(s.min.ns()) : Json(nullptr)},
           {"mean_ns", any ? Json(s.mean_ns) : Json(nullptr)},
           {"sd_ns", any ? Json(s.sd_ns) : Json(nullptr)},
-          {"max_ns", any ? Json(s.max_ns) : Json(nullptr)},
+          {"max_ns", any ? Json(s.max.ns()) : Json(nullptr)},
           {"bound_ns", figure.bound ? Json(figure.bound->ns()) : Json(nullptr)}};
 }
 
@@ -33,9 +37,9 @@ Json stage_list(const RunResult& result) {
       list.push_back({{"device", name_of(result, device)},
                       {"stage", is_handle ? "handle" : "update"},
                       {"count", s.count},
-                      {"min_ns", any ? Json(s.min_ns) : Json(nullptr)},
+                      {"min_ns", any ? Json(s.min.ns()) : Json(nullptr)},
                       {"mean_ns", any ? Json(s.mean_ns) : Json(nullptr)},
-                      {"max_ns", any ? Json(s.max_ns) : Json(nullptr)}});
+                      {"max_ns", any ? Json(s.max.ns()) : Json(nullptr)}});
     }
   }
   return list;
@@ -44,8 +48,8 @@ Json stage_list(const RunResult& result) {
 Json event_list(const RunResult& result) {
   Json list = Json::array();
   for (const Event& event : result.record.events) {
-    if (event.t_ns >= result.shown_ns) break;
-    list.push_back({{"t_ns", event.t_ns},
+    if (event.at >= result.shown) break;
+    list.push_back({{"t_ns", event.at.ns()},
                     {"device", name_of(result, event.device)},
                     {"stage", event.is_handle ? "handle" : "update"},
                     {"edge", event.is_end ? "end" : "begin"}});
@@ -86,9 +90,9 @@ Json monitor_list(const RunResult& result) {
   for (const MonitorEntry& entry : result.record.monitor) {
     const timing::DeviceBounds& of = result.bounds.devices[entry.device];
     list.push_back({{"device", name_of(result, entry.device)},
-                    {"response_max_ns", entry.response_max_ns},
+                    {"response_max_ns", entry.response_max.ns()},
                     {"response_bound_ns", bound(of.response)},
-                    {"age_max_ns", entry.age_max_ns > 0 ? Json(entry.age_max_ns) : Json(nullptr)},
+                    {"age_max_ns", entry.age_max > Duration::zero() ? Json(entry.age_max.ns()) : Json(nullptr)},
                     {"age_bound_ns", bound(of.age)},
                     {"response_violations", entry.response_violations},
                     {"age_violations", entry.age_violations}});
@@ -101,8 +105,8 @@ Json expectation_list(const RunResult& result) {
   for (const ExpectationRecord& e : result.record.expectations) {
     list.push_back({{"part", e.part},
                     {"value", e.value},
-                    {"from_ns", e.from_ns},
-                    {"to_ns", e.to_ns},
+                    {"from_ns", e.from.ns()},
+                    {"to_ns", e.to.ns()},
                     {"min", e.min},
                     {"max", e.max},
                     {"lowest", e.lowest ? Json(*e.lowest) : Json(nullptr)},
@@ -122,25 +126,25 @@ void print_expectations(const RunResult& result, std::ostream& out) {
   if (result.record.expectations.empty()) return;
   out << "\nexpected by the scenario\n";
   for (const ExpectationRecord& e : result.record.expectations) {
-    out << fmt::format("  {:>9.3f} to {:>9.3f} ms  {:<24} {:.6g} to {:.6g}, seen {}{}\n",
-                       static_cast<double>(e.from_ns) / 1e6, static_cast<double>(e.to_ns) / 1e6, e.part + "." + e.value,
-                       e.min, e.max, seen_text(e), e.ok ? "" : "  NOT AS EXPECTED");
+    out << fmt::format("  {:>9.3f} to {:>9.3f} ms  {:<24} {:.6g} to {:.6g}, seen {}{}\n", milliseconds_of(e.from),
+                       milliseconds_of(e.to), e.part + "." + e.value, e.min, e.max, seen_text(e),
+                       e.ok ? "" : "  NOT AS EXPECTED");
   }
 }
 
 /// The stages in the order they began, one line per release of the fastest bucket.
 void print_order(const RunResult& result, std::ostream& out) {
   out << "\nobserved order (+ update, - handle)\n";
-  const std::int64_t step = result.schedule.buckets.front().period_ns;
+  const Duration step = result.schedule.buckets.front().period;
   std::string line;
-  std::int64_t shown = -1;
+  std::optional<Duration> shown;
   for (const Event& event : result.record.events) {
-    if (event.t_ns >= result.shown_ns) break;
+    if (event.at >= result.shown) break;
     if (event.is_end) continue;
-    const std::int64_t release = event.t_ns / step * step;
+    const Duration release = round_down(event.at, step);
     if (release != shown) {
       if (!line.empty()) out << line << "\n";
-      line = fmt::format("  {:>8.3f} ms ", static_cast<double>(release) / 1e6);
+      line = fmt::format("  {:>8.3f} ms ", milliseconds_of(release));
       shown = release;
     }
     line += fmt::format(" {}{}", event.is_handle ? '-' : '+', name_of(result, event.device));
@@ -148,33 +152,28 @@ void print_order(const RunResult& result, std::ostream& out) {
   out << line << "\n";
 }
 
-std::string microseconds(const Statistics& s, double value) {
-  return s.count > 0 ? fmt::format("{:.3f}", value / 1e3) : "-";
-}
-
 void print_figure(const RunResult& result, const MeasuredChain& chain, const char* part, const Measured& figure,
                   std::ostream& out) {
   const Statistics& s = figure.observed;
   if (s.count == 0) return;
   const std::string name = name_of(result, chain.from) + " -> " + name_of(result, chain.to);
-  out << fmt::format("  {:<28} {:<10} {:>7} {:>11} {:>11} {:>11} {:>9} {:>11}{}\n", name, part, s.count,
-                     microseconds(s, static_cast<double>(s.min_ns)), microseconds(s, s.mean_ns),
-                     microseconds(s, static_cast<double>(s.max_ns)), microseconds(s, s.sd_ns),
-                     figure.bound ? fmt::format("{:.3f}", static_cast<double>(figure.bound->ns()) / 1e3) : "-",
+  out << fmt::format("  {:<28} {:<10} {:>7} {:>11.3f} {:>11.3f} {:>11.3f} {:>9.3f} {:>11}{}\n", name, part, s.count,
+                     microseconds_of(s.min), s.mean_ns / 1e3, microseconds_of(s.max), s.sd_ns / 1e3,
+                     figure.bound ? fmt::format("{:.3f}", microseconds_of(*figure.bound)) : "-",
                      figure.holds() ? "" : "  ABOVE ITS BOUND");
 }
 
 /// In QEMU every instruction takes 8 ns, so times of a busy processor are counts.
 void print_instructions(const RunResult& result, std::ostream& out) {
-  if (!result.record.instruction_ns) return;
-  const std::int64_t each = *result.record.instruction_ns;
+  if (!result.record.instruction_time) return;
+  const Duration each = *result.record.instruction_time;
   out << "\nthe same in instructions: update to handle\n";
   for (const MeasuredChain& chain : result.chains) {
     const Statistics& s = chain.decide.observed;
     if (s.count == 0) continue;
     out << fmt::format("  {:<28} {} to {}, jitter {}\n",
-                       name_of(result, chain.from) + " -> " + name_of(result, chain.to), s.min_ns / each,
-                       s.max_ns / each, (s.max_ns - s.min_ns) / each);
+                       name_of(result, chain.from) + " -> " + name_of(result, chain.to), floor_div(s.min, each),
+                       floor_div(s.max, each), floor_div(s.max - s.min, each));
   }
 }
 
@@ -193,17 +192,17 @@ void print_chains(const RunResult& result, std::ostream& out) {
 void print_monitor(const RunResult& result, std::ostream& out) {
   if (result.record.monitor.empty()) return;
   const auto time = [](std::optional<Duration> value) {
-    return value ? fmt::format("{:.3f}", static_cast<double>(value->ns()) / 1e3) : "-";
+    return value ? fmt::format("{:.3f}", microseconds_of(*value)) : "-";
   };
   out << "\nmonitored in the firmware, us: release to end of handle, and age of the data behind the command\n";
   out << fmt::format("  {:<28} {:>11} {:>11} {:>7} {:>11} {:>11} {:>7}\n", "device", "response", "bound", "above",
                      "age", "bound", "above");
   for (const MonitorEntry& entry : result.record.monitor) {
     const timing::DeviceBounds& of = result.bounds.devices[entry.device];
-    const auto age = entry.age_max_ns > 0 ? std::optional(nanoseconds(entry.age_max_ns)) : std::nullopt;
+    const auto age = entry.age_max > Duration::zero() ? std::optional(entry.age_max) : std::nullopt;
     out << fmt::format("  {:<28} {:>11} {:>11} {:>7} {:>11} {:>11} {:>7}\n", name_of(result, entry.device),
-                       time(nanoseconds(entry.response_max_ns)), time(of.response), entry.response_violations,
-                       time(age), time(of.age), entry.age_violations);
+                       time(entry.response_max), time(of.response), entry.response_violations, time(age), time(of.age),
+                       entry.age_violations);
   }
 }
 
@@ -244,7 +243,7 @@ Json run_document(const RunResult& result) {
                      {"ram", is_arm ? Json(result.image.ram) : Json(nullptr)},
                      {"stack", result.image.stack ? Json(*result.image.stack) : Json(nullptr)}}},
                    {"board", result.board},
-                   {"duration_ns", result.duration_ns},
+                   {"duration_ns", result.duration.ns()},
                    {"stages", stage_list(result)},
                    {"events", event_list(result)},
                    {"chains", chain_list(result)},
@@ -267,7 +266,7 @@ void print_image(const ImageFacts& image, std::ostream& out) {
 }
 
 void print_run(const RunResult& result, std::ostream& out) {
-  out << fmt::format("{} on {}, {}\n", result.robot.name.text, result.board, period_text(result.duration_ns));
+  out << fmt::format("{} on {}, {}\n", result.robot.name.text, result.board, period_text(result.duration));
   print_image(result.image, out);
   if (!result.record.flash.empty())
     out << fmt::format("times are derived from instructions; fetches from flash {}\n",
@@ -298,34 +297,34 @@ void print_run(const RunResult& result, std::ostream& out) {
 
 Json run_trace(const RunResult& result) {
   Json events = Json::array();
-  const auto slice = [&](DeviceId device, bool is_handle, std::int64_t begin, std::int64_t end) {
+  const auto slice = [&](DeviceId device, bool is_handle, Duration begin, Duration end) {
     events.push_back({{"name", name_of(result, device) + (is_handle ? ".handle" : ".update")},
                       {"ph", "X"},
                       {"pid", 1},
                       {"tid", result.schedule.bucket_of[device] + 1},
-                      {"ts", static_cast<double>(begin) / 1e3},
-                      {"dur", static_cast<double>(end - begin) / 1e3}});
+                      {"ts", microseconds_of(begin)},
+                      {"dur", microseconds_of(end - begin)}});
   };
   for (std::size_t i = 0; i < result.schedule.buckets.size(); ++i) {
     events.push_back({{"name", "thread_name"},
                       {"ph", "M"},
                       {"pid", 1},
                       {"tid", i + 1},
-                      {"args", {{"name", "every " + period_text(result.schedule.buckets[i].period_ns)}}}});
+                      {"args", {{"name", "every " + period_text(result.schedule.buckets[i].period)}}}});
   }
   struct Running {
     DeviceId device;
     bool is_handle;
-    std::int64_t since;
+    Duration since;
   };
   std::vector<Running> stack;
   for (const Event& event : result.record.events) {
-    if (!stack.empty()) slice(stack.back().device, stack.back().is_handle, stack.back().since, event.t_ns);
+    if (!stack.empty()) slice(stack.back().device, stack.back().is_handle, stack.back().since, event.at);
     if (!event.is_end) {
-      stack.push_back({event.device, event.is_handle, event.t_ns});
+      stack.push_back({event.device, event.is_handle, event.at});
     } else if (!stack.empty()) {
       stack.pop_back();
-      if (!stack.empty()) stack.back().since = event.t_ns;
+      if (!stack.empty()) stack.back().since = event.at;
     }
   }
   return {{"traceEvents", events}, {"displayTimeUnit", "ns"}};

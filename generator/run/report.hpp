@@ -19,8 +19,8 @@ struct RunResult {
   const Forest& forest;
   const Schedule& schedule;
   std::string board;
-  std::int64_t duration_ns = 0;
-  std::int64_t shown_ns = 0;  ///< two hyperperiods, or the whole run where that is shorter
+  Duration duration;
+  Duration shown;  ///< two hyperperiods, or the whole run where that is shorter
   ImageFacts image;
   RunRecord record;
   std::vector<MeasuredChain> chains;

@@ -43,7 +43,7 @@ std::vector<std::string> ports_of(const Robot& robot) {
 
 }  // namespace
 
-scenario::World scenario_world(const Robot& robot, std::int64_t duration_ns) {
+scenario::World scenario_world(const Robot& robot, Duration duration) {
   scenario::World world;
   world.parts = parts_of(robot);
   for (const Device& device : robot.devices) {
@@ -58,19 +58,19 @@ scenario::World scenario_world(const Robot& robot, std::int64_t duration_ns) {
   for (const Port& port : robot.board->ports) {
     if (!port.selects.empty()) world.selects[port.name] = static_cast<unsigned>(port.selects.size());
   }
-  world.duration_ns = duration_ns;
+  world.duration_ns = duration.ns();
   return world;
 }
 
-std::optional<Scenario> read_scenario(const std::string& path, const Robot& robot, std::int64_t duration_ns,
-                                      Sources& sources, Diagnostics& diagnostics) {
+std::optional<Scenario> read_scenario(const std::string& path, const Robot& robot, Duration duration, Sources& sources,
+                                      Diagnostics& diagnostics) {
   Scenario result;
   result.file = xml::read_source(path, sources, diagnostics);
   if (result.file == nullptr) return std::nullopt;
-  const auto tree = scenario::read(*result.file, scenario_world(robot, duration_ns), diagnostics);
+  const auto tree = scenario::read(*result.file, scenario_world(robot, duration), diagnostics);
   if (!tree) return std::nullopt;
   result.document = nlohmann::ordered_json::parse(result.file->text);
-  result.last_event_ns = scenario::last_event_ns(*tree);
+  result.last_event = nanoseconds(scenario::last_event_ns(*tree));
   return result;
 }
 

@@ -15,16 +15,16 @@ namespace finemote::gen {
 struct Scenario {
   const SourceFile* file = nullptr;
   nlohmann::ordered_json document;
-  std::int64_t last_event_ns = 0;  ///< since the first release; 0 without events
+  Duration last_event;  ///< since the first release; 0 without events
 };
 
 /// What is there before a scenario is read: the parts the robot hangs on the board, its devices without one, and the
 /// ports it uses.
-scenario::World scenario_world(const Robot& robot, std::int64_t duration_ns);
+scenario::World scenario_world(const Robot& robot, Duration duration);
 
-/// Reads the file and checks it against the robot's parts and buses. `duration_ns`: of the run. Nothing is generated or
+/// Reads the file and checks it against the robot's parts and buses. `duration`: of the run. Nothing is generated or
 /// compiled for it. Reports what xml::read_source and scenario::read report; nothing after an error.
-std::optional<Scenario> read_scenario(const std::string& path, const Robot& robot, std::int64_t duration_ns,
-                                      Sources& sources, Diagnostics& diagnostics);
+std::optional<Scenario> read_scenario(const std::string& path, const Robot& robot, Duration duration, Sources& sources,
+                                      Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -6,24 +6,24 @@
 namespace finemote::gen {
 namespace {
 
-std::pair<std::int64_t, std::string_view> split(std::int64_t period_ns) {
-  constexpr std::pair<std::int64_t, std::string_view> kUnits[] = {
-      {1'000'000'000, "s"}, {1'000'000, "ms"}, {1'000, "us"}};
+std::pair<std::int64_t, std::string_view> split(Duration period) {
+  constexpr std::pair<Duration, std::string_view> kUnits[] = {
+      {seconds(1), "s"}, {milliseconds(1), "ms"}, {microseconds(1), "us"}};
   for (const auto& [size, unit] : kUnits) {
-    if (period_ns % size == 0) return {period_ns / size, unit};
+    if (is_multiple(period, size)) return {floor_div(period, size), unit};
   }
-  return {period_ns, "ns"};
+  return {period.ns(), "ns"};
 }
 
 }  // namespace
 
-std::string period_label(std::int64_t period_ns) {
-  const auto [count, unit] = split(period_ns);
+std::string period_label(Duration period) {
+  const auto [count, unit] = split(period);
   return std::to_string(count) + std::string(unit);
 }
 
-std::string period_text(std::int64_t period_ns) {
-  const auto [count, unit] = split(period_ns);
+std::string period_text(Duration period) {
+  const auto [count, unit] = split(period);
   return std::to_string(count) + " " + std::string(unit);
 }
 

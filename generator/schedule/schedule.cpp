@@ -16,11 +16,11 @@ namespace {
 
 /// One bucket per period, shortest first, devices in schedule order.
 std::vector<Bucket> group_by_period(const Robot& robot, const Forest& forest) {
-  std::map<std::int64_t, Bucket> by_period;
+  std::map<Duration, Bucket> by_period;
   for (DeviceId device : forest.order) {
-    const std::int64_t period = robot.devices[device].period_ns;
+    const Duration period = robot.devices[device].period;
     Bucket& bucket = by_period[period];
-    bucket.period_ns = period;
+    bucket.period = period;
     bucket.devices.push_back(device);
   }
   std::vector<Bucket> buckets;

@@ -9,12 +9,13 @@
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/forest/forest.hpp"
 #include "generator/model/robot.hpp"
+#include "generator/units/duration.hpp"
 
 namespace finemote::gen {
 
 /// All devices of one period. A job runs their updates in order, then their handles in reverse order, then flushes.
 struct Bucket {
-  std::int64_t period_ns = 0;
+  Duration period;
   std::string label;               ///< `10ms`, part of generated names
   std::uint32_t priority = 0;      ///< NVIC level, 0 is the most urgent
   std::uint32_t line = 0;          ///< interrupt line it runs in

@@ -10,7 +10,7 @@ class Lengths {
   /// `random` is drawn from, and outlives this.
   explicit Lengths(Random& random) : random_(random) {}
 
-  /// Between nothing less than `least` and nothing more than `most` [ns], in the manner of the moment.
+  /// Between nothing less than `least` and nothing more than `most`, in the manner of the moment.
   Duration draw(Duration least, Duration most);
 
  private:

@@ -95,7 +95,7 @@ std::string wcet_hint(const Device& device) {
   return fmt::format(
       "<wcet update=\"{}\" handle=\"{}\" source=\"budget\"/> at '{}' if it keeps to that; finemote run prints "
       "the element with source=\"measured\"",
-      units::format_duration(device.update_wcet.ns()), units::format_duration(device.handle_wcet.ns()), device.name);
+      units::format_duration(device.update_wcet), units::format_duration(device.handle_wcet), device.name);
 }
 
 constexpr std::size_t kMostNamed = 6;

@@ -37,9 +37,7 @@ class ChainExplainer {
   }
 
  private:
-  static std::string text(std::optional<Duration> time) {
-    return time ? readable_duration(time->ns()) : "without bound";
-  }
+  static std::string text(std::optional<Duration> time) { return time ? readable_duration(*time) : "without bound"; }
 
   void explain_unbounded(const char* part, std::optional<BusPlace> bus) {
     if (!bus) return;
@@ -57,7 +55,7 @@ class ChainExplainer {
     }
     finding_.note(fmt::format("acquire is the largest part: {} periods of '{}' ({}) for one measurement",
                               std::max<std::int64_t>(floor_div(*chain_.acquire, device.period), 1), device.name,
-                              readable_duration(device.period.ns())));
+                              readable_duration(device.period)));
   }
   void explain_wire() {
     const auto bus = command_bus(model_, chain_.to);
@@ -80,13 +78,13 @@ class ChainExplainer {
         std::minmax_element(way.begin(), way.end(), [&](Rank a, Rank b) { return period(a) < period(b); });
     if (*chain_.decide >= period(*fastest)) {  // waiting for the next job, more than working
       finding_.note(fmt::format("{}'{}' runs every {}, the slowest on the way", decide, model_.devices[*slowest].name,
-                                readable_duration(period(*slowest).ns())));
+                                readable_duration(period(*slowest))));
       return;
     }
     const Device& device = model_.devices[busiest_within(period(*slowest))];
     finding_.note(fmt::format("{}of what runs every {} or more often, '{}' takes longest: update {}, handle {}", decide,
-                              readable_duration(period(*slowest).ns()), device.name,
-                              readable_duration(device.update_wcet.ns()), readable_duration(device.handle_wcet.ns())));
+                              readable_duration(period(*slowest)), device.name, readable_duration(device.update_wcet),
+                              readable_duration(device.handle_wcet)));
   }
   [[nodiscard]] Rank busiest_within(Duration period) const {
     Rank busiest = chain_.from;

@@ -61,8 +61,8 @@ std::string message_of(const RequirementResult& r) {
                        percent_above(*r.fraction, r.requirement.max_fraction),
                        exact_percent(r.requirement.max_fraction));
   }
-  const std::string max = readable_duration(r.requirement.max.ns());
-  return r.value ? fmt::format("{} is up to {}, above its max of {}", what, readable_duration(r.value->ns()), max)
+  const std::string max = readable_duration(r.requirement.max);
+  return r.value ? fmt::format("{} is up to {}, above its max of {}", what, readable_duration(*r.value), max)
                  : fmt::format("{} has no bound, its max is {}", what, max);
 }
 
@@ -104,7 +104,7 @@ void explain(const Timing& timing, const RequirementResult& r, Diagnostic& findi
       r.requirement.kind == Kind::latency_end_to_end && r.decide && *r.decide <= r.requirement.max;
   if (decision_holds) {
     finding.hint(fmt::format("of=\"decision\" holds: update of the one to handle of the other takes {}",
-                             readable_duration(r.decide->ns())));
+                             readable_duration(*r.decide)));
   }
 }
 
@@ -205,8 +205,8 @@ void add_remedies(const Timing& timing, std::size_t index, Trials& trials, Diagn
   const double max = now.fraction ? now.requirement.max_fraction : static_cast<double>(now.requirement.max.ns());
   for (const Remedy& remedy :
        trials.find(RequirementFamilies(timing, now).list(), {value_of, max, now.chain.has_value()})) {
-    const std::string value =
-        now.fraction ? percent_text(remedy.value) : readable_duration(static_cast<std::int64_t>(remedy.value));
+    const std::string value = now.fraction ? percent_text(remedy.value)
+                                           : readable_duration(nanoseconds(static_cast<std::int64_t>(remedy.value)));
     finding.hint(fmt::format("{} brings it to {}{}", remedy.proposal.text, value,
                              remedy.enough ? "" : ", which is not enough alone"));
   }
@@ -222,8 +222,7 @@ void report_requirements(const Timing& timing, Trials& trials, Diagnostics& diag
     finding.underline(8);
     explain(timing, r, finding);
     add_remedies(timing, i, trials, finding);
-    if (r.value)
-      finding.hint(fmt::format("max=\"{}\" is the smallest that holds today", readable_duration(r.value->ns())));
+    if (r.value) finding.hint(fmt::format("max=\"{}\" is the smallest that holds today", readable_duration(*r.value)));
     if (r.fraction) finding.hint(fmt::format("max=\"{}\" is the smallest that holds today", percent_text(*r.fraction)));
   }
 }

@@ -21,18 +21,16 @@ const gen::Costs& costs_of(const Robot& robot) {
   return robot.board != nullptr ? robot.board->costs : kNone;
 }
 
-Duration monitor_cost(std::optional<std::int64_t> ns) { return ns ? nanoseconds(*ns) : kMonitorGuess; }
-
 Costs processor_costs(const gen::Costs& costs, const RobotTimingOptions& options) {
   Costs result;
-  result.interrupt = nanoseconds(costs.exception_entry_ns) + nanoseconds(costs.exception_exit_ns);
-  result.release = nanoseconds(costs.release_ns) + result.interrupt;
-  result.release_per_bucket = nanoseconds(costs.release_per_bucket_ns);
-  result.job = nanoseconds(costs.bucket_ns) + result.interrupt;
-  result.stage = nanoseconds(costs.stage_ns);
-  if (options.trace) result.stage += 2 * nanoseconds(costs.trace_event_ns);
-  result.masked = nanoseconds(costs.masked_section_ns);
-  if (options.monitor) result.job += monitor_cost(costs.monitor_job_ns);
+  result.interrupt = costs.exception();
+  result.release = costs.release + result.interrupt;
+  result.release_per_bucket = costs.release_per_bucket;
+  result.job = costs.bucket + result.interrupt;
+  result.stage = costs.stage;
+  if (options.trace) result.stage += 2 * costs.trace_event;
+  result.masked = costs.masked_section;
+  if (options.monitor) result.job += costs.monitor_job.value_or(kMonitorGuess);
   return result;
 }
 
@@ -54,13 +52,13 @@ std::optional<Acquisition> acquisition_of(const gen::Device& device) {
   if (device.type == nullptr || !device.type->acquisition) return {};
   const gen::Acquisition& given = *device.type->acquisition;
   Acquisition result;
-  result.fixed = nanoseconds(given.latency_ns);
+  result.fixed = given.latency;
   if (given.model == gen::Acquisition::Model::streamed) {
-    result.interval = nanoseconds(given.interval_ns.value_or(0));
+    result.interval = given.interval.value_or(Duration::zero());
   } else {
     result.periods = given.periods.value_or(1);
     result.every = given.published_every;
-    result.conversion = nanoseconds(conversion_ns(device));
+    result.conversion = conversion_time(device);
   }
   return result;
 }
@@ -85,14 +83,14 @@ Device make_device(const Robot& robot, const Forest& forest, const gen::Device& 
   out.name = device.name.text;
   out.at = device.at;
   if (device.parent) out.parent = forest.rank[*device.parent];
-  out.period = nanoseconds(device.period_ns);
-  out.update_wcet = nanoseconds(device.wcet.update_ns);
-  out.handle_wcet = nanoseconds(device.wcet.handle_ns);
+  out.period = device.period;
+  out.update_wcet = device.wcet.update;
+  out.handle_wcet = device.wcet.handle;
   out.source = source_of(device.wcet.source);
   if (out.source == WcetSource::assumed && options.assumed_wcet) {
     out.update_wcet = out.handle_wcet = *options.assumed_wcet;
   }
-  if (options.monitor) out.handle_extra = monitor_cost(costs_of(robot).monitor_handle_ns);
+  if (options.monitor) out.handle_extra = costs_of(robot).monitor_handle.value_or(kMonitorGuess);
   out.takes_command = device.type != nullptr && device.type->has_command();
   out.actuator = device.type != nullptr && device.type->actuator;
   for (const Read& r : device.reads) out.reads.push_back(forest.rank[r.device]);
@@ -104,7 +102,7 @@ Device make_device(const Robot& robot, const Forest& forest, const gen::Device& 
 /// What publishing and snapshots add to the stages around them.
 void add_crossings(const Robot& robot, const Forest& forest, const Schedule& schedule, Model& model) {
   const gen::Costs& costs = costs_of(robot);
-  const Duration copy = nanoseconds(costs.latch_ns) + kCrossingWords * nanoseconds(costs.latch_per_word_ns);
+  const Duration copy = costs.latch + kCrossingWords * costs.latch_per_word;
   for (const Crossing& c : schedule.crossings) {
     Device& producer = model.devices[forest.rank[c.producer]];
     Device& consumer = model.devices[forest.rank[c.consumer]];
@@ -133,7 +131,7 @@ Model model_of(const Robot& robot, const Forest& forest, const Schedule& schedul
   const BusPlaces places(robot);
   const Table<BusId, BusUse> uses = bus_uses(robot);
   Model model;
-  model.tick = nanoseconds(robot.tick_ns);
+  model.tick = robot.tick;
   model.has_target = true;
   model.costs = processor_costs(costs_of(robot), options);
   model.buses = make_buses(robot, places, uses);
@@ -177,7 +175,7 @@ std::vector<Requirement> timing_requirements(const Robot& robot, const Forest& f
     for (const DeviceId d : r.from) out.from.push_back(forest.rank[d]);
     for (const DeviceId d : r.to) out.to.push_back(forest.rank[d]);
     if (r.bus) out.bus = places.of(*r.bus);
-    out.max = nanoseconds(r.max_ns);
+    out.max = r.max;
     out.max_fraction = r.max_fraction;
     out.at = r.at;
     list.push_back(std::move(out));

@@ -28,7 +28,7 @@ double share(const Stream& stream) {
   return static_cast<double>(rate(stream) * static_cast<long double>(stream.cost.ns()));
 }
 
-std::string period_text(Duration period) { return units::format_duration(period.ns()); }
+std::string period_text(Duration period) { return units::format_duration(period); }
 
 /// What people call a flush: its output, the bus it goes over, or the first device it writes.
 std::string flush_name(const Model& model, const Flush& flush) {

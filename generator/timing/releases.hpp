@@ -53,7 +53,7 @@ class ReleaseTable {
     return buckets_[bucket_of_[device]].rows[row][place_[device]].window;
   }
 
-  /// After how many nanoseconds the rows of a device's bucket repeat: its period when all releases are alike.
+  /// After what time the rows of a device's bucket repeat: its period when all releases are alike.
   [[nodiscard]] Duration repeat(Rank device) const;
   [[nodiscard]] bool is_general(std::size_t bucket) const { return buckets_[bucket].general; }
 

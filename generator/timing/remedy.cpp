@@ -176,7 +176,7 @@ Family longer_periods(const Model& model, const std::vector<Rank>& devices, cons
     Proposal proposal;
     for (const Rank d : devices) proposal.changes.push_back(period_change({d}, model.devices[d].period * factor));
     proposal.text =
-        is_one ? fmt::format("period=\"{}\" for {}", units::format_duration(proposal.changes.front().period.ns()), who)
+        is_one ? fmt::format("period=\"{}\" for {}", units::format_duration(proposal.changes.front().period), who)
                : fmt::format("periods {} times as long for {}", factor, who);
     if (!devices.empty()) family.push_back(std::move(proposal));
   }
@@ -190,8 +190,8 @@ Family shorter_periods(const Model& model, const std::vector<Rank>& devices, con
   for (const std::int64_t factor : kFactors) {
     const Duration shorter = floor_div(period, factor);
     if (shorter * factor != period || !is_multiple(shorter, model.tick)) continue;
-    family.push_back({{period_change(devices, shorter)},
-                      fmt::format("period=\"{}\" for {}", units::format_duration(shorter.ns()), who)});
+    family.push_back(
+        {{period_change(devices, shorter)}, fmt::format("period=\"{}\" for {}", units::format_duration(shorter), who)});
   }
   return family;
 }

@@ -15,7 +15,7 @@ bool is_same_place(const Position& a, const Position& b) {
 
 /// Those that take over their parent's period.
 bool inherits(const gen::Device& device, const gen::Device& parent) {
-  return device.period_ns == parent.period_ns && is_same_place(device.period_at, parent.period_at);
+  return device.period == parent.period && is_same_place(device.period_at, parent.period_at);
 }
 
 /// The robot's devices whose period changes when it is written at `devices` of the model.
@@ -60,7 +60,7 @@ bool apply(Robot& robot, const Forest& forest, const Change& change) {
       robot.buses[BusPlaces(robot).buses()[change.bus]].rate = change.value;
       return true;
     case Change::Kind::period:
-      for (const DeviceId d : followers(robot, forest, change.devices)) robot.devices[d].period_ns = change.period.ns();
+      for (const DeviceId d : followers(robot, forest, change.devices)) robot.devices[d].period = change.period;
       return true;
     case Change::Kind::bus:
       return move_to_new_bus(robot, forest, change);

@@ -70,14 +70,14 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
   out.arbitrated = type.is_arbitrated;
   const Driver usual = driver != nullptr ? *driver : Driver{};
   out.min_frame_bits = std::max<std::int64_t>(bus.min_frame_bits.value_or(usual.min_frame_bits), 1);
-  out.wcet = nanoseconds(bus.isr_wcet_ns.value_or(usual.isr_wcet_ns));
+  out.wcet = bus.isr_wcet.value_or(usual.isr_wcet);
   out.frame = frame_time(out.min_frame_bits, bus.rate);
   if (driver != nullptr) {
     out.sources.emplace();
     for (const DriverSource& source : driver->sources) {
       if (!can_interrupt(source, type, use)) continue;
       out.sources->push_back({source.name,
-                              nanoseconds(bus.isr_wcet_ns.value_or(source.isr_wcet_ns)),
+                              bus.isr_wcet.value_or(source.isr_wcet),
                               frame_time(bus.min_frame_bits.value_or(source.min_frame_bits), bus.rate),
                               {}});
     }

@@ -16,7 +16,7 @@ class FlushAdder {
 
   void add(const gen::Bucket& bucket, SegmentId segment) {
     Flush flush;
-    flush.period = nanoseconds(bucket.period_ns);
+    flush.period = bucket.period;
     std::int64_t channels = 0;
     for (const DeviceId d : bucket.devices) {
       const gen::Device& device = robot_.devices[d];
@@ -30,7 +30,7 @@ class FlushAdder {
     if (flush.devices.empty()) return;
     if (robot_.board != nullptr) {
       const gen::Costs& costs = robot_.board->costs;
-      flush.wcet = nanoseconds(costs.flush_ns) + channels * nanoseconds(costs.flush_per_channel_ns);
+      flush.wcet = costs.flush + channels * costs.flush_per_channel;
     }
     const Segment& output = robot_.segments[segment];
     if (output.kind == Segment::Kind::pwm_expander) {

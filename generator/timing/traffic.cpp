@@ -23,7 +23,7 @@ std::vector<Unit> units_of(const std::vector<Frame>& frames, const WireRate& rat
     Unit& unit = units[{to_string(frame.stage), frame.unit > 0 ? frame.unit : alone--}];
     unit.stage = frame.stage;
     unit.use.add(rate, frame.write_bytes, frame.read_bytes);
-    unit.use.min_interval = std::max(unit.use.min_interval, nanoseconds(frame.min_interval_ns.value_or(0)));
+    unit.use.min_interval = std::max(unit.use.min_interval, frame.min_interval.value_or(Duration::zero()));
   }
   std::vector<Unit> list;
   for (const auto& [key, unit] : units) list.push_back(unit);
@@ -139,11 +139,11 @@ void Traffic::add_own_lines(const gen::Device& device) {
     const bool given = !entry.use.empty() && std::any_of(device.uses.begin(), device.uses.end(),
                                                          [&](const Use& use) { return use.spec->role == entry.use; });
     if (!given) continue;
-    const std::int64_t interval = entry.is_autonomous ? entry.min_interval_ns.value_or(1)
-                                                      : device.period_ns / std::max<std::int64_t>(entry.count, 1);
+    const Duration interval = entry.is_autonomous ? entry.min_interval.value_or(nanoseconds(1))
+                                                  : floor_div(device.period, std::max<std::int64_t>(entry.count, 1));
     model_.buses[*bus].sources->push_back({device.name.text + ": " + entry.source,
-                                           entry.wcet_ns ? nanoseconds(*entry.wcet_ns) : model_.buses[*bus].wcet,
-                                           nanoseconds(std::max<std::int64_t>(interval, 1)),
+                                           entry.wcet.value_or(model_.buses[*bus].wcet),
+                                           std::max(interval, nanoseconds(1)),
                                            {}});
   }
 }

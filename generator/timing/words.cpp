@@ -27,7 +27,7 @@ std::string quoted_names(const Model& model, const std::vector<Rank>& devices, s
 }
 
 std::string bucket_text(Duration period) {
-  return fmt::format("the devices with period {}", units::format_duration(period.ns()));
+  return fmt::format("the devices with period {}", units::format_duration(period));
 }
 
 }  // namespace finemote::gen::timing

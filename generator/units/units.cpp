@@ -234,7 +234,7 @@ std::string related(std::string_view number, std::string_view unit, const Kind& 
     const bool inverts = (kind.base == "ns") != (other->base == "ns");
     if (inverts && kNanoseconds % *value != 0) return {};
     const std::int64_t meant = inverts ? kNanoseconds / *value : *value;
-    if (kind.base == "ns") return format_duration(meant);
+    if (kind.base == "ns") return format_duration(nanoseconds(meant));
     if (kind.base == "Hz" || kind.base == "bit/s") return in_largest_unit(meant, kind.base);
   }
   return {};
@@ -254,7 +254,12 @@ Fault other_unit(std::string_view number, std::string_view unit, const Kind& kin
 
 }  // namespace
 
-Result<std::int64_t> parse_duration(std::string_view text) { return exact(text, kDurationKind); }
+Result<Duration> parse_duration(std::string_view text) {
+  const Result<std::int64_t> ns = exact(text, kDurationKind);
+  if (!ns) return ns.fault();
+  return nanoseconds(*ns);
+}
+
 Result<std::int64_t> parse_frequency(std::string_view text) { return exact(text, kFrequencyKind); }
 Result<std::int64_t> parse_bitrate(std::string_view text) { return exact(text, kBitrateKind); }
 Result<std::int64_t> parse_bits(std::string_view text) { return exact(text, kBitsKind); }
@@ -269,8 +274,16 @@ Result<double> parse_percent(std::string_view text) {
   return value;
 }
 
+namespace {
+
+double in_base_unit(std::int64_t value) { return static_cast<double>(value); }
+double in_base_unit(Duration value) { return static_cast<double>(value.ns()); }
+
+}  // namespace
+
+template <typename T>
 Fault with_meant_unit(Fault fault, std::string_view text, std::initializer_list<std::string_view> preferred,
-                      Result<std::int64_t> (*parse)(std::string_view), double least, double most) {
+                      Result<T> (*parse)(std::string_view), double least, double most) {
   if (fault.code != code::unit_missing) return fault;
   const std::size_t units = fault.hint.find("units are ");
   const std::string rest = units == std::string::npos ? "" : fault.hint.substr(units);
@@ -278,34 +291,41 @@ Fault with_meant_unit(Fault fault, std::string_view text, std::initializer_list<
   for (const std::string_view unit : preferred) {
     const std::string candidate = std::string(text) + std::string(unit);
     const auto value = parse(candidate);
-    if (!value || static_cast<double>(*value) < least || static_cast<double>(*value) > most) continue;
+    if (!value || in_base_unit(*value) < least || in_base_unit(*value) > most) continue;
     fault.hint = fmt::format("write '{}'{}{}", shown(candidate), rest.empty() ? "" : "; ", rest);
     break;
   }
   return fault;
 }
 
-std::string format_duration(std::int64_t nanoseconds) {
-  if (nanoseconds % 1'000'000'000 == 0) return fmt::format("{}s", nanoseconds / 1'000'000'000);
-  if (nanoseconds % 1'000'000 == 0) return fmt::format("{}ms", nanoseconds / 1'000'000);
-  if (nanoseconds % 1'000 == 0) return fmt::format("{}us", nanoseconds / 1'000);
-  return fmt::format("{}ns", nanoseconds);
+template Fault with_meant_unit(Fault, std::string_view, std::initializer_list<std::string_view>,
+                               Result<std::int64_t> (*)(std::string_view), double, double);
+template Fault with_meant_unit(Fault, std::string_view, std::initializer_list<std::string_view>,
+                               Result<Duration> (*)(std::string_view), double, double);
+
+std::string format_duration(Duration time) {
+  const std::int64_t ns = time.ns();
+  if (ns % 1'000'000'000 == 0) return fmt::format("{}s", ns / 1'000'000'000);
+  if (ns % 1'000'000 == 0) return fmt::format("{}ms", ns / 1'000'000);
+  if (ns % 1'000 == 0) return fmt::format("{}us", ns / 1'000);
+  return fmt::format("{}ns", ns);
 }
 
-std::string readable_duration(std::int64_t nanoseconds) {
+std::string readable_duration(Duration time) {
+  const std::int64_t ns = time.ns();
   struct Scale {
     std::int64_t ns;
     int digits;
     const char* name;
   };
   for (const Scale& scale : {Scale{1'000'000'000, 9, "s"}, Scale{1'000'000, 6, "ms"}, Scale{1'000, 3, "us"}}) {
-    if (nanoseconds / scale.ns == 0) continue;
-    if (nanoseconds % scale.ns == 0) return fmt::format("{}{}", nanoseconds / scale.ns, scale.name);
-    std::string text = fmt::format("{}.{:0{}}", nanoseconds / scale.ns, nanoseconds % scale.ns, scale.digits);
+    if (ns / scale.ns == 0) continue;
+    if (ns % scale.ns == 0) return fmt::format("{}{}", ns / scale.ns, scale.name);
+    std::string text = fmt::format("{}.{:0{}}", ns / scale.ns, ns % scale.ns, scale.digits);
     text.erase(text.find_last_not_of('0') + 1);
     return text + scale.name;
   }
-  return format_duration(nanoseconds);
+  return format_duration(time);
 }
 
 }  // namespace finemote::gen::units

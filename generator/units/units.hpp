@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "generator/diagnostic/code.hpp"
+#include "generator/units/duration.hpp"
 
 namespace finemote::gen::units {
 
@@ -37,7 +38,7 @@ class Result {
 // has to be whole in the base unit and fit 64 bits with sign. No locale is consulted. Faults: FM3030 (no unit), FM3031
 // (other unit), FM3032 (not whole in the base unit), FM3033 (no quantity at all), FM3034 (too large).
 
-Result<std::int64_t> parse_duration(std::string_view text);   ///< ns us ms s -> ns
+Result<Duration> parse_duration(std::string_view text);       ///< ns us ms s
 Result<std::int64_t> parse_frequency(std::string_view text);  ///< Hz kHz MHz -> Hz
 Result<std::int64_t> parse_bitrate(std::string_view text);    ///< bit/s kbit/s Mbit/s baud -> bit/s
 Result<std::int64_t> parse_bits(std::string_view text);       ///< bit -> bit
@@ -45,8 +46,10 @@ Result<double> parse_percent(std::string_view text);          ///< % -> fraction
 
 /// What a number without unit probably means, for the hint of FM3030: a quantity from `least` to `most` (in the base
 /// unit), with the first unit of `preferred` that makes it one. Other faults stay as they are.
+/// @param parse  parse_duration, parse_frequency, parse_bitrate
+template <typename T>
 Fault with_meant_unit(Fault fault, std::string_view text, std::initializer_list<std::string_view> preferred,
-                      Result<std::int64_t> (*parse)(std::string_view), double least, double most);
+                      Result<T> (*parse)(std::string_view), double least, double most);
 
 /// A bare integer, decimal or 0x, as `index channel id address` are written. Faults: FM3035, FM3034.
 Result<std::uint32_t> parse_bare(std::string_view text);
@@ -57,9 +60,9 @@ Result<std::int64_t> parse_integer(std::string_view text, std::string_view unit 
 Result<double> parse_real(std::string_view text, std::string_view unit = {});
 
 /// `2500000` -> `2500us`: the largest of s, ms, us, ns that divides it; 0 -> `0s`.
-std::string format_duration(std::int64_t nanoseconds);
+std::string format_duration(Duration time);
 
 /// `2500001` -> `2.500001ms`: exact as well, in the largest unit that leaves a number above 1; 0 -> `0s`.
-std::string readable_duration(std::int64_t nanoseconds);
+std::string readable_duration(Duration time);
 
 }  // namespace finemote::gen::units

@@ -16,8 +16,8 @@ TEST_CASE("the generator knows what the runtime holds") {
   CHECK(limits::kBuckets == kMaxBuckets);
   CHECK(gen::bus_type(gen::BusKind::can).most_shared_frames == CanBus::kGroups);
   CHECK(gen::bus_type(gen::BusKind::can).most_devices == CanBus::kMaxSlots);
-  CHECK(limits::kShortestPwmPeriod == kShortestPwmPeriod);
-  CHECK(limits::kLongestPwmPeriod == kLongestPwmPeriod);
+  CHECK(limits::kShortestPwmPeriod.ns() == kShortestPwmPeriod);
+  CHECK(limits::kLongestPwmPeriod.ns() == kLongestPwmPeriod);
 }
 
 }  // namespace finemote

@@ -5,6 +5,7 @@
 #include "generator/diagnostic/render.hpp"
 #include "generator/xml/parse.hpp"
 #include "generator/xml/read_source.hpp"
+#include "unit/duration_literals.hpp"
 
 using namespace finemote::gen;
 
@@ -54,17 +55,17 @@ TEST_CASE("finsrov is fourteen devices on three buses") {
   REQUIRE(finsrov.robot);
   const Robot& robot = *finsrov.robot;
   CHECK(robot.name.cpp == "FinsROV");
-  CHECK(robot.tick_ns == 1'000'000);
+  CHECK(robot.tick == 1_ms);
   CHECK(robot.devices.size() == 14);
   CHECK(robot.buses.size() == 3);
   CHECK(robot.segments.size() == 3 + 5 + 1);
   CHECK(robot.joints.size() == 13);
 
   const Device& imu = finsrov.device("imu");
-  CHECK(imu.period_ns == 5'000'000);
+  CHECK(imu.period == 5_ms);
   CHECK(imu.role == 0U);
   const Device& baro = finsrov.device("baro_3");
-  CHECK(baro.period_ns == 10'000'000);
+  CHECK(baro.period == 10_ms);
   CHECK(baro.address == 0x76U);
   const Segment& segment = robot.segments[*baro.segment];
   CHECK(segment.kind == Segment::Kind::mux_channel);
@@ -74,7 +75,7 @@ TEST_CASE("finsrov is fourteen devices on three buses") {
   CHECK(robot.segments[*thruster.segment].kind == Segment::Kind::pwm_expander);
   CHECK(robot.buses[robot.segments[*thruster.segment].bus].name.text == "i2c");
   CHECK(thruster.channel == 7U);
-  CHECK(thruster.wcet.update_ns == 4000);
+  CHECK(thruster.wcet.update == 4_us);
   CHECK(thruster.wcet.source == Wcet::Source::budget);
 
   const Device& rov = finsrov.device("rov");
@@ -110,9 +111,9 @@ TEST_CASE("blocks merge in document order, and a parent may stand further down")
   CHECK(devices[DeviceId{0}].name.cpp == "leaf_2");
   CHECK(devices[DeviceId{2}].name.cpp == "leaf_1");
   CHECK(devices[DeviceId{1}].children == std::vector<DeviceId>{DeviceId{0}, DeviceId{2}});
-  CHECK(devices[DeviceId{0}].period_ns == 20'000'000);
+  CHECK(devices[DeviceId{0}].period == 20_ms);
   // 2.2 us + 10 us of the param + 300 ns for each of two children
-  CHECK(devices[DeviceId{1}].wcet.update_ns == 12'800);
+  CHECK(devices[DeviceId{1}].wcet.update == 12'800_ns);
   CHECK(devices[DeviceId{1}].wcet.source == Wcet::Source::assumed);
 }
 

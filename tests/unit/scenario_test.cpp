@@ -50,7 +50,7 @@ struct Case {
   }
   /// As `run` knows it.
   scenario::World world() const {
-    scenario::World world = gen::scenario_world(*robot, 0);
+    scenario::World world = gen::scenario_world(*robot, gen::Duration::zero());
     world.duration_ns.reset();
     return world;
   }
@@ -307,7 +307,7 @@ TEST_CASE("a mistake in a scenario is found at its word") {
 
 TEST_CASE("parts that stand in each other's way are refused at the word") {
   const Case rov = example("finsrov");
-  const scenario::World world = gen::scenario_world(*rov.robot, 100'000'000);
+  const scenario::World world = gen::scenario_world(*rov.robot, gen::milliseconds(100));
   const auto part = [](const std::string& members) { return with("\"parts\": [{" + members + "}]"); };
   const auto refused = [&](const std::string& members, unsigned code, const std::string& at, const std::string& words) {
     refuses(part(members), code, at, words, world);
@@ -346,7 +346,7 @@ TEST_CASE("parts that stand in each other's way are refused at the word") {
 
 TEST_CASE("an output is observed once, and a pulse of another part may be observed too") {
   const Case rov = example("finsrov");
-  const scenario::World world = gen::scenario_world(*rov.robot, 100'000'000);
+  const scenario::World world = gen::scenario_world(*rov.robot, gen::milliseconds(100));
   const auto outputs = [](const std::string& first, const std::string& second) {
     const std::string output = R"({"type": "pwm_output", "pwm": "pwm", "name": )";
     return with("\"parts\": [" + output + first + "}, " + output + second + "}]");
@@ -399,7 +399,7 @@ TEST_CASE("what can happen and what can be looked at has a function that does it
 
 TEST_CASE("a fault at what the robot does not have is refused, as it would switch judging off for nothing") {
   const Case rov = example("finsrov");
-  const scenario::World world = gen::scenario_world(*rov.robot, 100'000'000);
+  const scenario::World world = gen::scenario_world(*rov.robot, gen::milliseconds(100));
   refuses(event(R"("t_ns": 1, "port": "adc3", "do": "silent")"), 6007, "\"adc3", "uses the converter 'adc3'", world);
   refuses(event(R"("t_ns": 1, "port": "i2c2", "do": "nack", "address": 119, "times": 1)"), 6007, "119",
           "no part at 'i2c2' has address 119", world);
@@ -409,7 +409,9 @@ TEST_CASE("a fault at what the robot does not have is refused, as it would switc
   }
   const std::string folder = kSource + "/tests/emulator/images/onboard";
   const Case onboard(folder + "/onboard.urdf", folder);
-  CHECK(check(event(R"("t_ns": 1, "port": "adc3", "do": "silent")"), gen::scenario_world(*onboard.robot, 1)).good);
+  CHECK(check(event(R"("t_ns": 1, "port": "adc3", "do": "silent")"),
+              gen::scenario_world(*onboard.robot, gen::nanoseconds(1)))
+            .good);
 }
 
 TEST_CASE("figures that do not fit each other are found at their member") {

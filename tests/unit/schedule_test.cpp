@@ -157,15 +157,15 @@ TEST_CASE("every example keeps the rules of the plan") {
   for (const Bucket& bucket : schedule.buckets) {
     scheduled += bucket.devices.size();
     for (const auto& device : bucket.devices) {
-      CHECK(robot.devices[device].period_ns == bucket.period_ns);
+      CHECK(robot.devices[device].period == bucket.period);
       CHECK(&schedule.buckets[schedule.bucket_of[device]] == &bucket);
     }
   }
   CHECK(scheduled == robot.devices.size());
   for (const Crossing& crossing : schedule.crossings) {
     INFO(crossing.name);
-    const std::int64_t from = robot.devices[crossing.producer].period_ns;
-    const std::int64_t to = robot.devices[crossing.consumer].period_ns;
+    const Duration from = robot.devices[crossing.producer].period;
+    const Duration to = robot.devices[crossing.consumer].period;
     CHECK((crossing.kind == Crossing::Kind::to_slow) == (from < to));
     CHECK((crossing.kind == Crossing::Kind::to_fast) == (from > to));
   }

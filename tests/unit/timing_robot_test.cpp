@@ -136,3 +136,25 @@ TEST_CASE("a device with an interrupt line of its own takes no interrupts from t
   REQUIRE(bound_of_slow(before));
   CHECK(bound_of_slow(before) == bound_of_slow(behind));
 }
+
+TEST_CASE("costs that add up to more than 64 bits hold are reported at the first device") {
+  Robots finsrov("examples/finsrov.urdf");
+  using BoardCosts = finemote::gen::Costs;
+  Board board = *finsrov.robot->board;
+  const auto diagnostics_with = [&](Duration BoardCosts::*cost) {
+    board.costs = finsrov.robot->board->costs;
+    board.costs.*cost = Duration::max();
+    Robot robot = *finsrov.robot;
+    robot.board = &board;
+    Diagnostics diagnostics;
+    CHECK_FALSE(make_timing_model(robot, finsrov.forest, finsrov.schedule, diagnostics));
+    return diagnostics;
+  };
+  for (const auto cost : {&BoardCosts::release, &BoardCosts::exception_entry, &BoardCosts::latch_per_word,
+                          &BoardCosts::flush_per_channel}) {
+    const auto findings = diagnostics_with(cost).in_file_order();
+    REQUIRE(findings.size() == 1);
+    CHECK(findings.front().code == code::timing_overflow);
+    CHECK(findings.front().at.line == finsrov.model.devices[Rank{}].at.line);
+  }
+}

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "catch.hpp"
+#include "unit/duration_literals.hpp"
 
 using namespace finemote::gen;
 using namespace finemote::gen::units;
@@ -27,14 +28,14 @@ void refuses(const Result<T>& result, Code code, const std::string& message, con
 }  // namespace
 
 TEST_CASE("quantities are exact in the base unit") {
-  accepts(parse_duration("5ms"), std::int64_t{5'000'000});
-  accepts(parse_duration("5 ms"), std::int64_t{5'000'000});
-  accepts(parse_duration("2.5us"), std::int64_t{2'500});
-  accepts(parse_duration("0.10 us"), std::int64_t{100});
-  accepts(parse_duration("0.000000001s"), std::int64_t{1});
-  accepts(parse_duration("1.000ns"), std::int64_t{1});
-  accepts(parse_duration("007ms"), std::int64_t{7'000'000});
-  accepts(parse_duration("9223372036854775807ns"), std::numeric_limits<std::int64_t>::max());
+  accepts(parse_duration("5ms"), 5_ms);
+  accepts(parse_duration("5 ms"), 5_ms);
+  accepts(parse_duration("2.5us"), 2500_ns);
+  accepts(parse_duration("0.10 us"), 100_ns);
+  accepts(parse_duration("0.000000001s"), 1_ns);
+  accepts(parse_duration("1.000ns"), 1_ns);
+  accepts(parse_duration("007ms"), 7_ms);
+  accepts(parse_duration("9223372036854775807ns"), Duration::max());
   accepts(parse_frequency("400kHz"), std::int64_t{400'000});
   accepts(parse_frequency("10.5MHz"), std::int64_t{10'500'000});
   accepts(parse_bitrate("921600baud"), std::int64_t{921'600});
@@ -172,16 +173,16 @@ TEST_CASE("no locale is consulted") {
 }
 
 TEST_CASE("durations are written in the largest unit that divides them") {
-  CHECK(format_duration(10'000'000) == "10ms");
-  CHECK(format_duration(2'500'000) == "2500us");
-  CHECK(format_duration(2'000'000'000) == "2s");
-  CHECK(format_duration(17) == "17ns");
-  CHECK(format_duration(0) == "0s");
-  CHECK(readable_duration(10'000'000) == "10ms");
-  CHECK(readable_duration(2'500'001) == "2.500001ms");
-  CHECK(readable_duration(87'060) == "87.06us");
-  CHECK(readable_duration(999) == "999ns");
-  CHECK(readable_duration(0) == "0s");
+  CHECK(format_duration(10_ms) == "10ms");
+  CHECK(format_duration(2500_us) == "2500us");
+  CHECK(format_duration(2000_ms) == "2s");
+  CHECK(format_duration(17_ns) == "17ns");
+  CHECK(format_duration(Duration::zero()) == "0s");
+  CHECK(readable_duration(10_ms) == "10ms");
+  CHECK(readable_duration(2'500'001_ns) == "2.500001ms");
+  CHECK(readable_duration(87'060_ns) == "87.06us");
+  CHECK(readable_duration(999_ns) == "999ns");
+  CHECK(readable_duration(Duration::zero()) == "0s");
   for (const std::int64_t ns : {1LL, 1'500LL, 123'456'789LL, 10'000'000'001LL, 9'223'372'036'854'775'807LL})
-    CHECK(*parse_duration(readable_duration(ns)) == ns);
+    CHECK(*parse_duration(readable_duration(nanoseconds(ns))) == nanoseconds(ns));
 }
