@@ -8,9 +8,6 @@ namespace {
 using timing::DeviceBounds;
 using timing::RobotBounds;
 
-constexpr std::int64_t kNsPerUs = 1'000;
-constexpr std::int64_t kNsPerMs = 1'000'000;
-
 /// `12.146` without zeros at the end, from thousandths.
 std::string thousandths(std::int64_t value) {
   std::string text = fmt::format("{}.{:03}", value / 1000, value % 1000);
