@@ -94,6 +94,7 @@ struct BusType {
   Channels channels = Channels::none;             ///< each belongs to one device
   std::optional<std::size_t> most_devices = 255;  ///< that the driver serves, which counts them in a byte; none: any
   std::size_t most_shared_frames = 0;             ///< that the driver keeps
+  bool carries_expanders = false;  ///< an expander can sit on it, and the channels of a mux are buses of the kind
   bool is_shared = false;  ///< parts can move from one bus of the kind to another without other pins of their own
 
   // The line
@@ -116,6 +117,9 @@ struct BusType {
 };
 
 const BusType& bus_type(BusKind kind);
+
+/// The kind that carries expanders.
+const BusType& expander_bus_type();
 
 /// All kinds, in the order of the reference.
 std::span<const BusType* const> bus_types();

@@ -20,6 +20,13 @@ const BusType& bus_type(BusKind kind) {
   throw std::logic_error("a kind of bus without a record");
 }
 
+const BusType& expander_bus_type() {
+  for (const BusType* type : kTypes) {
+    if (type->carries_expanders) return *type;
+  }
+  throw std::logic_error("no kind of bus carries expanders");
+}
+
 std::optional<BusKind> bus_kind(std::string_view name) {
   for (const BusType* type : kTypes) {
     if (type->name == name) return type->kind;

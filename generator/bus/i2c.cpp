@@ -25,6 +25,7 @@ constinit const BusType kI2cBus{
     .port_class = PortClass::i2c,
     .rate = {.form = &kClock, .rule = &kStm32I2c, .example = 400'000, .may_be_left_out = true, .offers_fastest = true},
     .has_addresses = true,
+    .carries_expanders = true,
     .is_shared = true,
     .is_mastered = true,
     .counted = BusType::Counted::always,

@@ -34,14 +34,20 @@ std::vector<std::int64_t> all_spi_rates(std::int64_t clock_hz) {
   return rates;
 }
 
+constexpr BusKind kSerial[] = {BusKind::uart, BusKind::rs485};
+constexpr BusKind kI2c[] = {BusKind::i2c};
+constexpr BusKind kSpi[] = {BusKind::spi};
+constexpr BusKind kCan[] = {BusKind::can};
+
 constexpr const RateRule* kRules[] = {&kStm32Usart, &kStm32I2c, &kStm32Spi, &kStm32Can};
 
 }  // namespace
 
-constinit const RateRule kStm32Usart{.name = "stm32_usart", .nearest = nearest_usart_rate};
-constinit const RateRule kStm32I2c{.name = "stm32_i2c", .nearest = nearest_i2c_rate};
-constinit const RateRule kStm32Spi{.name = "stm32_spi", .nearest = nearest_spi_rate, .all = all_spi_rates};
-constinit const RateRule kStm32Can{.name = "stm32_can", .nearest = nearest_can_rate};
+constinit const RateRule kStm32Usart{.name = "stm32_usart", .kinds = kSerial, .nearest = nearest_usart_rate};
+constinit const RateRule kStm32I2c{.name = "stm32_i2c", .kinds = kI2c, .nearest = nearest_i2c_rate};
+constinit const RateRule kStm32Spi{
+    .name = "stm32_spi", .kinds = kSpi, .nearest = nearest_spi_rate, .all = all_spi_rates};
+constinit const RateRule kStm32Can{.name = "stm32_can", .kinds = kCan, .nearest = nearest_can_rate};
 
 const RateRule* rate_rule(std::string_view name) {
   const auto* found =

@@ -2,14 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "generator/bus/bus_kind.hpp"
 
 namespace finemote::gen {
 
 struct RateRule {
   std::string_view name;  ///< `rate_rule` of a port in a board file: `stm32_spi`
+
+  std::span<const BusKind> kinds;  ///< of buses that a port of the rule can serve
 
   /// Of the rates that can be made, the one nearest to `wanted` [Hz or bit/s]; both arguments are above 0.
   double (*nearest)(double clock_hz, double wanted) = nullptr;

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/descriptor/contradictions.hpp"
 #include "generator/descriptor/runtime_limits.hpp"
 
@@ -19,6 +20,7 @@ class BoardCheck {
   void check(const Board& board) {
     check_port_names(board);
     check_rates(board);
+    check_drivers(board);
     check_lines(board);
     check_line_words(board);
     check_levels(board);
@@ -43,6 +45,32 @@ class BoardCheck {
       if (port.min_rate.value_or(0) > port.max_rate.value_or(INT64_MAX)) {
         contradiction({"ports", std::to_string(i), "max_rate"},
                       fmt::format("port '{}': max_rate is below min_rate", port.name));
+      }
+      for (std::size_t k = 0; k < port.rates.size(); ++k) {
+        if (port.rates[k] < port.min_rate.value_or(0) || port.rates[k] > port.max_rate.value_or(INT64_MAX)) {
+          contradiction({"ports", std::to_string(i), "rates", std::to_string(k)},
+                        fmt::format("port '{}': the rate is not from min_rate to max_rate", port.name));
+        }
+      }
+    }
+  }
+  /// What serves a kind of bus on a port: its driver, its interrupts and a rule for its rates.
+  void check_drivers(const Board& board) {
+    std::set<BusKind> missing;
+    for (std::size_t i = 0; i < board.ports.size(); ++i) {
+      const Port& port = board.ports[i];
+      const std::string index = std::to_string(i);
+      for (std::size_t k = 0; k < port.kinds.size(); ++k) {
+        const BusType& bus = bus_type(port.kinds[k]);
+        const JsonPath path{"ports", index, "buses", std::to_string(k)};
+        if (board.drivers.find(bus.kind) == board.drivers.end() && missing.insert(bus.kind).second)
+          contradiction(path, fmt::format("\"drivers\" has no '{}'", bus.name));
+        if (bus.unit != nullptr && port.interrupts.empty())
+          contradiction({"ports", index, "interrupts"},
+                        fmt::format("the driver of '{}' needs the interrupts of the port", bus.name));
+        const auto* rule = port.rate_rule;
+        if (rule != nullptr && std::find(rule->kinds.begin(), rule->kinds.end(), bus.kind) == rule->kinds.end())
+          contradiction({"ports", index, "rate_rule"}, fmt::format("'{}' is no rule for {}", rule->name, bus.name));
       }
     }
   }
@@ -83,6 +111,9 @@ class BoardCheck {
     }
   }
   void check_tick(const Board& board) {
+    if (board.min_tick > board.max_tick) contradiction({"tick", "max_ns"}, "the longest tick is below the shortest");
+    if (board.default_tick < board.min_tick || board.default_tick > board.max_tick)
+      contradiction({"tick", "default_ns"}, "the default is not from min_ns to max_ns");
     const auto cycles = static_cast<double>(board.max_tick.ns()) * static_cast<double>(board.cpu_hz) / 1e9;
     if (cycles > static_cast<double>(runtime_limits::kTickCycles)) {
       contradiction({"tick", "max_ns"},
@@ -108,6 +139,8 @@ class BoardCheck {
 
   /// Pins that reserved_pins, connectors and pins name are there.
   void check_pins(const Board& board) {
+    if (board.chip_pins.empty())
+      return contradiction({"package", "gpio"}, "the package has no pins: each range ends before it begins");
     const auto check = [&](const JsonPath& path, const std::string& pin) {
       if (std::find(board.chip_pins.begin(), board.chip_pins.end(), pin) == board.chip_pins.end())
         contradiction(path, fmt::format("the package has no pin '{}'", pin));

@@ -15,6 +15,7 @@
 #include "generator/descriptor/repair.hpp"
 #include "generator/descriptor/schema_check.hpp"
 #include "generator/descriptor/schema_file.hpp"
+#include "generator/descriptor/shipped.hpp"
 #include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
@@ -24,21 +25,24 @@ namespace {
 /// What the three kinds of descriptor have in common: opening, schema version, JSON Schema, the name inside.
 class FileReader {
  public:
-  FileReader(const Library& library, Sources& sources, Diagnostics& diagnostics, bool always_validate = false)
-      : library_(library), sources_(sources), diagnostics_(diagnostics), always_validate_(always_validate) {}
+  FileReader(const Library& library, Sources& sources, Diagnostics& diagnostics, bool always_validate)
+      : library_(library), sources_(sources), diagnostics_(diagnostics), needs_schema_(always_validate) {}
 
+  /// The same, of what was read so far.
+  [[nodiscard]] FileReader reporting_to(Diagnostics& diagnostics) const {
+    return {library_, sources_, diagnostics, needs_schema_};
+  }
   std::optional<JsonFile> read(const LibraryFile& file, const FileFormat& format) {
     const SourceFile* source = xml::read_source(file.path, sources_, diagnostics_, file.display);
     if (source == nullptr) return {};
+    needs_schema_ = needs_schema_ || !is_shipped(source->text);
     std::optional<JsonFile> json = parse_json(*source, diagnostics_);
     if (!json || !has_version(*json, format)) return {};
     return json;
   }
-  bool is_valid(const JsonFile& json, const LibraryFile& file, const FileFormat& format) {
-    return mistakes(json, file, format).empty();
-  }
-  std::vector<SchemaMistake> mistakes(const JsonFile& json, const LibraryFile& file, const FileFormat& format) {
-    if (file.builtin && !always_validate_) return {};
+  bool is_valid(const JsonFile& json, const FileFormat& format) { return mistakes(json, format).empty(); }
+  std::vector<SchemaMistake> mistakes(const JsonFile& json, const FileFormat& format) {
+    if (!needs_schema_) return {};
     const auto schema = read_schema(library_.schema_dir, std::string(format.schema_file), diagnostics_);
     if (!schema) return {SchemaMistake{}};
     return check_schema(json.value, *schema, *json.source, diagnostics_);
@@ -75,7 +79,7 @@ class FileReader {
   const Library& library_;
   Sources& sources_;
   Diagnostics& diagnostics_;
-  bool always_validate_;
+  bool needs_schema_;  ///< something that was read is not as it was shipped
 };
 
 LibraryFile* find_file(std::vector<LibraryFile>& files, std::string_view name) {
@@ -84,15 +88,17 @@ LibraryFile* find_file(std::vector<LibraryFile>& files, std::string_view name) {
   return found == files.end() ? nullptr : &*found;
 }
 
-/// A shipped file is read without its schema; should it be damaged, that ends as a message too.
+/// The schema comes with the data; should it take more than the reader does, that ends as a message too.
 template <typename Read>
 bool guarded(const JsonFile& json, Diagnostics& diagnostics, Read read) {
   try {
     read();
     return true;
-  } catch (const Json::exception& problem) {
-    diagnostics.error(code::descriptor_schema, {json.source, 0, 0, nullptr}, "a member is missing or of another type")
-        .note(problem.what());
+  } catch (const Json::exception&) {
+    diagnostics
+        .error(code::descriptor_schema, find_value(*json.source, {}).at, "a member is missing or of another type")
+        .note("its schema takes it: the schemas in the data folder are not those of this tool")
+        .hint("install finemote again, or give another folder with --data-dir");
     return false;
   }
 }
@@ -143,7 +149,7 @@ bool read_device(Library& library, LibraryFile& file, Sources& sources, Diagnost
   const std::size_t findings = diagnostics.size();
   auto json = reader.read(file, kDeviceFormat);
   if (!json) return false;
-  const std::vector<SchemaMistake> mistakes = reader.mistakes(*json, file, kDeviceFormat);
+  const std::vector<SchemaMistake> mistakes = reader.mistakes(*json, kDeviceFormat);
   reader.has_name(*json, file, kDeviceFormat);
   if (!mistakes.empty()) check_header(*json, file, sources, diagnostics);
   if (!mistakes.empty() && !repair_device(json->value, mistakes, file.name)) return false;
@@ -166,8 +172,7 @@ bool read_expander(Library& library, LibraryFile& file, Sources& sources, Diagno
   FileReader reader(library, sources, diagnostics, always_validate);
   const std::size_t findings = diagnostics.size();
   const auto json = reader.read(file, kExpanderFormat);
-  if (!json || !reader.is_valid(*json, file, kExpanderFormat) || !reader.has_name(*json, file, kExpanderFormat))
-    return false;
+  if (!json || !reader.is_valid(*json, kExpanderFormat) || !reader.has_name(*json, file, kExpanderFormat)) return false;
   auto type = std::make_unique<ExpanderType>();
   const bool complete = guarded(*json, diagnostics, [&] {
     *type = read_expander_type(json->value, *json->source, diagnostics);
@@ -204,20 +209,33 @@ std::optional<Json> merge_board(Library& library, const JsonFile& json, FileRead
   return merged;
 }
 
+/// A board from its text merged over those it extends; null when something is wrong with it.
+std::unique_ptr<Board> judge_board(const JsonFile& json, const LibraryFile& file, FileReader reader,
+                                   Diagnostics& diagnostics) {
+  const std::size_t findings = diagnostics.size();
+  if (!reader.is_valid(json, kBoardFormat) || !reader.has_name(json, file, kBoardFormat)) return {};
+  auto board = std::make_unique<Board>();
+  const bool complete = guarded(json, diagnostics, [&] { *board = read_board(json.value, *json.source, diagnostics); });
+  board->display_path = file.display;
+  return complete && diagnostics.size() == findings ? std::move(board) : nullptr;
+}
+
+/// Reads a board. What is wrong with one that it extends is reported there, once, and nothing more.
 bool load_board(Library& library, LibraryFile& file, Sources& sources, Diagnostics& diagnostics, bool always_validate) {
   FileReader reader(library, sources, diagnostics, always_validate);
-  const std::size_t findings = diagnostics.size();
   auto json = reader.read(file, kBoardFormat);
   if (!json) return false;
   auto merged = merge_board(library, *json, reader, diagnostics, 0);
   if (!merged) return false;
+  const std::string base = json->value.value("extends", "");
   json->value = std::move(*merged);
-  if (!reader.is_valid(*json, file, kBoardFormat) || !reader.has_name(*json, file, kBoardFormat)) return false;
-  auto board = std::make_unique<Board>();
-  const bool complete =
-      guarded(*json, diagnostics, [&] { *board = read_board(json->value, *json->source, diagnostics); });
-  board->display_path = file.display;
-  if (!complete || diagnostics.size() != findings) return false;
+  Diagnostics aside;
+  auto board = judge_board(*json, file, reader.reporting_to(aside), aside);
+  if (board == nullptr) {
+    const bool is_base_right = base.empty() || find_board(library, base, sources, diagnostics) != nullptr;
+    if (is_base_right) judge_board(*json, file, reader, diagnostics);
+    return false;
+  }
   library.boards.push_back(std::move(board));
   return true;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/descriptor/check_class.hpp"
 #include "generator/descriptor/check_emulation.hpp"
 #include "generator/descriptor/member.hpp"
@@ -38,7 +39,9 @@ class ExpanderCheck {
       if (value_.contains(member)) contradiction({member}, fmt::format("a mux is no object: it has no \"{}\"", member));
     }
     if (type.repeats) contradiction({"provides", "repeats"}, "a mux makes no pulses: it has no \"repeats\"");
-    if (type.provides != BusKind::i2c) contradiction({"provides", "bus"}, "a mux provides segments of its i2c bus");
+    if (!bus_type(type.provides).carries_expanders)
+      contradiction({"provides", "bus"},
+                    fmt::format("a mux provides segments of its {} bus", expander_bus_type().name));
     if (type.select == nullptr) return contradiction({"kind"}, "a mux needs a \"select\"");
     if (type.channels > type.select->channels) {
       contradiction({"provides", "channels"},
@@ -49,7 +52,8 @@ class ExpanderCheck {
     if (type.select != nullptr) contradiction({"select"}, "only a mux has a \"select\"");
     if (type.cpp_class.empty() || type.header.empty())
       contradiction({"kind"}, "a driver needs a \"class\" and a \"header\"");
-    if (type.provides != BusKind::pwm) contradiction({"provides", "bus"}, "a driver provides a pwm bus");
+    if (bus_type(type.provides).channels != BusType::Channels::outputs)
+      contradiction({"provides", "bus"}, "a driver provides a pwm bus");
     if (type.repeats) {
       if (type.repeats->least_divider > type.repeats->most_divider)
         contradiction({"provides", "repeats", "dividers", "0"}, "the smallest divider is above the largest");

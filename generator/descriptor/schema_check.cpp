@@ -1,7 +1,11 @@
 #include "generator/descriptor/schema_check.hpp"
 
+// Of a schema that is none, valijson throws; without this it aborts.
+#define VALIJSON_USE_EXCEPTIONS 1
+
 #include <algorithm>
 #include <cctype>
+#include <exception>
 #include <optional>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
@@ -163,6 +167,8 @@ std::optional<Violation> reword(const valijson::ValidationResults::Error& error)
   } else {
     violation.words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(violation.words[0])));
     while (violation.words.back() == '.') violation.words.pop_back();
+    if (constexpr std::string_view kZeros = ".000000"; violation.words.ends_with(kZeros))
+      violation.words.resize(violation.words.size() - kZeros.size());
   }
   return violation;
 }
@@ -195,8 +201,13 @@ std::vector<SchemaMistake> check_schema(const Json& value, const std::string& sc
   const auto schema_json = Plain::parse(schema_text);
   const auto plain = Plain(value);
   valijson::Schema schema;
-  valijson::SchemaParser parser;
-  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
+  try {
+    valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
+  } catch (const std::exception&) {  // all that valijson says of a schema that is none
+    diagnostics.error(code::data_not_found, {}, "a JSON Schema in the data folder is damaged")
+        .hint("install finemote again, or give another folder with --data-dir");
+    return {SchemaMistake{}};
+  }
   valijson::Validator validator;
   valijson::ValidationResults results;
   if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(plain), &results)) return {};

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "generator/bus/bus_kind.hpp"
+#include "generator/bus/bus_type.hpp"
 #include "generator/descriptor/library.hpp"
 #include "generator/model/address.hpp"
 #include "generator/model/attributes.hpp"
@@ -106,7 +106,8 @@ class ExpanderReader {
       segments.push_back({Segment::Kind::pwm_expander, expander_.name, expander_.type->provides, kNoBus, self, 0});
     }
     for (const Expander::Channel& channel : expander_.channels) {
-      segments.push_back({Segment::Kind::mux_channel, channel.name, BusKind::i2c, kNoBus, self, channel.index});
+      segments.push_back(
+          {Segment::Kind::mux_channel, channel.name, expander_bus_type().kind, kNoBus, self, channel.index});
     }
   }
 
@@ -128,9 +129,9 @@ void report_misnamed(Reading& reading, const xml::Node& tag) {
     const std::string_view value = value_of(tag, name);
     return value.empty() ? otherwise : std::string(value);
   };
-  std::string bus = "i2c";
+  std::string bus(expander_bus_type().name);
   for (const Bus& other : reading.robot.buses) {
-    if (other.kind != BusKind::i2c) continue;
+    if (!bus_type(other.kind).carries_expanders) continue;
     bus = other.name.text;
     break;
   }
@@ -149,7 +150,7 @@ std::vector<std::string> buses_for(const Reading& reading, ExpanderId index) {
   std::vector<std::string> names;
   for (const Segment& segment : reading.robot.segments) {
     const bool is_behind = segment.kind != Segment::Kind::bus;
-    if (segment.bus_kind != BusKind::i2c || (is_behind && (is_mux || segment.expander == index))) continue;
+    if (!bus_type(segment.bus_kind).carries_expanders || (is_behind && (is_mux || segment.expander == index))) continue;
     names.push_back(segment.name.text);
   }
   return names;
@@ -166,10 +167,10 @@ void attach(Reading& reading, ExpanderId index) {
     return;
   }
   const Segment& target = reading.robot.segments[*segment];
-  if (reading.kind_is_known(target) && target.bus_kind != BusKind::i2c) {
+  if (reading.kind_is_known(target) && !bus_type(target.bus_kind).carries_expanders) {
     at_value(reading.diagnostics, code::bus_kind, *bus,
-             fmt::format("expander '{}' needs an i2c bus; '{}' is of type '{}'", expander.name.text, bus->value,
-                         bus_kind_name(target.bus_kind)));
+             fmt::format("expander '{}' needs an {} bus; '{}' is of type '{}'", expander.name.text,
+                         expander_bus_type().name, bus->value, bus_kind_name(target.bus_kind)));
     return;
   }
   if (target.kind == Segment::Kind::mux_channel && expander.type != nullptr && expander.type->is_mux()) {

@@ -175,6 +175,7 @@ void check_ids(Reading& reading) {
 void check_shared_frames(Reading& reading) {
   struct Filler {
     Duration period;
+    bool has_id;
     Occupant occupant;
   };
   std::map<std::pair<BusId, std::uint32_t>, Filler> first;
@@ -183,7 +184,8 @@ void check_shared_frames(Reading& reading) {
     const auto frame = shared_frame_of(device);
     if (!frame || reading.devices[i].period_is_wrong || device.period == Duration::zero()) continue;
     const auto key = std::make_pair(reading.robot.segments[*device.segment].bus, frame->identifier);
-    const auto [known, is_fresh] = first.emplace(key, Filler{device.period, describe(reading, i)});
+    const auto [known, is_fresh] =
+        first.emplace(key, Filler{device.period, device.id.has_value(), describe(reading, i)});
     if (is_fresh || known->second.period == device.period) continue;
     at_place(reading.diagnostics, code::frame_split, describe(reading, i), "period",
              fmt::format("device '{}' shares a CAN frame with {} but not its period", device.name.text,
@@ -192,7 +194,8 @@ void check_shared_frames(Reading& reading) {
                           frame->identifier, units::format_duration(known->second.period),
                           units::format_duration(device.period)))
         .note(fmt::format("{} is declared here", known->second.occupant.what), known->second.occupant.tag->at)
-        .hint("give both one period, or one of them an id of another frame");
+        .hint(device.id || known->second.has_id ? "give both one period, or one of them an id of another frame"
+                                                : "give both one period, or put one of them on another bus");
   }
 }
 

@@ -8,6 +8,7 @@
 #include "generator/model/attributes.hpp"
 #include "generator/model/names.hpp"
 #include "generator/model/reading.hpp"
+#include "generator/model/taken_names.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -126,9 +127,19 @@ void report_taken(Diagnostics& diagnostics, const Named& entry, std::string why,
       .hint(fmt::format("write for example name=\"{}\"", instead));
 }
 
-/// A name beside those of buses, which `utilization=` can name as well.
-bool check_bus_name(Diagnostics& diagnostics, const Named& entry) {
+/// A name in the robot's namespace, where things of the user's types can stand as well.
+bool check_in_robot(Diagnostics& diagnostics, const Named& entry, const TakenNames& taken) {
   if (!check_one(diagnostics, entry, NameScope::in_robot)) return false;
+  const std::string owner = taken.in_robot(entry.name->cpp);
+  if (owner.empty()) return true;
+  report_taken(diagnostics, entry, fmt::format("in the namespace of the robot it is {}", owner),
+               free_name(entry.name->cpp, NameScope::in_robot));
+  return false;
+}
+
+/// A name beside those of buses, which `utilization=` can name as well.
+bool check_bus_name(Diagnostics& diagnostics, const Named& entry, const TakenNames& taken) {
+  if (!check_in_robot(diagnostics, entry, taken)) return false;
   if (entry.name->text != "cpu") return true;
   report_taken(diagnostics, entry, "<require utilization=\"cpu\"> means the processor", "cpu_bus");
   return false;
@@ -158,19 +169,25 @@ void check_names(Reading& reading) {
   Diagnostics& diagnostics = reading.diagnostics;
   const Robot& robot = reading.robot;
   const Named whole{&robot.name, &reading.root, "robot"};
-  if (check_one(diagnostics, whole, NameScope::robot)) check_one(diagnostics, whole, NameScope::file);
+  const TakenNames taken(robot);
+  const bool is_named =
+      check_one(diagnostics, whole, NameScope::robot) && check_one(diagnostics, whole, NameScope::file);
+  if (is_named && !taken.robot_taken().empty()) {
+    report_taken(diagnostics, whole, fmt::format("generated code cannot stand beside {}", taken.robot_taken()),
+                 free_name(robot.name.cpp, NameScope::robot));
+  }
 
   NameTable buses(diagnostics);    // what `bus=` can name, and names beside the tree namespaces
   NameTable devices(diagnostics);  // what `parent=` and `device=` can name
   NameTable slots(diagnostics);    // transfer slots of expanders stand beside those of devices
   for (const BusId i : robot.buses.ids()) {
     const Named entry{&robot.buses[i].name, reading.tags.buses[i], described("bus", robot.buses[i].name)};
-    if (check_bus_name(diagnostics, entry)) buses.add(entry);
+    if (check_bus_name(diagnostics, entry, taken)) buses.add(entry);
   }
   for (const ExpanderId i : robot.expanders.ids()) {
     const Expander& expander = robot.expanders[i];
     const Named entry{&expander.name, reading.tags.expanders[i], described("expander", expander.name)};
-    if (!check_bus_name(diagnostics, entry)) continue;
+    if (!check_bus_name(diagnostics, entry, taken)) continue;
     buses.add(entry);
     slots.add(entry);
     std::size_t channel = 0;
@@ -178,7 +195,7 @@ void check_names(Reading& reading) {
       if (!child.is_element("channel") || channel >= expander.channels.size()) continue;
       const Name& name = expander.channels[channel++].name;
       const Named inner{&name, &child, described("channel", name)};
-      if (check_bus_name(diagnostics, inner)) buses.add(inner);
+      if (check_bus_name(diagnostics, inner, taken)) buses.add(inner);
     }
   }
   for (const DeviceId i : robot.devices.ids()) {
@@ -189,8 +206,7 @@ void check_names(Reading& reading) {
     if (!is_fresh) continue;
     if (!is_root) {
       slots.compare(entry);
-    } else if (check_one(diagnostics, entry, NameScope::in_robot) &&
-               check_one(diagnostics, entry, NameScope::tree_file)) {
+    } else if (check_in_robot(diagnostics, entry, taken) && check_one(diagnostics, entry, NameScope::tree_file)) {
       buses.add(entry);  // its tree's namespace stands beside them
     }
   }
