@@ -61,8 +61,8 @@ struct LibraryOptions {
 std::optional<Library> load_library(const LibraryOptions& options, Sources& sources, Diagnostics& diagnostics);
 
 /// The device type called `name`, read on first use: checked by the JSON Schema (where it is not as it was shipped: a
-/// test checks what is) and by code. Null when no file has that name, and when it is wrong; what is wrong with a file is
-/// reported once, inside that file: FM3101 to FM3107.
+/// test checks what is) and by code. Null when no file has that name, and when it is wrong; what is wrong with a file
+/// is reported once, inside that file: FM3101 to FM3107.
 const DeviceType* find_device_type(Library& library, std::string_view name, Sources& sources, Diagnostics& diagnostics);
 
 /// The same for a board; `extends` in a board file is a JSON merge patch over another.
