@@ -19,22 +19,35 @@ std::string grouped(std::uint32_t value) {
   return fmt::format("{}'{:03}", grouped(value / 1000), value % 1000);
 }
 
-/// The ports of the board itself, or of all boards it stands in for.
-std::vector<PortObject> objects_of(const Board& board, const std::vector<const Board*>& all) {
-  if (!board.stands_in) return port_objects(board);
-  std::vector<PortObject> objects;
+struct Objects {
+  std::vector<PortObject> list;
+  std::vector<std::string> mistakes;
+};
+
+/// The ports of the board itself, or of all boards it stands in for; of those with one name and different kinds the
+/// first counts, and the others are in `mistakes`.
+Objects objects_of(const Board& board, const std::vector<const Board*>& all) {
+  if (!board.stands_in) return {port_objects(board), {}};
+  Objects objects;
   std::map<std::string, PortClass> seen;
   for (const Board* other : all) {
     for (PortObject& object : port_objects(*other)) {
       const auto [entry, is_new] = seen.emplace(object.name, object.kind);
       if (!is_new && entry->second != object.kind)
-        throw std::runtime_error(
-            fmt::format("board '{}': another board has a port '{}' of another kind, which board '{}' cannot have twice",
-                        other->name, object.name, board.name));
-      if (is_new) objects.push_back(std::move(object));
+        objects.mistakes.push_back(
+            fmt::format("port '{}' of board '{}' is of another kind on another board that it stands in for",
+                        object.name, other->name));
+      if (is_new) objects.list.push_back(std::move(object));
     }
   }
   return objects;
+}
+
+/// Null: the board has none of that name.
+const Memory* find_memory(const Board& board, std::string_view name) {
+  const auto found =
+      std::find_if(board.memory.begin(), board.memory.end(), [&](const Memory& memory) { return memory.name == name; });
+  return found == board.memory.end() ? nullptr : &*found;
 }
 
 std::string sources_of(const Board& board, const std::vector<const Board*>& all) {
@@ -69,17 +82,12 @@ Data regions(const Board& board) {
     region.set("kib", std::to_string(bytes / 1024));
     list.push_back(region);
   };
-  const auto find = [&](const char* name) {
-    const auto found =
-        std::find_if(board.memory.begin(), board.memory.end(), [name](const Memory& m) { return m.name == name; });
-    return found == board.memory.end() ? nullptr : &*found;
-  };
   const auto origin = [](const Memory& memory) {
     return static_cast<std::uint32_t>(std::stoul(memory.origin, nullptr, 16));
   };
-  const Memory *flash = find("flash"), *ram = find("ram"), *core = find("ccm");
-  if (flash == nullptr || ram == nullptr)
-    throw std::runtime_error(fmt::format("board '{}' needs memory 'flash' and 'ram'", board.name));
+  const Memory *flash = find_memory(board, "flash"), *ram = find_memory(board, "ram"),
+               *core = find_memory(board, "ccm");
+  if (flash == nullptr || ram == nullptr) throw std::logic_error("sources of a board without memory");
   const std::uint32_t ram_bytes = core != nullptr ? ram->bytes : ram->bytes / 2;
   add("FLASH    (rx) ", origin(*flash), flash->bytes);
   add("RAM      (rwx)", origin(*ram), ram_bytes);
@@ -150,7 +158,7 @@ class SourceFiles {
  public:
   SourceFiles(const Board& board, const std::vector<const Board*>& all, const std::string& data_dir)
       : board_(board),
-        objects_(objects_of(board, all)),
+        objects_(objects_of(board, all).list),
         sources_(sources_of(board, all)),
         templates_(data_dir + "/templates") {}
 
@@ -237,6 +245,15 @@ class SourceFiles {
 };
 
 }  // namespace
+
+std::vector<std::string> mistakes_for_sources(const Board& board, const std::vector<const Board*>& all) {
+  std::vector<std::string> mistakes = objects_of(board, all).mistakes;
+  for (const char* name : {"flash", "ram"}) {
+    if (!board.is_host() && find_memory(board, name) == nullptr)
+      mistakes.push_back(fmt::format("there is no memory '{}'", name));
+  }
+  return mistakes;
+}
 
 std::vector<OutputFile> board_sources(const Board& board, const std::vector<const Board*>& all,
                                       const std::string& data_dir) {

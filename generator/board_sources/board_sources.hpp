@@ -12,9 +12,13 @@
 
 namespace finemote::gen {
 
+/// Why there can be no sources: memory is missing, or two boards that the board stands in for have a port of one name
+/// and of different kinds; empty: there can.
+std::vector<std::string> mistakes_for_sources(const Board& board, const std::vector<const Board*>& all);
+
 /// In a fixed order. `all` are the boards whose ports a board that stands in for others has, in order of name; of two
 /// ports of one name the first counts. A file that is none of these and has their first line is of an older board file.
-/// @throws std::runtime_error  two boards have a port of one name and of different kinds
+/// The board has no mistakes_for_sources().
 std::vector<OutputFile> board_sources(const Board& board, const std::vector<const Board*>& all,
                                       const std::string& data_dir);
 

@@ -30,10 +30,15 @@ std::vector<const Board*> real_boards(Library& library, Sources& sources, Diagno
   return boards;
 }
 
-/// FM3103 for what a real board's file lacks for the code of its chip.
-void check_for_chip(const Board& board, Diagnostics& diagnostics) {
-  for (const std::string& mistake : mistakes_for_chip(board))
-    diagnostics.error(code::descriptor_contradiction, {}, fmt::format("board '{}': {}", board.name, mistake));
+/// FM3103 for each, at the begin of the board's file.
+void report(const Board& board, const std::vector<std::string>& mistakes, const Sources& sources,
+            Diagnostics& diagnostics) {
+  Position at;
+  for (const SourceFile& file : sources.files()) {
+    if (file.name == board.display_path) at = {&file, 1, 1, nullptr};
+  }
+  for (const std::string& mistake : mistakes)
+    diagnostics.error(code::descriptor_contradiction, at, fmt::format("board '{}': {}", board.name, mistake));
 }
 
 /// Whether a file is one of this command's: its second line names a board file, which nothing else generated does.
@@ -123,7 +128,8 @@ Answer run_board_sources(const Options& options, Sources& sources, Diagnostics& 
   const std::vector<const Board*> boards = real_boards(*library, sources, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   for (const Board* used : board->stands_in ? boards : std::vector<const Board*>{board})
-    check_for_chip(*used, diagnostics);
+    report(*used, mistakes_for_chip(*used), sources, diagnostics);
+  report(*board, mistakes_for_sources(*board, boards), sources, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
 
   const std::vector<OutputFile> files = board_sources(*board, boards, data_dir);

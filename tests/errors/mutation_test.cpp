@@ -179,6 +179,47 @@ std::string robot_of(const Json& descriptor) {
          "<device name=\"child\" type=\"sim_load\"/></device></finemote></robot>";
 }
 
+/// Shipped files of a kind, in order of name.
+std::vector<fs::path> json_files(const char* kind) {
+  std::vector<fs::path> paths;
+  for (const auto& entry : fs::directory_iterator(kSource / "schemas" / kind)) paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+/// A folder of robots whose `devices/` holds one damaged descriptor after the other.
+class MutantFolder {
+ public:
+  explicit MutantFolder(const std::string& name)
+      : folder_(fs::temp_directory_path() / ("finemote_mutants_" + name + "_" + std::to_string(getpid()))) {
+    fs::create_directories(folder_ / "devices");
+    std::ofstream(folder_ / "devices" / "mutant.hpp") << "#pragma once\n";
+  }
+  MutantFolder(const MutantFolder&) = delete;
+  MutantFolder& operator=(const MutantFolder&) = delete;
+  ~MutantFolder() { fs::remove_all(folder_); }
+
+  void run(const Json& descriptor, const std::string& robot, int times) {
+    const DescriptorMutator mutate(descriptor);
+    for (int i = 0; i < times; ++i) {
+      const std::string mutant = mutate(random_).dump(1);
+      INFO(mutant);
+      std::ofstream(folder_ / "devices" / "mutant.json") << mutant;
+      Pipeline pipeline(folder_.string());
+      const Outcome outcome = pipeline.run(robot, false);
+      INFO(outcome.said);
+      CHECK(outcome.kind != Outcome::Kind::unexplained);
+      if (outcome.kind == Outcome::Kind::refused) ++refused;
+    }
+  }
+
+  std::size_t refused = 0;
+
+ private:
+  fs::path folder_;
+  std::mt19937 random_{20240609};  // fixed: the same mutants on every run
+};
+
 }  // namespace
 
 TEST_CASE("every single character of finsrov may be missing") {
@@ -221,31 +262,32 @@ TEST_CASE("values and elements of the examples may be exchanged, copied, moved a
 }
 
 TEST_CASE("descriptors may be damaged, and the robot is read on") {
-  const fs::path folder = fs::temp_directory_path() / ("finemote_mutants_" + std::to_string(getpid()));
-  fs::create_directories(folder / "devices");
-  std::ofstream(folder / "devices" / "mutant.hpp") << "#pragma once\n";
-  std::mt19937 random(20240609);
-  std::size_t refused = 0, taken = 0;
-  std::vector<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(kSource / "schemas" / "devices")) paths.push_back(entry.path());
-  std::sort(paths.begin(), paths.end());
-  for (const fs::path& path : paths) {
+  MutantFolder folder("devices");
+  for (const fs::path& path : json_files("devices")) {
     Json descriptor = Json::parse(read(path));
     descriptor["type"] = "mutant";
     descriptor["header"] = "mutant.hpp";
-    const std::string robot = robot_of(descriptor);
-    const DescriptorMutator mutate(descriptor);
-    for (int i = 0; i < kMutants * effort() / 10; ++i) {
-      const std::string mutant = mutate(random).dump(1);
-      INFO(mutant);
-      std::ofstream(folder / "devices" / "mutant.json") << mutant;
-      Pipeline pipeline(folder.string());
-      const Outcome outcome = pipeline.run(robot, false);
-      INFO(outcome.said);
-      CHECK(outcome.kind != Outcome::Kind::unexplained);
-      ++(outcome.kind == Outcome::Kind::refused ? refused : taken);
-    }
+    folder.run(descriptor, robot_of(descriptor), kMutants * effort() / 10);
   }
-  fs::remove_all(folder);
-  CHECK(refused > 100);
+  CHECK(folder.refused > 100);
+}
+
+TEST_CASE("descriptors of expanders may be damaged") {
+  MutantFolder folder("expanders");
+  for (const fs::path& path : json_files("expanders")) {
+    Json descriptor = Json::parse(read(path));
+    const bool is_mux = descriptor["kind"] == "mux";
+    descriptor["model"] = "mutant";
+    if (!is_mux) descriptor["header"] = "mutant.hpp";
+    const std::string inside = is_mux ? "<channel index=\"0\" name=\"c\"/>" : "";
+    const std::string device =
+        is_mux ? "type=\"ms5837\" bus=\"c\" address=\"0x76\"" : "type=\"pwm_esc\" bus=\"x\" channel=\"0\"";
+    const std::string robot =
+        "<robot name=\"r\"><finemote version=\"1\"><board name=\"robomaster_type_c\"/>"
+        "<bus name=\"b\" type=\"i2c\" port=\"i2c2\"/><expander name=\"x\" model=\"mutant\" bus=\"b\" "
+        "address=\"0x70\">" +
+        inside + "</expander><device name=\"d\" period=\"20ms\" " + device + "/></finemote></robot>";
+    folder.run(descriptor, robot, kMutants * effort() / 4);
+  }
+  CHECK(folder.refused > 100 / kStride);
 }
