@@ -15,7 +15,7 @@ namespace {
 
 class BoardCheck {
  public:
-  BoardCheck(const SourceFile& source, Diagnostics& diagnostics) : found_(source, diagnostics) {}
+  BoardCheck(const Origin& origin, Diagnostics& diagnostics) : found_(origin, diagnostics) {}
 
   void check(const Board& board) {
     check_port_names(board);
@@ -160,8 +160,8 @@ class BoardCheck {
 
 }  // namespace
 
-void check_board(const Board& board, const SourceFile& source, Diagnostics& diagnostics) {
-  BoardCheck(source, diagnostics).check(board);
+void check_board(const Board& board, const Origin& origin, Diagnostics& diagnostics) {
+  BoardCheck(origin, diagnostics).check(board);
 }
 
 }  // namespace finemote::gen

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "generator/descriptor/board.hpp"
-#include "generator/diagnostic/diagnostics.hpp"
+#include "generator/descriptor/json_file.hpp"
 
 namespace finemote::gen {
 
-/// Reports FM3103, at the member of the text the board was read from: a port twice, a spare line that is taken, levels
+/// Reports FM3103, at the member of the texts that say the board: a port twice, a spare line that is taken, levels
 /// or rates the wrong way round, ticks and pulse periods beyond the runtime's limits, pins the package does not have.
-void check_board(const Board& board, const SourceFile& source, Diagnostics& diagnostics);
+void check_board(const Board& board, const Origin& origin, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -142,8 +142,8 @@ class DescriptorCheck {
 
 }  // namespace
 
-void check_device_type(const DeviceType& type, const SourceFile& source, Diagnostics& diagnostics) {
-  const Contradictions found(source, diagnostics);
+void check_device_type(const DeviceType& type, const Origin& origin, Diagnostics& diagnostics) {
+  const Contradictions found(origin, diagnostics);
   check_class(type.cpp_class, found);
   DescriptorCheck(found).check(type);
   check_can_frames(type, found);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "generator/descriptor/json_file.hpp"
 
@@ -9,18 +10,26 @@ namespace finemote::gen {
 
 class Contradictions {
  public:
-  Contradictions(const SourceFile& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
+  Contradictions(Origin origin, Diagnostics& diagnostics) : origin_(std::move(origin)), diagnostics_(diagnostics) {}
 
-  /// Reports `message` at the value at `path`, or at its nearest ancestor that exists.
+  /// Reports `message` at the value at `path`, or at its nearest ancestor that exists: in the nearest text that says
+  /// something of it, for that is what fits no longer.
   void add(const JsonPath& path, std::string message) const {
-    const Extent extent = find_value(source_, path);
+    const Extent extent = find_value(speaker(path), path);
     diagnostics_.error(code::descriptor_contradiction, extent.at, std::move(message)).underline(extent.length);
   }
-  /// Whether the file has a value at `path`.
-  [[nodiscard]] bool has(const JsonPath& path) const { return holds_value(source_, path); }
+  /// Whether there is a value at `path`.
+  [[nodiscard]] bool has(const JsonPath& path) const { return holds_value(origin_, path); }
 
  private:
-  const SourceFile& source_;
+  [[nodiscard]] const SourceFile& speaker(const JsonPath& path) const {
+    for (const SourceFile* layer : origin_.layers()) {
+      if (!path.empty() && holds_value(*layer, {path.front()})) return *layer;
+    }
+    return *origin_.layers().front();
+  }
+
+  Origin origin_;
   Diagnostics& diagnostics_;
 };
 

@@ -7,7 +7,7 @@ namespace finemote::gen {
 
 struct FileFormat {
   std::string_view version;      ///< value of "schema": `finemote.device/1`
-  std::string_view schema_file;  ///< in the schema folder
+  std::string_view schema_file;  ///< in the schema folder; of a chip: what the boards on it are held to
   const char* name_key;          ///< the member that repeats the file's name
   const char* what;              ///< for messages
 
@@ -20,5 +20,6 @@ struct FileFormat {
 inline constexpr FileFormat kDeviceFormat{"finemote.device/1", "device.schema.json", "type", "device type"};
 inline constexpr FileFormat kExpanderFormat{"finemote.expander/1", "expander.schema.json", "model", "expander"};
 inline constexpr FileFormat kBoardFormat{"finemote.board/1", "board.schema.json", "name", "board"};
+inline constexpr FileFormat kChipFormat{"finemote.chip/1", "board.schema.json", "name", "chip"};
 
 }  // namespace finemote::gen

@@ -187,6 +187,20 @@ class ShapeCheck {
   bool found_ = false;
 };
 
+bool holds(const SourceFile& source, const JsonPath& path) {
+  Scanner scan(source.text);
+  return std::all_of(path.begin(), path.end(), [&](const std::string& token) { return enter(scan, token); });
+}
+
+/// The first text that leads as far along `path` as any does.
+const SourceFile& nearest_layer(const Origin& origin, JsonPath path) {
+  for (;; path.pop_back()) {
+    for (const SourceFile* layer : origin.layers()) {
+      if (holds(*layer, path)) return *layer;  // every text holds the empty path
+    }
+  }
+}
+
 /// nlohmann reads no further, and says so in the words of its parser: ours say it again, at the same place or nearer.
 void report_malformed(const SourceFile& source, std::size_t byte, Diagnostics& diagnostics) {
   Diagnostics findings;
@@ -212,7 +226,7 @@ Position position_at(const SourceFile& source, std::size_t offset) {
 }
 
 std::optional<JsonFile> parse_json(const SourceFile& source, Diagnostics& diagnostics) {
-  JsonFile file{&source, {}};
+  JsonFile file{source, {}};
   try {
     file.value = Json::parse(source.text);
   } catch (const Json::parse_error& problem) {
@@ -234,12 +248,13 @@ std::optional<std::string> peek_text(std::string_view text, const char* key) {
   return scan.take_string();
 }
 
-bool holds_value(const SourceFile& source, const JsonPath& path) {
-  Scanner scan(source.text);
-  return std::all_of(path.begin(), path.end(), [&](const std::string& token) { return enter(scan, token); });
+bool holds_value(const Origin& origin, const JsonPath& path) {
+  return std::any_of(origin.layers().begin(), origin.layers().end(),
+                     [&](const SourceFile* layer) { return holds(*layer, path); });
 }
 
-Extent find_value(const SourceFile& source, const JsonPath& path) {
+Extent find_value(const Origin& origin, const JsonPath& path) {
+  const SourceFile& source = nearest_layer(origin, path);
   Scanner scan(source.text);
   Member found{scan.offset(), scan.offset()};
   for (const std::string& token : path) {

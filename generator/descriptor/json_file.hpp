@@ -16,8 +16,20 @@ using Json = nlohmann::ordered_json;
 /// The way to a member: keys, and indices as decimal numbers.
 using JsonPath = std::vector<std::string>;
 
+/// The texts that say a value: most often one, and for what is laid over others those too, nearest first.
+class Origin {
+ public:
+  Origin(const SourceFile& source) : layers_{&source} {}  // NOLINT(google-explicit-constructor): one text is an origin
+
+  void lay_over(const Origin& below) { layers_.insert(layers_.end(), below.layers_.begin(), below.layers_.end()); }
+  [[nodiscard]] const std::vector<const SourceFile*>& layers() const { return layers_; }
+
+ private:
+  std::vector<const SourceFile*> layers_;
+};
+
 struct JsonFile {
-  const SourceFile* source = nullptr;
+  Origin origin;
   Json value;
 };
 
@@ -35,11 +47,11 @@ std::optional<JsonFile> parse_json(const SourceFile& source, Diagnostics& diagno
 std::optional<std::string> peek_text(std::string_view text, const char* key);
 
 /// Where the value at `path` stands, or its nearest ancestor that exists; a container is shown by its key.
-/// Looked up in the text when asked, so a text without mistakes costs nothing.
-Extent find_value(const SourceFile& source, const JsonPath& path);
+/// Looked up in the texts when asked, so a text without mistakes costs nothing.
+Extent find_value(const Origin& origin, const JsonPath& path);
 
 /// Whether there is a value at `path`.
-bool holds_value(const SourceFile& source, const JsonPath& path);
+bool holds_value(const Origin& origin, const JsonPath& path);
 
 /// The place of a byte of a text.
 Position position_at(const SourceFile& source, std::size_t offset);

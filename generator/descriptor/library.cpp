@@ -22,7 +22,7 @@ namespace finemote::gen {
 namespace fs = std::filesystem;
 namespace {
 
-/// What the three kinds of descriptor have in common: opening, schema version, JSON Schema, the name inside.
+/// What the kinds of file have in common: opening, schema version, JSON Schema, the name inside.
 class FileReader {
  public:
   FileReader(const Library& library, Sources& sources, Diagnostics& diagnostics, bool always_validate)
@@ -45,12 +45,12 @@ class FileReader {
     if (!needs_schema_) return {};
     const auto schema = read_schema(library_.schema_dir, std::string(format.schema_file), diagnostics_);
     if (!schema) return {SchemaMistake{}};
-    return check_schema(json.value, *schema, *json.source, diagnostics_);
+    return check_schema(json.value, *schema, json.origin, diagnostics_);
   }
   bool has_name(const JsonFile& json, const LibraryFile& file, const FileFormat& format) {
     const auto name = json.value.find(format.name_key);
     if (name == json.value.end() || !name->is_string() || *name == file.name) return true;
-    const Extent extent = find_value(*json.source, {format.name_key});
+    const Extent extent = find_value(json.origin, {format.name_key});
     diagnostics_
         .error(code::descriptor_name, extent.at,
                fmt::format("\"{}\" is '{}' in a file named '{}.json'", format.name_key, name->get<std::string>(),
@@ -65,7 +65,7 @@ class FileReader {
     const auto version = json.value.is_object() ? json.value.find("schema") : json.value.end();
     const bool is_known = json.value.is_object() && version != json.value.end() && *version == format.version;
     if (is_known) return true;
-    const Extent extent = find_value(*json.source, {"schema"});
+    const Extent extent = find_value(json.origin, {"schema"});
     const std::string found =
         json.value.is_object() && version != json.value.end() ? version->dump() : std::string("none");
     diagnostics_
@@ -95,8 +95,7 @@ bool guarded(const JsonFile& json, Diagnostics& diagnostics, Read read) {
     read();
     return true;
   } catch (const Json::exception&) {
-    diagnostics
-        .error(code::descriptor_schema, find_value(*json.source, {}).at, "a member is missing or of another type")
+    diagnostics.error(code::descriptor_schema, find_value(json.origin, {}).at, "a member is missing or of another type")
         .note("its schema takes it: the schemas in the data folder are not those of this tool")
         .hint("install finemote again, or give another folder with --data-dir");
     return false;
@@ -132,7 +131,7 @@ void check_header(const JsonFile& json, const LibraryFile& file, const Sources& 
   if (header.empty()) return;
   const auto denial = sources.access().why_not((fs::path(file.path).parent_path() / header).string());
   if (!denial) return;
-  const Extent extent = find_value(*json.source, {"header"});
+  const Extent extent = find_value(json.origin, {"header"});
   if (denial->is_outside) {
     diagnostics.error(code::outside_sandbox, extent.at, fmt::format("cannot read '{}': {}", header, denial->reason))
         .underline(extent.length);
@@ -155,7 +154,7 @@ bool read_device(Library& library, LibraryFile& file, Sources& sources, Diagnost
   if (!mistakes.empty() && !repair_device(json->value, mistakes, file.name)) return false;
   auto type = std::make_unique<DeviceType>();
   const auto read = [&] {
-    *type = read_device_type(json->value, *json->source, diagnostics);
+    *type = read_device_type(json->value, json->origin, diagnostics);
     place_header(file, *type);
     if (mistakes.empty()) check_header(*json, file, sources, diagnostics);
   };
@@ -175,7 +174,7 @@ bool read_expander(Library& library, LibraryFile& file, Sources& sources, Diagno
   if (!json || !reader.is_valid(*json, kExpanderFormat) || !reader.has_name(*json, file, kExpanderFormat)) return false;
   auto type = std::make_unique<ExpanderType>();
   const bool complete = guarded(*json, diagnostics, [&] {
-    *type = read_expander_type(json->value, *json->source, diagnostics);
+    *type = read_expander_type(json->value, json->origin, diagnostics);
     place_header(file, *type);
     check_header(*json, file, sources, diagnostics);
   });
@@ -184,29 +183,36 @@ bool read_expander(Library& library, LibraryFile& file, Sources& sources, Diagno
   return true;
 }
 
-/// Lays a board that extends another over it; none when the other one is wrong or the chain has no end.
-std::optional<Json> merge_board(Library& library, const JsonFile& json, FileReader& reader, Diagnostics& diagnostics,
-                                int depth) {
-  const auto base_name = json.value.find("extends");
-  if (base_name == json.value.end()) return json.value;
+/// The board or chip that a board extends; empty where it names none.
+std::string extended_by(const Json& board) {
+  const auto name = board.find("extends");
+  return name != board.end() && name->is_string() ? name->get<std::string>() : std::string();
+}
+
+/// Lays a board over the one or the chip that it extends; false when that is wrong or the chain has no end.
+bool merge_board(Library& library, JsonFile& json, FileReader& reader, Diagnostics& diagnostics, int depth) {
+  if (!json.value.contains("extends")) return true;
   constexpr int kDeepest = 8;
-  const LibraryFile* base =
-      base_name->is_string() ? find_file(library.board_files, base_name->get<std::string>()) : nullptr;
+  const std::string name = extended_by(json.value);
+  const LibraryFile* board = find_file(library.board_files, name);
+  const LibraryFile* base = board != nullptr ? board : find_file(library.chip_files, name);
   if (base == nullptr || depth >= kDeepest) {
-    const Extent extent = find_value(*json.source, {"extends"});
+    const Extent extent = find_value(json.origin, {"extends"});
     diagnostics
         .error(code::descriptor_contradiction, extent.at,
-               base == nullptr ? "there is no such board" : "this board extends itself")
+               base == nullptr ? "there is no such board or chip" : "this board extends itself")
         .underline(extent.length);
-    return {};
+    return false;
   }
-  const auto base_json = reader.read(*base, kBoardFormat);
-  if (!base_json) return {};
-  auto merged = merge_board(library, *base_json, reader, diagnostics, depth + 1);
-  if (!merged) return {};
-  merged->merge_patch(json.value);
-  merged->erase("extends");
-  return merged;
+  const FileFormat& format = board != nullptr ? kBoardFormat : kChipFormat;
+  auto below = reader.read(*base, format);
+  if (!below || !reader.has_name(*below, *base, format)) return false;
+  if (!merge_board(library, *below, reader, diagnostics, depth + 1)) return false;
+  below->value.merge_patch(json.value);
+  below->value.erase("extends");
+  json.value = std::move(below->value);
+  json.origin.lay_over(below->origin);
+  return true;
 }
 
 /// A board from its text merged over those it extends; null when something is wrong with it.
@@ -215,7 +221,7 @@ std::unique_ptr<Board> judge_board(const JsonFile& json, const LibraryFile& file
   const std::size_t findings = diagnostics.size();
   if (!reader.is_valid(json, kBoardFormat) || !reader.has_name(json, file, kBoardFormat)) return {};
   auto board = std::make_unique<Board>();
-  const bool complete = guarded(json, diagnostics, [&] { *board = read_board(json.value, *json.source, diagnostics); });
+  const bool complete = guarded(json, diagnostics, [&] { *board = read_board(json.value, json.origin, diagnostics); });
   board->display_path = file.display;
   return complete && diagnostics.size() == findings ? std::move(board) : nullptr;
 }
@@ -225,14 +231,13 @@ bool load_board(Library& library, LibraryFile& file, Sources& sources, Diagnosti
   FileReader reader(library, sources, diagnostics, always_validate);
   auto json = reader.read(file, kBoardFormat);
   if (!json) return false;
-  auto merged = merge_board(library, *json, reader, diagnostics, 0);
-  if (!merged) return false;
-  const std::string base = json->value.value("extends", "");
-  json->value = std::move(*merged);
+  const std::string base = extended_by(json->value);
+  if (!merge_board(library, *json, reader, diagnostics, 0)) return false;
   Diagnostics aside;
   auto board = judge_board(*json, file, reader.reporting_to(aside), aside);
   if (board == nullptr) {
-    const bool is_base_right = base.empty() || find_board(library, base, sources, diagnostics) != nullptr;
+    const bool extends_board = find_file(library.board_files, base) != nullptr;  // a chip is judged with its boards
+    const bool is_base_right = !extends_board || find_board(library, base, sources, diagnostics) != nullptr;
     if (is_base_right) judge_board(*json, file, reader, diagnostics);
     return false;
   }
@@ -268,6 +273,7 @@ std::optional<Library> load_library(const LibraryOptions& options, Sources& sour
   files::Denial denial;  // shipped data is never outside
   library.device_files = list_folder(schemas / "devices", "builtin:devices/", true, sources.access(), denial);
   library.board_files = list_folder(schemas / "boards", "builtin:boards/", true, sources.access(), denial);
+  library.chip_files = list_folder(schemas / "chips", "builtin:chips/", true, sources.access(), denial);
   library.expander_files = list_folder(schemas / "expanders", "builtin:expanders/", true, sources.access(), denial);
   if (library.board_files.empty()) {
     diagnostics

@@ -14,19 +14,20 @@
 
 namespace finemote::gen {
 
-/// A descriptor or board file that was found, and is read when something names it.
+/// A descriptor, board or chip file that was found, and is read when something names it.
 struct LibraryFile {
-  std::string name;     ///< its name without `.json`: the type or board it has to describe
+  std::string name;     ///< its name without `.json`: the type, board or chip it has to describe
   std::string path;     ///< to open it
   std::string display;  ///< `builtin:devices/ms5837.json`, or relative to the input
   bool builtin = true;
   bool failed = false;  ///< it was read and is wrong, which was reported
 };
 
-/// Descriptors and board files that were found and, of these, loaded; owns what the robot points at.
+/// Descriptors, board and chip files that were found and, of these, loaded; owns what the robot points at.
 struct Library {
   std::vector<LibraryFile> device_files;  ///< sorted by name
   std::vector<LibraryFile> board_files;
+  std::vector<LibraryFile> chip_files;  ///< what boards extend
   std::vector<LibraryFile> expander_files;
   std::string schema_dir;  ///< where the JSON Schemas are
   std::vector<std::unique_ptr<DeviceType>> device_types;
@@ -51,7 +52,7 @@ struct LibraryOptions {
   std::string data_dir;   ///< holds `schemas/`
   std::string input_dir;  ///< folder of the robot's file; `devices/` in it is searched; empty: none
   std::vector<std::string> device_paths = {};  ///< further folders like that, as on the command line
-  std::vector<std::string> board_paths = {};   ///< further folders of board files
+  std::vector<std::string> board_paths = {};   ///< further folders of board and chip files
 };
 
 /// Lists what the folders hold; of the user's descriptors it looks whether they are of a device type or an expander.
@@ -65,7 +66,7 @@ std::optional<Library> load_library(const LibraryOptions& options, Sources& sour
 /// is reported once, inside that file: FM3101 to FM3107.
 const DeviceType* find_device_type(Library& library, std::string_view name, Sources& sources, Diagnostics& diagnostics);
 
-/// The same for a board; `extends` in a board file is a JSON merge patch over another.
+/// The same for a board; a board file with `extends` is a JSON merge patch over another board or a chip.
 const Board* find_board(Library& library, std::string_view name, Sources& sources, Diagnostics& diagnostics);
 
 /// The same for the model of an expander.
@@ -83,7 +84,8 @@ std::string suggested_board(Library& library, Sources& sources);
 /// The same for the shipped mux.
 std::string suggested_mux(Library& library, Sources& sources);
 
-/// Reads and checks every file of the library with its schema, shipped ones too: for tests and `finemote lint`.
+/// Reads and checks every file of the library with its schema, shipped ones too, chips with the boards they are on: for
+/// tests and `finemote lint`.
 void check_whole_library(Library& library, Sources& sources, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

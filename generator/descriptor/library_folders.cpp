@@ -24,6 +24,11 @@ std::string begin_of(const LibraryFile& file, const files::Access& access) {
   return access.read(file.path, kMost).value_or("");
 }
 
+/// What a file says it is; empty where it does not.
+std::string version_of(const LibraryFile& file, const files::Access& access) {
+  return peek_text(begin_of(file, access), "schema").value_or("");
+}
+
 }  // namespace
 
 std::vector<LibraryFile> list_folder(const fs::path& folder, const std::string& display, bool builtin,
@@ -47,14 +52,21 @@ void UserFolders::add(const fs::path& folder, For purpose) {
   }
   for (const LibraryFile& file : found) {
     if (purpose == For::boards)
-      add_file(file, kBoardFormat, library_.board_files);
+      add_board(file);
     else
       add_descriptor(file);
   }
 }
 
+void UserFolders::add_board(const LibraryFile& file) {
+  if (kChipFormat.is_kind_of(version_of(file, sources_.access())))
+    add_file(file, kChipFormat, library_.chip_files);
+  else
+    add_file(file, kBoardFormat, library_.board_files);
+}
+
 void UserFolders::add_descriptor(const LibraryFile& file) {
-  const std::string version = peek_text(begin_of(file, sources_.access()), "schema").value_or("");
+  const std::string version = version_of(file, sources_.access());
   const bool is_device = kDeviceFormat.is_kind_of(version), is_expander = kExpanderFormat.is_kind_of(version);
   if (!is_device) add_file(file, kExpanderFormat, library_.expander_files);
   if (!is_expander) add_file(file, kDeviceFormat, library_.device_files);

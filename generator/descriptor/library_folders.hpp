@@ -17,7 +17,7 @@ std::vector<LibraryFile> list_folder(const std::filesystem::path& folder, const 
 /// Adds what a user's folders hold; a name that is already there is an error at the later file, FM3106.
 class UserFolders {
  public:
-  /// What a folder is searched for; among device types stand descriptors of expanders.
+  /// What a folder is searched for; among device types stand descriptors of expanders, among boards chips.
   enum class For { devices, boards };
 
   UserFolders(Library& library, const std::string& input_dir, Sources& sources, Diagnostics& diagnostics)
@@ -31,6 +31,8 @@ class UserFolders {
  private:
   /// One that does not say what it describes is taken for both: whoever names it is told what is wrong with it.
   void add_descriptor(const LibraryFile& file);
+  /// A board, unless it says that it is a chip.
+  void add_board(const LibraryFile& file);
   void add_file(const LibraryFile& file, const FileFormat& format, std::vector<LibraryFile>& files);
 
   Library& library_;

@@ -19,7 +19,7 @@ int main(int count, char** words) {
   if (digests.empty()) return std::cerr << "list_shipped HEADER FILE...\n", 1;
   std::sort(digests.begin(), digests.end());
   std::ofstream out(words[1]);
-  out << "// The digests of all descriptors and board files that are shipped, rising.\n"
+  out << "// The digests of all descriptors, board and chip files that are shipped, rising.\n"
          "#pragma once\n\n#include <cstdint>\n\nnamespace finemote::gen {\n\n"
          "inline constexpr std::uint64_t kShippedDigests[] = {\n";
   for (const std::uint64_t digest : digests) out << "    " << digest << "U,\n";

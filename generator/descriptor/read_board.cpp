@@ -149,7 +149,7 @@ std::string DmaStream::name() const { return fmt::format("{} stream {}", upper(c
 
 std::string InterruptLine::text() const { return fmt::format("{} (line {})", name, number); }
 
-Board read_board(const Json& value, const SourceFile& source, Diagnostics& diagnostics) {
+Board read_board(const Json& value, const Origin& origin, Diagnostics& diagnostics) {
   Board board;
   board.name = value.at("name").get<std::string>();
   board.summary = value.at("summary").get<std::string>();
@@ -175,11 +175,11 @@ Board read_board(const Json& value, const SourceFile& source, Diagnostics& diagn
   const Json& levels = value.at("priorities").at("buckets");
   board.first_bucket_level = levels.at(0).get<std::uint32_t>();
   board.last_bucket_level = levels.at(1).get<std::uint32_t>();
-  board.params = read_params(value, source, diagnostics);
+  board.params = read_params(value, origin, diagnostics);
   board.costs = read_costs(value.at("costs"));
   board.drivers = read_drivers(value.at("drivers"));
   board.has_watchdog = optional_member<Json>(value, "watchdog").has_value();
-  check_board(board, source, diagnostics);
+  check_board(board, origin, diagnostics);
   return board;
 }
 

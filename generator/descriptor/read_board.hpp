@@ -6,7 +6,7 @@
 
 namespace finemote::gen {
 
-/// Reads a board that its schema accepts. `source` is where contradictions (FM3103) are shown.
-Board read_board(const Json& value, const SourceFile& source, Diagnostics& diagnostics);
+/// Reads a board that its schema accepts. `origin` is where contradictions (FM3103) are shown.
+Board read_board(const Json& value, const Origin& origin, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -168,7 +168,7 @@ std::string include_name(const std::string& header) {
   return slash == std::string::npos ? header : header.substr(slash + 1);
 }
 
-DeviceType read_device_type(const Json& value, const SourceFile& source, Diagnostics& diagnostics) {
+DeviceType read_device_type(const Json& value, const Origin& origin, Diagnostics& diagnostics) {
   DeviceType type;
   type.name = value.at("type").get<std::string>();
   type.summary = value.at("summary").get<std::string>();
@@ -179,7 +179,7 @@ DeviceType read_device_type(const Json& value, const SourceFile& source, Diagnos
   type.provides = read_list<Interface>(value, "provides", read_interface);
   type.roles = read_list<RoleSpec>(value, "roles", read_role);
   type.uses = read_list<UseSpec>(value, "uses", read_use);
-  type.params = read_params(value, source, diagnostics);
+  type.params = read_params(value, origin, diagnostics);
   type.geometry = read_list<GeometrySpec>(value, "geometry", read_geometry);
   if (const auto link = value.find("link"); link != value.end()) type.link_role = link->at("role").get<std::string>();
   type.actuator = value.value("actuator", false);
@@ -192,7 +192,7 @@ DeviceType read_device_type(const Json& value, const SourceFile& source, Diagnos
   }
   type.interrupts = read_list<Interrupt>(value, "interrupts", read_interrupt);
   if (const auto it = value.find("emulation"); it != value.end()) type.emulation = read_emulation(*it);
-  check_device_type(type, source, diagnostics);
+  check_device_type(type, origin, diagnostics);
   return type;
 }
 

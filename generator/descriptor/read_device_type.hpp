@@ -8,7 +8,7 @@ namespace finemote::gen {
 
 /// Reads a descriptor that its schema accepts. Reports FM3103 for what contradicts itself: a role or use twice, max
 /// below min, geometry of a role that does not exist, a WCET param that does not exist, and what read_params() finds.
-DeviceType read_device_type(const Json& value, const SourceFile& source, Diagnostics& diagnostics);
+DeviceType read_device_type(const Json& value, const Origin& origin, Diagnostics& diagnostics);
 
 /// The 7-bit address a descriptor writes as `0x76`.
 std::uint32_t parse_hex(const std::string& text);

@@ -77,7 +77,7 @@ class ExpanderCheck {
 
 }  // namespace
 
-ExpanderType read_expander_type(const Json& value, const SourceFile& source, Diagnostics& diagnostics) {
+ExpanderType read_expander_type(const Json& value, const Origin& origin, Diagnostics& diagnostics) {
   ExpanderType type;
   type.name = value.at("model").get<std::string>();
   type.summary = value.at("summary").get<std::string>();
@@ -94,10 +94,10 @@ ExpanderType read_expander_type(const Json& value, const SourceFile& source, Dia
   type.channels = provides.at("channels").get<std::uint32_t>();
   if (const auto repeats = provides.find("repeats"); repeats != provides.end()) type.repeats = read_repeats(*repeats);
   type.is_suggested = value.value("suggested", false);
-  type.params = read_params(value, source, diagnostics);
+  type.params = read_params(value, origin, diagnostics);
   if (const auto it = value.find("frames"); it != value.end()) type.frames = read_expander_frames(*it);
   if (const auto it = value.find("emulation"); it != value.end()) type.emulation = read_emulation(*it);
-  const Contradictions found(source, diagnostics);
+  const Contradictions found(origin, diagnostics);
   check_class(type.cpp_class, found);
   check_emulation(type.emulation, type.params, found);
   ExpanderCheck(value, found).check(type);

@@ -8,6 +8,6 @@ namespace finemote::gen {
 
 /// Reads a descriptor that its schema accepts. Reports FM3103 for members that do not go with its kind, and what
 /// read_params() finds.
-ExpanderType read_expander_type(const Json& value, const SourceFile& source, Diagnostics& diagnostics);
+ExpanderType read_expander_type(const Json& value, const Origin& origin, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -159,8 +159,8 @@ std::string as_text(const Json& value) { return value.is_string() ? value.get<st
 /// Reads one entry of `params`; what is wrong is shown at its member.
 class SpecReader {
  public:
-  SpecReader(const Json& value, std::size_t index, const SourceFile& source, Diagnostics& diagnostics)
-      : value_(value), index_(index), source_(source), diagnostics_(diagnostics) {}
+  SpecReader(const Json& value, std::size_t index, const Origin& origin, Diagnostics& diagnostics)
+      : value_(value), index_(index), origin_(origin), diagnostics_(diagnostics) {}
 
   ParamSpec read() {
     spec_.name = value_.at("name").get<std::string>();
@@ -184,7 +184,7 @@ class SpecReader {
   void complain(const JsonPath& member, Code code, const std::string& message) {
     JsonPath path{"params", std::to_string(index_)};
     path.insert(path.end(), member.begin(), member.end());
-    const Extent extent = find_value(source_, path);
+    const Extent extent = find_value(origin_, path);
     diagnostics_.error(code, extent.at, fmt::format("param '{}': {}", spec_.name, message)).underline(extent.length);
   }
   void read_values() {
@@ -228,7 +228,7 @@ class SpecReader {
 
   const Json& value_;
   std::size_t index_;
-  const SourceFile& source_;
+  const Origin& origin_;
   Diagnostics& diagnostics_;
   ParamSpec spec_;
 };
@@ -244,12 +244,12 @@ std::string fault_of_order(const ParamSpec& spec, const ParamSpec* lower) {
   return {};
 }
 
-void check_orders(const std::vector<ParamSpec>& specs, const SourceFile& source, Diagnostics& diagnostics) {
+void check_orders(const std::vector<ParamSpec>& specs, const Origin& origin, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const std::string& lower = specs[i].at_least;
     const std::string fault = lower.empty() ? "" : fault_of_order(specs[i], find_spec(specs, lower));
     if (fault.empty()) continue;
-    const Extent extent = find_value(source, {"params", std::to_string(i), "at_least"});
+    const Extent extent = find_value(origin, {"params", std::to_string(i), "at_least"});
     diagnostics
         .error(code::descriptor_contradiction, extent.at,
                fmt::format("param '{}' at least '{}': {}", specs[i].name, lower, fault))
@@ -290,20 +290,20 @@ std::variant<ParamValue, ParamFault> parse_param(const ParamSpec& spec, std::str
   return parsed;
 }
 
-std::vector<ParamSpec> read_params(const Json& owner, const SourceFile& source, Diagnostics& diagnostics) {
+std::vector<ParamSpec> read_params(const Json& owner, const Origin& origin, Diagnostics& diagnostics) {
   std::vector<ParamSpec> specs;
   const auto params = owner.find("params");
   if (params == owner.end() || params->is_null()) return specs;
   std::set<std::string> names;
   for (std::size_t i = 0; i < params->size(); ++i) {
-    specs.push_back(SpecReader(params->at(i), i, source, diagnostics).read());
+    specs.push_back(SpecReader(params->at(i), i, origin, diagnostics).read());
     if (names.insert(specs.back().name).second) continue;
-    const Extent extent = find_value(source, {"params", std::to_string(i), "name"});
+    const Extent extent = find_value(origin, {"params", std::to_string(i), "name"});
     diagnostics
         .error(code::descriptor_contradiction, extent.at, fmt::format("there are two params '{}'", specs.back().name))
         .underline(extent.length);
   }
-  check_orders(specs, source, diagnostics);
+  check_orders(specs, origin, diagnostics);
   return specs;
 }
 

@@ -11,7 +11,7 @@ namespace finemote::gen {
 /// Reads the array `params` of `owner` (none: no params). Reports FM3103: a name twice, max below min, a default that
 /// is out of range, of another type or no value of the enumeration, `at_least` what it cannot be, and FM3030 to FM3034
 /// for a quantity that is wrong.
-std::vector<ParamSpec> read_params(const Json& owner, const SourceFile& source, Diagnostics& diagnostics);
+std::vector<ParamSpec> read_params(const Json& owner, const Origin& origin, Diagnostics& diagnostics);
 
 /// A text to a value as `spec` wants it, or the fault; ranges are checked too (FM3025, FM3026, FM3030 to FM3034).
 struct ParamFault {

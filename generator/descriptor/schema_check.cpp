@@ -195,7 +195,7 @@ std::string shown(const JsonPath& path) {
 
 }  // namespace
 
-std::vector<SchemaMistake> check_schema(const Json& value, const std::string& schema_text, const SourceFile& source,
+std::vector<SchemaMistake> check_schema(const Json& value, const std::string& schema_text, const Origin& origin,
                                         Diagnostics& diagnostics) {
   // valijson knows nlohmann's unordered values only
   const auto schema_json = Plain::parse(schema_text);
@@ -211,10 +211,12 @@ std::vector<SchemaMistake> check_schema(const Json& value, const std::string& sc
   valijson::Validator validator;
   valijson::ValidationResults results;
   if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(plain), &results)) return {};
+  const Origin own_text(*origin.layers().front());
   std::vector<SchemaMistake> mistakes;
   for (Violation& violation : collect(results)) {
     add_advice(violation, SchemaView(schema_json), plain);
-    const Extent extent = find_value(source, violation.path);
+    const Origin& shown_in = violation.is_missing ? own_text : origin;  // the file itself could have what is missing
+    const Extent extent = find_value(shown_in, violation.path);
     Diagnostic& finding =
         diagnostics.error(code::descriptor_schema, extent.at, "'" + shown(violation.path) + "': " + violation.words);
     finding.underline(extent.length);

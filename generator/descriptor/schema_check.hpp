@@ -15,11 +15,11 @@ struct SchemaMistake {
   std::string meant;        ///< the one name or value that is near; empty: none, or several
 };
 
-/// Checks `value`, which was read from `source` (or made by merging it over another board), with the JSON Schema
+/// Checks `value`, which `origin` says, with the JSON Schema
 /// text `schema`. Reports FM3102 for every violation that has no more precise one below it, and FM0007 for a text that
 /// is no schema.
 /// @return  the violations; empty for a valid value.
-std::vector<SchemaMistake> check_schema(const Json& value, const std::string& schema, const SourceFile& source,
+std::vector<SchemaMistake> check_schema(const Json& value, const std::string& schema, const Origin& origin,
                                         Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -1,4 +1,4 @@
-// Which descriptors and board files are those the tool was built with: a test holds them to their schemas.
+// Which descriptors, board and chip files are those the tool was built with: a test holds them to their schemas.
 #pragma once
 
 #include <string_view>

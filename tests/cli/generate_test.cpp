@@ -109,6 +109,7 @@ TEST_CASE("--list names exactly the files that are written, --dry-run writes non
   CHECK(rule.find(folder.path("twin.urdf")) != std::string::npos);
   CHECK(rule.find("sim_load.json") != std::string::npos);
   CHECK(rule.find("robomaster_type_c.json") != std::string::npos);
+  CHECK(rule.find("stm32f407.json") != std::string::npos);  // which the board extends
 }
 
 TEST_CASE("FinsROV written with macros is FinsROV") {

@@ -93,10 +93,10 @@ TEST_CASE("the inputs of a robot are every file that was read") {
   finsrov.read_example("finsrov.urdf");
   REQUIRE(finsrov.robot);
   CHECK(finsrov.robot->inputs ==
-        std::vector<std::string>{"finsrov.urdf", "builtin:boards/robomaster_type_c.json",
-                                 "builtin:devices/h30_imu.json", "builtin:expanders/tca9548a.json",
-                                 "builtin:expanders/pca9685.json", "builtin:devices/finsrov.json",
-                                 "builtin:devices/ms5837.json", "builtin:devices/pwm_esc.json"});
+        std::vector<std::string>{
+            "finsrov.urdf", "builtin:boards/robomaster_type_c.json", "builtin:chips/stm32f407.json",
+            "builtin:devices/h30_imu.json", "builtin:expanders/tca9548a.json", "builtin:expanders/pca9685.json",
+            "builtin:devices/finsrov.json", "builtin:devices/ms5837.json", "builtin:devices/pwm_esc.json"});
   CHECK(finsrov.robot->input_paths.size() == finsrov.robot->inputs.size());
 }
 
