@@ -110,7 +110,7 @@ Table options_of_run() {
        no_sandbox(),
        {{"--duration", &Options::duration, "time to run on the board, for example 100ms"}},
        chains(),
-       {{"--scenario", &Options::scenario, "file with stimuli and faults (emulated Type C board)"},
+       {{"--scenario", &Options::scenario, "file with stimuli and faults (emulated board)"},
         {"-o", &Options::out, "write a trace for Perfetto to this file"},
         {"--flash", Choice{{"hit", "miss"}, [](Options& o, std::size_t word) { o.flash_misses = word == 1; }},
          "emulated board: fetches hit the flash accelerator, or miss it always"},

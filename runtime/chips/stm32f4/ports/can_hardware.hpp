@@ -13,6 +13,7 @@ namespace stm32f4 {
 /// Facts of one port; in flash.
 struct CanSetup : CanPeripheral {
   Pin rx, tx;
+  std::uint8_t alternate_function;
   std::uint8_t first_bank;
   std::uint8_t transmit_line, receive_line, error_line;
 };

@@ -7,7 +7,7 @@ namespace {
 
 constexpr stm32f4::CanSetup kSetup{
     stm32f4::kCan1,
-    /*rx*/ {'D', 0}, /*tx*/ {'D', 1}, stm32f4::kCan1FirstBank,
+    /*rx*/ {'D', 0}, /*tx*/ {'D', 1}, /*alternate function*/ 9, stm32f4::kCan1FirstBank,
     /*lines*/ 19, 20, 22};
 CanHardware hardware{kSetup};
 

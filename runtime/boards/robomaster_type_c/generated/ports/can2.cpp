@@ -7,7 +7,7 @@ namespace {
 
 constexpr stm32f4::CanSetup kSetup{
     stm32f4::kCan2,
-    /*rx*/ {'B', 5}, /*tx*/ {'B', 6}, stm32f4::kCan2FirstBank,
+    /*rx*/ {'B', 5}, /*tx*/ {'B', 6}, /*alternate function*/ 9, stm32f4::kCan2FirstBank,
     /*lines*/ 63, 64, 66};
 CanHardware hardware{kSetup};
 
