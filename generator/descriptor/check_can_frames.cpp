@@ -78,8 +78,10 @@ class SharedCheck {
   void check(const Frame& frame, std::size_t index) {
     const JsonPath path{"frames", std::to_string(index)};
     const bool is_by_id = found_.has(path / "identifiers");
-    if (is_by_id && found_.has(path / "identifier"))
-      return found_.add(path / "identifier", "a frame has either \"identifier\" or \"identifiers\"");
+    if (is_by_id && found_.has(path / "identifier")) {
+      found_.add(path / "identifier", "a frame has either \"identifier\" or \"identifiers\"");
+      return;
+    }
     if (!frame.shared.empty() && frame.write_bytes != SharedFrame::kBytes)
       found_.add(path / "write", "a frame that devices share has 8 bytes");
     for (std::size_t i = 0; i < frame.shared.size(); ++i) {

@@ -10,8 +10,10 @@ void check_class(const std::string& qualified, const Contradictions& found) {
   for (std::size_t begin = 0; begin < qualified.size();) {
     const std::size_t end = std::min(qualified.find("::", begin), qualified.size());
     const std::string name = qualified.substr(begin, end - begin);
-    if (const auto fault = invalid_name(name))
-      return found.add({"class"}, fmt::format("'{}' {}, so no class can have it in its name", name, *fault));
+    if (const auto fault = invalid_name(name)) {
+      found.add({"class"}, fmt::format("'{}' {}, so no class can have it in its name", name, *fault));
+      return;
+    }
     begin = end + 2;
   }
 }

@@ -8,6 +8,7 @@
 #include "generator/descriptor/check_can_frames.hpp"
 #include "generator/descriptor/check_class.hpp"
 #include "generator/descriptor/check_emulation.hpp"
+#include "generator/descriptor/check_timing_figures.hpp"
 #include "generator/descriptor/contradictions.hpp"
 
 namespace finemote::gen {
@@ -31,8 +32,6 @@ class DescriptorCheck {
       check_use_named(type, (*type.frames)[i].use, {"frames", std::to_string(i), "use"});
     for (std::size_t i = 0; i < type.interrupts.size(); ++i)
       check_use_named(type, type.interrupts[i].use, {"interrupts", std::to_string(i), "use"});
-    if (type.acquisition && type.acquisition->conversion)
-      check_param_named(type, type.acquisition->conversion->param, false, {"acquisition", "conversion", "param"});
     check_role_named(type, type.emulation.wheels, {"emulation", "wheels"});
   }
 
@@ -147,6 +146,7 @@ void check_device_type(const DeviceType& type, const Origin& origin, Diagnostics
   check_class(type.cpp_class, found);
   DescriptorCheck(found).check(type);
   check_can_frames(type, found);
+  check_timing_figures(type, found);
   check_emulation(type.emulation, type.params, found);
   for (std::size_t i = 0; i < type.uses.size() && !type.emulation.part.empty(); ++i)
     check_part_member(type.uses[i].role, {"uses", std::to_string(i), "name"}, found);

@@ -14,9 +14,9 @@ class Contradictions {
 
   /// Reports `message` at the value at `path`, or at its nearest ancestor that exists: in the nearest text that says
   /// something of it, for that is what fits no longer.
-  void add(const JsonPath& path, std::string message) const {
+  Diagnostic& add(const JsonPath& path, std::string message) const {
     const Extent extent = find_value(speaker(path), path);
-    diagnostics_.error(code::descriptor_contradiction, extent.at, std::move(message)).underline(extent.length);
+    return diagnostics_.error(code::descriptor_contradiction, extent.at, std::move(message)).underline(extent.length);
   }
   /// Whether there is a value at `path`.
   [[nodiscard]] bool has(const JsonPath& path) const { return holds_value(origin_, path); }

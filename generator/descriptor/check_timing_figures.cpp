@@ -1,0 +1,109 @@
+#include "generator/descriptor/check_timing_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/descriptor/read_param.hpp"
+
+namespace finemote::gen {
+namespace {
+
+class TimingCheck {
+ public:
+  TimingCheck(const DeviceType& type, const Contradictions& found) : type_(type), found_(found) {}
+
+  void check() const {
+    if (type_.acquisition) check_model(*type_.acquisition);
+    if (type_.acquisition && type_.acquisition->conversion) check_conversion(*type_.acquisition->conversion);
+    for (std::size_t i = 0; type_.frames && i < type_.frames->size(); ++i) {
+      const Frame& frame = (*type_.frames)[i];
+      check_interval(frame.stage == FrameStage::autonomous, frame.min_interval, {"frames", std::to_string(i)});
+    }
+    for (std::size_t i = 0; i < type_.interrupts.size(); ++i) {
+      const Interrupt& interrupt = type_.interrupts[i];
+      check_interval(interrupt.is_autonomous, interrupt.min_interval, {"interrupts", std::to_string(i)});
+    }
+  }
+
+ private:
+  void check_model(const Acquisition& acquisition) const {
+    if (acquisition.model == Acquisition::Model::streamed) {
+      if (!acquisition.interval) {
+        found_.add({"acquisition"}, "model 'streamed' needs \"interval_ns\", the longest time between two frames")
+            .hint("for a frame every 10 ms: \"interval_ns\": 10000000");
+      }
+      for (const char* member : {"periods", "published_every", "conversion"}) check_absent(member, "polled");
+      return;
+    }
+    if (!acquisition.periods) {
+      found_
+          .add({"acquisition"},
+               "model 'polled' needs \"periods\", from the begin of a measurement to the update() that publishes it")
+          .hint("where update() begins a measurement and the next update() publishes it: \"periods\": 1");
+    }
+    check_absent("interval_ns", "streamed");
+  }
+  void check_absent(const std::string& member, const char* model) const {
+    const JsonPath path{"acquisition", member};
+    if (found_.has(path)) found_.add(path, fmt::format("\"{}\" is of model '{}'", member, model));
+  }
+
+  void check_conversion(const Conversion& conversion) const {
+    const JsonPath path{"acquisition", "conversion"};
+    const bool is_fixed = found_.has({"acquisition", "conversion", "ns"});
+    const bool is_by_value = !conversion.param.empty() || found_.has({"acquisition", "conversion", "ns_by_value"});
+    if (is_fixed == is_by_value) {
+      found_
+          .add(path, is_fixed ? "a conversion is fixed or by the value of a param, not both"
+                              : "how long a conversion takes is missing")
+          .hint("write \"ns\", or \"param\" and \"ns_by_value\"");
+    }
+    if (!is_by_value) return;
+    const ParamSpec* spec = find_spec(type_.params, conversion.param);
+    if (conversion.param.empty()) {
+      found_.add(path, "\"ns_by_value\" needs \"param\", the param whose values it lists")
+          .hint("where every conversion takes as long, write \"ns\" instead");
+    } else if (spec == nullptr) {
+      found_.add({"acquisition", "conversion", "param"}, fmt::format("there is no param '{}'", conversion.param));
+    } else {
+      check_values(conversion, *spec);
+    }
+  }
+  void check_values(const Conversion& conversion, const ParamSpec& spec) const {
+    if (spec.values.empty()) {
+      found_
+          .add({"acquisition", "conversion", "param"},
+               fmt::format("param '{}' has no \"values\" to give a conversion for", spec.name))
+          .hint("write the longest conversion as \"ns\"");
+      return;
+    }
+    for (const std::string& value : spec.values) {
+      if (conversion.by_value.count(value) > 0) continue;
+      found_
+          .add({"acquisition", "conversion", "ns_by_value"},
+               fmt::format("the conversion for '{}' of param '{}' is missing", value, spec.name))
+          .hint(fmt::format("add its nanoseconds, for example \"{}\": 1000000", value));
+    }
+    for (const auto& [value, time] : conversion.by_value) {
+      if (std::find(spec.values.begin(), spec.values.end(), value) == spec.values.end())
+        found_.add({"acquisition", "conversion", "ns_by_value", value},
+                   fmt::format("'{}' is no value of param '{}'", value, spec.name));
+    }
+  }
+
+  void check_interval(bool is_autonomous, const std::optional<Duration>& least, const JsonPath& path) const {
+    if (!is_autonomous || least) return;
+    found_.add(path, "what comes by itself needs \"min_interval_ns\", the shortest time between two")
+        .hint("for at most one in 10 ms: \"min_interval_ns\": 10000000");
+  }
+
+  const DeviceType& type_;
+  const Contradictions& found_;
+};
+
+}  // namespace
+
+void check_timing_figures(const DeviceType& type, const Contradictions& found) { TimingCheck(type, found).check(); }
+
+}  // namespace finemote::gen
