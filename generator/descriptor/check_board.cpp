@@ -9,6 +9,8 @@
 #include "generator/bus/bus_type.hpp"
 #include "generator/descriptor/contradictions.hpp"
 #include "generator/descriptor/runtime_limits.hpp"
+#include "generator/descriptor/whole_cycles.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -24,6 +26,7 @@ class BoardCheck {
     check_lines(board);
     check_line_words(board);
     check_levels(board);
+    check_clock(board);
     check_tick(board);
     check_pulses(board);
     check_pins(board);
@@ -110,7 +113,30 @@ class BoardCheck {
                                                  runtime_limits::kBuckets));
     }
   }
+  /// The runtime makes the core's clock from the crystal.
+  void check_clock(const Board& board) {
+    if (!board.clocks) return;
+    const Clocks& clocks = *board.clocks;
+    const std::int64_t vco = std::int64_t{clocks.crystal_hz} * clocks.pll_n, divider = clocks.pll_m * clocks.pll_p;
+    if (vco == board.cpu_hz * divider) return;
+    Diagnostic& finding =
+        found_.add(found_.nearest({"cpu", "clock_hz"}, {"clocks"}),
+                   fmt::format("the core is to run at {} Hz, but {} Hz of the crystal x n / m / p is {} Hz",
+                               board.cpu_hz, clocks.crystal_hz, vco / divider));
+    if (vco % divider == 0) finding.hint(fmt::format("this crystal and \"pll\" make \"clock_hz\": {}", vco / divider));
+  }
+  void check_default_tick(const Board& board) {
+    if (is_whole_cycles(board, board.default_tick)) return;
+    found_
+        .add(found_.nearest({"tick", "default_ns"}, {"cpu", "clock_hz"}),
+             fmt::format("the default tick of {} is not a whole number of CPU cycles",
+                         units::format_duration(board.default_tick)))
+        .note(fmt::format("the core runs at {} Hz; releases would drift", board.cpu_hz))
+        .hint(fmt::format("the next longer one that is: \"default_ns\": {}",
+                          whole_tick_above(board, board.default_tick).ns()));
+  }
   void check_tick(const Board& board) {
+    check_default_tick(board);
     if (board.min_tick > board.max_tick) contradiction({"tick", "max_ns"}, "the longest tick is below the shortest");
     if (board.default_tick < board.min_tick || board.default_tick > board.max_tick)
       contradiction({"tick", "default_ns"}, "the default is not from min_ns to max_ns");

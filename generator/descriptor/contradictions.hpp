@@ -20,6 +20,14 @@ class Contradictions {
   }
   /// Whether there is a value at `path`.
   [[nodiscard]] bool has(const JsonPath& path) const { return holds_value(origin_, path); }
+  /// Of two values that do not fit each other the one that the nearest text says; `first` where one text says both.
+  [[nodiscard]] JsonPath nearest(const JsonPath& first, const JsonPath& second) const {
+    for (const SourceFile* layer : origin_.layers()) {
+      if (holds_value(*layer, first)) return first;
+      if (holds_value(*layer, second)) return second;
+    }
+    return first;
+  }
 
  private:
   [[nodiscard]] const SourceFile& speaker(const JsonPath& path) const {

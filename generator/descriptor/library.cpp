@@ -33,7 +33,7 @@ class FileReader {
     return {library_, sources_, diagnostics, needs_schema_};
   }
   std::optional<JsonFile> read(const LibraryFile& file, const FileFormat& format) {
-    const SourceFile* source = xml::read_source(file.path, sources_, diagnostics_, file.display);
+    const SourceFile* source = xml::read_source(file.path, sources_, diagnostics_, shown_name(file));
     if (source == nullptr) return {};
     needs_schema_ = needs_schema_ || !is_shipped(source->text);
     std::optional<JsonFile> json = parse_json(*source, diagnostics_);
@@ -61,6 +61,12 @@ class FileReader {
   }
 
  private:
+  /// How messages call a file. One of the data folder that is not as it was shipped is the user's: he has to find it.
+  std::string shown_name(const LibraryFile& file) {
+    if (!file.builtin) return file.display;
+    const auto text = sources_.access().read(file.path, xml::kMaxFileSize);
+    return text && is_shipped(*text) ? file.display : fs::path(file.path).generic_string();
+  }
   bool has_version(const JsonFile& json, const FileFormat& format) {
     const auto version = json.value.is_object() ? json.value.find("schema") : json.value.end();
     const bool is_known = json.value.is_object() && version != json.value.end() && *version == format.version;

@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "generator/descriptor/library.hpp"
+#include "generator/descriptor/whole_cycles.hpp"
 #include "generator/model/attributes.hpp"
 #include "generator/model/reading.hpp"
 #include "generator/units/units.hpp"
@@ -25,17 +25,6 @@ const Board* find_named_board(Reading& reading, const xml::Node& tag) {
     return nullptr;
   }
   return find_board(reading.library, name->value, reading.sources, reading.diagnostics);
-}
-
-/// The tick has to be a whole number of CPU cycles: releases would drift otherwise.
-bool is_whole_cycles(const Board& board, Duration tick) {
-  constexpr std::int64_t kSecond = seconds(1).ns();
-  return tick.ns() % kSecond * board.cpu_hz % kSecond == 0;  // fits: below 1e9 times below 9e9
-}
-
-/// The nearest tick above that is whole, for the hint: cycles come in steps of the reduced denominator.
-Duration whole_tick_above(const Board& board, Duration tick) {
-  return round_up(tick, floor_div(seconds(1), std::gcd(seconds(1).ns(), board.cpu_hz)));
 }
 
 void read_tick(Reading& reading, const xml::Node& tag) {
