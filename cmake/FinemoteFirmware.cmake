@@ -4,12 +4,13 @@
 #
 #   finemote_add_firmware(TARGET GENERATED dir BOARD board
 #                         [TRACE] [MONITOR] [DURATION 40ms] [DEFINITIONS NAME=value ...] [INCLUDES dir ...] [SOURCES file ...]
-#                         [OPTIMIZE -Os|-O2])
+#                         [OPTIMIZE -Os|-O2] [STACK bytes])
 #
 # GENERATED   folder that `finemote generate` wrote; every .cpp in it is compiled
 # TRACE       records begin and end of every stage (always on for the host)
 # MONITOR     holds every device to its proven bounds: finemote/monitor.hpp
 # DURATION    a number and s, ms, us or ns: the run ends by itself (boards qemu_f405 and host); without it: forever
+# STACK       bytes that a board with a chip reserves for the stack, 4096 without it; `finemote run` proves how many it takes
 # INCLUDES    folders of the user's own device headers; SOURCES: their sources, if any
 #
 # For a Cortex-M4 board configure with cmake/toolchain-arm-none-eabi.cmake; the linker map is TARGET.map.
@@ -74,7 +75,7 @@ function(finemote_target_options target board chips optimize)
 endfunction()
 
 function(finemote_add_firmware target)
-  cmake_parse_arguments(arg "TRACE;MONITOR" "GENERATED;BOARD;DURATION;OPTIMIZE" "DEFINITIONS;INCLUDES;SOURCES" ${ARGN})
+  cmake_parse_arguments(arg "TRACE;MONITOR" "GENERATED;BOARD;DURATION;OPTIMIZE;STACK" "DEFINITIONS;INCLUDES;SOURCES" ${ARGN})
   set(runtime ${FINEMOTE_ROOT}/runtime)
   set(board ${runtime}/boards/${arg_BOARD})
   if(NOT EXISTS ${board}/generated/board.cmake)
@@ -113,5 +114,8 @@ function(finemote_add_firmware target)
                           "${board}/generated/board.ld;${runtime}/chips/cortex_m4/sections.ld")
     target_link_options(${target} PRIVATE -nostartfiles -T ${board}/generated/board.ld -L ${runtime}/chips/cortex_m4
                         -Wl,--gc-sections -Wl,-Map=${target}.map -Wl,--fatal-warnings -Wl,--no-warn-rwx-segments)
+    if(arg_STACK)
+      target_link_options(${target} PRIVATE -Wl,--defsym=finemote_stack_size=${arg_STACK})
+    endif()
   endif()
 endfunction()

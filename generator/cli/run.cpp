@@ -19,6 +19,7 @@
 #include "generator/run/emulate.hpp"
 #include "generator/run/execute.hpp"
 #include "generator/run/project.hpp"
+#include "generator/run/proven_image.hpp"
 #include "generator/run/report.hpp"
 #include "generator/run/work_folder.hpp"
 #include "generator/timing/from_robot.hpp"
@@ -140,10 +141,6 @@ FirmwareRequest firmware_request(const Options& options, const Setup& setup, con
   return request;
 }
 
-bool all_constant(const Robot& robot) {
-  return std::all_of(robot.devices.begin(), robot.devices.end(), [](const Device& d) { return d.type->constant_init; });
-}
-
 /// What analyze says of the robot, as warnings: none of it stops a run.
 /// @return  whether it is schedulable; none where there is no answer
 std::optional<bool> repeat_verdict(const Analysis& analysis, Diagnostics& diagnostics) {
@@ -231,18 +228,16 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   const bool is_played = setup->is_emulated() && !options.build_only;
   if (is_played && !rehearse(setup->board, setup->asked_scenario(), robot, work.path() + "/scenario", diagnostics))
     return no_answer();
-  const auto path = make_image(project, sources, diagnostics);
-  if (!path) return no_answer();
-  const auto image = image_facts(*path, !setup->board.is_host(), !all_constant(robot), diagnostics);
-  if (!image || diagnostics.has_errors()) return no_answer();
-  if (options.build_only) return answer_of_build(*image, setup->board.name);
+  const auto image = make_proven_image(project, robot, !options.keep.empty(), sources, diagnostics);
+  if (!image) return no_answer();
+  if (options.build_only) return answer_of_build(image->facts, setup->board.name);
 
   const auto schedulable = repeat_verdict(analysis, diagnostics);
-  auto record = run_image(*path, *planned, *setup, faults, options.flash_misses, diagnostics);
+  auto record = run_image(image->path, *planned, *setup, faults, options.flash_misses, diagnostics);
   if (!record) return no_answer();
   if (setup->is_emulated() && image_timing.stage_cost)
     check_wcet(robot, *record, *image_timing.stage_cost, diagnostics);
-  RunResult result = result_of(*planned, *setup, *image, std::move(*record), faults);
+  RunResult result = result_of(*planned, *setup, image->facts, std::move(*record), faults);
   if (options.monitor) result.bounds = std::move(proven.monitored);
   result.schedulable = schedulable;
   if (image_timing.timing) result.chains = measure_chains(robot, forest, *image_timing.timing, result.record);

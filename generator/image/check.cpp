@@ -87,7 +87,7 @@ void check_image(const Image& image, const StackBound& stack, ImagePromises prom
     diagnostics
         .error(code::stack_too_small, {},
                fmt::format("the stack needs {} bytes in the worst case, but {} are reserved", stack.bytes, reserved))
-        .hint(fmt::format("link with -Wl,--defsym=finemote_stack_size={}", (stack.bytes + 255) / 256 * 256));
+        .hint(fmt::format("in finemote_add_firmware(...) write STACK {}", rounded_stack(stack.bytes)));
   }
 }
 

@@ -18,4 +18,6 @@ ImageSizes measure_image(const Image& image) {
   return sizes;
 }
 
+std::uint32_t rounded_stack(std::uint32_t bytes) { return (bytes + 255) / 256 * 256; }
+
 }  // namespace finemote::gen

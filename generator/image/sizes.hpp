@@ -24,4 +24,7 @@ struct ImageSizes {
 
 ImageSizes measure_image(const Image& image);
 
+/// What to reserve for a stack of `bytes`: a little more, so that a small change does not need another figure.
+std::uint32_t rounded_stack(std::uint32_t bytes);
+
 }  // namespace finemote::gen

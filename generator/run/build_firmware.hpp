@@ -1,6 +1,7 @@
 // Generated sources to an executable for a board, with CMake and the runtime's own build functions.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,11 +12,12 @@
 namespace finemote::gen {
 
 struct FirmwareRequest {
-  std::string folder;     ///< work folder: holds CMakeLists.txt and `generated`; `build` is made
-  std::string data_dir;   ///< holds runtime and cmake
-  std::string board;      ///< folder below runtime/boards
-  bool for_host = false;  ///< the board is this computer: no cross compiler
-  Duration duration;      ///< the run ends by itself; 0: never
+  std::string folder;       ///< work folder: holds CMakeLists.txt and `generated`; `build` is made
+  std::string data_dir;     ///< holds runtime and cmake
+  std::string board;        ///< folder below runtime/boards
+  bool for_host = false;    ///< the board is this computer: no cross compiler
+  Duration duration;        ///< the run ends by itself; 0: never
+  std::uint32_t stack = 0;  ///< bytes to reserve; 0: as many as the board does
   bool trace = true;
   bool monitor = false;
   std::vector<std::string> include_dirs;  ///< of the user's own device types

@@ -13,6 +13,7 @@ struct ImageFacts {
   std::uint32_t flash = 0;             ///< bytes
   std::uint32_t ram = 0;               ///< bytes, without the stack
   std::optional<std::uint32_t> stack;  ///< proven worst case in bytes; none: not known
+  std::uint32_t stack_reserved = 0;    ///< bytes
 };
 
 /// Facts of an Arm image; of a host executable the hash alone. With an Arm image it also proves what the target code

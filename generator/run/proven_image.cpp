@@ -1,0 +1,39 @@
+#include "generator/run/proven_image.hpp"
+
+#include <algorithm>
+
+#include "generator/image/sizes.hpp"
+
+namespace finemote::gen {
+namespace {
+
+bool all_constant(const Robot& robot) {
+  return std::all_of(robot.devices.begin(), robot.devices.end(), [](const Device& d) { return d.type->constant_init; });
+}
+
+std::optional<ProvenImage> make_once(const Project& project, const Robot& robot, Sources& sources,
+                                     Diagnostics& diagnostics) {
+  auto path = make_image(project, sources, diagnostics);
+  if (!path) return std::nullopt;
+  auto facts = image_facts(*path, !project.request.for_host, !all_constant(robot), diagnostics);
+  if (!facts) return std::nullopt;
+  return ProvenImage{std::move(*path), std::move(*facts)};
+}
+
+}  // namespace
+
+std::optional<ProvenImage> make_proven_image(const Project& project, const Robot& robot, bool with_parts,
+                                             Sources& sources, Diagnostics& diagnostics) {
+  Diagnostics said;
+  auto image = make_once(project, robot, sources, said);
+  if (image && image->facts.stack.value_or(0) > image->facts.stack_reserved) {
+    FirmwareRequest request = project.request;
+    request.stack = rounded_stack(*image->facts.stack);
+    said = Diagnostics();
+    image = make_once(make_project(request, project.generated, robot, with_parts), robot, sources, said);
+  }
+  for (const Diagnostic& finding : said.in_file_order()) diagnostics.add(finding);
+  return said.has_errors() ? std::nullopt : std::move(image);
+}
+
+}  // namespace finemote::gen
