@@ -8,6 +8,7 @@
 #include "generator/descriptor/check_can_frames.hpp"
 #include "generator/descriptor/check_class.hpp"
 #include "generator/descriptor/check_emulation.hpp"
+#include "generator/descriptor/check_provides.hpp"
 #include "generator/descriptor/check_timing_figures.hpp"
 #include "generator/descriptor/contradictions.hpp"
 
@@ -145,6 +146,7 @@ void check_device_type(const DeviceType& type, const Origin& origin, Diagnostics
   const Contradictions found(origin, diagnostics);
   check_class(type.cpp_class, found);
   DescriptorCheck(found).check(type);
+  check_provides(type.provides, found);
   check_can_frames(type, found);
   check_timing_figures(type, found);
   check_emulation(type.emulation, type.params, found);
