@@ -1,4 +1,4 @@
-// The C++ class a descriptor names: what the pattern of its schema cannot see.
+// The C++ class and header a descriptor names: what the pattern of its schema cannot see.
 #pragma once
 
 #include <string>
@@ -9,5 +9,8 @@ namespace finemote::gen {
 
 /// Reports a qualified name of which a part cannot be a name in C++, at `class`; an empty one is none.
 void check_class(const std::string& qualified, const Contradictions& found);
+
+/// Reports a header that is included by the name of a generated one, at `header`: the compiler would take that.
+void check_include(const std::string& include, const Contradictions& found);
 
 }  // namespace finemote::gen

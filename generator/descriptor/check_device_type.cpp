@@ -145,6 +145,7 @@ class DescriptorCheck {
 void check_device_type(const DeviceType& type, const Origin& origin, Diagnostics& diagnostics) {
   const Contradictions found(origin, diagnostics);
   check_class(type.cpp_class, found);
+  check_include(type.include, found);
   DescriptorCheck(found).check(type);
   check_provides(type.provides, found);
   check_can_frames(type, found);

@@ -99,6 +99,7 @@ ExpanderType read_expander_type(const Json& value, const Origin& origin, Diagnos
   if (const auto it = value.find("emulation"); it != value.end()) type.emulation = read_emulation(*it);
   const Contradictions found(origin, diagnostics);
   check_class(type.cpp_class, found);
+  check_include(type.include, found);
   check_emulation(type.emulation, type.params, found);
   ExpanderCheck(value, found).check(type);
   return type;
