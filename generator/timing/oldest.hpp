@@ -15,7 +15,8 @@ class OldestSources {
     Duration age = floor_div(Duration::min(), 2);  ///< below every age: none; two of them add without overflow
     Rank source;                                   ///< of equally old ones the first
     void offer(Duration new_age, Rank new_source) {
-      const bool is_older = (new_age > age) | ((new_age == age) & (new_source < source));  // either is likely
+      const bool is_longer = new_age > age, is_equal = new_age == age, is_first = new_source < source;
+      const bool is_older = is_longer | (is_equal & is_first);  // without a branch: either is likely
       age = is_older ? new_age : age;
       source = is_older ? new_source : source;
     }
