@@ -33,9 +33,16 @@ class FileReader {
     return {library_, sources_, diagnostics, needs_schema_};
   }
   std::optional<JsonFile> read(const LibraryFile& file, const FileFormat& format) {
-    const SourceFile* source = xml::read_source(file.path, sources_, diagnostics_, shown_name(file));
+    const std::string path = fs::path(file.path).generic_string();
+    // A file of the data folder that is not as it was shipped is the user's: he has to find it.
+    const auto name_of = [&](std::string_view bytes) {
+      const bool is_known = is_shipped(bytes);
+      needs_schema_ = needs_schema_ || !is_known;
+      return file.builtin && !is_known ? path : file.display;
+    };
+    const std::string& unread = file.builtin ? path : file.display;
+    const SourceFile* source = xml::read_source(file.path, sources_, diagnostics_, unread, {}, name_of);
     if (source == nullptr) return {};
-    needs_schema_ = needs_schema_ || !is_shipped(source->text);
     std::optional<JsonFile> json = parse_json(*source, diagnostics_);
     if (!json || !has_version(*json, format)) return {};
     return json;
@@ -61,12 +68,6 @@ class FileReader {
   }
 
  private:
-  /// How messages call a file. One of the data folder that is not as it was shipped is the user's: he has to find it.
-  std::string shown_name(const LibraryFile& file) {
-    if (!file.builtin) return file.display;
-    const auto text = sources_.access().read(file.path, xml::kMaxFileSize);
-    return text && is_shipped(*text) ? file.display : fs::path(file.path).generic_string();
-  }
   bool has_version(const JsonFile& json, const FileFormat& format) {
     const auto version = json.value.is_object() ? json.value.find("schema") : json.value.end();
     const bool is_known = json.value.is_object() && version != json.value.end() && *version == format.version;
@@ -94,21 +95,7 @@ LibraryFile* find_file(std::vector<LibraryFile>& files, std::string_view name) {
   return found == files.end() ? nullptr : &*found;
 }
 
-/// The schema comes with the data; should it take more than the reader does, that ends as a message too.
-template <typename Read>
-bool guarded(const JsonFile& json, Diagnostics& diagnostics, Read read) {
-  try {
-    read();
-    return true;
-  } catch (const Json::exception&) {
-    diagnostics.error(code::descriptor_schema, find_value(json.origin, {}).at, "a member is missing or of another type")
-        .note("its schema takes it: the schemas in the data folder are not those of this tool")
-        .hint("install finemote again, or give another folder with --data-dir");
-    return false;
-  }
-}
-
-/// The same for a file whose mistakes were reported.
+/// Whether a file could be read to its end. One whose mistakes were reported may lack what the reader needs.
 template <typename Read>
 bool succeeds(Read read) {
   try {
@@ -117,6 +104,16 @@ bool succeeds(Read read) {
   } catch (const Json::exception&) {
     return false;
   }
+}
+
+/// The schema comes with the data; should it take more than the reader does, that ends as a message too.
+template <typename Read>
+bool guarded(const JsonFile& json, Diagnostics& diagnostics, Read read) {
+  if (succeeds(read)) return true;
+  diagnostics.error(code::descriptor_schema, find_value(json.origin, {}).at, "a member is missing or of another type")
+      .note("its schema takes it: the schemas in the data folder are not those of this tool")
+      .hint("install finemote again, or give another folder with --data-dir");
+  return false;
 }
 
 /// Where the header of a device type or an expander is found.

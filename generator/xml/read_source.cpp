@@ -172,15 +172,17 @@ std::size_t find_invalid_utf8(std::string_view text) {
 }
 
 const SourceFile* read_source(const std::string& path, Sources& sources, Diagnostics& diagnostics,
-                              std::string_view name, Position at) {
+                              std::string_view name, Position at,
+                              const std::function<std::string(std::string_view bytes)>& name_of) {
   std::string shown(name.empty() ? std::string_view(path) : name);
   if (path == "-" && name.empty()) shown = "<stdin>";
-  const Request request{path, std::move(shown), at, sources, diagnostics};
+  Request request{path, std::move(shown), at, sources, diagnostics};
 
   const files::Handle file = open_file(request);
   if (!file) return nullptr;
   auto text = read_all(file.get(), request);
   if (!text) return nullptr;
+  if (name_of) request.name = name_of(*text);
   if (text->starts_with("\xEF\xBB\xBF")) text->erase(0, 3);
   if (text->empty()) {
     request.fail(code::empty_file, fmt::format("'{}' is empty", request.name));
