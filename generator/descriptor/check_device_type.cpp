@@ -11,6 +11,7 @@
 #include "generator/descriptor/check_provides.hpp"
 #include "generator/descriptor/check_timing_figures.hpp"
 #include "generator/descriptor/contradictions.hpp"
+#include "generator/descriptor/read_param.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -88,11 +89,10 @@ class DescriptorCheck {
     if (!name.empty() && !exists) contradiction(path, fmt::format("there is no use '{}'", name));
   }
   void check_param_named(const DeviceType& type, const std::string& name, bool is_real, const JsonPath& path) {
-    const auto found =
-        std::find_if(type.params.begin(), type.params.end(), [&](const ParamSpec& spec) { return spec.name == name; });
     if (name.empty()) return;
-    if (found == type.params.end()) return contradiction(path, fmt::format("there is no param '{}'", name));
-    if (is_real && found->kind != ParamKind::real) contradiction(path, fmt::format("param '{}' is not a float", name));
+    const ParamSpec* spec = find_spec(type.params, name);
+    if (spec == nullptr) return contradiction(path, fmt::format("there is no param '{}'", name));
+    if (is_real && spec->kind != ParamKind::real) contradiction(path, fmt::format("param '{}' is not a float", name));
   }
   void check_link(const DeviceType& type) {
     const bool fits = std::any_of(type.roles.begin(), type.roles.end(), [&](const RoleSpec& role) {
@@ -102,10 +102,8 @@ class DescriptorCheck {
   }
   void check_wcet_params(const DeviceType& type, const std::vector<std::string>& names, const std::string& member) {
     for (std::size_t i = 0; i < names.size(); ++i) {
-      const bool fits = std::any_of(type.params.begin(), type.params.end(), [&](const ParamSpec& spec) {
-        return spec.name == names[i] && spec.kind == ParamKind::integer && spec.unit == Unit::time_ns;
-      });
-      if (!fits)
+      const ParamSpec* spec = find_spec(type.params, names[i]);
+      if (spec == nullptr || spec->kind != ParamKind::integer || spec->unit != Unit::time_ns)
         contradiction({"wcet", member, std::to_string(i)}, fmt::format("there is no param '{}' of unit ns", names[i]));
     }
   }

@@ -165,7 +165,6 @@ std::optional<Model> make_timing_model(const Robot& robot, const Forest& forest,
 
 std::vector<Requirement> timing_requirements(const Robot& robot, const Forest& forest) {
   const BusPlaces places(robot);
-  const Table<BusId, BusUse> uses = bus_uses(robot);
   std::vector<Requirement> list;
   for (const gen::Requirement& r : robot.requirements) {
     if (r.bus && !places.of(*r.bus)) continue;  // a bus without frames is never busy
