@@ -100,18 +100,31 @@ std::string wcet_hint(const Device& device) {
 
 constexpr std::size_t kMostNamed = 6;
 
-void report_remarks(const Timing& timing, Diagnostics& diagnostics) {
-  std::vector<Rank> closed;
-  for (const TreeResult& tree : timing.verdict().trees) {
-    for (const PathResult& path : tree.paths) {
-      if (path.closed_form) closed.push_back(path.leaf);
-    }
+/// Devices with such a bound: their own, of the path of a leaf, or of a chain to them.
+std::vector<Rank> with_closed_form(const Timing& timing) {
+  Table<Rank, bool> has_one(timing.model.devices.size());
+  for (const BucketResult& bucket : timing.verdict().buckets) {
+    for (const Rank d : bucket.devices) has_one[d] = bucket.closed_form || timing.verdict().devices[d].closed_form;
   }
+  for (const TreeResult& tree : timing.verdict().trees) {
+    if (tree.closed_form) has_one[tree.root] = true;
+    for (const PathResult& path : tree.paths) has_one[path.leaf] = has_one[path.leaf] || path.closed_form;
+  }
+  for (const ChainResult& chain : timing.chains) has_one[chain.to] = has_one[chain.to] || chain.closed_form;
+  std::vector<Rank> closed;
+  for (const Rank d : has_one.ids()) {
+    if (has_one[d]) closed.push_back(d);
+  }
+  return closed;
+}
+
+void report_remarks(const Timing& timing, Diagnostics& diagnostics) {
+  const std::vector<Rank> closed = with_closed_form(timing);
   if (!closed.empty()) {
     diagnostics
         .warning(code::timing_closed_form, timing.model.devices[closed.front()].at,
-                 "the hyperperiod is too long to examine every release: some latencies are safe closed forms")
-        .note("paths of " + quoted_names(timing.model, closed, kMostNamed));
+                 "there are too many releases to examine every one: some bounds are safe closed forms")
+        .note("of " + quoted_names(timing.model, closed, kMostNamed));
   }
   if (!timing.assumed.empty()) {
     diagnostics
@@ -156,13 +169,13 @@ RequirementResult left_open(const Requirement& r) {
 Timing analyse_verdict(const Model& model, const AnalysisRequest& request) {
   Timing timing;
   timing.asked = request.profile.value_or(model.has_target ? Profile::target : Profile::tight);
-  ProfileAnalysis asked = analyse_deadlines(model, timing.asked, request.steps);
+  ProfileAnalysis asked = analyse_deadlines(model, timing.asked, request.limits);
   // Loads and jitter are those of the best profile, whichever is asked for.
   const Profile best_profile = model.has_target ? Profile::target : Profile::tight;
   std::optional<ProfileAnalysis> other;
-  if (best_profile != timing.asked) other = analyse_deadlines(model, best_profile, request.steps);
+  if (best_profile != timing.asked) other = analyse_deadlines(model, best_profile, request.limits);
   const ProfileAnalysis& best = other ? *other : asked;
-  Effort effort(request.steps);
+  Effort effort(request.limits.steps, best.most_releases);
   timing.bus_loads = WireAnalysis(model, best, effort).loads();
   timing.processor_load = processor_share(asked.set);
   timing.schedulable = asked.result.schedulable;
@@ -177,12 +190,12 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
   Timing timing;
   timing.model = model;
   timing.utilization = test_utilization(model);
-  ProfileAnalysis paper = analyse_profile(model, topology, Profile::paper, request.steps);
-  ProfileAnalysis tight = analyse_profile(model, topology, Profile::tight, request.steps);
+  ProfileAnalysis paper = analyse_profile(model, topology, Profile::paper, request.limits);
+  ProfileAnalysis tight = analyse_profile(model, topology, Profile::tight, request.limits);
   std::optional<ProfileAnalysis> target;
-  if (model.has_target) target = analyse_profile(model, topology, Profile::target, request.steps);
+  if (model.has_target) target = analyse_profile(model, topology, Profile::target, request.limits);
   const ProfileAnalysis& best = target ? *target : tight;
-  Effort effort(request.steps);
+  Effort effort(request.limits.steps, best.most_releases);
   const WireAnalysis wire(model, best, effort);
   const ChainAnalysis chains(model, topology, best, wire, effort);
   timing.chains = chains.defaults();
@@ -245,9 +258,6 @@ std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request
     return analyse_all(model, request, diagnostics);
   } catch (const Overflow& overflow) {
     report_overflow(start(model), overflow, diagnostics);
-  } catch (const TooLong& reason) {
-    diagnostics.error(code::timing_too_long, start(model), reason.what())
-        .hint("periods with small common multiples, or a lower utilization, are quick to analyse");
   }
   return std::nullopt;
 }

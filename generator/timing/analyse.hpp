@@ -42,10 +42,10 @@ struct AnalysisRequest {
   std::optional<Profile> profile;    ///< whose verdict counts; none: target where the model has one, else tight
   std::vector<ChainRequest> chains;  ///< beyond the default ones
   std::vector<Requirement> requirements;
-  bool inputs = false;              ///< fill Timing::inputs
-  Remodel remodel;                  ///< to look for hints that help; none: messages are without them
-  std::int64_t steps = kMostSteps;  ///< of each profile and of the chains; more are FM4011
-  bool verdict_only = false;        ///< deadlines and loads of the asked profile; no latency, chain, path or window
+  bool inputs = false;        ///< fill Timing::inputs
+  Remodel remodel;            ///< to look for hints that help; none: messages are without them
+  Limits limits;              ///< of each profile and of the chains
+  bool verdict_only = false;  ///< deadlines and loads of the asked profile; no latency, chain, path or window
 };
 
 /// Why chains have no bound.
@@ -78,7 +78,7 @@ struct Timing {
   [[nodiscard]] bool requirements_hold() const;
 };
 
-/// Analyses a model that read_model accepts. Reports FM4010 and FM4011 (no result), FM4015 (a bucket of the asked
+/// Analyses a model that read_model accepts. Reports FM4010 (no result), FM4015 (a bucket of the asked
 /// profile may overrun), FM4016 (a requirement fails), FM4018 (a chain that leads nowhere; no result), FM4019 (target
 /// asked of a plain model; no result), and as warnings FM4017 (closed forms), FM4020 (assumed execution times) and
 /// FM4021 (an overloaded bus).

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "generator/timing/oldest.hpp"
+#include "generator/timing/repetition.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -90,7 +91,7 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(Rank root, const std::ve
   for (const Rank leaf : leaves) {
     complete_tree &= profile_.responses.ok(profile_.set.bucket_of[leaf]) && acquire_[leaf].has_value();
   }
-  OldestSources sources(model_.devices[root].period);
+  OldestSources sources(model_.devices[root].period, effort_);
   walk_groups([&](const HandOverGroup& group) {
     OldestSources::Oldest best;
     for (const Rank d : group.devices) {
@@ -105,12 +106,12 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(Rank root, const std::ve
     const auto is_wanted = [&](Rank d) { return wanted.contains(d); };
     if (std::none_of(group.devices.begin(), group.devices.end(), is_wanted)) return;
     const OldestSources::Oldest worst = sources.worst(group);
-    effort_.spend(group.exact ? static_cast<std::int64_t>(group.exact->down->steps.size()) : 1);
     if (worst.age < Duration::zero()) return;
     for (const Rank d : group.devices) {
       if (!is_wanted(d)) continue;
       const Duration decide = worst.age - *acquire_[worst.source] + profile_.responses.r_minus[d];
-      const bool is_closed = group.exact == nullptr || sources.has_closed_form();
+      const bool is_closed = group.exact == nullptr || sources.has_closed_form() || decisions_.is_general(d) ||
+                             decisions_.is_general(worst.source);
       found.emplace(d, complete(worst.source, d, {decide, is_closed, false}));
     }
   });
@@ -124,13 +125,9 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(Rank root, const std::ve
 
 /// Time until everything about these devices repeats; kNever when that leaves the range of numbers.
 Duration ChainAnalysis::repetition(const std::vector<Rank>& devices) const {
-  Duration length = nanoseconds(1);
-  try {
-    for (const Rank d : devices) length = lcm(length, profile_.table.repeat(d));
-  } catch (const Overflow&) {
-    return kNever;
-  }
-  return length;
+  std::optional<Duration> length = nanoseconds(1);
+  for (const Rank d : devices) length = common_multiple(length, profile_.table.repeat(d));
+  return length.value_or(kNever);
 }
 
 /// The source with the largest bound, per terminal; all terminals are of one tree. There is a source.

@@ -33,16 +33,16 @@ class ChainAnalysis {
   /// Whether data of `from` reaches commands of `to`.
   [[nodiscard]] bool connected(Rank from, Rank to) const { return reach_.connected(from, to); }
 
-  /// Requires connected(from, to). Throws Overflow, TooLong.
+  /// Requires connected(from, to). Throws Overflow.
   [[nodiscard]] ChainResult bound(Rank from, Rank to) const;
 
   /// For every leaf that takes a command (every root where its tree has none): the chain from the oldest data its
   /// command can rest on, of all sources whose data reach it, over `reads` edges too. A source has no children, or
   /// samples of its own. Where too many pairs would have to be looked at and groups of them cannot stand in, the chain
-  /// is without bounds. Throws Overflow, TooLong.
+  /// is without bounds. Throws Overflow.
   [[nodiscard]] std::vector<ChainResult> defaults() const;
 
-  /// The same for every device below another that takes a command, leaf or not. Throws Overflow, TooLong.
+  /// The same for every device below another that takes a command, leaf or not. Throws Overflow.
   [[nodiscard]] std::vector<ChainResult> oldest_inputs() const;
 
  private:

@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <map>
 
+#include "generator/timing/repetition.hpp"
+
 namespace finemote::gen::timing {
-namespace {
-
-constexpr std::int64_t kMostEntries = 1'000'000;
-
-}  // namespace
-
 /// The devices of a chain: down from the root to the terminal, and everything between the source and the root.
 struct DecisionAnalysis::Route {
   Rank from, to;
@@ -27,7 +23,8 @@ DecisionAnalysis::DecisionAnalysis(const Model& model, const Topology& topology,
       profile_(profile),
       effort_(effort),
       updates_from_(model.devices.size()),
-      handles_from_(model.devices.size()) {
+      handles_from_(model.devices.size()),
+      is_general_(general_up_to_root(model, profile.set, profile.table)) {
   find_hand_overs();
   for (const TaskBucket& bucket : profile.set.buckets) {
     Duration updates, handles;
@@ -124,22 +121,25 @@ Duration DecisionAnalysis::pair_window(Rank from, Rank to, Duration release) con
   return std::min(least_fit(demand, work, std::max(work, nanoseconds(1)), kLongest) - extra, response);
 }
 
-/// The same maximum from what the latency analysis walked; kNone where it repeats too late.
+/// The same maximum from what the latency analysis walked; kNone where it is beyond the limits.
 Duration DecisionAnalysis::join_hand_overs(Rank from, Rank to) const {
   const Staircase &down = *hand_over_[to]->down, &up = *hand_over_[from]->up;
   const ReleaseTable& table = profile_.table;
-  const Duration length = lcm(down.length, up.length);
-  const Duration repetition = table.rows(to) > 1 ? lcm(length, table.repeat(to)) : length;
-  if (floor_div(repetition, model_.devices[topology_.root_of[to]].period) > kMostEntries) return kNone;
+  const auto joined = common_multiple(down.length, up.length);
+  const auto whole = table.rows(to) > 1 ? common_multiple(joined, table.repeat(to)) : joined;
+  if (!whole || floor_div(*whole, model_.devices[topology_.root_of[to]].period) > effort_.most_releases()) return kNone;
+  const Duration length = *joined, repetition = *whole;
+  if (!effort_.spend(steps_in(down, length) + steps_in(up, length) + static_cast<std::int64_t>(table.rows(to))))
+    return kNone;
   const Duration period = model_.devices[to].period;
   const bool one_bucket = profile_.set.bucket_of[from] == profile_.set.bucket_of[to];
   const Duration most = table.r_minus_range(to).most;
   std::vector<bool> seen(table.rows(to));  // releases in one row have one window
   Duration worst;
   const std::vector<TerminalUse> uses = join(down, up, length);
-  effort_.spend(add(static_cast<std::int64_t>(uses.size()), floor_div(repetition, length)));
   for (const TerminalUse& use : uses) {
     const Duration last = use.next - period, age = last - use.source;
+    if (age + most > worst && !effort_.spend(floor_div(repetition, length))) return kNone;
     for (Duration t = last; age + most > worst && t < last + repetition; t += length) {
       const std::size_t row = table.row(to, t);
       const Duration response = table.r_minus_in_row(to, row);
@@ -162,7 +162,6 @@ Duration DecisionAnalysis::walk(const Route& r, std::int64_t entries) const {
   const Duration most = profile_.responses.r_minus[r.to];
   std::vector<Duration> use(r.up.size());
   Duration worst;
-  effort_.spend(entries * static_cast<std::int64_t>(r.up.size() + r.down.size()) * 2);
   for (std::int64_t i = 0; i < entries; ++i) {
     const Duration x = i * step;
     Duration later = x + step;
@@ -210,20 +209,26 @@ Decision DecisionAnalysis::decide(Rank from, Rank to) const {
   Decision result;
   if (hand_over_[from] && hand_over_[to] && topology_.root_of[from] == topology_.root_of[to]) {
     const Duration age = join_hand_overs(from, to);
-    if (age != kNone) return {age, false, false};
+    if (age != kNone) return {age, is_general(from) || is_general(to), false};
   }
   const Route r = route(from, to);
   result.through_reads = r.through_reads;
-  Duration common = nanoseconds(1);
+  std::optional<Duration> common = nanoseconds(1);
   for (const auto* devices : {&r.down, &r.up}) {
     for (const Rank d : *devices) {
       if (!profile_.responses.ok(profile_.set.bucket_of[d])) return result;
-      common = lcm(common, profile_.table.repeat(d));
+      common = common_multiple(common, profile_.table.repeat(d));
+      result.closed_form |= is_general(d);
     }
   }
-  const std::int64_t entries = floor_div(common, model_.devices[r.down.front()].period);
-  result.closed_form = entries > kMostEntries;
-  result.latency = result.closed_form ? closed_form(r) : walk(r, entries);
+  const auto devices_of_route = static_cast<std::int64_t>(r.up.size() + r.down.size());
+  const std::int64_t entries = common ? floor_div(*common, model_.devices[r.down.front()].period) : kUnlimited;
+  if (entries <= effort_.most_releases() && effort_.spend(entries * devices_of_route * 2)) {
+    result.latency = walk(r, entries);
+  } else {
+    result.closed_form = true;
+    result.latency = closed_form(r);
+  }
   return result;
 }
 

@@ -19,8 +19,11 @@ class DecisionAnalysis {
   DecisionAnalysis(const Model& model, const Topology& topology, const Reach& reach, const ProfileAnalysis& profile,
                    Effort& effort);
 
-  /// Requires that data of `from` reaches commands of `to`. Throws Overflow, TooLong.
+  /// Requires that data of `from` reaches commands of `to`. Throws Overflow.
   [[nodiscard]] Decision decide(Rank from, Rank to) const;
+
+  /// Whether the bounds of a device, or of one between it and its root, may be larger than the exact ones.
+  [[nodiscard]] bool is_general(Rank device) const { return is_general_[device]; }
 
  private:
   struct Route;
@@ -41,6 +44,7 @@ class DecisionAnalysis {
   Effort& effort_;
   Table<Rank, Duration> updates_from_, handles_from_;       ///< stages of it and of later devices of its bucket
   Table<Rank, std::shared_ptr<const HandOver>> hand_over_;  ///< null: not known
+  Table<Rank, bool> is_general_;                            ///< general_up_to_root
 };
 
 }  // namespace finemote::gen::timing

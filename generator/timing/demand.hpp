@@ -42,7 +42,11 @@ class Demand {
     term_steps_.emplace_back();
     rewind();
   }
-  void clear_terms() { terms_.clear(), term_steps_.clear(), rewind(); }
+  /// Lets every term begin elsewhere, one after the other.
+  void begin_at(const Duration* firsts) {
+    for (Term& term : terms_) term.first = *firsts++;
+    rewind();
+  }
 
   /// Sets how many arrivals of a term there are at most.
   void allow(std::size_t term, std::int64_t most) {
@@ -59,7 +63,10 @@ class Demand {
     std::fill(term_steps_.begin(), term_steps_.end(), Step{});
   }
 
-  /// Work in [0, x) for x >= 1 ns. Throws Overflow, TooLong.
+  /// No steps are left: whoever searches gives up.
+  [[nodiscard]] bool is_spent() const { return effort_->is_spent(); }
+
+  /// Work in [0, x) for x >= 1 ns. Throws Overflow.
   Duration at(Duration x) {
     if (x > end_ || x < begin_) evaluate(x);
     return value_;
@@ -132,10 +139,11 @@ class Demand {
   Duration value_;
 };
 
-/// Least x >= start with base + demand(x) <= x, or kNever when it is above `limit`. Requires start >= 1 ns.
+/// Least x >= start with base + demand(x) <= x, or kNever when it is above `limit` or the steps are spent. Requires
+/// start >= 1 ns.
 inline Duration least_fit(Demand& demand, Duration base, Duration start, Duration limit) {
   for (Duration x = start;;) {
-    if (x > limit) return kNever;
+    if (x > limit || demand.is_spent()) return kNever;
     const Duration need = base + demand.at(x);
     if (need <= x) return x;
     x = need;

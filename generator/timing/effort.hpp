@@ -1,30 +1,38 @@
-// Counts the steps an analysis takes, so that no model can make it run for hours.
+// What exactness may cost: where it would cost more, a closed form that is never smaller stands in (docs/timing.md).
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
 
 namespace finemote::gen::timing {
 
-/// The analysis would take longer than its budget of steps; becomes FM4011.
-struct TooLong : std::runtime_error {
-  using std::runtime_error::runtime_error;
+/// Up to where the analysis of one profile is exact.
+struct Limits {
+  /// Releases that are examined one by one: those of every bucket until it and all more urgent ones repeat, together.
+  std::int64_t releases = 1'000'000;
+  /// Of a model that has more: of one bucket, and of the root of one path, that are examined all the same.
+  std::int64_t releases_alone = 1'000;
+  /// One is about the evaluation of one term, some nanoseconds.
+  std::int64_t steps = std::int64_t{1} << 26;
 };
 
-/// Some seconds of work.
-inline constexpr std::int64_t kMostSteps = std::int64_t{1} << 31;
-
-/// What is left of a budget of steps. One step is one evaluation of one term.
+/// What is left of the limits of one analysis.
 class Effort {
  public:
-  explicit Effort(std::int64_t steps = kMostSteps) : left_(steps) {}
-  /// Throws TooLong.
-  void spend(std::int64_t steps) {
-    if ((left_ -= steps) < 0) throw TooLong("the response times need more steps than the analysis allows");
+  explicit Effort(const Limits& limits = {}) : Effort(limits.steps, limits.releases) {}
+  /// @param most_releases  of one bucket, and of the root of one path
+  Effort(std::int64_t steps, std::int64_t most_releases) : left_(steps), most_releases_(most_releases) {}
+
+  /// Whether there were so many steps left. Once there were not, there are none at all.
+  bool spend(std::int64_t steps) {  // its answer may be left aside where is_spent() is asked later
+    left_ = steps > left_ ? -1 : left_ - steps;
+    return left_ >= 0;
   }
+  [[nodiscard]] bool is_spent() const { return left_ < 0; }
+  [[nodiscard]] std::int64_t most_releases() const { return most_releases_; }
 
  private:
   std::int64_t left_;
+  std::int64_t most_releases_;
 };
 
 }  // namespace finemote::gen::timing

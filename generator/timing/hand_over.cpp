@@ -4,16 +4,24 @@
 
 namespace finemote::gen::timing {
 
+Duration oldest_down(const Staircase& down, Duration period, Duration root_period) {
+  Duration oldest;
+  for (const Staircase::Step& step : down.steps) {
+    oldest = std::max(oldest, step.device - period - step.root * root_period);
+  }
+  return oldest;
+}
+
+Duration oldest_up(const Staircase& up, Duration root_period) {
+  Duration oldest;
+  for (const Staircase::Step& step : up.steps) oldest = std::max(oldest, step.root * root_period - step.device);
+  return oldest;
+}
+
 ClosedForm closed_form_of(const HandOver& exact, Duration period, Duration root_period) {
-  ClosedForm closed;
-  closed.age = std::max(Duration::zero(), oldest_age(join(*exact.down, *exact.up, exact.length)) - period);
-  for (const Staircase::Step& step : exact.down->steps) {
-    closed.down = std::max(closed.down, step.device - period - step.root * root_period);
-  }
-  for (const Staircase::Step& step : exact.up->steps) {
-    closed.up = std::max(closed.up, step.root * root_period - step.device);
-  }
-  return closed;
+  const Duration age = oldest_age(join(*exact.down, *exact.up, exact.length)) - period;
+  return {std::max(Duration::zero(), age), oldest_down(*exact.down, period, root_period),
+          oldest_up(*exact.up, root_period)};
 }
 
 ClosedForm one_edge_below(const ClosedForm& above, Duration parent_period, Duration period, const Lags& down,

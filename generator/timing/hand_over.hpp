@@ -29,6 +29,13 @@ struct ClosedForm {
   Duration up;    ///< root release less source release
 };
 
+/// How much older than the terminal the root release can be whose decision it uses: the most of all releases.
+/// @param period  of the terminal
+Duration oldest_down(const Staircase& down, Duration period, Duration root_period);
+
+/// How much older than the root release the source can be whose state it uses: the most of all releases.
+Duration oldest_up(const Staircase& up, Duration root_period);
+
 /// The closed form an exact hand-over continues with.
 /// @param period  of its device
 ClosedForm closed_form_of(const HandOver& exact, Duration period, Duration root_period);

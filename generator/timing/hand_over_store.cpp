@@ -55,6 +55,13 @@ std::shared_ptr<const Staircase> HandOverStore::keep(Staircase stairs) {
   return is_small ? *small_.insert(std::move(result)).first : result;
 }
 
+ClosedForm HandOverStore::closed_form(const std::shared_ptr<const HandOver>& exact, Duration period,
+                                      Duration root_period) {
+  const auto [entry, fresh] = closed_forms_.try_emplace(exact);
+  if (fresh) entry->second = closed_form_of(*exact, period, root_period);
+  return entry->second;
+}
+
 bool HandOverStore::make_room(std::int64_t steps) {
   if (*live_ + steps > kMostLive) forget();
   return *live_ + steps <= kMostLive;
@@ -65,6 +72,7 @@ void HandOverStore::forget() {
   up.clear();
   pairs.clear();
   oldest_uses.clear();
+  closed_forms_.clear();
   small_.clear();
   walked_.clear();
   tree_.clear();

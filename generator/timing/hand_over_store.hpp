@@ -42,6 +42,9 @@ class HandOverStore {
   /// Oldest first, as the latencies of leaves (latency.hpp) need them.
   std::unordered_map<std::shared_ptr<const HandOver>, std::vector<OldestUse>> oldest_uses;
 
+  /// closed_form_of, which is asked for again and again.
+  ClosedForm closed_form(const std::shared_ptr<const HandOver>& exact, Duration period, Duration root_period);
+
   /// Counts the steps of a staircase as long as it lives. Small ones of the same content become one.
   std::shared_ptr<const Staircase> keep(Staircase stairs);
   /// Whether so many steps more may live beside those in use; forgets what is not in use when it has to.
@@ -64,6 +67,7 @@ class HandOverStore {
     }
   };
 
+  std::unordered_map<std::shared_ptr<const HandOver>, ClosedForm> closed_forms_;
   std::shared_ptr<std::int64_t> live_ = std::make_shared<std::int64_t>(0);
   std::unordered_set<std::shared_ptr<const Staircase>, Hash, SameSteps> small_;
   std::map<Rank, std::vector<HandOverGroup>> walked_;  ///< by root

@@ -8,9 +8,12 @@
 namespace finemote::gen::timing {
 namespace {
 
+/// Of one trial order or one factor; an ordinary robot needs some thousands.
+constexpr Limits kOfTrial{1'000'000, 1'000, std::int64_t{1} << 22};
+
 bool is_schedulable(const Model& model, Profile profile) {
   try {
-    Effort effort;
+    Effort effort(kOfTrial);
     const TaskSet set = make_task_set(model, profile);
     const Responses responses = bound_responses(set, effort);
     return std::none_of(responses.bucket.begin(), responses.bucket.end(), [](Duration r) { return r == kNone; });
@@ -51,7 +54,7 @@ struct Score {
 };
 
 void add_chains(const Model& model, const Topology& topology, const ProfileAnalysis& analysis, Score& score) {
-  Effort effort;
+  Effort effort(kOfTrial.steps, analysis.most_releases);
   const WireAnalysis wire(model, analysis, effort);
   for (const ChainResult& chain : ChainAnalysis(model, topology, analysis, wire, effort).defaults())
     score.add(chain.end_to_end ? chain.end_to_end : chain.decide);
@@ -59,21 +62,20 @@ void add_chains(const Model& model, const Topology& topology, const ProfileAnaly
 
 Score score(const Model& model, Profile profile) {
   const Topology topology = make_topology(model);
-  const ProfileAnalysis analysis = analyse_profile(model, topology, profile);
+  const ProfileAnalysis analysis = analyse_profile(model, topology, profile, kOfTrial);
   Score s;
   for (const TreeResult& tree : analysis.result.trees) s.add(tree.latency);
   const Profile of_chains = model.has_target ? Profile::target : Profile::tight;
-  add_chains(model, topology, profile == of_chains ? analysis : analyse_profile(model, topology, of_chains), s);
+  add_chains(model, topology, profile == of_chains ? analysis : analyse_profile(model, topology, of_chains, kOfTrial),
+             s);
   return s;
 }
 
-/// None where a number of the analysis leaves 64 bits, or it takes too long: no order to suggest.
+/// None where a number of the analysis leaves 64 bits: no order to suggest.
 std::optional<Score> judge(const Model& model, Profile profile) {
   try {
     return score(model, profile);
   } catch (const Overflow&) {
-    return std::nullopt;
-  } catch (const TooLong&) {
     return std::nullopt;
   }
 }

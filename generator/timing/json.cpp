@@ -114,11 +114,13 @@ Json flush_json(const Model& model, const Flush& f) {
 Json bucket_json(const Model& model, const BucketResult& bucket) {
   Json devices = Json::array();
   for (const Rank d : bucket.devices) devices.push_back(model.devices[d].name);
-  return {{"period_ns", bucket.period.ns()},
-          {"wcet_ns", bucket.wcet.ns()},
-          {"devices", std::move(devices)},
-          {"response_ns", number(bucket.response)},
-          {"ok", bucket.ok}};
+  Json out{{"period_ns", bucket.period.ns()},
+           {"wcet_ns", bucket.wcet.ns()},
+           {"devices", std::move(devices)},
+           {"response_ns", number(bucket.response)},
+           {"ok", bucket.ok}};
+  if (bucket.closed_form) out["closed_form"] = true;
+  return out;
 }
 
 Json device_result_json(const Device& device, const DeviceResult& r, Profile profile) {
@@ -128,6 +130,7 @@ Json device_result_json(const Device& device, const DeviceResult& r, Profile pro
            {"r_plus_ns", number(r.r_plus)},
            {"r_minus_ns", number(r.r_minus)}};
   if (profile != Profile::paper) out["window_ns"] = number(r.window);
+  if (r.closed_form) out["closed_form"] = true;
   return out;
 }
 
@@ -151,6 +154,7 @@ Json tree_json(const Model& model, const TreeResult& tree, Profile profile) {
     out["corollary_ns"] = number(tree.corollary);
     out["cross_latency_ns"] = number(tree.cross_latency);
   }
+  if (tree.closed_form) out["closed_form"] = true;
   Json& paths = out["paths"] = Json::array();
   for (const PathResult& p : tree.paths) paths.push_back(path_json(model, p));
   return out;

@@ -9,12 +9,13 @@ namespace {
 
 template <typename InRow>
 Lags lags(const TaskSet& set, const ReleaseTable& table, Rank producer, Duration consumer_period,
-          ReleaseTable::Range range, InRow in_row) {
+          ReleaseTable::Range range, Effort& effort, InRow in_row) {
   const Duration step = gcd(set.buckets[set.bucket_of[producer]].period, consumer_period);
   Lags result;
   result.most = round_up(std::max(range.most, set.least_lag), step);
   if (round_up(std::max(range.least, set.least_lag), step) == result.most) return result;
   const std::size_t rows = table.rows(producer);
+  if (!effort.spend(static_cast<std::int64_t>(rows))) return result;
   result.per_row.reserve(rows);
   const Divider by_step(step.ns());
   for (std::size_t row = 0; row < rows; ++row) {
@@ -25,13 +26,13 @@ Lags lags(const TaskSet& set, const ReleaseTable& table, Rank producer, Duration
 
 }  // namespace
 
-Lags lags_down(const TaskSet& set, const ReleaseTable& table, Rank producer, Duration consumer_period) {
-  return lags(set, table, producer, consumer_period, table.r_minus_range(producer),
+Lags lags_down(const TaskSet& set, const ReleaseTable& table, Rank producer, Duration consumer_period, Effort& effort) {
+  return lags(set, table, producer, consumer_period, table.r_minus_range(producer), effort,
               [&](std::size_t row) { return table.r_minus_in_row(producer, row); });
 }
 
-Lags lags_up(const TaskSet& set, const ReleaseTable& table, Rank producer, Duration consumer_period) {
-  return lags(set, table, producer, consumer_period, table.r_plus_range(producer),
+Lags lags_up(const TaskSet& set, const ReleaseTable& table, Rank producer, Duration consumer_period, Effort& effort) {
+  return lags(set, table, producer, consumer_period, table.r_plus_range(producer), effort,
               [&](std::size_t row) { return table.r_plus_in_row(producer, row); });
 }
 

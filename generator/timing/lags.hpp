@@ -13,11 +13,12 @@ struct Lags {
   friend auto operator<=>(const Lags&, const Lags&) = default;
 };
 
-/// What handle() of a producer hands down to a faster consumer, from the producer's R-(t).
-Lags lags_down(const TaskSet& set, const ReleaseTable& table, Rank producer, Duration consumer_period);
+/// What handle() of a producer hands down to a faster consumer, from the producer's R-(t). When the steps are spent,
+/// `most` counts in every row.
+Lags lags_down(const TaskSet& set, const ReleaseTable& table, Rank producer, Duration consumer_period, Effort& effort);
 
-/// What update() of a producer hands up to a faster consumer, from the producer's R+(t).
-Lags lags_up(const TaskSet& set, const ReleaseTable& table, Rank producer, Duration consumer_period);
+/// What update() of a producer hands up to a faster consumer, from the producer's R+(t); else the same.
+Lags lags_up(const TaskSet& set, const ReleaseTable& table, Rank producer, Duration consumer_period, Effort& effort);
 
 /// The lag at one release after the other: mostly the same release, or the one after it.
 class LagCursor {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/timing/oldest.hpp"
+#include "generator/timing/repetition.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -28,15 +29,20 @@ class OldestUses {
     for (std::size_t row = 0; row < oldest_.size(); ++row) oldest_[row] = {kLowest, {}, {}, row};
   }
 
+  /// Empty where it is beyond the limits.
   std::vector<Use> find(Duration spread, Effort& effort) {
-    repetition_ = oldest_.size() > 1 ? lcm(over_.length, table_.repeat(leaf_)) : over_.length;
+    const auto repetition = oldest_.size() > 1 ? common_multiple(over_.length, table_.repeat(leaf_)) : over_.length;
+    if (!repetition) return {};
+    repetition_ = *repetition;
+    const std::int64_t most_uses = steps_in(*over_.down, over_.length) + steps_in(*over_.up, over_.length);
+    if (!effort.spend(most_uses + static_cast<std::int64_t>(oldest_.size()))) return {};
     const std::vector<TerminalUse> uses = join(*over_.down, *over_.up, over_.length);
-    effort.spend(add(static_cast<std::int64_t>(uses.size()), floor_div(repetition_, over_.length)));
     const Duration least = oldest_age(uses) - period_ - spread;  // ages below cannot be part of a maximum
     Duration before = uses.back().next - over_.length;
     for (const TerminalUse& use : uses) {
       // Last one first; mostly the last one alone is old enough.
       for (Duration t = use.next - period_; t - use.source >= least && t >= before; t -= period_) {
+        if (!effort.spend(floor_div(repetition_, over_.length))) return {};
         for (Duration shift; shift < repetition_; shift += over_.length) take(t + shift, t - use.source);
       }
       before = use.next;
@@ -89,6 +95,7 @@ class TreeBound {
         store_(store),
         effort_(effort),
         place_(model.devices.size()),
+        is_general_(general_up_to_root(model, set, table)),
         spread_(set.buckets.size()) {
     for (const Rank d : model.devices.ids()) {
       const ReleaseTable::Range range = table.r_minus_range(d);
@@ -112,13 +119,12 @@ class TreeBound {
 
  private:
   void classify() {
-    const Duration root_period = model_.devices[result_.root].period;
     bool same = true, harmonic = true;
     std::vector<Rank> stack{result_.root};
     while (!stack.empty()) {
       const Rank parent = stack.back();
       stack.pop_back();
-      same &= model_.devices[parent].period == root_period;
+      same &= model_.devices[parent].period == root_period();
       for (const Rank child : topology_.children[parent]) {
         harmonic &= is_multiple(model_.devices[parent].period, model_.devices[child].period);
         stack.push_back(child);
@@ -148,15 +154,19 @@ class TreeBound {
     for (const Rank leaf : group.devices) {
       if (!topology_.children[leaf].empty()) continue;
       PathResult& path = result_.paths[place_[leaf]];
-      if (oldest != nullptr) {
-        set_exact(path, *oldest, leaf);
-      } else {
+      if (group.exact == nullptr) {
         set_closed(path, group.closed.age, leaf);
+      } else if (oldest->empty()) {
+        set_closed(path, store_.closed_form(group.exact, group.period, root_period()).age, leaf);
+      } else {
+        set_exact(path, *oldest, leaf);
       }
     }
   }
 
-  /// Of a group with an exact hand-over; whoever shares it shares them.
+  [[nodiscard]] Duration root_period() const { return model_.devices[result_.root].period; }
+
+  /// Of a group with an exact hand-over; whoever shares it shares them. Empty where they are beyond the limits.
   const std::vector<Use>& oldest_uses(const HandOverGroup& group) {
     std::vector<Use>& oldest = store_.oldest_uses[group.exact];
     if (oldest.empty()) {
@@ -176,6 +186,8 @@ class TreeBound {
   void set_exact(PathResult& path, const std::vector<Use>& oldest, Rank leaf) const {
     const Use worst = worst_use(oldest, leaf, table_);
     path.latency = worst.age;
+    path.closed_form = is_general_[leaf];
+    if (path.closed_form) return;
     path.release = worst.release;
     path.source_release = worst.source;
   }
@@ -193,6 +205,8 @@ class TreeBound {
       result_.source_release = path.source_release;
     }
     result_.latency = worst;
+    const auto is_closed = [](const PathResult& path) { return path.closed_form; };
+    result_.closed_form = std::any_of(result_.paths.begin(), result_.paths.end(), is_closed);
     if (!corollaries_) return;
     result_.cross_latency = cross_latency();
     if (result_.kind != TreeResult::Class::general) result_.corollary = corollary();
@@ -200,7 +214,7 @@ class TreeBound {
 
   /// Over all pairs of leaves: what the terminal uses of the oldest source, and its response.
   Duration cross_latency() {
-    OldestSources sources(model_.devices[result_.root].period);
+    OldestSources sources(root_period(), effort_);
     walk([&](const HandOverGroup& group) {
       if (latest_leaf(group) != kNone) sources.add_group(group, {{}, Rank{}});
     });
@@ -209,6 +223,7 @@ class TreeBound {
       const Duration response = latest_leaf(group);
       if (response != kNone) worst = std::max(worst, sources.worst(group).age + response);
     });
+    result_.closed_form |= sources.has_closed_form();
     return worst;
   }
 
@@ -242,6 +257,7 @@ class TreeBound {
   Effort& effort_;
   TreeResult result_;
   Table<Rank, std::size_t> place_;  ///< of a leaf in result_.paths
+  Table<Rank, bool> is_general_;    ///< of a device: the releases of one on its way to the root were not examined
   std::vector<Duration> spread_;    ///< per bucket: how much R- of one of its devices varies over the releases
 };
 

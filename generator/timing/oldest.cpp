@@ -18,6 +18,11 @@ void OldestSources::gather() {
     const Staircase& up = *source.up;
     const std::size_t entries = static_cast<std::size_t>(up.root_releases);
     auto whole = std::find_if(wholes_.begin(), wholes_.end(), [&](const List& w) { return w.size() % entries == 0; });
+    const std::size_t size = whole == wholes_.end() ? 2 * entries : whole->size() / entries * up.steps.size();
+    if (!effort_.spend(static_cast<std::int64_t>(size + wholes_.size()))) {
+      closed_.offer({oldest_up(up, root_period_) + source.best.age, source.best.source});
+      continue;
+    }
     if (whole == wholes_.end()) whole = wholes_.emplace(whole, entries);
     for (std::size_t first = 0; first < whole->size(); first += entries) {
       for (const Staircase::Step& step : up.steps) {
@@ -56,6 +61,17 @@ const OldestSources::List& OldestSources::folded(std::size_t whole, std::size_t 
   return result;
 }
 
+/// How many root releases are looked at for a terminal.
+std::int64_t OldestSources::steps_of_worst(const Staircase& down) const {
+  const auto entries = static_cast<std::size_t>(down.root_releases);
+  std::size_t steps = down.steps.size();
+  for (const List& whole : wholes_) {
+    const bool divides = whole.size() % entries == 0;
+    steps += divides ? whole.size() / entries * down.steps.size() : down.steps.size() + whole.size();
+  }
+  return static_cast<std::int64_t>(steps);
+}
+
 OldestSources::Oldest OldestSources::worst(const HandOverGroup& group) {
   if (!is_gathered_) gather();
   Oldest worst;
@@ -65,6 +81,12 @@ OldestSources::Oldest OldestSources::worst(const HandOverGroup& group) {
     return {group.closed.down + worst.age, worst.source};
   }
   const Staircase& down = *group.exact->down;
+  if (!effort_.spend(steps_of_worst(down))) {
+    gave_up_ = true;
+    worst = oldest_;
+    worst.offer(closed_);
+    return {oldest_down(down, group.period, root_period_) + worst.age, worst.source};
+  }
   const std::size_t entries = static_cast<std::size_t>(down.root_releases);
   for (std::size_t w = 0; w < wholes_.size(); ++w) {
     // A repetition that divides the whole is unrolled in steps, which are few; any other one is met where it can be.

@@ -23,7 +23,7 @@ class OldestSources {
     void offer(const Oldest& other) { offer(other.age, other.source); }
   };
 
-  explicit OldestSources(Duration root_period) : root_period_(root_period) {}
+  OldestSources(Duration root_period, Effort& effort) : root_period_(root_period), effort_(effort) {}
 
   /// @param best  of the devices of the group: how old its sample is when its update() begins, and which device it is.
   void add_group(const HandOverGroup& group, const Oldest& best);
@@ -32,7 +32,8 @@ class OldestSources {
   /// that release uses. Not one nanosecond younger than what is possible, and with closed forms maybe older.
   Oldest worst(const HandOverGroup& group);
 
-  [[nodiscard]] bool has_closed_form() const { return closed_.age >= Duration::zero(); }
+  /// Whether answers so far may be larger than the exact ones.
+  [[nodiscard]] bool has_closed_form() const { return closed_.age >= Duration::zero() || gave_up_; }
 
  private:
   using List = std::vector<Oldest>;  ///< per root release of one repetition
@@ -41,7 +42,10 @@ class OldestSources {
   void gather();
   const List& folded(std::size_t whole, std::size_t common);
 
+  [[nodiscard]] std::int64_t steps_of_worst(const Staircase& down) const;
+
   Duration root_period_;
+  Effort& effort_;
   struct Source {
     std::shared_ptr<const Staircase> up;
     Oldest best;
@@ -51,7 +55,7 @@ class OldestSources {
   std::map<std::pair<std::size_t, std::size_t>, List> folded_;  ///< by place in wholes_ and entries
   Oldest closed_;
   Oldest oldest_;  ///< of all root releases
-  bool is_gathered_ = false;
+  bool is_gathered_ = false, gave_up_ = false;
 };
 
 }  // namespace finemote::gen::timing

@@ -1,6 +1,7 @@
 #include "generator/timing/profile.hpp"
 
 #include "generator/timing/latency.hpp"
+#include "generator/timing/repetition.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -12,11 +13,12 @@ void summarise(const TaskSet& set, const Responses& responses, const ReleaseTabl
   for (std::size_t w = 0; w < set.buckets.size(); ++w) {
     const TaskBucket& bucket = set.buckets[w];
     result.schedulable &= responses.ok(w);
-    result.buckets.push_back({bucket.period, bucket.cost, bucket.devices, known(responses.bucket[w]), responses.ok(w)});
+    result.buckets.push_back({bucket.period, bucket.cost, bucket.devices, known(responses.bucket[w]), responses.ok(w),
+                              responses.closed_form[w]});
   }
   for (const Rank d : set.update.ids()) {
-    DeviceResult device{responses.b_plus[d], responses.b_minus[d], known(responses.r_plus[d]),
-                        known(responses.r_minus[d]), std::nullopt};
+    DeviceResult device{responses.b_plus[d],         responses.b_minus[d], known(responses.r_plus[d]),
+                        known(responses.r_minus[d]), std::nullopt,         table.is_general(set.bucket_of[d])};
     if (result.profile != Profile::paper) device.window = known(table.window(d));
     result.devices.push_back(device);
   }
@@ -36,9 +38,10 @@ std::string_view profile_name(Profile profile) {
   return "";
 }
 
-ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Profile profile, std::int64_t steps) {
-  Effort effort(steps);
+ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Profile profile, const Limits& limits) {
   TaskSet set = make_task_set(model, profile);
+  const std::int64_t releases = most_releases(set, limits);
+  Effort effort(limits.steps, releases);
   Responses responses = bound_responses(set, effort);
   ReleaseTable table =
       profile == Profile::paper ? ReleaseTable(set, responses) : ReleaseTable::refined(set, responses, effort);
@@ -48,18 +51,20 @@ ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Pr
   auto hand_overs = std::make_shared<HandOverStore>();
   result.trees =
       bound_latencies(model, topology, set, responses, table, profile == Profile::paper, *hand_overs, effort);
-  return {std::move(result), std::move(set), std::move(responses), std::move(table), std::move(hand_overs)};
+  return {std::move(result), std::move(set), std::move(responses), std::move(table), std::move(hand_overs), releases};
 }
 
-ProfileAnalysis analyse_deadlines(const Model& model, Profile profile, std::int64_t steps) {
-  Effort effort(steps);
+ProfileAnalysis analyse_deadlines(const Model& model, Profile profile, const Limits& limits) {
   TaskSet set = make_task_set(model, profile);
+  const std::int64_t releases = most_releases(set, limits);
+  Effort effort(limits.steps, releases);
   Responses responses = bound_responses(set, effort);
   ReleaseTable table(set, responses);
   ProfileResult result;
   result.profile = profile;
   summarise(set, responses, table, result);
-  return {std::move(result), std::move(set), std::move(responses), std::move(table), std::make_shared<HandOverStore>()};
+  return {std::move(result), std::move(set), std::move(responses), std::move(table), std::make_shared<HandOverStore>(),
+          releases};
 }
 
 }  // namespace finemote::gen::timing

@@ -13,13 +13,14 @@ struct ProfileAnalysis {
   Responses responses;
   ReleaseTable table;
   std::shared_ptr<HandOverStore> hand_overs;  ///< never null; a cache that questions fill further
+  std::int64_t most_releases = 0;             ///< of one bucket, and of the root of one path, that are examined
 };
 
-/// Requires a model that read_model accepts. Throws Overflow, TooLong.
+/// Requires a model that read_model accepts. Throws Overflow.
 ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Profile profile,
-                                std::int64_t steps = kMostSteps);
+                                const Limits& limits = {});
 
 /// The same without windows and latencies of trees: whether every bucket meets its deadline, and how soon.
-ProfileAnalysis analyse_deadlines(const Model& model, Profile profile, std::int64_t steps = kMostSteps);
+ProfileAnalysis analyse_deadlines(const Model& model, Profile profile, const Limits& limits = {});
 
 }  // namespace finemote::gen::timing

@@ -1,24 +1,27 @@
 #include "generator/timing/releases.hpp"
 
 #include <algorithm>
-#include <map>
+#include <unordered_map>
+
+#include "generator/timing/repetition.hpp"
 
 namespace finemote::gen::timing {
 namespace {
 
-constexpr std::int64_t kMostReleases = 1'000'000;  ///< of one bucket in its least common multiple
-constexpr std::size_t kMostCells = 1U << 23;       ///< of one bucket: 200 MB
+/// What surrounds a release: the instants t0 from which more urgent work may be pending, earliest first and the release
+/// itself last. Each is a row of numbers: its distance t - t0, then per more urgent bucket its first release at or
+/// after t0, less t0. Releases with the same surroundings have the same bounds.
+using Surroundings = std::vector<Duration>;
 
-/// What surrounds a release: for each instant t0 from which more urgent work may be pending (the release itself comes
-/// last), its distance and the first release of every more urgent bucket from it on.
-struct Surroundings {
-  struct Start {
-    Duration distance;             ///< t - t0
-    std::vector<Duration> firsts;  ///< per more urgent bucket: first release at or after t0, less t0
-    friend auto operator<=>(const Start&, const Start&) = default;
-  };
-  std::vector<Start> starts;
-  friend auto operator<=>(const Surroundings&, const Surroundings&) = default;
+struct SurroundingsHash {
+  std::size_t operator()(const Surroundings& around) const {
+    std::uint64_t hash = around.size();
+    for (const Duration d : around) {
+      hash = (hash ^ static_cast<std::uint64_t>(d.ns())) * 0x9E3779B97F4A7C15U;
+      hash ^= hash >> 29;
+    }
+    return hash;
+  }
 };
 
 }  // namespace
@@ -32,6 +35,7 @@ ReleaseTable::ReleaseTable(const TaskSet& set, const Responses& responses)
   for (const TaskBucket& bucket : set.buckets) {
     Bucket table;
     table.period = bucket.period;
+    table.general = responses.closed_form[buckets_.size()];
     std::vector<Cell> row;
     for (const Rank d : bucket.devices) {
       place_[d] = row.size();
@@ -63,39 +67,64 @@ Duration ReleaseTable::repeat(Rank device) const {
 class ReleaseTable::Builder {
  public:
   Builder(const TaskSet& set, const Responses& responses, std::size_t w, Effort& effort)
-      : set_(set), responses_(responses), bucket_(set.buckets[w]), w_(w), effort_(effort), demand_(effort) {
-    for (std::size_t v = 0; v < w; ++v) {
-      if (set.buckets[v].cost > Duration::zero()) urgent_.push_back({set.buckets[v].period, set.buckets[v].cost});
-    }
+      : set_(set),
+        responses_(responses),
+        bucket_(set.buckets[w]),
+        w_(w),
+        effort_(effort),
+        demand_(effort),
+        interrupts_(effort),
+        inside_(effort) {
     demand_.add_streams(set.streams);
+    interrupts_.add_streams(set.streams);
+    inside_.add_streams(set.streams);
+    for (std::size_t v = 0; v < w; ++v) {
+      const TaskBucket& other = set.buckets[v];
+      if (other.cost == Duration::zero()) continue;
+      urgent_.push_back({other.period, other.cost, Divider(other.period.ns())});
+      demand_.add({{}, other.period, other.cost});
+      inside_.add({{}, other.period, other.cost, 0});
+    }
   }
 
   void fill(Bucket& table) {
-    Duration common = bucket_.period;
-    for (std::size_t v = 0; v < w_; ++v) common = lcm(common, set_.buckets[v].period);
-    const std::int64_t count = floor_div(common, bucket_.period);
-    find_longest_busy();
-    table.rows.clear();
-    if (count > kMostReleases) return fill_general(table);
-    std::map<Surroundings, std::uint32_t> known;
-    for (std::int64_t i = 0; i < count; ++i) {
-      const Surroundings around = surroundings(i * bucket_.period);
-      const auto [entry, fresh] = known.emplace(around, static_cast<std::uint32_t>(table.rows.size()));
-      if (fresh) {
-        if ((table.rows.size() + 1) * bucket_.devices.size() > kMostCells) return fill_general(table);
-        table.rows.push_back(row(around));
-      }
-      table.row_of.push_back(entry->second);
-      effort_.spend(16);
-    }
-    if (table.rows.size() == 1) table.row_of.clear();
+    if (!fill_exactly(table)) fill_general(table);
   }
 
  private:
   struct Urgent {
     Duration period = nanoseconds(1);
     Duration cost;
+    Divider by_period;
   };
+
+  /// Work that was released before the release under examination.
+  struct Pending {
+    Duration distance;
+    Duration cost;
+  };
+
+  /// Whether that is within the limits.
+  bool fill_exactly(Bucket& table) {
+    const std::optional<std::int64_t> count = urgent_.empty() ? 1 : releases_until_repeat(set_, w_);
+    if (!count || *count > effort_.most_releases() || responses_.closed_form[w_]) return false;
+    find_longest_busy();
+    if (effort_.is_spent()) return false;
+    table.rows.clear();
+    std::unordered_map<Surroundings, std::uint32_t, SurroundingsHash> known;
+    for (std::int64_t i = 0; i < *count; ++i) {
+      find_surroundings(i * bucket_.period);
+      if (effort_.is_spent()) return false;
+      const auto [entry, fresh] = known.emplace(around_, static_cast<std::uint32_t>(table.rows.size()));
+      if (fresh) {
+        table.rows.push_back(row());
+        if (effort_.is_spent()) return false;
+      }
+      table.row_of.push_back(entry->second);
+    }
+    if (table.rows.size() == 1) table.row_of.clear();
+    return true;
+  }
 
   /// R of all releases, and windows with as many more urgent activations as any release can see.
   void fill_general(Bucket& table) {
@@ -103,73 +132,93 @@ class ReleaseTable::Builder {
     table.row_of.clear();
     std::vector<Cell> row;
     for (const Rank d : bucket_.devices) row.push_back({responses_.r_plus[d], responses_.r_minus[d], kNone});
-    Surroundings worst;
-    worst.starts.push_back({{}, std::vector<Duration>(urgent_.size(), nanoseconds(1))});
-    set_windows(worst.starts.back().firsts, row);
+    const std::vector<Duration> firsts(urgent_.size(), nanoseconds(1));
+    set_windows(firsts.data(), row);
     table.rows.assign(1, std::move(row));
   }
 
   /// No more urgent work of buckets and streams stays pending for longer than this.
   void find_longest_busy() {
-    demand_.clear_terms();
-    for (const Urgent& u : urgent_) demand_.add({{}, u.period, u.cost});
     longest_busy_ = urgent_.empty() ? Duration::zero() : least_fit(demand_, set_.blocking, nanoseconds(1), kLongest);
   }
 
-  Surroundings::Start start_at(Duration t0, Duration t) const {
-    Surroundings::Start start{t - t0, {}};
+  void add_start(Duration t0, Duration t) {
+    if (!effort_.spend(kStepsPerRelease * static_cast<std::int64_t>(urgent_.size()))) return;
     const Duration horizon = t - t0 + responses_.bucket[w_] + nanoseconds(2);  // later releases cannot matter
-    for (const Urgent& u : urgent_) start.firsts.push_back(std::min(round_up(t0, u.period) - t0, horizon));
-    return start;
+    around_.push_back(t - t0);
+    for (const Urgent& u : urgent_) {
+      const Duration first = -u.by_period.floor(-t0.ns()) * u.period;
+      around_.push_back(std::min(first - t0, horizon));
+    }
   }
 
-  void use(const Surroundings::Start& start) {
-    demand_.clear_terms();
-    for (std::size_t i = 0; i < urgent_.size(); ++i) demand_.add({start.firsts[i], urgent_[i].period, urgent_[i].cost});
+  /// Whether more urgent work released from a start on keeps the processor busy beyond t.
+  bool stays_busy(const Duration* start) {
+    demand_.begin_at(start + 1);
+    return least_fit(demand_, set_.blocking, nanoseconds(1), *start) == kNever;
   }
 
-  /// Whether more urgent work released from t0 on keeps the processor busy beyond t.
-  bool stays_busy(const Surroundings::Start& start) {
-    use(start);
-    return least_fit(demand_, set_.blocking, nanoseconds(1), start.distance) == kNever;
-  }
-
-  Surroundings surroundings(Duration t) {
-    Surroundings around;
+  /// What is released before t and may be pending at t, latest first.
+  void find_pending(Duration t) {
+    pending_.clear();
     for (const Urgent& u : urgent_) {
       if (gcd(u.period, bucket_.period) >= longest_busy_) continue;  // none is that near
-      for (Duration t0 = round_down(t - nanoseconds(1), u.period); t - t0 < longest_busy_; t0 -= u.period) {
-        Surroundings::Start start = start_at(t0, t);
-        if (stays_busy(start)) around.starts.push_back(std::move(start));
-      }
+      const Duration last = u.by_period.floor((t - nanoseconds(1)).ns()) * u.period;
+      for (Duration distance = t - last; distance < longest_busy_ && effort_.spend(kStepsPerRelease);
+           distance += u.period)
+        pending_.push_back({distance, u.cost});
     }
-    std::sort(around.starts.begin(), around.starts.end(), std::greater<>());
-    around.starts.erase(std::unique(around.starts.begin(), around.starts.end()), around.starts.end());
-    around.starts.push_back(start_at(t, t));
-    return around;
+    std::sort(pending_.begin(), pending_.end(),
+              [](const Pending& a, const Pending& b) { return a.distance < b.distance; });
   }
 
-  std::vector<Cell> row(const Surroundings& around) {
+  void find_surroundings(Duration t) {
+    around_.clear();
+    find_pending(t);
+    starts_.clear();
+    effort_.spend(kStepsPerRelease);
+    Duration work = set_.blocking;
+    for (std::size_t i = 0; i < pending_.size(); ++i) {
+      work += pending_[i].cost;
+      const Duration distance = pending_[i].distance;
+      if (i + 1 < pending_.size() && pending_[i + 1].distance == distance) continue;
+      // Most are ruled out by this: all of it is done by t.
+      if (work + interrupts_.at(distance) > distance) starts_.push_back(distance);
+    }
+    for (auto distance = starts_.rbegin(); distance != starts_.rend(); ++distance) {
+      const std::size_t begin = around_.size();
+      add_start(t - *distance, t);
+      if (effort_.is_spent()) return;
+      if (!stays_busy(&around_[begin])) around_.resize(begin);
+    }
+    add_start(t, t);
+  }
+
+  /// Of the surroundings found last.
+  std::vector<Cell> row() {
     std::vector<Cell> cells(bucket_.devices.size());
-    for (const Surroundings::Start& start : around.starts) sweep(start, cells);
+    const std::size_t width = urgent_.size() + 1;
+    for (std::size_t start = 0; start < around_.size(); start += width) sweep(&around_[start], cells);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const Rank d = bucket_.devices[i];
       cells[i].r_plus = std::min(cells[i].r_plus, responses_.r_plus[d]);
       cells[i].r_minus = std::min(cells[i].r_minus, responses_.r_minus[d]);
     }
-    set_windows(around.starts.back().firsts, cells);
+    set_windows(&around_[around_.size() - width] + 1, cells);
     return cells;
   }
 
   /// Raises every R of the row to what a busy interval from one start gives.
-  void sweep(const Surroundings::Start& start, std::vector<Cell>& cells) {
-    use(start);
-    Duration x = start.distance + nanoseconds(1);
+  void sweep(const Duration* start, std::vector<Cell>& cells) {
+    if (!effort_.spend(kStepsPerCell * static_cast<std::int64_t>(cells.size()))) return;
+    const Duration distance = *start;
+    demand_.begin_at(start + 1);
+    Duration x = distance + nanoseconds(1);
     const auto end_of = [&](Duration work, bool empty) {
       const Duration extra = nanoseconds(empty ? 1 : 0);
       const Duration base = work + extra;
       x = least_fit(demand_, base, std::max(x, base), kLongest);
-      return x - extra - start.distance;
+      return x - extra - distance;
     };
     Duration work = set_.blocking + bucket_.before;
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -212,13 +261,10 @@ class ReleaseTable::Builder {
   };
 
   /// Windows from R-(t), from the last device (the shortest window) to the first.
-  void set_windows(const std::vector<Duration>& firsts, std::vector<Cell>& cells) {
-    demand_.clear_terms();
+  void set_windows(const Duration* firsts, std::vector<Cell>& cells) {
+    inside_.rewind();
     std::vector<Inside> inside;
-    for (std::size_t u = 0; u < urgent_.size(); ++u) {
-      demand_.add({{}, urgent_[u].period, urgent_[u].cost, 0});
-      inside.emplace_back(urgent_[u], firsts[u]);
-    }
+    for (std::size_t u = 0; u < urgent_.size(); ++u) inside.emplace_back(urgent_[u], firsts[u]);
     Duration work, x = nanoseconds(1), begin = kNever, end;
     for (std::size_t i = cells.size(); i-- > 0;) {
       const Rank d = bucket_.devices[i];
@@ -229,12 +275,12 @@ class ReleaseTable::Builder {
         begin = length;
         end = kNever;
         for (std::size_t u = 0; u < urgent_.size(); ++u) {
-          demand_.allow(u, inside[u].count(length));
+          inside_.allow(u, inside[u].count(length));
           end = std::min(end, inside[u].end());
         }
       }
       const Duration base = work + extra;
-      x = least_fit(demand_, base, std::max(x, base), kLongest);
+      x = least_fit(inside_, base, std::max(x, base), kLongest);
       cells[i].window = std::min(x - extra, cells[i].r_minus);
     }
   }
@@ -243,10 +289,17 @@ class ReleaseTable::Builder {
   const Responses& responses_;
   const TaskBucket& bucket_;
   std::size_t w_;
+  static constexpr std::int64_t kStepsPerRelease = 4, kStepsPerCell = 16;
+
   Effort& effort_;
-  Demand demand_;
+  Demand demand_;               ///< everything more urgent
+  Demand interrupts_;           ///< the streams alone
+  Demand inside_;               ///< everything more urgent that is released inside a window
   std::vector<Urgent> urgent_;  ///< shorter periods of nonzero cost
   Duration longest_busy_;
+  Surroundings around_;
+  std::vector<Pending> pending_;
+  std::vector<Duration> starts_;
 };
 
 ReleaseTable ReleaseTable::refined(const TaskSet& set, const Responses& responses, Effort& effort) {
@@ -276,6 +329,16 @@ ReleaseTable ReleaseTable::refined(const TaskSet& set, const Responses& response
     }
   }
   return table;
+}
+
+Table<Rank, bool> general_up_to_root(const Model& model, const TaskSet& set, const ReleaseTable& table) {
+  Table<Rank, bool> is_general(model.devices.size());
+  for (std::size_t i = model.devices.size(); i-- > 0;) {  // parents come after their children
+    const Rank d{i};
+    const auto parent = model.devices[d].parent;
+    is_general[d] = table.is_general(set.bucket_of[d]) || (parent && is_general[*parent]);
+  }
+  return is_general;
 }
 
 }  // namespace finemote::gen::timing

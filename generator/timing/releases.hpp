@@ -12,8 +12,8 @@ class ReleaseTable {
   /// R and W that hold for every release alone (profile paper has no windows: they equal R).
   ReleaseTable(const TaskSet& set, const Responses& responses);
 
-  /// R(t) and W(t) of analysis-cases/README.md, profile `tight`. Buckets with too many releases in the least common
-  /// multiple of their periods keep general bounds and are listed by `is_general`. Throws Overflow, TooLong.
+  /// R(t) and W(t) of analysis-cases/README.md, profile `tight`. Buckets beyond the limits keep bounds that hold for
+  /// every release, and are listed by `is_general`. Throws Overflow.
   static ReleaseTable refined(const TaskSet& set, const Responses& responses, Effort& effort);
 
   [[nodiscard]] Duration r_plus(Rank device, Duration release) const { return cell(device, release).r_plus; }
@@ -77,5 +77,9 @@ class ReleaseTable {
   Table<Rank, Duration> worst_window_;
   Table<Rank, Range> r_plus_range_, r_minus_range_;
 };
+
+/// Of every device, whether its bucket or one of a device above it in its tree `is_general`: exact answers about its
+/// paths are then exact about these bounds only.
+Table<Rank, bool> general_up_to_root(const Model& model, const TaskSet& set, const ReleaseTable& table);
 
 }  // namespace finemote::gen::timing

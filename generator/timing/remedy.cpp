@@ -23,7 +23,7 @@ int most_trials(std::size_t devices) {
 }
 
 /// Of one trial; an ordinary robot needs some thousands.
-constexpr std::int64_t kTrialSteps = std::int64_t{1} << 24;
+constexpr std::int64_t kTrialSteps = std::int64_t{1} << 22;
 
 std::size_t unbounded(const Timing& timing) {
   return static_cast<std::size_t>(std::count_if(timing.chains.begin(), timing.chains.end(),
@@ -101,7 +101,7 @@ Trials::Trials(const Timing& timing, const AnalysisRequest& request)
   request_.remodel = nullptr;
   request_.profile = timing.asked;
   request_.inputs = false;
-  request_.steps = kTrialSteps;
+  request_.limits.steps = kTrialSteps;
   request_.chains.clear();
   for (const ChainResult& chain : timing.chains) request_.chains.push_back({chain.from, chain.to});
 }

@@ -25,7 +25,8 @@ Duration lower_bound(const TaskSet& set, std::size_t w, Duration base) {
 /// The stages of one bucket, in the order they run.
 class BucketSweep {
  public:
-  BucketSweep(const TaskSet& set, std::size_t w, Effort& effort) : bucket_(set.buckets[w]), demand_(effort) {
+  BucketSweep(const TaskSet& set, std::size_t w, Effort& effort)
+      : set_(set), w_(w), bucket_(set.buckets[w]), demand_(effort) {
     demand_.add_streams(set.streams);
     for (std::size_t v = 0; v < w; ++v) demand_.add({{}, set.buckets[v].period, set.buckets[v].cost});
     const Duration first = set.blocking + bucket_.before;
@@ -39,15 +40,24 @@ class BucketSweep {
     const Duration extra = nanoseconds(empty ? 1 : 0);
     const Duration base = work + extra;
     x_ = least_fit(demand_, base, std::max(x_, base), bucket_.period + extra);
-    good_ = x_ != kNever;
+    if (demand_.is_spent()) {
+      is_closed_form_ = true;
+      x_ = closed_fixed_point(set_, w_, base);
+    }
+    good_ = x_ != kNever && x_ <= bucket_.period + extra;
     return good_ ? x_ - extra : kNone;
   }
 
+  [[nodiscard]] bool is_closed_form() const { return is_closed_form_; }
+
  private:
+  const TaskSet& set_;
+  std::size_t w_;
   const TaskBucket& bucket_;
   Demand demand_;
   Duration x_ = nanoseconds(1);
   bool good_ = true;
+  bool is_closed_form_ = false;
 };
 
 void sweep_bucket(const TaskSet& set, std::size_t w, Effort& effort, Responses& out) {
@@ -63,6 +73,7 @@ void sweep_bucket(const TaskSet& set, std::size_t w, Effort& effort, Responses& 
     out.r_minus[*d] = out.bucket[w] = sweep.end_of(work + set.blocking, set.handle[*d] == Duration::zero());
   }
   if (bucket.after > Duration::zero()) out.bucket[w] = sweep.end_of(work + bucket.after + set.blocking, false);
+  out.closed_form[w] = sweep.is_closed_form();
   if (out.bucket[w] != kNone) return;
   for (const Rank d : bucket.devices) out.r_plus[d] = out.r_minus[d] = kNone;
 }
@@ -71,7 +82,12 @@ void sweep_bucket(const TaskSet& set, std::size_t w, Effort& effort, Responses& 
 
 Responses bound_responses(const TaskSet& set, Effort& effort) {
   const Table<Rank, Duration> nothing(set.update.size()), no_bound(set.update.size(), kNone);
-  Responses out{nothing, nothing, no_bound, no_bound, std::vector<Duration>(set.buckets.size(), kNone)};
+  Responses out{nothing,
+                nothing,
+                no_bound,
+                no_bound,
+                std::vector<Duration>(set.buckets.size(), kNone),
+                std::vector<bool>(set.buckets.size(), false)};
   for (std::size_t w = 0; w < set.buckets.size(); ++w) sweep_bucket(set, w, effort, out);
   return out;
 }

@@ -13,12 +13,14 @@ inline constexpr Duration kNone = nanoseconds(-1);  ///< no bound
 struct Responses {
   Table<Rank, Duration> b_plus, b_minus;  ///< own bucket's work up to the end of the stage
   Table<Rank, Duration> r_plus, r_minus;
-  std::vector<Duration> bucket;  ///< end of a whole job; kNone above the period
+  std::vector<Duration> bucket;   ///< end of a whole job; kNone above the period
+  std::vector<bool> closed_form;  ///< of a bucket: the searches were given up, and what is there is not the least
   [[nodiscard]] bool ok(std::size_t w) const { return bucket[w] != kNone; }
 };
 
 /// Least fixed points of R = blocking + B + demand(R); a stage of zero length still has to be dispatched and ends at
-/// fixed point (B + 1) - 1. Every search starts from the one before it. Throws Overflow, TooLong.
+/// fixed point (B + 1) - 1. Every search starts from the one before it. Where the steps are spent, a closed form
+/// that is never smaller takes the place of the search. Throws Overflow.
 Responses bound_responses(const TaskSet& set, Effort& effort);
 
 }  // namespace finemote::gen::timing

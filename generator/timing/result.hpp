@@ -33,6 +33,7 @@ struct BucketResult {
   std::vector<Rank> devices;         ///< registration order
   std::optional<Duration> response;  ///< end of the last stage (profile target: of the whole job)
   bool ok = false;
+  bool closed_form = false;  ///< the search for the response was given up: it may be too large, and `ok` too strict
 };
 
 /// Bounds of one device; null where its bucket is not schedulable.
@@ -40,13 +41,14 @@ struct DeviceResult {
   Duration b_plus, b_minus;
   std::optional<Duration> r_plus, r_minus;
   std::optional<Duration> window;  ///< start of update to end of handle; profiles tight and target
+  bool closed_form = false;        ///< bounds that may be larger than the exact ones
 };
 
 struct PathResult {
   Rank leaf;
   std::optional<Duration> latency;
   std::optional<Duration> release, source_release;  ///< null with `closed_form`
-  bool closed_form = false;  ///< a safe bound instead of the maximum: an lcm is too large to walk
+  bool closed_form = false;                         ///< a safe bound instead of the maximum: that is beyond the limits
 };
 
 struct TreeResult {
@@ -59,6 +61,7 @@ struct TreeResult {
   std::optional<Duration> corollary;      ///< profile paper
   std::optional<Duration> cross_latency;  ///< profile paper
   std::vector<PathResult> paths;          ///< leaves in registration order
+  bool closed_form = false;               ///< some latency is a safe bound instead of the maximum
 };
 
 struct ProfileResult {

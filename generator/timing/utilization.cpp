@@ -100,12 +100,40 @@ UtilizationTests test_utilization(const Model& model) {
   return result;
 }
 
-bool is_saturated(const TaskSet& set, std::size_t bucket) {
+namespace {
+
+/// Long-run load of the streams and of the buckets before one.
+Fraction load_above(const TaskSet& set, std::size_t bucket) {
   Fraction total;
   for (const Stream& s : set.streams) add_rate(s, total);
   for (std::size_t w = 0; w < bucket; ++w) total.add({set.buckets[w].cost, set.buckets[w].period});
+  return total;
+}
+
+/// More work than its rate says a stream makes at most, in any window.
+Big burst_of(const Stream& stream) {
+  Big arrivals = 1;  // as many as fit by separation, or by every budget, and one or its carried ones more
+  for (const Stream::Budget& b : stream.budgets) arrivals += Big(b.count) * (b.carry_in + 1);
+  return arrivals * stream.cost.ns();
+}
+
+}  // namespace
+
+bool is_saturated(const TaskSet& set, std::size_t bucket) {
+  const Fraction total = load_above(set, bucket);
   if (total.approximate() < 1 - kGuard) return false;
   return total.numerator() >= total.denominator();
+}
+
+Duration closed_fixed_point(const TaskSet& set, std::size_t bucket, Duration base) {
+  const Fraction load = load_above(set, bucket);
+  const Big left = load.denominator() - load.numerator();
+  if (left <= 0) return Duration::max();
+  Big at_once = base.ns();
+  for (const Stream& s : set.streams) at_once += burst_of(s);
+  for (std::size_t w = 0; w < bucket; ++w) at_once += set.buckets[w].cost.ns();
+  const Big x = at_once * load.denominator() / left + 1;
+  return x < Duration::max().ns() ? nanoseconds(x.convert_to<std::int64_t>()) : Duration::max();
 }
 
 }  // namespace finemote::gen::timing

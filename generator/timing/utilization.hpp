@@ -19,4 +19,8 @@ UtilizationTests test_utilization(const Model& model);
 /// Decided exactly. Streams count by their separation, budgets where they are the smaller rate.
 bool is_saturated(const TaskSet& set, std::size_t bucket);
 
+/// Not below the least fixed point of x = base + work of the streams and of the buckets before `bucket` in [0, x), in
+/// closed form: every ceil(x/T) counts as x/T + 1. kNever when they are saturated, or 64 bits do not hold it.
+Duration closed_fixed_point(const TaskSet& set, std::size_t bucket, Duration base);
+
 }  // namespace finemote::gen::timing

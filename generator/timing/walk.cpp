@@ -1,11 +1,12 @@
 #include "generator/timing/walk.hpp"
 
 #include <algorithm>
+#include <set>
+
+#include "generator/timing/repetition.hpp"
 
 namespace finemote::gen::timing {
 namespace {
-
-constexpr std::int64_t kMostEntries = 1'000'000;  ///< root releases in one repetition of a hand-over
 
 class Walker {
  public:
@@ -28,7 +29,7 @@ class Walker {
     root_period_ = model_.devices[root].period;
     store_.begin_tree();
     std::vector<Pending> stack;
-    stack.push_back({{root_period_, {root}, at_root(), {}}, {}, {}, {}, {}});
+    stack.push_back({{root_period_, {root}, at_root(), {}}, nullptr, nullptr, {}, {}});
     while (!stack.empty()) {
       Pending pending = std::move(stack.back());
       stack.pop_back();
@@ -44,7 +45,7 @@ class Walker {
   /// A group whose hand-over is still that of its parent's group.
   struct Pending {
     HandOverGroup group;
-    Lags down, up;           ///< of the parent's handle, and of the group's update
+    const Lags *down, *up;   ///< of the parent's handle, and of the group's update; null at the root
     Rank parent;             ///< one of the parents: they share period and row layout
     Duration parent_period;  ///< 0: the root itself
   };
@@ -66,12 +67,17 @@ class Walker {
   /// A child on its way into a group: what decides which, and whose it is.
   struct Child {
     Duration period = nanoseconds(1);
-    Lags down, up;
+    const Lags *down, *up;  ///< equal ones are the same
     Rank parent, device;
     [[nodiscard]] bool joins(const Child& other) const {
       return period == other.period && down == other.down && up == other.up;
     }
-    friend auto operator<=>(const Child&, const Child&) = default;
+    friend bool operator<(const Child& a, const Child& b) {
+      if (a.period != b.period) return a.period < b.period;
+      if (a.down != b.down) return *a.down < *b.down;
+      if (a.up != b.up) return *a.up < *b.up;
+      return std::tie(a.parent, a.device) < std::tie(b.parent, b.device);
+    }
   };
 
   void push_children(const HandOverGroup& group, std::vector<Pending>& stack) {
@@ -83,24 +89,27 @@ class Walker {
     }
     if (children_.size() > 1) std::sort(children_.begin(), children_.end());
     for (std::size_t i = 0; i < children_.size();) {
-      Child& first = children_[i];
-      Pending part{{first.period, {}, group.exact, group.closed}, {}, {}, first.parent, group.period};
+      const Child& first = children_[i];
+      Pending part{{first.period, {}, group.exact, group.closed}, first.down, first.up, first.parent, group.period};
       for (; i < children_.size() && children_[i].joins(first); ++i) part.group.devices.push_back(children_[i].device);
-      part.down = std::move(first.down);
-      part.up = std::move(first.up);
       stack.push_back(std::move(part));
     }
   }
 
-  [[nodiscard]] Child child_of(Rank parent, Rank device, Duration parent_period) const {
-    Child child{model_.devices[device].period, {}, {}, parent, device};
+  [[nodiscard]] Child child_of(Rank parent, Rank device, Duration parent_period) {
+    const Lags* const at_once = &*lags_.insert(Lags{}).first;
+    Child child{model_.devices[device].period, at_once, at_once, parent, device};
     if (child.period < parent_period) {
-      child.down = lags_down(set_, table_, parent, child.period);
+      const Lags*& down = downs_[{parent, child.period}];
+      if (down == nullptr) down = one_of(lags_down(set_, table_, parent, child.period, effort_));
+      child.down = down;
     } else if (child.period > parent_period) {
-      child.up = lags_up(set_, table_, device, parent_period);
+      child.up = one_of(lags_up(set_, table_, device, parent_period, effort_));
     }
     return child;
   }
+
+  const Lags* one_of(Lags lags) { return &*lags_.insert(std::move(lags)).first; }
 
   HandOverGroup finish(Pending pending) {
     HandOverGroup& group = pending.group;
@@ -110,41 +119,41 @@ class Walker {
         group.exact = std::move(below);
         return std::move(group);
       }
-      group.closed = closed_form_of(*group.exact, pending.parent_period, root_period_);
+      group.closed = store_.closed_form(group.exact, pending.parent_period, root_period_);
       group.exact = nullptr;
     }
-    group.closed = one_edge_below(group.closed, pending.parent_period, group.period, pending.down, pending.up);
+    group.closed = one_edge_below(group.closed, pending.parent_period, group.period, *pending.down, *pending.up);
     return std::move(group);
   }
 
-  /// The hand-over of the group; null where it repeats too late.
+  /// The hand-over of the group; null where it is beyond the limits.
   std::shared_ptr<const HandOver> one_edge_further(const Pending& pending) {
     const std::shared_ptr<const HandOver>& above = pending.group.exact;
     const Duration period = pending.group.period, parent_period = pending.parent_period;
     const Rank parent = pending.parent, device = pending.group.devices.front();
-    const Duration down_length = length_below(above->down->length, period, pending.down, parent);
-    const Duration up_length = length_below(above->up->length, period, pending.up, device);
-    const Duration length = lcm(down_length, up_length);
-    if (floor_div(length, root_period_) > kMostEntries) return nullptr;
-    const std::int64_t down_steps = steps_in(*above->down, down_length), up_steps = steps_in(*above->up, up_length);
+    const auto down_length = length_below(above->down->length, period, *pending.down, parent);
+    const auto up_length = length_below(above->up->length, period, *pending.up, device);
+    const auto length = common_multiple(down_length, up_length);
+    if (!length || floor_div(*length, root_period_) > effort_.most_releases()) return nullptr;
+    const std::int64_t down_steps = steps_in(*above->down, *down_length), up_steps = steps_in(*above->up, *up_length);
     if (!store_.make_room(down_steps + up_steps)) return nullptr;
-    auto& down = store_.down[{above->down, parent_period, period, pending.down}];
+    auto& down = store_.down[{above->down, parent_period, period, *pending.down}];
     if (down == nullptr) {
-      effort_.spend(2 * down_steps);
-      const LagCursor lag(pending.down, table_, parent, parent_period);
-      down = store_.keep(step_down(*above->down, down_length, period, lag));
+      if (!effort_.spend(2 * down_steps)) return nullptr;
+      const LagCursor lag(*pending.down, table_, parent, parent_period);
+      down = store_.keep(step_down(*above->down, *down_length, period, lag));
     }
-    auto& up = store_.up[{above->up, parent_period, period, pending.up}];
+    auto& up = store_.up[{above->up, parent_period, period, *pending.up}];
     if (up == nullptr) {
-      effort_.spend(2 * up_steps);
-      up = store_.keep(step_up(*above->up, up_length, period, LagCursor(pending.up, table_, device, period)));
+      if (!effort_.spend(2 * up_steps)) return nullptr;
+      up = store_.keep(step_up(*above->up, *up_length, period, LagCursor(*pending.up, table_, device, period)));
     }
-    return joined({period, down, up}, length);
+    return joined({period, down, up}, *length);
   }
 
-  Duration length_below(Duration length, Duration period, const Lags& lags, Rank producer) const {
-    const Duration common = lcm(length, period);
-    return lags.per_row.empty() ? common : lcm(common, table_.repeat(producer));
+  std::optional<Duration> length_below(Duration length, Duration period, const Lags& lags, Rank producer) const {
+    const auto common = common_multiple(length, period);
+    return lags.per_row.empty() ? common : common_multiple(common, table_.repeat(producer));
   }
 
   const Model& model_;
@@ -155,7 +164,9 @@ class Walker {
   HandOverStore& store_;
   Effort& effort_;
   Duration root_period_ = nanoseconds(1);
-  std::vector<Child> children_;  ///< of the group that was visited last
+  std::vector<Child> children_;                             ///< of the group that was visited last
+  std::set<Lags> lags_;                                     ///< all there are in the tree
+  std::map<std::pair<Rank, Duration>, const Lags*> downs_;  ///< by producer and period of the consumer
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace finemote::gen::timing {
 
 /// Calls `visit` with groups that cover every device of the tree which can be reached through buckets that are ok.
-/// Memory and time are bounded; `effort` counts the steps. Throws Overflow, TooLong.
+/// Memory and time are bounded: beyond the limits of `effort`, groups have closed forms. Throws Overflow.
 void walk_tree(const Model& model, const Topology& topology, const Responses& responses, const TaskSet& set,
                const ReleaseTable& table, Rank root, HandOverStore& store, Effort& effort,
                const std::function<void(const HandOverGroup&)>& visit);

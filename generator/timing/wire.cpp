@@ -27,10 +27,13 @@ Duration WireAnalysis::with_service(Duration wire, std::int64_t interrupts) {
   if (profile_.result.profile != Profile::target || interrupts == 0 || is_saturated(set, 0)) return wire;
   Demand demand(effort_);
   demand.add_streams(set.streams);
-  const Duration delay = least_fit(demand, set.blocking, nanoseconds(1), kLongest);
-  demand.rewind();
-  const Duration base = wire + add(interrupts, 1) * set.blocking;
-  const Duration together = least_fit(demand, base, std::max(base, nanoseconds(1)), kLongest);
+  const auto fixed_point = [&](Duration base) {
+    demand.rewind();
+    const Duration least = least_fit(demand, base, std::max(base, nanoseconds(1)), kLongest);
+    return least == kNever ? closed_fixed_point(set, 0, base) : least;
+  };
+  const Duration delay = fixed_point(set.blocking);
+  const Duration together = fixed_point(wire + add(interrupts, 1) * set.blocking);
   return std::min(wire + interrupts * delay, together);
 }
 
@@ -123,8 +126,8 @@ std::optional<Duration> WireAnalysis::bound(std::size_t index) const {
       if (!other.bounded) return std::nullopt;
       need += (floor_div(wait + other.jitter, other.period) + 1) * other.on_wire();
     }
-    effort_.spend(static_cast<std::int64_t>(items_.size()));
-    if (need > own.period) return std::nullopt;
+    const bool goes_on = effort_.spend(static_cast<std::int64_t>(items_.size()));
+    if (need > own.period || !goes_on) return std::nullopt;
     stable = need <= wait;
     wait = std::max(wait, need);
   }
