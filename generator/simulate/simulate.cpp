@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <optional>
 
 #include "generator/simulate/data_flow.hpp"
 #include "generator/simulate/lengths.hpp"
@@ -29,6 +30,31 @@ struct JobState {
   bool piece_begun = false;
   Duration piece_begin;
   Duration left;
+  std::optional<Duration> next;  ///< the next release, which found the job unfinished
+
+  void start(Duration at) {
+    *this = {};
+    active = true;
+    release = at;
+  }
+
+  /// A release of the bucket. Returns how many releases are skipped by it: one can wait.
+  std::int64_t released(Duration at) {
+    if (!active) return start(at), 0;
+    if (next) return 1;
+    next = at;
+    return 0;
+  }
+
+  /// The job ends; how many jobs it spoils: itself when it is late, and the one that waits. It may end at the very
+  /// release of the next one, as stages of zero length still have to be dispatched there.
+  std::int64_t end(Duration now, Duration period) {
+    active = false;
+    const bool is_late = now - release > period;
+    if (is_late) return next ? 2 : 1;
+    if (next) start(*next);
+    return 0;
+  }
 };
 
 /// When buckets are released: each once per period, from time 0 on.
@@ -133,6 +159,7 @@ class Simulator {
         now_ = event;
       }
     }
+    for (const JobState& job : jobs_) result_.misses += job.active && job.next && *job.next < now_ ? 1 : 0;
     return std::move(result_);
   }
 
@@ -175,15 +202,7 @@ class Simulator {
   }
 
   void make_ready(const std::vector<std::size_t>& due, Duration released) {
-    for (const std::size_t w : due) {
-      if (jobs_[w].active) {
-        ++result_.misses;
-        continue;
-      }
-      jobs_[w] = JobState{};
-      jobs_[w].active = true;
-      jobs_[w].release = released;
-    }
+    for (const std::size_t w : due) result_.misses += jobs_[w].released(released);
   }
 
   void run_interrupt(Duration event) {
@@ -255,9 +274,8 @@ class Simulator {
     job.piece_begun = false;
     const std::size_t last = set_.buckets[w].after > Duration::zero() ? 2 * n + 1 : 2 * n;
     if (job.piece++ < last) return;
-    if (now_ - job.release > set_.buckets[w].period) ++result_.misses;
     if (observer_ != nullptr) observer_->job(w, job.begin, now_);
-    job.active = false;
+    result_.misses += job.end(now_, set_.buckets[w].period);
   }
 
   void end_stage(Rank d, bool is_update, const JobState& job) {

@@ -46,7 +46,7 @@ struct Simulation {
   };
   Table<Rank, DeviceWorst> devices;
   std::vector<ChainWorst> chains;
-  std::int64_t misses = 0;  ///< releases that found their bucket unfinished, and were skipped
+  std::int64_t misses = 0;  ///< jobs that ended after the next release of their bucket, and the releases they skipped
 };
 
 /// At one instant, ended stages publish, then releases and interrupts are admitted, then the most urgent work runs.

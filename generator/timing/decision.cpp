@@ -209,7 +209,7 @@ Decision DecisionAnalysis::decide(Rank from, Rank to) const {
   Decision result;
   if (hand_over_[from] && hand_over_[to] && topology_.root_of[from] == topology_.root_of[to]) {
     const Duration age = join_hand_overs(from, to);
-    if (age != kNone) return {age, is_general(from) || is_general(to), false};
+    if (age != kNone) return {age, is_general(from) || is_general(to) || effort_.is_spent(), false};
   }
   const Route r = route(from, to);
   result.through_reads = r.through_reads;
@@ -221,10 +221,12 @@ Decision DecisionAnalysis::decide(Rank from, Rank to) const {
       result.closed_form |= is_general(d);
     }
   }
-  const auto devices_of_route = static_cast<std::int64_t>(r.up.size() + r.down.size());
+  constexpr std::int64_t kStepsPerDevice = 8;  // for one release of the root
+  const auto steps = kStepsPerDevice * static_cast<std::int64_t>(r.up.size() + r.down.size());
   const std::int64_t entries = common ? floor_div(*common, model_.devices[r.down.front()].period) : kUnlimited;
-  if (entries <= effort_.most_releases() && effort_.spend(entries * devices_of_route * 2)) {
+  if (entries <= effort_.most_releases() && effort_.spend(entries * steps)) {
     result.latency = walk(r, entries);
+    result.closed_form |= effort_.is_spent();  // on a window within one job
   } else {
     result.closed_form = true;
     result.latency = closed_form(r);

@@ -4,28 +4,9 @@
 #include <unordered_map>
 
 #include "generator/timing/repetition.hpp"
+#include "generator/timing/surroundings.hpp"
 
 namespace finemote::gen::timing {
-namespace {
-
-/// What surrounds a release: the instants t0 from which more urgent work may be pending, earliest first and the release
-/// itself last. Each is a row of numbers: its distance t - t0, then per more urgent bucket its first release at or
-/// after t0, less t0. Releases with the same surroundings have the same bounds.
-using Surroundings = std::vector<Duration>;
-
-struct SurroundingsHash {
-  std::size_t operator()(const Surroundings& around) const {
-    std::uint64_t hash = around.size();
-    for (const Duration d : around) {
-      hash = (hash ^ static_cast<std::uint64_t>(d.ns())) * 0x9E3779B97F4A7C15U;
-      hash ^= hash >> 29;
-    }
-    return hash;
-  }
-};
-
-}  // namespace
-
 ReleaseTable::ReleaseTable(const TaskSet& set, const Responses& responses)
     : bucket_of_(set.bucket_of),
       place_(set.bucket_of.size()),
@@ -71,19 +52,15 @@ class ReleaseTable::Builder {
         responses_(responses),
         bucket_(set.buckets[w]),
         w_(w),
+        urgent_(urgent_buckets(set, w)),
         effort_(effort),
         demand_(effort),
-        interrupts_(effort),
         inside_(effort) {
     demand_.add_streams(set.streams);
-    interrupts_.add_streams(set.streams);
     inside_.add_streams(set.streams);
-    for (std::size_t v = 0; v < w; ++v) {
-      const TaskBucket& other = set.buckets[v];
-      if (other.cost == Duration::zero()) continue;
-      urgent_.push_back({other.period, other.cost, Divider(other.period.ns())});
-      demand_.add({{}, other.period, other.cost});
-      inside_.add({{}, other.period, other.cost, 0});
+    for (const Urgent& u : urgent_) {
+      demand_.add({{}, u.period, u.cost});
+      inside_.add({{}, u.period, u.cost, 0});
     }
   }
 
@@ -92,38 +69,22 @@ class ReleaseTable::Builder {
   }
 
  private:
-  struct Urgent {
-    Duration period = nanoseconds(1);
-    Duration cost;
-    Divider by_period;
-  };
-
-  /// Work that was released before the release under examination.
-  struct Pending {
-    Duration distance;
-    Duration cost;
-  };
-
   /// Whether that is within the limits.
   bool fill_exactly(Bucket& table) {
     const std::optional<std::int64_t> count = urgent_.empty() ? 1 : releases_until_repeat(set_, w_);
     if (!count || *count > effort_.most_releases() || responses_.closed_form[w_]) return false;
-    find_longest_busy();
-    if (effort_.is_spent()) return false;
+    SurroundingsFinder finder(set_, responses_, w_, urgent_, effort_);
     table.rows.clear();
     std::unordered_map<Surroundings, std::uint32_t, SurroundingsHash> known;
     for (std::int64_t i = 0; i < *count; ++i) {
-      find_surroundings(i * bucket_.period);
       if (effort_.is_spent()) return false;
-      const auto [entry, fresh] = known.emplace(around_, static_cast<std::uint32_t>(table.rows.size()));
-      if (fresh) {
-        table.rows.push_back(row());
-        if (effort_.is_spent()) return false;
-      }
+      const Surroundings& around = finder.of(i * bucket_.period);
+      const auto [entry, fresh] = known.emplace(around, static_cast<std::uint32_t>(table.rows.size()));
+      if (fresh) table.rows.push_back(row(around));
       table.row_of.push_back(entry->second);
     }
     if (table.rows.size() == 1) table.row_of.clear();
-    return true;
+    return !effort_.is_spent();
   }
 
   /// R of all releases, and windows with as many more urgent activations as any release can see.
@@ -137,74 +98,16 @@ class ReleaseTable::Builder {
     table.rows.assign(1, std::move(row));
   }
 
-  /// No more urgent work of buckets and streams stays pending for longer than this.
-  void find_longest_busy() {
-    longest_busy_ = urgent_.empty() ? Duration::zero() : least_fit(demand_, set_.blocking, nanoseconds(1), kLongest);
-  }
-
-  void add_start(Duration t0, Duration t) {
-    if (!effort_.spend(kStepsPerRelease * static_cast<std::int64_t>(urgent_.size()))) return;
-    const Duration horizon = t - t0 + responses_.bucket[w_] + nanoseconds(2);  // later releases cannot matter
-    around_.push_back(t - t0);
-    for (const Urgent& u : urgent_) {
-      const Duration first = -u.by_period.floor(-t0.ns()) * u.period;
-      around_.push_back(std::min(first - t0, horizon));
-    }
-  }
-
-  /// Whether more urgent work released from a start on keeps the processor busy beyond t.
-  bool stays_busy(const Duration* start) {
-    demand_.begin_at(start + 1);
-    return least_fit(demand_, set_.blocking, nanoseconds(1), *start) == kNever;
-  }
-
-  /// What is released before t and may be pending at t, latest first.
-  void find_pending(Duration t) {
-    pending_.clear();
-    for (const Urgent& u : urgent_) {
-      if (gcd(u.period, bucket_.period) >= longest_busy_) continue;  // none is that near
-      const Duration last = u.by_period.floor((t - nanoseconds(1)).ns()) * u.period;
-      for (Duration distance = t - last; distance < longest_busy_ && effort_.spend(kStepsPerRelease);
-           distance += u.period)
-        pending_.push_back({distance, u.cost});
-    }
-    std::sort(pending_.begin(), pending_.end(),
-              [](const Pending& a, const Pending& b) { return a.distance < b.distance; });
-  }
-
-  void find_surroundings(Duration t) {
-    around_.clear();
-    find_pending(t);
-    starts_.clear();
-    effort_.spend(kStepsPerRelease);
-    Duration work = set_.blocking;
-    for (std::size_t i = 0; i < pending_.size(); ++i) {
-      work += pending_[i].cost;
-      const Duration distance = pending_[i].distance;
-      if (i + 1 < pending_.size() && pending_[i + 1].distance == distance) continue;
-      // Most are ruled out by this: all of it is done by t.
-      if (work + interrupts_.at(distance) > distance) starts_.push_back(distance);
-    }
-    for (auto distance = starts_.rbegin(); distance != starts_.rend(); ++distance) {
-      const std::size_t begin = around_.size();
-      add_start(t - *distance, t);
-      if (effort_.is_spent()) return;
-      if (!stays_busy(&around_[begin])) around_.resize(begin);
-    }
-    add_start(t, t);
-  }
-
-  /// Of the surroundings found last.
-  std::vector<Cell> row() {
+  std::vector<Cell> row(const Surroundings& around) {
     std::vector<Cell> cells(bucket_.devices.size());
     const std::size_t width = urgent_.size() + 1;
-    for (std::size_t start = 0; start < around_.size(); start += width) sweep(&around_[start], cells);
+    for (std::size_t start = 0; start < around.size(); start += width) sweep(&around[start], cells);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const Rank d = bucket_.devices[i];
       cells[i].r_plus = std::min(cells[i].r_plus, responses_.r_plus[d]);
       cells[i].r_minus = std::min(cells[i].r_minus, responses_.r_minus[d]);
     }
-    set_windows(&around_[around_.size() - width] + 1, cells);
+    set_windows(&around[around.size() - width] + 1, cells);
     return cells;
   }
 
@@ -289,17 +192,12 @@ class ReleaseTable::Builder {
   const Responses& responses_;
   const TaskBucket& bucket_;
   std::size_t w_;
-  static constexpr std::int64_t kStepsPerRelease = 4, kStepsPerCell = 16;
+  static constexpr std::int64_t kStepsPerCell = 16;
 
+  std::vector<Urgent> urgent_;
   Effort& effort_;
-  Demand demand_;               ///< everything more urgent
-  Demand interrupts_;           ///< the streams alone
-  Demand inside_;               ///< everything more urgent that is released inside a window
-  std::vector<Urgent> urgent_;  ///< shorter periods of nonzero cost
-  Duration longest_busy_;
-  Surroundings around_;
-  std::vector<Pending> pending_;
-  std::vector<Duration> starts_;
+  Demand demand_;  ///< everything more urgent
+  Demand inside_;  ///< everything more urgent that is released inside a window
 };
 
 ReleaseTable ReleaseTable::refined(const TaskSet& set, const Responses& responses, Effort& effort) {

@@ -110,6 +110,17 @@ Fraction load_above(const TaskSet& set, std::size_t bucket) {
   return total;
 }
 
+/// Not less than that, quickly.
+long double most_load_above(const TaskSet& set, std::size_t bucket) {
+  const auto share = [](Duration cost, Duration period) {
+    return static_cast<long double>(cost.ns()) / static_cast<long double>(period.ns());
+  };
+  long double load = 0;
+  for (const Stream& s : set.streams) load += share(s.cost, s.separation);
+  for (std::size_t w = 0; w < bucket; ++w) load += share(set.buckets[w].cost, set.buckets[w].period);
+  return load;
+}
+
 /// More work than its rate says a stream makes at most, in any window.
 Big burst_of(const Stream& stream) {
   Big arrivals = 1;  // as many as fit by separation, or by every budget, and one or its carried ones more
@@ -120,6 +131,7 @@ Big burst_of(const Stream& stream) {
 }  // namespace
 
 bool is_saturated(const TaskSet& set, std::size_t bucket) {
+  if (most_load_above(set, bucket) < 1 - kGuard) return false;
   const Fraction total = load_above(set, bucket);
   if (total.approximate() < 1 - kGuard) return false;
   return total.numerator() >= total.denominator();

@@ -289,7 +289,7 @@ devices_with() { model "\"tick_ns\": 1000, ${example//, .../, \"period_ns\": 100
 frame_FM4007() { example=${example//, .../, \"parent\": null, ...}; devices_with; }
 frame_FM4008() { devices_with; }
 frame_FM4009() { model "${example%%,*}, \"devices\": [{\"name\": \"a\", \"parent\": null, ${example#*... }, \"update_wcet_ns\": 1, \"handle_wcet_ns\": 1}]"; }
-frame_FM4010() { model "\"tick_ns\": 1, \"devices\": [{\"name\": \"a\", \"parent\": null, $example, \"update_wcet_ns\": 9000, \"handle_wcet_ns\": 9000}, {\"name\": \"b\", \"parent\": null, \"period_ns\": 20000000, \"update_wcet_ns\": 9000, \"handle_wcet_ns\": 9000}]"; }
+frame_FM4010() { model "\"tick_ns\": 1, \"devices\": [{\"name\": \"a\", \"parent\": null, \"period_ns\": 10000000, \"update_wcet_ns\": 9000, $example}]"; }
 frame_FM4012() { model "\"tick_ns\": 1000, \"buses\": [{\"name\": \"x\", $example, \"wcet_ns\": 1}], $one_device"; }
 frame_FM4013() { model "\"tick_ns\": 1000, $example"; }
 frame_FM4014() { model "\"tick_ns\": 1000, \"devices\": [${example//, .../, \"parent\": null, \"period_ns\": 10000000, \"update_wcet_ns\": 1, \"handle_wcet_ns\": 1}]"; }

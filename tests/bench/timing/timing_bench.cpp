@@ -113,8 +113,25 @@ Model large_model(std::size_t count, const std::vector<std::int64_t>& periods_ms
   return model;
 }
 
-void print_cost(std::string_view name, std::size_t count, const std::vector<std::int64_t>& periods_ms) {
-  const Model model = large_model(count, periods_ms);
+/// `count` devices on random periods, below the last of them, that use so much of the processor.
+Model hostile_star(std::size_t count, const std::vector<std::int64_t>& periods_ms, std::int64_t percent) {
+  Random random(1);
+  Model model;
+  model.tick = milliseconds(1);
+  model.devices.resize(count);
+  const auto last_period = static_cast<std::int64_t>(periods_ms.size()) - 1;
+  for (const Rank d : model.devices.ids()) {
+    Device& device = model.devices[d];
+    device.name = "d" + std::to_string(d.value());
+    device.period = milliseconds(periods_ms[static_cast<std::size_t>(random.between(0, last_period))]);
+    device.update_wcet = device.handle_wcet =
+        floor_div(device.period * percent, static_cast<std::int64_t>(count) * 200);
+    if (d.value() + 1 < count) device.parent = Rank{count - 1};
+  }
+  return model;
+}
+
+void print_cost(std::string_view name, const Model& model) {
   // Processor time of this program, so that a busy machine does not count.
   const auto time = [](const auto& work) {
     double best = 1e9;
@@ -132,7 +149,7 @@ void print_cost(std::string_view name, std::size_t count, const std::vector<std:
     Diagnostics diagnostics;
     if (!analyse(model, {}, diagnostics)) fmt::print("no result\n");
   });
-  fmt::print("  {:<34} {:>6} {:>10.1f} {:>10.1f} {:>14.1f}\n", name, count, paper, tight, all);
+  fmt::print("  {:<34} {:>6} {:>10.1f} {:>10.1f} {:>14.1f}\n", name, model.devices.size(), paper, tight, all);
 }
 
 }  // namespace
@@ -141,7 +158,7 @@ int main(int argc, char** argv) {
   const std::string wanted = argc > 1 ? argv[1] : "";  // only the analyses whose name contains it, to profile them
   if (wanted.empty()) print_tightness();
   const auto print_cost = [&](std::string_view name, std::size_t count, const std::vector<std::int64_t>& periods_ms) {
-    if (name.find(wanted) != std::string_view::npos) ::print_cost(name, count, periods_ms);
+    if (name.find(wanted) != std::string_view::npos) ::print_cost(name, large_model(count, periods_ms));
   };
   fmt::print("\nanalysis [ms], best of three        devices      paper      tight     everything\n");
   print_cost("one period", 10'000, {10});
@@ -151,4 +168,15 @@ int main(int argc, char** argv) {
   print_cost("twenty periods from 1 to 30 ms", 10'000,
              {1, 2, 3, 4, 5, 6, 8, 9, 10, 12, 14, 15, 16, 18, 20, 21, 24, 25, 28, 30});
   print_cost("1, 2, 5, 10, 20, 25, 50, 100 ms", 100'000, {1, 2, 5, 10, 20, 25, 50, 100});
+  const std::vector<std::int64_t> primes{2, 3, 5, 7, 11, 13, 17, 19};
+  const std::vector<std::int64_t> twenty{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20};
+  for (const std::int64_t percent : {30, 70, 97, 100, 120}) {
+    const auto print_hostile = [&](std::string_view periods, std::size_t count, const auto& periods_ms) {
+      const std::string name = fmt::format("{}, {} % load", periods, percent);
+      if (name.find(wanted) != std::string::npos) ::print_cost(name, hostile_star(count, periods_ms, percent));
+    };
+    print_hostile("hostile: eight primes", 10'000, primes);
+    print_hostile("hostile: 1 to 20 ms", 10'000, twenty);
+    print_hostile("hostile: 1 to 20 ms", 60, twenty);
+  }
 }
