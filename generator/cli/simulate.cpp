@@ -27,7 +27,7 @@ Json document(const SimulatedModel& simulated, const SimulationRequest& request)
   Json out{{"schema", "finemote.simulation/1"},
            {"profile", timing::profile_name(timing.asked)},
            {"seed", request.seed},
-           {"duration_ns", request.duration.ns()},
+           {"duration_ns", run.duration.ns()},
            {"devices", Json::array()},
            {"chains", Json::array()},
            {"misses", run.misses}};
@@ -50,8 +50,12 @@ Json document(const SimulatedModel& simulated, const SimulationRequest& request)
 std::string text(const SimulatedModel& simulated, const SimulationRequest& request) {
   const auto& [timing, run] = simulated;
   const auto& bounds = timing.verdict().devices;
-  std::string text = fmt::format("simulated {} with seed {} (profile {}): {} missed\n", duration_text(request.duration),
+  std::string text = fmt::format("simulated {} with seed {} (profile {}): {} missed\n", duration_text(run.duration),
                                  request.seed, timing::profile_name(timing.asked), run.misses);
+  if (run.duration < request.duration) {
+    text += fmt::format("the run ended early: there is more to do in {} than one run takes\n",
+                        duration_text(request.duration));
+  }
   timing::TextTable devices({"device", "response", "bound", "window", "bound"});
   for (const Rank d : run.devices.ids()) {
     devices.row({timing.model.devices[d].name, duration_text(observed(run.devices[d].response)),

@@ -78,10 +78,10 @@ inline constexpr Code json_unknown_member{4003};
 inline constexpr Code json_missing_member{4004};
 inline constexpr Code json_type{4005};  // a string where an integer is expected, 1e6, 1.5, ...
 inline constexpr Code json_number_range{4006};
-inline constexpr Code timing_name{4007};        // empty, or used twice
-inline constexpr Code timing_parent{4008};      // a device or bus that does not exist, or stands in the wrong order
-inline constexpr Code timing_period{4009};      // no multiple of the tick, or nobody's period
-inline constexpr Code timing_overflow{4010};    // a time, sum or product beyond 64 bits
+inline constexpr Code timing_name{4007};      // empty, or used twice
+inline constexpr Code timing_parent{4008};    // a device or bus that does not exist, or stands in the wrong order
+inline constexpr Code timing_period{4009};    // no multiple of the tick, or nobody's period
+inline constexpr Code timing_overflow{4010};  // a time, sum or product beyond 64 bits
 // Retired: 4011 (closed forms stand in where an analysis would take too long: FM4017).
 inline constexpr Code timing_frame_time{4012};  // a frame shorter than 1 ns
 inline constexpr Code timing_no_device{4013};

@@ -1,58 +1,67 @@
 #include "generator/simulate/data_flow.hpp"
 
-#include <algorithm>
-#include <map>
+#include <set>
 
 namespace finemote::gen {
 
 DataFlow::DataFlow(const timing::Model& model, const timing::Topology& topology, const std::vector<ChainEnds>& chains)
     : model_(model),
-      producers_(topology.children),
+      leads_(model.devices.size()),
+      inputs_(model.devices.size()),
+      seen_(model.devices.size()),
+      decided_(model.devices.size()),
       state_time_(model.devices.size(), kNothing),
       command_time_(model.devices.size(), kNothing),
       ends_(model.devices.size()) {
-  std::map<Rank, std::size_t> known;
-  for (std::size_t c = 0; c < chains.size(); ++c) {
-    const auto [entry, fresh] = known.emplace(chains[c].from, sources_.size());
-    if (fresh) sources_.push_back(chains[c].from);
-    ends_[chains[c].to].emplace_back(c, entry->second);
-  }
-  const std::size_t count = model.devices.size();
+  find_leads(topology, chains);
   for (const Rank d : model.devices.ids()) {
-    const auto& reads = model.devices[d].reads;
-    producers_[d].insert(producers_[d].end(), reads.begin(), reads.end());
+    seen_[d].assign(leads_[d].size(), kNothing);
+    decided_[d].assign(leads_[topology.root_of[d]].size(), kNothing);
+    std::vector<Rank> producers = topology.children[d];
+    producers.insert(producers.end(), model.devices[d].reads.begin(), model.devices[d].reads.end());
+    for (const Rank p : producers) {
+      for (std::size_t i = 0; i < leads_[p].size(); ++i) inputs_[d].push_back({p, i, place(d, leads_[p][i])});
+    }
   }
-  const Origins none(sources_.size(), kNothing);
-  seen_ = state_ = decided_ = command_ = Table<Rank, Origins>(count, none);
-  leads_.assign(count, std::vector<char>(sources_.size(), 0));
-  for (std::size_t s = 0; s < sources_.size(); ++s) leads_[sources_[s]][s] = 1;
-  // Observed devices may be registered later, so one pass is not enough; the graph has no cycle.
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (const Rank d : model.devices.ids()) {
-      for (const Rank p : producers_[d]) {
-        for (std::size_t s = 0; s < sources_.size(); ++s) {
-          if (leads_[p][s] && !leads_[d][s]) leads_[d][s] = 1, changed = true;
-        }
-      }
+  state_ = seen_;
+  command_ = decided_;
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    const auto& [from, to] = chains[c];
+    const Rank root = topology.root_of[to];
+    if (std::binary_search(leads_[root].begin(), leads_[root].end(), from)) ends_[to].push_back({c, place(root, from)});
+  }
+}
+
+void DataFlow::find_leads(const timing::Topology& topology, const std::vector<ChainEnds>& chains) {
+  Table<Rank, std::vector<Rank>> consumers(model_.devices.size());
+  for (const Rank d : model_.devices.ids()) {
+    for (const Rank child : topology.children[d]) consumers[child].push_back(d);
+    for (const Rank read : model_.devices[d].reads) consumers[read].push_back(d);
+  }
+  std::set<Rank> sources;
+  for (const ChainEnds& chain : chains) sources.insert(chain.from);
+  for (const Rank source : sources) {
+    std::vector<Rank> reached{source};
+    while (!reached.empty()) {
+      const Rank d = reached.back();
+      reached.pop_back();
+      if (!leads_[d].empty() && leads_[d].back() == source) continue;
+      leads_[d].push_back(source);
+      reached.insert(reached.end(), consumers[d].begin(), consumers[d].end());
     }
   }
 }
 
+std::size_t DataFlow::place(Rank device, Rank source) const {
+  const std::vector<Rank>& leads = leads_[device];
+  return static_cast<std::size_t>(std::lower_bound(leads.begin(), leads.end(), source) - leads.begin());
+}
+
 void DataFlow::begin_update(Rank device, Duration now) {
   Origins& seen = seen_[device];
-  for (std::size_t s = 0; s < sources_.size(); ++s) {
-    if (sources_[s] == device) {
-      seen[s] = now;
-      continue;
-    }
-    if (!leads_[device][s]) continue;
-    Duration oldest = now;
-    for (const Rank p : producers_[device]) {
-      if (leads_[p][s]) oldest = std::min(oldest, state_[p][s]);
-    }
-    seen[s] = oldest;
-  }
+  std::fill(seen.begin(), seen.end(), now);
+  for (const Input& input : inputs_[device])
+    seen[input.to] = std::min(seen[input.to], state_[input.producer][input.from]);
 }
 
 void DataFlow::end_update(Rank device, Duration now) {

@@ -1,6 +1,7 @@
 // Which update of a chain's source every state and command goes back to, while a simulation runs.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "generator/simulate/simulate.hpp"
@@ -23,18 +24,35 @@ class DataFlow {
   /// When the state or command of a device was published; for traces.
   [[nodiscard]] Duration state_time(Rank device) const { return state_time_[device]; }
   [[nodiscard]] Duration command_time(Rank device) const { return command_time_[device]; }
+  /// How many values a stage of the device reads at most.
+  [[nodiscard]] std::size_t width(Rank device) const {
+    return std::max(inputs_[device].size(), decided_[device].size());
+  }
 
  private:
-  using Origins =
-      std::vector<Duration>;  ///< per source: start of the update the value goes back to; kNothing: an initial value
+  /// Per source that leads to a device, in the order of sources: start of the update the value goes back to; kNothing:
+  /// an initial value.
+  using Origins = std::vector<Duration>;
+  /// A value that an update reads: of which producer, the place there, and the place at the reader.
+  struct Input {
+    Rank producer;
+    std::size_t from, to;
+  };
+  /// A chain, and the place of its source at the root.
+  struct End {
+    std::size_t chain, source;
+  };
+
+  void find_leads(const timing::Topology& topology, const std::vector<ChainEnds>& chains);
+  [[nodiscard]] std::size_t place(Rank device, Rank source) const;
 
   const timing::Model& model_;
-  std::vector<Rank> sources_;                              ///< devices
-  Table<Rank, std::vector<Rank>> producers_;               ///< children and observed devices
-  Table<Rank, std::vector<char>> leads_;                   ///< per source: its state depends on it
-  Table<Rank, Origins> seen_, state_, decided_, command_;  ///< in the job; published; both directions
+  Table<Rank, std::vector<Rank>> leads_;    ///< the sources a device's state depends on, ascending
+  Table<Rank, std::vector<Input>> inputs_;  ///< from children and observed devices
+  Table<Rank, Origins> seen_, state_;       ///< in the job; published
+  Table<Rank, Origins> decided_, command_;  ///< the same for what the root made of its sources
   Table<Rank, Duration> state_time_, command_time_;
-  Table<Rank, std::vector<std::pair<std::size_t, std::size_t>>> ends_;  ///< (chain, source)
+  Table<Rank, std::vector<End>> ends_;
 };
 
 }  // namespace finemote::gen

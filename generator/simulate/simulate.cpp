@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <deque>
-#include <optional>
 
 #include "generator/simulate/data_flow.hpp"
+#include "generator/simulate/jobs.hpp"
 #include "generator/simulate/lengths.hpp"
 #include "generator/simulate/streams.hpp"
 #include "generator/timing/task_set.hpp"
@@ -19,77 +19,6 @@ struct Interrupt {
   Duration begin = kNothing;
   std::vector<std::size_t> due;  ///< buckets, for a release
   Duration released;
-};
-
-/// The job of one bucket: entry, updates forward, handles backward, flush.
-struct JobState {
-  bool active = false;
-  Duration release;
-  Duration begin = kNothing;
-  std::size_t piece = 0;  ///< 0 entry, 1..n updates, n+1..2n handles, 2n+1 flush
-  bool piece_begun = false;
-  Duration piece_begin;
-  Duration left;
-  std::optional<Duration> next;  ///< the next release, which found the job unfinished
-
-  void start(Duration at) {
-    *this = {};
-    active = true;
-    release = at;
-  }
-
-  /// A release of the bucket. Returns how many releases are skipped by it: one can wait.
-  std::int64_t released(Duration at) {
-    if (!active) return start(at), 0;
-    if (next) return 1;
-    next = at;
-    return 0;
-  }
-
-  /// The job ends; how many jobs it spoils: itself when it is late, and the one that waits. It may end at the very
-  /// release of the next one, as stages of zero length still have to be dispatched there.
-  std::int64_t end(Duration now, Duration period) {
-    active = false;
-    const bool is_late = now - release > period;
-    if (is_late) return next ? 2 : 1;
-    if (next) start(*next);
-    return 0;
-  }
-};
-
-/// When buckets are released: each once per period, from time 0 on.
-class ReleaseClock {
- public:
-  /// What is released together.
-  struct Due {
-    std::vector<std::size_t> buckets;
-    Duration released;  ///< when the last of them was due
-  };
-
-  explicit ReleaseClock(const std::vector<timing::TaskBucket>& buckets) : buckets_(buckets), next_(buckets.size()) {}
-
-  /// The next release of all.
-  [[nodiscard]] Duration next() const {
-    const auto soonest = std::min_element(next_.begin(), next_.end());
-    return soonest == next_.end() ? Duration::max() : *soonest;
-  }
-  [[nodiscard]] Duration next_of(std::size_t bucket) const { return next_[bucket]; }
-
-  /// Everything that is due at `now`.
-  Due take(Duration now) {
-    Due due;
-    for (std::size_t w = 0; w < next_.size(); ++w) {
-      if (next_[w] > now) continue;
-      due.buckets.push_back(w);
-      due.released = next_[w];
-      next_[w] += buckets_[w].period;
-    }
-    return due;
-  }
-
- private:
-  const std::vector<timing::TaskBucket>& buckets_;
-  std::vector<Duration> next_;
 };
 
 /// Tells an observer, if there is one, which values a stage uses as it begins.
@@ -137,6 +66,7 @@ class Simulator {
         reporter_(model, topology_, flow_, observer),
         jobs_(set_.buckets.size()),
         update_begin_(model.devices.size()) {
+    for (const timing::TaskBucket& bucket : set_.buckets) pieces_.emplace_back(set_, bucket);
     result_.devices.resize(model.devices.size());
     for (const ChainEnds& ends : options.chains) result_.chains.push_back({ends, kNothing});
     for (std::size_t s = 0; s < set_.bus_streams; ++s) {
@@ -145,7 +75,7 @@ class Simulator {
   }
 
   Simulation run() {
-    while (now_ < options_.duration) {
+    while (now_ < options_.duration && ++steps_ < options_.most_steps && interrupts_.size() < options_.most_waiting) {
       const Duration event = next_event();
       if (event <= now_) {
         admit();
@@ -160,6 +90,7 @@ class Simulator {
       }
     }
     for (const JobState& job : jobs_) result_.misses += job.active && job.next && *job.next < now_ ? 1 : 0;
+    result_.duration = std::min(now_, options_.duration);
     return std::move(result_);
   }
 
@@ -179,7 +110,7 @@ class Simulator {
   void admit() {
     masked_until_ = {};
     for (std::size_t s = 0; s < arrivals_.size(); ++s) {
-      while (arrivals_[s].next() <= now_) {
+      while (arrivals_[s].next() <= now_ && interrupts_.size() < options_.most_waiting) {
         interrupts_.push_back({s, lengths_.draw({}, set_.streams[s].cost), kNothing, {}, {}});
         const auto w = static_cast<std::size_t>(random_.between(0, static_cast<std::int64_t>(jobs_.size()) - 1));
         arrivals_[s].advance(clock_.next_of(w));
@@ -187,6 +118,15 @@ class Simulator {
     }
     ReleaseClock::Due due = clock_.take(now_);
     if (!due.buckets.empty()) release(std::move(due));
+    if (set_.least_lag == Duration::zero() && interrupts_.empty()) run_without_time();
+  }
+
+  void run_without_time() {
+    while (const auto w = next_without_time(jobs_, pieces_, now_)) {
+      ++steps_;
+      begin_piece(*w, jobs_[*w]);
+      end_piece(*w, jobs_[*w]);
+    }
   }
 
   void release(ReleaseClock::Due due) {
@@ -238,27 +178,21 @@ class Simulator {
     }
   }
 
-  /// The device of a piece; pieces 1..n are updates, n+1..2n handles in reverse order.
-  [[nodiscard]] Rank device_of(std::size_t w, std::size_t piece) const {
-    const auto& devices = set_.buckets[w].devices;
-    return piece <= devices.size() ? devices[piece - 1] : devices[2 * devices.size() - piece];
-  }
-
   void begin_piece(std::size_t w, JobState& job) {
-    const std::size_t n = set_.buckets[w].devices.size();
+    const Pieces& pieces = pieces_[w];
     job.piece_begun = true;
     job.piece_begin = now_;
     if (job.begin < Duration::zero()) job.begin = now_;
-    if (job.piece == 0 || job.piece > 2 * n) {
-      job.left = lengths_.draw({}, job.piece == 0 ? set_.buckets[w].before : set_.buckets[w].after);
+    const bool is_update = pieces.is_update(job.piece);
+    if (!is_update && !pieces.is_handle(job.piece)) {
+      job.left = lengths_.draw({}, pieces.worst(job.piece));
       return;
     }
-    const Rank d = device_of(w, job.piece);
-    const bool is_update = job.piece <= n;
-    const timing::Device& device = model_.devices[d];
-    const bool target = options_.profile == timing::Profile::target;
-    job.left = is_update ? lengths_.draw(target ? device.update_bcet : Duration::zero(), set_.update[d])
-                         : lengths_.draw(target ? device.handle_bcet : Duration::zero(), set_.handle[d]);
+    const Rank d = pieces.device(job.piece);
+    Duration least;
+    if (options_.profile == timing::Profile::target)
+      least = is_update ? model_.devices[d].update_bcet : model_.devices[d].handle_bcet;
+    job.left = lengths_.draw(least, pieces.worst(job.piece));
     if (is_update) {
       update_begin_[d] = now_;
       flow_.begin_update(d, now_);
@@ -266,14 +200,15 @@ class Simulator {
       flow_.begin_handle(d, now_);
     }
     reporter_.inputs(d, is_update, now_);
+    steps_ += static_cast<std::int64_t>(flow_.width(d));
   }
 
   void end_piece(std::size_t w, JobState& job) {
-    const std::size_t n = set_.buckets[w].devices.size();
-    if (job.piece >= 1 && job.piece <= 2 * n) end_stage(device_of(w, job.piece), job.piece <= n, job);
+    const Pieces& pieces = pieces_[w];
+    const bool is_update = pieces.is_update(job.piece);
+    if (is_update || pieces.is_handle(job.piece)) end_stage(pieces.device(job.piece), is_update, job);
     job.piece_begun = false;
-    const std::size_t last = set_.buckets[w].after > Duration::zero() ? 2 * n + 1 : 2 * n;
-    if (job.piece++ < last) return;
+    if (!pieces.is_last(job.piece++)) return;
     if (observer_ != nullptr) observer_->job(w, job.begin, now_);
     result_.misses += job.end(now_, set_.buckets[w].period);
   }
@@ -305,8 +240,10 @@ class Simulator {
   InputReporter reporter_;
   std::vector<ArrivalGenerator> arrivals_;
   std::deque<Interrupt> interrupts_;
+  std::vector<Pieces> pieces_;  ///< of every bucket
   std::vector<JobState> jobs_;
   Table<Rank, Duration> update_begin_;
+  std::int64_t steps_ = 0;
   Duration now_;
   Duration masked_until_;
   Simulation result_;

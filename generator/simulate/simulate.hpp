@@ -17,6 +17,10 @@ struct SimulationOptions {
   Duration duration = seconds(1);
   timing::Profile profile = timing::Profile::tight;  ///< which costs and interrupts are simulated
   std::vector<ChainEnds> chains;
+  /// A run ends here at the latest. A step is an event, a piece of work up to the next one, or a value handed on.
+  std::int64_t most_steps = 100'000'000;
+  /// And here: interrupts that wait, as they arrive faster than they are served.
+  std::size_t most_waiting = 1'000'000;
 };
 
 /// What a run reports while it goes on; for traces.
@@ -44,12 +48,14 @@ struct Simulation {
     ChainEnds ends;
     Duration latency = kNothing;  ///< start of the source's update() to end of the terminal's handle()
   };
+  Duration duration;  ///< simulated time: shorter than what was asked for where the steps did not suffice
   Table<Rank, DeviceWorst> devices;
   std::vector<ChainWorst> chains;
   std::int64_t misses = 0;  ///< jobs that ended after the next release of their bucket, and the releases they skipped
 };
 
 /// At one instant, ended stages publish, then releases and interrupts are admitted, then the most urgent work runs.
+/// Where the analysis says so (TaskSet::least_lag), what takes no time at one instant runs in the order of the data.
 /// Stages read at their start and publish at their end. Execution times and arrivals change their manner now and then:
 /// all worst, all best, uniform, either extreme; interrupts as fast as allowed, in bursts at releases, at random.
 /// The same seed gives the same run on every machine. Requires a model that read_model accepts. Throws Overflow.

@@ -86,7 +86,7 @@ Duration DecisionAnalysis::hand_down(Duration release, Rank producer, Rank consu
   const Duration period = model_.devices[consumer].period;
   Duration ready = release;
   if (model_.devices[producer].period > period) {
-    ready += std::max(profile_.table.r_minus(producer, release), profile_.set.least_lag);
+    ready += profile_.table.r_minus(producer, release) + profile_.set.lag_of_handle(producer, period);
   }
   return round_up(ready, period);
 }
@@ -97,7 +97,8 @@ Duration DecisionAnalysis::used(Duration use, Rank producer, Rank consumer) cons
   const Duration release = round_down(use, period);
   if (period == model_.devices[consumer].period) return producer < consumer ? release : release - period;
   if (period < model_.devices[consumer].period) return release;
-  const Duration ready = release + std::max(profile_.table.r_plus(producer, release), profile_.set.least_lag);
+  const Duration ready = release + profile_.table.r_plus(producer, release) +
+                         profile_.set.lag_of_update(producer, model_.devices[consumer].period);
   return ready > use ? release - period : release;
 }
 
@@ -106,6 +107,7 @@ Duration DecisionAnalysis::pair_window(Rank from, Rank to, Duration release) con
   const TaskSet& set = profile_.set;
   const std::size_t w = set.bucket_of[to];
   const Duration response = profile_.table.r_minus(to, release);
+  if (profile_.responses.closed_form[w]) return response;
   const Duration extra = nanoseconds(set.handle[to] == Duration::zero() ? 1 : 0);
   const Duration work = extra + updates_from_[from] + handles_from_[to];
   Demand demand(effort_);
@@ -136,20 +138,25 @@ Duration DecisionAnalysis::join_hand_overs(Rank from, Rank to) const {
   const Duration most = table.r_minus_range(to).most;
   std::vector<bool> seen(table.rows(to));  // releases in one row have one window
   Duration worst;
+  const auto look_at = [&](Duration release, std::size_t row, Duration age) {
+    const Duration response = table.r_minus_in_row(to, row);
+    if (age > Duration::zero() || !one_bucket) {
+      worst = std::max(worst, age + response);
+    } else if (!seen[row] && response > worst) {
+      seen[row] = true;
+      worst = std::max(worst, pair_window(from, to, release));
+    }
+  };
   const std::vector<TerminalUse> uses = join(down, up, length);
   for (const TerminalUse& use : uses) {
     const Duration last = use.next - period, age = last - use.source;
-    if (age + most > worst && !effort_.spend(floor_div(repetition, length))) return kNone;
-    for (Duration t = last; age + most > worst && t < last + repetition; t += length) {
-      const std::size_t row = table.row(to, t);
-      const Duration response = table.r_minus_in_row(to, row);
-      if (age > Duration::zero() || !one_bucket) {
-        worst = std::max(worst, age + response);
-      } else if (!seen[row] && response > worst) {
-        seen[row] = true;
-        worst = std::max(worst, pair_window(from, to, t));
-      }
+    if (age + most <= worst) continue;
+    if (length == period) {  // every release has this age
+      for (std::size_t row = 0; row < table.rows(to); ++row) look_at(table.release_of_row(to, row), row, age);
+      continue;
     }
+    if (!effort_.spend(floor_div(repetition, length))) return kNone;
+    for (Duration t = last; age + most > worst && t < last + repetition; t += length) look_at(t, table.row(to, t), age);
   }
   return worst;
 }
@@ -183,23 +190,27 @@ Duration DecisionAnalysis::walk(const Route& r, std::int64_t entries) const {
 
 /// Per edge the largest age data can have, T_producer - g + g ceil(r/g); over several routes the largest sum.
 Duration DecisionAnalysis::closed_form(const Route& r) const {
-  const auto hop = [&](Rank producer, Rank consumer, Duration response) {
+  const auto hop = [&](Rank producer, Rank consumer, Duration there) {
     const Duration from = model_.devices[producer].period, to = model_.devices[consumer].period;
-    if (from == to) return producer < consumer || response == kNone ? Duration::zero() : from;
+    if (from == to) return producer < consumer ? Duration::zero() : from;
     const Duration common = gcd(from, to);
-    const Duration lag = from > to ? round_up(std::max(response, profile_.set.least_lag), common) : Duration::zero();
-    return from - common + lag;
+    return from - common + (from > to ? round_up(there, common) : Duration::zero());
   };
+  const auto period = [&](Rank d) { return model_.devices[d].period; };
+  const TaskSet& set = profile_.set;
   Duration age;
   for (std::size_t k = 1; k < r.down.size(); ++k) {
-    const Rank producer = r.down[k - 1];
-    const bool same = model_.devices[producer].period == model_.devices[r.down[k]].period;
-    if (!same) age += hop(producer, r.down[k], profile_.responses.r_minus[producer]);
+    const Rank producer = r.down[k - 1], consumer = r.down[k];
+    if (period(producer) == period(consumer)) continue;
+    age +=
+        hop(producer, consumer, profile_.responses.r_minus[producer] + set.lag_of_handle(producer, period(consumer)));
   }
   std::vector<Duration> oldest(r.up.size());
   for (std::size_t k = 1; k < r.up.size(); ++k) {
+    const Rank producer = r.up[k];
     for (const std::size_t c : r.consumers[k]) {
-      oldest[k] = std::max(oldest[k], oldest[c] + hop(r.up[k], r.up[c], profile_.responses.r_plus[r.up[k]]));
+      const Duration there = profile_.responses.r_plus[producer] + set.lag_of_update(producer, period(r.up[c]));
+      oldest[k] = std::max(oldest[k], oldest[c] + hop(producer, r.up[c], there));
     }
   }
   return age + oldest.back() + profile_.responses.r_minus[r.to];

@@ -11,7 +11,7 @@ struct Limits {
   std::int64_t releases = 1'000'000;
   /// Of a model that has more: of one bucket, and of the root of one path, that are examined all the same.
   std::int64_t releases_alone = 1'000;
-  /// One is about the evaluation of one term, some nanoseconds.
+  /// One is about the evaluation of one term, some nanoseconds. Half of them are for the searches of response times.
   std::int64_t steps = std::int64_t{1} << 26;
 };
 

@@ -41,8 +41,8 @@ std::string_view profile_name(Profile profile) {
 ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Profile profile, const Limits& limits) {
   TaskSet set = make_task_set(model, profile);
   const std::int64_t releases = most_releases(set, limits);
-  Effort effort(limits.steps, releases);
-  Responses responses = bound_responses(set, effort);
+  Effort searches(limits.steps / 2, releases), effort(limits.steps / 2, releases);
+  Responses responses = bound_responses(set, searches);
   ReleaseTable table =
       profile == Profile::paper ? ReleaseTable(set, responses) : ReleaseTable::refined(set, responses, effort);
   ProfileResult result;
@@ -57,8 +57,8 @@ ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Pr
 ProfileAnalysis analyse_deadlines(const Model& model, Profile profile, const Limits& limits) {
   TaskSet set = make_task_set(model, profile);
   const std::int64_t releases = most_releases(set, limits);
-  Effort effort(limits.steps, releases);
-  Responses responses = bound_responses(set, effort);
+  Effort searches(limits.steps / 2, releases);
+  Responses responses = bound_responses(set, searches);
   ReleaseTable table(set, responses);
   ProfileResult result;
   result.profile = profile;

@@ -75,12 +75,16 @@ class ReleaseTable::Builder {
     if (!count || *count > effort_.most_releases() || responses_.closed_form[w_]) return false;
     SurroundingsFinder finder(set_, responses_, w_, urgent_, effort_);
     table.rows.clear();
+    table.first_turn.clear();
     std::unordered_map<Surroundings, std::uint32_t, SurroundingsHash> known;
     for (std::int64_t i = 0; i < *count; ++i) {
       if (effort_.is_spent()) return false;
       const Surroundings& around = finder.of(i * bucket_.period);
       const auto [entry, fresh] = known.emplace(around, static_cast<std::uint32_t>(table.rows.size()));
-      if (fresh) table.rows.push_back(row(around));
+      if (fresh) {
+        table.rows.push_back(row(around));
+        table.first_turn.push_back(i);
+      }
       table.row_of.push_back(entry->second);
     }
     if (table.rows.size() == 1) table.row_of.clear();
@@ -92,9 +96,10 @@ class ReleaseTable::Builder {
     table.general = true;
     table.row_of.clear();
     std::vector<Cell> row;
-    for (const Rank d : bucket_.devices) row.push_back({responses_.r_plus[d], responses_.r_minus[d], kNone});
+    for (const Rank d : bucket_.devices)
+      row.push_back({responses_.r_plus[d], responses_.r_minus[d], responses_.r_minus[d]});
     const std::vector<Duration> firsts(urgent_.size(), nanoseconds(1));
-    set_windows(firsts.data(), row);
+    if (!responses_.closed_form[w_]) set_windows(firsts.data(), row);  // else the search would be as long
     table.rows.assign(1, std::move(row));
   }
 

@@ -35,6 +35,11 @@ class ReleaseTable {
   [[nodiscard]] std::size_t row_of_turn(Rank device, std::size_t turn) const {
     return buckets_[bucket_of_[device]].row_of[turn];
   }
+  /// A release with that row.
+  [[nodiscard]] Duration release_of_row(Rank device, std::size_t row) const {
+    const Bucket& bucket = buckets_[bucket_of_[device]];
+    return bucket.row_of.empty() ? Duration::zero() : bucket.first_turn[row] * bucket.period;
+  }
   [[nodiscard]] Duration r_plus_in_row(Rank device, std::size_t row) const {
     return buckets_[bucket_of_[device]].rows[row][place_[device]].r_plus;
   }
@@ -65,6 +70,7 @@ class ReleaseTable {
     Duration period = nanoseconds(1);
     std::vector<std::uint32_t> row_of;  ///< per release in one repetition; empty: row 0 always
     std::vector<std::vector<Cell>> rows;
+    std::vector<std::int64_t> first_turn;  ///< of every row
     bool general = false;
     Divider by_period, by_count;  ///< of period and row_of.size()
   };

@@ -174,6 +174,8 @@ Family longer_periods(const Model& model, const std::vector<Rank>& devices, cons
   const bool is_one = !devices.empty() && std::all_of(devices.begin(), devices.end(), alike);
   for (const std::int64_t factor : kFactors) {
     Proposal proposal;
+    const auto is_long = [&](Rank d) { return model.devices[d].period > floor_div(Duration::max(), factor); };
+    if (std::any_of(devices.begin(), devices.end(), is_long)) break;
     for (const Rank d : devices) proposal.changes.push_back(period_change({d}, model.devices[d].period * factor));
     proposal.text =
         is_one ? fmt::format("period=\"{}\" for {}", units::format_duration(proposal.changes.front().period), who)

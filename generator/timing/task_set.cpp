@@ -63,6 +63,13 @@ void add_buckets(const Model& model, Profile profile, TaskSet& set) {
 
 }  // namespace
 
+Duration TaskSet::lag(Duration stage, Duration consumer_period) const {
+  if (least_lag == Duration::zero() || stage > Duration::zero()) return {};
+  const auto consumer = std::find_if(buckets.begin(), buckets.end(),
+                                     [&](const TaskBucket& bucket) { return bucket.period == consumer_period; });
+  return consumer->cost == Duration::zero() ? least_lag : Duration::zero();
+}
+
 TaskSet make_task_set(const Model& model, Profile profile) {
   TaskSet set;
   const bool target = profile == Profile::target;
@@ -78,8 +85,11 @@ TaskSet make_task_set(const Model& model, Profile profile) {
   if (target) {
     add_release_streams(model, set);
     set.blocking = model.costs.masked;
-    set.least_lag = nanoseconds(1);
   }
+  // Reads may ask for an order that the trees rule out.
+  const bool has_reads =
+      std::any_of(model.devices.begin(), model.devices.end(), [](const Device& d) { return !d.reads.empty(); });
+  if (target || has_reads) set.least_lag = nanoseconds(1);
   std::erase_if(set.streams, is_free);
   return set;
 }

@@ -41,11 +41,20 @@ struct TaskSet {
   std::vector<TaskBucket> buckets;  ///< ascending period
   Table<Rank, std::size_t> bucket_of;
   Table<Rank, Duration> update, handle;  ///< one run of the stage with everything around it
-  /// A slower producer's data counts as there no sooner than this after its release. The rule of the cases lets an
-  /// empty stage below buckets that are all empty end at its release itself, ahead of a faster consumer that runs
-  /// first; with one nanosecond the bound holds there too (docs/timing.md, "Empty buckets").
+  /// How much later than its end an empty stage's data counts as there for a faster consumer in an empty bucket. Under
+  /// the rule of the cases not at all: what takes no time at one instant is done in the order of the data. Else one
+  /// nanosecond, as the more urgent bucket may run first (docs/timing.md, "Empty buckets").
   Duration least_lag;
+  [[nodiscard]] Duration lag_of_update(Rank producer, Duration consumer_period) const {
+    return lag(update[producer], consumer_period);
+  }
+  [[nodiscard]] Duration lag_of_handle(Rank producer, Duration consumer_period) const {
+    return lag(handle[producer], consumer_period);
+  }
   Duration blocking;  ///< longest masked section: delays every busy window once
+
+ private:
+  [[nodiscard]] Duration lag(Duration stage, Duration consumer_period) const;
 };
 
 /// Requires a model that read_model accepts. May throw Overflow.

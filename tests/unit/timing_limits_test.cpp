@@ -241,6 +241,59 @@ TEST_CASE("on a fully used processor with empty stages anywhere, what is schedul
   CHECK(at_the_period > 100);
 }
 
+TEST_CASE("the run in which everything takes its longest misses a deadline exactly where the analysis says so") {
+  int schedulable = 0, missed = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Random random(seed);
+    Model model;
+    model.tick = 1_us;
+    model.has_target = true;  // without any costs
+    const std::int64_t percent = random.between(5, 11) * 10;
+    const auto count = random.between(1, 80);
+    for (std::int64_t i = 0; i < count; ++i) {
+      Device device;
+      device.name = "d" + std::to_string(i);
+      device.period = microseconds(random.between(1, 20));
+      const Duration share = floor_div(device.period * percent, count * 100);
+      if (!random.one_in(3)) device.update_wcet = device.update_bcet = random.between({}, share);
+      if (!random.one_in(3)) device.handle_wcet = device.handle_bcet = share - device.update_wcet;
+      model.devices.push_back(device);
+    }
+    const ProfileResult bounds = analyse_profile(model, make_topology(model), Profile::target).result;
+    const Simulation run = simulate(model, {seed, 40_us, Profile::target, {}});
+    INFO("seed " << seed << " " << model_json(model).dump());
+    CHECK(bounds.schedulable == (run.misses == 0));
+    for (const Rank d : model.devices.ids()) {
+      if (bounds.devices[d].r_minus) CHECK(run.devices[d].response == *bounds.devices[d].r_minus);
+    }
+    schedulable += bounds.schedulable ? 1 : 0;
+    missed += run.misses > 0 ? 1 : 0;
+  }
+  CHECK(schedulable > 30);
+  CHECK(missed > 30);
+}
+
+TEST_CASE("a simulation ends, however much there is to do") {
+  Model model;
+  model.tick = 1_ns;
+  Device device;
+  device.name = "d";
+  device.period = 1_ns;
+  model.devices.push_back(device);
+  SimulationOptions options{1, 10_s, Profile::tight, {}};
+  options.most_steps = 10'000;
+  const Simulation many = simulate(model, options);
+  CHECK(many.duration > Duration::zero());
+  CHECK(many.duration <= 10_us);
+  Bus bus;
+  bus.name = "b";
+  bus.frame = 1_ns;
+  bus.wcet = 1_s;
+  model.buses.push_back(bus);
+  options.most_waiting = 10;
+  CHECK(simulate(model, options).duration < 10_s);
+}
+
 TEST_CASE("an empty last stage that ends with its period is no miss, and a job that ends later is one") {
   Model model;
   model.tick = 10_ns;

@@ -5,4 +5,4 @@ cat >model.json <<'X'
   {"name": "c", "parent": null, "period_ns": 9001980051300000000, "update_wcet_ns": 8505000037, "handle_wcet_ns": 8505000037}
 ]}}
 X
-finemote analyze model.json
+finemote analyze model.json >/dev/null
