@@ -1,5 +1,6 @@
 #include "emulator/board.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
@@ -7,11 +8,13 @@
 namespace finemote::emulator {
 namespace {
 constexpr unsigned kClocksLeft = 5;  // of a byte cut in the middle
-}
+constexpr Time kLogStep = from_ns(10'000'000);
+}  // namespace
 
 Board::Board(Wiring wiring, const BoardOptions& options) : chip_(world_, std::move(wiring)), options_(options) {
   cpu_ = std::make_unique<Cpu>(world_.queue(), world_.reports(), world_.system(), chip_, options.cost, options.flash);
   world_.connect(*cpu_);
+  cpu_->set_log(&log_);
   if (options.cost == CostModel::qemu) chip_.rcc.fixed_hz = 168'000'000;
   chip_.reset();
   chip_.iwdg.lsi_hz = options.lsi_hz;
@@ -22,6 +25,7 @@ Board::Board(Wiring wiring, const BoardOptions& options) : chip_(world_, std::mo
 void Board::load(const Image& image) {
   image_ = image;
   cpu_->load(image);
+  for (const Mark& mark : image.marks) cpu_->mark(mark.address, mark.number);
   if (options_.probe) trace_ = std::make_unique<TraceReader>(world_, image);
   chip_.rcc.note_reset(Rcc::kPowerReset | Rcc::kPinReset);
   cpu_->reset();
@@ -43,7 +47,21 @@ void Board::restart(std::uint32_t cause) {
   cpu_->reset();
 }
 
-Stop Board::run_for(std::uint64_t ns) { return cpu_->run_until(cpu_->now() + from_ns(ns)); }
+Stop Board::run_for(std::uint64_t ns) {
+  const Time end = cpu_->now() + from_ns(ns);
+  Stop stop = Stop::time;
+  while (cpu_->now() < end && stop == Stop::time) {  // in steps, so that the log stays short
+    stop = cpu_->run_until(std::min(end, cpu_->now() + kLogStep));
+    static_cast<void>(own_times());
+  }
+  return stop;
+}
+
+const OwnTimes& Board::own_times() {
+  own_times_.add(log_);
+  log_.clear();
+  return own_times_;
+}
 
 const std::vector<StageEvent>& Board::stages() {
   static const std::vector<StageEvent> none;

@@ -7,6 +7,7 @@
 
 #include "emulator/chip/chip.hpp"
 #include "emulator/image.hpp"
+#include "emulator/own_times.hpp"
 #include "emulator/trace_reader.hpp"
 
 namespace finemote::emulator {
@@ -43,6 +44,9 @@ class Board {
   [[nodiscard]] const std::vector<StageEvent>& stages();
   [[nodiscard]] std::uint32_t lost_stage_events() const { return trace_ ? trace_->lost() : 0; }
 
+  /// Since power-on. Stages only of an image that has marks.
+  [[nodiscard]] const OwnTimes& own_times();
+
   /// Statistics of the bus at a port (`usart6`, `i2c2`); all zero for one that is not a bus.
   [[nodiscard]] BusStatistics bus(const std::string& port);
 
@@ -59,6 +63,8 @@ class Board {
   std::unique_ptr<Cpu> cpu_;
   Image image_;
   std::unique_ptr<TraceReader> trace_;
+  ExecutionLog log_;  ///< what own_times_ has not seen
+  OwnTimes own_times_;
   unsigned resets_ = 0;
 };
 

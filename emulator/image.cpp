@@ -32,6 +32,23 @@ void check(const Elf32_Ehdr& header) {
   }
 }
 
+/// Marks of functions that were not linked stand at address 0.
+void read_marks(const std::vector<std::uint8_t>& file, const Elf32_Ehdr& header, Image& image) {
+  const auto section_at = [&](unsigned s) {
+    return at<Elf32_Shdr>(file, header.e_shoff + std::uint64_t{s} * header.e_shentsize);
+  };
+  if (header.e_shstrndx >= header.e_shnum) return;
+  const Elf32_Shdr names = section_at(header.e_shstrndx);
+  for (unsigned s = 0; s < header.e_shnum; ++s) {
+    const Elf32_Shdr section = section_at(s);
+    if (text_at(file, std::uint64_t{names.sh_offset} + section.sh_name) != ".debug_finemote") continue;
+    for (std::uint64_t offset = 0; offset + sizeof(Mark) <= section.sh_size; offset += sizeof(Mark)) {
+      const Mark mark = at<Mark>(file, section.sh_offset + offset);
+      if (mark.address != 0) image.marks.push_back(mark);
+    }
+  }
+}
+
 void read_symbols(const std::vector<std::uint8_t>& file, const Elf32_Ehdr& header, Image& image) {
   for (unsigned s = 0; s < header.e_shnum; ++s) {
     const auto section = at<Elf32_Shdr>(file, header.e_shoff + std::uint64_t{s} * header.e_shentsize);
@@ -70,6 +87,7 @@ Image parse_image(const std::vector<std::uint8_t>& file) {
   }
   if (image.segments.empty()) throw std::runtime_error("the ELF file has nothing to load");
   read_symbols(file, header, image);
+  read_marks(file, header, image);
   return image;
 }
 

@@ -19,8 +19,16 @@ struct Symbol {
   std::uint32_t size = 0;
 };
 
+/// A place in the code that the image tells tools of, without an instruction: section `.debug_finemote`, a word for the
+/// address of each and one for what it stands for.
+struct Mark {
+  std::uint32_t address = 0;
+  std::uint32_t number = 0;
+};
+
 struct Image {
   std::vector<Segment> segments;
+  std::vector<Mark> marks;
   std::multimap<std::string, Symbol> symbols;
 
   /// The first symbol of this exact (mangled) name.

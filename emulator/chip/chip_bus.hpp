@@ -12,6 +12,9 @@ namespace finemote::emulator {
 
 class ChipBus : public PeripheralBus {
  public:
+  /// The bridge an address lies behind: RM0090 2.3, table 1.
+  enum class Bridge { none, apb1, apb2 };
+
   explicit ChipBus(World& world) : rcc(world), world_(world), dma_side_(*this) {}
 
   // As the processor sees them: with clock gating, bus waits and the check for late flags.
@@ -58,6 +61,8 @@ class ChipBus : public PeripheralBus {
     return access(find(address), address, bytes, value);
   }
   std::uint32_t access(const Slot* slot, std::uint32_t address, unsigned bytes, const std::uint32_t* value);
+  [[nodiscard]] unsigned ratio(Bridge bridge) const;
+  [[nodiscard]] unsigned wait_cycles(std::uint32_t address) const;
   [[nodiscard]] unsigned settling_cycles(std::uint32_t address) const;
 
   World& world_;

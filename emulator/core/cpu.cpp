@@ -9,8 +9,12 @@
 namespace finemote::emulator {
 namespace {
 
-// Exception entry and return without wait states, and a tail-chained one: Cortex-M4 TRM 3.9 and ARMv7-M B1.5.
-constexpr unsigned kEntryCycles = 12, kReturnCycles = 10, kTailCycles = 6;
+// Exception entry and return without wait states, a return that restores the floating-point registers, and a
+// tail-chained entry: Cortex-M4 TRM 3.9.1 and ARMv7-M B1.5.
+constexpr unsigned kEntryCycles = 12, kReturnCycles = 10, kFloatReturnCycles = 27, kTailCycles = 6;
+
+/// An access to the private peripheral bus waits so long beyond the instruction: the TRM gives no figure. Assumed.
+constexpr unsigned kPrivateBusWait = 2;
 
 // PM0214 4.4.13: configurable fault status.
 constexpr std::uint32_t kStackingMem = 1U << 4, kInstructionBus = 1U << 8, kPreciseBus = 1U << 9,
@@ -52,6 +56,7 @@ bool Cpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
     return true;
   }
   if (!is_system(address)) return false;
+  add_wait(kPrivateBusWait);
   value = system_.read(address, bytes, now(), pc());
   return true;
 }
@@ -63,6 +68,7 @@ bool Cpu::write(std::uint32_t address, unsigned bytes, std::uint32_t value) {
     return true;
   }
   if (!is_system(address)) return false;
+  add_wait(kPrivateBusWait);
   system_.write(address, bytes, value, now(), pc());
   std::tie(guard_begin_, guard_end_) = system_.guard();
   core_.stack_alarm = lowest_stack_ > guard_end_ ? lowest_stack_ : guard_end_;
@@ -76,6 +82,25 @@ bool Cpu::stops(std::uint32_t address) {
   if (!interrupt_it_blocks_ && core_.pace.in_it_block(address)) return false;
   if (probe_) probe_(address);
   return kick_ || core_.pace.time >= next_stop_;
+}
+
+void Cpu::masks_changed() {
+  const Registers& g = core_.registers;
+  const bool masked = g.primask != 0 || g.faultmask != 0 || g.basepri != 0;
+  if (masked != masked_) note(masked ? ExecutionEvent::Kind::mask : ExecutionEvent::Kind::unmask, 0);
+  masked_ = masked;
+  kick();
+}
+
+void Cpu::mark(std::uint32_t address, std::uint32_t number) {
+  marks_.emplace(address, number);
+  core_.mark(address);
+}
+
+void Cpu::passed(std::uint32_t address, Time at) {
+  if (log_ == nullptr) return;
+  const auto [first, end] = marks_.equal_range(address);
+  for (auto it = first; it != end; ++it) log_->push_back({at, it->second, ExecutionEvent::Kind::mark});
 }
 
 void Cpu::report_unmodelled(const char* what) { reports_.add(Misuse::unmodelled, what, now(), pc()); }
@@ -114,6 +139,8 @@ std::uint32_t Cpu::vector(int exception) {
 
 void Cpu::reset() {
   system_.reset();
+  note(ExecutionEvent::Kind::reset, 0);
+  masked_ = false;
   active_.clear();
   left_it_blocks_.clear();
   Registers& g = core_.registers;
@@ -166,6 +193,7 @@ int Cpu::takeable() const {
 }
 
 void Cpu::enter(int exception, bool tail_chained, std::uint32_t chained_return) {
+  note(tail_chained ? ExecutionEvent::Kind::tail : ExecutionEvent::Kind::enter, exception);
   std::uint32_t exc_return = chained_return;
   Registers& g = core_.registers;
   Pace& pace = core_.pace;
@@ -191,7 +219,7 @@ void Cpu::enter(int exception, bool tail_chained, std::uint32_t chained_return) 
     left_it_blocks_.push_back({pace.it_begin, pace.it_end});
     g.r[13] = frame;
     exc_return = 0xFFFFFFE1U | (fp ? 0U : 0x10U) | (active_.empty() ? 8U : 0U) | (process ? 4U : 0U);
-    core_.lazy_frame = fp;
+    if (fp) core_.lazy_frame = true;  // without, what an outer routine interrupted may still wait to be saved
     pace.charge(kEntryCycles);
   } else {
     pace.charge(kTailCycles);
@@ -203,6 +231,7 @@ void Cpu::enter(int exception, bool tail_chained, std::uint32_t chained_return) 
   g.set_xpsr(static_cast<std::uint32_t>(exception));
   g.exclusive = false;
   g.r[14] = exc_return;
+  pace.read_flash();  // the vector
   g.next = vector(exception) & ~1U;
   g.r[15] = g.next + 4;
   pace.expected = g.next;
@@ -219,6 +248,7 @@ void Cpu::leave(std::uint32_t exc_return) {
   Pace& pace = core_.pace;
   const int exception = active_.back();
   active_.pop_back();
+  note(ExecutionEvent::Kind::leave, exception);
   bus_.returning(exception);
   system_.nvic().leave(exception);
   g.exclusive = false;
@@ -256,10 +286,12 @@ void Cpu::leave(std::uint32_t exc_return) {
   pace.it_end = left_it_blocks_.back().end;
   left_it_blocks_.pop_back();
   core_.fp_active = fp;
-  core_.lazy_frame = false;
+  const bool restores = fp && !core_.lazy_frame;  // where no routine used them the registers still hold
+  if (fp) core_.lazy_frame = false;
   system_.set_active_exception(static_cast<int>(active));
   pace.expected = g.next;
-  pace.charge(kReturnCycles);
+  pace.charge(restores ? kFloatReturnCycles : kReturnCycles);
+  note(ExecutionEvent::Kind::resume, exception);
 }
 
 void Cpu::fault(int exception, std::uint32_t cfsr, std::uint32_t address, const std::string& what) {

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "emulator/core/cost.hpp"
+#include "emulator/core/execution_log.hpp"
 #include "emulator/core/interpreter.hpp"
 #include "emulator/core/system_space.hpp"
 #include "emulator/event_queue.hpp"
@@ -66,6 +68,11 @@ class Cpu : private Outside {
     probe_ = std::move(probe);
     set_stop();
   }
+  /// What happens from now on is kept in `log`, which outlives the processor; null: nowhere.
+  void set_log(ExecutionLog* log) { log_ = log; }
+  /// Passing the instruction at `address` of the loaded image is an event of the log with `number`; several marks of
+  /// one address come in the order they were set.
+  void mark(std::uint32_t address, std::uint32_t number);
   /// Interrupts (and the probe) also come between the instructions of an IT block, as the core allows. Without, they
   /// wait for its end, as in QEMU.
   void interrupt_it_blocks(bool on) { interrupt_it_blocks_ = on; }
@@ -76,7 +83,7 @@ class Cpu : private Outside {
   /// When the last DSB was carried out.
   [[nodiscard]] Time drained_at() const { return core_.drained_at; }
   /// Time that a peripheral access costs beyond the instruction.
-  void add_wait(unsigned cycles) { core_.pace.time += cycles * core_.pace.cycle; }
+  void add_wait(unsigned cycles) { core_.pace.charge(cycles); }
   /// The image asked for a system reset (AIRCR).
   std::function<void()> on_reset_request;
   /// Looks at pending work before the next instruction.
@@ -89,9 +96,10 @@ class Cpu : private Outside {
   bool read(std::uint32_t address, unsigned bytes, std::uint32_t& value) override;
   bool write(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
   bool stops(std::uint32_t address) override;
-  void masks_changed() override { kick(); }
+  void masks_changed() override;
   void stack_moved() override;
   void report_unmodelled(const char* what) override;
+  void passed(std::uint32_t address, Time at) override;
 
   void after_access();
   void set_stop() { core_.pace.stop_at = kick_ || probe_ ? 0 : next_stop_; }
@@ -103,6 +111,9 @@ class Cpu : private Outside {
   void fault(int exception, std::uint32_t cfsr, std::uint32_t address, const std::string& what);
   void semihosting();
   std::uint32_t vector(int exception);
+  void note(ExecutionEvent::Kind kind, int number) {
+    if (log_ != nullptr) log_->push_back({now(), static_cast<std::uint32_t>(number), kind});
+  }
 
   EventQueue& queue_;
   Reports& reports_;
@@ -115,6 +126,9 @@ class Cpu : private Outside {
   std::vector<int> active_;
   std::uint32_t lowest_stack_ = 0xFFFFFFFFU, guard_begin_ = 0, guard_end_ = 0;
   Probe probe_;
+  ExecutionLog* log_ = nullptr;
+  std::multimap<std::uint32_t, std::uint32_t> marks_;  ///< what a mark stands for, by address
+  bool masked_ = false;
   std::string console_;
   int exit_code_ = 0;
   bool kick_ = false, sleeping_ = false;

@@ -22,6 +22,7 @@ Info decode16(unsigned op) {
   if ((op & 0xFF87) == 0x4685) return info(1, Info::kMovesStack, 2);                      // MOV SP, Rm
   const bool load_store = (op & 0xF000) == 0x5000 || (op & 0xE000) == 0x6000 || (op & 0xF000) == 0x8000 ||
                           (op & 0xF000) == 0x9000 || (op & 0xF800) == 0x4800;
+  if ((op & 0xFFE8) == 0xB660) return info(2, 0, 2);  // CPS
   return info(load_store ? 2 : 1, 0, 2);
 }
 
@@ -41,7 +42,8 @@ Info decode_fp(unsigned first, unsigned second) {
     const bool accumulate = operation <= 1 || operation == 0x9 || operation == 0xA;                 // VMLA and family
     return info(accumulate ? 3 : 1, fp, 4);
   }
-  return info(1, fp, 4);
+  const bool status = (first & 0xFFEF) == 0xEEE1 && (second & 0x0FFF) == 0x0A10;  // VMRS, VMSR
+  return info(status ? 1 : 2, fp, 4);                                             // VMOV from or to core registers
 }
 
 /// ARMv7-M Architecture Reference Manual A5.3.
@@ -63,10 +65,11 @@ Info decode32(unsigned first, unsigned second) {
     const bool push = first == 0xF84D && (second & 0x0F00) == 0x0D00;  // STR Rt, [SP, #-4]!
     return info(2, push ? Info::kMovesStack : 0U, 4);
   }
-  if ((first & 0xFFD0) == 0xFB90) return info(12, 0, 4);                                   // SDIV, UDIV: 2 to 12
-  if ((first & 0xFFF0) == 0xFB00) return info((second & 0xF000) == 0xF000 ? 1 : 2, 0, 4);  // MUL, MLA
-  if ((first & 0xFFE0) == 0xF380 && (second & 0xD000) == 0x8000) return info(2, 0, 4);     // MSR
-  const bool sub_sp = (first & 0xFBEF) == 0xF1AD || (first & 0xFBFF) == 0xF2AD;            // SUB.W SP, SP, #
+  if ((first & 0xFFD0) == 0xFB90) return info(12, 0, 4);                                     // SDIV, UDIV: 2 to 12
+  if ((first & 0xFFE0) == 0xF380 && (second & 0xD000) == 0x8000) return info(2, 0, 4);       // MSR
+  if ((first & 0xFFE0) == 0xF3E0 && (second & 0xD000) == 0x8000) return info(2, 0, 4);       // MRS
+  if (first == 0xF3BF && (second & 0xFFF0) == 0x8F60) return info(1 + kRefillCycles, 0, 4);  // ISB fetches anew
+  const bool sub_sp = (first & 0xFBEF) == 0xF1AD || (first & 0xFBFF) == 0xF2AD;              // SUB.W SP, SP, #
   if (sub_sp && (second & 0x0F00) == 0x0D00) return info(1, Info::kMovesStack, 4);
   return info(1, 0, 4);
 }

@@ -19,11 +19,11 @@ struct InstructionInfo {
 };
 
 /// @param first, second  the halfwords at the instruction; second is ignored for a 16-bit one
-/// Cycles: Cortex-M4 TRM (DDI 0439) tables 3-1 and 7-1, memory without wait states, branch penalty not included; a
-/// division takes its maximum.
+/// Cycles: Cortex-M4 TRM (DDI 0439) tables 3-1 and 7-1, memory without wait states, branch penalty and interlocks not
+/// included; where the tables give a range (divisions, CPS, MRS), its end.
 InstructionInfo decode(std::uint16_t first, std::uint16_t second);
 
-/// Cycles to refill the pipeline after a jump: the TRM says 1 to 3.
-inline constexpr unsigned kRefillCycles = 2;
+/// Cycles to refill the pipeline after a jump: the TRM says 1 to 3, by alignment and what was fetched ahead.
+inline constexpr unsigned kRefillCycles = 3;
 
 }  // namespace finemote::emulator

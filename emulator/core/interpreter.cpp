@@ -2,6 +2,8 @@
 // rarer stands in files of its own.
 #include "emulator/core/interpreter.hpp"
 
+#include "emulator/core/interlock.hpp"
+
 #include <array>
 #include <bit>
 
@@ -104,7 +106,20 @@ void Interpreter::take_apart_flash(std::uint32_t bytes) {
   operations_.assign(known_count_ + 2, {});
   for (std::uint32_t n = 0; n < known_count_; ++n) take_apart_at(Memories::kFlashBase + 2 * n, operations_[n]);
   for (std::uint32_t n = known_count_; n < known_count_ + 2; ++n) operations_[n] = take_apart(0xFFFF, 0xFFFF);
+  // A wait is charged with the instruction before: only from there is it known that the two follow each other.
+  for (std::uint32_t n = 0; n < known_count_; ++n) {
+    Operation& o = operations_[n];
+    o.info.cycles = static_cast<std::uint8_t>(o.info.cycles + interlock(o, operations_[n + o.info.bytes / 2U]));
+  }
   known_ = operations_.data();
+}
+
+void Interpreter::mark(std::uint32_t address) {
+  const std::uint32_t n = (address - Memories::kFlashBase) / 2;
+  if (n >= known_count_ || operations_[n].kind == Opcode::marked) return;
+  marked_[address] = operations_[n];
+  operations_[n].kind = Opcode::marked;
+  marked_[address].info.flags |= InstructionInfo::kAlone;
 }
 
 /// @return null where no instruction can be
@@ -172,7 +187,10 @@ bool Interpreter::load_elsewhere(std::uint32_t address, unsigned bytes, std::uin
   bad_address_ = address;
   if (address >= Memories::kRamBase) return outside_.read(address, bytes, value);
   const std::uint8_t* from = nullptr;
-  if (address <= Memories::kFlashBytes - bytes) from = memories_.flash + address;
+  if (address <= Memories::kFlashBytes - bytes) {
+    from = memories_.flash + address;
+    pace.read_flash();
+  }
   if (const std::uint32_t at = address - Memories::kSystemBase; at <= Memories::kSystemBytes - bytes)
     from = memories_.system + at;
   if (from == nullptr) return false;
@@ -310,6 +328,7 @@ Halt Interpreter::run_with() {
       return stop_at(Halt::asked, address, expected);
     }
     arrive<Cost>(address, expected);
+    const bool is_conditional = it != 0;
     for (;;) {  // straight on
       const Operation& o = *here;
       pace.account<Cost, Flash>(address, o.info.cycles);
@@ -319,7 +338,7 @@ Halt Interpreter::run_with() {
       };
       // The instruction has not happened.
       const auto stop_again = [&](Halt why) __attribute__((always_inline)) {
-        g.it = here == &conditional_ ? it : 0;
+        g.it = is_conditional ? it : 0;
         return stop(why, address);
       };
       const auto bad_access = [&]() __attribute__((always_inline)) { return stop_again(Halt::bad_access); };
@@ -635,6 +654,14 @@ Halt Interpreter::run_with() {
           if (!begin_float()) return stop_again(Halt::no_fpu);
           if (!store<std::uint32_t>(r[o.n] + o.imm, g.s[o.d])) return bad_access();
           break;
+        case Opcode::marked: {  // begins once more as what it stands for
+          pace.undo(o.info.cycles);
+          outside_.passed(address, pace.time);
+          const Operation& original = marked_.at(address);
+          elsewhere_ = here == &conditional_ ? inside_it(original) : original;
+          here = &elsewhere_;
+          continue;
+        }
         case Opcode::undefined:
           return stop_again((o.info.flags & InstructionInfo::kFloatingPoint) != 0 && !fpu_on ? Halt::no_fpu
                                                                                              : Halt::undefined);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <vector>
 
 #include "emulator/core/operation.hpp"
@@ -39,6 +40,8 @@ class Outside {
   /// The stack pointer is below `Interpreter::stack_alarm`.
   virtual void stack_moved() = 0;
   virtual void report_unmodelled(const char* what) = 0;
+  /// The marked instruction at `address` begins at `at`.
+  virtual void passed(std::uint32_t address, Time at) = 0;
 };
 
 /// The memories of the STM32F407 (RM0090 2.3.1); they outlive the interpreter.
@@ -65,6 +68,8 @@ class Interpreter {
 
   /// The first `bytes` of flash hold an image from now on; none of it changes while it runs.
   void take_apart_flash(std::uint32_t bytes);
+  /// `Outside::passed` is told whenever the instruction at `address`, in the image's flash, begins.
+  void mark(std::uint32_t address);
   /// Runs until it has to stop.
   Halt run();
 
@@ -101,7 +106,9 @@ class Interpreter {
       const std::uint32_t at = address - Memories::kFlashBase;
       if (at > Memories::kFlashBytes - sizeof(T)) return load_elsewhere(address, sizeof(T), value);
       from = memories_.flash + at;
+      pace.read_flash();
     }
+    charge_alignment<T>(address);
     T item;
     std::memcpy(&item, from, sizeof(T));
     value = item;
@@ -111,9 +118,16 @@ class Interpreter {
   bool store(std::uint32_t address, std::uint32_t value) {
     std::uint8_t* to = in_ram(address, sizeof(T));
     if (to == nullptr) return store_elsewhere(address, sizeof(T), value);
+    charge_alignment<T>(address);
     const T item = static_cast<T>(value);
     std::memcpy(to, &item, sizeof(T));
     return true;
+  }
+  /// An access that is not aligned becomes several: a word at a halfword two, at a byte three. Cortex-M4 TRM 3.3.2.
+  template <class T>
+  void charge_alignment(std::uint32_t address) {
+    if ((address & (sizeof(T) - 1)) != 0) [[unlikely]]
+      pace.charge(sizeof(T) == 4 && (address & 1) != 0 ? 2 : 1);
   }
   bool load_elsewhere(std::uint32_t address, unsigned bytes, std::uint32_t& value);
   bool store_elsewhere(std::uint32_t address, unsigned bytes, std::uint32_t value);
@@ -170,10 +184,11 @@ class Interpreter {
 
   Memories memories_;
   Outside& outside_;
-  std::vector<Operation> operations_;  ///< one per halfword of the image, and what lies behind its end
-  const Operation* known_ = nullptr;   ///< the same, at hand
-  std::uint32_t known_count_ = 0;      ///< halfwords of the image
-  Operation elsewhere_, conditional_;  ///< an instruction outside of it; one inside an IT block
+  std::vector<Operation> operations_;          ///< one per halfword of the image, and what lies behind its end
+  const Operation* known_ = nullptr;           ///< the same, at hand
+  std::uint32_t known_count_ = 0;              ///< halfwords of the image
+  Operation elsewhere_, conditional_;          ///< an instruction outside of it; one inside an IT block
+  std::map<std::uint32_t, Operation> marked_;  ///< by address: what stands at a mark
   std::uint32_t bad_address_ = 0;
 };
 

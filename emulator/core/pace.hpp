@@ -11,6 +11,7 @@ namespace finemote::emulator {
 
 struct Pace {
   static constexpr unsigned kFlashWait = 5;  ///< wait states of 168 MHz: RM0090 3.5.1, table 10
+  static constexpr std::uint32_t kNoLine = 0xFFFFFFFFU;
   static constexpr Time kQemuInstruction = from_ns(8);
 
   CostModel cost = CostModel::cortex_m4;
@@ -27,6 +28,13 @@ struct Pace {
     if (cost != CostModel::qemu) time += cycles * cycle;
   }
 
+  /// A read of data in flash: a line of its own, which pushes out the one that instructions come from.
+  void read_flash() {
+    if (flash != FlashModel::miss_always) return;
+    charge(kFlashWait);
+    line = kNoLine;
+  }
+
   /// Inside the block of an IT instruction, behind its first boundary.
   [[nodiscard]] bool in_it_block(std::uint32_t address) const { return address > it_begin && address < it_end; }
 
@@ -41,6 +49,11 @@ struct Pace {
     }
     time += Cost == CostModel::qemu ? kQemuInstruction : cycles * cycle;
     ++instructions;
+  }
+  /// Takes back the cycles of an instruction that was charged.
+  void undo(unsigned cycles) {
+    time -= cost == CostModel::qemu ? kQemuInstruction : cycles * cycle;
+    --instructions;
   }
 };
 

@@ -125,6 +125,12 @@ Json monitor_of(Board& board, const Image& image) {
   return all;
 }
 
+Json own_times_of(const std::map<unsigned, OwnTime>& times) {
+  Json all = Json::array();
+  for (const auto& [number, own] : times) all.push_back(Json::array({number, own.longest, own.runs}));
+  return all;
+}
+
 BoardOptions options_of(const Json& job) {
   BoardOptions options;
   if (job.value("flash", "hit") == "miss") options.flash = FlashModel::miss_always;
@@ -186,6 +192,8 @@ Json run(Bench& bench, const Json& job) {
           {"parts", parts_of(outfit, *zero)},
           {"expectations", expectations_of(outfit)},
           {"buses", buses_of(board, job.at("ports"))},
+          {"own_stages", own_times_of(board.own_times().stages())},
+          {"own_exceptions", own_times_of(board.own_times().exceptions())},
           {"monitor", monitor_of(board, image)}};
 }
 

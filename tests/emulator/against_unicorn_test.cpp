@@ -23,6 +23,7 @@ class Nothing : public Outside {
   bool stops(std::uint32_t address) override { return address == end || left-- == 0; }
   void masks_changed() override {}
   void stack_moved() override {}
+  void passed(std::uint32_t, Time) override {}
   void report_unmodelled(const char*) override {}
   unsigned left = 0;
   std::uint32_t end = 0;

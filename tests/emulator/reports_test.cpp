@@ -521,6 +521,7 @@ TEST_CASE("rounding modes of the FPU are reported, its default is not") {
     // Turns the FPU on, then vmsr fpscr, r1.
     const Code on_and_set = {0x6801, 0xF441, 0x0170, 0x6001, 0xEEE1, 0x2A10, 0xE7FE};
     Bench bench(bench_image(1, on_and_set, {0xE000ED88, 0, wrong ? 1U << 22 : 0, 0}));
+    bench.run(1'000);
     CHECK(bench.reported(Misuse::unmodelled) == wrong);
     CHECK(!bench.reported(Misuse::fault));
   }

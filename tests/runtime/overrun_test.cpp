@@ -20,7 +20,7 @@ std::vector<unsigned> hooked;
 
 void fast() {
   {
-    Stage stage{0};
+    Stage<0> stage;
     busy(fast_work);
   }
   complete(0);
@@ -28,7 +28,7 @@ void fast() {
 void slow() {
   ++slow_jobs_begun;
   {
-    Stage stage{1};
+    Stage<1> stage;
     busy(slow_work);
   }
   ++slow_jobs_ended;

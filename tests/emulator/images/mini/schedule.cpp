@@ -51,31 +51,31 @@ void echo() {
 void run_5ms() {
   i2c.supervise();
   {
-    Stage stage{0};
+    Stage<0> stage;
     imu.update();
   }
   imu_latch.publish(imu.state);
   {
-    Stage stage{1};
+    Stage<1> stage;
     echo();
   }
 }
 
 void run_10ms() {
   {
-    Stage stage{2};
+    Stage<2> stage;
     pressure.update();
   }
   const finemote::ImuState& seen = imu_latch.snapshot();
   {
-    Stage stage{4};
+    Stage<4> stage;
     imu_valid = seen.valid;
     roll_micro = static_cast<std::int32_t>(seen.roll * 1e6F);
     pressure_valid = pressure.state.valid;
     pascal = static_cast<std::int32_t>(pressure.state.pressure);
   }
   {
-    Stage stage{5};
+    Stage<5> stage;
     const std::uint32_t pulse = seen.valid ? 1'600'000U : 1'500'000U;
     pwm.set(3, pulse);
     header.set(0, pulse + 100'000U);

@@ -1,0 +1,64 @@
+#include "emulator/own_times.hpp"
+
+namespace finemote::emulator {
+namespace {
+
+void count(OwnTime& all, Time own) {
+  if (own > all.longest) all.longest = own;
+  ++all.runs;
+}
+
+}  // namespace
+
+void OwnTimes::add(const ExecutionLog& log) {
+  for (const ExecutionEvent& event : log) add(event);
+}
+
+void OwnTimes::add(const ExecutionEvent& event) {
+  frames_.back().own += event.at - last_;
+  last_ = event.at;
+  switch (event.kind) {
+    case ExecutionEvent::Kind::enter:
+      frames_.push_back({event.number});
+      break;
+    case ExecutionEvent::Kind::tail:
+      end_top();
+      frames_.push_back({event.number});
+      break;
+    case ExecutionEvent::Kind::resume:
+      end_top();
+      break;
+    case ExecutionEvent::Kind::mark:
+      pass_mark(event.number);
+      break;
+    case ExecutionEvent::Kind::reset:
+      frames_.assign(1, Frame{});
+      break;
+    case ExecutionEvent::Kind::leave:
+    case ExecutionEvent::Kind::mask:
+    case ExecutionEvent::Kind::unmask:
+      break;
+  }
+}
+
+/// Only the first begin and the first end count: a jump may come back to the instruction at a mark.
+void OwnTimes::pass_mark(unsigned number) {
+  Frame& frame = frames_.back();
+  const unsigned stage = number / 2;
+  if (number % 2 == 0) {
+    frame.begun.emplace(stage, frame.own);
+    return;
+  }
+  const auto begun = frame.begun.find(stage);
+  if (begun == frame.begun.end()) return;
+  count(stages_[stage], frame.own - begun->second);
+  frame.begun.erase(begun);
+}
+
+void OwnTimes::end_top() {
+  if (frames_.size() < 2) return;
+  count(exceptions_[frames_.back().exception], frames_.back().own);
+  frames_.pop_back();
+}
+
+}  // namespace finemote::emulator

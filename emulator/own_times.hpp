@@ -1,0 +1,46 @@
+// From when exceptions and stages came and went to the time each of them used itself.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "emulator/core/execution_log.hpp"
+
+namespace finemote::emulator {
+
+/// Longest time of all runs, without what interrupted them.
+struct OwnTime {
+  Time longest = 0;
+  std::uint64_t runs = 0;  ///< that ended
+};
+
+/// An exception's own time reaches from the begin of stacking to the end of unstacking, a stage's from mark to mark.
+/// Time of an exception that came in between belongs to that exception alone.
+class OwnTimes {
+ public:
+  /// Events in the order of time; call it as often as there are some.
+  void add(const ExecutionLog& log);
+
+  [[nodiscard]] const std::map<unsigned, OwnTime>& exceptions() const { return exceptions_; }
+  /// By stage number: 2 * device in schedule order + (0 update, 1 handle).
+  [[nodiscard]] const std::map<unsigned, OwnTime>& stages() const { return stages_; }
+
+ private:
+  /// What runs at one level of preemption.
+  struct Frame {
+    unsigned exception = 0;  ///< 0: the idle loop
+    Time own = 0;
+    std::map<unsigned, Time> begun = {};  ///< by stage: `own` when it began
+  };
+
+  void add(const ExecutionEvent& event);
+  void pass_mark(unsigned number);
+  void end_top();
+
+  std::vector<Frame> frames_{Frame{}};
+  Time last_ = 0;
+  std::map<unsigned, OwnTime> exceptions_, stages_;
+};
+
+}  // namespace finemote::emulator
