@@ -44,7 +44,7 @@ class Board {
   [[nodiscard]] const std::vector<StageEvent>& stages();
   [[nodiscard]] std::uint32_t lost_stage_events() const { return trace_ ? trace_->lost() : 0; }
 
-  /// Since power-on. Stages only of an image that has marks.
+  /// Since power-on.
   [[nodiscard]] const OwnTimes& own_times();
 
   /// Statistics of the bus at a port (`usart6`, `i2c2`); all zero for one that is not a bus.

@@ -44,14 +44,14 @@ void OwnTimes::add(const ExecutionEvent& event) {
 /// Only the first begin and the first end count: a jump may come back to the instruction at a mark.
 void OwnTimes::pass_mark(unsigned number) {
   Frame& frame = frames_.back();
-  const unsigned stage = number / 2;
+  const unsigned bracket = number / 2;
   if (number % 2 == 0) {
-    frame.begun.emplace(stage, frame.own);
+    frame.begun.emplace(bracket, frame.own);
     return;
   }
-  const auto begun = frame.begun.find(stage);
+  const auto begun = frame.begun.find(bracket);
   if (begun == frame.begun.end()) return;
-  count(stages_[stage], frame.own - begun->second);
+  count(brackets_[bracket], frame.own - begun->second);
   frame.begun.erase(begun);
 }
 

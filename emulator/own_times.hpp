@@ -1,4 +1,4 @@
-// From when exceptions and stages came and went to the time each of them used itself.
+// From when exceptions came and went, and marks were passed, to the time that each routine and bracket used itself.
 #pragma once
 
 #include <cstdint>
@@ -23,15 +23,15 @@ class OwnTimes {
   void add(const ExecutionLog& log);
 
   [[nodiscard]] const std::map<unsigned, OwnTime>& exceptions() const { return exceptions_; }
-  /// By stage number: 2 * device in schedule order + (0 update, 1 handle).
-  [[nodiscard]] const std::map<unsigned, OwnTime>& stages() const { return stages_; }
+  /// By half the number of the mark at the begin.
+  [[nodiscard]] const std::map<unsigned, OwnTime>& brackets() const { return brackets_; }
 
  private:
   /// What runs at one level of preemption.
   struct Frame {
     unsigned exception = 0;  ///< 0: the idle loop
     Time own = 0;
-    std::map<unsigned, Time> begun = {};  ///< by stage: `own` when it began
+    std::map<unsigned, Time> begun = {};  ///< by bracket: `own` when it began
   };
 
   void add(const ExecutionEvent& event);
@@ -40,7 +40,7 @@ class OwnTimes {
 
   std::vector<Frame> frames_{Frame{}};
   Time last_ = 0;
-  std::map<unsigned, OwnTime> exceptions_, stages_;
+  std::map<unsigned, OwnTime> exceptions_, brackets_;
 };
 
 }  // namespace finemote::emulator

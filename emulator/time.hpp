@@ -14,6 +14,10 @@ inline constexpr Time kNever = ~Time{0};
 
 constexpr Time from_ns(std::uint64_t ns) { return ns * kStepsPerNs; }
 constexpr std::uint64_t to_ns(Time time) { return time / kStepsPerNs; }
+/// Rounded down; up to four months.
+constexpr std::uint64_t to_ps(Time time) {
+  return time / kStepsPerNs * 1'000 + time % kStepsPerNs * 1'000 / kStepsPerNs;
+}
 
 /// Period of a clock, rounded to a step.
 constexpr Time period_of(std::uint64_t hz) { return (from_ns(1'000'000'000) + hz / 2) / hz; }

@@ -13,9 +13,10 @@ namespace finemote::emulator {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::uint32_t kCycleCounter = 0xE0001004;     // DWT_CYCCNT, PM0214 4.10
-constexpr std::uint64_t kStep = 1'000'000;              // ns
-constexpr std::uint64_t kLongestStart = 2'000'000'000;  // ns: clocks and parts are up long before
+constexpr std::uint32_t kCycleCounter = 0xE0001004;         // DWT_CYCCNT, PM0214 4.10
+constexpr unsigned kFirstWork = 0x20000, kNoBracket = ~0U;  // runtime/include/finemote/mark.hpp
+constexpr std::uint64_t kStep = 1'000'000;                  // ns
+constexpr std::uint64_t kLongestStart = 2'000'000'000;      // ns: clocks and parts are up long before
 
 /// The faults the firmware counted since its last start, as runtime/src/faults.cpp keeps them: `[module, number,
 /// count]`.
@@ -125,9 +126,12 @@ Json monitor_of(Board& board, const Image& image) {
   return all;
 }
 
-Json own_times_of(const std::map<unsigned, OwnTime>& times) {
+/// `[number, longest in ps, runs]` of numbers from `first` to below `end`, counted from `first`.
+Json own_times_of(const std::map<unsigned, OwnTime>& times, unsigned first, unsigned end) {
   Json all = Json::array();
-  for (const auto& [number, own] : times) all.push_back(Json::array({number, own.longest, own.runs}));
+  for (auto it = times.lower_bound(first); it != times.end() && it->first < end; ++it) {
+    all.push_back(Json::array({it->first - first, to_ps(it->second.longest), it->second.runs}));
+  }
   return all;
 }
 
@@ -192,8 +196,9 @@ Json run(Bench& bench, const Json& job) {
           {"parts", parts_of(outfit, *zero)},
           {"expectations", expectations_of(outfit)},
           {"buses", buses_of(board, job.at("ports"))},
-          {"own_stages", own_times_of(board.own_times().stages())},
-          {"own_exceptions", own_times_of(board.own_times().exceptions())},
+          {"own_stages", own_times_of(board.own_times().brackets(), 0, kFirstWork)},
+          {"own_works", own_times_of(board.own_times().brackets(), kFirstWork, kNoBracket)},
+          {"own_exceptions", own_times_of(board.own_times().exceptions(), 0, kNoBracket)},
           {"monitor", monitor_of(board, image)}};
 }
 

@@ -1,6 +1,7 @@
 #include "finemote/can.hpp"
 
 #include "finemote/fault.hpp"
+#include "finemote/mark.hpp"
 
 namespace finemote {
 
@@ -140,6 +141,7 @@ void CanBus::write(Group& group, const CanShare& share, const std::uint8_t* byte
 }
 
 void CanBus::flush() {
+  const MarkedWork<Work::flush_can> marked;
   bool any = false;
   for (Group& group : groups_) {
     if (!group.changed.exchange(false)) continue;
@@ -152,6 +154,7 @@ void CanBus::flush() {
 // What was queued before the bus was lost is old: all groups go to zero, and only new commands drive again. A bus that
 // is found off when the recovery must long be over was lost once more in between: the recovery begins anew.
 void CanBus::supervise() {
+  const MarkedWork<Work::supervise_can> marked;
   if (!port_->bus_off()) {
     recovering_ = false;
     // Error passive: nobody acknowledges, and what waits in the mailboxes grows old, for ever on an empty bus. It goes;

@@ -1,6 +1,7 @@
 #include "finemote/i2c.hpp"
 
 #include "finemote/fault.hpp"
+#include "finemote/mark.hpp"
 
 namespace finemote {
 
@@ -212,6 +213,7 @@ void I2cBus::enter_recovery() {
 }
 
 void I2cBus::supervise() {
+  const MarkedWork<Work::supervise_i2c> marked;
   switch (mode_.load()) {
     case Mode::kOff:
       return;

@@ -1,4 +1,5 @@
 #include "finemote/pca9685.hpp"
+#include "finemote/mark.hpp"
 
 namespace finemote {
 
@@ -32,6 +33,7 @@ std::uint16_t Pca9685::counts(std::uint32_t pulse) const {
 }
 
 void Pca9685::flush() {
+  const MarkedWork<Work::flush_expander> marked;
   if (busy_.exchange(true)) {
     // We preempt a flush: it takes our changes along, or the next one does. One that never goes on was cut off by a
     // stop of the robot, and the safe outputs must not wait for it.

@@ -1,6 +1,7 @@
 #include "finemote/pwm.hpp"
 
 #include "finemote/fault.hpp"
+#include "finemote/mark.hpp"
 
 namespace finemote {
 
@@ -33,6 +34,7 @@ void PwmChannel::set_share(float share) {
 void PwmBus::start() { port_->start(period_.load()); }
 
 void PwmBus::flush() {
+  const MarkedWork<Work::flush_pwm> marked;
   const bool tuned = tuned_.exchange(false);
   if (tuned && !port_->tune(period_.load())) count_fault(Module::pwm, kNotTunable);
   if (changed_.exchange(0) != 0 || tuned) port_->write(channel_.pulse.load());

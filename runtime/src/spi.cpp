@@ -1,6 +1,7 @@
 #include "finemote/spi.hpp"
 
 #include "finemote/fault.hpp"
+#include "finemote/mark.hpp"
 
 namespace finemote {
 
@@ -65,6 +66,7 @@ void SpiBus::finish(SlotState result) {
 }
 
 void SpiBus::supervise() {
+  const MarkedWork<Work::supervise_spi> marked;
   const std::uint32_t unit = unit_.load();
   const Time deadline = deadline_;
   Shared<std::uint32_t>::fence();

@@ -6,6 +6,7 @@
 
 #include "finemote/bus_counters.hpp"
 #include "finemote/i2c.hpp"
+#include "finemote/mark.hpp"
 #include "finemote/ports.hpp"
 #include "finemote/single_core.hpp"
 #include "finemote/time.hpp"
@@ -61,7 +62,10 @@ class Rs485 {
   /// Context: init.
   void start();
   /// Context: fastest bucket.
-  void supervise() { carry_on(); }
+  void supervise() {
+    const MarkedWork<Work::supervise_rs485> marked;
+    carry_on();
+  }
 
   [[nodiscard]] const BusCounters& counters() const { return counters_; }
 

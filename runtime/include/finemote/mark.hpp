@@ -1,0 +1,46 @@
+// Places in the code that tools know of and that cost no instruction: where a stage or a part of the runtime's own work
+// begins and ends.
+#pragma once
+
+#include <cstdint>
+
+namespace finemote {
+
+/// Records the address of this place and `number` in section `.debug_finemote`, two words each. Tools read it; it is no
+/// part of what is flashed. No access to memory is moved across it. On a computer it does nothing.
+template <std::uint32_t number>
+[[gnu::always_inline]] inline void mark() {
+#ifdef __arm__
+  asm volatile("0: .pushsection .debug_finemote,\"\",%%progbits\n\t.word 0b, %c0\n\t.popsection" ::"i"(number)
+               : "memory");
+#endif
+}
+
+/// Marks its scope: `number`, and one more at the end. Numbers are even.
+template <std::uint32_t number>
+class Marked {
+ public:
+  Marked() { mark<number>(); }
+  ~Marked() { mark<number + 1U>(); }
+  Marked(const Marked&) = delete;
+  Marked& operator=(const Marked&) = delete;
+};
+
+/// What the runtime does around the stages of a job. The values are known to whoever measures: they do not change.
+enum class Work : std::uint32_t {
+  supervise_i2c,
+  supervise_spi,
+  supervise_can,
+  supervise_rs485,
+  flush_pwm,
+  flush_expander,
+  flush_can,
+};
+
+/// Marks of stages are below it: 65536 stages have two each, and each of these begin and end.
+constexpr std::uint32_t kFirstWorkMark = 0x40000;
+
+template <Work work>
+using MarkedWork = Marked<kFirstWorkMark + 2U * static_cast<std::uint32_t>(work)>;
+
+}  // namespace finemote
