@@ -46,12 +46,14 @@ void OwnTimes::pass_mark(unsigned number) {
   Frame& frame = frames_.back();
   const unsigned bracket = number / 2;
   if (number % 2 == 0) {
-    frame.begun.emplace(bracket, frame.own);
+    frame.begun.emplace(bracket, Begin{last_, frame.own});
     return;
   }
   const auto begun = frame.begun.find(bracket);
   if (begun == frame.begun.end()) return;
-  count(brackets_[bracket], frame.own - begun->second);
+  const Pass pass{bracket, begun->second.at, last_, frame.own - begun->second.own};
+  count(brackets_[bracket], pass.own);
+  passes_.push_back(pass);
   frame.begun.erase(begun);
 }
 

@@ -18,6 +18,16 @@ constexpr unsigned kFirstWork = 0x20000, kNoBracket = ~0U;  // runtime/include/f
 constexpr std::uint64_t kStep = 1'000'000;                  // ns
 constexpr std::uint64_t kLongestStart = 2'000'000'000;      // ns: clocks and parts are up long before
 
+/// Overruns the firmware counted since its last start, by bucket, as runtime/src/release.cpp keeps them.
+Json overruns_of(Board& board, const Image& image) {
+  constexpr const char* kCounts = "_ZN8finemote6detail12_GLOBAL__N_114overrun_countsE";
+  Json all = Json::array();
+  const auto counts = image.symbol(kCounts);
+  for (std::uint32_t offset = 0; counts && offset + 4 <= counts->size; offset += 4)
+    all.push_back(board.word(kCounts, offset));
+  return all;
+}
+
 /// The faults the firmware counted since its last start, as runtime/src/faults.cpp keeps them: `[module, number,
 /// count]`.
 Json faults_of(Board& board, const Image& image) {
@@ -37,7 +47,7 @@ std::optional<std::int64_t> wait_for_first_release(Board& board, const Image& im
   while (board.now_ns() < kLongestStart) {
     if (board.run_for(kStep) != Stop::time) return std::nullopt;
     if (fault_ns.is_null() && !faults_of(board, image).empty()) fault_ns = board.now_ns();
-    if (board.stages().empty()) continue;
+    if (board.own_times().passes().empty()) continue;
     auto& world = board.world();
     const std::int64_t cycles = world.system().read(kCycleCounter, 4, world.now(), 0);
     return static_cast<std::int64_t>(board.now_ns()) - cycles * 125 / 21;  // 168 MHz: 21 cycles are 125 ns
@@ -64,10 +74,17 @@ Json reports_of(const Board& board) {
   return all;
 }
 
-Json stages_of(Board& board, std::int64_t duration_ns) {
+/// `[stage, begin, end, own time]` of every run that began before `duration_ns`, in ns since the first release, in the
+/// order in which they began.
+Json stages_of(Board& board, std::int64_t zero, std::int64_t duration_ns) {
+  std::vector<Pass> passes = board.own_times().passes();
+  std::erase_if(passes, [](const Pass& pass) { return pass.bracket >= kFirstWork; });
+  std::stable_sort(passes.begin(), passes.end(), [](const Pass& a, const Pass& b) { return a.begin < b.begin; });
+  const auto since = [zero](Time at) { return static_cast<std::int64_t>(to_ns(at)) - zero; };
   Json all = Json::array();
-  for (const StageEvent& event : board.stages()) {
-    if (event.t_ns < duration_ns) all.push_back(Json::array({event.t_ns, event.stage, event.begin}));
+  for (const Pass& pass : passes) {
+    if (since(pass.begin) >= duration_ns) break;
+    all.push_back(Json::array({pass.bracket, since(pass.begin), since(pass.end), to_ns(pass.own)}));
   }
   return all;
 }
@@ -190,9 +207,10 @@ Json run(Bench& bench, const Json& job) {
   return {{"stop", nullptr},
           {"reports", reports_of(board)},
           {"resets", board.resets() - outfit.scripted_resets()},
+          {"overruns", overruns_of(board, image)},
           {"faulty", outfit.injects_faults()},
           {"fault_counts", faults_of(board, image)},
-          {"stages", stages_of(board, duration_ns)},
+          {"stages", stages_of(board, *zero, duration_ns)},
           {"parts", parts_of(outfit, *zero)},
           {"expectations", expectations_of(outfit)},
           {"buses", buses_of(board, job.at("ports"))},
