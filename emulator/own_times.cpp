@@ -45,15 +45,17 @@ void OwnTimes::add(const ExecutionEvent& event) {
 void OwnTimes::pass_mark(unsigned number) {
   Frame& frame = frames_.back();
   const unsigned bracket = number / 2;
+  const auto begun = frame.begun.find(bracket);
   if (number % 2 == 0) {
-    frame.begun.emplace(bracket, Begin{last_, frame.own});
+    if (begun != frame.begun.end()) return;
+    frame.begun.emplace(bracket, frame.own);
+    events_.push_back({last_, bracket, false, 0});
     return;
   }
-  const auto begun = frame.begun.find(bracket);
   if (begun == frame.begun.end()) return;
-  const Pass pass{bracket, begun->second.at, last_, frame.own - begun->second.own};
-  count(brackets_[bracket], pass.own);
-  passes_.push_back(pass);
+  const Time own = frame.own - begun->second;
+  count(brackets_[bracket], own);
+  events_.push_back({last_, bracket, true, own});
   frame.begun.erase(begun);
 }
 

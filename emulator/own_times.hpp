@@ -15,10 +15,12 @@ struct OwnTime {
   std::uint64_t runs = 0;  ///< that ended
 };
 
-/// One way through a bracket.
-struct Pass {
+/// A bracket begins or ends.
+struct BracketEvent {
+  Time at = 0;
   unsigned bracket = 0;
-  Time begin = 0, end = 0, own = 0;
+  bool is_end = false;
+  Time own = 0;  ///< at its end: its own time
 };
 
 /// An exception's own time reaches from the begin of stacking to the end of unstacking, a stage's from mark to mark.
@@ -31,18 +33,15 @@ class OwnTimes {
   [[nodiscard]] const std::map<unsigned, OwnTime>& exceptions() const { return exceptions_; }
   /// By half the number of the mark at the begin.
   [[nodiscard]] const std::map<unsigned, OwnTime>& brackets() const { return brackets_; }
-  /// In the order in which they ended.
-  [[nodiscard]] const std::vector<Pass>& passes() const { return passes_; }
+  /// In the order of time.
+  [[nodiscard]] const std::vector<BracketEvent>& events() const { return events_; }
 
  private:
-  struct Begin {
-    Time at = 0, own = 0;  ///< of the frame so far
-  };
   /// What runs at one level of preemption.
   struct Frame {
     unsigned exception = 0;  ///< 0: the idle loop
     Time own = 0;
-    std::map<unsigned, Begin> begun = {};  ///< by bracket
+    std::map<unsigned, Time> begun = {};  ///< by bracket: `own` when it began
   };
 
   void add(const ExecutionEvent& event);
@@ -52,7 +51,7 @@ class OwnTimes {
   std::vector<Frame> frames_{Frame{}};
   Time last_ = 0;
   std::map<unsigned, OwnTime> exceptions_, brackets_;
-  std::vector<Pass> passes_;
+  std::vector<BracketEvent> events_;
 };
 
 }  // namespace finemote::emulator

@@ -41,13 +41,19 @@ Json faults_of(Board& board, const Image& image) {
   return all;
 }
 
-/// Runs until the first stage was traced; returns the time since power-on at which the trace counts 0. `fault_ns` is
+/// The runtime marks its own work from bring-up on; stages come with releases.
+bool has_run_a_stage(Board& board) {
+  const auto& brackets = board.own_times().brackets();
+  return !brackets.empty() && brackets.begin()->first < kFirstWork;
+}
+
+/// Runs until the first stage ended; returns the time since power-on at which the trace counts 0. `fault_ns` is
 /// when a fault was first seen, not more than a step late; null: none.
 std::optional<std::int64_t> wait_for_first_release(Board& board, const Image& image, Json& fault_ns) {
   while (board.now_ns() < kLongestStart) {
     if (board.run_for(kStep) != Stop::time) return std::nullopt;
     if (fault_ns.is_null() && !faults_of(board, image).empty()) fault_ns = board.now_ns();
-    if (board.own_times().passes().empty()) continue;
+    if (!has_run_a_stage(board)) continue;
     auto& world = board.world();
     const std::int64_t cycles = world.system().read(kCycleCounter, 4, world.now(), 0);
     return static_cast<std::int64_t>(board.now_ns()) - cycles * 125 / 21;  // 168 MHz: 21 cycles are 125 ns
@@ -74,17 +80,12 @@ Json reports_of(const Board& board) {
   return all;
 }
 
-/// `[stage, begin, end, own time]` of every run that began before `duration_ns`, in ns since the first release, in the
-/// order in which they began.
+/// `[ns since the first release, stage, begin]` of those before `duration_ns`, in the order of time.
 Json stages_of(Board& board, std::int64_t zero, std::int64_t duration_ns) {
-  std::vector<Pass> passes = board.own_times().passes();
-  std::erase_if(passes, [](const Pass& pass) { return pass.bracket >= kFirstWork; });
-  std::stable_sort(passes.begin(), passes.end(), [](const Pass& a, const Pass& b) { return a.begin < b.begin; });
-  const auto since = [zero](Time at) { return static_cast<std::int64_t>(to_ns(at)) - zero; };
   Json all = Json::array();
-  for (const Pass& pass : passes) {
-    if (since(pass.begin) >= duration_ns) break;
-    all.push_back(Json::array({pass.bracket, since(pass.begin), since(pass.end), to_ns(pass.own)}));
+  for (const BracketEvent& event : board.own_times().events()) {
+    const std::int64_t at = static_cast<std::int64_t>(to_ns(event.at)) - zero;
+    if (event.bracket < kFirstWork && at < duration_ns) all.push_back(Json::array({at, event.bracket, !event.is_end}));
   }
   return all;
 }

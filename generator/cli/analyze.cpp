@@ -91,6 +91,8 @@ Answer run_analyze(const Options& options, Sources& sources, Diagnostics& diagno
   timing::AnalysisRequest request;
   request.profile = profile_option(options.profile, diagnostics);
   timing::RobotTimingOptions robot_options;
+  robot_options.trace = options.trace;
+  robot_options.monitor = options.monitor;
   robot_options.assumed_wcet = time_option("--assume-wcet", options.assume_wcet, "50us", diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   if (options.dump) return dump_subject(options, robot_options, sources, diagnostics);

@@ -115,6 +115,7 @@ Table options_of_run() {
         {"--flash", Choice{{"hit", "miss"}, [](Options& o, std::size_t word) { o.flash_misses = word == 1; }},
          "emulated board: fetches hit the flash accelerator, or miss it always"},
         {"--keep", &Options::keep, "keep generated sources and build in this folder"},
+        {"--trace", &Options::trace, "build the trace in, and count its cost in the bounds"},
         {"--monitor", &Options::monitor, "build the monitor in: worst response and data age beside their bounds"},
         {"--build-only", &Options::build_only, "stop after the image is built"},
         {"--allow-unschedulable", &Options::allow_unschedulable,
@@ -159,7 +160,9 @@ Table options_of_analyze() {
        sandbox(),
        question(),
        {{"--slack", &Options::slack, "the factor by which execution times may grow"},
-        {"--suggest-order", &Options::suggest_order, "suggest an order of siblings and trees with shorter bounds"}},
+        {"--suggest-order", &Options::suggest_order, "suggest an order of siblings and trees with shorter bounds"},
+        {"--trace", &Options::trace, "of the firmware with the trace built in"},
+        {"--monitor", &Options::monitor, "of the firmware with the monitor built in"}},
        dump()});
 }
 

@@ -58,6 +58,7 @@ struct Options {
   bool suggest_order = false;
   std::uint64_t seed = 1;   ///< simulate --seed
   bool monitor = false;     ///< --monitor: the firmware holds itself to its bounds
+  bool trace = false;       ///< --trace: the firmware records every begin and end of a stage
   bool build_only = false;  ///< --build-only: stop after the image
 };
 

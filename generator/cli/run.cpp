@@ -20,7 +20,9 @@
 #include "generator/run/execute.hpp"
 #include "generator/run/project.hpp"
 #include "generator/run/proven_image.hpp"
-#include "generator/run/report.hpp"
+#include "generator/run/run_document.hpp"
+#include "generator/run/run_text.hpp"
+#include "generator/run/run_trace.hpp"
 #include "generator/run/work_folder.hpp"
 #include "generator/timing/from_robot.hpp"
 #include "generator/timing/operands.hpp"
@@ -100,30 +102,26 @@ bool has_parts(const Robot& robot, const Setup& setup, bool build_only, Diagnost
   return true;
 }
 
-/// The image as it runs, with the cost of its trace.
-struct ImageTiming {
-  std::optional<Duration> stage_cost;    ///< of dispatch and trace; none: its times leave 64 bits
-  std::optional<timing::Timing> timing;  ///< none: no answer
-};
-
-/// Reports FM4018 for chains that do not exist; what else is wrong with the image is wrong with the robot.
-ImageTiming analyse_image(const Options& options, const PlannedRobot& planned, Diagnostics& diagnostics) {
+/// The analysis of the image as it runs, with its trace and monitor; none: no answer. Reports FM4018 for chains that do
+/// not exist; what else is wrong with the image is wrong with the robot.
+std::optional<timing::Timing> analyse_image(const Options& options, const PlannedRobot& planned,
+                                            Diagnostics& diagnostics) {
   const auto& [library, robot, forest, schedule] = planned;
   timing::RobotTimingOptions instrumented;
-  instrumented.trace = true;
+  instrumented.trace = options.trace;
   instrumented.monitor = options.monitor;
   timing::AnalysisRequest request;
   request.requirements = timing::timing_requirements(robot, forest);
   Diagnostics findings;
   const auto model = timing::make_timing_model(robot, forest, schedule, findings, instrumented);
-  if (!model) return {};
+  if (!model) return std::nullopt;
   request.chains = timing::parse_chains(*model, options.chains, findings);
-  ImageTiming image{model->costs.stage, std::nullopt};
-  if (!findings.has_errors()) image.timing = timing::analyse(*model, request, findings);
+  std::optional<timing::Timing> timing;
+  if (!findings.has_errors()) timing = timing::analyse(*model, request, findings);
   for (const Diagnostic& finding : findings.in_file_order()) {
     if (finding.code == code::timing_chain) diagnostics.add(finding);
   }
-  return image;
+  return timing;
 }
 
 FirmwareRequest firmware_request(const Options& options, const Setup& setup, const Robot& robot,
@@ -134,7 +132,7 @@ FirmwareRequest firmware_request(const Options& options, const Setup& setup, con
   request.board = setup.board.name;
   request.for_host = setup.board.is_host();
   request.duration = options.build_only || setup.is_emulated() ? Duration::zero() : setup.duration;
-  request.trace = !options.build_only;
+  request.trace = options.trace || (!setup.is_emulated() && !options.build_only);
   request.monitor = options.monitor;
   request.include_dirs = user_include_dirs(robot);
   request.sources = user_sources(request.include_dirs);
@@ -211,7 +209,7 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   const auto& [library, robot, forest, schedule] = *planned;
   const auto setup = setup_of(options, *planned, sources, diagnostics);
   if (!setup || !has_parts(robot, *setup, options.build_only, diagnostics)) return no_answer();
-  const ImageTiming image_timing = analyse_image(options, *planned, diagnostics);
+  const auto image_timing = analyse_image(options, *planned, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   const FaultTable faults = load_fault_table(input->data_dir);
 
@@ -235,14 +233,19 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   const auto schedulable = repeat_verdict(analysis, diagnostics);
   auto record = run_image(image->path, *planned, *setup, faults, options.flash_misses, diagnostics);
   if (!record) return no_answer();
-  if (setup->is_emulated() && image_timing.stage_cost)
-    check_wcet(robot, *record, *image_timing.stage_cost, diagnostics);
   RunResult result = result_of(*planned, *setup, image->facts, std::move(*record), faults);
   if (options.monitor) result.bounds = std::move(proven.monitored);
   result.schedulable = schedulable;
-  if (image_timing.timing) result.chains = measure_chains(robot, forest, *image_timing.timing, result.record);
-  if (setup->is_emulated()) result.wcets = measured_wcets(robot, result.record);
-  return answer_of_run(options, result, diagnostics);
+  Diagnostics judged;
+  result.wcets_hold = check_wcet(robot, result.record, judged);
+  result.must_judge = setup->is_emulated();
+  if (image_timing) result.chains = measure_chains(robot, forest, *image_timing, result.record, setup->is_emulated());
+  if (image_timing && setup->is_emulated())
+    result.responses = measure_responses(robot, forest, *image_timing, result.record);
+  result.wcets = measured_wcets(robot, result.record);
+  Answer answer = answer_of_run(options, result, diagnostics);
+  answer.judged = std::move(judged);
+  return answer;
 }
 
 }  // namespace finemote::gen

@@ -50,11 +50,11 @@ struct Series {
   std::vector<Duration> acquire, decide, wire, end_to_end;
 };
 
-Series collect(const Robot& robot, const RunRecord& record, const ChainPath& path) {
+Series collect(const Robot& robot, const RunRecord& record, DeviceId from, DeviceId to) {
   Series series;
-  const std::vector<DecisionSample> samples = decision_samples(record, path);
-  const OutputPlace place = output_of(robot, robot.devices[path.down.back()]);
-  const auto sensed = events_of(record, robot.devices[path.up.front()].name.text, false, 0);
+  const std::vector<DecisionSample> samples = decision_samples(record, find_chain(robot, from, to));
+  const OutputPlace place = output_of(robot, robot.devices[to]);
+  const auto sensed = events_of(record, robot.devices[from].name.text, false, 0);
   const auto outputs = events_of(record, place.part, true, place.channel);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const DecisionSample& sample = samples[i];
@@ -73,18 +73,18 @@ Series collect(const Robot& robot, const RunRecord& record, const ChainPath& pat
 }  // namespace
 
 std::vector<MeasuredChain> measure_chains(const Robot& robot, const Forest& forest, const timing::Timing& timing,
-                                          const RunRecord& record) {
+                                          const RunRecord& record, bool is_bound) {
   std::vector<MeasuredChain> chains;
+  const auto bound_of = [&](std::optional<Duration> bound) { return is_bound ? bound : std::nullopt; };
   for (const timing::ChainResult& bound : timing.chains) {
     MeasuredChain chain;
     chain.from = forest.order[bound.from];
     chain.to = forest.order[bound.to];
-    const auto path = find_chain(robot, chain.from, chain.to);
-    const Series series = path ? collect(robot, record, *path) : Series{};
-    chain.acquire = {summarize(series.acquire), bound.acquire};
-    chain.decide = {summarize(series.decide), bound.decide};
-    chain.wire = {summarize(series.wire), bound.wire};
-    chain.end_to_end = {summarize(series.end_to_end), bound.end_to_end};
+    const Series series = collect(robot, record, chain.from, chain.to);
+    chain.acquire = {summarize(series.acquire), bound_of(bound.acquire)};
+    chain.decide = {summarize(series.decide), bound_of(bound.decide)};
+    chain.wire = {summarize(series.wire), bound_of(bound.wire)};
+    chain.end_to_end = {summarize(series.end_to_end), bound_of(bound.end_to_end)};
     chains.push_back(chain);
   }
   return chains;

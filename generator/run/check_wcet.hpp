@@ -1,7 +1,6 @@
 // Holds the execution times the analysis was given against those of a run.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,12 +9,12 @@
 
 namespace finemote::gen {
 
-/// Warns (FM6006) of every device of which even the shortest run of a stage took longer than its WCET and
-/// `stage_cost`, what the model adds for dispatch and trace: bounds made from that WCET are not proven. Time of
-/// stages that interrupted it does not count; interrupts of buses do, therefore the shortest run is asked.
-void check_wcet(const Robot& robot, const RunRecord& record, Duration stage_cost, Diagnostics& diagnostics);
+/// Reports (FM6006) every device of which a run of a stage took longer by itself than its WCET says: bounds made from
+/// that WCET are not proven.
+/// @return  whether there is none
+bool check_wcet(const Robot& robot, const RunRecord& record, Diagnostics& diagnostics);
 
-/// Execution times a run has shown: the longest run of each stage, interrupts included, and a quarter.
+/// Execution times a run has shown: the longest own time of each stage and a quarter.
 struct MeasuredWcet {
   DeviceId device;
   Duration update, handle;

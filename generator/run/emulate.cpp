@@ -124,6 +124,20 @@ std::vector<Event> events_of(const Json& record, const Forest& forest) {
   return events;
 }
 
+/// Rounded up.
+std::vector<OwnTime> own_times_of(const Json& record, const Forest& forest) {
+  constexpr std::int64_t kPsPerNs = 1'000;
+  std::vector<OwnTime> times;
+  for (const Json& own : record.at("own_stages")) {
+    const auto stage = own.at(0).get<std::uint32_t>();
+    const Rank rank{stage / 2};
+    if (!forest.order.contains(rank)) continue;
+    times.push_back(
+        {forest.order[rank], stage % 2 == 1, nanoseconds(ceil_div(own.at(1).get<std::int64_t>(), kPsPerNs))});
+  }
+  return times;
+}
+
 std::vector<ExpectationRecord> expectations_of(const Json& record) {
   const auto seen = [](const Json& value) { return value.is_null() ? std::nullopt : std::optional<double>(value); };
   std::vector<ExpectationRecord> all;
@@ -137,6 +151,9 @@ std::vector<ExpectationRecord> expectations_of(const Json& record) {
 RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest) {
   RunRecord record;
   record.events = events_of(json, forest);
+  record.own_times = own_times_of(json, forest);
+  record.overruns = json.at("overruns").get<std::vector<std::uint64_t>>();
+  record.faults = faults_of(json);
   for (const Json& part : json.at("parts")) {
     record.parts.push_back({part.at("part"), part.at("output"), part.at("channel"), time_of(part.at("from_ns")),
                             time_of(part.at("at_ns"))});

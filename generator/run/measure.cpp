@@ -2,19 +2,57 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
-#include <map>
 
 namespace finemote::gen {
 namespace {
 
-struct Interval {
-  Duration begin, end;
+/// The last run that was finished at `time`.
+const StageRun* finished_by(const std::vector<StageRun>& runs, Duration time) {
+  const auto after =
+      std::upper_bound(runs.begin(), runs.end(), time, [](Duration t, const StageRun& run) { return t < run.end; });
+  return after == runs.begin() ? nullptr : &*std::prev(after);
+}
+
+/// From a device to the root of its tree.
+std::vector<DeviceId> way_to_root(const Robot& robot, DeviceId from) {
+  std::vector<DeviceId> way{from};
+  while (const auto parent = robot.devices[way.back()].parent) way.push_back(*parent);
+  return way;
+}
+
+/// Ways over parents and readers, depth first. Robots are read only when neither goes in a circle.
+class WaysUp {
+ public:
+  WaysUp(const Robot& robot, DeviceId to) : to_(to), next_(robot.devices.size()) {
+    for (const DeviceId reader : robot.devices.ids()) {
+      for (const Read& read : robot.devices[reader].reads) next_[read.device].push_back(reader);
+      if (robot.devices[reader].parent) next_[reader].push_back(*robot.devices[reader].parent);
+    }
+  }
+
+  std::vector<std::vector<DeviceId>> from(DeviceId device) {
+    way_.push_back(device);
+    if (device == to_) ways_.push_back(way_);
+    for (const DeviceId next : next_[device]) {
+      const bool is_passed = std::find(way_.begin(), way_.end(), next) != way_.end();
+      if (!is_passed && ways_.size() < kMostWays) from(next);
+    }
+    way_.pop_back();
+    return ways_;
+  }
+
+ private:
+  static constexpr std::size_t kMostWays = 64;
+  DeviceId to_;
+  Table<DeviceId, std::vector<DeviceId>> next_;
+  std::vector<DeviceId> way_;
+  std::vector<std::vector<DeviceId>> ways_;
 };
 
-/// Completed runs of a stage, in time order.
-std::vector<Interval> intervals(const RunRecord& record, DeviceId device, bool is_handle) {
-  std::vector<Interval> list;
+}  // namespace
+
+std::vector<StageRun> stage_runs(const RunRecord& record, DeviceId device, bool is_handle) {
+  std::vector<StageRun> list;
   std::optional<Duration> begin;  // none: it does not run
   for (const Event& event : record.events) {
     if (event.device != device || event.is_handle != is_handle) continue;
@@ -23,51 +61,6 @@ std::vector<Interval> intervals(const RunRecord& record, DeviceId device, bool i
   }
   return list;
 }
-
-/// The last run that was finished at `time`.
-const Interval* finished_by(const std::vector<Interval>& runs, Duration time) {
-  const auto after =
-      std::upper_bound(runs.begin(), runs.end(), time, [](Duration t, const Interval& run) { return t < run.end; });
-  return after == runs.begin() ? nullptr : &*std::prev(after);
-}
-
-/// For every device that data of `from` reaches upward: the device it came from. Breadth first, so ways are shortest.
-std::map<DeviceId, DeviceId> reached_upward(const Robot& robot, DeviceId from, bool over_reads) {
-  std::map<DeviceId, DeviceId> came_from{{from, from}};
-  std::deque<DeviceId> queue{from};
-  const auto visit = [&](DeviceId next, DeviceId previous) {
-    if (came_from.emplace(next, previous).second) queue.push_back(next);
-  };
-  while (!queue.empty()) {
-    const DeviceId device = queue.front();
-    queue.pop_front();
-    if (robot.devices[device].parent) visit(*robot.devices[device].parent, device);
-    if (!over_reads) continue;
-    for (const DeviceId reader : robot.devices.ids()) {
-      for (const Read& read : robot.devices[reader].reads) {
-        if (read.device == device) visit(reader, device);
-      }
-    }
-  }
-  return came_from;
-}
-
-std::optional<ChainPath> find_way(const Robot& robot, DeviceId from, DeviceId to, bool over_reads) {
-  const auto came_from = reached_upward(robot, from, over_reads);
-  ChainPath path;
-  path.through_reads = over_reads;
-  for (std::optional<DeviceId> turn = to; turn; turn = robot.devices[*turn].parent) {
-    path.down.insert(path.down.begin(), *turn);
-    if (came_from.count(*turn) == 0) continue;
-    for (DeviceId device = *turn;; device = came_from.at(device)) {
-      path.up.insert(path.up.begin(), device);
-      if (device == from) return path;
-    }
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 Statistics summarize(const std::vector<Duration>& values) {
   Statistics s;
@@ -85,27 +78,57 @@ Statistics summarize(const std::vector<Duration>& values) {
 
 std::vector<Duration> stage_times(const RunRecord& record, DeviceId device, bool is_handle) {
   std::vector<Duration> times;
-  for (const Interval& run : intervals(record, device, is_handle)) times.push_back(run.end - run.begin);
+  for (const StageRun& run : stage_runs(record, device, is_handle)) times.push_back(run.end - run.begin);
   return times;
 }
 
-std::optional<ChainPath> find_chain(const Robot& robot, DeviceId from, DeviceId to) {
-  if (auto path = find_way(robot, from, to, false)) return path;
-  return find_way(robot, from, to, true);
+std::vector<ChainPath> find_chain(const Robot& robot, DeviceId from, DeviceId to) {
+  std::vector<DeviceId> down = way_to_root(robot, to);
+  std::reverse(down.begin(), down.end());
+  const std::vector<DeviceId> up = way_to_root(robot, from);
+  if (up.back() == down.front()) return {{up, down}};
+  std::vector<ChainPath> all;
+  for (const std::vector<DeviceId>& way : WaysUp(robot, down.front()).from(from)) all.push_back({way, down});
+  return all;
 }
 
-std::vector<DecisionSample> decision_samples(const RunRecord& record, const ChainPath& path) {
-  std::vector<std::vector<Interval>> hops;  // from the actuator's handle back to the source's update
-  for (auto device = path.down.rbegin(); device != path.down.rend(); ++device)
-    hops.push_back(intervals(record, *device, true));
-  for (auto device = path.up.rbegin(); device != path.up.rend(); ++device)
-    hops.push_back(intervals(record, *device, false));
+namespace {
 
+using Hops = std::vector<std::vector<StageRun>>;
+
+/// The runs of every stage on the way, from the actuator's handle back to the source's update.
+Hops hops_of(const RunRecord& record, const ChainPath& path) {
+  Hops hops;
+  for (auto device = path.down.rbegin(); device != path.down.rend(); ++device)
+    hops.push_back(stage_runs(record, *device, true));
+  for (auto device = path.up.rbegin(); device != path.up.rend(); ++device)
+    hops.push_back(stage_runs(record, *device, false));
+  return hops;
+}
+
+/// The update that the data of the chain's last run came from; null: none yet.
+const StageRun* source_of(const Hops& hops, const StageRun& last) {
+  const StageRun* run = &last;
+  for (std::size_t hop = 1; hop < hops.size() && run != nullptr; ++hop) run = finished_by(hops[hop], run->begin);
+  return run;
+}
+
+}  // namespace
+
+std::vector<DecisionSample> decision_samples(const RunRecord& record, const std::vector<ChainPath>& paths) {
+  std::vector<Hops> ways;
+  for (const ChainPath& path : paths) ways.push_back(hops_of(record, path));
   std::vector<DecisionSample> samples;
-  for (const Interval& last : hops.front()) {
-    const Interval* run = &last;
-    for (std::size_t hop = 1; hop < hops.size() && run != nullptr; ++hop) run = finished_by(hops[hop], run->begin);
-    if (run != nullptr) samples.push_back({run->begin, last.end});
+  if (ways.empty()) return samples;
+  for (const StageRun& last : ways.front().front()) {
+    std::optional<Duration> oldest;
+    bool came_by_all = true;
+    for (const Hops& way : ways) {
+      const StageRun* source = source_of(way, last);
+      came_by_all = came_by_all && source != nullptr;
+      if (source != nullptr) oldest = std::min(oldest.value_or(source->begin), source->begin);
+    }
+    if (came_by_all) samples.push_back({*oldest, last.end});
   }
   return samples;
 }

@@ -18,19 +18,26 @@ struct Statistics {
 
 Statistics summarize(const std::vector<Duration>& values);
 
+struct StageRun {
+  Duration begin, end;
+};
+
+/// Completed runs of a stage, in time order.
+std::vector<StageRun> stage_runs(const RunRecord& record, DeviceId device, bool is_handle);
+
 /// Time from begin to end of every completed run of a stage, preemption included.
 std::vector<Duration> stage_times(const RunRecord& record, DeviceId device, bool is_handle);
 
-/// The way of data from update() of one device to handle() of another.
+/// A way of data from update() of one device to handle() of another. It turns at the root of the other's tree, as the
+/// bound does: data that turns below is never older.
 struct ChainPath {
   std::vector<DeviceId> up;    ///< devices whose update() it passes, source first; the last one turns
   std::vector<DeviceId> down;  ///< devices whose handle() it passes, the turning one first, the actuator last
-  bool through_reads = false;  ///< uses a `reads` edge: outside the paper's Theorem 3
 };
 
-/// The way with the lowest turning point: over tree edges where there is one, else also over `reads` edges.
-/// None when no data of `from` reaches `to`.
-std::optional<ChainPath> find_chain(const Robot& robot, DeviceId from, DeviceId to);
+/// The way along the tree where both are in one, else all ways over `reads` edges too, 64 at most. Empty when no data
+/// of `from` reaches `to`.
+std::vector<ChainPath> find_chain(const Robot& robot, DeviceId from, DeviceId to);
 
 /// One command of a chain's end, and the update its data came from.
 struct DecisionSample {
@@ -38,8 +45,9 @@ struct DecisionSample {
   Duration handle_end;    ///< end of the actuator's handle()
 };
 
-/// One sample per handle() of the chain's end. Every hop takes the latest value finished before the reader's stage
-/// began (paper, definition 3). Jobs at the start whose data comes from no update yet are left out.
-std::vector<DecisionSample> decision_samples(const RunRecord& record, const ChainPath& path);
+/// One sample per handle() of the chain's end: of the oldest data of all ways. Every hop takes the latest value
+/// finished before the reader's stage began (paper, definition 3). Jobs at the start whose data comes from no update
+/// yet are left out.
+std::vector<DecisionSample> decision_samples(const RunRecord& record, const std::vector<ChainPath>& paths);
 
 }  // namespace finemote::gen

@@ -19,6 +19,13 @@ struct Event {
   bool is_end = false;
 };
 
+/// The longest time that one run of a stage took by itself, without interrupts and what preempted it.
+struct OwnTime {
+  DeviceId device;
+  bool is_handle = false;
+  Duration longest;
+};
+
 struct BusRecord {
   BusId bus;
   std::uint64_t transfers = 0, errors = 0;
@@ -54,6 +61,7 @@ struct ExpectationRecord {
 
 struct RunRecord {
   std::vector<Event> events;            ///< in time order
+  std::vector<OwnTime> own_times;       ///< of stages that ran; emulated board only
   std::vector<std::uint64_t> overruns;  ///< per bucket
   std::vector<BusRecord> buses;
   std::vector<PartRecord> parts;                ///< in time order per part; emulated board only
@@ -63,7 +71,7 @@ struct RunRecord {
   std::string flash;                            ///< hit or miss: how the emulated board counted fetches
   bool faulty = false;                          ///< the scenario injects faults: bounds need not hold
   std::vector<std::string> silent;              ///< devices without a model on the emulated board
-  std::vector<FaultCount> faults;               ///< in the order of their first times; host and qemu_f405 only
+  std::vector<FaultCount> faults;               ///< in the order of their first times
   std::optional<Duration> instruction_time;     ///< every one takes that long: the run counts them instead of time
   std::optional<Duration> stopped_at;           ///< it went to its safe stop; host and qemu_f405 only
 };

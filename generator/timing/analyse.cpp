@@ -13,17 +13,20 @@
 namespace finemote::gen::timing {
 namespace {
 
-/// Worst response of handle() less the least time its job needs to get there.
-std::optional<Duration> jitter(const Model& model, const ProfileAnalysis& profile, Rank device) {
-  const TaskSet& set = profile.set;
-  const std::size_t w = set.bucket_of[device];
-  if (!profile.responses.ok(w)) return std::nullopt;
+/// Least time that a job of `devices` takes to the end of handle() of one of them.
+Duration least_time(const Model& model, const std::vector<Rank>& devices, Rank device) {
   Duration least;
-  for (const Rank d : set.buckets[w].devices) {
+  for (const Rank d : devices) {
     least += model.devices[d].update_bcet;
     if (d >= device) least += model.devices[d].handle_bcet;
   }
-  return profile.responses.r_minus[device] - least;
+  return least;
+}
+
+std::optional<Duration> jitter(const Model& model, const ProfileAnalysis& profile, Rank device) {
+  const TaskBucket& bucket = profile.set.buckets[profile.set.bucket_of[device]];
+  if (!profile.responses.ok(profile.set.bucket_of[device])) return std::nullopt;
+  return profile.responses.r_minus[device] - least_time(model, bucket.devices, device);
 }
 
 /// A requirement that needs no chain: utilization and jitter.
@@ -238,6 +241,14 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
 
 bool Timing::requirements_hold() const {
   return std::all_of(requirements.begin(), requirements.end(), [](const RequirementResult& r) { return r.ok; });
+}
+
+std::optional<Duration> jitter_bound(const Model& model, const ProfileResult& profile, Rank device) {
+  const auto response = profile.devices[device].r_minus;
+  if (!response) return std::nullopt;
+  const auto holds = [&](const BucketResult& bucket) { return bucket.period == model.devices[device].period; };
+  const auto bucket = std::find_if(profile.buckets.begin(), profile.buckets.end(), holds);
+  return *response - least_time(model, bucket->devices, device);
 }
 
 Position start(const Model& model) { return model.devices.empty() ? Position{} : model.devices[Rank{}].at; }

@@ -84,6 +84,10 @@ struct Timing {
 /// FM4021 (an overloaded bus).
 std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics);
 
+/// From the earliest to the latest end of handle() after a release: its worst response less the least time its job
+/// needs to get there. None where the response has no bound.
+std::optional<Duration> jitter_bound(const Model& model, const ProfileResult& profile, Rank device);
+
 /// Where a finding about the whole model points: its first device.
 Position start(const Model& model);
 

@@ -1,0 +1,28 @@
+// One figure of a run beside the bound it is held to.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "generator/run/measure.hpp"
+
+namespace finemote::gen {
+
+/// What a run says of a bound.
+enum class Judgement { held, broken, no_sample, no_bound };
+
+/// `held`, `broken`, `no-sample`, `no-bound`.
+std::string_view judgement_name(Judgement judgement);
+
+struct Measured {
+  Statistics observed;
+  std::optional<Duration> bound;
+
+  [[nodiscard]] Judgement judged() const {
+    if (!bound) return Judgement::no_bound;
+    if (observed.count == 0) return Judgement::no_sample;
+    return observed.max <= *bound ? Judgement::held : Judgement::broken;
+  }
+};
+
+}  // namespace finemote::gen

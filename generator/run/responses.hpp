@@ -1,0 +1,22 @@
+// How late stages ended after the releases of their jobs, beside the bounds.
+#pragma once
+
+#include <vector>
+
+#include "generator/run/measured.hpp"
+#include "generator/timing/analyse.hpp"
+
+namespace finemote::gen {
+
+struct MeasuredResponse {
+  DeviceId device;
+  Measured update, handle;  ///< release to end
+  Measured jitter;          ///< of the end of handle(): one sample, the latest less the earliest
+};
+
+/// Of every device, in the order of `forest`. A stage belongs to the last release before it began: where no job
+/// overran.
+std::vector<MeasuredResponse> measure_responses(const Robot& robot, const Forest& forest, const timing::Timing& timing,
+                                                const RunRecord& record);
+
+}  // namespace finemote::gen

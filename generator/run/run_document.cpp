@@ -1,0 +1,210 @@
+#include "generator/run/run_document.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json bound(std::optional<Duration> time) { return time ? Json(time->ns()) : Json(nullptr); }
+
+Json statistics(const Measured& figure) {
+  const Statistics& s = figure.observed;
+  const bool any = s.count > 0;
+  return {{"min_ns", any ? Json(s.min.ns()) : Json(nullptr)},
+          {"mean_ns", any ? Json(s.mean_ns) : Json(nullptr)},
+          {"sd_ns", any ? Json(s.sd_ns) : Json(nullptr)},
+          {"max_ns", any ? Json(s.max.ns()) : Json(nullptr)},
+          {"bound_ns", bound(figure.bound)},
+          {"judged", judgement_name(figure.judged())}};
+}
+
+const char* label_of(Wcet::Source source) {
+  switch (source) {
+    case Wcet::Source::static_analysis:
+      return "static";
+    case Wcet::Source::measured:
+      return "measured";
+    case Wcet::Source::budget:
+      return "declared";
+    case Wcet::Source::assumed:
+      return "assumed";
+  }
+  return "";
+}
+
+Json own_time(const RunResult& result, DeviceId device, bool is_handle) {
+  for (const OwnTime& own : result.record.own_times) {
+    if (own.device == device && own.is_handle == is_handle) return own.longest.ns();
+  }
+  return nullptr;
+}
+
+Json stage_list(const RunResult& result) {
+  Json list = Json::array();
+  for (DeviceId device : result.forest.order) {
+    for (const bool is_handle : {false, true}) {
+      const Statistics s = summarize(stage_times(result.record, device, is_handle));
+      const bool any = s.count > 0;
+      const Wcet& wcet = result.robot.devices[device].wcet;
+      list.push_back({{"device", name_of(result, device)},
+                      {"stage", is_handle ? "handle" : "update"},
+                      {"count", s.count},
+                      {"min_ns", any ? Json(s.min.ns()) : Json(nullptr)},
+                      {"mean_ns", any ? Json(s.mean_ns) : Json(nullptr)},
+                      {"max_ns", any ? Json(s.max.ns()) : Json(nullptr)},
+                      {"own_max_ns", own_time(result, device, is_handle)},
+                      {"wcet_ns", (is_handle ? wcet.handle : wcet.update).ns()},
+                      {"wcet_label", label_of(wcet.source)}});
+    }
+  }
+  return list;
+}
+
+Json event_list(const RunResult& result) {
+  Json list = Json::array();
+  for (const Event& event : result.record.events) {
+    if (event.at >= result.shown) break;
+    list.push_back({{"t_ns", event.at.ns()},
+                    {"device", name_of(result, event.device)},
+                    {"stage", event.is_handle ? "handle" : "update"},
+                    {"edge", event.is_end ? "end" : "begin"}});
+  }
+  return list;
+}
+
+Json chain_list(const RunResult& result) {
+  Json list = Json::array();
+  for (const MeasuredChain& chain : result.chains) {
+    list.push_back({{"from", name_of(result, chain.from)},
+                    {"to", name_of(result, chain.to)},
+                    {"samples", chain.decide.observed.count},
+                    {"decide", statistics(chain.decide)},
+                    {"acquire", statistics(chain.acquire)},
+                    {"wire", statistics(chain.wire)},
+                    {"end_to_end", statistics(chain.end_to_end)}});
+  }
+  return list;
+}
+
+Json largest(const Measured& figure) {
+  return figure.observed.count > 0 ? Json(figure.observed.max.ns()) : Json(nullptr);
+}
+
+/// The worst of two judgements of one device: what is broken, then what nobody could judge.
+Judgement both(Judgement a, Judgement b) {
+  for (const Judgement j : {Judgement::broken, Judgement::no_bound, Judgement::no_sample}) {
+    if (a == j || b == j) return j;
+  }
+  return Judgement::held;
+}
+
+Json response_list(const RunResult& result) {
+  Json list = Json::array();
+  for (const MeasuredResponse& response : result.responses) {
+    list.push_back({{"device", name_of(result, response.device)},
+                    {"update_max_ns", largest(response.update)},
+                    {"update_bound_ns", bound(response.update.bound)},
+                    {"handle_max_ns", largest(response.handle)},
+                    {"handle_bound_ns", bound(response.handle.bound)},
+                    {"judged", judgement_name(both(response.update.judged(), response.handle.judged()))}});
+  }
+  return list;
+}
+
+Json jitter_list(const RunResult& result) {
+  Json list = Json::array();
+  for (const MeasuredResponse& response : result.responses) {
+    list.push_back({{"device", name_of(result, response.device)},
+                    {"max_ns", largest(response.jitter)},
+                    {"bound_ns", bound(response.jitter.bound)},
+                    {"judged", judgement_name(response.jitter.judged())}});
+  }
+  return list;
+}
+
+Json fault_list(const RunResult& result) {
+  Json list = Json::array();
+  for (const FaultCount& fault : result.record.faults) {
+    const FaultMeaning* meaning = meaning_of(result.fault_table, fault);
+    list.push_back({{"module", meaning != nullptr ? Json(meaning->module_name) : Json(fault.module)},
+                    {"code", fault.number},
+                    {"count", fault.count}});
+  }
+  return list;
+}
+
+Json bus_list(const RunResult& result) {
+  Json list = Json::array();
+  for (const BusRecord& bus : result.record.buses) {
+    if (!result.robot.buses.contains(bus.bus)) continue;
+    list.push_back({{"name", result.robot.buses[bus.bus].name.text},
+                    {"transfers", bus.transfers},
+                    {"errors", bus.errors},
+                    {"busy", bus.busy}});
+  }
+  return list;
+}
+
+Json monitor_list(const RunResult& result) {
+  Json list = Json::array();
+  for (const MonitorEntry& entry : result.record.monitor) {
+    const timing::DeviceBounds& of = result.bounds.devices[entry.device];
+    list.push_back({{"device", name_of(result, entry.device)},
+                    {"response_max_ns", entry.response_max.ns()},
+                    {"response_bound_ns", bound(of.response)},
+                    {"age_max_ns", entry.age_max > Duration::zero() ? Json(entry.age_max.ns()) : Json(nullptr)},
+                    {"age_bound_ns", bound(of.age)},
+                    {"response_violations", entry.response_violations},
+                    {"age_violations", entry.age_violations}});
+  }
+  return list;
+}
+
+Json expectation_list(const RunResult& result) {
+  Json list = Json::array();
+  for (const ExpectationRecord& e : result.record.expectations) {
+    list.push_back({{"part", e.part},
+                    {"value", e.value},
+                    {"from_ns", e.from.ns()},
+                    {"to_ns", e.to.ns()},
+                    {"min", e.min},
+                    {"max", e.max},
+                    {"lowest", e.lowest ? Json(*e.lowest) : Json(nullptr)},
+                    {"highest", e.highest ? Json(*e.highest) : Json(nullptr)},
+                    {"finite", e.finite},
+                    {"ok", e.ok}});
+  }
+  return list;
+}
+
+}  // namespace
+
+Json run_document(const RunResult& result) {
+  const bool is_arm = result.image.flash > 0;
+  Json document = {{"schema", "finemote.run/1"},
+                   {"image",
+                    {{"sha256", result.image.sha256},
+                     {"flash", is_arm ? Json(result.image.flash) : Json(nullptr)},
+                     {"ram", is_arm ? Json(result.image.ram) : Json(nullptr)},
+                     {"stack", result.image.stack ? Json(*result.image.stack) : Json(nullptr)}}},
+                   {"board", result.board},
+                   {"duration_ns", result.duration.ns()},
+                   {"stages", stage_list(result)},
+                   {"events", event_list(result)},
+                   {"chains", chain_list(result)},
+                   {"responses", response_list(result)},
+                   {"jitter", jitter_list(result)},
+                   {"overruns", result.overruns()},
+                   {"resets", result.record.resets},
+                   {"buses", bus_list(result)},
+                   {"flash", result.record.flash.empty() ? Json(nullptr) : Json(result.record.flash)},
+                   {"faults", result.record.faulty},
+                   {"fault_counts", fault_list(result)},
+                   {"expectations", expectation_list(result)},
+                   {"silent", result.record.silent},
+                   {"schedulable", result.schedulable ? Json(*result.schedulable) : Json(nullptr)}};
+  if (!result.record.monitor.empty()) document["monitor"] = monitor_list(result);
+  return document;
+}
+
+}  // namespace finemote::gen

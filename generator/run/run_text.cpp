@@ -1,0 +1,171 @@
+#include "generator/run/run_text.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/schedule/period.hpp"
+
+namespace finemote::gen {
+namespace {
+
+double microseconds_of(Duration time) { return static_cast<double>(time.ns()) / 1e3; }
+double milliseconds_of(Duration time) { return static_cast<double>(time.ns()) / 1e6; }
+
+std::string seen_text(const ExpectationRecord& e) {
+  if (!e.lowest) return e.finite ? "nothing: the run ended before" : "values that are not finite";
+  return fmt::format("{:.6g} to {:.6g}{}", *e.lowest, *e.highest, e.finite ? "" : " and values that are not finite");
+}
+
+void print_expectations(const RunResult& result, std::ostream& out) {
+  if (result.record.expectations.empty()) return;
+  out << "\nexpected by the scenario\n";
+  for (const ExpectationRecord& e : result.record.expectations) {
+    out << fmt::format("  {:>9.3f} to {:>9.3f} ms  {:<24} {:.6g} to {:.6g}, seen {}{}\n", milliseconds_of(e.from),
+                       milliseconds_of(e.to), e.part + "." + e.value, e.min, e.max, seen_text(e),
+                       e.ok ? "" : "  NOT AS EXPECTED");
+  }
+}
+
+/// The stages in the order they began, one line per release of the fastest bucket.
+void print_order(const RunResult& result, std::ostream& out) {
+  out << "\nobserved order (+ update, - handle)\n";
+  const Duration step = result.schedule.buckets.front().period;
+  std::string line;
+  std::optional<Duration> shown;
+  for (const Event& event : result.record.events) {
+    if (event.at >= result.shown) break;
+    if (event.is_end) continue;
+    const Duration release = round_down(event.at, step);
+    if (release != shown) {
+      if (!line.empty()) out << line << "\n";
+      line = fmt::format("  {:>8.3f} ms ", milliseconds_of(release));
+      shown = release;
+    }
+    line += fmt::format(" {}{}", event.is_handle ? '-' : '+', name_of(result, event.device));
+  }
+  out << line << "\n";
+}
+
+void print_figure(const RunResult& result, const MeasuredChain& chain, const char* part, const Measured& figure,
+                  std::ostream& out) {
+  const Statistics& s = figure.observed;
+  if (s.count == 0) return;
+  const std::string name = name_of(result, chain.from) + " -> " + name_of(result, chain.to);
+  out << fmt::format("  {:<28} {:<10} {:>7} {:>11.3f} {:>11.3f} {:>11.3f} {:>9.3f} {:>11}{}\n", name, part, s.count,
+                     microseconds_of(s.min), s.mean_ns / 1e3, microseconds_of(s.max), s.sd_ns / 1e3,
+                     figure.bound ? fmt::format("{:.3f}", microseconds_of(*figure.bound)) : "-",
+                     figure.judged() == Judgement::broken ? "  ABOVE ITS BOUND" : "");
+}
+
+/// In QEMU every instruction takes 8 ns, so times of a busy processor are counts.
+void print_instructions(const RunResult& result, std::ostream& out) {
+  if (!result.record.instruction_time) return;
+  const Duration each = *result.record.instruction_time;
+  out << "\nthe same in instructions: update to handle\n";
+  for (const MeasuredChain& chain : result.chains) {
+    const Statistics& s = chain.decide.observed;
+    if (s.count == 0) continue;
+    out << fmt::format("  {:<28} {} to {}, jitter {}\n",
+                       name_of(result, chain.from) + " -> " + name_of(result, chain.to), floor_div(s.min, each),
+                       floor_div(s.max, each), floor_div(s.max - s.min, each));
+  }
+}
+
+void print_chains(const RunResult& result, std::ostream& out) {
+  out << "\nage of the data behind a command, us: sample (acquire) update (decide) handle (wire) output\n";
+  out << fmt::format("  {:<28} {:<10} {:>7} {:>11} {:>11} {:>11} {:>9} {:>11}\n", "chain", "part", "samples", "min",
+                     "mean", "max", "sd", "bound");
+  for (const MeasuredChain& chain : result.chains) {
+    print_figure(result, chain, "acquire", chain.acquire, out);
+    print_figure(result, chain, "decide", chain.decide, out);
+    print_figure(result, chain, "wire", chain.wire, out);
+    print_figure(result, chain, "end to end", chain.end_to_end, out);
+  }
+}
+
+std::string beside(const Measured& figure) {
+  const std::string seen =
+      figure.observed.count > 0 ? fmt::format("{:.3f}", microseconds_of(figure.observed.max)) : "-";
+  return fmt::format("{:>11} {:>11}", seen, figure.bound ? fmt::format("{:.3f}", microseconds_of(*figure.bound)) : "-");
+}
+
+void print_responses(const RunResult& result, std::ostream& out) {
+  if (result.responses.empty()) return;
+  out << "\nrelease to end of a stage, and jitter of handle(), us: longest seen and bound\n";
+  out << fmt::format("  {:<28} {:>11} {:>11} {:>11} {:>11} {:>11} {:>11}\n", "device", "update", "bound", "handle",
+                     "bound", "jitter", "bound");
+  for (const MeasuredResponse& response : result.responses) {
+    const bool is_broken = response.update.judged() == Judgement::broken ||
+                           response.handle.judged() == Judgement::broken ||
+                           response.jitter.judged() == Judgement::broken;
+    out << fmt::format("  {:<28} {} {} {}{}\n", name_of(result, response.device), beside(response.update),
+                       beside(response.handle), beside(response.jitter), is_broken ? "  ABOVE ITS BOUND" : "");
+  }
+}
+
+void print_monitor(const RunResult& result, std::ostream& out) {
+  if (result.record.monitor.empty()) return;
+  const auto time = [](std::optional<Duration> value) {
+    return value ? fmt::format("{:.3f}", microseconds_of(*value)) : "-";
+  };
+  out << "\nmonitored in the firmware, us: release to end of handle, and age of the data behind the command\n";
+  out << fmt::format("  {:<28} {:>11} {:>11} {:>7} {:>11} {:>11} {:>7}\n", "device", "response", "bound", "above",
+                     "age", "bound", "above");
+  for (const MonitorEntry& entry : result.record.monitor) {
+    const timing::DeviceBounds& of = result.bounds.devices[entry.device];
+    const auto age = entry.age_max > Duration::zero() ? std::optional(entry.age_max) : std::nullopt;
+    out << fmt::format("  {:<28} {:>11} {:>11} {:>7} {:>11} {:>11} {:>7}\n", name_of(result, entry.device),
+                       time(entry.response_max), time(of.response), entry.response_violations, time(age), time(of.age),
+                       entry.age_violations);
+  }
+}
+
+/// Measured execution times, ready to paste.
+void print_wcets(const RunResult& result, std::ostream& out) {
+  if (result.wcets.empty()) return;
+  out << "\nmeasured here, of devices whose execution times are assumed: the longest run seen and a quarter\n";
+  for (const MeasuredWcet& wcet : result.wcets)
+    out << fmt::format("  {:<28} {}\n", name_of(result, wcet.device), wcet_element(wcet));
+}
+
+}  // namespace
+
+void print_image(const ImageFacts& image, std::ostream& out) {
+  if (image.flash == 0) return;
+  out << fmt::format("flash {} B, RAM {} B, stack {}\n", image.flash, image.ram,
+                     image.stack ? fmt::format("{} B (proven worst case)", *image.stack) : "without bound");
+}
+
+void print_run(const RunResult& result, std::ostream& out) {
+  out << fmt::format("{} on {}, {}\n", result.robot.name.text, result.board, period_text(result.duration));
+  print_image(result.image, out);
+  if (!result.record.flash.empty())
+    out << fmt::format("times are derived from instructions; fetches from flash {}\n",
+                       result.record.flash == "hit" ? "hit its accelerator" : "always miss its accelerator");
+  if (result.record.flash == "miss")
+    out << "bounds are those of the execution times that are declared or assumed, whatever the fetches cost\n";
+  print_order(result, out);
+  print_chains(result, out);
+  print_responses(result, out);
+  print_monitor(result, out);
+  print_instructions(result, out);
+  if (!result.record.buses.empty()) out << "\nbuses\n";
+  for (const BusRecord& bus : result.record.buses) {
+    if (!result.robot.buses.contains(bus.bus)) continue;
+    out << fmt::format("  {:<12} {:>7} transfers {:>4} errors  busy {:.1f} %\n", result.robot.buses[bus.bus].name.text,
+                       bus.transfers, bus.errors, 100 * bus.busy);
+  }
+  if (result.record.faulty) out << "\nthe scenario injects faults: bounds are shown, not judged\n";
+  print_expectations(result, out);
+  print_wcets(result, out);
+  for (const std::string& device : result.record.silent)
+    out << fmt::format("\nnote: the emulated board has no model of '{}': its bus is silent\n", device);
+  if (result.must_judge && !result.is_judged())
+    out << "\nnothing was judged: no figure has both a bound and a sample\n";
+  out << fmt::format("\noverruns {}, resets {}\n", result.overruns(), result.record.resets);
+  if (result.schedulable)
+    out << fmt::format("schedulable: {} (finemote analyze)\n", *result.schedulable ? "yes" : "no");
+  for (const FaultCount& fault : result.record.faults)
+    out << "fault: " << fault_text(result.fault_table, fault) << "\n";
+}
+
+}  // namespace finemote::gen
