@@ -23,10 +23,14 @@ struct BusRate {
   bool offers_fastest = false;     ///< hints offer the fastest that all on the bus can do beside the usual rates
 };
 
+/// What moves the bytes of a transfer.
+enum class Mover { routine, dma };
+
 /// What bytes that go over a bus together take.
 struct WireUnit {
   std::int64_t bits = 0;
-  std::int64_t interrupts = 0;
+  std::int64_t steps = 0;  ///< interrupts in the midst of it
+  std::int64_t ends = 0;   ///< interrupts that end it, and begin what waits
 };
 
 /// The class of the runtime that is such a bus. An empty name: the kind has no object.
@@ -73,13 +77,6 @@ struct BusType {
     shared_frames,  ///< frames that several devices fill
   };
 
-  /// Which interrupts are known to belong to transfers that devices ask for.
-  enum class Counted {
-    none,    ///< parts send by themselves
-    always,  ///< all of them
-    by_dma,  ///< the begin and the end of a transfer, where a DMA moves its bytes; else every byte interrupts
-  };
-
   BusKind kind = {};
   std::string_view name = {};  ///< `type=` of `<bus>`; `buses` of board files, `types` of descriptors
 
@@ -103,11 +100,12 @@ struct BusType {
   bool has_two_lines = false;    ///< what a part sends by itself meets nothing that is sent to it
   bool is_arbitrated = false;    ///< identifiers decide what goes first
   bool is_mastered = false;      ///< nothing happens that no device begins
-  Counted counted = Counted::none;
+  bool counts_traffic = false;   ///< its interrupts are known to belong to what devices ask for, and parts declare
 
-  /// Time on the wire and service routines of bytes written and read in one unit; null: a kind without frames.
-  /// `bits_per_byte` is that of a serial line; other kinds have one of their own. Throws Overflow.
-  WireUnit (*unit)(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte) = nullptr;
+  /// Time on the wire and service routines of bytes written and read in one unit, without the one that begins it on an
+  /// idle bus; null: a kind without frames. `bits_per_byte` is that of a serial line; other kinds have one of their
+  /// own. Throws Overflow.
+  WireUnit (*unit)(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte, Mover mover) = nullptr;
 
   // Generated code
   Flush flush = Flush::nothing;

@@ -9,10 +9,10 @@ namespace {
 
 /// Bosch CAN 2.0 A, worst stuffing as in Davis et al. 2007: 55 + 10 n bits for a frame of n <= 8 bytes, interframe
 /// space included.
-WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t) {
+WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t, Mover) {
   const std::int64_t bytes = std::max(write, read);
   const std::int64_t frames = std::max<std::int64_t>(ceil_div(bytes, 8), 1);
-  return {add(multiply(55, frames), multiply(10, bytes)), frames};
+  return {add(multiply(55, frames), multiply(10, bytes)), 0, frames};
 }
 
 }  // namespace
@@ -26,6 +26,7 @@ constinit const BusType kCanBus{
     .most_shared_frames = 5,  // finemote::CanBus::kGroups
     .is_shared = true,
     .is_arbitrated = true,
+    .counts_traffic = true,
     .unit = unit,
     .flush = BusType::Flush::shared_frames,
     .reach = BusType::Reach::slot,

@@ -6,13 +6,13 @@ namespace finemote::gen {
 namespace {
 
 /// NXP UM10204: start or repeated start, address and every byte with its acknowledge 9 bits, stop and bus-free time 2
-/// bits; service for start, address, each byte and the end.
-WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t) {
-  WireUnit total{2, 1};
+/// bits. Service for start, address and each byte; the last byte counts as the end once more.
+WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t, Mover) {
+  WireUnit total{2, 0, 1};
   for (const std::int64_t bytes : {write, read}) {
     if (bytes == 0) continue;
     total.bits = add(total.bits, add(1 + 9, multiply(9, bytes)));
-    total.interrupts = add(total.interrupts, add(2, bytes));
+    total.steps = add(total.steps, add(2, bytes));
   }
   return total;
 }
@@ -28,7 +28,7 @@ constinit const BusType kI2cBus{
     .carries_expanders = true,
     .is_shared = true,
     .is_mastered = true,
-    .counted = BusType::Counted::always,
+    .counts_traffic = true,
     .unit = unit,
     .reach = BusType::Reach::slot,
     .bus_class = {.name = "I2cBus", .header = "<finemote/i2c.hpp>", .supervised = true},

@@ -15,6 +15,17 @@ double nearest_i2c_rate(double clock_hz, double wanted) {
   return clock_hz / (step * std::max(1.0, std::round(clock_hz / (step * wanted))));
 }
 
+/// As runtime/chips/stm32f4/ports/i2c.cpp sets CCR: rounded up, and 87 kHz in the range that ES0182 forbids. Each clock
+/// is longer by the rise of the line: 300 ns above 100 kHz, else 1000 ns (UM10204, table 10).
+std::int64_t slowest_i2c_rate(std::int64_t clock_hz, std::int64_t wanted) {
+  const bool is_fast = wanted > 100'000;
+  const std::int64_t step = is_fast ? 3 : 2, asked = is_fast ? wanted : std::min<std::int64_t>(wanted, 87'000);
+  const std::int64_t counts = step * ((clock_hz + step * asked - 1) / (step * asked));
+  constexpr std::int64_t kNsPerS = 1'000'000'000;
+  const std::int64_t period_ns = (counts * kNsPerS + clock_hz - 1) / clock_hz + (is_fast ? 300 : 1'000);
+  return kNsPerS / period_ns;
+}
+
 double nearest_spi_rate(double clock_hz, double wanted) {
   double best = clock_hz / 2;
   for (double divider = 4; divider <= 256; divider *= 2) {
@@ -44,7 +55,8 @@ constexpr const RateRule* kRules[] = {&kStm32Usart, &kStm32I2c, &kStm32Spi, &kSt
 }  // namespace
 
 constinit const RateRule kStm32Usart{.name = "stm32_usart", .kinds = kSerial, .nearest = nearest_usart_rate};
-constinit const RateRule kStm32I2c{.name = "stm32_i2c", .kinds = kI2c, .nearest = nearest_i2c_rate};
+constinit const RateRule kStm32I2c{
+    .name = "stm32_i2c", .kinds = kI2c, .nearest = nearest_i2c_rate, .slowest = slowest_i2c_rate};
 constinit const RateRule kStm32Spi{
     .name = "stm32_spi", .kinds = kSpi, .nearest = nearest_spi_rate, .all = all_spi_rates};
 constinit const RateRule kStm32Can{.name = "stm32_can", .kinds = kCan, .nearest = nearest_can_rate};

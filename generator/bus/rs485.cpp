@@ -5,8 +5,8 @@
 namespace finemote::gen {
 namespace {
 
-WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte) {
-  return {multiply(bits_per_byte, add(write, read)), 2};
+WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte, Mover) {
+  return {multiply(bits_per_byte, add(write, read)), 1, 1};
 }
 
 }  // namespace

@@ -7,8 +7,11 @@
 namespace finemote::gen {
 namespace {
 
-/// One interrupt starts it, one ends it.
-WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t) { return {multiply(8, std::max(write, read)), 2}; }
+/// Without a DMA every byte is a step; the last one counts as the end once more.
+WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t, Mover mover) {
+  const std::int64_t bytes = std::max(write, read);
+  return {multiply(8, bytes), mover == Mover::dma ? 0 : bytes, 1};
+}
 
 }  // namespace
 
@@ -19,7 +22,7 @@ constinit const BusType kSpiBus{
     .rate = {.form = &kClock, .rule = &kStm32Spi, .example = 5'250'000},
     .channels = BusType::Channels::selects,
     .is_mastered = true,
-    .counted = BusType::Counted::by_dma,
+    .counts_traffic = true,
     .unit = unit,
     .reach = BusType::Reach::slot,
     .bus_class = {.name = "SpiBus", .header = "<finemote/spi.hpp>", .supervised = true},

@@ -7,8 +7,8 @@
 namespace finemote::gen {
 namespace {
 
-WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte) {
-  return {multiply(bits_per_byte, std::max(write, read)), 1};
+WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte, Mover) {
+  return {multiply(bits_per_byte, std::max(write, read)), 0, 1};
 }
 
 }  // namespace
@@ -21,6 +21,7 @@ constinit const BusType kUartBus{
     .is_for_one = true,
     .has_line_format = true,
     .has_two_lines = true,
+    .counts_traffic = true,
     .unit = unit,
     .reach = BusType::Reach::bus,
     .bus_class = {.name = "Uart", .header = "<finemote/uart.hpp>"},

@@ -237,7 +237,9 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   if (options.monitor) result.bounds = std::move(proven.monitored);
   result.schedulable = schedulable;
   Diagnostics judged;
-  result.wcets_hold = check_wcet(robot, result.record, judged);
+  for (const Device& device : robot.devices) result.wcets_given.push_back(device.wcet);
+  if (image_timing) result.wcets_given = analysed_wcets(robot, forest, image_timing->model);
+  result.wcets_hold = check_wcet(robot, result.wcets_given, result.record, judged);
   result.must_judge = setup->is_emulated();
   if (image_timing) result.chains = measure_chains(robot, forest, *image_timing, result.record, setup->is_emulated());
   if (image_timing && setup->is_emulated())

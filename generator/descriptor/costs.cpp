@@ -18,13 +18,18 @@ Costs read_costs(const Json& value) {
   Costs costs;
   costs.release = required("release");
   costs.release_per_bucket = required("release_per_bucket");
+  costs.release_walk = required("release_walk");
+  costs.release_walk_per_bucket = required("release_walk_per_bucket");
   costs.exception_entry = required("exception_entry");
   costs.exception_exit = required("exception_exit");
+  costs.preemption = required("preemption");
   costs.bucket = required("bucket");
   costs.stage = required("stage");
   costs.masked_section = required("masked_section");
   costs.flush = required("flush");
   costs.flush_per_channel = required("flush_per_channel");
+  costs.flush_expander = required("flush_expander");
+  costs.flush_expander_per_channel = required("flush_expander_per_channel");
   costs.latch = required("latch");
   costs.latch_per_word = required("latch_per_word");
   costs.trace_event = required("trace_event");

@@ -81,6 +81,7 @@ struct WcetDefault {
   Duration handle;
   std::vector<std::string> update_params, handle_params;  ///< names of params of unit time
   Duration per_child;
+  Duration per_frame;  ///< of update(): for every frame that the part sent by itself since the one before
 };
 
 struct DeviceType {

@@ -17,9 +17,14 @@ namespace finemote::gen {
 struct DriverSource {
   /// What comes in, what goes out, or either.
   enum class RaisedBy { either, receive, transmit };
+  /// Which of the robot's declared traffic raises it, one interrupt each; none: not known.
+  enum class Counts { nothing, requests, steps, ends, received };
   std::string name;  ///< `rx_idle`
+  Counts counts = Counts::nothing;
   RaisedBy raised_by = RaisedBy::either;
   Duration isr_wcet;
+  Duration isr_per_slot;            ///< besides, for everything the bus serves
+  std::int64_t isr_waits_bits = 0;  ///< besides, so many bits on the wire: it waits for the end of one
   std::int64_t min_frame_bits = 1;  ///< bits on the wire between two of its interrupts, at least
 };
 
@@ -27,6 +32,7 @@ struct Driver {
   Duration isr_wcet;
   std::int64_t min_frame_bits = 1;
   std::vector<DriverSource> sources;
+  Duration supervise;         ///< one look at the bus, in every job of the fastest bucket
   std::size_t mailboxes = 0;  ///< can: frames that wait in the controller and go by identifier; 0: not known
   bool is_assumed = false;    ///< not measured
   std::string summary;

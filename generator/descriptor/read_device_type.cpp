@@ -94,6 +94,7 @@ std::optional<WcetDefault> read_wcet(const Json& value) {
     result.update_params = params->get<std::vector<std::string>>();
   if (const auto params = wcet->find("handle_params"); params != wcet->end())
     result.handle_params = params->get<std::vector<std::string>>();
+  result.per_frame = duration_member(*wcet, "per_frame_ns").value_or(Duration::zero());
   result.per_child = duration_member(*wcet, "per_child_ns").value_or(Duration::zero());
   return result;
 }

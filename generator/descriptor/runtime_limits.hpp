@@ -15,6 +15,13 @@ inline constexpr std::int64_t kPeriodTicks = 0x7FFF'FFFF;
 /// Buckets: finemote::kMaxBuckets.
 inline constexpr std::size_t kBuckets = 11;
 
+/// Release instants of a hyperperiod that the release timer keeps in its ring: one less than kSlots of
+/// runtime/chips/cortex_m4/release.cpp. With more it plans each anew.
+inline constexpr std::size_t kReleaseInstants = 6;
+
+/// Bytes that the ring of a serial line keeps until update() reads them: UartRing of the boards.
+inline constexpr std::int64_t kReceiveRingBytes = 256;
+
 /// Filter banks of a CAN controller, and what one of them accepts: bxCAN in RM0090 32.7.4.
 inline constexpr std::size_t kCanFilterBanks = 14, kCanIdsPerBank = 4, kCanBlocksPerBank = 2;
 

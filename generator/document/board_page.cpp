@@ -52,10 +52,21 @@ std::string example(const Port& port, BusKind kind) {
   return fmt::format("<bus name=\"my_bus\" type=\"{}\" port=\"{}\"{}/>\n", bus_kind_name(kind), port.name, written);
 }
 
+/// How long one run of its routine takes.
+std::string source_text(const DriverSource& source) {
+  std::string text = fmt::format("`{}` {}", source.name, time_text(source.isr_wcet));
+  if (source.isr_per_slot > Duration::zero())
+    text += " and " + time_text(source.isr_per_slot) + " for each device on the bus";
+  if (source.isr_waits_bits > 0) text += fmt::format(" and {} bit(s) of the bus", source.isr_waits_bits);
+  return text;
+}
+
 std::string driver_row(const Driver& driver, BusKind kind) {
-  return row({fmt::format("driver `{}`", bus_kind_name(kind)),
-              fmt::format("{}{}; an interrupt takes at most {}", driver.summary, driver.is_assumed ? " (assumed)" : "",
-                          time_text(driver.isr_wcet))});
+  std::vector<std::string> interrupts;
+  for (const DriverSource& source : driver.sources) interrupts.push_back(source_text(source));
+  std::string text = driver.summary + (driver.is_assumed ? " (assumed)" : "");
+  if (!interrupts.empty()) text += "; interrupts take at most: " + joined(interrupts);
+  return row({fmt::format("driver `{}`", bus_kind_name(kind)), text});
 }
 
 BoardPage port_page(const Board& board, const Port& port) {

@@ -95,13 +95,20 @@ std::string use_row(const UseSpec& use) {
   return row({"use `" + use.role + "`", with_summary(what, use.summary)});
 }
 
+std::string wcet_text(const WcetDefault& wcet) {
+  std::string update = "update " + time_text(wcet.update);
+  if (wcet.per_frame > Duration::zero()) update += " and " + time_text(wcet.per_frame) + " for each frame received";
+  std::string text = update + ", handle " + time_text(wcet.handle);
+  if (wcet.per_child > Duration::zero()) text += "; each " + time_text(wcet.per_child) + " more for every child";
+  return text;
+}
+
 std::string sample_text(const Acquisition& acquisition) {
   const bool is_streamed = acquisition.model == Acquisition::Model::streamed;
   std::string text = is_streamed ? "sent by the part" : "requested by update()";
   if (acquisition.interval) text += ", every " + time_text(*acquisition.interval);
   if (acquisition.periods) text += fmt::format(", published {} period(s) later", *acquisition.periods);
-  if (acquisition.latency > Duration::zero())
-    text += ", up to " + time_text(acquisition.latency) + " old inside the part";
+  if (acquisition.latency > Duration::zero()) text += ", with a delay of up to " + time_text(acquisition.latency);
   return text;
 }
 
@@ -153,10 +160,7 @@ std::string device_page(const DeviceType& type) {
   if (type.acquisition) text += row({"sample", sample_text(*type.acquisition)});
   for (const Frame& frame : type.frames.value_or(std::vector<Frame>())) text += row({"on the wire", frame_text(frame)});
   for (const Interrupt& interrupt : type.interrupts) text += row({"interrupt", interrupt_text(interrupt)});
-  if (type.wcet) {
-    text += row({"assumed without `<wcet>`",
-                 fmt::format("update {}, handle {}", time_text(type.wcet->update), time_text(type.wcet->handle))});
-  }
+  if (type.wcet) text += row({"assumed without `<wcet>`", wcet_text(*type.wcet)});
   return text + param_table(type.params);
 }
 

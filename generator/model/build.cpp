@@ -8,6 +8,7 @@
 #include "generator/model/attributes.hpp"
 #include "generator/model/names.hpp"
 #include "generator/model/reading.hpp"
+#include "generator/model/streamed_frames.hpp"
 
 namespace finemote::gen {
 
@@ -121,6 +122,15 @@ Duration assumed_stage(const Device& device, Duration alone, const std::vector<s
   }
 }
 
+/// Saturates, too.
+Duration with_frames(const Device& device) {
+  try {
+    return device.wcet.update + most_frames(device) * device.wcet.per_frame;
+  } catch (const Overflow&) {
+    return Duration::max();
+  }
+}
+
 /// What a device without <wcet> is assumed to need: its type's default, or the tool's.
 void assume_wcet(Device& device, Duration otherwise) {
   if (device.wcet.source != Wcet::Source::assumed) return;
@@ -128,6 +138,8 @@ void assume_wcet(Device& device, Duration otherwise) {
   if (device.type == nullptr || !device.type->wcet) return;
   const WcetDefault& wcet = *device.type->wcet;
   device.wcet.update = assumed_stage(device, wcet.update, wcet.update_params);
+  device.wcet.per_frame = wcet.per_frame;
+  if (wcet.per_frame > Duration::zero()) device.wcet.update = with_frames(device);
   device.wcet.handle = assumed_stage(device, wcet.handle, wcet.handle_params);
 }
 

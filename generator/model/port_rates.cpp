@@ -27,6 +27,12 @@ double nearest_rate(const Port& port, BusKind kind, double wanted) {
   return rule == nullptr || !port.clock_hz ? wanted : rule->nearest(static_cast<double>(*port.clock_hz), wanted);
 }
 
+std::int64_t slowest_rate(const Port& port, BusKind kind, std::int64_t wanted) {
+  const RateRule* rule = rule_of(port, kind);
+  if (rule == nullptr || rule->slowest == nullptr || !port.clock_hz || wanted <= 0) return wanted;
+  return std::max<std::int64_t>(rule->slowest(*port.clock_hz, wanted), 1);
+}
+
 double rate_error(const Port& port, BusKind kind, double wanted) {
   return std::abs(nearest_rate(port, kind, wanted) - wanted) / wanted;
 }

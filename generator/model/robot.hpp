@@ -87,6 +87,7 @@ struct Wcet {
   Duration update;
   Duration handle;
   Source source = Source::assumed;
+  Duration per_frame;  ///< assumed: the part of update() for each of most_frames()
 };
 
 /// As the extension spells it: `static`.

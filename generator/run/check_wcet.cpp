@@ -32,9 +32,9 @@ std::optional<MeasuredWcet> measured_wcet(DeviceId device, const Stages& seen) {
   return MeasuredWcet{device, with_margin(*seen[0]), with_margin(*seen[1])};
 }
 
-bool check(const Device& device, DeviceId index, const Stages& seen, Diagnostics& diagnostics) {
+bool check(const Device& device, DeviceId index, const Wcet& given, const Stages& seen, Diagnostics& diagnostics) {
   constexpr std::array<const char*, 2> kNames = {"update", "handle"};
-  const std::array<Duration, 2> wcet = {device.wcet.update, device.wcet.handle};
+  const std::array<Duration, 2> wcet = {given.update, given.handle};
   std::string said;
   for (std::size_t i = 0; i < wcet.size(); ++i) {
     if (!seen[i] || *seen[i] <= wcet[i]) continue;
@@ -56,10 +56,22 @@ bool check(const Device& device, DeviceId index, const Stages& seen, Diagnostics
 
 }  // namespace
 
-bool check_wcet(const Robot& robot, const RunRecord& record, Diagnostics& diagnostics) {
+Table<DeviceId, Wcet> analysed_wcets(const Robot& robot, const Forest& forest, const timing::Model& model) {
+  Table<DeviceId, Wcet> wcets(robot.devices.size());
+  for (const Rank rank : forest.order.ids()) {
+    Wcet& wcet = wcets[forest.order[rank]] = robot.devices[forest.order[rank]].wcet;
+    wcet.update = model.devices[rank].update_wcet;
+    wcet.handle = model.devices[rank].handle_wcet;
+  }
+  return wcets;
+}
+
+bool check_wcet(const Robot& robot, const Table<DeviceId, Wcet>& wcets, const RunRecord& record,
+                Diagnostics& diagnostics) {
   const Table<DeviceId, Stages> seen = longest_stages(record, robot.devices.size());
   bool holds = true;
-  for (const DeviceId i : robot.devices.ids()) holds = check(robot.devices[i], i, seen[i], diagnostics) && holds;
+  for (const DeviceId i : robot.devices.ids())
+    holds = check(robot.devices[i], i, wcets[i], seen[i], diagnostics) && holds;
   return holds;
 }
 

@@ -45,7 +45,7 @@ Json stage_list(const RunResult& result) {
     for (const bool is_handle : {false, true}) {
       const Statistics s = summarize(stage_times(result.record, device, is_handle));
       const bool any = s.count > 0;
-      const Wcet& wcet = result.robot.devices[device].wcet;
+      const Wcet& wcet = result.wcets_given[device];
       list.push_back({{"device", name_of(result, device)},
                       {"stage", is_handle ? "handle" : "update"},
                       {"count", s.count},

@@ -25,11 +25,12 @@ struct RunResult {
   FaultTable fault_table;
   timing::RobotBounds bounds;                      ///< what a monitor in the image held it to
   std::optional<bool> schedulable = std::nullopt;  ///< as analyze says; none where it gives no answer
+  Table<DeviceId, Wcet> wcets_given = {};          ///< what the analysis uses
   bool wcets_hold = true;                          ///< no stage took longer by itself than its WCET
   std::vector<MeasuredWcet> wcets = {};            ///< of devices whose execution times are assumed
   std::vector<MeasuredResponse> responses = {};    ///< empty where nothing is held to bounds
 
-  bool must_judge = false;                         ///< on a board where bounds are measured
+  bool must_judge = false;  ///< on a board where bounds are measured
 
   [[nodiscard]] std::uint64_t overruns() const;
   [[nodiscard]] std::uint64_t violations() const;  ///< counted by the monitor

@@ -15,6 +15,14 @@ bool says_what_it_sends(const Robot& robot, const gen::Device& device, const Con
   return device.segment && robot.segments[*device.segment].bus == robot.segments[connection.segment].bus;
 }
 
+/// A part that sends by itself says how often.
+bool says_how_often(const gen::Device& device, const Connection& connection) {
+  const std::vector<Frame> frames = frames_over(device, connection);
+  return std::all_of(frames.begin(), frames.end(), [](const Frame& frame) {
+    return frame.stage != FrameStage::autonomous || frame.min_interval.value_or(Duration::zero()) > Duration::zero();
+  });
+}
+
 bool writes(const gen::Device& device, const Connection& connection) {
   const std::vector<Frame> frames = frames_over(device, connection);
   return std::any_of(frames.begin(), frames.end(),
@@ -29,13 +37,20 @@ Table<BusId, BusUse> bus_uses(const Robot& robot) {
     for (const Connection& connection : connections_of(device)) {
       BusUse& use = uses[robot.segments[connection.segment].bus];
       use.is_used = true;
+      const std::size_t received = device.type == nullptr ? 0 : device.type->receives.size();
+      use.slots += static_cast<std::int64_t>(std::max<std::size_t>(received, 1));
       if (connection.use != nullptr) use.transmits = true;
       if (device.type == nullptr) continue;
-      if (!says_what_it_sends(robot, device, connection)) use.is_declared = false;
+      if (!says_what_it_sends(robot, device, connection) || !says_how_often(device, connection))
+        use.is_declared = false;
       if (writes(device, connection)) use.transmits = true;
     }
   }
-  for (const Expander& expander : robot.expanders) uses[robot.segments[expander.segment].bus].is_used = true;
+  for (const Expander& expander : robot.expanders) {
+    BusUse& use = uses[robot.segments[expander.segment].bus];
+    use.is_used = true;
+    ++use.slots;
+  }
   return uses;
 }
 

@@ -1,6 +1,8 @@
 // What a robot does with one of its buses: facts that decide which interrupts there can be, and how they are counted.
 #pragma once
 
+#include <cstdint>
+
 #include "generator/model/robot.hpp"
 
 namespace finemote::gen::timing {
@@ -9,6 +11,7 @@ struct BusUse {
   bool is_used = false;     ///< a device or an expander sits on it
   bool transmits = false;   ///< a device writes to it, or is connected to it by a `<use>`
   bool is_declared = true;  ///< every device on it says what it sends
+  std::int64_t slots = 0;   ///< places where its driver looks: devices, expanders, further frames they receive
 };
 
 /// Of every bus.

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "generator/model/conversion.hpp"
+#include "generator/timing/robot_costs.hpp"
 #include "generator/timing/robot_flushes.hpp"
+#include "generator/timing/streamed_work.hpp"
 #include "generator/timing/traffic.hpp"
 
 namespace finemote::gen::timing {
@@ -12,27 +14,6 @@ namespace {
 /// A state or command that crosses buckets is copied as so many words at most. Generated code knows the types, the
 /// generator does not: more does not compile (finemote::kCrossingBytes). The interfaces shipped have at most 24.
 constexpr std::int64_t kCrossingWords = 32;
-
-/// What the monitor costs at a job or a handle, on a board that does not say: a generous guess.
-constexpr Duration kMonitorGuess = microseconds(3);
-
-const gen::Costs& costs_of(const Robot& robot) {
-  static constexpr gen::Costs kNone{};  // of a robot without a board
-  return robot.board != nullptr ? robot.board->costs : kNone;
-}
-
-Costs processor_costs(const gen::Costs& costs, const RobotTimingOptions& options) {
-  Costs result;
-  result.interrupt = costs.exception();
-  result.release = costs.release + result.interrupt;
-  result.release_per_bucket = costs.release_per_bucket;
-  result.job = costs.bucket + result.interrupt;
-  result.stage = costs.stage;
-  if (options.trace) result.stage += 2 * costs.trace_event;
-  result.masked = costs.masked_section;
-  if (options.monitor) result.job += costs.monitor_job.value_or(kMonitorGuess);
-  return result;
-}
 
 WcetSource source_of(Wcet::Source source) {
   switch (source) {
@@ -90,7 +71,7 @@ Device make_device(const Robot& robot, const Forest& forest, const gen::Device& 
   if (out.source == WcetSource::assumed && options.assumed_wcet) {
     out.update_wcet = out.handle_wcet = *options.assumed_wcet;
   }
-  if (options.monitor) out.handle_extra = costs_of(robot).monitor_handle.value_or(kMonitorGuess);
+  if (options.monitor) out.handle_extra = monitor_cost(board_costs(robot).monitor_handle);
   out.takes_command = device.type != nullptr && device.type->has_command();
   out.actuator = device.type != nullptr && device.type->actuator;
   for (const Read& r : device.reads) out.reads.push_back(forest.rank[r.device]);
@@ -101,7 +82,7 @@ Device make_device(const Robot& robot, const Forest& forest, const gen::Device& 
 
 /// What publishing and snapshots add to the stages around them.
 void add_crossings(const Robot& robot, const Forest& forest, const Schedule& schedule, Model& model) {
-  const gen::Costs& costs = costs_of(robot);
+  const gen::Costs& costs = board_costs(robot);
   const Duration copy = costs.latch + kCrossingWords * costs.latch_per_word;
   for (const Crossing& c : schedule.crossings) {
     Device& producer = model.devices[forest.rank[c.producer]];
@@ -110,6 +91,13 @@ void add_crossings(const Robot& robot, const Forest& forest, const Schedule& sch
     if (c.kind != Crossing::Kind::copy) (state ? producer.update_extra : producer.handle_extra) += copy;
     (state ? consumer.update_extra : consumer.handle_extra) += copy;
   }
+}
+
+/// The buses are looked at before the first stage of the fastest bucket.
+void add_supervision(const Robot& robot, Model& model) {
+  const auto faster = [](const Device& a, const Device& b) { return a.period < b.period; };
+  const auto first = std::min_element(model.devices.begin(), model.devices.end(), faster);
+  if (first != model.devices.end()) first->update_extra += supervision(robot);
 }
 
 Requirement::Kind kind_of(gen::Requirement::Kind kind) {
@@ -133,7 +121,7 @@ Model model_of(const Robot& robot, const Forest& forest, const Schedule& schedul
   Model model;
   model.tick = robot.tick;
   model.has_target = true;
-  model.costs = processor_costs(costs_of(robot), options);
+  model.costs = robot_costs(robot, schedule, options);
   model.buses = make_buses(robot, places, uses);
   Traffic traffic(robot, places, uses, model);
   for (const DeviceId id : forest.order) {
@@ -143,6 +131,8 @@ Model model_of(const Robot& robot, const Forest& forest, const Schedule& schedul
   }
   add_crossings(robot, forest, schedule, model);
   add_flushes(robot, forest, schedule, places, traffic, model);
+  traffic.settle();
+  add_supervision(robot, model);
   return model;
 }
 
@@ -156,7 +146,9 @@ Position start(const Robot& robot, const Forest& forest) {
 std::optional<Model> make_timing_model(const Robot& robot, const Forest& forest, const Schedule& schedule,
                                        Diagnostics& diagnostics, const RobotTimingOptions& options) {
   try {
-    return model_of(robot, forest, schedule, options);
+    Model model = model_of(robot, forest, schedule, options);
+    shorten_streamed_work(robot, forest, model);
+    return model;
   } catch (const Overflow& overflow) {
     report_overflow(start(robot, forest), overflow, diagnostics);
     return std::nullopt;

@@ -47,8 +47,10 @@ Json source_json(const Model& model, const InterruptSource& source) {
   for (const FrameBudget& b : source.budgets) {
     Json budget{{"device", model.devices[b.device].name}, {"count", b.count}};
     if (b.every != 1) budget["every"] = b.every;
+    add_if(budget, "interval_ns", b.interval);
     out["budgets"].push_back(std::move(budget));
   }
+  if (source.of_transfers) out["of_transfers"] = true;
   return out;
 }
 
@@ -69,6 +71,7 @@ Json transfer_json(const Model& model, const Transfer& t) {
   Json out{{"bus", model.buses[t.bus].name}, {"wire_ns", t.wire.ns()}, {"after", after_name(t.after)}};
   add_if(out, "min_interval_ns", t.min_interval);
   if (t.interrupts != 1) out["interrupts"] = t.interrupts;
+  add_if(out, "service_ns", t.service);
   if (t.identifier) out["identifier"] = *t.identifier;
   if (t.command) out["command"] = true;
   if (t.receive) out["receive"] = true;
@@ -105,6 +108,7 @@ Json flush_json(const Model& model, const Flush& f) {
   if (f.bus) out["bus"] = model.buses[*f.bus].name;
   add_if(out, "wire_ns", f.wire);
   if (f.interrupts != 1) out["interrupts"] = f.interrupts;
+  add_if(out, "service_ns", f.service);
   if (!f.identifiers.empty()) out["identifiers"] = f.identifiers;
   if (!f.output.empty()) out["output"] = f.output;
   for (const Rank d : f.devices) out["devices"].push_back(model.devices[d].name);

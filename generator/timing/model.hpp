@@ -21,6 +21,7 @@ struct FrameBudget {
   Rank device;
   std::int64_t count = 0;
   std::int64_t every = 1;  ///< >= 1
+  Duration interval;       ///< of what its part sends by itself; 0: the period of the device
 };
 
 /// One interrupt of a bus (receive, transmit complete, ...). Only profile `target` tells sources apart.
@@ -29,6 +30,7 @@ struct InterruptSource {
   Duration wcet;                     ///< one run of its service routine
   Duration min_interval;             ///< >= 1 ns; two interrupts are never closer
   std::vector<FrameBudget> budgets;  ///< empty: only the interval bounds it
+  bool of_transfers = false;  ///< only the transfer that is on the wire causes it, of which there is one at a time
 };
 
 /// What a message can offer where a bus is too slow; empty where nobody knows.
@@ -63,6 +65,7 @@ struct Transfer {
   After after = After::handle;
   Duration min_interval;        ///< autonomous: between two of them; 0: the device's period
   std::int64_t interrupts = 1;  ///< service routines on its way that the wire waits for
+  Duration service;             ///< how long those routines run, of_transfers: no others do on its bus; 0: not known
   bool command = false;         ///< carries the device's command: its last bit is the end of a chain
   bool receive = false;         ///< on the receive line of a bus with two lines: meets nothing that is sent
   std::optional<std::int64_t>
@@ -72,7 +75,8 @@ struct Transfer {
 /// How old a sample can be when update() reads it.
 ///
 /// The part sends by itself (periods = 0): fixed + interval + wire of its frame. The device asks for it: fixed +
-/// (periods + extra) T + (every - 1)(1 + extra) T + R+, with as many extra periods as the conversion does not fit into.
+/// (periods + extra) T + (every (1 + extra) - 1) T + R+, with as many extra periods as the conversion does not fit
+/// into.
 struct Acquisition {
   Duration fixed;            ///< filter and transport delay
   Duration interval;         ///< an autonomous part's largest distance between samples
@@ -125,6 +129,7 @@ struct Flush {
   std::optional<BusPlace> bus;  ///< where its transfer goes; none: no transfer
   Duration wire;
   std::int64_t interrupts = 1;
+  Duration service;  ///< as of a Transfer
   std::vector<std::int64_t>
       identifiers;            ///< of its frames, all equally long, on a bus that arbitrates; empty: not known
   std::vector<Rank> devices;  ///< whose commands it carries

@@ -96,11 +96,13 @@ struct ModelReader::Tables {
       {"wcet_ns", Need::required, &InterruptSource::wcet},
       {"min_interval_ns", Need::required, &InterruptSource::min_interval, 1},
       {"budgets", Need::target, Each<InterruptSource>{&ModelReader::read_budget}},
+      {"of_transfers", Need::target, &InterruptSource::of_transfers},
   };
   static constexpr Field<FrameBudget> kBudget[] = {
       {"device"},
       {"count", Need::required, &FrameBudget::count},
       {"every", Need::target, &FrameBudget::every, 1},
+      {"interval_ns", Need::target, &FrameBudget::interval},
   };
   static constexpr Field<Device> kDevice[] = {
       {"name"},
@@ -129,6 +131,7 @@ struct ModelReader::Tables {
       {"after", Need::target, Whole<Transfer>{&ModelReader::read_after}},
       {"min_interval_ns", Need::target, &Transfer::min_interval},
       {"interrupts", Need::target, &Transfer::interrupts},
+      {"service_ns", Need::target, &Transfer::service},
       {"command", Need::target, &Transfer::command},
       {"receive", Need::target, &Transfer::receive},
       {"identifier", Need::target, Whole<Transfer>{&ModelReader::read_identifier}},
@@ -147,6 +150,7 @@ struct ModelReader::Tables {
       {"bus", Need::target, Whole<Flush>{&ModelReader::read_flush_bus}},
       {"wire_ns", Need::target, &Flush::wire},
       {"interrupts", Need::target, &Flush::interrupts},
+      {"service_ns", Need::target, &Flush::service},
       {"identifiers", Need::target, Each<Flush>{&ModelReader::read_flush_identifier}},
       {"devices", Need::target, Each<Flush>{&ModelReader::read_flush_device}},
       {"output", Need::target, Whole<Flush>{&ModelReader::read_flush_output}},

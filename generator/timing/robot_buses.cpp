@@ -5,6 +5,7 @@
 #include "generator/bus/bus_type.hpp"
 #include "generator/bus/rate_form.hpp"
 #include "generator/model/offers.hpp"
+#include "generator/model/port_rates.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -45,10 +46,11 @@ BusAdvice advice_for(const Robot& robot, BusId id) {
   return advice;
 }
 
-/// Nobody begins a transfer on a bus that only we begin transfers on and nothing sits on; a line that nobody writes to
-/// has no transmit interrupt.
-bool can_interrupt(const DriverSource& source, const BusType& type, const BusUse& use) {
+/// Nobody begins a transfer on a bus that only we begin transfers on and nothing sits on; a DMA makes the steps itself;
+/// a line that nobody writes to has no transmit interrupt.
+bool can_interrupt(const DriverSource& source, const BusType& type, const BusUse& use, Mover mover) {
   if (type.is_mastered && !use.is_used) return false;
+  if (source.counts == DriverSource::Counts::steps && mover == Mover::dma) return false;
   const bool is_silent = type.has_two_lines && use.is_declared && !use.transmits;
   return !(is_silent && source.raised_by == DriverSource::RaisedBy::transmit);
 }
@@ -60,26 +62,43 @@ const Driver* driver_of(const Robot& robot, BusId bus) {
   return found == robot.board->drivers.end() ? nullptr : &found->second;
 }
 
+bool is_of_transfer(DriverSource::Counts counts) {
+  return counts == DriverSource::Counts::steps || counts == DriverSource::Counts::ends;
+}
+
+/// One run of a source's service routine.
+Duration routine(const DriverSource& source, const BusUse& use, std::int64_t rate) {
+  return source.isr_wcet + use.slots * source.isr_per_slot +
+         ceil_div(source.isr_waits_bits * seconds(1), std::max<std::int64_t>(rate, 1));
+}
+
+/// What the port makes of the rate that is asked for, at its slowest.
+std::int64_t line_rate(const Robot& robot, const gen::Bus& bus) {
+  const Port* port = robot.board != nullptr ? robot.board->port(bus.port) : nullptr;
+  return port == nullptr ? bus.rate : slowest_rate(*port, bus.kind, bus.rate);
+}
+
 Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driver) {
   const gen::Bus& bus = robot.buses[id];
   const BusType& type = bus_type(bus.kind);
   Bus out;
   out.name = bus.name.text;
   out.at = bus.at;
-  out.baud_bps = bus.rate;
+  out.baud_bps = line_rate(robot, bus);
   out.arbitrated = type.is_arbitrated;
   const Driver usual = driver != nullptr ? *driver : Driver{};
   out.min_frame_bits = std::max<std::int64_t>(bus.min_frame_bits.value_or(usual.min_frame_bits), 1);
   out.wcet = bus.isr_wcet.value_or(usual.isr_wcet);
-  out.frame = frame_time(out.min_frame_bits, bus.rate);
+  out.frame = frame_time(out.min_frame_bits, bus.rate);  // the fastest the wire can bring them
   if (driver != nullptr) {
     out.sources.emplace();
     for (const DriverSource& source : driver->sources) {
-      if (!can_interrupt(source, type, use)) continue;
+      if (!can_interrupt(source, type, use, mover_of(robot, id))) continue;
       out.sources->push_back({source.name,
-                              bus.isr_wcet.value_or(source.isr_wcet),
+                              bus.isr_wcet.value_or(routine(source, use, out.baud_bps)),
                               frame_time(bus.min_frame_bits.value_or(source.min_frame_bits), bus.rate),
-                              {}});
+                              {},
+                              type.is_mastered && is_of_transfer(source.counts)});
     }
   }
   out.advice = advice_for(robot, id);
@@ -93,6 +112,26 @@ BusPlaces::BusPlaces(const Robot& robot) : robot_(robot), places_(robot.buses.si
     if (robot.buses[bus].rate <= 0) continue;
     places_[bus] = buses_.push_back(bus);
   }
+}
+
+Mover mover_of(const Robot& robot, BusId bus) {
+  const Port* port = robot.board != nullptr ? robot.board->port(robot.buses[bus].port) : nullptr;
+  return port != nullptr && !port->dma.empty() ? Mover::dma : Mover::routine;
+}
+
+Table<BusPlace, std::vector<DriverSource::Counts>> counts_of(const Robot& robot, const BusPlaces& places,
+                                                             const Table<BusId, BusUse>& uses) {
+  Table<BusPlace, std::vector<DriverSource::Counts>> all;
+  for (const BusId bus : places.buses()) {
+    std::vector<DriverSource::Counts> counts;
+    const Driver* driver = driver_of(robot, bus);
+    for (const DriverSource& source : driver != nullptr ? driver->sources : std::vector<DriverSource>{}) {
+      if (can_interrupt(source, bus_type(robot.buses[bus].kind), uses[bus], mover_of(robot, bus)))
+        counts.push_back(source.counts);
+    }
+    all.push_back(std::move(counts));
+  }
+  return all;
 }
 
 Table<BusPlace, Bus> make_buses(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses) {

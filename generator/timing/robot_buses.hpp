@@ -1,6 +1,7 @@
 // Buses of a robot to those of the timing model: rates, interrupt sources of their drivers, and what hints can offer.
 #pragma once
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/model/robot.hpp"
 #include "generator/timing/bus_use.hpp"
 #include "generator/timing/model.hpp"
@@ -27,7 +28,14 @@ class BusPlaces {
   Table<BusPlace, BusId> buses_;
 };
 
+/// What moves the bytes of a bus.
+Mover mover_of(const Robot& robot, BusId bus);
+
 /// Without budgets and without the lines of devices: with the sources of the driver that can interrupt in this robot.
 Table<BusPlace, Bus> make_buses(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses);
+
+/// What each of these sources counts.
+Table<BusPlace, std::vector<DriverSource::Counts>> counts_of(const Robot& robot, const BusPlaces& places,
+                                                             const Table<BusId, BusUse>& uses);
 
 }  // namespace finemote::gen::timing

@@ -5,6 +5,7 @@
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/model/shared_frame.hpp"
+#include "generator/timing/robot_costs.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -17,7 +18,7 @@ class FlushAdder {
   void add(const gen::Bucket& bucket, SegmentId segment) {
     Flush flush;
     flush.period = bucket.period;
-    std::int64_t channels = 0;
+    std::int64_t channels = 0;  // of the bucket
     for (const DeviceId d : bucket.devices) {
       const gen::Device& device = robot_.devices[d];
       const auto used =
@@ -28,11 +29,14 @@ class FlushAdder {
       channels += mine;
     }
     if (flush.devices.empty()) return;
-    if (robot_.board != nullptr) {
-      const gen::Costs& costs = robot_.board->costs;
+    const gen::Costs& costs = board_costs(robot_);
+    const Segment& output = robot_.segments[segment];
+    if (output.kind == Segment::Kind::pwm_expander) {
+      const auto [first, last] = channels_of(segment);
+      flush.wcet = costs.flush_expander + (last - first + 1) * costs.flush_expander_per_channel;
+    } else {
       flush.wcet = costs.flush + channels * costs.flush_per_channel;
     }
-    const Segment& output = robot_.segments[segment];
     if (output.kind == Segment::Kind::pwm_expander) {
       set_expander_burst(segment, flush);
     } else if (bus_type(output.bus_kind).flush == BusType::Flush::shared_frames) {
@@ -64,22 +68,24 @@ class FlushAdder {
     if (!bus) return;
     const auto [first, last] = channels_of(segment);
     const ExpanderFrames& frames = expander.type->frames;
-    const WireRate rate{robot_.segments[expander.segment].bus_kind, model_.buses[*bus].baud_bps};
+    const WireRate rate{robot_.segments[expander.segment].bus_kind, model_.buses[*bus].baud_bps,
+                        mover_of(robot_, robot_.segments[expander.segment].bus)};
     WireUse use;
     use.add(rate, gen::add(frames.per_flush.write_bytes, multiply(frames.per_channel.write_bytes, last - first + 1)),
             0);
     traffic_.add_selection(expander.segment, rate, use);
     flush.output = output.name.text;
     flush.bus = bus;
-    traffic_.add_budget(*bus, flush.devices.front(), use.interrupts);
+    traffic_.add_budget(*bus, flush.devices.front(), use);
     if (frames.check) {
       WireUse check;
       check.add(rate, frames.check->write_bytes, frames.check->read_bytes);
-      traffic_.add_budget(*bus, flush.devices.front(), check.interrupts, flushes_per_check(expander));
+      traffic_.add_budget(*bus, flush.devices.front(), check, flushes_per_check(expander));
       use.add(rate, frames.check->write_bytes, frames.check->read_bytes);
     }
     flush.wire = use.wire;
     flush.interrupts = use.interrupts;
+    flush.service = traffic_.service(*bus, use);
   }
 
   /// The driver counts its flushes, whichever bucket they are of: the jobs of one bucket check no more often than this.
@@ -106,6 +112,8 @@ class FlushAdder {
     flush.bus = bus;
     flush.wire = use.wire;
     flush.interrupts = use.interrupts;
+    flush.service = traffic_.service(*bus, use);
+    traffic_.add_budget(*bus, flush.devices.front(), use);
     if (go_by_identifier(rate.kind, *bus, identifiers.size()))
       flush.identifiers.assign(identifiers.begin(), identifiers.end());
   }

@@ -8,7 +8,8 @@ namespace {
 
 void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
   const Duration entry = profile == Profile::target ? model.costs.interrupt : Duration::zero();
-  for (const Bus& bus : model.buses) {
+  for (const BusPlace place : model.buses.ids()) {
+    const Bus& bus = model.buses[place];
     if (profile != Profile::target || !bus.sources) {
       const Duration separation = profile == Profile::paper ? std::min(bus.frame, model.tick) : bus.frame;
       set.streams.push_back(
@@ -17,8 +18,10 @@ void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
     }
     for (const InterruptSource& source : *bus.sources) {
       Stream stream{source.min_interval, source.wcet + entry, {}, bus.name + "." + source.name, bus.name, source.name};
+      if (source.of_transfers) stream.of_transfers = place;
       for (const FrameBudget& b : source.budgets) {
-        stream.budgets.push_back({b.count, model.devices[b.device].period, 1, b.every});
+        stream.budgets.push_back(
+            {b.count, b.interval > Duration::zero() ? b.interval : model.devices[b.device].period, 1, b.every});
       }
       set.streams.push_back(std::move(stream));
     }

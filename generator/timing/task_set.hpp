@@ -1,6 +1,7 @@
 // Model and profile to what the fixed points work on: interrupt streams, buckets and stage costs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,10 @@ struct Stream {
   Duration separation = nanoseconds(1);
   Duration cost;
   std::vector<Budget> budgets;
-  std::string name;         ///< of the bus, with its source where it has several; for people
-  std::string bus = {};     ///< the same apart: the bus,
-  std::string source = {};  ///< and its source where it has several
+  std::string name;                           ///< of the bus, with its source where it has several; for people
+  std::string bus = {};                       ///< the same apart: the bus,
+  std::string source = {};                    ///< and its source where it has several
+  std::optional<BusPlace> of_transfers = {};  ///< the bus, where only the transfer on its wire causes them
 };
 
 struct TaskBucket {

@@ -55,16 +55,15 @@ Transfer::After after(FrameStage stage) {
   return Transfer::After::autonomous;
 }
 
-Table<BusPlace, std::size_t> sources_per_bus(const Model& model) {
-  Table<BusPlace, std::size_t> counts;
-  for (const Bus& bus : model.buses) counts.push_back(bus.sources ? bus.sources->size() : 0);
-  return counts;
-}
-
 }  // namespace
 
 Traffic::Traffic(const Robot& robot, const BusPlaces& places, const Table<BusId, BusUse>& uses, Model& model)
-    : robot_(robot), places_(places), uses_(uses), model_(model), driver_sources_(sources_per_bus(model)) {}
+    : robot_(robot),
+      places_(places),
+      uses_(uses),
+      model_(model),
+      counts_(counts_of(robot, places, uses)),
+      user_(model.buses.size()) {}
 
 void Traffic::add_device(const gen::Device& device, Rank place) {
   for (const Connection& connection : connections_of(device)) add_frames(device, connection, place);
@@ -74,9 +73,11 @@ void Traffic::add_device(const gen::Device& device, Rank place) {
 void Traffic::add_frames(const gen::Device& device, const Connection& connection, Rank place) {
   const auto bus = places_.of(connection.segment);
   if (!bus) return;
+  if (!user_[*bus]) user_[*bus] = place;
   const std::vector<Frame> frames = frames_over(device, connection);
-  const BusKind kind = robot_.buses[places_.buses()[*bus]].kind;
-  const WireRate rate{kind, model_.buses[*bus].baud_bps, line_format(format_over(device, connection)).bits_per_byte()};
+  const BusId id = places_.buses()[*bus];
+  const WireRate rate{robot_.buses[id].kind, model_.buses[*bus].baud_bps, mover_of(robot_, id),
+                      line_format(format_over(device, connection)).bits_per_byte()};
   for (Unit& unit : units_of(frames, rate)) {
     if (unit.stage == FrameStage::flush) continue;
     add_selection(connection.segment, rate, unit.use);
@@ -108,26 +109,86 @@ void Traffic::add_transfer(Rank place, BusPlace bus, FrameStage stage, const Wir
   transfer.bus = bus;
   transfer.wire = use.wire;
   transfer.interrupts = use.interrupts;
+  transfer.service = service(bus, use);
   transfer.after = after(stage);
   transfer.min_interval = by_itself ? use.min_interval : Duration::zero();
   transfer.receive = by_itself && bus_type(robot_.buses[places_.buses()[bus]].kind).has_two_lines;
   transfer.command = stage == FrameStage::handle && model_.devices[place].takes_command;
   model_.devices[place].transfers.push_back(transfer);
-  add_budget(bus, place, use.interrupts);
+  if (by_itself) {
+    allow(bus, DriverSource::Counts::received, {place, use.ends, 1, use.min_interval});
+  } else {
+    add_budget(bus, place, use);
+  }
 }
 
-void Traffic::add_budget(BusPlace bus, Rank place, std::int64_t count, std::int64_t every) {
-  if (driver_sources_[bus] != 1 || !counts_transfers(bus)) return;
-  model_.buses[bus].sources->front().budgets.push_back({place, count, every});
+void Traffic::add_budget(BusPlace bus, Rank place, const WireUse& use, std::int64_t every) {
+  const bool together = bus_type(robot_.buses[places_.buses()[bus]].kind).is_mastered;
+  allow(bus, DriverSource::Counts::requests, {place, together ? 1 : use.ends, every, {}});
+  allow(bus, DriverSource::Counts::steps, {place, use.steps, every, {}});
+  allow(bus, DriverSource::Counts::ends, {place, use.ends, every, {}});
 }
 
-bool Traffic::counts_transfers(BusPlace bus) const {
+Duration Traffic::service(BusPlace bus, const WireUse& use) const {
+  Duration total;
+  const std::vector<DriverSource::Counts>& counts = counts_[bus];
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const InterruptSource& source = (*model_.buses[bus].sources)[i];
+    if (!source.of_transfers) continue;
+    total += (counts[i] == DriverSource::Counts::ends ? use.ends : use.steps) * source.wcet;
+  }
+  return total;
+}
+
+void Traffic::allow(BusPlace bus, DriverSource::Counts what, const FrameBudget& budget) {
+  if (!is_counted(bus) && what != DriverSource::Counts::requests) return;
+  const std::vector<DriverSource::Counts>& counts = counts_[bus];
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == what) (*model_.buses[bus].sources)[i].budgets.push_back(budget);
+  }
+}
+
+/// Every interrupt belongs to something declared.
+bool Traffic::is_counted(BusPlace bus) const {
   const BusId id = places_.buses()[bus];
-  const BusType::Counted counted = bus_type(robot_.buses[id].kind).counted;
-  const Port* port = robot_.board != nullptr ? robot_.board->port(robot_.buses[id].port) : nullptr;
-  const bool has_dma = port != nullptr && !port->dma.empty();
-  const bool is_known = counted == BusType::Counted::always || (counted == BusType::Counted::by_dma && has_dma);
-  return is_known && uses_[id].is_declared;
+  return bus_type(robot_.buses[id].kind).counts_traffic && uses_[id].is_declared;
+}
+
+void Traffic::settle() {
+  for (const BusPlace bus : model_.buses.ids()) {
+    if (is_counted(bus)) {
+      drop_unraised(bus);
+    } else {
+      allow_requests_of_slots(bus);
+    }
+  }
+}
+
+void Traffic::drop_unraised(BusPlace bus) {
+  const std::vector<DriverSource::Counts>& counts = counts_[bus];
+  for (std::size_t i = counts.size(); i-- > 0;) {
+    std::vector<InterruptSource>& sources = *model_.buses[bus].sources;
+    const bool is_raised = counts[i] == DriverSource::Counts::nothing || !sources[i].budgets.empty();
+    if (!is_raised) sources.erase(sources.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
+
+/// A slot asks again only when its transfer has ended: as often as transfers end, and once more for each slot. Where
+/// the driver does not say when they end, only the distance of requests bounds them.
+void Traffic::allow_requests_of_slots(BusPlace bus) {
+  const std::vector<DriverSource::Counts>& counts = counts_[bus];
+  const auto ends = std::find(counts.begin(), counts.end(), DriverSource::Counts::ends);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] != DriverSource::Counts::requests) continue;
+    std::vector<InterruptSource>& sources = *model_.buses[bus].sources;
+    if (ends == counts.end() || !user_[bus]) {
+      sources[i].budgets.clear();
+      continue;
+    }
+    const Duration apart = sources[static_cast<std::size_t>(ends - counts.begin())].min_interval;
+    const std::int64_t slots = std::max<std::int64_t>(uses_[places_.buses()[bus]].slots, 1);
+    sources[i].budgets.push_back({*user_[bus], slots, 1, slots * apart});
+  }
 }
 
 /// Each named by a use, as further sources of the bus the device sits on. What the driver raises for frames is in the

@@ -1,6 +1,8 @@
 // What devices send and receive, to transfers of the timing model and budgets of the interrupts they cause.
 #pragma once
 
+#include <optional>
+
 #include "generator/timing/bus_use.hpp"
 #include "generator/timing/connection.hpp"
 #include "generator/timing/robot_buses.hpp"
@@ -19,9 +21,17 @@ class Traffic {
   /// @param place  of the device in Model::devices
   void add_device(const gen::Device& device, Rank place);
 
-  /// Allows `count` interrupts in one of any `every` periods of the device. Adds nothing on a bus whose parts send by
-  /// themselves: there, not every interrupt belongs to a transfer the robot asked for.
-  void add_budget(BusPlace bus, Rank place, std::int64_t count, std::int64_t every = 1);
+  /// Allows the interrupts of one use of a bus, asked for in one of any `every` periods of the device. Adds nothing
+  /// where a driver does not say what its interrupts count. Where a device does not say what it sends, adds requests
+  /// alone.
+  void add_budget(BusPlace bus, Rank place, const WireUse& use, std::int64_t every = 1);
+
+  /// After all traffic was added: a source that no declared traffic raises does not interrupt. Where a device does not
+  /// say what it sends, every slot may ask for a transfer as soon as its last one has ended.
+  void settle();
+
+  /// How long the routines of one use run on their own, where a driver says what its interrupts count; else 0.
+  [[nodiscard]] Duration service(BusPlace bus, const WireUse& use) const;
 
   /// What goes ahead of a unit on a segment: a mux is set, and where there are several, the one set before is switched
   /// off first.
@@ -31,13 +41,17 @@ class Traffic {
   void add_frames(const gen::Device& device, const Connection& connection, Rank place);
   void add_transfer(Rank place, BusPlace bus, FrameStage stage, const WireUse& use);
   void add_own_lines(const gen::Device& device);
-  [[nodiscard]] bool counts_transfers(BusPlace bus) const;
+  void allow(BusPlace bus, DriverSource::Counts what, const FrameBudget& budget);
+  [[nodiscard]] bool is_counted(BusPlace bus) const;
+  void drop_unraised(BusPlace bus);
+  void allow_requests_of_slots(BusPlace bus);
 
   const Robot& robot_;
   const BusPlaces& places_;
   const Table<BusId, BusUse>& uses_;
   Model& model_;
-  const Table<BusPlace, std::size_t> driver_sources_;  ///< how many each bus has; lines of devices come after them
+  const Table<BusPlace, std::vector<DriverSource::Counts>> counts_;  ///< of driver sources; lines of devices come after
+  Table<BusPlace, std::optional<Rank>> user_;                        ///< the first device on each bus
 };
 
 }  // namespace finemote::gen::timing

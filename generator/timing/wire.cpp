@@ -19,30 +19,36 @@ WireAnalysis::WireAnalysis(const Model& model, const ProfileAnalysis& profile, E
   add_load();
 }
 
-/// Time a transfer needs whose wire stands still while it waits for service. Each of its interrupts waits at most for
-/// all interrupt work there can be at once; and all of them together for no more than the interrupt work that arrives
-/// while the transfer lasts, plus one masked section each. Both are bounds; the smaller counts.
-Duration WireAnalysis::with_service(Duration wire, std::int64_t interrupts) {
+/// Time a transfer needs whose wire stands still while it waits for service and while its own routines run. Each of its
+/// interrupts waits at most for all interrupt work there can be at once; and all of them together for no more than the
+/// interrupt work that arrives while the transfer lasts, plus one masked section each. Both are bounds; the smaller
+/// counts. Where its own routines are known, they stand for all that transfers cause on its bus meanwhile.
+Duration WireAnalysis::with_service(const Item& item, std::int64_t interrupts, Duration service) {
   const TaskSet& set = profile_.set;
-  if (profile_.result.profile != Profile::target || interrupts == 0 || is_saturated(set, 0)) return wire;
+  if (profile_.result.profile != Profile::target || interrupts == 0 || is_saturated(set, 0)) return item.pure;
+  std::vector<Stream> streams = set.streams;
+  if (service > Duration::zero()) {
+    service += interrupts * model_.costs.interrupt;
+    std::erase_if(streams, [&](const Stream& s) { return s.of_transfers == item.bus; });
+  }
   Demand demand(effort_);
-  demand.add_streams(set.streams);
+  demand.add_streams(streams);
   const auto fixed_point = [&](Duration base) {
     demand.rewind();
     const Duration least = least_fit(demand, base, std::max(base, nanoseconds(1)), kLongest);
-    return least == kNever ? closed_fixed_point(set, 0, base) : least;
+    return least == kNever ? closed_fixed_point(set, 0, base) : least;  // of all streams: never smaller
   };
   const Duration delay = fixed_point(set.blocking);
-  const Duration together = fixed_point(wire + add(interrupts, 1) * set.blocking);
-  return std::min(wire + interrupts * delay, together);
+  const Duration together = fixed_point(item.pure + service + add(interrupts, 1) * set.blocking);
+  return std::min(item.pure + service + interrupts * delay, together);
 }
 
 void WireAnalysis::collect() {
   const Responses& r = profile_.responses;
   item_of_.resize(model_.devices.size());
-  const auto add_item = [&](Item item, std::int64_t interrupts) {
+  const auto add_item = [&](Item item, std::int64_t interrupts, Duration service) {
     item.pure = item.wire;
-    item.wire = with_service(item.wire, interrupts);
+    item.wire = with_service(item, interrupts, service);
     item.arbitrated = model_.buses[item.bus].arbitrated;
     if (item.arbitrated) item.rank = 0;
     items_.push_back(item);
@@ -62,7 +68,7 @@ void WireAnalysis::collect() {
         if (t.min_interval > Duration::zero()) item.period = t.min_interval;
       }
       if (t.identifier) item.identifiers = {*t.identifier, *t.identifier};
-      item_of_[d].push_back(add_item(item, t.interrupts));
+      item_of_[d].push_back(add_item(item, t.interrupts, t.service));
     }
   }
   for (const Flush& f : model_.flushes) {
@@ -80,7 +86,7 @@ void WireAnalysis::collect() {
       item.identifiers = {*first, *last};
       item.frames = static_cast<std::int64_t>(f.identifiers.size());
     }
-    flush_item_.back() = add_item(item, f.interrupts);
+    flush_item_.back() = add_item(item, f.interrupts, f.service);
   }
 }
 
@@ -242,7 +248,9 @@ std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
   const Duration busy = response + wire + a.conversion;
   const std::int64_t extra =
       a.conversion == Duration::zero() ? 0 : std::max<std::int64_t>(ceil_div(busy, device.period) - 1, 0);
-  const std::int64_t periods = add(add(a.periods, extra), multiply(a.every - 1, extra + 1));
+  // Measured in `periods` and published then; read until just before the next one that is published, of which each
+  // measurement takes 1 + extra periods and `every` of them one value.
+  const std::int64_t periods = add(add(a.periods, extra), multiply(a.every, extra + 1) - 1);
   return a.fixed + response + periods * device.period;
 }
 

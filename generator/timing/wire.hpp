@@ -61,7 +61,7 @@ class WireAnalysis {
 
   void collect();
   void add_load();
-  Duration with_service(Duration wire, std::int64_t interrupts);
+  Duration with_service(const Item& item, std::int64_t interrupts, Duration service);
   [[nodiscard]] std::optional<Duration> bound(std::size_t item) const;
   [[nodiscard]] std::optional<Duration> rest_of_job(Rank device) const;
   [[nodiscard]] std::optional<Duration> end_of_job(std::size_t bucket, Duration handles) const;

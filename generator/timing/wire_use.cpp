@@ -7,9 +7,12 @@ namespace finemote::gen::timing {
 void WireUse::add(const WireRate& rate, std::int64_t write, std::int64_t read) {
   const BusType& type = bus_type(rate.kind);
   if (type.unit == nullptr) return;
-  const WireUnit unit = type.unit(write, read, rate.bits_per_byte);
+  const WireUnit unit = type.unit(write, read, rate.bits_per_byte, rate.mover);
   wire += ceil_div(unit.bits * seconds(1), rate.bits_per_s);
-  interrupts = gen::add(interrupts, unit.interrupts);
+  steps = gen::add(steps, unit.steps);
+  ends = gen::add(ends, unit.ends);
+  if (type.is_mastered && interrupts == 0) ++interrupts;
+  interrupts = gen::add(interrupts, gen::add(unit.steps, unit.ends));
 }
 
 }  // namespace finemote::gen::timing

@@ -1,7 +1,7 @@
 // What goes over a bus to the time it takes there and the service routines it runs.
 #pragma once
 
-#include "generator/bus/bus_kind.hpp"
+#include "generator/bus/bus_type.hpp"
 #include "generator/units/duration.hpp"
 
 namespace finemote::gen::timing {
@@ -9,13 +9,16 @@ namespace finemote::gen::timing {
 struct WireRate {
   BusKind kind = {};
   std::int64_t bits_per_s = 1;
+  Mover mover = Mover::routine;
   std::int64_t bits_per_byte = 10;  ///< of a serial line: start, data, parity and stop bits
 };
 
 /// Time on the wire and service routines of what goes over a bus together, one unit after the other.
 struct WireUse {
   Duration wire;
-  std::int64_t interrupts = 0;
+  std::int64_t steps = 0;       ///< interrupts in the midst of it
+  std::int64_t ends = 0;        ///< exchanges or frames
+  std::int64_t interrupts = 0;  ///< that the wire waits for, the one that begins it on an idle bus included
   Duration min_interval;
 
   /// Throws Overflow.

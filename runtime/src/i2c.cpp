@@ -112,6 +112,7 @@ void I2cBus::begin_unit(I2cSlot& slot, bool safe) {
   unit_.store(unit_.load() + 1);
   const bool connected = slot.route_.address == 0 || (mux_known_ && selected_ == slot.route_);
   deselect_cursor_ = 0;
+  for (std::uint32_t& addresses : switched_off_) addresses = 0;
   begin_phase(connected ? Phase::kTransfer : Phase::kDeselect);
 }
 
@@ -150,14 +151,19 @@ void I2cBus::begin_phase(Phase phase) {
 /// Switches the next other mux off that may connect something; false when there is none left.
 bool I2cBus::begin_deselect() {
   const std::uint8_t target = active_->route_.address;
-  for (; deselect_cursor_ < count_; ++deselect_cursor_) {
-    const std::uint8_t mux = slots_[deselect_cursor_]->route_.address;
+  if (mux_known_) {
+    const bool is_off = deselect_cursor_ != 0 || selected_.address == 0 || selected_.address == target;
+    if (!is_off) begin_write(selected_.address, &kNoChannels, 1);
+    deselect_cursor_ = 1;
+    return !is_off;
+  }
+  while (deselect_cursor_ < count_) {
+    const std::uint8_t mux = slots_[deselect_cursor_++]->route_.address;
     if (mux == 0 || mux == target) continue;
-    if (mux_known_ && mux != selected_.address) continue;
-    bool seen = false;
-    for (std::uint8_t i = 0; i < deselect_cursor_; ++i) seen = seen || slots_[i]->route_.address == mux;
-    if (seen) continue;
-    ++deselect_cursor_;
+    std::uint32_t& addresses = switched_off_[mux / 32 % 4];
+    const std::uint32_t own = std::uint32_t{1} << mux % 32;
+    if ((addresses & own) != 0) continue;
+    addresses |= own;
     begin_write(mux, &kNoChannels, 1);
     return true;
   }

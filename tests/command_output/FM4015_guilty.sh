@@ -1,5 +1,5 @@
 robot <<'B'
-    <bus name="jetson" type="uart" port="usart1" baud="921600baud" isr_wcet="7us"/>
+    <bus name="jetson" type="uart" port="usart1" baud="921600baud" isr_wcet="22us"/>
     <device name="link" type="host_link" bus="jetson" period="10ms">
       <wcet update="90us" handle="3us"/>
       <device name="arm" type="sim_load" period="1ms"><wcet update="60us" handle="40us"/></device>

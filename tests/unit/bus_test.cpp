@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "catch.hpp"
 #include "generator/bus/bus_type.hpp"
@@ -53,16 +54,18 @@ TEST_CASE("a rate is written in the attribute and the units of its kind") {
 }
 
 TEST_CASE("a unit takes what its bytes and the frames around them take") {
-  const auto unit = [](BusKind kind, std::int64_t write, std::int64_t read) {
-    const WireUnit use = bus_type(kind).unit(write, read, 10);
-    return std::pair{use.bits, use.interrupts};
+  using Figures = std::tuple<std::int64_t, std::int64_t, std::int64_t>;  // bits, steps, ends
+  const auto unit = [](BusKind kind, std::int64_t write, std::int64_t read, Mover mover = Mover::routine) -> Figures {
+    const WireUnit use = bus_type(kind).unit(write, read, 10, mover);
+    return {use.bits, use.steps, use.ends};
   };
-  CHECK(unit(BusKind::uart, 3, 5) == std::pair<std::int64_t, std::int64_t>{50, 1});
-  CHECK(unit(BusKind::rs485, 3, 5) == std::pair<std::int64_t, std::int64_t>{80, 2});
-  CHECK(unit(BusKind::i2c, 1, 3) == std::pair<std::int64_t, std::int64_t>{2 + 19 + 37, 1 + 3 + 5});
-  CHECK(unit(BusKind::spi, 2, 9) == std::pair<std::int64_t, std::int64_t>{72, 2});
-  CHECK(unit(BusKind::can, 0, 0) == std::pair<std::int64_t, std::int64_t>{55, 1});
-  CHECK(unit(BusKind::can, 9, 0) == std::pair<std::int64_t, std::int64_t>{135 + 65, 2});
+  CHECK(unit(BusKind::uart, 3, 5) == Figures{50, 0, 1});
+  CHECK(unit(BusKind::rs485, 3, 5) == Figures{80, 1, 1});
+  CHECK(unit(BusKind::i2c, 1, 3) == Figures{2 + 19 + 37, 3 + 5, 1});
+  CHECK(unit(BusKind::spi, 2, 9) == Figures{72, 9, 1});
+  CHECK(unit(BusKind::spi, 2, 9, Mover::dma) == Figures{72, 0, 1});
+  CHECK(unit(BusKind::can, 0, 0) == Figures{55, 0, 1});
+  CHECK(unit(BusKind::can, 9, 0) == Figures{135 + 65, 0, 2});
 }
 
 TEST_CASE("a port makes the rate that its rule puts nearest to the one asked for") {
@@ -77,6 +80,8 @@ TEST_CASE("a port makes the rate that its rule puts nearest to the one asked for
   CHECK(made("stm32_can", 42e6, 800'000) == 750'000);
   CHECK(rate_rule("stm32_spi")->all(42'000'000).back() == 164'062);
   CHECK(rate_rule("by magic") == nullptr);
+  CHECK(rate_rule("stm32_i2c")->slowest(42'000'000, 400'000) == 357'142);  // 105 clocks and 300 ns of rise
+  CHECK(rate_rule("stm32_i2c")->slowest(42'000'000, 100'000) == 79'846);   // lowered to 87 kHz: 484 clocks and 1000 ns
 }
 
 TEST_CASE("the schema of board files names the rules there are") {

@@ -85,7 +85,7 @@ TEST_CASE("finsrov is fourteen devices on three buses") {
   REQUIRE(robot.requirements.size() == 2);
   CHECK(robot.requirements[0].to.size() == 8);
   CHECK(robot.requirements[0].kind == Requirement::Kind::latency_decision);
-  CHECK(robot.requirements[1].max_fraction == 0.3);
+  CHECK(robot.requirements[1].max_fraction == 0.4);
 }
 
 TEST_CASE("the inputs of a robot are every file that was read") {

@@ -37,7 +37,7 @@ class RandomForest {
       d.update_extra = up_to(2);
       d.handle_extra = up_to(2);
     }
-    if (random_.one_in(2)) model.flushes.push_back({model.devices[Rank{}].period, up_to(6), {}, {}, 1, {}, {}, {}});
+    if (random_.one_in(2)) model.flushes.push_back({model.devices[Rank{}].period, up_to(6), {}, {}, 1, {}, {}, {}, {}});
     for (Bus& bus : model.buses) {
       if (random_.one_in(3)) continue;
       bus.sources.emplace();
@@ -46,7 +46,7 @@ class RandomForest {
         if (random_.one_in(2)) {
           const Rank device{
               static_cast<std::size_t>(random_.between(0, static_cast<std::int64_t>(model.devices.size()) - 1))};
-          source.budgets.push_back({device, random_.between(0, 3), random_.between(1, 3)});
+          source.budgets.push_back({device, random_.between(0, 3), random_.between(1, 3), {}});
         }
         bus.sources->push_back(source);
       }

@@ -129,12 +129,37 @@ TEST_CASE("a device with an interrupt line of its own takes no interrupts from t
   const Robots before = Robots::with(bus + ranger + depth + load), behind = Robots::with(bus + depth + ranger + load);
   for (const Robots* robot : {&before, &behind}) {
     const auto& sources = *robot->model.buses[BusPlace{0}].sources;
-    REQUIRE(sources.size() == 2);
-    CHECK(sources[0].budgets.size() == 2);  // of the driver: transfers of both
-    CHECK(sources[1].budgets.empty());      // the line
+    REQUIRE(sources.size() == 4);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(sources[i].budgets.size() == 2);  // of the driver: transfers of both
+    CHECK(sources[3].budgets.empty());                                          // the line
   }
   REQUIRE(bound_of_slow(before));
   CHECK(bound_of_slow(before) == bound_of_slow(behind));
+}
+
+TEST_CASE("interrupts of a bus are those of what its devices declare") {
+  const std::string bus = R"(<bus name="i2c" type="i2c" port="i2c2" clock="400kHz"/>)";
+  const std::string load = R"(<device name="load" type="sim_load" period="5ms"/>)";
+  SECTION("an expander that nobody drives has none") {
+    const Robots robot =
+        Robots::with(bus + R"(<expander name="pwm" model="pca9685" bus="i2c" address="0x40"/>)" + load);
+    CHECK(robot.model.buses[BusPlace{0}].sources->empty());
+  }
+  SECTION("a device that declares nothing asks as often as transfers can end, and once more") {
+    const Robots robot = Robots::with(bus + R"(<device name="part" type="reticent" period="5ms" bus="i2c"/>)" + load);
+    const auto& sources = *robot.model.buses[BusPlace{0}].sources;
+    REQUIRE(sources.size() == 3);
+    REQUIRE(sources[0].name == "request");
+    REQUIRE(sources[2].name == "end");
+    REQUIRE(sources[0].budgets.size() == 1);
+    CHECK(sources[0].budgets[0].count == 1);
+    CHECK(sources[0].budgets[0].interval == sources[2].min_interval);
+    CHECK(sources[2].budgets.empty());
+    Diagnostics findings;
+    const auto timing = analyse(robot.model, {}, findings);
+    REQUIRE(timing);
+    CHECK(timing->schedulable);
+  }
 }
 
 TEST_CASE("costs that add up to more than 64 bits hold are reported at the first device") {
@@ -151,7 +176,7 @@ TEST_CASE("costs that add up to more than 64 bits hold are reported at the first
     return diagnostics;
   };
   for (const auto cost : {&BoardCosts::release, &BoardCosts::exception_entry, &BoardCosts::latch_per_word,
-                          &BoardCosts::flush_per_channel}) {
+                          &BoardCosts::flush_expander_per_channel}) {
     const auto findings = diagnostics_with(cost).in_file_order();
     REQUIRE(findings.size() == 1);
     CHECK(findings.front().code == code::timing_overflow);

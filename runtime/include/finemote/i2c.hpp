@@ -160,8 +160,9 @@ class I2cBus {
   bool safe_unit_ = false;        ///< the active unit is the slot's safe write
   std::uint8_t safe_cursor_ = 0;  ///< slots whose safe write has still to be sent begin here
   std::uint8_t deselect_cursor_ = 0;
-  bool mux_known_ = false;  ///< no mux but selected_ connects anything
-  MuxRoute selected_{};     ///< the mux channels connected now
+  std::uint32_t switched_off_[4] = {};  ///< addresses of muxes, a bit each, that this unit switched off already
+  bool mux_known_ = false;              ///< no mux but selected_ connects anything
+  MuxRoute selected_{};                 ///< the mux channels connected now
   std::uint8_t mux_byte_ = 0;
   Time deadline_ = 0;
   Shared<std::uint32_t> unit_{0};     ///< begins and ends of units: odd while one is on the wire

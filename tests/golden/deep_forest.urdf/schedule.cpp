@@ -99,19 +99,19 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {2, 525954, finemote::kNothingToBound, nullptr},  // remote
-    {0, 155198, 16155198, &walker::hip_left.command},  // hip-left
-    {0, 140920, 16140920, &walker::knee_left.command},  // knee-left
-    {1, 256230, 12256230, &walker::leg_left.command},  // leg-left
-    {0, 126642, 16126642, &walker::hip_right.command},  // hip-right
-    {0, 112364, 16112364, &walker::knee_right.command},  // knee-right
-    {1, 251034, 12251034, &walker::leg_right.command},  // leg-right
-    {1, 245838, 12245838, &walker::front.command},  // front
-    {0, 98086, 12098086, &walker::tilt.command},  // tilt
-    {2, 517594, 2416562, &walker::body.command},  // body
-    {2, 512398, finemote::kNothingToBound, nullptr},  // walker
-    {2, 448438, 10448438, &gripper::finger.command},  // finger
-    {1, 215960, finemote::kNothingToBound, nullptr},  // gripper
+    {2, 530044, finemote::kNothingToBound, nullptr},  // remote
+    {0, 158308, 16158308, &walker::hip_left.command},  // hip-left
+    {0, 144030, 16144030, &walker::knee_left.command},  // knee-left
+    {1, 259830, 12259830, &walker::leg_left.command},  // leg-left
+    {0, 129752, 16129752, &walker::hip_right.command},  // hip-right
+    {0, 115474, 16115474, &walker::knee_right.command},  // knee-right
+    {1, 254634, 12254634, &walker::leg_right.command},  // leg-right
+    {1, 249438, 12249438, &walker::front.command},  // front
+    {0, 101196, 12101196, &walker::tilt.command},  // tilt
+    {2, 521684, 2420162, &walker::body.command},  // body
+    {2, 516488, finemote::kNothingToBound, nullptr},  // walker
+    {2, 452528, 10452528, &gripper::finger.command},  // finger
+    {1, 219560, finemote::kNothingToBound, nullptr},  // gripper
 };
 
 }  // namespace

@@ -9,15 +9,15 @@
 namespace deep_forest {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 5 devices;
-/// a job ends within 140.198 us of its release.
+/// a job ends within 143.308 us of its release.
 void run_2ms();
 
 /// Every 4 ms: priority 5, interrupt line 49 (SDIO), 4 devices;
-/// a job ends within 228.93 us of its release.
+/// a job ends within 232.53 us of its release.
 void run_4ms();
 
 /// Every 10 ms: priority 6, interrupt line 51 (SPI3), 4 devices;
-/// a job ends within 486.354 us of its release.
+/// a job ends within 490.444 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -27,19 +27,19 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 /// Some of the execution times behind it are assumed.
 namespace bounds {
-inline constexpr finemote::Bounds remote{486354, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds hip_left{140198, 16140198, 16140198};
-inline constexpr finemote::Bounds knee_left{128020, 16128020, 16128020};
-inline constexpr finemote::Bounds leg_left{228930, 12228930, 12228930};
-inline constexpr finemote::Bounds hip_right{115842, 16115842, 16115842};
-inline constexpr finemote::Bounds knee_right{103664, 16103664, 16103664};
-inline constexpr finemote::Bounds leg_right{225834, 12225834, 12225834};
-inline constexpr finemote::Bounds front{222738, 12222738, 12222738};
-inline constexpr finemote::Bounds tilt{91486, 12091486, 12091486};
-inline constexpr finemote::Bounds body{480094, 2391362, 2391362};
-inline constexpr finemote::Bounds walker{476998, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds finger{415138, 10415138, 10415138};
-inline constexpr finemote::Bounds gripper{194960, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{490444, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds hip_left{143308, 16143308, 16143308};
+inline constexpr finemote::Bounds knee_left{131130, 16131130, 16131130};
+inline constexpr finemote::Bounds leg_left{232530, 12232530, 12232530};
+inline constexpr finemote::Bounds hip_right{118952, 16118952, 16118952};
+inline constexpr finemote::Bounds knee_right{106774, 16106774, 16106774};
+inline constexpr finemote::Bounds leg_right{229434, 12229434, 12229434};
+inline constexpr finemote::Bounds front{226338, 12226338, 12226338};
+inline constexpr finemote::Bounds tilt{94596, 12094596, 12094596};
+inline constexpr finemote::Bounds body{484184, 2394962, 2394962};
+inline constexpr finemote::Bounds walker{481088, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds finger{419228, 10419228, 10419228};
+inline constexpr finemote::Bounds gripper{198560, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace deep_forest

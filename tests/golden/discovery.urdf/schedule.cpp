@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 331488, finemote::kNothingToBound, nullptr},  // imu
-    {1, 714626, finemote::kNothingToBound, nullptr},  // depth
-    {1, 710666, finemote::kNothingToBound, nullptr},  // button
-    {1, 708406, 21836507, &station::servo.command},  // servo
-    {1, 702246, 21830347, &station::green_led.command},  // green_led
-    {1, 688586, 21809787, &station::blue_led.command},  // blue_led
-    {1, 679926, finemote::kNothingToBound, nullptr},  // station
+    {0, 356052, finemote::kNothingToBound, nullptr},  // imu
+    {1, 585170, finemote::kNothingToBound, nullptr},  // depth
+    {1, 581210, finemote::kNothingToBound, nullptr},  // button
+    {1, 578950, 21753373, &station::servo.command},  // servo
+    {1, 574890, 21749313, &station::green_led.command},  // green_led
+    {1, 560950, 21738963, &station::blue_led.command},  // blue_led
+    {1, 554190, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

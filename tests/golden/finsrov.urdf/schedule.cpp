@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 148788, finemote::kNothingToBound, nullptr},  // imu
-    {1, 581966, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 578006, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 574046, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 560686, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 556726, 30616536, &rov::thruster_1.command},  // thruster_1
-    {1, 538666, 30602876, &rov::thruster_2.command},  // thruster_2
-    {1, 515606, 30584816, &rov::thruster_3.command},  // thruster_3
-    {1, 506946, 30571756, &rov::thruster_4.command},  // thruster_4
-    {1, 488886, 30555596, &rov::thruster_5.command},  // thruster_5
-    {1, 470826, 30535036, &rov::thruster_6.command},  // thruster_6
-    {1, 462166, 30519476, &rov::thruster_7.command},  // thruster_7
-    {1, 444106, 30501416, &rov::thruster_8.command},  // thruster_8
-    {1, 423546, finemote::kNothingToBound, nullptr},  // rov
+    {0, 625273, finemote::kNothingToBound, nullptr},  // imu
+    {1, 1341325, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 1337365, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 1333405, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 1322865, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 1318905, 31701907, &rov::thruster_1.command},  // thruster_1
+    {1, 1310245, 31672186, &rov::thruster_2.command},  // thruster_2
+    {1, 1295005, 31660536, &rov::thruster_3.command},  // thruster_3
+    {1, 1279765, 31630815, &rov::thruster_4.command},  // thruster_4
+    {1, 1271105, 31619165, &rov::thruster_5.command},  // thruster_5
+    {1, 1255865, 31588844, &rov::thruster_6.command},  // thruster_6
+    {1, 1247205, 31577194, &rov::thruster_7.command},  // thruster_7
+    {1, 1231965, 31544483, &rov::thruster_8.command},  // thruster_8
+    {1, 1213135, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

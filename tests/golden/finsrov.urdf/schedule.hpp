@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 144.588 us of its release.
+/// a job ends within 621.073 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 511.566 us of its release.
+/// a job ends within 1.297 ms of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{144588, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{507966, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{506106, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{494846, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{492986, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{491126, 30562236, 36279164};
-inline constexpr finemote::Bounds thruster_2{484566, 30546276, 36269764};
-inline constexpr finemote::Bounds thruster_3{468606, 30527816, 36272264};
-inline constexpr finemote::Bounds thruster_4{462046, 30518756, 36272264};
-inline constexpr finemote::Bounds thruster_5{446086, 30502796, 36269764};
-inline constexpr finemote::Bounds thruster_6{439526, 30496236, 36272264};
-inline constexpr finemote::Bounds thruster_7{421066, 30480276, 36269764};
-inline constexpr finemote::Bounds thruster_8{412006, 30471216, 36269764};
-inline constexpr finemote::Bounds rov{398546, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{621073, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{1287365, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{1278925, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{1277065, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{1275205, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{1273345, 31602734, 37848318};
+inline constexpr finemote::Bounds thruster_2{1266785, 31596174, 37848318};
+inline constexpr finemote::Bounds thruster_3{1253645, 31583034, 37859209};
+inline constexpr finemote::Bounds thruster_4{1247085, 31555413, 37848318};
+inline constexpr finemote::Bounds thruster_5{1233945, 31548853, 37848318};
+inline constexpr finemote::Bounds thruster_6{1227385, 31535713, 37865789};
+inline constexpr finemote::Bounds thruster_7{1210655, 31511682, 37848318};
+inline constexpr finemote::Bounds thruster_8{1186624, 31505122, 37848318};
+inline constexpr finemote::Bounds rov{1180064, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 165000, finemote::kNothingToBound, nullptr},  // imu
-    {0, 140840, 28192690, &gimbal::yaw.command},  // yaw
-    {0, 135262, 28187112, &gimbal::pitch.command},  // pitch
-    {1, 212528, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 308446, 26360296, &chassis::front_left.command},  // front_left
-    {2, 303786, 26355636, &chassis::front_right.command},  // front_right
-    {2, 280326, 26332176, &chassis::rear_left.command},  // rear_left
-    {2, 275666, 26327516, &chassis::rear_right.command},  // rear_right
-    {2, 271006, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 324402, finemote::kNothingToBound, nullptr},  // remote
+    {0, 299160, finemote::kNothingToBound, nullptr},  // imu
+    {0, 293800, 28613840, &gimbal::yaw.command},  // yaw
+    {0, 278132, 28598172, &gimbal::pitch.command},  // pitch
+    {1, 325878, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 406666, 26726706, &chassis::front_left.command},  // front_left
+    {2, 396716, 26716756, &chassis::front_right.command},  // front_right
+    {2, 390356, 26710396, &chassis::rear_left.command},  // rear_left
+    {2, 383996, 26704036, &chassis::rear_right.command},  // rear_right
+    {2, 377636, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 441112, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 160 us of its release.
+/// a job ends within 294.16 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 177.428 us of its release.
+/// a job ends within 312.078 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 263.646 us of its release.
+/// a job ends within 377.076 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 272.602 us of its release.
+/// a job ends within 408.112 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{136600, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{133340, 28185190, 28606750};
-inline constexpr finemote::Bounds pitch{129862, 28181712, 28606750};
-inline constexpr finemote::Bounds gimbal{177428, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{260846, 26312696, 26834774};
-inline constexpr finemote::Bounds front_right{258286, 26310136, 26834774};
-inline constexpr finemote::Bounds rear_left{255726, 26307576, 26834774};
-inline constexpr finemote::Bounds rear_right{234366, 26286216, 26815974};
-inline constexpr finemote::Bounds chassis{231806, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{272602, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{281170, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{277910, 28597950, 29315890};
+inline constexpr finemote::Bounds pitch{272732, 28592772, 29315890};
+inline constexpr finemote::Bounds gimbal{312078, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{374276, 26694316, 27499234};
+inline constexpr finemote::Bounds front_right{370016, 26690056, 27499234};
+inline constexpr finemote::Bounds rear_left{365756, 26685796, 27499234};
+inline constexpr finemote::Bounds rear_right{361496, 26681536, 27499234};
+inline constexpr finemote::Bounds chassis{357236, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{408112, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 268946, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 229708, 27253758, &arm::base.command},  // base
-    {0, 225048, 27249098, &arm::shoulder.command},  // shoulder
-    {0, 220388, 27244438, &arm::elbow.command},  // elbow
-    {0, 215728, 27239778, &arm::wrist_roll.command},  // wrist_roll
-    {0, 211068, 27235118, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 185108, 27209158, &arm::flange.command},  // flange
-    {0, 180448, finemote::kNothingToBound, nullptr},  // arm
+    {1, 393636, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 311708, 27548538, &arm::base.command},  // base
+    {0, 305348, 27542178, &arm::shoulder.command},  // shoulder
+    {0, 298988, 27535818, &arm::elbow.command},  // elbow
+    {0, 292628, 27529458, &arm::wrist_roll.command},  // wrist_roll
+    {0, 286268, 27523098, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 279908, 27516738, &arm::flange.command},  // flange
+    {0, 273548, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

@@ -48,9 +48,9 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 40960, finemote::kNothingToBound, nullptr},  // line
-    {0, 37800, 35000, &follower::drive.command},  // drive
-    {0, 24440, finemote::kNothingToBound, nullptr},  // follower
+    {0, 42090, finemote::kNothingToBound, nullptr},  // line
+    {0, 38930, 35640, &follower::drive.command},  // drive
+    {0, 25570, finemote::kNothingToBound, nullptr},  // follower
 };
 
 }  // namespace

@@ -15,8 +15,9 @@ using finemote::Stage;
 
 void start_buses() {}
 void safe_outputs() {}
-void work(std::uint16_t stage, finemote::Duration duration) {
-  Stage bracket{stage};
+template <std::uint16_t stage>
+void work(finemote::Duration duration) {
+  const Stage<stage> bracket;
   finemote::busy(duration);
 }
 
@@ -31,10 +32,10 @@ constexpr finemote::Bucket buckets[] = {
 
 }  // namespace Odd
 
-extern "C" void finemote_line_38() { Odd::work(0, 1'513'000); }
-extern "C" void finemote_line_41() { Odd::work(2, 2'327'000); }
-extern "C" void finemote_line_61() { Odd::work(4, 2'141'000); }
-extern "C" void finemote_line_62() { Odd::work(6, 8'757'000); }
+extern "C" void finemote_line_38() { Odd::work<0>(1'513'000); }
+extern "C" void finemote_line_41() { Odd::work<2>(2'327'000); }
+extern "C" void finemote_line_61() { Odd::work<4>(2'141'000); }
+extern "C" void finemote_line_62() { Odd::work<6>(8'757'000); }
 
 extern "C" const finemote::Schedule finemote_schedule{
     "Odd", 1'000'000, Odd::buckets, finemote::Overrun::skip, Odd::start_buses, Odd::safe_outputs, nullptr};

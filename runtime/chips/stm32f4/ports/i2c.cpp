@@ -1,7 +1,8 @@
 // I2cPort on the chip's I2C, one interrupt per byte. Procedures: RM0090 27.3.3 (master mode).
 //
-// The closing of a read follows the variant of the manual that holds the clock (byte transfer finished) rather than the
-// one that must be in time: a routine that comes late only slows the bus down.
+// Writes and the closing of a read follow the variant of the manual that holds the clock (byte transfer finished)
+// rather than the one that must be in time: a routine that comes late only slows the bus down, and no two interrupts of
+// a transfer are closer than the nine bits of a byte.
 #include "finemote/i2c.hpp"
 #include "finemote/fault.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
@@ -152,7 +153,6 @@ I2cEvent I2cHardware::address_sent() {
       return finish(I2cEvent::kDone);
     }
     registers.dr().write(message.write[moved++]);
-    registers.cr2().set(i2c::kBufferInterrupt);
     return I2cEvent::kNone;
   }
   if (message.read_size == 1) {
@@ -173,12 +173,11 @@ I2cEvent I2cHardware::address_sent() {
 
 I2cEvent I2cHardware::write_on(std::uint32_t status) {
   const stm32f4::I2cRegisters& registers = setup.i2c;
+  if ((status & i2c::kByteFinished) == 0) return I2cEvent::kNone;
   if (moved < message.write_size) {
-    if ((status & i2c::kTransmitEmpty) != 0) registers.dr().write(message.write[moved++]);
+    registers.dr().write(message.write[moved++]);
     return I2cEvent::kNone;
   }
-  registers.cr2().clear(i2c::kBufferInterrupt);
-  if ((status & i2c::kByteFinished) == 0) return I2cEvent::kNone;
   if (message.read_size != 0) {
     reading = true;
     moved = 0;

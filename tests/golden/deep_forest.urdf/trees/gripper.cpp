@@ -14,22 +14,22 @@ void update_4ms() {
   ports::finger_to_gripper = ports::finger_to_gripper_latch.snapshot();  // from finger (10 ms)
   ports::tilt_to_gripper = ports::tilt_to_gripper_latch.snapshot();  // from tilt (2 ms)
   ports::remote_to_gripper = ports::remote_to_gripper_latch.snapshot();  // from remote (10 ms)
-  { Stage stage{24}; gripper.update(); }                        // sim_load
+  { Stage<24> stage; gripper.update(); }                        // sim_load
 }
 
 void handle_4ms() {
-  { Stage stage{25}; gripper.handle(); }                        // sim_load
+  { Stage<25> stage; gripper.handle(); }                        // sim_load
   ports::gripper_to_finger_latch.publish(ports::gripper_to_finger);  // to finger (10 ms)
 }
 
 void update_10ms() {
-  { Stage stage{22}; finger.update(); }                         // sim_load
+  { Stage<22> stage; finger.update(); }                         // sim_load
   ports::finger_to_gripper_latch.publish(finger.state);         // to gripper (4 ms)
 }
 
 void handle_10ms() {
   finger.command = ports::gripper_to_finger_latch.snapshot();   // from gripper (4 ms)
-  { Stage stage{23}; finger.handle(); }                         // sim_load
+  { Stage<23> stage; finger.handle(); }                         // sim_load
 }
 
 }  // namespace deep_forest::gripper

@@ -13,12 +13,12 @@ namespace deep_forest::remote {
 using finemote::Stage;
 
 void update_10ms() {
-  { Stage stage{0}; remote.update(); }                          // sim_load
+  { Stage<0> stage; remote.update(); }                          // sim_load
   gripper::ports::remote_to_gripper_latch.publish(remote.state);  // to gripper (4 ms)
 }
 
 void handle_10ms() {
-  { Stage stage{1}; remote.handle(); }                          // sim_load
+  { Stage<1> stage; remote.handle(); }                          // sim_load
 }
 
 }  // namespace deep_forest::remote

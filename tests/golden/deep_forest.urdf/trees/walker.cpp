@@ -13,50 +13,50 @@ namespace deep_forest::walker {
 using finemote::Stage;
 
 void update_2ms() {
-  { Stage stage{2}; hip_left.update(); }                        // sim_load
+  { Stage<2> stage; hip_left.update(); }                        // sim_load
   ports::hip_left_to_leg_left_latch.publish(hip_left.state);    // to leg-left (4 ms)
-  { Stage stage{4}; knee_left.update(); }                       // sim_load
+  { Stage<4> stage; knee_left.update(); }                       // sim_load
   ports::knee_left_to_leg_left_latch.publish(knee_left.state);  // to leg-left (4 ms)
-  { Stage stage{8}; hip_right.update(); }                       // sim_load
+  { Stage<8> stage; hip_right.update(); }                       // sim_load
   ports::hip_right_to_leg_right_latch.publish(hip_right.state);  // to leg-right (4 ms)
-  { Stage stage{10}; knee_right.update(); }                     // sim_load
+  { Stage<10> stage; knee_right.update(); }                     // sim_load
   ports::knee_right_to_leg_right_latch.publish(knee_right.state);  // to leg-right (4 ms)
-  { Stage stage{16}; tilt.update(); }                           // sim_load
+  { Stage<16> stage; tilt.update(); }                           // sim_load
   ports::tilt_to_body_latch.publish(tilt.state);                // to body (10 ms)
   gripper::ports::tilt_to_gripper_latch.publish(tilt.state);    // to gripper (4 ms)
 }
 
 void handle_2ms() {
   tilt.command = ports::body_to_tilt_latch.snapshot();          // from body (10 ms)
-  { Stage stage{17}; tilt.handle(); }                           // sim_load
+  { Stage<17> stage; tilt.handle(); }                           // sim_load
   knee_right.command = ports::leg_right_to_knee_right_latch.snapshot();  // from leg-right (4 ms)
-  { Stage stage{11}; knee_right.handle(); }                     // sim_load
+  { Stage<11> stage; knee_right.handle(); }                     // sim_load
   hip_right.command = ports::leg_right_to_hip_right_latch.snapshot();  // from leg-right (4 ms)
-  { Stage stage{9}; hip_right.handle(); }                       // sim_load
+  { Stage<9> stage; hip_right.handle(); }                       // sim_load
   knee_left.command = ports::leg_left_to_knee_left_latch.snapshot();  // from leg-left (4 ms)
-  { Stage stage{5}; knee_left.handle(); }                       // sim_load
+  { Stage<5> stage; knee_left.handle(); }                       // sim_load
   hip_left.command = ports::leg_left_to_hip_left_latch.snapshot();  // from leg-left (4 ms)
-  { Stage stage{3}; hip_left.handle(); }                        // sim_load
+  { Stage<3> stage; hip_left.handle(); }                        // sim_load
 }
 
 void update_4ms() {
   ports::hip_left_to_leg_left = ports::hip_left_to_leg_left_latch.snapshot();  // from hip-left (2 ms)
   ports::knee_left_to_leg_left = ports::knee_left_to_leg_left_latch.snapshot();  // from knee-left (2 ms)
-  { Stage stage{6}; leg_left.update(); }                        // group
+  { Stage<6> stage; leg_left.update(); }                        // group
   ports::hip_right_to_leg_right = ports::hip_right_to_leg_right_latch.snapshot();  // from hip-right (2 ms)
   ports::knee_right_to_leg_right = ports::knee_right_to_leg_right_latch.snapshot();  // from knee-right (2 ms)
-  { Stage stage{12}; leg_right.update(); }                      // group
-  { Stage stage{14}; front.update(); }                          // sim_load
+  { Stage<12> stage; leg_right.update(); }                      // group
+  { Stage<14> stage; front.update(); }                          // sim_load
   ports::front_to_body_latch.publish(front.state);              // to body (10 ms)
 }
 
 void handle_4ms() {
   front.command = ports::body_to_front_latch.snapshot();        // from body (10 ms)
-  { Stage stage{15}; front.handle(); }                          // sim_load
-  { Stage stage{13}; leg_right.handle(); }                      // group
+  { Stage<15> stage; front.handle(); }                          // sim_load
+  { Stage<13> stage; leg_right.handle(); }                      // group
   ports::leg_right_to_hip_right_latch.publish(ports::leg_right_to_hip_right);  // to hip-right (2 ms)
   ports::leg_right_to_knee_right_latch.publish(ports::leg_right_to_knee_right);  // to knee-right (2 ms)
-  { Stage stage{7}; leg_left.handle(); }                        // group
+  { Stage<7> stage; leg_left.handle(); }                        // group
   ports::leg_left_to_hip_left_latch.publish(ports::leg_left_to_hip_left);  // to hip-left (2 ms)
   ports::leg_left_to_knee_left_latch.publish(ports::leg_left_to_knee_left);  // to knee-left (2 ms)
 }
@@ -64,14 +64,14 @@ void handle_4ms() {
 void update_10ms() {
   ports::front_to_body = ports::front_to_body_latch.snapshot();  // from front (4 ms)
   ports::tilt_to_body = ports::tilt_to_body_latch.snapshot();   // from tilt (2 ms)
-  { Stage stage{18}; body.update(); }                           // group
+  { Stage<18> stage; body.update(); }                           // group
   ports::remote_to_walker = remote::remote.state;               // from remote (10 ms)
-  { Stage stage{20}; walker.update(); }                         // sim_load
+  { Stage<20> stage; walker.update(); }                         // sim_load
 }
 
 void handle_10ms() {
-  { Stage stage{21}; walker.handle(); }                         // sim_load
-  { Stage stage{19}; body.handle(); }                           // group
+  { Stage<21> stage; walker.handle(); }                         // sim_load
+  { Stage<19> stage; body.handle(); }                           // group
   ports::body_to_front_latch.publish(ports::body_to_front);     // to front (4 ms)
   ports::body_to_tilt_latch.publish(ports::body_to_tilt);       // to tilt (2 ms)
 }

@@ -11,31 +11,31 @@ namespace discovery::station {
 using finemote::Stage;
 
 void update_5ms() {
-  { Stage stage{0}; imu.update(); }                             // h30_imu on 'imu_line'
+  { Stage<0> stage; imu.update(); }                             // h30_imu on 'imu_line'
   ports::imu_to_station_latch.publish(imu.state);               // to station (10 ms)
 }
 
 void handle_5ms() {
-  { Stage stage{1}; imu.handle(); }                             // h30_imu on 'imu_line'
+  { Stage<1> stage; imu.handle(); }                             // h30_imu on 'imu_line'
 }
 
 void update_10ms() {
-  { Stage stage{2}; depth.update(); }                           // ms5837 on 'i2c' at 0x76
-  { Stage stage{4}; button.update(); }                          // key
-  { Stage stage{6}; servo.update(); }                           // pwm_servo on 'servo_pulses' channel 0
-  { Stage stage{8}; green_led.update(); }                       // led on 'green' channel 0
-  { Stage stage{10}; blue_led.update(); }                       // led on 'blue' channel 0
+  { Stage<2> stage; depth.update(); }                           // ms5837 on 'i2c' at 0x76
+  { Stage<4> stage; button.update(); }                          // key
+  { Stage<6> stage; servo.update(); }                           // pwm_servo on 'servo_pulses' channel 0
+  { Stage<8> stage; green_led.update(); }                       // led on 'green' channel 0
+  { Stage<10> stage; blue_led.update(); }                       // led on 'blue' channel 0
   ports::imu_to_station = ports::imu_to_station_latch.snapshot();  // from imu (5 ms)
-  { Stage stage{12}; station.update(); }                        // host_link on 'computer'
+  { Stage<12> stage; station.update(); }                        // host_link on 'computer'
 }
 
 void handle_10ms() {
-  { Stage stage{13}; station.handle(); }                        // host_link on 'computer'
-  { Stage stage{11}; blue_led.handle(); }                       // led on 'blue' channel 0
-  { Stage stage{9}; green_led.handle(); }                       // led on 'green' channel 0
-  { Stage stage{7}; servo.handle(); }                           // pwm_servo on 'servo_pulses' channel 0
-  { Stage stage{5}; button.handle(); }                          // key
-  { Stage stage{3}; depth.handle(); }                           // ms5837 on 'i2c' at 0x76
+  { Stage<13> stage; station.handle(); }                        // host_link on 'computer'
+  { Stage<11> stage; blue_led.handle(); }                       // led on 'blue' channel 0
+  { Stage<9> stage; green_led.handle(); }                       // led on 'green' channel 0
+  { Stage<7> stage; servo.handle(); }                           // pwm_servo on 'servo_pulses' channel 0
+  { Stage<5> stage; button.handle(); }                          // key
+  { Stage<3> stage; depth.handle(); }                           // ms5837 on 'i2c' at 0x76
 }
 
 }  // namespace discovery::station

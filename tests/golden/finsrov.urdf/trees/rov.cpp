@@ -11,45 +11,45 @@ namespace FinsROV::rov {
 using finemote::Stage;
 
 void update_5ms() {
-  { Stage stage{0}; imu.update(); }                             // h30_imu on 'imu_uart'
+  { Stage<0> stage; imu.update(); }                             // h30_imu on 'imu_uart'
   ports::imu_to_rov_latch.publish(imu.state);                   // to rov (10 ms)
 }
 
 void handle_5ms() {
-  { Stage stage{1}; imu.handle(); }                             // h30_imu on 'imu_uart'
+  { Stage<1> stage; imu.handle(); }                             // h30_imu on 'imu_uart'
 }
 
 void update_10ms() {
-  { Stage stage{2}; baro_1.update(); }                          // ms5837 on 'segment_0' at 0x76
-  { Stage stage{4}; baro_2.update(); }                          // ms5837 on 'segment_1' at 0x76
-  { Stage stage{6}; baro_3.update(); }                          // ms5837 on 'segment_2' at 0x76
-  { Stage stage{8}; baro_4.update(); }                          // ms5837 on 'segment_3' at 0x76
-  { Stage stage{10}; thruster_1.update(); }                     // pwm_esc on 'pwm' channel 0
-  { Stage stage{12}; thruster_2.update(); }                     // pwm_esc on 'pwm' channel 1
-  { Stage stage{14}; thruster_3.update(); }                     // pwm_esc on 'pwm' channel 2
-  { Stage stage{16}; thruster_4.update(); }                     // pwm_esc on 'pwm' channel 3
-  { Stage stage{18}; thruster_5.update(); }                     // pwm_esc on 'pwm' channel 4
-  { Stage stage{20}; thruster_6.update(); }                     // pwm_esc on 'pwm' channel 5
-  { Stage stage{22}; thruster_7.update(); }                     // pwm_esc on 'pwm' channel 6
-  { Stage stage{24}; thruster_8.update(); }                     // pwm_esc on 'pwm' channel 7
+  { Stage<2> stage; baro_1.update(); }                          // ms5837 on 'segment_0' at 0x76
+  { Stage<4> stage; baro_2.update(); }                          // ms5837 on 'segment_1' at 0x76
+  { Stage<6> stage; baro_3.update(); }                          // ms5837 on 'segment_2' at 0x76
+  { Stage<8> stage; baro_4.update(); }                          // ms5837 on 'segment_3' at 0x76
+  { Stage<10> stage; thruster_1.update(); }                     // pwm_esc on 'pwm' channel 0
+  { Stage<12> stage; thruster_2.update(); }                     // pwm_esc on 'pwm' channel 1
+  { Stage<14> stage; thruster_3.update(); }                     // pwm_esc on 'pwm' channel 2
+  { Stage<16> stage; thruster_4.update(); }                     // pwm_esc on 'pwm' channel 3
+  { Stage<18> stage; thruster_5.update(); }                     // pwm_esc on 'pwm' channel 4
+  { Stage<20> stage; thruster_6.update(); }                     // pwm_esc on 'pwm' channel 5
+  { Stage<22> stage; thruster_7.update(); }                     // pwm_esc on 'pwm' channel 6
+  { Stage<24> stage; thruster_8.update(); }                     // pwm_esc on 'pwm' channel 7
   ports::imu_to_rov = ports::imu_to_rov_latch.snapshot();       // from imu (5 ms)
-  { Stage stage{26}; rov.update(); }                            // finsrov
+  { Stage<26> stage; rov.update(); }                            // finsrov
 }
 
 void handle_10ms() {
-  { Stage stage{27}; rov.handle(); }                            // finsrov
-  { Stage stage{25}; thruster_8.handle(); }                     // pwm_esc on 'pwm' channel 7
-  { Stage stage{23}; thruster_7.handle(); }                     // pwm_esc on 'pwm' channel 6
-  { Stage stage{21}; thruster_6.handle(); }                     // pwm_esc on 'pwm' channel 5
-  { Stage stage{19}; thruster_5.handle(); }                     // pwm_esc on 'pwm' channel 4
-  { Stage stage{17}; thruster_4.handle(); }                     // pwm_esc on 'pwm' channel 3
-  { Stage stage{15}; thruster_3.handle(); }                     // pwm_esc on 'pwm' channel 2
-  { Stage stage{13}; thruster_2.handle(); }                     // pwm_esc on 'pwm' channel 1
-  { Stage stage{11}; thruster_1.handle(); }                     // pwm_esc on 'pwm' channel 0
-  { Stage stage{9}; baro_4.handle(); }                          // ms5837 on 'segment_3' at 0x76
-  { Stage stage{7}; baro_3.handle(); }                          // ms5837 on 'segment_2' at 0x76
-  { Stage stage{5}; baro_2.handle(); }                          // ms5837 on 'segment_1' at 0x76
-  { Stage stage{3}; baro_1.handle(); }                          // ms5837 on 'segment_0' at 0x76
+  { Stage<27> stage; rov.handle(); }                            // finsrov
+  { Stage<25> stage; thruster_8.handle(); }                     // pwm_esc on 'pwm' channel 7
+  { Stage<23> stage; thruster_7.handle(); }                     // pwm_esc on 'pwm' channel 6
+  { Stage<21> stage; thruster_6.handle(); }                     // pwm_esc on 'pwm' channel 5
+  { Stage<19> stage; thruster_5.handle(); }                     // pwm_esc on 'pwm' channel 4
+  { Stage<17> stage; thruster_4.handle(); }                     // pwm_esc on 'pwm' channel 3
+  { Stage<15> stage; thruster_3.handle(); }                     // pwm_esc on 'pwm' channel 2
+  { Stage<13> stage; thruster_2.handle(); }                     // pwm_esc on 'pwm' channel 1
+  { Stage<11> stage; thruster_1.handle(); }                     // pwm_esc on 'pwm' channel 0
+  { Stage<9> stage; baro_4.handle(); }                          // ms5837 on 'segment_3' at 0x76
+  { Stage<7> stage; baro_3.handle(); }                          // ms5837 on 'segment_2' at 0x76
+  { Stage<5> stage; baro_2.handle(); }                          // ms5837 on 'segment_1' at 0x76
+  { Stage<3> stage; baro_1.handle(); }                          // ms5837 on 'segment_0' at 0x76
 }
 
 }  // namespace FinsROV::rov

@@ -11,20 +11,20 @@ namespace infantry::chassis {
 using finemote::Stage;
 
 void update_5ms() {
-  { Stage stage{8}; front_left.update(); }                      // dji_m3508 on 'wheel_can' id 1
-  { Stage stage{10}; front_right.update(); }                    // dji_m3508 on 'wheel_can' id 2
-  { Stage stage{12}; rear_left.update(); }                      // dji_m3508 on 'wheel_can' id 3
-  { Stage stage{14}; rear_right.update(); }                     // dji_m3508 on 'wheel_can' id 4
+  { Stage<8> stage; front_left.update(); }                      // dji_m3508 on 'wheel_can' id 1
+  { Stage<10> stage; front_right.update(); }                    // dji_m3508 on 'wheel_can' id 2
+  { Stage<12> stage; rear_left.update(); }                      // dji_m3508 on 'wheel_can' id 3
+  { Stage<14> stage; rear_right.update(); }                     // dji_m3508 on 'wheel_can' id 4
   ports::remote_to_chassis = ports::remote_to_chassis_latch.snapshot();  // from remote (10 ms)
-  { Stage stage{16}; chassis.update(); }                        // mecanum_chassis
+  { Stage<16> stage; chassis.update(); }                        // mecanum_chassis
 }
 
 void handle_5ms() {
-  { Stage stage{17}; chassis.handle(); }                        // mecanum_chassis
-  { Stage stage{15}; rear_right.handle(); }                     // dji_m3508 on 'wheel_can' id 4
-  { Stage stage{13}; rear_left.handle(); }                      // dji_m3508 on 'wheel_can' id 3
-  { Stage stage{11}; front_right.handle(); }                    // dji_m3508 on 'wheel_can' id 2
-  { Stage stage{9}; front_left.handle(); }                      // dji_m3508 on 'wheel_can' id 1
+  { Stage<17> stage; chassis.handle(); }                        // mecanum_chassis
+  { Stage<15> stage; rear_right.handle(); }                     // dji_m3508 on 'wheel_can' id 4
+  { Stage<13> stage; rear_left.handle(); }                      // dji_m3508 on 'wheel_can' id 3
+  { Stage<11> stage; front_right.handle(); }                    // dji_m3508 on 'wheel_can' id 2
+  { Stage<9> stage; front_left.handle(); }                      // dji_m3508 on 'wheel_can' id 1
 }
 
 }  // namespace infantry::chassis

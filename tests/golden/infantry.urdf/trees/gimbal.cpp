@@ -11,20 +11,20 @@ namespace infantry::gimbal {
 using finemote::Stage;
 
 void update_1ms() {
-  { Stage stage{0}; imu.update(); }                             // bmi088 on 'imu_spi' channel 0
+  { Stage<0> stage; imu.update(); }                             // bmi088 on 'imu_spi' channel 0
   ports::imu_to_gimbal_latch.publish(imu.state);                // to gimbal (2 ms)
-  { Stage stage{2}; yaw.update(); }                             // dji_gm6020 on 'gimbal_can' id 1
+  { Stage<2> stage; yaw.update(); }                             // dji_gm6020 on 'gimbal_can' id 1
   ports::yaw_to_gimbal_latch.publish(yaw.state);                // to gimbal (2 ms)
-  { Stage stage{4}; pitch.update(); }                           // dji_gm6020 on 'gimbal_can' id 2
+  { Stage<4> stage; pitch.update(); }                           // dji_gm6020 on 'gimbal_can' id 2
   ports::pitch_to_gimbal_latch.publish(pitch.state);            // to gimbal (2 ms)
 }
 
 void handle_1ms() {
   pitch.command = ports::gimbal_to_pitch_latch.snapshot();      // from gimbal (2 ms)
-  { Stage stage{5}; pitch.handle(); }                           // dji_gm6020 on 'gimbal_can' id 2
+  { Stage<5> stage; pitch.handle(); }                           // dji_gm6020 on 'gimbal_can' id 2
   yaw.command = ports::gimbal_to_yaw_latch.snapshot();          // from gimbal (2 ms)
-  { Stage stage{3}; yaw.handle(); }                             // dji_gm6020 on 'gimbal_can' id 1
-  { Stage stage{1}; imu.handle(); }                             // bmi088 on 'imu_spi' channel 0
+  { Stage<3> stage; yaw.handle(); }                             // dji_gm6020 on 'gimbal_can' id 1
+  { Stage<1> stage; imu.handle(); }                             // bmi088 on 'imu_spi' channel 0
 }
 
 void update_2ms() {
@@ -32,11 +32,11 @@ void update_2ms() {
   ports::pitch_to_gimbal = ports::pitch_to_gimbal_latch.snapshot();  // from pitch (1 ms)
   ports::imu_to_gimbal = ports::imu_to_gimbal_latch.snapshot();  // from imu (1 ms)
   ports::remote_to_gimbal = ports::remote_to_gimbal_latch.snapshot();  // from remote (10 ms)
-  { Stage stage{6}; gimbal.update(); }                          // gimbal
+  { Stage<6> stage; gimbal.update(); }                          // gimbal
 }
 
 void handle_2ms() {
-  { Stage stage{7}; gimbal.handle(); }                          // gimbal
+  { Stage<7> stage; gimbal.handle(); }                          // gimbal
   ports::gimbal_to_yaw_latch.publish(ports::gimbal_to_yaw);     // to yaw (1 ms)
   ports::gimbal_to_pitch_latch.publish(ports::gimbal_to_pitch);  // to pitch (1 ms)
 }

@@ -13,13 +13,13 @@ namespace infantry::remote {
 using finemote::Stage;
 
 void update_10ms() {
-  { Stage stage{18}; remote.update(); }                         // dr16 on 'dbus'
+  { Stage<18> stage; remote.update(); }                         // dr16 on 'dbus'
   gimbal::ports::remote_to_gimbal_latch.publish(remote.state);  // to gimbal (2 ms)
   chassis::ports::remote_to_chassis_latch.publish(remote.state);  // to chassis (5 ms)
 }
 
 void handle_10ms() {
-  { Stage stage{19}; remote.handle(); }                         // dr16 on 'dbus'
+  { Stage<19> stage; remote.handle(); }                         // dr16 on 'dbus'
 }
 
 }  // namespace infantry::remote

@@ -11,33 +11,33 @@ namespace six_joint_arm::arm {
 using finemote::Stage;
 
 void update_2ms() {
-  { Stage stage{2}; base.update(); }                            // dji_m3508 on 'arm_can' id 1
-  { Stage stage{4}; shoulder.update(); }                        // dji_m3508 on 'arm_can' id 2
-  { Stage stage{6}; elbow.update(); }                           // dji_m3508 on 'arm_can' id 3
-  { Stage stage{8}; wrist_roll.update(); }                      // dji_m3508 on 'wrist_can' id 1
-  { Stage stage{10}; wrist_pitch.update(); }                    // dji_m2006 on 'wrist_can' id 2
-  { Stage stage{12}; flange.update(); }                         // dji_m2006 on 'wrist_can' id 3
+  { Stage<2> stage; base.update(); }                            // dji_m3508 on 'arm_can' id 1
+  { Stage<4> stage; shoulder.update(); }                        // dji_m3508 on 'arm_can' id 2
+  { Stage<6> stage; elbow.update(); }                           // dji_m3508 on 'arm_can' id 3
+  { Stage<8> stage; wrist_roll.update(); }                      // dji_m3508 on 'wrist_can' id 1
+  { Stage<10> stage; wrist_pitch.update(); }                    // dji_m2006 on 'wrist_can' id 2
+  { Stage<12> stage; flange.update(); }                         // dji_m2006 on 'wrist_can' id 3
   ports::sticks_to_arm = ports::sticks_to_arm_latch.snapshot();  // from sticks (10 ms)
-  { Stage stage{14}; arm.update(); }                            // serial_arm
+  { Stage<14> stage; arm.update(); }                            // serial_arm
 }
 
 void handle_2ms() {
-  { Stage stage{15}; arm.handle(); }                            // serial_arm
-  { Stage stage{13}; flange.handle(); }                         // dji_m2006 on 'wrist_can' id 3
-  { Stage stage{11}; wrist_pitch.handle(); }                    // dji_m2006 on 'wrist_can' id 2
-  { Stage stage{9}; wrist_roll.handle(); }                      // dji_m3508 on 'wrist_can' id 1
-  { Stage stage{7}; elbow.handle(); }                           // dji_m3508 on 'arm_can' id 3
-  { Stage stage{5}; shoulder.handle(); }                        // dji_m3508 on 'arm_can' id 2
-  { Stage stage{3}; base.handle(); }                            // dji_m3508 on 'arm_can' id 1
+  { Stage<15> stage; arm.handle(); }                            // serial_arm
+  { Stage<13> stage; flange.handle(); }                         // dji_m2006 on 'wrist_can' id 3
+  { Stage<11> stage; wrist_pitch.handle(); }                    // dji_m2006 on 'wrist_can' id 2
+  { Stage<9> stage; wrist_roll.handle(); }                      // dji_m3508 on 'wrist_can' id 1
+  { Stage<7> stage; elbow.handle(); }                           // dji_m3508 on 'arm_can' id 3
+  { Stage<5> stage; shoulder.handle(); }                        // dji_m3508 on 'arm_can' id 2
+  { Stage<3> stage; base.handle(); }                            // dji_m3508 on 'arm_can' id 1
 }
 
 void update_10ms() {
-  { Stage stage{0}; sticks.update(); }                          // sbus on 'receiver'
+  { Stage<0> stage; sticks.update(); }                          // sbus on 'receiver'
   ports::sticks_to_arm_latch.publish(sticks.state);             // to arm (2 ms)
 }
 
 void handle_10ms() {
-  { Stage stage{1}; sticks.handle(); }                          // sbus on 'receiver'
+  { Stage<1> stage; sticks.handle(); }                          // sbus on 'receiver'
 }
 
 }  // namespace six_joint_arm::arm

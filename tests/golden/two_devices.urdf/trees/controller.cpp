@@ -11,22 +11,22 @@ namespace two_devices::controller {
 using finemote::Stage;
 
 void update_5ms() {
-  { Stage stage{0}; sensor.update(); }                          // sim_load
+  { Stage<0> stage; sensor.update(); }                          // sim_load
   ports::sensor_to_controller_latch.publish(sensor.state);      // to controller (10 ms)
 }
 
 void handle_5ms() {
   sensor.command = ports::controller_to_sensor_latch.snapshot();  // from controller (10 ms)
-  { Stage stage{1}; sensor.handle(); }                          // sim_load
+  { Stage<1> stage; sensor.handle(); }                          // sim_load
 }
 
 void update_10ms() {
   ports::sensor_to_controller = ports::sensor_to_controller_latch.snapshot();  // from sensor (5 ms)
-  { Stage stage{2}; controller.update(); }                      // sim_load
+  { Stage<2> stage; controller.update(); }                      // sim_load
 }
 
 void handle_10ms() {
-  { Stage stage{3}; controller.handle(); }                      // sim_load
+  { Stage<3> stage; controller.handle(); }                      // sim_load
   ports::controller_to_sensor_latch.publish(ports::controller_to_sensor);  // to sensor (5 ms)
 }
 

@@ -11,15 +11,15 @@ namespace line_follower::follower {
 using finemote::Stage;
 
 void update_5ms() {
-  { Stage stage{0}; line.update(); }                            // line_sensor
-  { Stage stage{2}; drive.update(); }                           // sim_load
-  { Stage stage{4}; follower.update(); }                        // group
+  { Stage<0> stage; line.update(); }                            // line_sensor
+  { Stage<2> stage; drive.update(); }                           // sim_load
+  { Stage<4> stage; follower.update(); }                        // group
 }
 
 void handle_5ms() {
-  { Stage stage{5}; follower.handle(); }                        // group
-  { Stage stage{3}; drive.handle(); }                           // sim_load
-  { Stage stage{1}; line.handle(); }                            // line_sensor
+  { Stage<5> stage; follower.handle(); }                        // group
+  { Stage<3> stage; drive.handle(); }                           // sim_load
+  { Stage<1> stage; line.handle(); }                            // line_sensor
 }
 
 }  // namespace line_follower::follower

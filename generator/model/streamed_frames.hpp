@@ -1,0 +1,17 @@
+// How many frames of a part that sends by itself one update() may find.
+#pragma once
+
+#include <cstdint>
+
+#include "generator/model/robot.hpp"
+
+namespace finemote::gen {
+
+/// Frames that arrive in any window of that length, and no more than the ring of a serial line keeps; 0 for a device
+/// without a type, or of which no part sends by itself.
+std::int64_t frames_in(const Device& device, Duration window);
+
+/// The longest window between two looks of update() while every job ends in its period: two periods.
+std::int64_t most_frames(const Device& device);
+
+}  // namespace finemote::gen

@@ -1,0 +1,67 @@
+#include "generator/timing/robot_costs.hpp"
+
+#include <algorithm>
+
+#include "generator/descriptor/runtime_limits.hpp"
+
+namespace finemote::gen::timing {
+namespace {
+
+/// A generous guess.
+constexpr Duration kMonitorGuess = microseconds(3);
+
+/// Whether the release timer plans instant by instant, for more instants in a hyperperiod than its ring holds.
+bool walks(const Schedule& schedule) {
+  Duration at;
+  for (std::size_t instants = 0; instants <= runtime_limits::kReleaseInstants; ++instants) {
+    Duration next = Duration::max();
+    for (const gen::Bucket& bucket : schedule.buckets)
+      next = std::min(next, (floor_div(at, bucket.period) + 1) * bucket.period);
+    at = next;
+    const auto is_due = [&](const gen::Bucket& bucket) { return is_multiple(at, bucket.period); };
+    if (std::all_of(schedule.buckets.begin(), schedule.buckets.end(), is_due))
+      return instants >= runtime_limits::kReleaseInstants;
+  }
+  return true;
+}
+
+Duration release_cost(const gen::Costs& costs, const Schedule& schedule) {
+  if (schedule.buckets.empty() || !walks(schedule)) return costs.release;
+  return costs.release + costs.release_walk +
+         static_cast<std::int64_t>(schedule.buckets.size()) * costs.release_walk_per_bucket;
+}
+
+}  // namespace
+
+const gen::Costs& board_costs(const Robot& robot) {
+  static constexpr gen::Costs kNone{};
+  return robot.board != nullptr ? robot.board->costs : kNone;
+}
+
+Duration monitor_cost(std::optional<Duration> of_board) { return of_board.value_or(kMonitorGuess); }
+
+Costs robot_costs(const Robot& robot, const Schedule& schedule, const RobotTimingOptions& options) {
+  const gen::Costs& costs = board_costs(robot);
+  Costs result;
+  result.interrupt = costs.exception();
+  result.release = release_cost(costs, schedule) + result.interrupt;
+  result.release_per_bucket = costs.release_per_bucket;
+  result.job = costs.bucket + result.interrupt;
+  result.stage = costs.stage;
+  if (options.trace) result.stage += 2 * costs.trace_event;
+  result.masked = costs.masked_section;
+  if (options.monitor) result.job += monitor_cost(costs.monitor_job);
+  return result;
+}
+
+Duration supervision(const Robot& robot) {
+  Duration sum;
+  if (robot.board == nullptr) return sum;
+  for (const gen::Bus& bus : robot.buses) {
+    const auto driver = robot.board->drivers.find(bus.kind);
+    if (driver != robot.board->drivers.end()) sum += driver->second.supervise;
+  }
+  return sum;
+}
+
+}  // namespace finemote::gen::timing

@@ -1,0 +1,23 @@
+// What the processor and the runtime themselves cost a robot: from the costs of its board and the shape of its
+// schedule.
+#pragma once
+
+#include "generator/schedule/schedule.hpp"
+#include "generator/timing/from_robot.hpp"
+
+namespace finemote::gen::timing {
+
+/// All zero for a robot without a board.
+Costs robot_costs(const Robot& robot, const Schedule& schedule, const RobotTimingOptions& options);
+
+/// What the monitor costs, where it is built in: an estimate where the board does not say.
+Duration monitor_cost(std::optional<Duration> of_board);
+
+/// One look at every bus that the runtime looks after, at the begin of every job of the fastest bucket. Of buses that
+/// work: a bus that is being recovered takes longer (docs/timing.md, assumptions).
+Duration supervision(const Robot& robot);
+
+/// Costs of the board; zero for a robot without one.
+const gen::Costs& board_costs(const Robot& robot);
+
+}  // namespace finemote::gen::timing
