@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "emulator/core/address_map.hpp"
 #include "emulator/word_text.hpp"
 
 namespace finemote::emulator {
@@ -20,18 +21,6 @@ constexpr unsigned kPrivateBusWait = 2;
 constexpr std::uint32_t kStackingMem = 1U << 4, kInstructionBus = 1U << 8, kPreciseBus = 1U << 9,
                         kBusAddress = 1U << 15, kUndefinedInstruction = 1U << 16, kBadState = 1U << 17,
                         kNoFpu = 1U << 19, kDataMem = 1U << 1, kMemAddress = 1U << 7;
-
-bool in(std::uint32_t address, std::uint32_t base, std::uint32_t bytes) { return address - base < bytes; }
-
-/// RM0090 2.3: APB1, APB2 and AHB1; AHB2.
-bool is_peripheral(std::uint32_t address) {
-  return in(address, 0x40000000, 0x80000) || in(address, 0x50000000, 0x61000);
-}
-
-/// Data watchpoints, the system control space, and the debug unit.
-bool is_system(std::uint32_t address) {
-  return in(address, 0xE0001000, 0x1000) || in(address, 0xE000E000, 0x1000) || in(address, 0xE0042000, 0x1000);
-}
 
 }  // namespace
 

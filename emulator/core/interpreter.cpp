@@ -10,8 +10,6 @@
 namespace finemote::emulator {
 namespace {
 
-constexpr std::uint32_t kSign = 0x80000000U;
-
 /// AddWithCarry of the manual, D6.3.2; the overflow is bit 31 of `v`.
 inline std::uint32_t add(std::uint32_t x, std::uint32_t y, std::uint32_t carry_in, std::uint32_t& c, std::uint32_t& v) {
   const std::uint64_t wide = std::uint64_t{x} + y + carry_in;
