@@ -1,0 +1,98 @@
+// What `run` says of the emulated board: every figure beside its bound, and when the answer is no.
+#include "catch.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace finemote::test;
+
+namespace {
+
+/// A controller every 10 ms over a sensor every 5 ms.
+std::string two_devices(const std::string& sensor_params, const std::string& sensor_wcet) {
+  return R"(<robot name="r"><link name="base"/><finemote version="1"><board name="robomaster_type_c"/>
+      <device name="controller" type="sim_load" period="10ms">
+        <param name="update">20us</param> <param name="handle">30us</param> <wcet update="25us" handle="35us"/>
+        <device name="sensor" type="sim_load" period="5ms">)" +
+         sensor_params + sensor_wcet + "</device></device></finemote></robot>";
+}
+
+nlohmann::json run_json(const std::string& robot, int status, const std::vector<std::string>& options = {}) {
+  std::vector<std::string> words = {"run", robot, "--duration", "100ms", "--format", "json"};
+  words.insert(words.end(), options.begin(), options.end());
+  const auto ran = run_finemote(words);
+  INFO(ran.output);
+  CHECK(ran.exit_status == status);
+  const auto begin = ran.output.find('{');
+  REQUIRE(begin != std::string::npos);
+  return nlohmann::json::parse(ran.output.substr(begin));
+}
+
+bool reports(const nlohmann::json& document, const std::string& code) {
+  for (const auto& finding : document["diagnostics"]) {
+    if (finding["code"] == code) return true;
+  }
+  return false;
+}
+
+void check_bound(const nlohmann::json& largest, const nlohmann::json& bound) {
+  CHECK(largest.get<std::int64_t>() > 0);
+  CHECK(largest.get<std::int64_t>() <= bound.get<std::int64_t>());
+}
+
+}  // namespace
+
+TEST_CASE("a run that is as it should be holds every figure to the bound that analyze gives") {
+  const std::string robot = source_path("examples/two_devices.urdf");
+  const auto ran = run_json(robot, 0);
+  const auto analysed = finemote_json({"analyze", robot});
+  REQUIRE(ran["responses"].size() == 2);
+  for (const auto& response : ran["responses"]) {
+    INFO(response.dump());
+    CHECK(response["judged"] == "held");
+    check_bound(response["update_max_ns"], response["update_bound_ns"]);
+    check_bound(response["handle_max_ns"], response["handle_bound_ns"]);
+  }
+  REQUIRE(ran["jitter"].size() == 2);
+  for (const auto& jitter : ran["jitter"]) CHECK(jitter["judged"] == "held");
+  REQUIRE(ran["stages"].size() == 4);
+  for (const auto& stage : ran["stages"]) {
+    INFO(stage.dump());
+    check_bound(stage["own_max_ns"], stage["wcet_ns"]);
+    CHECK(stage["wcet_label"] == "declared");
+  }
+  REQUIRE(ran["chains"].size() == analysed["chains"].size());
+  for (std::size_t i = 0; i < ran["chains"].size(); ++i) {
+    CHECK(ran["chains"][i]["decide"]["judged"] == "held");
+    CHECK(ran["chains"][i]["decide"]["bound_ns"] == analysed["chains"][i]["decide_ns"]);
+    CHECK(ran["chains"][i]["acquire"]["judged"] == "no-sample");  // no part that could be watched
+  }
+  CHECK(ran["fault_counts"].empty());
+}
+
+TEST_CASE("bounds of a run with trace or monitor are those of analyze with the same options") {
+  const std::string robot = source_path("examples/two_devices.urdf");
+  const auto plain = finemote_json({"analyze", robot});
+  for (const char* option : {"--trace", "--monitor"}) {
+    INFO(option);
+    const auto ran = run_json(robot, 0, {option});
+    const auto analysed = finemote_json({"analyze", robot, option});
+    CHECK(ran["chains"][0]["decide"]["bound_ns"] == analysed["chains"][0]["decide_ns"]);
+    CHECK(analysed["chains"][0]["decide_ns"] > plain["chains"][0]["decide_ns"]);
+  }
+}
+
+TEST_CASE("a stage that takes longer by itself than its WCET fails the run") {
+  const TemporaryFolder folder;
+  write_file(folder.path("r.urdf"), two_devices(R"(<param name="update">40us</param> <param name="handle">5us</param>)",
+                                                R"(<wcet update="20us" handle="10us"/>)"));
+  const auto ran = run_json(folder.path("r.urdf"), 1);
+  CHECK(reports(ran, "FM6006"));
+  CHECK(ran["overruns"] == 0);
+}
+
+TEST_CASE("overruns are those that the firmware counted") {
+  const TemporaryFolder folder;
+  write_file(folder.path("r.urdf"), two_devices(R"(<param name="update">4ms</param> <param name="handle">4ms</param>)",
+                                                R"(<wcet update="20us" handle="10us"/>)"));
+  const auto ran = run_json(folder.path("r.urdf"), 1);
+  CHECK(ran["overruns"].get<int>() > 0);
+}
