@@ -12,7 +12,10 @@ constexpr Time kLogStep = from_ns(10'000'000);
 }  // namespace
 
 Board::Board(Wiring wiring, const BoardOptions& options) : chip_(world_, std::move(wiring)), options_(options) {
-  cpu_ = std::make_unique<Cpu>(world_.queue(), world_.reports(), world_.system(), chip_, options.cost, options.flash);
+  if (options.tags) world_.tags().turn_on();
+  const Cpu::Around around{world_.queue(), world_.reports(),    world_.system(),
+                           chip_,          world_.provenance(), world_.tags()};
+  cpu_ = std::make_unique<Cpu>(around, options.cost, options.flash);
   world_.connect(*cpu_);
   cpu_->set_log(&log_);
   if (options.cost == CostModel::qemu) chip_.rcc.fixed_hz = 168'000'000;
@@ -59,8 +62,14 @@ Stop Board::run_for(std::uint64_t ns) {
 
 const OwnTimes& Board::own_times() {
   own_times_.add(log_);
+  if (options_.keeps_log) kept_.insert(kept_.end(), log_.begin(), log_.end());
   log_.clear();
   return own_times_;
+}
+
+const ExecutionLog& Board::log() {
+  static_cast<void>(own_times());
+  return kept_;
 }
 
 const std::vector<StageEvent>& Board::stages() {

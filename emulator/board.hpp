@@ -16,7 +16,9 @@ struct BoardOptions {
   CostModel cost = CostModel::cortex_m4;
   FlashModel flash = FlashModel::hit;
   std::uint32_t lsi_hz = 32'000;
-  bool probe = true;  ///< reads the trace ring; false leaves it to the firmware
+  bool keeps_log = false;  ///< keeps every event of the execution log
+  bool probe = true;       ///< reads the trace ring; false leaves it to the firmware
+  bool tags = false;       ///< follows where bytes come from: `World::provenance` knows of the firmware then
 };
 
 /// One emulated board. Two runs of the same image with the same parts and events are equal in every event.
@@ -46,6 +48,8 @@ class Board {
 
   /// Since power-on.
   [[nodiscard]] const OwnTimes& own_times();
+  /// The execution log since power-on; empty without `BoardOptions::keeps_log`.
+  [[nodiscard]] const ExecutionLog& log();
 
   /// Statistics of the bus at a port (`usart6`, `i2c2`); all zero for one that is not a bus.
   [[nodiscard]] BusStatistics bus(const std::string& port);
@@ -63,7 +67,8 @@ class Board {
   std::unique_ptr<Cpu> cpu_;
   Image image_;
   std::unique_ptr<TraceReader> trace_;
-  ExecutionLog log_;  ///< what own_times_ has not seen
+  ExecutionLog log_;   ///< what own_times_ has not seen
+  ExecutionLog kept_;  ///< what it has, where that is kept
   OwnTimes own_times_;
   unsigned resets_ = 0;
 };

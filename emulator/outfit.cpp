@@ -103,11 +103,11 @@ void Outfit::listen_to_pulses(const Json& part, PulseSource::Listener listener) 
   };
 }
 
-void Outfit::listen_to_writes(const Json& part, std::function<void(std::uint64_t)> listener) {
+void Outfit::listen_to_writes(const Json& part, WriteListener listener) {
   const Header header = header_of(part);
   writes_[header].push_back(std::move(listener));
-  header.first->on_compare = [this, timer = header.first](unsigned which, std::uint64_t width_ns) {
-    for (const auto& tell : writes_[{timer, which}]) tell(width_ns);
+  header.first->on_compare = [this, timer = header.first](unsigned which, std::uint64_t width_ns, Tag origin) {
+    for (const auto& tell : writes_[{timer, which}]) tell(width_ns, origin);
   };
 }
 
@@ -131,6 +131,27 @@ void Outfit::add_event(const Json& event, std::int64_t zero_ns) {
   injects_faults_ = injects_faults_ || (verb.is_fault && !ends_one);
   const auto t_ns = zero_ns + need<std::int64_t>(event, "t_ns");
   board_.world().at(from_ns(static_cast<std::uint64_t>(t_ns)), [this, &verb, event] { verb.act(*this, event); });
+}
+
+Tag Outfit::sample(const std::string& part, unsigned channel, Time from, Time readable) {
+  Provenance& provenance = board_.world().provenance();
+  const auto [found, is_new] = sources_.try_emplace({part, channel}, 0);
+  if (is_new) {
+    found->second = provenance.add_source();
+    channels_.push_back(found->first);
+  }
+  return provenance.sample(found->second, from, readable);
+}
+
+std::vector<SampleUse> Outfit::uses() const {
+  const Provenance& provenance = board_.world().provenance();
+  std::vector<SampleUse> all;
+  for (const Use& use : provenance.uses()) {
+    const Origin& sample = provenance.origin(use.sample);
+    const auto& [part, channel] = channels_.at(sample.source);
+    all.push_back({use.at, use.stage, part, channel, sample.n});
+  }
+  return all;
 }
 
 void Outfit::press_reset() {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@
 
 namespace finemote::emulator {
 
-/// An event at a part where a measured chain begins or ends.
+/// An event at a part where a measured chain begins or ends. Where bytes come from is known on a board with
+/// `BoardOptions::tags`.
 struct PartEvent {
   enum class Kind {
     sample,  ///< `from`: when the quantity was sampled; `at`: when its last bit could be read
@@ -27,8 +29,20 @@ struct PartEvent {
   std::string part;
   Kind kind;
   unsigned channel;
-  std::uint64_t from_ns, at_ns;  ///< since power-on
-  double value;                  ///< of an output: pulse width [ns], current command
+  Time from, at;  ///< since power-on
+  double value;   ///< of an output: pulse width [ns], current command
+  /// The stage of the handle whose bytes an output took; empty of a sample, and where they come from no handle.
+  std::optional<std::uint32_t> stage = {};
+  std::uint32_t n = 0;  ///< counts the samples of the channel, or the runs of the handle since power-on, from 0
+};
+
+/// What the state of a device was made of when an update of it ended.
+struct SampleUse {
+  Time at;              ///< since power-on
+  std::uint32_t stage;  ///< of the update
+  std::string part;
+  unsigned channel;
+  std::uint32_t n;  ///< of the sample of that channel
 };
 
 /// A value of a part that has to stay between two limits, and where it has been.
@@ -58,6 +72,8 @@ class Outfit {
 
   /// In the order they happened.
   [[nodiscard]] const std::vector<PartEvent>& events() const { return events_; }
+  /// In the order of time; one for each source that an update's state is made of.
+  [[nodiscard]] std::vector<SampleUse> uses() const;
   [[nodiscard]] const std::vector<Expectation>& expectations() const { return expectations_; }
   /// Some event is a fault, and no stimulus or the end of a fault: what bounds presume does not hold.
   [[nodiscard]] bool injects_faults() const { return injects_faults_; }
@@ -75,6 +91,8 @@ class Outfit {
   Board& board() { return board_; }
   [[nodiscard]] Time now() { return board_.world().now(); }
   void record(PartEvent event) { events_.push_back(std::move(event)); }
+  /// The next sample of a part's channel, taken at `from`: what its bytes carry.
+  Tag sample(const std::string& part, unsigned channel, Time from, Time readable);
   /// What the element of this name is to others; null when there is none, or it is not that.
   template <class As>
   As* find(const std::string& name) {
@@ -87,8 +105,10 @@ class Outfit {
   I2cLine& line_of(const Json& part);
   /// Calls the listener for every change of the PWM output the part is connected to.
   void listen_to_pulses(const Json& part, PulseSource::Listener listener);
-  /// Calls the listener for every pulse width [ns] written for the PWM header the part is connected to.
-  void listen_to_writes(const Json& part, std::function<void(std::uint64_t width_ns)> listener);
+  /// Told of every pulse width [ns] written, and where it comes from.
+  using WriteListener = std::function<void(std::uint64_t width_ns, Tag origin)>;
+  /// Calls the listener for every pulse width written for the PWM header the part is connected to.
+  void listen_to_writes(const Json& part, WriteListener listener);
 
  private:
   void add_part(const Json& part);
@@ -110,7 +130,10 @@ class Outfit {
   Board& board_;
   std::map<std::string, Part> parts_;
   std::map<Header, std::vector<PulseSource::Listener>> headers_;
-  std::map<Header, std::vector<std::function<void(std::uint64_t)>>> writes_;
+  std::map<Header, std::vector<WriteListener>> writes_;
+  using Channel = std::pair<std::string, unsigned>;  ///< of a part
+  std::map<Channel, std::uint32_t> sources_;         ///< numbers of samples' sources
+  std::vector<Channel> channels_;                    ///< by them
   std::vector<PartEvent> events_;
   std::vector<Expectation> expectations_;
   unsigned scripted_resets_ = 0;

@@ -15,6 +15,7 @@ void OwnTimes::add(const ExecutionLog& log) {
 }
 
 void OwnTimes::add(const ExecutionEvent& event) {
+  if (event.kind == ExecutionEvent::Kind::due) return;
   frames_.back().own += event.at - last_;
   last_ = event.at;
   switch (event.kind) {
@@ -37,6 +38,7 @@ void OwnTimes::add(const ExecutionEvent& event) {
     case ExecutionEvent::Kind::leave:
     case ExecutionEvent::Kind::mask:
     case ExecutionEvent::Kind::unmask:
+    case ExecutionEvent::Kind::due:
       break;
   }
 }

@@ -6,15 +6,18 @@ constexpr std::uint32_t kInit = 1, kSleep = 2, kNoRetransmission = 16, kAutomati
 constexpr std::uint32_t kTransmitInterrupt = 1, kReceiveInterrupt = 2, kBusOffInterrupt = 1U << 10,
                         kErrorInterrupt = 1U << 15;
 
-CanFrame frame_of(const std::array<std::uint32_t, 4>& words) {
+}  // namespace
+
+CanFrame Can::Mailbox::frame() const {
   CanFrame frame;
   frame.id = words[0] >> 21;
   frame.size = (words[1] & 0xF) > 8 ? 8 : words[1] & 0xF;
-  for (unsigned i = 0; i < 8; ++i) frame.data[i] = static_cast<std::uint8_t>(words[2 + i / 4] >> (8 * (i % 4)));
+  for (unsigned i = 0; i < 8; ++i) {
+    frame.data[i] = static_cast<std::uint8_t>(words[2 + i / 4] >> (8 * (i % 4)));
+    frame.tags[i] = tags[2 + i / 4][i % 4];
+  }
   return frame;
 }
-
-}  // namespace
 
 bool CanFilters::accepts(std::uint32_t id, bool second) const {
   const unsigned split = fmr >> 8 & 0x3F;
@@ -79,7 +82,7 @@ std::optional<CanFrame> Can::next() const {
   if (!on_bus()) return best;
   for (const Mailbox& mailbox : mailboxes_) {
     if (!mailbox.waiting) continue;
-    const CanFrame frame = frame_of(mailbox.words);
+    const CanFrame frame = mailbox.frame();
     if (!best || frame.id < best->id) best = frame;
   }
   return best;
@@ -190,19 +193,23 @@ void Can::write_filter(std::uint32_t offset, std::uint32_t value) {
   filters_.bank[(offset - 0x240) / 8][(offset >> 2) & 1] = value;
 }
 
+std::uint32_t Can::read_received(unsigned word) {
+  if (fifo_.empty()) return 0;
+  const CanFrame& frame = fifo_.front();
+  if (word == 0) return frame.id << 21;
+  if (word == 1) return frame.size;
+  std::uint32_t value = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    value |= std::uint32_t{frame.data[4 * (word - 2) + i]} << (8 * i);
+    world_.crossing()[i] = frame.tags[4 * (word - 2) + i];
+  }
+  return value;
+}
+
 std::uint32_t Can::read(std::uint32_t offset) {
   if (offset >= 0x200) return read_filter(offset);
   if (offset >= 0x180 && offset < 0x1B0) return mailboxes_[(offset - 0x180) / 16].words[offset / 4 % 4];
-  if (offset >= 0x1B0 && offset < 0x1C0) {
-    if (fifo_.empty()) return 0;
-    const CanFrame& frame = fifo_.front();
-    const unsigned word = offset / 4 % 4;
-    if (word == 0) return frame.id << 21;
-    if (word == 1) return frame.size;
-    std::uint32_t value = 0;
-    for (unsigned i = 0; i < 4; ++i) value |= std::uint32_t{frame.data[4 * (word - 2) + i]} << (8 * i);
-    return value;
-  }
+  if (offset >= 0x1B0 && offset < 0x1C0) return read_received(offset / 4 % 4);
   switch (offset) {
     case 0x00:
       return mcr_;
@@ -237,6 +244,7 @@ void Can::write(std::uint32_t offset, std::uint32_t value) {
     const unsigned word = offset / 4 % 4;
     if (mailbox.waiting) world_.report(Misuse::protocol, name() + " mailbox is written while it waits");
     mailbox.words[word] = value;
+    mailbox.tags[word] = world_.crossing();
     if (word == 0 && (value & 1) != 0) {
       if ((value & 6) != 0) world_.report(Misuse::unmodelled, name() + " extended or remote frame");
       mailbox.waiting = true;

@@ -37,7 +37,9 @@ class Can : public Peripheral {
  private:
   struct Mailbox {
     std::array<std::uint32_t, 4> words{};
+    std::array<WordTags, 4> tags{};
     bool waiting = false;
+    [[nodiscard]] CanFrame frame() const;
   };
   [[nodiscard]] bool on_bus() const { return !initialising_ && !bus_off(); }
   [[nodiscard]] std::optional<CanFrame> next() const;
@@ -48,6 +50,7 @@ class Can : public Peripheral {
   void write_mcr(std::uint32_t value);
   void write_filter(std::uint32_t offset, std::uint32_t value);
   [[nodiscard]] std::uint32_t read_filter(std::uint32_t offset);
+  [[nodiscard]] std::uint32_t read_received(unsigned word);
   [[nodiscard]] std::uint32_t bitrate() const;
   void update();
 

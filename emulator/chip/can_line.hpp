@@ -17,6 +17,7 @@ struct CanFrame {
   std::uint32_t id = 0;
   unsigned size = 0;
   std::array<std::uint8_t, 8> data{};
+  std::array<Tag, 8> tags{};  ///< where the data come from
 };
 
 /// Bits of a frame on the wire with its stuff bits and the three bits of intermission: ISO 11898-1.

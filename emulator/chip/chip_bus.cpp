@@ -56,7 +56,13 @@ std::uint32_t ChipBus::access(const Slot* slot, std::uint32_t address, unsigned 
   }
   const std::uint32_t offset = (address - slot->place.base) & ~3U, shift = (address & 3) * 8;
   const std::uint32_t mask = bytes == 4 ? ~0U : (1U << (8 * bytes)) - 1;
-  if (value == nullptr) return slot->peripheral->read(offset) >> shift & mask;
+  if (value == nullptr) {
+    world_.crossing() = {};
+    const std::uint32_t answer = slot->peripheral->read(offset) >> shift & mask;
+    if (shift != 0) world_.crossing() = moved(world_.crossing(), -static_cast<int>(shift));
+    return answer;
+  }
+  if (shift != 0) world_.crossing() = moved(world_.crossing(), static_cast<int>(shift));
   if (bytes == 4)
     slot->peripheral->write(offset, *value);
   else

@@ -190,6 +190,7 @@ bool Dma::transfer(Stream& s, std::uint32_t memory) {
   std::uint32_t value = 0;
   if (direction == kFromMemory) {
     std::memcpy(&value, p, bytes);
+    world_.crossing() = world_.tags().in_memory(memory, bytes);
     bus_.write(peripheral, bytes, value);
     return true;
   }
@@ -197,10 +198,12 @@ bool Dma::transfer(Stream& s, std::uint32_t memory) {
     const std::uint8_t* source = reachable(peripheral, bytes, false);
     if (source == nullptr) return false;
     std::memcpy(&value, source, bytes);
+    world_.crossing() = world_.tags().in_memory(peripheral, bytes);
   } else {
     value = bus_.read(peripheral, bytes);
   }
   std::memcpy(p, &value, bytes);
+  world_.tags().put_in_memory(memory, bytes, world_.crossing());
   return true;
 }
 

@@ -107,7 +107,7 @@ void I2c::start_done() {
 
 void I2c::address_done() {
   reading_ = (shift_ & 1) != 0;
-  const bool answered = line.select(static_cast<std::uint8_t>(shift_ >> 1), reading_);
+  const bool answered = line.select(static_cast<std::uint8_t>(shift_.value >> 1), reading_);
   tell("address", shift_, answered);
   if (answered) {
     sr1_ |= kAddr;
@@ -164,7 +164,7 @@ void I2c::begin_receive() {
 
 void I2c::byte_received() {
   ++statistics_.bytes;
-  const std::uint8_t byte = line.read();
+  const WireByte byte = line.read();
   // POS: the bit speaks of the next byte, so the present one is acknowledged (RM0090 27.6.1).
   last_acknowledged_ = (cr1_ & kPos) != 0 && byte_index_ == 0 ? true : (cr1_ & kAck) != 0;
   ++byte_index_;
@@ -244,7 +244,8 @@ std::uint32_t I2c::read(std::uint32_t offset) {
     case 0x0C:
       return oar2_;
     case 0x10:
-      result = data_;
+      result = data_.value;
+      world_.crossing()[0] = data_.tag;
       read_data();
       break;
     case 0x14:
@@ -291,7 +292,7 @@ void I2c::write(std::uint32_t offset, std::uint32_t value) {
         go(State::addressing);
         later(bits(9), &I2c::address_done);
       } else if ((sr2_ & kTransmitter) != 0) {
-        data_ = static_cast<std::uint8_t>(value);
+        data_ = {static_cast<std::uint8_t>(value), world_.crossing()[0]};
         data_full_ = true;
         sr1_ &= ~(kTxe | kBtf);
         if (state_ == State::send_wait) begin_send();

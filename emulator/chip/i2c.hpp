@@ -77,7 +77,7 @@ class I2c : public Peripheral {
   std::uint32_t cr1_ = 0, cr2_ = 0, oar1_ = 0, oar2_ = 0, sr1_ = 0, sr2_ = 0, ccr_ = 0, trise_ = 2, fltr_ = 0;
   State state_ = State::idle;
   std::uint64_t token_ = 0;
-  std::uint8_t data_ = 0, shift_ = 0;
+  WireByte data_, shift_;
   bool data_full_ = false;   ///< transmit: a byte waits in DR
   bool shift_full_ = false;  ///< receive: a byte waits in the shift register
   bool last_acknowledged_ = true, reading_ = false, addr_seen_ = false, sb_seen_ = false;

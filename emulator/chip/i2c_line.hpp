@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "emulator/core/tag.hpp"
+
 namespace finemote::emulator {
 
 /// A part with an address. Calls come in bus order; times are those of the last bit.
@@ -13,9 +15,9 @@ class I2cPart {
   /// A START with this 7-bit address. @return acknowledge
   virtual bool select(std::uint8_t address, bool read) = 0;
   /// A byte to the part, after it was selected for writing. @return acknowledge
-  virtual bool write(std::uint8_t byte) = 0;
+  virtual bool write(WireByte byte) = 0;
   /// A byte from the part, after it was selected for reading.
-  virtual std::uint8_t read() = 0;
+  virtual WireByte read() = 0;
   virtual void stop() = 0;
 };
 
@@ -37,14 +39,14 @@ class I2cLine {
     }
     return !selected_.empty();
   }
-  bool write(std::uint8_t byte) {
+  bool write(WireByte byte) {
     bool acknowledged = false;
     for (I2cPart* part : selected_) acknowledged = part->write(byte) || acknowledged;
     return acknowledged;
   }
   /// Several parts answering at once pull the bits together; an empty bus reads ones.
-  std::uint8_t read() {
-    std::uint8_t byte = 0xFF;
+  WireByte read() {
+    WireByte byte = 0xFF;
     for (I2cPart* part : selected_) byte &= part->read();
     return byte;
   }

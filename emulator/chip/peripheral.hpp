@@ -26,6 +26,12 @@ class World {
   }
   void set_line(int line, bool high) { system_.nvic().set_line(line, high); }
 
+  /// Tags of the word that a peripheral is asked for or given, its lowest byte first: it reads them at a store, and
+  /// sets them where it answers a load with bytes of known origin.
+  WordTags& crossing() { return tags_.crossing; }
+  Provenance& provenance() { return provenance_; }
+  TagFlow& tags() { return tags_; }
+
   EventQueue& queue() { return queue_; }
   Reports& reports() { return reports_; }
   [[nodiscard]] const Reports& reports() const { return reports_; }
@@ -41,6 +47,8 @@ class World {
   EventQueue queue_;
   Reports reports_;
   SystemSpace system_;
+  Provenance provenance_;
+  TagFlow tags_{provenance_};
   Cpu* cpu_ = nullptr;
 };
 

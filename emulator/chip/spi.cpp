@@ -46,9 +46,9 @@ void Spi::shift() {
   });
 }
 
-std::uint8_t Spi::exchange(std::uint8_t out) {
+WireByte Spi::exchange(WireByte out) {
   ++statistics_.bytes;
-  std::uint8_t in = 0xFF;
+  WireByte in = 0xFF;
   unsigned answering = 0;
   for (Attached& it : parts_) {
     if (!it.selected) continue;
@@ -59,12 +59,12 @@ std::uint8_t Spi::exchange(std::uint8_t out) {
   return in;
 }
 
-void Spi::shifted(std::uint16_t out) {
+void Spi::shifted(const Frame& out) {
   shifting_ = false;
-  std::uint16_t in = 0;
-  if (wide()) in = static_cast<std::uint16_t>(exchange(static_cast<std::uint8_t>(out >> 8)) << 8);
-  in = static_cast<std::uint16_t>(in | exchange(static_cast<std::uint8_t>(out)));
-  if (on_frame) on_frame(wide() ? out : out & 0xFF, in, wide() ? 16 : 8);
+  Frame in;
+  if (wide()) in.high = exchange(out.high);
+  in.low = exchange(out.low);
+  if (on_frame) on_frame(wide() ? out.value() : out.low.value, in.value(), wide() ? 16 : 8);
   if ((sr_ & kReceived) != 0) {
     sr_ |= kOverrun;
     ++statistics_.errors;
@@ -98,7 +98,8 @@ std::uint32_t Spi::read(std::uint32_t offset) {
       overrun_read_ = (sr_ & kOverrun) != 0;
       sr_ &= ~kReceived;
       update();
-      return in_;
+      world_.crossing() = {in_.low.tag, in_.high.tag};
+      return in_.value();
     default:
       return unmodelled_read(offset);
   }
@@ -132,7 +133,8 @@ void Spi::write(std::uint32_t offset, std::uint32_t value) {
       break;
     case 0x0C:
       if (!on()) return world_.report(Misuse::protocol, name() + " is given a byte while it is off");
-      out_ = static_cast<std::uint16_t>(value);
+      out_ = {{static_cast<std::uint8_t>(value), world_.crossing()[0]},
+              {static_cast<std::uint8_t>(value >> 8), world_.crossing()[1]}};
       full_ = true;
       sr_ &= ~kEmpty;
       if (!shifting_) shift();

@@ -14,7 +14,7 @@ namespace finemote::emulator {
 /// A part behind one chip select.
 struct SpiPart {
   std::function<void(bool selected)> select;
-  std::function<std::uint8_t(std::uint8_t)> exchange;
+  std::function<WireByte(WireByte)> exchange;
 };
 
 class Spi : public Peripheral {
@@ -50,19 +50,24 @@ class Spi : public Peripheral {
     SpiPart part;
     bool selected;
   };
+  /// Two bytes, or the lower one.
+  struct Frame {
+    WireByte low, high;
+    [[nodiscard]] std::uint16_t value() const { return static_cast<std::uint16_t>(low.value | high.value << 8); }
+  };
   [[nodiscard]] bool on() const { return (cr1_ & 0x44) == 0x44; }  // SPE, MSTR
   [[nodiscard]] bool wide() const { return (cr1_ & 0x800) != 0; }  // DFF
-  std::uint8_t exchange(std::uint8_t out);
+  WireByte exchange(WireByte out);
   void write_cr1(std::uint32_t value);
   void shift();
-  void shifted(std::uint16_t out);
+  void shifted(const Frame& out);
   void ask_dma();
   void update();
 
   Wiring wiring_;
   std::vector<Attached> parts_;
   std::uint32_t cr1_ = 0, cr2_ = 0, sr_ = 2;
-  std::uint16_t out_ = 0, in_ = 0;
+  Frame out_, in_;
   bool full_ = false, shifting_ = false, overrun_read_ = false;
   std::uint64_t token_ = 0;
   BusStatistics statistics_;

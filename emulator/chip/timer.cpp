@@ -176,7 +176,8 @@ void Timer::write(std::uint32_t offset, std::uint32_t value) {
   // Without preload a value works at once: RM0090 17.4.7.
   if (offset >= kCcr1 && offset < kCcr1 + 16) {
     const unsigned index = (offset - kCcr1) / 4;
-    if (on_compare) on_compare(index + 1, width_ns(index, value, std::uint64_t{registers_[kArr / 4]} + 1));
+    const std::uint64_t width = width_ns(index, value, std::uint64_t{registers_[kArr / 4]} + 1);
+    if (on_compare) on_compare(index + 1, width, newest(world_.crossing()));
     if ((registers_[kCcmr1 / 4 + index / 2] >> (index % 2 * 8 + 3) & 1) == 0) ccr_active_[index] = value;
   }
   announce();

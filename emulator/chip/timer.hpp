@@ -37,7 +37,7 @@ class Timer : public Peripheral {
   /// Told when the output of a channel changes, at the repetition from which it does.
   std::function<void(unsigned channel, Pulse)> on_pulse;
   /// Told of every compare value written, with the width of the pulses it asks for: with preload they begin later.
-  std::function<void(unsigned channel, std::uint64_t width_ns)> on_compare;
+  std::function<void(unsigned channel, std::uint64_t width_ns, Tag origin)> on_compare;
 
  private:
   void update_event(Time at);

@@ -55,21 +55,24 @@ void Usart::ask_dma() {
   }
 }
 
-void Usart::send_in(const std::vector<std::uint8_t>& bytes, const SerialFormat& sender) {
+void Usart::send_in(const std::vector<std::uint8_t>& bytes, const SerialFormat& sender, Tag sample) {
   Time at = in_free_at_ > world_.now() ? in_free_at_ : world_.now();
   if (at == world_.now() || in_free_at_ < world_.now()) ++bursts_;
-  for (const std::uint8_t byte : bytes) {
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
     at += sender.byte_time();
-    world_.at(at, [this, byte, sender] { arrive(byte, sender); });
+    const Arrival arrival{{bytes[i], i + 1 == bytes.size() ? sample : Tag::none}, i == 0};
+    world_.at(at, [this, arrival, sender] { arrive(arrival, sender); });
   }
   in_busy_ += bytes.size() * sender.byte_time();
   in_free_at_ = at;
 }
 
-void Usart::arrive(std::uint8_t byte, const SerialFormat& sender) {
-  if (silent) return;
-  ++in_bytes_;
-  if (!on() || (cr1_ & kReceiver) == 0) return;
+void Usart::arrive(const Arrival& arrival, const SerialFormat& sender) {
+  WireByte byte = arrival.byte;
+  const bool heard = !silent && on() && (cr1_ & kReceiver) != 0;
+  spoilt_ = (spoilt_ && !arrival.is_first) || !heard;
+  if (!silent) ++in_bytes_;
+  if (!heard) return;
   const SerialFormat mine = format();
   const bool rate_wrong = std::abs(double(sender.baud) / mine.baud - 1) > kTolerance;
   if (rate_wrong || sender.even_parity != mine.even_parity)
@@ -78,14 +81,16 @@ void Usart::arrive(std::uint8_t byte, const SerialFormat& sender) {
   if (noisy_bytes != 0) {
     --noisy_bytes;
     errors |= kNoise | kFraming;
-    byte ^= 0x55;
+    byte.value ^= 0x55;
   }
   if (errors != 0) ++errors_;
-  if ((sr_ & kReceived) != 0) {
+  const bool overrun = (sr_ & kReceived) != 0;
+  spoilt_ = spoilt_ || errors != 0 || overrun;
+  if (overrun) {
     sr_ |= kOverrun;
     ++errors_;
   } else {
-    received_ = byte;
+    received_ = {byte.value, spoilt_ ? Tag::none : byte.tag};
     sr_ |= kReceived;
   }
   sr_ |= errors;
@@ -112,8 +117,9 @@ std::uint32_t Usart::read(std::uint32_t offset) {
       status_read_ = false;
       sr_ &= ~kReceived;
       update();
+      world_.crossing()[0] = received_.tag;
       // With nine bits the ninth is the parity as received: RM0090 30.6.2.
-      return (cr1_ & kNineBits) == 0 ? received_ : received_ | (std::popcount(received_) % 2U) << 8;
+      return (cr1_ & kNineBits) == 0 ? received_.value : received_.value | (std::popcount(received_.value) % 2U) << 8;
     case 0x08:
       return brr_;
     case 0x0C:
@@ -141,7 +147,7 @@ void Usart::write(std::uint32_t offset, std::uint32_t value) {
       }
       if (status_read_) sr_ &= ~kComplete;
       if (data_full_) world_.report(Misuse::protocol, name() + " is given a byte before the last one left");
-      to_send_ = static_cast<std::uint8_t>(value);
+      to_send_ = {static_cast<std::uint8_t>(value), world_.crossing()[0]};
       data_full_ = true;
       sr_ &= ~kEmpty;
       if (!shifting_) start_shift();
@@ -204,7 +210,7 @@ void Usart::start_shift() {
   world_.after(duration, [this, byte = to_send_] { shifted(byte); });
 }
 
-void Usart::shifted(std::uint8_t byte) {
+void Usart::shifted(WireByte byte) {
   if (!shifting_) return;  // reset meanwhile
   shifting_ = false;
   out_last_ = world_.now();

@@ -35,10 +35,11 @@ class Usart : public Peripheral {
   void reset() override;
   void poll_dma() override { ask_dma(); }
 
-  /// Bytes arrive from outside, one after another from now on (after those already on their way).
-  void send_in(const std::vector<std::uint8_t>& bytes, const SerialFormat& format);
+  /// Bytes arrive from outside, one after another from now on (after those already on their way). The last one carries
+  /// `sample`, unless one of them is damaged or lost on its way: what is parsed has come whole.
+  void send_in(const std::vector<std::uint8_t>& bytes, const SerialFormat& format, Tag sample = Tag::none);
   /// A byte has left the chip; the time is that of its last stop bit.
-  std::function<void(std::uint8_t)> on_sent;
+  std::function<void(WireByte)> on_sent;
 
   [[nodiscard]] SerialFormat format() const;
   [[nodiscard]] BusStatistics statistics() const;
@@ -48,12 +49,17 @@ class Usart : public Peripheral {
   unsigned noisy_bytes = 0;
 
  private:
-  void arrive(std::uint8_t byte, const SerialFormat& sender);
+  /// What comes in, and whether it begins what its sender sends at once.
+  struct Arrival {
+    WireByte byte;
+    bool is_first;
+  };
+  void arrive(const Arrival& arrival, const SerialFormat& sender);
   void line_idle(std::uint64_t token);
   void write_cr1(std::uint32_t value);
   void start_shift();
   void idle_frame();
-  void shifted(std::uint8_t byte);
+  void shifted(WireByte byte);
   void ask_dma();
   void update();
   [[nodiscard]] bool on() const { return (cr1_ >> 13 & 1) != 0; }
@@ -62,8 +68,9 @@ class Usart : public Peripheral {
 
   Wiring wiring_;
   std::uint32_t sr_ = 0xC0, brr_ = 0, cr1_ = 0, cr2_ = 0, cr3_ = 0, gtpr_ = 0;
-  std::uint8_t received_ = 0, to_send_ = 0;
+  WireByte received_, to_send_;
   bool data_full_ = false, shifting_ = false, status_read_ = false;
+  bool spoilt_ = false;  ///< what arrives is not whole
   Time in_free_at_ = 0;
   std::uint64_t idle_token_ = 0;
   std::uint64_t in_bytes_ = 0, out_bytes_ = 0, bursts_ = 0, errors_ = 0;

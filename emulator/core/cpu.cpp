@@ -1,7 +1,6 @@
 #include "emulator/core/cpu.hpp"
 
 #include <cstring>
-#include <stdexcept>
 #include <tuple>
 
 #include "emulator/core/address_map.hpp"
@@ -24,16 +23,18 @@ constexpr std::uint32_t kStackingMem = 1U << 4, kInstructionBus = 1U << 8, kPrec
 
 }  // namespace
 
-Cpu::Cpu(EventQueue& queue, Reports& reports, SystemSpace& system, PeripheralBus& bus, CostModel cost, FlashModel flash)
-    : queue_(queue),
-      reports_(reports),
-      system_(system),
-      bus_(bus),
+Cpu::Cpu(const Around& around, CostModel cost, FlashModel flash)
+    : queue_(around.queue),
+      reports_(around.reports),
+      system_(around.system),
+      bus_(around.bus),
+      provenance_(around.provenance),
+      tags_(around.tags),
       flash_(Memories::kFlashBytes, 0xFF),
       ram_(Memories::kRamBytes, 0xA5),  // not zero: an image that forgets to clear shows
       core_ram_(Memories::kCoreRamBytes, 0xA5),
       system_memory_(Memories::kSystemBytes, 0xFF),
-      core_(Memories{flash_.data(), ram_.data(), core_ram_.data(), system_memory_.data()}, *this) {
+      core_(Memories{flash_.data(), ram_.data(), core_ram_.data(), system_memory_.data()}, *this, around.tags) {
   core_.pace.cost = cost;
   core_.pace.flash = flash;
 }
@@ -41,6 +42,7 @@ Cpu::Cpu(EventQueue& queue, Reports& reports, SystemSpace& system, PeripheralBus
 bool Cpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
   if (is_peripheral(address)) {
     value = bus_.read(address, bytes);
+    tags_.take_answer(bytes, now());
     after_access();
     return true;
   }
@@ -52,6 +54,7 @@ bool Cpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
 
 bool Cpu::write(std::uint32_t address, unsigned bytes, std::uint32_t value) {
   if (is_peripheral(address)) {
+    tags_.give_stored();
     bus_.write(address, bytes, value);
     after_access();
     return true;
@@ -81,54 +84,35 @@ void Cpu::masks_changed() {
   kick();
 }
 
+/// What an event of the queue makes pending is so since the event was due, be it in the middle of an instruction.
+void Cpu::set_log(ExecutionLog* log) {
+  log_ = log;
+  system_.nvic().on_due = [this](int exception) {
+    const Time at = queue_.running() != kNever ? queue_.running() : now();
+    if (log_ != nullptr) log_->push_back({at, static_cast<std::uint32_t>(exception), ExecutionEvent::Kind::due});
+  };
+}
+
 void Cpu::mark(std::uint32_t address, std::uint32_t number) {
   marks_.emplace(address, number);
   core_.mark(address);
 }
 
 void Cpu::passed(std::uint32_t address, Time at) {
-  if (log_ == nullptr) return;
   const auto [first, end] = marks_.equal_range(address);
-  for (auto it = first; it != end; ++it) log_->push_back({at, it->second, ExecutionEvent::Kind::mark});
+  for (auto it = first; it != end; ++it) {
+    if (tags_.is_on()) provenance_.pass_mark(it->second, at);
+    if (log_ != nullptr) log_->push_back({at, it->second, ExecutionEvent::Kind::mark});
+  }
 }
 
 void Cpu::report_unmodelled(const char* what) { reports_.add(Misuse::unmodelled, what, now(), pc()); }
 
-std::uint8_t* Cpu::memory(std::uint32_t address, std::uint32_t bytes) {
-  const auto inside = [&](std::vector<std::uint8_t>& area, std::uint32_t base) -> std::uint8_t* {
-    const std::uint64_t offset = std::uint64_t{address} - base;
-    return address >= base && offset + bytes <= area.size() ? area.data() + offset : nullptr;
-  };
-  if (std::uint8_t* p = inside(ram_, Memories::kRamBase)) return p;
-  if (std::uint8_t* p = inside(core_ram_, Memories::kCoreRamBase)) return p;
-  return inside(flash_, Memories::kFlashBase);
-}
-
-void Cpu::load(const Image& image) {
-  std::uint32_t used = 0;
-  for (const Segment& segment : image.segments) {
-    const std::uint64_t offset = std::uint64_t{segment.address} - Memories::kFlashBase;
-    if (segment.address < Memories::kFlashBase || offset + segment.bytes.size() > flash_.size())
-      throw std::runtime_error("a segment at " + hex(segment.address) + " lies outside the flash");
-    std::memcpy(flash_.data() + offset, segment.bytes.data(), segment.bytes.size());
-    const auto end = static_cast<std::uint32_t>(offset + segment.bytes.size());
-    if (end > used) used = end;
-  }
-  core_.take_apart_flash(used);
-}
-
-std::uint32_t Cpu::vector(int exception) {
-  std::uint32_t base = system_.vector_table();
-  if (base < Memories::kFlashBytes) base += Memories::kFlashBase;  // boot alias
-  const std::uint8_t* p = memory(base + 4 * static_cast<std::uint32_t>(exception), 4);
-  std::uint32_t value = 0;
-  if (p != nullptr) std::memcpy(&value, p, 4);
-  return value;
-}
-
 void Cpu::reset() {
   system_.reset();
   note(ExecutionEvent::Kind::reset, 0);
+  provenance_.reset();
+  tags_.reset();
   masked_ = false;
   active_.clear();
   left_it_blocks_.clear();
@@ -209,8 +193,11 @@ void Cpu::enter(int exception, bool tail_chained, std::uint32_t chained_return) 
     g.r[13] = frame;
     exc_return = 0xFFFFFFE1U | (fp ? 0U : 0x10U) | (active_.empty() ? 8U : 0U) | (process ? 4U : 0U);
     if (fp) core_.lazy_frame = true;  // without, what an outer routine interrupted may still wait to be saved
+    provenance_.enter();
+    tags_.enter();
     pace.charge(kEntryCycles);
   } else {
+    provenance_.tail();
     pace.charge(kTailCycles);
   }
   core_.fp_active = false;
@@ -240,6 +227,7 @@ void Cpu::leave(std::uint32_t exc_return) {
   note(ExecutionEvent::Kind::leave, exception);
   bus_.returning(exception);
   system_.nvic().leave(exception);
+  if (on_return) on_return(exception);
   g.exclusive = false;
   if (exception != kHardFault && exception != kNmi) g.faultmask = 0;
   if (const int next = takeable(); next != 0) {
@@ -280,6 +268,8 @@ void Cpu::leave(std::uint32_t exc_return) {
   system_.set_active_exception(static_cast<int>(active));
   pace.expected = g.next;
   pace.charge(restores ? kFloatReturnCycles : kReturnCycles);
+  provenance_.resume();
+  tags_.resume();
   note(ExecutionEvent::Kind::resume, exception);
 }
 
@@ -295,25 +285,6 @@ void Cpu::fault(int exception, std::uint32_t cfsr, std::uint32_t address, const 
   system_.note_fault(cfsr, address, !reachable);
   core_.registers.next = pc();
   enter(reachable ? exception : static_cast<int>(kHardFault), false, 0);
-}
-
-void Cpu::semihosting() {
-  Registers& g = core_.registers;
-  const std::uint32_t operation = g.r[0];
-  std::uint32_t argument = g.r[1];
-  if (operation == 0x04) {  // SYS_WRITE0
-    for (const std::uint8_t* p = memory(argument, 1); p != nullptr && *p != 0; p = memory(++argument, 1))
-      console_ += static_cast<char>(*p);
-  } else if (operation == 0x18 || operation == 0x20) {  // SYS_EXIT, SYS_EXIT_EXTENDED
-    exited_ = true;
-    if (const std::uint8_t* p = operation == 0x20 ? memory(argument + 4, 4) : nullptr) std::memcpy(&exit_code_, p, 4);
-  } else if (operation == 0x10 || operation == 0x11) {
-    g.r[0] = 0;
-  } else {
-    reports_.add(Misuse::unmodelled, "semihosting operation " + hex(operation), now(), pc());
-  }
-  g.next = pc() + 2;
-  core_.pace.expected = g.next;
 }
 
 void Cpu::take_exceptions() {

@@ -10,7 +10,9 @@
 #include "emulator/core/cost.hpp"
 #include "emulator/core/execution_log.hpp"
 #include "emulator/core/interpreter.hpp"
+#include "emulator/core/provenance.hpp"
 #include "emulator/core/system_space.hpp"
+#include "emulator/core/tag_flow.hpp"
 #include "emulator/event_queue.hpp"
 #include "emulator/image.hpp"
 #include "emulator/report.hpp"
@@ -36,7 +38,16 @@ enum class Stop {
 
 class Cpu : private Outside {
  public:
-  Cpu(EventQueue& queue, Reports& reports, SystemSpace& system, PeripheralBus& bus, CostModel cost, FlashModel flash);
+  /// What the processor works with.
+  struct Around {
+    EventQueue& queue;
+    Reports& reports;
+    SystemSpace& system;
+    PeripheralBus& bus;
+    Provenance& provenance;
+    TagFlow& tags;
+  };
+  Cpu(const Around& around, CostModel cost, FlashModel flash);
   Cpu(const Cpu&) = delete;
   Cpu& operator=(const Cpu&) = delete;
 
@@ -69,7 +80,7 @@ class Cpu : private Outside {
     set_stop();
   }
   /// What happens from now on is kept in `log`, which outlives the processor; null: nowhere.
-  void set_log(ExecutionLog* log) { log_ = log; }
+  void set_log(ExecutionLog* log);
   /// Passing the instruction at `address` of the loaded image is an event of the log with `number`; several marks of
   /// one address come in the order they were set.
   void mark(std::uint32_t address, std::uint32_t number);
@@ -84,6 +95,8 @@ class Cpu : private Outside {
   [[nodiscard]] Time drained_at() const { return core_.drained_at; }
   /// Time that a peripheral access costs beyond the instruction.
   void add_wait(unsigned cycles) { core_.pace.charge(cycles); }
+  /// An exception's routine has ended.
+  std::function<void(int exception)> on_return;
   /// The image asked for a system reset (AIRCR).
   std::function<void()> on_reset_request;
   /// Looks at pending work before the next instruction.
@@ -119,6 +132,8 @@ class Cpu : private Outside {
   Reports& reports_;
   SystemSpace& system_;
   PeripheralBus& bus_;
+  Provenance& provenance_;
+  TagFlow& tags_;
   std::vector<std::uint8_t> flash_, ram_, core_ram_, system_memory_;
   Interpreter core_;
 

@@ -16,6 +16,7 @@ struct ExecutionEvent {
     resume,  ///< unstacking has ended; `number`: the exception that was left
     mask,    ///< PRIMASK, FAULTMASK or BASEPRI keeps interrupts out from now on
     unmask,  ///< none of them does
+    due,     ///< `number`: the exception, pending from now on
     mark,    ///< the instruction at a mark begins; `number`: what the mark stands for
     reset,   ///< the processor starts anew
   };

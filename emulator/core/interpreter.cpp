@@ -289,13 +289,13 @@ template <Interpreter::Form Last, auto Terms>
 
 Halt Interpreter::run() {
   const bool plain = pace.cost == CostModel::cortex_m4 && pace.flash == FlashModel::hit;
-  return plain                          ? run_with<CostModel::cortex_m4, FlashModel::hit>()
-         : pace.cost == CostModel::qemu ? run_with<CostModel::qemu, FlashModel::hit>()
-                                        : run_with<CostModel::cortex_m4, FlashModel::miss_always>();
+  return plain                          ? run_at_cost<CostModel::cortex_m4, FlashModel::hit>()
+         : pace.cost == CostModel::qemu ? run_at_cost<CostModel::qemu, FlashModel::hit>()
+                                        : run_at_cost<CostModel::cortex_m4, FlashModel::miss_always>();
 }
 
-/// The loop, made for each choice of costs that matters.
-template <CostModel Cost, FlashModel Flash>
+/// The loop, made for each choice of costs that matters, and with or without tags.
+template <CostModel Cost, FlashModel Flash, bool Tagged>
 Halt Interpreter::run_with() {
   Registers& g = registers;
   std::uint32_t* const r = g.r.data();
@@ -330,6 +330,7 @@ Halt Interpreter::run_with() {
     for (;;) {  // straight on
       const Operation& o = *here;
       pace.account<Cost, Flash>(address, o.info.cycles);
+      if constexpr (Tagged) tags_.follow(o, g, is_conditional, pace.time);
       expected = address + o.info.bytes;
       const auto stop = [&](Halt why, std::uint32_t at) __attribute__((always_inline)) {
         return stop_at(why, at, expected);

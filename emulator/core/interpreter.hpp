@@ -6,9 +6,11 @@
 #include <map>
 #include <vector>
 
+#include "emulator/core/memories.hpp"
 #include "emulator/core/operation.hpp"
 #include "emulator/core/pace.hpp"
 #include "emulator/core/registers.hpp"
+#include "emulator/core/tag_flow.hpp"
 
 namespace finemote::emulator {
 
@@ -44,19 +46,10 @@ class Outside {
   virtual void passed(std::uint32_t address, Time at) = 0;
 };
 
-/// The memories of the STM32F407 (RM0090 2.3.1); they outlive the interpreter.
-struct Memories {
-  static constexpr std::uint32_t kFlashBase = 0x08000000, kFlashBytes = 0x100000;  ///< also at 0
-  static constexpr std::uint32_t kRamBase = 0x20000000, kRamBytes = 0x20000;
-  static constexpr std::uint32_t kCoreRamBase = 0x10000000, kCoreRamBytes = 0x10000;  ///< not executable
-  static constexpr std::uint32_t kSystemBase = 0x1FFF7000, kSystemBytes = 0x1000;     ///< read only
-
-  std::uint8_t *flash, *ram, *core_ram, *system;
-};
-
 class Interpreter {
  public:
-  Interpreter(const Memories& memories, Outside& outside) : memories_(memories), outside_(outside) {}
+  Interpreter(const Memories& memories, Outside& outside, TagFlow& tags)
+      : memories_(memories), outside_(outside), tags_(tags) {}
 
   Registers registers;
   Pace pace;
@@ -81,8 +74,12 @@ class Interpreter {
   static constexpr unsigned kLazyCycles = 17;
 
  private:
-  template <CostModel Cost, FlashModel Flash>
+  template <CostModel Cost, FlashModel Flash, bool Tagged>
   Halt run_with();
+  template <CostModel Cost, FlashModel Flash>
+  Halt run_at_cost() {
+    return tags_.is_on() ? run_with<Cost, Flash, true>() : run_with<Cost, Flash, false>();
+  }
   const Operation* operation_at(std::uint32_t address, Operation& outside_image) const;
   const Operation* take_apart_at(std::uint32_t address, Operation& into) const;
   template <CostModel Cost>
@@ -184,6 +181,7 @@ class Interpreter {
 
   Memories memories_;
   Outside& outside_;
+  TagFlow& tags_;
   std::vector<Operation> operations_;          ///< one per halfword of the image, and what lies behind its end
   const Operation* known_ = nullptr;           ///< the same, at hand
   std::uint32_t known_count_ = 0;              ///< halfwords of the image

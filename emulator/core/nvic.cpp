@@ -21,6 +21,7 @@ void Nvic::set_line(int line, bool high) {
 }
 
 void Nvic::pend(int exception) {
+  if (on_due && !pending_.has(exception)) on_due(exception);
   pending_.put(exception, true);
   changed_ = true;
 }

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <utility>
 
 namespace finemote::emulator {
 
@@ -24,7 +26,13 @@ enum Exception : int {
 /// ARMv7-M Architecture Reference Manual B1.5 and B3.4; PM0214 4.3. Four priority bits.
 class Nvic {
  public:
-  void reset() { *this = Nvic{}; }
+  void reset() {
+    auto told = std::move(on_due);
+    *this = Nvic{};
+    on_due = std::move(told);
+  }
+  /// Told of an exception when it begins to be pending.
+  std::function<void(int exception)> on_due;
 
   /// A peripheral's line changes its level. A rise pends; a level still high when its routine returns pends again.
   void set_line(int line, bool high);

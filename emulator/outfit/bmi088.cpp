@@ -39,7 +39,13 @@ class Bmi088Element : public SeatedElement {
     const std::string ready = on_board ? "PC5" : maybe<std::string>(part, "ready", "");
     if (!ready.empty()) connect_output(Bmi088::Output::int3, ready);
     model.on_output = [this](Bmi088::Output output, int level) { drive(output, level); };
-    model.on_read = [this](Time from) { record_sample(from); };
+    // Channel 0: rates, 1: acceleration.
+    model.on_sample = [this](Bmi088::Quantity quantity, Time from) {
+      return begin_sample(static_cast<unsigned>(quantity), from);
+    };
+    model.on_read = [this](Bmi088::Quantity quantity, Tag sample) {
+      end_sample(static_cast<unsigned>(quantity), sample);
+    };
   }
   void connect() override {
     SeatedElement::connect();

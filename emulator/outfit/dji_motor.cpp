@@ -23,7 +23,7 @@ DjiMotor::Figures figures_of(const Json& part) {
   f.zero = need<double>(part, "zero");
   // Controllers do not know of each other: their reports are spread over the millisecond.
   const auto period = need<std::uint64_t>(part, "period_ns");
-  f.period = from_ns(period);
+  f.period = period_of(part);
   f.phase = from_ns(maybe<std::uint64_t>(part, "phase_ns", f.feedback_id * 137'000ULL % period));
   return f;
 }
@@ -51,8 +51,9 @@ class MotorElement : public Element, public ShaftSource {
  public:
   MotorElement(Outfit& outfit, const Json& part, const std::string& name)
       : Element(outfit, name), model(outfit.board().world(), line_of(outfit, part), figures_of(part), shaft_of(part)) {
-    model.on_report = [this](Time from) { record_sample(from); };
-    model.on_command = [this](int word) { record_output(0, static_cast<double>(word)); };
+    model.on_sample = [this] { return begin_sample(0, now()); };
+    model.on_report = [this](Tag sample) { end_sample(0, sample); };
+    model.on_command = [this](int word, Tag origin) { record_output(0, static_cast<double>(word), origin); };
   }
   MotorShaft& shaft() override { return model.shaft(); }
   void disturb(double torque) { shaft().load(now(), MotorShaft::Load::scenario, torque); }
@@ -122,6 +123,7 @@ Model dji_motor() {
           "millisecond; keeps the last current when commands stop",
       .is = {"shaft"},
       .figures = figures() + pace(1e6),
+      .clock_tolerance_ppm = kResonatorTolerancePpm,
       .verbs = verbs(),
       .values = values(),
       .make = Row::make,

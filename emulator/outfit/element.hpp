@@ -28,11 +28,13 @@ class Element {
  protected:
   Outfit& outfit() { return outfit_; }
   [[nodiscard]] Time now() const;
-  /// It sampled a quantity at `from`, and its last bit could be read at `until` (or now).
-  void record_sample(Time from, Time until);
-  void record_sample(Time from);
-  /// An output took this value now: pulse width [ns], current command.
-  void record_output(unsigned channel, double value);
+  /// It sampled a quantity at `from`, and its last bit can be read at `until`. @return what its bytes carry
+  Tag record_sample(Time from, Time until);
+  /// The same in two steps: bytes that carry it leave, and, later, its last bit can be read now.
+  Tag begin_sample(unsigned channel, Time from);
+  void end_sample(unsigned channel, Tag sample);
+  /// An output took this value now: pulse width [ns], current command. @param origin  of the bytes that said so
+  void record_output(unsigned channel, double value, Tag origin);
 
  private:
   Outfit& outfit_;

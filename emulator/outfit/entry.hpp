@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "emulator/time.hpp"
+
 namespace finemote::emulator {
 
 using Json = nlohmann::ordered_json;
@@ -39,6 +41,14 @@ inline Eigen::Vector3d vector(const Json& entry, const char* key,
   if (list.size() != 3) refuse(entry, std::string("'") + key + "' has three numbers");
   return {list[0], list[1], list[2]};
 }
+
+/// Between two frames of a part that speaks by itself, on the board's clock.
+inline Time period_of(const Json& entry) {
+  const auto own = static_cast<double>(from_ns(need<std::uint64_t>(entry, "period_ns")));
+  return static_cast<Time>(own / (1 + need<double>(entry, "clock_ppm") * 1e-6) + 0.5);
+}
+/// Of its first frame.
+inline Time phase_of(const Json& entry) { return from_ns(maybe<std::uint64_t>(entry, "phase_ns", 0)); }
 
 /// Of a fault that lasts: it begins, and does not end.
 inline bool is_on(const Json& event) { return maybe(event, "on", true); }

@@ -5,9 +5,13 @@
 
 namespace finemote::emulator {
 
+/// Data sheets of these parts do not say how exact their clocks are: as of a ceramic resonator (Murata CSTCE, 0.5 %
+/// initial, 0.2 % over temperature, 0.1 % with age).
+inline constexpr double kResonatorTolerancePpm = 8'000;
+
 /// A serial line of its own: `port` and format.
 std::vector<scenario::Member> serial_line();
-/// Of parts that speak by themselves, usually every `period_ns`.
+/// Of parts that speak by themselves, usually every `period_ns` of their own clock.
 std::vector<scenario::Member> pace(double period_ns);
 /// A place on an I2C bus, or behind a mux; the entry has one_of i2c_where().
 std::vector<scenario::Member> i2c_place();

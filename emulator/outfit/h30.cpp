@@ -20,13 +20,14 @@ class H30Element : public SeatedElement {
       : SeatedElement(outfit, part, name),
         model(outfit.board().world(), outfit.usart_of(part), format_of(part), period_of(part), phase_of(part),
               [this](Time at) { return feel(at); }),
-        format_(format_of(part)) {}
+        format_(format_of(part)) {
+    model.on_sample = [this] { return record_sample(now(), now() + h30_frame(0, {}).size() * format_.byte_time()); };
+  }
 
   H30 model;
 
  private:
   Attitude feel(Time at) {
-    record_sample(at, at + h30_frame(0, {}).size() * format_.byte_time());
     const Motion felt = motion(at);
     const Angles angles = angles_of(felt.attitude);
     constexpr double kDegree = std::numbers::pi / 180;
@@ -56,6 +57,7 @@ Model h30_imu() {
       .type = "h30_imu",
       .summary = "frames of attitude, rates and acceleration every `period_ns`",
       .figures = serial_line() + pace(5e6) + seat(),
+      .clock_tolerance_ppm = kResonatorTolerancePpm,
       .verbs = {Row::fault("silent", "sends nothing", {until()}, silence),
                 Row::fault("damage", "frames with a wrong checksum", {count("frames")}, damage),
                 SeatedElement::move_verb()},

@@ -19,7 +19,7 @@ class CompassElement : public SeatedElement {
         model(
             need<std::uint8_t>(part, "address"), [&outfit] { return outfit.now(); },
             [this](Time at) { return Eigen::Vector3d(motion(at).attitude.conjugate() * field); }) {
-    model.on_read = [this](Time from) { record_sample(from); };
+    model.on_read = [this](Time from) { return record_sample(from, now()); };
     outfit.line_of(part).attach(model);
     if (maybe<std::string>(part, "port", "") == "i2c3") {  // the part on the board has its reset at PG6
       outfit.board().chip().gpio('G').watcher[6] = [this](bool output, bool high) {

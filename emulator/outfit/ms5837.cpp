@@ -19,9 +19,10 @@ class PressureElement : public SeatedElement {
       : SeatedElement(outfit, part, name),
         model(
             need<std::string>(part, "variant") == "02BA" ? Ms5837::Variant::k02BA : Ms5837::Variant::k30BA,
-            [&outfit] { return outfit.now(); }, [this](Time at) { return feel(at); }),
+            [&outfit] { return outfit.now(); }, [this](Time at) { return pressure(at); }),
         follows_(part.contains("body")),
         pressure_(need<double>(part, "pressure")) {
+    model.on_sample = [this](Time at) { return record_sample(at, at); };
     outfit.line_of(part).attach(model);
   }
   double pressure(Time at) {
@@ -38,11 +39,6 @@ class PressureElement : public SeatedElement {
   Ms5837 model;
 
  private:
-  double feel(Time at) {
-    record_sample(at, at);
-    return pressure(at);
-  }
-
   bool follows_;
   double pressure_;
 };

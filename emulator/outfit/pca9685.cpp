@@ -15,8 +15,10 @@ class ExpanderElement : public Element, public PulseSource {
   ExpanderElement(Outfit& outfit, const Json& part, const std::string& name)
       : Element(outfit, name), model(need<std::uint8_t>(part, "address")) {
     model.on_pulse = [this](unsigned channel, std::uint64_t pulse) {
-      record_output(channel, static_cast<double>(pulse));
       for (const Listener& tell : listeners_[channel]) tell({pulse, model.period_ns()});
+    };
+    model.on_command = [this](unsigned channel, std::uint64_t pulse, Tag origin) {
+      record_output(channel, static_cast<double>(pulse), origin);
     };
     model.on_write = [this](unsigned channel, std::uint64_t pulse) {
       if (noted[channel] < 0) noted[channel] = static_cast<double>(pulse) / 1000;

@@ -15,7 +15,8 @@ OutputElement::OutputElement(Outfit& outfit, const Json& part, const std::string
     changed();
   });
   if (!part.contains("port")) return;  // an expander records its outputs itself
-  outfit.listen_to_writes(part, [this](std::uint64_t width_ns) { record_output(0, static_cast<double>(width_ns)); });
+  outfit.listen_to_writes(
+      part, [this](std::uint64_t width_ns, Tag origin) { record_output(0, static_cast<double>(width_ns), origin); });
 }
 
 std::vector<Quantity> OutputElement::values() {

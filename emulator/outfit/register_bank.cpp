@@ -16,6 +16,9 @@ class RegisterElement : public Element {
   RegisterElement(Outfit& outfit, const Json& part, const std::string& name)
       : Element(outfit, name), model(need<std::uint8_t>(part, "address")) {
     set(part);
+    model.on_sample = [this] { return begin_sample(0, now()); };
+    model.on_read = [this](Tag sample) { end_sample(0, sample); };
+    model.on_write = [this](unsigned number, WireByte byte) { record_output(number, byte.value, byte.tag); };
     outfit.line_of(part).attach(model);
   }
   void set(const Json& entry) {

@@ -17,7 +17,7 @@ class RemoteElement : public Element {
         model(outfit.board().world(), outfit.usart_of(part), format_of(part), encode, period_of(part), phase_of(part)) {
     // Neither has a length: the end of a frame is known by the silence of one byte after it.
     model.on_frame = [this, byte = format_of(part).byte_time()](Time begin, Time end) {
-      record_sample(begin, end + byte);
+      return record_sample(begin, end + byte);
     };
   }
 
@@ -69,6 +69,7 @@ Model receiver(const char* type, Model::Make make) {
       .type = type,
       .summary = "frames of a remote control every 14 ms",
       .figures = serial_line() + pace(14e6),
+      .clock_tolerance_ppm = kResonatorTolerancePpm,
       .verbs = {with_member(Row::stimulus("move", "what the operator does; the rest stays", sticks(), move)),
                 Row::fault("silent", "sends nothing", {until()}, silence),
                 Row::fault("damage", "frames that lack a byte", {count("frames")}, damage)},

@@ -14,7 +14,4 @@ inline SerialFormat format_of(const Json& part) {
   return format;
 }
 
-inline Time period_of(const Json& part) { return from_ns(need<std::uint64_t>(part, "period_ns")); }
-inline Time phase_of(const Json& part) { return from_ns(maybe<std::uint64_t>(part, "phase_ns", 0)); }
-
 }  // namespace finemote::emulator

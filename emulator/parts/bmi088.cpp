@@ -86,12 +86,12 @@ void Bmi088::power_cycle() {
 
 SpiPart Bmi088::accelerometer() {
   return SpiPart{[this](bool selected) { accelerometer_selected(selected); },
-                 [this](std::uint8_t out) { return accelerometer_byte(out); }};
+                 [this](WireByte out) { return accelerometer_byte(out); }};
 }
 
 SpiPart Bmi088::gyroscope() {
   return SpiPart{[this](bool selected) { gyroscope_selected(selected); },
-                 [this](std::uint8_t out) { return gyroscope_byte(out); }};
+                 [this](WireByte out) { return gyroscope_byte(out); }};
 }
 
 void Bmi088::accelerometer_selected(bool selected) {
@@ -100,10 +100,26 @@ void Bmi088::accelerometer_selected(bool selected) {
   } else if (accel_exchange_.selected) {
     accel_on_spi_ = true;  // the first rising edge turns it from I2C to SPI: 6.1
   }
-  accel_exchange_ = {selected, false, 0, 0};
+  end(accel_exchange_, Quantity::acceleration);
+  accel_exchange_ = {selected};
 }
 
-std::uint8_t Bmi088::accelerometer_byte(std::uint8_t out) {
+/// A register of the accelerometer or the gyroscope; those of the values carry their sample.
+WireByte Bmi088::value_byte(Exchange& exchange, Quantity quantity, unsigned address) {
+  const bool rates = quantity == Quantity::rates;
+  const unsigned first = rates ? kGyroData : kAccelData;
+  const Time from = rates ? gyro_sampled_ : accel_sampled_;
+  const std::uint8_t value = (rates ? gyro_ : accel_)[address];
+  if (address < first || address >= first + 6 || from == 0 || !on_sample) return value;
+  if (exchange.sample == Tag::none) exchange.sample = on_sample(quantity, from);
+  return {value, exchange.sample};
+}
+
+void Bmi088::end(const Exchange& exchange, Quantity quantity) {
+  if (exchange.sample != Tag::none && on_read) on_read(quantity, exchange.sample);
+}
+
+WireByte Bmi088::accelerometer_byte(std::uint8_t out) {
   Exchange& x = accel_exchange_;
   const unsigned index = x.count++;
   if (index == 0) {
@@ -118,7 +134,7 @@ std::uint8_t Bmi088::accelerometer_byte(std::uint8_t out) {
   }
   if (index == 1) return 0xA5;  // a byte without meaning comes first: 6.1.2
   const unsigned address = (x.address + index - 2) & 0x7F;
-  const std::uint8_t byte = accel_[address];
+  const WireByte byte = value_byte(x, Quantity::acceleration, address);
   if (address == kAccelStatus) {  // cleared on read: 5.3.6
     accel_[kAccelStatus] = 0;
     accel_noticed_ = accel_sampled_;
@@ -176,14 +192,11 @@ void Bmi088::sample_acceleration() {
 
 void Bmi088::gyroscope_selected(bool selected) {
   if (selected) sample_rates();
-  const Exchange& x = gyro_exchange_;
-  const bool has_read = !selected && x.selected && x.reading && x.address <= kGyroData &&
-                        x.address + x.count >= kGyroData + 7 && gyro_sampled_ != 0;
-  gyro_exchange_ = {selected, false, 0, 0};
-  if (has_read && accel_sampled_ != 0 && !silent && on_read) on_read(std::min(gyro_sampled_, accel_sampled_));
+  end(gyro_exchange_, Quantity::rates);
+  gyro_exchange_ = {selected};
 }
 
-std::uint8_t Bmi088::gyroscope_byte(std::uint8_t out) {
+WireByte Bmi088::gyroscope_byte(std::uint8_t out) {
   Exchange& x = gyro_exchange_;
   const unsigned index = x.count++;
   if (index == 0) {
@@ -192,7 +205,7 @@ std::uint8_t Bmi088::gyroscope_byte(std::uint8_t out) {
     return 0xFF;
   }
   if (silent || now() < gyro_ready_) return 0xFF;
-  if (x.reading) return gyro_[(x.address + index - 1) & 0x7F];
+  if (x.reading) return value_byte(x, Quantity::rates, (x.address + index - 1) & 0x7F);
   if (index == 1) write_gyroscope(x.address, out);
   return 0xFF;
 }

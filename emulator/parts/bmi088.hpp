@@ -21,6 +21,7 @@ namespace finemote::emulator {
 class Bmi088 {
  public:
   enum class Output : std::uint8_t { int1, int2, int3, int4 };  ///< the first two are the accelerometer's
+  enum class Quantity : std::uint8_t { rates, acceleration };
 
   /// @param motion       what acts on the part at a time
   /// @param temperature  of the part at a time [degrees Celsius]; asked in the order of time
@@ -32,8 +33,10 @@ class Bmi088 {
   SpiPart gyroscope();
 
   bool silent = false;  ///< answers nothing: the line stays high; takes no samples
-  /// Told at the end of a read of rates; `from`: when the older of acceleration and rates was taken.
-  std::function<void(Time from)> on_read;
+  /// Asked, when a read comes to the values of a quantity taken at `from`, what their bytes carry.
+  std::function<Tag(Quantity quantity, Time from)> on_sample;
+  /// Told at the end of such a read.
+  std::function<void(Quantity quantity, Tag sample)> on_read;
   /// Told the level an output drives when that changes: 1, 0, or -1: none.
   std::function<void(Output output, int level)> on_output;
   void power_cycle();
@@ -43,9 +46,12 @@ class Bmi088 {
     bool selected = false, reading = false;
     unsigned count = 0;
     std::uint8_t address = 0;
+    Tag sample = Tag::none;  ///< of the quantity it reads
   };
-  std::uint8_t accelerometer_byte(std::uint8_t out);
-  std::uint8_t gyroscope_byte(std::uint8_t out);
+  WireByte accelerometer_byte(std::uint8_t out);
+  WireByte gyroscope_byte(std::uint8_t out);
+  WireByte value_byte(Exchange& exchange, Quantity quantity, unsigned address);
+  void end(const Exchange& exchange, Quantity quantity);
   void accelerometer_selected(bool selected);
   void gyroscope_selected(bool selected);
   void write_accelerometer(std::uint8_t address, std::uint8_t value);

@@ -21,11 +21,7 @@ void put(CanFrame& frame, unsigned at, double value) {
 DjiMotor::DjiMotor(World& world, CanLine& line, const Figures& figures, const MotorShaft::Parameters& shaft)
     : world_(world), line_(line), figures_(figures), shaft_(shaft) {
   line_.attach(CanLine::Node{[this] { return waiting_; },
-                             [this](const CanFrame&, CanOutcome outcome) {
-                               if (outcome != CanOutcome::received) return;  // tried again
-                               waiting_.reset();
-                               if (on_report) on_report(sampled_);
-                             },
+                             [this](const CanFrame& frame, CanOutcome outcome) { sent(frame, outcome); },
                              [this](const CanFrame& frame) { hear(frame); }});
   world_.after(figures_.phase, [this] { tick(); });
 }
@@ -33,9 +29,14 @@ DjiMotor::DjiMotor(World& world, CanLine& line, const Figures& figures, const Mo
 void DjiMotor::tick() {
   world_.after(figures_.period, [this] { tick(); });
   if (silent) return waiting_.reset();
-  sampled_ = world_.now();
-  waiting_ = report(sampled_);
+  waiting_ = report(world_.now());
   line_.request();
+}
+
+void DjiMotor::sent(const CanFrame& frame, CanOutcome outcome) {
+  if (outcome != CanOutcome::received) return;                     // tried again
+  if (waiting_ && waiting_->tags == frame.tags) waiting_.reset();  // else a newer one waits by now
+  if (on_report && frame.tags[0] != Tag::none) on_report(frame.tags[0]);
 }
 
 CanFrame DjiMotor::report(Time now) {
@@ -48,6 +49,8 @@ CanFrame DjiMotor::report(Time now) {
   if (damaged_reports != 0) {
     --damaged_reports;
     frame.data[0] = frame.data[1] = 0xFF;
+  } else if (on_sample) {
+    frame.tags.fill(on_sample());
   }
   return frame;
 }
@@ -64,7 +67,7 @@ void DjiMotor::hear(const CanFrame& frame) {
   }
   heard_ = world_.now();
   shaft_.drive(world_.now(), current() * figures_.torque_per_ampere);
-  if (on_command) on_command(word);
+  if (on_command) on_command(word, newest(frame.tags[2 * figures_.word], frame.tags[2 * figures_.word + 1]));
 }
 
 }  // namespace finemote::emulator

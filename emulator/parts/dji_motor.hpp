@@ -37,9 +37,11 @@ class DjiMotor {
   /// Such pauses; the time before the first command is one.
   [[nodiscard]] unsigned pauses() const { return pauses_; }
 
-  /// Told when a command has arrived, and when a report sampled at `from` has.
-  std::function<void(int word)> on_command;
-  std::function<void(Time from)> on_report;
+  /// Told when a command has arrived, and where its bytes come from.
+  std::function<void(int word, Tag origin)> on_command;
+  /// Asked what the bytes of a report carry that is made now; told when it has arrived. A damaged one is not asked for.
+  std::function<Tag()> on_sample;
+  std::function<void(Tag sample)> on_report;
 
   bool silent = false;           ///< sends no reports; still obeys
   unsigned damaged_reports = 0;  ///< the next ones hold an angle no encoder has
@@ -47,6 +49,7 @@ class DjiMotor {
  private:
   void tick();
   void hear(const CanFrame& frame);
+  void sent(const CanFrame& frame, CanOutcome outcome);
   [[nodiscard]] CanFrame report(Time now);
 
   World& world_;
@@ -58,7 +61,6 @@ class DjiMotor {
   int resumed_with_ = 0;
   Time heard_ = 0;
   std::optional<CanFrame> waiting_;
-  Time sampled_ = 0;
 };
 
 }  // namespace finemote::emulator

@@ -52,12 +52,14 @@ void H30::send() {
   world_.after(period_, [this] { send(); });
   if (silent) return;
   std::vector<std::uint8_t> frame = h30_frame(number_++, attitude_(world_.now()));
+  Tag sample = on_sample ? on_sample() : Tag::none;
   if (damaged_frames != 0) {
     --damaged_frames;
     frame.back() ^= 0xFF;
+    sample = Tag::none;
   }
   ++frames_;
-  usart_.send_in(frame, format_);
+  usart_.send_in(frame, format_, sample);
 }
 
 }  // namespace finemote::emulator

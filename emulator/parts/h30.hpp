@@ -26,6 +26,8 @@ class H30 {
   H30(World& world, Usart& usart, const SerialFormat& format, Time period, Time phase,
       std::function<Attitude(Time)> attitude);
 
+  /// Asked what the bytes of a frame carry that is made and begins now.
+  std::function<Tag()> on_sample;
   bool silent = false;          ///< sends nothing
   unsigned damaged_frames = 0;  ///< the next ones carry a wrong sum
   [[nodiscard]] unsigned frames() const { return frames_; }

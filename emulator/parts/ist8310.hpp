@@ -24,7 +24,7 @@ class Ist8310 : public I2cPart {
     at_start_ = !read;
     return selected_;
   }
-  bool write(std::uint8_t byte) override {
+  bool write(WireByte byte) override {
     if (at_start_) {
       pointer_ = byte;
       at_start_ = false;
@@ -33,9 +33,10 @@ class Ist8310 : public I2cPart {
     }
     return true;
   }
-  std::uint8_t read() override {
+  WireByte read() override {
     if (pointer_ == kData) measure();
-    return registers_[pointer_++];
+    const std::uint8_t at = pointer_++;
+    return {registers_[at], at >= kData && at < kData + 6 ? sample_ : Tag::none};
   }
   void stop() override { selected_ = false; }
 
@@ -46,7 +47,8 @@ class Ist8310 : public I2cPart {
   }
   void power_cycle() { reset(); }
   bool dead = false;  ///< acknowledges nothing
-  std::function<void(Time from)> on_read;
+  /// Told when a measurement is read. @return what its bytes carry
+  std::function<Tag(Time from)> on_read;
 
  private:
   static constexpr std::uint8_t kWho = 0x00, kStatus = 0x02, kData = 0x03, kControl1 = 0x0A, kControl2 = 0x0B;
@@ -56,6 +58,7 @@ class Ist8310 : public I2cPart {
     registers_[kWho] = 0x10;
     pointer_ = 0;
     converted_ = kNever;
+    sample_ = Tag::none;
   }
   void store(std::uint8_t at, std::uint8_t byte) {
     if (at == kControl2 && (byte & 1) != 0) return reset();
@@ -81,7 +84,7 @@ class Ist8310 : public I2cPart {
       registers_[kData + 2U * i + 1] = static_cast<std::uint8_t>(word >> 8);
     }
     registers_[kStatus] = 1;
-    if (on_read) on_read(taken);
+    if (on_read) sample_ = on_read(taken);
   }
 
   static constexpr std::uint64_t kConversionNs = 6'000'000;
@@ -90,6 +93,7 @@ class Ist8310 : public I2cPart {
   std::function<Eigen::Vector3d(Time)> field_;
   std::array<std::uint8_t, 256> registers_{};
   Time converted_ = kNever;
+  Tag sample_ = Tag::none;  ///< what the data registers hold
   bool selected_ = false, at_start_ = false, held_ = false;
 };
 

@@ -47,12 +47,21 @@ std::uint32_t Ms5837::raw_pressure(double pascal) const {
 
 bool Ms5837::select(std::uint8_t address, bool) { return !dead && address == kAddress && now_() >= busy_until_; }
 
-void Ms5837::answer(std::uint32_t value, unsigned bytes) {
+void Ms5837::answer(std::uint32_t value, unsigned bytes, Tag origin) {
   left_ = bytes;
+  answered_ = origin;
   for (unsigned i = 0; i < bytes; ++i) answer_[i] = static_cast<std::uint8_t>(value >> (8 * (bytes - 1 - i)));
 }
 
-bool Ms5837::write(std::uint8_t command) {
+void Ms5837::convert(bool temperature, unsigned rate) {
+  ++conversions_;
+  converting_ = true;
+  ready_ = now_() + from_ns(kConversionNs[rate]);
+  result_ = temperature ? prom_[5] * 256U : raw_pressure(pressure_(now_()));
+  converted_ = !temperature && on_sample ? on_sample(now_()) : Tag::none;
+}
+
+bool Ms5837::write(WireByte command) {
   if (command == 0x1E) {
     busy_until_ = now_() + from_ns(kResetNs);
     converting_ = false;
@@ -61,27 +70,23 @@ bool Ms5837::write(std::uint8_t command) {
   } else if (command >= 0x40 && command <= 0x5A && command % 2 == 0) {
     const bool temperature = command >= 0x50;
     const unsigned rate = (command & 0x0FU) / 2;
-    if (rate >= 6) return true;
-    ++conversions_;
-    converting_ = true;
-    ready_ = now_() + from_ns(kConversionNs[rate]);
-    result_ = temperature ? prom_[5] * 256U : raw_pressure(pressure_(now_()));
+    if (rate < 6) convert(temperature, rate);
   } else if (command == 0x00) {
     const bool done = converting_ && now_() >= ready_;
     if (!done) ++early_reads_;
-    answer(done ? result_ : 0, 3);  // 0 when read before the end
+    answer(done ? result_ : 0, 3, done ? converted_ : Tag::none);  // 0 when read before the end
     converting_ = false;
   }
   return true;
 }
 
-std::uint8_t Ms5837::read() {
+WireByte Ms5837::read() {
   if (left_ == 0) return 0xFF;
   const std::uint8_t byte = answer_[0];
   answer_[0] = answer_[1];
   answer_[1] = answer_[2];
   --left_;
-  return byte;
+  return {byte, answered_};
 }
 
 }  // namespace finemote::emulator

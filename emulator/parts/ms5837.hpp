@@ -20,10 +20,12 @@ class Ms5837 : public I2cPart {
   Ms5837(Variant variant, std::function<Time()> now, std::function<double(Time)> pressure);
 
   bool select(std::uint8_t address, bool read) override;
-  bool write(std::uint8_t command) override;
-  std::uint8_t read() override;
+  bool write(WireByte command) override;
+  WireByte read() override;
   void stop() override {}
 
+  /// Told when a conversion of pressure begins. @return what the bytes of its result carry
+  std::function<Tag(Time from)> on_sample;
   /// Stops answering: no acknowledge any more.
   bool dead = false;
   /// PROM word 0..6 is read with these bits flipped: a wrong checksum.
@@ -32,7 +34,8 @@ class Ms5837 : public I2cPart {
   [[nodiscard]] unsigned early_reads() const { return early_reads_; }
 
  private:
-  void answer(std::uint32_t value, unsigned bytes);
+  void answer(std::uint32_t value, unsigned bytes, Tag origin = Tag::none);
+  void convert(bool temperature, unsigned rate);
   [[nodiscard]] std::uint32_t raw_pressure(double pascal) const;
 
   Variant variant_;
@@ -43,6 +46,7 @@ class Ms5837 : public I2cPart {
   unsigned left_ = 0;
   Time ready_ = 0, busy_until_ = 0;
   std::uint32_t result_ = 0;
+  Tag converted_ = Tag::none, answered_ = Tag::none;
   bool converting_ = false;
   unsigned conversions_ = 0, early_reads_ = 0;
 };

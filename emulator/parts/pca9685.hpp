@@ -16,6 +16,7 @@ class Pca9685 : public I2cPart {
   /// As after its supply came up: asleep, all outputs off.
   void power_cycle() {
     registers_ = {};
+    tags_ = {};
     registers_[kMode1] = 0x11;
     registers_[kPrescale] = 0x1E;
     for (unsigned c = 0; c < 16; ++c) registers_[kLed0 + 4 * c + 3] = 0x10;
@@ -27,6 +28,8 @@ class Pca9685 : public I2cPart {
   [[nodiscard]] std::uint64_t period_ns() const { return 4096 * count_ns(); }
   /// Told at the STOP that changes an output.
   std::function<void(unsigned channel, std::uint64_t pulse_ns)> on_pulse;
+  /// Told at the STOP that changes an output, or brings what it has from another origin.
+  std::function<void(unsigned channel, std::uint64_t pulse_ns, Tag origin)> on_command;
   /// Told at the STOP for every channel that was written, with its pulse, changed or not.
   std::function<void(unsigned channel, std::uint64_t pulse_ns)> on_write;
   [[nodiscard]] unsigned bursts() const { return bursts_; }
@@ -37,7 +40,7 @@ class Pca9685 : public I2cPart {
     at_start_ = !read;
     return selected_;
   }
-  bool write(std::uint8_t byte) override {
+  bool write(WireByte byte) override {
     if (at_start_) {
       pointer_ = byte;
       at_start_ = false;
@@ -48,7 +51,7 @@ class Pca9685 : public I2cPart {
     changed_ = true;
     return true;
   }
-  std::uint8_t read() override {
+  WireByte read() override {
     const std::uint8_t byte = registers_[pointer_];
     advance();
     return byte;
@@ -71,8 +74,12 @@ class Pca9685 : public I2cPart {
   void announce() {
     for (unsigned c = 0; c < 16; ++c) {
       const std::uint64_t now = pulse_ns(c);
+      const Tag* bytes = &tags_[kLed0 + 4 * c];
+      const Tag origin = newest({bytes[0], bytes[1], bytes[2], bytes[3]});
       if (now != last_[c] && on_pulse) on_pulse(c, now);
+      if ((now != last_[c] || origin != last_origin_[c]) && on_command) on_command(c, now, origin);
       last_[c] = now;
+      last_origin_[c] = origin;
     }
   }
   [[nodiscard]] bool asleep() const { return (registers_[kMode1] & 0x10) != 0; }
@@ -84,7 +91,8 @@ class Pca9685 : public I2cPart {
     if ((led[1] & 0x10) != 0) return 4096 * count_ns();  // full on
     return ((off - on) & 0xFFF) * count_ns();
   }
-  void store(std::uint8_t at, std::uint8_t byte) {
+  void store(std::uint8_t at, WireByte given) {
+    std::uint8_t byte = given.value;
     if (at == kPrescale) {
       if (asleep()) registers_[at] = byte < 3 ? 3 : byte;  // only in sleep: 7.3.5
       return;
@@ -95,11 +103,15 @@ class Pca9685 : public I2cPart {
       byte = static_cast<std::uint8_t>((byte & 0x7F) | (restart ? 0x80 : 0));
     }
     if (at >= kAllLed && at < kAllLed + 4) {
-      for (unsigned c = 0; c < 16; ++c) registers_[kLed0 + 4 * c + (at - kAllLed)] = byte;
+      for (unsigned c = 0; c < 16; ++c) {
+        registers_[kLed0 + 4 * c + (at - kAllLed)] = byte;
+        tags_[kLed0 + 4 * c + (at - kAllLed)] = given.tag;
+      }
       written_ = 0xFFFF;
       return;
     }
     registers_[at] = byte;
+    tags_[at] = given.tag;
     if (at >= kLed0 && at < kLed0 + 64) written_ |= 1U << (at - kLed0) / 4;
   }
   /// Auto-increment wraps after LED15: 7.3.1.
@@ -110,7 +122,9 @@ class Pca9685 : public I2cPart {
 
   std::uint8_t address_, pointer_ = 0;
   std::array<std::uint8_t, 256> registers_{};
+  std::array<Tag, 256> tags_{};  ///< of the registers
   std::array<std::uint64_t, 16> last_{};
+  std::array<Tag, 16> last_origin_{};
   bool selected_ = false, at_start_ = false, changed_ = false;
   unsigned written_ = 0;  ///< channels, since the last STOP
   unsigned bursts_ = 0;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 
 #include "emulator/chip/i2c_line.hpp"
 
@@ -14,26 +15,41 @@ class RegisterBank : public I2cPart {
   explicit RegisterBank(std::uint8_t address) : address_(address) {}
 
   bool select(std::uint8_t address, bool read) override {
+    end();
     choosing_ = !read;
-    return address == address_;
+    if (address != address_) return false;
+    if (read && on_sample) sample_ = on_sample();
+    return true;
   }
-  bool write(std::uint8_t byte) override {
+  bool write(WireByte byte) override {
     if (choosing_) {
       pointer_ = byte;
     } else {
+      if (on_write) on_write(pointer_, byte);
       bytes[pointer_++] = byte;
     }
     choosing_ = false;
     return true;
   }
-  std::uint8_t read() override { return bytes[pointer_++]; }
-  void stop() override {}
+  WireByte read() override { return {bytes[pointer_++], sample_}; }
+  void stop() override { end(); }
 
   std::array<std::uint8_t, 256> bytes{};
+  /// Asked, when a read begins, what its bytes carry; told at its end.
+  std::function<Tag()> on_sample;
+  std::function<void(Tag sample)> on_read;
+  /// Told of every register that is written.
+  std::function<void(unsigned number, WireByte byte)> on_write;
 
  private:
+  void end() {
+    if (sample_ != Tag::none && on_read) on_read(sample_);
+    sample_ = Tag::none;
+  }
+
   std::uint8_t address_, pointer_ = 0;
   bool choosing_ = false;
+  Tag sample_ = Tag::none;  ///< of the read under way
 };
 
 }  // namespace finemote::emulator

@@ -64,13 +64,14 @@ void RemoteReceiver::send() {
   world_.after(period_, [this] { send(); });
   if (silent) return;
   std::vector<std::uint8_t> frame = encode_(hands);
+  Tag sample = Tag::none;
   if (damaged_frames != 0) {
     --damaged_frames;
     frame.pop_back();
   } else if (on_frame) {
-    on_frame(world_.now(), world_.now() + frame.size() * format_.byte_time());
+    sample = on_frame(world_.now(), world_.now() + frame.size() * format_.byte_time());
   }
-  usart_.send_in(frame, format_);
+  usart_.send_in(frame, format_, sample);
 }
 
 }  // namespace finemote::emulator

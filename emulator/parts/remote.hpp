@@ -33,8 +33,8 @@ class RemoteReceiver {
   Hands hands;
   bool silent = false;
   unsigned damaged_frames = 0;  ///< the next ones lack their last byte
-  /// Told when a frame begins.
-  std::function<void(Time begin, Time end)> on_frame;
+  /// Told when a frame begins that is whole. @return what its bytes carry
+  std::function<Tag(Time begin, Time end)> on_frame;
 
  private:
   void send();

@@ -18,7 +18,7 @@ class SerialTerminal {
   };
 
   SerialTerminal(World& world, Usart& usart, const SerialFormat& format) : usart_(usart), format_(format) {
-    usart.on_sent = [this, &world](std::uint8_t byte) { heard_.push_back(Heard{world.now(), byte}); };
+    usart.on_sent = [this, &world](WireByte byte) { heard_.push_back(Heard{world.now(), byte.value}); };
   }
 
   void send(const std::string& text) { usart_.send_in({text.begin(), text.end()}, format_); }

@@ -29,7 +29,7 @@ class Tca9548a : public I2cPart {
     }
     return through_ != 0;
   }
-  bool write(std::uint8_t byte) override {
+  bool write(WireByte byte) override {
     if (self_) {
       next_ = byte;  // takes effect at the STOP
       ++writes_;
@@ -41,9 +41,9 @@ class Tca9548a : public I2cPart {
     }
     return acknowledged;
   }
-  std::uint8_t read() override {
+  WireByte read() override {
     if (self_) return control_;
-    std::uint8_t byte = 0xFF;
+    WireByte byte = 0xFF;
     for (unsigned i = 0; i < 8; ++i) {
       if ((through_ >> i & 1) != 0) byte &= channels_[i].read();
     }

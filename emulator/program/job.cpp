@@ -8,38 +8,17 @@
 
 #include "emulator/board.hpp"
 #include "emulator/outfit.hpp"
+#include "emulator/program/audit.hpp"
+#include "emulator/program/firmware.hpp"
 
 namespace finemote::emulator {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::uint32_t kCycleCounter = 0xE0001004;         // DWT_CYCCNT, PM0214 4.10
-constexpr unsigned kFirstWork = 0x20000, kNoBracket = ~0U;  // runtime/include/finemote/mark.hpp
-constexpr std::uint64_t kStep = 1'000'000;                  // ns
-constexpr std::uint64_t kLongestStart = 2'000'000'000;      // ns: clocks and parts are up long before
-
-/// Overruns the firmware counted since its last start, by bucket, as runtime/src/release.cpp keeps them.
-Json overruns_of(Board& board, const Image& image) {
-  constexpr const char* kCounts = "_ZN8finemote6detail12_GLOBAL__N_114overrun_countsE";
-  Json all = Json::array();
-  const auto counts = image.symbol(kCounts);
-  for (std::uint32_t offset = 0; counts && offset + 4 <= counts->size; offset += 4)
-    all.push_back(board.word(kCounts, offset));
-  return all;
-}
-
-/// The faults the firmware counted since its last start, as runtime/src/faults.cpp keeps them: `[module, number,
-/// count]`.
-Json faults_of(Board& board, const Image& image) {
-  constexpr const char* kRecords = "_ZN8finemote12_GLOBAL__N_17recordsE";
-  Json all = Json::array();
-  const auto records = image.symbol(kRecords);
-  for (std::uint32_t offset = 0; records && offset + 4 <= records->size; offset += 4) {
-    const std::uint32_t word = board.word(kRecords, offset);
-    if (word != 0) all.push_back(Json::array({word >> 24, word >> 16 & 0xFF, word & 0xFFFF}));
-  }
-  return all;
-}
+constexpr std::uint32_t kCycleCounter = 0xE0001004;  // DWT_CYCCNT, PM0214 4.10
+constexpr unsigned kNoBracket = ~0U;
+constexpr std::uint64_t kStep = 1'000'000;              // ns
+constexpr std::uint64_t kLongestStart = 2'000'000'000;  // ns: clocks and parts are up long before
 
 /// The runtime marks its own work from bring-up on; stages come with releases.
 bool has_run_a_stage(Board& board) {
@@ -80,6 +59,51 @@ Json reports_of(const Board& board) {
   return all;
 }
 
+/// A part that has to be seen before the board counts as up: its first sample, or its first output.
+struct Awaited {
+  std::string part;
+  PartEvent::Kind kind;
+
+  [[nodiscard]] std::optional<std::uint64_t> first_ns(const Outfit& outfit) const {
+    for (const PartEvent& event : outfit.events()) {
+      if (event.part == part && event.kind == kind) return to_ns(event.at);
+    }
+    return std::nullopt;
+  }
+};
+
+/// How long after the first release the board was up, and who never was.
+struct BringUp {
+  std::int64_t end_ns = 0;
+  Json absent = Json::array();
+  Json faults;  ///< counted so far
+};
+
+/// Runs until every awaited part has been seen, but no longer than the job allows.
+/// @return nothing when the board stopped
+std::optional<BringUp> bring_up(Board& board, const Image& image, const Outfit& outfit, const Json& job,
+                                std::int64_t zero) {
+  std::vector<Awaited> awaited;
+  for (const Json& entry : job.at("await"))
+    awaited.push_back({entry.at("part"), entry.at("output") ? PartEvent::Kind::output : PartEvent::Kind::sample});
+  const std::int64_t last = zero + job.at("bring_up_ns").get<std::int64_t>();
+  const auto all_seen = [&] {
+    return std::all_of(awaited.begin(), awaited.end(), [&](const Awaited& a) { return a.first_ns(outfit); });
+  };
+  while (!all_seen() && static_cast<std::int64_t>(board.now_ns()) < last) {
+    if (board.run_for(kStep) != Stop::time) return std::nullopt;
+  }
+  BringUp result;
+  result.faults = faults_of(board, image);
+  for (const Awaited& a : awaited) {
+    const auto first = a.first_ns(outfit);
+    const std::int64_t end = first ? std::min(static_cast<std::int64_t>(*first), last) : last;
+    result.end_ns = std::max(result.end_ns, end - zero);
+    if (!first) result.absent.push_back(a.part);
+  }
+  return result;
+}
+
 /// `[ns since the first release, stage, begin]` of those before `duration_ns`, in the order of time.
 Json stages_of(Board& board, std::int64_t zero, std::int64_t duration_ns) {
   Json all = Json::array();
@@ -90,15 +114,31 @@ Json stages_of(Board& board, std::int64_t zero, std::int64_t duration_ns) {
   return all;
 }
 
+/// Picoseconds since `zero`, which are nanoseconds.
+std::int64_t since_ps(Time at, std::int64_t zero) { return static_cast<std::int64_t>(to_ps(at)) - zero * 1'000; }
+
+/// Outputs have the stage of the handle whose run `n` they carry; null where none is known.
 Json parts_of(const Outfit& outfit, std::int64_t zero) {
   Json all = Json::array();
   for (const PartEvent& event : outfit.events()) {
     all.push_back({{"part", event.part},
                    {"output", event.kind == PartEvent::Kind::output},
                    {"channel", event.channel},
-                   {"from_ns", static_cast<std::int64_t>(event.from_ns) - zero},
-                   {"at_ns", static_cast<std::int64_t>(event.at_ns) - zero}});
+                   {"from_ns", static_cast<std::int64_t>(to_ns(event.from)) - zero},
+                   {"at_ns", static_cast<std::int64_t>(to_ns(event.at)) - zero},
+                   {"from_ps", since_ps(event.from, zero)},
+                   {"at_ps", since_ps(event.at, zero)},
+                   {"stage", event.stage ? Json(*event.stage) : Json()},
+                   {"n", event.n}});
   }
+  return all;
+}
+
+/// `[ps since the first release, stage of an update that ended, part, channel, number of the sample]`.
+Json uses_of(const Outfit& outfit, std::int64_t zero) {
+  Json all = Json::array();
+  for (const SampleUse& use : outfit.uses())
+    all.push_back(Json::array({since_ps(use.at, zero), use.stage, use.part, use.channel, use.n}));
   return all;
 }
 
@@ -130,20 +170,6 @@ Json buses_of(Board& board, const Json& ports) {
   return all;
 }
 
-/// The monitor's records, as finemote/monitor.hpp lays them out; none in an image without them.
-Json monitor_of(Board& board, const Image& image) {
-  constexpr const char* kRecords = "finemote_monitor_records";
-  constexpr std::uint32_t kBytes = 24;
-  Json all = Json::array();
-  const auto records = image.symbol(kRecords);
-  for (std::uint32_t i = 0; records && (i + 1) * kBytes <= records->size; ++i) {
-    const auto word = [&](std::uint32_t offset) { return std::int64_t{board.word(kRecords, i * kBytes + offset)}; };
-    const auto time = [&](std::uint32_t offset) { return word(offset) | word(offset + 4) << 32; };
-    all.push_back(Json::array({time(0), time(8), word(16), word(20)}));
-  }
-  return all;
-}
-
 /// `[number, longest in ps, runs]` of numbers from `first` to below `end`, counted from `first`.
 Json own_times_of(const std::map<unsigned, OwnTime>& times, unsigned first, unsigned end) {
   Json all = Json::array();
@@ -156,6 +182,8 @@ Json own_times_of(const std::map<unsigned, OwnTime>& times, unsigned first, unsi
 BoardOptions options_of(const Json& job) {
   BoardOptions options;
   if (job.value("flash", "hit") == "miss") options.flash = FlashModel::miss_always;
+  options.keeps_log = job.contains("audit");
+  options.tags = job.value("tags", true);
   return options;
 }
 
@@ -189,17 +217,20 @@ std::int64_t first_release_ns(const Json& job) {
 
 Json run(Bench& bench, const Json& job) {
   auto& [board, outfit, image] = bench;
-  const auto duration_ns = job.at("duration_ns").get<std::int64_t>();
+  std::optional<Audit> audit;
+  if (job.contains("audit")) audit.emplace(board, image, job.at("audit").get<std::vector<std::uint32_t>>());
   Json fault_ns;
   const auto zero = wait_for_first_release(board, image, fault_ns);
+  const auto ready = zero ? bring_up(board, image, outfit, job, *zero) : std::nullopt;
+  const std::int64_t judged_to = (ready ? ready->end_ns : 0) + job.at("duration_ns").get<std::int64_t>();
   Stop stop = Stop::time;
-  if (zero) {
-    const std::int64_t end =
-        *zero + job.at("run_ns").get<std::int64_t>() + 1;  // what is due at the last moment happens
+  if (ready) {
+    const std::int64_t end = *zero + std::max(judged_to, job.at("last_event_ns").get<std::int64_t>()) +
+                             1;  // what is due at the last moment happens
     const std::int64_t rest = end - static_cast<std::int64_t>(board.now_ns());
     if (rest > 0) stop = board.run_for(static_cast<std::uint64_t>(rest));
   }
-  if (!zero || stop != Stop::time) {
+  if (!ready || stop != Stop::time) {
     return {{"stop", text_of(stop)},
             {"reports", reports_of(board)},
             {"fault_counts", faults_of(board, image)},
@@ -211,14 +242,19 @@ Json run(Bench& bench, const Json& job) {
           {"overruns", overruns_of(board, image)},
           {"faulty", outfit.injects_faults()},
           {"fault_counts", faults_of(board, image)},
-          {"stages", stages_of(board, *zero, duration_ns)},
+          {"ready_ns", ready->end_ns},
+          {"faults_at_ready", ready->faults},
+          {"absent", ready->absent},
+          {"stages", stages_of(board, *zero, judged_to)},
           {"parts", parts_of(outfit, *zero)},
+          {"uses", uses_of(outfit, *zero)},
           {"expectations", expectations_of(outfit)},
           {"buses", buses_of(board, job.at("ports"))},
           {"own_stages", own_times_of(board.own_times().brackets(), 0, kFirstWork)},
           {"own_works", own_times_of(board.own_times().brackets(), kFirstWork, kNoBracket)},
           {"own_exceptions", own_times_of(board.own_times().exceptions(), 0, kNoBracket)},
-          {"monitor", monitor_of(board, image)}};
+          {"monitor", monitor_of(board, image)},
+          {"audit", audit ? audit->events(*zero) : Json()}};
 }
 
 }  // namespace

@@ -2,12 +2,16 @@
 //
 // Both are JSON documents between this program and the one that starts it, of the same build, so without a version.
 // Job: `board` (what of its board file the emulator wires: emulator/chip/wiring.hpp), `image` (path of an ELF; without
-// it the parts are wired and nothing runs), `flash` (hit or miss), `run_ns` (how long, from the first release on),
-// `duration_ns` (how much of it stages are recorded), `parts` and, where there is one, `events` (documents
-// finemote.scenario/1), `ports` (the buses to account for). Record: `stop` (null when the time was over), `error`
-// (instead of everything else: `events` cannot be wired), `reports`, `resets`, `faulty`, `fault_counts`, `stages`,
-// `parts`, `expectations`, `buses`, `monitor`; with a `stop` only `reports`, `fault_counts` and `fault_ns`, when the
-// first fault was seen. Times are ns since the first release, those of reports and faults since power-on.
+// it the parts are wired and nothing runs), `flash` (hit or miss), `await` (parts whose first sample, or first
+// `output`, ends the bring-up), `bring_up_ns` (how long that may take from the first release on), `duration_ns` (how
+// long it runs from then on, and stages are recorded), `last_event_ns` (up to when it runs at least, from the first
+// release on), `parts` and, where there is one, `events` (documents finemote.scenario/1), `ports` (the buses to account
+// for), `audit` (exceptions of the buckets: asks for every event; emulator/program/audit.hpp). Record: `stop` (null
+// when the time was over), `error` (instead of everything else: `events` cannot be wired), `reports`, `resets`,
+// `faulty`, `fault_counts`, `ready_ns` (when the bring-up ended, since the first release), `faults_at_ready`
+// (`fault_counts` then), `absent` (awaited parts that were not seen), `stages`, `parts`, `expectations`, `buses`,
+// `monitor`, `audit` (null where it was not asked for); with a `stop` only `reports`, `fault_counts` and `fault_ns`,
+// when the first fault was seen. Times are ns since the first release, those of reports and faults since power-on.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -94,6 +94,7 @@ struct Model {
   std::vector<std::string> is = {};  ///< what others can refer to it as: body, hull, mux, pwm, shaft
   std::vector<Member> figures = {};  ///< beside `type` and `name`
   std::vector<std::string> one_of = {};
+  double clock_tolerance_ppm = 0;  ///< of its own clock, both ways; 0: it has none
   std::vector<Verb> verbs = {};
   std::vector<Quantity> values = {};
   Make make = nullptr;

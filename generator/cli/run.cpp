@@ -14,6 +14,7 @@
 #include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/code_scenario.hpp"
 #include "generator/model/attributes.hpp"
+#include "generator/run/audit.hpp"
 #include "generator/run/check_wcet.hpp"
 #include "generator/run/duration.hpp"
 #include "generator/run/emulate.hpp"
@@ -81,6 +82,17 @@ std::optional<Scenario> read_asked_scenario(const std::string& path, PlannedRobo
   return std::nullopt;
 }
 
+/// Reports what only the emulated board can do.
+bool can_watch(const Options& options, const Setup& setup, Diagnostics& diagnostics) {
+  if (setup.is_emulated() || (options.audit.empty() && options.phases == 0)) return true;
+  diagnostics
+      .error(code::scenario_unjudged, {},
+             fmt::format("'{}' needs the emulated board: '{}' has no parts and keeps no record",
+                         options.audit.empty() ? "--phases" : "--audit", setup.board.name))
+      .hint("leave out --board");
+  return false;
+}
+
 std::optional<Setup> setup_of(const Options& options, PlannedRobot& planned, Sources& sources,
                               Diagnostics& diagnostics) {
   const Board* board = playing_board(options.board, planned, sources, diagnostics);
@@ -88,6 +100,7 @@ std::optional<Setup> setup_of(const Options& options, PlannedRobot& planned, Sou
   const auto duration = duration_of(options.duration, planned.schedule, diagnostics);
   if (!duration) return std::nullopt;
   Setup setup{*board, *duration, {}};
+  if (!can_watch(options, setup, diagnostics)) return std::nullopt;
   if (options.scenario.empty()) return setup;
   setup.scenario = read_asked_scenario(options.scenario, planned, setup, sources, diagnostics);
   if (!setup.scenario) return std::nullopt;
@@ -158,21 +171,69 @@ std::optional<bool> repeat_verdict(const Analysis& analysis, Diagnostics& diagno
 }
 
 std::optional<RunRecord> run_image(const std::string& image, const PlannedRobot& planned, const Setup& setup,
-                                   const FaultTable& faults, bool flash_misses, Diagnostics& diagnostics) {
+                                   const FaultTable& faults, const Options& options, std::optional<Phase> phase,
+                                   Diagnostics& diagnostics) {
   const auto& [library, robot, forest, schedule] = planned;
   if (!setup.is_emulated()) return execute(image, setup.board, forest, setup.duration, faults, diagnostics);
-  return emulate(image, robot, forest, setup.duration, {setup.board, faults, setup.asked_scenario(), flash_misses},
+  return emulate(image, robot, forest, setup.duration,
+                 {setup.board, faults, setup.asked_scenario(), options.audit.empty() ? nullptr : &schedule, phase,
+                  options.flash_misses},
                  diagnostics);
 }
 
+/// Everything that the runs have left behind and shown.
+struct Runs {
+  RunRecord record;
+  RunFigures figures;
+  std::string audit;  ///< empty where it was not asked for
+};
+
+/// One run without phases, or as many as were asked for.
+std::optional<Runs> run_phases(const std::string& image, const PlannedRobot& planned, const Setup& setup,
+                               const FaultTable& faults, const Options& options, const std::string& image_sha256,
+                               const std::optional<timing::Timing>& timing, Diagnostics& diagnostics) {
+  std::optional<Runs> all;
+  std::string audit;
+  for (std::uint64_t i = 0; i < std::max<std::uint64_t>(options.phases, 1); ++i) {
+    const auto phase = options.phases == 0 ? std::nullopt : std::optional(Phase{options.seed, i});
+    auto record = run_image(image, planned, setup, faults, options, phase, diagnostics);
+    if (!record) return std::nullopt;
+    if (!options.audit.empty()) {
+      const AuditedRun run{image_sha256, options.phases == 0 ? 0 : options.seed, i};
+      audit += audit_lines(planned.robot, planned.forest, planned.schedule, run, *record);
+      record->log.clear();
+    }
+    RunFigures figures =
+        figures_of(planned.robot, planned.forest, timing ? &*timing : nullptr, *record, setup.is_emulated());
+    if (!all) {
+      all = Runs{std::move(*record), std::move(figures), {}};
+    } else {
+      merge(all->record, *record);
+      merge(all->figures, figures);
+    }
+  }
+  all->audit = std::move(audit);
+  return all;
+}
+
 /// What was run, and what it left behind.
-RunResult result_of(const PlannedRobot& planned, const Setup& setup, const ImageFacts& image, RunRecord record,
+RunResult result_of(const PlannedRobot& planned, const Setup& setup, const ImageFacts& image, Runs runs,
                     const FaultTable& faults) {
   const auto& [library, robot, forest, schedule] = planned;
   const auto whole = hyperperiod(schedule, setup.duration);
   const bool fits_twice = whole && *whole <= floor_div(setup.duration, 2);
   const Duration shown = fits_twice ? 2 * *whole : setup.duration;
-  return {robot, forest, schedule, setup.board.name, setup.duration, shown, image, std::move(record), {}, faults, {}};
+  return {robot,
+          forest,
+          schedule,
+          setup.board.name,
+          setup.duration,
+          shown,
+          image,
+          std::move(runs.record),
+          std::move(runs.figures),
+          faults,
+          {}};
 }
 
 Answer answer_of_build(const ImageFacts& image, const std::string& board) {
@@ -194,7 +255,8 @@ Answer answer_of_run(const Options& options, const RunResult& result, Diagnostic
   std::ostringstream text;
   if (options.format == Format::text) print_run(result, text);
   const bool allowed = options.allow_unschedulable || result.schedulable.value_or(true);
-  return {result.good() && allowed ? kExitYes : kExitNo, text.str(), run_document(result)};
+  const bool is_enough = !options.require_judged || result.is_all_judged();
+  return {result.good() && allowed && is_enough ? kExitYes : kExitNo, text.str(), run_document(result)};
 }
 
 }  // namespace
@@ -222,7 +284,7 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   const FirmwareRequest request = firmware_request(options, *setup, robot, work.path(), input->data_dir);
   const Project project =
       make_project(request, output_of(std::move(files), *planned, *input, sources), robot, !options.keep.empty());
-  if (!is_free_to_write(project, options.out, sources, diagnostics)) return no_answer();
+  if (!is_free_to_write(project, {options.out, options.audit}, sources, diagnostics)) return no_answer();
   const bool is_played = setup->is_emulated() && !options.build_only;
   if (is_played && !rehearse(setup->board, setup->asked_scenario(), robot, work.path() + "/scenario", diagnostics))
     return no_answer();
@@ -231,9 +293,13 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   if (options.build_only) return answer_of_build(image->facts, setup->board.name);
 
   const auto schedulable = repeat_verdict(analysis, diagnostics);
-  auto record = run_image(image->path, *planned, *setup, faults, options.flash_misses, diagnostics);
-  if (!record) return no_answer();
-  RunResult result = result_of(*planned, *setup, image->facts, std::move(*record), faults);
+  auto runs =
+      run_phases(image->path, *planned, *setup, faults, options, image->facts.sha256, image_timing, diagnostics);
+  if (!runs) return no_answer();
+  if (!options.audit.empty() && !write_result(options.audit, runs->audit, diagnostics)) return no_answer();
+  RunResult result = result_of(*planned, *setup, image->facts, std::move(*runs), faults);
+  result.phases = std::max<std::uint64_t>(options.phases, 1);
+  result.seed = options.phases == 0 ? 0 : options.seed;
   if (options.monitor) result.bounds = std::move(proven.monitored);
   result.schedulable = schedulable;
   Diagnostics judged;
@@ -241,10 +307,8 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   if (image_timing) result.wcets_given = analysed_wcets(robot, forest, image_timing->model);
   result.wcets_hold = check_wcet(robot, result.wcets_given, result.record, judged);
   result.must_judge = setup->is_emulated();
-  if (image_timing) result.chains = measure_chains(robot, forest, *image_timing, result.record, setup->is_emulated());
-  if (image_timing && setup->is_emulated())
-    result.responses = measure_responses(robot, forest, *image_timing, result.record);
   result.wcets = measured_wcets(robot, result.record);
+  result.order = judge_order(robot, planned->schedule, result.record);
   Answer answer = answer_of_run(options, result, diagnostics);
   answer.judged = std::move(judged);
   return answer;

@@ -33,6 +33,7 @@ Acquisition read_acquisition(const Json& value) {
   acquisition.interval = duration_member(value, "interval_ns");
   acquisition.periods = optional_member<std::int64_t>(value, "periods");
   acquisition.published_every = value.value("published_every", std::int64_t{1});
+  acquisition.bring_up = duration_member(value, "bring_up_ns").value_or(acquisition.bring_up);
   if (const auto conversion = value.find("conversion"); conversion != value.end())
     acquisition.conversion = read_conversion(*conversion);
   return acquisition;

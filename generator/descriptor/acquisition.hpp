@@ -32,6 +32,7 @@ struct Acquisition {
   std::optional<std::int64_t> periods;   ///< polled: own periods from the begin of a measurement to its update()
   std::int64_t published_every = 1;      ///< polled: a fresh value at least every so many measurements
   std::optional<Conversion> conversion;  ///< polled
+  Duration bring_up = seconds(1);        ///< from the first release to the first sample, at most
 };
 
 /// Reads a member that the schema accepts.

@@ -1,6 +1,7 @@
 #include "generator/run/chains.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace finemote::gen {
 namespace {
@@ -18,54 +19,88 @@ OutputPlace output_of(const Robot& robot, const Device& device) {
   return {robot.expanders[*segment.expander].name.text, device.channel.value_or(0)};
 }
 
-/// What one part did, in the order it could be read or took effect.
-std::vector<PartRecord> events_of(const RunRecord& record, const std::string& part, bool outputs,
-                                  std::uint32_t channel) {
-  std::vector<PartRecord> events;
+/// When the samples of a part were taken, by channel and number.
+std::map<std::pair<std::uint32_t, std::uint32_t>, Duration> samples_of(const RunRecord& record,
+                                                                       const std::string& part) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Duration> samples;
   for (const PartRecord& event : record.parts) {
-    const bool meant = event.is_output == outputs && (!outputs || event.channel == channel);
-    if (meant && event.part == part) events.push_back(event);
+    if (!event.is_output && event.part == part) samples.emplace(std::pair(event.channel, event.n), event.from());
   }
-  std::stable_sort(events.begin(), events.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
-  return events;
+  return samples;
 }
 
-/// Age of the newest sample that could be read at `time`.
-std::optional<Duration> sample_age(const std::vector<PartRecord>& samples, Duration time) {
-  const auto after = std::upper_bound(samples.begin(), samples.end(), time,
-                                      [](Duration t, const PartRecord& event) { return t < event.at; });
-  if (after == samples.begin()) return std::nullopt;
-  return time - std::prev(after)->from;  // parts sample in the order they send
-}
+/// What the state of a device is made of: when the oldest sample was taken, of all channels of its part, that each of
+/// its updates took, in the order of time.
+class TakenSamples {
+ public:
+  TakenSamples(const Robot& robot, const Forest& forest, const RunRecord& record, DeviceId device) {
+    const std::string& name = robot.devices[device].name.text;
+    const auto samples = samples_of(record, name);
+    const std::uint32_t update = static_cast<std::uint32_t>(2 * forest.rank[device].value());
+    for (const SampleUse& use : record.uses) {
+      const auto sample = samples.find({use.channel, use.n});
+      if (use.stage != update || use.part != name || sample == samples.end()) continue;
+      const Duration end = nanoseconds(floor_div(use.at_ps, 1'000));
+      if (!ends_.empty() && ends_.back() == end) {
+        from_.back() = std::min(from_.back(), sample->second);
+      } else {
+        ends_.push_back(end);
+        from_.push_back(sample->second);
+      }
+    }
+  }
 
-/// When the output changed after `begin` and before the next command was made at `end`.
-std::optional<Duration> output_change(const std::vector<PartRecord>& outputs, Duration begin, Duration end) {
-  const auto found = std::lower_bound(outputs.begin(), outputs.end(), begin,
-                                      [](const PartRecord& event, Duration t) { return event.at < t; });
-  if (found == outputs.end() || found->at >= end) return std::nullopt;
-  return found->at;
-}
+  /// Age of the sample at the begin of the update that took it; none: it took none that is known.
+  [[nodiscard]] std::optional<Duration> age(const StageRun& update) const {
+    const auto found = std::lower_bound(ends_.begin(), ends_.end(), update.end);
+    if (found == ends_.end() || *found != update.end) return std::nullopt;
+    return update.begin - from_[static_cast<std::size_t>(found - ends_.begin())];
+  }
+
+ private:
+  std::vector<Duration> ends_, from_;
+};
+
+/// When the command of each handle of a device reached an output first, by the number of the run.
+class ReachedOutputs {
+ public:
+  ReachedOutputs(const Robot& robot, const Forest& forest, const RunRecord& record, DeviceId device) {
+    const OutputPlace place = output_of(robot, robot.devices[device]);
+    const std::uint32_t handle = static_cast<std::uint32_t>(2 * forest.rank[device].value() + 1);
+    for (const PartRecord& event : record.parts) {
+      const bool is_meant =
+          event.is_output && event.stage == handle && event.part == place.part && event.channel == place.channel;
+      if (is_meant) at_.emplace(event.n, event.at());
+    }
+  }
+
+  /// None: a later command came first, or the run was over.
+  [[nodiscard]] std::optional<Duration> of(std::uint32_t run) const {
+    const auto found = at_.find(run);
+    return found == at_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+ private:
+  std::map<std::uint32_t, Duration> at_;
+};
 
 struct Series {
   std::vector<Duration> acquire, decide, wire, end_to_end;
 };
 
-Series collect(const Robot& robot, const RunRecord& record, DeviceId from, DeviceId to) {
+Series collect(const Robot& robot, const Forest& forest, const RunRecord& record, DeviceId from, DeviceId to) {
   Series series;
-  const std::vector<DecisionSample> samples = decision_samples(record, find_chain(robot, from, to));
-  const OutputPlace place = output_of(robot, robot.devices[to]);
-  const auto sensed = events_of(record, robot.devices[from].name.text, false, 0);
-  const auto outputs = events_of(record, place.part, true, place.channel);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const DecisionSample& sample = samples[i];
-    const Duration next = i + 1 < samples.size() ? samples[i + 1].handle_end : sample.handle_end;
-    const Duration decide = sample.handle_end - sample.update_begin;
-    const auto acquire = sample_age(sensed, sample.update_begin);
-    const auto change = output_change(outputs, sample.handle_end, next);
-    series.decide.push_back(decide);
-    if (acquire) series.acquire.push_back(*acquire);
-    if (change) series.wire.push_back(*change - sample.handle_end);
-    if (acquire && change) series.end_to_end.push_back(*acquire + decide + *change - sample.handle_end);
+  const TakenSamples taken(robot, forest, record, from);
+  const ReachedOutputs reached(robot, forest, record, to);
+  const auto keep = [&](std::vector<Duration>& list, Duration time) { list.push_back(record.true_time(time)); };
+  for (const DecisionSample& sample : decision_samples(record, find_chain(robot, from, to))) {
+    const Duration decide = sample.handle_end - sample.update.begin;
+    const auto age = taken.age(sample.update);
+    const auto output = reached.of(sample.handle_run);
+    keep(series.decide, decide);
+    if (age) keep(series.acquire, *age);
+    if (output) keep(series.wire, *output - sample.handle_end);
+    if (age && output) keep(series.end_to_end, *age + decide + *output - sample.handle_end);
   }
   return series;
 }
@@ -80,7 +115,7 @@ std::vector<MeasuredChain> measure_chains(const Robot& robot, const Forest& fore
     MeasuredChain chain;
     chain.from = forest.order[bound.from];
     chain.to = forest.order[bound.to];
-    const Series series = collect(robot, record, chain.from, chain.to);
+    const Series series = collect(robot, forest, record, chain.from, chain.to);
     chain.acquire = {summarize(series.acquire), bound_of(bound.acquire)};
     chain.decide = {summarize(series.decide), bound_of(bound.decide)};
     chain.wire = {summarize(series.wire), bound_of(bound.wire)};

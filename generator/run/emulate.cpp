@@ -33,6 +33,39 @@ Json ports_of(const Robot& robot) {
   return ports;
 }
 
+/// Of the crystals of boards, both ways.
+constexpr double kBoardClockPpm = 50;
+
+/// Parts that are up when they have been seen: sensors by their first sample, expanders by their first output.
+Json awaited_parts(const Robot& robot) {
+  Json list = Json::array();
+  for (const Expander& expander : robot.expanders) {
+    if (has_part(robot, expander) && !expander.type->is_mux())
+      list.push_back({{"part", expander.name.text}, {"output", true}});
+  }
+  for (const Device& device : robot.devices) {
+    if (device.type->acquisition && has_part(robot, device))
+      list.push_back({{"part", device.name.text}, {"output", false}});
+  }
+  return list;
+}
+
+/// Of the buckets, in the order of the plan.
+Json exceptions_of(const Schedule& schedule) {
+  constexpr std::uint32_t kFirstLine = 16;  // the exception of interrupt line 0
+  Json list = Json::array();
+  for (const Bucket& bucket : schedule.buckets) list.push_back(kFirstLine + bucket.line);
+  return list;
+}
+
+Duration longest_bring_up(const Robot& robot) {
+  Duration longest = Acquisition().bring_up;
+  for (const Device& device : robot.devices) {
+    if (device.type->acquisition) longest = std::max(longest, device.type->acquisition->bring_up);
+  }
+  return longest;
+}
+
 /// Runs the job; null and FM0006 or FM6003 where the program is missing or fails.
 Json run_job(const Json& job, const std::string& stem, Duration duration, Diagnostics& diagnostics) {
   const std::string job_file = stem + ".job.json", record_file = stem + ".record.json";
@@ -57,10 +90,23 @@ Json run_job(const Json& job, const std::string& stem, Duration duration, Diagno
   return {};
 }
 
-std::vector<FaultCount> faults_of(const Json& record) {
+std::vector<FaultCount> faults_of(const Json& record, const char* when = "fault_counts") {
   std::vector<FaultCount> faults;
-  for (const Json& fault : record.at("fault_counts")) faults.push_back({fault.at(0), fault.at(1), fault.at(2)});
+  for (const Json& fault : record.at(when)) faults.push_back({fault.at(0), fault.at(1), fault.at(2)});
   return faults;
+}
+
+/// What came after the bring-up. Counters stay at their largest value, and begin anew with a reset.
+std::vector<FaultCount> late_faults_of(const Json& record) {
+  std::vector<FaultCount> late = faults_of(record);
+  for (const FaultCount& early : faults_of(record, "faults_at_ready")) {
+    for (FaultCount& fault : late) {
+      if (fault.module == early.module && fault.number == early.number)
+        fault.count = fault.count > early.count ? fault.count - early.count : 0;
+    }
+  }
+  std::erase_if(late, [](const FaultCount& fault) { return fault.count == 0; });
+  return late;
 }
 
 /// The record counts times in nanoseconds.
@@ -150,14 +196,22 @@ std::vector<ExpectationRecord> expectations_of(const Json& record) {
 
 RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest) {
   RunRecord record;
+  record.ready = time_of(json.at("ready_ns"));
+  record.absent = json.at("absent").get<std::vector<std::string>>();
   record.events = events_of(json, forest);
   record.own_times = own_times_of(json, forest);
   record.overruns = json.at("overruns").get<std::vector<std::uint64_t>>();
   record.faults = faults_of(json);
+  record.late_faults = late_faults_of(json);
   for (const Json& part : json.at("parts")) {
-    record.parts.push_back({part.at("part"), part.at("output"), part.at("channel"), time_of(part.at("from_ns")),
-                            time_of(part.at("at_ns"))});
+    const Json& stage = part.at("stage");
+    record.parts.push_back({part.at("part"), part.at("output"), part.at("channel"), part.at("from_ps"),
+                            part.at("at_ps"), part.at("n"),
+                            stage.is_null() ? std::nullopt : std::optional(stage.get<std::uint32_t>())});
   }
+  for (const Json& use : json.at("uses"))
+    record.uses.push_back({use.at(0), use.at(1), use.at(2), use.at(3), use.at(4)});
+  for (const Json& event : json.at("audit")) record.log.push_back({event.at(0), event.at(1), event.at(2)});
   record.expectations = expectations_of(json);
   std::size_t port = 0;
   for (const BusId id : robot.buses.ids()) {
@@ -224,18 +278,22 @@ bool rehearse(const Board& board, const Scenario* scenario, const Robot& robot, 
 
 std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, const Forest& forest, Duration duration,
                                  const EmulationOptions& options, Diagnostics& diagnostics) {
-  const EmulatedParts parts = emulated_parts(robot);
+  EmulatedParts parts = emulated_parts(robot);
+  const double clock_ppm = options.phase ? shift_clocks(*options.phase, kBoardClockPpm, parts.scenario.at("parts")) : 0;
   const char* flash = options.flash_misses ? "miss" : "hit";
   const Duration last_event = options.scenario == nullptr ? Duration::zero() : options.scenario->last_event;
   Json job = {{"board", board_wiring(options.board)},
               {"image", image},
               {"flash", flash},
+              {"await", awaited_parts(robot)},
+              {"bring_up_ns", longest_bring_up(robot).ns()},
               {"duration_ns", duration.ns()},
-              {"run_ns", std::max(duration, last_event).ns()},
+              {"last_event_ns", last_event.ns()},
               {"ports", ports_of(robot)},
               {"parts", parts.scenario}};
+  if (options.audit != nullptr) job["audit"] = exceptions_of(*options.audit);
   if (options.scenario != nullptr) job["events"] = options.scenario->document;
-  const Json json = run_job(job, image, std::max(duration, last_event), diagnostics);
+  const Json json = run_job(job, image, longest_bring_up(robot) + std::max(duration, last_event), diagnostics);
   if (json.is_null()) return std::nullopt;
   if (!json.at("stop").is_null()) {
     report_stop(json, options.faults, diagnostics);
@@ -245,6 +303,7 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
   warn_of_misuse(json, diagnostics);
   RunRecord record = read_record(json, robot, forest);
   record.silent = parts.silent;
+  record.clock_ppm = clock_ppm;
   record.flash = flash;
   return record;
 }

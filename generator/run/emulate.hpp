@@ -5,8 +5,10 @@
 #include <string>
 
 #include "generator/diagnostic/diagnostics.hpp"
+#include "generator/run/phase.hpp"
 #include "generator/run/record.hpp"
 #include "generator/run/scenario.hpp"
+#include "generator/schedule/schedule.hpp"
 
 namespace finemote::gen {
 
@@ -14,6 +16,8 @@ struct EmulationOptions {
   const Board& board;                  ///< what is emulated
   const FaultTable& faults;            ///< what the firmware's faults mean
   const Scenario* scenario = nullptr;  ///< null: none
+  const Schedule* audit = nullptr;     ///< not null: every event of a run of this schedule is kept
+  std::optional<Phase> phase = {};     ///< none: every clock is exact, and parts begin as their models do
   bool flash_misses = false;  ///< every new line of flash costs its wait states; else the accelerator always has it
 };
 
@@ -29,7 +33,7 @@ bool has_models(const Robot& robot, Diagnostics& diagnostics);
 bool rehearse(const Board& board, const Scenario* scenario, const Robot& robot, const std::string& stem,
               Diagnostics& diagnostics);
 
-/// Runs `image` for `duration` from its first release on, or until the scenario's last event where that is later,
+/// Runs `image` for `duration` from the end of its bring-up on, or until the scenario's last event where that is later,
 /// with the robot's parts on the buses. Reports FM6002 when the firmware locks up, resets or ends, FM6005 as a warning
 /// for every wrong use of the hardware.
 std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, const Forest& forest, Duration duration,

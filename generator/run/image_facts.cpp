@@ -1,6 +1,7 @@
 #include "generator/run/image_facts.hpp"
 
 #include "generator/image/check.hpp"
+#include "generator/image/flashed.hpp"
 #include "generator/image/sizes.hpp"
 #include "generator/image/stack.hpp"
 #include "generator/output/folder.hpp"
@@ -11,10 +12,13 @@ namespace finemote::gen {
 std::optional<ImageFacts> image_facts(const std::string& path, bool is_arm, bool constructors_allowed,
                                       Diagnostics& diagnostics) {
   ImageFacts facts;
-  facts.sha256 = sha256(read_bytes(path).value_or(""));
-  if (!is_arm) return facts;
+  if (!is_arm) {
+    facts.sha256 = sha256(read_bytes(path).value_or(""));
+    return facts;
+  }
   const auto image = read_image(path, diagnostics);
   if (!image) return std::nullopt;
+  facts.sha256 = sha256(flashed_bytes(*image));
   const ImageSizes sizes = measure_image(*image);
   facts.flash = sizes.flash;
   facts.ram = sizes.ram;

@@ -9,7 +9,7 @@
 namespace finemote::gen {
 
 struct ImageFacts {
-  std::string sha256;                  ///< of the file
+  std::string sha256;                  ///< of what is flashed; of a host executable: of the file
   std::uint32_t flash = 0;             ///< bytes
   std::uint32_t ram = 0;               ///< bytes, without the stack
   std::optional<std::uint32_t> stack;  ///< proven worst case in bytes; none: not known

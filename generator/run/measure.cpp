@@ -76,9 +76,25 @@ Statistics summarize(const std::vector<Duration>& values) {
   return s;
 }
 
+Statistics together(const Statistics& a, const Statistics& b) {
+  if (a.count == 0) return b;
+  if (b.count == 0) return a;
+  Statistics s;
+  s.count = a.count + b.count;
+  s.min = std::min(a.min, b.min);
+  s.max = std::max(a.max, b.max);
+  const double share = static_cast<double>(b.count) / static_cast<double>(s.count);
+  s.mean_ns = a.mean_ns + (b.mean_ns - a.mean_ns) * share;
+  const double between = (b.mean_ns - a.mean_ns) * (b.mean_ns - a.mean_ns) * share * (1 - share);
+  s.sd_ns = std::sqrt(a.sd_ns * a.sd_ns * (1 - share) + b.sd_ns * b.sd_ns * share + between);
+  return s;
+}
+
 std::vector<Duration> stage_times(const RunRecord& record, DeviceId device, bool is_handle) {
   std::vector<Duration> times;
-  for (const StageRun& run : stage_runs(record, device, is_handle)) times.push_back(run.end - run.begin);
+  for (const StageRun& run : stage_runs(record, device, is_handle)) {
+    if (run.begin >= record.ready) times.push_back(record.true_time(run.end - run.begin));
+  }
   return times;
 }
 
@@ -120,15 +136,17 @@ std::vector<DecisionSample> decision_samples(const RunRecord& record, const std:
   for (const ChainPath& path : paths) ways.push_back(hops_of(record, path));
   std::vector<DecisionSample> samples;
   if (ways.empty()) return samples;
-  for (const StageRun& last : ways.front().front()) {
-    std::optional<Duration> oldest;
+  const std::vector<StageRun>& handles = ways.front().front();
+  for (std::size_t run = 0; run < handles.size(); ++run) {
+    const StageRun* oldest = nullptr;
     bool came_by_all = true;
     for (const Hops& way : ways) {
-      const StageRun* source = source_of(way, last);
+      const StageRun* source = source_of(way, handles[run]);
       came_by_all = came_by_all && source != nullptr;
-      if (source != nullptr) oldest = std::min(oldest.value_or(source->begin), source->begin);
+      if (source != nullptr && (oldest == nullptr || source->begin < oldest->begin)) oldest = source;
     }
-    if (came_by_all) samples.push_back({*oldest, last.end});
+    if (came_by_all && oldest->begin >= record.ready)
+      samples.push_back({*oldest, handles[run].end, static_cast<std::uint32_t>(run)});
   }
   return samples;
 }

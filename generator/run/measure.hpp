@@ -18,6 +18,9 @@ struct Statistics {
 
 Statistics summarize(const std::vector<Duration>& values);
 
+/// Of two series as one.
+Statistics together(const Statistics& a, const Statistics& b);
+
 struct StageRun {
   Duration begin, end;
 };
@@ -25,7 +28,7 @@ struct StageRun {
 /// Completed runs of a stage, in time order.
 std::vector<StageRun> stage_runs(const RunRecord& record, DeviceId device, bool is_handle);
 
-/// Time from begin to end of every completed run of a stage, preemption included.
+/// Time from begin to end of every run of a stage that began after the bring-up, preemption included.
 std::vector<Duration> stage_times(const RunRecord& record, DeviceId device, bool is_handle);
 
 /// A way of data from update() of one device to handle() of another. It turns at the root of the other's tree, as the
@@ -41,13 +44,14 @@ std::vector<ChainPath> find_chain(const Robot& robot, DeviceId from, DeviceId to
 
 /// One command of a chain's end, and the update its data came from.
 struct DecisionSample {
-  Duration update_begin;  ///< begin of the source's update()
-  Duration handle_end;    ///< end of the actuator's handle()
+  StageRun update;               ///< of the source
+  Duration handle_end;           ///< of the actuator
+  std::uint32_t handle_run = 0;  ///< which run of it since the first release, from 0
 };
 
 /// One sample per handle() of the chain's end: of the oldest data of all ways. Every hop takes the latest value
 /// finished before the reader's stage began (paper, definition 3). Jobs at the start whose data comes from no update
-/// yet are left out.
+/// yet, or from one during the bring-up, are left out.
 std::vector<DecisionSample> decision_samples(const RunRecord& record, const std::vector<ChainPath>& paths);
 
 }  // namespace finemote::gen

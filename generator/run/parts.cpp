@@ -92,8 +92,6 @@ void add_bus(const Robot& robot, const Device& device, Json& part) {
   const Segment& segment = robot.segments[*device.segment];
   if (type_of(robot, *device.segment).has_line_format) {
     add_line_format(robot.buses[segment.bus], device.type->format, part);
-    const auto& acquisition = device.type->acquisition;
-    part["period_ns"] = (acquisition && acquisition->interval ? *acquisition->interval : device.period).ns();
   }
   if (device.address) part["address"] = *device.address;
   if (device.channel) part["channel"] = *device.channel;

@@ -60,12 +60,13 @@ Project make_project(const FirmwareRequest& request, Output generated, const Rob
   return {request, std::move(generated), std::move(project)};
 }
 
-bool is_free_to_write(const Project& project, const std::string& trace, Sources& sources, Diagnostics& diagnostics) {
+bool is_free_to_write(const Project& project, const ResultFiles& results, Sources& sources, Diagnostics& diagnostics) {
   const FirmwareRequest& request = project.request;
   std::vector<PlannedFile> planned = planned_files(generated_folder(project), project.generated, "--keep");
   for (PlannedFile& file : planned_files(request.folder, project.project, "--keep")) planned.push_back(std::move(file));
   planned.push_back({image_path(request), "--keep"});
-  if (!trace.empty()) planned.push_back({trace, "-o"});
+  if (!results.trace.empty()) planned.push_back({results.trace, "-o"});
+  if (!results.audit.empty()) planned.push_back({results.audit, "--audit"});
   if (!check_outputs(planned, sources, diagnostics, files_of_the_compiler(request))) return false;
   WriteOptions options = options_for_work();
   options.dry_run = true;

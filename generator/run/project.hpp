@@ -26,9 +26,15 @@ std::vector<std::string> user_sources(const std::vector<std::string>& dirs);
 /// @param parts  also what hangs on the board, as parts.json
 Project make_project(const FirmwareRequest& request, Output generated, const Robot& robot, bool with_parts);
 
-/// Whether all of it, and the trace (`-o`, empty: none), can be written: looked at before the first file is. Reports
-/// what check_outputs and write_output report.
-bool is_free_to_write(const Project& project, const std::string& trace, Sources& sources, Diagnostics& diagnostics);
+/// Files beside the project that a run writes; empty: none.
+struct ResultFiles {
+  std::string trace;  ///< `-o`
+  std::string audit;  ///< `--audit`
+};
+
+/// Whether all of it, and the results, can be written: looked at before the first file is. Reports what check_outputs
+/// and write_output report.
+bool is_free_to_write(const Project& project, const ResultFiles& results, Sources& sources, Diagnostics& diagnostics);
 
 /// Writes the files and builds. Returns the path of the image; reports what write_output and build_firmware report.
 std::optional<std::string> make_image(const Project& project, Sources& sources, Diagnostics& diagnostics);

@@ -76,6 +76,47 @@ bool read_monitor(std::istringstream& words, const Forest& forest, RunRecord& re
 
 }  // namespace
 
+namespace {
+
+void add(std::vector<OwnTime>& all, const OwnTime& more) {
+  for (OwnTime& own : all) {
+    if (own.device != more.device || own.is_handle != more.is_handle) continue;
+    own.longest = std::max(own.longest, more.longest);
+    return;
+  }
+  all.push_back(more);
+}
+
+void add(std::vector<FaultCount>& all, const FaultCount& more) {
+  for (FaultCount& fault : all) {
+    if (fault.module != more.module || fault.number != more.number) continue;
+    fault.count += more.count;
+    return;
+  }
+  all.push_back(more);
+}
+
+void add(MonitorEntry& all, const MonitorEntry& more) {
+  all.response_max = std::max(all.response_max, more.response_max);
+  all.age_max = std::max(all.age_max, more.age_max);
+  all.response_violations += more.response_violations;
+  all.age_violations += more.age_violations;
+}
+
+}  // namespace
+
+void merge(RunRecord& all, const RunRecord& more) {
+  for (const OwnTime& own : more.own_times) add(all.own_times, own);
+  for (const FaultCount& fault : more.faults) add(all.faults, fault);
+  for (const FaultCount& fault : more.late_faults) add(all.late_faults, fault);
+  for (std::size_t i = 0; i < all.overruns.size() && i < more.overruns.size(); ++i) all.overruns[i] += more.overruns[i];
+  for (std::size_t i = 0; i < all.monitor.size() && i < more.monitor.size(); ++i) add(all.monitor[i], more.monitor[i]);
+  for (std::size_t i = 0; i < all.expectations.size() && i < more.expectations.size(); ++i) {
+    if (all.expectations[i].ok && !more.expectations[i].ok) all.expectations[i] = more.expectations[i];
+  }
+  all.resets += more.resets;
+}
+
 std::optional<RunRecord> parse_record(const std::string& text, const Forest& forest, Duration duration) {
   RunRecord record;
   std::istringstream lines(text);

@@ -1,6 +1,7 @@
 // What a run of the firmware left behind: the stages in time order, and its counters.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,8 +38,29 @@ struct PartRecord {
   std::string part;        ///< named like its device or expander
   bool is_output = false;  ///< an output took a value; else a quantity was sampled
   std::uint32_t channel = 0;
-  Duration from;  ///< when the quantity was sampled
-  Duration at;    ///< when its last bit could be read, or the output took its value
+  std::int64_t from_ps = 0;            ///< when the quantity was sampled
+  std::int64_t at_ps = 0;              ///< when its last bit could be read, or the output took its value
+  std::uint32_t n = 0;                 ///< which sample of the channel, or which run of the handle, from 0
+  std::optional<std::uint32_t> stage;  ///< the handle whose command an output carries; none: nobody knows
+
+  [[nodiscard]] Duration from() const { return nanoseconds(floor_div(from_ps, 1'000)); }
+  [[nodiscard]] Duration at() const { return nanoseconds(floor_div(at_ps, 1'000)); }
+};
+
+/// What the state of a device was made of when an update ended.
+struct SampleUse {
+  std::int64_t at_ps = 0;
+  std::uint32_t stage = 0;  ///< the update: twice the rank of its device
+  std::string part;         ///< whose sample,
+  std::uint32_t channel = 0;
+  std::uint32_t n = 0;  ///< and which one
+};
+
+/// One event of the processor, as emulator/program/audit.hpp tells it.
+struct LoggedEvent {
+  std::int64_t ps = 0;
+  std::string what;
+  std::uint32_t number = 0;
 };
 
 /// What the monitor in the firmware kept of one device.
@@ -60,11 +82,16 @@ struct ExpectationRecord {
 };
 
 struct RunRecord {
+  Duration ready;                       ///< end of bring-up, since the first release: bounds hold from then on
+  std::vector<std::string> absent;      ///< parts that never came up
+  double clock_ppm = 0;                 ///< how much too fast the board's clock ran, which counts all times here
   std::vector<Event> events;            ///< in time order
   std::vector<OwnTime> own_times;       ///< of stages that ran; emulated board only
   std::vector<std::uint64_t> overruns;  ///< per bucket
   std::vector<BusRecord> buses;
   std::vector<PartRecord> parts;                ///< in time order per part; emulated board only
+  std::vector<SampleUse> uses;                  ///< in time order; emulated board only
+  std::vector<LoggedEvent> log;                 ///< in time order; where it was asked for
   std::vector<MonitorEntry> monitor;            ///< in schedule order; empty without the monitor
   unsigned resets = 0;                          ///< by the watchdog or the firmware; emulated board only
   std::vector<ExpectationRecord> expectations;  ///< of the scenario; emulated board only
@@ -72,9 +99,20 @@ struct RunRecord {
   bool faulty = false;                          ///< the scenario injects faults: bounds need not hold
   std::vector<std::string> silent;              ///< devices without a model on the emulated board
   std::vector<FaultCount> faults;               ///< in the order of their first times
+  std::vector<FaultCount> late_faults;          ///< of these, counted after the bring-up
   std::optional<Duration> instruction_time;     ///< every one takes that long: the run counts them instead of time
   std::optional<Duration> stopped_at;           ///< it went to its safe stop; host and qemu_f405 only
+
+  /// A time span as the world outside of the board sees it, to the nearest nanosecond.
+  [[nodiscard]] Duration true_time(Duration span) const {
+    if (clock_ppm == 0) return span;
+    return nanoseconds(std::llround(static_cast<double>(span.ns()) / (1 + clock_ppm * 1e-6)));
+  }
 };
+
+/// Adds what another run of the same image left behind to counters and longest times; stages, parts and the time of
+/// the bring-up stay those of the first.
+void merge(RunRecord& all, const RunRecord& more);
 
 /// Reads the lines the firmware prints: `E <ns> <stage> B|E`, `O <bucket> <count>`, `B <bus> <transfers> <errors> <busy
 /// ns>`, `F <module> <number> <count>`, `S <ns>`, `M <device> <worst response> <worst age> <late> <old>`; other lines

@@ -5,8 +5,9 @@ namespace {
 
 std::vector<Duration> responses(const RunRecord& record, DeviceId device, bool is_handle, Duration period) {
   std::vector<Duration> list;
-  for (const StageRun& run : stage_runs(record, device, is_handle))
-    list.push_back(run.end - round_down(run.begin, period));
+  for (const StageRun& run : stage_runs(record, device, is_handle)) {
+    if (run.begin >= record.ready) list.push_back(record.true_time(run.end - round_down(run.begin, period)));
+  }
   return list;
 }
 

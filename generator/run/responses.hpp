@@ -14,8 +14,8 @@ struct MeasuredResponse {
   Measured jitter;          ///< of the end of handle(): one sample, the latest less the earliest
 };
 
-/// Of every device, in the order of `forest`. A stage belongs to the last release before it began: where no job
-/// overran.
+/// Of every device and every job after the bring-up, in the order of `forest`. A stage belongs to the last release
+/// before it began: where no job overran.
 std::vector<MeasuredResponse> measure_responses(const Robot& robot, const Forest& forest, const timing::Timing& timing,
                                                 const RunRecord& record);
 

@@ -18,6 +18,15 @@ Json statistics(const Measured& figure) {
           {"judged", judgement_name(figure.judged())}};
 }
 
+/// Of a scenario with faults: a bound that is broken presumes what the scenario breaks.
+constexpr const char* kBrokenAssumption = "bus-errors";
+
+Json statistics(const RunResult& result, const Measured& figure) {
+  Json document = statistics(figure);
+  if (result.record.faulty && figure.judged() == Judgement::broken) document["assumption"] = kBrokenAssumption;
+  return document;
+}
+
 const char* label_of(Wcet::Source source) {
   switch (source) {
     case Wcet::Source::static_analysis:
@@ -43,7 +52,7 @@ Json stage_list(const RunResult& result) {
   Json list = Json::array();
   for (DeviceId device : result.forest.order) {
     for (const bool is_handle : {false, true}) {
-      const Statistics s = summarize(stage_times(result.record, device, is_handle));
+      const Statistics& s = result.figures.stages[device][is_handle ? 1 : 0];
       const bool any = s.count > 0;
       const Wcet& wcet = result.wcets_given[device];
       list.push_back({{"device", name_of(result, device)},
@@ -74,14 +83,14 @@ Json event_list(const RunResult& result) {
 
 Json chain_list(const RunResult& result) {
   Json list = Json::array();
-  for (const MeasuredChain& chain : result.chains) {
+  for (const MeasuredChain& chain : result.figures.chains) {
     list.push_back({{"from", name_of(result, chain.from)},
                     {"to", name_of(result, chain.to)},
                     {"samples", chain.decide.observed.count},
-                    {"decide", statistics(chain.decide)},
-                    {"acquire", statistics(chain.acquire)},
-                    {"wire", statistics(chain.wire)},
-                    {"end_to_end", statistics(chain.end_to_end)}});
+                    {"decide", statistics(result, chain.decide)},
+                    {"acquire", statistics(result, chain.acquire)},
+                    {"wire", statistics(result, chain.wire)},
+                    {"end_to_end", statistics(result, chain.end_to_end)}});
   }
   return list;
 }
@@ -100,7 +109,7 @@ Judgement both(Judgement a, Judgement b) {
 
 Json response_list(const RunResult& result) {
   Json list = Json::array();
-  for (const MeasuredResponse& response : result.responses) {
+  for (const MeasuredResponse& response : result.figures.responses) {
     list.push_back({{"device", name_of(result, response.device)},
                     {"update_max_ns", largest(response.update)},
                     {"update_bound_ns", bound(response.update.bound)},
@@ -113,7 +122,7 @@ Json response_list(const RunResult& result) {
 
 Json jitter_list(const RunResult& result) {
   Json list = Json::array();
-  for (const MeasuredResponse& response : result.responses) {
+  for (const MeasuredResponse& response : result.figures.responses) {
     list.push_back({{"device", name_of(result, response.device)},
                     {"max_ns", largest(response.jitter)},
                     {"bound_ns", bound(response.jitter.bound)},
@@ -189,11 +198,18 @@ Json run_document(const RunResult& result) {
                      {"stack", result.image.stack ? Json(*result.image.stack) : Json(nullptr)}}},
                    {"board", result.board},
                    {"duration_ns", result.duration.ns()},
+                   {"bringup_ns", result.record.ready.ns()},
+                   {"absent", result.record.absent},
+                   {"phases", result.phases},
+                   {"seed", result.seed},
                    {"stages", stage_list(result)},
                    {"events", event_list(result)},
                    {"chains", chain_list(result)},
                    {"responses", response_list(result)},
                    {"jitter", jitter_list(result)},
+                   {"order",
+                    {{"judged", result.order.is_judged},
+                     {"mistake", result.order.mistake ? Json(*result.order.mistake) : Json(nullptr)}}},
                    {"overruns", result.overruns()},
                    {"resets", result.record.resets},
                    {"buses", bus_list(result)},

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
+
+#include "generator/bus/bus_type.hpp"
 
 namespace finemote::gen {
 
@@ -23,8 +26,8 @@ std::vector<Judgement> judgements(const RunResult& result) {
   const auto add = [&](std::initializer_list<const Measured*> figures) {
     for (const Measured* figure : figures) all.push_back(figure->judged());
   };
-  for (const MeasuredChain& c : result.chains) add({&c.acquire, &c.decide, &c.wire, &c.end_to_end});
-  for (const MeasuredResponse& r : result.responses) add({&r.update, &r.handle, &r.jitter});
+  for (const MeasuredChain& c : result.figures.chains) add({&c.acquire, &c.decide, &c.wire, &c.end_to_end});
+  for (const MeasuredResponse& r : result.figures.responses) add({&r.update, &r.handle, &r.jitter});
   return all;
 }
 
@@ -41,11 +44,32 @@ bool RunResult::is_judged() const {
   return has(all, Judgement::held) || has(all, Judgement::broken);
 }
 
+bool RunResult::is_all_judged() const {
+  const std::vector<Judgement> all = judgements(*this);
+  return is_judged() && !has(all, Judgement::no_sample) && !has(all, Judgement::no_bound);
+}
+
+std::vector<FaultCount> RunResult::unexplained_faults() const {
+  std::set<std::string> silent;  // kinds of buses that a part without a model sits on, by which modules are called
+  for (const Device& device : robot.devices) {
+    const bool is_silent =
+        std::find(record.silent.begin(), record.silent.end(), device.name.text) != record.silent.end();
+    if (is_silent && device.segment) silent.emplace(bus_type(robot.segments[*device.segment].bus_kind).name);
+  }
+  std::vector<FaultCount> faults;
+  for (const FaultCount& fault : record.late_faults) {
+    const FaultMeaning* meaning = meaning_of(fault_table, fault);
+    if (meaning == nullptr || silent.count(meaning->module_name) == 0) faults.push_back(fault);
+  }
+  return record.faulty ? std::vector<FaultCount>{} : faults;
+}
+
 bool RunResult::good() const {
   const auto& expected = record.expectations;
   const bool as_expected =
       std::all_of(expected.begin(), expected.end(), [](const ExpectationRecord& e) { return e.ok; });
   if (must_judge && !is_judged()) return false;
+  if (order.mistake || !unexplained_faults().empty()) return false;
   return overruns() == 0 && record.resets == 0 && wcets_hold && (bounds_hold() || record.faulty) && as_expected;
 }
 

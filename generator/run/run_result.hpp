@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "generator/run/chains.hpp"
 #include "generator/run/check_wcet.hpp"
+#include "generator/run/figures.hpp"
 #include "generator/run/image_facts.hpp"
-#include "generator/run/responses.hpp"
+#include "generator/run/order.hpp"
 #include "generator/schedule/schedule.hpp"
 #include "generator/timing/bounds.hpp"
 
@@ -21,24 +21,29 @@ struct RunResult {
   Duration shown;  ///< two hyperperiods, or the whole run where that is shorter
   ImageFacts image;
   RunRecord record;
-  std::vector<MeasuredChain> chains;
+  RunFigures figures;
   FaultTable fault_table;
   timing::RobotBounds bounds;                      ///< what a monitor in the image held it to
   std::optional<bool> schedulable = std::nullopt;  ///< as analyze says; none where it gives no answer
   Table<DeviceId, Wcet> wcets_given = {};          ///< what the analysis uses
   bool wcets_hold = true;                          ///< no stage took longer by itself than its WCET
   std::vector<MeasuredWcet> wcets = {};            ///< of devices whose execution times are assumed
-  std::vector<MeasuredResponse> responses = {};    ///< empty where nothing is held to bounds
-
-  bool must_judge = false;  ///< on a board where bounds are measured
+  OrderVerdict order = {};
+  bool must_judge = false;             ///< on a board where bounds are measured
+  std::uint64_t phases = 1, seed = 0;  ///< how many runs these are, and what their phases were drawn from
 
   [[nodiscard]] std::uint64_t overruns() const;
   [[nodiscard]] std::uint64_t violations() const;  ///< counted by the monitor
   [[nodiscard]] bool bounds_hold() const;
   /// Some bound was held or broken.
   [[nodiscard]] bool is_judged() const;
-  /// Of the run itself, whatever the analysis says: no overrun, no reset, no stage longer than its WCET, all as the
-  /// scenario expects, something judged, and no figure above its bound unless it injects faults.
+  /// Every bound there could be was held or broken.
+  [[nodiscard]] bool is_all_judged() const;
+  /// Faults counted after the bring-up that nothing explains: no scenario, and no part that is not there.
+  [[nodiscard]] std::vector<FaultCount> unexplained_faults() const;
+  /// Of the run itself, whatever the analysis says: no overrun, no reset, no stage out of order or longer than its
+  /// WCET, no fault that nothing explains, all as the scenario expects, something judged, and no figure above its bound
+  /// unless it injects faults.
   [[nodiscard]] bool good() const;
 };
 

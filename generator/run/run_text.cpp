@@ -61,7 +61,7 @@ void print_instructions(const RunResult& result, std::ostream& out) {
   if (!result.record.instruction_time) return;
   const Duration each = *result.record.instruction_time;
   out << "\nthe same in instructions: update to handle\n";
-  for (const MeasuredChain& chain : result.chains) {
+  for (const MeasuredChain& chain : result.figures.chains) {
     const Statistics& s = chain.decide.observed;
     if (s.count == 0) continue;
     out << fmt::format("  {:<28} {} to {}, jitter {}\n",
@@ -74,7 +74,7 @@ void print_chains(const RunResult& result, std::ostream& out) {
   out << "\nage of the data behind a command, us: sample (acquire) update (decide) handle (wire) output\n";
   out << fmt::format("  {:<28} {:<10} {:>7} {:>11} {:>11} {:>11} {:>9} {:>11}\n", "chain", "part", "samples", "min",
                      "mean", "max", "sd", "bound");
-  for (const MeasuredChain& chain : result.chains) {
+  for (const MeasuredChain& chain : result.figures.chains) {
     print_figure(result, chain, "acquire", chain.acquire, out);
     print_figure(result, chain, "decide", chain.decide, out);
     print_figure(result, chain, "wire", chain.wire, out);
@@ -89,11 +89,11 @@ std::string beside(const Measured& figure) {
 }
 
 void print_responses(const RunResult& result, std::ostream& out) {
-  if (result.responses.empty()) return;
+  if (result.figures.responses.empty()) return;
   out << "\nrelease to end of a stage, and jitter of handle(), us: longest seen and bound\n";
   out << fmt::format("  {:<28} {:>11} {:>11} {:>11} {:>11} {:>11} {:>11}\n", "device", "update", "bound", "handle",
                      "bound", "jitter", "bound");
-  for (const MeasuredResponse& response : result.responses) {
+  for (const MeasuredResponse& response : result.figures.responses) {
     const bool is_broken = response.update.judged() == Judgement::broken ||
                            response.handle.judged() == Judgement::broken ||
                            response.jitter.judged() == Judgement::broken;
@@ -127,6 +127,39 @@ void print_wcets(const RunResult& result, std::ostream& out) {
     out << fmt::format("  {:<28} {}\n", name_of(result, wcet.device), wcet_element(wcet));
 }
 
+/// What has no sample or no bound, a line each.
+void print_unjudged(const RunResult& result, std::ostream& out) {
+  if (!result.must_judge || result.is_all_judged()) return;
+  const auto reason = [](const Measured& figure) -> const char* {
+    return figure.judged() == Judgement::no_bound    ? "no bound"
+           : figure.judged() == Judgement::no_sample ? "no sample"
+                                                     : nullptr;
+  };
+  std::string lines;
+  const auto add = [&](const std::string& name,
+                       std::initializer_list<std::pair<const char*, const Measured*>> figures) {
+    std::string list;
+    for (const auto& [part, figure] : figures) {
+      if (const char* why = reason(*figure)) list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", part, why);
+    }
+    if (!list.empty()) lines += fmt::format("  {:<28} {}\n", name, list);
+  };
+  for (const MeasuredChain& c : result.figures.chains) {
+    add(name_of(result, c.from) + " -> " + name_of(result, c.to),
+        {{"acquire", &c.acquire}, {"decide", &c.decide}, {"wire", &c.wire}, {"end to end", &c.end_to_end}});
+  }
+  for (const MeasuredResponse& r : result.figures.responses)
+    add(name_of(result, r.device), {{"update", &r.update}, {"handle", &r.handle}, {"jitter", &r.jitter}});
+  if (!lines.empty()) out << "\nnot judged\n" << lines;
+}
+
+/// Parts that were waited for in vain.
+std::string missing_text(const RunResult& result) {
+  std::string names;
+  for (const std::string& part : result.record.absent) names += (names.empty() ? "" : ", ") + part;
+  return names.empty() ? names : " but: " + names;
+}
+
 }  // namespace
 
 void print_image(const ImageFacts& image, std::ostream& out) {
@@ -137,6 +170,11 @@ void print_image(const ImageFacts& image, std::ostream& out) {
 
 void print_run(const RunResult& result, std::ostream& out) {
   out << fmt::format("{} on {}, {}\n", result.robot.name.text, result.board, period_text(result.duration));
+  if (result.must_judge)
+    out << fmt::format("judged from {:.3f} ms on, when every part had been seen{}\n",
+                       milliseconds_of(result.record.ready), missing_text(result));
+  if (result.phases > 1)
+    out << fmt::format("{} runs with random phases and clock errors of seed {}\n", result.phases, result.seed);
   print_image(result.image, out);
   if (!result.record.flash.empty())
     out << fmt::format("times are derived from instructions; fetches from flash {}\n",
@@ -159,6 +197,8 @@ void print_run(const RunResult& result, std::ostream& out) {
   print_wcets(result, out);
   for (const std::string& device : result.record.silent)
     out << fmt::format("\nnote: the emulated board has no model of '{}': its bus is silent\n", device);
+  print_unjudged(result, out);
+  if (result.order.mistake) out << "\nout of order: " << *result.order.mistake << "\n";
   if (result.must_judge && !result.is_judged())
     out << "\nnothing was judged: no figure has both a bound and a sample\n";
   out << fmt::format("\noverruns {}, resets {}\n", result.overruns(), result.record.resets);
@@ -166,6 +206,7 @@ void print_run(const RunResult& result, std::ostream& out) {
     out << fmt::format("schedulable: {} (finemote analyze)\n", *result.schedulable ? "yes" : "no");
   for (const FaultCount& fault : result.record.faults)
     out << "fault: " << fault_text(result.fault_table, fault) << "\n";
+  if (!result.unexplained_faults().empty()) out << "no scenario asked for these faults\n";
 }
 
 }  // namespace finemote::gen

@@ -44,8 +44,9 @@ struct Memory {
 class Ours {
  public:
   Ours()
-      : core_(Memories{memory.flash.data(), memory.ram.data(), memory.core_ram.data(), memory.system.data()},
-              nothing_) {
+      : core_(Memories{memory.flash.data(), memory.ram.data(), memory.core_ram.data(), memory.system.data()}, nothing_,
+              tags_) {
+    tags_.turn_on();  // they change nothing of what is computed
     core_.fpu_on = true;
     core_.pace.cycle = 1;
   }
@@ -77,6 +78,8 @@ class Ours {
 
  private:
   Nothing nothing_;
+  Provenance provenance_;
+  TagFlow tags_{provenance_};
   Interpreter core_;
 };
 

@@ -158,7 +158,10 @@ TEST_CASE("the inertial sensor wakes up as its data sheet asks, and gives accele
   exchange(accelerometer, {0x41, 0x01});
   exchange(gyroscope, {0x10, 0x82});
   Time sampled = 0;
-  part.on_read = [&](Time from) { sampled = from; };
+  part.on_sample = [&](Bmi088::Quantity, Time from) {
+    sampled = from;
+    return Tag::none;
+  };
   now = 41 * kMs + 1234 * from_ns(100);
   CHECK(word(exchange(accelerometer, {0x92, 0, 0, 0, 0, 0, 0, 0}), 6) == Approx(32768 / 6).margin(1));  // 1 g of 6
   const auto rates = exchange(gyroscope, {0x82, 0, 0, 0, 0, 0, 0});

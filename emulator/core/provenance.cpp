@@ -1,0 +1,87 @@
+#include "emulator/core/provenance.hpp"
+
+namespace finemote::emulator {
+namespace {
+constexpr std::uint32_t kFirstWorkMark = 0x40000;  // runtime/include/finemote/mark.hpp: stages are below
+}
+
+std::uint32_t Provenance::add_source() {
+  sample_counts_.push_back(0);
+  return static_cast<std::uint32_t>(sample_counts_.size() - 1);
+}
+
+Tag Provenance::sample(std::uint32_t source, Time from, Time readable) {
+  return add({Origin::Kind::sample, source, sample_counts_[source]++, from, readable});
+}
+
+Tag Provenance::add(const Origin& origin) {
+  origins_.push_back(origin);
+  return static_cast<Tag>(origins_.size() - 1);
+}
+
+const Origin* Provenance::job(Tag tag) const {
+  return tag != Tag::none && origin(tag).kind == Origin::Kind::job ? &origin(tag) : nullptr;
+}
+
+void Provenance::tail() {
+  resume();
+  enter();
+}
+
+void Provenance::resume() {
+  if (levels_.size() > 1) levels_.pop_back();
+}
+
+void Provenance::reset() {
+  levels_.assign(1, Level{});
+  made_of_.clear();
+  early_.clear();
+}
+
+/// Only the first begin and the first end count: a jump may come back to the instruction at a mark.
+void Provenance::pass_mark(std::uint32_t number, Time at) {
+  if (number >= kFirstWorkMark) return;
+  Level& level = levels_.back();
+  const std::uint32_t stage = number / 2;
+  if (number % 2 == 0 && level.stage != stage) begin(level, stage, at);
+  if (number % 2 != 0 && level.stage == stage) end(level, at);
+}
+
+void Provenance::begin(Level& level, std::uint32_t stage, Time at) {
+  const bool updates = stage % 2 == 0;
+  level = {stage, Tag::none, updates, {}};
+  if (updates) take_early(level, at);
+  if (!updates) level.job = add({Origin::Kind::job, stage, runs_[stage]++, at, at});
+}
+
+/// A parser looked at the whole sample before its end was known by the silence behind it: now it is.
+void Provenance::take_early(Level& level, Time at) {
+  Samples& early = early_[level.stage];
+  for (auto it = early.begin(); it != early.end();) {
+    const bool is_readable = origin(it->second).readable <= at;
+    if (is_readable) level.loaded.insert(*it);
+    it = is_readable ? early.erase(it) : std::next(it);
+  }
+}
+
+/// Where it took nothing new from a source, its state is still made of what it took before. What it loads of older
+/// samples is what others made of them.
+void Provenance::end(Level& level, Time at) {
+  if (level.looks) {
+    Samples& state = made_of_[level.stage];
+    for (const auto& [source, tag] : level.loaded) state[source] = newest(state[source], tag);
+    for (const auto& [source, tag] : state) uses_.push_back({at, level.stage, tag});
+  }
+  level = {};
+}
+
+/// Of a sample that is still arriving a parser may look at what there is: that takes nothing before it has arrived.
+void Provenance::loaded(Tag tag, Time now) {
+  if (tag == Tag::none || origin(tag).kind != Origin::Kind::sample) return;
+  Level& level = levels_.back();
+  const bool is_readable = origin(tag).readable <= now;
+  Tag& seen = (is_readable ? level.loaded : early_[level.stage])[origin(tag).source];
+  seen = newest(seen, tag);
+}
+
+}  // namespace finemote::emulator

@@ -1,0 +1,80 @@
+#include "emulator/program/audit.hpp"
+
+#include <algorithm>
+
+#include "emulator/program/firmware.hpp"
+
+namespace finemote::emulator {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Null: marks, which are told as begins and ends.
+const char* name_of(ExecutionEvent::Kind kind) {
+  switch (kind) {
+    case ExecutionEvent::Kind::enter:
+      return "enter";
+    case ExecutionEvent::Kind::tail:
+      return "tail";
+    case ExecutionEvent::Kind::leave:
+      return "return";
+    case ExecutionEvent::Kind::resume:
+      return "resume";
+    case ExecutionEvent::Kind::due:
+      return "due";
+    case ExecutionEvent::Kind::mask:
+      return "mask";
+    case ExecutionEvent::Kind::unmask:
+      return "unmask";
+    case ExecutionEvent::Kind::reset:
+      return "reset";
+    case ExecutionEvent::Kind::mark:
+      return nullptr;
+  }
+  return nullptr;
+}
+
+struct Line {
+  std::int64_t at_ps;
+  const char* what;
+  std::uint32_t number;
+};
+
+}  // namespace
+
+Audit::Audit(Board& board, const Image& image, std::vector<std::uint32_t> buckets)
+    : board_(board), image_(image), buckets_(std::move(buckets)) {
+  board_.cpu().on_return = [this](int exception) {
+    if (exception == kSysTick) look_for_overruns();
+  };
+}
+
+Audit::~Audit() { board_.cpu().on_return = nullptr; }
+
+void Audit::look_for_overruns() {
+  const std::vector<std::uint32_t> now = overruns_of(board_, image_);
+  counted_.resize(now.size());
+  for (std::size_t i = 0; i < now.size() && i < buckets_.size(); ++i) {
+    if (now[i] > counted_[i]) overruns_.push_back({board_.world().now(), buckets_[i]});
+  }
+  counted_ = now;
+}
+
+Json Audit::events(std::int64_t zero_ns) const {
+  const auto since = [&](Time at) { return static_cast<std::int64_t>(to_ps(at)) - zero_ns * 1'000; };
+  std::vector<Line> lines;
+  for (const ExecutionEvent& event : board_.log()) {
+    if (event.kind == ExecutionEvent::Kind::reset && event.at == 0) continue;  // power-on
+    if (const char* what = name_of(event.kind)) lines.push_back({since(event.at), what, event.number});
+  }
+  for (const BracketEvent& event : board_.own_times().events()) {
+    if (event.bracket < kFirstWork) lines.push_back({since(event.at), event.is_end ? "end" : "begin", event.bracket});
+  }
+  for (const Overrun& overrun : overruns_) lines.push_back({since(overrun.at), "overrun", overrun.exception});
+  std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.at_ps < b.at_ps; });
+  Json all = Json::array();
+  for (const Line& line : lines) all.push_back(Json::array({line.at_ps, line.what, line.number}));
+  return all;
+}
+
+}  // namespace finemote::emulator

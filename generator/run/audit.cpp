@@ -1,0 +1,162 @@
+#include "generator/run/audit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace finemote::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::uint32_t kFirstLine = 16;         ///< exception of interrupt line 0
+constexpr std::uint32_t kReleaseException = 15;  ///< SysTick
+
+Json stages_of(const Robot& robot, const Forest& forest, const Schedule& schedule) {
+  Json list = Json::array();
+  for (const DeviceId device : forest.order) {
+    for (const char* stage : {"update", "handle"}) {
+      list.push_back({{"device", robot.devices[device].name.text},
+                      {"stage", stage},
+                      {"exception", kFirstLine + schedule.buckets[schedule.bucket_of[device]].line},
+                      {"period_ns", robot.devices[device].period.ns()}});
+    }
+  }
+  return list;
+}
+
+Json exceptions_of(const Robot& robot, const Schedule& schedule) {
+  Json list = Json::object();
+  list[std::to_string(kReleaseException)] = {{"kind", "release"}};
+  for (const Bucket& bucket : schedule.buckets)
+    list[std::to_string(kFirstLine + bucket.line)] = {{"kind", "bucket"}, {"period_ns", bucket.period.ns()}};
+  for (const Bus& bus : robot.buses) {
+    const Port* port = robot.board->port(bus.port);
+    if (port == nullptr) continue;
+    for (const InterruptLine& line : port->interrupts) {
+      list[std::to_string(kFirstLine + static_cast<std::uint32_t>(line.number))] = {
+          {"kind", "bus"}, {"bus", bus.name.text}, {"source", line.name}};
+    }
+  }
+  return list;
+}
+
+/// Everything of one run, on the true time.
+class Audit {
+ public:
+  Audit(const Robot& robot, const Forest& forest, const RunRecord& record)
+      : robot_(robot), forest_(forest), record_(record) {
+    add_log();
+    add_samples();
+    add_uses();
+    add_outputs();
+    add(record.ready.ns() * kPsPerNs, {{"what", "ready"}});
+    std::stable_sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) { return a.at < b.at; });
+  }
+
+  [[nodiscard]] std::string text() const {
+    std::string text;
+    for (const Line& line : lines_) text += line.text + "\n";
+    return text;
+  }
+
+ private:
+  static constexpr std::int64_t kPsPerNs = 1'000;
+  struct Line {
+    std::int64_t at;
+    std::string text;
+  };
+
+  /// The board's clock counts the record's times; rounded down.
+  [[nodiscard]] std::int64_t true_ps(std::int64_t ps) const {
+    if (record_.clock_ppm == 0) return ps;
+    return static_cast<std::int64_t>(std::floor(static_cast<long double>(ps) / (1 + record_.clock_ppm * 1e-6L)));
+  }
+
+  void add(std::int64_t ps, const Json& rest) {
+    Json line{{"t", true_ps(ps)}};
+    line.update(rest);
+    lines_.push_back({line.at("t").get<std::int64_t>(), line.dump()});
+  }
+
+  void add_log() {
+    for (const LoggedEvent& event : record_.log) {
+      Json rest{{"what", event.what}};
+      if (event.what == "begin" || event.what == "end") {
+        rest["stage"] = event.number;
+      } else if (event.what != "mask" && event.what != "unmask" && event.what != "reset") {
+        rest["exception"] = event.number;
+      }
+      add(event.ps, rest);
+    }
+  }
+
+  void add_samples() {
+    for (const PartRecord& event : record_.parts) {
+      if (event.is_output) continue;
+      add(event.at_ps, {{"what", "sample"},
+                        {"part", event.part},
+                        {"channel", event.channel},
+                        {"n", event.n},
+                        {"from", true_ps(event.from_ps)}});
+    }
+  }
+
+  [[nodiscard]] const std::string& device_of(std::uint32_t stage) const {
+    return robot_.devices[forest_.order[Rank{stage / 2}]].name.text;
+  }
+
+  /// Of its own part: what others send is in the commands of a device.
+  void add_uses() {
+    for (const SampleUse& use : record_.uses) {
+      const std::string& device = device_of(use.stage);
+      if (use.part != device) continue;
+      add(use.at_ps,
+          {{"what", "used"}, {"device", device}, {"channel", use.channel}, {"n", use.n}, {"claimed", nullptr}});
+    }
+  }
+
+  /// A command that never came out, because a later one of the same output did.
+  void add_outputs() {
+    std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> next;  // job of the output of a part
+    for (const PartRecord& event : record_.parts) {
+      if (!event.is_output) continue;
+      Json rest{
+          {"what", "output"}, {"part", event.part}, {"channel", event.channel}, {"device", nullptr}, {"job", nullptr}};
+      if (event.stage) {
+        const std::string& device = device_of(*event.stage);
+        rest["device"] = device;
+        rest["job"] = event.n;
+        std::uint32_t& expected = next[{event.part, event.channel}];
+        for (; expected < event.n; ++expected)
+          add(event.at_ps, {{"what", "superseded"}, {"device", device}, {"job", expected}});
+        expected = std::max(expected, event.n + 1);
+      }
+      add(event.at_ps, rest);
+    }
+  }
+
+  const Robot& robot_;
+  const Forest& forest_;
+  const RunRecord& record_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace
+
+std::string audit_lines(const Robot& robot, const Forest& forest, const Schedule& schedule, const AuditedRun& run,
+                        const RunRecord& record) {
+  const double nominal = static_cast<double>(robot.board->cpu_hz);
+  const Json first{{"what", "robot"},
+                   {"image", run.image_sha256},
+                   {"seed", run.seed},
+                   {"phase", run.phase},
+                   {"clock_hz", nominal * (1 + record.clock_ppm * 1e-6)},
+                   {"nominal_hz", nominal},
+                   {"stages", stages_of(robot, forest, schedule)},
+                   {"exceptions", exceptions_of(robot, schedule)}};
+  return first.dump() + "\n" + Audit(robot, forest, record).text();
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,54 @@
+#include "generator/run/phase.hpp"
+
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+
+#include "emulator/scenario/grammar.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Numbers that are the same with every standard library.
+class Draw {
+ public:
+  explicit Draw(const Phase& phase) {
+    std::seed_seq seed{phase.seed, phase.seed >> 32, phase.number, phase.number >> 32};
+    engine_.seed(seed);
+  }
+  /// 0 or more, below 1.
+  double part_of_one() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  /// An extreme half of the time: that is where bounds are met.
+  double both_ways(double most) {
+    const double where = part_of_one();
+    if (where < 0.25) return -most;
+    return where < 0.5 ? most : most * (2 * part_of_one() - 1);
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+double usual_period(const scenario::Model& model, const Json& part) {
+  if (part.contains("period_ns")) return part.at("period_ns").get<double>();
+  return Json::parse(scenario::find_member(model.figures, "period_ns")->usual).get<double>();
+}
+
+}  // namespace
+
+double shift_clocks(const Phase& phase, double clock_ppm, Json& parts) {
+  Draw draw(phase);
+  const double board = draw.both_ways(clock_ppm);
+  for (Json& part : parts) {
+    const scenario::Model* model = scenario::find_model(part.at("type").get<std::string>());
+    if (model == nullptr || model->clock_tolerance_ppm == 0) continue;
+    const double own = draw.both_ways(model->clock_tolerance_ppm);
+    part["clock_ppm"] = ((1 + own * 1e-6) / (1 + board * 1e-6) - 1) * 1e6;
+    part["phase_ns"] = static_cast<std::uint64_t>(draw.part_of_one() * usual_period(*model, part));
+  }
+  return board;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,23 @@
+// Random phases and clock errors of a robot's parts and its board, within what their data sheets allow.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+
+#include "generator/descriptor/board.hpp"
+
+namespace finemote::gen {
+
+/// Which run of how many: the same numbers give the same run.
+struct Phase {
+  std::uint64_t seed = 0;
+  std::uint64_t number = 0;
+};
+
+/// Gives every part that has a clock of its own a rate and a first moment, as the phase draws them.
+/// @param parts     entries of a scenario's `parts`
+/// @param clock_ppm how far the board's clock may be off, both ways
+/// @return  how far the board's clock is off in this run [ppm], positive: it runs fast
+double shift_clocks(const Phase& phase, double clock_ppm, nlohmann::ordered_json& parts);
+
+}  // namespace finemote::gen
