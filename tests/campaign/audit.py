@@ -1,0 +1,264 @@
+"""Reads the record of `finemote run --audit` and recomputes every figure from it.
+
+Nothing of FineMote is used: the record says when what happened, and the figures follow from it by the definitions of
+docs/reference/audit.md. Times are integers in picoseconds.
+"""
+
+import bisect
+import json
+
+PS = 1000
+
+
+class Phase:
+    """One run: its first line, and its events in the order of time."""
+
+    def __init__(self, header):
+        self.header = header
+        self.events = []
+        self.ready = None
+        self.resets = 0
+        self.overruns = 0
+
+    def add(self, event):
+        self.events.append(event)
+        if event["what"] == "ready":
+            self.ready = event["t"]
+        self.resets += event["what"] == "reset"
+        self.overruns += event["what"] == "overrun"
+
+
+def read(path):
+    """All phases of a record."""
+    phases = []
+    with open(path, encoding="utf-8") as lines:
+        for line in lines:
+            event = json.loads(line)
+            if event["what"] == "robot":
+                phases.append(Phase(event))
+            else:
+                phases[-1].add(event)
+    return phases
+
+
+class Runs:
+    """The completed runs of one stage, in the order of time."""
+
+    def __init__(self):
+        self.begins, self.ends, self.own = [], [], []
+
+    def last_ended_by(self, t):
+        """Index of the last run that ended at `t` or before; None where there is none."""
+        index = bisect.bisect_right(self.ends, t) - 1
+        return index if index >= 0 else None
+
+
+def runs_of(phase):
+    """Runs of every stage by its number, with their own times: without what came in between.
+
+    An exception's time counts from the begin of stacking to the end of unstacking and belongs to it alone.
+    """
+    stages = {k: Runs() for k in range(len(phase.header["stages"]))}
+    frames = [{"own": 0, "open": {}}]
+    last = None
+    for event in phase.events:
+        what, t = event["what"], event["t"]
+        if what not in ("enter", "tail", "resume", "begin", "end", "reset"):
+            continue
+        if last is not None:
+            frames[-1]["own"] += t - last
+        last = t
+        if what == "reset":
+            frames = [{"own": 0, "open": {}}]
+        elif what == "enter":
+            frames.append({"own": 0, "open": {}})
+        elif what == "tail":
+            frames.pop()
+            frames.append({"own": 0, "open": {}})
+        elif what == "resume" and len(frames) > 1:
+            frames.pop()
+        elif what == "begin":
+            frames[-1]["open"][event["stage"]] = (t, frames[-1]["own"])
+        elif what == "end" and event["stage"] in frames[-1]["open"]:
+            begin, own = frames[-1]["open"].pop(event["stage"])
+            runs = stages[event["stage"]]
+            runs.begins.append(begin)
+            runs.ends.append(t)
+            runs.own.append(frames[-1]["own"] - own)
+    return stages
+
+
+class Robot:
+    """What analyze's document says of the structure: parents and readers."""
+
+    def __init__(self, model):
+        self.parent = {d["name"]: d["parent"] for d in model["devices"]}
+        self.readers = {name: [] for name in self.parent}
+        for device in model["devices"]:
+            for read_one in device.get("reads", []):
+                self.readers[read_one].append(device["name"])
+            if device["parent"]:
+                self.readers[device["name"]].append(device["parent"])
+        self.wcet = {d["name"]: (d["update_wcet_ns"], d["handle_wcet_ns"]) for d in model["devices"]}
+
+    def to_root(self, name):
+        way = [name]
+        while self.parent[way[-1]]:
+            way.append(self.parent[way[-1]])
+        return way
+
+    def ways(self, source, target, most=64):
+        """Every way of data from update() of `source` over the root of `target`'s tree to its handle()."""
+        down = list(reversed(self.to_root(target)))
+        up = self.to_root(source)
+        if up[-1] == down[0]:
+            return [(up, down)]
+        found = []
+
+        def search(way):
+            if way[-1] == down[0]:
+                found.append((list(way), down))
+            for reader in self.readers[way[-1]]:
+                if reader not in way and len(found) < most:
+                    search(way + [reader])
+
+        search([source])
+        return found
+
+
+def source_run(stages, number, way, begin):
+    """The update() run that data of a handle() which began at `begin` came from; None: none yet."""
+    up, down = way
+    hops = [(d, True) for d in reversed(down[:-1])] + [(d, False) for d in reversed(up)]
+    index = None
+    for hop in hops:
+        runs = stages[number[hop]]
+        index = runs.last_ended_by(begin)
+        if index is None:
+            return None
+        begin = runs.begins[index]
+    return index
+
+
+def samples_of(phase):
+    """When each sample was taken, by part and number."""
+    taken = {}
+    for event in phase.events:
+        if event["what"] == "sample":
+            taken[event["part"], event["channel"], event["n"]] = event["from"]
+    return taken
+
+
+def used_of(phase, samples):
+    """What each update() took, by device: lists of times, and of (oldest sample of all channels, claimed origin)."""
+    used = {}
+    for event in phase.events:
+        if event["what"] == "used":
+            times, what = used.setdefault(event["device"], ([], []))
+            taken = samples.get((event["device"], event.get("channel", 0), event["n"]))
+            if times and times[-1] == event["t"]:
+                older = None if taken is None or what[-1][0] is None else min(taken, what[-1][0])
+                what[-1] = (older, event.get("claimed"))
+            else:
+                times.append(event["t"])
+                what.append((taken, event.get("claimed")))
+    return used
+
+
+def outputs_of(phase):
+    """When the command of a job reached the world first, by device and job."""
+    reached = {}
+    for event in phase.events:
+        if event["what"] == "output" and event.get("job") is not None:
+            reached.setdefault((event["device"], event["job"]), event["t"])
+    return reached
+
+
+class Longest:
+    """The largest value of each figure, and how many there were."""
+
+    def __init__(self):
+        self.values = {}
+
+    def add(self, key, value):
+        largest, count = self.values.get(key, (value, 0))
+        self.values[key] = (max(largest, value), count + 1)
+
+
+class Measures:
+    """All figures of one phase."""
+
+    def __init__(self, phase, robot, chains):
+        self.phase, self.robot = phase, robot
+        self.stages = runs_of(phase)
+        self.number = {(s["device"], s["stage"] == "handle"): k for k, s in enumerate(phase.header["stages"])}
+        self.used, self.reached = used_of(phase, samples_of(phase)), outputs_of(phase)
+        self.longest = Longest()
+        self.mistakes = []
+        for source, target in chains:
+            self.measure_chain(source, target)
+        self.measure_responses()
+        self.measure_own_times()
+        self.check_claims()
+
+    def sample_of(self, device, update):
+        """When the sample behind a run of update() was taken; None where nobody knows."""
+        if device not in self.used:
+            return None
+        runs = self.stages[self.number[device, False]]
+        times, what = self.used[device]
+        index = bisect.bisect_right(times, runs.ends[update]) - 1
+        return what[index][0] if index >= 0 and times[index] >= runs.begins[update] else None
+
+    def measure_chain(self, source, target):
+        ways = self.robot.ways(source, target)
+        updates = self.stages[self.number[source, False]]
+        handles = self.stages[self.number[target, True]]
+        ready = self.phase.ready
+        for job, (begin, end) in enumerate(zip(handles.begins, handles.ends)):
+            runs = [source_run(self.stages, self.number, way, begin) for way in ways]
+            if not runs or any(run is None for run in runs):
+                continue
+            run = min(runs, key=lambda r: updates.begins[r])
+            start = updates.begins[run]
+            if start < ready:
+                continue
+            taken, reached = self.sample_of(source, run), self.reached.get((target, job))
+            self.longest.add((source, target, "decide"), end - start)
+            if taken is not None:
+                self.longest.add((source, target, "acquire"), start - taken)
+            if reached is not None:
+                self.longest.add((source, target, "wire"), reached - end)
+            if taken is not None and reached is not None:
+                self.longest.add((source, target, "end_to_end"), reached - taken)
+
+    def measure_responses(self):
+        """From the release of a job, the last one before it began, to the end of a stage."""
+        releases = [e["t"] for e in self.phase.events if e["what"] == "due" and e["exception"] == 15]
+        nominal = self.phase.header["nominal_hz"]
+        scale = nominal / self.phase.header["clock_hz"]
+        for k, stage in enumerate(self.phase.header["stages"]):
+            period = stage["period_ns"] * PS * scale
+            runs = self.stages[k]
+            for begin, end in zip(runs.begins, runs.ends):
+                if begin < self.phase.ready:
+                    continue
+                release = int(begin // period * period)
+                index = bisect.bisect_right(releases, release + PS * 1000) - 1
+                if index >= 0 and abs(releases[index] - release) <= PS * 1000:
+                    release = releases[index]
+                self.longest.add((stage["device"], stage["stage"], "response"), end - release)
+
+    def measure_own_times(self):
+        for k, stage in enumerate(self.phase.header["stages"]):
+            for own in self.stages[k].own:
+                self.longest.add((stage["device"], stage["stage"], "own"), own)
+
+    def check_claims(self):
+        """No device claims data fresher than they are, by more than a microsecond."""
+        for device, (times, what) in self.used.items():
+            for t, (taken, claimed) in zip(times, what):
+                if t < self.phase.ready or taken is None or claimed is None:
+                    continue
+                if claimed > taken + PS * 1000:
+                    self.mistakes.append(f"{device} claims {claimed} for a sample taken at {taken}")
