@@ -7,9 +7,9 @@ namespace finemote::emulator {
 namespace {
 constexpr std::uint32_t kParity = 1, kFraming = 2, kNoise = 4, kOverrun = 8, kIdle = 16, kReceived = 32, kComplete = 64,
                         kEmpty = 128;
-constexpr std::uint32_t kReceiver = 4, kTransmitter = 8, kIdleInterrupt = 16, kReceivedInterrupt = 32,
-                        kCompleteInterrupt = 64, kEmptyInterrupt = 128, kParityInterrupt = 256, kOddParity = 512,
-                        kParityOn = 1024, kNineBits = 4096;
+constexpr std::uint32_t kReceiver = 4, kIdleInterrupt = 16, kReceivedInterrupt = 32, kCompleteInterrupt = 64,
+                        kEmptyInterrupt = 128, kParityInterrupt = 256, kOddParity = 512, kParityOn = 1024,
+                        kNineBits = 4096;
 constexpr std::uint32_t kErrorInterrupt = 1, kDmaReceive = 64, kDmaTransmit = 128;
 constexpr double kTolerance = 0.03;  // RM0090 30.3.5: receiver tolerance about 3 to 4 %
 }  // namespace

@@ -1,4 +1,6 @@
 // What `run` says of the emulated board: every figure beside its bound, and when the answer is no.
+#include <filesystem>
+
 #include "catch.hpp"
 #include "tests/cli/program.hpp"
 
@@ -66,6 +68,8 @@ TEST_CASE("a run that is as it should be holds every figure to the bound that an
     CHECK(ran["chains"][i]["acquire"]["judged"] == "no-sample");  // no part that could be watched
   }
   CHECK(ran["fault_counts"].empty());
+  CHECK(ran["order"]["judged"] == true);
+  CHECK(ran["order"]["mistake"].is_null());
 }
 
 TEST_CASE("bounds of a run with trace or monitor are those of analyze with the same options") {
@@ -95,4 +99,60 @@ TEST_CASE("overruns are those that the firmware counted") {
                                                 R"(<wcet update="20us" handle="10us"/>)"));
   const auto ran = run_json(folder.path("r.urdf"), 1);
   CHECK(ran["overruns"].get<int>() > 0);
+}
+
+namespace {
+
+const char* const kWorriedDescriptor = R"({
+  "schema": "finemote.device/1", "type": "worried", "summary": "counts a fault in its twentieth update",
+  "class": "my::Worried", "header": "worried.hpp",
+  "provides": [{ "interface": "Any" }],
+  "wcet": { "update_ns": 3000, "handle_ns": 1000 }
+})";
+
+const char* const kWorriedDevice = R"(#pragma once
+#include "finemote/contract.hpp"
+#include "finemote/fault.hpp"
+namespace my {
+struct Worried {
+  void update() {
+    if (++count_ == 20) finemote::count_fault(finemote::Module::device, 7);
+  }
+  void handle() {}
+  finemote::Stamp state;
+
+ private:
+  unsigned count_ = 0;
+};
+}  // namespace my
+)";
+
+}  // namespace
+
+TEST_CASE("a fault that no scenario asked for fails the run") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path("devices"));
+  write_file(folder.path("devices/worried.json"), kWorriedDescriptor);
+  write_file(folder.path("devices/worried.hpp"), kWorriedDevice);
+  write_file(folder.path("r.urdf"), R"(<robot name="r"><link name="base"/><finemote version="1">
+      <board name="robomaster_type_c"/><device name="worried" type="worried" period="2ms"/></finemote></robot>)");
+  const auto ran = run_json(folder.path("r.urdf"), 1);
+  REQUIRE(ran["fault_counts"].size() == 1);
+  CHECK(ran["fault_counts"][0]["code"] == 7);
+  CHECK(ran["fault_counts"][0]["count"] == 1);
+  CHECK(ran["overruns"] == 0);
+  CHECK(ran["responses"][0]["judged"] == "held");
+  CHECK(run_finemote({"run", folder.path("r.urdf"), "--duration", "100ms"})
+            .output.find("no scenario asked for these faults") != std::string::npos);
+}
+
+TEST_CASE("a bound without a sample is a no where everything has to be judged") {
+  const std::string without_part = source_path("examples/two_devices.urdf");
+  const auto ran = run_finemote({"run", without_part, "--duration", "100ms"});
+  CHECK(ran.exit_status == 0);
+  CHECK(ran.output.find("\nnot judged\n") != std::string::npos);
+  CHECK(ran.output.find("acquire (no sample)") != std::string::npos);
+  CHECK(run_finemote({"run", without_part, "--duration", "100ms", "--require-judged"}).exit_status == 1);
+  const std::string with_part = source_path("tests/emulator/bounds/one_motor.urdf");
+  CHECK(run_finemote({"run", with_part, "--duration", "100ms", "--require-judged"}).exit_status == 0);
 }

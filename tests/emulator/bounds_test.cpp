@@ -1,0 +1,105 @@
+// Robots whose bounds were once broken, or would be by a cost that is left out: everything that is judged holds, and no
+// bound holds by being far too large.
+#include <string>
+
+#include "catch.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace finemote::test;
+
+namespace {
+
+using Json = nlohmann::json;
+
+struct Case {
+  const char* robot;     ///< in tests/emulator/bounds
+  const char* duration;  ///< from the end of the bring-up on
+  const char* from;      ///< begin and end of the chain whose part is looked at; null: no bound is near what is seen
+  const char* to;
+  const char* part;
+  double most;  ///< bound by longest seen
+};
+
+const Case kCases[] = {
+    {"long_conversion", "600ms", "depth", "diver", "acquire", 1.25},
+    {"lowered_clock", "600ms", "servo_0", "servo_0", "wire", 1.25},
+    {"slow_stop", "200ms", "fast", "fast", "decide", 2},
+    {"wide_flush", "300ms", nullptr, nullptr, nullptr, 0},
+    {"many_releases", "300ms", "every_30ms", "every_30ms", "decide", 2},
+    {"two_frames", "600ms", "imu", "head", "decide", 2},
+    {"two_sbus_frames", "600ms", nullptr, nullptr, nullptr, 0},
+    {"idle_line", "600ms", "remote", "remote", "acquire", 1.25},
+    {"bring_up", "300ms", nullptr, nullptr, nullptr, 0},
+};
+
+struct Ran {
+  int exit_status = 0;
+  Json document;
+};
+
+Ran run(const std::string& robot, const std::string& duration, const std::vector<std::string>& options = {}) {
+  std::vector<std::string> words = {"run", robot, "--duration", duration, "--format", "json"};
+  words.insert(words.end(), options.begin(), options.end());
+  const auto ran = run_finemote(words);
+  INFO(ran.output);
+  const auto begin = ran.output.find('{');
+  REQUIRE(begin != std::string::npos);
+  return {ran.exit_status, Json::parse(ran.output.substr(begin))};
+}
+
+void check_judged(const Json& judged) {
+  INFO(judged.dump());
+  CHECK((judged["judged"] == "held" || judged["judged"] == "no-sample"));
+}
+
+void check_holds(const Ran& ran) {
+  CHECK(ran.exit_status == 0);
+  CHECK(ran.document["absent"].empty());
+  CHECK(ran.document["overruns"] == 0);
+  CHECK(ran.document["fault_counts"].empty());
+  CHECK(ran.document["order"]["mistake"].is_null());
+  for (const Json& chain : ran.document["chains"]) {
+    for (const char* part : {"acquire", "decide", "wire", "end_to_end"}) check_judged(chain[part]);
+    CHECK(chain["decide"]["judged"] == "held");
+  }
+  for (const char* list : {"responses", "jitter"}) {
+    REQUIRE(ran.document[list].size() > 0);
+    for (const Json& device : ran.document[list]) CHECK(device["judged"] == "held");
+  }
+}
+
+void check_is_near(const Json& document, const Case& one) {
+  for (const Json& chain : document["chains"]) {
+    if (chain["from"] != one.from || chain["to"] != one.to) continue;
+    const Json& part = chain[one.part];
+    INFO(part.dump());
+    CHECK(part["judged"] == "held");
+    CHECK(part["bound_ns"].get<double>() <= one.most * part["max_ns"].get<double>());
+    return;
+  }
+  FAIL("no such chain");
+}
+
+}  // namespace
+
+TEST_CASE("every bound holds on robots that come close to it") {
+  for (const Case& one : kCases) {
+    INFO(one.robot);
+    const Ran ran = run(source_path("tests/emulator/bounds/" + std::string(one.robot) + ".urdf"), one.duration);
+    check_holds(ran);
+    if (one.from != nullptr) check_is_near(ran.document, one);
+  }
+}
+
+TEST_CASE("every bound holds while a computer sends text without end") {
+  const TemporaryFolder folder;
+  Json events = Json::array();
+  for (int ms = 20; ms < 400; ms += 10) {
+    events.push_back({{"t_ns", ms * 1'000'000},
+                      {"part", "rov.host"},
+                      {"do", "send"},
+                      {"text", "MOT:1500,1500,1500,1500\r\nH:31415\r\nANG:-179\r\nMOT:1501,1499,1500,1500\r\n"}});
+  }
+  write_file(folder.path("text.json"), Json{{"schema", "finemote.scenario/1"}, {"events", events}}.dump());
+  check_holds(run(source_path("examples/finsrov.urdf"), "400ms", {"--scenario", folder.path("text.json")}));
+}
