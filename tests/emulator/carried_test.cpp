@@ -111,6 +111,13 @@ std::size_t check_output(const Record& record, const Record::Channel& channel) {
   return runs;
 }
 
+/// Every command but the last comes out, which the end of the run may cut off. @param least  runs of the handle
+void check_all_arrive(const Record& record, const Record::Channel& channel, std::size_t least) {
+  const std::size_t commands = record.begins.at(record.outputs.at(channel).front().stage).size();
+  CHECK(commands >= least);
+  CHECK(check_output(record, channel) + 1 >= commands);
+}
+
 }  // namespace
 
 TEST_CASE("on the infantry every update takes the newest report, and every command arrives") {
@@ -121,16 +128,16 @@ TEST_CASE("on the infantry every update takes the newest report, and every comma
   CHECK(oldest_us(record, {"pitch", 0}, 4) < 1'500);
   CHECK(oldest_us(record, {"front_left", 0}, 8) < 1'500);
   CHECK(oldest_us(record, {"remote", 0}, 18) < 30'000);  // a frame every 14 ms
-  CHECK(check_output(record, {"yaw", 0}) == 500);
-  CHECK(check_output(record, {"pitch", 0}) == 500);
+  check_all_arrive(record, {"yaw", 0}, 500);
+  check_all_arrive(record, {"pitch", 0}, 500);
   for (const char* wheel : {"front_left", "front_right", "rear_left", "rear_right"})
-    CHECK(check_output(record, {wheel, 0}) == 100);
+    check_all_arrive(record, {wheel, 0}, 100);
 }
 
 TEST_CASE("on the arm every joint's command arrives, though they share frames") {
   const Record record(example("six_joint_arm"), "500ms");
   for (const char* joint : {"base", "shoulder", "elbow", "wrist_roll", "wrist_pitch", "flange"})
-    CHECK(check_output(record, {joint, 0}) == 250);
+    check_all_arrive(record, {joint, 0}, 250);
   CHECK(oldest_us(record, {"base", 0}, 2) < 1'500);
 }
 

@@ -107,7 +107,8 @@ TEST_CASE("time belongs to whoever runs: an interrupted routine does not count w
   nest.run(30'000);
   CHECK(nest.own(kLine) == 12 + 60 + 1 + 10);
   CHECK(nest.own(kLine + 1) == 12 + 20 + 1 + 10);
-  const Kind expected[] = {Kind::enter, Kind::enter, Kind::leave, Kind::resume, Kind::leave, Kind::resume};
+  const Kind expected[] = {Kind::due,   Kind::enter,  Kind::due,   Kind::enter,
+                           Kind::leave, Kind::resume, Kind::leave, Kind::resume};
   REQUIRE(nest.log.size() == std::size(expected));
   for (std::size_t i = 0; i < nest.log.size(); ++i) CHECK(nest.log[i].kind == expected[i]);
 }
