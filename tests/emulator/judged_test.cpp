@@ -1,4 +1,5 @@
 // What `run` says of the emulated board: every figure beside its bound, and when the answer is no.
+#include <chrono>
 #include <filesystem>
 
 #include "catch.hpp"
@@ -155,4 +156,16 @@ TEST_CASE("a bound without a sample is a no where everything has to be judged") 
   CHECK(run_finemote({"run", without_part, "--duration", "100ms", "--require-judged"}).exit_status == 1);
   const std::string with_part = source_path("tests/emulator/bounds/one_motor.urdf");
   CHECK(run_finemote({"run", with_part, "--duration", "100ms", "--require-judged"}).exit_status == 0);
+}
+
+TEST_CASE("the hash of an image is that of the bytes that go into the flash") {
+  const TemporaryFolder folder;
+  const auto built =
+      finemote_json({"run", source_path("examples/two_devices.urdf"), "--build-only", "--keep", folder.path("kept")});
+  const std::string bytes = folder.path("firmware.bin");
+  const auto minute = std::chrono::seconds(60);
+  finemote::gen::run_process({"arm-none-eabi-objcopy", "-O", "binary", folder.path("kept/build/firmware.elf"), bytes},
+                             minute);
+  const auto hashed = finemote::gen::run_process({"sha256sum", bytes}, minute);
+  CHECK(hashed.output.substr(0, hashed.output.find(' ')) == built["image"]["sha256"]);
 }
