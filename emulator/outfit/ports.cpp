@@ -1,5 +1,6 @@
 // What a scenario can make happen at the ports and pins of the board and to the board as a whole, whatever hangs there.
 #include "emulator/outfit.hpp"
+#include "emulator/parts/foreign_node.hpp"
 #include "emulator/scenario/build.hpp"
 
 namespace finemote::emulator {
@@ -28,6 +29,22 @@ Verb dma_error() {
                [](Outfit& outfit, const Json& event) { outfit.board().chip().break_dma(port_of(event)); });
 }
 
+constexpr int kMostBytes = 1'000'000;
+constexpr std::uint8_t kUsualNoise = 0x55;  // begins no part's frame
+constexpr std::int64_t kUsualEvery_ns = 1'000'000;
+
+void send_noise(Outfit& outfit, const Json& event) {
+  const auto value = maybe(event, "byte", kUsualNoise);
+  Usart& port = usart(outfit, event);
+  port.send_in(std::vector<std::uint8_t>(number_in(event, "bytes"), value), port.format());
+}
+
+void send_foreign_frames(Outfit& outfit, const Json& event) {
+  flood(outfit.board().world(), can(outfit, event).line,
+        {need<std::uint32_t>(event, "identifier"), number_in(event, "frames"),
+         from_ns(maybe(event, "every_ns", kUsualEvery_ns))});
+}
+
 PortKind serial_ports() {
   return {
       "serial",
@@ -37,6 +54,10 @@ PortKind serial_ports() {
              [](Outfit& outfit, const Json& event) { usart(outfit, event).silent = is_on(event); }),
        fault("noise", "bytes with a framing error", {count("bytes")},
              [](Outfit& outfit, const Json& event) { usart(outfit, event).noisy_bytes = number_in(event, "bytes"); }),
+       fault("flood", "bytes that nobody declared, one after the other at the rate of the port",
+             {required(integer("bytes", "", "how many", 1, kMostBytes)),
+              usually(kUsualNoise, integer("byte", "", "", 0, 255))},
+             send_noise),
        dma_error()}};
 }
 
@@ -72,6 +93,10 @@ PortKind can_ports() {
                  [](Outfit& outfit, const Json& event) {
                    can(outfit, event).line.disturbed_frames = number_in(event, "frames");
                  }),
+           fault("flood", "a node that nobody declared sends frames of eight bytes",
+                 {required(integer("identifier", "", "", 0, 2047)), count("frames"),
+                  usually(kUsualEvery_ns, integer("every_ns", "ns", "from one to the next", 1'000, kLongest))},
+                 send_foreign_frames),
            fault("silent", "no node receives or acknowledges", {until()},
                  [](Outfit& outfit, const Json& event) { can(outfit, event).line.cut = is_on(event); })}};
 }
