@@ -21,14 +21,19 @@ struct Conversion {
   [[nodiscard]] Duration longest() const;
 };
 
+/// How far the clock of a part may be off where its descriptor does not say: that of a resonator, ageing and cold
+/// included.
+inline constexpr std::int64_t kUsualTolerancePpm = 10'000;
+
 struct Acquisition {
   enum class Model {
     streamed,  ///< the part sends by itself
     polled,    ///< the device starts each measurement
   };
   Model model = Model::polled;
-  Duration latency;                      ///< inside the part: filters, averaging
-  std::optional<Duration> interval;      ///< streamed: longest time between two frames
+  Duration latency;                                 ///< inside the part: filters, averaging
+  std::optional<Duration> interval;                 ///< streamed: from one frame to the next, by the part's own clock
+  std::int64_t tolerance_ppm = kUsualTolerancePpm;  ///< how far that clock may be off, both ways
   std::optional<std::int64_t> periods;   ///< polled: own periods from the begin of a measurement to its update()
   std::int64_t published_every = 1;      ///< polled: a fresh value at least every so many measurements
   std::optional<Conversion> conversion;  ///< polled

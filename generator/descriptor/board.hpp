@@ -142,6 +142,7 @@ struct Board {
   std::optional<Clocks> clocks;
   std::vector<Memory> memory;
   std::int64_t cpu_hz = 0;
+  std::int64_t clock_ppm = 50;  ///< how far the clock that all its times come from may be off, both ways
   Duration default_tick = milliseconds(1), min_tick = nanoseconds(1), max_tick = seconds(1);
   std::vector<Port> ports;
   std::vector<NamedPin> pins;

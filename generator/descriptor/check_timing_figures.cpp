@@ -18,8 +18,9 @@ class TimingCheck {
     if (type_.acquisition && type_.acquisition->conversion) check_conversion(*type_.acquisition->conversion);
     for (std::size_t i = 0; type_.frames && i < type_.frames->size(); ++i) {
       const Frame& frame = (*type_.frames)[i];
-      check_interval(frame.stage == FrameStage::autonomous, frame.min_interval, {"frames", std::to_string(i)});
+      check_interval(frame.stage == FrameStage::autonomous, type_.interval_of(frame), {"frames", std::to_string(i)});
     }
+    if (type_.acquisition && type_.acquisition->interval) check_samples_come(*type_.acquisition->interval);
     for (std::size_t i = 0; i < type_.interrupts.size(); ++i) {
       const Interrupt& interrupt = type_.interrupts[i];
       check_interval(interrupt.is_autonomous, interrupt.min_interval, {"interrupts", std::to_string(i)});
@@ -30,7 +31,7 @@ class TimingCheck {
   void check_model(const Acquisition& acquisition) const {
     if (acquisition.model == Acquisition::Model::streamed) {
       if (!acquisition.interval) {
-        found_.add({"acquisition"}, "model 'streamed' needs \"interval_ns\", the longest time between two frames")
+        found_.add({"acquisition"}, "model 'streamed' needs \"interval_ns\", the nominal time between two frames")
             .hint("for a frame every 10 ms: \"interval_ns\": 10000000");
       }
       for (const char* member : {"periods", "published_every", "conversion"}) check_absent(member, "polled");
@@ -92,7 +93,21 @@ class TimingCheck {
     }
   }
 
-  void check_interval(bool is_autonomous, const std::optional<Duration>& least, const JsonPath& path) const {
+  /// Some frame comes as often as samples do.
+  void check_samples_come(Duration interval) const {
+    std::optional<Duration> soonest;
+    for (const Frame& frame : type_.frames.value_or(std::vector<Frame>{})) {
+      const auto apart = frame.stage == FrameStage::autonomous ? type_.interval_of(frame) : std::nullopt;
+      if (apart) soonest = std::min(*apart, soonest.value_or(*apart));
+    }
+    if (!soonest || *soonest <= interval) return;
+    found_
+        .add({"acquisition", "interval_ns"},
+             fmt::format("no frame comes every {} ns: they are at least {} ns apart", interval.ns(), soonest->ns()))
+        .hint("a frame without \"min_interval_ns\" comes once for each sample");
+  }
+
+  void check_interval(bool is_autonomous, std::optional<Duration> least, const JsonPath& path) const {
     if (!is_autonomous || least) return;
     found_.add(path, "what comes by itself needs \"min_interval_ns\", the shortest time between two")
         .hint("for at most one in 10 ms: \"min_interval_ns\": 10000000");

@@ -15,8 +15,8 @@ struct Interrupt {
   std::string use;             ///< the line that raises it; empty: the entry is documentation, the driver raises it
   bool is_autonomous = false;  ///< by itself, at least `min_interval` apart; else `count` per own period
   std::int64_t count = 1;
-  std::optional<Duration> min_interval;
-  std::optional<Duration> wcet;  ///< none: that of the bus driver
+  std::optional<Duration> min_interval;  ///< by the part's own clock
+  std::optional<Duration> wcet;          ///< none: that of the bus driver
 };
 
 /// Reads an entry that the schema accepts.

@@ -161,6 +161,7 @@ Board read_board(const Json& value, const Origin& origin, Diagnostics& diagnosti
     board.clocks = read_clocks(*clocks);
   board.memory = read_list<Memory>(value, "memory", read_memory);
   board.cpu_hz = value.at("cpu").at("clock_hz").get<std::int64_t>();
+  board.clock_ppm = optional_member<std::int64_t>(value, "clock_ppm").value_or(board.clock_ppm);
   const Json& tick = value.at("tick");
   board.default_tick = nanoseconds(tick.at("default_ns").get<std::int64_t>());
   board.min_tick = nanoseconds(tick.at("min_ns").get<std::int64_t>());

@@ -137,6 +137,10 @@ std::optional<SharedFrame> DeviceType::shared_frame(std::uint32_t id) const {
   return {};
 }
 
+std::optional<Duration> DeviceType::interval_of(const Frame& frame) const {
+  return frame.min_interval || !acquisition ? frame.min_interval : acquisition->interval;
+}
+
 std::vector<IdentifierRange> DeviceType::received(std::uint32_t id) const {
   std::vector<IdentifierRange> ranges;
   for (const Identifiers& entry : receives) ranges.push_back(entry.of(id));

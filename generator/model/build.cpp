@@ -123,23 +123,23 @@ Duration assumed_stage(const Device& device, Duration alone, const std::vector<s
 }
 
 /// Saturates, too.
-Duration with_frames(const Device& device) {
+Duration with_frames(const Robot& robot, const Device& device) {
   try {
-    return device.wcet.update + most_frames(device) * device.wcet.per_frame;
+    return device.wcet.update + most_frames(robot, device) * device.wcet.per_frame;
   } catch (const Overflow&) {
     return Duration::max();
   }
 }
 
 /// What a device without <wcet> is assumed to need: its type's default, or the tool's.
-void assume_wcet(Device& device, Duration otherwise) {
+void assume_wcet(const Robot& robot, Device& device, Duration otherwise) {
   if (device.wcet.source != Wcet::Source::assumed) return;
   device.wcet.update = device.wcet.handle = otherwise;
   if (device.type == nullptr || !device.type->wcet) return;
   const WcetDefault& wcet = *device.type->wcet;
   device.wcet.update = assumed_stage(device, wcet.update, wcet.update_params);
   device.wcet.per_frame = wcet.per_frame;
-  if (wcet.per_frame > Duration::zero()) device.wcet.update = with_frames(device);
+  if (wcet.per_frame > Duration::zero()) device.wcet.update = with_frames(robot, device);
   device.wcet.handle = assumed_stage(device, wcet.handle, wcet.handle_params);
 }
 
@@ -206,7 +206,7 @@ std::optional<Robot> build_model(const xml::Document& document, Library& library
   if (!is_right || reading.robot.board == nullptr) return {};
   reading.robot.links = reading.kinematics.links;
   reading.robot.joints = reading.kinematics.joints;
-  for (Device& device : reading.robot.devices) assume_wcet(device, options.assumed_wcet);
+  for (Device& device : reading.robot.devices) assume_wcet(reading.robot, device, options.assumed_wcet);
   list_inputs(reading.robot, sources);
   return std::move(reading.robot);
 }

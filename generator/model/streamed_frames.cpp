@@ -3,30 +3,31 @@
 #include <algorithm>
 
 #include "generator/descriptor/runtime_limits.hpp"
+#include "generator/model/part_clock.hpp"
 
 namespace finemote::gen {
 namespace {
 
-std::int64_t frames_in(const Frame& frame, Duration window) {
+std::int64_t frames_in(const Robot& robot, const Device& device, const Frame& frame, Duration window) {
   const std::int64_t kept = runtime_limits::kReceiveRingBytes / std::max<std::int64_t>(frame.read_bytes, 1) + 1;
-  if (!frame.min_interval || *frame.min_interval <= Duration::zero()) return kept;
-  return std::min(floor_div(window, *frame.min_interval) + 1, kept);
+  const std::optional<Duration> interval = shortest_interval(robot, device, frame);
+  return interval ? std::min(floor_div(window, *interval) + 1, kept) : kept;
 }
 
 }  // namespace
 
-std::int64_t frames_in(const Device& device, Duration window) {
+std::int64_t frames_in(const Robot& robot, const Device& device, Duration window) {
   std::int64_t sum = 0;
   if (device.type == nullptr || !device.type->frames) return sum;
   for (const Frame& frame : *device.type->frames) {
-    if (frame.stage == FrameStage::autonomous) sum += frames_in(frame, window);
+    if (frame.stage == FrameStage::autonomous) sum += frames_in(robot, device, frame, window);
   }
   return sum;
 }
 
-std::int64_t most_frames(const Device& device) {
-  if (device.period > floor_div(Duration::max(), 2)) return frames_in(device, Duration::max());
-  return frames_in(device, 2 * device.period);
+std::int64_t most_frames(const Robot& robot, const Device& device) {
+  if (device.period > floor_div(Duration::max(), 2)) return frames_in(robot, device, Duration::max());
+  return frames_in(robot, device, 2 * device.period);
 }
 
 }  // namespace finemote::gen

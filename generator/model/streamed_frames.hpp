@@ -7,11 +7,11 @@
 
 namespace finemote::gen {
 
-/// Frames that arrive in any window of that length, and no more than the ring of a serial line keeps; 0 for a device
-/// without a type, or of which no part sends by itself.
-std::int64_t frames_in(const Device& device, Duration window);
+/// Frames that arrive while the board counts that long, of a part as fast as it may be, and no more than the ring of a
+/// serial line keeps; 0 for a device without a type, or of which no part sends by itself.
+std::int64_t frames_in(const Robot& robot, const Device& device, Duration window);
 
 /// The longest window between two looks of update() while every job ends in its period: two periods.
-std::int64_t most_frames(const Device& device);
+std::int64_t most_frames(const Robot& robot, const Device& device);
 
 }  // namespace finemote::gen

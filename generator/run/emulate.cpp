@@ -33,9 +33,6 @@ Json ports_of(const Robot& robot) {
   return ports;
 }
 
-/// Of the crystals of boards, both ways.
-constexpr double kBoardClockPpm = 50;
-
 /// Parts that are up when they have been seen: sensors by their first sample, expanders by their first output.
 Json awaited_parts(const Robot& robot) {
   Json list = Json::array();
@@ -279,7 +276,8 @@ bool rehearse(const Board& board, const Scenario* scenario, const Robot& robot, 
 std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, const Forest& forest, Duration duration,
                                  const EmulationOptions& options, Diagnostics& diagnostics) {
   EmulatedParts parts = emulated_parts(robot);
-  const double clock_ppm = options.phase ? shift_clocks(*options.phase, kBoardClockPpm, parts.scenario.at("parts")) : 0;
+  const auto most_ppm = static_cast<double>(options.board.clock_ppm);
+  const double clock_ppm = options.phase ? shift_clocks(*options.phase, most_ppm, parts.scenario.at("parts")) : 0;
   const char* flash = options.flash_misses ? "miss" : "hit";
   const Duration last_event = options.scenario == nullptr ? Duration::zero() : options.scenario->last_event;
   Json job = {{"board", board_wiring(options.board)},

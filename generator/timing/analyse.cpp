@@ -23,12 +23,6 @@ Duration least_time(const Model& model, const std::vector<Rank>& devices, Rank d
   return least;
 }
 
-std::optional<Duration> jitter(const Model& model, const ProfileAnalysis& profile, Rank device) {
-  const TaskBucket& bucket = profile.set.buckets[profile.set.bucket_of[device]];
-  if (!profile.responses.ok(profile.set.bucket_of[device])) return std::nullopt;
-  return profile.responses.r_minus[device] - least_time(model, bucket.devices, device);
-}
-
 /// A requirement that needs no chain: utilization and jitter.
 RequirementResult evaluate_load(const Model& model, const ProfileAnalysis& profile,
                                 const Table<BusPlace, BusLoad>& loads, const Requirement& r) {
@@ -39,7 +33,7 @@ RequirementResult evaluate_load(const Model& model, const ProfileAnalysis& profi
     result.ok = *result.fraction <= r.max_fraction;
     return result;
   }
-  result.value = jitter(model, profile, r.to.front());
+  result.value = jitter_bound(model, profile.result, r.to.front());
   result.ok = result.value && *result.value <= r.max;
   return result;
 }

@@ -18,8 +18,8 @@ bool says_what_it_sends(const Robot& robot, const gen::Device& device, const Con
 /// A part that sends by itself says how often.
 bool says_how_often(const gen::Device& device, const Connection& connection) {
   const std::vector<Frame> frames = frames_over(device, connection);
-  return std::all_of(frames.begin(), frames.end(), [](const Frame& frame) {
-    return frame.stage != FrameStage::autonomous || frame.min_interval.value_or(Duration::zero()) > Duration::zero();
+  return std::all_of(frames.begin(), frames.end(), [&](const Frame& frame) {
+    return frame.stage != FrameStage::autonomous || device.type->interval_of(frame).has_value();
   });
 }
 

@@ -7,6 +7,7 @@
 
 #include "generator/timing/oldest.hpp"
 #include "generator/timing/repetition.hpp"
+#include "generator/timing/true_time.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -56,8 +57,15 @@ bool ChainAnalysis::is_assumed(Rank from, Rank to) const {
 }
 
 ChainResult ChainAnalysis::complete(Rank from, Rank to, const Decision& decision) const {
-  ChainResult result{from, to, acquire_[from],       decision.latency,       wire_.command(to),
-                     {},   {}, is_assumed(from, to), decision.through_reads, decision.closed_form};
+  ChainResult result;
+  result.from = from;
+  result.to = to;
+  result.acquire = true_bound(model_, acquire_[from]);
+  result.decide = true_bound(model_, decision.latency);
+  result.wire = true_bound(model_, wire_.command(to));
+  result.assumed = is_assumed(from, to);
+  result.through_reads = decision.through_reads;
+  result.closed_form = decision.closed_form;
   result.age = sum(result.acquire, result.decide);
   result.end_to_end = sum(result.age, result.wire);
   return result;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/model/conversion.hpp"
+#include "generator/model/part_clock.hpp"
 #include "generator/timing/robot_costs.hpp"
 #include "generator/timing/robot_flushes.hpp"
 #include "generator/timing/streamed_work.hpp"
@@ -29,17 +30,18 @@ WcetSource source_of(Wcet::Source source) {
   return WcetSource::unknown;
 }
 
-std::optional<Acquisition> acquisition_of(const gen::Device& device) {
+/// As the board's clock counts it.
+std::optional<Acquisition> acquisition_of(const Robot& robot, const gen::Device& device) {
   if (device.type == nullptr || !device.type->acquisition) return {};
   const gen::Acquisition& given = *device.type->acquisition;
   Acquisition result;
-  result.fixed = given.latency;
+  result.fixed = longest_counted(robot, given.latency);
   if (given.model == gen::Acquisition::Model::streamed) {
-    result.interval = given.interval.value_or(Duration::zero());
+    result.interval = longest_of_part(robot, device, given.interval.value_or(Duration::zero()));
   } else {
     result.periods = given.periods.value_or(1);
     result.every = given.published_every;
-    result.conversion = conversion_time(device);
+    result.conversion = longest_counted(robot, conversion_time(device));
   }
   return result;
 }
@@ -76,7 +78,7 @@ Device make_device(const Robot& robot, const Forest& forest, const gen::Device& 
   out.actuator = device.type != nullptr && device.type->actuator;
   for (const Read& r : device.reads) out.reads.push_back(forest.rank[r.device]);
   add_roles(robot, forest, device, out);
-  out.acquisition = acquisition_of(device);
+  out.acquisition = acquisition_of(robot, device);
   return out;
 }
 
@@ -120,6 +122,7 @@ Model model_of(const Robot& robot, const Forest& forest, const Schedule& schedul
   const Table<BusId, BusUse> uses = bus_uses(robot);
   Model model;
   model.tick = robot.tick;
+  model.clock_ppm = board_clock_ppm(robot);
   model.has_target = true;
   model.costs = robot_costs(robot, schedule, options);
   model.buses = make_buses(robot, places, uses);

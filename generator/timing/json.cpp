@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "generator/timing/assumptions.hpp"
+
 namespace finemote::gen::timing {
 namespace {
 
@@ -217,12 +219,20 @@ Json processor_json(const Timing& timing) {
   return list;
 }
 
+Json assumptions_json() {
+  Json list = Json::array();
+  for (const Assumption& a : assumptions())
+    list.push_back(Json{{"id", a.id}, {"text", a.text}, {"detected", to_string(a.detected)}});
+  return list;
+}
+
 }  // namespace
 
 Json model_json(const Model& model) {
   Json out{{"tick_ns", model.tick.ns()}, {"buses", Json::array()}, {"devices", Json::array()}};
   for (const Bus& bus : model.buses) out["buses"].push_back(bus_json(model, bus));
   for (const Device& d : model.devices) out["devices"].push_back(device_json(model, d));
+  add_if(out, "clock_ppm", model.clock_ppm);
   Json costs = Json::object();
   add_if(costs, "release_ns", model.costs.release);
   add_if(costs, "release_per_bucket_ns", model.costs.release_per_bucket);
@@ -290,6 +300,7 @@ Json timing_json(const Timing& timing) {
   }
   Json& assumed = out["assumed_wcet"] = Json::array();
   for (const Rank d : timing.assumed) assumed.push_back(model.devices[d].name);
+  out["assumptions"] = assumptions_json();
   return out;
 }
 

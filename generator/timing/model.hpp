@@ -144,6 +144,8 @@ struct Model {
   // profile `target`
   Costs costs;
   std::vector<Flush> flushes;
+  /// All times of a model are by the board's clock, which may be off by so much, both ways; bounds are true time.
+  std::int64_t clock_ppm = 0;
   bool has_target = false;  ///< some field beyond the plain case format was given
 };
 

@@ -2,6 +2,7 @@
 
 #include "generator/timing/latency.hpp"
 #include "generator/timing/repetition.hpp"
+#include "generator/timing/true_time.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -21,6 +22,20 @@ void summarise(const TaskSet& set, const Responses& responses, const ReleaseTabl
                         known(responses.r_minus[d]), std::nullopt,         table.is_general(set.bucket_of[d])};
     if (result.profile != Profile::paper) device.window = known(table.window(d));
     result.devices.push_back(device);
+  }
+}
+
+/// From the board's clock, by which everything is calculated, to true time. Releases stay what the schedule says.
+void stretch(const Model& model, ProfileResult& result) {
+  if (result.profile != Profile::target) return;
+  for (BucketResult& bucket : result.buckets) bucket.response = true_bound(model, bucket.response);
+  for (DeviceResult& device : result.devices) {
+    for (std::optional<Duration>* bound : {&device.r_plus, &device.r_minus, &device.window})
+      *bound = true_bound(model, *bound);
+  }
+  for (TreeResult& tree : result.trees) {
+    tree.latency = true_bound(model, tree.latency);
+    for (PathResult& path : tree.paths) path.latency = true_bound(model, path.latency);
   }
 }
 
@@ -51,6 +66,7 @@ ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Pr
   auto hand_overs = std::make_shared<HandOverStore>();
   result.trees =
       bound_latencies(model, topology, set, responses, table, profile == Profile::paper, *hand_overs, effort);
+  stretch(model, result);
   return {std::move(result), std::move(set), std::move(responses), std::move(table), std::move(hand_overs), releases};
 }
 
@@ -63,6 +79,7 @@ ProfileAnalysis analyse_deadlines(const Model& model, Profile profile, const Lim
   ProfileResult result;
   result.profile = profile;
   summarise(set, responses, table, result);
+  stretch(model, result);
   return {std::move(result), std::move(set), std::move(responses), std::move(table), std::make_shared<HandOverStore>(),
           releases};
 }

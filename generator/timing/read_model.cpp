@@ -12,6 +12,7 @@
 #include "generator/timing/case_file.hpp"
 #include "generator/timing/check_cycles.hpp"
 #include "generator/timing/object_reader.hpp"
+#include "generator/units/clock_tolerance.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -41,6 +42,7 @@ class ModelReader {
   void read_transfer_bus(Transfer& transfer, const Value& v);
   void read_after(Transfer& transfer, const Value& v);
   void read_identifier(Transfer& transfer, const Value& v);
+  void read_clock(Model& model, const Value& v);
   void read_costs(Model& model, const Value& v);
   void read_flush(Model& model, const Value& v);
   void read_flush_bus(Flush& flush, const Value& v);
@@ -80,6 +82,7 @@ struct ModelReader::Tables {
       {"tick_ns", Need::required, &Model::tick, 1},
       {"buses", Need::optional, Each<Model>{&ModelReader::read_bus}},
       {"devices", Need::required, Whole<Model>{&ModelReader::read_devices}},
+      {"clock_ppm", Need::target, Whole<Model>{&ModelReader::read_clock}},
       {"costs", Need::target, Whole<Model>{&ModelReader::read_costs}},
       {"flushes", Need::target, Each<Model>{&ModelReader::read_flush}},
   };
@@ -342,6 +345,12 @@ void ModelReader::read_after(Transfer& transfer, const Value& v) {
 
 void ModelReader::read_identifier(Transfer& transfer, const Value& v) {
   transfer.identifier = values_.integer(v, "identifier", 0);
+}
+
+void ModelReader::read_clock(Model& model, const Value& v) {
+  const std::int64_t ppm = values_.integer(v, "clock_ppm", 0);
+  model.clock_ppm = ppm <= kMillion / 2 ? ppm : 0;
+  if (ppm > model.clock_ppm) values_.error(code::json_number_range, v, "'clock_ppm' is above 500000");
 }
 
 void ModelReader::read_costs(Model& model, const Value& v) {

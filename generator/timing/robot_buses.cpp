@@ -5,7 +5,10 @@
 #include "generator/bus/bus_type.hpp"
 #include "generator/bus/rate_form.hpp"
 #include "generator/model/offers.hpp"
+#include "generator/model/part_clock.hpp"
 #include "generator/model/port_rates.hpp"
+#include "generator/timing/connection.hpp"
+#include "generator/units/clock_tolerance.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -55,6 +58,19 @@ bool can_interrupt(const DriverSource& source, const BusType& type, const BusUse
   return !(is_silent && source.raised_by == DriverSource::RaisedBy::transmit);
 }
 
+/// The shortest distance of what comes in, of `bits` at the rate of the bus: by the fastest clock of the parts on it,
+/// or of a stranger's that is as good as is usual.
+Duration received_apart(const Robot& robot, BusId bus, Duration apart) {
+  Duration least = shortest_counted(robot, shortest_time(apart, kUsualTolerancePpm));
+  for (const gen::Device& device : robot.devices) {
+    for (const Connection& connection : connections_of(device)) {
+      const bool is_here = device.type != nullptr && robot.segments[connection.segment].bus == bus;
+      if (is_here) least = std::min(least, shortest_of_bits(robot, device, apart));
+    }
+  }
+  return std::max(least, nanoseconds(1));
+}
+
 /// What the board says of the driver; null where it says nothing.
 const Driver* driver_of(const Robot& robot, BusId bus) {
   if (robot.board == nullptr) return nullptr;
@@ -94,9 +110,11 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
     out.sources.emplace();
     for (const DriverSource& source : driver->sources) {
       if (!can_interrupt(source, type, use, mover_of(robot, id))) continue;
+      const Duration apart = frame_time(bus.min_frame_bits.value_or(source.min_frame_bits), bus.rate);
+      const bool is_foreign = !type.is_mastered && source.raised_by != DriverSource::RaisedBy::transmit;
       out.sources->push_back({source.name,
                               bus.isr_wcet.value_or(routine(source, use, out.baud_bps)),
-                              frame_time(bus.min_frame_bits.value_or(source.min_frame_bits), bus.rate),
+                              is_foreign ? received_apart(robot, id, apart) : apart,
                               {},
                               type.is_mastered && is_of_transfer(source.counts)});
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/timing/assumptions.hpp"
 #include "generator/timing/text_table.hpp"
 #include "generator/timing/words.hpp"
 
@@ -62,6 +63,11 @@ std::string informative(const Timing& timing) {
       "  utilisation {}, Liu-Layland {} at {}, hyperbolic {}\n",
       percent(u.utilization.value), u.liu_layland.ok ? "holds" : "fails", percent(u.liu_layland.bound),
       u.hyperbolic_ok ? "holds" : "fails");
+}
+
+std::string where_assumptions_are() {
+  return fmt::format("\nthe bounds rest on {} assumptions: docs/timing.md#assumptions lists them, and --format json\n",
+                     assumptions().size());
 }
 
 std::string buckets(const Timing& timing) {
@@ -182,7 +188,7 @@ std::string duration_text(std::optional<Duration> time) { return time ? duration
 
 std::string timing_table(const Timing& timing) {
   return verdict(timing) + buckets(timing) + processor(timing) + devices(timing) + trees(timing) + chains(timing) +
-         missing(timing) + buses(timing) + requirements(timing) + informative(timing);
+         missing(timing) + buses(timing) + requirements(timing) + where_assumptions_are() + informative(timing);
 }
 
 }  // namespace finemote::gen::timing

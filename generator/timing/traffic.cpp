@@ -5,6 +5,7 @@
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/bus/line_format.hpp"
+#include "generator/model/part_clock.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -16,14 +17,17 @@ struct Unit {
 };
 
 /// In the order of their stages' names: frames of one unit of one stage together, those of unit 0 alone.
-std::vector<Unit> units_of(const std::vector<Frame>& frames, const WireRate& rate) {
+std::vector<Unit> units_of(const Robot& robot, const gen::Device& device, const std::vector<Frame>& frames,
+                           const WireRate& rate) {
   std::map<std::pair<std::string_view, int>, Unit> units;
   int alone = -1;
   for (const Frame& frame : frames) {
     Unit& unit = units[{to_string(frame.stage), frame.unit > 0 ? frame.unit : alone--}];
     unit.stage = frame.stage;
     unit.use.add(rate, frame.write_bytes, frame.read_bytes);
-    unit.use.min_interval = std::max(unit.use.min_interval, frame.min_interval.value_or(Duration::zero()));
+    if (frame.stage != FrameStage::autonomous) continue;
+    const Duration apart = shortest_interval(robot, device, frame).value_or(Duration::zero());
+    unit.use.min_interval = std::max(unit.use.min_interval, apart);
   }
   std::vector<Unit> list;
   for (const auto& [key, unit] : units) list.push_back(unit);
@@ -78,11 +82,12 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
   const BusId id = places_.buses()[*bus];
   const WireRate rate{robot_.buses[id].kind, model_.buses[*bus].baud_bps, mover_of(robot_, id),
                       line_format(format_over(device, connection)).bits_per_byte()};
-  for (Unit& unit : units_of(frames, rate)) {
+  for (Unit& unit : units_of(robot_, device, frames, rate)) {
     if (unit.stage == FrameStage::flush) continue;
     add_selection(connection.segment, rate, unit.use);
     add_transfer(place, *bus, unit.stage, unit.use);
     Transfer& transfer = model_.devices[place].transfers.back();
+    if (unit.stage == FrameStage::autonomous) transfer.wire = longest_of_bits(robot_, device, transfer.wire);
     if (connection.use != nullptr) {
       transfer.command = false;
     } else {
@@ -200,8 +205,9 @@ void Traffic::add_own_lines(const gen::Device& device) {
     const bool given = !entry.use.empty() && std::any_of(device.uses.begin(), device.uses.end(),
                                                          [&](const Use& use) { return use.spec->role == entry.use; });
     if (!given) continue;
-    const Duration interval = entry.is_autonomous ? entry.min_interval.value_or(nanoseconds(1))
-                                                  : floor_div(device.period, std::max<std::int64_t>(entry.count, 1));
+    const Duration interval = entry.is_autonomous
+                                  ? shortest_of_part(robot_, device, entry.min_interval.value_or(nanoseconds(1)))
+                                  : floor_div(device.period, std::max<std::int64_t>(entry.count, 1));
     model_.buses[*bus].sources->push_back({device.name.text + ": " + entry.source,
                                            entry.wcet.value_or(model_.buses[*bus].wcet),
                                            std::max(interval, nanoseconds(1)),

@@ -166,6 +166,33 @@ TEST_CASE("a value is found again in the text it came from; what is not there, a
   CHECK(missing.at.line == 3);
 }
 
+TEST_CASE("the clock of a part is as good as is usual, or as its descriptor says; frames come once for each sample") {
+  const std::string sent = R"("frames": [{ "stage": "autonomous", "read": 8 }, { "stage": "autonomous", "read": 2,
+      "min_interval_ns": 9000000 }], "acquisition": { "model": "streamed", "interval_ns": 5000000)";
+  const ReadType usual(sent + " }"), other(sent + R"(, "tolerance_ppm": 400 })");
+  CHECK(usual.said().empty());
+  CHECK(usual.type.clock_ppm() == 10'000);
+  CHECK(other.type.clock_ppm() == 400);
+  CHECK(ReadType().type.clock_ppm() == 10'000);
+  REQUIRE(usual.type.frames);
+  CHECK(usual.type.interval_of(usual.type.frames->at(0)) == milliseconds(5));
+  CHECK(usual.type.interval_of(usual.type.frames->at(1)) == milliseconds(9));
+}
+
+TEST_CASE("samples that come more often than any frame are a contradiction") {
+  const ReadType type(R"("frames": [{ "stage": "autonomous", "read": 8, "min_interval_ns": 6000000 }],
+      "acquisition": { "model": "streamed", "interval_ns": 5000000 })");
+  INFO(type.said());
+  CHECK(type.says("FM3103"));
+  CHECK(type.says("no frame comes every 5000000 ns: they are at least 6000000 ns apart"));
+}
+
+TEST_CASE("the clock of a board is a crystal's, or as its file says") {
+  ShippedLibrary shipped;
+  CHECK(shipped.board("robomaster_type_c").clock_ppm == 50);
+  CHECK(Board().clock_ppm == 50);
+}
+
 TEST_CASE("a board that extends another has all it does not say itself from there") {
   ShippedLibrary shipped;
   const Board& host = shipped.board("host");

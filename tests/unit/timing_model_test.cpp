@@ -4,6 +4,7 @@
 #include "catch.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/timing/analyse.hpp"
+#include "generator/timing/json.hpp"
 #include "generator/timing/read_model.hpp"
 #include "unit/duration_literals.hpp"
 
@@ -168,6 +169,45 @@ TEST_CASE("a budget may count interrupts that come in one of so many periods") {
       messages(R"({"tick_ns":10,"buses":[{"name":"b","baud_bps":1,"min_frame_bits":1,"wcet_ns":0,"sources":[{"name":"s",
 "wcet_ns":0,"min_interval_ns":1,"budgets":[{"device":"a","count":1,"every":0}]}]}],"devices":[{"name":"a","period_ns":10,
 "update_wcet_ns":1,"handle_wcet_ns":1}]})") != "");
+}
+
+TEST_CASE("bounds of profile target are true time, of a board as slow as it may be; deadlines are by its own clock") {
+  const auto timing_with = [](const std::string& clock) {
+    const std::string text = R"({"tick_ns":1000000,)" + clock + R"("buses":[],"devices":[
+        {"name":"leaf","parent":"root","period_ns":1000000,"update_wcet_ns":300000,"handle_wcet_ns":200000,
+         "acquisition":{"interval_ns":2000000}},
+        {"name":"root","parent":null,"period_ns":1000000,"update_wcet_ns":300000,"handle_wcet_ns":200000}]})";
+    Sources sources;
+    Diagnostics diagnostics;
+    const auto model = read_model(*sources.add({"m.json", "", text}), diagnostics);
+    INFO(render_text(diagnostics, false));
+    REQUIRE(model);
+    AnalysisRequest request;
+    request.chains = {{Rank{0}, Rank{0}}};
+    return analyse(*model, request, diagnostics).value();
+  };
+  const Timing exact = timing_with(R"("costs":{},)"), slow = timing_with(R"("clock_ppm":50,)");
+  REQUIRE(slow.target);
+  CHECK(slow.schedulable);  // full, and yet in time
+  CHECK(*slow.target->devices[Rank{0}].r_minus == nanoseconds(1'000'051));
+  CHECK(*slow.target->buckets[0].response == nanoseconds(1'000'051));
+  CHECK(*slow.target->devices[Rank{0}].window == nanoseconds(1'000'051));
+  CHECK(*slow.target->trees[0].latency == nanoseconds(1'000'051));
+  CHECK(*slow.tight.devices[Rank{0}].r_minus == 1_ms);
+  REQUIRE(slow.chains.size() == 1);
+  CHECK(*slow.chains[0].acquire == nanoseconds(2'000'101));
+  CHECK(*slow.chains[0].decide == nanoseconds(1'000'051));
+  CHECK(*slow.chains[0].end_to_end == *slow.chains[0].acquire + *slow.chains[0].decide);
+  CHECK(*exact.chains[0].acquire == 2_ms);
+  CHECK(model_json(slow.model)["clock_ppm"] == 50);
+  CHECK_FALSE(model_json(exact.model).contains("clock_ppm"));
+}
+
+TEST_CASE("a clock that is off by more than half is none") {
+  for (const std::string ppm : {"500001", "-1", "1.5"}) {
+    CHECK(messages(R"({"tick_ns":10,"clock_ppm":)" + ppm + R"(,"buses":[],"devices":[{"name":"a","period_ns":10,
+"update_wcet_ns":1,"handle_wcet_ns":1}]})") != "");
+  }
 }
 
 namespace {

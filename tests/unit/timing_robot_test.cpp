@@ -4,6 +4,7 @@
 #include "catch.hpp"
 #include "generator/simulate/beside_bounds.hpp"
 #include "generator/timing/table.hpp"
+#include "generator/units/clock_tolerance.hpp"
 #include "unit/duration_literals.hpp"
 #include "unit/timing_robots.hpp"
 
@@ -135,6 +136,22 @@ TEST_CASE("a device with an interrupt line of its own takes no interrupts from t
   }
   REQUIRE(bound_of_slow(before));
   CHECK(bound_of_slow(before) == bound_of_slow(behind));
+}
+
+TEST_CASE("parts are as slow and as fast as their clocks and the board's allow") {
+  const Robots robot = Robots::with(R"(<bus name="line" type="uart" port="usart3" baud="100kbit/s"/>
+      <device name="remote" type="dr16" bus="line" period="20ms"/>)");
+  const timing::Device& remote = robot.model.devices[robot["remote"]];
+  CHECK(robot.model.clock_ppm == 50);
+  REQUIRE(remote.acquisition);
+  CHECK(remote.acquisition->interval == longest_time(longest_time(14_ms, 10'000), 50));
+  REQUIRE(remote.transfers.size() == 1);
+  const Transfer& frame = remote.transfers.front();
+  CHECK(frame.min_interval == shortest_time(shortest_time(14_ms, 10'000), 50));
+  CHECK(frame.wire == longest_time(longest_time(18 * 110_us, 10'000), 50));
+  const auto& sources = *robot.model.buses[BusPlace{0}].sources;
+  REQUIRE(sources.front().name == "rx_idle");
+  CHECK(sources.front().min_interval == shortest_time(shortest_time(200_us, 10'000), 50));
 }
 
 TEST_CASE("interrupts of a bus are those of what its devices declare") {

@@ -99,19 +99,19 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {2, 530044, finemote::kNothingToBound, nullptr},  // remote
-    {0, 158308, 16158308, &walker::hip_left.command},  // hip-left
-    {0, 144030, 16144030, &walker::knee_left.command},  // knee-left
-    {1, 259830, 12259830, &walker::leg_left.command},  // leg-left
-    {0, 129752, 16129752, &walker::hip_right.command},  // hip-right
-    {0, 115474, 16115474, &walker::knee_right.command},  // knee-right
-    {1, 254634, 12254634, &walker::leg_right.command},  // leg-right
-    {1, 249438, 12249438, &walker::front.command},  // front
-    {0, 101196, 12101196, &walker::tilt.command},  // tilt
-    {2, 521684, 2420162, &walker::body.command},  // body
-    {2, 516488, finemote::kNothingToBound, nullptr},  // walker
-    {2, 452528, 10452528, &gripper::finger.command},  // finger
-    {1, 219560, finemote::kNothingToBound, nullptr},  // gripper
+    {2, 530071, finemote::kNothingToBound, nullptr},  // remote
+    {0, 158316, 16159116, &walker::hip_left.command},  // hip-left
+    {0, 144038, 16144838, &walker::knee_left.command},  // knee-left
+    {1, 259843, 12260444, &walker::leg_left.command},  // leg-left
+    {0, 129759, 16130559, &walker::hip_right.command},  // hip-right
+    {0, 115480, 16116280, &walker::knee_right.command},  // knee-right
+    {1, 254647, 12255247, &walker::leg_right.command},  // leg-right
+    {1, 249451, 12250051, &walker::front.command},  // front
+    {0, 101202, 12101802, &walker::tilt.command},  // tilt
+    {2, 521711, 2420284, &walker::body.command},  // body
+    {2, 516514, finemote::kNothingToBound, nullptr},  // walker
+    {2, 452551, 10453051, &gripper::finger.command},  // finger
+    {1, 219571, finemote::kNothingToBound, nullptr},  // gripper
 };
 
 }  // namespace

@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 356052, finemote::kNothingToBound, nullptr},  // imu
-    {1, 585170, finemote::kNothingToBound, nullptr},  // depth
-    {1, 581210, finemote::kNothingToBound, nullptr},  // button
-    {1, 578950, 21753373, &station::servo.command},  // servo
-    {1, 574890, 21749313, &station::green_led.command},  // green_led
-    {1, 560950, 21738963, &station::blue_led.command},  // blue_led
-    {1, 554190, finemote::kNothingToBound, nullptr},  // station
+    {0, 359660, finemote::kNothingToBound, nullptr},  // imu
+    {1, 592380, finemote::kNothingToBound, nullptr},  // depth
+    {1, 588420, finemote::kNothingToBound, nullptr},  // button
+    {1, 582570, 24032097, &station::servo.command},  // servo
+    {1, 578509, 24028037, &station::green_led.command},  // green_led
+    {1, 571749, 24021276, &station::blue_led.command},  // blue_led
+    {1, 561399, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

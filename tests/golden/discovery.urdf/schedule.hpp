@@ -9,11 +9,11 @@
 namespace discovery {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 344.672 us of its release.
+/// a job ends within 351.87 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 562.69 us of its release.
+/// a job ends within 573.489 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -23,13 +23,13 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 /// Some of the execution times behind it are assumed.
 namespace bounds {
-inline constexpr finemote::Bounds imu{344672, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{556090, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{554230, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{554070, 21740783, 22104245};
-inline constexpr finemote::Bounds green_led{552110, 21738823, 22104245};
-inline constexpr finemote::Bounds blue_led{547450, 21731173, 22104845};
-inline constexpr finemote::Bounds station{539200, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{351870, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{563299, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{561439, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{561279, 24023097, 24390168};
+inline constexpr finemote::Bounds green_led{559318, 24021136, 24390167};
+inline constexpr finemote::Bounds blue_led{551068, 24009896, 24383587};
+inline constexpr finemote::Bounds station{542818, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

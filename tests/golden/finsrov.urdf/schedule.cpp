@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 625273, finemote::kNothingToBound, nullptr},  // imu
-    {1, 1341325, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 1337365, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 1333405, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 1322865, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 1318905, 31701907, &rov::thruster_1.command},  // thruster_1
-    {1, 1310245, 31672186, &rov::thruster_2.command},  // thruster_2
-    {1, 1295005, 31660536, &rov::thruster_3.command},  // thruster_3
-    {1, 1279765, 31630815, &rov::thruster_4.command},  // thruster_4
-    {1, 1271105, 31619165, &rov::thruster_5.command},  // thruster_5
-    {1, 1255865, 31588844, &rov::thruster_6.command},  // thruster_6
-    {1, 1247205, 31577194, &rov::thruster_7.command},  // thruster_7
-    {1, 1231965, 31544483, &rov::thruster_8.command},  // thruster_8
-    {1, 1213135, finemote::kNothingToBound, nullptr},  // rov
+    {0, 628895, finemote::kNothingToBound, nullptr},  // imu
+    {1, 1348573, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 1344613, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 1337062, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 1333102, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 1326152, 31713663, &rov::thruster_1.command},  // thruster_1
+    {1, 1313901, 31683941, &rov::thruster_2.command},  // thruster_2
+    {1, 1302251, 31672290, &rov::thruster_3.command},  // thruster_3
+    {1, 1290000, 31638978, &rov::thruster_4.command},  // thruster_4
+    {1, 1274759, 31627328, &rov::thruster_5.command},  // thruster_5
+    {1, 1266099, 31597605, &rov::thruster_6.command},  // thruster_6
+    {1, 1250858, 31588944, &rov::thruster_7.command},  // thruster_7
+    {1, 1242198, 31556232, &rov::thruster_8.command},  // thruster_8
+    {1, 1226957, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 621.073 us of its release.
+/// a job ends within 624.695 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 1.297 ms of its release.
+/// a job ends within 1.304 ms of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{621073, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{1287365, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{1278925, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{1277065, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{1275205, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{1273345, 31602734, 37848318};
-inline constexpr finemote::Bounds thruster_2{1266785, 31596174, 37848318};
-inline constexpr finemote::Bounds thruster_3{1253645, 31583034, 37859209};
-inline constexpr finemote::Bounds thruster_4{1247085, 31555413, 37848318};
-inline constexpr finemote::Bounds thruster_5{1233945, 31548853, 37848318};
-inline constexpr finemote::Bounds thruster_6{1227385, 31535713, 37865789};
-inline constexpr finemote::Bounds thruster_7{1210655, 31511682, 37848318};
-inline constexpr finemote::Bounds thruster_8{1186624, 31505122, 37848318};
-inline constexpr finemote::Bounds rov{1180064, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{624695, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{1291020, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{1289160, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{1287300, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{1282450, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{1280590, 31625377, 37903585};
+inline constexpr finemote::Bounds thruster_2{1270439, 31604935, 37889704};
+inline constexpr finemote::Bounds thruster_3{1263879, 31595384, 37914355};
+inline constexpr finemote::Bounds thruster_4{1250738, 31581644, 37907176};
+inline constexpr finemote::Bounds thruster_5{1244178, 31557612, 37889704};
+inline constexpr finemote::Bounds thruster_6{1231037, 31548061, 37910766};
+inline constexpr finemote::Bounds thruster_7{1224477, 31520439, 37889704};
+inline constexpr finemote::Bounds thruster_8{1211336, 31513879, 37889704};
+inline constexpr finemote::Bounds rov{1183714, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 299160, finemote::kNothingToBound, nullptr},  // imu
-    {0, 293800, 28613840, &gimbal::yaw.command},  // yaw
-    {0, 278132, 28598172, &gimbal::pitch.command},  // pitch
-    {1, 325878, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 406666, 26726706, &chassis::front_left.command},  // front_left
-    {2, 396716, 26716756, &chassis::front_right.command},  // front_right
-    {2, 390356, 26710396, &chassis::rear_left.command},  // rear_left
-    {2, 383996, 26704036, &chassis::rear_right.command},  // rear_right
-    {2, 377636, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 441112, finemote::kNothingToBound, nullptr},  // remote
+    {0, 299175, finemote::kNothingToBound, nullptr},  // imu
+    {0, 293815, 28777511, &gimbal::yaw.command},  // yaw
+    {0, 278146, 28761842, &gimbal::pitch.command},  // pitch
+    {1, 334285, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 406687, 26890283, &chassis::front_left.command},  // front_left
+    {2, 400327, 26883923, &chassis::front_right.command},  // front_right
+    {2, 390376, 26873972, &chassis::rear_left.command},  // rear_left
+    {2, 384016, 26867612, &chassis::rear_right.command},  // rear_right
+    {2, 377655, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 441135, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

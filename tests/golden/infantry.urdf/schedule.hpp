@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 294.16 us of its release.
+/// a job ends within 294.175 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 312.078 us of its release.
+/// a job ends within 312.094 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 377.076 us of its release.
+/// a job ends within 377.095 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 408.112 us of its release.
+/// a job ends within 408.133 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{281170, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{277910, 28597950, 29315890};
-inline constexpr finemote::Bounds pitch{272732, 28592772, 29315890};
-inline constexpr finemote::Bounds gimbal{312078, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{374276, 26694316, 27499234};
-inline constexpr finemote::Bounds front_right{370016, 26690056, 27499234};
-inline constexpr finemote::Bounds rear_left{365756, 26685796, 27499234};
-inline constexpr finemote::Bounds rear_right{361496, 26681536, 27499234};
-inline constexpr finemote::Bounds chassis{357236, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{408112, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{289575, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{277924, 28761620, 29480967};
+inline constexpr finemote::Bounds pitch{272746, 28756442, 29489358};
+inline constexpr finemote::Bounds gimbal{312094, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{374295, 26857891, 27664221};
+inline constexpr finemote::Bounds front_right{370035, 26853631, 27664221};
+inline constexpr finemote::Bounds rear_left{365775, 26849371, 27664221};
+inline constexpr finemote::Bounds rear_right{361515, 26845111, 27672612};
+inline constexpr finemote::Bounds chassis{357254, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{408133, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 393636, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 311708, 27548538, &arm::base.command},  // base
-    {0, 305348, 27542178, &arm::shoulder.command},  // shoulder
-    {0, 298988, 27535818, &arm::elbow.command},  // elbow
-    {0, 292628, 27529458, &arm::wrist_roll.command},  // wrist_roll
-    {0, 286268, 27523098, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 279908, 27516738, &arm::flange.command},  // flange
-    {0, 273548, finemote::kNothingToBound, nullptr},  // arm
+    {1, 397246, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 311724, 29107632, &arm::base.command},  // base
+    {0, 305364, 29101272, &arm::shoulder.command},  // shoulder
+    {0, 299003, 29094911, &arm::elbow.command},  // elbow
+    {0, 292643, 29088551, &arm::wrist_roll.command},  // wrist_roll
+    {0, 286283, 29082191, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 279922, 29075831, &arm::flange.command},  // flange
+    {0, 273562, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

@@ -20,28 +20,28 @@
 namespace discovery::station {
 
 /// imu: h30_imu on 'imu_line', every 5 ms
-/// response <= 344.672 us
+/// response <= 351.87 us
 FINEMOTE_CONSTINIT inline finemote::H30Imu imu{/*mount*/ nullptr, imu_line};
 
 /// depth: ms5837 on 'i2c' at 0x76, every 10 ms
-/// response <= 556.09 us
+/// response <= 563.299 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 depth{finemote::Ms5837::Config{}, slots::depth};
 
 /// button: key, every 10 ms
-/// response <= 554.23 us
+/// response <= 561.439 us
 FINEMOTE_CONSTINIT inline finemote::Key button{
     finemote::Key::Config{},
     /*line*/ finemote::GpioPin{finemote::ports::gpio, finemote::pin_number('A', 0)}};
 
 /// servo: pwm_servo on 'servo_pulses' channel 0, every 10 ms
-/// response <= 554.07 us; data age <= 21.741 ms when handle() ends, <= 22.105 ms at the output (oldest: station)
+/// response <= 561.279 us; data age <= 24.024 ms when handle() ends, <= 24.391 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::PwmServo servo{
     finemote::PwmServo::Config{},
     /*range*/ nullptr,
     finemote::PwmChannel{servo_pulses, 0}};
 
 /// green_led: led on 'green' channel 0, every 10 ms
-/// response <= 552.11 us; data age <= 21.739 ms when handle() ends, <= 22.105 ms at the output (oldest: station)
+/// response <= 559.318 us; data age <= 24.022 ms when handle() ends, <= 24.391 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::Led green_led{
     finemote::Led::Config{},
     finemote::PwmChannel{green, 0},
@@ -49,7 +49,7 @@ FINEMOTE_CONSTINIT inline finemote::Led green_led{
     /*blue*/ nullptr};
 
 /// blue_led: led on 'blue' channel 0, every 10 ms
-/// response <= 547.45 us; data age <= 21.732 ms when handle() ends, <= 22.105 ms at the output (oldest: station)
+/// response <= 551.068 us; data age <= 24.01 ms when handle() ends, <= 24.384 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::Led blue_led{
     finemote::Led::Config{},
     finemote::PwmChannel{blue, 0},
@@ -136,7 +136,7 @@ inline constexpr finemote::LinkLayout station_layout{0x0564275f, station_up, sta
 }  // namespace ports
 
 /// station: host_link on 'computer', every 10 ms
-/// response <= 539.2 us
+/// response <= 542.818 us
 FINEMOTE_CONSTINIT inline finemote::HostLink station{
     finemote::HostLink::Config{},
     ports::station_layout,
