@@ -11,6 +11,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Of a part: how far its clock is off, of what it may be, and when it begins, of its period.
+struct Clock {
+  double error = 0;
+  double begin = 0;
+};
+
 /// Numbers that are the same with every standard library.
 class Draw {
  public:
@@ -25,6 +31,10 @@ class Draw {
     const double where = part_of_one();
     if (where < 0.25) return -most;
     return where < 0.5 ? most : most * (2 * part_of_one() - 1);
+  }
+  Clock clock() {
+    const double error = both_ways(1);
+    return {error, part_of_one()};
   }
 
  private:
@@ -41,12 +51,15 @@ double usual_period(const scenario::Model& model, const Json& part) {
 double shift_clocks(const Phase& phase, double clock_ppm, Json& parts) {
   Draw draw(phase);
   const double board = draw.both_ways(clock_ppm);
+  const bool are_together = draw.part_of_one() < 0.5;
+  const Clock common = draw.clock();
   for (Json& part : parts) {
     const scenario::Model* model = scenario::find_model(part.at("type").get<std::string>());
     if (model == nullptr || model->clock_tolerance_ppm == 0) continue;
-    const double own = draw.both_ways(model->clock_tolerance_ppm);
-    part["clock_ppm"] = ((1 + own * 1e-6) / (1 + board * 1e-6) - 1) * 1e6;
-    part["phase_ns"] = static_cast<std::uint64_t>(draw.part_of_one() * usual_period(*model, part));
+    const Clock own = are_together ? common : draw.clock();
+    const double ppm = own.error * model->clock_tolerance_ppm;
+    part["clock_ppm"] = ((1 + ppm * 1e-6) / (1 + board * 1e-6) - 1) * 1e6;
+    part["phase_ns"] = static_cast<std::uint64_t>(own.begin * usual_period(*model, part));
   }
   return board;
 }

@@ -14,7 +14,8 @@ struct Phase {
   std::uint64_t number = 0;
 };
 
-/// Gives every part that has a clock of its own a rate and a first moment, as the phase draws them.
+/// Gives every part that has a clock of its own a rate and a first moment, as the phase draws them. In half of the
+/// phases all parts go together: what they send meets on the wire.
 /// @param parts     entries of a scenario's `parts`
 /// @param clock_ppm how far the board's clock may be off, both ways
 /// @return  how far the board's clock is off in this run [ppm], positive: it runs fast

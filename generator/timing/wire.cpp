@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generator/timing/rest_of_job.hpp"
 #include "generator/timing/utilization.hpp"
 
 namespace finemote::gen::timing {
@@ -160,7 +161,8 @@ std::optional<Duration> WireAnalysis::flush_response(std::size_t flush) const {
   for (std::size_t f = 0; f < model_.flushes.size(); ++f) {
     if (f != flush && !share_slot(own, model_.flushes[f])) continue;
     const auto transfer = bound(*flush_item_[f]);
-    const auto end = end_of_job(bucket_of(model_.flushes[f]), {});
+    const std::size_t bucket = bucket_of(model_.flushes[f]);
+    const auto end = end_of_job(bucket, {}, profile_.responses.bucket[bucket]);
     if (!transfer || !end) return std::nullopt;
     wire = std::max(wire, *transfer);
     last = std::max(last, *end);
@@ -172,8 +174,7 @@ std::optional<Duration> WireAnalysis::flush_response(std::size_t flush) const {
   return 2 * wire + 3 * last + next;
 }
 
-/// From the end of handle(device) to the end of the job: nothing more urgent is pending when a stage ends, so only
-/// later arrivals and the rest of the job count.
+/// From the end of handle(device) to the end of the job.
 std::optional<Duration> WireAnalysis::rest_of_job(Rank device) const {
   const TaskSet& set = profile_.set;
   const std::size_t w = set.bucket_of[device];
@@ -181,19 +182,14 @@ std::optional<Duration> WireAnalysis::rest_of_job(Rank device) const {
   for (const Rank d : set.buckets[w].devices) {
     if (d < device) handles += set.handle[d];
   }
-  return end_of_job(w, handles);
+  return end_of_job(w, handles, profile_.responses.r_minus[device]);
 }
 
 /// The same from where so much of its handles is left, and the flush.
-std::optional<Duration> WireAnalysis::end_of_job(std::size_t w, Duration handles) const {
-  const TaskSet& set = profile_.set;
+std::optional<Duration> WireAnalysis::end_of_job(std::size_t w, Duration handles, Duration latest) const {
   if (!profile_.responses.ok(w)) return std::nullopt;
-  const Duration work = set.buckets[w].after + set.blocking + handles;
-  if (work == Duration::zero()) return Duration::zero();
-  Demand demand(effort_);
-  demand.add_streams(set.streams);
-  for (std::size_t v = 0; v < w; ++v) demand.add({{}, set.buckets[v].period, set.buckets[v].cost});
-  return std::min(least_fit(demand, work, work, kLongest), profile_.responses.bucket[w]);
+  const Duration work = profile_.set.buckets[w].after + profile_.set.blocking + handles;
+  return RestOfJob(profile_.set, profile_.responses, effort_).from(w, work, latest);
 }
 
 std::optional<Duration> WireAnalysis::command(Rank to) const {

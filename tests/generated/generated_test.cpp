@@ -114,7 +114,9 @@ TEST_CASE("types on CAN with identifiers of any form compile, and what they send
   const auto& load = timing.at("bus_load").at(0);
   // Bits of the longest frames per second, at 1 Mbit/s: 135 of 8 bytes, 95 of 4. A command frame every 5 ms, which both
   // servos share; of each servo a position and a temperature; the drive and the meter.
-  CHECK(load.at("wire_ns_per_s") == 1000 * (135 * 200 + 2 * (135 * 200 + 95 * 10) + 2 * 135 * 100));
+  const std::int64_t nominal = 1000 * (135 * 200 + 2 * (135 * 200 + 95 * 10) + 2 * 135 * 100);
+  CHECK(load.at("wire_ns_per_s").get<std::int64_t>() >= nominal);
+  CHECK(load.at("wire_ns_per_s").get<std::int64_t>() <= nominal + nominal / 20);  // parts' clocks may be off
 }
 
 TEST_CASE("no name of a robot hides a class or an interface of the user's") {

@@ -26,9 +26,9 @@ namespace bounds {
 inline constexpr finemote::Bounds imu{351870, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds depth{563299, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds button{561439, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{561279, 24023097, 24390168};
-inline constexpr finemote::Bounds green_led{559318, 24021136, 24390167};
-inline constexpr finemote::Bounds blue_led{551068, 24009896, 24383587};
+inline constexpr finemote::Bounds servo{561279, 24023097, 24106134};
+inline constexpr finemote::Bounds green_led{559318, 24021136, 24124595};
+inline constexpr finemote::Bounds blue_led{551068, 24009896, 24121605};
 inline constexpr finemote::Bounds station{542818, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 

@@ -27,14 +27,14 @@ inline constexpr finemote::Bounds baro_1{1291020, finemote::kNothingToBound, fin
 inline constexpr finemote::Bounds baro_2{1289160, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds baro_3{1287300, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds baro_4{1282450, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{1280590, 31625377, 37903585};
-inline constexpr finemote::Bounds thruster_2{1270439, 31604935, 37889704};
-inline constexpr finemote::Bounds thruster_3{1263879, 31595384, 37914355};
-inline constexpr finemote::Bounds thruster_4{1250738, 31581644, 37907176};
-inline constexpr finemote::Bounds thruster_5{1244178, 31557612, 37889704};
-inline constexpr finemote::Bounds thruster_6{1231037, 31548061, 37910766};
-inline constexpr finemote::Bounds thruster_7{1224477, 31520439, 37889704};
-inline constexpr finemote::Bounds thruster_8{1211336, 31513879, 37889704};
+inline constexpr finemote::Bounds thruster_1{1280590, 31625377, 37529740};
+inline constexpr finemote::Bounds thruster_2{1270439, 31604935, 37536320};
+inline constexpr finemote::Bounds thruster_3{1263879, 31595384, 37536920};
+inline constexpr finemote::Bounds thruster_4{1250738, 31581644, 37529740};
+inline constexpr finemote::Bounds thruster_5{1244178, 31557612, 37539911};
+inline constexpr finemote::Bounds thruster_6{1231037, 31548061, 37536920};
+inline constexpr finemote::Bounds thruster_7{1224477, 31520439, 37515858};
+inline constexpr finemote::Bounds thruster_8{1211336, 31513879, 37539911};
 inline constexpr finemote::Bounds rov{1183714, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 

@@ -34,10 +34,10 @@ inline constexpr finemote::Bounds imu{289575, finemote::kNothingToBound, finemot
 inline constexpr finemote::Bounds yaw{277924, 28761620, 29480967};
 inline constexpr finemote::Bounds pitch{272746, 28756442, 29489358};
 inline constexpr finemote::Bounds gimbal{312094, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{374295, 26857891, 27664221};
-inline constexpr finemote::Bounds front_right{370035, 26853631, 27664221};
-inline constexpr finemote::Bounds rear_left{365775, 26849371, 27664221};
-inline constexpr finemote::Bounds rear_right{361515, 26845111, 27672612};
+inline constexpr finemote::Bounds front_left{374295, 26857891, 27572178};
+inline constexpr finemote::Bounds front_right{370035, 26853631, 27572178};
+inline constexpr finemote::Bounds rear_left{365775, 26849371, 27572179};
+inline constexpr finemote::Bounds rear_right{361515, 26845111, 27580569};
 inline constexpr finemote::Bounds chassis{357254, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds remote{408133, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds

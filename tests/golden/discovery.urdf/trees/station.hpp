@@ -34,14 +34,14 @@ FINEMOTE_CONSTINIT inline finemote::Key button{
     /*line*/ finemote::GpioPin{finemote::ports::gpio, finemote::pin_number('A', 0)}};
 
 /// servo: pwm_servo on 'servo_pulses' channel 0, every 10 ms
-/// response <= 561.279 us; data age <= 24.024 ms when handle() ends, <= 24.391 ms at the output (oldest: station)
+/// response <= 561.279 us; data age <= 24.024 ms when handle() ends, <= 24.107 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::PwmServo servo{
     finemote::PwmServo::Config{},
     /*range*/ nullptr,
     finemote::PwmChannel{servo_pulses, 0}};
 
 /// green_led: led on 'green' channel 0, every 10 ms
-/// response <= 559.318 us; data age <= 24.022 ms when handle() ends, <= 24.391 ms at the output (oldest: station)
+/// response <= 559.318 us; data age <= 24.022 ms when handle() ends, <= 24.125 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::Led green_led{
     finemote::Led::Config{},
     finemote::PwmChannel{green, 0},
@@ -49,7 +49,7 @@ FINEMOTE_CONSTINIT inline finemote::Led green_led{
     /*blue*/ nullptr};
 
 /// blue_led: led on 'blue' channel 0, every 10 ms
-/// response <= 551.068 us; data age <= 24.01 ms when handle() ends, <= 24.384 ms at the output (oldest: station)
+/// response <= 551.068 us; data age <= 24.01 ms when handle() ends, <= 24.122 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::Led blue_led{
     finemote::Led::Config{},
     finemote::PwmChannel{blue, 0},

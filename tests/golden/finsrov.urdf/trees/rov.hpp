@@ -39,41 +39,41 @@ FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_3{finemote::Ms5837::Config{}, sl
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_4{finemote::Ms5837::Config{}, slots::baro_4};
 
 /// thruster_1: pwm_esc on 'pwm' channel 0, every 10 ms
-/// response <= 1.281 ms; data age <= 31.626 ms when handle() ends, <= 37.904 ms at the output (oldest: baro_1)
+/// response <= 1.281 ms; data age <= 31.626 ms when handle() ends, <= 37.53 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_1{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 0}};
 
 /// thruster_2: pwm_esc on 'pwm' channel 1, every 10 ms
-/// response <= 1.271 ms; data age <= 31.605 ms when handle() ends, <= 37.89 ms at the output (oldest: baro_2)
+/// response <= 1.271 ms; data age <= 31.605 ms when handle() ends, <= 37.537 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_2{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 1}};
 
 /// thruster_3: pwm_esc on 'pwm' channel 2, every 10 ms
-/// response <= 1.264 ms; data age <= 31.596 ms when handle() ends, <= 37.915 ms at the output (oldest: baro_2)
+/// response <= 1.264 ms; data age <= 31.596 ms when handle() ends, <= 37.537 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_3{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 2}};
 
 /// thruster_4: pwm_esc on 'pwm' channel 3, every 10 ms
-/// response <= 1.251 ms; data age <= 31.582 ms when handle() ends, <= 37.908 ms at the output (oldest: baro_1)
+/// response <= 1.251 ms; data age <= 31.582 ms when handle() ends, <= 37.53 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_4{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 3}};
 
 /// thruster_5: pwm_esc on 'pwm' channel 4, every 10 ms
-/// response <= 1.245 ms; data age <= 31.558 ms when handle() ends, <= 37.89 ms at the output (oldest: baro_1)
+/// response <= 1.245 ms; data age <= 31.558 ms when handle() ends, <= 37.54 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_5{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 4}};
 
 /// thruster_6: pwm_esc on 'pwm' channel 5, every 10 ms
-/// response <= 1.232 ms; data age <= 31.549 ms when handle() ends, <= 37.911 ms at the output (oldest: baro_1)
+/// response <= 1.232 ms; data age <= 31.549 ms when handle() ends, <= 37.537 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_6{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 5}};
 
 /// thruster_7: pwm_esc on 'pwm' channel 6, every 10 ms
-/// response <= 1.225 ms; data age <= 31.521 ms when handle() ends, <= 37.89 ms at the output (oldest: baro_2)
+/// response <= 1.225 ms; data age <= 31.521 ms when handle() ends, <= 37.516 ms at the output (oldest: baro_2)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_7{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 6}};
 
 /// thruster_8: pwm_esc on 'pwm' channel 7, every 10 ms
-/// response <= 1.212 ms; data age <= 31.514 ms when handle() ends, <= 37.89 ms at the output (oldest: baro_3)
+/// response <= 1.212 ms; data age <= 31.514 ms when handle() ends, <= 37.54 ms at the output (oldest: baro_3)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_8{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 7}};

@@ -18,19 +18,19 @@
 namespace infantry::chassis {
 
 /// front_left: dji_m3508 on 'wheel_can' id 1, every 5 ms
-/// response <= 374.295 us; data age <= 26.858 ms when handle() ends, <= 27.665 ms at the output (oldest: remote)
+/// response <= 374.295 us; data age <= 26.858 ms when handle() ends, <= 27.573 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_left{finemote::DjiM3508::Config{}, slots::front_left};
 
 /// front_right: dji_m3508 on 'wheel_can' id 2, every 5 ms
-/// response <= 370.035 us; data age <= 26.854 ms when handle() ends, <= 27.665 ms at the output (oldest: remote)
+/// response <= 370.035 us; data age <= 26.854 ms when handle() ends, <= 27.573 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_right{finemote::DjiM3508::Config{}, slots::front_right};
 
 /// rear_left: dji_m3508 on 'wheel_can' id 3, every 5 ms
-/// response <= 365.775 us; data age <= 26.85 ms when handle() ends, <= 27.665 ms at the output (oldest: remote)
+/// response <= 365.775 us; data age <= 26.85 ms when handle() ends, <= 27.573 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_left{finemote::DjiM3508::Config{}, slots::rear_left};
 
 /// rear_right: dji_m3508 on 'wheel_can' id 4, every 5 ms
-/// response <= 361.515 us; data age <= 26.846 ms when handle() ends, <= 27.673 ms at the output (oldest: remote)
+/// response <= 361.515 us; data age <= 26.846 ms when handle() ends, <= 27.581 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_right{finemote::DjiM3508::Config{}, slots::rear_right};
 
 namespace ports {  // what 'chassis' sees of others
