@@ -53,39 +53,65 @@ class Runs:
         return index if index >= 0 else None
 
 
-def runs_of(phase):
-    """Runs of every stage by its number, with their own times: without what came in between.
+class Frame:
+    """What runs at one level of preemption: an exception, or the idle loop."""
 
-    An exception's time counts from the begin of stacking to the end of unstacking and belongs to it alone.
+    def __init__(self, exception=None):
+        self.exception = exception
+        self.own = 0
+        self.stages = 0  # of `own`, in stages
+        self.open = {}  # by stage: when it began, and `own` then
+
+
+class Execution:
+    """Runs of every stage by its number, and the longest own times of exceptions.
+
+    An exception's time counts from the begin of stacking to the end of unstacking and belongs to it alone; a stage's
+    from its begin to its end, without what came in between.
     """
-    stages = {k: Runs() for k in range(len(phase.header["stages"]))}
-    frames = [{"own": 0, "open": {}}]
-    last = None
-    for event in phase.events:
-        what, t = event["what"], event["t"]
-        if what not in ("enter", "tail", "resume", "begin", "end", "reset"):
-            continue
-        if last is not None:
-            frames[-1]["own"] += t - last
-        last = t
+
+    def __init__(self, phase):
+        self.stages = {k: Runs() for k in range(len(phase.header["stages"]))}
+        self.exceptions = {}  # longest own time, by exception
+        self.around = {}  # the same without the stages it ran
+        self.frames = [Frame()]
+        last = None
+        for event in phase.events:
+            if event["what"] not in ("enter", "tail", "resume", "begin", "end", "reset"):
+                continue
+            if last is not None:
+                self.frames[-1].own += event["t"] - last
+            last = event["t"]
+            self.take(event)
+
+    def take(self, event):
+        what, top = event["what"], self.frames[-1]
         if what == "reset":
-            frames = [{"own": 0, "open": {}}]
+            self.frames = [Frame()]
         elif what == "enter":
-            frames.append({"own": 0, "open": {}})
+            self.frames.append(Frame(event["exception"]))
         elif what == "tail":
-            frames.pop()
-            frames.append({"own": 0, "open": {}})
-        elif what == "resume" and len(frames) > 1:
-            frames.pop()
+            self.leave()
+            self.frames.append(Frame(event["exception"]))
+        elif what == "resume":
+            self.leave()
         elif what == "begin":
-            frames[-1]["open"][event["stage"]] = (t, frames[-1]["own"])
-        elif what == "end" and event["stage"] in frames[-1]["open"]:
-            begin, own = frames[-1]["open"].pop(event["stage"])
-            runs = stages[event["stage"]]
+            top.open[event["stage"]] = (event["t"], top.own)
+        elif event["stage"] in top.open:
+            begin, own = top.open.pop(event["stage"])
+            runs = self.stages[event["stage"]]
             runs.begins.append(begin)
-            runs.ends.append(t)
-            runs.own.append(frames[-1]["own"] - own)
-    return stages
+            runs.ends.append(event["t"])
+            runs.own.append(top.own - own)
+            top.stages += top.own - own
+
+    def leave(self):
+        if len(self.frames) < 2:
+            return
+        frame = self.frames.pop()
+        number = frame.exception
+        self.exceptions[number] = max(self.exceptions.get(number, 0), frame.own)
+        self.around[number] = max(self.around.get(number, 0), frame.own - frame.stages)
 
 
 class Robot:
@@ -190,7 +216,8 @@ class Measures:
 
     def __init__(self, phase, robot, chains):
         self.phase, self.robot = phase, robot
-        self.stages = runs_of(phase)
+        self.execution = Execution(phase)
+        self.stages = self.execution.stages
         self.number = {(s["device"], s["stage"] == "handle"): k for k, s in enumerate(phase.header["stages"])}
         self.used, self.reached = used_of(phase, samples_of(phase)), outputs_of(phase)
         self.longest = Longest()
@@ -250,9 +277,22 @@ class Measures:
                 self.longest.add((stage["device"], stage["stage"], "response"), end - release)
 
     def measure_own_times(self):
+        """On the board's clock: execution times are counts of its cycles."""
+        scale = self.phase.header["clock_hz"] / self.phase.header["nominal_hz"]
         for k, stage in enumerate(self.phase.header["stages"]):
             for own in self.stages[k].own:
-                self.longest.add((stage["device"], stage["stage"], "own"), own)
+                self.longest.add((stage["device"], stage["stage"], "own"), own * scale)
+
+        for number, meaning in self.phase.header["exceptions"].items():
+            if int(number) not in self.execution.exceptions:
+                continue
+            own, around = self.execution.exceptions[int(number)], self.execution.around[int(number)]
+            if meaning["kind"] == "release":
+                self.longest.add(("processor", "release", "release"), own * scale)
+            elif meaning["kind"] == "bus":
+                self.longest.add((meaning["bus"], "routine", "interrupt"), own * scale)
+            else:
+                self.longest.add((str(meaning["period_ns"]), "job", "flush"), around * scale)
 
     def check_claims(self):
         """No device claims data fresher than they are, by more than a microsecond."""

@@ -160,7 +160,7 @@ def options():
     parser.add_argument("--robots", type=int, default=40, help="how many have to count")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--phases", type=int, default=2, help="runs of each robot")
-    parser.add_argument("--inject", choices=judge.INJECTIONS, help="make these bounds 2 %% too small")
+    parser.add_argument("--inject", choices=list(judge.INJECTIONS), help="make these bounds 2 %% too small")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--finemote", default="finemote", help="the program under attack")
     parser.add_argument("--keep-going", action="store_true", help="do not stop at the first violation")

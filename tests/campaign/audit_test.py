@@ -1,0 +1,119 @@
+"""The checker against a record made by hand, whose figures are plain to see."""
+
+import json
+import tempfile
+import unittest
+
+import audit
+import judge
+
+US = 1_000_000  # picoseconds
+
+HEADER = {
+    "what": "robot", "image": "", "seed": 0, "phase": 0, "clock_hz": 168e6, "nominal_hz": 168e6,
+    "stages": [{"device": d, "stage": s, "exception": 64, "period_ns": 1000000}
+               for d in ("eye", "hand") for s in ("update", "handle")],
+    "exceptions": {"15": {"kind": "release"}, "64": {"kind": "bucket", "period_ns": 1000000},
+                   "49": {"kind": "bus", "bus": "wire", "source": "EV"}},
+}
+
+
+def job(at, sample, run):
+    """One job from `at` [us] on; a bus interrupt of 3 us falls into the first update."""
+    events = [
+        ("due", 0, {"exception": 15}), ("enter", 0, {"exception": 15}), ("return", 1, {"exception": 15}),
+        ("tail", 1, {"exception": 64}), ("begin", 2, {"stage": 0}),
+        ("enter", 4, {"exception": 49}), ("return", 6, {"exception": 49}), ("resume", 7, {"exception": 49}),
+        ("end", 10, {"stage": 0}), ("used", 10, {"device": "eye", "channel": 0, "n": sample, "claimed": None}),
+        ("begin", 11, {"stage": 2}), ("end", 12, {"stage": 2}), ("begin", 12, {"stage": 3}), ("end", 15, {"stage": 3}),
+        ("begin", 15, {"stage": 1}), ("end", 16, {"stage": 1}), ("return", 17, {"exception": 64}),
+        ("resume", 18, {"exception": 64}),
+        ("output", 40, {"part": "hand", "channel": 0, "device": "hand", "job": run}),
+    ]
+    return [{"t": (at + t) * US, "what": what, **rest} for what, t, rest in events]
+
+
+def record():
+    events = [{"t": -100 * US, "what": "sample", "part": "eye", "channel": 0, "n": 0, "from": -300 * US},
+              {"t": 0, "what": "ready"}]
+    events += job(0, 0, 0) + job(1000, 0, 1)
+    events.sort(key=lambda event: event["t"])
+    return [HEADER] + events
+
+
+def analysis(**changed):
+    bounds = {"acquire": 1302000, "decide": 14000, "wire": 26000, "end_to_end": 1340000, **changed}
+    devices = [{"name": "eye", "parent": "hand", "period_ns": 1000000, "update_wcet_ns": 5000, "handle_wcet_ns": 1000},
+               {"name": "hand", "parent": None, "period_ns": 1000000, "update_wcet_ns": 1000, "handle_wcet_ns": 3000}]
+    return {
+        "model": {"devices": devices, "buses": [], "costs": {"release_ns": 2000, "release_per_bucket_ns": 0, "interrupt_ns": 0,
+                                                             "job_ns": 9000, "stage_ns": 0}},
+        "target": {"devices": [{"name": "eye", "r_plus_ns": 11000, "r_minus_ns": 16000},
+                               {"name": "hand", "r_plus_ns": 12000, "r_minus_ns": 15000}]},
+        "chains": [{"from": "eye", "to": "hand", **{k + "_ns": v for k, v in bounds.items()}}],
+    }
+
+
+def verdict(events, bounds):
+    with tempfile.NamedTemporaryFile("w", suffix=".jsonl") as file:
+        file.writelines(json.dumps(event) + "\n" for event in events)
+        file.flush()
+        return judge.judge(file.name, bounds)
+
+
+class Figures(unittest.TestCase):
+    def setUp(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".jsonl") as file:
+            file.writelines(json.dumps(event) + "\n" for event in record())
+            file.flush()
+            phase = audit.read(file.name)[0]
+        self.seen = audit.Measures(phase, audit.Robot(analysis()["model"]), [("eye", "hand")]).longest.values
+
+    def figure(self, *key):
+        return self.seen[key][0]
+
+    def test_a_chain_is_taken_apart(self):
+        self.assertEqual(self.figure("eye", "hand", "acquire"), 1302 * US)
+        self.assertEqual(self.figure("eye", "hand", "decide"), 13 * US)
+        self.assertEqual(self.figure("eye", "hand", "wire"), 25 * US)
+        self.assertEqual(self.figure("eye", "hand", "end_to_end"), 1340 * US)
+
+    def test_own_times_leave_interrupts_out(self):
+        self.assertEqual(self.figure("eye", "update", "own"), 5 * US)
+        self.assertEqual(self.figure("wire", "routine", "interrupt"), 3 * US)
+        self.assertEqual(self.figure("processor", "release", "release"), 1 * US)
+        self.assertEqual(self.figure("1000000", "job", "flush"), (18 - 1 - 3 - 10) * US)
+
+    def test_responses_count_from_the_release(self):
+        self.assertEqual(self.figure("hand", "handle", "response"), 15 * US)
+
+
+class Verdicts(unittest.TestCase):
+    def test_bounds_that_are_met_hold(self):
+        seen = verdict(record(), analysis())
+        self.assertEqual(seen.broken, [])
+        self.assertTrue(seen.counts)
+
+    def test_every_part_of_a_chain_can_break(self):
+        for kind, bound in (("acquire", 1301999), ("decide", 12999), ("wire", 24999), ("end_to_end", 1339999)):
+            seen = verdict(record(), analysis(**{kind: bound}))
+            self.assertEqual([line.split(":")[0] for line in seen.broken], [f"eye hand {kind}"])
+
+    def test_claims_fresher_than_the_sample_are_found(self):
+        events = record()
+        for event in events:
+            if event["what"] == "used":
+                event["claimed"] = -300 * US + 1_000_001
+        self.assertEqual(len(verdict(events, analysis()).broken), 2)
+
+    def test_overruns_and_resets_are_found(self):
+        events = record() + [{"t": 2000 * US, "what": "overrun", "exception": 64}, {"t": 2001 * US, "what": "reset"}]
+        self.assertEqual(len(verdict(events, analysis()).broken), 2)
+
+    def test_what_has_no_sample_does_not_count(self):
+        events = [event for event in record() if event["what"] != "output"]
+        self.assertFalse(verdict(events, analysis()).counts)
+
+
+if __name__ == "__main__":
+    unittest.main()
