@@ -248,6 +248,7 @@ void Can::write(std::uint32_t offset, std::uint32_t value) {
     if (word == 0 && (value & 1) != 0) {
       if ((value & 6) != 0) world_.report(Misuse::unmodelled, name() + " extended or remote frame");
       mailbox.waiting = true;
+      completed_ &= ~(0xFU << (8 * ((offset - 0x180) / 16)));  // a request to transmit clears it: RM0090 32.9.2
       line.request();
     }
     return;

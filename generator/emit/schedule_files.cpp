@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/emit/value.hpp"
 #include "generator/schedule/period.hpp"
 
@@ -36,6 +37,19 @@ Data bus_list(const Plan& plan, const std::vector<SegmentId>& segments) {
   return list;
 }
 
+/// What a bucket flushes at its end: of the frames on a bus those that are its own.
+Data flush_list(const Plan& plan, std::size_t bucket) {
+  Data list(Data::type::list);
+  for (const SegmentId segment : plan.schedule.buckets[bucket].flushes) {
+    const Segment& output = plan.robot.segments[segment];
+    Data entry("bus", output.name.cpp);
+    const bool has_frames = bus_type(output.bus_kind).flush == BusType::Flush::shared_frames;
+    entry.set("frames_of", has_frames ? std::to_string(bucket) : std::string());
+    list.push_back(entry);
+  }
+  return list;
+}
+
 /// The interrupt that the board does not need itself, in whose line the bucket runs.
 std::string lender_of(const Plan& plan, const Bucket& bucket) {
   for (const SpareLine& line : plan.robot.board->lines) {
@@ -67,7 +81,7 @@ Data bucket_list(const Plan& plan, const ProvenBounds& bounds) {
     entry.set("watchdog", std::to_string(watchdog_periods(plan)));
     entry.set("device_count", std::to_string(bucket.devices.size()));
     entry.set("is_single", bucket.devices.size() == 1);
-    entry.set("flushes", bus_list(plan, bucket.flushes));
+    entry.set("flushes", flush_list(plan, i));
     set_trees(plan, i, entry);
     set_job_bound(bounds.plain, i, entry);
     list.push_back(entry);

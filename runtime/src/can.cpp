@@ -50,7 +50,7 @@ CanSlot::Received CanSlot::received(unsigned entry) const {
   return inbox != nullptr ? inbox->received() : Received{};
 }
 
-bool CanSlot::set_shared(const std::uint8_t* bytes) { return bus_->set_shared(share_, bytes); }
+bool CanSlot::set_shared(const std::uint8_t* bytes) { return bus_->set_shared(*this, bytes); }
 
 bool CanSlot::send(const CanFrame& frame) {
   if (waiting_.load()) return false;
@@ -80,11 +80,8 @@ void CanBus::on_frame(const CanFrame& frame, Time at) {
 // Groups first: they carry the actuators. Whatever finds no mailbox is sent from the interrupt that frees one.
 void CanBus::on_interrupt() {
   for (Group& group : groups_) {
-    if (!group.waiting.load()) continue;
-    if (group.setting.load())
-      group.passed_over.store(true);  // set_shared() comes back to it
-    else if (!send_group(group))
-      return;
+    if (!group.waiting.load() || group.setting.load()) continue;  // the flush behind what sets it comes back to it
+    if (!send_group(group)) return;
   }
   for (std::uint8_t i = 0; i < count_; ++i) {
     CanSlot& slot = *slots_[i];
@@ -96,15 +93,8 @@ void CanBus::on_interrupt() {
 }
 
 bool CanBus::send_group(Group& group) {
-  CanFrame frame;
-  frame.id = group.id.load();
-  frame.size = 8;
+  if (!port_->send(group.frame)) return false;
   group.waiting.store(false);
-  for (int i = 0; i < 8; ++i) frame.data[i] = group.bytes[i].load();
-  if (!port_->send(frame)) {
-    group.waiting.store(true);
-    return false;
-  }
   ++counters_.transfers;
   return true;
 }
@@ -117,34 +107,46 @@ CanBus::Group* CanBus::group_of(std::uint16_t id) {
   return nullptr;
 }
 
-bool CanBus::set_shared(const CanShare& share, const std::uint8_t* bytes) {
+bool CanBus::set_shared(const CanSlot& slot, const std::uint8_t* bytes) {
+  const CanShare& share = slot.share_;
   Group* group = share.width > 0 ? group_of(share.frame) : nullptr;
   if (group == nullptr) {
     count_fault(Module::can, kNoGroup);
     return false;
   }
   group->setting.store(true);
+  group->frame.id = share.frame;
+  group->frame.size = 8;
   // supervise() may clear the frame in between: what it left of the bytes is written once more.
   for (int attempt = 0; attempt < 2; ++attempt) {
     const std::uint8_t cleared = group->cleared.load();
     write(*group, share, bytes);
     if (group->cleared.load() == cleared) break;
   }
+  group->priority.store(slot.priority_);
   group->changed.store(true);
   group->setting.store(false);
-  if (group->passed_over.exchange(false)) port_->pend();  // a flush of a faster bucket found it half written
   return true;
 }
 
 void CanBus::write(Group& group, const CanShare& share, const std::uint8_t* bytes) {
-  for (std::uint8_t i = 0; i < share.width; ++i) group.bytes[(share.offset + i) & 7].store(bytes[i]);
+  for (std::uint8_t i = 0; i < share.width; ++i) group.frame.data[(share.offset + i) & 7] = bytes[i];
 }
 
 void CanBus::flush() {
+  flush_if([](const Group&) { return true; });
+}
+
+void CanBus::flush(std::uint8_t priority) {
+  flush_if([priority](const Group& group) { return group.priority.load() == priority; });
+}
+
+template <typename Belongs>
+void CanBus::flush_if(Belongs&& belongs) {
   const MarkedWork<Work::flush_can> marked;
   bool any = false;
   for (Group& group : groups_) {
-    if (!group.changed.exchange(false)) continue;
+    if (!belongs(group) || !group.changed.exchange(false)) continue;
     group.waiting.store(true);
     any = true;
   }
@@ -170,7 +172,7 @@ void CanBus::supervise() {
   ++counters_.errors;
   count_fault(Module::can, kBusOff);
   for (Group& group : groups_) {
-    for (auto& byte : group.bytes) byte.store(0);
+    for (std::uint8_t& byte : group.frame.data) byte = 0;
     group.cleared.store(static_cast<std::uint8_t>(group.cleared.load() + 1));
     group.waiting.store(group.id.load() != 0);
   }

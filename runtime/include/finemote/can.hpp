@@ -66,7 +66,7 @@ class CanSlot {
   /// Sends one frame; false while the one before still waits. Context: the device's bucket.
   bool send(const CanFrame& frame);
 
-  /// Sets the device's bytes, share().width of them, in the frame it shares; the next flush() of the bus sends it.
+  /// Sets the device's bytes, share().width of them, in the frame it shares; the flush() of its bucket sends it.
   /// False where it shares none, and when the bus keeps no more frames. Context: the device's bucket; safe().
   bool set_shared(const std::uint8_t* bytes);
   [[nodiscard]] const CanShare& share() const { return share_; }
@@ -110,8 +110,11 @@ class CanBus {
   void on_frame(const CanFrame& frame, Time at);
   void on_interrupt();
 
-  /// Sends every group that was set since the last flush, once. Context: end of any bucket that drives it.
+  /// Sends every group that was set since the last flush, once. Context: init, safe stop.
   void flush();
+  /// The same of those that devices of this priority set: a group that a slower bucket has set in part waits for its
+  /// end. Context: end of the bucket.
+  void flush(std::uint8_t priority);
 
   /// Context: any.
   [[nodiscard]] bool unreachable() const { return port_->bus_off(); }
@@ -128,15 +131,17 @@ class CanBus {
   /// A command frame of eight bytes that several devices fill.
   struct Group {
     Shared<std::uint16_t> id{0};  ///< 0: free
-    Shared<std::uint8_t> bytes[8];
+    CanFrame frame;
     Shared<std::uint8_t> cleared{0};  ///< times all bytes went to zero
     Shared<bool> changed{false}, waiting{false};
-    Shared<bool> setting{false};      ///< a device's bytes are half written: it is not sent now
-    Shared<bool> passed_over{false};  ///< it should have been sent then
+    Shared<bool> setting{false};       ///< a device's bytes are half written: it is not sent now
+    Shared<std::uint8_t> priority{0};  ///< of the devices that fill it, which share a bucket
   };
 
   void request() { port_->pend(); }
-  bool set_shared(const CanShare& share, const std::uint8_t* bytes);
+  bool set_shared(const CanSlot& slot, const std::uint8_t* bytes);
+  template <typename Belongs>
+  void flush_if(Belongs&& belongs);
   [[nodiscard]] Group* group_of(std::uint16_t id);
   static void write(Group& group, const CanShare& share, const std::uint8_t* bytes);
   bool send_group(Group& group);

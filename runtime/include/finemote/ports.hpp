@@ -225,8 +225,9 @@ class CanPort {
   constexpr explicit CanPort(CanHardware& hardware) : hardware_(&hardware) {}
 
   /// Clocks, pins, bit timing for `bitrate` [bit/s], acceptance of exactly what `bus.each_ids()` lists (a superset
-  /// where the hardware has too few filters), interrupts for reception, sending and errors. Every interrupt hands each
-  /// received frame to `bus.on_frame(frame, now())` and then calls `bus.on_interrupt()` once. Context: init.
+  /// where the hardware has too few filters), interrupts for reception, sending and errors. They hand each received
+  /// frame to `bus.on_frame(frame, now())`, and call `bus.on_interrupt()` after a pend() and when a mailbox falls free
+  /// after send() found none. Context: init.
   void configure(std::int64_t bitrate, CanBus& bus);
   /// As I2cPort::pend(). Context: any.
   void pend();

@@ -8,41 +8,44 @@ namespace finemote {
 /// A word shared by code on different interrupt levels of one core. Every access is one load or store instruction and
 /// is ordered against the accesses around it by the compiler alone: a single core sees its own memory in program order,
 /// so no barrier instruction is needed. Read-modify-write members loop on LDREX/STREX (ARMv7-M Architecture Reference
-/// Manual A3.4) and never mask interrupts. May be used from any context.
+/// Manual A3.4) and never mask interrupts. May be used from any context. Members are inlined even for size: the call of
+/// one instruction would cost interrupt routines several times its own time.
 template <class T>
 class Shared {
  public:
   constexpr Shared() = default;
   constexpr explicit Shared(T value) : value_(value) {}
 
-  T load() const {
+  [[gnu::always_inline]] T load() const {
     T value = value_.load(std::memory_order_relaxed);
     fence();
     return value;
   }
-  void store(T value) {
+  [[gnu::always_inline]] void store(T value) {
     fence();
     value_.store(value, std::memory_order_relaxed);
     fence();
   }
-  T exchange(T value) {
+  [[gnu::always_inline]] T exchange(T value) {
     fence();
     T old = value_.exchange(value, std::memory_order_relaxed);
     fence();
     return old;
   }
   /// Stores `value` if the present one is `expected`; true if so.
-  bool replace(T expected, T value) {
+  [[gnu::always_inline]] bool replace(T expected, T value) {
     fence();
     const bool replaced = value_.compare_exchange_strong(expected, value, std::memory_order_relaxed);
     fence();
     return replaced;
   }
-  T set_bits(T bits) { return value_.fetch_or(bits, std::memory_order_relaxed); }
-  T clear_bits(T bits) { return value_.fetch_and(static_cast<T>(~bits), std::memory_order_relaxed); }
+  [[gnu::always_inline]] T set_bits(T bits) { return value_.fetch_or(bits, std::memory_order_relaxed); }
+  [[gnu::always_inline]] T clear_bits(T bits) {
+    return value_.fetch_and(static_cast<T>(~bits), std::memory_order_relaxed);
+  }
 
   /// Keeps the compiler from moving memory accesses across this point.
-  static void fence() { std::atomic_signal_fence(std::memory_order_seq_cst); }
+  [[gnu::always_inline]] static void fence() { std::atomic_signal_fence(std::memory_order_seq_cst); }
 
  private:
   static_assert(std::atomic<T>::is_always_lock_free, "a shared value must be one machine word at most");

@@ -45,7 +45,6 @@ void CanHardware::feed(Time at, const CanFrame& frame) {
         std::any_of(accepted.begin(), accepted.end(), [&](const CanIds& ids) { return ids.hold(frame.id); });
     if (off || !is_accepted) return;
     bus->on_frame(frame, now());
-    bus->on_interrupt();
   });
 }
 

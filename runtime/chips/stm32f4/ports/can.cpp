@@ -140,8 +140,7 @@ void CanPort::configure(std::int64_t bitrate, CanBus& bus) {
   }
   setup.can.btr().write(bit_timing(static_cast<std::uint32_t>(bitrate)));
   set_filters(setup.first_bank, bus);
-  setup.can.ier().write(can::kTransmitInterrupt | can::kReceiveInterrupt | can::kBusOffInterrupt |
-                        can::kErrorInterrupt);
+  setup.can.ier().write(can::kReceiveInterrupt | can::kBusOffInterrupt | can::kErrorInterrupt);
   setup.can.mcr().write(0);  // joins the bus by itself after eleven recessive bits: RM0090 32.4.2
   cortex_m4::enable_line(setup.transmit_line, kPriority);
   cortex_m4::enable_line(setup.receive_line, kPriority);
@@ -153,7 +152,10 @@ void CanPort::pend() { stm32f4::pend_line(hardware_->setup.transmit_line); }
 bool CanPort::send(const CanFrame& frame) {
   const stm32f4::CanRegisters& registers = hardware_->setup.can;
   const std::uint32_t empty = registers.tsr().read() >> can::kEmptyShift & 7;
-  if (empty == 0) return false;
+  if (empty == 0) {
+    registers.ier().set(can::kTransmitInterrupt);  // until a mailbox falls free
+    return false;
+  }
   const std::uint32_t number = (empty & 1) != 0 ? 0 : (empty & 2) != 0 ? 1 : 2;
   registers.mailbox(number, 1).write(frame.size);
   registers.mailbox(number, 2).write(word_of(frame.data));
@@ -184,11 +186,19 @@ std::uint16_t CanPort::error_counters() const {
   return static_cast<std::uint16_t>(hardware_->setup.can.esr().read() >> 16);
 }
 
-void CanHardware::on_line() {
+// The request comes here, too. The end of a frame interrupts only while a frame waits for it: where send() found all
+// mailboxes full, none of the flags cleared here was set any more (RM0090 32.9.2, RQCP).
+void CanHardware::on_transmit() {
   const stm32f4::CanRegisters& registers = setup.can;
+  registers.ier().clear(can::kTransmitInterrupt);
   // Flags are cleared by writing 1; the zeros leave the rest alone, abort requests included.
   registers.tsr().write(can::kCompleted | can::kCompleted << 8 | can::kCompleted << 16);
-  registers.msr().write(can::kErrorFlag);
+  bus->on_interrupt();
+  stm32f4::settle(registers.mcr());
+}
+
+void CanHardware::on_receive() {
+  const stm32f4::CanRegisters& registers = setup.can;
   if (registers.rf0r().any(can::kOverrun)) {
     registers.rf0r().write(can::kOverrun);
     count_fault(Module::can, static_cast<std::uint8_t>(CanFault::overrun));
@@ -205,8 +215,12 @@ void CanHardware::on_line() {
     static_cast<void>(wait_for(registers.rf0r(), can::kRelease, 0, kReleasePolls));  // a few bus cycles
     if ((identifier & can::kExtendedOrRemote) == 0) bus->on_frame(frame, now());
   }
-  bus->on_interrupt();
   stm32f4::settle(registers.mcr());
+}
+
+void CanHardware::on_error() {
+  setup.can.msr().write(can::kErrorFlag);
+  stm32f4::settle(setup.can.mcr());
 }
 
 }  // namespace finemote

@@ -24,8 +24,10 @@ struct CanHardware {
   const stm32f4::CanSetup& setup;
   CanBus* bus = nullptr;
 
-  /// The routine of all its lines. Context: interrupt.
-  void on_line();
+  /// The routines of its lines. Context: interrupt.
+  void on_transmit();
+  void on_receive();
+  void on_error();
 };
 
 }  // namespace finemote

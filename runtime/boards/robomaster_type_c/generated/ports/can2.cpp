@@ -17,6 +17,6 @@ CanPort ports::can2{hardware};
 
 }  // namespace finemote
 
-extern "C" void finemote_line_63() { finemote::hardware.on_line(); }
-extern "C" void finemote_line_64() { finemote::hardware.on_line(); }
-extern "C" void finemote_line_66() { finemote::hardware.on_line(); }
+extern "C" void finemote_line_63() { finemote::hardware.on_transmit(); }
+extern "C" void finemote_line_64() { finemote::hardware.on_receive(); }
+extern "C" void finemote_line_66() { finemote::hardware.on_error(); }

@@ -17,6 +17,6 @@ CanPort ports::can1{hardware};
 
 }  // namespace finemote
 
-extern "C" void finemote_line_19() { finemote::hardware.on_line(); }
-extern "C" void finemote_line_20() { finemote::hardware.on_line(); }
-extern "C" void finemote_line_22() { finemote::hardware.on_line(); }
+extern "C" void finemote_line_19() { finemote::hardware.on_transmit(); }
+extern "C" void finemote_line_20() { finemote::hardware.on_receive(); }
+extern "C" void finemote_line_22() { finemote::hardware.on_error(); }
