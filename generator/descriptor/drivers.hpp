@@ -24,6 +24,7 @@ struct DriverSource {
   RaisedBy raised_by = RaisedBy::either;
   Duration isr_wcet;
   Duration isr_per_slot;            ///< besides, for everything the bus serves
+  Duration isr_per_frame;           ///< besides, for every frame that one request hands over
   std::int64_t isr_waits_bits = 0;  ///< besides, so many bits on the wire: it waits for the end of one
   std::int64_t min_frame_bits = 1;  ///< bits on the wire between two of its interrupts, at least
 };

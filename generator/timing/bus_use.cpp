@@ -1,7 +1,10 @@
 #include "generator/timing/bus_use.hpp"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
+#include "generator/model/shared_frame.hpp"
 #include "generator/timing/connection.hpp"
 
 namespace finemote::gen::timing {
@@ -29,6 +32,18 @@ bool writes(const gen::Device& device, const Connection& connection) {
                      [](const Frame& frame) { return frame.write_bytes > 0 && frame.stage != FrameStage::autonomous; });
 }
 
+/// The most shared frames on a bus that devices of one period fill; at least one.
+std::size_t shared_frames(const Robot& robot, BusId bus) {
+  std::map<Duration, std::set<std::uint32_t>> frames;
+  for (const gen::Device& device : robot.devices) {
+    if (!device.segment || robot.segments[*device.segment].bus != bus) continue;
+    if (const auto frame = shared_frame_of(device)) frames[device.period].insert(frame->identifier);
+  }
+  std::size_t most = 1;
+  for (const auto& [period, identifiers] : frames) most = std::max(most, identifiers.size());
+  return most;
+}
+
 }  // namespace
 
 Table<BusId, BusUse> bus_uses(const Robot& robot) {
@@ -51,6 +66,7 @@ Table<BusId, BusUse> bus_uses(const Robot& robot) {
     use.is_used = true;
     ++use.slots;
   }
+  for (const BusId bus : robot.buses.ids()) uses[bus].shared_frames = shared_frames(robot, bus);
   return uses;
 }
 

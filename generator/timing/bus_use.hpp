@@ -8,10 +8,11 @@
 namespace finemote::gen::timing {
 
 struct BusUse {
-  bool is_used = false;     ///< a device or an expander sits on it
-  bool transmits = false;   ///< a device writes to it, or is connected to it by a `<use>`
-  bool is_declared = true;  ///< every device on it says what it sends
-  std::int64_t slots = 0;   ///< places where its driver looks: devices, expanders, further frames they receive
+  bool is_used = false;           ///< a device or an expander sits on it
+  bool transmits = false;         ///< a device writes to it, or is connected to it by a `<use>`
+  bool is_declared = true;        ///< every device on it says what it sends
+  std::size_t shared_frames = 1;  ///< at most, that the devices of one period fill together and one request hands over
+  std::int64_t slots = 0;         ///< places where its driver looks: devices, expanders, further frames they receive
 };
 
 /// Of every bus.

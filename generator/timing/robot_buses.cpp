@@ -82,9 +82,10 @@ bool is_of_transfer(DriverSource::Counts counts) {
   return counts == DriverSource::Counts::steps || counts == DriverSource::Counts::ends;
 }
 
-/// One run of a source's service routine.
-Duration routine(const DriverSource& source, const BusUse& use, std::int64_t rate) {
-  return source.isr_wcet + use.slots * source.isr_per_slot +
+/// One run of a source's service routine. A request hands over no more frames than the controller has room for.
+Duration routine(const Driver& driver, const DriverSource& source, const BusUse& use, std::int64_t rate) {
+  const std::size_t frames = std::min(use.shared_frames, std::max<std::size_t>(driver.mailboxes, 1));
+  return source.isr_wcet + use.slots * source.isr_per_slot + static_cast<std::int64_t>(frames) * source.isr_per_frame +
          ceil_div(source.isr_waits_bits * seconds(1), std::max<std::int64_t>(rate, 1));
 }
 
@@ -113,7 +114,7 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
       const Duration apart = frame_time(bus.min_frame_bits.value_or(source.min_frame_bits), bus.rate);
       const bool is_foreign = !type.is_mastered && source.raised_by != DriverSource::RaisedBy::transmit;
       out.sources->push_back({source.name,
-                              bus.isr_wcet.value_or(routine(source, use, out.baud_bps)),
+                              bus.isr_wcet.value_or(routine(*driver, source, use, out.baud_bps)),
                               is_foreign ? received_apart(robot, id, apart) : apart,
                               {},
                               type.is_mastered && is_of_transfer(source.counts)});

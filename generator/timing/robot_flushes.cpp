@@ -94,14 +94,16 @@ class FlushAdder {
                                   1);
   }
 
-  /// A flush sends whatever has changed, also of a slower bucket it preempts: at most every shared frame of the bus.
+  /// A flush sends the shared frames that its own bucket fills: those that share a frame share a period.
   void set_shared_frames(SegmentId segment, Flush& flush) {
     const auto bus = places_.of(segment);
     if (!bus) return;
-    std::set<std::uint32_t> identifiers;
+    std::set<std::uint32_t> identifiers, of_bus;
     for (const gen::Device& device : robot_.devices) {
-      if (device.segment != segment) continue;
-      if (const auto frame = shared_frame_of(device)) identifiers.insert(frame->identifier);
+      const auto frame = device.segment == segment ? shared_frame_of(device) : std::nullopt;
+      if (!frame) continue;
+      of_bus.insert(frame->identifier);
+      if (device.period == flush.period) identifiers.insert(frame->identifier);
     }
     constexpr std::int64_t kFrameBytes = 8;
     const WireRate rate{robot_.segments[segment].bus_kind, model_.buses[*bus].baud_bps};
@@ -109,13 +111,15 @@ class FlushAdder {
     for (std::size_t i = 0; i < std::max<std::size_t>(identifiers.size(), 1); ++i) {
       use.add(rate, kFrameBytes, 0);
     }
+    use.in_one_request = true;
     flush.bus = bus;
     flush.wire = use.wire;
     flush.interrupts = use.interrupts;
     flush.service = traffic_.service(*bus, use);
     traffic_.add_budget(*bus, flush.devices.front(), use);
-    if (go_by_identifier(rate.kind, *bus, identifiers.size()))
-      flush.identifiers.assign(identifiers.begin(), identifiers.end());
+    if (!go_by_identifier(rate.kind, *bus, of_bus.size())) return;
+    flush.identifiers.assign(identifiers.begin(), identifiers.end());
+    flush.interrupts = 1;  // each frame finds a mailbox at once
   }
 
   /// The controller sends by identifier among its mailboxes. With more frames of ours than those, or with others than

@@ -128,7 +128,7 @@ void Traffic::add_transfer(Rank place, BusPlace bus, FrameStage stage, const Wir
 }
 
 void Traffic::add_budget(BusPlace bus, Rank place, const WireUse& use, std::int64_t every) {
-  const bool together = bus_type(robot_.buses[places_.buses()[bus]].kind).is_mastered;
+  const bool together = use.in_one_request || bus_type(robot_.buses[places_.buses()[bus]].kind).is_mastered;
   allow(bus, DriverSource::Counts::requests, {place, together ? 1 : use.ends, every, {}});
   allow(bus, DriverSource::Counts::steps, {place, use.steps, every, {}});
   allow(bus, DriverSource::Counts::ends, {place, use.ends, every, {}});
