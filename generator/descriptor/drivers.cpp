@@ -13,8 +13,11 @@ DriverSource::RaisedBy read_raised_by(const Json& value) {
 
 DriverSource::Counts read_counts(const Json& value) {
   using Counts = DriverSource::Counts;
-  static const std::map<std::string, Counts> kCounts = {
-      {"requests", Counts::requests}, {"steps", Counts::steps}, {"ends", Counts::ends}, {"received", Counts::received}};
+  static const std::map<std::string, Counts> kCounts = {{"requests", Counts::requests},
+                                                        {"steps", Counts::steps},
+                                                        {"ends", Counts::ends},
+                                                        {"received", Counts::received},
+                                                        {"events", Counts::events}};
   const auto counts = optional_member<std::string>(value, "counts");
   return counts ? kCounts.at(*counts) : Counts::nothing;
 }

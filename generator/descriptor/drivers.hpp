@@ -18,7 +18,7 @@ struct DriverSource {
   /// What comes in, what goes out, or either.
   enum class RaisedBy { either, receive, transmit };
   /// Which of the robot's declared traffic raises it, one interrupt each; none: not known.
-  enum class Counts { nothing, requests, steps, ends, received };
+  enum class Counts { nothing, requests, steps, ends, received, events };
   std::string name;  ///< `rx_idle`
   Counts counts = Counts::nothing;
   RaisedBy raised_by = RaisedBy::either;

@@ -8,6 +8,7 @@
 #include "generator/emit/pin_fields.hpp"
 #include "generator/emit/scope.hpp"
 #include "generator/emit/value.hpp"
+#include "generator/model/streamed_frames.hpp"
 #include "generator/version.hpp"
 
 namespace finemote::gen {
@@ -122,6 +123,7 @@ Data bus_fields(const Plan& plan, BusId index) {
   data.set("has_slots", !slots_of(plan, index).empty());
   data.set("has_format", type.has_line_format);
   data.set("format", format_name(line_format(plan, index)));
+  data.set("events", std::to_string(line_events(plan.robot, index)));
   data.set("starts", type.bus_class.starts);
   data.set("is_supervised", type.bus_class.supervised);
   return data;

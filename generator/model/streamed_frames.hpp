@@ -14,4 +14,8 @@ std::int64_t frames_in(const Robot& robot, const Device& device, Duration window
 /// The longest window between two looks of update() while every job ends in its period: two periods.
 std::int64_t most_frames(const Robot& robot, const Device& device);
 
+/// Line events (idle lines, damaged bytes) that a serial line lets interrupt from one look of its device to the next:
+/// the ends of all frames there can be in two periods. 0 for a line that no device is on.
+std::int64_t line_events(const Robot& robot, BusId line);
+
 }  // namespace finemote::gen

@@ -50,6 +50,7 @@ Json source_json(const Model& model, const InterruptSource& source) {
     Json budget{{"device", model.devices[b.device].name}, {"count", b.count}};
     if (b.every != 1) budget["every"] = b.every;
     add_if(budget, "interval_ns", b.interval);
+    if (b.carry_in != 1) budget["carry_in"] = b.carry_in;
     out["budgets"].push_back(std::move(budget));
   }
   if (source.of_transfers) out["of_transfers"] = true;

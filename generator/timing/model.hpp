@@ -20,8 +20,9 @@ using BusPlace = Index<struct BusPlaceSpace>;
 struct FrameBudget {
   Rank device;
   std::int64_t count = 0;
-  std::int64_t every = 1;  ///< >= 1
-  Duration interval;       ///< of what its part sends by itself; 0: the period of the device
+  std::int64_t every = 1;     ///< >= 1
+  Duration interval;          ///< of what its part sends by itself; 0: the period of the device
+  std::int64_t carry_in = 1;  ///< periods before a window whose interrupts can still come in it
 };
 
 /// One interrupt of a bus (receive, transmit complete, ...). Only profile `target` tells sources apart.

@@ -106,6 +106,7 @@ struct ModelReader::Tables {
       {"count", Need::required, &FrameBudget::count},
       {"every", Need::target, &FrameBudget::every, 1},
       {"interval_ns", Need::target, &FrameBudget::interval},
+      {"carry_in", Need::target, &FrameBudget::carry_in},
   };
   static constexpr Field<Device> kDevice[] = {
       {"name"},

@@ -27,7 +27,8 @@ Duration repetition(const TaskSet& set, std::size_t bucket) {
 /// count at which a more urgent bucket is released, and the last one: from an instant between two of them the same work
 /// arrives, but later. The whole job has ended by its response time, which is the longer after the instant the sooner
 /// that is.
-Duration RestOfJob::from(std::size_t bucket, Duration work, Duration latest) const {
+Duration RestOfJob::from(std::size_t bucket, Duration work, Duration latest,
+                         const std::function<Duration(Duration release)>& of) const {
   if (work == Duration::zero()) return {};
   const Duration response = responses_.bucket[bucket];
   const Duration repeat = repetition(set_, bucket);
@@ -35,7 +36,7 @@ Duration RestOfJob::from(std::size_t bucket, Duration work, Duration latest) con
   Duration worst;
   for (Duration release; release < repeat; release += set_.buckets[bucket].period) {
     Duration before = release;
-    for (const Duration instant : instants_of(bucket, release, latest)) {
+    for (const Duration instant : instants_of(bucket, release, of(release))) {
       worst = std::max(worst, std::min(at(bucket, work, instant), response - (before - release)));
       before = instant;
     }

@@ -1,6 +1,8 @@
 // How long the rest of a job can take from a place in it on: until what it has computed leaves the processor.
 #pragma once
 
+#include <functional>
+
 #include <cstddef>
 #include <vector>
 
@@ -19,7 +21,9 @@ class RestOfJob {
   /// @param bucket  whose jobs meet their deadlines
   /// @param work    of the job behind the place, masked sections included
   /// @param latest  when the place is passed at the latest, after the release
-  [[nodiscard]] Duration from(std::size_t bucket, Duration work, Duration latest) const;
+  /// @param of      the same of the job released then; never larger
+  [[nodiscard]] Duration from(std::size_t bucket, Duration work, Duration latest,
+                              const std::function<Duration(Duration release)>& of) const;
 
  private:
   /// From an instant on, given as a time since the common first release of all buckets; 0 is the worst one.

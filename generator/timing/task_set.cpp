@@ -20,8 +20,8 @@ void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
       Stream stream{source.min_interval, source.wcet + entry, {}, bus.name + "." + source.name, bus.name, source.name};
       if (source.of_transfers) stream.of_transfers = place;
       for (const FrameBudget& b : source.budgets) {
-        stream.budgets.push_back(
-            {b.count, b.interval > Duration::zero() ? b.interval : model.devices[b.device].period, 1, b.every});
+        stream.budgets.push_back({b.count, b.interval > Duration::zero() ? b.interval : model.devices[b.device].period,
+                                  b.carry_in, b.every});
       }
       set.streams.push_back(std::move(stream));
     }

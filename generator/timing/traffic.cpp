@@ -6,6 +6,7 @@
 #include "generator/bus/bus_type.hpp"
 #include "generator/bus/line_format.hpp"
 #include "generator/model/part_clock.hpp"
+#include "generator/model/streamed_frames.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -77,7 +78,10 @@ void Traffic::add_device(const gen::Device& device, Rank place) {
 void Traffic::add_frames(const gen::Device& device, const Connection& connection, Rank place) {
   const auto bus = places_.of(connection.segment);
   if (!bus) return;
-  if (!user_[*bus]) user_[*bus] = place;
+  if (!user_[*bus]) {
+    user_[*bus] = place;
+    allow_events(*bus, place);
+  }
   const std::vector<Frame> frames = frames_over(device, connection);
   const BusId id = places_.buses()[*bus];
   const WireRate rate{robot_.buses[id].kind, model_.buses[*bus].baud_bps, mover_of(robot_, id),
@@ -134,6 +138,15 @@ void Traffic::add_budget(BusPlace bus, Rank place, const WireUse& use, std::int6
   allow(bus, DriverSource::Counts::ends, {place, use.ends, every, {}});
 }
 
+/// The driver allows so many from one look of the reader to the next, whatever the line does; what is left is lost. A
+/// window holds those left at its begin, and those that looks within it allow. Two looks are of two jobs: between them
+/// lies the release of the second, so that a window of length L holds at most ceil(L/T) + 1 looks.
+void Traffic::allow_events(BusPlace bus, Rank reader) {
+  FrameBudget budget{reader, line_events(robot_, places_.buses()[bus]), 1, {}};
+  budget.carry_in = 2;
+  allow(bus, DriverSource::Counts::events, budget);
+}
+
 Duration Traffic::service(BusPlace bus, const WireUse& use) const {
   Duration total;
   const std::vector<DriverSource::Counts>& counts = counts_[bus];
@@ -146,7 +159,8 @@ Duration Traffic::service(BusPlace bus, const WireUse& use) const {
 }
 
 void Traffic::allow(BusPlace bus, DriverSource::Counts what, const FrameBudget& budget) {
-  if (!is_counted(bus) && what != DriverSource::Counts::requests) return;
+  const bool is_of_driver = what == DriverSource::Counts::requests || what == DriverSource::Counts::events;
+  if (!is_counted(bus) && !is_of_driver) return;
   const std::vector<DriverSource::Counts>& counts = counts_[bus];
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] == what) (*model_.buses[bus].sources)[i].budgets.push_back(budget);

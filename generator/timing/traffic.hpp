@@ -41,6 +41,7 @@ class Traffic {
   void add_frames(const gen::Device& device, const Connection& connection, Rank place);
   void add_transfer(Rank place, BusPlace bus, FrameStage stage, const WireUse& use);
   void add_own_lines(const gen::Device& device);
+  void allow_events(BusPlace bus, Rank reader);
   void allow(BusPlace bus, DriverSource::Counts what, const FrameBudget& budget);
   [[nodiscard]] bool is_counted(BusPlace bus) const;
   void drop_unraised(BusPlace bus);

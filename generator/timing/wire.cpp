@@ -162,7 +162,8 @@ std::optional<Duration> WireAnalysis::flush_response(std::size_t flush) const {
     if (f != flush && !share_slot(own, model_.flushes[f])) continue;
     const auto transfer = bound(*flush_item_[f]);
     const std::size_t bucket = bucket_of(model_.flushes[f]);
-    const auto end = end_of_job(bucket, {}, profile_.responses.bucket[bucket]);
+    const Duration response = profile_.responses.bucket[bucket];
+    const auto end = end_of_job(bucket, {}, response, [response](Duration) { return response; });
     if (!transfer || !end) return std::nullopt;
     wire = std::max(wire, *transfer);
     last = std::max(last, *end);
@@ -182,14 +183,16 @@ std::optional<Duration> WireAnalysis::rest_of_job(Rank device) const {
   for (const Rank d : set.buckets[w].devices) {
     if (d < device) handles += set.handle[d];
   }
-  return end_of_job(w, handles, profile_.responses.r_minus[device]);
+  return end_of_job(w, handles, profile_.responses.r_minus[device],
+                    [&](Duration release) { return profile_.table.r_minus(device, release); });
 }
 
 /// The same from where so much of its handles is left, and the flush.
-std::optional<Duration> WireAnalysis::end_of_job(std::size_t w, Duration handles, Duration latest) const {
+std::optional<Duration> WireAnalysis::end_of_job(std::size_t w, Duration handles, Duration latest,
+                                                 const std::function<Duration(Duration release)>& of) const {
   if (!profile_.responses.ok(w)) return std::nullopt;
   const Duration work = profile_.set.buckets[w].after + profile_.set.blocking + handles;
-  return RestOfJob(profile_.set, profile_.responses, effort_).from(w, work, latest);
+  return RestOfJob(profile_.set, profile_.responses, effort_).from(w, work, latest, of);
 }
 
 std::optional<Duration> WireAnalysis::command(Rank to) const {

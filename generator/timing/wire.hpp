@@ -1,6 +1,8 @@
 // When a transfer's last bit is on the wire, and how busy every bus is.
 #pragma once
 
+#include <functional>
+
 #include "generator/timing/profile.hpp"
 
 namespace finemote::gen::timing {
@@ -64,7 +66,8 @@ class WireAnalysis {
   Duration with_service(const Item& item, std::int64_t interrupts, Duration service);
   [[nodiscard]] std::optional<Duration> bound(std::size_t item) const;
   [[nodiscard]] std::optional<Duration> rest_of_job(Rank device) const;
-  [[nodiscard]] std::optional<Duration> end_of_job(std::size_t bucket, Duration handles, Duration latest) const;
+  [[nodiscard]] std::optional<Duration> end_of_job(std::size_t bucket, Duration handles, Duration latest,
+                                                   const std::function<Duration(Duration release)>& of) const;
   [[nodiscard]] std::size_t bucket_of(const Flush& flush) const;
 
   const Model& model_;

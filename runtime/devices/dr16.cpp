@@ -31,12 +31,13 @@ std::int16_t word_at(const std::uint8_t* bytes) { return static_cast<std::int16_
 }  // namespace
 
 void Dr16::update() {
-  for (std::size_t size = 1, turns = 0; size != 0 && turns < 8; ++turns) {
+  for (std::size_t size = 0, room = 0, turns = 0; size == room && turns < 8; ++turns) {
     if (size_ == sizeof bytes_) {  // more than frames can be: forget it all
       too_long_ = true;
       size_ = 0;
     }
-    size = uart_->read(bytes_ + size_, sizeof bytes_ - size_);
+    room = sizeof bytes_ - size_;
+    size = uart_->read(bytes_ + size_, room);
     size_ += size;
   }
   if (size_ != 0 && uart_->idle()) {

@@ -31,9 +31,16 @@ constexpr int bits_per_byte(UartFormat format) {
 void Uart::start() {
   list_bus(counters_);
   port_->start(baud_, format_);
+  port_->allow_events(events_);
 }
 
 std::size_t Uart::read(std::uint8_t* out, std::size_t capacity) {
+  const std::size_t size = take(out, capacity);
+  if (size < capacity) port_->allow_events(events_);
+  return size;
+}
+
+std::size_t Uart::take(std::uint8_t* out, std::size_t capacity) {
   const Time at = now();
   count_line_errors();
   if (port_->receive_halted()) {

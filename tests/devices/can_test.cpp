@@ -95,6 +95,21 @@ TEST_CASE_METHOD(Fixture, "devices fill one frame, which is sent once per flush"
   CHECK(sent_bytes(0) == std::vector<std::uint8_t>{0x12, 0x34, 0, 0, 0, 0, 0xFF, 0xFE});
 }
 
+TEST_CASE_METHOD(Fixture, "a frame waits for the end of the bucket that fills it") {
+  CanSlot fast{bus, 3, CanIds{}, 0, CanShare{0x1FF, 0, 2}};
+  set_word(one, 1);  // of priority 1; a faster bucket preempts it before its second device
+  set_word(fast, 2);
+  bus.flush(0);
+  host::advance(1 * kMillisecond);
+  REQUIRE(host::can1.sent.size() == 1);
+  CHECK(host::can1.sent[0].frame.id == 0x1FF);
+  set_word(two, 3);
+  bus.flush(1);
+  host::advance(1 * kMillisecond);
+  REQUIRE(host::can1.sent.size() == 2);
+  CHECK(sent_bytes(1) == std::vector<std::uint8_t>{0, 1, 0, 0, 0, 0, 0, 3});
+}
+
 TEST_CASE_METHOD(Fixture, "a device's part of a frame may be any of its bytes") {
   CanSlot byte{bus, 3, CanIds{}, 1, CanShare{0x300, 5, 1}}, half{bus, 4, CanIds{}, 1, CanShare{0x300, 0, 4}};
   const std::uint8_t bytes[]{1, 2, 3, 4};

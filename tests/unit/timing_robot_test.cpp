@@ -151,7 +151,33 @@ TEST_CASE("parts are as slow and as fast as their clocks and the board's allow")
   CHECK(frame.wire == longest_time(longest_time(18 * 110_us, 10'000), 50));
   const auto& sources = *robot.model.buses[BusPlace{0}].sources;
   REQUIRE(sources.front().name == "rx_idle");
-  CHECK(sources.front().min_interval == shortest_time(shortest_time(200_us, 10'000), 50));
+  CHECK(sources.front().min_interval == shortest_time(shortest_time(100_us, 10'000), 50));
+  // Of the line events that the driver allows from one look to the next: frames that two periods hold.
+  REQUIRE(sources.front().budgets.size() == 1);
+  CHECK(sources.front().budgets.front().count == 3);
+  CHECK(sources.front().budgets.front().carry_in == 2);
+}
+
+TEST_CASE("a flush on CAN sends the frames of its own bucket, and asks for them once") {
+  const Robots robot = Robots::with(R"(<bus name="can" type="can" port="can1" bitrate="1Mbit/s"/>
+      <device name="a" type="dji_m3508" period="2ms" bus="can" id="1"/>
+      <device name="b" type="dji_m3508" period="5ms" bus="can" id="5"/>
+      <device name="c" type="dji_gm6020" period="5ms" bus="can" id="5"/>)");
+  REQUIRE(robot.model.flushes.size() == 2);
+  CHECK(robot.model.flushes[0].identifiers == std::vector<std::int64_t>{0x200});
+  CHECK(robot.model.flushes[1].identifiers == std::vector<std::int64_t>{0x1FF, 0x2FE});
+  for (const Flush& flush : robot.model.flushes) CHECK(flush.interrupts == 1);  // three frames, three mailboxes
+  const auto& sources = *robot.model.buses[BusPlace{0}].sources;
+  REQUIRE(sources.size() == 3);
+  REQUIRE(sources[1].name == "tx");
+  REQUIRE(sources[2].name == "request");
+  const auto counts = [](const InterruptSource& source) {
+    std::vector<std::int64_t> list;
+    for (const FrameBudget& budget : source.budgets) list.push_back(budget.count);
+    return list;
+  };
+  CHECK(counts(sources[1]) == std::vector<std::int64_t>{1, 2});
+  CHECK(counts(sources[2]) == std::vector<std::int64_t>{1, 1});
 }
 
 TEST_CASE("interrupts of a bus are those of what its devices declare") {

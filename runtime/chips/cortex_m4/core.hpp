@@ -31,6 +31,19 @@ void start_cycles(std::uint32_t value);
 /// Sets priority (level 0..15) of an interrupt line and enables it. For bus drivers, at start.
 void enable_line(unsigned line, std::uint8_t level);
 
+/// Keeps all interrupts out while it lives: for the change of a register that an interrupt routine changes, too. No
+/// longer than `masked_section` of the board file.
+class Masked {
+ public:
+  Masked() { asm volatile("mrs %0, primask\n\tcpsid i" : "=r"(before_) : : "memory"); }
+  ~Masked() { asm volatile("msr primask, %0" : : "r"(before_) : "memory"); }
+  Masked(const Masked&) = delete;
+  Masked& operator=(const Masked&) = delete;
+
+ private:
+  std::uint32_t before_;
+};
+
 /// Cycles between two release instants; for boards that derive cycles() from SysTick.
 struct Interval {
   std::uint32_t begin;   ///< count at the last release

@@ -26,10 +26,9 @@ __attribute__((used)) finemote::cortex_m4::RttControl _SEGGER_RTT{
 
 namespace finemote {
 
-// Masks interrupts for about twenty instructions: the trace is the one place that does, and only when it is built in.
+// Masks interrupts for about twenty instructions.
 void trace(std::uint32_t code) {
-  std::uint32_t masked;
-  asm volatile("mrs %0, primask\n\tcpsid i" : "=r"(masked) : : "memory");
+  const cortex_m4::Masked masked;
   auto& up = _SEGGER_RTT.up;
   const std::uint32_t write = up.write;
   const std::uint32_t after = write + sizeof(TraceEvent) == up.size ? 0 : write + sizeof(TraceEvent);
@@ -39,7 +38,6 @@ void trace(std::uint32_t code) {
     up.buffer[write / sizeof(TraceEvent)] = {cortex_m4::cycles(), code};
     up.write = after;
   }
-  asm volatile("msr primask, %0" : : "r"(masked) : "memory");
 }
 
 namespace cortex_m4 {

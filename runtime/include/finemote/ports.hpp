@@ -63,8 +63,13 @@ class UartPort {
  public:
   constexpr explicit UartPort(UartHardware& hardware) : hardware_(&hardware) {}
 
-  /// Clocks, pins, baud rate [bit/s], receiving DMA and interrupts. Context: init.
+  /// Clocks, pins, baud rate [bit/s], receiving DMA and its interrupts; no line events. Context: init.
   void start(std::int64_t baud, UartFormat format);
+
+  /// Lets so many line events (idle, damaged byte) interrupt from now on, what was left before included. Those that
+  /// come when none is left wait: the next call sees an idle line, and one error of each kind. A noisy line costs no
+  /// more processor time than that. Context: init, bucket.
+  void allow_events(std::uint32_t count);
 
   /// Gives the line driver a pin: active from transmit() to the last stop bit, inactive otherwise. The pin is an output
   /// already. Context: init.
@@ -77,7 +82,8 @@ class UartPort {
   /// completed laps and the DMA's position are read so that a lap in between is never missed. Context: any.
   [[nodiscard]] std::uint32_t received() const;
 
-  /// The last idle-line event, both members of one event. Context: bucket.
+  /// The last idle-line event, both members of one event; of one that had to wait, the time is earlier. Context:
+  /// bucket.
   [[nodiscard]] UartIdle idle() const;
 
   /// Context: bucket.

@@ -15,19 +15,26 @@ namespace finemote {
 /// one bucket.
 class Uart {
  public:
-  /// @param baud  bit rate [bit/s]
-  constexpr Uart(UartPort& port, std::int64_t baud, UartFormat format = UartFormat::k8N1)
+  /// Idle lines and damaged bytes that may interrupt between two looks at a line of which nobody says more.
+  static constexpr std::uint16_t kUsualEvents = 16;
+
+  /// @param baud    bit rate [bit/s]
+  /// @param events  idle lines and damaged bytes that may interrupt from one read() to the next
+  constexpr Uart(UartPort& port, std::int64_t baud, UartFormat format = UartFormat::k8N1,
+                 std::uint16_t events = kUsualEvents)
       : port_(&port),
         baud_(static_cast<std::int32_t>(baud)),
         bit_time_(static_cast<std::int32_t>((1000000000LL + baud - 1) / baud)),
-        format_(format) {}
+        format_(format),
+        events_(events) {}
 
   /// Context: init.
   void start();
 
   /// Copies the bytes received since the last call, oldest first, at most `capacity`, and returns how many. Bytes the
   /// ring has lost (nobody read for a whole ring) or overwrote during the copy are dropped and counted, never returned.
-  /// After a DMA error it restarts reception. Context: the device's bucket.
+  /// After a DMA error it restarts reception. Where it returns less than `capacity`, the line may raise its interrupts
+  /// anew: an update() calls it until then, and not again. Context: the device's bucket.
   std::size_t read(std::uint8_t* out, std::size_t capacity);
 
   /// Sends a block; false, and nothing is sent, while the last one is still under way or `size` is above capacity(). A
@@ -48,12 +55,14 @@ class Uart {
   [[nodiscard]] const BusCounters& counters() const { return counters_; }
 
  private:
+  std::size_t take(std::uint8_t* out, std::size_t capacity);
   void count_line_errors();
   void lose(std::uint32_t bytes);
 
   UartPort* port_;
   std::int32_t baud_, bit_time_;  ///< bit/s, ns
   UartFormat format_;
+  std::uint16_t events_;
   std::uint32_t read_ = 0;         ///< bytes taken since start, modulo 2^32
   std::uint32_t line_errors_ = 0;  ///< seen so far
   Time last_read_ = 0, arrival_ = 0, send_deadline_ = 0;

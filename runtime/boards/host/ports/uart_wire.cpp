@@ -67,6 +67,8 @@ void UartPort::start(std::int64_t baud, UartFormat format) {
   hardware_->byte_time = bits_per_byte(format) * kSecond / baud;
 }
 
+void UartPort::allow_events(std::uint32_t) {}
+
 void UartPort::drive_with(std::uint8_t pin, bool active_low) {
   hardware_->driver = pin;
   hardware_->driver_low = active_low;

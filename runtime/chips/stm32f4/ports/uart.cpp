@@ -30,7 +30,7 @@ bool is_inverted(UartFormat format) { return format == UartFormat::k8E1Inverted 
 
 /// CR1 bits of a format: with parity the word has nine bits, the ninth being the parity (RM0090 30.6.4).
 std::uint32_t word_bits(UartFormat format) {
-  return format == UartFormat::k8N1 ? 0 : usart::kNineBits | usart::kParityOn | usart::kParityInterrupt;
+  return format == UartFormat::k8N1 ? 0 : usart::kNineBits | usart::kParityOn;
 }
 
 std::uint32_t stop_bits(UartFormat format) {
@@ -78,12 +78,23 @@ void UartPort::start(std::int64_t baud, UartFormat format) {
   const auto rate = static_cast<std::uint32_t>(baud);
   setup.usart.brr().write((setup.clock_hz + rate / 2) / rate);  // sixteenths of the divider: RM0090 30.3.4
   setup.usart.cr2().write(stop_bits(format));
-  setup.usart.cr3().write(usart::kDmaReceive | usart::kDmaTransmit | usart::kErrorInterrupt);
+  setup.usart.cr3().write(usart::kDmaReceive | usart::kDmaTransmit);
   start_receive(setup);
-  setup.usart.cr1().write(usart::kOn | usart::kTransmitterOn | usart::kReceiverOn | usart::kIdleInterrupt |
-                          word_bits(format));
+  setup.usart.cr1().write(usart::kOn | usart::kTransmitterOn | usart::kReceiverOn | word_bits(format));
   cortex_m4::enable_line(setup.usart_line, kPriority);
   cortex_m4::enable_line(setup.receive_line, kPriority);
+}
+
+// What is left is set only while events interrupt, or before they do: it never drops to 0 unseen. One that ends between
+// the look and the store stays quiet until the next call.
+void UartPort::allow_events(std::uint32_t count) {
+  const bool resumes = hardware_->quiet.load();
+  hardware_->events_left.store(count);
+  if (!resumes || count == 0) return;
+  hardware_->resumed_from = received();
+  hardware_->quiet.store(false);
+  const cortex_m4::Masked masked;
+  hardware_->listen(true);
 }
 
 UartRing UartPort::ring() const { return UartRing{hardware_->setup.receive_ring, kUartRing}; }
@@ -146,12 +157,16 @@ void UartPort::transmit(std::size_t size) {
   setup.usart.sr().write(~usart::kTransmitComplete);  // cleared by writing 0; ones leave the others: RM0090 30.6.1
   setup.transmit.cr().write(std::uint32_t{setup.channel} << dma::kChannelShift | dma::kMemoryIncrement |
                             dma::kMemoryToPeripheral | dma::kEnable);
+  const cortex_m4::Masked masked;
   setup.usart.cr1().set(usart::kCompleteInterrupt);
   stm32f4::drain();
 }
 
 void UartPort::abort_transmit() {
-  hardware_->setup.usart.cr1().clear(usart::kCompleteInterrupt);
+  {
+    const cortex_m4::Masked masked;
+    hardware_->setup.usart.cr1().clear(usart::kCompleteInterrupt);
+  }
   stop_stream(hardware_->setup.transmit);
   hardware_->drive(false);
   hardware_->sending.store(false);
@@ -160,19 +175,7 @@ void UartPort::abort_transmit() {
 void UartHardware::on_usart() {
   const stm32f4::UsartRegisters& registers = setup.usart;
   const std::uint32_t status = registers.sr().read();
-  if ((status & (usart::kErrors | usart::kIdle)) != 0) {
-    // Status, then data register: clears these flags (RM0090 30.6.1). The byte itself was taken by the DMA long ago.
-    static_cast<void>(registers.dr().read());
-    errors.framing += (status & usart::kFramingError) != 0 ? 1 : 0;
-    errors.noise += (status & usart::kNoise) != 0 ? 1 : 0;
-    errors.parity += (status & usart::kParityError) != 0 ? 1 : 0;
-    errors.overrun += (status & usart::kOverrun) != 0 ? 1 : 0;
-  }
-  if ((status & usart::kIdle) != 0) {
-    UartPort port{*this};
-    idle = UartIdle{port.received(), now()};
-    idle_count.store(idle_count.load() + 1);
-  }
+  if (!quiet.load() && (status & (usart::kErrors | usart::kIdle)) != 0) take_events(status);
   const bool waiting = (registers.cr1().read() & usart::kCompleteInterrupt) != 0;
   if (waiting && (status & usart::kTransmitComplete) != 0 && setup.transmit.ndtr().read() == 0) {
     registers.cr1().clear(usart::kCompleteInterrupt);
@@ -180,6 +183,40 @@ void UartHardware::on_usart() {
     sending.store(false);
   }
   stm32f4::settle(registers.cr1());
+}
+
+void UartHardware::take_events(std::uint32_t status) {
+  // Status, then data register: clears these flags (RM0090 30.6.1). The byte itself was taken by the DMA long ago.
+  static_cast<void>(setup.usart.dr().read());
+  errors.framing += (status & usart::kFramingError) != 0 ? 1 : 0;
+  errors.noise += (status & usart::kNoise) != 0 ? 1 : 0;
+  errors.parity += (status & usart::kParityError) != 0 ? 1 : 0;
+  errors.overrun += (status & usart::kOverrun) != 0 ? 1 : 0;
+  const Time at = now();
+  if ((status & usart::kIdle) != 0) {
+    // Where nothing came since events were allowed again, the line may have been silent for long: of its last byte is
+    // known that it is no older than the last event before.
+    const std::uint32_t count = UartPort{*this}.received();
+    idle = UartIdle{count, count == resumed_from ? quiet_since : at};
+    idle_count.store(idle_count.load() + 1);
+  }
+  const std::uint32_t left = events_left.load();
+  events_left.store(left - 1);
+  if (left > 1) return;
+  quiet_since = at;
+  quiet.store(true);
+  listen(false);
+}
+
+void UartHardware::listen(bool on) const {
+  const stm32f4::UsartRegisters& registers = setup.usart;
+  if (on) {
+    registers.cr1().set(usart::kIdleInterrupt | usart::kParityInterrupt);
+    registers.cr3().set(usart::kErrorInterrupt);
+  } else {
+    registers.cr1().clear(usart::kIdleInterrupt | usart::kParityInterrupt);
+    registers.cr3().clear(usart::kErrorInterrupt);
+  }
 }
 
 void UartHardware::on_receive_dma() {

@@ -34,6 +34,10 @@ struct UartHardware {
   Shared<std::uint32_t> idle_count{0};
   UartIdle idle{};
   UartErrors errors{};
+  Shared<std::uint32_t> events_left{0};
+  Shared<bool> quiet{true};        ///< no line event interrupts: none is left
+  Time quiet_since = 0;            ///< when the last one did
+  std::uint32_t resumed_from = 0;  ///< bytes received when events were allowed again
   Shared<bool> halted{false};
   Shared<bool> sending{false};
   bool directed = false, driver_low = false;  ///< a pin turns the line driver on; it is active low
@@ -43,9 +47,14 @@ struct UartHardware {
   void drive(bool on) const {
     if (directed) driver.set(on != driver_low);
   }
+  /// Turns the interrupts of line events on or off. Context: interrupt, or with interrupts masked.
+  void listen(bool on) const;
   /// The routines of its lines. Context: interrupt.
   void on_usart();
   void on_receive_dma();
+
+ private:
+  void take_events(std::uint32_t status);
 };
 
 }  // namespace finemote
