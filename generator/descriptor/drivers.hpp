@@ -25,7 +25,8 @@ struct DriverSource {
   Duration isr_wcet;
   Duration isr_per_slot;            ///< besides, for everything the bus serves
   Duration isr_per_frame;           ///< besides, for every frame that one request hands over
-  std::int64_t isr_waits_bits = 0;  ///< besides, so many bits on the wire: it waits for the end of one
+  std::int64_t isr_waits_bits = 0;  ///< it may wait for so many bits on the wire,
+  Duration isr_beside_wait;         ///< and takes so much longer than the wait: the rest is done meanwhile
   std::int64_t min_frame_bits = 1;  ///< bits on the wire between two of its interrupts, at least
 };
 

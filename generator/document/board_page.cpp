@@ -59,7 +59,8 @@ std::string source_text(const DriverSource& source) {
     text += " and " + time_text(source.isr_per_slot) + " for each device on the bus";
   if (source.isr_per_frame > Duration::zero())
     text += " and " + time_text(source.isr_per_frame) + " for each frame of a request";
-  if (source.isr_waits_bits > 0) text += fmt::format(" and {} bit(s) of the bus", source.isr_waits_bits);
+  if (source.isr_waits_bits > 0)
+    text += fmt::format(", or {} bit(s) of the bus and {}", source.isr_waits_bits, time_text(source.isr_beside_wait));
   return text;
 }
 

@@ -8,7 +8,7 @@ namespace finemote::gen::timing {
 namespace {
 
 /// Beyond so many instants a bound for any instant has to do.
-constexpr std::int64_t kMostInstants = 256;
+constexpr std::int64_t kMostInstants = 2048;
 
 /// How long it takes until a bucket and all more urgent ones repeat; kNever: longer than anybody looks.
 Duration repetition(const TaskSet& set, std::size_t bucket) {

@@ -82,11 +82,15 @@ bool is_of_transfer(DriverSource::Counts counts) {
   return counts == DriverSource::Counts::steps || counts == DriverSource::Counts::ends;
 }
 
-/// One run of a source's service routine. A request hands over no more frames than the controller has room for.
+/// One run of a source's service routine. A request hands over no more frames than the controller has room for. A
+/// routine that waits for the wire does most of its work meanwhile.
 Duration routine(const Driver& driver, const DriverSource& source, const BusUse& use, std::int64_t rate) {
   const std::size_t frames = std::min(use.shared_frames, std::max<std::size_t>(driver.mailboxes, 1));
-  return source.isr_wcet + use.slots * source.isr_per_slot + static_cast<std::int64_t>(frames) * source.isr_per_frame +
-         ceil_div(source.isr_waits_bits * seconds(1), std::max<std::int64_t>(rate, 1));
+  const Duration work =
+      source.isr_wcet + use.slots * source.isr_per_slot + static_cast<std::int64_t>(frames) * source.isr_per_frame;
+  if (source.isr_waits_bits == 0) return work;
+  const Duration wait = ceil_div(source.isr_waits_bits * seconds(1), std::max<std::int64_t>(rate, 1));
+  return std::max(work, wait + source.isr_beside_wait);
 }
 
 /// What the port makes of the rate that is asked for, at its slowest.

@@ -27,6 +27,20 @@ struct Swept {
     FAIL("no source " << name);
     return 0;
   }
+  /// What a job of a bucket may take besides its stages.
+  [[nodiscard]] double around_stages(std::int64_t period) const {
+    const Json& costs = model["costs"];
+    double sum = costs["job_ns"];
+    for (const Json& device : model["devices"]) {
+      if (device["period_ns"] != period) continue;
+      sum += 2 * costs["stage_ns"].get<double>() + device.value("update_extra_ns", 0.0) +
+             device.value("handle_extra_ns", 0.0);
+    }
+    for (const Json& flush : model.value("flushes", Json::array())) {
+      if (flush["period_ns"] == period) sum += flush["wcet_ns"].get<double>();
+    }
+    return sum;
+  }
   /// Of the exceptions whose meaning has this member with this value.
   [[nodiscard]] double longest_own(const std::string& member, const std::string& value) const {
     double most = 0;
@@ -40,15 +54,15 @@ struct Swept {
 };
 
 /// Runs a robot with this body of its `<finemote>` for a few hundred milliseconds.
-Swept sweep(const std::string& body, const std::string& board = "") {
+Swept sweep(const std::string& body) {
   const TemporaryFolder folder;
   const std::string robot = folder.path("robot.urdf"), audit = folder.path("audit.jsonl");
   write_file(robot,
              "<robot name=\"sweep\">\n<link name=\"base_link\"/>\n<finemote version=\"1\">\n"
-             "<board name=\"robomaster_type_c\"" +
-                 board + "/>\n" + body + "</finemote>\n</robot>\n");
+             "<board name=\"robomaster_type_c\"/>\n" +
+                 body + "</finemote>\n</robot>\n");
   finemote_json({"run", robot, "--duration", "150ms", "--audit", audit, "--allow-unschedulable"});
-  return {finemote_json({"analyze", robot, "--allow-unschedulable"})["model"], routines_of(audit)};
+  return {finemote_json({"analyze", robot})["model"], routines_of(audit)};
 }
 
 /// Holds the longest run against its bound.
@@ -84,6 +98,17 @@ const std::string kFourFrames = R"(
 <device name="d" type="dji_gm6020" period="2ms" bus="can" id="5"/>
 )";
 
+/// Devices that compute nothing but their turns, by period in milliseconds.
+std::string loads(const std::vector<int>& periods) {
+  std::string list;
+  for (std::size_t i = 0; i < periods.size(); ++i)
+    list += fmt::format(
+        "<device name=\"load_{}\" type=\"sim_load\" period=\"{}ms\">"
+        "<param name=\"update\">1us</param><param name=\"handle\">1us</param></device>\n",
+        i, periods[i]);
+  return list;
+}
+
 /// Servos on as many expanders, and a pressure sensor.
 std::string on_i2c(int clock_khz, int expanders) {
   std::string parts = fmt::format("<bus name=\"i2c\" type=\"i2c\" port=\"i2c2\" clock=\"{}kHz\"/>\n", clock_khz);
@@ -118,4 +143,32 @@ TEST_CASE("I2C: requests, steps and ends, by clock and devices on the bus") {
     }
   }
   held.check_near(0.7);
+}
+
+TEST_CASE("release: by buckets, in a ring of instants and planned anew") {
+  Held held;
+  for (const std::vector<int>& periods : std::vector<std::vector<int>>{
+           {2}, {1, 2}, {3, 5}, {2, 3, 5, 7}, {2, 3, 5, 7, 11, 13}, {2, 3, 4, 5, 6, 7, 9, 11, 13, 17, 19}}) {
+    const Swept swept = sweep(loads(periods));
+    const Json& costs = swept.model["costs"];
+    const double bound = costs["release_ns"].get<double>() +
+                         static_cast<double>(periods.size()) * costs["release_per_bucket_ns"].get<double>();
+    held.add(fmt::format("{} buckets", periods.size()), swept.longest_own("kind", "release"), bound);
+  }
+  held.check_near(0.7);
+}
+
+TEST_CASE("jobs: by stages, and what a flush adds") {
+  Held held;
+  const auto hold = [&held](const std::string& what, const Swept& swept) {
+    for (const auto& [number, routine] : swept.routines) {
+      if (routine.meaning.is_null() || routine.meaning["kind"] != "bucket") continue;
+      held.add(what, longest(routine.around), swept.around_stages(routine.meaning["period_ns"]));
+    }
+  };
+  for (const std::size_t devices : {1, 10, 40})
+    hold(fmt::format("{} devices", devices), sweep(loads(std::vector<int>(devices, 4))));
+  for (const int count : {1, 8}) hold(fmt::format("{} motors", count), sweep(kCan + motors(count, 2, 2)));
+  for (const int expanders : {1, 4}) hold(fmt::format("{} expanders", expanders), sweep(on_i2c(400, expanders)));
+  held.check_near(0.8);
 }
