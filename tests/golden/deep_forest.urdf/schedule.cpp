@@ -99,19 +99,19 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {2, 530071, finemote::kNothingToBound, nullptr},  // remote
-    {0, 158316, 16159116, &walker::hip_left.command},  // hip-left
-    {0, 144038, 16144838, &walker::knee_left.command},  // knee-left
-    {1, 259843, 12260444, &walker::leg_left.command},  // leg-left
-    {0, 129759, 16130559, &walker::hip_right.command},  // hip-right
-    {0, 115480, 16116280, &walker::knee_right.command},  // knee-right
-    {1, 254647, 12255247, &walker::leg_right.command},  // leg-right
-    {1, 249451, 12250051, &walker::front.command},  // front
-    {0, 101202, 12101802, &walker::tilt.command},  // tilt
-    {2, 521711, 2420284, &walker::body.command},  // body
-    {2, 516514, finemote::kNothingToBound, nullptr},  // walker
-    {2, 452551, 10453051, &gripper::finger.command},  // finger
-    {1, 219571, finemote::kNothingToBound, nullptr},  // gripper
+    {2, 528681, finemote::kNothingToBound, nullptr},  // remote
+    {0, 157046, 16157846, &walker::hip_left.command},  // hip-left
+    {0, 142738, 16143538, &walker::knee_left.command},  // knee-left
+    {1, 258513, 12259113, &walker::leg_left.command},  // leg-left
+    {0, 128429, 16129229, &walker::hip_right.command},  // hip-right
+    {0, 114120, 16114920, &walker::knee_right.command},  // knee-right
+    {1, 253287, 12253887, &walker::leg_right.command},  // leg-right
+    {1, 248061, 12248661, &walker::front.command},  // front
+    {0, 99811, 12100412, &walker::tilt.command},  // tilt
+    {2, 520291, 2418923, &walker::body.command},  // body
+    {2, 515064, finemote::kNothingToBound, nullptr},  // walker
+    {2, 451071, 10451571, &gripper::finger.command},  // finger
+    {1, 218151, finemote::kNothingToBound, nullptr},  // gripper
 };
 
 }  // namespace

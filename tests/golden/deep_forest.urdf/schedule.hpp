@@ -9,15 +9,15 @@
 namespace deep_forest {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 5 devices;
-/// a job ends within 143.316 us of its release.
+/// a job ends within 142.046 us of its release.
 void run_2ms();
 
 /// Every 4 ms: priority 5, interrupt line 49 (SDIO), 4 devices;
-/// a job ends within 232.542 us of its release.
+/// a job ends within 231.212 us of its release.
 void run_4ms();
 
 /// Every 10 ms: priority 6, interrupt line 51 (SPI3), 4 devices;
-/// a job ends within 490.469 us of its release.
+/// a job ends within 489.079 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -27,19 +27,19 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 /// Some of the execution times behind it are assumed.
 namespace bounds {
-inline constexpr finemote::Bounds remote{490469, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds hip_left{143316, 16144116, 16144116};
-inline constexpr finemote::Bounds knee_left{131137, 16131937, 16131937};
-inline constexpr finemote::Bounds leg_left{232542, 12233142, 12233142};
-inline constexpr finemote::Bounds hip_right{118958, 16119758, 16119758};
-inline constexpr finemote::Bounds knee_right{106780, 16107580, 16107580};
-inline constexpr finemote::Bounds leg_right{229446, 12230046, 12230046};
-inline constexpr finemote::Bounds front{226350, 12226950, 12226950};
-inline constexpr finemote::Bounds tilt{94601, 12095201, 12095201};
-inline constexpr finemote::Bounds body{484209, 2395082, 2395082};
-inline constexpr finemote::Bounds walker{481113, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds finger{419249, 10419749, 10419749};
-inline constexpr finemote::Bounds gripper{198570, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{489079, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds hip_left{142046, 16142846, 16142846};
+inline constexpr finemote::Bounds knee_left{129837, 16130637, 16130637};
+inline constexpr finemote::Bounds leg_left{231212, 12231812, 12231812};
+inline constexpr finemote::Bounds hip_right{117628, 16118428, 16118428};
+inline constexpr finemote::Bounds knee_right{105420, 16106220, 16106220};
+inline constexpr finemote::Bounds leg_right{228086, 12228686, 12228686};
+inline constexpr finemote::Bounds front{224960, 12225560, 12225560};
+inline constexpr finemote::Bounds tilt{93211, 12093811, 12093811};
+inline constexpr finemote::Bounds body{482789, 2393722, 2393722};
+inline constexpr finemote::Bounds walker{479662, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds finger{417769, 10418269, 10418269};
+inline constexpr finemote::Bounds gripper{197150, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace deep_forest

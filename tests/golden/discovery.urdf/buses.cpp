@@ -20,8 +20,8 @@ constexpr finemote::I2cSlot* finemote_i2c_slots[] = {
 
 }  // namespace
 
-FINEMOTE_CONSTINIT finemote::Uart computer{finemote::ports::usart2, 921600 /* baud */, finemote::UartFormat::k8N1};
-FINEMOTE_CONSTINIT finemote::Uart imu_line{finemote::ports::usart3, 460800 /* baud */, finemote::UartFormat::k8N1};
+FINEMOTE_CONSTINIT finemote::Uart computer{finemote::ports::usart2, 921600 /* baud */, finemote::UartFormat::k8N1, 2 /* line events */};
+FINEMOTE_CONSTINIT finemote::Uart imu_line{finemote::ports::usart3, 460800 /* baud */, finemote::UartFormat::k8N1, 3 /* line events */};
 FINEMOTE_CONSTINIT finemote::I2cBus i2c{finemote::ports::i2c1, 400000 /* Hz */, finemote_i2c_slots};
 FINEMOTE_CONSTINIT finemote::PwmBus servo_pulses{finemote::ports::pwm1};
 FINEMOTE_CONSTINIT finemote::PwmBus green{finemote::ports::led_green, 1 * finemote::kMillisecond};

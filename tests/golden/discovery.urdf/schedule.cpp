@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 359660, finemote::kNothingToBound, nullptr},  // imu
-    {1, 592380, finemote::kNothingToBound, nullptr},  // depth
-    {1, 588420, finemote::kNothingToBound, nullptr},  // button
-    {1, 582570, 24032097, &station::servo.command},  // servo
-    {1, 578509, 24028037, &station::green_led.command},  // green_led
-    {1, 571749, 24021276, &station::blue_led.command},  // blue_led
-    {1, 561399, finemote::kNothingToBound, nullptr},  // station
+    {0, 274832, finemote::kNothingToBound, nullptr},  // imu
+    {1, 446859, finemote::kNothingToBound, nullptr},  // depth
+    {1, 442869, finemote::kNothingToBound, nullptr},  // button
+    {1, 440579, 23969317, &station::servo.command},  // servo
+    {1, 436488, 23965227, &station::green_led.command},  // green_led
+    {1, 429698, 23956346, &station::blue_led.command},  // blue_led
+    {1, 420818, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

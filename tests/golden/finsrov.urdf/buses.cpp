@@ -28,8 +28,8 @@ constexpr finemote::I2cSlot* finemote_i2c_slots[] = {
 
 }  // namespace
 
-FINEMOTE_CONSTINIT finemote::Uart imu_uart{finemote::ports::usart1, 921600 /* baud */, finemote::UartFormat::k8N1};
-FINEMOTE_CONSTINIT finemote::Uart tether{finemote::ports::usart6, 115200 /* baud */, finemote::UartFormat::k8E1};
+FINEMOTE_CONSTINIT finemote::Uart imu_uart{finemote::ports::usart1, 921600 /* baud */, finemote::UartFormat::k8N1, 3 /* line events */};
+FINEMOTE_CONSTINIT finemote::Uart tether{finemote::ports::usart6, 115200 /* baud */, finemote::UartFormat::k8E1, 16 /* line events */};
 FINEMOTE_CONSTINIT finemote::I2cBus i2c{finemote::ports::i2c2, 400000 /* Hz */, finemote_i2c_slots};
 FINEMOTE_CONSTINIT finemote::Pca9685 pwm{slots::pwm, finemote::Pca9685::Config{}};
 

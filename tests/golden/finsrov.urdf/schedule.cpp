@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 628895, finemote::kNothingToBound, nullptr},  // imu
-    {1, 1348573, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 1344613, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 1337062, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 1333102, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 1326152, 31713663, &rov::thruster_1.command},  // thruster_1
-    {1, 1313901, 31683941, &rov::thruster_2.command},  // thruster_2
-    {1, 1302251, 31672290, &rov::thruster_3.command},  // thruster_3
-    {1, 1290000, 31638978, &rov::thruster_4.command},  // thruster_4
-    {1, 1274759, 31627328, &rov::thruster_5.command},  // thruster_5
-    {1, 1266099, 31597605, &rov::thruster_6.command},  // thruster_6
-    {1, 1250858, 31588944, &rov::thruster_7.command},  // thruster_7
-    {1, 1242198, 31556232, &rov::thruster_8.command},  // thruster_8
-    {1, 1226957, finemote::kNothingToBound, nullptr},  // rov
+    {0, 375147, finemote::kNothingToBound, nullptr},  // imu
+    {1, 862720, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 846159, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 842169, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 838178, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 832098, 31021368, &rov::thruster_1.command},  // thruster_1
+    {1, 823408, 31010588, &rov::thruster_2.command},  // thruster_2
+    {1, 805437, 30992617, &rov::thruster_3.command},  // thruster_3
+    {1, 796746, 30981836, &rov::thruster_4.command},  // thruster_4
+    {1, 785966, 30973146, &rov::thruster_5.command},  // thruster_5
+    {1, 764705, 30953975, &rov::thruster_6.command},  // thruster_6
+    {1, 756014, 30943194, &rov::thruster_7.command},  // thruster_7
+    {1, 747324, 30934504, &rov::thruster_8.command},  // thruster_8
+    {1, 736543, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

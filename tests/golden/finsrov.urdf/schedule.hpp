@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 624.695 us of its release.
+/// a job ends within 370.947 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 1.304 ms of its release.
+/// a job ends within 805.017 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{624695, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{1291020, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{1289160, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{1287300, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{1282450, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{1280590, 31625377, 37529740};
-inline constexpr finemote::Bounds thruster_2{1270439, 31604935, 37536320};
-inline constexpr finemote::Bounds thruster_3{1263879, 31595384, 37536920};
-inline constexpr finemote::Bounds thruster_4{1250738, 31581644, 37529740};
-inline constexpr finemote::Bounds thruster_5{1244178, 31557612, 37539911};
-inline constexpr finemote::Bounds thruster_6{1231037, 31548061, 37536920};
-inline constexpr finemote::Bounds thruster_7{1224477, 31520439, 37515858};
-inline constexpr finemote::Bounds thruster_8{1211336, 31513879, 37539911};
-inline constexpr finemote::Bounds rov{1183714, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{370947, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{797976, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{796086, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{794196, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{792306, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{790416, 30971616, 35639842};
+inline constexpr finemote::Bounds thruster_2{781736, 30962936, 35650323};
+inline constexpr finemote::Bounds thruster_3{762575, 30949155, 35643132};
+inline constexpr finemote::Bounds thruster_4{755984, 30942564, 35643132};
+inline constexpr finemote::Bounds thruster_5{749394, 30933884, 35643132};
+inline constexpr finemote::Bounds thruster_6{740714, 30927294, 35650323};
+inline constexpr finemote::Bounds thruster_7{734123, 30913512, 35645221};
+inline constexpr finemote::Bounds thruster_8{718252, 30904832, 35643131};
+inline constexpr finemote::Bounds rov{711662, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -24,7 +24,7 @@ void run_1ms() {
   supervise_buses();
   gimbal::update_1ms();
   gimbal::handle_1ms();
-  gimbal_can.flush();
+  gimbal_can.flush(0);
   imu_warmth.flush();
 }
 
@@ -36,7 +36,7 @@ void run_2ms() {
 void run_5ms() {
   chassis::update_5ms();
   chassis::handle_5ms();
-  wheel_can.flush();
+  wheel_can.flush(2);
 }
 
 void run_10ms() {
@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 299175, finemote::kNothingToBound, nullptr},  // imu
-    {0, 293815, 28777511, &gimbal::yaw.command},  // yaw
-    {0, 278146, 28761842, &gimbal::pitch.command},  // pitch
-    {1, 334285, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 406687, 26890283, &chassis::front_left.command},  // front_left
-    {2, 400327, 26883923, &chassis::front_right.command},  // front_right
-    {2, 390376, 26873972, &chassis::rear_left.command},  // rear_left
-    {2, 384016, 26867612, &chassis::rear_right.command},  // rear_right
-    {2, 377655, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 441135, finemote::kNothingToBound, nullptr},  // remote
+    {0, 208701, finemote::kNothingToBound, nullptr},  // imu
+    {0, 203311, 28598672, &gimbal::yaw.command},  // yaw
+    {0, 192712, 28588073, &gimbal::pitch.command},  // pitch
+    {1, 237170, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 313002, 26708263, &chassis::front_left.command},  // front_left
+    {2, 306612, 26701873, &chassis::front_right.command},  // front_right
+    {2, 296931, 26692192, &chassis::rear_left.command},  // rear_left
+    {2, 290541, 26685802, &chassis::rear_right.command},  // rear_right
+    {2, 284151, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 349620, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

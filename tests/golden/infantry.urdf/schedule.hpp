@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 294.175 us of its release.
+/// a job ends within 201.961 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 312.094 us of its release.
+/// a job ends within 219.639 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 377.095 us of its release.
+/// a job ends within 278.66 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 408.133 us of its release.
+/// a job ends within 312.888 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{289575, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{277924, 28761620, 29480967};
-inline constexpr finemote::Bounds pitch{272746, 28756442, 29489358};
-inline constexpr finemote::Bounds gimbal{312094, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{374295, 26857891, 27572178};
-inline constexpr finemote::Bounds front_right{370035, 26853631, 27572178};
-inline constexpr finemote::Bounds rear_left{365775, 26849371, 27572179};
-inline constexpr finemote::Bounds rear_right{361515, 26845111, 27580569};
-inline constexpr finemote::Bounds chassis{357254, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{408133, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{195810, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{192520, 28587881, 29128850};
+inline constexpr finemote::Bounds pitch{183582, 28578943, 29132160};
+inline constexpr finemote::Bounds gimbal{219639, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{277180, 26672441, 27208739};
+inline constexpr finemote::Bounds front_right{272890, 26668151, 27208740};
+inline constexpr finemote::Bounds rear_left{268600, 26663861, 27215780};
+inline constexpr finemote::Bounds rear_right{264310, 26659571, 27215780};
+inline constexpr finemote::Bounds chassis{260020, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{312888, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

@@ -32,7 +32,7 @@ constexpr finemote::CanSlot* finemote_wrist_can_slots[] = {
 
 }  // namespace
 
-FINEMOTE_CONSTINIT finemote::Uart receiver{finemote::ports::usart3, 100000 /* baud */, finemote::UartFormat::k8E2Inverted};
+FINEMOTE_CONSTINIT finemote::Uart receiver{finemote::ports::usart3, 100000 /* baud */, finemote::UartFormat::k8E2Inverted, 3 /* line events */};
 FINEMOTE_CONSTINIT finemote::CanBus arm_can{finemote::ports::can1, 1000000 /* bit/s */, finemote_arm_can_slots};
 FINEMOTE_CONSTINIT finemote::CanBus wrist_can{finemote::ports::can2, 1000000 /* bit/s */, finemote_wrist_can_slots};
 

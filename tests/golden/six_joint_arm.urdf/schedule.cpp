@@ -16,8 +16,8 @@ void run_2ms() {
   supervise_buses();
   arm::update_2ms();
   arm::handle_2ms();
-  arm_can.flush();
-  wrist_can.flush();
+  arm_can.flush(0);
+  wrist_can.flush(0);
 }
 
 void run_10ms() {
@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 397246, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 311724, 29107632, &arm::base.command},  // base
-    {0, 305364, 29101272, &arm::shoulder.command},  // shoulder
-    {0, 299003, 29094911, &arm::elbow.command},  // elbow
-    {0, 292643, 29088551, &arm::wrist_roll.command},  // wrist_roll
-    {0, 286283, 29082191, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 279922, 29075831, &arm::flange.command},  // flange
-    {0, 273562, finemote::kNothingToBound, nullptr},  // arm
+    {1, 308852, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 219109, 28931213, &arm::base.command},  // base
+    {0, 212719, 28924823, &arm::shoulder.command},  // shoulder
+    {0, 206329, 28918433, &arm::elbow.command},  // elbow
+    {0, 199938, 28912043, &arm::wrist_roll.command},  // wrist_roll
+    {0, 183218, 28895322, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 176827, 28888931, &arm::flange.command},  // flange
+    {0, 170437, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace
