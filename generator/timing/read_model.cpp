@@ -23,7 +23,6 @@ using json::Value;
 class ModelReader {
  public:
   explicit ModelReader(Diagnostics& diagnostics) : values_(diagnostics) {}
-
   Model read(const Value& root);
 
  private:
@@ -106,7 +105,7 @@ struct ModelReader::Tables {
       {"count", Need::required, &FrameBudget::count},
       {"every", Need::target, &FrameBudget::every, 1},
       {"interval_ns", Need::target, &FrameBudget::interval},
-      {"carry_in", Need::target, &FrameBudget::carry_in},
+      {"carry_in", Need::target, &FrameBudget::carry_in, 1},
   };
   static constexpr Field<Device> kDevice[] = {
       {"name"},

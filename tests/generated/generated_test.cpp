@@ -101,8 +101,8 @@ TEST_CASE("a mux that is a descriptor alone and a user's expander generate, comp
   check_compiles(folder + "/expanders.urdf", {folder + "/devices"});
   const auto run = finemote_json({"run", folder + "/expanders.urdf", "--duration", "300ms"});
   const auto& chain = run.at("chains").at(0);
-  CHECK(chain.at("from") == "front");
-  REQUIRE(chain.at("acquire").at("max_ns").is_number());  // read through channel 0 of the mux
+  CHECK(chain.at("from") == "back");
+  REQUIRE(chain.at("acquire").at("max_ns").is_number());  // read through channel 3 of the mux
   CHECK(chain.at("acquire").at("max_ns") <= chain.at("acquire").at("bound_ns"));
   CHECK(run.at("overruns") == 0);
 }
