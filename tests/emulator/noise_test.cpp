@@ -59,7 +59,7 @@ void check_line(const std::map<int, Routine>& routines, const Json& analysis, co
   const Json& source = source_of(analysis, bus, "rx_idle");
   for (const auto& [number, routine] : routines) {
     if (routine.meaning.is_null() || routine.meaning.value("source", "") != line) continue;
-    REQUIRE(routine.begins.size() > 100);
+    REQUIRE(routine.begins.size() > 40);
     for (const double window : {0.3e6, 1e6, 2e6, 5e6, 20e6, 100e6}) {
       INFO(bus << ", window of " << window << " ns");
       CHECK(most_in(routine.begins, window) <= allowed(source, period, window));
