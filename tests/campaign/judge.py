@@ -1,4 +1,4 @@
-"""Holds the figures of a record against the bounds of `finemote analyze --format json`."""
+"""Holds the figures of records against the bounds of `finemote analyze --format json`."""
 
 import json
 import pathlib
@@ -7,43 +7,49 @@ import audit
 
 KINDS = ("acquire", "decide", "wire", "end_to_end")
 
-
 #: Kind of the figures that an attack lowers, by what it is called.
 INJECTIONS = {"release": "release", "flush": "flush", "interrupt": "interrupt", "acquire": "acquire", "wire": "wire",
               "WCET": "own"}
 
-#: The largest share of its bound that each kind of figure reached in the sweep of README.md.
-REACHED = json.loads((pathlib.Path(__file__).parent / "reached.json").read_text(encoding="utf-8"))
-
-
-def lowering(kind):
-    """What becomes of bounds where those of one kind are 2 % too small; None: of none.
-
-    Too small is a bound that lies 2 % below what is reached. Bounds lie above that by what nobody has reached.
-    """
-    if kind is None:
-        return lambda key, bound: bound
-    name = INJECTIONS[kind]
-    return lambda key, bound: bound * 0.98 * REACHED[name] if key[2] == name else bound
-
+#: The largest share of its bound that figures of a kind and class reached in the sweep of README.md.
+REACHED = pathlib.Path(__file__).parent / "reached.json"
 
 #: Frames in a receive FIFO, and mailboxes: one run of a routine of bxCAN can serve as many. RM0090 32.7.
 CAN_DEPTH = 3
 
 
-class Verdict:
-    """What one robot showed."""
+def class_of(key, outline):
+    """Class of a figure: those of one class come about in the same way, so they reach about the same share of their bounds."""
+    first, second, kind = key
+    if kind == "acquire":
+        return outline.types[first]
+    if kind == "wire":
+        return outline.types[second] + (" at " + outline.pulses[bus] if (bus := outline.bus_of[second]) in outline.pulses else "")
+    if kind == "own":
+        return f"{outline.types[first]} {second}"
+    if kind == "interrupt":
+        return outline.buses[first][0]
+    return kind
 
-    def __init__(self):
-        self.broken = []  # what was above its bound, in words
-        self.unjudged = []  # chains of which some part is neither held nor broken
-        self.chains = []  # (source, target, decide bound [ns]) of chains that were judged in every part
-        self.tightness = {}  # by kind: lists of measured maximum / bound
 
-    @property
-    def counts(self):
-        """Whether the robot is one of the campaign's."""
-        return bool(self.chains)
+def lowering(injected, outline):
+    """What becomes of the bounds of a robot where those of one kind are 2 % too small; None: of none.
+
+    Too small is a bound that lies 2 % below what is reached. Bounds lie above that by what nobody has reached.
+    """
+    if injected is None:
+        return lambda key, bound: bound
+    kind, reached = INJECTIONS[injected], json.loads(REACHED.read_text(encoding="utf-8"))
+
+    def lowered(key, bound):
+        share = reached[kind].get(class_of(key, outline)) if key[2] == kind else None
+        return bound if share is None else bound * 0.98 * share
+
+    return lowered
+
+
+def is_bounded(chain):
+    return all(chain[kind + "_ns"] is not None for kind in KINDS)
 
 
 def bounds_of(analysis):
@@ -79,38 +85,73 @@ def add_costs(model, bounds):
         bounds[str(period), "job", "flush"] = around
 
 
-def judge(record, analysis, lowered=lambda key, bound: bound):
-    """Verdict over all phases of a record.
+def devices_on(bus, model):
+    """Names of the devices whose samples or commands go over a bus."""
+    names = {d["name"] for d in model["devices"] if any(t["bus"] == bus for t in d.get("transfers", []))}
+    return names.union(*(flush["devices"] for flush in model.get("flushes", []) if flush.get("bus") == bus))
 
-    lowered: what becomes of a bound before it is held against: for the attack that must be found.
+
+class Verdict:
+    """What the runs of one robot showed.
+
+    broken: what was above its bound, in words. unjudged: chains of which some part is neither held nor broken. chains:
+    those judged in every part, as (source, target). shares: by key, measured maximum / bound, and the bound [ns].
     """
-    robot = audit.Robot(analysis["model"])
-    chains = [(c["from"], c["to"]) for c in analysis["chains"]]
-    verdict, seen = Verdict(), {}
-    for phase in audit.read(record):
-        measures = audit.Measures(phase, robot, chains)
-        verdict.broken += measures.mistakes
-        if phase.overruns:
-            verdict.broken.append(f"{phase.overruns} overruns in phase {phase.header['phase']}")
-        if phase.resets:
-            verdict.broken.append(f"{phase.resets} resets in phase {phase.header['phase']}")
-        for key, (largest, _) in measures.longest.values.items():
-            seen[key] = max(seen.get(key, 0), largest)
-    bounds = bounds_of(analysis)
-    for key, largest in sorted(seen.items()):
-        bound = bounds.get(key)
-        if bound is None:
-            continue
-        bound = lowered(key, bound)
-        if largest > bound * audit.PS:
-            verdict.broken.append(f"{' '.join(key)}: {largest / audit.PS:.3f} ns seen, bound {bound} ns")
+
+    def __init__(self, broken):
+        self.broken = list(broken)
+        self.unjudged, self.chains, self.shares = [], [], {}
+
+    def hold(self, key, largest, bound, lowered):
         if bound > 0:
-            verdict.tightness.setdefault(key[2], []).append(largest / audit.PS / bound)
-    for source, target in chains:
-        keys = [(source, target, kind) for kind in KINDS]
-        if all(key in seen and bounds[key] is not None for key in keys):
-            verdict.chains.append((source, target, bounds[source, target, "decide"]))
-        else:
-            missing = [key[2] for key in keys if key not in seen or bounds[key] is None]
-            verdict.unjudged.append(f"{source} -> {target}: {', '.join(missing)}")
-    return verdict
+            self.shares[key] = (largest / audit.PS / bound, bound)
+        if largest > lowered * audit.PS:
+            self.broken.append(f"{' '.join(key)}: {largest / audit.PS:.3f} ns seen, bound {lowered:.3f} ns")
+
+
+class Judge:
+    """Collects the figures of the runs of one robot."""
+
+    def __init__(self, analysis, lowered=lambda key, bound: bound):
+        """lowered: what becomes of a bound before it is held against; for the attack that must be found."""
+        self.model, self.lowered = analysis["model"], lowered
+        self.bounds = bounds_of(analysis)
+        self.robot = audit.Robot(self.model)
+        self.asked = list(dict.fromkeys((c["from"], c["to"]) for c in analysis["chains"]))
+        self.seen, self.broken = {}, []
+
+    def take(self, record, disturbed=None):
+        """Adds all phases of a record. A bus `disturbed` by noise breaks the assumption bus-errors for acquire and wire."""
+        touched = devices_on(disturbed, self.model)
+        for phase in audit.read(record):
+            measures = audit.Measures(phase, self.robot, self.asked)
+            self.broken += measures.mistakes
+            for what, count in (("overruns", phase.overruns), ("resets", phase.resets)):
+                if count:
+                    self.broken.append(f"{count} {what} in phase {phase.header['phase']}")
+            for key, (largest, _) in measures.longest.values.items():
+                if not is_left_out(key, touched):
+                    self.seen[key] = max(self.seen.get(key, 0), largest)
+
+    def verdict(self):
+        """Holds what all records showed against the bounds."""
+        verdict = Verdict(self.broken)
+        for key, largest in sorted(self.seen.items()):
+            bound = self.bounds.get(key)
+            if bound is not None:
+                verdict.hold(key, largest, bound, self.lowered(key, bound))
+        for source, target in self.asked:
+            keys = [(source, target, kind) for kind in KINDS]
+            missing = [key[2] for key in keys if key not in self.seen or self.bounds[key] is None]
+            if missing:
+                verdict.unjudged.append(f"{source} -> {target}: {', '.join(missing)}")
+            else:
+                verdict.chains.append((source, target))
+        return verdict
+
+
+def is_left_out(key, touched):
+    """Whether noise on the bus of these devices takes the ground from a bound."""
+    source, target, kind = key
+    begins, ends = source in touched, target in touched
+    return {"acquire": begins, "wire": ends, "end_to_end": begins or ends}.get(kind, False)

@@ -1,0 +1,124 @@
+"""Draws one robot, loads it to its limit, runs it and judges what the record shows."""
+
+import os
+import pathlib
+
+import draw
+import judge
+import robots
+import stimuli
+import tool
+
+STEPS = 5  # of the search for the largest load
+MOST_LOAD = 8.0
+
+
+class Task:
+    """What a worker needs to know to attack one robot."""
+
+    def __init__(self, finemote, folder, seed, number, phases, injected=None):
+        self.finemote, self.folder = finemote, folder
+        self.seed, self.number, self.phases, self.injected = seed, number, phases, injected
+
+    def tool(self):
+        return tool.Tool(self.finemote, pathlib.Path(self.folder) / str(os.getpid()))
+
+
+class Result:
+    """What became of one drawn robot: discarded, failed, unjudged, counted or violated."""
+
+    def __init__(self, number):
+        self.number, self.state, self.verdict, self.breakdown = number, "discarded", None, None
+        self.types, self.is_noisy, self.text, self.problem = {}, False, "", ""
+
+
+def demand_of(robot):
+    """Share of the processor that the loads ask for at load 1."""
+    return sum(sum(part.shares) for root in robot.roots() for part in root.walk() if part.kind == "sim_load")
+
+
+def analysis_at(finemote, robot, load):
+    """The document where the robot is schedulable with this load, else None."""
+    robots.set_load(robot, load)
+    analysis = finemote.analyze(robot)
+    return analysis if analysis is not None and analysis["target"]["schedulable"] else None
+
+
+def largest_load(finemote, robot):
+    """The load that is just schedulable, to a 32nd of what would fill the processor; None where nothing is."""
+    idle = analysis_at(finemote, robot, 0.0)
+    if idle is None:
+        return None
+    demand = demand_of(robot)
+    low, high = 0.0, MOST_LOAD if demand == 0 else min(MOST_LOAD, (1 - idle["processor_load"]) / demand)
+    for _ in range(STEPS if demand > 0 else 0):
+        middle = (low + high) / 2
+        if analysis_at(finemote, robot, middle) is None:
+            high = middle
+        else:
+            low = middle
+    return low
+
+
+def is_worth_a_run(analysis, types):
+    """Whether there is a chain that begins at a part and has a bound in every way."""
+    return any(judge.is_bounded(chain) and types[chain["from"]] != "sim_load" for chain in analysis["chains"])
+
+
+def examine(finemote, robot, analysis, inputs, task):
+    """Verdict on all runs of a robot, or None; and what the tool said where it cannot be run."""
+    outline = robots.Outline(robot.text())
+    figures = judge.Judge(analysis, judge.lowering(task.injected, outline))
+    for scenario, disturbed in inputs.runs(outline):
+        phases = task.phases if disturbed is None else 1
+        record, said = finemote.run(robot, scenario, task.number, phases)
+        if record is None:
+            return None, said[-2000:]
+        figures.take(record, disturbed)
+    return figures.verdict(), ""
+
+
+def attack(task):
+    finemote, result = task.tool(), Result(task.number)
+    robot = draw.draw_robot(task.seed, task.number)
+    result.breakdown = largest_load(finemote, robot)
+    if result.breakdown is None:
+        return result
+    analysis = analysis_at(finemote, robot, result.breakdown * robot.share)
+    outline = robots.Outline(robot.text())
+    if analysis is None or not is_worth_a_run(analysis, outline.types):
+        return result
+    inputs = stimuli.Stimuli(outline, task.seed, task.number)
+    result.types, result.text, result.is_noisy = outline.types, robot.text(), inputs.disturbed is not None
+    result.verdict, result.problem = examine(finemote, robot, analysis, inputs, task)
+    if result.verdict is None:
+        result.state = "failed"
+    elif result.verdict.broken:
+        result.state = "violated"
+    else:
+        result.state = "counted" if result.verdict.chains else "unjudged"
+    return result
+
+
+def breaks(finemote, robot, inputs, task):
+    analysis = analysis_at(finemote, robot, robot.load)
+    if analysis is None:
+        return False
+    verdict, _ = examine(finemote, robot, analysis, inputs, task)
+    return verdict is not None and bool(verdict.broken)
+
+
+def shrink(task):
+    """The smallest robot that still breaks a bound: parts are left out one by one."""
+    finemote = task.tool()
+    robot = draw.draw_robot(task.seed, task.number)
+    inputs = stimuli.Stimuli(robots.Outline(robot.text()), task.seed, task.number)
+    robots.set_load(robot, largest_load(finemote, robot) * robot.share)
+    for siblings, index in robots.removable(robot):
+        part, pairs = siblings.pop(index), robot.pairs
+        names = robots.Outline(robot.text()).types
+        robot.pairs = [pair for pair in pairs if pair[0] in names and pair[1] in names]
+        if not breaks(finemote, robot, inputs, task):
+            siblings.insert(index, part)
+            robot.pairs = pairs
+    return robot.text()

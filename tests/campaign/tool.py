@@ -1,0 +1,39 @@
+"""The command line of FineMote, as the attack uses it."""
+
+import json
+import pathlib
+import subprocess
+
+import robots
+
+DURATION = "300ms"
+
+
+class Tool:
+    """Calls of one worker. Its folder is kept from robot to robot: the runtime is compiled once, a robot's own code anew."""
+
+    def __init__(self, path, folder):
+        self.path, self.folder = path, pathlib.Path(folder)
+        self.folder.mkdir(exist_ok=True)
+
+    def call(self, command, robot, *arguments):
+        file = self.folder / "robot.urdf"
+        file.write_text(robot.text(), encoding="utf-8")
+        chains = [word for source, target in robot.pairs for word in ("--chain", f"{source}->{target}")]
+        words = [self.path, command, str(file), "--device-path", str(robots.DEVICES), "--format", "json"]
+        return subprocess.run([*words, *chains, *arguments], capture_output=True, text=True, check=False)
+
+    def analyze(self, robot):
+        """The document of analyze, or None where the robot is refused or has no answer."""
+        answer = self.call("analyze", robot)
+        return json.loads(answer.stdout) if answer.returncode in (0, 1) and answer.stdout else None
+
+    def run(self, robot, scenario, number, phases):
+        """Path of the record, or None where there is none, and what the tool said."""
+        record, events = self.folder / "audit.jsonl", self.folder / "scenario.json"
+        record.unlink(missing_ok=True)
+        events.write_text(json.dumps(scenario), encoding="utf-8")
+        answer = self.call("run", robot, "--duration", DURATION, "--phases", str(phases), "--seed", str(number), "--scenario",
+                           str(events), "--audit", str(record), "--keep", str(self.folder / "kept"))
+        good = answer.returncode in (0, 1) and record.exists()
+        return (record if good else None), answer.stderr
