@@ -4,10 +4,12 @@ import os
 import pathlib
 
 import draw
+import inject
 import judge
 import robots
 import stimuli
 import tool
+import workshop
 
 STEPS = 5  # of the search for the largest load
 MOST_LOAD = 8.0
@@ -29,7 +31,7 @@ class Result:
 
     def __init__(self, number):
         self.number, self.state, self.verdict, self.breakdown = number, "discarded", None, None
-        self.types, self.is_noisy, self.text, self.problem = {}, False, "", ""
+        self.types, self.reached, self.is_noisy, self.text, self.problem = {}, {}, False, "", ""
 
 
 def demand_of(robot):
@@ -61,14 +63,15 @@ def largest_load(finemote, robot):
 
 
 def is_worth_a_run(analysis, types):
-    """Whether there is a chain that begins at a part and has a bound in every way."""
-    return any(judge.is_bounded(chain) and types[chain["from"]] != "sim_load" for chain in analysis["chains"])
+    """Whether there is a chain with a bound in every part whose samples and outputs can be seen."""
+    return any(judge.is_bounded(chain) and types[chain["from"]] in workshop.SAMPLED and types[chain["to"]] in workshop.WATCHED
+               for chain in analysis["chains"])
 
 
 def examine(finemote, robot, analysis, inputs, task):
     """Verdict on all runs of a robot, or None; and what the tool said where it cannot be run."""
     outline = robots.Outline(robot.text())
-    figures = judge.Judge(analysis, judge.lowering(task.injected, outline))
+    figures = judge.Judge(analysis, inject.lowering(task.injected, inject.Classes(outline, analysis["model"])))
     for scenario, disturbed in inputs.runs(outline):
         phases = task.phases if disturbed is None else 1
         record, said = finemote.run(robot, scenario, task.number, phases)
@@ -93,7 +96,9 @@ def attack(task):
     result.verdict, result.problem = examine(finemote, robot, analysis, inputs, task)
     if result.verdict is None:
         result.state = "failed"
-    elif result.verdict.broken:
+        return result
+    result.reached = inject.largest_by_class(result.verdict.shares, inject.Classes(outline, analysis["model"]))
+    if result.verdict.broken:
         result.state = "violated"
     else:
         result.state = "counted" if result.verdict.chains else "unjudged"

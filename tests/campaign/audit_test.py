@@ -5,7 +5,11 @@ import tempfile
 import unittest
 
 import audit
+import inject
 import judge
+import robots
+
+EYE = '<robot name="robot"><device name="eye" type="camera"/><device name="hand" type="claw"/></robot>'
 
 US = 1_000_000  # picoseconds
 
@@ -54,11 +58,13 @@ def analysis(**changed):
     }
 
 
-def verdict(events, bounds):
+def verdict(events, bounds, disturbed=None):
     with tempfile.NamedTemporaryFile("w", suffix=".jsonl") as file:
         file.writelines(json.dumps(event) + "\n" for event in events)
         file.flush()
-        return judge.judge(file.name, bounds)
+        judged = judge.Judge(bounds)
+        judged.take(file.name, disturbed)
+        return judged.verdict()
 
 
 class Figures(unittest.TestCase):
@@ -92,7 +98,7 @@ class Verdicts(unittest.TestCase):
     def test_bounds_that_are_met_hold(self):
         seen = verdict(record(), analysis())
         self.assertEqual(seen.broken, [])
-        self.assertTrue(seen.counts)
+        self.assertEqual(seen.chains, [("eye", "hand")])
 
     def test_every_part_of_a_chain_can_break(self):
         for kind, bound in (("acquire", 1301999), ("decide", 12999), ("wire", 24999), ("end_to_end", 1339999)):
@@ -112,7 +118,24 @@ class Verdicts(unittest.TestCase):
 
     def test_what_has_no_sample_does_not_count(self):
         events = [event for event in record() if event["what"] != "output"]
-        self.assertFalse(verdict(events, analysis()).counts)
+        self.assertEqual(verdict(events, analysis()).chains, [])
+
+    def test_noise_takes_the_ground_from_what_goes_over_its_bus_and_from_nothing_else(self):
+        bounds = analysis(acquire=1, decide=12999, wire=1, end_to_end=1)
+        bounds["model"]["devices"][0]["transfers"] = [{"bus": "line"}]
+        bounds["model"]["flushes"] = [{"period_ns": 1000000, "wcet_ns": 0, "bus": "wire", "devices": ["hand"]}]
+        for bus, kinds in (("line", ["decide", "wire"]), ("wire", ["acquire", "decide"]), ("other", list(judge.KINDS))):
+            seen = verdict(record(), bounds, disturbed=bus)
+            self.assertEqual(sorted(line.split(":")[0].split()[2] for line in seen.broken), sorted(kinds))
+
+
+class Injections(unittest.TestCase):
+    def test_a_bound_two_percent_below_what_is_reached_is_found(self):
+        classes = inject.Classes(robots.Outline(EYE), analysis()["model"])
+        lowered = inject.lowered_to({"camera update": 0.5}, "own", classes)
+        self.assertEqual(lowered(("eye", "update", "own"), 1000), 490)
+        self.assertEqual(lowered(("eye", "handle", "own"), 1000), 1000)
+        self.assertEqual(lowered(("eye", "hand", "acquire"), 1000), 1000)
 
 
 if __name__ == "__main__":

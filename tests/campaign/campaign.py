@@ -6,15 +6,13 @@ import argparse
 import collections
 import concurrent.futures
 import itertools
-import json
 import os
 import sys
 import tempfile
 
 import attack
 import census
-import judge
-import robots
+import inject
 
 MOST_SHOWN = 3  # robots that break a bound
 
@@ -82,24 +80,12 @@ def show_violations(tally, asked, folder):
         print(attack.shrink(attack.Task(asked.finemote, folder, asked.seed, result.number, asked.phases, asked.inject)))
 
 
-def write_reached(tally):
-    """The largest shares by kind and class, for what --inject lowers."""
-    reached = {kind: {} for kind in judge.INJECTIONS.values()}
-    for result in tally.counted:
-        outline = robots.Outline(result.text)
-        for key, (share, _) in result.verdict.shares.items():
-            if key[2] in reached:
-                of_kind, name = reached[key[2]], judge.class_of(key, outline)
-                of_kind[name] = max(of_kind.get(name, 0), round(share, 4))
-    judge.REACHED.write_text(json.dumps(reached, indent=2, sort_keys=True) + "\n", encoding="utf-8")
-
-
 def options():
     parser = argparse.ArgumentParser(prog="./dev campaign", description=__doc__)
     parser.add_argument("--robots", type=int, default=40, help="how many have to count")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--phases", type=int, default=2, help="runs of each robot")
-    parser.add_argument("--inject", choices=list(judge.INJECTIONS), help="make these bounds 2 %% too small")
+    parser.add_argument("--inject", choices=list(inject.KINDS), help="make these bounds 2 %% too small")
     parser.add_argument("--sweep", action="store_true", help="write down what is reached: reached.json, for --inject")
     parser.add_argument("--keep-going", action="store_true", help="do not stop at the first violation")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
@@ -113,7 +99,7 @@ def main():
         tally = draw_and_attack(pool, asked, folder)
         show_violations(tally, asked, folder)
     if asked.sweep:
-        write_reached(tally)
+        inject.write(result.reached for result in tally.counted)
     for line in itertools.chain(census.tightness(tally.counted), census.contents(tally.counted)):
         print(line)
     discarded, unjudged = len(tally.by_state["discarded"]), len(tally.by_state["unjudged"])

@@ -15,8 +15,9 @@ SHIPPED = (
     "examples/finsrov.urdf",
     "tests/emulator/robots/crane.urdf",
 )
-SHARE_OF_SHIPPED = 0.25
-MOST_PAIRS = 6  # of sensor and actuator, for which a chain is asked
+SHARE_OF_SHIPPED = 0.2
+#: Of sensor and actuator, for which a chain is asked: in a tree that runs every millisecond or faster, and in others.
+MOST_PAIRS_OF_FAST, MOST_PAIRS = 9, 2
 
 
 def draw_shipped(draw):
@@ -32,8 +33,10 @@ def pairs_of(draw, trees):
         parts = list(tree.walk())
         sources = [part.name for part in parts if part.kind in workshop.SAMPLED]
         targets = [part.name for part in parts if part.kind in workshop.WATCHED]
-        pairs += [(source, target) for source in sources for target in targets]
-    return draw.sample(pairs, min(len(pairs), MOST_PAIRS))
+        found = [(source, target) for source in sources for target in targets]
+        most = MOST_PAIRS_OF_FAST if tree.period_us <= 1000 else MOST_PAIRS
+        pairs += draw.sample(found, min(len(found), most))
+    return pairs
 
 
 def draw_robot(seed, number):

@@ -1,51 +1,12 @@
 """Holds the figures of records against the bounds of `finemote analyze --format json`."""
 
-import json
-import pathlib
-
 import audit
+import inject
 
 KINDS = ("acquire", "decide", "wire", "end_to_end")
 
-#: Kind of the figures that an attack lowers, by what it is called.
-INJECTIONS = {"release": "release", "flush": "flush", "interrupt": "interrupt", "acquire": "acquire", "wire": "wire",
-              "WCET": "own"}
-
-#: The largest share of its bound that figures of a kind and class reached in the sweep of README.md.
-REACHED = pathlib.Path(__file__).parent / "reached.json"
-
 #: Frames in a receive FIFO, and mailboxes: one run of a routine of bxCAN can serve as many. RM0090 32.7.
 CAN_DEPTH = 3
-
-
-def class_of(key, outline):
-    """Class of a figure: those of one class come about in the same way, so they reach about the same share of their bounds."""
-    first, second, kind = key
-    if kind == "acquire":
-        return outline.types[first]
-    if kind == "wire":
-        return outline.types[second] + (" at " + outline.pulses[bus] if (bus := outline.bus_of[second]) in outline.pulses else "")
-    if kind == "own":
-        return f"{outline.types[first]} {second}"
-    if kind == "interrupt":
-        return outline.buses[first][0]
-    return kind
-
-
-def lowering(injected, outline):
-    """What becomes of the bounds of a robot where those of one kind are 2 % too small; None: of none.
-
-    Too small is a bound that lies 2 % below what is reached. Bounds lie above that by what nobody has reached.
-    """
-    if injected is None:
-        return lambda key, bound: bound
-    kind, reached = INJECTIONS[injected], json.loads(REACHED.read_text(encoding="utf-8"))
-
-    def lowered(key, bound):
-        share = reached[kind].get(class_of(key, outline)) if key[2] == kind else None
-        return bound if share is None else bound * 0.98 * share
-
-    return lowered
 
 
 def is_bounded(chain):
@@ -112,7 +73,7 @@ class Verdict:
 class Judge:
     """Collects the figures of the runs of one robot."""
 
-    def __init__(self, analysis, lowered=lambda key, bound: bound):
+    def __init__(self, analysis, lowered=inject.nothing_lowered):
         """lowered: what becomes of a bound before it is held against; for the attack that must be found."""
         self.model, self.lowered = analysis["model"], lowered
         self.bounds = bounds_of(analysis)

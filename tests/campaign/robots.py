@@ -112,5 +112,9 @@ class Outline:
         self.types = {d.get("name"): d.get("type") for d in root.iter("device")}
         self.bus_of = {d.get("name"): d.get("bus") for d in root.iter("device")}
         self.buses = {b.get("name"): (b.get("type"), b.get("port")) for b in root.iter("bus")}
-        self.expanders = {e.get("name"): e.get("bus") for e in root.iter("expander")}
-        self.pulses = {e.get("name"): e.get("model") for e in root.iter("expander")}
+        self.models = {e.get("name"): e.get("model") for e in root.iter("expander")}
+
+    def place_of(self, name):
+        """What a device hangs at: the kind of its bus, or an expander's model."""
+        bus = self.bus_of[name]
+        return self.models.get(bus) or self.buses.get(bus, ("none",))[0]

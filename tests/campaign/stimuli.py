@@ -36,8 +36,7 @@ ORDERS = {"finsrov": ("ON", "ACL:ON", "ACL:OF", "UP", "DN", "W", "S", "A", "D", 
 NOISE = {
     "can": (lambda draw: {"do": "flood", "identifier": draw.choice((1, 0x100, 0x7FF)), "frames": 40, "every_ns": 500_000},
             lambda draw: {"do": "disturb", "frames": draw.randint(1, 3)}),
-    "uart": (lambda draw: {"do": "noise", "bytes": draw.randint(1, 20)},
-             lambda draw: {"do": "flood", "bytes": draw.randint(1, 60), "byte": draw.randrange(256)}),
+    "uart": (lambda draw: {"do": "noise", "bytes": draw.randint(1, 20)},),
 }
 
 
