@@ -15,6 +15,7 @@ import census
 import inject
 
 MOST_SHOWN = 3  # robots that break a bound
+MOST_LINES = 5  # of what each of them breaks
 
 
 class Tally:
@@ -38,9 +39,13 @@ class Tally:
         return self.by_state["counted"] + self.violated
 
 
+def task_of(asked, folder, number):
+    return attack.Task(asked.finemote, folder, asked.seed, number, asked.phases, asked.inject)
+
+
 def results(pool, asked, folder):
     """Results in the order of the robots; some robots ahead are under attack meanwhile."""
-    tasks = (attack.Task(asked.finemote, folder, asked.seed, number, asked.phases, asked.inject) for number in itertools.count())
+    tasks = (task_of(asked, folder, number) for number in itertools.count())
     ahead = collections.deque(pool.submit(attack.attack, task) for task in itertools.islice(tasks, 2 * asked.jobs))
     try:
         while True:
@@ -72,12 +77,13 @@ def draw_and_attack(pool, asked, folder):
     return tally
 
 
-def show_violations(tally, asked, folder):
-    for result in tally.violated[:MOST_SHOWN]:
+def show_violations(pool, tally, asked, folder):
+    shown = tally.violated[:MOST_SHOWN]
+    for result, smallest in zip(shown, pool.map(attack.shrink, [task_of(asked, folder, r.number) for r in shown])):
         print(f"robot {result.number} of seed {asked.seed}:")
-        for line in result.verdict.broken[:5]:
+        for line in result.verdict.broken[:MOST_LINES]:
             print("  " + line)
-        print(attack.shrink(attack.Task(asked.finemote, folder, asked.seed, result.number, asked.phases, asked.inject)))
+        print(smallest)
 
 
 def options():
@@ -97,9 +103,9 @@ def main():
     asked = options()
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ProcessPoolExecutor(asked.jobs) as pool:
         tally = draw_and_attack(pool, asked, folder)
-        show_violations(tally, asked, folder)
+        show_violations(pool, tally, asked, folder)
     if asked.sweep:
-        inject.write(result.reached for result in tally.counted)
+        inject.write(result.reached for result in tally.by_state["counted"])
     for line in itertools.chain(census.tightness(tally.counted), census.contents(tally.counted)):
         print(line)
     discarded, unjudged = len(tally.by_state["discarded"]), len(tally.by_state["unjudged"])

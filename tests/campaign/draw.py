@@ -13,11 +13,12 @@ SHIPPED = (
     "examples/infantry.urdf",
     "examples/six_joint_arm.urdf",
     "examples/finsrov.urdf",
+    "examples/finsrov.urdf",
     "tests/emulator/robots/crane.urdf",
 )
 SHARE_OF_SHIPPED = 0.2
 #: Of sensor and actuator, for which a chain is asked: in a tree that runs every millisecond or faster, and in others.
-MOST_PAIRS_OF_FAST, MOST_PAIRS = 9, 2
+MOST_PAIRS_OF_FAST, MOST_PAIRS = 9, 1
 
 
 def draw_shipped(draw):

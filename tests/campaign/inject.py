@@ -21,9 +21,9 @@ class Classes:
 
     def __init__(self, outline, model):
         self.outline = outline
-        self.in_bucket = {}
+        self.in_bucket = {}  # what the devices of a period hang at
         for device in model["devices"]:
-            self.in_bucket.setdefault(str(device["period_ns"]), set()).add(outline.types[device["name"]])
+            self.in_bucket.setdefault(str(device["period_ns"]), set()).add(outline.place_of(device["name"]))
 
     def of(self, key):
         first, second, kind = key
@@ -38,7 +38,7 @@ class Classes:
             return self.outline.buses[first][0]
         if kind == "flush":
             return " ".join(sorted(self.in_bucket[first]))
-        return kind
+        return f"{len(self.in_bucket)} periods"
 
 
 def nothing_lowered(key, bound):

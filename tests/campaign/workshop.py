@@ -4,7 +4,7 @@ from robots import Part
 
 PERIODS_US = (500, 1000, 2000, 2500, 4000, 5000, 7000, 8000, 10000, 13000, 20000, 25000, 50000)
 #: Of trees whose devices all have the period of the root. Short ones make chains that decide within a millisecond.
-COMMON_PERIODS_US = (500, 500, 1000, 1000, 1000, 1000, 1000, 2000, 2500, 5000, 10000)
+COMMON_PERIODS_US = (500, 500, 1000, 1000, 1000, 1000, 1000, 1000, 1000, 2000, 2500, 5000, 10000)
 SHARE_OF_COMMON = 0.8
 #: The board has lines for 11 periods; up to three trees have one of their own. Two suit all types.
 MOST_PERIODS, ALWAYS_US = 8, (5000, 10000)
@@ -106,7 +106,7 @@ class Workshop:
         body = ['<use role="gyro" bus="spi" channel="1"/>']
         if self.draw.random() < 0.5:
             body.append('<use role="ready" pin="bmi088_int_gyro"/>')
-        return Part("bmi088", self.name("bmi088"), {"bus": "spi", "channel": 0}, self.period(common, 0, 5000), body)
+        return Part("bmi088", self.name("bmi088"), {"bus": "spi", "channel": 0}, self.period(common, 1000, 5000), body)
 
     def ist8310(self, common):
         if not self.take("ist8310"):
