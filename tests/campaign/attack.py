@@ -105,16 +105,16 @@ def attack(task):
     return result
 
 
-def breaks(finemote, robot, inputs, task):
+def breaks(finemote, robot, inputs, task, kinds):
     analysis = analysis_at(finemote, robot, robot.load)
     if analysis is None:
         return False
     verdict, _ = examine(finemote, robot, analysis, inputs, task)
-    return verdict is not None and bool(verdict.broken)
+    return verdict is not None and not kinds.isdisjoint(verdict.kinds)
 
 
-def shrink(task):
-    """The smallest robot that still breaks a bound: parts are left out one by one."""
+def shrink(task, kinds):
+    """The smallest robot that still breaks a bound of one of these kinds: parts are left out one by one."""
     finemote = task.tool()
     robot = draw.draw_robot(task.seed, task.number)
     inputs = stimuli.Stimuli(robots.Outline(robot.text()), task.seed, task.number)
@@ -123,7 +123,7 @@ def shrink(task):
         part, pairs = siblings.pop(index), robot.pairs
         names = robots.Outline(robot.text()).types
         robot.pairs = [pair for pair in pairs if pair[0] in names and pair[1] in names]
-        if not breaks(finemote, robot, inputs, task):
+        if not breaks(finemote, robot, inputs, task, kinds):
             siblings.insert(index, part)
             robot.pairs = pairs
     return robot.text()

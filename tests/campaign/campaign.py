@@ -79,7 +79,8 @@ def draw_and_attack(pool, asked, folder):
 
 def show_violations(pool, tally, asked, folder):
     shown = tally.violated[:MOST_SHOWN]
-    for result, smallest in zip(shown, pool.map(attack.shrink, [task_of(asked, folder, r.number) for r in shown])):
+    tasks, kinds = [task_of(asked, folder, result.number) for result in shown], [result.verdict.kinds for result in shown]
+    for result, smallest in zip(shown, pool.map(attack.shrink, tasks, kinds)):
         print(f"robot {result.number} of seed {asked.seed}:")
         for line in result.verdict.broken[:MOST_LINES]:
             print("  " + line)

@@ -55,18 +55,21 @@ def devices_on(bus, model):
 class Verdict:
     """What the runs of one robot showed.
 
-    broken: what was above its bound, in words. unjudged: chains of which some part is neither held nor broken. chains:
-    those judged in every part, as (source, target). shares: by key, measured maximum / bound, and the bound [ns].
+    broken: what was above its bound, in words, and of which kinds it was. unjudged: chains of which some part is neither
+    held nor broken. chains: those judged in every part, as (source, target). shares: by key, measured maximum / bound, and
+    the bound [ns].
     """
 
-    def __init__(self, broken):
-        self.broken = list(broken)
+    def __init__(self, mistakes):
+        self.broken = list(mistakes)
+        self.kinds = {"mistake"} if mistakes else set()
         self.unjudged, self.chains, self.shares = [], [], {}
 
     def hold(self, key, largest, bound, lowered):
         if bound > 0:
             self.shares[key] = (largest / audit.PS / bound, bound)
         if largest > lowered * audit.PS:
+            self.kinds.add(key[2])
             self.broken.append(f"{' '.join(key)}: {largest / audit.PS:.3f} ns seen, bound {lowered:.3f} ns")
 
 
