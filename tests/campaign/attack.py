@@ -30,7 +30,8 @@ class Result:
     """What became of one drawn robot: discarded, failed, unjudged, counted or violated."""
 
     def __init__(self, number):
-        self.number, self.state, self.verdict, self.breakdown = number, "discarded", None, None
+        self.number, self.state, self.verdict = number, "discarded", None
+        self.load, self.breakdown = None, None  # what it got, and the largest that is schedulable
         self.types, self.reached, self.is_noisy, self.text, self.problem = {}, {}, False, "", ""
 
 
@@ -46,26 +47,43 @@ def analysis_at(finemote, robot, load):
     return analysis if analysis is not None and analysis["target"]["schedulable"] else None
 
 
-def largest_load(finemote, robot):
-    """The load that is just schedulable, to a 32nd of what would fill the processor; None where nothing is."""
-    idle = analysis_at(finemote, robot, 0.0)
-    if idle is None:
-        return None
+def is_worth_a_run(analysis, robot):
+    """Whether there is a chain with a bound in every part whose samples and outputs can be seen."""
+    types = robots.Outline(robot.text()).types
+    return any(judge.is_bounded(chain) and types[chain["from"]] in workshop.SAMPLED and types[chain["to"]] in workshop.WATCHED
+               for chain in analysis["chains"])
+
+
+def largest_load(finemote, robot, idle, fits):
+    """The largest load at which the analysis is schedulable and fits, to a 32nd of what would fill the processor."""
     demand = demand_of(robot)
     low, high = 0.0, MOST_LOAD if demand == 0 else min(MOST_LOAD, (1 - idle["processor_load"]) / demand)
     for _ in range(STEPS if demand > 0 else 0):
         middle = (low + high) / 2
-        if analysis_at(finemote, robot, middle) is None:
-            high = middle
-        else:
+        analysis = analysis_at(finemote, robot, middle)
+        if analysis is not None and fits(analysis):
             low = middle
+        else:
+            high = middle
     return low
 
 
-def is_worth_a_run(analysis, types):
-    """Whether there is a chain with a bound in every part whose samples and outputs can be seen."""
-    return any(judge.is_bounded(chain) and types[chain["from"]] in workshop.SAMPLED and types[chain["to"]] in workshop.WATCHED
-               for chain in analysis["chains"])
+def load_to_limit(finemote, robot):
+    """Gives the robot its share of the largest schedulable load or, where no chain has all bounds at that, of the largest
+    load at which one has. Returns the largest schedulable load and the analysis, each None where there is none.
+    """
+    idle = analysis_at(finemote, robot, 0.0)
+    if idle is None:
+        return None, None
+    breakdown = largest_load(finemote, robot, idle, lambda analysis: True)
+    analysis = analysis_at(finemote, robot, breakdown * robot.share)
+    if analysis is not None and is_worth_a_run(analysis, robot):
+        return breakdown, analysis
+    if not is_worth_a_run(idle, robot):
+        return breakdown, None
+    lower = largest_load(finemote, robot, idle, lambda analysis: is_worth_a_run(analysis, robot))
+    analysis = analysis_at(finemote, robot, lower * robot.share)
+    return breakdown, analysis if analysis is not None and is_worth_a_run(analysis, robot) else None
 
 
 def examine(finemote, robot, analysis, inputs, task):
@@ -84,15 +102,13 @@ def examine(finemote, robot, analysis, inputs, task):
 def attack(task):
     finemote, result = task.tool(), Result(task.number)
     robot = draw.draw_robot(task.seed, task.number)
-    result.breakdown = largest_load(finemote, robot)
-    if result.breakdown is None:
+    result.breakdown, analysis = load_to_limit(finemote, robot)
+    if analysis is None:
         return result
-    analysis = analysis_at(finemote, robot, result.breakdown * robot.share)
     outline = robots.Outline(robot.text())
-    if analysis is None or not is_worth_a_run(analysis, outline.types):
-        return result
     inputs = stimuli.Stimuli(outline, task.seed, task.number)
-    result.types, result.text, result.is_noisy = outline.types, robot.text(), inputs.disturbed is not None
+    result.types, result.text, result.load = outline.types, robot.text(), robot.load
+    result.is_noisy = inputs.disturbed is not None
     result.verdict, result.problem = examine(finemote, robot, analysis, inputs, task)
     if result.verdict is None:
         result.state = "failed"
@@ -113,12 +129,12 @@ def breaks(finemote, robot, inputs, task, kinds):
     return verdict is not None and not kinds.isdisjoint(verdict.kinds)
 
 
-def shrink(task, kinds):
+def shrink(task, load, kinds):
     """The smallest robot that still breaks a bound of one of these kinds: parts are left out one by one."""
     finemote = task.tool()
     robot = draw.draw_robot(task.seed, task.number)
     inputs = stimuli.Stimuli(robots.Outline(robot.text()), task.seed, task.number)
-    robots.set_load(robot, largest_load(finemote, robot) * robot.share)
+    robots.set_load(robot, load)
     for siblings, index in robots.removable(robot):
         part, pairs = siblings.pop(index), robot.pairs
         names = robots.Outline(robot.text()).types

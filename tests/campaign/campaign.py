@@ -79,12 +79,13 @@ def draw_and_attack(pool, asked, folder):
 
 def show_violations(pool, tally, asked, folder):
     shown = tally.violated[:MOST_SHOWN]
-    tasks, kinds = [task_of(asked, folder, result.number) for result in shown], [result.verdict.kinds for result in shown]
-    for result, smallest in zip(shown, pool.map(attack.shrink, tasks, kinds)):
+    shrinking = [pool.submit(attack.shrink, task_of(asked, folder, result.number), result.load, result.verdict.kinds)
+                 for result in shown]
+    for result, smallest in zip(shown, shrinking):
         print(f"robot {result.number} of seed {asked.seed}:")
         for line in result.verdict.broken[:MOST_LINES]:
             print("  " + line)
-        print(smallest)
+        print(smallest.result())
 
 
 def options():

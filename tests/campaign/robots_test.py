@@ -17,7 +17,7 @@ import tool
 import workshop
 
 DRAWN, ANALYSED = 1000, 60
-LEAST = 0.04  # of the drawn robots, for each type: more than 3 % of those that count
+LEAST = 0.05  # of the drawn robots, for each type: more than 3 % of those that count
 SHORT_NS = 1_000_000
 
 SHIPPED_TYPES = {path.stem for path in (robots.ROOT / "schemas" / "devices").glob("*.json")}

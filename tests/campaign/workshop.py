@@ -4,8 +4,8 @@ from robots import Part
 
 PERIODS_US = (500, 1000, 2000, 2500, 4000, 5000, 7000, 8000, 10000, 13000, 20000, 25000, 50000)
 #: Of trees whose devices all have the period of the root. Short ones make chains that decide within a millisecond.
-COMMON_PERIODS_US = (500, 500, 1000, 1000, 1000, 1000, 1000, 1000, 1000, 2000, 2500, 5000, 10000)
-SHARE_OF_COMMON = 0.8
+COMMON_PERIODS_US = (500, 500, *7 * (1000,), 2000, 2500, 5000, 10000)
+SHARE_OF_COMMON = 0.85
 #: The board has lines for 11 periods; up to three trees have one of their own. Two suit all types.
 MOST_PERIODS, ALWAYS_US = 8, (5000, 10000)
 
@@ -203,7 +203,7 @@ class Workshop:
         common = None
         if self.draw.random() < SHARE_OF_COMMON:
             common = self.draw.choice([p for p in COMMON_PERIODS_US if p % self.tick_us == 0])
-        special = self.draw.choice((self.gimbal, self.arm, self.chassis)) if self.draw.random() < 0.2 else None
+        special = self.draw.choice((self.gimbal, self.arm, self.chassis)) if self.draw.random() < 0.25 else None
         return (special and special(common)) or self.mixed(common)
 
     def mixed(self, common):
