@@ -3,6 +3,7 @@
 The same seed and number draw the same robot.
 """
 
+import itertools
 import random
 
 import robots
@@ -18,8 +19,9 @@ SHIPPED = (
     "examples/finsrov.urdf",
 )
 SHARE_OF_SHIPPED = 0.15
-#: Of sensor and actuator, for which a chain is asked: in a tree that runs every millisecond or faster, and in others.
-MOST_PAIRS_OF_FAST, MOST_PAIRS = 9, 1
+FAST_US = 1000
+#: Of sensor and actuator of a tree, for which a chain is asked: where both run so fast, and of the others.
+MOST_FAST_PAIRS, MOST_OTHER_PAIRS = 12, 1
 
 
 def draw_shipped(draw):
@@ -33,11 +35,14 @@ def pairs_of(draw, trees):
     pairs = []
     for tree in trees:
         parts = list(tree.walk())
-        sources = [part.name for part in parts if part.kind in workshop.SAMPLED]
-        targets = [part.name for part in parts if part.kind in workshop.WATCHED]
-        found = [(source, target) for source in sources for target in targets]
-        most = MOST_PAIRS_OF_FAST if tree.period_us <= 1000 else MOST_PAIRS
-        pairs += draw.sample(found, min(len(found), most))
+        sources = [part for part in parts if part.kind in workshop.SAMPLED]
+        targets = [part for part in parts if part.kind in workshop.WATCHED]
+        fast, others = [], []
+        for source, target in itertools.product(sources, targets):
+            is_fast = max(source.period_us, target.period_us) <= FAST_US
+            (fast if is_fast else others).append((source.name, target.name))
+        pairs += draw.sample(fast, min(len(fast), MOST_FAST_PAIRS))
+        pairs += draw.sample(others, min(len(others), MOST_OTHER_PAIRS))
     return pairs
 
 

@@ -4,8 +4,8 @@ from robots import Part
 
 PERIODS_US = (500, 1000, 2000, 2500, 4000, 5000, 7000, 8000, 10000, 13000, 20000, 25000, 50000)
 #: Of trees whose devices all have the period of the root. Short ones make chains that decide within a millisecond.
-COMMON_PERIODS_US = (500, 500, *7 * (1000,), 2000, 2500, 5000, 10000)
-SHARE_OF_COMMON = 0.85
+COMMON_PERIODS_US = (500, 500, *12 * (1000,), 2000, 2500, 5000, 10000)
+SHARE_OF_COMMON = 0.9
 #: The board has lines for 11 periods; up to three trees have one of their own. Two suit all types.
 MOST_PERIODS, ALWAYS_US = 8, (5000, 10000)
 
