@@ -12,6 +12,13 @@ bool share_slot(const Flush& a, const Flush& b) {
   return a.bus && a.bus == b.bus && !a.output.empty() && a.output == b.output;
 }
 
+/// Whether this transfer can bring a sample: a device that asks for nothing in update() may do so together with its
+/// command.
+bool measures(const Device& device, const Transfer& transfer) {
+  const auto is_of_update = [](const Transfer& other) { return other.after == Transfer::After::update; };
+  return !transfer.command || std::none_of(device.transfers.begin(), device.transfers.end(), is_of_update);
+}
+
 }  // namespace
 
 WireAnalysis::WireAnalysis(const Model& model, const ProfileAnalysis& profile, Effort& effort)
@@ -236,17 +243,18 @@ std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
   }
   const std::size_t w = profile_.set.bucket_of[from];
   if (!profile_.responses.ok(w)) return std::nullopt;
-  Duration wire;
+  Duration busy;  // from the release on, until what was asked for has come
   for (std::size_t t = 0; t < device.transfers.size(); ++t) {
-    if (device.transfers[t].after == Transfer::After::autonomous || device.transfers[t].command) continue;
+    const Transfer& transfer = device.transfers[t];
+    if (transfer.after == Transfer::After::autonomous || !measures(device, transfer)) continue;
     const auto bound = response(from, t);
     if (!bound) return std::nullopt;
-    wire = std::max(wire, *bound);
+    const bool is_early = transfer.after == Transfer::After::update;
+    busy = std::max(busy, (is_early ? profile_.responses.r_plus : profile_.responses.r_minus)[from] + *bound);
   }
   const Duration response = profile_.responses.r_plus[from];
-  const Duration busy = response + wire + a.conversion;
-  const std::int64_t extra =
-      a.conversion == Duration::zero() ? 0 : std::max<std::int64_t>(ceil_div(busy, device.period) - 1, 0);
+  busy = std::max(busy, response) + a.conversion;
+  const std::int64_t extra = std::max<std::int64_t>(ceil_div(busy, device.period) - 1, 0);
   // Measured in `periods` and published then; read until just before the next one that is published, of which each
   // measurement takes 1 + extra periods and `every` of them one value.
   const std::int64_t periods = add(add(a.periods, extra), multiply(a.every, extra + 1) - 1);
