@@ -14,6 +14,7 @@ constexpr float kUpDownStep = 0.01F;       ///< m
 constexpr float kHoldDepth = 0.30F;        ///< least target depth when switched on [m]
 constexpr float kDeepest = 300;            ///< m, what 30 bar allow
 constexpr float kLongestStep = 0.1F;       ///< s; a longer gap between updates is not integrated
+constexpr float kShortestStep = 0.002F;    ///< s: pressures of one depth are taken together, those of the next later
 constexpr float kRateFilter = 0.3F;        ///< share of a new sample in the vertical speed
 constexpr Duration kReportEvery = 100 * kMillisecond;
 
@@ -70,11 +71,12 @@ void FinsRov::take_inputs(Time at) {
   state.valid = depth_known_ && attitude_.valid;
 }
 
-/// A depth [m] and when it was measured; the same sample again changes nothing.
+/// A depth [m] and when it was measured. The same samples again change nothing, and no rate comes of depths that differ
+/// because a sensor has come or gone.
 void FinsRov::take_depth(float depth, Time origin) {
   const float dt = seconds(origin - depth_at_);
   const bool follows = depth_known_ && dt <= kLongestStep;
-  if (follows && dt > 0) depth_rate_ += kRateFilter * ((depth - depth_now_) / dt - depth_rate_);
+  if (follows && dt >= kShortestStep) depth_rate_ += kRateFilter * ((depth - depth_now_) / dt - depth_rate_);
   if (!follows) depth_rate_ = 0;
   depth_known_ = true;
   depth_now_ = depth;

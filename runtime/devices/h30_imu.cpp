@@ -74,6 +74,7 @@ void H30Imu::turn_state() {
 void H30Imu::take(const std::uint8_t* bytes, std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) {
     frame_[filled_++] = bytes[i];
+    behind_ = size - 1 - i;
     while (filled_ != 0 && !frame_may_go_on()) resynchronise();
   }
 }
@@ -93,7 +94,7 @@ bool H30Imu::frame_may_go_on() {
     return false;
   }
   ++frames_;
-  decoded.origin = uart_->arrival() - uart_->wire_time(whole);
+  decoded.origin = uart_->arrival(behind_ + filled_ - whole) - uart_->wire_time(whole);
   decoded.valid = true;
   state = decoded;
   drop(whole);

@@ -144,7 +144,7 @@ void HostLink::apply(std::uint8_t block) {
     ++state.mismatched;
     return;
   }
-  const Time arrival = uart_->arrival() - uart_->wire_time(expected() + behind_);
+  const Time arrival = uart_->arrival(behind_ + size_ - expected()) - uart_->wire_time(expected());
   const std::uint8_t* from = in_ + link::kHeader;
   for (const LinkTarget& target : layout_->down) {
     if (target.block != block) continue;

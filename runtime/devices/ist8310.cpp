@@ -19,6 +19,9 @@ constexpr Setting kSettings[] = {
 };
 constexpr std::uint8_t kSettingCount = sizeof kSettings / sizeof kSettings[0];
 
+/// What a read brings is at most that old: 200 measurements a second, and the time that one takes.
+constexpr Duration kFieldAge = 6 * kMillisecond;
+
 constexpr float kTeslaPerStep = 0.3e-6F;
 constexpr int kLargest = 5400;  ///< 1600 uT
 constexpr std::uint8_t kBadValues = 3;
@@ -66,7 +69,7 @@ void Ist8310::take_field() {
   bad_values_ = 0;
   for (int i = 0; i < 3; ++i) state.field[i] = static_cast<float>(raw[i]) * kTeslaPerStep;
   turn(mount_, state.field);
-  state.origin = slot_->ended();
+  state.origin = asked_ - kFieldAge;
   state.valid = true;
 }
 
@@ -90,6 +93,7 @@ void Ist8310::begin_step() {
       return;
     case Step::kRun:
       write_[0] = kData;
+      asked_ = now();
       started_ = slot_->start(write_, 1, read_, 6);
       return;
   }

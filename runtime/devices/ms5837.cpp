@@ -150,8 +150,8 @@ void Ms5837::take_conversion() {
 
 void Ms5837::conversion_begun(Kind kind) {
   running_ = kind;
-  begun_ = slot_->ended();
-  ready_ = begun_ + conversion_;
+  begun_ = asked_;
+  ready_ = slot_->ended() + conversion_;
 }
 
 void Ms5837::publish() {
@@ -205,6 +205,7 @@ void Ms5837::begin_step() {
     case Step::kFirst:
       write_[0] = command(Kind::kTemperature);
       pressures_ = 0;
+      asked_ = now();
       started_ = slot_->start(write_, 1);
       break;
     case Step::kConvert:
@@ -219,6 +220,7 @@ void Ms5837::begin_convert() {
   pressures_ = next_ == Kind::kPressure ? static_cast<std::uint8_t>(pressures_ + 1) : std::uint8_t{0};
   write_[0] = kReadAdc;
   write_[1] = command(next_);
+  asked_ = now();
   started_ = slot_->start(write_, 1, read_, 3, write_ + 1, 1);
 }
 

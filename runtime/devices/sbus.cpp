@@ -34,17 +34,17 @@ void Sbus::update() {
   std::uint8_t bytes[32];
   for (std::size_t size = sizeof bytes, turns = 0; size == sizeof bytes && turns < 8; ++turns) {
     size = uart_->read(bytes, sizeof bytes);
-    for (std::size_t i = 0; i < size; ++i) take(bytes[i]);
+    for (std::size_t i = 0; i < size; ++i) take(bytes[i], size - 1 - i);
   }
+  if (size_ == kFrame && uart_->idle()) decode(0);
   if (!is_fresh(state, now(), kMaxAge)) state.valid = false;
 }
 
-void Sbus::take(std::uint8_t byte) {
+// A whole frame waits for the silence behind it, which tells when it came, or for the first byte of the next one.
+void Sbus::take(std::uint8_t byte, std::size_t behind) {
+  if (size_ == kFrame) decode(behind + 1);
   frame_[size_++] = byte;
   while (size_ != 0 && (frame_[0] != kHead || (size_ == kFrame && frame_[kFrame - 1] != kTail))) resynchronise();
-  if (size_ < kFrame) return;
-  decode();
-  size_ = 0;
 }
 
 void Sbus::resynchronise() {
@@ -55,7 +55,8 @@ void Sbus::resynchronise() {
   std::memmove(frame_, frame_ + from, size_);
 }
 
-void Sbus::decode() {
+void Sbus::decode(std::size_t behind) {
+  size_ = 0;
   const std::uint8_t flags = frame_[kFlagsAt];
   failsafe_ = (flags & kFailsafe) != 0;
   if ((flags & (kFrameLost | kFailsafe)) != 0) return;
@@ -66,7 +67,7 @@ void Sbus::decode() {
   state.left_switch = switch_of(channel_at(frame_, 5));
   state.right_switch = switch_of(channel_at(frame_, 6));
   state.wheel = scaled(channel_at(frame_, 7));
-  state.origin = uart_->arrival() - uart_->wire_time(kFrame);
+  state.origin = uart_->arrival(behind) - uart_->wire_time(kFrame);
   state.valid = true;
 }
 

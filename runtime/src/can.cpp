@@ -13,6 +13,9 @@ enum CanFault : std::uint8_t { kBusOff = 1, kNoGroup };
 /// The count of errors above which a controller is passive: ISO 11898-1.
 constexpr std::uint8_t kErrorPassive = 127;
 
+/// Above what the routine takes that puts frames into mailboxes.
+constexpr Duration kLongestRoutine = 20 * kMicrosecond;
+
 /// 128 sequences of eleven recessive bits: ISO 11898-1.
 constexpr std::int64_t kRecoveryBits = 128 * 11;
 
@@ -67,7 +70,8 @@ void CanBus::start() {
   port_->configure(bitrate_, *this);
 }
 
-void CanBus::on_frame(const CanFrame& frame, Time at) {
+void CanBus::on_frame(const CanFrame& frame, Moment arrival) {
+  const Time at = busy_since(arrival);
   ++counters_.transfers;
   for (std::uint8_t i = 0; i < count_; ++i) {
     for (CanInbox* inbox = &slots_[i]->inbox_; inbox != nullptr; inbox = inbox->next_) {
@@ -77,25 +81,43 @@ void CanBus::on_frame(const CanFrame& frame, Time at) {
   ++counters_.lost;  // a filter lets more through than is wanted
 }
 
+/// Since when the bus has been busy without a pause when this frame began. All frames are taken as long as they can be.
+Time CanBus::busy_since(Moment arrival) {
+  Time since = arrival.earliest - longest_frame_;
+  since = received_.reach(sent_.reach(received_.reach(since)));
+  received_ = {since, arrival.latest};
+  const unsigned unsent = port_->unsent();  // they may follow at once
+  if (unsent > 0) sent_.last_to(arrival.latest + static_cast<std::int32_t>(unsent) * longest_frame_);
+  return since;
+}
+
+/// @param at  when the routine that sends began
+bool CanBus::send(const CanFrame& frame, Time at) {
+  if (!port_->send(frame)) return false;
+  if (at > sent_.until) sent_ = {at, at + kLongestRoutine};
+  sent_.until += longest_frame_;
+  ++counters_.transfers;
+  return true;
+}
+
 // Groups first: they carry the actuators. Whatever finds no mailbox is sent from the interrupt that frees one.
 void CanBus::on_interrupt() {
+  const Time at = now();
   for (Group& group : groups_) {
     if (!group.waiting.load() || group.setting.load()) continue;  // the flush behind what sets it comes back to it
-    if (!send_group(group)) return;
+    if (!send_group(group, at)) return;
   }
   for (std::uint8_t i = 0; i < count_; ++i) {
     CanSlot& slot = *slots_[i];
     if (!slot.waiting_.load()) continue;
-    if (!port_->send(slot.out_)) return;
+    if (!send(slot.out_, at)) return;
     slot.waiting_.store(false);
-    ++counters_.transfers;
   }
 }
 
-bool CanBus::send_group(Group& group) {
-  if (!port_->send(group.frame)) return false;
+bool CanBus::send_group(Group& group, Time at) {
+  if (!send(group.frame, at)) return false;
   group.waiting.store(false);
-  ++counters_.transfers;
   return true;
 }
 

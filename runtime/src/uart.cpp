@@ -11,6 +11,12 @@ enum UartFault : std::uint8_t { kReceiveHalted = 1, kBytesLost, kSendOverdue };
 
 constexpr Duration kSendSlack = 1 * kMillisecond;
 
+/// A sender whose clock is off by more than a part of so many is not understood: RM0090 30.3.5, tolerance to clock
+/// deviation, at most 4.5 %.
+constexpr Duration kFastestSender = 22;
+
+constexpr Time later(Time a, Time b) { return a < b ? b : a; }
+
 /// Start bit, data, parity, stop bits.
 constexpr int bits_per_byte(UartFormat format) {
   switch (format) {
@@ -65,10 +71,27 @@ std::size_t Uart::take(std::uint8_t* out, std::size_t capacity) {
   read_ += size;
   counters_.transfers += size != 0 ? 1 : 0;
 
-  const UartIdle idle = port_->idle();
-  if (size != 0) arrival_ = idle.received == read_ ? idle.at - wire_time(1) : last_read_;
-  if (size == available) last_read_ = at;
+  if (size == available) {
+    if (seen_.received != read_) before_ = seen_;
+    seen_ = {read_, at};
+  }
   return size;
+}
+
+// Every byte takes its time on the wire, so the last of some came that much later than the line was seen without them.
+Time Uart::arrival(std::size_t behind) const {
+  const std::uint32_t position = read_ - static_cast<std::uint32_t>(behind);
+  const UartIdle idle = port_->idle();
+  if (idle.received == position) return idle.at - wire_time(1);
+  return later(earliest(idle, position), later(earliest(seen_, position), earliest(before_, position)));
+}
+
+/// When the byte that ends at `position` can have arrived at the earliest, if the line had not brought it at `point`.
+Time Uart::earliest(const UartIdle& point, std::uint32_t position) const {
+  const std::uint32_t bytes = position - point.received;
+  if (bytes == 0 || bytes > port_->ring().size) return kLongAgo;
+  const Duration nominal = wire_time(bytes - 1);
+  return point.at + nominal - nominal / kFastestSender;
 }
 
 void Uart::lose(std::uint32_t bytes) {

@@ -8,6 +8,8 @@ namespace {
 
 using namespace finemote;
 
+constexpr Duration kLongestFrame = 135 * kMicrosecond;  // eight bytes with all stuff bits, at 1 Mbit/s
+
 struct Fixture {
   Fixture() {
     bench::reset();
@@ -20,6 +22,8 @@ struct Fixture {
     f.data[0] = first;
     return f;
   }
+  /// It arrived then, and its interrupt saw it at once.
+  static Moment at(Time time) { return {time, time}; }
   static bool set_word(CanSlot& slot, std::int16_t value) {
     const auto word = static_cast<std::uint16_t>(value);
     const std::uint8_t bytes[]{static_cast<std::uint8_t>(word >> 8), static_cast<std::uint8_t>(word & 0xFF)};
@@ -48,7 +52,7 @@ TEST_CASE_METHOD(Fixture, "each device gets the last frame with its identifier, 
   host::advance(5 * kMillisecond);
   CHECK(one.received().count == 2);
   CHECK(one.received().frame.data[0] == 9);
-  CHECK(one.received().at == 3 * kMillisecond);
+  CHECK(one.received().at == 3 * kMillisecond - kLongestFrame);
   CHECK(two.received().count == 1);
   CHECK(two.received().frame.data[0] == 8);
   REQUIRE(host::can1.accepted.size() == 2);
@@ -56,8 +60,38 @@ TEST_CASE_METHOD(Fixture, "each device gets the last frame with its identifier, 
   CHECK(host::can1.accepted[1].first == 0x202);
 }
 
+TEST_CASE_METHOD(Fixture, "a frame is as old as the bus was busy before it: it may have waited that long") {
+  const Time start = 10 * kMillisecond;
+  bus.on_frame(frame(0x201, 1), at(start));
+  CHECK(one.received().at == start - kLongestFrame);
+  bus.on_frame(frame(0x202, 1), at(start + 120 * kMicrosecond));  // directly behind it
+  CHECK(two.received().at == start - kLongestFrame);
+  bus.on_frame(frame(0x201, 1), at(start + 300 * kMicrosecond));  // after a pause
+  CHECK(one.received().at == start + 300 * kMicrosecond - kLongestFrame);
+  // The routine was late: the frame may have come with the one before.
+  bus.on_frame(frame(0x202, 1), {start + 400 * kMicrosecond, start + 500 * kMicrosecond});
+  CHECK(two.received().at == start + 300 * kMicrosecond - kLongestFrame);
+}
+
+TEST_CASE_METHOD(Fixture, "a frame may have waited for ours") {
+  host::advance(10 * kMillisecond);
+  const Time sent = now();
+  CHECK(set_word(one, 1));
+  bus.flush();
+  host::advance(kMillisecond);
+  bus.on_frame(frame(0x201, 1), at(sent + 240 * kMicrosecond));
+  CHECK(one.received().at == sent);
+  bus.on_frame(frame(0x202, 1), at(sent + 500 * kMicrosecond));
+  CHECK(two.received().at == sent + 500 * kMicrosecond - kLongestFrame);
+}
+
+TEST_CASE_METHOD(Fixture, "what came before the first release is too old to be used") {
+  bus.on_frame(frame(0x201, 1), {});
+  CHECK(one.received().at < kLongAgo / 2);
+}
+
 TEST_CASE_METHOD(Fixture, "an identifier nobody knows is counted and touches nothing") {
-  bus.on_frame(frame(0x333, 1), 0);
+  bus.on_frame(frame(0x333, 1), {});
   CHECK(bus.counters().lost == 1);
   CHECK(one.received().count == 0);
 }
@@ -70,17 +104,17 @@ TEST_CASE_METHOD(Fixture, "a device keeps the last frame of each entry apart, an
   CanBus two_slots{ports::can1, 1000000, slots};
   two_slots.start();
   REQUIRE(host::can1.accepted.size() == 3);  // none for the silent one
-  two_slots.on_frame(frame(0x181, 1), 10);
-  two_slots.on_frame(frame(0x281, 2), 20);
-  two_slots.on_frame(frame(0x021, 3), 30);
-  two_slots.on_frame(frame(0x03F, 4), 40);
+  two_slots.on_frame(frame(0x181, 1), at(10 * kMillisecond));
+  two_slots.on_frame(frame(0x281, 2), at(20 * kMillisecond));
+  two_slots.on_frame(frame(0x021, 3), at(30 * kMillisecond));
+  two_slots.on_frame(frame(0x03F, 4), at(40 * kMillisecond));
   CHECK(many.received().frame.data[0] == 1);
   CHECK(many.received(1).frame.data[0] == 2);
-  CHECK(many.received(1).at == 20);
+  CHECK(many.received(1).at == 20 * kMillisecond - kLongestFrame);
   CHECK(many.received(2).frame.id == 0x03F);
   CHECK(many.received(2).count == 2);
   CHECK(many.received(3).count == 0);
-  for (const std::uint16_t id : {0x000, 0x01F, 0x040, 0x182}) two_slots.on_frame(frame(id, 1), 50);
+  for (const std::uint16_t id : {0x000, 0x01F, 0x040, 0x182}) two_slots.on_frame(frame(id, 1), at(50 * kMillisecond));
   CHECK(two_slots.counters().lost == 4);
 }
 

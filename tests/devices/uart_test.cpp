@@ -83,13 +83,32 @@ TEST_CASE_METHOD(Fixture, "arrival is never later than the bytes arrived") {
   const Duration byte = 10 * kSecond / 115200;
   host::advance(1 * kMillisecond + 10 * byte + byte / 2);  // the line is not yet seen idle
   REQUIRE(read().size() == 10);
-  CHECK(uart.arrival() == 1 * kMillisecond);  // the read before
+  const Time ninth = 1 * kMillisecond + 9 * byte;  // after the read before, as long as the bytes take
+  CHECK(uart.arrival() <= ninth);
+  CHECK(uart.arrival() > ninth - byte);
   line.feed(now(), count(10));
   const Time sent = now() + 10 * byte;
   host::advance(20 * kMillisecond);
   REQUIRE(read().size() == 10);
   CHECK(uart.arrival() <= sent);
   CHECK(uart.arrival() > sent - byte);
+}
+
+TEST_CASE_METHOD(Fixture, "the arrival of a byte with others behind it is never later than that of the byte") {
+  const Duration byte = 10 * kSecond / 115200;
+  line.feed(2 * kMillisecond, count(10));
+  line.feed(5 * kMillisecond, count(6));
+  host::advance(5 * kMillisecond + 6 * byte + byte / 2);  // the line is not yet seen idle
+  REQUIRE(read().size() == 16);
+  const Time tenth = 2 * kMillisecond + 10 * byte;
+  CHECK(uart.arrival() > tenth + 5 * byte);  // six bytes after the silence
+  CHECK(uart.arrival() <= 5 * kMillisecond + 6 * byte);
+  CHECK(uart.arrival(6) <= tenth);  // the silence was behind it
+  CHECK(uart.arrival(6) > tenth - byte);
+  CHECK(uart.arrival(10) < 2 * kMillisecond);  // nothing is known but that it came after the beginning
+  host::advance(byte);
+  read();
+  CHECK(uart.arrival() > 5 * kMillisecond + 5 * byte);  // now it is known
 }
 
 TEST_CASE_METHOD(Fixture, "reception that stopped is started again and old bytes are not read as new") {

@@ -20,8 +20,8 @@ class CanInbox {
   constexpr explicit CanInbox(CanIds ids, CanInbox* next = nullptr) : ids_(ids), next_(next) {}
 
   struct Received {
-    CanFrame frame;  ///< with its identifier
-    Time at = 0;
+    CanFrame frame;           ///< with its identifier
+    Time at = kLongAgo;       ///< not later than the device made it, see CanBus::on_frame()
     std::uint32_t count = 0;  ///< frames so far, modulo 2^31; 0: none yet
   };
   /// The last frame received, whole. Context: the device's bucket.
@@ -34,7 +34,7 @@ class CanInbox {
 
   CanIds ids_;
   Shared<std::uint32_t> changes_{0};  ///< twice the frames so far; odd while one is being stored
-  Time at_ = 0;
+  Time at_ = kLongAgo;
   CanFrame in_;
   CanInbox* next_;
 };
@@ -91,10 +91,11 @@ class CanBus {
  public:
   template <std::size_t N>
   constexpr CanBus(CanPort& port, std::int64_t bitrate, CanSlot* const (&slots)[N])
-      : port_(&port), slots_(slots), count_(N), bitrate_(bitrate) {
+      : port_(&port), slots_(slots), count_(N), bitrate_(bitrate), longest_frame_(longest_frame(bitrate)) {
     static_assert(N <= kMaxSlots, "too many devices on one CAN bus");
   }
-  constexpr CanBus(CanPort& port, std::int64_t bitrate) : port_(&port), slots_(nullptr), count_(0), bitrate_(bitrate) {}
+  constexpr CanBus(CanPort& port, std::int64_t bitrate)
+      : port_(&port), slots_(nullptr), count_(0), bitrate_(bitrate), longest_frame_(longest_frame(bitrate)) {}
   static constexpr std::size_t kMaxSlots = 32;
   static constexpr std::size_t kGroups = 5;  ///< shared command frames
 
@@ -106,8 +107,10 @@ class CanBus {
   /// Calls `accept(const CanIds&)` with each entry of what the devices receive. Context: init.
   template <typename Accept>
   void each_ids(Accept&& accept) const;
+  /// A frame arrived. It may have waited for as long as the bus had been busy without a pause: then it was made at the
+  /// earliest, and that is the time it is kept with. Context: interrupt.
+  void on_frame(const CanFrame& frame, Moment arrival);
   /// Context: interrupt.
-  void on_frame(const CanFrame& frame, Time at);
   void on_interrupt();
 
   /// Sends every group that was set since the last flush, once. Context: init, safe stop.
@@ -128,6 +131,20 @@ class CanBus {
 
  private:
   friend class CanSlot;
+  /// A frame of eight bytes with all stuff bits, and the three bits between frames: ISO 11898-1.
+  static constexpr Duration kLongestFrameBits = 135;
+  static constexpr std::int32_t longest_frame(std::int64_t bitrate) {
+    return static_cast<std::int32_t>(kLongestFrameBits * kSecond / bitrate);
+  }
+
+  /// When some frames kept the bus busy without a pause.
+  struct Busy {
+    Time since = kLongAgo, until = kLongAgo;
+    /// When it began where it lasted until `at`, else `at`.
+    [[nodiscard]] constexpr Time reach(Time at) const { return at <= until ? oldest(at, since) : at; }
+    constexpr void last_to(Time at) { until = until < at ? at : until; }
+  };
+
   /// A command frame of eight bytes that several devices fill.
   struct Group {
     Shared<std::uint16_t> id{0};  ///< 0: free
@@ -144,12 +161,16 @@ class CanBus {
   void flush_if(Belongs&& belongs);
   [[nodiscard]] Group* group_of(std::uint16_t id);
   static void write(Group& group, const CanShare& share, const std::uint8_t* bytes);
-  bool send_group(Group& group);
+  bool send_group(Group& group, Time at);
+  bool send(const CanFrame& frame, Time at);
+  Time busy_since(Moment arrival);
 
   CanPort* port_;
   CanSlot* const* slots_;
   std::uint8_t count_;
   std::int64_t bitrate_;
+  std::int32_t longest_frame_;  ///< ns
+  Busy received_, sent_;
   bool recovering_ = false;
   Time try_again_ = 0;  ///< a recovery that has not ended by then is begun anew
   Group groups_[kGroups];

@@ -17,6 +17,12 @@
 
 namespace finemote {
 
+/// When an event happened that an interrupt tells of: the routine may have waited for others.
+struct Moment {
+  Time earliest = kLongAgo;  ///< kLongAgo where it may have been before the first release
+  Time latest = 0;
+};
+
 class I2cBus;
 class SpiBus;
 class CanBus;
@@ -55,7 +61,7 @@ struct UartRing {
 /// The last time the line fell silent: how many bytes had arrived by then, and when.
 struct UartIdle {
   std::uint32_t received = 0;
-  Time at = 0;
+  Time at = kLongAgo;  ///< not later than the event
 };
 
 /// A serial port that receives into a ring by DMA and sends one block at a time by DMA.
@@ -232,13 +238,15 @@ class CanPort {
 
   /// Clocks, pins, bit timing for `bitrate` [bit/s], acceptance of exactly what `bus.each_ids()` lists (a superset
   /// where the hardware has too few filters), interrupts for reception, sending and errors. They hand each received
-  /// frame to `bus.on_frame(frame, now())`, and call `bus.on_interrupt()` after a pend() and when a mailbox falls free
+  /// frame to `bus.on_frame(frame, moment)`, and call `bus.on_interrupt()` after a pend() and when a mailbox falls free
   /// after send() found none. Context: init.
   void configure(std::int64_t bitrate, CanBus& bus);
   /// As I2cPort::pend(). Context: any.
   void pend();
   /// Puts a frame into a free mailbox; the mailboxes are sent by identifier. False: none is free. Context: interrupt.
   [[nodiscard]] bool send(const CanFrame& frame);
+  /// Frames in mailboxes that have not gone. Context: interrupt.
+  [[nodiscard]] unsigned unsent() const;
   /// Empties the mailboxes. Context: interrupt.
   void abort();
   /// True while the controller is off the bus. Context: any.
@@ -311,7 +319,7 @@ class GpioPort {
 /// The last edge of a line that interrupts.
 struct Edge {
   std::uint32_t count = 0;  ///< edges so far, modulo 2^32; 0: none yet
-  Time at = 0;              ///< of the last one, as its interrupt saw it
+  Time at = kLongAgo;       ///< not later than the last one
 };
 
 /// One pin whose edges are counted and timed by an interrupt of its own.

@@ -15,6 +15,9 @@ inline constexpr Duration kMicrosecond = 1'000;
 inline constexpr Duration kMillisecond = 1'000'000;
 inline constexpr Duration kSecond = 1'000'000'000;
 
+/// Stands for when something happened before time began: older than anything that may still be used.
+inline constexpr Time kLongAgo = -3600 * kSecond;
+
 /// The present time; 0 before the first release. May be called from everywhere: start-up, stages, interrupts.
 Time now();
 

@@ -45,9 +45,9 @@ class Uart {
   /// True when the line has been silent since the last byte read() returned: a message without terminator is complete.
   [[nodiscard]] bool idle() const;
 
-  /// When the last byte that read() returned had arrived at the latest: the idle event behind it if there was one, else
-  /// the time of the read() before, after which it arrived; so never later than the truth is old.
-  [[nodiscard]] Time arrival() const { return arrival_; }
+  /// When the last byte that read() returned, but for `behind` others, had arrived, or before: by the idle event behind
+  /// it. Where there is none: after the read() or idle event before it, and after as many bytes as came since.
+  [[nodiscard]] Time arrival(std::size_t behind = 0) const;
 
   /// Wire time of `bytes` bytes (start, 8 data, parity, stop bits), rounded up.
   [[nodiscard]] Duration wire_time(std::size_t bytes) const;
@@ -55,6 +55,7 @@ class Uart {
   [[nodiscard]] const BusCounters& counters() const { return counters_; }
 
  private:
+  [[nodiscard]] Time earliest(const UartIdle& point, std::uint32_t position) const;
   std::size_t take(std::uint8_t* out, std::size_t capacity);
   void count_line_errors();
   void lose(std::uint32_t bytes);
@@ -65,7 +66,8 @@ class Uart {
   std::uint16_t events_;
   std::uint32_t read_ = 0;         ///< bytes taken since start, modulo 2^32
   std::uint32_t line_errors_ = 0;  ///< seen so far
-  Time last_read_ = 0, arrival_ = 0, send_deadline_ = 0;
+  UartIdle seen_, before_;         ///< when the line had brought what is read, and less than that
+  Time send_deadline_ = 0;
   BusCounters counters_;
 };
 

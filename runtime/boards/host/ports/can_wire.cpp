@@ -44,7 +44,7 @@ void CanHardware::feed(Time at, const CanFrame& frame) {
     const bool is_accepted =
         std::any_of(accepted.begin(), accepted.end(), [&](const CanIds& ids) { return ids.hold(frame.id); });
     if (off || !is_accepted) return;
-    bus->on_frame(frame, now());
+    bus->on_frame(frame, {now(), now()});
   });
 }
 
@@ -65,6 +65,8 @@ bool CanPort::send(const CanFrame& frame) {
   send_next(*hardware_);
   return true;
 }
+
+unsigned CanPort::unsent() const { return static_cast<unsigned>(hardware_->mailboxes.size()); }
 
 void CanPort::abort() { hardware_->mailboxes.clear(); }
 bool CanPort::bus_off() const { return hardware_->off; }

@@ -4,6 +4,7 @@
 
 #include "finemote/fault.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
+#include "runtime/chips/cortex_m4/urgent_interrupt.hpp"
 #include "runtime/chips/stm32f4/clock.hpp"
 #include "runtime/chips/stm32f4/interrupt.hpp"
 #include "runtime/chips/stm32f4/ports/can_hardware.hpp"
@@ -165,6 +166,11 @@ bool CanPort::send(const CanFrame& frame) {
   return true;
 }
 
+unsigned CanPort::unsent() const {
+  const std::uint32_t empty = hardware_->setup.can.tsr().read() >> can::kEmptyShift;
+  return 3 - (empty & 1) - (empty >> 1 & 1) - (empty >> 2 & 1);
+}
+
 void CanPort::abort() {
   hardware_->setup.can.tsr().write(can::kAbort | can::kAbort << 8 | can::kAbort << 16);
   stm32f4::drain();
@@ -189,6 +195,7 @@ std::uint16_t CanPort::error_counters() const {
 // The request comes here, too. The end of a frame interrupts only while a frame waits for it: where send() found all
 // mailboxes full, none of the flags cleared here was set any more (RM0090 32.9.2, RQCP).
 void CanHardware::on_transmit() {
+  const cortex_m4::UrgentInterrupt interrupt;
   const stm32f4::CanRegisters& registers = setup.can;
   registers.ier().clear(can::kTransmitInterrupt);
   // Flags are cleared by writing 1; the zeros leave the rest alone, abort requests included.
@@ -198,6 +205,7 @@ void CanHardware::on_transmit() {
 }
 
 void CanHardware::on_receive() {
+  const cortex_m4::UrgentInterrupt interrupt;
   const stm32f4::CanRegisters& registers = setup.can;
   if (registers.rf0r().any(can::kOverrun)) {
     registers.rf0r().write(can::kOverrun);
@@ -213,12 +221,13 @@ void CanHardware::on_receive() {
     put_word(frame.data + 4, registers.received(3).read());
     registers.rf0r().write(can::kRelease);
     static_cast<void>(wait_for(registers.rf0r(), can::kRelease, 0, kReleasePolls));  // a few bus cycles
-    if ((identifier & can::kExtendedOrRemote) == 0) bus->on_frame(frame, now());
+    if ((identifier & can::kExtendedOrRemote) == 0) bus->on_frame(frame, interrupt.event());
   }
   stm32f4::settle(registers.mcr());
 }
 
 void CanHardware::on_error() {
+  const cortex_m4::UrgentInterrupt interrupt;
   setup.can.msr().write(can::kErrorFlag);
   stm32f4::settle(setup.can.mcr());
 }

@@ -1,5 +1,6 @@
 // EdgePort on EXTI: RM0090 12.2; the port behind a line is chosen in SYSCFG, 9.2.3 to 9.2.6.
 #include "runtime/chips/cortex_m4/core.hpp"
+#include "runtime/chips/cortex_m4/urgent_interrupt.hpp"
 #include "runtime/chips/stm32f4/interrupt.hpp"
 #include "runtime/chips/stm32f4/ports/exti_hardware.hpp"
 #include "runtime/chips/stm32f4/registers/clock.hpp"
@@ -45,8 +46,9 @@ Edge EdgePort::last() const {
 bool EdgeHardware::is_pending() const { return exti::pr.any(stm32f4::bit(pin.number)); }
 
 void EdgeHardware::on_interrupt() {
+  const cortex_m4::UrgentInterrupt interrupt;
   exti::pr.write(stm32f4::bit(pin.number));  // rc_w1: 12.3.6
-  at = now();
+  at = interrupt.event().earliest;
   Shared<std::uint32_t>::fence();
   count.store(count.load() + 1);
   stm32f4::settle(exti::pr);

@@ -1,6 +1,7 @@
 // UartPort on a USART with two DMA streams. Procedures: RM0090 30.3.13 (continuous communication by DMA), 10.3.17.
 #include "finemote/fault.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
+#include "runtime/chips/cortex_m4/urgent_interrupt.hpp"
 #include "runtime/chips/stm32f4/interrupt.hpp"
 #include "runtime/chips/stm32f4/ports/uart_hardware.hpp"
 #include "runtime/chips/stm32f4/registers/clock.hpp"
@@ -173,9 +174,11 @@ void UartPort::abort_transmit() {
 }
 
 void UartHardware::on_usart() {
+  const cortex_m4::UrgentInterrupt interrupt;
   const stm32f4::UsartRegisters& registers = setup.usart;
   const std::uint32_t status = registers.sr().read();
-  if (!quiet.load() && (status & (usart::kErrors | usart::kIdle)) != 0) take_events(status);
+  const bool has_event = (status & (usart::kErrors | usart::kIdle)) != 0;
+  if (!quiet.load() && has_event) take_events(status, interrupt.event().earliest);
   const bool waiting = (registers.cr1().read() & usart::kCompleteInterrupt) != 0;
   if (waiting && (status & usart::kTransmitComplete) != 0 && setup.transmit.ndtr().read() == 0) {
     registers.cr1().clear(usart::kCompleteInterrupt);
@@ -185,14 +188,13 @@ void UartHardware::on_usart() {
   stm32f4::settle(registers.cr1());
 }
 
-void UartHardware::take_events(std::uint32_t status) {
+void UartHardware::take_events(std::uint32_t status, Time at) {
   // Status, then data register: clears these flags (RM0090 30.6.1). The byte itself was taken by the DMA long ago.
   static_cast<void>(setup.usart.dr().read());
   errors.framing += (status & usart::kFramingError) != 0 ? 1 : 0;
   errors.noise += (status & usart::kNoise) != 0 ? 1 : 0;
   errors.parity += (status & usart::kParityError) != 0 ? 1 : 0;
   errors.overrun += (status & usart::kOverrun) != 0 ? 1 : 0;
-  const Time at = now();
   if ((status & usart::kIdle) != 0) {
     // Where nothing came since events were allowed again, the line may have been silent for long: of its last byte is
     // known that it is no older than the last event before.
@@ -220,6 +222,7 @@ void UartHardware::listen(bool on) const {
 }
 
 void UartHardware::on_receive_dma() {
+  const cortex_m4::UrgentInterrupt interrupt;
   const std::uint32_t flags = setup.receive.flags();
   setup.receive.clear_flags(flags);
   if ((flags & dma::kFlagComplete) != 0) laps.store(laps.load() + 1);

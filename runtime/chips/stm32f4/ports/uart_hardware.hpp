@@ -36,7 +36,7 @@ struct UartHardware {
   UartErrors errors{};
   Shared<std::uint32_t> events_left{0};
   Shared<bool> quiet{true};        ///< no line event interrupts: none is left
-  Time quiet_since = 0;            ///< when the last one did
+  Time quiet_since = kLongAgo;     ///< when the last one did
   std::uint32_t resumed_from = 0;  ///< bytes received when events were allowed again
   Shared<bool> halted{false};
   Shared<bool> sending{false};
@@ -54,7 +54,7 @@ struct UartHardware {
   void on_receive_dma();
 
  private:
-  void take_events(std::uint32_t status);
+  void take_events(std::uint32_t status, Time at);
 };
 
 }  // namespace finemote

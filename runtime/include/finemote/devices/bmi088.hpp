@@ -18,16 +18,16 @@ namespace finemote {
 /// gyroscope's. Ranges +-6 g and +-2000 deg/s.
 ///
 /// Nothing waits: every update() takes the two reads of the one before and starts the next two; the state's origin is
-/// when the earlier of them ended. Bring-up (resets, settings, identities) is a state with `valid = false`. The
-/// gyroscope's identity and the accelerometer's own clock are read along: a part that stands still, is missing or was
-/// reset is invalid at once and brought up again after kMaxFailures reads.
+/// when they began, less the longest age of what the accelerometer then has. Bring-up (resets, settings, identities) is
+/// a state with `valid = false`. The gyroscope's identity and the accelerometer's own clock are read along: a part that
+/// stands still, is missing or was reset is invalid at once and brought up again after kMaxFailures reads.
 ///
 /// Rates, acceleration and attitude are in the axes of the robot, wherever the URDF says the part's own link
 /// points.
 ///
 /// With a pulse output in the use `heater` it holds the part at a temperature, so that the gyroscope's offset stays
 /// where it was learned. The heater is off without a temperature that is plausible and new, and in safe(). With the
-/// gyroscope's data-ready line in the use `ready` the origin is never later than the edge before the read, and a
+/// gyroscope's data-ready line in the use `ready` the origin is never later than the edge before the reads, and a
 /// gyroscope without edges is invalid.
 class Bmi088 {
  public:
@@ -78,7 +78,8 @@ class Bmi088 {
   SpiSlot* gyro_;
   PwmChannel* heater_;
   EdgePin* ready_;
-  Edge edge_;  ///< before the read under way
+  Edge edge_;       ///< before the reads under way
+  Time asked_ = 0;  ///< when they were begun
   float temperature_ = 0, heat_ = 0;
   Time warmed_ = 0;  ///< when the temperature was taken; 0: never
   Time regulated_ = 0;

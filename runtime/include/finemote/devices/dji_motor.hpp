@@ -19,9 +19,10 @@ struct DjiMotorKind {
 /// Common to all kinds; use DjiM3508, DjiM2006 or DjiGm6020.
 ///
 /// Feedback comes by itself, 1000 times a second: rotor angle 0..8191, speed [rpm], current, temperature. The state's
-/// origin is when the last frame arrived; 20 ms without one, or with impossible values, make it invalid and the motor
-/// unreachable. The angle counts turns, helped by the speed where more than half a turn passes between two updates; the
-/// first one is within half a turn of the rotor either way of where the encoder's zero is said to be.
+/// origin is when the last frame was made at the earliest; 20 ms without one, or with impossible values, make it
+/// invalid and the motor unreachable. The angle counts turns, helped by the speed where more than half a turn passes
+/// between two updates; the first one is within half a turn of the rotor either way of where the encoder's zero is said
+/// to be.
 ///
 /// Drives while its command is valid, a number, and made from data not older than `max_age`; otherwise no current. Four
 /// motors share one frame: handle() sets the motor's two bytes, the bus sends the frame once at the end of the bucket.

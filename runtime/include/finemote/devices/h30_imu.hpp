@@ -56,6 +56,7 @@ class H30Imu {
   Uart* uart_;
   std::uint8_t frame_[kMaxFrame]{};
   std::size_t filled_ = 0;
+  std::size_t behind_ = 0;  ///< bytes that arrived together behind the last one in the frame
   std::uint32_t frames_ = 0, bad_frames_ = 0;
 };
 

@@ -11,9 +11,9 @@
 namespace finemote {
 
 /// iSentek IST8310, 0.3 uT per step. Every update() takes the read of the one before and starts the next; the origin is
-/// when that read ended. Identity and settings are written first, with `valid = false`. Three failed transfers in a
-/// row, or three readings beyond the part's range, lead to a new bring-up. The field is in the axes of the robot,
-/// wherever the URDF says the part's own link points.
+/// when that read began, less the longest age of what it brings. Identity and settings are written first, with
+/// `valid = false`. Three failed transfers in a row, or three readings beyond the part's range, lead to a new bring-up.
+/// The field is in the axes of the robot, wherever the URDF says the part's own link points.
 class Ist8310 {
  public:
   /// @param mount  takes the part's axes to those wanted; null: they are the same
@@ -36,6 +36,7 @@ class Ist8310 {
   I2cSlot* slot_;
   Step step_ = Step::kIdentity;
   bool started_ = false;
+  Time asked_ = 0;  ///< when the read under way was begun
   std::uint8_t entry_ = 0, bad_values_ = 0;
   std::uint8_t write_[2]{};
   std::uint8_t read_[6]{};

@@ -17,7 +17,8 @@ namespace finemote {
 /// PROM, CRC) is the same machine with `valid = false`; a part that stops answering, or three
 /// times in a row gives values out of range or far from the last good one, begins again with it.
 ///
-/// `state.origin` is when the pressure conversion began. The state is invalid from a failure to the next good pressure.
+/// `state.origin` is when the pressure conversion was asked for. The state is invalid from a failure to the next good
+/// pressure.
 class Ms5837 {
  public:
   enum class Variant : std::uint8_t { k02BA, k30BA };
@@ -108,9 +109,10 @@ class Ms5837 {
   std::uint8_t read_[3]{};
   std::int32_t conversion_;  ///< ns
   std::uint32_t d1_ = 0, d2_ = 0;
-  Time begun_ = 0;  ///< the running conversion
+  Time asked_ = 0;  ///< when the transfer under way was begun
+  Time begun_ = 0;  ///< when the running conversion was asked for
   Time ready_ = 0;  ///< its result, or the part after a reset
-  Time taken_ = 0;  ///< begin of the conversion behind d1_
+  Time taken_ = 0;  ///< when the conversion behind d1_ was asked for
   Calibration calibration_;
 };
 

@@ -31,8 +31,9 @@ class Sbus {
   [[nodiscard]] bool failsafe() const { return failsafe_; }
 
  private:
-  void take(std::uint8_t byte);
-  void decode();
+  /// @param behind  bytes that arrived together behind it
+  void take(std::uint8_t byte, std::size_t behind);
+  void decode(std::size_t behind);
   void resynchronise();
 
   Uart* uart_;
