@@ -32,21 +32,24 @@ void check(const Elf32_Ehdr& header) {
   }
 }
 
-/// Marks of functions that were not linked stand at address 0.
-void read_marks(const std::vector<std::uint8_t>& file, const Elf32_Ehdr& header, Image& image) {
+/// All of a section that holds `T`, which begins with an address: that is 0 for what was not linked.
+template <class T>
+std::vector<T> places_of(const std::vector<std::uint8_t>& file, const Elf32_Ehdr& header, const char* name) {
   const auto section_at = [&](unsigned s) {
     return at<Elf32_Shdr>(file, header.e_shoff + std::uint64_t{s} * header.e_shentsize);
   };
-  if (header.e_shstrndx >= header.e_shnum) return;
+  std::vector<T> places;
+  if (header.e_shstrndx >= header.e_shnum) return places;
   const Elf32_Shdr names = section_at(header.e_shstrndx);
   for (unsigned s = 0; s < header.e_shnum; ++s) {
     const Elf32_Shdr section = section_at(s);
-    if (text_at(file, std::uint64_t{names.sh_offset} + section.sh_name) != ".debug_finemote") continue;
-    for (std::uint64_t offset = 0; offset + sizeof(Mark) <= section.sh_size; offset += sizeof(Mark)) {
-      const Mark mark = at<Mark>(file, section.sh_offset + offset);
-      if (mark.address != 0) image.marks.push_back(mark);
+    if (text_at(file, std::uint64_t{names.sh_offset} + section.sh_name) != name) continue;
+    for (std::uint64_t offset = 0; offset + sizeof(T) <= section.sh_size; offset += sizeof(T)) {
+      const T place = at<T>(file, section.sh_offset + offset);
+      if (place.address != 0) places.push_back(place);
     }
   }
+  return places;
 }
 
 void read_symbols(const std::vector<std::uint8_t>& file, const Elf32_Ehdr& header, Image& image) {
@@ -87,7 +90,8 @@ Image parse_image(const std::vector<std::uint8_t>& file) {
   }
   if (image.segments.empty()) throw std::runtime_error("the ELF file has nothing to load");
   read_symbols(file, header, image);
-  read_marks(file, header, image);
+  image.marks = places_of<Mark>(file, header, ".debug_finemote");
+  image.stamps = places_of<StampPlace>(file, header, ".debug_finemote_stamps");
   return image;
 }
 

@@ -26,9 +26,16 @@ struct Mark {
   std::uint32_t number = 0;
 };
 
+/// Where a device keeps when its data were taken (`finemote::Stamp`), known by the stage of its update.
+struct StampPlace {
+  std::uint32_t address = 0;
+  std::uint32_t stage = 0;
+};
+
 struct Image {
   std::vector<Segment> segments;
   std::vector<Mark> marks;
+  std::vector<StampPlace> stamps;  ///< section `.debug_finemote_stamps`
   std::multimap<std::string, Symbol> symbols;
 
   /// The first symbol of this exact (mangled) name.

@@ -149,7 +149,7 @@ std::vector<SampleUse> Outfit::uses() const {
   for (const Use& use : provenance.uses()) {
     const Origin& sample = provenance.origin(use.sample);
     const auto& [part, channel] = channels_.at(sample.source);
-    all.push_back({use.at, use.stage, part, channel, sample.n});
+    all.push_back({use.at, use.stage, part, channel, sample.n, use.claimed});
   }
   return all;
 }

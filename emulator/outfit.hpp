@@ -43,6 +43,7 @@ struct SampleUse {
   std::string part;
   unsigned channel;
   std::uint32_t n;  ///< of the sample of that channel
+  Claim claimed;    ///< when the state's data were taken, as it says
 };
 
 /// A value of a part that has to stay between two limits, and where it has been.

@@ -98,10 +98,21 @@ void Cpu::mark(std::uint32_t address, std::uint32_t number) {
   core_.mark(address);
 }
 
+/// The stamp of the device whose update ends at this mark.
+Claim Cpu::claim_at_end(std::uint32_t mark) {
+  constexpr std::uint32_t kValidOffset = 8;  // finemote::Stamp: 64 bits of time in ns, then whether it is valid
+  const auto stamp = mark % 2 == 1 ? stamps_.find(mark / 2) : stamps_.end();
+  const std::uint8_t* bytes = stamp == stamps_.end() ? nullptr : memory(stamp->second, kValidOffset + 1);
+  if (bytes == nullptr || bytes[kValidOffset] == 0) return std::nullopt;
+  std::int64_t origin_ns = 0;
+  std::memcpy(&origin_ns, bytes, sizeof origin_ns);
+  return origin_ns;
+}
+
 void Cpu::passed(std::uint32_t address, Time at) {
   const auto [first, end] = marks_.equal_range(address);
   for (auto it = first; it != end; ++it) {
-    if (tags_.is_on()) provenance_.pass_mark(it->second, at);
+    if (tags_.is_on()) provenance_.pass_mark(it->second, at, claim_at_end(it->second));
     if (log_ != nullptr) log_->push_back({at, it->second, ExecutionEvent::Kind::mark});
   }
 }

@@ -84,6 +84,9 @@ class Cpu : private Outside {
   /// Passing the instruction at `address` of the loaded image is an event of the log with `number`; several marks of
   /// one address come in the order they were set.
   void mark(std::uint32_t address, std::uint32_t number);
+  /// The device of this update keeps its stamp at `address`: what it claims when the update ends is kept with what it
+  /// used.
+  void find_stamp(std::uint32_t stage, std::uint32_t address) { stamps_[stage] = address; }
   /// Interrupts (and the probe) also come between the instructions of an IT block, as the core allows. Without, they
   /// wait for its end, as in QEMU.
   void interrupt_it_blocks(bool on) { interrupt_it_blocks_ = on; }
@@ -115,6 +118,7 @@ class Cpu : private Outside {
   void passed(std::uint32_t address, Time at) override;
 
   void after_access();
+  [[nodiscard]] Claim claim_at_end(std::uint32_t mark);
   void set_stop() { core_.pace.stop_at = kick_ || probe_ ? 0 : next_stop_; }
   void execute();
   void take_exceptions();
@@ -142,6 +146,7 @@ class Cpu : private Outside {
   std::uint32_t lowest_stack_ = 0xFFFFFFFFU, guard_begin_ = 0, guard_end_ = 0;
   Probe probe_;
   ExecutionLog* log_ = nullptr;
+  std::map<std::uint32_t, std::uint32_t> stamps_;      ///< addresses by stage
   std::multimap<std::uint32_t, std::uint32_t> marks_;  ///< what a mark stands for, by address
   bool masked_ = false;
   std::string console_;

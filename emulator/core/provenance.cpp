@@ -33,18 +33,19 @@ void Provenance::resume() {
 }
 
 void Provenance::reset() {
+  ++starts_;
   levels_.assign(1, Level{});
   made_of_.clear();
   early_.clear();
 }
 
 /// Only the first begin and the first end count: a jump may come back to the instruction at a mark.
-void Provenance::pass_mark(std::uint32_t number, Time at) {
+void Provenance::pass_mark(std::uint32_t number, Time at, Claim claim) {
   if (number >= kFirstWorkMark) return;
   Level& level = levels_.back();
   const std::uint32_t stage = number / 2;
   if (number % 2 == 0 && level.stage != stage) begin(level, stage, at);
-  if (number % 2 != 0 && level.stage == stage) end(level, at);
+  if (number % 2 != 0 && level.stage == stage) end(level, at, claim);
 }
 
 void Provenance::begin(Level& level, std::uint32_t stage, Time at) {
@@ -66,11 +67,11 @@ void Provenance::take_early(Level& level, Time at) {
 
 /// Where it took nothing new from a source, its state is still made of what it took before. What it loads of older
 /// samples is what others made of them.
-void Provenance::end(Level& level, Time at) {
+void Provenance::end(Level& level, Time at, Claim claim) {
   if (level.looks) {
     Samples& state = made_of_[level.stage];
     for (const auto& [source, tag] : level.loaded) state[source] = newest(state[source], tag);
-    for (const auto& [source, tag] : state) uses_.push_back({at, level.stage, tag});
+    for (const auto& [source, tag] : state) uses_.push_back({at, level.stage, tag, starts_ > 1 ? std::nullopt : claim});
   }
   level = {};
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "emulator/core/tag.hpp"
@@ -24,11 +25,16 @@ struct Origin {
   Time readable = 0;         ///< when the last bit of the sample could be read
 };
 
+/// When the data of a state were taken, as the firmware says: its time [ns]; none where the state is not valid, nobody
+/// knows where it lies, or the firmware has begun to count anew.
+using Claim = std::optional<std::int64_t>;
+
 /// An update ended, and its state is made of this sample of a source.
 struct Use {
   Time at = 0;
   std::uint32_t stage = 0;
   Tag sample = Tag::none;
+  Claim claimed;
 };
 
 /// Knows where bytes can come from, and what the stages of a schedule do with them. Stages are known by their marks:
@@ -48,7 +54,8 @@ class Provenance {
   [[nodiscard]] const std::vector<Use>& uses() const { return uses_; }
 
   // What the processor does.
-  void pass_mark(std::uint32_t number, Time at);
+  /// @param claim  of the device whose update ends here
+  void pass_mark(std::uint32_t number, Time at, Claim claim);
   void enter() { levels_.emplace_back(); }
   void tail();
   void resume();
@@ -74,9 +81,10 @@ class Provenance {
 
   Tag add(const Origin& origin);
   void begin(Level& level, std::uint32_t stage, Time at);
-  void end(Level& level, Time at);
+  void end(Level& level, Time at, Claim claim);
   void take_early(Level& level, Time at);
 
+  unsigned starts_ = 0;                          ///< of the processor
   std::vector<Origin> origins_{Origin{}};        ///< by tag
   std::vector<std::uint32_t> sample_counts_;     ///< by source
   std::map<std::uint32_t, std::uint32_t> runs_;  ///< of handles, by stage

@@ -124,8 +124,6 @@ Json parts_of(const Outfit& outfit, std::int64_t zero) {
     all.push_back({{"part", event.part},
                    {"output", event.kind == PartEvent::Kind::output},
                    {"channel", event.channel},
-                   {"from_ns", static_cast<std::int64_t>(to_ns(event.from)) - zero},
-                   {"at_ns", static_cast<std::int64_t>(to_ns(event.at)) - zero},
                    {"from_ps", since_ps(event.from, zero)},
                    {"at_ps", since_ps(event.at, zero)},
                    {"stage", event.stage ? Json(*event.stage) : Json()},
@@ -134,11 +132,14 @@ Json parts_of(const Outfit& outfit, std::int64_t zero) {
   return all;
 }
 
-/// `[ps since the first release, stage of an update that ended, part, channel, number of the sample]`.
+/// `[ps since the first release, stage of an update that ended, part, channel, number of the sample, when the data were
+/// taken as the state says or null]`.
 Json uses_of(const Outfit& outfit, std::int64_t zero) {
   Json all = Json::array();
-  for (const SampleUse& use : outfit.uses())
-    all.push_back(Json::array({since_ps(use.at, zero), use.stage, use.part, use.channel, use.n}));
+  for (const SampleUse& use : outfit.uses()) {
+    const Json claimed = use.claimed ? Json(*use.claimed * 1'000) : Json();  // the firmware counts from the release on
+    all.push_back(Json::array({since_ps(use.at, zero), use.stage, use.part, use.channel, use.n, claimed}));
+  }
   return all;
 }
 

@@ -5,6 +5,7 @@
 
 #include "generator/emit/device_fields.hpp"
 #include "generator/emit/scope.hpp"
+#include "generator/forest/stage.hpp"
 #include "generator/schedule/period.hpp"
 
 namespace finemote::gen {
@@ -63,8 +64,9 @@ Data stage(const Plan& plan, const Scope& scope, DeviceId device, Crossing::Dire
     if (crossing.producer == device && crossing.kind != Crossing::Kind::copy)
       publishes.push_back(publish(plan, scope, crossing));
   }
-  data.set("number", std::to_string(2 * plan.forest.rank[device].value() + (is_handle ? 1 : 0)));
+  data.set("number", std::to_string(Stage{plan.forest.rank[device], is_handle}.number()));
   data.set("device", plan.robot.devices[device].name.cpp);
+  data.set("is_update", !is_handle);
   data.set("call", is_handle ? "handle" : "update");
   data.set("what", device_comment(plan, device));
   data.set("fetches", fetches);

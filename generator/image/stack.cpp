@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "generator/image/exception.hpp"
 #include "generator/image/flow.hpp"
 
 namespace finemote::gen {
@@ -15,7 +16,7 @@ namespace {
 // Layout of finemote::Schedule and finemote::Bucket on the target; runtime/include/finemote/schedule.hpp asserts it.
 constexpr std::uint32_t kBucketsAt = 16, kBucketCountAt = 20, kStartBusesAt = 28, kSafeOutputsAt = 32;
 constexpr std::uint32_t kBucketSize = 24, kLineAt = 16;
-constexpr std::uint32_t kFirstLine = 16, kSysTick = 15, kMaxLines = 240;
+constexpr std::uint32_t kMaxLines = 240;
 
 struct Deepest {
   std::uint32_t bytes = 0;
@@ -36,9 +37,9 @@ class Analysis {
     StackBound bound;
     add(bound, "thread", vector(1), 0);
     for (const auto& [line, entry] : buckets_) {
-      add(bound, fmt::format("bucket on line {}", line), vector(kFirstLine + line).value_or(entry), kExceptionFrame);
+      add(bound, fmt::format("bucket on line {}", line), vector(exception_of(line)).value_or(entry), kExceptionFrame);
     }
-    add(bound, "release", vector(kSysTick), kExceptionFrame);
+    add(bound, "release", vector(kSysTickException), kExceptionFrame);
     for (StackLevel& level : bus_levels()) push(bound, std::move(level));
     bound.known = !failed_;
     return bound;
@@ -76,7 +77,7 @@ class Analysis {
     const ImageSymbol* table = image_.find("finemote_vectors");
     std::vector<StackLevel> levels;
     for (std::uint32_t line = 0; table != nullptr && line < kMaxLines; ++line) {
-      const auto entry = vector(kFirstLine + line);
+      const auto entry = vector(exception_of(line));
       const bool bucket = std::any_of(buckets_.begin(), buckets_.end(), [&](const auto& b) { return b.first == line; });
       if (!entry || bucket || unexpected == nullptr || *entry == unexpected->address) continue;
       const Deepest deepest = deepest_from(*entry);

@@ -5,13 +5,13 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "generator/forest/stage.hpp"
+#include "generator/image/exception.hpp"
+
 namespace finemote::gen {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::uint32_t kFirstLine = 16;         ///< exception of interrupt line 0
-constexpr std::uint32_t kReleaseException = 15;  ///< SysTick
 
 Json stages_of(const Robot& robot, const Forest& forest, const Schedule& schedule) {
   Json list = Json::array();
@@ -19,7 +19,7 @@ Json stages_of(const Robot& robot, const Forest& forest, const Schedule& schedul
     for (const char* stage : {"update", "handle"}) {
       list.push_back({{"device", robot.devices[device].name.text},
                       {"stage", stage},
-                      {"exception", kFirstLine + schedule.buckets[schedule.bucket_of[device]].line},
+                      {"exception", exception_of(schedule.buckets[schedule.bucket_of[device]].line)},
                       {"period_ns", robot.devices[device].period.ns()}});
     }
   }
@@ -28,14 +28,14 @@ Json stages_of(const Robot& robot, const Forest& forest, const Schedule& schedul
 
 Json exceptions_of(const Robot& robot, const Schedule& schedule) {
   Json list = Json::object();
-  list[std::to_string(kReleaseException)] = {{"kind", "release"}};
+  list[std::to_string(kSysTickException)] = {{"kind", "release"}};
   for (const Bucket& bucket : schedule.buckets)
-    list[std::to_string(kFirstLine + bucket.line)] = {{"kind", "bucket"}, {"period_ns", bucket.period.ns()}};
+    list[std::to_string(exception_of(bucket.line))] = {{"kind", "bucket"}, {"period_ns", bucket.period.ns()}};
   for (const Bus& bus : robot.buses) {
     const Port* port = robot.board->port(bus.port);
     if (port == nullptr) continue;
     for (const InterruptLine& line : port->interrupts) {
-      list[std::to_string(kFirstLine + static_cast<std::uint32_t>(line.number))] = {
+      list[std::to_string(exception_of(static_cast<std::uint32_t>(line.number)))] = {
           {"kind", "bus"}, {"bus", bus.name.text}, {"source", line.name}};
     }
   }
@@ -62,7 +62,6 @@ class Audit {
   }
 
  private:
-  static constexpr std::int64_t kPsPerNs = 1'000;
   struct Line {
     std::int64_t at;
     std::string text;
@@ -104,7 +103,7 @@ class Audit {
   }
 
   [[nodiscard]] const std::string& device_of(std::uint32_t stage) const {
-    return robot_.devices[forest_.order[Rank{stage / 2}]].name.text;
+    return robot_.devices[forest_.order[Stage::of_number(stage).rank]].name.text;
   }
 
   /// Of its own part: what others send is in the commands of a device.
@@ -112,8 +111,11 @@ class Audit {
     for (const SampleUse& use : record_.uses) {
       const std::string& device = device_of(use.stage);
       if (use.part != device) continue;
-      add(use.at_ps,
-          {{"what", "used"}, {"device", device}, {"channel", use.channel}, {"n", use.n}, {"claimed", nullptr}});
+      add(use.at_ps, {{"what", "used"},
+                      {"device", device},
+                      {"channel", use.channel},
+                      {"n", use.n},
+                      {"claimed", use.claimed_ps ? Json(true_ps(*use.claimed_ps)) : Json()}});
     }
   }
 

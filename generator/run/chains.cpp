@@ -3,62 +3,44 @@
 #include <algorithm>
 #include <map>
 
+#include "generator/forest/stage.hpp"
+#include "generator/run/samples.hpp"
+
 namespace finemote::gen {
 namespace {
 
-/// Where a device's output can be seen: itself, or a channel of the part it drives.
+/// Where a device's output can be seen: at its own part, or at a channel of the part it drives.
 struct OutputPlace {
   std::string part;
-  std::uint32_t channel = 0;
+  std::optional<std::uint32_t> channel = {};  ///< none: any
+
+  [[nodiscard]] bool has(const PartRecord& event) const {
+    return event.is_output && event.part == part && (!channel || event.channel == *channel);
+  }
 };
 
 OutputPlace output_of(const Robot& robot, const Device& device) {
-  if (!device.segment) return {device.name.text, 0};
-  const Segment& segment = robot.segments[*device.segment];
-  if (segment.kind != Segment::Kind::pwm_expander) return {device.name.text, device.channel.value_or(0)};
-  return {robot.expanders[*segment.expander].name.text, device.channel.value_or(0)};
+  const Segment* segment = device.segment ? &robot.segments[*device.segment] : nullptr;
+  if (segment == nullptr || segment->kind != Segment::Kind::pwm_expander) return {device.name.text};
+  return {robot.expanders[*segment->expander].name.text, device.channel.value_or(0)};
 }
 
-/// When the samples of a part were taken, by channel and number.
-std::map<std::pair<std::uint32_t, std::uint32_t>, Duration> samples_of(const RunRecord& record,
-                                                                       const std::string& part) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Duration> samples;
-  for (const PartRecord& event : record.parts) {
-    if (!event.is_output && event.part == part) samples.emplace(std::pair(event.channel, event.n), event.from());
-  }
-  return samples;
-}
-
-/// What the state of a device is made of: when the oldest sample was taken, of all channels of its part, that each of
-/// its updates took, in the order of time.
+/// How old the data are that an update took: of all channels of the device's part, the oldest sample.
 class TakenSamples {
  public:
-  TakenSamples(const Robot& robot, const Forest& forest, const RunRecord& record, DeviceId device) {
-    const std::string& name = robot.devices[device].name.text;
-    const auto samples = samples_of(record, name);
-    const std::uint32_t update = static_cast<std::uint32_t>(2 * forest.rank[device].value());
-    for (const SampleUse& use : record.uses) {
-      const auto sample = samples.find({use.channel, use.n});
-      if (use.stage != update || use.part != name || sample == samples.end()) continue;
-      const Duration end = nanoseconds(floor_div(use.at_ps, 1'000));
-      if (!ends_.empty() && ends_.back() == end) {
-        from_.back() = std::min(from_.back(), sample->second);
-      } else {
-        ends_.push_back(end);
-        from_.push_back(sample->second);
-      }
-    }
-  }
+  TakenSamples(const Robot& robot, const Forest& forest, const RunRecord& record, DeviceId device)
+      : states_(states_of(robot, forest, record, device)) {}
 
-  /// Age of the sample at the begin of the update that took it; none: it took none that is known.
+  /// At the begin of the update; none: it took none that is known.
   [[nodiscard]] std::optional<Duration> age(const StageRun& update) const {
-    const auto found = std::lower_bound(ends_.begin(), ends_.end(), update.end);
-    if (found == ends_.end() || *found != update.end) return std::nullopt;
-    return update.begin - from_[static_cast<std::size_t>(found - ends_.begin())];
+    const auto is_before = [](const SampledState& state, Duration end) { return state.at() < end; };
+    const auto found = std::lower_bound(states_.begin(), states_.end(), update.end, is_before);
+    if (found == states_.end() || found->at() != update.end) return std::nullopt;
+    return update.begin - picoseconds_down(found->from_ps);
   }
 
  private:
-  std::vector<Duration> ends_, from_;
+  std::vector<SampledState> states_;
 };
 
 /// When the command of each handle of a device reached an output first, by the number of the run.
@@ -66,11 +48,9 @@ class ReachedOutputs {
  public:
   ReachedOutputs(const Robot& robot, const Forest& forest, const RunRecord& record, DeviceId device) {
     const OutputPlace place = output_of(robot, robot.devices[device]);
-    const std::uint32_t handle = static_cast<std::uint32_t>(2 * forest.rank[device].value() + 1);
+    const std::uint32_t handle = Stage{forest.rank[device], true}.number();
     for (const PartRecord& event : record.parts) {
-      const bool is_meant =
-          event.is_output && event.stage == handle && event.part == place.part && event.channel == place.channel;
-      if (is_meant) at_.emplace(event.n, event.at());
+      if (event.stage == handle && place.has(event)) at_.emplace(event.n, event.at());
     }
   }
 

@@ -1,6 +1,7 @@
 // The chains of a robot, measured on a run beside their bounds.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "generator/run/measured.hpp"
@@ -13,6 +14,11 @@ struct MeasuredChain {
   DeviceId from, to;
   Measured acquire, decide, wire, end_to_end;
 };
+
+inline constexpr std::array<Figure<MeasuredChain>, 4> kChainFigures{{{"acquire", &MeasuredChain::acquire},
+                                                                     {"decide", &MeasuredChain::decide},
+                                                                     {"wire", &MeasuredChain::wire},
+                                                                     {"end to end", &MeasuredChain::end_to_end}}};
 
 /// Measures the chains of `timing` (whose devices are in the order of `forest`). Acquire and wire need parts that say
 /// when they sampled and when an output changed: on the emulated board. Wire has a sample where the output changed.

@@ -12,11 +12,14 @@
 #include "generator/diagnostic/code_scenario.hpp"
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/file/replace_file.hpp"
+#include "generator/image/exception.hpp"
 #include "generator/run/board_wiring.hpp"
+#include "generator/run/bring_up.hpp"
 #include "generator/run/emulation.hpp"
 #include "generator/run/parts.hpp"
 #include "generator/run/process.hpp"
 #include "generator/run/program_folder.hpp"
+#include "generator/run/read_record.hpp"
 #include "generator/units/units.hpp"
 
 namespace finemote::gen {
@@ -33,34 +36,11 @@ Json ports_of(const Robot& robot) {
   return ports;
 }
 
-/// Parts that are up when they have been seen: sensors by their first sample, expanders by their first output.
-Json awaited_parts(const Robot& robot) {
-  Json list = Json::array();
-  for (const Expander& expander : robot.expanders) {
-    if (has_part(robot, expander) && !expander.type->is_mux())
-      list.push_back({{"part", expander.name.text}, {"output", true}});
-  }
-  for (const Device& device : robot.devices) {
-    if (device.type->acquisition && has_part(robot, device))
-      list.push_back({{"part", device.name.text}, {"output", false}});
-  }
-  return list;
-}
-
 /// Of the buckets, in the order of the plan.
 Json exceptions_of(const Schedule& schedule) {
-  constexpr std::uint32_t kFirstLine = 16;  // the exception of interrupt line 0
   Json list = Json::array();
-  for (const Bucket& bucket : schedule.buckets) list.push_back(kFirstLine + bucket.line);
+  for (const Bucket& bucket : schedule.buckets) list.push_back(exception_of(bucket.line));
   return list;
-}
-
-Duration longest_bring_up(const Robot& robot) {
-  Duration longest = Acquisition().bring_up;
-  for (const Device& device : robot.devices) {
-    if (device.type->acquisition) longest = std::max(longest, device.type->acquisition->bring_up);
-  }
-  return longest;
 }
 
 /// Runs the job; null and FM0006 or FM6003 where the program is missing or fails.
@@ -86,28 +66,6 @@ Json run_job(const Json& job, const std::string& stem, Duration duration, Diagno
   if (!result.output.empty()) finding.note(result.output);
   return {};
 }
-
-std::vector<FaultCount> faults_of(const Json& record, const char* when = "fault_counts") {
-  std::vector<FaultCount> faults;
-  for (const Json& fault : record.at(when)) faults.push_back({fault.at(0), fault.at(1), fault.at(2)});
-  return faults;
-}
-
-/// What came after the bring-up. Counters stay at their largest value, and begin anew with a reset.
-std::vector<FaultCount> late_faults_of(const Json& record) {
-  std::vector<FaultCount> late = faults_of(record);
-  for (const FaultCount& early : faults_of(record, "faults_at_ready")) {
-    for (FaultCount& fault : late) {
-      if (fault.module == early.module && fault.number == early.number)
-        fault.count = fault.count > early.count ? fault.count - early.count : 0;
-    }
-  }
-  std::erase_if(late, [](const FaultCount& fault) { return fault.count == 0; });
-  return late;
-}
-
-/// The record counts times in nanoseconds.
-Duration time_of(const Json& ns) { return nanoseconds(ns.get<std::int64_t>()); }
 
 bool overrun_stops(const Robot& robot) {
   return param_value(robot.board_params, "overrun", std::string()) == "safe_stop";
@@ -154,77 +112,6 @@ void warn_of_misuse(const Json& record, Diagnostics& diagnostics) {
                     report.at("text").get<std::string>(), report.at("count").get<std::uint32_t>(),
                     report.at("first_ns").get<std::uint64_t>(), report.at("pc").get<std::uint32_t>()));
   }
-}
-
-std::vector<Event> events_of(const Json& record, const Forest& forest) {
-  std::vector<Event> events;
-  for (const Json& event : record.at("stages")) {
-    const auto stage = event.at(1).get<std::uint32_t>();
-    const Rank rank{stage / 2};
-    if (!forest.order.contains(rank)) continue;
-    events.push_back({time_of(event.at(0)), forest.order[rank], stage % 2 == 1, !event.at(2).get<bool>()});
-  }
-  return events;
-}
-
-/// Rounded up.
-std::vector<OwnTime> own_times_of(const Json& record, const Forest& forest) {
-  constexpr std::int64_t kPsPerNs = 1'000;
-  std::vector<OwnTime> times;
-  for (const Json& own : record.at("own_stages")) {
-    const auto stage = own.at(0).get<std::uint32_t>();
-    const Rank rank{stage / 2};
-    if (!forest.order.contains(rank)) continue;
-    times.push_back(
-        {forest.order[rank], stage % 2 == 1, nanoseconds(ceil_div(own.at(1).get<std::int64_t>(), kPsPerNs))});
-  }
-  return times;
-}
-
-std::vector<ExpectationRecord> expectations_of(const Json& record) {
-  const auto seen = [](const Json& value) { return value.is_null() ? std::nullopt : std::optional<double>(value); };
-  std::vector<ExpectationRecord> all;
-  for (const Json& e : record.at("expectations")) {
-    all.push_back({e.at("part"), e.at("value"), time_of(e.at("from_ns")), time_of(e.at("to_ns")), e.at("min"),
-                   e.at("max"), seen(e.at("lowest")), seen(e.at("highest")), e.at("finite"), e.at("ok")});
-  }
-  return all;
-}
-
-RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest) {
-  RunRecord record;
-  record.ready = time_of(json.at("ready_ns"));
-  record.absent = json.at("absent").get<std::vector<std::string>>();
-  record.events = events_of(json, forest);
-  record.own_times = own_times_of(json, forest);
-  record.overruns = json.at("overruns").get<std::vector<std::uint64_t>>();
-  record.faults = faults_of(json);
-  record.late_faults = late_faults_of(json);
-  for (const Json& part : json.at("parts")) {
-    const Json& stage = part.at("stage");
-    record.parts.push_back({part.at("part"), part.at("output"), part.at("channel"), part.at("from_ps"),
-                            part.at("at_ps"), part.at("n"),
-                            stage.is_null() ? std::nullopt : std::optional(stage.get<std::uint32_t>())});
-  }
-  for (const Json& use : json.at("uses"))
-    record.uses.push_back({use.at(0), use.at(1), use.at(2), use.at(3), use.at(4)});
-  for (const Json& event : json.at("audit")) record.log.push_back({event.at(0), event.at(1), event.at(2)});
-  record.expectations = expectations_of(json);
-  std::size_t port = 0;
-  for (const BusId id : robot.buses.ids()) {
-    if (robot.buses[id].port.empty()) continue;
-    const Json& bus = json.at("buses").at(port++);
-    record.buses.push_back({id, bus.at("transfers"), bus.at("errors"), bus.at("busy")});
-  }
-  for (const Rank rank : forest.order.ids()) {
-    if (rank.value() >= json.at("monitor").size()) break;
-    const Json& entry = json.at("monitor").at(rank.value());
-    record.monitor.push_back(
-        {forest.order[rank], time_of(entry.at(0)), time_of(entry.at(1)), entry.at(2), entry.at(3)});
-  }
-  record.resets = json.at("resets");
-  record.faulty = json.at("faulty");
-  return record;
 }
 
 }  // namespace

@@ -7,6 +7,13 @@ void merge(Statistics& all, const Statistics& more) { all = together(all, more);
 
 void merge(Measured& all, const Measured& more) { merge(all.observed, more.observed); }
 
+template <class Of, class Figures>
+void merge(std::vector<Of>& all, const std::vector<Of>& more, const Figures& figures) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const auto& figure : figures) merge(all[i].*figure.measured, more[i].*figure.measured);
+  }
+}
+
 }  // namespace
 
 RunFigures figures_of(const Robot& robot, const Forest& forest, const timing::Timing* timing, const RunRecord& record,
@@ -19,6 +26,7 @@ RunFigures figures_of(const Robot& robot, const Forest& forest, const timing::Ti
   if (timing == nullptr) return figures;
   figures.chains = measure_chains(robot, forest, *timing, record, is_bound);
   if (is_bound) figures.responses = measure_responses(robot, forest, *timing, record);
+  if (is_bound) figures.claims = measure_claims(robot, forest, record);
   return figures;
 }
 
@@ -26,19 +34,9 @@ void merge(RunFigures& all, const RunFigures& more) {
   for (const DeviceId device : all.stages.ids()) {
     for (std::size_t stage = 0; stage < 2; ++stage) merge(all.stages[device][stage], more.stages[device][stage]);
   }
-  for (std::size_t i = 0; i < all.chains.size(); ++i) {
-    MeasuredChain& chain = all.chains[i];
-    const MeasuredChain& other = more.chains[i];
-    merge(chain.acquire, other.acquire);
-    merge(chain.decide, other.decide);
-    merge(chain.wire, other.wire);
-    merge(chain.end_to_end, other.end_to_end);
-  }
-  for (std::size_t i = 0; i < all.responses.size(); ++i) {
-    merge(all.responses[i].update, more.responses[i].update);
-    merge(all.responses[i].handle, more.responses[i].handle);
-    merge(all.responses[i].jitter, more.responses[i].jitter);
-  }
+  merge(all.chains, more.chains, kChainFigures);
+  merge(all.responses, more.responses, kResponseFigures);
+  for (std::size_t i = 0; i < all.claims.size(); ++i) merge(all.claims[i].lead, more.claims[i].lead);
 }
 
 }  // namespace finemote::gen

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "generator/run/chains.hpp"
+#include "generator/run/claims.hpp"
 #include "generator/run/responses.hpp"
 
 namespace finemote::gen {
@@ -13,6 +14,7 @@ struct RunFigures {
   Table<DeviceId, std::array<Statistics, 2>> stages;  ///< begin to end of update() and of handle(), preemption included
   std::vector<MeasuredChain> chains;
   std::vector<MeasuredResponse> responses;  ///< empty where nothing is held to bounds
+  std::vector<MeasuredClaim> claims;        ///< the same
 };
 
 /// Of one run, from the end of its bring-up on.

@@ -25,4 +25,11 @@ struct Measured {
   }
 };
 
+/// One of the figures of `Of`, by its name in tables.
+template <class Of>
+struct Figure {
+  const char* name;
+  Measured Of::*measured;
+};
+
 }  // namespace finemote::gen

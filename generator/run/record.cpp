@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include "generator/forest/stage.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -18,12 +20,12 @@ Duration read_time(std::istringstream& words) {
 
 bool read_event(std::istringstream& words, const Forest& forest, RunRecord& record) {
   const Duration at = read_time(words);
-  std::size_t stage = 0;
+  std::size_t number = 0;
   char edge = 0;
-  if (!(words >> stage >> edge) || (edge != 'B' && edge != 'E')) return false;
-  const Rank rank{stage / 2};
-  if (!forest.order.contains(rank)) return false;
-  record.events.push_back({at, forest.order[rank], stage % 2 == 1, edge == 'E'});
+  if (!(words >> number >> edge) || (edge != 'B' && edge != 'E')) return false;
+  const Stage stage = Stage::of_number(number);
+  if (!forest.order.contains(stage.rank)) return false;
+  record.events.push_back({at, forest.order[stage.rank], stage.is_handle, edge == 'E'});
   return true;
 }
 

@@ -12,6 +12,10 @@
 
 namespace finemote::gen {
 
+inline constexpr std::int64_t kPsPerNs = 1'000;
+constexpr Duration picoseconds_down(std::int64_t count) { return nanoseconds(floor_div(count, kPsPerNs)); }
+constexpr Duration picoseconds_up(std::int64_t count) { return nanoseconds(ceil_div(count, kPsPerNs)); }
+
 /// One begin or end of a stage.
 struct Event {
   Duration at;
@@ -43,8 +47,8 @@ struct PartRecord {
   std::uint32_t n = 0;                 ///< which sample of the channel, or which run of the handle, from 0
   std::optional<std::uint32_t> stage;  ///< the handle whose command an output carries; none: nobody knows
 
-  [[nodiscard]] Duration from() const { return nanoseconds(floor_div(from_ps, 1'000)); }
-  [[nodiscard]] Duration at() const { return nanoseconds(floor_div(at_ps, 1'000)); }
+  [[nodiscard]] Duration from() const { return picoseconds_down(from_ps); }
+  [[nodiscard]] Duration at() const { return picoseconds_down(at_ps); }
 };
 
 /// What the state of a device was made of when an update ended.
@@ -53,7 +57,8 @@ struct SampleUse {
   std::uint32_t stage = 0;  ///< the update: twice the rank of its device
   std::string part;         ///< whose sample,
   std::uint32_t channel = 0;
-  std::uint32_t n = 0;  ///< and which one
+  std::uint32_t n = 0;                     ///< and which one
+  std::optional<std::int64_t> claimed_ps;  ///< when the state's data were taken, as it says; none: it does not say
 };
 
 /// One event of the processor, as emulator/program/audit.hpp tells it.

@@ -1,6 +1,7 @@
 // How late stages ended after the releases of their jobs, beside the bounds.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "generator/run/measured.hpp"
@@ -13,6 +14,10 @@ struct MeasuredResponse {
   Measured update, handle;  ///< release to end
   Measured jitter;          ///< of the end of handle(): one sample, the latest less the earliest
 };
+
+inline constexpr std::array<Figure<MeasuredResponse>, 3> kResponseFigures{{{"update", &MeasuredResponse::update},
+                                                                           {"handle", &MeasuredResponse::handle},
+                                                                           {"jitter", &MeasuredResponse::jitter}}};
 
 /// Of every device and every job after the bring-up, in the order of `forest`. A stage belongs to the last release
 /// before it began: where no job overran.

@@ -5,17 +5,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Null of what nothing was seen.
+template <class Value>
+Json seen(const Statistics& s, Value value) {
+  return s.count > 0 ? Json(value) : Json(nullptr);
+}
+
 Json bound(std::optional<Duration> time) { return time ? Json(time->ns()) : Json(nullptr); }
 
 Json statistics(const Measured& figure) {
   const Statistics& s = figure.observed;
-  const bool any = s.count > 0;
-  return {{"min_ns", any ? Json(s.min.ns()) : Json(nullptr)},
-          {"mean_ns", any ? Json(s.mean_ns) : Json(nullptr)},
-          {"sd_ns", any ? Json(s.sd_ns) : Json(nullptr)},
-          {"max_ns", any ? Json(s.max.ns()) : Json(nullptr)},
-          {"bound_ns", bound(figure.bound)},
-          {"judged", judgement_name(figure.judged())}};
+  return {{"min_ns", seen(s, s.min.ns())},   {"mean_ns", seen(s, s.mean_ns)},
+          {"sd_ns", seen(s, s.sd_ns)},       {"max_ns", seen(s, s.max.ns())},
+          {"bound_ns", bound(figure.bound)}, {"judged", judgement_name(figure.judged())}};
 }
 
 /// Of a scenario with faults: a bound that is broken presumes what the scenario breaks.
@@ -53,14 +55,13 @@ Json stage_list(const RunResult& result) {
   for (DeviceId device : result.forest.order) {
     for (const bool is_handle : {false, true}) {
       const Statistics& s = result.figures.stages[device][is_handle ? 1 : 0];
-      const bool any = s.count > 0;
       const Wcet& wcet = result.wcets_given[device];
       list.push_back({{"device", name_of(result, device)},
                       {"stage", is_handle ? "handle" : "update"},
                       {"count", s.count},
-                      {"min_ns", any ? Json(s.min.ns()) : Json(nullptr)},
-                      {"mean_ns", any ? Json(s.mean_ns) : Json(nullptr)},
-                      {"max_ns", any ? Json(s.max.ns()) : Json(nullptr)},
+                      {"min_ns", seen(s, s.min.ns())},
+                      {"mean_ns", seen(s, s.mean_ns)},
+                      {"max_ns", seen(s, s.max.ns())},
                       {"own_max_ns", own_time(result, device, is_handle)},
                       {"wcet_ns", (is_handle ? wcet.handle : wcet.update).ns()},
                       {"wcet_label", label_of(wcet.source)}});
@@ -95,9 +96,7 @@ Json chain_list(const RunResult& result) {
   return list;
 }
 
-Json largest(const Measured& figure) {
-  return figure.observed.count > 0 ? Json(figure.observed.max.ns()) : Json(nullptr);
-}
+Json largest(const Measured& figure) { return seen(figure.observed, figure.observed.max.ns()); }
 
 /// The worst of two judgements of one device: what is broken, then what nobody could judge.
 Judgement both(Judgement a, Judgement b) {
@@ -127,6 +126,17 @@ Json jitter_list(const RunResult& result) {
                     {"max_ns", largest(response.jitter)},
                     {"bound_ns", bound(response.jitter.bound)},
                     {"judged", judgement_name(response.jitter.judged())}});
+  }
+  return list;
+}
+
+Json claim_list(const RunResult& result) {
+  Json list = Json::array();
+  for (const MeasuredClaim& claim : result.figures.claims) {
+    list.push_back({{"device", name_of(result, claim.device)},
+                    {"lead_max_ns", largest(claim.lead)},
+                    {"allowed_ns", bound(claim.lead.bound)},
+                    {"judged", judgement_name(claim.lead.judged())}});
   }
   return list;
 }
@@ -207,6 +217,7 @@ Json run_document(const RunResult& result) {
                    {"chains", chain_list(result)},
                    {"responses", response_list(result)},
                    {"jitter", jitter_list(result)},
+                   {"claims", claim_list(result)},
                    {"order",
                     {{"judged", result.order.is_judged},
                      {"mistake", result.order.mistake ? Json(*result.order.mistake) : Json(nullptr)}}},

@@ -34,6 +34,7 @@ struct RunResult {
 
   [[nodiscard]] std::uint64_t overruns() const;
   [[nodiscard]] std::uint64_t violations() const;  ///< counted by the monitor
+  /// No figure is above its bound, and no device claims its data fresher than they are.
   [[nodiscard]] bool bounds_hold() const;
   /// Some bound was held or broken.
   [[nodiscard]] bool is_judged() const;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/schedule/period.hpp"
 
 namespace finemote::gen {
@@ -9,6 +11,10 @@ namespace {
 
 double microseconds_of(Duration time) { return static_cast<double>(time.ns()) / 1e3; }
 double milliseconds_of(Duration time) { return static_cast<double>(time.ns()) / 1e6; }
+
+std::string name_of(const RunResult& result, const MeasuredChain& chain) {
+  return name_of(result, chain.from) + " -> " + name_of(result, chain.to);
+}
 
 std::string seen_text(const ExpectationRecord& e) {
   if (!e.lowest) return e.finite ? "nothing: the run ended before" : "values that are not finite";
@@ -49,9 +55,8 @@ void print_figure(const RunResult& result, const MeasuredChain& chain, const cha
                   std::ostream& out) {
   const Statistics& s = figure.observed;
   if (s.count == 0) return;
-  const std::string name = name_of(result, chain.from) + " -> " + name_of(result, chain.to);
-  out << fmt::format("  {:<28} {:<10} {:>7} {:>11.3f} {:>11.3f} {:>11.3f} {:>9.3f} {:>11}{}\n", name, part, s.count,
-                     microseconds_of(s.min), s.mean_ns / 1e3, microseconds_of(s.max), s.sd_ns / 1e3,
+  out << fmt::format("  {:<28} {:<10} {:>7} {:>11.3f} {:>11.3f} {:>11.3f} {:>9.3f} {:>11}{}\n", name_of(result, chain),
+                     part, s.count, microseconds_of(s.min), s.mean_ns / 1e3, microseconds_of(s.max), s.sd_ns / 1e3,
                      figure.bound ? fmt::format("{:.3f}", microseconds_of(*figure.bound)) : "-",
                      figure.judged() == Judgement::broken ? "  ABOVE ITS BOUND" : "");
 }
@@ -64,8 +69,7 @@ void print_instructions(const RunResult& result, std::ostream& out) {
   for (const MeasuredChain& chain : result.figures.chains) {
     const Statistics& s = chain.decide.observed;
     if (s.count == 0) continue;
-    out << fmt::format("  {:<28} {} to {}, jitter {}\n",
-                       name_of(result, chain.from) + " -> " + name_of(result, chain.to), floor_div(s.min, each),
+    out << fmt::format("  {:<28} {} to {}, jitter {}\n", name_of(result, chain), floor_div(s.min, each),
                        floor_div(s.max, each), floor_div(s.max - s.min, each));
   }
 }
@@ -75,10 +79,7 @@ void print_chains(const RunResult& result, std::ostream& out) {
   out << fmt::format("  {:<28} {:<10} {:>7} {:>11} {:>11} {:>11} {:>9} {:>11}\n", "chain", "part", "samples", "min",
                      "mean", "max", "sd", "bound");
   for (const MeasuredChain& chain : result.figures.chains) {
-    print_figure(result, chain, "acquire", chain.acquire, out);
-    print_figure(result, chain, "decide", chain.decide, out);
-    print_figure(result, chain, "wire", chain.wire, out);
-    print_figure(result, chain, "end to end", chain.end_to_end, out);
+    for (const auto& figure : kChainFigures) print_figure(result, chain, figure.name, chain.*figure.measured, out);
   }
 }
 
@@ -94,11 +95,20 @@ void print_responses(const RunResult& result, std::ostream& out) {
   out << fmt::format("  {:<28} {:>11} {:>11} {:>11} {:>11} {:>11} {:>11}\n", "device", "update", "bound", "handle",
                      "bound", "jitter", "bound");
   for (const MeasuredResponse& response : result.figures.responses) {
-    const bool is_broken = response.update.judged() == Judgement::broken ||
-                           response.handle.judged() == Judgement::broken ||
-                           response.jitter.judged() == Judgement::broken;
+    const bool is_broken = std::any_of(kResponseFigures.begin(), kResponseFigures.end(), [&](const auto& figure) {
+      return (response.*figure.measured).judged() == Judgement::broken;
+    });
     out << fmt::format("  {:<28} {} {} {}{}\n", name_of(result, response.device), beside(response.update),
                        beside(response.handle), beside(response.jitter), is_broken ? "  ABOVE ITS BOUND" : "");
+  }
+}
+
+/// Time stamps that cannot be true.
+void print_claims(const RunResult& result, std::ostream& out) {
+  for (const MeasuredClaim& claim : result.figures.claims) {
+    if (claim.lead.judged() != Judgement::broken) continue;
+    out << fmt::format("\nFALSE TIME STAMP: '{}' claims data up to {:.3f} us fresher than they are\n",
+                       name_of(result, claim.device), microseconds_of(claim.lead.observed.max));
   }
 }
 
@@ -136,20 +146,16 @@ void print_unjudged(const RunResult& result, std::ostream& out) {
                                                      : nullptr;
   };
   std::string lines;
-  const auto add = [&](const std::string& name,
-                       std::initializer_list<std::pair<const char*, const Measured*>> figures) {
+  const auto add = [&](const std::string& name, const auto& of, const auto& figures) {
     std::string list;
-    for (const auto& [part, figure] : figures) {
-      if (const char* why = reason(*figure)) list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", part, why);
+    for (const auto& figure : figures) {
+      const char* why = reason(of.*figure.measured);
+      if (why != nullptr) list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", figure.name, why);
     }
     if (!list.empty()) lines += fmt::format("  {:<28} {}\n", name, list);
   };
-  for (const MeasuredChain& c : result.figures.chains) {
-    add(name_of(result, c.from) + " -> " + name_of(result, c.to),
-        {{"acquire", &c.acquire}, {"decide", &c.decide}, {"wire", &c.wire}, {"end to end", &c.end_to_end}});
-  }
-  for (const MeasuredResponse& r : result.figures.responses)
-    add(name_of(result, r.device), {{"update", &r.update}, {"handle", &r.handle}, {"jitter", &r.jitter}});
+  for (const MeasuredChain& chain : result.figures.chains) add(name_of(result, chain), chain, kChainFigures);
+  for (const MeasuredResponse& r : result.figures.responses) add(name_of(result, r.device), r, kResponseFigures);
   if (!lines.empty()) out << "\nnot judged\n" << lines;
 }
 
@@ -184,6 +190,7 @@ void print_run(const RunResult& result, std::ostream& out) {
   print_order(result, out);
   print_chains(result, out);
   print_responses(result, out);
+  print_claims(result, out);
   print_monitor(result, out);
   print_instructions(result, out);
   if (!result.record.buses.empty()) out << "\nbuses\n";

@@ -221,7 +221,7 @@ class Measures:
         self.number = {(s["device"], s["stage"] == "handle"): k for k, s in enumerate(phase.header["stages"])}
         self.used, self.reached = used_of(phase, samples_of(phase)), outputs_of(phase)
         self.longest = Longest()
-        self.mistakes = []
+        self.false_claims = []  # (device, in words)
         for source, target in chains:
             self.measure_chain(source, target)
         self.measure_responses()
@@ -301,4 +301,4 @@ class Measures:
                 if t < self.phase.ready or taken is None or claimed is None:
                     continue
                 if claimed > taken + PS * 1000:
-                    self.mistakes.append(f"{device} claims {claimed} for a sample taken at {taken}")
+                    self.false_claims.append((device, f"{device} claims {claimed} for a sample taken at {taken}"))

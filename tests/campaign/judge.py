@@ -85,11 +85,12 @@ class Judge:
         self.seen, self.broken = {}, []
 
     def take(self, record, disturbed=None):
-        """Adds all phases of a record. A bus `disturbed` by noise breaks the assumption bus-errors for acquire and wire."""
+        """Adds all phases of a record. A bus `disturbed` by noise breaks the assumption bus-errors for acquire, wire and
+        time stamps."""
         touched = devices_on(disturbed, self.model)
         for phase in audit.read(record):
             measures = audit.Measures(phase, self.robot, self.asked)
-            self.broken += measures.mistakes
+            self.broken += [words for device, words in measures.false_claims if device not in touched]
             for what, count in (("overruns", phase.overruns), ("resets", phase.resets)):
                 if count:
                     self.broken.append(f"{count} {what} in phase {phase.header['phase']}")

@@ -234,4 +234,11 @@ TEST_CASE("a device that publishes an old sample once more, with a new stamp, is
   for (const Record::Use& use : record.uses.at({"stale", 0}).at(0)) ++updates[use.n];
   REQUIRE(updates.size() > 5);
   for (const auto& [n, count] : updates) CHECK((count == 8 || n == updates.rbegin()->first));
+
+  const auto ran = run_finemote({"run", folder.path("robot.urdf"), "--duration", "800ms"});
+  CHECK(ran.exit_status == 1);
+  CHECK(ran.output.find("\nFALSE TIME STAMP: 'stale' claims data up to ") != std::string::npos);
+  const Json claim = finemote_json({"run", folder.path("robot.urdf"), "--duration", "800ms"})["claims"].at(0);
+  CHECK(claim["judged"] == "broken");
+  CHECK(claim["lead_max_ns"] > 75'000'000);
 }

@@ -145,7 +145,7 @@ TEST_CASE("every store of a handle is its run's, whatever it stores, and no othe
 
 TEST_CASE("stores of a routine that comes in between are not the handle's") {
   Provenance provenance;
-  provenance.pass_mark(2, 0);
+  provenance.pass_mark(2, 0, std::nullopt);
   CHECK(provenance.writes_as() != Tag::none);
   provenance.enter();
   CHECK(provenance.writes_as() == Tag::none);
@@ -153,9 +153,9 @@ TEST_CASE("stores of a routine that comes in between are not the handle's") {
   CHECK(provenance.writes_as() == Tag::none);
   provenance.resume();
   CHECK(provenance.job(provenance.writes_as())->n == 0);
-  provenance.pass_mark(3, 0);
+  provenance.pass_mark(3, 0, std::nullopt);
   CHECK(provenance.writes_as() == Tag::none);
-  provenance.pass_mark(2, 0);
+  provenance.pass_mark(2, 0, std::nullopt);
   CHECK(provenance.job(provenance.writes_as())->n == 1);
 }
 
@@ -163,9 +163,9 @@ TEST_CASE("an update's state is made of the newest sample it has looked at so fa
   Provenance provenance;
   const std::uint32_t source = provenance.add_source(), other = provenance.add_source();
   const auto update = [&](Time at, const std::vector<Tag>& loads) {
-    provenance.pass_mark(0, at);
+    provenance.pass_mark(0, at, std::nullopt);
     for (const Tag tag : loads) provenance.loaded(tag, at);
-    provenance.pass_mark(1, at);
+    provenance.pass_mark(1, at, std::nullopt);
   };
   const auto last = [&] { return provenance.origin(provenance.uses().back().sample); };
   update(5, {});
@@ -191,6 +191,22 @@ TEST_CASE("an update's state is made of the newest sample it has looked at so fa
   provenance.reset();
   update(90, {});
   CHECK(provenance.uses().size() == before + 2);
+}
+
+TEST_CASE("what the firmware claims is kept with what it used, until its time begins anew") {
+  Provenance provenance;
+  const Tag sample = provenance.sample(provenance.add_source(), 10, 12);
+  const auto claim_of = [&](Claim claim) {
+    provenance.pass_mark(0, 20, 99);
+    provenance.loaded(sample, 20);
+    provenance.pass_mark(1, 20, claim);
+    return provenance.uses().back().claimed;
+  };
+  provenance.reset();  // power-on
+  CHECK(claim_of(17) == 17);
+  CHECK(claim_of(std::nullopt) == std::nullopt);
+  provenance.reset();
+  CHECK(claim_of(17) == std::nullopt);
 }
 
 TEST_CASE("what an update loads counts, but not what comes back from the stack") {
@@ -284,7 +300,7 @@ TEST_CASE("bytes that leave by DMA carry their tags, and a store to a register i
   machine.tags().follow(take_apart(0x6004, 0), registers, false, 0);  // str r4, [r0]
   machine.tags().give_stored();
   CHECK(Machine::text(machine.tags().crossing) == "abcd");
-  machine.provenance().pass_mark(2, 0);
+  machine.provenance().pass_mark(2, 0, std::nullopt);
   machine.tags().follow(take_apart(0x6004, 0), registers, false, 0);
   machine.tags().give_stored();
   CHECK(machine.provenance().job(machine.tags().crossing[0]) != nullptr);

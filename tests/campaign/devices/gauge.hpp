@@ -38,6 +38,7 @@ class Gauge {
   void handle() {
     if (slot_->busy()) return;
     valve_[1] = finemote::is_fresh(command, finemote::now(), config_.max_age) ? command.opening : std::uint8_t{0};
+    asked_ = finemote::now();
     is_asked_ = slot_->start(kLevel, sizeof kLevel, level_, sizeof level_, valve_, sizeof valve_);
   }
 
@@ -54,13 +55,14 @@ class Gauge {
   void take() {
     is_asked_ = false;
     state.level = static_cast<std::uint16_t>(level_[0] << 8 | level_[1]);
-    state.origin = slot_->ended();
+    state.origin = asked_;
     state.valid = true;
   }
 
   Config config_;
   finemote::I2cSlot* slot_;
   bool is_asked_ = false;
+  finemote::Time asked_ = 0;
   std::uint8_t level_[2]{}, valve_[2]{kValveRegister, 0};
 };
 

@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 274832, finemote::kNothingToBound, nullptr},  // imu
-    {1, 446859, finemote::kNothingToBound, nullptr},  // depth
-    {1, 442869, finemote::kNothingToBound, nullptr},  // button
-    {1, 440579, 23969317, &station::servo.command},  // servo
-    {1, 436488, 23965227, &station::green_led.command},  // green_led
-    {1, 429698, 23956346, &station::blue_led.command},  // blue_led
-    {1, 420818, finemote::kNothingToBound, nullptr},  // station
+    {0, 289533, finemote::kNothingToBound, nullptr},  // imu
+    {1, 463650, finemote::kNothingToBound, nullptr},  // depth
+    {1, 459659, finemote::kNothingToBound, nullptr},  // button
+    {1, 457369, 23994219, &station::servo.command},  // servo
+    {1, 453279, 23990129, &station::green_led.command},  // green_led
+    {1, 444399, 23983338, &station::blue_led.command},  // blue_led
+    {1, 437608, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

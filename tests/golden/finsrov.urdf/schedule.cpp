@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 375147, finemote::kNothingToBound, nullptr},  // imu
-    {1, 862720, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 846159, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 842169, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 838178, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 832098, 31021368, &rov::thruster_1.command},  // thruster_1
-    {1, 823408, 31010588, &rov::thruster_2.command},  // thruster_2
-    {1, 805437, 30992617, &rov::thruster_3.command},  // thruster_3
-    {1, 796746, 30981836, &rov::thruster_4.command},  // thruster_4
-    {1, 785966, 30973146, &rov::thruster_5.command},  // thruster_5
-    {1, 764705, 30953975, &rov::thruster_6.command},  // thruster_6
-    {1, 756014, 30943194, &rov::thruster_7.command},  // thruster_7
-    {1, 747324, 30934504, &rov::thruster_8.command},  // thruster_8
-    {1, 736543, finemote::kNothingToBound, nullptr},  // rov
+    {0, 398228, finemote::kNothingToBound, nullptr},  // imu
+    {1, 884011, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 880021, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 873940, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 869950, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 865960, 31065140, &rov::thruster_1.command},  // thruster_1
+    {1, 843799, 31056450, &rov::thruster_2.command},  // thruster_2
+    {1, 835108, 31034289, &rov::thruster_3.command},  // thruster_3
+    {1, 824328, 31025598, &rov::thruster_4.command},  // thruster_4
+    {1, 806357, 31014818, &rov::thruster_5.command},  // thruster_5
+    {1, 797666, 31006127, &rov::thruster_6.command},  // thruster_6
+    {1, 786886, 30988157, &rov::thruster_7.command},  // thruster_7
+    {1, 764725, 30977376, &rov::thruster_8.command},  // thruster_8
+    {1, 756034, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 308852, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 219109, 28931213, &arm::base.command},  // base
-    {0, 212719, 28924823, &arm::shoulder.command},  // shoulder
-    {0, 206329, 28918433, &arm::elbow.command},  // elbow
-    {0, 199938, 28912043, &arm::wrist_roll.command},  // wrist_roll
-    {0, 183218, 28895322, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 176827, 28888931, &arm::flange.command},  // flange
-    {0, 170437, finemote::kNothingToBound, nullptr},  // arm
+    {1, 342234, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 258631, 28981716, &arm::base.command},  // base
+    {0, 252241, 28975326, &arm::shoulder.command},  // shoulder
+    {0, 245851, 28968936, &arm::elbow.command},  // elbow
+    {0, 228840, 28951925, &arm::wrist_roll.command},  // wrist_roll
+    {0, 222450, 28945535, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 216059, 28939144, &arm::flange.command},  // flange
+    {0, 209669, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

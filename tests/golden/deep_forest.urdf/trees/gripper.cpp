@@ -14,7 +14,7 @@ void update_4ms() {
   ports::finger_to_gripper = ports::finger_to_gripper_latch.snapshot();  // from finger (10 ms)
   ports::tilt_to_gripper = ports::tilt_to_gripper_latch.snapshot();  // from tilt (2 ms)
   ports::remote_to_gripper = ports::remote_to_gripper_latch.snapshot();  // from remote (10 ms)
-  { Stage<24> stage; gripper.update(); }                        // sim_load
+  { Stage<24, gripper> stage; gripper.update(); }               // sim_load
 }
 
 void handle_4ms() {
@@ -23,7 +23,7 @@ void handle_4ms() {
 }
 
 void update_10ms() {
-  { Stage<22> stage; finger.update(); }                         // sim_load
+  { Stage<22, finger> stage; finger.update(); }                 // sim_load
   ports::finger_to_gripper_latch.publish(finger.state);         // to gripper (4 ms)
 }
 

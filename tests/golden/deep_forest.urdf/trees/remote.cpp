@@ -13,7 +13,7 @@ namespace deep_forest::remote {
 using finemote::Stage;
 
 void update_10ms() {
-  { Stage<0> stage; remote.update(); }                          // sim_load
+  { Stage<0, remote> stage; remote.update(); }                  // sim_load
   gripper::ports::remote_to_gripper_latch.publish(remote.state);  // to gripper (4 ms)
 }
 

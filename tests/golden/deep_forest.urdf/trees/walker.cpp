@@ -13,15 +13,15 @@ namespace deep_forest::walker {
 using finemote::Stage;
 
 void update_2ms() {
-  { Stage<2> stage; hip_left.update(); }                        // sim_load
+  { Stage<2, hip_left> stage; hip_left.update(); }              // sim_load
   ports::hip_left_to_leg_left_latch.publish(hip_left.state);    // to leg-left (4 ms)
-  { Stage<4> stage; knee_left.update(); }                       // sim_load
+  { Stage<4, knee_left> stage; knee_left.update(); }            // sim_load
   ports::knee_left_to_leg_left_latch.publish(knee_left.state);  // to leg-left (4 ms)
-  { Stage<8> stage; hip_right.update(); }                       // sim_load
+  { Stage<8, hip_right> stage; hip_right.update(); }            // sim_load
   ports::hip_right_to_leg_right_latch.publish(hip_right.state);  // to leg-right (4 ms)
-  { Stage<10> stage; knee_right.update(); }                     // sim_load
+  { Stage<10, knee_right> stage; knee_right.update(); }         // sim_load
   ports::knee_right_to_leg_right_latch.publish(knee_right.state);  // to leg-right (4 ms)
-  { Stage<16> stage; tilt.update(); }                           // sim_load
+  { Stage<16, tilt> stage; tilt.update(); }                     // sim_load
   ports::tilt_to_body_latch.publish(tilt.state);                // to body (10 ms)
   gripper::ports::tilt_to_gripper_latch.publish(tilt.state);    // to gripper (4 ms)
 }
@@ -42,11 +42,11 @@ void handle_2ms() {
 void update_4ms() {
   ports::hip_left_to_leg_left = ports::hip_left_to_leg_left_latch.snapshot();  // from hip-left (2 ms)
   ports::knee_left_to_leg_left = ports::knee_left_to_leg_left_latch.snapshot();  // from knee-left (2 ms)
-  { Stage<6> stage; leg_left.update(); }                        // group
+  { Stage<6, leg_left> stage; leg_left.update(); }              // group
   ports::hip_right_to_leg_right = ports::hip_right_to_leg_right_latch.snapshot();  // from hip-right (2 ms)
   ports::knee_right_to_leg_right = ports::knee_right_to_leg_right_latch.snapshot();  // from knee-right (2 ms)
-  { Stage<12> stage; leg_right.update(); }                      // group
-  { Stage<14> stage; front.update(); }                          // sim_load
+  { Stage<12, leg_right> stage; leg_right.update(); }           // group
+  { Stage<14, front> stage; front.update(); }                   // sim_load
   ports::front_to_body_latch.publish(front.state);              // to body (10 ms)
 }
 
@@ -64,9 +64,9 @@ void handle_4ms() {
 void update_10ms() {
   ports::front_to_body = ports::front_to_body_latch.snapshot();  // from front (4 ms)
   ports::tilt_to_body = ports::tilt_to_body_latch.snapshot();   // from tilt (2 ms)
-  { Stage<18> stage; body.update(); }                           // group
+  { Stage<18, body> stage; body.update(); }                     // group
   ports::remote_to_walker = remote::remote.state;               // from remote (10 ms)
-  { Stage<20> stage; walker.update(); }                         // sim_load
+  { Stage<20, walker> stage; walker.update(); }                 // sim_load
 }
 
 void handle_10ms() {

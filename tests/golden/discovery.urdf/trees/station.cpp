@@ -11,7 +11,7 @@ namespace discovery::station {
 using finemote::Stage;
 
 void update_5ms() {
-  { Stage<0> stage; imu.update(); }                             // h30_imu on 'imu_line'
+  { Stage<0, imu> stage; imu.update(); }                        // h30_imu on 'imu_line'
   ports::imu_to_station_latch.publish(imu.state);               // to station (10 ms)
 }
 
@@ -20,13 +20,13 @@ void handle_5ms() {
 }
 
 void update_10ms() {
-  { Stage<2> stage; depth.update(); }                           // ms5837 on 'i2c' at 0x76
-  { Stage<4> stage; button.update(); }                          // key
-  { Stage<6> stage; servo.update(); }                           // pwm_servo on 'servo_pulses' channel 0
-  { Stage<8> stage; green_led.update(); }                       // led on 'green' channel 0
-  { Stage<10> stage; blue_led.update(); }                       // led on 'blue' channel 0
+  { Stage<2, depth> stage; depth.update(); }                    // ms5837 on 'i2c' at 0x76
+  { Stage<4, button> stage; button.update(); }                  // key
+  { Stage<6, servo> stage; servo.update(); }                    // pwm_servo on 'servo_pulses' channel 0
+  { Stage<8, green_led> stage; green_led.update(); }            // led on 'green' channel 0
+  { Stage<10, blue_led> stage; blue_led.update(); }             // led on 'blue' channel 0
   ports::imu_to_station = ports::imu_to_station_latch.snapshot();  // from imu (5 ms)
-  { Stage<12> stage; station.update(); }                        // host_link on 'computer'
+  { Stage<12, station> stage; station.update(); }               // host_link on 'computer'
 }
 
 void handle_10ms() {

@@ -11,7 +11,7 @@ namespace FinsROV::rov {
 using finemote::Stage;
 
 void update_5ms() {
-  { Stage<0> stage; imu.update(); }                             // h30_imu on 'imu_uart'
+  { Stage<0, imu> stage; imu.update(); }                        // h30_imu on 'imu_uart'
   ports::imu_to_rov_latch.publish(imu.state);                   // to rov (10 ms)
 }
 
@@ -20,20 +20,20 @@ void handle_5ms() {
 }
 
 void update_10ms() {
-  { Stage<2> stage; baro_1.update(); }                          // ms5837 on 'segment_0' at 0x76
-  { Stage<4> stage; baro_2.update(); }                          // ms5837 on 'segment_1' at 0x76
-  { Stage<6> stage; baro_3.update(); }                          // ms5837 on 'segment_2' at 0x76
-  { Stage<8> stage; baro_4.update(); }                          // ms5837 on 'segment_3' at 0x76
-  { Stage<10> stage; thruster_1.update(); }                     // pwm_esc on 'pwm' channel 0
-  { Stage<12> stage; thruster_2.update(); }                     // pwm_esc on 'pwm' channel 1
-  { Stage<14> stage; thruster_3.update(); }                     // pwm_esc on 'pwm' channel 2
-  { Stage<16> stage; thruster_4.update(); }                     // pwm_esc on 'pwm' channel 3
-  { Stage<18> stage; thruster_5.update(); }                     // pwm_esc on 'pwm' channel 4
-  { Stage<20> stage; thruster_6.update(); }                     // pwm_esc on 'pwm' channel 5
-  { Stage<22> stage; thruster_7.update(); }                     // pwm_esc on 'pwm' channel 6
-  { Stage<24> stage; thruster_8.update(); }                     // pwm_esc on 'pwm' channel 7
+  { Stage<2, baro_1> stage; baro_1.update(); }                  // ms5837 on 'segment_0' at 0x76
+  { Stage<4, baro_2> stage; baro_2.update(); }                  // ms5837 on 'segment_1' at 0x76
+  { Stage<6, baro_3> stage; baro_3.update(); }                  // ms5837 on 'segment_2' at 0x76
+  { Stage<8, baro_4> stage; baro_4.update(); }                  // ms5837 on 'segment_3' at 0x76
+  { Stage<10, thruster_1> stage; thruster_1.update(); }         // pwm_esc on 'pwm' channel 0
+  { Stage<12, thruster_2> stage; thruster_2.update(); }         // pwm_esc on 'pwm' channel 1
+  { Stage<14, thruster_3> stage; thruster_3.update(); }         // pwm_esc on 'pwm' channel 2
+  { Stage<16, thruster_4> stage; thruster_4.update(); }         // pwm_esc on 'pwm' channel 3
+  { Stage<18, thruster_5> stage; thruster_5.update(); }         // pwm_esc on 'pwm' channel 4
+  { Stage<20, thruster_6> stage; thruster_6.update(); }         // pwm_esc on 'pwm' channel 5
+  { Stage<22, thruster_7> stage; thruster_7.update(); }         // pwm_esc on 'pwm' channel 6
+  { Stage<24, thruster_8> stage; thruster_8.update(); }         // pwm_esc on 'pwm' channel 7
   ports::imu_to_rov = ports::imu_to_rov_latch.snapshot();       // from imu (5 ms)
-  { Stage<26> stage; rov.update(); }                            // finsrov
+  { Stage<26, rov> stage; rov.update(); }                       // finsrov
 }
 
 void handle_10ms() {

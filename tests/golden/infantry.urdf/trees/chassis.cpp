@@ -11,12 +11,12 @@ namespace infantry::chassis {
 using finemote::Stage;
 
 void update_5ms() {
-  { Stage<8> stage; front_left.update(); }                      // dji_m3508 on 'wheel_can' id 1
-  { Stage<10> stage; front_right.update(); }                    // dji_m3508 on 'wheel_can' id 2
-  { Stage<12> stage; rear_left.update(); }                      // dji_m3508 on 'wheel_can' id 3
-  { Stage<14> stage; rear_right.update(); }                     // dji_m3508 on 'wheel_can' id 4
+  { Stage<8, front_left> stage; front_left.update(); }          // dji_m3508 on 'wheel_can' id 1
+  { Stage<10, front_right> stage; front_right.update(); }       // dji_m3508 on 'wheel_can' id 2
+  { Stage<12, rear_left> stage; rear_left.update(); }           // dji_m3508 on 'wheel_can' id 3
+  { Stage<14, rear_right> stage; rear_right.update(); }         // dji_m3508 on 'wheel_can' id 4
   ports::remote_to_chassis = ports::remote_to_chassis_latch.snapshot();  // from remote (10 ms)
-  { Stage<16> stage; chassis.update(); }                        // mecanum_chassis
+  { Stage<16, chassis> stage; chassis.update(); }               // mecanum_chassis
 }
 
 void handle_5ms() {

@@ -11,11 +11,11 @@ namespace infantry::gimbal {
 using finemote::Stage;
 
 void update_1ms() {
-  { Stage<0> stage; imu.update(); }                             // bmi088 on 'imu_spi' channel 0
+  { Stage<0, imu> stage; imu.update(); }                        // bmi088 on 'imu_spi' channel 0
   ports::imu_to_gimbal_latch.publish(imu.state);                // to gimbal (2 ms)
-  { Stage<2> stage; yaw.update(); }                             // dji_gm6020 on 'gimbal_can' id 1
+  { Stage<2, yaw> stage; yaw.update(); }                        // dji_gm6020 on 'gimbal_can' id 1
   ports::yaw_to_gimbal_latch.publish(yaw.state);                // to gimbal (2 ms)
-  { Stage<4> stage; pitch.update(); }                           // dji_gm6020 on 'gimbal_can' id 2
+  { Stage<4, pitch> stage; pitch.update(); }                    // dji_gm6020 on 'gimbal_can' id 2
   ports::pitch_to_gimbal_latch.publish(pitch.state);            // to gimbal (2 ms)
 }
 
@@ -32,7 +32,7 @@ void update_2ms() {
   ports::pitch_to_gimbal = ports::pitch_to_gimbal_latch.snapshot();  // from pitch (1 ms)
   ports::imu_to_gimbal = ports::imu_to_gimbal_latch.snapshot();  // from imu (1 ms)
   ports::remote_to_gimbal = ports::remote_to_gimbal_latch.snapshot();  // from remote (10 ms)
-  { Stage<6> stage; gimbal.update(); }                          // gimbal
+  { Stage<6, gimbal> stage; gimbal.update(); }                  // gimbal
 }
 
 void handle_2ms() {

@@ -13,7 +13,7 @@ namespace infantry::remote {
 using finemote::Stage;
 
 void update_10ms() {
-  { Stage<18> stage; remote.update(); }                         // dr16 on 'dbus'
+  { Stage<18, remote> stage; remote.update(); }                 // dr16 on 'dbus'
   gimbal::ports::remote_to_gimbal_latch.publish(remote.state);  // to gimbal (2 ms)
   chassis::ports::remote_to_chassis_latch.publish(remote.state);  // to chassis (5 ms)
 }

@@ -11,14 +11,14 @@ namespace six_joint_arm::arm {
 using finemote::Stage;
 
 void update_2ms() {
-  { Stage<2> stage; base.update(); }                            // dji_m3508 on 'arm_can' id 1
-  { Stage<4> stage; shoulder.update(); }                        // dji_m3508 on 'arm_can' id 2
-  { Stage<6> stage; elbow.update(); }                           // dji_m3508 on 'arm_can' id 3
-  { Stage<8> stage; wrist_roll.update(); }                      // dji_m3508 on 'wrist_can' id 1
-  { Stage<10> stage; wrist_pitch.update(); }                    // dji_m2006 on 'wrist_can' id 2
-  { Stage<12> stage; flange.update(); }                         // dji_m2006 on 'wrist_can' id 3
+  { Stage<2, base> stage; base.update(); }                      // dji_m3508 on 'arm_can' id 1
+  { Stage<4, shoulder> stage; shoulder.update(); }              // dji_m3508 on 'arm_can' id 2
+  { Stage<6, elbow> stage; elbow.update(); }                    // dji_m3508 on 'arm_can' id 3
+  { Stage<8, wrist_roll> stage; wrist_roll.update(); }          // dji_m3508 on 'wrist_can' id 1
+  { Stage<10, wrist_pitch> stage; wrist_pitch.update(); }       // dji_m2006 on 'wrist_can' id 2
+  { Stage<12, flange> stage; flange.update(); }                 // dji_m2006 on 'wrist_can' id 3
   ports::sticks_to_arm = ports::sticks_to_arm_latch.snapshot();  // from sticks (10 ms)
-  { Stage<14> stage; arm.update(); }                            // serial_arm
+  { Stage<14, arm> stage; arm.update(); }                       // serial_arm
 }
 
 void handle_2ms() {
@@ -32,7 +32,7 @@ void handle_2ms() {
 }
 
 void update_10ms() {
-  { Stage<0> stage; sticks.update(); }                          // sbus on 'receiver'
+  { Stage<0, sticks> stage; sticks.update(); }                  // sbus on 'receiver'
   ports::sticks_to_arm_latch.publish(sticks.state);             // to arm (2 ms)
 }
 

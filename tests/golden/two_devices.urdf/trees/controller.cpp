@@ -11,7 +11,7 @@ namespace two_devices::controller {
 using finemote::Stage;
 
 void update_5ms() {
-  { Stage<0> stage; sensor.update(); }                          // sim_load
+  { Stage<0, sensor> stage; sensor.update(); }                  // sim_load
   ports::sensor_to_controller_latch.publish(sensor.state);      // to controller (10 ms)
 }
 
@@ -22,7 +22,7 @@ void handle_5ms() {
 
 void update_10ms() {
   ports::sensor_to_controller = ports::sensor_to_controller_latch.snapshot();  // from sensor (5 ms)
-  { Stage<2> stage; controller.update(); }                      // sim_load
+  { Stage<2, controller> stage; controller.update(); }          // sim_load
 }
 
 void handle_10ms() {

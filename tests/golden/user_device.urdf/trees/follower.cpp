@@ -11,9 +11,9 @@ namespace line_follower::follower {
 using finemote::Stage;
 
 void update_5ms() {
-  { Stage<0> stage; line.update(); }                            // line_sensor
-  { Stage<2> stage; drive.update(); }                           // sim_load
-  { Stage<4> stage; follower.update(); }                        // group
+  { Stage<0, line> stage; line.update(); }                      // line_sensor
+  { Stage<2, drive> stage; drive.update(); }                    // sim_load
+  { Stage<4, follower> stage; follower.update(); }              // group
 }
 
 void handle_5ms() {

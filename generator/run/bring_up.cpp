@@ -1,0 +1,30 @@
+#include "generator/run/bring_up.hpp"
+
+#include <algorithm>
+
+#include "generator/run/emulation.hpp"
+
+namespace finemote::gen {
+
+nlohmann::ordered_json awaited_parts(const Robot& robot) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Expander& expander : robot.expanders) {
+    if (has_part(robot, expander) && !expander.type->is_mux())
+      list.push_back({{"part", expander.name.text}, {"output", true}});
+  }
+  for (const Device& device : robot.devices) {
+    if (device.type->acquisition && has_part(robot, device))
+      list.push_back({{"part", device.name.text}, {"output", false}});
+  }
+  return list;
+}
+
+Duration longest_bring_up(const Robot& robot) {
+  Duration longest = Acquisition().bring_up;
+  for (const Device& device : robot.devices) {
+    if (device.type->acquisition) longest = std::max(longest, device.type->acquisition->bring_up);
+  }
+  return longest;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,122 @@
+#include "generator/run/read_record.hpp"
+
+#include "generator/forest/stage.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<FaultCount> faults_of(const Json& record, const char* when) {
+  std::vector<FaultCount> faults;
+  for (const Json& fault : record.at(when)) faults.push_back({fault.at(0), fault.at(1), fault.at(2)});
+  return faults;
+}
+
+/// What came after the bring-up. Counters stay at their largest value, and begin anew with a reset.
+std::vector<FaultCount> late_faults_of(const Json& record) {
+  std::vector<FaultCount> late = faults_of(record, "fault_counts");
+  for (const FaultCount& early : faults_of(record, "faults_at_ready")) {
+    for (FaultCount& fault : late) {
+      if (fault.module == early.module && fault.number == early.number)
+        fault.count = fault.count > early.count ? fault.count - early.count : 0;
+    }
+  }
+  std::erase_if(late, [](const FaultCount& fault) { return fault.count == 0; });
+  return late;
+}
+
+std::vector<Event> events_of(const Json& record, const Forest& forest) {
+  std::vector<Event> events;
+  for (const Json& event : record.at("stages")) {
+    const Stage stage = Stage::of_number(event.at(1));
+    if (!forest.order.contains(stage.rank)) continue;
+    events.push_back({time_of(event.at(0)), forest.order[stage.rank], stage.is_handle, !event.at(2).get<bool>()});
+  }
+  return events;
+}
+
+/// Rounded up.
+std::vector<OwnTime> own_times_of(const Json& record, const Forest& forest) {
+  std::vector<OwnTime> times;
+  for (const Json& own : record.at("own_stages")) {
+    const Stage stage = Stage::of_number(own.at(0));
+    if (!forest.order.contains(stage.rank)) continue;
+    times.push_back({forest.order[stage.rank], stage.is_handle, picoseconds_up(own.at(1))});
+  }
+  return times;
+}
+
+std::vector<ExpectationRecord> expectations_of(const Json& record) {
+  const auto seen = [](const Json& value) { return value.is_null() ? std::nullopt : std::optional<double>(value); };
+  std::vector<ExpectationRecord> all;
+  for (const Json& e : record.at("expectations")) {
+    all.push_back({e.at("part"), e.at("value"), time_of(e.at("from_ns")), time_of(e.at("to_ns")), e.at("min"),
+                   e.at("max"), seen(e.at("lowest")), seen(e.at("highest")), e.at("finite"), e.at("ok")});
+  }
+  return all;
+}
+
+std::optional<std::int64_t> maybe(const Json& ps) {
+  return ps.is_null() ? std::nullopt : std::optional(ps.get<std::int64_t>());
+}
+
+std::vector<PartRecord> parts_of(const Json& record) {
+  std::vector<PartRecord> parts;
+  for (const Json& part : record.at("parts")) {
+    const Json& stage = part.at("stage");
+    parts.push_back({part.at("part"), part.at("output"), part.at("channel"), part.at("from_ps"), part.at("at_ps"),
+                     part.at("n"), stage.is_null() ? std::nullopt : std::optional(stage.get<std::uint32_t>())});
+  }
+  return parts;
+}
+
+/// Of the buses with a port, in their order.
+std::vector<BusRecord> buses_of(const Json& record, const Robot& robot) {
+  std::vector<BusRecord> buses;
+  for (const BusId id : robot.buses.ids()) {
+    if (robot.buses[id].port.empty()) continue;
+    const Json& bus = record.at("buses").at(buses.size());
+    buses.push_back({id, bus.at("transfers"), bus.at("errors"), bus.at("busy")});
+  }
+  return buses;
+}
+
+std::vector<MonitorEntry> monitor_of(const Json& record, const Forest& forest) {
+  std::vector<MonitorEntry> entries;
+  for (const Rank rank : forest.order.ids()) {
+    if (rank.value() >= record.at("monitor").size()) break;
+    const Json& entry = record.at("monitor").at(rank.value());
+    entries.push_back({forest.order[rank], time_of(entry.at(0)), time_of(entry.at(1)), entry.at(2), entry.at(3)});
+  }
+  return entries;
+}
+
+}  // namespace
+
+std::vector<FaultCount> faults_of(const Json& document) { return faults_of(document, "fault_counts"); }
+
+Duration time_of(const Json& ns) { return nanoseconds(ns.get<std::int64_t>()); }
+
+RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest) {
+  RunRecord record;
+  record.ready = time_of(json.at("ready_ns"));
+  record.absent = json.at("absent").get<std::vector<std::string>>();
+  record.events = events_of(json, forest);
+  record.own_times = own_times_of(json, forest);
+  record.overruns = json.at("overruns").get<std::vector<std::uint64_t>>();
+  record.faults = faults_of(json, "fault_counts");
+  record.late_faults = late_faults_of(json);
+  record.parts = parts_of(json);
+  for (const Json& use : json.at("uses"))
+    record.uses.push_back({use.at(0), use.at(1), use.at(2), use.at(3), use.at(4), maybe(use.at(5))});
+  for (const Json& event : json.at("audit")) record.log.push_back({event.at(0), event.at(1), event.at(2)});
+  record.expectations = expectations_of(json);
+  record.buses = buses_of(json, robot);
+  record.monitor = monitor_of(json, forest);
+  record.resets = json.at("resets");
+  record.faulty = json.at("faulty");
+  return record;
+}
+
+}  // namespace finemote::gen
