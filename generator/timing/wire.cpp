@@ -119,7 +119,8 @@ void WireAnalysis::add_load() {
 
 std::optional<Duration> WireAnalysis::bound(std::size_t index) const {
   const Item& own = items_[index];
-  if (!own.bounded) return std::nullopt;
+  // What an overloaded bus cannot carry fills mailboxes and queues: then no frame of it is sure of its place.
+  if (!own.bounded || loads_[own.bus].utilization > 1) return std::nullopt;
   const auto competes = [&](const Item& i) { return i.bus == own.bus && i.receive == own.receive; };
   Duration blocking = own.on_wire();
   bool alone = true;
