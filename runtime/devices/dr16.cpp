@@ -1,5 +1,7 @@
 #include "finemote/devices/dr16.hpp"
 
+#include <cstring>
+
 namespace finemote {
 
 namespace {
@@ -32,9 +34,9 @@ std::int16_t word_at(const std::uint8_t* bytes) { return static_cast<std::int16_
 
 void Dr16::update() {
   for (std::size_t size = 0, room = 0, turns = 0; size == room && turns < 8; ++turns) {
-    if (size_ == sizeof bytes_) {  // more than frames can be: forget it all
-      too_long_ = true;
-      size_ = 0;
+    if (size_ == sizeof bytes_) {  // the oldest frame makes room
+      size_ -= kFrame;
+      std::memmove(bytes_, bytes_ + kFrame, size_);
     }
     room = sizeof bytes_ - size_;
     size = uart_->read(bytes_ + size_, room);
@@ -43,7 +45,7 @@ void Dr16::update() {
   if (size_ != 0 && uart_->idle()) {
     const std::uint32_t errors = uart_->counters().errors;
     RemoteState decoded;
-    const bool whole = size_ % kFrame == 0 && !too_long_ && errors == line_errors_;
+    const bool whole = size_ % kFrame == 0 && errors == line_errors_;
     if (whole && decode(bytes_ + size_ - kFrame, decoded)) {
       decoded.origin = uart_->arrival() - uart_->wire_time(kFrame);
       decoded.valid = true;
@@ -52,7 +54,6 @@ void Dr16::update() {
       ++bad_frames_;
     }
     line_errors_ = errors;
-    too_long_ = false;
     size_ = 0;
   }
   if (!is_fresh(state, now(), kMaxAge)) state.valid = false;

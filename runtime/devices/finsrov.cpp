@@ -14,8 +14,8 @@ constexpr float kUpDownStep = 0.01F;       ///< m
 constexpr float kHoldDepth = 0.30F;        ///< least target depth when switched on [m]
 constexpr float kDeepest = 300;            ///< m, what 30 bar allow
 constexpr float kLongestStep = 0.1F;       ///< s; a longer gap between updates is not integrated
-constexpr float kShortestStep = 0.002F;    ///< s: pressures of one depth are taken together, those of the next later
-constexpr float kRateFilter = 0.3F;        ///< share of a new sample in the vertical speed
+constexpr float kShortestStep = 0.002F;  ///< s: samples of two sensors that lie closer together are one depth, not two
+constexpr float kRateFilter = 0.3F;      ///< share of a new sample in the vertical speed
 constexpr Duration kReportEvery = 100 * kMillisecond;
 
 // TES pulses, as the host program means them: 1500 us neutral, 400 us to full effort.

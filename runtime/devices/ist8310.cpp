@@ -19,7 +19,8 @@ constexpr Setting kSettings[] = {
 };
 constexpr std::uint8_t kSettingCount = sizeof kSettings / sizeof kSettings[0];
 
-/// What a read brings is at most that old: 200 measurements a second, and the time that one takes.
+/// What a read brings is at most that old: 200 measurements a second are 5 ms apart (data sheet 5.3, CNTL1), and 1 ms
+/// for what the part's clock may be slow. schemas/devices/ist8310.json has it as `latency_ns`.
 constexpr Duration kFieldAge = 6 * kMillisecond;
 
 constexpr float kTeslaPerStep = 0.3e-6F;

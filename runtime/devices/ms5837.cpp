@@ -136,7 +136,7 @@ void Ms5837::take_prom_word() {
 void Ms5837::take_conversion() {
   const std::uint32_t value = std::uint32_t{read_[0]} << 16 | std::uint32_t{read_[1]} << 8 | read_[2];
   const Kind kind = running_;
-  const Time begun = begun_;
+  const Time begun = conversion_asked_;
   conversion_begun(next_);
   if (value == 0) return bad_value();  // read before the conversion had ended, or the part was reset
   if (kind == Kind::kTemperature) {
@@ -144,13 +144,13 @@ void Ms5837::take_conversion() {
     return;
   }
   d1_ = value;
-  taken_ = begun;
+  d1_asked_ = begun;
   if (d2_ != 0) publish();
 }
 
 void Ms5837::conversion_begun(Kind kind) {
   running_ = kind;
-  begun_ = asked_;
+  conversion_asked_ = transfer_begun_;
   ready_ = slot_->ended() + conversion_;
 }
 
@@ -165,7 +165,7 @@ void Ms5837::publish() {
   if (!plausible) return bad_value();
   bad_values_ = 0;
   known_ = true;
-  state.origin = taken_;
+  state.origin = d1_asked_;
   state.valid = true;
   state.pressure = pressure;
   state.temperature = static_cast<float>(value.temperature) * 0.01F;
@@ -205,7 +205,7 @@ void Ms5837::begin_step() {
     case Step::kFirst:
       write_[0] = command(Kind::kTemperature);
       pressures_ = 0;
-      asked_ = now();
+      transfer_begun_ = now();
       started_ = slot_->start(write_, 1);
       break;
     case Step::kConvert:
@@ -220,7 +220,7 @@ void Ms5837::begin_convert() {
   pressures_ = next_ == Kind::kPressure ? static_cast<std::uint8_t>(pressures_ + 1) : std::uint8_t{0};
   write_[0] = kReadAdc;
   write_[1] = command(next_);
-  asked_ = now();
+  transfer_begun_ = now();
   started_ = slot_->start(write_, 1, read_, 3, write_ + 1, 1);
 }
 

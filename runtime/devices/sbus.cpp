@@ -31,14 +31,18 @@ RemoteSwitch switch_of(int channel) {
 }  // namespace
 
 void Sbus::update() {
+  const std::uint32_t before = gaps();
   std::uint8_t bytes[32];
   for (std::size_t size = sizeof bytes, turns = 0; size == sizeof bytes && turns < 8; ++turns) {
     size = uart_->read(bytes, sizeof bytes);
+    if (gaps() != before) size_ = 0;  // what is kept lies before the gap
     for (std::size_t i = 0; i < size; ++i) take(bytes[i], size - 1 - i);
   }
   if (size_ == kFrame && uart_->idle()) decode(0);
   if (!is_fresh(state, now(), kMaxAge)) state.valid = false;
 }
+
+std::uint32_t Sbus::gaps() const { return uart_->counters().lost + uart_->counters().recoveries; }
 
 // A whole frame waits for the silence behind it, which tells when it came, or for the first byte of the next one.
 void Sbus::take(std::uint8_t byte, std::size_t behind) {

@@ -81,7 +81,9 @@ void CanBus::on_frame(const CanFrame& frame, Moment arrival) {
   ++counters_.lost;  // a filter lets more through than is wanted
 }
 
-/// Since when the bus has been busy without a pause when this frame began. All frames are taken as long as they can be.
+/// Since when the bus has been busy without a pause when this frame began, as far as frames tell that we send or
+/// receive: those that nobody here receives, and damaged ones, are not seen (assumptions 1 and 6 in docs/timing.md).
+/// All are taken as long as they can be.
 Time CanBus::busy_since(Moment arrival) {
   Time since = arrival.earliest - longest_frame_;
   since = received_.reach(sent_.reach(received_.reach(since)));
@@ -116,6 +118,8 @@ void CanBus::on_interrupt() {
 }
 
 bool CanBus::send_group(Group& group, Time at) {
+  group.frame.id = group.id.load();
+  group.frame.size = 8;
   if (!send(group.frame, at)) return false;
   group.waiting.store(false);
   return true;
@@ -137,8 +141,6 @@ bool CanBus::set_shared(const CanSlot& slot, const std::uint8_t* bytes) {
     return false;
   }
   group->setting.store(true);
-  group->frame.id = share.frame;
-  group->frame.size = 8;
   // supervise() may clear the frame in between: what it left of the bytes is written once more.
   for (int attempt = 0; attempt < 2; ++attempt) {
     const std::uint8_t cleared = group->cleared.load();

@@ -11,9 +11,8 @@ enum UartFault : std::uint8_t { kReceiveHalted = 1, kBytesLost, kSendOverdue };
 
 constexpr Duration kSendSlack = 1 * kMillisecond;
 
-/// A sender whose clock is off by more than a part of so many is not understood: RM0090 30.3.5, tolerance to clock
-/// deviation, at most 4.5 %.
-constexpr Duration kFastestSender = 22;
+/// The clock of a sender that is understood is off by at most a part of so many: 4.5 %, RM0090 30.3.5.
+constexpr std::int64_t kClockDeviationPart = 22;
 
 constexpr Time later(Time a, Time b) { return a < b ? b : a; }
 
@@ -91,7 +90,7 @@ Time Uart::earliest(const UartIdle& point, std::uint32_t position) const {
   const std::uint32_t bytes = position - point.received;
   if (bytes == 0 || bytes > port_->ring().size) return kLongAgo;
   const Duration nominal = wire_time(bytes - 1);
-  return point.at + nominal - nominal / kFastestSender;
+  return point.at + nominal - nominal / kClockDeviationPart;
 }
 
 void Uart::lose(std::uint32_t bytes) {

@@ -99,8 +99,9 @@ Duration longest_gap(const Schedule& schedule, std::uint32_t longest_step) {
 }
 
 // Plans the slots from instant 0 on and makes a ring of them; the present is then the slot before instant 0. A ring of
-// whole hyperperiods ends in the slot that will stand for its last instant, one turn early.
-void fill(Releases& r, std::uint32_t all) {
+// whole hyperperiods ends in the slot that will stand for its last instant, one turn early. Returns the present to
+// come.
+Instant& fill(Releases& r, std::uint32_t all) {
   unsigned whole = 0;  // slots that whole hyperperiods take
   r.ahead = r.plan.next();
   for (unsigned i = 0; i < kSlots - 1; ++i) {
@@ -120,7 +121,7 @@ void fill(Releases& r, std::uint32_t all) {
     last.at = -static_cast<Time>(r.tick_ns);
     last.stamp = 0U - r.cycles_per_tick;
   }
-  r.present = &last;
+  return last;
 }
 
 std::uint32_t prepare(Releases& r, const Schedule& schedule) {
@@ -154,11 +155,11 @@ void wait_for_count() {
 
 void start_releases(const Schedule& schedule) {
   Releases& r = releases;
-  fill(r, prepare(r, schedule));
+  Instant& before = fill(r, prepare(r, schedule));
   scb::set_priority(15, kReleasePriority);
   board::start_watchdog(longest_gap(schedule, systick::kMaxInterval / r.cycles_per_tick));
-  const Instant& before = *r.present;
   start_cycles(before.stamp);
+  r.present = &before;  // now() counts from here on: before, the cycles are those since power-on
   systick::Reload::write(0U - before.stamp - 1);
   systick::Value::write(0);
   systick::Control::write(systick::kEnable | systick::kInterrupt | systick::kCoreClock);

@@ -7,11 +7,11 @@ namespace {
 
 /// Cycles from the end of one routine to the begin of the next where nothing runs in between: tail-chaining (6, Arm DDI
 /// 0439 3.9) and the last and first instructions of both, which fetches from flash may make several times as long.
-constexpr std::uint32_t kPause = 128;
+constexpr std::uint32_t kPause = 320;
 
-/// From an event to the begin of its routine where no other one is in the way: entry (12 cycles, PM0214 2.3.7), and the
-/// short sections that mask interrupts.
-constexpr Duration kEntry = 600;
+/// From an event to the begin of its routine where no other one is in the way: what `exception_entry`, `preemption` and
+/// `masked_section` of the chip's file allow together.
+constexpr Duration kEntry = 1'400;
 
 /// The last routine that ended [cycles]: since when it, or those it followed, ran. Only routines of one priority use
 /// it, which do not interrupt each other.

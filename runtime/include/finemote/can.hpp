@@ -132,7 +132,7 @@ class CanBus {
  private:
   friend class CanSlot;
   /// A frame of eight bytes with all stuff bits, and the three bits between frames: ISO 11898-1.
-  static constexpr Duration kLongestFrameBits = 135;
+  static constexpr std::int64_t kLongestFrameBits = 135;
   static constexpr std::int32_t longest_frame(std::int64_t bitrate) {
     return static_cast<std::int32_t>(kLongestFrameBits * kSecond / bitrate);
   }

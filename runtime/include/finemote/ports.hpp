@@ -20,7 +20,7 @@ namespace finemote {
 /// When an event happened that an interrupt tells of: the routine may have waited for others.
 struct Moment {
   Time earliest = kLongAgo;  ///< kLongAgo where it may have been before the first release
-  Time latest = 0;
+  Time latest = 0;           ///< when the routine looked
 };
 
 class I2cBus;
@@ -72,9 +72,9 @@ class UartPort {
   /// Clocks, pins, baud rate [bit/s], receiving DMA and its interrupts; no line events. Context: init.
   void start(std::int64_t baud, UartFormat format);
 
-  /// Lets so many line events (idle, damaged byte) interrupt from now on, what was left before included. Those that
-  /// come when none is left wait: the next call sees an idle line, and one error of each kind. A noisy line costs no
-  /// more processor time than that. Context: init, bucket.
+  /// From now on lets at most `count` line events (idle, damaged byte) interrupt; what was left of the last call is
+  /// forgotten. Those that come when none is left wait: the next call sees an idle line, and one error of each kind. A
+  /// noisy line costs no more processor time than that. Context: init, bucket.
   void allow_events(std::uint32_t count);
 
   /// Gives the line driver a pin: active from transmit() to the last stop bit, inactive otherwise. The pin is an output

@@ -17,6 +17,7 @@ class Shared {
   constexpr explicit Shared(T value) : value_(value) {}
 
   [[gnu::always_inline]] T load() const {
+    fence();
     T value = value_.load(std::memory_order_relaxed);
     fence();
     return value;
@@ -39,9 +40,17 @@ class Shared {
     fence();
     return replaced;
   }
-  [[gnu::always_inline]] T set_bits(T bits) { return value_.fetch_or(bits, std::memory_order_relaxed); }
+  [[gnu::always_inline]] T set_bits(T bits) {
+    fence();
+    T old = value_.fetch_or(bits, std::memory_order_relaxed);
+    fence();
+    return old;
+  }
   [[gnu::always_inline]] T clear_bits(T bits) {
-    return value_.fetch_and(static_cast<T>(~bits), std::memory_order_relaxed);
+    fence();
+    T old = value_.fetch_and(static_cast<T>(~bits), std::memory_order_relaxed);
+    fence();
+    return old;
   }
 
   /// Keeps the compiler from moving memory accesses across this point.

@@ -45,8 +45,9 @@ class Uart {
   /// True when the line has been silent since the last byte read() returned: a message without terminator is complete.
   [[nodiscard]] bool idle() const;
 
-  /// When the last byte that read() returned, but for `behind` others, had arrived, or before: by the idle event behind
-  /// it. Where there is none: after the read() or idle event before it, and after as many bytes as came since.
+  /// A time not later than when a byte arrived: the one `behind` bytes before the last that read() returned. From the
+  /// idle event right behind it; where there is none, from the read() or idle event before it and the wire time of the
+  /// bytes since.
   [[nodiscard]] Time arrival(std::size_t behind = 0) const;
 
   /// Wire time of `bytes` bytes (start, 8 data, parity, stop bits), rounded up.

@@ -92,9 +92,9 @@ void UartPort::allow_events(std::uint32_t count) {
   const bool resumes = hardware_->quiet.load();
   hardware_->events_left.store(count);
   if (!resumes || count == 0) return;
+  const cortex_m4::Masked masked;  // an event in between would be stamped late, or turn them off again
   hardware_->resumed_from = received();
   hardware_->quiet.store(false);
-  const cortex_m4::Masked masked;
   hardware_->listen(true);
 }
 

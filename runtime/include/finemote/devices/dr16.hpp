@@ -33,7 +33,6 @@ class Dr16 {
   Uart* uart_;
   std::uint8_t bytes_[4 * kFrame]{};
   std::size_t size_ = 0;
-  bool too_long_ = false;
   std::uint32_t line_errors_ = 0, bad_frames_ = 0;
 };
 

@@ -109,10 +109,10 @@ class Ms5837 {
   std::uint8_t read_[3]{};
   std::int32_t conversion_;  ///< ns
   std::uint32_t d1_ = 0, d2_ = 0;
-  Time asked_ = 0;  ///< when the transfer under way was begun
-  Time begun_ = 0;  ///< when the running conversion was asked for
-  Time ready_ = 0;  ///< its result, or the part after a reset
-  Time taken_ = 0;  ///< when the conversion behind d1_ was asked for
+  Time transfer_begun_ = 0;    ///< when the transfer under way was begun
+  Time conversion_asked_ = 0;  ///< when the running conversion was asked for
+  Time ready_ = 0;             ///< its result, or the part after a reset
+  Time d1_asked_ = 0;          ///< when the conversion behind d1_ was asked for
   Calibration calibration_;
 };
 

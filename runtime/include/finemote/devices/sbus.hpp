@@ -34,6 +34,8 @@ class Sbus {
   /// @param behind  bytes that arrived together behind it
   void take(std::uint8_t byte, std::size_t behind);
   void decode(std::size_t behind);
+  /// How often bytes were lost.
+  [[nodiscard]] std::uint32_t gaps() const;
   void resynchronise();
 
   Uart* uart_;
