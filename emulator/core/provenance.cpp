@@ -65,13 +65,23 @@ void Provenance::take_early(Level& level, Time at) {
   }
 }
 
+/// It looked at a sample whose end came while it ran: nobody knows whether it saw that.
+bool Provenance::may_have_taken(const Level& level, std::uint32_t source, Time at) {
+  const Samples& early = early_[level.stage];
+  const auto sample = early.find(source);
+  return sample != early.end() && origin(sample->second).readable <= at;
+}
+
 /// Where it took nothing new from a source, its state is still made of what it took before. What it loads of older
 /// samples is what others made of them.
 void Provenance::end(Level& level, Time at, Claim claim) {
   if (level.looks) {
     Samples& state = made_of_[level.stage];
     for (const auto& [source, tag] : level.loaded) state[source] = newest(state[source], tag);
-    for (const auto& [source, tag] : state) uses_.push_back({at, level.stage, tag, starts_ > 1 ? std::nullopt : claim});
+    for (const auto& [source, tag] : state) {
+      if (!may_have_taken(level, source, at))
+        uses_.push_back({at, level.stage, tag, starts_ > 1 ? std::nullopt : claim});
+    }
   }
   level = {};
 }

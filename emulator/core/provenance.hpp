@@ -83,6 +83,7 @@ class Provenance {
   void begin(Level& level, std::uint32_t stage, Time at);
   void end(Level& level, Time at, Claim claim);
   void take_early(Level& level, Time at);
+  [[nodiscard]] bool may_have_taken(const Level& level, std::uint32_t source, Time at);
 
   unsigned starts_ = 0;                          ///< of the processor
   std::vector<Origin> origins_{Origin{}};        ///< by tag

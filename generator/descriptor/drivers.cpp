@@ -30,7 +30,7 @@ DriverSource read_source(const Json& value) {
           duration_member(value, "isr_per_slot_ns").value_or(Duration::zero()),
           duration_member(value, "isr_per_frame_ns").value_or(Duration::zero()),
           optional_member<std::int64_t>(value, "isr_waits_bits").value_or(0),
-          duration_member(value, "isr_beside_wait_ns").value_or(Duration::zero()),
+          duration_member(value, "isr_beside_wait_ns"),
           value.at("min_frame_bits").get<std::int64_t>()};
 }
 

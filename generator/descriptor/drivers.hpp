@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,17 +18,18 @@ namespace finemote::gen {
 struct DriverSource {
   /// What comes in, what goes out, or either.
   enum class RaisedBy { either, receive, transmit };
-  /// Which of the robot's declared traffic raises it, one interrupt each; none: not known.
+  /// What raises it, one interrupt each: declared traffic, or the line events that the driver allows; nothing: not
+  /// known.
   enum class Counts { nothing, requests, steps, ends, received, events };
   std::string name;  ///< `rx_idle`
   Counts counts = Counts::nothing;
   RaisedBy raised_by = RaisedBy::either;
   Duration isr_wcet;
-  Duration isr_per_slot;            ///< besides, for everything the bus serves
-  Duration isr_per_frame;           ///< besides, for every frame that one request hands over
-  std::int64_t isr_waits_bits = 0;  ///< it may wait for so many bits on the wire,
-  Duration isr_beside_wait;         ///< and takes so much longer than the wait: the rest is done meanwhile
-  std::int64_t min_frame_bits = 1;  ///< bits on the wire between two of its interrupts, at least
+  Duration isr_per_slot;                    ///< besides, for everything the bus serves
+  Duration isr_per_frame;                   ///< besides, for every frame that one request hands over
+  std::int64_t isr_waits_bits = 0;          ///< it may wait for so many bits on the wire,
+  std::optional<Duration> isr_beside_wait;  ///< and takes so much longer than the wait; none: all of its work
+  std::int64_t min_frame_bits = 1;          ///< bits on the wire between two of its interrupts, at least
 };
 
 struct Driver {

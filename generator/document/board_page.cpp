@@ -60,7 +60,9 @@ std::string source_text(const DriverSource& source) {
   if (source.isr_per_frame > Duration::zero())
     text += " and " + time_text(source.isr_per_frame) + " for each frame of a request";
   if (source.isr_waits_bits > 0)
-    text += fmt::format(", or {} bit(s) of the bus and {}", source.isr_waits_bits, time_text(source.isr_beside_wait));
+    text += fmt::format(", or {} bit{} of the bus and {}, whichever is longer", source.isr_waits_bits,
+                        source.isr_waits_bits == 1 ? "" : "s",
+                        source.isr_beside_wait ? time_text(*source.isr_beside_wait) : "all of it");
   return text;
 }
 

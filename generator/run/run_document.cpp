@@ -23,11 +23,13 @@ Json statistics(const Measured& figure) {
 /// Of a scenario with faults: a bound that is broken presumes what the scenario breaks.
 constexpr const char* kBrokenAssumption = "bus-errors";
 
-Json statistics(const RunResult& result, const Measured& figure) {
-  Json document = statistics(figure);
+/// Says of what is broken under faults which assumption they break.
+Json excused(Json document, const RunResult& result, const Measured& figure) {
   if (result.record.faulty && figure.judged() == Judgement::broken) document["assumption"] = kBrokenAssumption;
   return document;
 }
+
+Json statistics(const RunResult& result, const Measured& figure) { return excused(statistics(figure), result, figure); }
 
 const char* label_of(Wcet::Source source) {
   switch (source) {
@@ -133,10 +135,11 @@ Json jitter_list(const RunResult& result) {
 Json claim_list(const RunResult& result) {
   Json list = Json::array();
   for (const MeasuredClaim& claim : result.figures.claims) {
-    list.push_back({{"device", name_of(result, claim.device)},
-                    {"lead_max_ns", largest(claim.lead)},
-                    {"allowed_ns", bound(claim.lead.bound)},
-                    {"judged", judgement_name(claim.lead.judged())}});
+    const Json entry = {{"device", name_of(result, claim.device)},
+                        {"lead_max_ns", largest(claim.lead)},
+                        {"allowed_ns", bound(claim.lead.bound)},
+                        {"judged", judgement_name(claim.lead.judged())}};
+    list.push_back(excused(entry, result, claim.lead));
   }
   return list;
 }

@@ -39,11 +39,11 @@ bool has(const std::vector<Judgement>& all, Judgement one) {
 
 }  // namespace
 
-bool RunResult::bounds_hold() const {
-  const auto& claims = figures.claims;
-  const bool is_true =
-      std::none_of(claims.begin(), claims.end(), [](const auto& c) { return c.lead.judged() == Judgement::broken; });
-  return is_true && !has(judgements(*this), Judgement::broken) && violations() == 0;
+bool RunResult::bounds_hold() const { return !has(judgements(*this), Judgement::broken) && violations() == 0; }
+
+bool RunResult::claims_hold() const {
+  return std::none_of(figures.claims.begin(), figures.claims.end(),
+                      [](const MeasuredClaim& claim) { return claim.lead.judged() == Judgement::broken; });
 }
 
 bool RunResult::is_judged() const {
@@ -77,7 +77,8 @@ bool RunResult::good() const {
       std::all_of(expected.begin(), expected.end(), [](const ExpectationRecord& e) { return e.ok; });
   if (must_judge && !is_judged()) return false;
   if (order.mistake || !unexplained_faults().empty()) return false;
-  return overruns() == 0 && record.resets == 0 && wcets_hold && (bounds_hold() || record.faulty) && as_expected;
+  return overruns() == 0 && record.resets == 0 && wcets_hold && as_expected &&
+         ((bounds_hold() && claims_hold()) || record.faulty);
 }
 
 const std::string& name_of(const RunResult& result, DeviceId device) { return result.robot.devices[device].name.text; }

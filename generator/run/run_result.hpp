@@ -34,8 +34,9 @@ struct RunResult {
 
   [[nodiscard]] std::uint64_t overruns() const;
   [[nodiscard]] std::uint64_t violations() const;  ///< counted by the monitor
-  /// No figure is above its bound, and no device claims its data fresher than they are.
   [[nodiscard]] bool bounds_hold() const;
+  /// No device claims its data fresher than they are.
+  [[nodiscard]] bool claims_hold() const;
   /// Some bound was held or broken.
   [[nodiscard]] bool is_judged() const;
   /// Every bound there could be was held or broken.

@@ -90,7 +90,7 @@ Duration routine(const Driver& driver, const DriverSource& source, const BusUse&
       source.isr_wcet + use.slots * source.isr_per_slot + static_cast<std::int64_t>(frames) * source.isr_per_frame;
   if (source.isr_waits_bits == 0) return work;
   const Duration wait = ceil_div(source.isr_waits_bits * seconds(1), std::max<std::int64_t>(rate, 1));
-  return std::max(work, wait + source.isr_beside_wait);
+  return std::max(work, wait + source.isr_beside_wait.value_or(work));
 }
 
 /// What the port makes of the rate that is asked for, at its slowest.

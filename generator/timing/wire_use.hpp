@@ -19,8 +19,8 @@ struct WireUse {
   std::int64_t steps = 0;       ///< interrupts in the midst of it
   std::int64_t ends = 0;        ///< exchanges or frames
   std::int64_t interrupts = 0;  ///< that the wire waits for, the one that begins it on an idle bus included
-  bool in_one_request =
-      false;  ///< all of it is asked for by one interrupt, also on a bus that parts send on by themselves
+  /// One interrupt asks for all of it, also on a bus on which parts send by themselves.
+  bool in_one_request = false;
   Duration min_interval;
 
   /// Throws Overflow.

@@ -35,9 +35,11 @@ def add_costs(model, bounds):
     periods = {device["period_ns"] for device in model["devices"]}
     bounds["processor", "release", "release"] = costs["release_ns"] + len(periods) * costs["release_per_bucket_ns"]
     for bus in model["buses"]:
-        routines = [source["wcet_ns"] for source in bus.get("sources", [])] or [bus["wcet_ns"]]
         at_once = CAN_DEPTH if bus.get("arbitrated") else 1
-        bounds[bus["name"], "routine", "interrupt"] = at_once * max(routines) + costs["interrupt_ns"]
+        routines = [at_once * bus["wcet_ns"]]
+        if "sources" in bus:  # a request has as many frames in its figure
+            routines = [s["wcet_ns"] * (1 if s["name"] == "request" else at_once) for s in bus["sources"]]
+        bounds[bus["name"], "routine", "interrupt"] = max(routines) + costs["interrupt_ns"]
     for period in periods:
         devices = [device for device in model["devices"] if device["period_ns"] == period]
         around = costs["job_ns"] + 2 * len(devices) * costs["stage_ns"]

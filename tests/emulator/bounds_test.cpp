@@ -30,6 +30,7 @@ const Case kCases[] = {
     {"two_sbus_frames", "600ms", nullptr, nullptr, nullptr, 0},
     {"idle_line", "600ms", "remote", "remote", "acquire", 1.25},
     {"bring_up", "300ms", nullptr, nullptr, nullptr, 0},
+    {"slow_reader", "600ms", "remote", "remote", "acquire", 2},
 };
 
 struct Ran {
@@ -88,6 +89,16 @@ TEST_CASE("every bound holds on robots that come close to it") {
     const Ran ran = run(source_path("tests/emulator/bounds/" + std::string(one.robot) + ".urdf"), one.duration);
     check_holds(ran);
     if (one.from != nullptr) check_is_near(ran.document, one);
+  }
+}
+
+TEST_CASE("no latency over an overloaded bus has a bound, however urgent the frame") {
+  const Json document = finemote_json({"analyze", source_path("tests/emulator/bounds/overloaded_can.urdf")});
+  REQUIRE(!document["chains"].empty());
+  for (const Json& chain : document["chains"]) {
+    INFO(chain.dump());
+    CHECK(chain["acquire_ns"].is_null());
+    CHECK(chain["wire_ns"].is_null());
   }
 }
 

@@ -89,3 +89,15 @@ TEST_CASE("registers that are old when they are read, conversions and receivers"
     }
   }
 }
+
+TEST_CASE("what comes while the time of the firmware has not begun is long ago") {
+  const Json run = finemote_json({"run", source_path("tests/emulator/bounds/late_first_release.urdf"), "--duration",
+                                  "12ms", "--phases", "400", "--seed", "3"});
+  CHECK(run["claims"].at(0)["judged"] == "held");
+}
+
+TEST_CASE("all frames that came since the last look are taken, and the last of them counts") {
+  const Json run = finemote_json(
+      {"run", source_path("tests/emulator/bounds/slow_reader.urdf"), "--duration", "600ms", "--phases", "2"});
+  CHECK(run["claims"].at(0)["judged"] == "held");
+}

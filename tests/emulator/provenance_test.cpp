@@ -193,6 +193,23 @@ TEST_CASE("an update's state is made of the newest sample it has looked at so fa
   CHECK(provenance.uses().size() == before + 2);
 }
 
+TEST_CASE("nobody knows of a sample whose end came while an update looked at it") {
+  Provenance provenance;
+  const std::uint32_t source = provenance.add_source();
+  const Tag first = provenance.sample(source, 10, 12), second = provenance.sample(source, 20, 35);
+  const auto update = [&](Time begin, Tag loads, Time end) {
+    provenance.pass_mark(0, begin, std::nullopt);
+    provenance.loaded(loads, begin);
+    provenance.pass_mark(1, end, std::nullopt);
+    return provenance.uses().size();
+  };
+  CHECK(update(15, first, 16) == 1);
+  CHECK(update(30, second, 31) == 2);  // not there yet
+  CHECK(update(33, second, 36) == 2);  // now or never
+  CHECK(update(40, Tag::none, 41) == 3);
+  CHECK(provenance.origin(provenance.uses().back().sample).n == 1);
+}
+
 TEST_CASE("what the firmware claims is kept with what it used, until its time begins anew") {
   Provenance provenance;
   const Tag sample = provenance.sample(provenance.add_source(), 10, 12);

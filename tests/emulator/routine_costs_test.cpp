@@ -73,7 +73,7 @@ class Held {
     CHECK(seen <= bound);
     nearest_ = std::max(nearest_, seen / bound);
   }
-  /// No figure of the sweep is far too large.
+  /// Some case of the sweep comes near its bound.
   void check_near(double least) const { CHECK(nearest_ >= least); }
 
  private:

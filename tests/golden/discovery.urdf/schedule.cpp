@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 289533, finemote::kNothingToBound, nullptr},  // imu
-    {1, 463650, finemote::kNothingToBound, nullptr},  // depth
-    {1, 459659, finemote::kNothingToBound, nullptr},  // button
-    {1, 457369, 23994219, &station::servo.command},  // servo
-    {1, 453279, 23990129, &station::green_led.command},  // green_led
-    {1, 444399, 23983338, &station::blue_led.command},  // blue_led
-    {1, 437608, finemote::kNothingToBound, nullptr},  // station
+    {0, 289833, finemote::kNothingToBound, nullptr},  // imu
+    {1, 463950, finemote::kNothingToBound, nullptr},  // depth
+    {1, 459959, finemote::kNothingToBound, nullptr},  // button
+    {1, 457669, 23994519, &station::servo.command},  // servo
+    {1, 453579, 23990429, &station::green_led.command},  // green_led
+    {1, 444699, 23983638, &station::blue_led.command},  // blue_led
+    {1, 437908, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

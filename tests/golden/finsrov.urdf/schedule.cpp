@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 398228, finemote::kNothingToBound, nullptr},  // imu
-    {1, 884011, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 880021, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 873940, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 869950, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 865960, 31065140, &rov::thruster_1.command},  // thruster_1
-    {1, 843799, 31056450, &rov::thruster_2.command},  // thruster_2
-    {1, 835108, 31034289, &rov::thruster_3.command},  // thruster_3
-    {1, 824328, 31025598, &rov::thruster_4.command},  // thruster_4
-    {1, 806357, 31014818, &rov::thruster_5.command},  // thruster_5
-    {1, 797666, 31006127, &rov::thruster_6.command},  // thruster_6
-    {1, 786886, 30988157, &rov::thruster_7.command},  // thruster_7
-    {1, 764725, 30977376, &rov::thruster_8.command},  // thruster_8
-    {1, 756034, finemote::kNothingToBound, nullptr},  // rov
+    {0, 398528, finemote::kNothingToBound, nullptr},  // imu
+    {1, 884311, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 880321, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 874240, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 870250, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 866260, 31065440, &rov::thruster_1.command},  // thruster_1
+    {1, 844099, 31056750, &rov::thruster_2.command},  // thruster_2
+    {1, 835408, 31034589, &rov::thruster_3.command},  // thruster_3
+    {1, 824628, 31025898, &rov::thruster_4.command},  // thruster_4
+    {1, 806657, 31015118, &rov::thruster_5.command},  // thruster_5
+    {1, 797966, 31006427, &rov::thruster_6.command},  // thruster_6
+    {1, 787186, 30988457, &rov::thruster_7.command},  // thruster_7
+    {1, 765025, 30977676, &rov::thruster_8.command},  // thruster_8
+    {1, 756334, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 241393, finemote::kNothingToBound, nullptr},  // imu
-    {0, 230452, 28657275, &gimbal::yaw.command},  // yaw
-    {0, 223144, 28649967, &gimbal::pitch.command},  // pitch
-    {1, 266132, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 350234, 26776957, &chassis::front_left.command},  // front_left
-    {2, 343844, 26770567, &chassis::front_right.command},  // front_right
-    {2, 337453, 26764176, &chassis::rear_left.command},  // rear_left
-    {2, 325513, 26752236, &chassis::rear_right.command},  // rear_right
-    {2, 319122, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 383122, finemote::kNothingToBound, nullptr},  // remote
+    {0, 241693, finemote::kNothingToBound, nullptr},  // imu
+    {0, 230752, 28657875, &gimbal::yaw.command},  // yaw
+    {0, 223444, 28650567, &gimbal::pitch.command},  // pitch
+    {1, 266432, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 350534, 26777557, &chassis::front_left.command},  // front_left
+    {2, 344144, 26771167, &chassis::front_right.command},  // front_right
+    {2, 337753, 26764776, &chassis::rear_left.command},  // rear_left
+    {2, 331363, 26758386, &chassis::rear_right.command},  // rear_right
+    {2, 319422, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 383422, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 342234, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 258631, 28981716, &arm::base.command},  // base
-    {0, 252241, 28975326, &arm::shoulder.command},  // shoulder
-    {0, 245851, 28968936, &arm::elbow.command},  // elbow
-    {0, 228840, 28951925, &arm::wrist_roll.command},  // wrist_roll
-    {0, 222450, 28945535, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 216059, 28939144, &arm::flange.command},  // flange
-    {0, 209669, finemote::kNothingToBound, nullptr},  // arm
+    {1, 342534, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 258931, 28982316, &arm::base.command},  // base
+    {0, 252541, 28975926, &arm::shoulder.command},  // shoulder
+    {0, 246151, 28969536, &arm::elbow.command},  // elbow
+    {0, 229140, 28952525, &arm::wrist_roll.command},  // wrist_roll
+    {0, 222750, 28946135, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 216359, 28939744, &arm::flange.command},  // flange
+    {0, 209969, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace six_joint_arm {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 7 devices;
-/// a job ends within 230.53 us of its release.
+/// a job ends within 230.83 us of its release.
 void run_2ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 317.632 us of its release.
+/// a job ends within 317.932 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,14 +22,14 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds sticks{317632, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{227610, 28950695, 29332006};
-inline constexpr finemote::Bounds shoulder{223320, 28946405, 29332006};
-inline constexpr finemote::Bounds elbow{219029, 28942114, 29332005};
-inline constexpr finemote::Bounds wrist_roll{214739, 28937824, 29332005};
-inline constexpr finemote::Bounds wrist_pitch{210449, 28933534, 29332005};
-inline constexpr finemote::Bounds flange{206159, 28929244, 29332006};
-inline constexpr finemote::Bounds arm{201869, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds sticks{317932, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds base{227910, 28951295, 29333206};
+inline constexpr finemote::Bounds shoulder{223620, 28947005, 29333206};
+inline constexpr finemote::Bounds elbow{219329, 28942714, 29333205};
+inline constexpr finemote::Bounds wrist_roll{215039, 28938424, 29333205};
+inline constexpr finemote::Bounds wrist_pitch{210749, 28934134, 29333205};
+inline constexpr finemote::Bounds flange{206459, 28929844, 29333206};
+inline constexpr finemote::Bounds arm{202169, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace six_joint_arm

@@ -64,8 +64,8 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 63840, 10064340, &controller::sensor.command},  // sensor
-    {1, 131049, finemote::kNothingToBound, nullptr},  // controller
+    {0, 64140, 10064640, &controller::sensor.command},  // sensor
+    {1, 131349, finemote::kNothingToBound, nullptr},  // controller
 };
 
 }  // namespace

@@ -48,9 +48,9 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 41543, finemote::kNothingToBound, nullptr},  // line
-    {0, 38352, 35362, &follower::drive.command},  // drive
-    {0, 24962, finemote::kNothingToBound, nullptr},  // follower
+    {0, 41843, finemote::kNothingToBound, nullptr},  // line
+    {0, 38652, 35362, &follower::drive.command},  // drive
+    {0, 25262, finemote::kNothingToBound, nullptr},  // follower
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ FINEMOTE_CONSTINIT inline finemote::EdgePin imu_use_ready{finemote::ports::exti5
 }  // namespace ports
 
 /// imu: bmi088 on 'imu_spi' channel 0, every 1 ms
-/// response <= 226.242 us
+/// response <= 226.542 us
 FINEMOTE_CONSTINIT inline finemote::Bmi088 imu{
     finemote::Bmi088::Config{},
     /*mount*/ nullptr,
@@ -34,11 +34,11 @@ FINEMOTE_CONSTINIT inline finemote::Bmi088 imu{
     /*ready*/ &ports::imu_use_ready};
 
 /// yaw: dji_gm6020 on 'gimbal_can' id 1, every 1 ms
-/// response <= 222.952 us; data age <= 28.65 ms when handle() ends, <= 29.254 ms at the output (oldest: remote)
+/// response <= 223.252 us; data age <= 28.651 ms when handle() ends, <= 29.255 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiGm6020 yaw{finemote::DjiGm6020::Config{}, slots::yaw};
 
 /// pitch: dji_gm6020 on 'gimbal_can' id 2, every 1 ms
-/// response <= 217.743 us; data age <= 28.645 ms when handle() ends, <= 29.254 ms at the output (oldest: remote)
+/// response <= 218.043 us; data age <= 28.646 ms when handle() ends, <= 29.255 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiGm6020 pitch{finemote::DjiGm6020::Config{}, slots::pitch};
 
 namespace ports {  // what 'gimbal' sees of others
@@ -63,7 +63,7 @@ FINEMOTE_CONSTINIT inline finemote::Remote::State remote_to_gimbal{};
 }  // namespace ports
 
 /// gimbal: gimbal, every 2 ms
-/// response <= 252.331 us
+/// response <= 252.631 us
 FINEMOTE_CONSTINIT inline finemote::Gimbal gimbal{
     finemote::Gimbal::Config{},
     constants::gimbal_yaw_axes,

@@ -19,37 +19,37 @@
 namespace six_joint_arm::arm {
 
 /// sticks: sbus on 'receiver', every 10 ms
-/// response <= 317.632 us
+/// response <= 317.932 us
 FINEMOTE_CONSTINIT inline finemote::Sbus sticks{receiver};
 
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
-/// response <= 227.61 us; data age <= 28.951 ms when handle() ends, <= 29.333 ms at the output (oldest: sticks)
+/// response <= 227.91 us; data age <= 28.952 ms when handle() ends, <= 29.334 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 base{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::base};
 
 /// shoulder: dji_m3508 on 'arm_can' id 2, every 2 ms
-/// response <= 223.32 us; data age <= 28.947 ms when handle() ends, <= 29.333 ms at the output (oldest: sticks)
+/// response <= 223.62 us; data age <= 28.948 ms when handle() ends, <= 29.334 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 shoulder{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::shoulder};
 
 /// elbow: dji_m3508 on 'arm_can' id 3, every 2 ms
-/// response <= 219.029 us; data age <= 28.943 ms when handle() ends, <= 29.333 ms at the output (oldest: sticks)
+/// response <= 219.329 us; data age <= 28.943 ms when handle() ends, <= 29.334 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 elbow{
     [] { finemote::DjiM3508::Config c{}; c.gear = 38.406f; return c; }(),
     slots::elbow};
 
 /// wrist_roll: dji_m3508 on 'wrist_can' id 1, every 2 ms
-/// response <= 214.739 us; data age <= 28.938 ms when handle() ends, <= 29.333 ms at the output (oldest: sticks)
+/// response <= 215.039 us; data age <= 28.939 ms when handle() ends, <= 29.334 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{finemote::DjiM3508::Config{}, slots::wrist_roll};
 
 /// wrist_pitch: dji_m2006 on 'wrist_can' id 2, every 2 ms
-/// response <= 210.449 us; data age <= 28.934 ms when handle() ends, <= 29.333 ms at the output (oldest: sticks)
+/// response <= 210.749 us; data age <= 28.935 ms when handle() ends, <= 29.334 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{finemote::DjiM2006::Config{}, slots::wrist_pitch};
 
 /// flange: dji_m2006 on 'wrist_can' id 3, every 2 ms
-/// response <= 206.159 us; data age <= 28.93 ms when handle() ends, <= 29.333 ms at the output (oldest: sticks)
+/// response <= 206.459 us; data age <= 28.93 ms when handle() ends, <= 29.334 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{finemote::DjiM2006::Config{}, slots::flange};
 
 namespace ports {  // what 'arm' sees of others
@@ -67,7 +67,7 @@ inline constexpr finemote::Port<finemote::Motor> arm_joints[] = {
 }  // namespace ports
 
 /// arm: serial_arm, every 2 ms
-/// response <= 201.869 us
+/// response <= 202.169 us
 FINEMOTE_CONSTINIT inline finemote::SerialArm arm{
     [] {
       finemote::SerialArm::Config c{};
