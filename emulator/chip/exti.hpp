@@ -57,7 +57,7 @@ class Syscfg : public Peripheral {
   }
   void write(std::uint32_t offset, std::uint32_t value) override {
     if (offset > 0x20) return unmodelled_write(offset, value);
-    only(value, offset >= 0x08 && offset <= 0x14 ? 0xFFFF : 0, "register");  // EXTICR1 to 4 alone
+    only(value, offset >= 0x08 && offset <= 0x14 ? 0xFFFF : 0, "register");  // EXTICR1 to 4; flash at address 0
     registers_[offset / 4] = value;
   }
   void reset() override { registers_ = {}; }

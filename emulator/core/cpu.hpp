@@ -60,7 +60,10 @@ class Cpu : private Outside {
   [[nodiscard]] Time now() const { return core_.pace.time; }
   [[nodiscard]] std::uint32_t pc() const { return core_.pc(); }
   [[nodiscard]] std::uint64_t instructions() const { return core_.pace.instructions; }
-  [[nodiscard]] Time idle_time() const { return idle_; }
+  /// Of `instructions()`, those carried out one by one: turns of a jump to itself are charged together.
+  [[nodiscard]] std::uint64_t executed() const { return core_.pace.instructions - core_.pace.waits; }
+  /// Spent in sleep or in a jump to itself.
+  [[nodiscard]] Time idle_time() const { return idle_ + core_.pace.waited; }
   /// Lowest stack pointer seen; 0xFFFFFFFF before the first.
   [[nodiscard]] std::uint32_t lowest_stack() const { return lowest_stack_; }
   [[nodiscard]] int exit_code() const { return exit_code_; }

@@ -140,6 +140,18 @@ inline void Interpreter::arrive(std::uint32_t address, std::uint32_t expected) {
   }
 }
 
+/// A jump to itself waits for an interrupt: all its turns until `Pace::stop_at` are charged at once.
+template <CostModel Cost>
+void Interpreter::wait_in_place(unsigned cycles) {
+  if (pace.time >= pace.stop_at) return;
+  const Time turn = Cost == CostModel::qemu ? Pace::kQemuInstruction : (cycles + kRefillCycles) * pace.cycle;
+  const Time turns = (pace.stop_at - pace.time + turn - 1) / turn;
+  pace.time += turns * turn;
+  pace.instructions += turns;
+  pace.waits += turns;
+  pace.waited += turns * turn;
+}
+
 /// Makes the floating-point context active. @return false: the FPU is off
 inline bool Interpreter::begin_float() {
   if (!fpu_on) return false;
@@ -490,6 +502,7 @@ Halt Interpreter::run_with() {
           break;
         case Opcode::b:
           next = r[15] + o.imm;
+          if (next == address) wait_in_place<Cost>(o.info.cycles);
           break;
         case Opcode::b_cond:
           next = condition(o.mode) ? r[15] + o.imm : expected;

@@ -84,6 +84,8 @@ class Interpreter {
   const Operation* take_apart_at(std::uint32_t address, Operation& into) const;
   template <CostModel Cost>
   void arrive(std::uint32_t address, std::uint32_t expected);
+  template <CostModel Cost>
+  void wait_in_place(unsigned cycles);
   void pass_skipped(std::uint32_t from, std::uint32_t address);
   bool begin_float();
   [[nodiscard]] bool condition(unsigned code) const;

@@ -23,6 +23,8 @@ struct Pace {
   std::uint32_t line = 0;                  ///< of flash, fetched last
   std::uint32_t it_begin = 0, it_end = 0;  ///< the IT instruction seen last, and the end of its block
   std::uint64_t instructions = 0;
+  std::uint64_t waits = 0;  ///< of them, turns of jumps to themselves that were charged without being run
+  Time waited = 0;          ///< what those took
 
   void charge(unsigned cycles) {
     if (cost != CostModel::qemu) time += cycles * cycle;

@@ -165,6 +165,8 @@ std::uint32_t SystemSpace::read_word(std::uint32_t address, Time now, std::uint3
       return 0x100F6413;  // DBGMCU_IDCODE: RM0090 38.6.1
     case 0xE0042004:
       return debug_control_;
+    case 0xE0042008:
+      return debug_freeze_;
     default:
       break;
   }
@@ -270,6 +272,9 @@ void SystemSpace::write_word(std::uint32_t address, std::uint32_t value, Time no
       return;
     case 0xE0042004:
       debug_control_ = value;
+      return;
+    case 0xE0042008:
+      debug_freeze_ = value;
       return;
     case 0xE0001FB0:
       return;  // DWT_LAR: no lock on this core

@@ -2,6 +2,7 @@
 // tables 3-1 and 7-1, sections 3.3.2 and 3.9.1; AN4031 2.2.
 #include <cstring>
 #include <iterator>
+#include <memory>
 
 #include "catch.hpp"
 #include "tests/emulator/bench.hpp"
@@ -141,6 +142,24 @@ TEST_CASE("a jump refills the pipeline with three cycles") {
   CHECK(cycles({0xE000, kNop}) == 1 + 3);          // over one
   CHECK(cycles({0x2800, 0xD000, kNop}) == 2 + 3);  // cmp r0, #0; beq over one
   CHECK(cycles({0x2801, 0xD000, kNop}) == 2 + 1);  // not taken
+}
+
+TEST_CASE("a jump to itself is charged turn by turn, and not run so") {
+  const auto waiting = [](bool one_by_one) {
+    auto board = std::make_unique<Board>();
+    board->load(bench_image(1, {kNop, 0xE7FE}));
+    board->run_for(1'000);
+    if (one_by_one) board->cpu().set_probe([](std::uint32_t) {});
+    board->world().at(from_ns(5'001), [] {});  // in the middle of a turn
+    board->run_for(100'000);
+    return board;
+  };
+  const auto together = waiting(false), singly = waiting(true);
+  CHECK(together->cpu().now() == singly->cpu().now());
+  CHECK(together->cpu().instructions() == singly->cpu().instructions());
+  CHECK(together->cpu().executed() < 50);
+  CHECK(singly->cpu().executed() > 400);
+  CHECK(together->cpu().idle_time() > from_ns(95'000));
 }
 
 TEST_CASE("an access that is not aligned becomes several") {

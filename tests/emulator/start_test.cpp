@@ -29,6 +29,24 @@ TEST_CASE("the image brings the chip to 168 MHz from the crystal, with five wait
   check_no_reports(board);
 }
 
+TEST_CASE("an image that a boot loader starts has its own vectors") {
+  Board board{finemote::test::type_c()};
+  board.load(test_image("sample"));
+  constexpr std::uint32_t kVectorTable = 0xE000ED08, kSystemMemory = 0x1FFF0000;
+  board.world().system().write(kVectorTable, 4, kSystemMemory, 0, 0);
+  REQUIRE(board.run_for(50'000'000) == Stop::time);
+  CHECK(board.world().system().vector_table() == 0x08000000);
+  CHECK(!board.stages().empty());
+  check_no_reports(board);
+}
+
+TEST_CASE("the watchdog stands still while a debugger holds the core") {
+  Board board{finemote::test::type_c()};
+  board.load(test_image("sample"));
+  board.run_for(5'000'000);
+  CHECK((board.world().system().frozen_in_debug() & 1U << 12) != 0);
+}
+
 TEST_CASE("without its crystal the board stops safely within 200 ms and runs no stage") {
   Board board{finemote::test::type_c()};
   board.chip().rcc.dead_crystal = true;

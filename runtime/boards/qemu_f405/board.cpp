@@ -42,7 +42,12 @@ std::uint32_t cycles() {
   }
 }
 
-void idle() { qemu_f405::report_events(); }
+void idle() {
+  for (;;) {
+    qemu_f405::report_events();
+    asm volatile("wfi" : : : "memory");
+  }
+}
 
 void run_ended() {
   qemu_f405::report_run();

@@ -20,8 +20,7 @@ inline constexpr std::uint8_t kBusPriority = 1;      ///< buses whose data is lo
 inline constexpr std::uint8_t kSlowBusPriority = 2;  ///< all other bus interrupts
 inline constexpr std::uint8_t kReleasePriority = 3;
 
-/// Free-running count of core cycles, 32 bits, also while the core sleeps (STM32F4: DBGMCU_CR.DBG_SLEEP, RM0090
-/// 38.16.3). From everywhere. Defined by the board.
+/// Free-running count of core cycles, 32 bits, also in idle(). From everywhere. Defined by the board.
 std::uint32_t cycles();
 
 /// Starts the count at `value`: once before the buses start, and again just before the release timer. Defined by the
@@ -57,9 +56,8 @@ inline void spin(std::uint32_t turns) {
   asm volatile("1: subs %0, %0, #1\n\tbne 1b" : "+r"(turns) : : "cc");
 }
 
-/// Called in the idle loop before the core sleeps; a board that reports while running does it here. Defined by the
-/// shared code as nothing, weakly.
-void idle();
+/// What the core does while no interrupt routine runs. Defined by the board.
+[[noreturn]] void idle();
 
 /// Called from the release interrupt once FINEMOTE_RUN_DURATION_NS have passed. Weakly defined as nothing.
 void run_ended();

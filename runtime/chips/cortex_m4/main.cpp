@@ -1,4 +1,4 @@
-// main of every Cortex-M4 image: start, release, sleep; and what is left of the robot once it has stopped.
+// main of every Cortex-M4 image: start, release, idle; and what is left of the robot once it has stopped.
 #include "finemote/board.hpp"
 #include "finemote/fault.hpp"
 #include "finemote/schedule.hpp"
@@ -17,10 +17,6 @@ constexpr std::int64_t kLongestTick =
 constexpr detail::ReleaseTimer kTimer{kLongestTick, cortex_m4::kNsPerUnit, true};
 
 }  // namespace
-
-namespace cortex_m4 {
-__attribute__((weak)) void idle() {}
-}  // namespace cortex_m4
 
 // Raises the mask to the release level: no bucket and no release runs any more, bus interrupts do.
 void stop_safely(Module module, std::uint8_t number, const char* text) {
@@ -49,8 +45,5 @@ int main() {
   if (cortex_m4::restarted_by_fault(fault)) {
     stop_safely(Module::core, static_cast<std::uint8_t>(fault), FINEMOTE_TEXT("restarted after a processor fault"));
   }
-  for (;;) {
-    cortex_m4::idle();
-    asm volatile("wfi" : : : "memory");
-  }
+  cortex_m4::idle();
 }

@@ -10,6 +10,7 @@
 #include "finemote/board.hpp"
 #include "finemote/fault.hpp"
 #include "finemote/schedule.hpp"
+#include "finemote/single_core.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
 #include "runtime/chips/cortex_m4/registers.hpp"
 #include "runtime/src/release.hpp"
@@ -228,6 +229,9 @@ extern "C" void finemote_release() {
   end_run_in_time(coming);
   r.pending[0] = due & ~late;
   move_to(r, left, coming);
-  if (late == 0 && r.watch.quiet()) return finemote::board::feed_watchdog();
-  take_late(r, due, late);
+  if (late == 0 && r.watch.quiet())
+    finemote::board::feed_watchdog();
+  else
+    take_late(r, due, late);
+  finemote::drain_stores();
 }

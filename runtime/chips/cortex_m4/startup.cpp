@@ -8,6 +8,7 @@ extern "C" {
 extern std::uint32_t _data_load, _data_begin, _data_end, _bss_begin, _bss_end, _core_bss_begin, _core_bss_end;
 using Constructor = void (*)();
 extern Constructor __init_array_start[], __init_array_end[];
+extern const std::uint32_t finemote_vectors[];
 int main();
 }
 
@@ -21,6 +22,8 @@ void zero(std::uint32_t* begin, const std::uint32_t* end) {
 
 extern "C" [[noreturn]] void finemote_reset() {
   using namespace finemote::cortex_m4;
+  // A boot loader may have left its own: PM0214 4.4.4.
+  scb::VectorTable::write(reinterpret_cast<std::uintptr_t>(finemote_vectors));
   // Before any function that may use an FPU register.
   scb::CoprocessorAccess::set(scb::kFpuFullAccess);
   barrier();

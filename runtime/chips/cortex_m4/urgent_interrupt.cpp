@@ -1,5 +1,6 @@
 #include "runtime/chips/cortex_m4/urgent_interrupt.hpp"
 
+#include "finemote/single_core.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
 
 namespace finemote::cortex_m4 {
@@ -26,7 +27,10 @@ UrgentInterrupt::UrgentInterrupt() {
   begun_ = present - chain.ended < kPause ? chain.begun : present;
 }
 
-UrgentInterrupt::~UrgentInterrupt() { chain = {begun_, cycles()}; }
+UrgentInterrupt::~UrgentInterrupt() {
+  chain = {begun_, cycles()};
+  drain_stores();
+}
 
 Moment UrgentInterrupt::event() const {
   const Time present = now();

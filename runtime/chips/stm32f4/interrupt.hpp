@@ -14,9 +14,4 @@ inline void pend_line(unsigned line) { Register{0xE000E200 + 4 * (line / 32)}.wr
 /// still raise the line when the return is made. Reads back a register of the same peripheral.
 inline void settle(const Register& last_written) { static_cast<void>(last_written.read()); }
 
-/// Lets the last store to a peripheral leave the core before the routine can return, where nothing is read back after
-/// it: a store that still waits for the bus while an interrupt returns may make the core vector to the wrong routine
-/// (Arm erratum 838869), and a release would be lost.
-inline void drain() { asm volatile("dsb" : : : "memory"); }
-
 }  // namespace finemote::stm32f4

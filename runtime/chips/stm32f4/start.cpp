@@ -6,6 +6,7 @@
 #include "runtime/chips/stm32f4/clock.hpp"
 #include "runtime/chips/stm32f4/pin.hpp"
 #include "runtime/chips/stm32f4/registers/clock.hpp"
+#include "runtime/chips/stm32f4/registers/gpio.hpp"
 
 namespace finemote {
 namespace {
@@ -17,9 +18,11 @@ using stm32f4::PinSetup;
 constexpr stm32f4::Register kDwtControl{0xE0001000}, kDwtCycles{0xE0001004}, kDemcr{0xE000EDFC};
 constexpr std::uint32_t kTraceEnable = stm32f4::bit(24), kCountEnable = stm32f4::bit(0);
 
-/// Debug support: RM0090 38.16.3.
-constexpr stm32f4::Register kDebugControl{0xE0042004};
-constexpr std::uint32_t kDebugSleep = stm32f4::bit(0);
+/// The flash at address 0 as after a reset: the boot loader in the system memory leaves itself there.
+void map_flash() {
+  stm32f4::rcc::enable(stm32f4::rcc::apb2enr, stm32f4::rcc::kApb2Syscfg);
+  stm32f4::syscfg::memrmp.write(stm32f4::syscfg::kFlashAtZero);
+}
 
 /// Pins of parts on the board that must be quiet until somebody uses them, as its file says.
 void rest_onboard_parts() {
@@ -35,6 +38,7 @@ void rest_onboard_parts() {
 namespace board {
 
 void start_hardware() {
+  map_flash();
   stm32f4::start_clock();
   rest_onboard_parts();
 }
@@ -49,12 +53,17 @@ namespace cortex_m4 {
 
 std::uint32_t cycles() { return kDwtCycles.read(); }
 
-// The count stops with HCLK when the core sleeps, unless DBG_SLEEP keeps HCLK on: RM0090 38.16.3.
 void start_cycles(std::uint32_t value) {
-  kDebugControl.set(kDebugSleep);
   kDemcr.set(kTraceEnable);
   kDwtCycles.write(value);
   kDwtControl.set(kCountEnable);
+}
+
+// A jump to itself, not WFI: the cycle counter stops in sleep unless the debug clock is kept on, and with it on the
+// first instructions behind a WFI in flash may be fetched wrongly (ES0182, "Debugging Sleep/Stop mode with WFE/WFI
+// entry"). It also reads no memory that a debug probe may want while the core sleeps.
+void idle() {
+  for (;;) asm volatile("");
 }
 
 }  // namespace cortex_m4

@@ -2,7 +2,6 @@
 #include "runtime/chips/stm32f4/registers/watchdog.hpp"
 #include "finemote/board.hpp"
 #include "runtime/chips/stm32f4/board_fault.hpp"
-#include "runtime/chips/stm32f4/interrupt.hpp"
 #include "runtime/chips/stm32f4/registers/clock.hpp"
 #include "runtime/chips/stm32f4/wait.hpp"
 
@@ -43,7 +42,8 @@ void start_watchdog(Duration longest_gap) {
   while (prescaler < kLargestPrescaler && (clocks >> (prescaler + 2)) >= kMaxCount) ++prescaler;
   const std::uint32_t count = (clocks >> (prescaler + 2)) + 1;
 
-  iwdg::kr.write(iwdg::kKeyStart);  // turns the LSI on too: RM0090 21.3.1
+  stm32f4::debug::apb1_freeze.set(stm32f4::debug::kFreezeWatchdog);  // a breakpoint is no fault
+  iwdg::kr.write(iwdg::kKeyStart);                                   // turns the LSI on too: RM0090 21.3.1
   iwdg::kr.write(iwdg::kKeyUnlock);
   iwdg::pr.write(prescaler);
   iwdg::rlr.write((count < kMaxCount ? count : kMaxCount) - 1);
@@ -53,10 +53,6 @@ void start_watchdog(Duration longest_gap) {
   feed_watchdog();
 }
 
-// Often the last thing of the release interrupt.
-void feed_watchdog() {
-  iwdg::kr.write(iwdg::kKeyReload);
-  stm32f4::drain();
-}
+void feed_watchdog() { iwdg::kr.write(iwdg::kKeyReload); }
 
 }  // namespace finemote::board

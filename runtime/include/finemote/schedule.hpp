@@ -5,6 +5,7 @@
 
 #include "finemote/contract.hpp"
 #include "finemote/order.hpp"
+#include "finemote/single_core.hpp"
 #include "finemote/time.hpp"
 #ifdef FINEMOTE_MONITOR
 #include "finemote/monitor.hpp"
@@ -41,13 +42,15 @@ inline constexpr unsigned kMaxBuckets = 11;
 /// Longest period of a bucket [ticks].
 inline constexpr std::uint32_t kMaxPeriodTicks = 0x7FFF'FFFF;
 
-/// The end of a job of this bucket (index in Schedule::buckets). Costs nothing: the interrupt controller knows which
-/// buckets are pending or running, and the release interrupt asks it. Only the monitor wants to know.
+/// The end of a job of this bucket (index in Schedule::buckets): the last thing of its routine. Of jobs only the
+/// monitor wants to know; the interrupt controller knows which buckets are pending or running, and the release
+/// interrupt asks it.
+inline void complete([[maybe_unused]] unsigned bucket) {
 #ifdef FINEMOTE_MONITOR
-inline void complete(unsigned bucket) { monitor_job(bucket); }
-#else
-constexpr void complete(unsigned) {}
+  monitor_job(bucket);
 #endif
+  drain_stores();
+}
 
 /// How often the bucket overran.
 std::uint32_t overruns(unsigned bucket);

@@ -61,4 +61,13 @@ class Shared {
   std::atomic<T> value_{};
 };
 
+/// Lets every store leave the core before the interrupt routine that made it returns: one that still waits for the bus
+/// may make the core vector to the wrong routine (Arm erratum 838869, Cortex-M4), and a release would be lost. The last
+/// thing of such a routine.
+[[gnu::always_inline]] inline void drain_stores() {
+#ifdef __arm__
+  asm volatile("dsb" : : : "memory");
+#endif
+}
+
 }  // namespace finemote

@@ -20,17 +20,16 @@ void measure(const char* image, const char* parts, double seconds) {
   std::ifstream file(parts);
   outfit.add(Json::parse(file));
   board.run_for(200'000'000);  // bring-up of clocks and parts
-  const std::uint64_t instructions = board.cpu().instructions();
+  const std::uint64_t instructions = board.cpu().executed();
   const Time idle = board.cpu().idle_time();
   const std::clock_t begin = std::clock();
   board.run_for(static_cast<std::uint64_t>(seconds * 1e9));
   const double spent = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  const auto count = static_cast<double>(board.cpu().instructions() - instructions);
-  const double slept = static_cast<double>(to_ns(board.cpu().idle_time() - idle)) * 1e-9;
-  std::printf(
-      "%.1f s of the board in %.2f s of processor time (%.2f x real time): %.1f M instructions, asleep %.1f %%\n",
-      seconds, spent, seconds / spent, count / 1e6, 100 * slept / seconds);
-  std::printf("%.1f M instructions a second of processor time; with those slept through, %.0f M cycles a second\n",
+  const auto count = static_cast<double>(board.cpu().executed() - instructions);
+  const double idled = static_cast<double>(to_ns(board.cpu().idle_time() - idle)) * 1e-9;
+  std::printf("%.1f s of the board in %.2f s of processor time (%.2f x real time): %.1f M instructions, idle %.1f %%\n",
+              seconds, spent, seconds / spent, count / 1e6, 100 * idled / seconds);
+  std::printf("%.1f M instructions a second of processor time; with those it was idle for, %.0f M cycles a second\n",
               count / spent / 1e6, 168 * seconds / spent);
 }
 

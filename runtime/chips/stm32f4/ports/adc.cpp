@@ -1,5 +1,4 @@
 // AdcPort on the chip's converters: single conversions begun by software, RM0090 13.3.4.
-#include "runtime/chips/stm32f4/interrupt.hpp"
 #include "runtime/chips/stm32f4/pin.hpp"
 #include "runtime/chips/stm32f4/ports/adc_hardware.hpp"
 
@@ -41,7 +40,6 @@ void AdcPort::begin(std::uint8_t input) {
   registers.sqr3().write(input);
   registers.sr().write(0);  // rc_w0
   registers.cr2().set(adc::kCr2Start);
-  stm32f4::drain();
 }
 
 bool AdcPort::take(std::uint8_t input, std::uint16_t& value) {

@@ -171,10 +171,7 @@ unsigned CanPort::unsent() const {
   return 3 - (empty & 1) - (empty >> 1 & 1) - (empty >> 2 & 1);
 }
 
-void CanPort::abort() {
-  hardware_->setup.can.tsr().write(can::kAbort | can::kAbort << 8 | can::kAbort << 16);
-  stm32f4::drain();
-}
+void CanPort::abort() { hardware_->setup.can.tsr().write(can::kAbort | can::kAbort << 8 | can::kAbort << 16); }
 
 bool CanPort::bus_off() const { return hardware_->setup.can.esr().any(can::kBusOff); }
 

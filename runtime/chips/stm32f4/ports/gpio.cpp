@@ -1,6 +1,5 @@
 // GpioPort on the chip's pins, by number: 16 a port, PA0 first.
 #include "finemote/ports.hpp"
-#include "runtime/chips/stm32f4/interrupt.hpp"
 #include "runtime/chips/stm32f4/pin.hpp"
 #include "runtime/chips/stm32f4/registers/clock.hpp"
 
@@ -56,7 +55,6 @@ void GpioPort::configure(std::uint8_t number, PinSetting setting) {
 
 void GpioPort::write(std::uint8_t number, bool high) {
   if (number < kPinCount) chip_pin(number).set(high);
-  stm32f4::drain();
 }
 
 bool GpioPort::read(std::uint8_t number) const { return number < kPinCount && chip_pin(number).is_high(); }

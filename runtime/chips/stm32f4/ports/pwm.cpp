@@ -4,7 +4,6 @@
 
 #include "finemote/fault.hpp"
 #include "runtime/chips/stm32f4/clock.hpp"
-#include "runtime/chips/stm32f4/interrupt.hpp"
 #include "runtime/chips/stm32f4/ports/pwm_hardware.hpp"
 #include "runtime/chips/stm32f4/registers/clock.hpp"
 
@@ -106,7 +105,6 @@ void PwmPort::write(std::uint32_t pulse) {
   const std::uint32_t top = hardware_->top;
   hardware_->setup.timer.ccr(hardware_->setup.channel)
       .write(wanted < top ? wanted : top);  // preloaded: next repetition
-  stm32f4::drain();
 }
 
 }  // namespace finemote

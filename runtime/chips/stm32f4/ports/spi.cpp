@@ -109,7 +109,6 @@ void SpiPort::begin(const SpiMessage& message) {
 void SpiPort::abort() {
   hardware_->active = false;
   hardware_->stop();
-  stm32f4::drain();
 }
 
 void SpiHardware::stop() {

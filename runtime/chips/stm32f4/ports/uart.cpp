@@ -131,7 +131,6 @@ void UartPort::restart_receive() {
   hardware_->laps.store((last + kUartRing - 1) / kUartRing);
   hardware_->halted.store(false);
   start_receive(hardware_->setup);
-  stm32f4::drain();
 }
 
 void UartPort::drive_with(std::uint8_t pin, bool active_low) {
@@ -160,7 +159,6 @@ void UartPort::transmit(std::size_t size) {
                             dma::kMemoryToPeripheral | dma::kEnable);
   const cortex_m4::Masked masked;
   setup.usart.cr1().set(usart::kCompleteInterrupt);
-  stm32f4::drain();
 }
 
 void UartPort::abort_transmit() {
