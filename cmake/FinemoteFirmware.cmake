@@ -1,20 +1,40 @@
-# Turns generated sources and the runtime into firmware for a board.
+# Turns a robot, or generated sources, into firmware for a board.
 #
-# Works from the source tree and from an installed share/finemote: both hold runtime/ beside cmake/.
+#   finemote_add_firmware(NAME INPUT robot.urdf [BOARD board] [OUTPUT_DIR dir] [COMMITTED]
+#                         [DEVICES dir ...] [ARGS name:=value ...] [TRACE] [WATCH_BOUNDS] ...)
+#   finemote_add_firmware(NAME GENERATED dir BOARD board [TRACE] [WATCH_BOUNDS] ...)
 #
-#   finemote_add_firmware(TARGET GENERATED dir BOARD board
-#                         [TRACE] [MONITOR] [DURATION 40ms] [DEFINITIONS NAME=value ...] [INCLUDES dir ...] [SOURCES file ...]
-#                         [OPTIMIZE -Os|-O2] [STACK bytes])
+# NAME is an ordinary executable target, NAME.elf for a board (NAME on the host), with the targets of
+# FinemoteTargets.cmake beside it.
 #
-# GENERATED   folder that `finemote generate` wrote; every .cpp in it is compiled
-# TRACE       records begin and end of every stage (always on for the host)
-# MONITOR     holds every device to its proven bounds: finemote/monitor.hpp
-# DURATION    a number and s, ms, us or ns: the run ends by itself (boards qemu_f405 and host); without it: forever
-# STACK       bytes that a board with a chip reserves for the stack, 4096 without it; `finemote run` proves how many it takes
-# INCLUDES    folders of the user's own device headers; SOURCES: their sources, if any
+# INPUT        robot description; the build generates its sources, and again when something changed that they depend on
+# BOARD        the board to build for; with INPUT, without it: the robot's. `host` and `qemu_f405` run the sources that are
+#              generated for the robot's own board
+# OUTPUT_DIR   where the generated sources are: NAME.generated in the build folder, with COMMITTED `generated` beside the
+#              CMakeLists.txt
+# COMMITTED    the sources in OUTPUT_DIR are under version control: the build compiles them as they are, the target
+#              NAME-generate writes them, and the test NAME-check says whether they are what would be generated
+# DEVICES      further folders with descriptors of devices, beside `devices` next to the robot
+# ARGS         arguments of a xacro file
+# GENERATED    a folder that `finemote generate` wrote; every .cpp in it is compiled
+# TRACE        records begin and end of every stage (always on for the host)
+# WATCH_BOUNDS the firmware holds every device to its proven bounds: finemote/monitor.hpp
+# DURATION     a number and s, ms, us or ns: the run ends by itself (boards qemu_f405 and host); without it: forever
+# DEFINITIONS, INCLUDES, SOURCES   for the compiler; with INPUT the folders of the robot's own descriptors are known
+# OPTIMIZE     -Os without it
+# STACK        bytes that a board with a chip reserves for the stack, 4096 without it; `finemote run` proves how many it takes
+# FLASH_BUDGET, RAM_BUDGET   bytes that NAME-size holds the image to
 #
-# For a Cortex-M4 board configure with cmake/toolchain-arm-none-eabi.cmake; the linker map is TARGET.map.
-get_filename_component(FINEMOTE_ROOT "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
+# For a board configure with a toolchain file: cmake/toolchain-arm-none-eabi.cmake. Build types make no difference there.
+# The linker map is NAME.map.
+get_filename_component(finemote_root "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
+# Holds runtime/, templates/ and cmake/: share/finemote where finemote is installed.
+set(FINEMOTE_ROOT ${finemote_root} CACHE INTERNAL "")
+unset(finemote_root)
+
+include(${CMAKE_CURRENT_LIST_DIR}/FinemoteCompile.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/FinemoteGenerate.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/FinemoteTargets.cmake)
 
 # "40ms" -> 40000000
 function(finemote_nanoseconds text result)
@@ -29,93 +49,69 @@ function(finemote_nanoseconds text result)
   set(${result} ${value} PARENT_SCOPE)
 endfunction()
 
-# Stops where the compiler is not one for the chips of the board: it would fail in every assembler line.
-function(finemote_check_compiler board chips)
-  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -dumpmachine OUTPUT_VARIABLE machine OUTPUT_STRIP_TRAILING_WHITESPACE)
-  if(NOT chips AND machine MATCHES "^arm-none-eabi")
-    message(FATAL_ERROR "finemote_add_firmware: board 'host' runs on this computer, and the compiler is one for '${machine}'; "
-                        "configure without cmake/toolchain-arm-none-eabi.cmake")
-  elseif(chips AND NOT machine MATCHES "^arm-none-eabi")
-    message(FATAL_ERROR "finemote_add_firmware: board '${board}' needs a compiler for 'arm-none-eabi', and this one is for "
-                        "'${machine}'; in an empty build folder configure with\n"
-                        "  -DCMAKE_TOOLCHAIN_FILE=${FINEMOTE_ROOT}/cmake/toolchain-arm-none-eabi.cmake")
+# The definitions that the arguments of finemote_add_firmware stand for.
+function(finemote_firmware_definitions result)
+  cmake_parse_arguments(arg "TRACE;WATCH_BOUNDS" "DURATION" "DEFINITIONS" ${ARGN})
+  set(definitions ${arg_DEFINITIONS})
+  if(arg_DURATION)
+    finemote_nanoseconds("${arg_DURATION}" duration)
+    list(APPEND definitions FINEMOTE_RUN_DURATION_NS=${duration})
   endif()
+  if(arg_TRACE)
+    list(APPEND definitions FINEMOTE_TRACE)
+  endif()
+  if(arg_WATCH_BOUNDS)
+    list(APPEND definitions FINEMOTE_MONITOR)
+  endif()
+  set(${result} ${definitions} PARENT_SCOPE)
 endfunction()
 
-# What does not depend on the robot: compiled once per board and optimisation level of a project. Devices and ports the
-# robot does not use stay out of the image: the linker takes from this library what it needs.
-function(finemote_runtime_library name board chips optimize)
-  if(TARGET ${name})
-    return()
-  endif()
-  set(runtime ${FINEMOTE_ROOT}/runtime)
-  list(TRANSFORM chips REPLACE "(.+)" "${runtime}/chips/\\1/ports/*.cpp" OUTPUT_VARIABLE drivers)
-  file(GLOB sources CONFIGURE_DEPENDS ${runtime}/src/*.cpp ${runtime}/devices/*.cpp ${drivers}
-       ${runtime}/boards/${board}/ports/*.cpp ${runtime}/boards/${board}/generated/ports/*.cpp)
-  add_library(${name} STATIC ${sources})
-  finemote_target_options(${name} ${board} "${chips}" ${optimize})
-endfunction()
-
-function(finemote_target_options target board chips optimize)
-  set_target_properties(${target} PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
-  target_include_directories(${target} PRIVATE ${FINEMOTE_ROOT}/runtime/include
-                             ${FINEMOTE_ROOT}/runtime/boards/${board}/generated ${FINEMOTE_ROOT})
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Werror -g)
-  target_compile_definitions(${target} PRIVATE ${FINEMOTE_BOARD_DEFINITIONS})
-  if(NOT chips)
-    target_compile_definitions(${target} PRIVATE FINEMOTE_TRACE)
-  else()
-    target_compile_options(${target} PRIVATE ${optimize} -fno-exceptions -fno-rtti -fno-threadsafe-statics
-                           -fno-use-cxa-atexit -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections
-                           -fdata-sections
-                           # the same bytes wherever the sources lie
-                           -ffile-prefix-map=${FINEMOTE_ROOT}=finemote -ffile-prefix-map=${CMAKE_BINARY_DIR}=build
-                           -ffile-prefix-map=${CMAKE_SOURCE_DIR}=robot)
+# How an image for a chip is linked.
+function(finemote_link_options target board stack)
+  set(script ${FINEMOTE_ROOT}/runtime/boards/${board}/generated/board.ld)
+  set(core ${FINEMOTE_ROOT}/runtime/chips/cortex_m4)
+  set_target_properties(${target} PROPERTIES SUFFIX .elf LINK_DEPENDS "${script};${core}/sections.ld")
+  target_link_options(${target} PRIVATE -nostartfiles -T ${script} -L ${core} -Wl,--gc-sections -Wl,-Map=${target}.map
+                      -Wl,--no-warn-rwx-segments)
+  if(stack)
+    target_link_options(${target} PRIVATE -Wl,--defsym=finemote_stack_size=${stack})
   endif()
 endfunction()
 
 function(finemote_add_firmware target)
-  cmake_parse_arguments(arg "TRACE;MONITOR" "GENERATED;BOARD;DURATION;OPTIMIZE;STACK" "DEFINITIONS;INCLUDES;SOURCES" ${ARGN})
-  set(runtime ${FINEMOTE_ROOT}/runtime)
-  set(board ${runtime}/boards/${arg_BOARD})
-  if(NOT EXISTS ${board}/generated/board.cmake)
-    message(FATAL_ERROR "finemote_add_firmware: no board '${arg_BOARD}' in ${runtime}/boards")
+  cmake_parse_arguments(arg "COMMITTED;TRACE;WATCH_BOUNDS"
+                        "INPUT;GENERATED;BOARD;OUTPUT_DIR;DURATION;OPTIMIZE;STACK;FLASH_BUDGET;RAM_BUDGET"
+                        "DEVICES;ARGS;DEFINITIONS;INCLUDES;SOURCES" ${ARGN})
+  if(arg_UNPARSED_ARGUMENTS)
+    list(JOIN arg_UNPARSED_ARGUMENTS "', '" words)
+    message(FATAL_ERROR "finemote_add_firmware(${target}): unknown '${words}'")
   endif()
-  include(${board}/generated/board.cmake)  # sets FINEMOTE_BOARD_CHIPS: folders below runtime/chips; none is this computer
-  set(chips ${FINEMOTE_BOARD_CHIPS})
-  finemote_check_compiler(${arg_BOARD} "${chips}")
+  if(arg_INPUT)
+    finemote_sources_of_input(${target} ${ARGN})  # sets arg_BOARD, generated_dir, generated, and adds to the two below
+  elseif(arg_GENERATED AND arg_BOARD)
+    get_filename_component(generated_dir ${arg_GENERATED} ABSOLUTE)
+    file(GLOB_RECURSE generated ${generated_dir}/*.cpp)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${generated_dir} ${generated_dir}/trees)
+  else()
+    message(FATAL_ERROR "finemote_add_firmware(${target}): needs INPUT, or GENERATED and BOARD")
+  endif()
+  finemote_board(${arg_BOARD} chips board_definitions)
   if(NOT arg_OPTIMIZE)
     set(arg_OPTIMIZE -Os)
   endif()
+  finemote_check_compiler(${arg_BOARD} "${chips}")
+  finemote_firmware_definitions(definitions ${ARGN})
+  list(APPEND definitions ${board_definitions})
+  finemote_runtime_library(runtime ${arg_BOARD} "${chips}" "${board_definitions}" ${arg_OPTIMIZE})
+  finemote_board_objects(board ${arg_BOARD} "${chips}" "${definitions}" ${arg_OPTIMIZE})
 
-  file(GLOB_RECURSE generated CONFIGURE_DEPENDS ${arg_GENERATED}/*.cpp)
-  list(TRANSFORM chips REPLACE "(.+)" "${runtime}/chips/\\1/*.cpp" OUTPUT_VARIABLE starts)
-  file(GLOB board_sources CONFIGURE_DEPENDS ${board}/*.cpp ${starts})
-  set(library finemote_runtime_${arg_BOARD}${arg_OPTIMIZE})
-  finemote_runtime_library(${library} ${arg_BOARD} "${chips}" ${arg_OPTIMIZE})
-
-  add_executable(${target} ${generated} ${arg_SOURCES} ${board_sources})
-  finemote_target_options(${target} ${arg_BOARD} "${chips}" ${arg_OPTIMIZE})
-  target_include_directories(${target} PRIVATE ${arg_GENERATED} ${arg_INCLUDES})
-  target_compile_definitions(${target} PRIVATE ${arg_DEFINITIONS})
-  target_link_libraries(${target} PRIVATE ${library})
-  if(arg_DURATION)
-    finemote_nanoseconds("${arg_DURATION}" duration)
-    target_compile_definitions(${target} PRIVATE FINEMOTE_RUN_DURATION_NS=${duration})
-  endif()
-  if(arg_TRACE)
-    target_compile_definitions(${target} PRIVATE FINEMOTE_TRACE)
-  endif()
-  if(arg_MONITOR)
-    target_compile_definitions(${target} PRIVATE FINEMOTE_MONITOR)
-  endif()
+  add_executable(${target} ${generated} ${arg_SOURCES} $<TARGET_OBJECTS:${board}>)
+  finemote_compile_options(${target} ${arg_BOARD} "${chips}" ${arg_OPTIMIZE})
+  target_compile_definitions(${target} PRIVATE ${definitions})
+  target_include_directories(${target} PRIVATE ${generated_dir} ${arg_INCLUDES})
+  target_link_libraries(${target} PRIVATE ${runtime})
   if(chips)
-    set_target_properties(${target} PROPERTIES SUFFIX .elf LINK_DEPENDS
-                          "${board}/generated/board.ld;${runtime}/chips/cortex_m4/sections.ld")
-    target_link_options(${target} PRIVATE -nostartfiles -T ${board}/generated/board.ld -L ${runtime}/chips/cortex_m4
-                        -Wl,--gc-sections -Wl,-Map=${target}.map -Wl,--fatal-warnings -Wl,--no-warn-rwx-segments)
-    if(arg_STACK)
-      target_link_options(${target} PRIVATE -Wl,--defsym=finemote_stack_size=${arg_STACK})
-    endif()
+    finemote_link_options(${target} ${arg_BOARD} "${arg_STACK}")
   endif()
+  finemote_firmware_targets(${target} "${chips}" FLASH_BUDGET ${arg_FLASH_BUDGET} RAM_BUDGET ${arg_RAM_BUDGET})
 endfunction()

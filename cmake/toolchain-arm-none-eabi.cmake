@@ -8,7 +8,12 @@ if(NOT FINEMOTE_ARM_COMPILER)
 endif()
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
-set(CMAKE_CXX_FLAGS_INIT
-    "-mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -ffreestanding --specs=nano.specs")
-# The options above decide what is built; a build type would only add to them.
+# Beside CMAKE_CXX_FLAGS, which are the user's; the compiler takes one --specs, and theirs counts.
+set(finemote_options -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -ffreestanding)
+if(NOT CMAKE_CXX_FLAGS MATCHES "--specs=")
+  list(APPEND finemote_options --specs=nano.specs)
+endif()
+add_compile_options(${finemote_options})
+add_link_options(${finemote_options})
+# These options decide what is built; a build type would only add to them.
 set(CMAKE_BUILD_TYPE "" CACHE STRING "")

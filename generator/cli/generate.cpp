@@ -7,6 +7,7 @@
 #include "generator/cli/robot_input.hpp"
 #include "generator/cli/verdict.hpp"
 #include "generator/output/write.hpp"
+#include "generator/run/project.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -24,21 +25,34 @@ std::string make_escaped(const std::string& path) {
   return text;
 }
 
+/// The files on disk that were read.
+std::vector<std::string> files_read(const Sources& sources) {
+  std::vector<std::string> paths;
+  for (const SourceFile& file : sources.files()) {
+    if (!file.path.empty() && file.path != "-") paths.push_back(file.path);
+  }
+  return paths;
+}
+
 /// The rule that makes the manifest in `out` depend on every file that was read.
 std::string depfile_text(const std::string& out, const Sources& sources) {
   std::string rule = make_escaped(out + "/" + kManifestName) + ":";
-  for (const SourceFile& file : sources.files()) {
-    if (!file.path.empty() && file.path != "-") rule += " \\\n  " + make_escaped(file.path);
-  }
+  for (const std::string& path : files_read(sources)) rule += " \\\n  " + make_escaped(path);
   return rule + "\n";
 }
 
-Answer list_names(const PlannedRobot& planned) {
+/// The files that would be written, and in the document what a build needs to know beside them: the board, where the
+/// robot's own device types are, and what was read.
+Answer list_names(const PlannedRobot& planned, const Sources& sources) {
   std::vector<std::string> names = output_names(planned.robot, planned.forest);
   names.emplace_back(kManifestName);
   Answer answer{kExitYes};
   for (const std::string& name : names) answer.text += name + "\n";
-  answer.document = {{"schema", "finemote.list/1"}, {"files", names}};
+  answer.document = {{"schema", "finemote.list/1"},
+                     {"files", names},
+                     {"board", planned.robot.board->name},
+                     {"include_dirs", user_include_dirs(planned.robot)},
+                     {"inputs", files_read(sources)}};
   return answer;
 }
 
@@ -121,7 +135,7 @@ Answer run_generate(const Options& options, Sources& sources, Diagnostics& diagn
   if (options.dump) return dump_robot(options, *input, {}, sources, diagnostics);
   const auto planned = plan_robot(*input, sources, diagnostics);
   if (!planned) return no_answer();
-  if (options.list) return list_names(*planned);
+  if (options.list) return list_names(*planned, sources);
 
   const Analysis analysis = analyse_robot(*planned, options.allow_unschedulable ? Hints::left_out : Hints::wanted);
   if (!options.allow_unschedulable) {

@@ -84,7 +84,7 @@ std::string project_text(const FirmwareRequest& request) {
           << fmt::format("include([==[{}/cmake/FinemoteFirmware.cmake]==])\n",
                          fs::absolute(request.data_dir).generic_string())
           << "finemote_add_firmware(firmware GENERATED ${CMAKE_CURRENT_SOURCE_DIR}/generated BOARD " << request.board
-          << (request.trace ? " TRACE" : "") << (request.monitor ? " MONITOR" : "")
+          << (request.trace ? " TRACE" : "") << (request.monitor ? " WATCH_BOUNDS" : "")
           << (request.duration > Duration::zero() ? fmt::format(" DURATION {}ns", request.duration.ns()) : "")
           << (request.stack > 0 ? fmt::format(" STACK {}", request.stack) : "")
           << cmake_list("INCLUDES", request.include_dirs) << cmake_list("SOURCES", request.sources) << ")\n";

@@ -1,8 +1,8 @@
 // CAN: latest frame per device, groups sent once, bus-off.
 #include "finemote/can.hpp"
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 
 namespace {
 

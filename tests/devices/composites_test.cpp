@@ -2,8 +2,8 @@
 #include <cmath>
 #include <vector>
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 #include "finemote/devices/gimbal.hpp"
 #include "finemote/devices/mecanum_chassis.hpp"
 #include "finemote/devices/serial_arm.hpp"

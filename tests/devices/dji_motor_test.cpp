@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // The operator's text commands: whole messages count, others not.
 #include "finemote/devices/finsrov_host.hpp"
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 
 namespace {
 

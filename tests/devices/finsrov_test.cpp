@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 #include "finemote/devices/h30_imu.hpp"
 #include "finemote/devices/ms5837.hpp"
 #include "finemote/devices/pwm_esc.hpp"

@@ -2,8 +2,8 @@
 #include "finemote/devices/group.hpp"
 #include "finemote/devices/sim_load.hpp"
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 
 using namespace finemote;
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 #include "runtime/boards/host/ports/h30_part.hpp"
 
 namespace {

@@ -1,8 +1,8 @@
 // The link's own pace: frames are due on a grid, whatever the start of a job varies by. tests/link has the rest.
 #include "finemote/devices/host_link.hpp"
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 
 namespace {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 #include "runtime/boards/host/ports/i2c_parts.hpp"
 
 namespace {

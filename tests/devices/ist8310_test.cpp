@@ -1,8 +1,8 @@
 // IST8310: set-up, values, a part that is not there or was reset.
 #include "finemote/devices/ist8310.hpp"
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 
 namespace {
 

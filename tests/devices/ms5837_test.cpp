@@ -1,8 +1,8 @@
 // MS5837: the data sheets' arithmetic, the bytes on the wire, and what becomes of a part that fails.
 #include "finemote/devices/ms5837.hpp"
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 #include "runtime/boards/host/ports/i2c_parts.hpp"
 
 namespace {

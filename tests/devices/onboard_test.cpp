@@ -1,8 +1,8 @@
 // LED, buzzer, key and battery: what they drive, what they see, and what they do without data.
 #include <cmath>
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 #include "finemote/devices/battery.hpp"
 #include "finemote/devices/buzzer.hpp"
 #include "finemote/devices/key.hpp"

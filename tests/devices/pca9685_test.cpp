@@ -1,8 +1,8 @@
 // PCA9685: bytes of the bring-up and of every burst, and what the part shows.
 #include "finemote/pca9685.hpp"
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 #include "finemote/devices/pwm_esc.hpp"
 #include "runtime/boards/host/ports/i2c_parts.hpp"
 

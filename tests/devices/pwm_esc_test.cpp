@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 
 namespace {
 

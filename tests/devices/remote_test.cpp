@@ -2,8 +2,8 @@
 #include "finemote/devices/dr16.hpp"
 #include "finemote/devices/sbus.hpp"
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 
 namespace {
 

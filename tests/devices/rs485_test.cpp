@@ -1,8 +1,8 @@
 // RS-485: one question at a time, replies of the right length, silence.
 #include "finemote/rs485.hpp"
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // SPI: order by priority, one exchange at a time, deadlines.
 #include "finemote/spi.hpp"
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 
 namespace {
 

@@ -3,8 +3,8 @@
 
 #include <numeric>
 
-#include "bench.hpp"
 #include "catch.hpp"
+#include "finemote/bench/bench.hpp"
 
 namespace {
 

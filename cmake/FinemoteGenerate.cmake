@@ -1,0 +1,128 @@
+# From a robot to the sources of its firmware: used by finemote_add_firmware(... INPUT ...).
+
+# The words after `finemote generate` or `finemote check` that name the robot.
+function(finemote_robot_words result input board devices arguments)
+  set(words ${input} --data-dir ${FINEMOTE_ROOT})
+  if(board AND NOT board MATCHES "^(host|qemu_f405)$")  # these run what was made for the robot's own board
+    list(APPEND words --board ${board})
+  endif()
+  foreach(folder ${devices})
+    get_filename_component(folder ${folder} ABSOLUTE)
+    list(APPEND words --device-path ${folder})
+  endforeach()
+  set(${result} ${words} ${arguments} PARENT_SCOPE)
+endfunction()
+
+# What `finemote generate --list` says of the robot, as JSON.
+function(finemote_ask_for_list target words result)
+  get_target_property(program finemote::finemote IMPORTED_LOCATION)
+  execute_process(COMMAND ${program} generate ${words} --list --format json OUTPUT_VARIABLE document RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "finemote_add_firmware(${target}): no firmware can be made of this robot; see above")
+  endif()
+  set(${result} "${document}" PARENT_SCOPE)
+endfunction()
+
+# The strings of a list in a JSON document; `member` takes one out of each entry.
+function(finemote_strings document name result)
+  set(strings)
+  string(JSON size LENGTH "${document}" ${name})
+  if(size GREATER 0)
+    math(EXPR last "${size} - 1")
+    foreach(i RANGE ${last})
+      string(JSON text GET "${document}" ${name} ${i} ${ARGN})
+      list(APPEND strings "${text}")
+    endforeach()
+  endif()
+  set(${result} "${strings}" PARENT_SCOPE)
+endfunction()
+
+# Sources that are generated into `folder` when something changed that they depend on. Files whose bytes stay the same are
+# not touched, so nothing is compiled for them. Which files there are depends on the robot: when a file of its own changes,
+# CMake asks for the list again.
+function(finemote_generate_in_build target words folder list)
+  if(NOT CMAKE_GENERATOR MATCHES "Ninja")
+    message(FATAL_ERROR "finemote_add_firmware(${target}): without COMMITTED the build needs Ninja: configure with -G Ninja")
+  endif()
+  get_target_property(program finemote::finemote IMPORTED_LOCATION)
+  finemote_strings("${list}" files files)
+  list(TRANSFORM files PREPEND ${folder}/)
+  set(manifest ${folder}/finemote.manifest.json)
+  list(REMOVE_ITEM files ${manifest})
+  file(GLOB templates ${FINEMOTE_ROOT}/templates/*.mustache)
+  list(GET words 0 input)
+  add_custom_command(OUTPUT ${manifest} BYPRODUCTS ${files}
+                     COMMAND ${program} -q generate ${words} -o ${folder} --depfile ${folder}.d
+                     DEPENDS ${input} ${program} ${templates} DEPFILE ${folder}.d
+                     COMMENT "Generating the sources of ${target}" VERBATIM)
+  add_custom_target(${target}-generate DEPENDS ${manifest})
+  finemote_strings("${list}" inputs inputs)
+  list(FILTER inputs EXCLUDE REGEX "^${FINEMOTE_ROOT}/")  # these change with the program
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${inputs})
+endfunction()
+
+# Sources that lie in `folder`, as its manifest lists them; the test NAME-check holds them to the robot.
+function(finemote_use_committed target words folder result)
+  get_target_property(program finemote::finemote IMPORTED_LOCATION)
+  list(JOIN words " " command)
+  set(command "finemote generate ${command} -o ${folder}")
+  set(manifest ${folder}/finemote.manifest.json)
+  if(NOT EXISTS ${manifest})
+    message(FATAL_ERROR "finemote_add_firmware(${target}): there are no generated sources in ${folder}; write them with\n"
+                        "  ${command}")
+  endif()
+  file(READ ${manifest} document)
+  finemote_strings("${document}" outputs files name)
+  list(TRANSFORM files PREPEND ${folder}/)
+  foreach(file ${files})
+    if(NOT EXISTS ${file})
+      message(FATAL_ERROR "finemote_add_firmware(${target}): ${file} is missing; write it with\n  ${command}")
+    endif()
+  endforeach()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${manifest})
+  add_custom_target(${target}-generate COMMAND ${program} generate ${words} -o ${folder} VERBATIM)
+  add_test(NAME ${target}-check COMMAND ${program} check ${words} -o ${folder})
+  set(${result} ${files} PARENT_SCOPE)
+endfunction()
+
+# For finemote_add_firmware(NAME INPUT ...): sets generated_dir and generated, arg_BOARD where it is the robot's, and adds
+# what belongs to the robot's own device types to arg_INCLUDES and arg_SOURCES.
+function(finemote_sources_of_input target)
+  cmake_parse_arguments(arg "COMMITTED" "INPUT;BOARD;OUTPUT_DIR" "DEVICES;ARGS;INCLUDES;SOURCES" ${ARGN})
+  if(NOT TARGET finemote::finemote)
+    message(FATAL_ERROR "finemote_add_firmware(${target}): INPUT needs find_package(finemote)")
+  endif()
+  get_filename_component(input ${arg_INPUT} ABSOLUTE)
+  finemote_robot_words(words ${input} "${arg_BOARD}" "${arg_DEVICES}" "${arg_ARGS}")
+  finemote_ask_for_list(${target} "${words}" list)
+  if(NOT arg_OUTPUT_DIR AND arg_COMMITTED)
+    set(arg_OUTPUT_DIR generated)
+  elseif(NOT arg_OUTPUT_DIR)
+    set(arg_OUTPUT_DIR ${CMAKE_CURRENT_BINARY_DIR}/${target}.generated)
+  endif()
+  get_filename_component(folder ${arg_OUTPUT_DIR} ABSOLUTE)
+  if(arg_COMMITTED)
+    finemote_use_committed(${target} "${words}" ${folder} generated)
+  else()
+    finemote_generate_in_build(${target} "${words}" ${folder} "${list}")
+    finemote_strings("${list}" files files)
+    list(TRANSFORM files PREPEND ${folder}/ OUTPUT_VARIABLE generated)
+  endif()
+
+  list(FILTER generated INCLUDE REGEX "\\.cpp$")
+  list(SORT generated)  # the order of the linker, and of `finemote run`
+  if(NOT arg_BOARD)
+    string(JSON arg_BOARD GET "${list}" board)
+  endif()
+  finemote_strings("${list}" include_dirs folders)
+  foreach(own ${folders})
+    file(GLOB sources ${own}/*.cpp)
+    list(APPEND arg_SOURCES ${sources})
+  endforeach()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folders})  # sources that come and go
+  set(generated_dir ${folder} PARENT_SCOPE)
+  set(generated ${generated} PARENT_SCOPE)
+  set(arg_BOARD ${arg_BOARD} PARENT_SCOPE)
+  set(arg_INCLUDES ${arg_INCLUDES} ${folders} PARENT_SCOPE)
+  set(arg_SOURCES ${arg_SOURCES} PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,19 @@
+# What `cmake --install` installs, and the data the tool reads at run time: beside the built program as `share`, installed as
+# `share/finemote`. All destinations are relative, so that the installed folder can be moved.
+include(CMakePackageConfigHelpers)
+
+set(FINEMOTE_DATA_FOLDERS schemas templates runtime cmake examples)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share)
+foreach(folder ${FINEMOTE_DATA_FOLDERS})
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PROJECT_BINARY_DIR}/share/${folder} SYMBOLIC)
+  install(DIRECTORY ${folder} DESTINATION share/finemote PATTERN cmake/project EXCLUDE PATTERN runtime/CMakeLists.txt EXCLUDE)
+endforeach()
+# The page of every diagnostic, which `finemote explain` prints.
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/docs/diagnostics ${PROJECT_BINARY_DIR}/share/diagnostics SYMBOLIC)
+install(DIRECTORY docs/diagnostics DESTINATION share/finemote)
+install(TARGETS finemote finemote-emulator DESTINATION bin)
+
+# find_package looks into share/finemote/cmake. The package is for the computer that builds, whatever the project is for.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/finemoteConfigVersion.cmake VERSION ${PROJECT_VERSION}
+                                 COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES ${PROJECT_BINARY_DIR}/finemoteConfigVersion.cmake DESTINATION share/finemote/cmake)
