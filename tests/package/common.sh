@@ -5,6 +5,7 @@ work=$2
 here=$(dirname "${BASH_SOURCE[0]}")
 PATH=$prefix/bin:$PATH
 toolchain=$prefix/share/finemote/cmake/toolchain-arm-none-eabi.cmake
+export CCACHE_BASEDIR=  # paths stay as they are in a build without ccache
 checks=0
 
 fail() {
