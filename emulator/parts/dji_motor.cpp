@@ -45,7 +45,7 @@ CanFrame DjiMotor::report(Time now) {
   put(frame, 0, std::min(std::floor((turns - std::floor(turns)) * kSteps), kSteps - 1));
   put(frame, 2, shaft_.speed(now) * figures_.gear / kTurn * 60);
   put(frame, 4, shaft_.torque(now) / figures_.torque_per_ampere / figures_.full_current * figures_.full_word);
-  frame.data[6] = 30;  // degrees Celsius
+  frame.data[6] = static_cast<std::uint8_t>(figures_.temperature);
   if (damaged_reports != 0) {
     --damaged_reports;
     frame.data[0] = frame.data[1] = 0xFF;

@@ -23,6 +23,7 @@ class DjiMotor {
     double torque_per_ampere = 0.3;  ///< N m at the output
     double gear = 1;                 ///< turns of the rotor per turn of the output
     double zero = 0;                 ///< rad, what the encoder reads where the output is at zero
+    double temperature = 30;         ///< degrees Celsius, what its reports say
     Time period = from_ns(1'000'000), phase = 0;
   };
 

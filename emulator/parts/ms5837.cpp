@@ -6,8 +6,8 @@ namespace finemote::emulator {
 namespace {
 
 // Calibration of the data sheets' own examples.
-constexpr std::array<std::uint16_t, 7> kProm02 = {0x0000, 46372, 43981, 29059, 27842, 31553, 28165};
-constexpr std::array<std::uint16_t, 7> kProm30 = {0x0000, 34982, 36352, 20328, 22354, 26646, 26146};
+constexpr Ms5837::Prom kProm02 = {0x0000, 46372, 43981, 29059, 27842, 31553, 28165};
+constexpr Ms5837::Prom kProm30 = {0x0000, 34982, 36352, 20328, 22354, 26646, 26146};
 
 // Longest conversion for oversampling 256, 512, ... 8192.
 constexpr std::uint64_t kConversionNs[] = {600'000, 1'170'000, 2'280'000, 4'540'000, 9'040'000, 18'080'000};
@@ -30,9 +30,12 @@ std::uint16_t crc4(std::array<std::uint16_t, 8> words) {
 
 Ms5837::Ms5837(Variant variant, std::function<Time()> now, std::function<double(Time)> pressure)
     : variant_(variant), now_(std::move(now)), pressure_(std::move(pressure)) {
-  const auto& prom = variant == Variant::k02BA ? kProm02 : kProm30;
+  calibrate(variant == Variant::k02BA ? kProm02 : kProm30);
+}
+
+void Ms5837::calibrate(const Prom& prom) {
   for (unsigned i = 0; i < 7; ++i) prom_[i] = prom[i];
-  prom_[0] = static_cast<std::uint16_t>(prom_[0] | crc4(prom_) << 12);
+  prom_[0] = static_cast<std::uint16_t>((prom_[0] & 0x0FFF) | crc4(prom_) << 12);
 }
 
 /// The inverse of the data sheet's compensation at 20.00 degrees, where dT and the second order are zero.

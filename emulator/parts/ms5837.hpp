@@ -19,6 +19,11 @@ class Ms5837 : public I2cPart {
   /// @param pressure  what acts on the part at a time [Pa]
   Ms5837(Variant variant, std::function<Time()> now, std::function<double(Time)> pressure);
 
+  /// Words 0..6 of the PROM; the upper four bits of the first are its checksum and do not count.
+  using Prom = std::array<std::uint16_t, 7>;
+  /// Another part of the same kind: its own calibration instead of the data sheet's.
+  void calibrate(const Prom& prom);
+
   bool select(std::uint8_t address, bool read) override;
   bool write(WireByte command) override;
   WireByte read() override;

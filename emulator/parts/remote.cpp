@@ -33,25 +33,38 @@ std::vector<std::uint8_t> dbus_frame(const Hands& hands) {
   put_channel(frame.data(), 22, dbus_channel(hands.left_x));
   put_channel(frame.data(), 33, dbus_channel(hands.left_y));
   frame[5] |= static_cast<std::uint8_t>(hands.left_switch << 6 | hands.right_switch << 4);
+  for (unsigned i = 0; i < 3; ++i) {
+    const auto counts = static_cast<std::uint16_t>(hands.mouse[i]);
+    frame[6 + 2 * i] = static_cast<std::uint8_t>(counts);
+    frame[7 + 2 * i] = static_cast<std::uint8_t>(counts >> 8);
+  }
+  frame[12] = hands.mouse_left ? 1 : 0;
+  frame[13] = hands.mouse_right ? 1 : 0;
   frame[14] = static_cast<std::uint8_t>(hands.keys);
   frame[15] = static_cast<std::uint8_t>(hands.keys >> 8);
   put_channel(frame.data(), 128, dbus_channel(hands.wheel));
   return frame;
 }
 
-std::vector<std::uint8_t> sbus_frame(const Hands& hands) {
+std::vector<std::uint8_t> sbus_frame(const SbusChannels& channels, std::uint8_t flags) {
   std::vector<std::uint8_t> frame(25, 0);
   frame[0] = 0x0F;
-  const std::array<unsigned, 7> channels = {sbus_channel(hands.right_x),
-                                            sbus_channel(hands.right_y),
-                                            sbus_channel(hands.left_y),
-                                            sbus_channel(hands.left_x),
-                                            sbus_channel(sbus_switch(hands.left_switch)),
-                                            sbus_channel(sbus_switch(hands.right_switch)),
-                                            sbus_channel(hands.wheel)};
-  for (unsigned i = 0; i < 16; ++i) put_channel(&frame[1], 11 * i, i < channels.size() ? channels[i] : 992);
-  if (hands.failsafe) frame[23] = 0x0C;  // frame lost, failsafe
+  for (unsigned i = 0; i < channels.size(); ++i) put_channel(&frame[1], 11 * i, channels[i]);
+  frame[23] = flags;
   return frame;
+}
+
+std::vector<std::uint8_t> sbus_frame(const Hands& hands) {
+  SbusChannels channels;
+  channels.fill(992);
+  channels[0] = sbus_channel(hands.right_x);
+  channels[1] = sbus_channel(hands.right_y);
+  channels[2] = sbus_channel(hands.left_y);
+  channels[3] = sbus_channel(hands.left_x);
+  channels[4] = sbus_channel(sbus_switch(hands.left_switch));
+  channels[5] = sbus_channel(sbus_switch(hands.right_switch));
+  channels[6] = sbus_channel(hands.wheel);
+  return sbus_frame(channels, hands.failsafe ? 0x0C : 0);  // frame lost, failsafe
 }
 
 RemoteReceiver::RemoteReceiver(World& world, Usart& usart, const SerialFormat& format, Encode encode, Time period,

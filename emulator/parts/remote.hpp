@@ -17,12 +17,18 @@ struct Hands {
   double right_x = 0, right_y = 0, left_x = 0, left_y = 0, wheel = 0;
   Switch left_switch = kMiddle, right_switch = kMiddle;
   std::uint16_t keys = 0;
+  std::array<std::int16_t, 3> mouse{};  ///< x, y and wheel, counts per frame
+  bool mouse_left = false, mouse_right = false;
   bool failsafe = false;  ///< the receiver has lost its transmitter; SBUS says so, DBUS falls silent
 };
 
 /// 18 bytes of the DR16: four channels of 11 bits around 1024, two switches, mouse, keys, wheel. Without checksum.
 std::vector<std::uint8_t> dbus_frame(const Hands& hands);
-/// 25 bytes of SBUS: 0x0F, sixteen channels of 11 bits, flags, 0x00. Channels in the order A E T R, switches, wheel.
+
+using SbusChannels = std::array<unsigned, 16>;  ///< 0..2047 each
+/// 25 bytes of SBUS: 0x0F, sixteen channels of 11 bits, flags, 0x00.
+std::vector<std::uint8_t> sbus_frame(const SbusChannels& channels, std::uint8_t flags);
+/// Channels in the order A E T R, switches, wheel; the others at their centre.
 std::vector<std::uint8_t> sbus_frame(const Hands& hands);
 
 class RemoteReceiver {

@@ -18,9 +18,10 @@ class MotorShaft : public Shaft {
     double coulomb = 0;                  ///< N m
     double free_speed = 1e9;             ///< rad/s at which the supply drives no torque any more
     std::optional<double> lower, upper;  ///< rad, end stops
+    double speed = 0;                    ///< rad/s at power-on
   };
 
-  explicit MotorShaft(const Parameters& parameters) : p_(parameters) {}
+  explicit MotorShaft(const Parameters& parameters) : p_(parameters), speed_(parameters.speed) {}
 
   double angle(Time now) override { return advance(now), angle_; }
   double speed(Time now) override { return advance(now), speed_; }
@@ -66,7 +67,7 @@ class MotorShaft : public Shaft {
   }
 
   Parameters p_;
-  double angle_ = 0, speed_ = 0, drive_ = 0;
+  double angle_ = 0, speed_, drive_ = 0;
   std::array<double, 3> loads_{};
   Time at_ = 0;
 };

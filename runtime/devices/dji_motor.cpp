@@ -42,7 +42,7 @@ void DjiMotor::take(const CanSlot::Received& received) {
   state.angle = static_cast<float>(position_) * kRadPerStep / gear_;
   state.speed = rpm * kRadPerSecond / gear_;
   state.torque = current * kind_->torque_per_ampere * gear_;
-  state.temperature = frame.data[6];
+  if (kind_->tells_temperature) state.temperature = frame.data[6];
   state.origin = received.at;
   state.valid = true;
 }

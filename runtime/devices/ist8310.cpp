@@ -23,8 +23,10 @@ constexpr std::uint8_t kSettingCount = sizeof kSettings / sizeof kSettings[0];
 /// for what the part's clock may be slow. schemas/devices/ist8310.json has it as `latency_ns`.
 constexpr Duration kFieldAge = 6 * kMillisecond;
 
-constexpr float kTeslaPerStep = 0.3e-6F;
-constexpr int kLargest = 5400;  ///< 1600 uT
+/// The part counts its axes forward, to the right and up, which is left-handed: PX4/PX4-Autopilot,
+/// src/drivers/magnetometer/isentek/ist8310/IST8310.cpp. Ours point to the left.
+constexpr float kTeslaPerStep[3] = {0.3e-6F, -0.3e-6F, 0.3e-6F};
+constexpr int kLargest[3] = {5400, 5400, 8400};  ///< 1600, 1600, 2500 uT
 constexpr std::uint8_t kBadValues = 3;
 
 }  // namespace
@@ -63,12 +65,12 @@ void Ist8310::take_field() {
   bool good = false;
   for (int i = 0; i < 3; ++i) {
     raw[i] = static_cast<std::int16_t>(read_[2 * i] | read_[2 * i + 1] << 8);
-    if (raw[i] > kLargest || raw[i] < -kLargest) return bad_value();
+    if (raw[i] > kLargest[i] || raw[i] < -kLargest[i]) return bad_value();
     good = good || raw[i] != 0;  // all zero: no measurement yet, or the part was reset
   }
   if (!good) return bad_value();
   bad_values_ = 0;
-  for (int i = 0; i < 3; ++i) state.field[i] = static_cast<float>(raw[i]) * kTeslaPerStep;
+  for (int i = 0; i < 3; ++i) state.field[i] = static_cast<float>(raw[i]) * kTeslaPerStep[i];
   turn(mount_, state.field);
   state.origin = asked_ - kFieldAge;
   state.valid = true;

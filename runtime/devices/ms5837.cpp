@@ -52,20 +52,27 @@ Correction correction_30(std::int64_t dt, std::int64_t temperature) {
 }  // namespace
 
 // Data sheets "Pressure and temperature calculation". The largest product, d1 * sensitivity, is below 2^58.
-Ms5837::Compensated Ms5837::compensate(Variant variant, const Calibration& calibration, std::uint32_t d1,
-                                       std::uint32_t d2) {
+Ms5837::FirstOrder Ms5837::first_order(Variant variant, const Calibration& calibration, std::uint32_t d2) {
   const auto& c = calibration.c;
   const bool wide = variant == Variant::k30BA;
   const std::int64_t dt = std::int64_t{d2} - c[5] * power(8);
-  const std::int64_t temperature = 2000 + over_power(dt * c[6], 23);
-  const std::int64_t offset =
-      wide ? c[2] * power(16) + over_power(c[4] * dt, 7) : c[2] * power(17) + over_power(c[4] * dt, 6);
-  const std::int64_t sensitivity =
-      wide ? c[1] * power(15) + over_power(c[3] * dt, 8) : c[1] * power(16) + over_power(c[3] * dt, 7);
-  const Correction second = wide ? correction_30(dt, temperature) : correction_02(dt, temperature);
-  const std::int64_t scaled = over_power(d1 * (sensitivity - second.sensitivity), 21);
-  return {static_cast<std::int32_t>(temperature - second.temperature),
-          static_cast<std::int32_t>(over_power(scaled - (offset - second.offset), wide ? 13 : 15))};
+  return {dt, 2000 + over_power(dt * c[6], 23),
+          wide ? c[2] * power(16) + over_power(c[4] * dt, 7) : c[2] * power(17) + over_power(c[4] * dt, 6),
+          wide ? c[1] * power(15) + over_power(c[3] * dt, 8) : c[1] * power(16) + over_power(c[3] * dt, 7)};
+}
+
+std::int32_t Ms5837::pressure(Variant variant, std::uint32_t d1, std::int64_t offset, std::int64_t sensitivity) {
+  const std::int64_t scaled = over_power(d1 * sensitivity, 21);
+  return static_cast<std::int32_t>(over_power(scaled - offset, variant == Variant::k30BA ? 13 : 15));
+}
+
+Ms5837::Compensated Ms5837::compensate(Variant variant, const Calibration& calibration, std::uint32_t d1,
+                                       std::uint32_t d2) {
+  const FirstOrder first = first_order(variant, calibration, d2);
+  const Correction second = variant == Variant::k30BA ? correction_30(first.dt, first.temperature)
+                                                      : correction_02(first.dt, first.temperature);
+  return {static_cast<std::int32_t>(first.temperature - second.temperature),
+          pressure(variant, d1, first.offset - second.offset, first.sensitivity - second.sensitivity)};
 }
 
 // Polynomial 0x3000 over the 16 bytes of eight words, the eighth being 0 (application note AN520).

@@ -9,21 +9,12 @@ namespace finemote {
 namespace {
 
 constexpr std::uint8_t kHead = 0x0F, kTail = 0x00;
-constexpr std::size_t kFlagsAt = 23;
-constexpr std::uint8_t kFrameLost = 0x04, kFailsafe = 0x08;
 constexpr int kCentre = 992;
 constexpr float kScale = 1.0F / 820;  ///< 172..1811 is -1..1
 
-int channel_at(const std::uint8_t* frame, unsigned number) {
-  const unsigned at = 8 + 11 * (number - 1);
-  const std::uint8_t* byte = frame + at / 8;
-  const std::uint32_t bits = byte[0] | std::uint32_t{byte[1]} << 8 | std::uint32_t{byte[2]} << 16;
-  return static_cast<int>(bits >> at % 8 & 0x7FFU);
-}
+float scaled(std::uint16_t channel) { return clamp(static_cast<float>(channel - kCentre) * kScale, -1, 1); }
 
-float scaled(int channel) { return clamp(static_cast<float>(channel - kCentre) * kScale, -1, 1); }
-
-RemoteSwitch switch_of(int channel) {
+RemoteSwitch switch_of(std::uint16_t channel) {
   if (channel < kCentre - 400) return RemoteSwitch::kUp;
   return channel > kCentre + 400 ? RemoteSwitch::kDown : RemoteSwitch::kMiddle;
 }
@@ -59,18 +50,25 @@ void Sbus::resynchronise() {
   std::memmove(frame_, frame_ + from, size_);
 }
 
+std::uint16_t Sbus::channel(unsigned number) const {
+  const unsigned at = 8 + 11 * (number - 1);
+  const std::uint8_t* byte = last_ + at / 8;
+  const std::uint32_t bits = byte[0] | std::uint32_t{byte[1]} << 8 | std::uint32_t{byte[2]} << 16;
+  return static_cast<std::uint16_t>(bits >> at % 8 & 0x7FFU);
+}
+
 void Sbus::decode(std::size_t behind) {
   size_ = 0;
-  const std::uint8_t flags = frame_[kFlagsAt];
-  failsafe_ = (flags & kFailsafe) != 0;
-  if ((flags & (kFrameLost | kFailsafe)) != 0) return;
-  state.right_x = scaled(channel_at(frame_, 1));
-  state.right_y = scaled(channel_at(frame_, 2));
-  state.left_y = scaled(channel_at(frame_, 3));
-  state.left_x = scaled(channel_at(frame_, 4));
-  state.left_switch = switch_of(channel_at(frame_, 5));
-  state.right_switch = switch_of(channel_at(frame_, 6));
-  state.wheel = scaled(channel_at(frame_, 7));
+  ++frames_;
+  std::memcpy(last_, frame_, sizeof last_);
+  if (frame_lost() || failsafe()) return;
+  state.right_x = scaled(channel(1));
+  state.right_y = scaled(channel(2));
+  state.left_y = scaled(channel(3));
+  state.left_x = scaled(channel(4));
+  state.left_switch = switch_of(channel(5));
+  state.right_switch = switch_of(channel(6));
+  state.wheel = scaled(channel(7));
   state.origin = uart_->arrival(behind) - uart_->wire_time(kFrame);
   state.valid = true;
 }

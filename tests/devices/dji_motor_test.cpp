@@ -84,6 +84,12 @@ TEST_CASE_METHOD(Fixture, "feedback becomes angle, speed and torque at the outpu
   CHECK(yaw.state.torque == Approx(-1.5 * 0.741).epsilon(1e-4));
 }
 
+TEST_CASE_METHOD(Fixture, "a C610 tells no temperature: the byte for it is not taken") {
+  receive(feedback(0x205, 4096, 0, 0, 45));
+  CHECK(fifth.state.valid);
+  CHECK(fifth.state.temperature == 0);
+}
+
 TEST_CASE_METHOD(Fixture, "angles count from where the encoder's zero is said to be") {
   const auto first = [&](int reading) {
     DjiGm6020 motor{{3.0F}, yaw_slot};

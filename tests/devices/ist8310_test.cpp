@@ -54,7 +54,7 @@ TEST_CASE_METHOD(Fixture, "IST8310: identity, settings, then the field") {
   CHECK(part.written == std::vector<Bytes>{{0x0B, 0x08}, {0x41, 0x09}, {0x42, 0xC0}, {0x0A, 0x0B}});
   CHECK(compass.state.valid);
   CHECK(compass.state.field[0] == Approx(30e-6));
-  CHECK(compass.state.field[1] == Approx(-30e-6));
+  CHECK(compass.state.field[1] == Approx(30e-6));  // the part counts to the right
   CHECK(compass.state.field[2] == Approx(76.8e-6));
   CHECK(now() - compass.state.origin == (10 + 6) * kMillisecond);  // asked for, and how old it was then
 }
@@ -79,5 +79,20 @@ TEST_CASE_METHOD(Fixture, "IST8310: silence is invalid; a reset part is set up a
   });
   bench::at(400 * kMillisecond, [&] { part.silent = false; });
   bench::run(600 * kMillisecond);
+  CHECK_FALSE(compass.state.valid);
+}
+
+TEST_CASE_METHOD(Fixture, "IST8310: x and y reach to 1600 uT, z to 2500 uT") {
+  const int axis = GENERATE(0, 1, 2);
+  const auto hold = [&](int counts) {
+    part.registers[3 + 2 * axis] = static_cast<std::uint8_t>(counts & 0xFF);
+    part.registers[4 + 2 * axis] = static_cast<std::uint8_t>(counts >> 8);
+  };
+  hold(axis == 2 ? 8333 : 5333);
+  bench::at(101 * kMillisecond, [&] {
+    CHECK(compass.state.valid);
+    hold(axis == 2 ? 8500 : 5500);
+  });
+  bench::run(120 * kMillisecond);
   CHECK_FALSE(compass.state.valid);
 }

@@ -129,6 +129,19 @@ TEST_CASE_METHOD(SbusFixture, "SBUS: channels and switches") {
   CHECK(s.wheel == Approx(-0.5));
 }
 
+TEST_CASE_METHOD(SbusFixture, "SBUS: every channel can be read as it came, also of a frame that is no data") {
+  std::vector<unsigned> channels;
+  for (unsigned n = 1; n <= 16; ++n) channels.push_back(127 * n);
+  receive(sbus_frame(channels, 0x02));
+  receive(sbus_frame(channels, 0x09));
+  CHECK(device.frames() == 2);
+  for (unsigned n = 1; n <= 16; ++n) CHECK(device.channel(n) == 127 * n);
+  CHECK(device.digital(17));
+  CHECK_FALSE(device.digital(18));
+  CHECK(device.failsafe());
+  CHECK_FALSE(device.frame_lost());
+}
+
 TEST_CASE_METHOD(SbusFixture, "SBUS: failsafe and lost frames are no data") {
   receive(sbus_frame({992}, 0x04));
   receive(sbus_frame({992}, 0x08));

@@ -383,8 +383,15 @@ TEST_CASE("the compass answers at its address with its identity, and turns the f
   write({0x03});
   CHECK(read(6) == std::vector<int>{0, 0, 0, 0, 0, 0});  // not measuring yet
   write({0x0A, 0x0B});
+  write({0x02});
+  CHECK(read(1)[0] == 1);
   write({0x03});
-  CHECK(read(6) == std::vector<int>{100, 0, 0xCE, 0xFF, 0, 0});
+  CHECK(read(6) == std::vector<int>{100, 0, 50, 0, 0, 0});  // its y axis points to the right
+  write({0x02});
+  CHECK(read(1)[0] == 0);
+  now += from_ns(5'000'000);
+  write({0x02});
+  CHECK(read(1)[0] == 1);
   part.hold_reset(true);
   CHECK(!line.select(0x0E, false));
 }

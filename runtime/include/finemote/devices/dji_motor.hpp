@@ -14,11 +14,13 @@ struct DjiMotorKind {
   std::int16_t full;        ///< command word for `full_current`
   float full_current;       ///< A
   float torque_per_ampere;  ///< N m at the rotor's side of the gear
+  bool tells_temperature;   ///< else the byte for it means nothing
 };
 
 /// Common to all kinds; use DjiM3508, DjiM2006 or DjiGm6020.
 ///
-/// Feedback comes by itself, 1000 times a second: rotor angle 0..8191, speed [rpm], current, temperature. The state's
+/// Feedback comes by itself, 1000 times a second: rotor angle 0..8191, speed [rpm], current and, but of a C610, the
+/// temperature. The state's
 /// origin is when the last frame was made at the earliest; 20 ms without one, or with impossible values, make it
 /// invalid and the motor unreachable. The angle counts turns, helped by the speed where more than half a turn passes
 /// between two updates; the first one is within half a turn of the rotor either way of where the encoder's zero is said
@@ -61,9 +63,9 @@ class DjiMotor {
 };
 
 namespace detail {
-inline constexpr DjiMotorKind kC620{16384, 20, 0.3F * 187 / 3591};
-inline constexpr DjiMotorKind kC610{10000, 10, 0.18F / 36};
-inline constexpr DjiMotorKind kGm6020{16384, 3, 0.741F};
+inline constexpr DjiMotorKind kC620{16384, 20, 0.3F * 187 / 3591, true};
+inline constexpr DjiMotorKind kC610{10000, 10, 0.18F / 36, false};
+inline constexpr DjiMotorKind kGm6020{16384, 3, 0.741F, true};
 }  // namespace detail
 
 }  // namespace finemote

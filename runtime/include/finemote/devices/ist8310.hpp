@@ -13,7 +13,8 @@ namespace finemote {
 /// iSentek IST8310, 0.3 uT per step. Every update() takes the read of the one before and starts the next; the origin is
 /// when that read began, less the longest age of what it brings. Identity and settings are written first, with
 /// `valid = false`. Three failed transfers in a row, or three readings beyond the part's range, lead to a new bring-up.
-/// The field is in the axes of the robot, wherever the URDF says the part's own link points.
+/// The part's own axes are x and z as its data sheet draws them, and y to the left, against the drawing, so that they
+/// are right-handed. The field is in the axes of the robot, wherever the URDF says the part's own link points.
 class Ist8310 {
  public:
   /// @param mount  takes the part's axes to those wanted; null: they are the same

@@ -43,12 +43,26 @@ class Ms5837 {
   struct Calibration {
     std::uint16_t c[7] = {};  ///< c[0] holds CRC and version
   };
+  /// What the temperature alone decides, in the data sheets' words and units.
+  struct FirstOrder {
+    std::int64_t dt;           ///< dT, from the reference temperature
+    std::int64_t temperature;  ///< TEMP [0.01 degrees Celsius]
+    std::int64_t offset, sensitivity;
+  };
+  /// d2: 24-bit result of the temperature.
+  static FirstOrder first_order(Variant variant, const Calibration& calibration, std::uint32_t d2);
+  /// 02BA: 0.01 mbar; 30BA: 0.1 mbar. d1: 24-bit result of the pressure.
+  static std::int32_t pressure(Variant variant, std::uint32_t d1, std::int64_t offset, std::int64_t sensitivity);
+
   struct Compensated {
     std::int32_t temperature;  ///< 0.01 degrees Celsius
-    std::int32_t pressure;     ///< 02BA: 0.01 mbar; 30BA: 0.1 mbar
+    std::int32_t pressure;     ///< as pressure()
   };
-  /// First and second order compensation, in 64 bits throughout. d1, d2: 24-bit results of pressure and temperature.
+  /// First and second order compensation, in 64 bits throughout.
   static Compensated compensate(Variant variant, const Calibration& calibration, std::uint32_t d1, std::uint32_t d2);
+
+  /// What the last bring-up has read of it.
+  [[nodiscard]] const Calibration& calibration() const { return calibration_; }
 
   /// CRC-4 of the seven words (bits 15..12 of word 0 do not count); to be compared with those bits.
   static std::uint8_t crc4(const Calibration& calibration);

@@ -27,10 +27,22 @@ class Sbus {
   RemoteState state;
 
   [[nodiscard]] std::uint32_t bad_frames() const { return bad_frames_; }
-  /// The receiver has lost its transmitter and says so.
-  [[nodiscard]] bool failsafe() const { return failsafe_; }
+  /// Frames with both ends right, whatever their flags say; wraps.
+  [[nodiscard]] std::uint32_t frames() const { return frames_; }
+  /// Of the last of them: the receiver has lost its transmitter and says so.
+  [[nodiscard]] bool failsafe() const { return (flags() & kFailsafe) != 0; }
+  /// It has not heard the frame it should send now.
+  [[nodiscard]] bool frame_lost() const { return (flags() & kFrameLost) != 0; }
+  /// Channel 1..16 as on the wire, 0..2047.
+  [[nodiscard]] std::uint16_t channel(unsigned number) const;
+  /// Channel 17 or 18, which is on or off.
+  [[nodiscard]] bool digital(unsigned number) const { return (flags() >> (number - 17) & 1U) != 0; }
 
  private:
+  static constexpr std::size_t kFlagsAt = 23;
+  static constexpr std::uint8_t kFrameLost = 0x04, kFailsafe = 0x08;
+
+  [[nodiscard]] std::uint8_t flags() const { return last_[kFlagsAt]; }
   /// @param behind  bytes that arrived together behind it
   void take(std::uint8_t byte, std::size_t behind);
   void decode(std::size_t behind);
@@ -41,8 +53,8 @@ class Sbus {
   Uart* uart_;
   std::uint8_t frame_[kFrame]{};
   std::size_t size_ = 0;
-  bool failsafe_ = false;
-  std::uint32_t bad_frames_ = 0;
+  std::uint8_t last_[kFlagsAt + 1]{};  ///< begin of the last whole frame
+  std::uint32_t frames_ = 0, bad_frames_ = 0;
 };
 
 }  // namespace finemote

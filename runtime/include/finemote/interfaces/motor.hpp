@@ -9,7 +9,7 @@ struct MotorState : Stamp {
   float angle = 0;        ///< rad at the output shaft, continuous
   float speed = 0;        ///< rad/s at the output shaft
   float torque = 0;       ///< N m at the output shaft
-  float temperature = 0;  ///< degrees Celsius
+  float temperature = 0;  ///< degrees Celsius; 0 where the motor does not tell it
   bool unreachable = false;
 };
 
