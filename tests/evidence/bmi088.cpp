@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "emulator/parts/bmi088.hpp"
-#include "tests/devices/bench.hpp"
+#include "finemote/bench/bench.hpp"
 #include "tests/evidence/decoders.hpp"
 
 namespace finemote::evidence {

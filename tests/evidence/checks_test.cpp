@@ -1,6 +1,7 @@
 // Holds evidence_test to what it says: every field is compared, every explanation is needed, the page shows it all.
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <set>
 
@@ -101,6 +102,20 @@ TEST_CASE("a field or a key that nobody knows is said so") {
   other = *basic;
   other.protocol = "morse";
   CHECK(judge(other).text() == "no-decoder");
+}
+
+TEST_CASE("a vector that is not as the format says is said so, and the others are judged") {
+  const auto folder = std::filesystem::temp_directory_path() / "finemote_evidence_checks";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "c610.json") << R"([
+    {"name": "odd", "bytes": "0g", "can_id": "0x201", "expected": {"angle_raw": 1}},
+    {"name": "kind", "bytes": "03e8ff9c00642b00", "can_id": "0x201", "expected": {"angle_unwrapped_raw": {"a": 1}}},
+    {"name": "key", "octets": "03e8ff9c00642b00", "can_id": "0x201", "expected": {}},
+    {"name": "good", "bytes": "03e8ff9c00642b00", "can_id": "0x201", "expected": {"angle_raw": 1000}}])";
+  std::vector<std::string> texts;
+  for (const Vector& vector : read_vectors(folder)) texts.push_back(judge(vector).text());
+  CHECK(texts == std::vector<std::string>{"unknown-field", "differs", "unknown-field", "agree"});
+  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("every explanation is needed by a vector") {

@@ -1,8 +1,7 @@
 // H30: bytes to acceleration, rates and attitude, and the part model's frame of the same attitude.
 #include "finemote/devices/h30_imu.hpp"
 
-#include <cmath>
-#include <numbers>
+#include <algorithm>
 
 #include "emulator/parts/h30.hpp"
 #include "tests/evidence/decoders.hpp"
@@ -60,8 +59,8 @@ Findings decode_h30(const Vector& vector) {
   findings.put({"skip"}, static_cast<double>(first));
   // Where the frame begins, the driver has said; its length byte is the fifth.
   const Bytes& burst = vector.bursts[last.burst].bytes;
-  const auto begin = burst.begin() + last.first;
-  const std::size_t payload = last.first >= 0 && burst.end() - begin > 4 ? begin[4] : 0;
+  const auto begin = burst.begin() + std::max<std::ptrdiff_t>(last.first, 0);
+  const std::size_t payload = burst.end() - begin > 4 ? begin[4] : 0;
   findings.put({"payload_length"}, static_cast<double>(payload));
   findings.put({"frame_length"}, static_cast<double>(payload + kAround));
   const bool whole = burst.end() - begin >= static_cast<std::ptrdiff_t>(payload + kAround);

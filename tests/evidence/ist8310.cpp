@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "emulator/parts/ist8310.hpp"
-#include "tests/devices/bench.hpp"
+#include "finemote/bench/bench.hpp"
 #include "tests/evidence/decoders.hpp"
 #include "tests/evidence/i2c_replay.hpp"
 

@@ -55,7 +55,7 @@ class Comparison {
   Comparison(const Vector& vector, const Findings& findings) : vector_(vector), findings_(findings) {}
 
   Judgement result() {
-    for (const std::string& key : vector_.unknown_keys) unknown(key);
+    for (const std::string& key : vector_.unknown_keys) not_known(key);
     if (findings_.refused() && is_taken_by_source()) {
       differs("accepted", {1}, {0}, "refused");
     } else {
@@ -124,8 +124,11 @@ class Comparison {
 
   void unknown(const std::string& field) {
     if (findings_.refused()) return differs(field, {}, {}, "the frame was refused");
+    not_known(field);
+  }
+  void not_known(const std::string& name) {
     unknown_ = true;
-    judgement_.remarks.push_back(field + ": nothing of ours has this name");
+    judgement_.remarks.push_back(name + ": nothing of ours has this name");
   }
 
   void differs(const std::string& field, const std::vector<double>& wanted, const std::vector<double>& found,
@@ -179,7 +182,11 @@ Decoder decoder_of(const std::string& protocol) {
 Judgement judge(const Vector& vector) {
   const Decoder decoder = decoder_of(vector.protocol);
   if (decoder == nullptr) return {Verdict::no_decoder, {}, {}, {}};
-  return Comparison(vector, decoder(vector)).result();
+  try {
+    return Comparison(vector, decoder(vector)).result();
+  } catch (const Json::exception& error) {  // a field of another kind than those of this name
+    return {Verdict::unknown_field, {}, {}, {error.what()}};
+  }
 }
 
 }  // namespace finemote::evidence

@@ -3,15 +3,15 @@
 
 #include <cmath>
 
+#include "finemote/bench/bench.hpp"
 #include "finemote/uart.hpp"
-#include "tests/devices/bench.hpp"
 #include "tests/evidence/vectors.hpp"
 
 namespace finemote::evidence {
 
 /// A frame that the device took, as the bytes of the vector.
 struct Taken {
-  std::size_t burst = 0;     ///< the last one that had begun by then
+  std::size_t burst = 0;     ///< in which it begins
   Time begin = 0;            ///< of the frame, from the vector's begin
   std::ptrdiff_t first = 0;  ///< index of its first byte in the burst
 };
@@ -51,10 +51,10 @@ class Line {
 
   Taken taken(const Vector& vector) const {
     Taken frame;
-    for (std::size_t i = 0; i < vector.bursts.size(); ++i) {
-      if (kBegin + vector.bursts[i].at < now()) frame.burst = i;
-    }
     frame.begin = device_.state.origin - kBegin;
+    for (std::size_t i = 0; i < vector.bursts.size(); ++i) {
+      if (vector.bursts[i].at <= frame.begin + byte_time() / 2) frame.burst = i;
+    }
     frame.first = std::lround(static_cast<double>(frame.begin - vector.bursts[frame.burst].at) /
                               static_cast<double>(byte_time()));
     return frame;

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "emulator/parts/ms5837.hpp"
-#include "tests/devices/bench.hpp"
+#include "finemote/bench/bench.hpp"
 #include "tests/evidence/decoders.hpp"
 #include "tests/evidence/i2c_replay.hpp"
 

@@ -11,7 +11,11 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string text(const Json& object, const char* key) {
-  return object.contains(key) ? object.at(key).get<std::string>() : std::string();
+  return object.contains(key) && object.at(key).is_string() ? object.at(key).get<std::string>() : std::string();
+}
+
+unsigned number_in(const Json& value) {
+  return value.is_string() ? number_of(value.get<std::string>()) : value.get<unsigned>();
 }
 
 std::vector<std::uint16_t> words_of(const Json& list) { return list.get<std::vector<std::uint16_t>>(); }
@@ -22,7 +26,7 @@ Exchange exchange_of(const Json& entry, std::vector<std::string>& unknown) {
     if (key == "cs") {
       exchange.select = value.get<std::string>();
     } else if (key == "address") {
-      exchange.address = number_of(value.get<std::string>());
+      exchange.address = number_in(value);
     } else if (key == "write") {
       exchange.written = bytes_of(value.get<std::string>());
     } else if (key == "read") {
@@ -42,6 +46,26 @@ Exchange exchange_of(const Json& entry, std::vector<std::string>& unknown) {
   return exchange;
 }
 
+/// False: there is no such key.
+bool take(Vector& vector, const std::string& key, const Json& value) {
+  constexpr const char* kOthers[] = {"name", "origin", "source", "commit", "licence", "decoder", "note"};
+  if (key == "bytes") {
+    vector.bursts.push_back({0, bytes_of(value.get<std::string>())});
+  } else if (key == "series") {
+    for (const Json& burst : value)
+      vector.bursts.push_back({burst.at(0).get<std::int64_t>(), bytes_of(burst.at(1).get<std::string>())});
+  } else if (key == "transactions") {
+    for (const Json& exchange : value) vector.exchanges.push_back(exchange_of(exchange, vector.unknown_keys));
+  } else if (key == "can_id") {
+    vector.can_id = number_in(value);
+  } else if (key == "expected") {
+    vector.expected = value;
+  } else {
+    return std::find(std::begin(kOthers), std::end(kOthers), key) != std::end(kOthers);
+  }
+  return true;
+}
+
 Vector vector_of(const std::string& protocol, const Json& entry) {
   Vector vector;
   vector.protocol = protocol;
@@ -51,20 +75,10 @@ Vector vector_of(const std::string& protocol, const Json& entry) {
   vector.commit = text(entry, "commit");
   vector.licence = text(entry, "licence");
   for (const auto& [key, value] : entry.items()) {
-    if (key == "bytes") {
-      vector.bursts.push_back({0, bytes_of(value.get<std::string>())});
-    } else if (key == "series") {
-      for (const Json& burst : value)
-        vector.bursts.push_back({burst.at(0).get<std::int64_t>(), bytes_of(burst.at(1).get<std::string>())});
-    } else if (key == "transactions") {
-      for (const Json& exchange : value) vector.exchanges.push_back(exchange_of(exchange, vector.unknown_keys));
-    } else if (key == "can_id") {
-      vector.can_id = number_of(value.get<std::string>());
-    } else if (key == "expected") {
-      vector.expected = value;
-    } else if (key != "name" && key != "origin" && key != "source" && key != "commit" && key != "licence" &&
-               key != "decoder" && key != "note") {
-      vector.unknown_keys.push_back(key);
+    try {
+      if (!take(vector, key, value)) vector.unknown_keys.push_back(key);
+    } catch (const std::exception& error) {
+      vector.unknown_keys.push_back(key + " (" + error.what() + ")");
     }
   }
   return vector;

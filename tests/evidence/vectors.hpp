@@ -38,14 +38,14 @@ struct Vector {
   std::vector<Exchange> exchanges;  ///< where the file has `transactions`
   std::optional<unsigned> can_id;
   Json expected = Json::object();
-  std::vector<std::string> unknown_keys;  ///< what the format does not have
+  std::vector<std::string> unknown_keys;  ///< what the format does not have, or not like that
 
   /// All bytes of all bursts.
   [[nodiscard]] Bytes bytes() const;
 };
 
 /// The vectors of every *.json of a folder, by file and in the order of the file.
-/// @throws std::runtime_error  no such folder, no JSON, or hexadecimal text that is none
+/// @throws std::runtime_error  no such folder, or no JSON
 std::vector<Vector> read_vectors(const std::filesystem::path& folder);
 
 /// @throws std::runtime_error
