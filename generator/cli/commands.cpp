@@ -98,6 +98,18 @@ Table options_of_check() {
                dump()});
 }
 
+Table options_of_init() {
+  return {{"DIR", &Options::input, "folder of the project; created if missing", kRequired},
+          {"--board", &Options::board, "board of the robot that is written"},
+          {"--from", &Options::from, "a robot of yours, which is copied with what it reads"},
+          {"--example", &Options::example, "a robot of the examples, by name", kOptional, nullptr, "--from"}};
+}
+
+Table options_of_scaffold() {
+  return {{"NAME", &Options::input, "name of the new type or board", kRequired},
+          {"-o,--output", &Options::out, "folder; without it src of a project that init wrote, else this one"}};
+}
+
 Table options_of_board_sources() {
   return {{"BOARD", &Options::input, "name of a board", kRequired},
           {"-o,--output", &Options::out, "folder: runtime/boards/BOARD/generated", kRequired},
@@ -182,6 +194,10 @@ Table options_of_simulate() {
 
 std::vector<Command> make_commands() {
   return {
+      {"init", "write a project around a robot, which builds at once", options_of_init(), run_init},
+      {"scaffold device", "write the first lines of a device type: descriptor, header, test", options_of_scaffold(),
+       run_scaffold_device},
+      {"scaffold board", "write the first lines of a board file", options_of_scaffold(), run_scaffold_board},
       {"generate", "write the firmware sources of a robot", options_of_generate(), run_generate, arguments_footer},
       {"check", "say whether generated files are what would be generated now", options_of_check(), run_check,
        arguments_footer},
@@ -246,6 +262,7 @@ const Command& command_named(std::string_view name) {
 }
 
 const char* group_summary(std::string_view word) {
+  if (word == "scaffold") return "write the first lines of a device type or a board";
   if (word == "board") return "show boards, and make their sources";
   throw std::logic_error("no commands below " + std::string(word));
 }

@@ -37,6 +37,9 @@ Answer run_generate(const Options& options, Sources& sources, Diagnostics& diagn
 Answer run_check(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_tree(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_board_show(const Options& options, Sources& sources, Diagnostics& diagnostics);
+Answer run_init(const Options& options, Sources& sources, Diagnostics& diagnostics);
+Answer run_scaffold_device(const Options& options, Sources& sources, Diagnostics& diagnostics);
+Answer run_scaffold_board(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_board_sources(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_diff(const Options& options, Sources& sources, Diagnostics& diagnostics);

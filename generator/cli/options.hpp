@@ -42,6 +42,8 @@ struct Options {
   bool force = false;  ///< generate --force
   bool allow_unschedulable = false;
   bool diff = false;
+  std::string from;                 ///< init --from
+  std::string example;              ///< init --example
   std::string duration;             ///< --duration
   bool flash_misses = false;        ///< --flash miss: fetches from the emulated flash are never there already
   std::string keep;                 ///< --keep: folder for the sources and build of `run`

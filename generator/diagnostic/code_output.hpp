@@ -16,5 +16,7 @@ inline constexpr Code output_orphan{5011};        // check: a generated file tha
 inline constexpr Code file_not_editable{5012};    // lint --fix: standard input, another encoding, or changed meanwhile
 inline constexpr Code output_is_input{5013};      // a file that was read would be overwritten
 inline constexpr Code output_twice{5014};         // two outputs are one file
+inline constexpr Code file_exists{5015};          // init, scaffold: a file they would write is there
+inline constexpr Code robot_not_whole{5016};      // init: the robot reads what is not below its folder
 
 }  // namespace finemote::gen::code

@@ -80,6 +80,12 @@ Steps plan_steps(const Folder& folder, const Output& output) {
   return steps;
 }
 
+/// Whether a file begins as generated sources do: a merge of two branches may have put it there.
+bool is_generated(const fs::path& path) {
+  const auto text = read_bytes(path.string());
+  return text && text->rfind(kGeneratedHeader, 0) == 0;
+}
+
 void report(const Folder& folder, std::vector<Obstacle> obstacles, const std::string& way_out, Sources& sources,
             Diagnostics& diagnostics) {
   std::sort(obstacles.begin(), obstacles.end(), [](const Obstacle& a, const Obstacle& b) { return a.name < b.name; });
@@ -90,7 +96,12 @@ void report(const Folder& folder, std::vector<Obstacle> obstacles, const std::st
         fmt::format("'{}' {} and would be {}", obstacle.name,
                     obstacle.was_ours ? "was edited since finemote wrote it" : "was not written by finemote",
                     obstacle.is_removed ? "removed" : "overwritten"));
-    if (&obstacle == &obstacles.back()) finding.hint(way_out);
+    if (&obstacle != &obstacles.back()) continue;
+    const bool all_generated = std::all_of(obstacles.begin(), obstacles.end(),
+                                           [&](const Obstacle& o) { return is_generated(folder.root / o.name); });
+    const std::string path_of_folder = folder.root.generic_string();
+    if (all_generated) finding.hint(fmt::format("after a merge: rm -r '{}', then generate again", path_of_folder));
+    finding.hint(way_out);
   }
 }
 

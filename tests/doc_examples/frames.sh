@@ -324,6 +324,15 @@ frame_FM5001() { any_robot; finemote generate robot.urdf -o out; [ $which = Righ
 frame_FM5002() { any_robot; mkdir elsewhere; ln -s elsewhere out; eval "$example"; }
 frame_FM5013() { xacro_robot '<link name="base_link"/>'; eval "$example"; }
 frame_FM5014() { any_robot; eval "$example"; }
+frame_FM5015() { eval "$example"; }
+frame_FM5016() {
+  mkdir -p robots parts
+  xacro_robot '<xacro:include filename="parts/wheel.xacro"/><link name="base_link"/><finemote version="1"><board name="robomaster_type_c"/><device name="load" type="sim_load" period="10ms"/></finemote>'
+  mv robot.urdf.xacro rover.urdf.xacro
+  sed 's|parts/|../parts/|' rover.urdf.xacro >robots/rover.urdf.xacro
+  echo '<robot/>' >parts/wheel.xacro
+  eval "$example"
+}
 frame_FM5003() {
   any_robot
   sed 's/rover/a/' robot.urdf >a.urdf

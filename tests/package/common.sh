@@ -2,7 +2,7 @@
 set -euo pipefail
 prefix=$(realpath "$1")
 work=$2
-here=$(dirname "${BASH_SOURCE[0]}")
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 PATH=$prefix/bin:$PATH
 toolchain=$prefix/share/finemote/cmake/toolchain-arm-none-eabi.cmake
 export CCACHE_BASEDIR=  # paths stay as they are in a build without ccache
