@@ -86,18 +86,23 @@ void CanBus::on_frame(const CanFrame& frame, Moment arrival) {
 /// All are taken as long as they can be.
 Time CanBus::busy_since(Moment arrival) {
   Time since = arrival.earliest - longest_frame_;
-  since = received_.reach(sent_.reach(received_.reach(since)));
+  since = received_.reach(since);
+  for (const Busy& sent : sent_) since = sent.reach(since);
+  since = received_.reach(since);
   received_ = {since, arrival.latest};
   const unsigned unsent = port_->unsent();  // they may follow at once
-  if (unsent > 0) sent_.last_to(arrival.latest + static_cast<std::int32_t>(unsent) * longest_frame_);
+  if (unsent > 0) sent_[0].last_to(arrival.latest + static_cast<std::int32_t>(unsent) * longest_frame_);
   return since;
 }
 
 /// @param at  when the routine that sends began
 bool CanBus::send(const CanFrame& frame, Time at) {
   if (!port_->send(frame)) return false;
-  if (at > sent_.until) sent_ = {at, at + kLongestRoutine};
-  sent_.until += longest_frame_;
+  if (at > sent_[0].until) {
+    for (unsigned i = kSentKept - 1; i > 0; --i) sent_[i] = sent_[i - 1];
+    sent_[0] = {at, at + kLongestRoutine};
+  }
+  sent_[0].until += longest_frame_;
   ++counters_.transfers;
   return true;
 }

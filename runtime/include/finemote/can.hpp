@@ -144,6 +144,8 @@ class CanBus {
     [[nodiscard]] constexpr Time reach(Time at) const { return at <= until ? oldest(at, since) : at; }
     constexpr void last_to(Time at) { until = until < at ? at : until; }
   };
+  /// Frames of ours may begin twice while the end of a received one waits for its routine: what was sent before counts.
+  static constexpr unsigned kSentKept = 3;
 
   /// A command frame of eight bytes that several devices fill.
   struct Group {
@@ -170,7 +172,8 @@ class CanBus {
   std::uint8_t count_;
   std::int64_t bitrate_;
   std::int32_t longest_frame_;  ///< ns
-  Busy received_, sent_;
+  Busy received_;
+  Busy sent_[kSentKept];  ///< the last one first
   bool recovering_ = false;
   Time try_again_ = 0;  ///< a recovery that has not ended by then is begun anew
   Group groups_[kGroups];

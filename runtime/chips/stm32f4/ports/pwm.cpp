@@ -36,6 +36,12 @@ std::uint32_t counts(const PwmSetup& setup, std::uint32_t ns) {
   return ns / unit * kCounts + ns % unit * kCounts / unit;
 }
 
+/// Counts of a nanosecond in parts of 2^32, rounded down.
+constexpr std::uint32_t scale(std::uint32_t unit) {
+  return static_cast<std::uint32_t>((std::uint64_t{kCounts} << 32) / unit);
+}
+static_assert(kCounts < kNanoseconds2 && kCounts < kNanoseconds1);
+
 /// Prescaler and period of a repetition.
 struct Division {
   std::uint32_t divider;  ///< the smallest with which the period fits 16 bits
@@ -50,8 +56,7 @@ Division divide(const PwmSetup& setup, std::uint32_t period) {
 
 void remember(PwmHardware& hardware, const Division& division) {
   hardware.top = division.top;
-  hardware.scale =
-      static_cast<std::uint32_t>((std::uint64_t{kCounts} << 32) / nanoseconds(hardware.setup) / division.divider);
+  hardware.scale = (hardware.setup.is_on_apb1() ? scale(kNanoseconds1) : scale(kNanoseconds2)) / division.divider;
 }
 
 /// A channel has a byte of CCMR and a nibble of CCER, whose lowest bit turns the output on: RM0090 17.4.7, 17.4.9.
