@@ -38,6 +38,8 @@ class Usart : public Peripheral {
   /// Bytes arrive from outside, one after another from now on (after those already on their way). The last one carries
   /// `sample`, unless one of them is damaged or lost on its way: what is parsed has come whole.
   void send_in(const std::vector<std::uint8_t>& bytes, const SerialFormat& format, Tag sample = Tag::none);
+  /// Bytes from outside are still on their way.
+  [[nodiscard]] bool is_receiving() const { return in_free_at_ > world_.now(); }
   /// A byte has left the chip; the time is that of its last stop bit.
   std::function<void(WireByte)> on_sent;
 

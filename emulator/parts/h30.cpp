@@ -50,7 +50,7 @@ H30::H30(World& world, Usart& usart, const SerialFormat& format, Time period, Ti
 
 void H30::send() {
   world_.after(period_, [this] { send(); });
-  if (silent) return;
+  if (silent || usart_.is_receiving()) return;
   std::vector<std::uint8_t> frame = h30_frame(number_++, attitude_(world_.now()));
   Tag sample = on_sample ? on_sample() : Tag::none;
   if (damaged_frames != 0) {

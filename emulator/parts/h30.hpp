@@ -20,6 +20,7 @@ struct Attitude {
 /// The bytes of one frame: 0x59 0x53, number, length, records, two sums.
 std::vector<std::uint8_t> h30_frame(std::uint16_t number, const Attitude& attitude);
 
+/// A frame that is due while the one before is still on its way is left out: the line is too slow for the rate.
 class H30 {
  public:
   /// @param period  between the beginnings of two frames; the first begins after `phase`

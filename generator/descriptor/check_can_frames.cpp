@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "generator/bus/bus_type.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -112,10 +114,32 @@ class SharedCheck {
   std::vector<SharedFrame> seen_;
 };
 
+/// The driver of a CAN bus sees a frame only if its identifier is received, and what it does not see keeps the bus busy
+/// behind its back: then nobody knows since when another one waited.
+void check_streams(const DeviceType& type, const Contradictions& found) {
+  const bool is_on_can =
+      std::any_of(type.buses.begin(), type.buses.end(), [](BusKind kind) { return bus_type(kind).is_arbitrated; });
+  if (!is_on_can || !type.frames) return;
+  std::uint64_t left = 0;
+  for (const Identifiers& entry : type.receives) left += entry.count;
+  for (std::size_t i = 0; i < type.frames->size(); ++i) {
+    if ((*type.frames)[i].stage != FrameStage::autonomous) continue;
+    if (left > 0) {
+      --left;
+      continue;
+    }
+    found.add({"frames", std::to_string(i), "stage"},
+              "the part sends this frame by itself, and \"receives\" has no identifier for it: the driver of a CAN bus "
+              "stamps frames by all that keep it busy");
+    return;
+  }
+}
+
 }  // namespace
 
 void check_can_frames(const DeviceType& type, const Contradictions& found) {
   ReceivedCheck(type, found).run();
+  check_streams(type, found);
   SharedCheck shared(found);
   for (std::size_t i = 0; type.frames && i < type.frames->size(); ++i) shared.check((*type.frames)[i], i);
 }

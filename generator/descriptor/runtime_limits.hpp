@@ -19,8 +19,10 @@ inline constexpr std::size_t kBuckets = 11;
 /// runtime/chips/cortex_m4/release.cpp. With more it plans each anew.
 inline constexpr std::size_t kReleaseInstants = 6;
 
-/// Bytes that the ring of a serial line keeps until update() reads them: UartRing of the boards.
-inline constexpr std::int64_t kReceiveRingBytes = 256;
+/// Bytes of the ring that keeps what a serial line receives until update() reads it, finemote::UartRing: at least and
+/// at most, both a power of two. Each lap of it interrupts: `min_frame_bits` of `rx_dma` in the chip's file is the
+/// least.
+inline constexpr std::int64_t kLeastReceiveRing = 256, kMostReceiveRing = 4096;
 
 /// Filter banks of a CAN controller, and what one of them accepts: bxCAN in RM0090 32.7.4.
 inline constexpr std::size_t kCanFilterBanks = 14, kCanIdsPerBank = 4, kCanBlocksPerBank = 2;

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/bus/bus_type.hpp"
+#include "generator/descriptor/runtime_limits.hpp"
 #include "generator/emit/can_fields.hpp"
 #include "generator/emit/config.hpp"
 #include "generator/emit/pin_fields.hpp"
@@ -104,6 +107,9 @@ std::string format_name(const std::string& format) {
   return mark == std::string::npos ? format : format.substr(0, mark) + "Inverted";
 }
 
+/// Serial lines receive into a ring.
+bool has_ring(const Bus& bus) { return bus_type(bus.kind).port_class == PortClass::uart; }
+
 Data bus_fields(const Plan& plan, BusId index) {
   const Bus& bus = plan.robot.buses[index];
   const BusType& type = bus_type(bus.kind);
@@ -123,7 +129,10 @@ Data bus_fields(const Plan& plan, BusId index) {
   data.set("has_slots", !slots_of(plan, index).empty());
   data.set("has_format", type.has_line_format);
   data.set("format", format_name(line_format(plan, index)));
+  data.set("has_ring", has_ring(bus));
+  data.set("ring", std::to_string(receive_ring(plan.robot, index)));
   data.set("events", std::to_string(line_events(plan.robot, index)));
+  data.set("bytes", std::to_string(std::min(received_bytes(plan.robot, index), runtime_limits::kMostReceiveRing)));
   data.set("starts", type.bus_class.starts);
   data.set("is_supervised", type.bus_class.supervised);
   return data;
@@ -161,6 +170,8 @@ Data expander_list(const Plan& plan) {
 }
 
 void set_buses(const Plan& plan, Data& data) {
+  const auto& buses = plan.robot.buses;
+  data.set("has_rings", std::any_of(buses.begin(), buses.end(), [](const Bus& bus) { return has_ring(bus); }));
   data.set("buses", bus_list(plan));
   data.set("expanders", expander_list(plan));
   data.set("has_slots", !plan.schedule.slots.empty());

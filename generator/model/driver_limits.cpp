@@ -1,5 +1,6 @@
 // What a port or its driver cannot do for the devices on it: FM3078 (an inverted line), FM3080 (more command frames
-// than a CAN bus holds), FM3083 (more devices or identifiers than a bus serves). The firmware would stop at its start,
+// than a CAN bus holds), FM3083 (more devices, identifiers or bytes than a bus
+// serves). The firmware would stop at its start,
 // or be silent.
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include "generator/model/offers.hpp"
 #include "generator/model/reading.hpp"
 #include "generator/model/shared_frame.hpp"
+#include "generator/model/streamed_frames.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -159,6 +161,20 @@ void check_counts(Reading& reading) {
   }
 }
 
+/// What a serial line brings from one look of its device to the next is kept until then.
+void check_rings(Reading& reading) {
+  const Robot& robot = reading.robot;
+  for (const BusId i : robot.buses.ids()) {
+    if (!bus_type(robot.buses[i].kind).has_two_lines) continue;
+    if (received_bytes(robot, i) <= runtime_limits::kMostReceiveRing) continue;
+    at_tag(reading.diagnostics, code::bus_full, *reading.tags.buses[i],
+           fmt::format("bus '{}' may bring more than {} bytes before its device reads them", robot.buses[i].name.text,
+                       runtime_limits::kMostReceiveRing))
+        .note("two updates are up to two periods apart, and its driver keeps no more")
+        .hint("give its device a shorter period");
+  }
+}
+
 }  // namespace
 
 void check_driver_limits(Reading& reading) {
@@ -167,6 +183,7 @@ void check_driver_limits(Reading& reading) {
   check_frames(reading);
   check_filters(reading);
   check_counts(reading);
+  check_rings(reading);
 }
 
 }  // namespace finemote::gen

@@ -9,24 +9,30 @@ namespace finemote::gen {
 namespace {
 
 std::int64_t frames_in(const Robot& robot, const Device& device, const Frame& frame, Duration window) {
-  const std::int64_t kept = runtime_limits::kReceiveRingBytes / std::max<std::int64_t>(frame.read_bytes, 1) + 1;
+  const std::int64_t kept = runtime_limits::kMostReceiveRing / std::max<std::int64_t>(frame.read_bytes, 1) + 1;
   const std::optional<Duration> interval = shortest_interval(robot, device, frame);
   return interval ? std::min(floor_div(window, *interval) + 1, kept) : kept;
 }
 
-}  // namespace
-
-std::int64_t frames_in(const Robot& robot, const Device& device, Duration window) {
+/// Over all frames that a part of the device sends by itself.
+template <typename Count>
+std::int64_t sum_over_streams(const Device& device, const Count& count) {
   std::int64_t sum = 0;
   if (device.type == nullptr || !device.type->frames) return sum;
   for (const Frame& frame : *device.type->frames) {
-    if (frame.stage == FrameStage::autonomous) sum += frames_in(robot, device, frame, window);
+    if (frame.stage == FrameStage::autonomous) sum += count(frame);
   }
   return sum;
 }
 
-std::int64_t line_events(const Robot& robot, BusId line) {
-  constexpr std::int64_t kUsual = 16;  // of a part of which nobody says what it sends
+/// From one look of update() to the next while every job ends in its period.
+Duration longest_look(const Device& device) {
+  return device.period > floor_div(Duration::max(), 2) ? Duration::max() : 2 * device.period;
+}
+
+/// Of the devices on a line: `usual` for one whose count is 0, and 0 without any.
+template <typename Count>
+std::int64_t most_on_line(const Robot& robot, BusId line, std::int64_t usual, const Count& count) {
   const auto is_there = [&](std::optional<SegmentId> segment) {
     return segment && robot.segments[*segment].bus == line;
   };
@@ -35,15 +41,41 @@ std::int64_t line_events(const Robot& robot, BusId line) {
     const bool uses =
         std::any_of(device.uses.begin(), device.uses.end(), [&](const Use& use) { return is_there(use.segment); });
     if (!uses && !is_there(device.segment)) continue;
-    const std::int64_t frames = most_frames(robot, device);
-    most = std::max(most, frames > 0 ? frames : kUsual);
+    const std::int64_t counted = count(device);
+    most = std::max(most, counted > 0 ? counted : usual);
   }
   return most;
 }
 
+}  // namespace
+
+std::int64_t frames_in(const Robot& robot, const Device& device, Duration window) {
+  return sum_over_streams(device, [&](const Frame& frame) { return frames_in(robot, device, frame, window); });
+}
+
+std::int64_t line_events(const Robot& robot, BusId line) {
+  constexpr std::int64_t kUsual = 16;  // of a part of which nobody says what it sends
+  return most_on_line(robot, line, kUsual, [&](const Device& device) { return most_frames(robot, device); });
+}
+
+std::int64_t received_bytes(const Robot& robot, BusId line) {
+  constexpr std::int64_t kUsual = 256;
+  return most_on_line(robot, line, kUsual, [&](const Device& device) {
+    return sum_over_streams(device, [&](const Frame& frame) {
+      return frames_in(robot, device, frame, longest_look(device)) * frame.read_bytes;
+    });
+  });
+}
+
+std::int64_t receive_ring(const Robot& robot, BusId line) {
+  std::int64_t size = runtime_limits::kLeastReceiveRing;
+  const std::int64_t needed = std::min(received_bytes(robot, line), runtime_limits::kMostReceiveRing);
+  while (size < needed) size *= 2;
+  return size;
+}
+
 std::int64_t most_frames(const Robot& robot, const Device& device) {
-  if (device.period > floor_div(Duration::max(), 2)) return frames_in(robot, device, Duration::max());
-  return frames_in(robot, device, 2 * device.period);
+  return frames_in(robot, device, longest_look(device));
 }
 
 }  // namespace finemote::gen

@@ -33,7 +33,7 @@ std::int16_t word_at(const std::uint8_t* bytes) { return static_cast<std::int16_
 }  // namespace
 
 void Dr16::update() {
-  for (std::size_t size = 0, room = 0, turns = 0; size == room && turns < 8; ++turns) {
+  for (std::size_t size = 0, room = 0; size == room;) {
     if (size_ == sizeof bytes_) {  // the oldest frame makes room
       size_ -= kFrame;
       std::memmove(bytes_, bytes_ + kFrame, size_);

@@ -5,7 +5,10 @@ namespace finemote {
 namespace {
 
 constexpr std::uint8_t kHead0 = 0x59, kHead1 = 0x53;
-constexpr std::size_t kNumberAt = 2, kLengthAt = 4;
+constexpr std::size_t kHeads = 2, kNumberAt = 2, kLengthAt = 4;
+
+/// Frames with a wrong sum whose bytes are looked at once more, in one update().
+constexpr unsigned kMostBad = 3;
 
 // Record types and what they must hold.
 constexpr std::uint8_t kAcceleration = 0x10, kRates = 0x20, kAngles = 0x40;
@@ -49,9 +52,9 @@ bool angles_at(const std::uint8_t* bytes, ImuState& out) {
 
 void H30Imu::update() {
   std::uint8_t bytes[64];
-  std::size_t size = sizeof bytes;
   const std::uint32_t before = frames_;
-  for (std::size_t done = 0; size == sizeof bytes && done < kMaxRead; done += size) {
+  bad_now_ = 0;
+  for (std::size_t size = sizeof bytes; size == sizeof bytes;) {
     size = uart_->read(bytes, sizeof bytes);
     take(bytes, size);
   }
@@ -72,45 +75,52 @@ void H30Imu::turn_state() {
 }
 
 void H30Imu::take(const std::uint8_t* bytes, std::size_t size) {
-  for (std::size_t i = 0; i < size; ++i) {
-    frame_[filled_++] = bytes[i];
-    behind_ = size - 1 - i;
-    while (filled_ != 0 && !frame_may_go_on()) resynchronise();
+  for (std::size_t i = 0; i < size;) {
+    if (frame_.size() < kHeads) {
+      frame_.begin(bytes[i++], kHead0, kHead1);
+    } else {
+      const std::size_t missing = needed_ - frame_.size(), count = size - i < missing ? size - i : missing;
+      frame_.append(bytes + i, count);
+      i += count;
+    }
+    if (frame_.size() < needed_) continue;
+    behind_ = size - i;
+    look();
   }
 }
 
-/// Looks at what there is of a frame; a whole one is decoded. False when this is no frame.
-bool H30Imu::frame_may_go_on() {
-  if (frame_[0] != kHead0 || (filled_ > 1 && frame_[1] != kHead1)) return false;
-  if (filled_ < kHeader) return true;
+/// Looks for frames until more bytes are needed.
+void H30Imu::look() {
+  do {
+    needed_ = examine();
+    if (needed_ != 0) continue;
+    frame_.drop_to_next(kHead0);
+    needed_ = kHeads;
+  } while (frame_.size() >= needed_);
+}
+
+/// Looks at what there is of a frame; a whole one is decoded. How many bytes there must be to say more, 0 when this is
+/// no frame.
+std::size_t H30Imu::examine() {
+  if (frame_[0] != kHead0 || frame_[1] != kHead1) return 0;
+  if (frame_.size() < kHeader) return kHeader;
   const std::size_t payload = frame_[kLengthAt];
   const std::size_t whole = kHeader + payload + kSums;
-  if (payload > kMaxPayload) return false;
-  if (filled_ < whole) return true;
+  if (payload > kMaxPayload) return 0;
+  if (frame_.size() < whole) return whole;
 
   ImuState decoded;
   if (!sums_agree(payload) || !decode(payload, decoded)) {
     ++bad_frames_;
-    return false;
+    if (++bad_now_ > kMostBad) frame_.drop(whole - 1);
+    return 0;
   }
   ++frames_;
-  decoded.origin = uart_->arrival(behind_ + filled_ - whole) - uart_->wire_time(whole);
+  decoded.origin = uart_->arrival(behind_ + frame_.size() - whole) - uart_->wire_time(whole);
   decoded.valid = true;
   state = decoded;
-  drop(whole);
-  return true;
-}
-
-/// Drops the first byte and everything before the next one that may begin a frame.
-void H30Imu::resynchronise() {
-  std::size_t from = 1;
-  while (from < filled_ && frame_[from] != kHead0) ++from;
-  drop(from);
-}
-
-void H30Imu::drop(std::size_t count) {
-  filled_ -= count;
-  for (std::size_t i = 0; i < filled_; ++i) frame_[i] = frame_[i + count];
+  frame_.drop(whole);
+  return kHeads;
 }
 
 bool H30Imu::sums_agree(std::size_t payload) const {
@@ -130,7 +140,7 @@ bool H30Imu::decode(std::size_t payload, ImuState& out) const {
   while (at + 2 <= end) {
     const std::uint8_t type = frame_[at];
     const std::size_t length = frame_[at + 1];
-    const std::uint8_t* data = frame_ + at + 2;
+    const std::uint8_t* data = frame_.data() + at + 2;
     at += 2 + length;
     if (at > end) return false;
     const bool known = type == kAcceleration || type == kRates || type == kAngles;

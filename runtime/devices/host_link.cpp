@@ -6,6 +6,12 @@ namespace finemote {
 
 namespace {
 
+/// Frames with a wrong sum whose bytes are looked at once more, in one update().
+constexpr unsigned kMostRejected = 3;
+
+/// Bytes that a frame begins with, always the same.
+constexpr std::size_t kHeads = 2;
+
 constexpr std::size_t size_of(LinkKind kind) {
   switch (kind) {
     case LinkKind::kBool:
@@ -81,60 +87,74 @@ void HostLink::handle() {
 
 void HostLink::receive() {
   std::uint8_t bytes[64];
-  std::size_t size = sizeof bytes;
-  for (unsigned turns = 0; turns < 4 && size == sizeof bytes; ++turns) {
+  rejected_now_ = 0;
+  for (std::size_t size = sizeof bytes; size == sizeof bytes;) {
     size = uart_->read(bytes, sizeof bytes);
-    for (std::size_t i = 0; i < size; ++i) {
-      behind_ = size - 1 - i;
-      take(bytes[i]);
-    }
+    take(bytes, size);
   }
 }
 
-void HostLink::take(std::uint8_t byte) {
-  in_[size_++] = byte;
-  // A broken beginning is left behind; every turn drops at least one byte, so that this ends.
-  while (size_ != 0) {
-    const bool wrong =
-        in_[0] != link::kFirst || (size_ > 1 && in_[1] != link::kSecond) || (size_ > 3 && in_[3] > link::kMaxPayload);
-    if (wrong) {
-      restart();
-    } else if (size_ >= link::kHeader && size_ >= expected()) {
-      judge();
+void HostLink::take(const std::uint8_t* bytes, std::size_t size) {
+  for (std::size_t i = 0; i < size;) {
+    if (in_.size() < kHeads) {
+      in_.begin(bytes[i++], link::kFirst, link::kSecond);
     } else {
-      return;
+      const std::size_t missing = needed_ - in_.size(), count = size - i < missing ? size - i : missing;
+      in_.append(bytes + i, count);
+      i += count;
     }
+    if (in_.size() < needed_) continue;
+    behind_ = size - i;
+    look();
   }
+}
+
+/// A broken beginning is left behind; every turn needs more bytes than there are, or drops one, so that this ends.
+void HostLink::look() {
+  do {
+    needed_ = examine();
+    if (needed_ == 0) {
+      in_.drop_to_next(link::kFirst);
+      needed_ = kHeads;
+    } else if (needed_ <= in_.size()) {
+      judge();
+      needed_ = kHeads;
+    }
+  } while (in_.size() >= needed_);
+}
+
+/// How many bytes there must be to say more of what begins a frame, no more than there are for a whole one; 0 when this
+/// is none.
+std::size_t HostLink::examine() const {
+  if (in_[0] != link::kFirst || in_[1] != link::kSecond) return 0;
+  if (in_.size() < link::kHeader) return link::kHeader;
+  return in_[3] <= link::kMaxPayload ? expected() : 0;
 }
 
 std::size_t HostLink::expected() const { return link::kHeader + in_[3] + link::kCrc; }
 
-/// Goes on at the next byte that may begin a frame.
-void HostLink::restart() {
-  std::size_t from = 1;
-  while (from < size_ && in_[from] != link::kFirst) ++from;
-  size_ -= from;
-  std::memmove(in_, in_ + from, size_);
-}
-
 void HostLink::judge() {
   const std::size_t whole = expected(), end = whole - link::kCrc;
   const unsigned sent = in_[end] | static_cast<unsigned>(in_[end + 1]) << 8;
-  if (link::crc(in_ + 2, end - 2) != sent) {
+  if (link::crc(in_.data() + 2, end - 2) != sent) {
     ++state.rejected;
-    restart();  // what looked like a beginning was none, or bytes were lost: the next frame may stand inside
+    // What looked like a beginning was none, or bytes were lost: the next frame may stand inside. Each that is looked
+    // for there costs a sum over bytes that were summed before.
+    if (++rejected_now_ <= kMostRejected)
+      in_.drop_to_next(link::kFirst);
+    else
+      in_.drop(whole);
     return;
   }
   std::uint32_t layout = 0;
-  std::memcpy(&layout, in_ + 4, sizeof layout);
+  std::memcpy(&layout, in_.data() + 4, sizeof layout);
   const std::uint8_t kind = in_[2] >> 4U, block = in_[2] & 0xFU;
   if (layout != layout_->number || kind != link::kCommands || block >= layout_->down_blocks) {
     ++state.mismatched;
   } else {
     apply(block);
   }
-  size_ -= whole;  // after a broken beginning more may stand behind
-  std::memmove(in_, in_ + whole, size_);
+  in_.drop(whole);  // after a broken beginning more may stand behind
 }
 
 void HostLink::apply(std::uint8_t block) {
@@ -144,8 +164,8 @@ void HostLink::apply(std::uint8_t block) {
     ++state.mismatched;
     return;
   }
-  const Time arrival = uart_->arrival(behind_ + size_ - expected()) - uart_->wire_time(expected());
-  const std::uint8_t* from = in_ + link::kHeader;
+  const Time arrival = uart_->arrival(behind_ + in_.size() - expected()) - uart_->wire_time(expected());
+  const std::uint8_t* from = in_.data() + link::kHeader;
   for (const LinkTarget& target : layout_->down) {
     if (target.block != block) continue;
     target.stamp.origin = arrival;

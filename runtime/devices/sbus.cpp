@@ -9,8 +9,14 @@ namespace finemote {
 namespace {
 
 constexpr std::uint8_t kHead = 0x0F, kTail = 0x00;
+/// S.BUS2: the group of telemetry slots that follows stands in bits 4 and 5.
+constexpr std::uint8_t kSlotTail = 0x04, kSlotGroup = 0x30;
+/// Frames with a wrong end whose bytes are looked at once more, in one update().
+constexpr unsigned kMostBad = 2;
 constexpr int kCentre = 992;
 constexpr float kScale = 1.0F / 820;  ///< 172..1811 is -1..1
+
+bool is_tail(std::uint8_t byte) { return byte == kTail || (byte & ~kSlotGroup) == kSlotTail; }
 
 float scaled(std::uint16_t channel) { return clamp(static_cast<float>(channel - kCentre) * kScale, -1, 1); }
 
@@ -23,31 +29,31 @@ RemoteSwitch switch_of(std::uint16_t channel) {
 
 void Sbus::update() {
   const std::uint32_t before = gaps();
-  std::uint8_t bytes[32];
-  for (std::size_t size = sizeof bytes, turns = 0; size == sizeof bytes && turns < 8; ++turns) {
+  bad_now_ = 0;
+  std::uint8_t bytes[64];
+  for (std::size_t size = sizeof bytes; size == sizeof bytes;) {
     size = uart_->read(bytes, sizeof bytes);
-    if (gaps() != before) size_ = 0;  // what is kept lies before the gap
-    for (std::size_t i = 0; i < size; ++i) take(bytes[i], size - 1 - i);
+    if (gaps() != before) frame_.drop(frame_.size());  // what is kept lies before the gap
+    for (std::size_t i = 0; i < size;) {
+      if (frame_.size() == kFrame) decode(size - i);
+      i += frame_.size() != 0 || bytes[i] == kHead ? take(bytes + i, size - i) : 1;
+    }
   }
-  if (size_ == kFrame && uart_->idle()) decode(0);
+  if (frame_.size() == kFrame && uart_->idle()) decode(0);
   if (!is_fresh(state, now(), kMaxAge)) state.valid = false;
 }
 
 std::uint32_t Sbus::gaps() const { return uart_->counters().lost + uart_->counters().recoveries; }
 
 // A whole frame waits for the silence behind it, which tells when it came, or for the first byte of the next one.
-void Sbus::take(std::uint8_t byte, std::size_t behind) {
-  if (size_ == kFrame) decode(behind + 1);
-  frame_[size_++] = byte;
-  while (size_ != 0 && (frame_[0] != kHead || (size_ == kFrame && frame_[kFrame - 1] != kTail))) resynchronise();
-}
-
-void Sbus::resynchronise() {
-  bad_frames_ += size_ == kFrame ? 1 : 0;
-  std::size_t from = 1;
-  while (from < size_ && frame_[from] != kHead) ++from;
-  size_ -= from;
-  std::memmove(frame_, frame_ + from, size_);
+std::size_t Sbus::take(const std::uint8_t* bytes, std::size_t size) {
+  const std::size_t missing = kFrame - frame_.size(), count = size < missing ? size : missing;
+  frame_.append(bytes, count);
+  if (frame_.size() < kFrame || is_tail(frame_[kFrame - 1])) return count;
+  ++bad_frames_;
+  if (++bad_now_ > kMostBad) frame_.drop(kFrame - 1);
+  frame_.drop_to_next(kHead);
+  return count;
 }
 
 std::uint16_t Sbus::channel(unsigned number) const {
@@ -58,9 +64,9 @@ std::uint16_t Sbus::channel(unsigned number) const {
 }
 
 void Sbus::decode(std::size_t behind) {
-  size_ = 0;
   ++frames_;
-  std::memcpy(last_, frame_, sizeof last_);
+  std::memcpy(last_, frame_.data(), sizeof last_);
+  frame_.drop(kFrame);
   if (frame_lost() || failsafe()) return;
   state.right_x = scaled(channel(1));
   state.right_y = scaled(channel(2));

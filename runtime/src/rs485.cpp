@@ -32,7 +32,7 @@ SlotState Rs485Slot::state() {
 
 void Rs485::start() {
   list_bus(counters_);
-  port_->start(baud_, UartFormat::k8N1);
+  port_->start(baud_, UartFormat::k8N1, ring_);
 }
 
 void Rs485::carry_on() {
@@ -52,9 +52,8 @@ void Rs485::take_reply() {
   }
   Rs485Slot& slot = *active_;
   if (port_->received() - reply_from_ >= slot.reply_size_) {
-    const UartRing ring = port_->ring();
     for (std::uint32_t i = 0; i < slot.reply_size_; ++i) {
-      slot.reply_[i] = ring.bytes[(reply_from_ + i) & (ring.size - 1)];
+      slot.reply_[i] = ring_.bytes[(reply_from_ + i) & (ring_.size - 1)];
     }
     return finish(SlotState::kDone);
   }

@@ -31,17 +31,27 @@ constexpr int bits_per_byte(UartFormat format) {
   return 12;
 }
 
+/// Bytes of a ring from number `from` on.
+void copy(const UartRing ring, std::uint32_t from, std::uint8_t* out, std::uint32_t count) {
+  const std::uint32_t mask = ring.size - 1;
+  for (const std::uint8_t* end = out + count; out != end; ++out, ++from) *out = ring.bytes[from & mask];
+}
+
 }  // namespace
 
 void Uart::start() {
   list_bus(counters_);
-  port_->start(baud_, format_);
-  port_->allow_events(events_);
+  port_->start(baud_, format_, ring_);
+  port_->allow_events(limits_.events);
 }
 
 std::size_t Uart::read(std::uint8_t* out, std::size_t capacity) {
-  const std::size_t size = take(out, capacity);
-  if (size < capacity) port_->allow_events(events_);
+  const std::size_t size = take(out, capacity < left_ ? capacity : left_);
+  left_ = static_cast<std::uint16_t>(left_ - size);
+  if (size < capacity) {
+    left_ = limits_.bytes;
+    port_->allow_events(limits_.events);
+  }
   return size;
 }
 
@@ -54,16 +64,15 @@ std::size_t Uart::take(std::uint8_t* out, std::size_t capacity) {
     port_->restart_receive();
   }
 
-  const UartRing ring = port_->ring();
   std::uint32_t available = port_->received() - read_;
-  if (available > ring.size) {  // lapped: what is left is overwritten from its old end on, keep the newer half
-    lose(available - ring.size / 2);
-    available = ring.size / 2;
+  if (available > ring_.size) {  // lapped: what is left is overwritten from its old end on, keep the newer half
+    lose(available - ring_.size / 2);
+    available = ring_.size / 2;
   }
   const auto size = static_cast<std::uint32_t>(available < capacity ? available : capacity);
-  for (std::uint32_t i = 0; i < size; ++i) out[i] = ring.bytes[(read_ + i) & (ring.size - 1)];
+  copy(ring_, read_, out, size);
   Shared<std::uint32_t>::fence();
-  if (port_->received() - read_ > ring.size) {  // lapped during the copy
+  if (port_->received() - read_ > ring_.size) {  // lapped during the copy
     lose(size);
     return 0;
   }
@@ -88,7 +97,7 @@ Time Uart::arrival(std::size_t behind) const {
 /// When the byte that ends at `position` can have arrived at the earliest, if the line had not brought it at `point`.
 Time Uart::earliest(const UartIdle& point, std::uint32_t position) const {
   const std::uint32_t bytes = position - point.received;
-  if (bytes == 0 || bytes > port_->ring().size) return kLongAgo;
+  if (bytes == 0 || bytes > ring_.size) return kLongAgo;
   const Duration nominal = wire_time(bytes - 1);
   return point.at + nominal - nominal / kClockDeviationPart;
 }

@@ -30,7 +30,8 @@ struct Fixture {
     }
     return all;
   }
-  Uart uart{ports::usart6, 115200, UartFormat::k8E1};
+  std::uint8_t ring[256];
+  Uart uart{ports::usart6, 115200, ring, UartFormat::k8E1};
   FinsRovHost host;
   FinsRovOrder last;
 };

@@ -26,8 +26,9 @@ constexpr double kSurface = 101325, kPerMetre = 1000 * 9.80665;
 
 /// What the generator writes for FinsROV, as members, so that every test begins anew.
 struct Firmware {
-  Uart imu_uart{ports::usart1, 921600};
-  Uart host_uart{ports::usart6, 115200, UartFormat::k8E1};
+  std::uint8_t imu_ring[256], host_ring[256];
+  Uart imu_uart{ports::usart1, 921600, imu_ring};
+  Uart host_uart{ports::usart6, 115200, host_ring, UartFormat::k8E1};
   I2cSlot baro_slots[4] = {{i2c, 0x76, {0x70, 0x01}, 2},
                            {i2c, 0x76, {0x70, 0x02}, 2},
                            {i2c, 0x76, {0x70, 0x04}, 2},

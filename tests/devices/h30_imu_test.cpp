@@ -42,7 +42,8 @@ struct Fixture {
     host::advance(5 * kMillisecond);
     imu.update();
   }
-  Uart uart{ports::usart1, 921600};
+  std::uint8_t ring[256];
+  Uart uart{ports::usart1, 921600, ring};
   H30Imu imu{nullptr, uart};
 };
 
@@ -149,7 +150,7 @@ TEST_CASE_METHOD(Fixture, "every single wrong bit is seen") {
   for (std::size_t i = 2; i < good.size(); ++i) {
     for (int bit = 0; bit < 8; ++bit) {
       bench::reset();
-      Uart line{ports::usart1, 921600};
+      Uart line{ports::usart1, 921600, ring};
       line.start();
       H30Imu other{nullptr, line};
       Bytes bad = good;
@@ -263,4 +264,32 @@ TEST_CASE_METHOD(Fixture, "a sensor in noise is invalid") {
     REQUIRE_FALSE(imu.state.valid);
   }
   CHECK(imu.bad_frames() > 50);
+}
+
+TEST_CASE_METHOD(Fixture, "a frame with both records of the magnetometer counts") {
+  Bytes frame(kFrame.begin(), kFrame.end() - 2);
+  for (const std::uint8_t type : {0x30, 0x31, 0x41}) {
+    const std::uint8_t length = type == 0x41 ? 16 : 12;
+    frame.push_back(type);
+    frame.push_back(length);
+    frame.insert(frame.end(), length, type);
+  }
+  frame[4] = static_cast<std::uint8_t>(frame.size() - 5);
+  REQUIRE(frame[4] == 88);
+  frame.insert(frame.end(), 2, 0);
+  receive(with_sums(frame));
+  CHECK(imu.frames() == 1);
+  CHECK(imu.state.yaw == Approx(40 * kDegree));
+}
+
+TEST_CASE_METHOD(Fixture,
+                 "many beginnings with wrong sums are not summed again and again, and hide one frame at most") {
+  Bytes bytes;
+  while (bytes.size() < 200) bytes.insert(bytes.end(), {0x59, 0x53, 0, 0, 0x58});
+  receive(bytes);
+  CHECK(imu.bad_frames() <= 5);
+  receive(with_sums(kFrame));
+  receive(with_sums(kFrame));
+  receive(with_sums(kFrame));
+  CHECK(imu.frames() >= 1);
 }

@@ -26,7 +26,8 @@ struct Paced {
   const Stamp stamp{};
   const LinkSource source[1]{{stamp, {}, 0}};
   const LinkLayout layout{1, {source, 1}, {}, 1, 0};
-  Uart uart{ports::usart6, 921600};
+  std::uint8_t ring[256];
+  Uart uart{ports::usart6, 921600, ring};
   HostLink link;
 };
 

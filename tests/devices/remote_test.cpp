@@ -35,7 +35,7 @@ Bytes sbus_frame(const std::vector<unsigned>& channels, unsigned flags = 0) {
 
 template <class Device>
 struct Fixture {
-  explicit Fixture(UartFormat format) : uart(ports::usart3, 100000, format) {
+  explicit Fixture(UartFormat format) : uart(ports::usart3, 100000, ring, format) {
     bench::reset();
     uart.start();
   }
@@ -46,6 +46,7 @@ struct Fixture {
       device.update();
     }
   }
+  std::uint8_t ring[256];
   Uart uart;
   Device device{uart};
 };
@@ -157,6 +158,42 @@ TEST_CASE_METHOD(SbusFixture, "SBUS: failsafe and lost frames are no data") {
 TEST_CASE_METHOD(SbusFixture, "SBUS: noise before a frame does not hide the next ones") {
   Bytes noisy(17, 0x0F);
   receive(noisy);
+  receive(sbus_frame({1812}));
+  receive(sbus_frame({1812}));
+  CHECK(device.state.valid);
+  CHECK(device.state.right_x == Approx(1));
+}
+
+TEST_CASE_METHOD(SbusFixture, "SBUS: frames of receivers with telemetry slots end in one of four bytes") {
+  for (const std::uint8_t tail : {0x04, 0x14, 0x24, 0x34}) {
+    Bytes frame = sbus_frame({1812});
+    frame[24] = tail;
+    receive(frame);
+    CHECK(device.state.valid);
+    device.state.valid = false;
+  }
+  CHECK(device.bad_frames() == 0);
+  for (const std::uint8_t tail : {0x01, 0x05, 0x44, 0x84}) {
+    Bytes frame = sbus_frame({1812});
+    frame[24] = tail;
+    receive(frame);
+    CHECK_FALSE(device.state.valid);
+  }
+  CHECK(device.bad_frames() >= 4);
+}
+
+TEST_CASE_METHOD(SbusFixture, "SBUS: bytes behind a frame are none") {
+  receive(sbus_frame({1812}));
+  REQUIRE(device.state.valid);
+  device.state.valid = false;
+  receive(Bytes(200, 0x00));
+  CHECK_FALSE(device.state.valid);
+}
+
+TEST_CASE_METHOD(SbusFixture, "SBUS: many beginnings in a row cost a frame or two and no more") {
+  receive(Bytes(200, 0x0F));
+  const std::uint32_t bad = device.bad_frames();
+  CHECK(bad < 60);
   receive(sbus_frame({1812}));
   receive(sbus_frame({1812}));
   CHECK(device.state.valid);

@@ -15,7 +15,8 @@ struct Fixture {
   }
   Rs485Slot one{bus, 1, 1}, two{bus, 2, 2};
   Rs485Slot* const table[2] = {&one, &two};
-  Rs485 bus{ports::usart1, 115200, table};
+  std::uint8_t ring[64];
+  Rs485 bus{ports::usart1, 115200, ring, table};
   const std::uint8_t question[4] = {0x3E, 1, 2, 3};
 };
 

@@ -28,7 +28,8 @@ struct Fixture {
   }
 
   UartHardware& line = host::usart1;
-  Uart uart{ports::usart1, 115200, UartFormat::k8N1};
+  std::uint8_t ring[256];
+  Uart uart{ports::usart1, 115200, ring};
 };
 
 }  // namespace
@@ -147,4 +148,26 @@ TEST_CASE_METHOD(Fixture, "one block is sent at a time; one that never leaves is
   line.block_sending(false);
   CHECK(uart.write(block.data(), block.size()));
   CHECK(uart.counters().overdue == 1);
+}
+
+TEST_CASE_METHOD(Fixture, "an update gets no more bytes than its line allows it, and the next one the others") {
+  std::uint8_t other_ring[256];
+  Uart limited{ports::usart1, 115200, other_ring, UartFormat::k8N1, {16, 20}};
+  limited.start();
+  const auto update = [&] {
+    Bytes all;
+    for (std::size_t size = 16; size == 16;) {
+      Bytes bytes(16);
+      size = limited.read(bytes.data(), 16);
+      all.insert(all.end(), bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+    }
+    return all;
+  };
+  line.feed(now(), count(50));
+  host::advance(10 * kMillisecond);
+  CHECK(update() == count(20));
+  CHECK_FALSE(limited.idle());
+  CHECK(update() == count(20, 20));
+  CHECK(update() == count(10, 40));
+  CHECK(limited.idle());
 }

@@ -71,6 +71,16 @@ void check_line(const std::map<int, Routine>& routines, const Json& analysis, co
   FAIL("no routine of " << line);
 }
 
+/// Good bytes that nobody declared, on both lines without a gap.
+std::string flood(int byte) {
+  Json events = Json::array();
+  for (const char* port : {"usart1", "usart3"}) {
+    const int bytes = std::string(port) == "usart1" ? 20'000 : 2'000;
+    events.push_back({{"t_ns", 30'000'000}, {"port", port}, {"do", "flood"}, {"bytes", bytes}, {"byte", byte}});
+  }
+  return Json{{"schema", "finemote.scenario/1"}, {"events", events}}.dump();
+}
+
 /// The time of the last sample that a device used.
 double last_used(const std::string& audit, const std::string& device) {
   double last = 0;
@@ -103,4 +113,21 @@ TEST_CASE("a noisy line interrupts no more often than analyze counts, and is hea
     CHECK(device["judged"] == "held");
   }
   for (const Json& bus : document["buses"]) CHECK(bus["errors"] > 0);
+}
+
+TEST_CASE("bytes that nobody declared take no update longer than its WCET") {
+  const TemporaryFolder folder;
+  const std::string file = folder.path("flood.json"), lines = source_path("tests/emulator/bounds/");
+  for (const char* robot : {"noisy_line.urdf", "two_receivers.urdf"}) {
+    for (const int byte : {0x00, 0x0F, 0x59, 0xA5}) {
+      INFO(robot << ", " << byte);
+      write_file(file, flood(byte));
+      const Json document = finemote_json({"run", lines + robot, "--duration", "150ms", "--scenario", file});
+      CHECK(document["overruns"] == 0);
+      for (const Json& stage : document["stages"]) {
+        INFO(stage.dump());
+        CHECK(stage["own_max_ns"] <= stage["wcet_ns"]);
+      }
+    }
+  }
 }

@@ -52,10 +52,16 @@ struct UartErrors {
   std::uint32_t framing = 0, noise = 0, parity = 0, overrun = 0;
 };
 
-/// The receive ring the hardware fills without help, for ever. `size` is a power of two.
+/// The receive ring the hardware fills without help, for ever: a power of two of bytes that DMA reaches (FINEMOTE_DMA).
 struct UartRing {
-  const std::uint8_t* bytes;
-  std::uint32_t size;
+  std::uint8_t* bytes = nullptr;
+  std::uint32_t size = 0;
+
+  constexpr UartRing() = default;
+  template <std::size_t count>
+  constexpr UartRing(std::uint8_t (&ring)[count]) : bytes(ring), size(count) {  // NOLINT(google-explicit-constructor)
+    static_assert((count & (count - 1)) == 0 && count <= 0x8000, "a power of two, at most what a DMA stream counts");
+  }
 };
 
 /// The last time the line fell silent: how many bytes had arrived by then, and when.
@@ -69,8 +75,8 @@ class UartPort {
  public:
   constexpr explicit UartPort(UartHardware& hardware) : hardware_(&hardware) {}
 
-  /// Clocks, pins, baud rate [bit/s], receiving DMA and its interrupts; no line events. Context: init.
-  void start(std::int64_t baud, UartFormat format);
+  /// Clocks, pins, baud rate [bit/s], receiving DMA into `ring` and its interrupts; no line events. Context: init.
+  void start(std::int64_t baud, UartFormat format, UartRing ring);
 
   /// From now on lets at most `count` line events (idle, damaged byte) interrupt; what was left of the last call is
   /// forgotten. Those that come when none is left wait: the next call sees an idle line, and one error of each kind. A
@@ -81,10 +87,7 @@ class UartPort {
   /// already. Context: init.
   void drive_with(std::uint8_t pin, bool active_low);
 
-  /// The receive ring; constant from start() on, in memory the DMA reaches. Context: any.
-  [[nodiscard]] UartRing ring() const;
-
-  /// Bytes received since start, modulo 2^32; byte number n lies at ring().bytes[n % size]. Monotonic: the count of
+  /// Bytes received since start, modulo 2^32; byte number n lies in the ring at n % size. Monotonic: the count of
   /// completed laps and the DMA's position are read so that a lap in between is never missed. Context: any.
   [[nodiscard]] std::uint32_t received() const;
 

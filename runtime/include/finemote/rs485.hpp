@@ -54,10 +54,10 @@ class Rs485Slot {
 class Rs485 {
  public:
   template <std::size_t N>
-  constexpr Rs485(UartPort& port, std::int64_t baud, Rs485Slot* const (&slots)[N])
-      : port_(&port), slots_(slots), count_(N), baud_(baud), byte_time_(10 * 1000000000LL / baud) {}
-  constexpr Rs485(UartPort& port, std::int64_t baud)
-      : port_(&port), slots_(nullptr), count_(0), baud_(baud), byte_time_(10 * 1000000000LL / baud) {}
+  constexpr Rs485(UartPort& port, std::int64_t baud, UartRing ring, Rs485Slot* const (&slots)[N])
+      : port_(&port), ring_(ring), slots_(slots), count_(N), baud_(baud), byte_time_(10 * 1000000000LL / baud) {}
+  constexpr Rs485(UartPort& port, std::int64_t baud, UartRing ring)
+      : port_(&port), ring_(ring), slots_(nullptr), count_(0), baud_(baud), byte_time_(10 * 1000000000LL / baud) {}
 
   /// Context: init.
   void start();
@@ -77,6 +77,7 @@ class Rs485 {
   void finish(SlotState result);
 
   UartPort* port_;
+  UartRing ring_;
   Rs485Slot* const* slots_;
   std::uint8_t count_;
   std::int64_t baud_;

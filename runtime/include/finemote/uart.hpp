@@ -11,30 +11,36 @@
 
 namespace finemote {
 
+/// What a serial line may cost from one update() of its device to the next, whatever comes.
+struct UartLimits {
+  std::uint16_t events = 16;  ///< idle lines and damaged bytes that interrupt
+  std::uint16_t bytes = 256;  ///< that read() returns
+};
+
 /// One serial line. Reception needs no call at all; the hardware fills the ring. One device reads and writes it, from
 /// one bucket.
 class Uart {
  public:
-  /// Idle lines and damaged bytes that may interrupt between two looks at a line of which nobody says more.
-  static constexpr std::uint16_t kUsualEvents = 16;
-
-  /// @param baud    bit rate [bit/s]
-  /// @param events  idle lines and damaged bytes that may interrupt from one read() to the next
-  constexpr Uart(UartPort& port, std::int64_t baud, UartFormat format = UartFormat::k8N1,
-                 std::uint16_t events = kUsualEvents)
+  /// @param baud  bit rate [bit/s]
+  /// @param ring  keeps what comes until it is read
+  constexpr Uart(UartPort& port, std::int64_t baud, UartRing ring, UartFormat format = UartFormat::k8N1,
+                 UartLimits limits = {})
       : port_(&port),
+        ring_(ring),
         baud_(static_cast<std::int32_t>(baud)),
         bit_time_(static_cast<std::int32_t>((1000000000LL + baud - 1) / baud)),
         format_(format),
-        events_(events) {}
+        limits_(limits),
+        left_(limits.bytes) {}
 
   /// Context: init.
   void start();
 
   /// Copies the bytes received since the last call, oldest first, at most `capacity`, and returns how many. Bytes the
   /// ring has lost (nobody read for a whole ring) or overwrote during the copy are dropped and counted, never returned.
-  /// After a DMA error it restarts reception. Where it returns less than `capacity`, the line may raise its interrupts
-  /// anew: an update() calls it until then, and not again. Context: the device's bucket.
+  /// After a DMA error it restarts reception. An update() calls it until it returns less than `capacity`, and not
+  /// again: then nothing is left, or the update has taken what UartLimits allow and the rest waits for the next one;
+  /// and the line may raise its interrupts anew. Context: the device's bucket.
   std::size_t read(std::uint8_t* out, std::size_t capacity);
 
   /// Sends a block; false, and nothing is sent, while the last one is still under way or `size` is above capacity(). A
@@ -62,9 +68,11 @@ class Uart {
   void lose(std::uint32_t bytes);
 
   UartPort* port_;
+  UartRing ring_;
   std::int32_t baud_, bit_time_;  ///< bit/s, ns
   UartFormat format_;
-  std::uint16_t events_;
+  UartLimits limits_;
+  std::uint16_t left_;             ///< bytes that read() may still return in this update()
   std::uint32_t read_ = 0;         ///< bytes taken since start, modulo 2^32
   std::uint32_t line_errors_ = 0;  ///< seen so far
   UartIdle seen_, before_;         ///< when the line had brought what is read, and less than that

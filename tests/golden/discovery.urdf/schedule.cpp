@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 289833, finemote::kNothingToBound, nullptr},  // imu
-    {1, 463950, finemote::kNothingToBound, nullptr},  // depth
-    {1, 459959, finemote::kNothingToBound, nullptr},  // button
-    {1, 457669, 23994519, &station::servo.command},  // servo
-    {1, 453579, 23990429, &station::green_led.command},  // green_led
-    {1, 444699, 23983638, &station::blue_led.command},  // blue_led
-    {1, 437908, finemote::kNothingToBound, nullptr},  // station
+    {0, 223560, finemote::kNothingToBound, nullptr},  // imu
+    {1, 397676, finemote::kNothingToBound, nullptr},  // depth
+    {1, 393686, finemote::kNothingToBound, nullptr},  // button
+    {1, 391396, 23994519, &station::servo.command},  // servo
+    {1, 387306, 23990429, &station::green_led.command},  // green_led
+    {1, 378425, 23983638, &station::blue_led.command},  // blue_led
+    {1, 371635, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

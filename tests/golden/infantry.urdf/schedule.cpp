@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 241693, finemote::kNothingToBound, nullptr},  // imu
-    {0, 230752, 28657875, &gimbal::yaw.command},  // yaw
-    {0, 223444, 28650567, &gimbal::pitch.command},  // pitch
-    {1, 266432, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 350534, 26777557, &chassis::front_left.command},  // front_left
-    {2, 344144, 26771167, &chassis::front_right.command},  // front_right
-    {2, 337753, 26764776, &chassis::rear_left.command},  // rear_left
-    {2, 331363, 26758386, &chassis::rear_right.command},  // rear_right
-    {2, 319422, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 383422, finemote::kNothingToBound, nullptr},  // remote
+    {0, 243093, finemote::kNothingToBound, nullptr},  // imu
+    {0, 232052, 28660375, &gimbal::yaw.command},  // yaw
+    {0, 224744, 28653067, &gimbal::pitch.command},  // pitch
+    {1, 267832, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 352134, 26780357, &chassis::front_left.command},  // front_left
+    {2, 345744, 26773967, &chassis::front_right.command},  // front_right
+    {2, 339353, 26767576, &chassis::rear_left.command},  // rear_left
+    {2, 332963, 26761186, &chassis::rear_right.command},  // rear_right
+    {2, 320923, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 385022, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

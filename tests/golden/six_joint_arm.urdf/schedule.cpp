@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 342534, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 258931, 28982316, &arm::base.command},  // base
-    {0, 252541, 28975926, &arm::shoulder.command},  // shoulder
-    {0, 246151, 28969536, &arm::elbow.command},  // elbow
-    {0, 229140, 28952525, &arm::wrist_roll.command},  // wrist_roll
-    {0, 222750, 28946135, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 216359, 28939744, &arm::flange.command},  // flange
-    {0, 209969, finemote::kNothingToBound, nullptr},  // arm
+    {1, 344134, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 260532, 28984517, &arm::base.command},  // base
+    {0, 254141, 28978126, &arm::shoulder.command},  // shoulder
+    {0, 247751, 28971736, &arm::elbow.command},  // elbow
+    {0, 230540, 28954525, &arm::wrist_roll.command},  // wrist_roll
+    {0, 224150, 28948135, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 217759, 28941744, &arm::flange.command},  // flange
+    {0, 211369, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

@@ -54,8 +54,8 @@ void UartHardware::catch_up() {
     const Time begin = byte.at - byte_time;
     if (received != idle.received && begin > last + byte_time) idle = {received, last + byte_time};
     last = byte.at;
-    if (halted) continue;
-    ring[received % kRing] = byte.value;
+    if (halted || ring.size == 0) continue;
+    ring.bytes[received % ring.size] = byte.value;
     ++received;
   }
   if (received != idle.received && now() >= last + byte_time && !halted) idle = {received, last + byte_time};
@@ -63,7 +63,8 @@ void UartHardware::catch_up() {
 
 // ---------------------------------------------------------------------------------------------------------------- port
 
-void UartPort::start(std::int64_t baud, UartFormat format) {
+void UartPort::start(std::int64_t baud, UartFormat format, UartRing ring) {
+  hardware_->ring = ring;
   hardware_->byte_time = bits_per_byte(format) * kSecond / baud;
 }
 
@@ -72,11 +73,6 @@ void UartPort::allow_events(std::uint32_t) {}
 void UartPort::drive_with(std::uint8_t pin, bool active_low) {
   hardware_->driver = pin;
   hardware_->driver_low = active_low;
-}
-
-UartRing UartPort::ring() const {
-  hardware_->catch_up();
-  return {hardware_->ring, UartHardware::kRing};
 }
 
 std::uint32_t UartPort::received() const {
@@ -97,7 +93,7 @@ void UartPort::restart_receive() {
   UartHardware& line = *hardware_;
   line.catch_up();
   line.halted = false;
-  line.received = (line.received + UartHardware::kRing - 1) / UartHardware::kRing * UartHardware::kRing;
+  line.received = (line.received + line.ring.size - 1) / line.ring.size * line.ring.size;
   line.idle.received = line.received;
 }
 

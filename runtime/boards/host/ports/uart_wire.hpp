@@ -45,9 +45,8 @@ struct UartHardware {
   };
   void catch_up();  ///< moves what has arrived by now into the ring
 
-  static constexpr std::uint32_t kRing = 256;
   static constexpr std::size_t kBuffer = 128;
-  std::uint8_t ring[kRing] = {};
+  UartRing ring;  ///< empty: not started
   std::uint8_t buffer[kBuffer] = {};
   std::deque<Byte> coming;
   std::uint32_t received = 0;

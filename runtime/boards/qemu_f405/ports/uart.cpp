@@ -3,10 +3,9 @@
 
 namespace finemote {
 
-void UartPort::start(std::int64_t, UartFormat) {}
+void UartPort::start(std::int64_t, UartFormat, UartRing) {}
 void UartPort::allow_events(std::uint32_t) {}
 void UartPort::drive_with(std::uint8_t, bool) {}
-UartRing UartPort::ring() const { return {hardware_->ring, UartHardware::kRing}; }
 std::uint32_t UartPort::received() const { return 0; }
 UartIdle UartPort::idle() const { return {}; }
 UartErrors UartPort::errors() const { return {}; }

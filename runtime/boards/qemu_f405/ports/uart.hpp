@@ -6,9 +6,7 @@
 namespace finemote {
 
 struct UartHardware {
-  static constexpr std::uint32_t kRing = 64;
   static constexpr std::size_t kTransmit = 64;
-  std::uint8_t ring[kRing]{};
   std::uint8_t out[kTransmit]{};
 };
 

@@ -13,7 +13,6 @@ namespace {
 namespace usart = stm32f4::usart;
 namespace dma = stm32f4::dma;
 namespace rcc = stm32f4::rcc;
-using stm32f4::kUartRing;
 using stm32f4::kUartTransmit;
 using stm32f4::UartSetup;
 
@@ -51,11 +50,11 @@ std::uint32_t address_of(const std::uint8_t* bytes) {
 }
 
 /// Receives into the ring for ever: circular mode, RM0090 10.3.8; an interrupt at the end of each lap.
-void start_receive(const UartSetup& setup) {
+void start_receive(const UartSetup& setup, const UartRing& ring) {
   stop_stream(setup.receive);
   setup.receive.par().write(setup.usart.dr().address());
-  setup.receive.m0ar().write(address_of(setup.receive_ring));
-  setup.receive.ndtr().write(kUartRing);
+  setup.receive.m0ar().write(address_of(ring.bytes));
+  setup.receive.ndtr().write(ring.size);
   setup.receive.cr().write(std::uint32_t{setup.channel} << dma::kChannelShift | dma::kPriorityHigh |
                            dma::kMemoryIncrement | dma::kCircular | dma::kCompleteInterrupt | dma::kErrorInterrupt |
                            dma::kEnable);
@@ -63,7 +62,7 @@ void start_receive(const UartSetup& setup) {
 
 }  // namespace
 
-void UartPort::start(std::int64_t baud, UartFormat format) {
+void UartPort::start(std::int64_t baud, UartFormat format, UartRing ring) {
   const UartSetup& setup = hardware_->setup;
   if (is_inverted(format) && !setup.inverter) {
     stop_safely(Module::uart, static_cast<std::uint8_t>(UartFault::inverted), "this port cannot invert its line");
@@ -80,7 +79,8 @@ void UartPort::start(std::int64_t baud, UartFormat format) {
   setup.usart.brr().write((setup.clock_hz + rate / 2) / rate);  // sixteenths of the divider: RM0090 30.3.4
   setup.usart.cr2().write(stop_bits(format));
   setup.usart.cr3().write(usart::kDmaReceive | usart::kDmaTransmit);
-  start_receive(setup);
+  hardware_->ring = ring;
+  start_receive(setup, ring);
   setup.usart.cr1().write(usart::kOn | usart::kTransmitterOn | usart::kReceiverOn | word_bits(format));
   cortex_m4::enable_line(setup.usart_line, kPriority);
   cortex_m4::enable_line(setup.receive_line, kPriority);
@@ -98,18 +98,18 @@ void UartPort::allow_events(std::uint32_t count) {
   hardware_->listen(true);
 }
 
-UartRing UartPort::ring() const { return UartRing{hardware_->setup.receive_ring, kUartRing}; }
-
 std::uint32_t UartPort::received() const {
   const stm32f4::DmaStream& stream = hardware_->setup.receive;
+  const std::uint32_t size = hardware_->ring.size;
   // A lap may end at any instruction; its interrupt may come before, between or after these reads. Laps and flag that
-  // are the same before and after the position belong to it. A second lap needs 256 more bytes: two tries are enough.
+  // are the same before and after the position belong to it. A second lap needs a whole ring of more bytes: two tries
+  // are enough.
   for (unsigned tries = 0;; ++tries) {
     const std::uint32_t laps = hardware_->laps.load();
     const std::uint32_t flag = stream.flags() & dma::kFlagComplete;
-    const std::uint32_t position = kUartRing - stream.ndtr().read();
+    const std::uint32_t position = size - stream.ndtr().read();
     const bool same = (stream.flags() & dma::kFlagComplete) == flag && hardware_->laps.load() == laps;
-    if (same || tries == 2) return (laps + (flag != 0 ? 1 : 0)) * kUartRing + position % kUartRing;
+    if (same || tries == 2) return (laps + (flag != 0 ? 1 : 0)) * size + (position & (size - 1));
   }
 }
 
@@ -128,9 +128,9 @@ bool UartPort::receive_halted() const { return hardware_->halted.load(); }
 void UartPort::restart_receive() {
   const std::uint32_t last = received();
   stop_stream(hardware_->setup.receive);
-  hardware_->laps.store((last + kUartRing - 1) / kUartRing);
+  hardware_->laps.store((last + hardware_->ring.size - 1) / hardware_->ring.size);
   hardware_->halted.store(false);
-  start_receive(hardware_->setup);
+  start_receive(hardware_->setup, hardware_->ring);
 }
 
 void UartPort::drive_with(std::uint8_t pin, bool active_low) {

@@ -12,7 +12,7 @@
 namespace finemote {
 namespace stm32f4 {
 
-inline constexpr std::uint32_t kUartRing = 256, kUartTransmit = 128;
+inline constexpr std::uint32_t kUartTransmit = 128;
 
 /// Facts of one port; in flash.
 struct UartSetup : UsartPeripheral {
@@ -22,7 +22,6 @@ struct UartSetup : UsartPeripheral {
   std::uint8_t channel;  ///< DMA request channel of both streams: RM0090 10.3.3, tables 43 and 44
   std::uint8_t usart_line, receive_line;
   bool inverter;                  ///< the board inverts the receive line
-  std::uint8_t* receive_ring;     ///< kUartRing bytes the DMA reaches
   std::uint8_t* transmit_buffer;  ///< kUartTransmit bytes the DMA reaches
 };
 
@@ -30,6 +29,7 @@ struct UartSetup : UsartPeripheral {
 
 struct UartHardware {
   const stm32f4::UartSetup& setup;
+  UartRing ring{};
   Shared<std::uint32_t> laps{0};  ///< times the ring was filled
   Shared<std::uint32_t> idle_count{0};
   UartIdle idle{};

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "finemote/byte_window.hpp"
 #include "finemote/contract.hpp"
 #include "finemote/geometry.hpp"
 #include "finemote/interfaces/imu.hpp"
@@ -40,23 +41,22 @@ class H30Imu {
   [[nodiscard]] std::uint32_t bad_frames() const { return bad_frames_; }
 
  private:
-  static constexpr std::size_t kHeader = 5, kSums = 2, kMaxPayload = 0x48;
+  static constexpr std::size_t kHeader = 5, kSums = 2, kMaxPayload = 0x58;  ///< with both records of its magnetometer
   static constexpr std::size_t kMaxFrame = kHeader + kMaxPayload + kSums;
-  static constexpr std::size_t kMaxRead = 512;  ///< bytes looked at per update()
 
   void take(const std::uint8_t* bytes, std::size_t size);
-  void resynchronise();
-  void drop(std::size_t count);
-  bool frame_may_go_on();
+  void look();
+  std::size_t examine();
   bool sums_agree(std::size_t payload) const;
   bool decode(std::size_t payload, ImuState& out) const;
   void turn_state();
 
   const Rotation* mount_;
   Uart* uart_;
-  std::uint8_t frame_[kMaxFrame]{};
-  std::size_t filled_ = 0;
-  std::size_t behind_ = 0;  ///< bytes that arrived together behind the last one in the frame
+  ByteWindow<kMaxFrame> frame_;
+  std::size_t needed_ = 2;    ///< bytes without which nothing new can be said
+  std::size_t behind_ = 0;    ///< bytes that arrived together behind the last one in the frame
+  std::uint8_t bad_now_ = 0;  ///< frames with a wrong sum, in this update()
   std::uint32_t frames_ = 0, bad_frames_ = 0;
 };
 

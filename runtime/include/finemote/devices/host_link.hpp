@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "finemote/byte_window.hpp"
 #include "finemote/contract.hpp"
 #include "finemote/interfaces/any.hpp"
 #include "finemote/interfaces/link.hpp"
@@ -32,10 +33,11 @@ class HostLink {
 
  private:
   void receive();
-  void take(std::uint8_t byte);
+  void take(const std::uint8_t* bytes, std::size_t size);
+  void look();
+  [[nodiscard]] std::size_t examine() const;
   [[nodiscard]] std::size_t expected() const;
   void judge();
-  void restart();
   void apply(std::uint8_t block);
   void send();
 
@@ -44,9 +46,10 @@ class HostLink {
   Uart* uart_;
   Time next_send_ = 0;
   std::uint8_t block_ = 0, sequence_ = 0;
-  std::size_t size_ = 0;    ///< of the frame under way
-  std::size_t behind_ = 0;  ///< bytes that arrived together behind its last one
-  std::uint8_t in_[link::kMaxFrame]{};
+  ByteWindow<link::kMaxFrame> in_;  ///< the frame under way
+  std::size_t needed_ = 2;          ///< bytes without which nothing new can be said
+  std::size_t behind_ = 0;          ///< bytes that arrived together behind its last one
+  std::uint8_t rejected_now_ = 0;   ///< frames with a wrong sum, in this update()
 };
 
 }  // namespace finemote

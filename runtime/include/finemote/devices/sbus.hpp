@@ -4,16 +4,18 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "finemote/byte_window.hpp"
 #include "finemote/contract.hpp"
 #include "finemote/interfaces/remote.hpp"
 #include "finemote/uart.hpp"
 
 namespace finemote {
 
-/// 25 bytes every 7 or 14 ms, 100 kbit/s 8E2 inverted: 0x0F, sixteen channels of 11 bits, flags, 0x00. A frame counts
-/// if both ends are right and the receiver reports neither a lost frame nor failsafe. Channels 1..4 are the right stick
-/// (x, y) and the left stick (y, x) as most transmitters order them (AETR), 5 and 6 the left and right switch, 7 the
-/// wheel. The state is valid until kMaxAge after the last frame; its origin is when the frame began to arrive.
+/// 25 bytes every 7 or 14 ms, 100 kbit/s 8E2 inverted: 0x0F, sixteen channels of 11 bits, flags, and 0x00 or, of
+/// receivers with slots for telemetry (S.BUS2), 0x04, 0x14, 0x24, 0x34 in turn. A frame counts if both ends are right
+/// and the receiver reports neither a lost frame nor failsafe. Channels 1..4 are the right stick (x, y) and the left
+/// stick (y, x) as most transmitters order them (AETR), 5 and 6 the left and right switch, 7 the wheel. The state is
+/// valid until kMaxAge after the last frame; its origin is when the frame began to arrive.
 class Sbus {
  public:
   static constexpr Duration kMaxAge = 100 * kMillisecond;
@@ -43,17 +45,17 @@ class Sbus {
   static constexpr std::uint8_t kFrameLost = 0x04, kFailsafe = 0x08;
 
   [[nodiscard]] std::uint8_t flags() const { return last_[kFlagsAt]; }
-  /// @param behind  bytes that arrived together behind it
-  void take(std::uint8_t byte, std::size_t behind);
+  /// Takes bytes of one frame; returns how many.
+  std::size_t take(const std::uint8_t* bytes, std::size_t size);
+  /// @param behind  bytes that arrived together behind the frame
   void decode(std::size_t behind);
   /// How often bytes were lost.
   [[nodiscard]] std::uint32_t gaps() const;
-  void resynchronise();
 
   Uart* uart_;
-  std::uint8_t frame_[kFrame]{};
-  std::size_t size_ = 0;
+  ByteWindow<kFrame> frame_;
   std::uint8_t last_[kFlagsAt + 1]{};  ///< begin of the last whole frame
+  std::uint8_t bad_now_ = 0;           ///< frames with a wrong end, in this update()
   std::uint32_t frames_ = 0, bad_frames_ = 0;
 };
 

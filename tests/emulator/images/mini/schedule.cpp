@@ -8,6 +8,7 @@
 #include <finemote/pca9685.hpp>
 #include <finemote/pwm.hpp>
 #include <finemote/schedule.hpp>
+#include <finemote/sections.hpp>
 #include <finemote/stage.hpp>
 #include <finemote/uart.hpp>
 
@@ -24,8 +25,9 @@ extern finemote::I2cSlot pressure, pwm;
 namespace {
 finemote::I2cSlot* const i2c_slots[] = {&slots::pressure, &slots::pwm};
 }
-FINEMOTE_CONSTINIT finemote::Uart imu_uart{finemote::ports::usart1, 460800, finemote::UartFormat::k8N1};
-FINEMOTE_CONSTINIT finemote::Uart host_uart{finemote::ports::usart6, 115200, finemote::UartFormat::k8E1};
+FINEMOTE_DMA static std::uint8_t imu_ring[256], host_ring[256];
+FINEMOTE_CONSTINIT finemote::Uart imu_uart{finemote::ports::usart1, 460800, imu_ring};
+FINEMOTE_CONSTINIT finemote::Uart host_uart{finemote::ports::usart6, 115200, host_ring, finemote::UartFormat::k8E1};
 FINEMOTE_CONSTINIT finemote::I2cBus i2c{finemote::ports::i2c2, 400000, i2c_slots};
 namespace slots {
 FINEMOTE_CONSTINIT finemote::I2cSlot pressure{i2c, 0x76, finemote::MuxRoute{0x70, 0x01}, 1};

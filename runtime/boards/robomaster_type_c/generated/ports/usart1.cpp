@@ -6,7 +6,6 @@
 namespace finemote {
 namespace {
 
-FINEMOTE_DMA std::uint8_t ring[stm32f4::kUartRing];
 FINEMOTE_DMA std::uint8_t transmit_buffer[stm32f4::kUartTransmit];
 
 constexpr stm32f4::UartSetup kSetup{
@@ -14,7 +13,7 @@ constexpr stm32f4::UartSetup kSetup{
     /*tx*/ {'A', 9}, /*rx*/ {'B', 7}, /*alternate function*/ 7,
     /*receive*/ {stm32f4::dma::kController2, 5}, /*transmit*/ {stm32f4::dma::kController2, 7}, /*request channel*/ 4,
     /*lines*/ 37, 68,
-    /*inverter*/ false, ring, transmit_buffer};
+    /*inverter*/ false, transmit_buffer};
 UartHardware hardware{kSetup};
 
 }  // namespace

@@ -6,7 +6,6 @@
 namespace finemote {
 namespace {
 
-FINEMOTE_DMA std::uint8_t ring[stm32f4::kUartRing];
 FINEMOTE_DMA std::uint8_t transmit_buffer[stm32f4::kUartTransmit];
 
 constexpr stm32f4::UartSetup kSetup{
@@ -14,7 +13,7 @@ constexpr stm32f4::UartSetup kSetup{
     /*tx*/ {'G', 14}, /*rx*/ {'G', 9}, /*alternate function*/ 8,
     /*receive*/ {stm32f4::dma::kController2, 1}, /*transmit*/ {stm32f4::dma::kController2, 6}, /*request channel*/ 5,
     /*lines*/ 71, 57,
-    /*inverter*/ false, ring, transmit_buffer};
+    /*inverter*/ false, transmit_buffer};
 UartHardware hardware{kSetup};
 
 }  // namespace
