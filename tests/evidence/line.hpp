@@ -20,7 +20,7 @@ struct Taken {
 template <class Device>
 class Line {
  public:
-  Line(std::int64_t baud, UartFormat format) : uart_(ports::usart3, baud, format) {
+  Line(std::int64_t baud, UartFormat format) : uart_(ports::usart3, baud, ring_, format) {
     bench::reset();
     uart_.start();
   }
@@ -60,6 +60,7 @@ class Line {
     return frame;
   }
 
+  std::uint8_t ring_[256];
   Uart uart_;
   Device device_{uart_};
 };
