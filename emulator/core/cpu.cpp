@@ -374,6 +374,7 @@ Stop Cpu::run_until(Time end) {
     set_stop();
     execute();
   }
+  if (time >= end) queue_.run(time);  // what is due at the end itself too
   return exited_ ? Stop::exit : locked_up_ ? Stop::lockup : Stop::time;
 }
 

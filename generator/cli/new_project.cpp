@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/cli/data_dir.hpp"
 #include "generator/cli/named_board.hpp"
 #include "generator/diagnostic/code_output.hpp"
@@ -29,10 +30,15 @@ std::string minor_version() {
   return version.substr(0, version.rfind('.'));
 }
 
+bool has_outputs(const Port& port) {
+  return std::any_of(port.kinds.begin(), port.kinds.end(),
+                     [](BusKind kind) { return bus_type(kind).channels == BusType::Channels::outputs; });
+}
+
 /// A lamp and a button of the board for the robot that init writes; FM0001 where it has none.
 bool add_places(const Board& board, Keys& keys, Diagnostics& diagnostics) {
   const auto light = std::find_if(board.ports.begin(), board.ports.end(),
-                                  [](const Port& port) { return port.serves(BusKind::pwm) && port.drives == "Light"; });
+                                  [](const Port& port) { return has_outputs(port) && port.drives == "Light"; });
   const auto button = std::find_if(board.pins.begin(), board.pins.end(),
                                    [](const NamedPin& pin) { return pin.name == "key" && pin.can("input"); });
   if (light == board.ports.end() || button == board.pins.end()) {
