@@ -8,6 +8,7 @@
 #include "generator/cli/dump.hpp"
 #include "generator/cli/lint_options.hpp"
 #include "generator/cli/robot_input.hpp"
+#include "generator/cli/shell_word.hpp"
 #include "generator/cli/verdict.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/input/read_document.hpp"
@@ -16,15 +17,6 @@ namespace finemote::gen {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// A word of a command line as a shell takes it.
-std::string shell_word(const std::string& word) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+./:=,@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 /// `generate` with every option that the answer depends on.
 std::string generate_command(const Options& options) {

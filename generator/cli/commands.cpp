@@ -17,6 +17,7 @@ namespace {
 using Table = std::vector<Option>;
 constexpr auto kRequired = Option::Need::required;
 constexpr auto kOptional = Option::Need::optional;
+constexpr const char* kBoards = "board show";  ///< lists them
 
 /// Pieces of the table one behind the other.
 Table join(std::initializer_list<Table> pieces) {
@@ -27,7 +28,8 @@ Table join(std::initializer_list<Table> pieces) {
 
 /// Where what a robot names is found.
 Table search() {
-  return {{"--board", &Options::board, "use this board instead of the one the robot names"},
+  return {{"--board", &Options::board, "use this board instead of the one the robot names", kOptional, nullptr, nullptr,
+           kBoards},
           {"--device-path", &Options::device_paths, "further folder with device descriptors"},
           {"--package", &Options::packages, "name=dir: where a package lies"}};
 }
@@ -100,7 +102,7 @@ Table options_of_check() {
 
 Table options_of_init() {
   return {{"DIR", &Options::input, "folder of the project; created if missing", kRequired},
-          {"--board", &Options::board, "board of the robot that is written"},
+          {"--board", &Options::board, "board of the robot that is written", kOptional, nullptr, nullptr, kBoards},
           {"--from", &Options::from, "a robot of yours, which is copied with what it reads"},
           {"--example", &Options::example, "a robot of the examples, by name", kOptional, nullptr, "--from"}};
 }
@@ -111,7 +113,7 @@ Table options_of_scaffold() {
 }
 
 Table options_of_board_sources() {
-  return {{"BOARD", &Options::input, "name of a board", kRequired},
+  return {{"BOARD", &Options::input, "name of a board", kRequired, nullptr, nullptr, kBoards},
           {"-o,--output", &Options::out, "folder: runtime/boards/BOARD/generated", kRequired},
           {"--dry-run", &Options::dry_run, "write nothing; exit status 1 when a file would change"}};
 }
@@ -192,7 +194,15 @@ Table options_of_simulate() {
                dump()});
 }
 
-std::vector<Command> make_commands() {
+Table options_of_completion() {
+  return {{"SHELL",
+           Choice{{std::begin(kShellWords), std::end(kShellWords)},
+                  [](Options& o, std::size_t word) { o.input = kShellWords[word]; }},
+           "whose completion", kRequired}};
+}
+
+/// Of projects and their descriptions.
+std::vector<Command> commands_of_projects() {
   return {
       {"init", "write a project around a robot, which builds at once", options_of_init(), run_init},
       {"scaffold device", "write the first lines of a device type: descriptor, header, test", options_of_scaffold(),
@@ -201,33 +211,54 @@ std::vector<Command> make_commands() {
       {"generate", "write the firmware sources of a robot", options_of_generate(), run_generate, arguments_footer},
       {"check", "say whether generated files are what would be generated now", options_of_check(), run_check,
        arguments_footer},
-      {"tree", "show the device trees and the order they run in", join({robot(), sandbox()}), run_tree,
-       arguments_footer},
-      {"board show",
-       "ports, pins, DMA streams and interrupt lines of a board",
-       {{"BOARD", &Options::input, "name of a board; without it: all boards"}},
-       run_board_show},
-      {"board sources", "write what the runtime compiles for a board, from its file", options_of_board_sources(),
-       run_board_sources},
-      {"run", "generate, compile, run and measure the firmware of a robot", options_of_run(), run_run,
-       arguments_footer},
       {"diff", "what changed between two robots, models or generated folders", options_of_diff(), run_diff},
       {"lint", "warn about valid but suspicious descriptions", options_of_lint(), run_lint, rules_footer},
-      {"docs", "write the reference pages of device types and board peripherals", options_of_docs(), run_docs},
-      {"explain",
-       "explain a diagnostic and how to fix it; without a code, list all",
-       {{"CODE", &Options::input, "for example FM3012"}},
-       run_explain},
-      {"schema",
-       "print a schema for editors; without a name, list them",
-       {{"NAME", &Options::input, "device, expander, board, scenario or xsd"}},
-       run_schema},
       {"xacro", "expand a xacro file, as ROS xacro does", options_of_xacro(), run_xacro, arguments_footer},
+  };
+}
+
+/// Of how a robot behaves.
+std::vector<Command> commands_of_analyses() {
+  return {
+      {"tree", "show the device trees and the order they run in", join({robot(), sandbox()}), run_tree,
+       arguments_footer},
       {"analyze", "schedulability, response times, latency of every chain", options_of_analyze(), run_analyze,
        arguments_footer},
       {"simulate", "run the schedule with random execution times beside its bounds", options_of_simulate(),
        run_simulate, arguments_footer},
+      {"run", "generate, compile, run and measure the firmware of a robot", options_of_run(), run_run,
+       arguments_footer},
   };
+}
+
+/// Of what is shipped, and of the tool itself.
+std::vector<Command> commands_of_tool() {
+  return {
+      {"explain",
+       "explain a diagnostic and how to fix it; without a code, list all",
+       {{"CODE", &Options::input, "for example FM3012", kOptional, nullptr, nullptr, "explain"}},
+       run_explain},
+      {"board show",
+       "ports, pins, DMA streams and interrupt lines of a board",
+       {{"BOARD", &Options::input, "name of a board; without it: all boards", kOptional, nullptr, nullptr, kBoards}},
+       run_board_show},
+      {"board sources", "write what the runtime compiles for a board, from its file", options_of_board_sources(),
+       run_board_sources},
+      {"schema",
+       "print a schema for editors; without a name, list them",
+       {{"NAME", &Options::input, "device, expander, board, scenario or xsd", kOptional, nullptr, nullptr, "schema"}},
+       run_schema},
+      {"docs", "write the reference pages of device types and board peripherals", options_of_docs(), run_docs},
+      {"completion", "print what completes the words of a command line", options_of_completion(), run_completion},
+      {"man", "print the manual page", {}, run_man},
+  };
+}
+
+std::vector<Command> make_commands() {
+  std::vector<Command> all;
+  for (const auto& group : {commands_of_projects(), commands_of_analyses(), commands_of_tool()})
+    all.insert(all.end(), group.begin(), group.end());
+  return all;
 }
 
 Table make_common_options() {

@@ -47,6 +47,8 @@ Answer run_lint(const Options& options, Sources& sources, Diagnostics& diagnosti
 Answer run_docs(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_explain(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_schema(const Options& options, Sources& sources, Diagnostics& diagnostics);
+Answer run_completion(const Options& options, Sources& sources, Diagnostics& diagnostics);
+Answer run_man(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_xacro(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_analyze(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_simulate(const Options& options, Sources& sources, Diagnostics& diagnostics);

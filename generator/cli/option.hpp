@@ -32,8 +32,20 @@ struct Option {
   Value value;
   const char* help;
   Need need = Need::optional;
-  const char* shown = nullptr;     ///< in help, instead of the type of the value: `paper|tight|target`
-  const char* excludes = nullptr;  ///< an option before it in the table that cannot be given beside it
+  const char* shown = nullptr;      ///< in help, instead of the type of the value: `paper|tight|target`
+  const char* excludes = nullptr;   ///< an option before it in the table that cannot be given beside it
+  const char* listed_by = nullptr;  ///< the command whose lines begin with the possible values: `board show`
 };
+
+/// `-o` and `--output` of `-o,--output`; of an operand its name in help.
+std::vector<std::string> names_of(const Option& option);
+
+bool is_operand(const Option& option);
+
+/// Whether a word follows the option.
+bool takes_value(const Option& option);
+
+/// The values, where there are few and they are known here; else empty.
+std::vector<std::string> values_of(const Option& option);
 
 }  // namespace finemote::gen

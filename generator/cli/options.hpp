@@ -15,6 +15,7 @@ inline constexpr const char* kStageNames[] = {"document", "model", "forest", "sc
 
 enum class Format { text, json, sarif, github, gcc };
 inline constexpr const char* kFormatWords[] = {"text", "json", "sarif", "github", "gcc"};  ///< in the same order
+inline constexpr const char* kShellWords[] = {"bash", "zsh", "fish"};                      ///< that `completion` knows
 enum class ColorMode { automatic, always, never };
 
 /// Everything the user can say. One flat value: each command reads what concerns it.

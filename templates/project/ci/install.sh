@@ -1,4 +1,3 @@
-#!/bin/sh
 # Installs on Debian 12, as root, what the project is built with. FINEMOTE_DEB is FineMote's package: a path or a URL.
 set -eu
 : "${FINEMOTE_DEB:?set it to the path or URL of the package of FineMote (README.md)}"
@@ -12,3 +11,4 @@ case $FINEMOTE_DEB in
 esac
 chmod 755 "${deb%/*}"
 apt-get install -y --no-install-recommends "$deb"
+rm -r "${deb%/*}"
