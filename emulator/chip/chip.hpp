@@ -16,6 +16,7 @@
 #include "emulator/chip/gpio.hpp"
 #include "emulator/chip/i2c.hpp"
 #include "emulator/chip/iwdg.hpp"
+#include "emulator/chip/pwr.hpp"
 #include "emulator/chip/spi.hpp"
 #include "emulator/chip/timer.hpp"
 #include "emulator/chip/usart.hpp"
@@ -29,6 +30,9 @@ class Chip : public ChipBus {
 
   /// Everything but the clock controller's memory of why.
   void reset();
+  void store_to_flash(std::uint32_t address, unsigned bytes, std::uint32_t value) override {
+    flash.store(address, bytes, value);
+  }
 
   // All of a kind, for those who look on.
   [[nodiscard]] const std::vector<std::unique_ptr<Usart>>& usarts() const { return usarts_; }

@@ -1,9 +1,7 @@
 #include "emulator/core/cpu.hpp"
 
 #include <cstring>
-#include <tuple>
 
-#include "emulator/core/address_map.hpp"
 #include "emulator/word_text.hpp"
 
 namespace finemote::emulator {
@@ -13,13 +11,10 @@ namespace {
 // tail-chained entry: Cortex-M4 TRM 3.9.1 and ARMv7-M B1.5.
 constexpr unsigned kEntryCycles = 12, kReturnCycles = 10, kFloatReturnCycles = 27, kTailCycles = 6;
 
-/// An access to the private peripheral bus waits so long beyond the instruction: the TRM gives no figure. Assumed.
-constexpr unsigned kPrivateBusWait = 2;
-
 // PM0214 4.4.13: configurable fault status.
 constexpr std::uint32_t kStackingMem = 1U << 4, kInstructionBus = 1U << 8, kPreciseBus = 1U << 9,
                         kBusAddress = 1U << 15, kUndefinedInstruction = 1U << 16, kBadState = 1U << 17,
-                        kNoFpu = 1U << 19, kDataMem = 1U << 1, kMemAddress = 1U << 7;
+                        kBadReturn = 1U << 18, kNoFpu = 1U << 19, kDataMem = 1U << 1, kMemAddress = 1U << 7;
 
 }  // namespace
 
@@ -37,36 +32,6 @@ Cpu::Cpu(const Around& around, CostModel cost, FlashModel flash)
       core_(Memories{flash_.data(), ram_.data(), core_ram_.data(), system_memory_.data()}, *this, around.tags) {
   core_.pace.cost = cost;
   core_.pace.flash = flash;
-}
-
-bool Cpu::read(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
-  if (is_peripheral(address)) {
-    value = bus_.read(address, bytes);
-    tags_.take_answer(bytes, now());
-    after_access();
-    return true;
-  }
-  if (!is_system(address)) return false;
-  add_wait(kPrivateBusWait);
-  value = system_.read(address, bytes, now(), pc());
-  return true;
-}
-
-bool Cpu::write(std::uint32_t address, unsigned bytes, std::uint32_t value) {
-  if (is_peripheral(address)) {
-    tags_.give_stored();
-    bus_.write(address, bytes, value);
-    after_access();
-    return true;
-  }
-  if (!is_system(address)) return false;
-  add_wait(kPrivateBusWait);
-  system_.write(address, bytes, value, now(), pc());
-  std::tie(guard_begin_, guard_end_) = system_.guard();
-  core_.stack_alarm = lowest_stack_ > guard_end_ ? lowest_stack_ : guard_end_;
-  core_.fpu_on = system_.fpu_enabled();
-  after_access();
-  return true;
 }
 
 /// Interrupts and the probe wait for the end of an IT block, unless they are let in.
@@ -163,17 +128,26 @@ void Cpu::after_access() {
   set_stop();
 }
 
-int Cpu::takeable() const {
-  const Nvic& nvic = system_.nvic();
-  const int next = nvic.most_urgent();
-  if (next == 0) return 0;
-  int limit = nvic.active_priority();
+/// Only what is more urgent comes through.
+int Cpu::priority_limit() const {
+  int limit = system_.nvic().active_priority();
   const Registers& g = core_.registers;
   if (g.faultmask != 0 && limit > -1) limit = -1;
   if (g.primask != 0 && limit > 0) limit = 0;
   const auto basepri = static_cast<int>(g.basepri);
   if (basepri != 0 && limit > basepri) limit = basepri;
-  return nvic.priority(next) < limit ? next : 0;
+  return limit;
+}
+
+int Cpu::takeable() const {
+  const int next = system_.nvic().most_urgent();
+  return next != 0 && system_.nvic().priority(next) < priority_limit() ? next : 0;
+}
+
+/// An SVC that cannot be taken at once is a hard fault: B1.5.2.
+void Cpu::call_supervisor() {
+  if (system_.nvic().priority(kSvCall) < priority_limit()) return system_.nvic().pend(kSvCall);
+  fault(kHardFault, 0, 0, "supervisor call while it is masked");
 }
 
 void Cpu::enter(int exception, bool tail_chained, std::uint32_t chained_return) {
@@ -216,6 +190,7 @@ void Cpu::enter(int exception, bool tail_chained, std::uint32_t chained_return) 
   system_.nvic().enter(exception);
   system_.set_active_exception(exception);
   g.set_xpsr(static_cast<std::uint32_t>(exception));
+  g.choose_stack(false);  // B1.5.6
   g.exclusive = false;
   g.r[14] = exc_return;
   pace.read_flash();  // the vector
@@ -226,11 +201,17 @@ void Cpu::enter(int exception, bool tail_chained, std::uint32_t chained_return) 
   stack_moved();
 }
 
+/// Back to a handler, or to thread mode on either stack; which of them, the number of active exceptions says: B1.5.8.
+bool Cpu::fits_return(std::uint32_t exc_return) const {
+  const std::uint32_t target = exc_return & ~0x10U;
+  if (active_.size() > 1) return target == 0xFFFFFFE1U;
+  return target == 0xFFFFFFE9U || target == 0xFFFFFFEDU;
+}
+
 void Cpu::leave(std::uint32_t exc_return) {
-  if (active_.empty()) {
-    fault(kUsageFault, 1U << 18, 0, "exception return without an exception");
-    return;
-  }
+  if (active_.empty()) return fault(kUsageFault, kBadReturn, 0, "exception return without an exception");
+  if (!fits_return(exc_return))
+    return fault(kUsageFault, kBadReturn, 0, "exception return with " + hex(exc_return) + " in the link register");
   Registers& g = core_.registers;
   Pace& pace = core_.pace;
   const int exception = active_.back();
@@ -248,6 +229,7 @@ void Cpu::leave(std::uint32_t exc_return) {
   }
   const bool fp = (exc_return & 0x10) == 0;
   const bool process = (exc_return & 4) != 0;
+  g.choose_stack(process);
   const std::uint32_t frame = process ? g.process_stack() : g.r[13];
   const std::uint8_t* bytes = memory(frame, fp ? 104 : 32);
   if (bytes == nullptr) {
@@ -282,6 +264,7 @@ void Cpu::leave(std::uint32_t exc_return) {
   provenance_.resume();
   tags_.resume();
   note(ExecutionEvent::Kind::resume, exception);
+  sleeping_ = active_.empty() && system_.sleeps_on_exit();
 }
 
 void Cpu::fault(int exception, std::uint32_t cfsr, std::uint32_t address, const std::string& what) {
@@ -326,7 +309,7 @@ void Cpu::execute() {
       core_.pace.expected = next;
       return;
     case Halt::supervisor_call:
-      return system_.nvic().pend(kSvCall);
+      return call_supervisor();
     case Halt::breakpoint:
       return semihosting();
     case Halt::exception_return:
@@ -345,6 +328,14 @@ void Cpu::execute() {
   }
 }
 
+/// What PRIMASK alone keeps out wakes the core too, without being taken: ARMv7-M B1.5.18.
+bool Cpu::wakes() const {
+  const Nvic& nvic = system_.nvic();
+  const int next = nvic.most_urgent(), basepri = static_cast<int>(core_.registers.basepri);
+  if (next == 0 || (basepri != 0 && nvic.priority(next) >= basepri)) return false;
+  return nvic.priority(next) < nvic.active_priority();
+}
+
 Stop Cpu::run_until(Time end) {
   end_ = end;
   Time& time = core_.pace.time;
@@ -354,11 +345,7 @@ Stop Cpu::run_until(Time end) {
     if (system_.take_reset_request() && on_reset_request) on_reset_request();
     take_exceptions();
     if (locked_up_) break;
-    if (sleeping_) {
-      // Masked interrupts wake the core too, without being taken: ARMv7-M B1.5.18.
-      const int next = system_.nvic().most_urgent();
-      if (next != 0 && system_.nvic().priority(next) < system_.nvic().active_priority()) sleeping_ = false;
-    }
+    if (sleeping_ && wakes()) sleeping_ = false;
     const Time next_event = queue_.next();
     if (sleeping_) {
       if (next_event == kNever) return Stop::dead;

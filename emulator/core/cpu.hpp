@@ -25,6 +25,10 @@ class PeripheralBus {
   virtual ~PeripheralBus() = default;
   virtual std::uint32_t read(std::uint32_t address, unsigned bytes) = 0;
   virtual void write(std::uint32_t address, unsigned bytes, std::uint32_t value) = 0;
+  /// A store to the flash memory, which is for its controller to judge; `address` as it stands at 0x08000000.
+  virtual void store_to_flash(std::uint32_t address, unsigned bytes, std::uint32_t value) {
+    static_cast<void>(address), static_cast<void>(bytes), static_cast<void>(value);
+  }
   /// An interrupt routine returns.
   virtual void returning(int exception) { static_cast<void>(exception); }
 };
@@ -101,6 +105,10 @@ class Cpu : private Outside {
   [[nodiscard]] Time drained_at() const { return core_.drained_at; }
   /// Time that a peripheral access costs beyond the instruction.
   void add_wait(unsigned cycles) { core_.pace.charge(cycles); }
+  /// The flash does not answer for so long: the core stands, if that is where its instructions come from.
+  void stall_in_flash(Time duration);
+  /// Something has written to flash.
+  void flash_changed(std::uint32_t address, std::uint32_t bytes) { core_.take_apart_again(address, bytes); }
   /// An exception's routine has ended.
   std::function<void(int exception)> on_return;
   /// The image asked for a system reset (AIRCR).
@@ -121,11 +129,17 @@ class Cpu : private Outside {
   void passed(std::uint32_t address, Time at) override;
 
   void after_access();
+  void after_core_access();
   [[nodiscard]] Claim claim_at_end(std::uint32_t mark);
   void set_stop() { core_.pace.stop_at = kick_ || probe_ ? 0 : next_stop_; }
   void execute();
   void take_exceptions();
+  bool access_alias(std::uint32_t address, unsigned bytes, const std::uint32_t* written, std::uint32_t& value);
+  [[nodiscard]] int priority_limit() const;
   [[nodiscard]] int takeable() const;
+  [[nodiscard]] bool fits_return(std::uint32_t exc_return) const;
+  void call_supervisor();
+  [[nodiscard]] bool wakes() const;
   void enter(int exception, bool tail_chained, std::uint32_t chained_return);
   void leave(std::uint32_t exc_return);
   void fault(int exception, std::uint32_t cfsr, std::uint32_t address, const std::string& what);

@@ -102,14 +102,25 @@ void Interpreter::take_apart_flash(std::uint32_t bytes) {
   known_count_ = (bytes + 1) / 2;
   // The last two are what runs off the end: erased flash, or none.
   operations_.assign(known_count_ + 2, {});
-  for (std::uint32_t n = 0; n < known_count_; ++n) take_apart_at(Memories::kFlashBase + 2 * n, operations_[n]);
   for (std::uint32_t n = known_count_; n < known_count_ + 2; ++n) operations_[n] = take_apart(0xFFFF, 0xFFFF);
-  // A wait is charged with the instruction before: only from there is it known that the two follow each other.
-  for (std::uint32_t n = 0; n < known_count_; ++n) {
-    Operation& o = operations_[n];
-    o.info.cycles = static_cast<std::uint8_t>(o.info.cycles + interlock(o, operations_[n + o.info.bytes / 2U]));
-  }
+  for (std::uint32_t n = known_count_; n-- > 0;) take_apart_known(n);
   known_ = operations_.data();
+}
+
+/// After those behind it: a wait is charged with the instruction before, as only from there is it known that the two
+/// follow each other.
+void Interpreter::take_apart_known(std::uint32_t n) {
+  Operation& o = operations_[n];
+  if (o.kind == Opcode::marked) return;
+  take_apart_at(Memories::kFlashBase + 2 * n, o);
+  o.info.cycles = static_cast<std::uint8_t>(o.info.cycles + interlock(o, operations_[n + o.info.bytes / 2U]));
+}
+
+void Interpreter::take_apart_again(std::uint32_t address, std::uint32_t bytes) {
+  const std::uint32_t first = (address - Memories::kFlashBase) / 2, last = first + (bytes + 1) / 2;
+  const std::uint32_t before = 3;  // an instruction of two halfwords, and one that waits for it
+  for (std::uint32_t n = last < known_count_ ? last : known_count_; n-- > (first > before ? first - before : 0);)
+    take_apart_known(n);
 }
 
 void Interpreter::mark(std::uint32_t address) {

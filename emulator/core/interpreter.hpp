@@ -59,8 +59,10 @@ class Interpreter {
   std::uint32_t stack_alarm = 0;
   Time drained_at = 0;  ///< of the last DSB: every store before it has left the core
 
-  /// The first `bytes` of flash hold an image from now on; none of it changes while it runs.
+  /// The first `bytes` of flash hold an image from now on.
   void take_apart_flash(std::uint32_t bytes);
+  /// These bytes of flash have changed.
+  void take_apart_again(std::uint32_t address, std::uint32_t bytes);
   /// `Outside::passed` is told whenever the instruction at `address`, in the image's flash, begins.
   void mark(std::uint32_t address);
   /// Runs until it has to stop.
@@ -81,6 +83,7 @@ class Interpreter {
     return tags_.is_on() ? run_with<Cost, Flash, true>() : run_with<Cost, Flash, false>();
   }
   const Operation* operation_at(std::uint32_t address, Operation& outside_image) const;
+  void take_apart_known(std::uint32_t n);
   const Operation* take_apart_at(std::uint32_t address, Operation& into) const;
   template <CostModel Cost>
   void arrive(std::uint32_t address, std::uint32_t expected);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <utility>
@@ -48,6 +49,7 @@ class Nvic {
   [[nodiscard]] bool is_pending(int exception) const { return pending_.has(exception); }
   [[nodiscard]] bool is_enabled(int exception) const { return enabled_.has(exception); }
   [[nodiscard]] bool is_active(int exception) const { return active_.has(exception); }
+  [[nodiscard]] int count_active() const { return std::popcount(active_.words[0]) + std::popcount(active_.words[1]); }
   /// The peripheral holds its line up.
   [[nodiscard]] bool is_high(int line) const { return level_.has(16 + line); }
   [[nodiscard]] std::uint8_t priority_register(int exception) const { return priority_[index(exception)]; }

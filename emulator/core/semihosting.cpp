@@ -7,6 +7,10 @@
 namespace finemote::emulator {
 
 void Cpu::semihosting() {
+  constexpr std::uint8_t kSemihosting = 0xAB;  // the number in BKPT
+  const std::uint8_t* instruction = memory(pc() < Memories::kFlashBytes ? pc() + Memories::kFlashBase : pc(), 2);
+  if (instruction == nullptr || *instruction != kSemihosting)
+    return fault(kHardFault, 0, 0, "breakpoint at " + hex(pc()) + " without a debugger");
   Registers& g = core_.registers;
   const std::uint32_t operation = g.r[0];
   std::uint32_t argument = g.r[1];

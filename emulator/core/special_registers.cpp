@@ -59,7 +59,9 @@ void Interpreter::write_special(const Operation& o) {
       g.faultmask = value & 1;
       break;
     case 20:
-      g.enter_mode(g.exception, value & 3);
+      if (g.exception == 0) g.choose_stack((value & Registers::kProcessStack) != 0);
+      fp_active = (value & 4) != 0;
+      if ((value & 1) != 0) outside_.report_unmodelled("thread mode without privileges");
       break;
     default:
       if (o.imm > 7 || (o.imm & 4) != 0) break;

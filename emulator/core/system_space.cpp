@@ -11,6 +11,9 @@ bool in(std::uint32_t address, std::uint32_t from, std::uint32_t end) { return a
 
 constexpr std::uint32_t kCycleCountOn = 1, kTraceOn = 1U << 24;
 
+/// ITM and TPIU, which a debugger has to turn on: without one they keep nothing and read as off. PM0214 2.2.
+bool is_trace(std::uint32_t address) { return in(address, 0xE0000000, 0xE0001000) || in(address, 0xE0040000, 0xE0041000); }
+
 }  // namespace
 
 void SystemSpace::reset() {
@@ -65,11 +68,27 @@ void SystemSpace::for_bits(std::uint32_t base, std::uint32_t address, std::uint3
   }
 }
 
+/// PM0214 4.4.3. RETTOBASE, bit 11, is of handlers alone.
 std::uint32_t SystemSpace::icsr() const {
   const int next = nvic_.most_urgent();
   return static_cast<std::uint32_t>(active_exception_) | static_cast<std::uint32_t>(next) << 12 |
-         (next >= 16 ? 1U << 22 : 0) | (nvic_.is_pending(kSysTick) ? 1U << 26 : 0) |
+         (active_exception_ != 0 && nvic_.count_active() == 1 ? 1U << 11 : 0) | (next >= 16 ? 1U << 22 : 0) | (nvic_.is_pending(kSysTick) ? 1U << 26 : 0) |
          (nvic_.is_pending(kPendSv) ? 1U << 28 : 0);
+}
+
+/// PM0214 4.4.9: which of the system's exceptions are enabled, pending and active.
+std::uint32_t SystemSpace::shcsr() const {
+  struct Bit {
+    int exception;
+    unsigned active, pending;
+  };
+  constexpr Bit kBits[] = {{kMemManage, 0, 13}, {kBusFault, 1, 14}, {kUsageFault, 3, 12}, {kSvCall, 7, 15}};
+  std::uint32_t bits = shcsr_;
+  for (const Bit& it : kBits) {
+    bits |= nvic_.is_active(it.exception) ? 1U << it.active : 0;
+    bits |= nvic_.is_pending(it.exception) ? 1U << it.pending : 0;
+  }
+  return bits | (nvic_.is_active(kPendSv) ? 1U << 10 : 0) | (nvic_.is_active(kSysTick) ? 1U << 11 : 0);
 }
 
 std::uint32_t SystemSpace::read(std::uint32_t address, unsigned bytes, Time now, std::uint32_t pc) {
@@ -86,6 +105,7 @@ void SystemSpace::write(std::uint32_t address, unsigned bytes, std::uint32_t val
 }
 
 std::uint32_t SystemSpace::read_word(std::uint32_t address, Time now, std::uint32_t pc) {
+  if (is_trace(address)) return 0;
   if (in(address, 0xE000E010, 0xE000E020)) return systick_.read(address - 0xE000E010, now);
   if (in(address, 0xE000E100, 0xE000E10C))
     return read_bits(16 + static_cast<int>(address - 0xE000E100) * 8, &Nvic::is_enabled);
@@ -127,7 +147,7 @@ std::uint32_t SystemSpace::read_word(std::uint32_t address, Time now, std::uint3
     case 0xE000ED14:
       return ccr_;
     case 0xE000ED24:
-      return shcsr_;
+      return shcsr();
     case 0xE000ED28:
       return cfsr_;
     case 0xE000ED2C:
@@ -156,6 +176,10 @@ std::uint32_t SystemSpace::read_word(std::uint32_t address, Time now, std::uint3
       return 0;
     case 0xE000EF3C:
       return fpdscr_;
+    case 0xE000EF40:
+      return 0x10110021;  // MVFR0: Cortex-M4 TRM table 7-3
+    case 0xE000EF44:
+      return 0x11000011;  // MVFR1
     case 0xE0001000:
       return 0x40000000U | dwt_control_;
     case 0xE0001004:
@@ -166,7 +190,8 @@ std::uint32_t SystemSpace::read_word(std::uint32_t address, Time now, std::uint3
     case 0xE0042004:
       return debug_control_;
     case 0xE0042008:
-      return debug_freeze_;
+    case 0xE004200C:
+      return debug_freeze_[(address - 0xE0042008) / 4];
     default:
       break;
   }
@@ -175,6 +200,7 @@ std::uint32_t SystemSpace::read_word(std::uint32_t address, Time now, std::uint3
 }
 
 void SystemSpace::write_word(std::uint32_t address, std::uint32_t value, Time now, std::uint32_t pc) {
+  if (is_trace(address)) return;
   if (in(address, 0xE000E010, 0xE000E01C)) return systick_.write(address - 0xE000E010, value, now);
   if (in(address, 0xE000E100, 0xE000E10C))
     return for_bits(0xE000E100, address, value, [this](int e) { nvic_.enable(e, true); });
@@ -258,6 +284,8 @@ void SystemSpace::write_word(std::uint32_t address, std::uint32_t value, Time no
     case 0xE000EF3C:
       fpdscr_ = value;
       return;
+    case 0xE000EDF0:
+      return;  // DHCSR: without its key, or by the core itself, nothing happens
     case 0xE0001000: {
       const bool on = (value & kCycleCountOn) != 0 && (demcr_ & kTraceOn) != 0;
       const bool was = (dwt_control_ & kCycleCountOn) != 0;
@@ -273,8 +301,9 @@ void SystemSpace::write_word(std::uint32_t address, std::uint32_t value, Time no
     case 0xE0042004:
       debug_control_ = value;
       return;
-    case 0xE0042008:
-      debug_freeze_ = value;
+    case 0xE0042008:  // what stands still while a debugger holds the core: nobody does
+    case 0xE004200C:
+      debug_freeze_[(address - 0xE0042008) / 4] = value;
       return;
     case 0xE0001FB0:
       return;  // DWT_LAR: no lock on this core

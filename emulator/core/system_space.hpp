@@ -38,9 +38,9 @@ class SystemSpace {
 
   [[nodiscard]] std::uint32_t vector_table() const { return vtor_; }
   /// Peripherals of APB1 that stop with the core in a debugger's hands, as DBGMCU_APB1_FZ has them: RM0090 38.16.4.
-  [[nodiscard]] std::uint32_t frozen_in_debug() const { return debug_freeze_; }
+  [[nodiscard]] std::uint32_t frozen_in_debug() const { return debug_freeze_[0]; }
   [[nodiscard]] bool fpu_enabled() const { return ((cpacr_ >> 20) & 0xF) == 0xF; }
-  [[nodiscard]] bool fpu_context_saved() const { return (fpccr_ >> 31) != 0; }
+  [[nodiscard]] bool sleeps_on_exit() const { return (scr_ & 2) != 0; }
   /// The lowest and the end address nobody may touch, where such a region is on; else 0, 0.
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> guard() const;
   [[nodiscard]] bool reset_requested() const { return reset_request_; }
@@ -59,16 +59,18 @@ class SystemSpace {
   std::uint32_t read_bits(int first, bool (Nvic::*test)(int) const) const;
   template <class Apply>
   void for_bits(std::uint32_t base, std::uint32_t address, std::uint32_t value, Apply apply);
-  std::uint32_t icsr() const;
+  [[nodiscard]] std::uint32_t icsr() const;
+  [[nodiscard]] std::uint32_t shcsr() const;
 
   Reports& reports_;
   Nvic nvic_;
   CoreClock clock_;
   SysTick systick_;
   std::uint32_t vtor_ = 0, cpacr_ = 0, shcsr_ = 0, cfsr_ = 0, hfsr_ = 0, mmfar_ = 0, bfar_ = 0, aircr_ = 0, scr_ = 0,
-                ccr_ = 0, fpccr_ = 0, fpdscr_ = 0, demcr_ = 0, debug_control_ = 0, debug_freeze_ = 0;
+                ccr_ = 0, fpccr_ = 0, fpdscr_ = 0, demcr_ = 0, debug_control_ = 0;
   std::uint32_t mpu_control_ = 0, mpu_number_ = 0;
   std::array<MpuRegion, 8> regions_{};
+  std::array<std::uint32_t, 2> debug_freeze_{};
   std::uint32_t dwt_control_ = 0;
   std::uint64_t dwt_zero_ = 0;  ///< core cycle at which CYCCNT was 0
   std::uint32_t dwt_held_ = 0;  ///< CYCCNT while it stands

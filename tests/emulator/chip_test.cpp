@@ -1,5 +1,6 @@
 // The emulated chip itself, register by register: what it refuses, and what it does in time.
 #include <cstdlib>
+#include <cstring>
 
 #include "catch.hpp"
 #include "tests/emulator/bench.hpp"
@@ -322,4 +323,60 @@ TEST_CASE("pins take bytes and halfwords") {
   bench.board.chip().write(kGpioD + 0x14, 1, 0x42);
   CHECK(bench.read(kGpioD + 0x14) == 0x8042);
   CHECK(bench.board.reports().empty());
+}
+
+TEST_CASE("a word of a bit-band alias is one bit of RAM or of a peripheral") {
+  // b: sets r1 at [r0], reads [r0] to r2 and stores that at [r3].
+  constexpr std::uint32_t kRcc = 0x40023800;
+  const auto alias = [](std::uint32_t address, unsigned bit) {
+    return (address & 0xF0000000) + 0x02000000 + (address & 0xFFFFF) * 32 + bit * 4;
+  };
+  for (const auto& [address, bit] : {std::pair{0x20002004U, 9U}, std::pair{kRcc, 16U}, std::pair{kRcc + 0x30, 3U}}) {
+    const Code routine = {0x6001, 0x6802, 0x601A, 0xE7FE};  // str r1, [r0]; ldr r2, [r0]; str r2, [r3]; b .
+    Bench bench(bench_image(1, routine, {alias(address, bit), 0xFFFFFFFF, 0, 0x20002000}));
+    bench.run(10'000);
+    std::uint32_t seen = 0, word = 0;
+    std::memcpy(&seen, bench.board.cpu().memory(0x20002000, 4), 4);
+    if (address < 0x40000000)
+      std::memcpy(&word, bench.board.cpu().memory(address, 4), 4);
+    else
+      word = bench.read(address);
+    INFO(address << " bit " << bit);
+    CHECK(seen == 1);
+    CHECK((word >> bit & 1) == 1);
+    CHECK(bench.board.reports().empty());
+  }
+}
+
+TEST_CASE("flash is programmed and erased as the manual says, and the core waits for it") {
+  constexpr std::uint32_t kFlash = 0x40023C00, kWord = 0x08020000;  // sector 5
+  Bench bench;
+  const auto word = [&] {
+    std::uint32_t value = 0;
+    std::memcpy(&value, bench.board.cpu().memory(kWord, 4), 4);
+    return value;
+  };
+  bench.board.chip().store_to_flash(kWord, 4, 1);
+  CHECK((bench.read(kFlash + 0x0C) & 0x80) != 0);  // PGSERR: locked
+  CHECK(word() == 0xFFFFFFFF);
+  bench.write(kFlash + 0x0C, 0x80);
+  bench.write(kFlash + 0x04, 0x45670123);
+  bench.write(kFlash + 0x04, 0xCDEF89AB);
+  CHECK((bench.read(kFlash + 0x10) >> 31) == 0);
+  bench.write(kFlash + 0x10, 2U << 8 | 1);
+  bench.board.chip().store_to_flash(kWord, 2, 1);
+  CHECK((bench.read(kFlash + 0x0C) & 0x40) != 0);  // PGPERR: a halfword where PSIZE says a word
+  bench.write(kFlash + 0x0C, 0x40);
+  const std::uint64_t before = bench.board.now_ns();
+  bench.board.chip().store_to_flash(kWord, 4, 0x1234F00F);
+  CHECK(bench.board.now_ns() - before == 16'000);
+  bench.run(100);
+  bench.board.chip().store_to_flash(kWord, 4, 0xFFFF00FF);  // bits only go to 0
+  CHECK(word() == 0x1234000F);
+  bench.run(100);
+  bench.write(kFlash + 0x10, 2U << 8 | 5U << 3 | 2 | 1U << 16);
+  CHECK(bench.board.now_ns() - before > 1'000'000'000);
+  CHECK(word() == 0xFFFFFFFF);
+  bench.run(100);
+  CHECK((bench.read(kFlash + 0x0C) & 0x1'00FF) == 0);
 }
