@@ -20,8 +20,9 @@ Board::Board(Wiring wiring, const BoardOptions& options) : chip_(world_, std::mo
   cpu_->set_log(&log_);
   if (options.cost == CostModel::qemu) chip_.rcc.fixed_hz = 168'000'000;
   chip_.reset();
-  chip_.iwdg.lsi_hz = options.lsi_hz;
+  chip_.iwdg.lsi_hz = chip_.rcc.lsi_hz = options.lsi_hz;
   chip_.iwdg.on_timeout = [this] { restart(Rcc::kWatchdogReset); };
+  chip_.wwdg.on_timeout = [this] { restart(Rcc::kWindowReset); };
   cpu_->on_reset_request = [this] { restart(Rcc::kSoftwareReset); };
 }
 

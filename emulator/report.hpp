@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,18 +34,20 @@ struct Report {
   std::uint64_t first_ns;
   std::uint32_t pc;
   std::uint32_t count;
+  std::optional<std::uint32_t> address;  ///< of the register whose access it was
 };
 
 class Reports {
  public:
-  void add(Misuse misuse, const std::string& text, Time now, std::uint32_t pc) {
+  void add(Misuse misuse, const std::string& text, Time now, std::uint32_t pc,
+           std::optional<std::uint32_t> address = std::nullopt) {
     for (Report& report : reports_) {
       if (report.misuse == misuse && report.text == text) {
         ++report.count;
         return;
       }
     }
-    reports_.push_back(Report{misuse, text, to_ns(now), pc, 1});
+    reports_.push_back(Report{misuse, text, to_ns(now), pc, 1, address});
   }
   [[nodiscard]] const std::vector<Report>& all() const { return reports_; }
 

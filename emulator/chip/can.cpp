@@ -2,9 +2,15 @@
 
 namespace finemote::emulator {
 namespace {
-constexpr std::uint32_t kInit = 1, kSleep = 2, kNoRetransmission = 16, kAutomaticRecovery = 64, kMasterReset = 1U << 15;
-constexpr std::uint32_t kTransmitInterrupt = 1, kReceiveInterrupt = 2, kBusOffInterrupt = 1U << 10,
-                        kErrorInterrupt = 1U << 15;
+constexpr std::uint32_t kInit = 1, kSleep = 2, kByRequest = 4, kLockedFifo = 8, kNoRetransmission = 16, kWakeUp = 32,
+                        kAutomaticRecovery = 64, kMasterReset = 1U << 15;
+constexpr std::uint32_t kTransmitInterrupt = 1, kReceiveInterrupt = 2, kFullInterrupt = 4, kOverrunInterrupt = 8,
+                        kWarningInterrupt = 1U << 8, kPassiveInterrupt = 1U << 9, kBusOffInterrupt = 1U << 10,
+                        kCodeInterrupt = 1U << 11, kErrorInterrupt = 1U << 15;
+constexpr std::uint32_t kKnownInterrupts = 0x7F | kWarningInterrupt | kPassiveInterrupt | kBusOffInterrupt |
+                                           kCodeInterrupt | kErrorInterrupt | 1U << 16 | 1U << 17;
+constexpr std::uint32_t kWarning = 1, kPassive = 2, kBusOff = 4;                                 // ESR: 32.9.2
+constexpr std::uint32_t kNotAcknowledged = 3U << 4, kRecessiveWrong = 4U << 4, kLastCode = 7U << 4;  // ESR.LEC
 
 }  // namespace
 
@@ -17,26 +23,6 @@ CanFrame Can::Mailbox::frame() const {
     frame.tags[i] = tags[2 + i / 4][i % 4];
   }
   return frame;
-}
-
-bool CanFilters::accepts(std::uint32_t id, bool second) const {
-  const unsigned split = fmr >> 8 & 0x3F;
-  for (unsigned i = second ? split : 0; i < (second ? 28 : split); ++i) {
-    if ((active >> i & 1) == 0) continue;
-    const bool list = (mode >> i & 1) != 0, wide = (scale >> i & 1) != 0;
-    const auto& b = bank[i];
-    if (wide) {
-      const std::uint32_t value = id << 21;
-      if (list ? value == b[0] || value == b[1] : ((value ^ b[0]) & b[1]) == 0) return true;
-      continue;
-    }
-    const std::uint32_t value = id << 5;
-    for (const std::uint32_t half : b) {
-      const std::uint32_t low = half & 0xFFFF, high = half >> 16;
-      if (list ? value == low || value == high : ((value ^ low) & high) == 0) return true;
-    }
-  }
-  return false;
 }
 
 Can::Can(World& world, std::string name, Lines lines, CanFilters& filters, bool second,
@@ -59,16 +45,22 @@ void Can::reset() {
   btr_ = 0x01230000;
   transmit_errors_ = 0;
   initialising_ = true;  // asleep
-  error_flag_ = overrun_ = false;
+  error_flag_ = false;
   mailboxes_ = {};
-  fifo_.clear();
+  fifos_ = {};
   if (!second_) filters_ = CanFilters{};
   update();
 }
 
 void Can::update() {
   world_.set_line(lines_.transmit, (ier_ & kTransmitInterrupt) != 0 && completed_ != 0);
-  world_.set_line(lines_.receive, (ier_ & kReceiveInterrupt) != 0 && !fifo_.empty());
+  for (unsigned i = 0; i < 2; ++i) {
+    const Fifo& fifo = fifos_[i];
+    const std::uint32_t wanted = ier_ >> (3 * i);
+    world_.set_line(lines_.receive[i], ((wanted & kReceiveInterrupt) != 0 && !fifo.frames.empty()) ||
+                                           ((wanted & kFullInterrupt) != 0 && fifo.full) ||
+                                           ((wanted & kOverrunInterrupt) != 0 && fifo.overrun));
+  }
   world_.set_line(lines_.error, (ier_ & kErrorInterrupt) != 0 && error_flag_);
 }
 
@@ -77,15 +69,22 @@ std::uint32_t Can::bitrate() const {
   return clock_hz_() / ((btr_ & 0x3FF) + 1) / quanta;
 }
 
-std::optional<CanFrame> Can::next() const {
-  std::optional<CanFrame> best;
-  if (!on_bus()) return best;
+/// The smaller identifier, or with TXFP the earlier request; equal identifiers by mailbox: 32.7.1.
+bool Can::goes_before(const Mailbox& a, const Mailbox& b) const {
+  return (mcr_ & kByRequest) != 0 ? a.request < b.request : a.words[0] >> 21 < b.words[0] >> 21;
+}
+
+const Can::Mailbox* Can::most_urgent() const {
+  const Mailbox* best = nullptr;
   for (const Mailbox& mailbox : mailboxes_) {
-    if (!mailbox.waiting) continue;
-    const CanFrame frame = mailbox.frame();
-    if (!best || frame.id < best->id) best = frame;
+    if (mailbox.waiting && (best == nullptr || goes_before(mailbox, *best))) best = &mailbox;
   }
   return best;
+}
+
+std::optional<CanFrame> Can::next() const {
+  const Mailbox* mailbox = on_bus() ? most_urgent() : nullptr;
+  return mailbox == nullptr ? std::nullopt : std::optional(mailbox->frame());
 }
 
 void Can::sent(const CanFrame& frame, CanOutcome outcome) {
@@ -93,11 +92,15 @@ void Can::sent(const CanFrame& frame, CanOutcome outcome) {
   if (!ok) count_error(outcome);
   if (!ok && (mcr_ & kNoRetransmission) == 0) return;  // the mailbox tries again
   if (ok && transmit_errors_ > 0) --transmit_errors_;
-  for (unsigned i = 0; i < 3; ++i) {
-    if (!mailboxes_[i].waiting || mailboxes_[i].words[0] >> 21 != frame.id) continue;
-    mailboxes_[i].waiting = false;
-    completed_ |= (ok ? 3U : 9U) << (8 * i);  // RQCP with TXOK or TERR
-    break;
+  const Mailbox* sender = nullptr;
+  for (const Mailbox& mailbox : mailboxes_) {
+    const bool is_it = mailbox.waiting && mailbox.words[0] >> 21 == frame.id;
+    if (is_it && (sender == nullptr || goes_before(mailbox, *sender))) sender = &mailbox;
+  }
+  if (sender != nullptr) {
+    const auto index = static_cast<unsigned>(sender - mailboxes_.data());
+    mailboxes_[index].waiting = false;
+    completed_ |= (ok ? 3U : 9U) << (8 * index);  // RQCP with TXOK or TERR
   }
   update();
 }
@@ -105,13 +108,30 @@ void Can::sent(const CanFrame& frame, CanOutcome outcome) {
 /// A failed transmission: eight more; above 255 the controller leaves the bus. Not so when nobody acknowledges an
 /// error-passive node: its count stays (ISO 11898-1).
 void Can::count_error(CanOutcome outcome) {
+  const bool unheard = outcome == CanOutcome::unacknowledged;
+  esr_ = (esr_ & ~kLastCode) | (unheard ? kNotAcknowledged : kRecessiveWrong);
   if (outcome == CanOutcome::unacknowledged && transmit_errors_ >= 128) return;
   transmit_errors_ += 8;
-  if (transmit_errors_ <= 255) return;
-  esr_ |= 4;
-  error_flag_ = error_flag_ || (ier_ & kBusOffInterrupt) != 0;
-  if ((mcr_ & kAutomaticRecovery) != 0) recover();
+  if (transmit_errors_ > 255) {
+    esr_ |= kBusOff;
+    if ((mcr_ & kAutomaticRecovery) != 0) recover();
+  }
+  note_error();
   update();
+}
+
+/// ERRI: one of the conditions that have an interrupt has come about.
+void Can::note_error() {
+  const std::uint32_t status = error_status();
+  error_flag_ = error_flag_ || ((status & kWarning) != 0 && (ier_ & kWarningInterrupt) != 0) ||
+                ((status & kPassive) != 0 && (ier_ & kPassiveInterrupt) != 0) ||
+                ((status & kBusOff) != 0 && (ier_ & kBusOffInterrupt) != 0) ||
+                ((status & kLastCode) != 0 && (ier_ & kCodeInterrupt) != 0);
+}
+
+std::uint32_t Can::error_status() const {
+  return esr_ | (transmit_errors_ >= 96 ? kWarning : 0) | (transmit_errors_ >= 128 ? kPassive : 0) |
+         (transmit_errors_ > 255 ? 255U : transmit_errors_) << 16;
 }
 
 /// Back on the bus after 128 times eleven recessive bits: RM0090 32.7.6.
@@ -125,17 +145,24 @@ void Can::recover() {
 }
 
 void Can::received(const CanFrame& frame) {
-  if (!on_bus() || !filters_.accepts(frame.id, second_)) return;
-  if (fifo_.size() == 3) {
-    overrun_ = true;
-    fifo_.pop_back();  // without RFLM the last one is overwritten
+  const auto match = on_bus() ? filters_.match(frame.id, second_) : std::nullopt;
+  if (!match) return;
+  Fifo& fifo = fifos_[match->fifo];
+  if (fifo.frames.size() == 3) {
+    fifo.overrun = true;
+    if ((mcr_ & kLockedFifo) != 0) return update();
+    fifo.frames.pop_back();  // without RFLM the last one is overwritten
   }
-  fifo_.push_back(frame);
+  fifo.frames.push_back({frame, match->number});
+  fifo.full = fifo.full || fifo.frames.size() == 3;
   update();
 }
 
 void Can::write_mcr(std::uint32_t value) {
-  only(value, kInit | kSleep | kNoRetransmission | kAutomaticRecovery | kMasterReset | 0x10000, "MCR");
+  only(value,
+       kInit | kSleep | kByRequest | kLockedFifo | kNoRetransmission | kWakeUp | kAutomaticRecovery | kMasterReset |
+           0x10000,
+       "MCR");
   if ((value & kMasterReset) != 0) return reset();
   const bool was = initialising_;
   mcr_ = value;
@@ -145,59 +172,11 @@ void Can::write_mcr(std::uint32_t value) {
   bus_off() ? recover() : line.request();
 }
 
-std::uint32_t Can::read_filter(std::uint32_t offset) {
-  switch (offset) {
-    case 0x200:
-      return filters_.fmr;
-    case 0x204:
-      return filters_.mode;
-    case 0x20C:
-      return filters_.scale;
-    case 0x214:
-      return filters_.fifo;
-    case 0x21C:
-      return filters_.active;
-    default:
-      break;
-  }
-  if (offset < 0x240 || offset >= 0x240 + 8 * 28) return unmodelled_read(offset);
-  return filters_.bank[(offset - 0x240) / 8][(offset >> 2) & 1];
-}
-
-void Can::write_filter(std::uint32_t offset, std::uint32_t value) {
-  if (second_) return unmodelled_write(offset, value);
-  if (offset == 0x200) {
-    filters_.fmr = value;
-    return;
-  }
-  if ((filters_.fmr & 1) == 0)
-    world_.report(Misuse::protocol, "CAN filters are written outside their initialisation mode");
-  switch (offset) {
-    case 0x204:
-      filters_.mode = value;
-      return;
-    case 0x20C:
-      filters_.scale = value;
-      return;
-    case 0x214:
-      only(value, 0, "FFA1R");
-      filters_.fifo = value;
-      return;
-    case 0x21C:
-      filters_.active = value;
-      return;
-    default:
-      break;
-  }
-  if (offset < 0x240 || offset >= 0x240 + 8 * 28) return unmodelled_write(offset, value);
-  filters_.bank[(offset - 0x240) / 8][(offset >> 2) & 1] = value;
-}
-
-std::uint32_t Can::read_received(unsigned word) {
-  if (fifo_.empty()) return 0;
-  const CanFrame& frame = fifo_.front();
+std::uint32_t Can::read_received(const Fifo& fifo, unsigned word) {
+  if (fifo.frames.empty()) return 0;
+  const auto& [frame, match] = fifo.frames.front();
   if (word == 0) return frame.id << 21;
-  if (word == 1) return frame.size;
+  if (word == 1) return frame.size | match << 8;
   std::uint32_t value = 0;
   for (unsigned i = 0; i < 4; ++i) {
     value |= std::uint32_t{frame.data[4 * (word - 2) + i]} << (8 * i);
@@ -206,30 +185,52 @@ std::uint32_t Can::read_received(unsigned word) {
   return value;
 }
 
+/// CODE is the next free mailbox; where none is free, the one that will be sent last, as LOW says too: 32.9.2.
+std::uint32_t Can::transmit_status() const {
+  std::uint32_t empty = 0, code = 0;
+  const Mailbox* last = nullptr;
+  unsigned waiting = 0;
+  for (unsigned i = 3; i-- > 0;) {
+    const Mailbox& mailbox = mailboxes_[i];
+    if (mailbox.waiting) {
+      ++waiting;
+      if (last == nullptr || goes_before(*last, mailbox)) last = &mailbox;
+    } else {
+      empty |= 1U << i;
+      code = i;
+    }
+  }
+  const unsigned lowest = last == nullptr ? 0 : static_cast<unsigned>(last - mailboxes_.data());
+  if (empty == 0) code = lowest;
+  return completed_ | code << 24 | empty << 26 | (waiting > 1 ? 1U << (29 + lowest) : 0);
+}
+
+std::uint32_t Can::fifo_status(const Fifo& fifo) const {
+  return static_cast<std::uint32_t>(fifo.frames.size()) | (fifo.full ? 8U : 0) | (fifo.overrun ? 16U : 0);
+}
+
 std::uint32_t Can::read(std::uint32_t offset) {
-  if (offset >= 0x200) return read_filter(offset);
+  if (offset >= 0x200) {
+    const auto value = filters_.read(offset);
+    return value ? *value : unmodelled_read(offset);
+  }
   if (offset >= 0x180 && offset < 0x1B0) return mailboxes_[(offset - 0x180) / 16].words[offset / 4 % 4];
-  if (offset >= 0x1B0 && offset < 0x1C0) return read_received(offset / 4 % 4);
+  if (offset >= 0x1B0 && offset < 0x1D0) return read_received(fifos_[(offset - 0x1B0) / 16], offset / 4 % 4);
   switch (offset) {
     case 0x00:
       return mcr_;
     case 0x04:
       return ((mcr_ & kInit) != 0 ? 1U : 0) | ((mcr_ & (kInit | kSleep)) == kSleep ? 2U : 0) | (error_flag_ ? 4U : 0) |
              0xC00;  // RX and SAMP: the bus is recessive
-    case 0x08: {
-      std::uint32_t empty = 0;
-      for (unsigned i = 0; i < 3; ++i) empty |= mailboxes_[i].waiting ? 0 : 1U << (26 + i);
-      return completed_ | empty;
-    }
+    case 0x08:
+      return transmit_status();
     case 0x0C:
-      return static_cast<std::uint32_t>(fifo_.size()) | (fifo_.size() == 3 ? 8U : 0) | (overrun_ ? 16U : 0);
     case 0x10:
-      return 0;
+      return fifo_status(fifos_[(offset - 0x0C) / 4]);
     case 0x14:
       return ier_;
     case 0x18:
-      return esr_ | (transmit_errors_ >= 96 ? 1U : 0) | (transmit_errors_ >= 128 ? 2U : 0) |
-             (transmit_errors_ > 255 ? 255U : transmit_errors_) << 16;
+      return error_status();
     case 0x1C:
       return btr_;
     default:
@@ -237,22 +238,45 @@ std::uint32_t Can::read(std::uint32_t offset) {
   }
 }
 
+void Can::write_mailbox(unsigned index, unsigned word, std::uint32_t value) {
+  Mailbox& mailbox = mailboxes_[index];
+  if (mailbox.waiting) world_.report(Misuse::protocol, name() + " mailbox is written while it waits");
+  mailbox.words[word] = value;
+  mailbox.tags[word] = world_.crossing();
+  if (word != 0 || (value & 1) == 0) return;
+  if ((value & 6) != 0) world_.report(Misuse::unmodelled, name() + " extended or remote frame");
+  mailbox.waiting = true;
+  mailbox.request = ++requests_;
+  completed_ &= ~(0xFU << (8 * index));  // a request to transmit clears it: RM0090 32.9.2
+  line.request();
+}
+
+void Can::write_transmit_status(std::uint32_t value) {
+  for (unsigned i = 0; i < 3; ++i) {
+    if ((value >> (8 * i) & 1) != 0) completed_ &= ~(0xFU << (8 * i));
+    if ((value >> (8 * i + 7) & 1) != 0 && mailboxes_[i].waiting) {
+      mailboxes_[i].waiting = false;
+      completed_ |= 1U << (8 * i);
+    }
+  }
+}
+
+void Can::write_fifo(Fifo& fifo, std::uint32_t value) {
+  if ((value & 8) != 0) fifo.full = false;
+  if ((value & 16) != 0) fifo.overrun = false;
+  if ((value & 32) != 0 && !fifo.frames.empty()) fifo.frames.pop_front();
+}
+
+void Can::write_filter(std::uint32_t offset, std::uint32_t value) {
+  if (second_) return unmodelled_write(offset);
+  if (!filters_.is_open() && !CanFilters::is_master(offset))
+    world_.report(Misuse::protocol, "CAN filters are written outside their initialisation mode");
+  if (!filters_.write(offset, value)) unmodelled_write(offset);
+}
+
 void Can::write(std::uint32_t offset, std::uint32_t value) {
   if (offset >= 0x200) return write_filter(offset, value);
-  if (offset >= 0x180 && offset < 0x1B0) {
-    Mailbox& mailbox = mailboxes_[(offset - 0x180) / 16];
-    const unsigned word = offset / 4 % 4;
-    if (mailbox.waiting) world_.report(Misuse::protocol, name() + " mailbox is written while it waits");
-    mailbox.words[word] = value;
-    mailbox.tags[word] = world_.crossing();
-    if (word == 0 && (value & 1) != 0) {
-      if ((value & 6) != 0) world_.report(Misuse::unmodelled, name() + " extended or remote frame");
-      mailbox.waiting = true;
-      completed_ &= ~(0xFU << (8 * ((offset - 0x180) / 16)));  // a request to transmit clears it: RM0090 32.9.2
-      line.request();
-    }
-    return;
-  }
+  if (offset >= 0x180 && offset < 0x1B0) return write_mailbox((offset - 0x180) / 16, offset / 4 % 4, value);
   switch (offset) {
     case 0x00:
       write_mcr(value);
@@ -261,23 +285,18 @@ void Can::write(std::uint32_t offset, std::uint32_t value) {
       error_flag_ = error_flag_ && (value & 4) == 0;
       break;
     case 0x08:
-      for (unsigned i = 0; i < 3; ++i) {
-        if ((value >> (8 * i) & 1) != 0) completed_ &= ~(0xFU << (8 * i));
-        if ((value >> (8 * i + 7) & 1) != 0 && mailboxes_[i].waiting) {
-          mailboxes_[i].waiting = false;
-          completed_ |= 1U << (8 * i);
-        }
-      }
+      write_transmit_status(value);
       break;
     case 0x0C:
-      if ((value & 16) != 0) overrun_ = false;
-      if ((value & 32) != 0 && !fifo_.empty()) fifo_.pop_front();
+    case 0x10:
+      write_fifo(fifos_[(offset - 0x0C) / 4], value);
       break;
     case 0x14:
-      only(value, kTransmitInterrupt | kReceiveInterrupt | kBusOffInterrupt | kErrorInterrupt, "IER");
+      only(value, kKnownInterrupts, "IER");
       ier_ = value;
       break;
     case 0x18:
+      esr_ = (esr_ & ~kLastCode) | (value & kLastCode);
       break;
     case 0x1C:
       if ((mcr_ & kInit) == 0)
@@ -286,7 +305,7 @@ void Can::write(std::uint32_t offset, std::uint32_t value) {
       btr_ = value;
       break;
     default:
-      return unmodelled_write(offset, value);
+      return unmodelled_write(offset);
   }
   update();
 }

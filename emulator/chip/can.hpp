@@ -1,28 +1,23 @@
-// A bxCAN controller: mailboxes by identifier, filters, a FIFO of three, error counters and bus-off. RM0090 32.
-// Standard data frames only; FIFO 1, test and time-triggered modes are not modelled.
+// A bxCAN controller: mailboxes by identifier or by request, filters, two FIFOs of three, error counters and bus-off.
+// RM0090 32. Standard data frames only; test and time-triggered modes are not modelled.
 #pragma once
 
 #include <array>
 #include <deque>
 #include <functional>
 
+#include "emulator/chip/can_filters.hpp"
 #include "emulator/chip/can_line.hpp"
 #include "emulator/chip/peripheral.hpp"
 
 namespace finemote::emulator {
 
-/// The 28 filter banks both controllers share: RM0090 32.7.4.
-struct CanFilters {
-  std::uint32_t fmr = 0x2A1C0E01, mode = 0, scale = 0, fifo = 0, active = 0;
-  std::array<std::array<std::uint32_t, 2>, 28> bank{};
-  /// Does a bank of the first (or, for CAN2, second) group let the identifier in?
-  [[nodiscard]] bool accepts(std::uint32_t id, bool second) const;
-};
-
 class Can : public Peripheral {
  public:
   struct Lines {
-    int transmit, receive, error;
+    int transmit;
+    std::array<int, 2> receive;  ///< by FIFO
+    int error;
   };
   Can(World& world, std::string name, Lines lines, CanFilters& filters, bool second,
       std::function<std::uint32_t()> clock_hz);
@@ -39,18 +34,35 @@ class Can : public Peripheral {
     std::array<std::uint32_t, 4> words{};
     std::array<WordTags, 4> tags{};
     bool waiting = false;
+    std::uint64_t request = 0;  ///< counts requests to transmit
     [[nodiscard]] CanFrame frame() const;
   };
+  struct Received {
+    CanFrame frame;
+    unsigned match;  ///< number of the filter that let it in
+  };
+  struct Fifo {
+    std::deque<Received> frames;
+    bool full = false, overrun = false;
+  };
   [[nodiscard]] bool on_bus() const { return !initialising_ && !bus_off(); }
+  [[nodiscard]] const Mailbox* most_urgent() const;
+  [[nodiscard]] bool goes_before(const Mailbox& a, const Mailbox& b) const;
   [[nodiscard]] std::optional<CanFrame> next() const;
+  [[nodiscard]] std::uint32_t transmit_status() const;
+  void write_transmit_status(std::uint32_t value);
+  void write_mailbox(unsigned index, unsigned word, std::uint32_t value);
+  [[nodiscard]] std::uint32_t fifo_status(const Fifo& fifo) const;
+  void write_fifo(Fifo& fifo, std::uint32_t value);
   void sent(const CanFrame& frame, CanOutcome outcome);
   void received(const CanFrame& frame);
   void count_error(CanOutcome outcome);
   void recover();
   void write_mcr(std::uint32_t value);
   void write_filter(std::uint32_t offset, std::uint32_t value);
-  [[nodiscard]] std::uint32_t read_filter(std::uint32_t offset);
-  [[nodiscard]] std::uint32_t read_received(unsigned word);
+  [[nodiscard]] std::uint32_t read_received(const Fifo& fifo, unsigned word);
+  [[nodiscard]] std::uint32_t error_status() const;
+  void note_error();
   [[nodiscard]] std::uint32_t bitrate() const;
   void update();
 
@@ -60,9 +72,10 @@ class Can : public Peripheral {
   std::function<std::uint32_t()> clock_hz_;
   std::uint32_t mcr_ = 0, ier_ = 0, esr_ = 0, btr_ = 0, completed_ = 0;
   unsigned transmit_errors_ = 0;
-  bool initialising_ = true, error_flag_ = false, overrun_ = false;
+  bool initialising_ = true, error_flag_ = false;
   std::array<Mailbox, 3> mailboxes_{};
-  std::deque<CanFrame> fifo_;
+  std::uint64_t requests_ = 0;
+  std::array<Fifo, 2> fifos_{};
 };
 
 }  // namespace finemote::emulator

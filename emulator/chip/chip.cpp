@@ -22,6 +22,12 @@ Chip::Chip(World& world, Wiring wiring)
       exti(world),
       syscfg(world),
       iwdg(world),
+      wwdg(world, clock_of(ClockBus::apb1)),
+      rtc(world, {[this] { return rcc.rtc_hz(); }, [this] { return pwr.opens_backup(); }}),
+      rng(world, [this] { return rcc.usb_hz(); }),
+      crc(world),
+      dac(world),
+      usb(world),
       world_(world),
       wiring_(std::move(wiring)) {
   add_system();
@@ -29,7 +35,7 @@ Chip::Chip(World& world, Wiring wiring)
   add_dma();
   add_buses();
   add_timers();
-  add_converter();
+  add_converters();
   connect();
   reset();
 }
@@ -41,6 +47,15 @@ void Chip::add_system() {
   place(stm32f407::kPwr, pwr);
   place(stm32f407::kSyscfg, syscfg);
   place(stm32f407::kExti, exti);
+  place(stm32f407::kWwdg, wwdg);
+  place(stm32f407::kRtc, rtc);
+  place(stm32f407::kRng, rng);
+  place(stm32f407::kCrc, crc);
+  place(stm32f407::kDac, dac);
+  place(stm32f407::kUsb, usb, Usb::kKib);
+  rcc.backup.is_open = [this] { return pwr.opens_backup(); };
+  rcc.backup.before_change = [this] { rtc.clock_changes(); };
+  rcc.backup.on_reset = [this] { rtc.reset_domain(); };
   rcc.wait_states = [this] { return flash.wait_states(); };
   rcc.reset_peripheral = [this](ClockBus bus, unsigned bit) { reset_at(bus, bit); };
 }
@@ -77,8 +92,10 @@ void Chip::add_buses() {
     spis_.push_back(std::make_unique<Spi>(world_, it.name, wiring));
     place(it.place, *spis_.back());
   }
+  const auto dma_left = [this](DmaRequest request) { return dma1_->left(request); };
   for (const auto& it : stm32f407::kI2cs) {
-    i2cs_.push_back(std::make_unique<I2c>(world_, it.name, it.event_line, it.error_line, clock_of(it.place.bus)));
+    const I2c::Wiring wiring{it.event_line, it.error_line, it.rx, it.tx, clock_of(it.place.bus), dma, dma_left};
+    i2cs_.push_back(std::make_unique<I2c>(world_, it.name, wiring));
     place(it.place, *i2cs_.back());
   }
   for (const auto& it : stm32f407::kCans) {
@@ -88,28 +105,40 @@ void Chip::add_buses() {
   }
 }
 
+std::function<void(bool)> Chip::shared_line(int line) {
+  return [this, line](bool high) {
+    unsigned& holders = line_holders_[static_cast<std::size_t>(line)];
+    holders += high ? 1 : -1U;
+    world_.set_line(line, holders != 0);
+  };
+}
+
 void Chip::add_timers() {
   for (const auto& it : stm32f407::kTimers) {
-    const auto set_line = [this, line = it.line](bool high) {
-      unsigned& holders = timer_lines_[static_cast<std::size_t>(line)];
-      holders += high ? 1 : -1U;
-      world_.set_line(line, holders != 0);
-    };
     const auto clock = [this, bus = it.place.bus] { return rcc.timer_hz(bus); };
-    timers_.push_back(std::make_unique<Timer>(world_, it.name, it.kind, clock, set_line));
+    const Timer::Lines lines{shared_line(it.line), shared_line(it.compare_line)};
+    timers_.push_back(std::make_unique<Timer>(world_, it.name, it.kind, clock, lines));
     place(it.place, *timers_.back());
   }
 }
 
-void Chip::add_converter() {
-  const auto is_analog = [this](unsigned input) {
-    for (const Wiring::Analog& it : wiring_.analogs) {
-      if (it.converter == stm32f407::kConverter && it.input == input) return gpio(it.pin.port).mode(it.pin.number) == 3;
-    }
-    return false;
+Adc::Wiring Chip::converter_wiring(unsigned number) {
+  const stm32f407::AdcEntry& entry = stm32f407::kAdcEntries[number];
+  const auto is_analog = [this, &entry](unsigned input) {
+    const PinPlace pin = pin_place(entry.pins[input]);
+    return gpio(pin.port).mode(pin.number) == 3;
   };
-  adc_ = std::make_unique<Adc>(world_, stm32f407::kConverter, Adc::Wiring{clock_of(stm32f407::kAdcs.bus), is_analog});
-  place(stm32f407::kAdcs, *adc_);
+  const auto dma = [this](DmaRequest request) { return dma2_->serve(request); };
+  return {clock_of(stm32f407::kAdcs.bus), is_analog, dma, entry.request, shared_line(stm32f407::kAdcLine)};
+}
+
+void Chip::add_converters() {
+  adcs_ = std::make_unique<AdcBlock>(world_, [this](unsigned number) { return converter_wiring(number); });
+  // Inside the first: 25 degrees Celsius, the reference, a battery that is not there. DS8626 5.3.22, 5.3.24.
+  Adc& first = adcs_->converter(0);
+  first.volts[16] = 0.76;
+  first.volts[17] = 1.21;
+  place(stm32f407::kAdcs, *adcs_);
 }
 
 void Chip::connect() {
@@ -139,7 +168,12 @@ Usart* Chip::usart(const std::string& name) { return named(usarts_, name); }
 I2c* Chip::i2c(const std::string& name) { return named(i2cs_, name); }
 Can* Chip::can(const std::string& name) { return named(cans_, name); }
 Spi* Chip::spi(const std::string& name) { return named(spis_, name); }
-Adc* Chip::adc(const std::string& name) { return name == adc_->name() ? adc_.get() : nullptr; }
+Adc* Chip::adc(const std::string& name) {
+  for (unsigned i = 0; i < AdcBlock::kConverters; ++i) {
+    if (adcs_->converter(i).name() == name) return &adcs_->converter(i);
+  }
+  return nullptr;
+}
 
 void Chip::attach_spi(Spi& spi, char port, unsigned pin, SpiPart part) {
   const std::size_t number = spi.attach(std::move(part));

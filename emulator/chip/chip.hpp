@@ -7,9 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "emulator/chip/adc.hpp"
+#include "emulator/chip/adc_block.hpp"
 #include "emulator/chip/can.hpp"
 #include "emulator/chip/chip_bus.hpp"
+#include "emulator/chip/crc.hpp"
+#include "emulator/chip/dac.hpp"
 #include "emulator/chip/dma.hpp"
 #include "emulator/chip/exti.hpp"
 #include "emulator/chip/flash.hpp"
@@ -17,10 +19,14 @@
 #include "emulator/chip/i2c.hpp"
 #include "emulator/chip/iwdg.hpp"
 #include "emulator/chip/pwr.hpp"
+#include "emulator/chip/rng.hpp"
+#include "emulator/chip/rtc.hpp"
 #include "emulator/chip/spi.hpp"
 #include "emulator/chip/timer.hpp"
 #include "emulator/chip/usart.hpp"
+#include "emulator/chip/usb.hpp"
 #include "emulator/chip/wiring.hpp"
+#include "emulator/chip/wwdg.hpp"
 
 namespace finemote::emulator {
 
@@ -62,6 +68,12 @@ class Chip : public ChipBus {
   Exti exti;
   Syscfg syscfg;
   Iwdg iwdg;
+  Wwdg wwdg;
+  Rtc rtc;
+  Rng rng;
+  Crc crc;
+  Dac dac;
+  Usb usb;
 
  private:
   void add_system();
@@ -69,7 +81,10 @@ class Chip : public ChipBus {
   void add_dma();
   void add_buses();
   void add_timers();
-  void add_converter();
+  void add_converters();
+  [[nodiscard]] Adc::Wiring converter_wiring(unsigned number);
+  /// A line that several hold up.
+  [[nodiscard]] std::function<void(bool)> shared_line(int line);
   void connect();
   void connect_wires(I2c& i2c, PinPlace scl, PinPlace sda);
   [[nodiscard]] std::function<std::uint32_t()> clock_of(ClockBus bus);
@@ -81,11 +96,11 @@ class Chip : public ChipBus {
   std::vector<std::unique_ptr<Usart>> usarts_;
   std::vector<std::unique_ptr<I2c>> i2cs_;
   std::vector<std::unique_ptr<Spi>> spis_;
-  std::unique_ptr<Adc> adc_;
+  std::unique_ptr<AdcBlock> adcs_;
   CanFilters can_filters_;
   std::vector<std::unique_ptr<Can>> cans_;
   std::vector<std::unique_ptr<Timer>> timers_;
-  std::array<unsigned, kExceptions> timer_lines_{};  ///< how many timers hold a line up
+  std::array<unsigned, kExceptions> line_holders_{};  ///< how many hold a shared line up
 };
 
 }  // namespace finemote::emulator

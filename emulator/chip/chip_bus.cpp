@@ -1,11 +1,14 @@
 #include "emulator/chip/chip_bus.hpp"
 
+#include <algorithm>
+
 #include "emulator/word_text.hpp"
 
 namespace finemote::emulator {
 namespace {
 
-constexpr std::uint32_t kFirst = 0x40000000;  ///< address of the first peripheral
+constexpr std::uint32_t kFirst = 0x40000000, kFirstOfAhb2 = 0x50000000;  ///< addresses of the first peripherals
+constexpr std::uint32_t kKib = 1024, kKibBelowAhb2 = 512;
 
 using Bridge = ChipBus::Bridge;
 
@@ -15,11 +18,16 @@ constexpr Bridge bridge_of(std::uint32_t address) {
 
 }  // namespace
 
-void ChipBus::place(const stm32f407::Place& place, Peripheral& peripheral) {
+/// What lies behind AHB2 follows at once.
+std::size_t ChipBus::kib_of(std::uint32_t address) {
+  return address < kFirstOfAhb2 ? (address - kFirst) / kKib : kKibBelowAhb2 + (address - kFirstOfAhb2) / kKib;
+}
+
+void ChipBus::place(const stm32f407::Place& place, Peripheral& peripheral, unsigned kib) {
   slots_.push_back(Slot{place, &peripheral});
-  const std::size_t at = (place.base - kFirst) / kBytes;
-  if (slot_at_.size() <= at) slot_at_.resize(at + 1);
-  slot_at_[at] = static_cast<std::uint8_t>(slots_.size());
+  const std::size_t at = kib_of(place.base);
+  if (slot_at_.size() < at + kib) slot_at_.resize(at + kib);
+  std::fill_n(slot_at_.begin() + static_cast<std::ptrdiff_t>(at), kib, static_cast<std::uint8_t>(slots_.size()));
 }
 
 void ChipBus::reset_all() {
@@ -38,20 +46,27 @@ void ChipBus::poll_dma() {
 }
 
 const ChipBus::Slot* ChipBus::find(std::uint32_t address) const {
-  const std::size_t at = (address - kFirst) / kBytes;
+  const std::size_t at = kib_of(address);
   const unsigned number = at < slot_at_.size() ? slot_at_[at] : 0;
   if (number == 0) return nullptr;
   return &slots_[number - 1];
 }
 
 /// @param value  to write; null to read
+std::uint32_t ChipBus::access(std::uint32_t address, unsigned bytes, const std::uint32_t* value) {
+  world_.touch(address);
+  const std::uint32_t answer = access(find(address), address, bytes, value);
+  world_.touch(std::nullopt);
+  return answer;
+}
+
 std::uint32_t ChipBus::access(const Slot* slot, std::uint32_t address, unsigned bytes, const std::uint32_t* value) {
   if (slot == nullptr) {
     world_.report(Misuse::unmodelled, "peripheral address " + hex(address & ~0x3FFU));
     return 0;
   }
-  if (!rcc.clocked(slot->place.bus, slot->place.bit)) {
-    world_.report(Misuse::unclocked, slot->peripheral->name() + " is touched before its clock is on");
+  if (!rcc.clocked(slot->place.bus, slot->peripheral->clock_bits(address - slot->place.base, slot->place.bit))) {
+    world_.report(Misuse::unclocked, slot->peripheral->name_at(address - slot->place.base) + " is touched before its clock is on");
     return 0;
   }
   const std::uint32_t offset = (address - slot->place.base) & ~3U, shift = (address & 3) * 8;

@@ -25,7 +25,8 @@ class ChipBus : public PeripheralBus {
   Rcc rcc;
 
  protected:
-  void place(const stm32f407::Place& place, Peripheral& peripheral);
+  /// @param kib  of its addresses
+  void place(const stm32f407::Place& place, Peripheral& peripheral, unsigned kib = 1);
   /// What DMA uses: the same registers without the processor's side.
   PeripheralBus& dma_side() { return dma_side_; }
   void reset_all();
@@ -33,7 +34,6 @@ class ChipBus : public PeripheralBus {
   void poll_dma();
 
  private:
-  static constexpr std::uint32_t kBytes = 0x400;  ///< of a peripheral
   struct Slot {
     stm32f407::Place place;
     Peripheral* peripheral = nullptr;
@@ -56,10 +56,9 @@ class ChipBus : public PeripheralBus {
     Time at = 0;
   };
 
+  static std::size_t kib_of(std::uint32_t address);
   [[nodiscard]] const Slot* find(std::uint32_t address) const;
-  std::uint32_t access(std::uint32_t address, unsigned bytes, const std::uint32_t* value) {
-    return access(find(address), address, bytes, value);
-  }
+  std::uint32_t access(std::uint32_t address, unsigned bytes, const std::uint32_t* value);
   std::uint32_t access(const Slot* slot, std::uint32_t address, unsigned bytes, const std::uint32_t* value);
   [[nodiscard]] unsigned ratio(Bridge bridge) const;
   [[nodiscard]] unsigned wait_cycles(std::uint32_t address) const;
@@ -68,7 +67,7 @@ class ChipBus : public PeripheralBus {
   World& world_;
   DmaSide dma_side_;
   std::vector<Slot> slots_;
-  std::vector<std::uint8_t> slot_at_;  ///< by KiB from the first peripheral: index in slots_ and 1; 0: none
+  std::vector<std::uint8_t> slot_at_;  ///< by KiB of addresses: index in slots_ and 1; 0: none
   Lowered lowered_;
 };
 

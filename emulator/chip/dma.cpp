@@ -1,14 +1,15 @@
 #include "emulator/chip/dma.hpp"
 
 #include <cstring>
-#include <iterator>
+
+#include "emulator/core/address_map.hpp"
 
 namespace finemote::emulator {
 namespace {
 
 constexpr std::uint32_t kEnable = 1, kErrorInterrupt = 4, kHalfInterrupt = 8, kCompleteInterrupt = 16,
                         kFromMemory = 1U << 6, kFromMemoryToMemory = 2U << 6, kDirection = 3U << 6, kCircular = 1U << 8,
-                        kPeripheralIncrement = 1U << 9, kMemoryIncrement = 1U << 10;
+                        kPeripheralIncrement = 1U << 9, kMemoryIncrement = 1U << 10, kDoubleBuffer = 1U << 18, kSecondBuffer = 1U << 19;
 constexpr std::uint32_t kFlagError = 8, kFlagHalf = 16, kFlagComplete = 32;
 
 struct Route {
@@ -26,12 +27,16 @@ constexpr Route kRoutes[] = {
     {DmaRequest::uart4_tx, 1, 4, 4},  {DmaRequest::uart5_rx, 1, 0, 4},  {DmaRequest::uart5_tx, 1, 7, 4},
     {DmaRequest::spi3_rx, 1, 0, 0},   {DmaRequest::spi3_rx, 1, 2, 0},   {DmaRequest::spi3_tx, 1, 5, 0},
     {DmaRequest::spi3_tx, 1, 7, 0},   {DmaRequest::i2c2_tx, 1, 7, 7},   {DmaRequest::i2c3_rx, 1, 2, 3},
-    {DmaRequest::i2c3_tx, 1, 4, 3},
+    {DmaRequest::i2c3_tx, 1, 4, 3},   {DmaRequest::i2c1_rx, 1, 0, 1},   {DmaRequest::i2c1_rx, 1, 5, 1},
+    {DmaRequest::i2c1_tx, 1, 6, 1},   {DmaRequest::i2c1_tx, 1, 7, 1},   {DmaRequest::adc1, 2, 0, 0},
+    {DmaRequest::adc1, 2, 4, 0},      {DmaRequest::adc2, 2, 2, 1},      {DmaRequest::adc2, 2, 3, 1},
+    {DmaRequest::adc3, 2, 0, 2},      {DmaRequest::adc3, 2, 1, 2},
 };
 
 constexpr int kLines[2][8] = {{11, 12, 13, 14, 15, 16, 17, 47}, {56, 57, 58, 59, 60, 68, 69, 70}};
 
-/// In direct mode PSIZE counts for both sides: RM0090 10.3.10, 10.5.5.
+/// PSIZE counts for both sides in direct mode, and in memory what the FIFO packs lies in the same order: RM0090 10.3.10,
+/// 10.3.12, 10.5.5.
 unsigned item_bytes(std::uint32_t control) { return 1U << (control >> 11 & 3); }
 
 unsigned shift_of(unsigned stream) { return stream % 4 / 2 * 16 + stream % 2 * 6; }
@@ -93,12 +98,11 @@ void Dma::write(std::uint32_t offset, std::uint32_t value) {
     return;
   }
   const unsigned index = offset < 0x10 ? 8 : (offset - 0x10) / 0x18;
-  if (index > 7) return unmodelled_write(offset, value);
+  if (index > 7) return unmodelled_write(offset);
   Stream& s = streams_[index];
   const unsigned field = (offset - 0x10) % 0x18;
   if (field == 0) return write_control(index, value);
-  if ((s.control & kEnable) != 0)
-    world_.report(Misuse::protocol, name() + " stream " + std::to_string(index) + " is set up while it is on");
+  if ((s.control & kEnable) != 0) check_set_up(index, field);
   switch (field) {
     case 0x04:
       s.count = s.left = value & 0xFFFF;
@@ -118,10 +122,18 @@ void Dma::write(std::uint32_t offset, std::uint32_t value) {
   }
 }
 
+/// While it is on, only the buffer of two that is not in use may be moved: RM0090 10.3.9.
+void Dma::check_set_up(unsigned index, unsigned field) {
+  const std::uint32_t control = streams_[index].control;
+  const unsigned idle = (control & kSecondBuffer) != 0 ? 0x0C : 0x10;
+  if ((control & kDoubleBuffer) != 0 && field == idle) return;
+  world_.report(Misuse::protocol, name() + " stream " + std::to_string(index) + " is set up while it is on");
+}
+
 void Dma::write_control(unsigned index, std::uint32_t value) {
   Stream& s = streams_[index];
   const bool was = (s.control & kEnable) != 0, on = (value & kEnable) != 0;
-  only(value, 0x0E030000U | 0x7FDF, "SxCR");  // single bursts, one buffer, the DMA counts
+  only(value, 0x0FEF0000U | 0x7FDF, "SxCR");  // the DMA counts, not the peripheral
   s.control = value;
   if (was && !on) raise(index, kFlagComplete);  // turned off before its end: RM0090 10.3.14
   if (on && !was) turn_on(index);
@@ -133,7 +145,6 @@ void Dma::turn_on(unsigned index) {
   const std::string stream = name() + " stream " + std::to_string(index);
   if ((flags_[index] & 0x3D) != 0)
     world_.report(Misuse::protocol, stream + " is turned on with flags of its last transfer set");
-  if ((s.fifo & 4) != 0) world_.report(Misuse::unmodelled, stream + " FIFO mode");
   s.left = s.count;  // also again: RM0090 10.5.6
   s.position = 0;
   if (s.left == 0) s.control &= ~kEnable;
@@ -148,27 +159,33 @@ void Dma::move_all(unsigned index) {
   while ((streams_[index].control & (kEnable | kDirection)) == (kEnable | kFromMemoryToMemory)) move(index);
 }
 
-bool Dma::serve(DmaRequest request) {
+/// The stream that is on for this request; -1: none.
+int Dma::serving(DmaRequest request) const {
   for (const Route& route : kRoutes) {
-    const Stream& s = streams_[route.stream];
     if (route.request != request || route.controller != number_) continue;
-    if ((s.control & kEnable) == 0 || (s.control >> 25 & 7) != route.channel) continue;
-    move(route.stream);
-    return true;
+    const std::uint32_t control = streams_[route.stream].control;
+    if ((control & kEnable) != 0 && (control >> 25 & 7) == route.channel) return static_cast<int>(route.stream);
   }
-  return false;
+  return -1;
+}
+
+bool Dma::serve(DmaRequest request) {
+  const int index = serving(request);
+  if (index >= 0) move(static_cast<unsigned>(index));
+  return index >= 0;
+}
+
+std::uint32_t Dma::left(DmaRequest request) const {
+  const int index = serving(request);
+  return index < 0 ? 0 : streams_[static_cast<unsigned>(index)].left;
 }
 
 bool Dma::break_stream(DmaRequest request) {
-  for (const Route& route : kRoutes) {
-    Stream& s = streams_[route.stream];
-    if (route.request != request || route.controller != number_) continue;
-    if ((s.control & kEnable) == 0 || (s.control >> 25 & 7) != route.channel) continue;
-    s.control &= ~kEnable;
-    raise(route.stream, kFlagError);
-    return true;
-  }
-  return false;
+  const int index = serving(request);
+  if (index < 0) return false;
+  streams_[static_cast<unsigned>(index)].control &= ~kEnable;
+  raise(static_cast<unsigned>(index), kFlagError);
+  return true;
 }
 
 /// Memory that DMA can use; null and a report where it cannot.
@@ -180,7 +197,44 @@ std::uint8_t* Dma::reachable(std::uint32_t address, unsigned bytes, bool written
   return nullptr;
 }
 
-/// Between the peripheral (or the first memory) and `memory`; false: the memory cannot be reached.
+/// The first controller's way to peripherals ends at APB1: RM0090 2.1, 10.3.
+bool Dma::has_bridge_to(std::uint32_t address) const {
+  return is_peripheral(address) && (number_ == 2 || lies_in(address, 0x40000000, 0x8000));
+}
+
+bool Dma::fail(std::uint32_t address) {
+  world_.report(Misuse::dma_unreachable, name() + " cannot reach " + hex(address));
+  return false;
+}
+
+/// Behind the port of peripherals the second controller also finds memory.
+bool Dma::read_peripheral(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
+  if (has_bridge_to(address)) {
+    value = bus_.read(address, bytes);
+    return true;
+  }
+  if (number_ == 1) return fail(address);
+  const std::uint8_t* source = reachable(address, bytes, false);
+  if (source == nullptr) return false;
+  std::memcpy(&value, source, bytes);
+  world_.crossing() = world_.tags().in_memory(address, bytes);
+  return true;
+}
+
+bool Dma::write_peripheral(std::uint32_t address, unsigned bytes, std::uint32_t value) {
+  if (has_bridge_to(address)) {
+    bus_.write(address, bytes, value);
+    return true;
+  }
+  if (number_ == 1) return fail(address);
+  std::uint8_t* target = reachable(address, bytes, true);
+  if (target == nullptr) return false;
+  std::memcpy(target, &value, bytes);
+  world_.tags().put_in_memory(address, bytes, world_.crossing());
+  return true;
+}
+
+/// Between the peripheral (or the first memory) and `memory`; false: one of them cannot be reached.
 bool Dma::transfer(Stream& s, std::uint32_t memory) {
   const unsigned bytes = item_bytes(s.control);
   const std::uint32_t peripheral = s.peripheral + ((s.control & kPeripheralIncrement) != 0 ? s.position * bytes : 0);
@@ -191,17 +245,9 @@ bool Dma::transfer(Stream& s, std::uint32_t memory) {
   if (direction == kFromMemory) {
     std::memcpy(&value, p, bytes);
     world_.crossing() = world_.tags().in_memory(memory, bytes);
-    bus_.write(peripheral, bytes, value);
-    return true;
+    return write_peripheral(peripheral, bytes, value);
   }
-  if (direction == kFromMemoryToMemory) {
-    const std::uint8_t* source = reachable(peripheral, bytes, false);
-    if (source == nullptr) return false;
-    std::memcpy(&value, source, bytes);
-    world_.crossing() = world_.tags().in_memory(peripheral, bytes);
-  } else {
-    value = bus_.read(peripheral, bytes);
-  }
+  if (!read_peripheral(peripheral, bytes, value)) return false;
   std::memcpy(p, &value, bytes);
   world_.tags().put_in_memory(memory, bytes, world_.crossing());
   return true;
@@ -210,7 +256,8 @@ bool Dma::transfer(Stream& s, std::uint32_t memory) {
 void Dma::move(unsigned index) {
   Stream& s = streams_[index];
   const unsigned bytes = item_bytes(s.control);
-  const std::uint32_t memory = s.memory0 + ((s.control & kMemoryIncrement) != 0 ? s.position * bytes : 0);
+  const std::uint32_t buffer = (s.control & kSecondBuffer) != 0 ? s.memory1 : s.memory0;
+  const std::uint32_t memory = buffer + ((s.control & kMemoryIncrement) != 0 ? s.position * bytes : 0);
   // The count goes first: what the peripheral does with the item may ask for the next one at once.
   ++s.position;
   --s.left;
@@ -227,7 +274,8 @@ void Dma::move(unsigned index) {
   if (left == 0) {
     flags |= kFlagComplete;
     s.position = 0;
-    if ((s.control & kCircular) != 0) {
+    if ((s.control & kDoubleBuffer) != 0) s.control ^= kSecondBuffer;
+    if ((s.control & (kCircular | kDoubleBuffer)) != 0) {
       s.left = s.count;
     } else {
       s.control &= ~kEnable;

@@ -1,5 +1,5 @@
-// The two DMA controllers: moves one item per request of a peripheral, or memory to memory. RM0090 10.
-// FIFO, bursts and double buffers are not modelled.
+// The two DMA controllers: moves one item per request of a peripheral, or memory to memory, into one buffer or two.
+// RM0090 10. The FIFO is not seen: what goes through it arrives at once; nor are bursts.
 #pragma once
 
 #include <array>
@@ -29,10 +29,15 @@ enum class DmaRequest {
   spi2_tx,
   spi3_rx,
   spi3_tx,
+  i2c1_rx,
+  i2c1_tx,
   i2c2_rx,
   i2c2_tx,
   i2c3_rx,
-  i2c3_tx
+  i2c3_tx,
+  adc1,
+  adc2,
+  adc3
 };
 
 class Dma : public Peripheral {
@@ -46,6 +51,8 @@ class Dma : public Peripheral {
 
   /// One item for this request, if a stream that serves it is on. @return whether it was moved
   bool serve(DmaRequest request);
+  /// Items the stream that serves this request has still to move; 0: there is none.
+  [[nodiscard]] std::uint32_t left(DmaRequest request) const;
   /// A bus error of the stream that serves this request: it stops, with its error flag. @return whether there was one
   bool break_stream(DmaRequest request);
   /// Called when a stream is turned on.
@@ -63,7 +70,13 @@ class Dma : public Peripheral {
   void move(unsigned index);
   void raise(unsigned index, std::uint32_t flags);
   void update_line(unsigned index);
+  [[nodiscard]] int serving(DmaRequest request) const;
+  void check_set_up(unsigned index, unsigned field);
   bool transfer(Stream& stream, std::uint32_t memory);
+  bool read_peripheral(std::uint32_t address, unsigned bytes, std::uint32_t& value);
+  bool write_peripheral(std::uint32_t address, unsigned bytes, std::uint32_t value);
+  [[nodiscard]] bool has_bridge_to(std::uint32_t address) const;
+  bool fail(std::uint32_t address);
   std::uint8_t* reachable(std::uint32_t address, unsigned bytes, bool written);
 
   unsigned number_;

@@ -15,7 +15,7 @@ class Exti : public Peripheral {
     return offset == 0x14 ? pending_ : registers_[offset / 4];
   }
   void write(std::uint32_t offset, std::uint32_t value) override {
-    if (offset > 0x14) return unmodelled_write(offset, value);
+    if (offset > 0x14) return unmodelled_write(offset);
     if (offset != 0x14) only(value, offset == 0x04 ? 0 : 0xFFFF, offset == 0x04 ? "EMR" : "line");  // pins only
     if (offset == 0x14) {
       pending_ &= ~value;
@@ -56,7 +56,7 @@ class Syscfg : public Peripheral {
     return offset <= 0x20 ? registers_[offset / 4] : unmodelled_read(offset);
   }
   void write(std::uint32_t offset, std::uint32_t value) override {
-    if (offset > 0x20) return unmodelled_write(offset, value);
+    if (offset > 0x20) return unmodelled_write(offset);
     only(value, offset >= 0x08 && offset <= 0x14 ? 0xFFFF : 0, "register");  // EXTICR1 to 4; flash at address 0
     registers_[offset / 4] = value;
   }

@@ -94,7 +94,7 @@ void Flash::write(std::uint32_t offset, std::uint32_t value) {
       if ((value & kOptionsLocked) != 0) options_.shut();
       return;
     default:
-      return unmodelled_write(offset, value);
+      return unmodelled_write(offset);
   }
 }
 

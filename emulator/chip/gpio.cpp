@@ -107,7 +107,7 @@ void Gpio::write(std::uint32_t offset, std::uint32_t value) {
       afr_[1] = value;
       return;
     default:
-      return unmodelled_write(offset, value);
+      return unmodelled_write(offset);
   }
   changed();
 }

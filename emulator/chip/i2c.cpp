@@ -6,6 +6,7 @@ constexpr std::uint32_t kOn = 1, kStart = 1U << 8, kStop = 1U << 9, kAck = 1U <<
                         kSoftReset = 1U << 15;
 constexpr std::uint32_t kSb = 1, kAddr = 2, kBtf = 4, kRxne = 64, kTxe = 128, kBerr = 1U << 8, kArlo = 1U << 9,
                         kAf = 1U << 10, kOvr = 1U << 11;
+constexpr std::uint32_t kBufferInterrupt = 1U << 10, kDma = 1U << 11, kLastByDma = 1U << 12;  // CR2: RM0090 27.6.2
 constexpr std::uint32_t kErrors = kBerr | kArlo | kAf | kOvr;
 constexpr std::uint32_t kMaster = 1, kBusy = 2, kTransmitter = 4;
 }  // namespace
@@ -14,13 +15,13 @@ void I2c::reset() {
   cr1_ = cr2_ = oar1_ = oar2_ = sr1_ = sr2_ = ccr_ = fltr_ = 0;
   trise_ = 2;
   state_ = State::idle;
-  data_full_ = shift_full_ = false;
+  data_full_ = shift_full_ = last_comes_ = false;
   ++token_;
   update();
 }
 
 std::uint32_t I2c::bus_hz() const {
-  const std::uint32_t count = ccr_ & 0xFFF, clock = clock_hz_();
+  const std::uint32_t count = ccr_ & 0xFFF, clock = wiring_.clock_hz();
   if (count == 0) return 100'000;
   const std::uint32_t factor = (ccr_ >> 15 & 1) == 0 ? 2 : (ccr_ >> 14 & 1) == 0 ? 3 : 25;
   return clock / (count * factor);
@@ -33,15 +34,29 @@ BusStatistics I2c::statistics() const {
 }
 
 void I2c::update() {
-  const bool buffer = (cr2_ >> 10 & 1) != 0 && (sr1_ & (kTxe | kRxne)) != 0;
-  world_.set_line(event_line_, (cr2_ >> 9 & 1) != 0 && ((sr1_ & (kSb | kAddr | kBtf)) != 0 || buffer));
-  world_.set_line(error_line_, (cr2_ >> 8 & 1) != 0 && (sr1_ & kErrors) != 0);
+  const bool buffer = (cr2_ & kBufferInterrupt) != 0 && (sr1_ & (kTxe | kRxne)) != 0;
+  world_.set_line(wiring_.event_line, (cr2_ >> 9 & 1) != 0 && ((sr1_ & (kSb | kAddr | kBtf)) != 0 || buffer));
+  world_.set_line(wiring_.error_line, (cr2_ >> 8 & 1) != 0 && (sr1_ & kErrors) != 0);
+}
+
+/// Data go by DMA once the address was sent: RM0090 27.3.7. With LAST the byte behind the one before the last is not
+/// acknowledged.
+void I2c::ask_dma() {
+  const bool sends = (sr2_ & kTransmitter) != 0 && (sr1_ & kAddr) == 0;
+  if ((cr2_ & kDma) == 0 || asking_) return;
+  asking_ = true;
+  while (sends && (sr1_ & kTxe) != 0 && !data_full_ && wiring_.dma(wiring_.tx)) {
+  }
+  while (!sends && (sr1_ & kRxne) != 0 && wiring_.dma(wiring_.rx))
+    last_comes_ = (cr2_ & kLastByDma) != 0 && wiring_.dma_left(wiring_.rx) == 1;
+  asking_ = false;
 }
 
 void I2c::later(Time delay, void (I2c::*what)()) {
   world_.after(delay, [this, token = ++token_, what] {
     if (token == token_) {
       (this->*what)();
+      ask_dma();
       update();
     }
   });
@@ -73,7 +88,7 @@ void I2c::write_cr1(std::uint32_t value) {
 
 void I2c::request_start() {
   if (line.sda_held() || !line.scl()) return;  // the bus looks busy: the START waits, for ever perhaps
-  if ((cr2_ & 0x3F) != clock_hz_() / 1'000'000) world_.report(Misuse::protocol, name() + " FREQ is not its clock");
+  if ((cr2_ & 0x3F) != wiring_.clock_hz() / 1'000'000) world_.report(Misuse::protocol, name() + " FREQ is not its clock");
   const bool repeated = (sr2_ & kMaster) != 0;
   if (repeated && state_ != State::send_wait && state_ != State::receive_wait) return;  // after the byte under way
   sr1_ &= ~(kBtf | kTxe);
@@ -166,7 +181,8 @@ void I2c::byte_received() {
   ++statistics_.bytes;
   const WireByte byte = line.read();
   // POS: the bit speaks of the next byte, so the present one is acknowledged (RM0090 27.6.1).
-  last_acknowledged_ = (cr1_ & kPos) != 0 && byte_index_ == 0 ? true : (cr1_ & kAck) != 0;
+  last_acknowledged_ = (cr1_ & kPos) != 0 && byte_index_ == 0 ? true : (cr1_ & kAck) != 0 && !last_comes_;
+  last_comes_ = false;
   ++byte_index_;
   tell("read", byte, last_acknowledged_);
   if ((sr1_ & kRxne) == 0) {
@@ -255,6 +271,7 @@ std::uint32_t I2c::read(std::uint32_t offset) {
     case 0x18:
       result = sr2_ | (line.sda_held() ? kBusy : 0);
       if ((sr1_ & kAddr) != 0 && addr_seen_) leave_addressed();
+      ask_dma();
       break;
     case 0x1C:
       return ccr_;
@@ -275,7 +292,7 @@ void I2c::write(std::uint32_t offset, std::uint32_t value) {
       write_cr1(value);
       break;
     case 0x04:
-      only(value, 0x73F, "CR2");  // no DMA
+      only(value, 0x1F3F, "CR2");
       cr2_ = value;
       break;
     case 0x08:
@@ -313,8 +330,9 @@ void I2c::write(std::uint32_t offset, std::uint32_t value) {
       fltr_ = value;
       break;
     default:
-      return unmodelled_write(offset, value);
+      return unmodelled_write(offset);
   }
+  ask_dma();
   update();
 }
 

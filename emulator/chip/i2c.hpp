@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "emulator/bus_statistics.hpp"
+#include "emulator/chip/dma.hpp"
 #include "emulator/chip/i2c_line.hpp"
 #include "emulator/chip/peripheral.hpp"
 
@@ -12,15 +13,19 @@ namespace finemote::emulator {
 
 class I2c : public Peripheral {
  public:
-  I2c(World& world, std::string name, int event_line, int error_line, std::function<std::uint32_t()> clock_hz)
-      : Peripheral(world, std::move(name)),
-        event_line_(event_line),
-        error_line_(error_line),
-        clock_hz_(std::move(clock_hz)) {}
+  struct Wiring {
+    int event_line, error_line;
+    DmaRequest rx, tx;
+    std::function<std::uint32_t()> clock_hz;
+    std::function<bool(DmaRequest)> dma;
+    std::function<std::uint32_t(DmaRequest)> dma_left;  ///< items that a stream has still to move
+  };
+  I2c(World& world, std::string name, Wiring wiring) : Peripheral(world, std::move(name)), wiring_(std::move(wiring)) {}
 
   std::uint32_t read(std::uint32_t offset) override;
   void write(std::uint32_t offset, std::uint32_t value) override;
   void reset() override;
+  void poll_dma() override { ask_dma(); }
 
   I2cLine line;
   /// Told of every step on the wire, for those who look on: `address`, `write`, `read` with their byte, or `stop`.
@@ -69,11 +74,11 @@ class I2c : public Peripheral {
   void tell(const char* what, std::uint8_t byte, bool acknowledged) const {
     if (on_wire) on_wire(what, byte, acknowledged);
   }
+  void ask_dma();
   void update();
   [[nodiscard]] bool on() const { return (cr1_ & 1) != 0; }
 
-  int event_line_, error_line_;
-  std::function<std::uint32_t()> clock_hz_;
+  Wiring wiring_;
   std::uint32_t cr1_ = 0, cr2_ = 0, oar1_ = 0, oar2_ = 0, sr1_ = 0, sr2_ = 0, ccr_ = 0, trise_ = 2, fltr_ = 0;
   State state_ = State::idle;
   std::uint64_t token_ = 0;
@@ -81,6 +86,8 @@ class I2c : public Peripheral {
   bool data_full_ = false;   ///< transmit: a byte waits in DR
   bool shift_full_ = false;  ///< receive: a byte waits in the shift register
   bool last_acknowledged_ = true, reading_ = false, addr_seen_ = false, sb_seen_ = false;
+  bool asking_ = false;      ///< DMA moves a byte right now
+  bool last_comes_ = false;  ///< by DMA: the next byte is not acknowledged
   unsigned byte_index_ = 0;
   BusStatistics statistics_;
   Time busy_since_ = 0;

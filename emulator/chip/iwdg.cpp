@@ -47,7 +47,7 @@ void Iwdg::write(std::uint32_t offset, std::uint32_t value) {
       busy_until_ = world_.now() + 5 * period_of(lsi_hz);
       return;
     default:
-      return unmodelled_write(offset, value);
+      return unmodelled_write(offset);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "emulator/core/cpu.hpp"
@@ -22,8 +23,10 @@ class World {
   void after(Time delay, EventQueue::Action action) { queue_.at(event_time() + delay, std::move(action)); }
   void at(Time time, EventQueue::Action action) { queue_.at(time, std::move(action)); }
   void report(Misuse misuse, const std::string& text) {
-    reports_.add(misuse, text, now(), cpu_ != nullptr ? cpu_->pc() : 0);
+    reports_.add(misuse, text, now(), cpu_ != nullptr ? cpu_->pc() : 0, touched_);
   }
+  /// The register at this address is accessed: reports name it; nothing: no longer.
+  void touch(std::optional<std::uint32_t> address) { touched_ = address; }
   void set_line(int line, bool high) { system_.nvic().set_line(line, high); }
 
   /// Tags of the word that a peripheral is asked for or given, its lowest byte first: it reads them at a store, and
@@ -50,6 +53,7 @@ class World {
   Provenance provenance_;
   TagFlow tags_{provenance_};
   Cpu* cpu_ = nullptr;
+  std::optional<std::uint32_t> touched_;
 };
 
 /// A block of registers at one address.
@@ -61,6 +65,15 @@ class Peripheral {
   Peripheral& operator=(const Peripheral&) = delete;
 
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// Of a block of several: who answers at `offset`, and which bits enable its clock, `first` being that of the block.
+  [[nodiscard]] virtual std::string name_at(std::uint32_t offset) const {
+    static_cast<void>(offset);
+    return name_;
+  }
+  [[nodiscard]] virtual std::uint32_t clock_bits(std::uint32_t offset, unsigned first) const {
+    static_cast<void>(offset);
+    return 1U << first;
+  }
   /// Word access; `offset` is a multiple of 4.
   virtual std::uint32_t read(std::uint32_t offset) = 0;
   virtual void write(std::uint32_t offset, std::uint32_t value) = 0;
@@ -82,8 +95,8 @@ class Peripheral {
     world_.report(Misuse::unmodelled, name_ + " register at offset " + hex(offset) + " read");
     return 0;
   }
-  void unmodelled_write(std::uint32_t offset, std::uint32_t value) {
-    world_.report(Misuse::unmodelled, name_ + " register at offset " + hex(offset) + " written with " + hex(value));
+  void unmodelled_write(std::uint32_t offset) {
+    world_.report(Misuse::unmodelled, name_ + " register at offset " + hex(offset) + " written");
   }
   /// Bits of `value` the model does not know.
   void only(std::uint32_t value, std::uint32_t known, const char* what) {

@@ -22,7 +22,7 @@ class Pwr : public Peripheral {
       only(value, kVoltageReady | kBackupRegulator | kBackupReady, "CSR");
       csr_ = (value & kBackupRegulator) != 0 ? kBackupRegulator | kBackupReady : 0;
     } else {
-      unmodelled_write(offset, value);
+      unmodelled_write(offset);
     }
   }
   void reset() override {

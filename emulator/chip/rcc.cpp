@@ -2,6 +2,9 @@
 
 namespace finemote::emulator {
 namespace {
+constexpr std::uint32_t kSleepClocks = 0x50;  ///< AHB1LPENR, then the others: what runs in sleep, which is not modelled
+constexpr std::uint32_t kLsiOn = 1, kLsiReady = 2;
+constexpr std::uint32_t kAudioPllOn = 1U << 26, kAudioPllReady = 1U << 27;
 constexpr std::uint32_t kHsiOn = 1, kHsiReady = 2, kHseOn = 1U << 16, kHseReady = 1U << 17, kPllOn = 1U << 24,
                         kPllReady = 1U << 25;
 // Typical start-up times: DS8626 5.3.8 (crystal), 5.3.10 (PLL), 5.3.9 (LSI).
@@ -14,7 +17,9 @@ void Rcc::reset() {  // RM0090 7.3, reset values
   cfgr_ = 0;
   csr_ = 0x0E000000;
   ahb1_ = 0x00100000;
-  ahb2_ = apb1_ = apb2_ = 0;
+  ahb2_ = ahb3_ = apb1_ = apb2_ = ahb3_reset_ = spread_ = 0;
+  audio_pll_ = 0x20003000;
+  sleep_clocks_ = {0x7E6791FF, 0xF1, 1, 0, 0x36FEC9FF, 0x00075F33};
   ahb1_reset_ = ahb2_reset_ = apb1_reset_ = apb2_reset_ = 0;
   world_.system().change_clock(world_.now(), period_of(core_hz()));
 }
@@ -49,18 +54,18 @@ std::uint32_t Rcc::timer_hz(ClockBus bus) const {
   return hz == core_hz() ? hz : 2 * hz;
 }
 
-bool Rcc::clocked(ClockBus bus, unsigned bit) const {
+bool Rcc::clocked(ClockBus bus, std::uint32_t bits) const {
   switch (bus) {
     case ClockBus::always:
       return true;
     case ClockBus::ahb1:
-      return (ahb1_ >> bit & 1) != 0;
+      return (ahb1_ & bits) != 0;
     case ClockBus::ahb2:
-      return (ahb2_ >> bit & 1) != 0;
+      return (ahb2_ & bits) != 0;
     case ClockBus::apb1:
-      return (apb1_ >> bit & 1) != 0;
+      return (apb1_ & bits) != 0;
     case ClockBus::apb2:
-      return (apb2_ >> bit & 1) != 0;
+      return (apb2_ & bits) != 0;
   }
   return false;
 }
@@ -75,8 +80,10 @@ void Rcc::start(std::uint32_t ready_bit, Time delay) {
 
 void Rcc::write_cr(std::uint32_t value) {
   const std::uint32_t rising = value & ~cr_;
-  cr_ = (cr_ & (kHsiReady | kHseReady | kPllReady | 0xFF00)) | (value & (kHsiOn | 0xF8 | kHseOn | 0x000C0000 | kPllOn));
-  only(value, 0xFFFB | kHseOn | kHseReady | 0x000C0000 | kPllOn | kPllReady, "CR");
+  cr_ = (cr_ & (kHsiReady | kHseReady | kPllReady | kAudioPllReady | 0xFF00)) |
+        (value & (kHsiOn | 0xF8 | kHseOn | 0x000C0000 | kPllOn | kAudioPllOn));
+  only(value, 0xFFFB | kHseOn | kHseReady | 0x000C0000 | kPllOn | kPllReady | kAudioPllOn | kAudioPllReady, "CR");
+  if ((rising & kAudioPllOn) != 0) start(kAudioPllReady, kPllLock);
   if ((rising & kHseOn) != 0 && !dead_crystal) start(kHseReady, kCrystalStart);
   if ((rising & kPllOn) != 0) {
     const bool from_crystal = (pllcfgr_ >> 22 & 1) != 0;
@@ -87,12 +94,13 @@ void Rcc::write_cr(std::uint32_t value) {
   }
   if ((cr_ & kHseOn) == 0) cr_ &= ~kHseReady;
   if ((cr_ & kPllOn) == 0) cr_ &= ~kPllReady;
+  if ((cr_ & kAudioPllOn) == 0) cr_ &= ~kAudioPllReady;
   cr_ = (cr_ & kHsiOn) != 0 ? cr_ | kHsiReady : cr_ & ~kHsiReady;
 }
 
 void Rcc::write_cfgr(std::uint32_t value) {
   cfgr_ = (cfgr_ & 0xC) | (value & ~0xCU);
-  only(value, 0xFCFF, "CFGR");  // the clock outputs are not modelled; SWS is read-only and comes back with the rest
+  only(value, 0x1FFCFF, "CFGR");  // the clock outputs are not modelled; SWS is read-only and comes back with the rest
   switch_core();
   apply();
 }
@@ -127,7 +135,34 @@ void Rcc::write_reset(ClockBus bus, std::uint32_t& field, std::uint32_t value) {
   }
 }
 
+/// A register that is only kept, or one that is more; null: none of them.
+std::uint32_t* Rcc::kept(std::uint32_t offset) {
+  switch (offset) {
+    case 0x18:
+      return &ahb3_reset_;
+    case 0x30:
+      return &ahb1_;
+    case 0x34:
+      return &ahb2_;
+    case 0x38:
+      return &ahb3_;
+    case 0x40:
+      return &apb1_;
+    case 0x44:
+      return &apb2_;
+    case 0x80:
+      return &spread_;
+    case 0x84:
+      return &audio_pll_;
+    default:
+      break;
+  }
+  const bool in_sleep = offset >= kSleepClocks && offset < kSleepClocks + 4 * sleep_clocks_.size();
+  return in_sleep ? &sleep_clocks_[(offset - kSleepClocks) / 4] : nullptr;
+}
+
 std::uint32_t Rcc::read(std::uint32_t offset) {
+  if (const std::uint32_t* value = kept(offset)) return *value;
   switch (offset) {
     case 0x00:
       return cr_;
@@ -145,14 +180,8 @@ std::uint32_t Rcc::read(std::uint32_t offset) {
       return apb1_reset_;
     case 0x24:
       return apb2_reset_;
-    case 0x30:
-      return ahb1_;
-    case 0x34:
-      return ahb2_;
-    case 0x40:
-      return apb1_;
-    case 0x44:
-      return apb2_;
+    case 0x70:
+      return backup.read();
     case 0x74:
       return csr_;
     default:
@@ -160,7 +189,17 @@ std::uint32_t Rcc::read(std::uint32_t offset) {
   }
 }
 
+/// Bytes and halfwords are allowed: RM0090 7.3.
+void Rcc::write_part(std::uint32_t offset, std::uint32_t mask, std::uint32_t value) {
+  write(offset, (read(offset) & ~mask) | value);
+}
+
 void Rcc::write(std::uint32_t offset, std::uint32_t value) {
+  if (std::uint32_t* place = kept(offset)) {
+    if (offset == 0x84) only(value, 0x70007FC0, "PLLI2SCFGR");
+    *place = value;
+    return;
+  }
   switch (offset) {
     case 0x00:
       return write_cr(value);
@@ -180,25 +219,41 @@ void Rcc::write(std::uint32_t offset, std::uint32_t value) {
       return write_reset(ClockBus::apb1, apb1_reset_, value);
     case 0x24:
       return write_reset(ClockBus::apb2, apb2_reset_, value);
-    case 0x30:
-      ahb1_ = value;
-      return;
-    case 0x34:
-      ahb2_ = value;
-      return;
-    case 0x40:
-      apb1_ = value;
-      return;
-    case 0x44:
-      apb2_ = value;
-      return;
+    case 0x70:
+      return backup.write(value);
     case 0x74:
-      if ((value & 1) != 0 && (csr_ & 1) == 0) world_.after(kLsiStart, [this] { csr_ |= 2; });
-      csr_ = (csr_ & ~1U) | (value & 1);
-      if ((value >> 24 & 1) != 0) csr_ &= 0x3;  // RMVF
-      return;
+      return write_csr(value);
     default:
-      return unmodelled_write(offset, value);
+      return unmodelled_write(offset);
+  }
+}
+
+void Rcc::write_csr(std::uint32_t value) {
+  const bool on = (value & kLsiOn) != 0, was = (csr_ & kLsiOn) != 0;
+  if (on && !was) {
+    world_.after(kLsiStart, [this] {
+      if ((csr_ & kLsiOn) != 0) csr_ |= kLsiReady;
+    });
+  }
+  csr_ = (csr_ & ~kLsiOn) | (value & kLsiOn);
+  if (!on) csr_ &= ~kLsiReady;
+  if ((value >> 24 & 1) != 0) csr_ &= kLsiOn | kLsiReady;  // RMVF
+}
+
+std::uint32_t Rcc::usb_hz() const {
+  const std::uint32_t q = pllcfgr_ >> 24 & 0xF, p = ((pllcfgr_ >> 16 & 3) + 1) * 2;
+  return (cr_ & kPllReady) == 0 || q < 2 ? 0 : static_cast<std::uint32_t>(std::uint64_t{pll_hz()} * p / q);
+}
+
+std::uint32_t Rcc::rtc_hz() const {
+  const std::uint32_t divider = cfgr_ >> 16 & 0x1F;
+  switch (backup.rtc_source()) {
+    case BackupDomain::RtcSource::low_internal:
+      return (csr_ & kLsiReady) != 0 ? lsi_hz : 0;
+    case BackupDomain::RtcSource::crystal:
+      return (cr_ & kHseReady) != 0 && divider >= 2 ? crystal_hz / divider : 0;
+    default:
+      return 0;  // off, or the crystal of 32.768 kHz, which no board here has
   }
 }
 

@@ -7,6 +7,7 @@ constexpr std::uint32_t kReceived = 1, kEmpty = 2, kOverrun = 64, kBusy = 128;
 
 void Spi::reset() {
   cr1_ = cr2_ = 0;
+  polynomial_ = 7;
   sr_ = kEmpty;
   full_ = shifting_ = overrun_read_ = false;
   ++token_;
@@ -54,6 +55,8 @@ WireByte Spi::exchange(WireByte out) {
     if (!it.selected) continue;
     in &= it.part.exchange(out);
     ++answering;
+    if (it.part.fastest_hz != 0 && clock_hz() > it.part.fastest_hz)
+      world_.report(Misuse::wire, name() + " is faster than the part it talks to allows");
   }
   if (answering > 1) world_.report(Misuse::wire, name() + " has two chip selects low");
   return in;
@@ -100,6 +103,14 @@ std::uint32_t Spi::read(std::uint32_t offset) {
       update();
       world_.crossing() = {in_.low.tag, in_.high.tag};
       return in_.value();
+    case 0x10:
+      return polynomial_;
+    case 0x14:  // the checksums, which are not modelled: CR1 says so where one is asked for
+    case 0x18:
+    case 0x1C:
+      return 0;
+    case 0x20:
+      return 2;  // I2SPR
     default:
       return unmodelled_read(offset);
   }
@@ -139,8 +150,14 @@ void Spi::write(std::uint32_t offset, std::uint32_t value) {
       sr_ &= ~kEmpty;
       if (!shifting_) shift();
       break;
+    case 0x10:
+      polynomial_ = value & 0xFFFF;
+      break;
+    case 0x1C:
+      only(value, 0, "I2SCFGR");
+      break;
     default:
-      return unmodelled_write(offset, value);
+      return unmodelled_write(offset);
   }
   if (offset != 0x0C) ask_dma();
   update();

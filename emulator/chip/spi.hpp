@@ -15,6 +15,7 @@ namespace finemote::emulator {
 struct SpiPart {
   std::function<void(bool selected)> select;
   std::function<WireByte(WireByte)> exchange;
+  std::uint32_t fastest_hz = 0;  ///< clock the part is good for; 0: any
 };
 
 class Spi : public Peripheral {
@@ -66,7 +67,7 @@ class Spi : public Peripheral {
 
   Wiring wiring_;
   std::vector<Attached> parts_;
-  std::uint32_t cr1_ = 0, cr2_ = 0, sr_ = 2;
+  std::uint32_t cr1_ = 0, cr2_ = 0, sr_ = 2, polynomial_ = 7;
   Frame out_, in_;
   bool full_ = false, shifting_ = false, overrun_read_ = false;
   std::uint64_t token_ = 0;

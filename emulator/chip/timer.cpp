@@ -21,8 +21,12 @@ enum Offset : std::uint32_t {
   kLast = 0x50
 };
 // CR1: RM0090 17.4.1, 18.4.1.
-constexpr std::uint32_t kEnable = 1, kNoUpdates = 2, kOnlyOverflow = 4, kOnePulse = 8, kPreload = 128;
-constexpr unsigned kPwm1 = 6, kPwm2 = 7;  // CCMR: RM0090 17.4.7
+constexpr std::uint32_t kEnable = 1, kNoUpdates = 2, kOnlyOverflow = 4, kOnePulse = 8, kDown = 16, kPreload = 128,
+                        kClockDivision = 3U << 8;
+constexpr unsigned kFrozen = 0, kForcedLow = 4, kForcedHigh = 5, kPwm1 = 6, kPwm2 = 7;  // CCMR: RM0090 17.4.7
+constexpr std::uint32_t kIdleStates = 0x7F00;                                           // CR2: 17.4.2
+constexpr std::uint32_t kCompares = 0x1E;                                               // SR, DIER, EGR
+constexpr std::uint32_t kInputs = 0x0303, kInputFilters = 0xFCFC;                       // CCMR of inputs
 }  // namespace
 
 void Timer::reset() {
@@ -31,9 +35,24 @@ void Timer::reset() {
   psc_active_ = held_ = 0;
   arr_active_ = registers_[kArr / 4];
   ccr_active_ = {};
+  matched_ = {};
   ++token_;
   update_line();
   announce();
+}
+
+/// SMCR: counts on the edges of the first input, the second, or both. 17.4.3.
+bool Timer::is_encoder() const {
+  const std::uint32_t mode = registers_[kSmcr / 4] & 7;
+  return mode >= 1 && mode <= 3;
+}
+
+/// 17.3.16: around at the ends, where the direction shows in CR1.
+void Timer::turn(int edges) {
+  if (!is_encoder() || (registers_[kCr1 / 4] & kEnable) == 0 || edges == 0) return;
+  const std::int64_t top = std::int64_t{arr_active_} + 1;
+  held_ = static_cast<std::uint32_t>(((std::int64_t{held_} + edges) % top + top) % top);
+  registers_[kCr1 / 4] = (registers_[kCr1 / 4] & ~kDown) | (edges < 0 ? kDown : 0);
 }
 
 unsigned Timer::mode(unsigned index) const { return registers_[kCcmr1 / 4 + index / 2] >> (index % 2 * 8 + 4) & 7; }
@@ -41,14 +60,17 @@ unsigned Timer::mode(unsigned index) const { return registers_[kCcmr1 / 4 + inde
 /// @param top  counts of a period
 std::uint64_t Timer::width_ns(unsigned index, std::uint32_t compare, std::uint64_t top) const {
   const std::uint64_t before = compare < top ? compare : top;
-  return to_ns((mode(index) == kPwm1 ? before : top - before) * count_time());
+  const bool low = (registers_[kCcer / 4] >> (4 * index + 1) & 1) != 0;  // CCxP
+  const bool begins_active = mode(index) == kPwm1 || mode(index) == kForcedHigh;
+  const std::uint64_t active = mode(index) >= kPwm1 ? before : top;
+  return to_ns((begins_active != low ? active : top - active) * count_time());
 }
 
 Timer::Pulse Timer::pulse(unsigned channel) const {
   const unsigned index = channel - 1;
   const bool output = (registers_[kCcer / 4] >> (4 * index) & 1) != 0;
   const bool main_on = !kind_.advanced || (registers_[kBdtr / 4] >> 15 & 1) != 0;
-  if (!output || !counts() || !main_on || (mode(index) != kPwm1 && mode(index) != kPwm2)) return {};
+  if (!output || !counts() || !main_on || mode(index) < kForcedLow) return {};
   const std::uint64_t top = std::uint64_t{arr_active_} + 1;
   return Pulse{width_ns(index, ccr_active_[index], top), to_ns(top * count_time())};
 }
@@ -62,11 +84,40 @@ void Timer::announce() {
   }
 }
 
-/// The line is up while an update is flagged and asked for: RM0090 17.4.4, 17.4.5.
+/// A line is up while something is flagged and asked for: RM0090 17.4.4, 17.4.5.
 void Timer::update_line() {
-  const bool high = (registers_[kDier / 4] & registers_[kSr / 4] & 1) != 0;
-  if (high != line_) set_line_(high);
-  line_ = high;
+  const std::uint32_t wanted = registers_[kDier / 4] & registers_[kSr / 4];
+  const bool update = (wanted & 1) != 0, compare = (wanted & kCompares) != 0;
+  if (update != update_line_) lines_.update(update);
+  update_line_ = update;
+  if (compare != compare_line_) lines_.compare(compare);
+  compare_line_ = compare;
+}
+
+/// Flags every compare value the counter has passed since it was flagged last.
+void Timer::match_compares() {
+  if (!counts()) return;
+  const Time now = world_.now(), period = (Time{arr_active_} + 1) * count_time();
+  for (unsigned i = 0; i < 4; ++i) {
+    if (ccr_active_[i] > arr_active_) continue;
+    const Time in_lap = zero_ + ccr_active_[i] * count_time();
+    const Time last = in_lap <= now ? in_lap : in_lap > period ? in_lap - period : 0;
+    if (last <= matched_[i] || last > now) continue;
+    matched_[i] = last;
+    registers_[kSr / 4] |= 2U << i;
+  }
+}
+
+/// Looks again when the counter comes to the value, where that is an interrupt.
+void Timer::schedule_compare(unsigned index) {
+  if (!counts() || (registers_[kDier / 4] >> (index + 1) & 1) == 0 || ccr_active_[index] > arr_active_) return;
+  const Time at = zero_ + ccr_active_[index] * count_time();
+  if (at <= matched_[index]) return;
+  world_.at(at, [this, token = token_] {
+    if (token != token_) return;
+    match_compares();
+    update_line();
+  });
 }
 
 /// Preloads take effect; the counter has been 0 since `at`.
@@ -80,6 +131,7 @@ void Timer::update_event(Time at) {
 
 /// The counter begins again; with UDIS without an update event (RM0090 17.4.1).
 void Timer::overflow(Time at) {
+  match_compares();
   if ((registers_[kCr1 / 4] & kNoUpdates) != 0) {
     zero_ = at;
   } else {
@@ -95,6 +147,7 @@ void Timer::overflow(Time at) {
 void Timer::schedule() {
   ++token_;
   if (!counts() || arr_active_ == 0) return;  // a period of 0 stops the counter: RM0090 17.4.12
+  for (unsigned i = 0; i < 4; ++i) schedule_compare(i);
   const Time at = zero_ + (Time{arr_active_} + 1) * count_time();
   world_.at(at, [this, at, token = token_] {
     if (token == token_) overflow(at);
@@ -107,6 +160,7 @@ std::uint32_t Timer::count() const {
 
 std::uint32_t Timer::read(std::uint32_t offset) {
   if (offset > kLast) return unmodelled_read(offset);
+  if (offset == kSr) match_compares();
   return offset == kCnt ? count() : registers_[offset / 4];
 }
 
@@ -115,40 +169,57 @@ void Timer::write_cr1(std::uint32_t value) {
   const bool was = counts();
   registers_[kCr1 / 4] = value;
   if (was && !counts()) held_ = held;
-  if (!was && counts()) zero_ = world_.now() - held_ * count_time();
+  if (!was && counts()) {
+    zero_ = world_.now() - held_ * count_time();
+    matched_.fill(world_.now());
+  }
   if (was != counts()) schedule();
 }
 
 /// What a value asks for that the model does not have.
 void Timer::check(std::uint32_t offset, std::uint32_t value) {
-  if (offset == kCr1) only(value, kEnable | kNoUpdates | kOnlyOverflow | kOnePulse | kPreload, "CR1");
-  if (offset == kCr2) only(value, 0, "CR2");
-  if (offset == kSmcr) only(value, 0, "SMCR");
-  if (offset == kDier) only(value, 1, "DIER");
-  if (offset == kCcer) only(value, 0x1111, "CCER");  // active high, no complementary outputs
+  if (offset == kCr1) only(value, kEnable | kNoUpdates | kOnlyOverflow | kOnePulse | kPreload | kClockDivision, "CR1");
+  if (offset == kCr2) only(value, kIdleStates, "CR2");
+  if (offset == kSmcr) only(value, (value & 7) <= 3 ? 3 : 0, "SMCR");
+  if (offset == kDier) only(value, 1 | kCompares, "DIER");
+  if (offset == kCcer) only(value, 0x3333 | 0x0888, "CCER");  // no complementary outputs
   if (offset == kRcr) only(value, 0, "RCR");
-  if (offset == kBdtr) only(value, 0x8000, "BDTR");  // MOE alone
+  if (offset == kBdtr) only(value, 0xAFFF, "BDTR");  // all but the break input and what it ends
   if (offset >= kDcr) only(value, 0, "DMA");
-  if (offset != kCcmr1 && offset != kCcmr1 + 4) return;
-  only(value, 0x7878, "CCMR");  // mode and preload: no inputs, no clearing from outside
+  if (offset == kCcmr1 || offset == kCcmr1 + 4) check_modes(value);
+}
+
+/// An encoder's inputs are its own affair; other inputs, and clearing from outside, are not there.
+void Timer::check_modes(std::uint32_t value) {
+  if (is_encoder()) return only(value, kInputs | kInputFilters, "CCMR");
+  only(value, 0x7C7C, "CCMR");
   for (unsigned i = 0; i < 2; ++i) {
     const std::uint32_t mode = value >> (8 * i + 4) & 7;
-    if (mode != 0 && mode < kPwm1) world_.report(Misuse::unmodelled, name() + " compare mode " + hex(mode));
+    if (mode != kFrozen && mode < kForcedLow) world_.report(Misuse::unmodelled, name() + " compare mode " + hex(mode));
   }
 }
 
 void Timer::write(std::uint32_t offset, std::uint32_t value) {
-  if (offset > kLast) return unmodelled_write(offset, value);
+  if (offset > kLast) return unmodelled_write(offset);
   check(offset, value);
   switch (offset) {
     case kCr1:
       write_cr1(value);
       break;
     case kSr:  // rc_w0
+      match_compares();
       registers_[kSr / 4] &= value;
       return update_line();
+    case kSmcr: {
+      const std::uint32_t held = count();
+      registers_[kSmcr / 4] = value;
+      held_ = held;
+      schedule();
+      break;
+    }
     case kEgr:
-      if ((value & 1) == 0) return;
+      registers_[kSr / 4] |= value & kCompares;
+      if ((value & 1) == 0) return update_line();
       update_event(world_.now());
       if ((registers_[kCr1 / 4] & kOnlyOverflow) == 0) registers_[kSr / 4] |= 1;  // URS: RM0090 17.4.1
       update_line();
@@ -160,7 +231,9 @@ void Timer::write(std::uint32_t offset, std::uint32_t value) {
       schedule();
       break;
     case kDier:
+      match_compares();
       registers_[kDier / 4] = value;
+      for (unsigned i = 0; i < 4; ++i) schedule_compare(i);
       return update_line();
     case kArr:
       registers_[kArr / 4] = kind_.wide ? value : value & 0xFFFF;
@@ -178,7 +251,10 @@ void Timer::write(std::uint32_t offset, std::uint32_t value) {
     const unsigned index = (offset - kCcr1) / 4;
     const std::uint64_t width = width_ns(index, value, std::uint64_t{registers_[kArr / 4]} + 1);
     if (on_compare) on_compare(index + 1, width, newest(world_.crossing()));
-    if ((registers_[kCcmr1 / 4 + index / 2] >> (index % 2 * 8 + 3) & 1) == 0) ccr_active_[index] = value;
+    if ((registers_[kCcmr1 / 4 + index / 2] >> (index % 2 * 8 + 3) & 1) == 0) {
+      ccr_active_[index] = value;
+      schedule_compare(index);
+    }
   }
   announce();
 }

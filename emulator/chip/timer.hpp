@@ -1,5 +1,6 @@
-// A timer that counts up: prescaler, period and preloaded compare values become pulses and updates. RM0090 17 to 20.
-// Input capture, slave modes and counting down are not modelled.
+// A timer that counts up: prescaler, period and preloaded compare values become pulses, updates and compare events.
+// RM0090 17 to 20. As an encoder's counter it stands until somebody turns it. Input capture, other slave modes, counting
+// down and DMA are not modelled.
 #pragma once
 
 #include <array>
@@ -17,12 +18,12 @@ struct TimerKind {
 
 class Timer : public Peripheral {
  public:
-  Timer(World& world, std::string name, TimerKind kind, std::function<std::uint32_t()> clock_hz,
-        std::function<void(bool)> set_line)
-      : Peripheral(world, std::move(name)),
-        kind_(kind),
-        clock_hz_(std::move(clock_hz)),
-        set_line_(std::move(set_line)) {}
+  /// What it is told to do with its interrupt lines, only of changes: some timers share theirs.
+  struct Lines {
+    std::function<void(bool)> update, compare;
+  };
+  Timer(World& world, std::string name, TimerKind kind, std::function<std::uint32_t()> clock_hz, Lines lines)
+      : Peripheral(world, std::move(name)), kind_(kind), clock_hz_(std::move(clock_hz)), lines_(std::move(lines)) {}
 
   std::uint32_t read(std::uint32_t offset) override;
   void write(std::uint32_t offset, std::uint32_t value) override;
@@ -32,6 +33,8 @@ class Timer : public Peripheral {
     std::uint64_t width_ns = 0;
     std::uint64_t period_ns = 0;  ///< 0: the output is off
   };
+  /// Turns the encoder it counts by so many edges; elsewhere nothing happens.
+  void turn(int edges);
   /// What channel 1..4 puts out now.
   [[nodiscard]] Pulse pulse(unsigned channel) const;
   /// Told when the output of a channel changes, at the repetition from which it does.
@@ -45,8 +48,13 @@ class Timer : public Peripheral {
   void schedule();
   void write_cr1(std::uint32_t value);
   void check(std::uint32_t offset, std::uint32_t value);
+  void check_modes(std::uint32_t value);
   void update_line();
-  [[nodiscard]] bool counts() const { return (registers_[0] & 1) != 0; }
+  void schedule_compare(unsigned index);
+  void match_compares();
+  /// By its clock.
+  [[nodiscard]] bool counts() const { return (registers_[0] & 1) != 0 && !is_encoder(); }
+  [[nodiscard]] bool is_encoder() const;
   [[nodiscard]] std::uint32_t count() const;
   [[nodiscard]] Time count_time() const { return period_of(clock_hz_()) * (psc_active_ + 1); }
   void announce();
@@ -55,12 +63,13 @@ class Timer : public Peripheral {
 
   TimerKind kind_;
   std::function<std::uint32_t()> clock_hz_;
-  std::function<void(bool)> set_line_;  ///< told of changes: some timers share their line
-  bool line_ = false;
+  Lines lines_;
+  bool update_line_ = false, compare_line_ = false;
   std::array<std::uint32_t, 21> registers_{};
   std::uint32_t psc_active_ = 0, arr_active_ = 0xFFFF;
   std::array<std::uint32_t, 4> ccr_active_{};
   std::array<std::uint64_t, 4> last_{};
+  std::array<Time, 4> matched_{};  ///< compares before this were seen
   Time zero_ = 0;           ///< when the counter was 0, while it counts
   std::uint32_t held_ = 0;  ///< the counter while it stands
   std::uint64_t token_ = 0;

@@ -1,6 +1,5 @@
 #include "emulator/chip/usart.hpp"
 
-#include <bit>
 #include <cmath>
 
 namespace finemote::emulator {
@@ -28,7 +27,10 @@ std::uint32_t Usart::divider() const { return (cr1_ >> 15 & 1) == 0 ? brr_ : (br
 SerialFormat Usart::format() const {
   SerialFormat format;
   format.baud = divider() == 0 ? 1 : wiring_.clock_hz() / divider();
-  format.even_parity = (cr1_ >> 10 & 1) != 0;
+  const bool parity = (cr1_ & kParityOn) != 0, odd = (cr1_ & kOddParity) != 0;
+  format.even_parity = parity && !odd;
+  format.odd_parity = parity && odd;
+  format.data_bits = ((cr1_ & kNineBits) != 0 ? 9 : 8) - (parity ? 1 : 0);  // RM0090 30.3.7, table 147
   format.stop_bits = (cr2_ >> 12 & 3) == 2 ? 2 : 1;
   return format;
 }
@@ -74,10 +76,8 @@ void Usart::arrive(const Arrival& arrival, const SerialFormat& sender) {
   if (!silent) ++in_bytes_;
   if (!heard) return;
   const SerialFormat mine = format();
-  const bool rate_wrong = std::abs(double(sender.baud) / mine.baud - 1) > kTolerance;
-  if (rate_wrong || sender.even_parity != mine.even_parity)
-    world_.report(Misuse::wire, name() + " listens in another rate or format than is sent");
-  std::uint32_t errors = rate_wrong ? kFraming | kNoise : sender.even_parity != mine.even_parity ? kParity : 0;
+  const Sampled sampled = sample(byte, sender);
+  std::uint32_t errors = sampled.errors;
   if (noisy_bytes != 0) {
     --noisy_bytes;
     errors |= kNoise | kFraming;
@@ -91,6 +91,7 @@ void Usart::arrive(const Arrival& arrival, const SerialFormat& sender) {
     ++errors_;
   } else {
     received_ = {byte.value, spoilt_ ? Tag::none : byte.tag};
+    ninth_ = sampled.ninth;
     sr_ |= kReceived;
   }
   sr_ |= errors;
@@ -99,6 +100,27 @@ void Usart::arrive(const Arrival& arrival, const SerialFormat& sender) {
   ++idle_token_;
   world_.after(mine.bits() * period_of(mine.baud), [this, token = idle_token_] { line_idle(token); });
   update();
+}
+
+/// What the receiver makes of the bits of one byte. The sender's are eight, a parity bit where it has one, and a stop
+/// bit; the receiver takes eight or nine, of which with parity the last is checked, and then expects a stop bit. So it
+/// gets all eight also where it takes the last one for a parity bit.
+Usart::Sampled Usart::sample(unsigned byte, const SerialFormat& sender) {
+  const SerialFormat mine = format();
+  const bool rate_wrong = std::abs(double(sender.baud) / mine.baud - 1) > kTolerance;
+  const bool format_wrong = sender.even_parity != mine.even_parity || sender.odd_parity != mine.odd_parity ||
+                            sender.data_bits != mine.data_bits;
+  const unsigned tenth = sender.has_parity() ? sender.parity_of(byte) : 1;  // else the stop bit
+  const bool nine = (cr1_ & kNineBits) != 0;
+  if (rate_wrong || (format_wrong && !nine) || (format_wrong && mine.has_parity()))
+    world_.report(Misuse::wire, name() + " listens in another rate or format than is sent");
+  std::uint32_t errors = rate_wrong ? kFraming | kNoise : 0;
+  if (mine.has_parity()) {
+    const unsigned checked = nine ? tenth : byte >> 7 & 1, over = nine ? byte : byte & 0x7F;
+    if (checked != mine.parity_of(over)) errors |= kParity;
+  }
+  if (!nine && tenth == 0) errors |= kFraming;  // a parity bit where the stop bit should be
+  return {nine ? tenth : 0, errors};
 }
 
 void Usart::line_idle(std::uint64_t token) {
@@ -118,8 +140,7 @@ std::uint32_t Usart::read(std::uint32_t offset) {
       sr_ &= ~kReceived;
       update();
       world_.crossing()[0] = received_.tag;
-      // With nine bits the ninth is the parity as received: RM0090 30.6.2.
-      return (cr1_ & kNineBits) == 0 ? received_.value : received_.value | (std::popcount(received_.value) % 2U) << 8;
+      return received_.value | ninth_ << 8;  // with parity it is the last bit, as received: RM0090 30.6.2
     case 0x08:
       return brr_;
     case 0x0C:
@@ -147,7 +168,7 @@ void Usart::write(std::uint32_t offset, std::uint32_t value) {
       }
       if (status_read_) sr_ &= ~kComplete;
       if (data_full_) world_.report(Misuse::protocol, name() + " is given a byte before the last one left");
-      to_send_ = {static_cast<std::uint8_t>(value), world_.crossing()[0]};
+      to_send_ = {sent_bits(value), world_.crossing()[0]};
       data_full_ = true;
       sr_ &= ~kEmpty;
       if (!shifting_) start_shift();
@@ -170,21 +191,27 @@ void Usart::write(std::uint32_t offset, std::uint32_t value) {
       gtpr_ = value;
       break;
     default:
-      return unmodelled_write(offset, value);
+      return unmodelled_write(offset);
   }
   update();
   if (offset == 0x0C || offset == 0x14) ask_dma();
   update();
 }
 
+/// With seven bits the parity takes the place of the eighth.
+std::uint8_t Usart::sent_bits(std::uint32_t value) const {
+  const SerialFormat mine = format();
+  const std::uint32_t byte = value & 0xFF;
+  return static_cast<std::uint8_t>(mine.data_bits == 7 ? (byte & 0x7F) | mine.parity_of(byte & 0x7F) << 7 : byte);
+}
+
 void Usart::write_cr1(std::uint32_t value) {
   only(value, 0xB7FC, "CR1");  // no break, no mute mode
   const bool sent = sends();
   cr1_ = value;
-  const bool parity = (cr1_ & kParityOn) != 0, nine = (cr1_ & kNineBits) != 0;
-  if (on() && parity != nine)
-    world_.report(Misuse::unmodelled, name() + (nine ? " nine data bits" : " seven data bits"));
-  if (on() && parity && (cr1_ & kOddParity) != 0) world_.report(Misuse::unmodelled, name() + " odd parity");
+  const unsigned bits = format().data_bits;
+  if (on() && bits != 8) world_.report(Misuse::wire, name() + (bits == 9 ? " nine data bits: there is no parity bit among them"
+                                                                    : " seven data bits: the parity is one of the eight"));
   if (!sent && sends() && !shifting_) idle_frame();
 }
 

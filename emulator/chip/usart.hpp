@@ -1,6 +1,7 @@
 // A USART: bytes on the wire take their bits' time. RM0090 30.
 #pragma once
 
+#include <bit>
 #include <functional>
 #include <vector>
 
@@ -15,8 +16,15 @@ struct SerialFormat {
   std::uint32_t baud = 115200;
   bool even_parity = false;
   unsigned stop_bits = 1;
-  [[nodiscard]] unsigned bits() const { return 1 + 8 + (even_parity ? 1 : 0) + stop_bits; }
+  bool odd_parity = false;
+  unsigned data_bits = 8;  ///< 7 to 9, without the parity
+  [[nodiscard]] bool has_parity() const { return even_parity || odd_parity; }
+  [[nodiscard]] unsigned bits() const { return 1 + data_bits + (has_parity() ? 1 : 0) + stop_bits; }
   [[nodiscard]] Time byte_time() const { return bits() * period_of(baud); }
+  /// The parity bit of a byte.
+  [[nodiscard]] unsigned parity_of(unsigned byte) const {
+    return static_cast<unsigned>(std::popcount(byte)) % 2 ^ (odd_parity ? 1 : 0);
+  }
 };
 
 class Usart : public Peripheral {
@@ -57,7 +65,13 @@ class Usart : public Peripheral {
     bool is_first;
   };
   void arrive(const Arrival& arrival, const SerialFormat& sender);
+  struct Sampled {
+    unsigned ninth;        ///< where the receiver takes nine bits
+    std::uint32_t errors;  ///< as in SR
+  };
+  [[nodiscard]] Sampled sample(unsigned byte, const SerialFormat& sender);
   void line_idle(std::uint64_t token);
+  [[nodiscard]] std::uint8_t sent_bits(std::uint32_t value) const;
   void write_cr1(std::uint32_t value);
   void start_shift();
   void idle_frame();
@@ -71,6 +85,7 @@ class Usart : public Peripheral {
   Wiring wiring_;
   std::uint32_t sr_ = 0xC0, brr_ = 0, cr1_ = 0, cr2_ = 0, cr3_ = 0, gtpr_ = 0;
   WireByte received_, to_send_;
+  unsigned ninth_ = 0;  ///< bit of what was received
   bool data_full_ = false, shifting_ = false, status_read_ = false;
   bool spoilt_ = false;  ///< what arrives is not whole
   Time in_free_at_ = 0;

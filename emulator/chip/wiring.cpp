@@ -39,12 +39,6 @@ Wiring read_wiring(const Json& board) {
   Wiring wiring;
   wiring.crystal_hz = board.at("clocks").at("crystal_hz").get<std::uint32_t>();
   for (const Json& port : board.at("ports")) read_port(port, wiring);
-  for (const Json& pin : board.at("pins")) {
-    if (!pin.contains("analog")) continue;
-    const Json& analog = pin.at("analog");
-    wiring.analogs.push_back({analog.at("converter").get<std::string>(), analog.at("input").get<unsigned>(),
-                              pin_place(pin.at("pin").get<std::string>())});
-  }
   return wiring;
 }
 

@@ -30,20 +30,14 @@ struct Wiring {
     std::string timer;  ///< `tim1`
     unsigned channel = 0;
   };
-  struct Analog {
-    std::string converter;  ///< `adc3`
-    unsigned input = 0;
-    PinPlace pin;
-  };
 
   std::uint32_t crystal_hz = 12'000'000;
   std::vector<I2cWires> i2cs;
   std::vector<Select> selects;
   std::vector<Pulse> pulses;
-  std::vector<Analog> analogs;
 };
 
-/// Of a board file (finemote.board/1), or of as much of one: `clocks.crystal_hz`, `ports` and `pins`.
+/// Of a board file (finemote.board/1), or of as much of one: `clocks.crystal_hz`, `ports`.
 /// @throws nlohmann::json::exception  the document has another shape
 Wiring read_wiring(const nlohmann::ordered_json& board);
 

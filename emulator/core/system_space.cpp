@@ -195,7 +195,7 @@ std::uint32_t SystemSpace::read_word(std::uint32_t address, Time now, std::uint3
     default:
       break;
   }
-  reports_.add(Misuse::unmodelled, "core register " + hex(address) + " read", now, pc);
+  reports_.add(Misuse::unmodelled, "core register " + hex(address) + " read", now, pc, address);
   return 0;
 }
 
@@ -310,7 +310,7 @@ void SystemSpace::write_word(std::uint32_t address, std::uint32_t value, Time no
     default:
       break;
   }
-  reports_.add(Misuse::unmodelled, "core register " + hex(address) + " written", now, pc);
+  reports_.add(Misuse::unmodelled, "core register " + hex(address) + " written", now, pc, address);
 }
 
 }  // namespace finemote::emulator

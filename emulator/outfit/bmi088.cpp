@@ -1,6 +1,7 @@
 // BMI088: an accelerometer and a gyroscope, kept warm by a heater.
 #include "emulator/parts/bmi088.hpp"
 
+#include <array>
 #include <map>
 
 #include "emulator/outfit/figures.hpp"
@@ -24,9 +25,7 @@ class Bmi088Element : public SeatedElement {
         mass({need<double>(part, "ambient"), need<double>(part, "heater_rise"),
               need<double>(part, "heater_time_constant")}),
         model(
-            {[&outfit] { return outfit.now(); },
-             [&outfit](Time at, EventQueue::Action action) { outfit.board().world().at(at, std::move(action)); }},
-            [this](Time at) { return motion(at); }, [this](Time at) { return mass.temperature(at); }),
+            part_clock(), [this](Time at) { return motion(at); }, [this](Time at) { return mass.temperature(at); }),
         part_(part) {
     const auto port = need<std::string>(part, "port");
     const auto accelerometer = need<unsigned>(part, "channel"), gyroscope = need<unsigned>(part, "gyro");
@@ -44,6 +43,7 @@ class Bmi088Element : public SeatedElement {
       return begin_sample(static_cast<unsigned>(quantity), from);
     };
     model.on_read = [this](Bmi088::Quantity quantity, Tag sample) {
+      ++reads[static_cast<std::size_t>(quantity)];
       end_sample(static_cast<unsigned>(quantity), sample);
     };
   }
@@ -65,6 +65,7 @@ class Bmi088Element : public SeatedElement {
   double temperature_now() { return mass.temperature(now()); }
 
   HeatedMass mass;
+  std::array<std::uint64_t, 2> reads{};  ///< of rates, of acceleration
   Bmi088 model;
 
  private:
@@ -146,7 +147,10 @@ std::vector<Quantity> values() {
       Row::value("yaw", "deg", "", [](Bmi088Element& part) { return degrees_of(part.motion_now(), &Angles::yaw); }),
       Row::value("temperature", "degrees Celsius", "", [](Bmi088Element& part) { return part.temperature_now(); }),
       Row::value("heat", "", "0 to 1: its heater's share of full power",
-                 [](Bmi088Element& part) { return part.mass.share(); })};
+                 [](Bmi088Element& part) { return part.mass.share(); }),
+      Row::value("rate_reads", "", "so far", [](Bmi088Element& part) { return static_cast<double>(part.reads[0]); }),
+      Row::value("acceleration_reads", "", "so far",
+                 [](Bmi088Element& part) { return static_cast<double>(part.reads[1]); })};
 }
 
 }  // namespace

@@ -6,6 +6,12 @@ namespace finemote::emulator {
 
 Time Element::now() const { return outfit_.now(); }
 
+PartClock Element::part_clock() const {
+  Outfit& outfit = outfit_;
+  return {[&outfit] { return outfit.now(); },
+          [&outfit](Time at, EventQueue::Action action) { outfit.board().world().at(at, std::move(action)); }};
+}
+
 Tag Element::record_sample(Time from, Time until) {
   const Tag sample = outfit_.sample(name_, 0, from, until);
   const std::uint32_t n = outfit_.board().world().provenance().origin(sample).n;

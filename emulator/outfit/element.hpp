@@ -9,6 +9,7 @@
 #include "emulator/chip/i2c_line.hpp"
 #include "emulator/chip/timer.hpp"
 #include "emulator/outfit/entry.hpp"
+#include "emulator/parts/ready_output.hpp"
 #include "emulator/parts/serial_terminal.hpp"
 #include "emulator/plants/motor_shaft.hpp"
 
@@ -28,6 +29,8 @@ class Element {
  protected:
   Outfit& outfit() { return outfit_; }
   [[nodiscard]] Time now() const;
+  /// Of the board, for a part that acts by itself.
+  [[nodiscard]] PartClock part_clock() const;
   /// It sampled a quantity at `from`, and its last bit can be read at `until`. @return what its bytes carry
   Tag record_sample(Time from, Time until);
   /// The same in two steps: bytes that carry it leave, and, later, its last bit can be read now.

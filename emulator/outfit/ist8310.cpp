@@ -16,19 +16,22 @@ class CompassElement : public SeatedElement {
   CompassElement(Outfit& outfit, const Json& part, const std::string& name)
       : SeatedElement(outfit, part, name),
         field(vector(part, "field")),
-        model(
-            need<std::uint8_t>(part, "address"), [&outfit] { return outfit.now(); },
-            [this](Time at) { return Eigen::Vector3d(motion(at).attitude.conjugate() * field); }) {
-    model.on_read = [this](Time from) { return record_sample(from, now()); };
+        model(need<std::uint8_t>(part, "address"), part_clock(),
+              [this](Time at) { return Eigen::Vector3d(motion(at).attitude.conjugate() * field); }) {
+    model.on_read = [this](Time from) {
+      ++reads;
+      return record_sample(from, now());
+    };
     outfit.line_of(part).attach(model);
-    if (maybe<std::string>(part, "port", "") == "i2c3") {  // the part on the board has its reset at PG6
-      outfit.board().chip().gpio('G').watcher[6] = [this](bool output, bool high) {
-        model.hold_reset(output && !high);
-      };
-    }
+    if (maybe<std::string>(part, "port", "") != "i2c3") return;
+    // The part on the board has its reset at PG6 and its data-ready output at PG3.
+    Gpio& port = outfit.board().chip().gpio('G');
+    port.watcher[6] = [this](bool output, bool high) { model.hold_reset(output && !high); };
+    model.on_ready = [&port](int level) { port.drive(3, level); };
   }
 
   Eigen::Vector3d field;  ///< in the world's axes [T]
+  std::uint64_t reads = 0;
   Ist8310 model;
 };
 
@@ -49,7 +52,7 @@ Model ist8310() {
   using Row = Rows<CompassElement>;
   return {
       .type = "ist8310",
-      .summary = "earth's magnetic field in the sensor's axes; reset pin on `i2c3`",
+      .summary = "earth's magnetic field in the sensor's axes; reset and data-ready pins on `i2c3`",
       .figures =
           i2c_place() + std::vector{address(0x0E)} + seat() + std::vector{usually({20e-6, 0, -45e-6}, earths_field())},
       .one_of = i2c_where(),
@@ -57,6 +60,10 @@ Model ist8310() {
                 Row::fault("power_cycle", "loses its settings", {}, power_cycle),
                 with_member(Row::stimulus("move", "holds it in this pose; it no longer follows its body",
                                           pose() + std::vector{earths_field()}, move))},
+      .values = {Row::value("measurements", "", "so far",
+                            [](CompassElement& part) { return static_cast<double>(part.model.measurements()); }),
+                 Row::value("reads", "", "measurements fetched so far",
+                            [](CompassElement& part) { return static_cast<double>(part.reads); })},
       .make = Row::make,
   };
 }

@@ -10,15 +10,20 @@ namespace {
 // Accelerometer, data sheet 5.3; gyroscope, 5.5.
 constexpr unsigned kAccelId = 0x00, kAccelData = 0x12, kAccelTime = 0x18, kAccelStatus = 0x1D, kAccelTemperature = 0x22,
                    kAccelConf = 0x40, kAccelRange = 0x41, kAccelInt1 = 0x53, kAccelInt2 = 0x54, kAccelMap = 0x58,
-                   kAccelPowerConf = 0x7C, kAccelPower = 0x7D, kAccelReset = 0x7E;
+                   kAccelSelfTest = 0x6D, kAccelPowerConf = 0x7C, kAccelPower = 0x7D, kAccelReset = 0x7E;
 constexpr unsigned kGyroId = 0x00, kGyroData = 0x02, kGyroStatus = 0x0A, kGyroRange = 0x0F, kGyroBandwidth = 0x10,
                    kGyroLowPower = 0x11, kGyroReset = 0x14, kGyroIntControl = 0x15, kGyroIntConf = 0x16,
-                   kGyroIntMap = 0x18;
+                   kGyroIntMap = 0x18, kGyroSelfTest = 0x3C;
 constexpr std::uint8_t kDataReady = 0x80;  // in both status registers and in GYRO_INT_CTRL
 constexpr std::uint8_t kSoftReset = 0xB6;
+constexpr std::uint32_t kFastestHz = 10'000'000;  // 6.1, table 8
 constexpr std::uint64_t kAccelStartNs = 1'000'000, kGyroStartNs = 30'000'000;  // 4.1, 4.2: after a reset
 constexpr std::uint64_t kTimeStepNs = 39'063;                                  // 39.0625 us per step of the sensor time
 constexpr Time kReadyFor = from_ns(280'000);                                   // 5.5.3: 280 to 400 us
+constexpr std::uint8_t kPush = 0x0D, kPull = 0x09;  // ACC_SELF_TEST, 5.3.19
+constexpr double kDeflection[] = {0.75 * kGravity, 0.75 * kGravity, 0.375 * kGravity};  // 4.6.1 asks for 1, 1, 0.5 g apart
+constexpr std::uint8_t kStartTest = 0x01, kTestDone = 0x02, kRatesPlausible = 0x10;     // GYRO_SELF_TEST, 5.5.13
+constexpr Time kGyroTest = from_ns(10'000'000);  // the data sheet does not say how long it takes
 constexpr Time kTemperaturePeriod = from_ns(1'280'000'000);                    // 5.3.7
 
 void put(std::array<std::uint8_t, 128>& registers, unsigned at, double value) {
@@ -86,12 +91,12 @@ void Bmi088::power_cycle() {
 
 SpiPart Bmi088::accelerometer() {
   return SpiPart{[this](bool selected) { accelerometer_selected(selected); },
-                 [this](WireByte out) { return accelerometer_byte(out); }};
+                 [this](WireByte out) { return accelerometer_byte(out); }, kFastestHz};
 }
 
 SpiPart Bmi088::gyroscope() {
   return SpiPart{[this](bool selected) { gyroscope_selected(selected); },
-                 [this](WireByte out) { return gyroscope_byte(out); }};
+                 [this](WireByte out) { return gyroscope_byte(out); }, kFastestHz};
 }
 
 void Bmi088::accelerometer_selected(bool selected) {
@@ -184,7 +189,10 @@ void Bmi088::sample_acceleration() {
   accel_sampled_ = now() / period * period;
   const Motion motion = motion_(accel_sampled_);
   const double full = 3.0 * (1 << (accel_[kAccelRange] & 3)) * kGravity;
-  for (unsigned i = 0; i < 3; ++i) put(accel_, kAccelData + 2 * i, motion.force[i] / full * 32768);
+  const std::uint8_t test = accel_[kAccelSelfTest];
+  const double pushed = test == kPush ? 1 : test == kPull ? -1 : 0;
+  for (unsigned i = 0; i < 3; ++i)
+    put(accel_, kAccelData + 2 * i, (motion.force[i] + pushed * kDeflection[i]) / full * 32768);
   const std::uint64_t steps = to_ns(now()) / kTimeStepNs;
   for (unsigned i = 0; i < 3; ++i) accel_[kAccelTime + i] = static_cast<std::uint8_t>(steps >> (8 * i));
   accel_[kAccelStatus] = accel_sampled_ != accel_noticed_ ? kDataReady : 0;
@@ -213,8 +221,18 @@ WireByte Bmi088::gyroscope_byte(std::uint8_t out) {
 void Bmi088::write_gyroscope(std::uint8_t address, std::uint8_t value) {
   if (address == kGyroReset && value == kSoftReset) return reset_gyroscope();
   if (address < kGyroRange) return;
+  if (address == kGyroSelfTest) return test_gyroscope(value);
   gyro_[address] = address == kGyroBandwidth ? value | 0x80 : value;
   set_gyroscope_outputs();
+}
+
+/// It passes, after a while.
+void Bmi088::test_gyroscope(std::uint8_t value) {
+  if ((value & kStartTest) == 0) return;
+  gyro_[kGyroSelfTest] = kRatesPlausible;
+  clock_.at(now() + kGyroTest, [this, started = gyro_ready_] {
+    if (started == gyro_ready_) gyro_[kGyroSelfTest] |= kTestDone;  // not reset meanwhile
+  });
 }
 
 /// INT3_INT4_IO_CONF: level and open drain of INT3 in bits 0 and 1, of INT4 in 2 and 3; bits 0 and 7 of

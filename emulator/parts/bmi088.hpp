@@ -56,6 +56,7 @@ class Bmi088 {
   void gyroscope_selected(bool selected);
   void write_accelerometer(std::uint8_t address, std::uint8_t value);
   void write_gyroscope(std::uint8_t address, std::uint8_t value);
+  void test_gyroscope(std::uint8_t value);
   void reset_accelerometer();
   void reset_gyroscope();
   void sample_acceleration();

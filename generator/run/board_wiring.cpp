@@ -20,13 +20,9 @@ Json port_wiring(const Port& port) {
 }  // namespace
 
 Json board_wiring(const Board& board) {
-  Json ports = Json::array(), pins = Json::array();
+  Json ports = Json::array();
   for (const Port& port : board.ports) ports.push_back(port_wiring(port));
-  for (const NamedPin& pin : board.pins) {
-    if (pin.converter.empty()) continue;
-    pins.push_back({{"pin", pin.pin}, {"analog", {{"converter", pin.converter}, {"input", pin.input}}}});
-  }
-  return {{"clocks", {{"crystal_hz", board.clocks.value().crystal_hz}}}, {"ports", ports}, {"pins", pins}};
+  return {{"clocks", {{"crystal_hz", board.clocks.value().crystal_hz}}}, {"ports", ports}};
 }
 
 }  // namespace finemote::gen

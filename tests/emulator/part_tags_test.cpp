@@ -68,8 +68,9 @@ TEST_CASE("a pressure carries the number of its conversion, a temperature and an
 TEST_CASE("the compass's data carry their measurement, its other registers nothing") {
   Time now = 10 * kMs;
   Counter samples;
-  Ist8310 part(
-      0x0E, [&] { return now; }, [](Time) { return Eigen::Vector3d(20e-6, 0, 0); });
+  EventQueue queue;
+  Ist8310 part(0x0E, {[&] { return now; }, [&](Time at, EventQueue::Action action) { queue.at(at, std::move(action)); }},
+               [](Time) { return Eigen::Vector3d(20e-6, 0, 0); });
   std::vector<Time> from;
   part.on_read = [&](Time at) {
     from.push_back(at);
@@ -79,6 +80,7 @@ TEST_CASE("the compass's data carry their measurement, its other registers nothi
   line.attach(part);
   send(line, 0x0E, {0x0A, 0x01});
   now = 20 * kMs;
+  queue.run(now);
   send(line, 0x0E, {0x02});
   const Tag none = Tag::none, first{1};
   CHECK(tags_read(line, 0x0E, 8) == std::vector<Tag>{none, first, first, first, first, first, first, none});

@@ -153,9 +153,9 @@ TEST_CASE("registers and bits nobody models") {
   };
   check(Misuse::unmodelled,
         {{"peripheral", "peripheral address", [](Bench& b, bool wrong) { b.read(wrong ? 0x40015C00 : kRccCr); }},
-         {"register", "register at offset 0x80", [](Bench& b, bool wrong) { b.read(wrong ? kRccCr + 0x80 : kRccCr); }},
-         {"register written", "register at offset 0x80 written",
-          [](Bench& b, bool wrong) { b.write(wrong ? kRccCr + 0x80 : kAhb1, 1); }},
+         {"register", "register at offset 0x88", [](Bench& b, bool wrong) { b.read(wrong ? kRccCr + 0x88 : kRccCr); }},
+         {"register written", "register at offset 0x88 written",
+          [](Bench& b, bool wrong) { b.write(wrong ? kRccCr + 0x88 : kAhb1, 1); }},
          {"core register", "core register 0xE000ED3C",
           [](Bench& b, bool wrong) { b.read_core(wrong ? 0xE000ED3C : 0xE000ED28); }},
          {"sub-priorities", "priority grouping",
@@ -169,27 +169,19 @@ TEST_CASE("registers and bits nobody models") {
          {"power down", "pwr CR bits", bits(kPower, 0x4002, 0x4000)},
          {"LIN", "usart6 CR2 bits", bits(kUsart6 + 0x10, 1U << 14, 2U << 12)},
          {"reserved bit of a USART", "usart6 CR1 bits", bits(kUsart6 + 0x0C, 1U << 14, 1U << 15)},
-         {"nine data bits", "nine data bits", bits(kUsart6 + 0x0C, 0x3000, 0x3400)},
-         {"seven data bits", "seven data bits", bits(kUsart6 + 0x0C, 0x2400, 0x3400)},
-         {"odd parity", "odd parity", bits(kUsart6 + 0x0C, 0x3600, 0x3400)},
          {"half duplex", "usart6 CR3 bits", bits(kUsart6 + 0x14, 8, 0xC1)},
-         {"DMA of I2C", "i2c2 CR2 bits", bits(kI2c2 + 0x04, 1U << 11 | 16, 1U << 10 | 16)},
+         {"reserved bit of I2C", "i2c2 CR2 bits", bits(kI2c2 + 0x04, 1U << 13 | 16, 1U << 11 | 16)},
          {"SMBus", "i2c2 CR1 bits", bits(kI2c2, 3, 1)},
          {"least significant bit first", "spi1 CR1 bits", bits(kSpi1, 0x3C4, 0xB44)},
+         {"I2S", "spi1 I2SCFGR bits", bits(kSpi1 + 0x1C, 0x800, 0)},
          {"TI frames", "spi1 CR2 bits", bits(kSpi1 + 4, 0x10, 0xE7)},
          {"peripheral flow control", "SxCR bits", bits(kDma2 + 0x10, 0x20, 0x40)},
-         {"FIFO", "FIFO mode",
-          [](Bench& b, bool wrong) {
-            clocks_on(b);
-            b.write(kDma2 + 0x14, 1);
-            b.write(kDma2 + 0x24, wrong ? 0x25 : 0x21);
-            b.write(kDma2 + 0x10, 1);
-          }},
          {"compare mode", "compare mode", bits(kTim4 + 0x18, 0x30, 0x68)},
          {"input", "CCMR bits", bits(kTim4 + 0x1C, 1, 0x6800)},
          {"counting down", "tim4 CR1 bits", bits(kTim4, 0x10, 0x80)},
-         {"output active low", "tim4 CCER bits", bits(kTim4 + 0x20, 3, 0x1111)},
-         {"compare interrupt", "tim4 DIER bits", bits(kTim4 + 0x0C, 2, 1)},
+         {"complementary output", "tim4 CCER bits", bits(kTim4 + 0x20, 5, 0x1113)},
+         {"DMA request of a timer", "tim4 DIER bits", bits(kTim4 + 0x0C, 0x100, 3)},
+         {"slave mode", "tim4 SMCR bits", bits(kTim4 + 0x08, 4, 3)},
          {"burst of a timer", "tim4 DMA bits", bits(kTim4 + 0x48, 1, 0)},
          {"repetition counter", "tim1 RCR bits",
           [](Bench& b, bool wrong) {
@@ -199,26 +191,16 @@ TEST_CASE("registers and bits nobody models") {
          {"break input", "tim1 BDTR bits",
           [](Bench& b, bool wrong) {
             b.write(kApb2, 1);
-            b.write(0x40010000 + 0x44, wrong ? 0x9000 : 0x8000);
+            b.write(0x40010000 + 0x44, wrong ? 0x9000 : 0xA000);  // its polarity alone does nothing
           }},
          {"extended frame", "extended or remote frame",
           [](Bench& b, bool wrong) {
             start_can(b);
             b.write(kCan1 + 0x180, 0x123U << 21 | (wrong ? 4U : 0) | 1);
           }},
-         {"priority by request", "can1 MCR bits", bits(kCan1, 5, 1)},
-         {"FIFO 1", "FFA1R bits",
-          [](Bench& b, bool wrong) {
-            clocks_on(b);
-            b.write(kCan1 + 0x214, wrong ? 1 : 0);
-          }},
-         {"sequence of two", "sequence",
-          [](Bench& b, bool wrong) {
-            start_adc(b);
-            b.write(kAdc + 0x22C, wrong ? 1U << 20 : 0);
-            b.write(kAdc + 0x208, 1U << 30 | 1);
-          }},
-         {"continuous conversion", "adc3 CR2 bits", bits(kAdc + 0x208, 3, 1)},
+         {"time triggered", "can1 MCR bits", bits(kCan1, 0x81, 5)},
+         {"injected conversion", "adc3 CR2 bits", bits(kAdc + 0x208, 1U << 22 | 1, 3)},
+         {"trigger of a timer", "adc3 trigger", bits(kAdc + 0x208, 1U << 28 | 1, 1)},
          {"event", "exti EMR bits", bits(kExti + 4, 1, 0)},
          {"internal line", "exti line bits", bits(kExti, 1U << 17, 0xFFFF)},
          {"memory remapped", "syscfg register bits", [](Bench& b, bool wrong) {
@@ -235,6 +217,28 @@ TEST_CASE("DMA where it does not reach") {
   check(Misuse::dma_unreachable,
         {{"into core-coupled RAM", "dma2 cannot reach 0x10000000", move(kRam, kCoreRam)},
          {"out of core-coupled RAM", "dma2 cannot reach 0x10000010", move(kCoreRam + 16, kRam)},
+         {"to a peripheral whose address was not set", "dma2 cannot reach 0x0",
+          [](Bench& b, bool wrong) {
+            start_usart(b);
+            b.write(kUsart6 + 0x14, 1U << 7);
+            b.write(kDma2 + 0xA0 + 0x08, wrong ? 0 : kUsart6 + 4);
+            b.write(kDma2 + 0xA0 + 0x0C, kRam);
+            b.write(kDma2 + 0xA0 + 0x04, 1);
+            b.write(kDma2 + 0xA0, 5U << 25 | 1U << 10 | 1U << 6 | 1);
+          }},
+         {"by the first controller, behind the other bridge", "dma1 cannot reach 0x40011004",
+          [](Bench& b, bool wrong) {
+            clocks_on(b);
+            b.write(kApb1, 1U << 22 | 1U << 17);
+            b.write(kApb2, 1U << 4);
+            b.write(0x40004400 + 0x0C, 0x2008);  // USART2 asks
+            b.write(0x40004400 + 0x14, 1U << 7);
+            b.write(0x40011000 + 0x0C, 0x2008);
+            b.write(kDma1 + 0xA0 + 0x08, wrong ? 0x40011004 : 0x40004404);
+            b.write(kDma1 + 0xA0 + 0x0C, kRam);
+            b.write(kDma1 + 0xA0 + 0x04, 1);
+            b.write(kDma1 + 0xA0, 4U << 25 | 1U << 10 | 1U << 6 | 1);
+          }},
          {"into flash", "dma2 cannot reach 0x8000000", move(kRam, kInFlash)},
          {"nowhere", "dma2 cannot reach 0x20020000", move(kRam, 0x20020000)}});
 }
@@ -276,6 +280,14 @@ TEST_CASE("clocks out of their limits") {
             if (wrong) b.write(kAdc + 0x304, 0);  // 84 MHz by two
             b.write(kAdc + 0x208, 1U << 30 | 1);
           }}});
+}
+
+TEST_CASE("a format that is rarely meant") {
+  const auto format = [](std::uint32_t bad, std::uint32_t good) {
+    return [=](Bench& b, bool wrong) { start_usart(b, wrong ? bad : good); };
+  };
+  check(Misuse::wire, {{"nine data bits", "nine data bits", format(0x3000, 0x3400)},
+                       {"seven data bits", "seven data bits", format(0x2400, 0x3400)}});
 }
 
 TEST_CASE("serial lines in an order the manual forbids") {
