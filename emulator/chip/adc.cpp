@@ -38,8 +38,8 @@ void Adc::reset() {
 }
 
 void Adc::update() {
-  const bool high = ((cr1_ & kEndInterrupt) != 0 && (sr_ & kEnd) != 0) ||
-                    ((cr1_ & kOverrunInterrupt) != 0 && (sr_ & kOverrun) != 0);
+  const bool high =
+      ((cr1_ & kEndInterrupt) != 0 && (sr_ & kEnd) != 0) || ((cr1_ & kOverrunInterrupt) != 0 && (sr_ & kOverrun) != 0);
   if (high != line_) wiring_.set_line(high);
   line_ = high;
 }

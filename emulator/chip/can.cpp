@@ -9,7 +9,7 @@ constexpr std::uint32_t kTransmitInterrupt = 1, kReceiveInterrupt = 2, kFullInte
                         kCodeInterrupt = 1U << 11, kErrorInterrupt = 1U << 15;
 constexpr std::uint32_t kKnownInterrupts = 0x7F | kWarningInterrupt | kPassiveInterrupt | kBusOffInterrupt |
                                            kCodeInterrupt | kErrorInterrupt | 1U << 16 | 1U << 17;
-constexpr std::uint32_t kWarning = 1, kPassive = 2, kBusOff = 4;                                 // ESR: 32.9.2
+constexpr std::uint32_t kWarning = 1, kPassive = 2, kBusOff = 4;                                     // ESR: 32.9.2
 constexpr std::uint32_t kNotAcknowledged = 3U << 4, kRecessiveWrong = 4U << 4, kLastCode = 7U << 4;  // ESR.LEC
 
 }  // namespace

@@ -66,7 +66,8 @@ std::uint32_t ChipBus::access(const Slot* slot, std::uint32_t address, unsigned 
     return 0;
   }
   if (!rcc.clocked(slot->place.bus, slot->peripheral->clock_bits(address - slot->place.base, slot->place.bit))) {
-    world_.report(Misuse::unclocked, slot->peripheral->name_at(address - slot->place.base) + " is touched before its clock is on");
+    world_.report(Misuse::unclocked,
+                  slot->peripheral->name_at(address - slot->place.base) + " is touched before its clock is on");
     return 0;
   }
   const std::uint32_t offset = (address - slot->place.base) & ~3U, shift = (address & 3) * 8;

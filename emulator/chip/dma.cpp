@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::uint32_t kEnable = 1, kErrorInterrupt = 4, kHalfInterrupt = 8, kCompleteInterrupt = 16,
                         kFromMemory = 1U << 6, kFromMemoryToMemory = 2U << 6, kDirection = 3U << 6, kCircular = 1U << 8,
-                        kPeripheralIncrement = 1U << 9, kMemoryIncrement = 1U << 10, kDoubleBuffer = 1U << 18, kSecondBuffer = 1U << 19;
+                        kPeripheralIncrement = 1U << 9, kMemoryIncrement = 1U << 10, kDoubleBuffer = 1U << 18,
+                        kSecondBuffer = 1U << 19;
 constexpr std::uint32_t kFlagError = 8, kFlagHalf = 16, kFlagComplete = 32;
 
 struct Route {
@@ -35,8 +36,8 @@ constexpr Route kRoutes[] = {
 
 constexpr int kLines[2][8] = {{11, 12, 13, 14, 15, 16, 17, 47}, {56, 57, 58, 59, 60, 68, 69, 70}};
 
-/// PSIZE counts for both sides in direct mode, and in memory what the FIFO packs lies in the same order: RM0090 10.3.10,
-/// 10.3.12, 10.5.5.
+/// PSIZE counts for both sides in direct mode, and in memory what the FIFO packs lies in the same order:
+/// RM0090 10.3.10, 10.3.12, 10.5.5.
 unsigned item_bytes(std::uint32_t control) { return 1U << (control >> 11 & 3); }
 
 unsigned shift_of(unsigned stream) { return stream % 4 / 2 * 16 + stream % 2 * 6; }

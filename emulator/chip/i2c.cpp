@@ -45,8 +45,7 @@ void I2c::ask_dma() {
   const bool sends = (sr2_ & kTransmitter) != 0 && (sr1_ & kAddr) == 0;
   if ((cr2_ & kDma) == 0 || asking_) return;
   asking_ = true;
-  while (sends && (sr1_ & kTxe) != 0 && !data_full_ && wiring_.dma(wiring_.tx)) {
-  }
+  while (sends && (sr1_ & kTxe) != 0 && !data_full_ && wiring_.dma(wiring_.tx)) {}
   while (!sends && (sr1_ & kRxne) != 0 && wiring_.dma(wiring_.rx))
     last_comes_ = (cr2_ & kLastByDma) != 0 && wiring_.dma_left(wiring_.rx) == 1;
   asking_ = false;
@@ -88,7 +87,8 @@ void I2c::write_cr1(std::uint32_t value) {
 
 void I2c::request_start() {
   if (line.sda_held() || !line.scl()) return;  // the bus looks busy: the START waits, for ever perhaps
-  if ((cr2_ & 0x3F) != wiring_.clock_hz() / 1'000'000) world_.report(Misuse::protocol, name() + " FREQ is not its clock");
+  if ((cr2_ & 0x3F) != wiring_.clock_hz() / 1'000'000)
+    world_.report(Misuse::protocol, name() + " FREQ is not its clock");
   const bool repeated = (sr2_ & kMaster) != 0;
   if (repeated && state_ != State::send_wait && state_ != State::receive_wait) return;  // after the byte under way
   sr1_ &= ~(kBtf | kTxe);

@@ -47,7 +47,7 @@ class Rtc : public Peripheral {
   std::array<std::uint32_t, 20> backup_{};
   std::array<std::uint32_t, 20> others_{};  ///< what is only kept, by word
   unsigned keys_ = 0;
-  Time since_ = 0;  ///< the calendar stood as it is
+  Time since_ = 0;   ///< the calendar stood as it is
   double part_ = 0;  ///< of a second that has passed besides
 };
 

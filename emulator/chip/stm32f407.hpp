@@ -21,10 +21,9 @@ struct Place {
 inline constexpr Place kRcc{0x40023800, ClockBus::always, 0}, kFlash{0x40023C00, ClockBus::always, 0},
     kIwdg{0x40003000, ClockBus::always, 0}, kPwr{0x40007000, ClockBus::apb1, 28},
     kSyscfg{0x40013800, ClockBus::apb2, 14}, kExti{0x40013C00, ClockBus::always, 0},
-    kDma1{0x40026000, ClockBus::ahb1, 21}, kDma2{0x40026400, ClockBus::ahb1, 22},
-    kCrc{0x40023000, ClockBus::ahb1, 12}, kRtc{0x40002800, ClockBus::always, 0}, kWwdg{0x40002C00, ClockBus::apb1, 11},
-    kDac{0x40007400, ClockBus::apb1, 29}, kUsb{0x50000000, ClockBus::ahb2, 7}, kRng{0x50060800, ClockBus::ahb2, 6},
-    kAdcs{0x40012000, ClockBus::apb2, 8};
+    kDma1{0x40026000, ClockBus::ahb1, 21}, kDma2{0x40026400, ClockBus::ahb1, 22}, kCrc{0x40023000, ClockBus::ahb1, 12},
+    kRtc{0x40002800, ClockBus::always, 0}, kWwdg{0x40002C00, ClockBus::apb1, 11}, kDac{0x40007400, ClockBus::apb1, 29},
+    kUsb{0x50000000, ClockBus::ahb2, 7}, kRng{0x50060800, ClockBus::ahb2, 6}, kAdcs{0x40012000, ClockBus::apb2, 8};
 
 inline constexpr char kFirstPort = 'A', kLastPort = 'I';
 constexpr Place port_place(char port) {
@@ -85,13 +84,20 @@ struct TimerEntry {
 };
 inline constexpr TimerKind kPlain{false, false}, kAdvanced{true, false}, kWide{false, true};
 inline constexpr TimerEntry kTimers[] = {
-    {"tim1", {0x40010000, ClockBus::apb2, 0}, 25, kAdvanced, 27}, {"tim2", {0x40000000, ClockBus::apb1, 0}, 28, kWide},
-    {"tim3", {0x40000400, ClockBus::apb1, 1}, 29, kPlain},    {"tim4", {0x40000800, ClockBus::apb1, 2}, 30, kPlain},
-    {"tim5", {0x40000C00, ClockBus::apb1, 3}, 50, kWide},     {"tim6", {0x40001000, ClockBus::apb1, 4}, 54, kPlain},
-    {"tim7", {0x40001400, ClockBus::apb1, 5}, 55, kPlain},    {"tim8", {0x40010400, ClockBus::apb2, 1}, 44, kAdvanced, 46},
-    {"tim9", {0x40014000, ClockBus::apb2, 16}, 24, kPlain},   {"tim10", {0x40014400, ClockBus::apb2, 17}, 25, kPlain},
-    {"tim11", {0x40014800, ClockBus::apb2, 18}, 26, kPlain},  {"tim12", {0x40001800, ClockBus::apb1, 6}, 43, kPlain},
-    {"tim13", {0x40001C00, ClockBus::apb1, 7}, 44, kPlain},   {"tim14", {0x40002000, ClockBus::apb1, 8}, 45, kPlain},
+    {"tim1", {0x40010000, ClockBus::apb2, 0}, 25, kAdvanced, 27},
+    {"tim2", {0x40000000, ClockBus::apb1, 0}, 28, kWide},
+    {"tim3", {0x40000400, ClockBus::apb1, 1}, 29, kPlain},
+    {"tim4", {0x40000800, ClockBus::apb1, 2}, 30, kPlain},
+    {"tim5", {0x40000C00, ClockBus::apb1, 3}, 50, kWide},
+    {"tim6", {0x40001000, ClockBus::apb1, 4}, 54, kPlain},
+    {"tim7", {0x40001400, ClockBus::apb1, 5}, 55, kPlain},
+    {"tim8", {0x40010400, ClockBus::apb2, 1}, 44, kAdvanced, 46},
+    {"tim9", {0x40014000, ClockBus::apb2, 16}, 24, kPlain},
+    {"tim10", {0x40014400, ClockBus::apb2, 17}, 25, kPlain},
+    {"tim11", {0x40014800, ClockBus::apb2, 18}, 26, kPlain},
+    {"tim12", {0x40001800, ClockBus::apb1, 6}, 43, kPlain},
+    {"tim13", {0x40001C00, ClockBus::apb1, 7}, 44, kPlain},
+    {"tim14", {0x40002000, ClockBus::apb1, 8}, 45, kPlain},
 };
 
 /// A converter: its request for DMA, and the pins of its inputs from 0 on, `PA0`; null: none. DS8626 table 7.
@@ -110,8 +116,7 @@ inline constexpr AdcEntry kAdcEntries[] = {
      {"PA0", "PA1", "PA2", "PA3", "PA4", "PA5", "PA6", "PA7", "PB0", "PB1", "PC0", "PC1", "PC2", "PC3", "PC4", "PC5"}},
     {"adc3",
      DmaRequest::adc3,
-     {"PA0", "PA1", "PA2", "PA3", "PF6", "PF7", "PF8", "PF9", "PF10", "PF3", "PC0", "PC1", "PC2", "PC3", "PF4",
-      "PF5"}},
+     {"PA0", "PA1", "PA2", "PA3", "PF6", "PF7", "PF8", "PF9", "PF10", "PF3", "PC0", "PC1", "PC2", "PC3", "PF4", "PF5"}},
 };
 
 }  // namespace finemote::emulator::stm32f407

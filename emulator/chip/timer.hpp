@@ -1,6 +1,6 @@
 // A timer that counts up: prescaler, period and preloaded compare values become pulses, updates and compare events.
-// RM0090 17 to 20. As an encoder's counter it stands until somebody turns it. Input capture, other slave modes, counting
-// down and DMA are not modelled.
+// RM0090 17 to 20. As an encoder's counter it stands until somebody turns it. Input capture, other slave modes,
+// counting down and DMA are not modelled.
 #pragma once
 
 #include <array>
@@ -70,8 +70,8 @@ class Timer : public Peripheral {
   std::array<std::uint32_t, 4> ccr_active_{};
   std::array<std::uint64_t, 4> last_{};
   std::array<Time, 4> matched_{};  ///< compares before this were seen
-  Time zero_ = 0;           ///< when the counter was 0, while it counts
-  std::uint32_t held_ = 0;  ///< the counter while it stands
+  Time zero_ = 0;                  ///< when the counter was 0, while it counts
+  std::uint32_t held_ = 0;         ///< the counter while it stands
   std::uint64_t token_ = 0;
 };
 

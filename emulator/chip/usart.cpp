@@ -210,8 +210,9 @@ void Usart::write_cr1(std::uint32_t value) {
   const bool sent = sends();
   cr1_ = value;
   const unsigned bits = format().data_bits;
-  if (on() && bits != 8) world_.report(Misuse::wire, name() + (bits == 9 ? " nine data bits: there is no parity bit among them"
-                                                                    : " seven data bits: the parity is one of the eight"));
+  if (on() && bits != 8)
+    world_.report(Misuse::wire, name() + (bits == 9 ? " nine data bits: there is no parity bit among them"
+                                                    : " seven data bits: the parity is one of the eight"));
   if (!sent && sends() && !shifting_) idle_frame();
 }
 

@@ -51,7 +51,9 @@ struct Registers {
   /// Handler mode, or thread mode with CONTROL.SPSEL clear, uses the main stack.
   [[nodiscard]] bool on_process_stack() const { return exception == 0 && (control & kProcessStack) != 0; }
   /// In handler mode it says what thread mode will use.
-  void choose_stack(bool process) { enter_mode(exception, process ? control | kProcessStack : control & ~kProcessStack); }
+  void choose_stack(bool process) {
+    enter_mode(exception, process ? control | kProcessStack : control & ~kProcessStack);
+  }
   void enter_mode(std::uint32_t new_exception, std::uint32_t new_control) {
     const bool was = on_process_stack();
     exception = new_exception;

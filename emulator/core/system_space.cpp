@@ -12,7 +12,9 @@ bool in(std::uint32_t address, std::uint32_t from, std::uint32_t end) { return a
 constexpr std::uint32_t kCycleCountOn = 1, kTraceOn = 1U << 24;
 
 /// ITM and TPIU, which a debugger has to turn on: without one they keep nothing and read as off. PM0214 2.2.
-bool is_trace(std::uint32_t address) { return in(address, 0xE0000000, 0xE0001000) || in(address, 0xE0040000, 0xE0041000); }
+bool is_trace(std::uint32_t address) {
+  return in(address, 0xE0000000, 0xE0001000) || in(address, 0xE0040000, 0xE0041000);
+}
 
 }  // namespace
 
@@ -72,8 +74,8 @@ void SystemSpace::for_bits(std::uint32_t base, std::uint32_t address, std::uint3
 std::uint32_t SystemSpace::icsr() const {
   const int next = nvic_.most_urgent();
   return static_cast<std::uint32_t>(active_exception_) | static_cast<std::uint32_t>(next) << 12 |
-         (active_exception_ != 0 && nvic_.count_active() == 1 ? 1U << 11 : 0) | (next >= 16 ? 1U << 22 : 0) | (nvic_.is_pending(kSysTick) ? 1U << 26 : 0) |
-         (nvic_.is_pending(kPendSv) ? 1U << 28 : 0);
+         (active_exception_ != 0 && nvic_.count_active() == 1 ? 1U << 11 : 0) | (next >= 16 ? 1U << 22 : 0) |
+         (nvic_.is_pending(kSysTick) ? 1U << 26 : 0) | (nvic_.is_pending(kPendSv) ? 1U << 28 : 0);
 }
 
 /// PM0214 4.4.9: which of the system's exceptions are enabled, pending and active.

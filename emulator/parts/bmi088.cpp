@@ -16,15 +16,16 @@ constexpr unsigned kGyroId = 0x00, kGyroData = 0x02, kGyroStatus = 0x0A, kGyroRa
                    kGyroIntMap = 0x18, kGyroSelfTest = 0x3C;
 constexpr std::uint8_t kDataReady = 0x80;  // in both status registers and in GYRO_INT_CTRL
 constexpr std::uint8_t kSoftReset = 0xB6;
-constexpr std::uint32_t kFastestHz = 10'000'000;  // 6.1, table 8
+constexpr std::uint32_t kFastestHz = 10'000'000;                               // 6.1, table 8
 constexpr std::uint64_t kAccelStartNs = 1'000'000, kGyroStartNs = 30'000'000;  // 4.1, 4.2: after a reset
 constexpr std::uint64_t kTimeStepNs = 39'063;                                  // 39.0625 us per step of the sensor time
 constexpr Time kReadyFor = from_ns(280'000);                                   // 5.5.3: 280 to 400 us
-constexpr std::uint8_t kPush = 0x0D, kPull = 0x09;  // ACC_SELF_TEST, 5.3.19
-constexpr double kDeflection[] = {0.75 * kGravity, 0.75 * kGravity, 0.375 * kGravity};  // 4.6.1 asks for 1, 1, 0.5 g apart
-constexpr std::uint8_t kStartTest = 0x01, kTestDone = 0x02, kRatesPlausible = 0x10;     // GYRO_SELF_TEST, 5.5.13
-constexpr Time kGyroTest = from_ns(10'000'000);  // the data sheet does not say how long it takes
-constexpr Time kTemperaturePeriod = from_ns(1'280'000'000);                    // 5.3.7
+constexpr std::uint8_t kPush = 0x0D, kPull = 0x09;                             // ACC_SELF_TEST, 5.3.19
+constexpr double kDeflection[] = {0.75 * kGravity, 0.75 * kGravity,
+                                  0.375 * kGravity};                                 // 4.6.1 asks for 1, 1, 0.5 g apart
+constexpr std::uint8_t kStartTest = 0x01, kTestDone = 0x02, kRatesPlausible = 0x10;  // GYRO_SELF_TEST, 5.5.13
+constexpr Time kGyroTest = from_ns(10'000'000);              // the data sheet does not say how long it takes
+constexpr Time kTemperaturePeriod = from_ns(1'280'000'000);  // 5.3.7
 
 void put(std::array<std::uint8_t, 128>& registers, unsigned at, double value) {
   const auto word = static_cast<std::uint16_t>(std::lround(std::clamp(value, -32768.0, 32767.0)));

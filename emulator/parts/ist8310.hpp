@@ -13,8 +13,8 @@
 
 namespace finemote::emulator {
 
-/// A measurement is ready from its end until its first byte is read: STAT1 says so, and the pin DRDY where CNTL2 turns it
-/// on. The data sheet's words on the pin leave open whether it also falls by itself; here it does not.
+/// A measurement is ready from its end until its first byte is read: STAT1 says so, and the pin DRDY where CNTL2 turns
+/// it on. The data sheet's words on the pin leave open whether it also falls by itself; here it does not.
 class Ist8310 : public I2cPart {
  public:
   /// @param field  at a time, forward, left and up as seen from the part [T]; asked in the order of time
@@ -59,9 +59,9 @@ class Ist8310 : public I2cPart {
 
  private:
   static constexpr std::uint8_t kWho = 0x00, kStatus = 0x02, kData = 0x03, kControl1 = 0x0A, kControl2 = 0x0B;
-  static constexpr std::uint8_t kReady = 1, kOverrun = 2;                                   // STAT1
-  static constexpr std::uint8_t kSingle = 0x01, kContinuous = 0x0B;                         // CNTL1
-  static constexpr std::uint8_t kSoftReset = 1, kActiveHigh = 4, kDrivesReady = 8;          // CNTL2
+  static constexpr std::uint8_t kReady = 1, kOverrun = 2;                           // STAT1
+  static constexpr std::uint8_t kSingle = 0x01, kContinuous = 0x0B;                 // CNTL1
+  static constexpr std::uint8_t kSoftReset = 1, kActiveHigh = 4, kDrivesReady = 8;  // CNTL2
   static constexpr Time kConversion = from_ns(6'000'000), kPeriod = from_ns(5'000'000);
 
   void reset() {

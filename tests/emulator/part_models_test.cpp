@@ -386,7 +386,8 @@ TEST_CASE("a heated mass warms along its exponential, and whatever it is asked b
 TEST_CASE("the compass answers at its address with its identity, and turns the field into its own axes") {
   Time now = from_ns(20'000'000);
   EventQueue queue;
-  Ist8310 part(0x0E, {[&] { return now; }, [&](Time at, EventQueue::Action action) { queue.at(at, std::move(action)); }},
+  Ist8310 part(0x0E,
+               {[&] { return now; }, [&](Time at, EventQueue::Action action) { queue.at(at, std::move(action)); }},
                [](Time) { return Eigen::Vector3d(30e-6, -15e-6, 0); });
   std::vector<int> levels;
   part.on_ready = [&](int level) { levels.push_back(level); };
@@ -408,7 +409,7 @@ TEST_CASE("the compass answers at its address with its identity, and turns the f
   CHECK(read(1)[0] == 0x10);
   write({0x03});
   CHECK(read(6) == std::vector<int>{0, 0, 0, 0, 0, 0});  // not measuring yet
-  write({0x0B, 0x08});  // data ready on its pin, active low
+  write({0x0B, 0x08});                                   // data ready on its pin, active low
   write({0x0A, 0x0B});
   const auto run_to = [&](std::uint64_t ns) {
     now = from_ns(ns);

@@ -69,7 +69,8 @@ TEST_CASE("the compass's data carry their measurement, its other registers nothi
   Time now = 10 * kMs;
   Counter samples;
   EventQueue queue;
-  Ist8310 part(0x0E, {[&] { return now; }, [&](Time at, EventQueue::Action action) { queue.at(at, std::move(action)); }},
+  Ist8310 part(0x0E,
+               {[&] { return now; }, [&](Time at, EventQueue::Action action) { queue.at(at, std::move(action)); }},
                [](Time) { return Eigen::Vector3d(20e-6, 0, 0); });
   std::vector<Time> from;
   part.on_read = [&](Time at) {

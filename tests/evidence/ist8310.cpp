@@ -86,38 +86,52 @@ void put_field(Findings& findings, const MagnetometerState& state) {
   findings.put({"field_ut_as_on_chip"}, on_chip);
 }
 
+/// A part model in a field, with a clock of its own.
+class TimedCompass {
+ public:
+  /// @param field  forward, left and up [T]
+  explicit TimedCompass(const float (&field)[3]) : field_(field[0], field[1], field[2]) {}
+  std::optional<Bytes> ask(const Exchange& asked) { return exchange(part_, asked); }
+  void write(std::uint8_t address, std::uint8_t value) { ask({{}, kAddress, {address, value}, {}, {}, {}, {}, {}}); }
+  Bytes read(std::uint8_t from, std::size_t size) {
+    return ask({{}, kAddress, {from}, Bytes(size), {}, {}, {}, {}}).value_or(Bytes{});
+  }
+  void wait_ms(unsigned ms) {
+    now_ += emulator::from_ns(std::uint64_t{ms} * 1'000'000);
+    due_.run(now_);
+  }
+
+ private:
+  Eigen::Vector3d field_;
+  emulator::Time now_ = emulator::from_ns(100'000'000);
+  emulator::EventQueue due_;
+  emulator::Ist8310 part_{kAddress,
+                          {[this] { return now_; },
+                           [this](emulator::Time at, emulator::EventQueue::Action action) { due_.at(at, action); }},
+                          [this](emulator::Time) { return field_; }};
+};
+
 /// The bytes a part model has in its data registers in this field; with its status before them.
 Bytes modelled(const MagnetometerState& state, bool fresh) {
-  namespace em = emulator;
-  em::Time time = em::from_ns(100'000'000);
-  em::Ist8310 part(
-      kAddress, [&] { return time; },
-      [&](em::Time) { return Eigen::Vector3d(state.field[0], state.field[1], state.field[2]); });
-  const auto read = [&](std::uint8_t from, std::size_t size) {
-    return exchange(part, {{}, kAddress, {from}, Bytes(size), {}, {}, {}, {}}).value_or(Bytes{});
-  };
-  exchange(part, {{}, kAddress, {0x0A, 0x0B}, {}, {}, {}, {}, {}});
-  time += em::from_ns(7'000'000);
-  if (!fresh) read(kData, 6);
-  return read(kStatus, 7);
+  TimedCompass part(state.field);
+  part.write(0x0A, 0x0B);
+  part.wait_ms(7);
+  if (!fresh) part.read(kData, 6);
+  return part.read(kStatus, 7);
 }
 
 /// Polls, reads and commands in the order of the vector, a part model in single measurement answering.
 void replay(Findings& findings, const Vector& vector, const MagnetometerState& state) {
-  namespace em = emulator;
-  em::Time time = em::from_ns(100'000'000);
-  em::Ist8310 part(
-      kAddress, [&] { return time; },
-      [&](em::Time) { return Eigen::Vector3d(state.field[0], state.field[1], state.field[2]); });
-  exchange(part, {{}, kAddress, {0x0A, 0x01}, {}, {}, {}, {}, {}});
+  TimedCompass part(state.field);
+  part.write(0x0A, 0x01);
   for (const Exchange& asked : vector.exchanges) {
     Exchange at_address = asked;
     at_address.address = asked.address.value_or(kAddress);
     // A status that is not there yet comes with time: the source polls.
-    std::optional<Bytes> answer = exchange(part, at_address);
+    std::optional<Bytes> answer = part.ask(at_address);
     for (unsigned ms = 0; ms < 10 && answer != asked.read; ++ms) {
-      time += em::from_ns(1'000'000);
-      answer = exchange(part, at_address);
+      part.wait_ms(1);
+      answer = part.ask(at_address);
     }
     findings.check("the part model's answer to " + hexadecimal(asked.written), answer == asked.read);
   }
