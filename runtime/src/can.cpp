@@ -19,6 +19,9 @@ constexpr Duration kLongestRoutine = 20 * kMicrosecond;
 /// 128 sequences of eleven recessive bits: ISO 11898-1.
 constexpr std::int64_t kRecoveryBits = 128 * 11;
 
+/// How long the controller may take until it begins with that; ST's drivers allow as much.
+constexpr Duration kLongestPreparation = 10 * kMillisecond;
+
 }  // namespace
 
 // --------------------------------------------------------------------------------------------------------------- inbox
@@ -182,8 +185,7 @@ void CanBus::flush_if(Belongs&& belongs) {
   if (any) port_->pend();
 }
 
-// What was queued before the bus was lost is old: all groups go to zero, and only new commands drive again. A bus that
-// is found off when the recovery must long be over was lost once more in between: the recovery begins anew.
+// A bus that is found off when the recovery must long be over was lost once more in between: the recovery begins anew.
 void CanBus::supervise() {
   const MarkedWork<Work::supervise_can> marked;
   if (!port_->bus_off()) {
@@ -194,9 +196,21 @@ void CanBus::supervise() {
     return;
   }
   const Time at = now();
-  if (recovering_ && at < try_again_) return;
-  recovering_ = true;
+  if (!recovering_ || at >= try_again_) {
+    begin_recovery(at);
+  } else if (returning_) {
+    return;
+  }
+  returning_ = port_->recover();
+  if (!returning_) return;
   try_again_ = at + 2 * (kRecoveryBits * kSecond / bitrate_);
+  port_->pend();
+}
+
+// What was queued before the bus was lost is old: all groups go to zero, and only new commands drive again.
+void CanBus::begin_recovery(Time at) {
+  recovering_ = true;
+  try_again_ = at + kLongestPreparation;
   ++counters_.recoveries;
   ++counters_.errors;
   count_fault(Module::can, kBusOff);
@@ -207,8 +221,6 @@ void CanBus::supervise() {
   }
   for (std::uint8_t i = 0; i < count_; ++i) slots_[i]->waiting_.store(false);
   port_->abort();
-  port_->recover();
-  port_->pend();
 }
 
 }  // namespace finemote

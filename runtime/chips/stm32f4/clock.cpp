@@ -3,6 +3,7 @@
 #include "finemote/fault.hpp"
 #include "runtime/chips/stm32f4/board_fault.hpp"
 #include "runtime/chips/stm32f4/registers/clock.hpp"
+#include "runtime/chips/stm32f4/registers/debug.hpp"
 #include "runtime/chips/stm32f4/wait.hpp"
 
 namespace finemote::stm32f4 {
@@ -44,8 +45,13 @@ void start_crystal() {
     fail(BoardFault::crystal, "the crystal does not start");
 }
 
+/// Revision A reads as another chip, and cannot prefetch: ES0182.
+std::uint32_t prefetch() {
+  return (debug::idcode.read() & debug::kDeviceMask) == debug::kStm32f407 ? flash::kPrefetch : 0;
+}
+
 void start_flash() {
-  flash::acr.write(kWaitStates | flash::kPrefetch | flash::kInstructionCache | flash::kDataCache);
+  flash::acr.write(kWaitStates | prefetch() | flash::kInstructionCache | flash::kDataCache);
   if (!wait_for(flash::acr, flash::kLatencyMask, kWaitStates, kFlashPolls))
     fail(BoardFault::flash_wait, "the flash takes no wait states");
 }

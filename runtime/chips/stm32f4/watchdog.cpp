@@ -3,6 +3,7 @@
 #include "finemote/board.hpp"
 #include "runtime/chips/stm32f4/board_fault.hpp"
 #include "runtime/chips/stm32f4/registers/clock.hpp"
+#include "runtime/chips/stm32f4/registers/debug.hpp"
 #include "runtime/chips/stm32f4/wait.hpp"
 
 namespace finemote::board {

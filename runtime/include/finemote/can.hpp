@@ -166,6 +166,7 @@ class CanBus {
   bool send_group(Group& group, Time at);
   bool send(const CanFrame& frame, Time at);
   Time busy_since(Moment arrival);
+  void begin_recovery(Time at);
 
   CanPort* port_;
   CanSlot* const* slots_;
@@ -175,7 +176,8 @@ class CanBus {
   Busy received_;
   Busy sent_[kSentKept];  ///< the last one first
   bool recovering_ = false;
-  Time try_again_ = 0;  ///< a recovery that has not ended by then is begun anew
+  bool returning_ = false;  ///< recovering, and the controller has begun to count the bits it waits for
+  Time try_again_ = 0;      ///< a recovery that has not ended by then is begun anew
   Group groups_[kGroups];
   BusCounters counters_;
 };

@@ -157,7 +157,7 @@ class I2cPort {
 
   /// Begins an exchange and returns; its end arrives as an event in a later interrupt, never from inside this call.
   /// Only called while no exchange is under way. `message` is copied; a board that must wait for the STOP of the
-  /// exchange before has at most 20 us for it. Context: interrupt.
+  /// exchange before has at most two bit times for it, and begins nothing where it does not come. Context: interrupt.
   void begin(const I2cMessage& message);
 
   /// Ends the exchange at once without waiting, peripheral and DMA off; no event follows it. Context: interrupt.
@@ -254,9 +254,9 @@ class CanPort {
   void abort();
   /// True while the controller is off the bus. Context: any.
   [[nodiscard]] bool bus_off() const;
-  /// Starts the return to the bus (128 x 11 recessive bits, ISO 11898-1); bus_off() tells when it is done.
-  /// Context: fastest bucket.
-  void recover();
+  /// Starts the return to the bus (128 x 11 recessive bits, ISO 11898-1); bus_off() tells when it is done. False: the
+  /// controller is not ready for it yet, and is asked again later; 10 ms at most. Never waits. Context: fastest bucket.
+  [[nodiscard]] bool recover();
   /// Transmit and receive error counters, low and high byte. Context: any.
   [[nodiscard]] std::uint16_t error_counters() const;
 

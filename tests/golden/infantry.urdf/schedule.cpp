@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 243093, finemote::kNothingToBound, nullptr},  // imu
-    {0, 232052, 28660375, &gimbal::yaw.command},  // yaw
-    {0, 224744, 28653067, &gimbal::pitch.command},  // pitch
-    {1, 267832, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 352134, 26780357, &chassis::front_left.command},  // front_left
-    {2, 345744, 26773967, &chassis::front_right.command},  // front_right
-    {2, 339353, 26767576, &chassis::rear_left.command},  // rear_left
-    {2, 332963, 26761186, &chassis::rear_right.command},  // rear_right
-    {2, 320923, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 385022, finemote::kNothingToBound, nullptr},  // remote
+    {0, 243857, finemote::kNothingToBound, nullptr},  // imu
+    {0, 238466, 28667553, &gimbal::yaw.command},  // yaw
+    {0, 225508, 28654595, &gimbal::pitch.command},  // pitch
+    {1, 268596, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 352898, 26781885, &chassis::front_left.command},  // front_left
+    {2, 346508, 26775495, &chassis::front_right.command},  // front_right
+    {2, 340118, 26769105, &chassis::rear_left.command},  // rear_left
+    {2, 333727, 26762714, &chassis::rear_right.command},  // rear_right
+    {2, 321687, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 385786, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -70,7 +70,10 @@ unsigned CanPort::unsent() const { return static_cast<unsigned>(hardware_->mailb
 
 void CanPort::abort() { hardware_->mailboxes.clear(); }
 bool CanPort::bus_off() const { return hardware_->off; }
-void CanPort::recover() { hardware_->off = false; }
+bool CanPort::recover() {
+  hardware_->off = false;
+  return true;
+}
 std::uint16_t CanPort::error_counters() const { return hardware_->off ? 0x00FF : 0; }
 
 }  // namespace finemote

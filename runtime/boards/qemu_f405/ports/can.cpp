@@ -12,7 +12,7 @@ bool CanPort::send(const CanFrame&) { return true; }
 unsigned CanPort::unsent() const { return 0; }
 void CanPort::abort() {}
 bool CanPort::bus_off() const { return false; }
-void CanPort::recover() {}
+bool CanPort::recover() { return true; }
 std::uint16_t CanPort::error_counters() const { return 0; }
 
 }  // namespace finemote

@@ -26,10 +26,10 @@ enum class CanFault : std::uint8_t {
 
 constexpr std::uint8_t kPriority = cortex_m4::kBusPriority;
 
-/// The present frame must end first: 130 bits at 125 kbit/s are 1 ms; a poll takes at least 6 cycles at 168 MHz.
-constexpr std::uint32_t kInitPolls = 60'000;
-/// In bus-off nothing must end.
-constexpr std::uint32_t kBusOffPolls = 200, kReleasePolls = 50;
+/// The present frame must end first: 130 bits at 125 kbit/s are 1 ms, and ST's drivers allow 10 ms. A poll takes at
+/// least 6 cycles at 168 MHz.
+constexpr std::uint32_t kInitPolls = 280'000;
+constexpr std::uint32_t kReleasePolls = 50;
 
 // A bit is 14 quanta of the 42 MHz clock divided: one to synchronise, 10, 3; sample point 78.6 %.
 constexpr std::uint32_t kSegment1 = 10, kSegment2 = 3, kQuanta = 1 + kSegment1 + kSegment2;
@@ -175,14 +175,14 @@ void CanPort::abort() { hardware_->setup.can.tsr().write(can::kAbort | can::kAbo
 
 bool CanPort::bus_off() const { return hardware_->setup.can.esr().any(can::kBusOff); }
 
-// Into initialisation mode and out again; then the controller counts the recessive bits: RM0090 32.7.6.
-void CanPort::recover() {
+// Into initialisation mode, as soon as the bus allows, and out again; then the controller counts the recessive bits:
+// RM0090 32.7.6.
+bool CanPort::recover() {
   const stm32f4::CanRegisters& registers = hardware_->setup.can;
   registers.mcr().write(can::kInitRequest);
-  if (!wait_for(registers.msr(), can::kInitAcknowledge, can::kInitAcknowledge, kBusOffPolls)) {
-    count_fault(Module::can, static_cast<std::uint8_t>(CanFault::init));
-  }
+  if (!registers.msr().any(can::kInitAcknowledge)) return false;
   registers.mcr().write(0);
+  return true;
 }
 
 std::uint16_t CanPort::error_counters() const {

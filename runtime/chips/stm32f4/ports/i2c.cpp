@@ -31,8 +31,8 @@ enum class I2cFault : std::uint8_t {
 constexpr std::uint8_t kPriority = cortex_m4::kSlowBusPriority;
 constexpr std::uint32_t kCyclesPerUs = cortex_m4::kCoreHz / 1'000'000;
 
-/// A STOP takes less than two bit times; the contract of begin() allows 20 us. One poll takes at least 6 cycles.
-constexpr std::uint32_t kStopPolls = 20 * kCyclesPerUs / 6;
+/// A STOP takes less than two bit times. One poll takes at least 6 cycles.
+std::uint32_t stop_polls(std::uint32_t clock_hz) { return 2 * (cortex_m4::kCoreHz / clock_hz) / 6 + 1; }
 
 /// Half a bit of the recovery clock: 100 kHz.
 constexpr std::uint32_t kHalfBit = 5 * kCyclesPerUs;
@@ -73,6 +73,7 @@ void I2cHardware::set_up() {
 void I2cPort::configure(std::int64_t clock_hz, I2cBus& bus) {
   hardware_->bus = &bus;
   hardware_->clock_hz = static_cast<std::uint32_t>(clock_hz);
+  hardware_->stop_polls = stop_polls(hardware_->clock_hz);
   rcc::enable(rcc::apb1enr, hardware_->setup.clock_bit);
   hardware_->set_up();
   cortex_m4::enable_line(hardware_->setup.event_line, kPriority);
@@ -88,8 +89,9 @@ void I2cPort::begin(const I2cMessage& message) {
   hardware_->reading = message.write_size == 0 && message.read_size != 0;
   hardware_->active = true;
   // CR1 must not be written while a STOP is pending: RM0090 27.6.1, note on STOP.
-  if (!stm32f4::wait_for(registers.cr1(), i2c::kStop, 0, kStopPolls)) {
-    count_fault(Module::i2c, static_cast<std::uint8_t>(I2cFault::stop_late));
+  // Where it stays, the exchange does not begin, and its deadline recovers the bus.
+  if (!stm32f4::wait_for(registers.cr1(), i2c::kStop, 0, hardware_->stop_polls)) {
+    return count_fault(Module::i2c, static_cast<std::uint8_t>(I2cFault::stop_late));
   }
   registers.cr1().write(i2c::kOn | i2c::kStart);
 }
@@ -157,8 +159,11 @@ I2cEvent I2cHardware::address_sent() {
   }
   if (message.read_size == 1) {
     registers.cr1().write(i2c::kOn);  // no acknowledge for the only byte
-    static_cast<void>(registers.sr2().read());
-    registers.cr1().write(i2c::kOn | i2c::kStop);
+    {
+      const cortex_m4::Masked masked;  // the clock runs on from here: the STOP must be asked for within the byte
+      static_cast<void>(registers.sr2().read());
+      registers.cr1().write(i2c::kOn | i2c::kStop);
+    }
     registers.cr2().set(i2c::kBufferInterrupt);
   } else if (message.read_size == 2) {
     registers.cr1().write(i2c::kOn | i2c::kAckNext);  // no acknowledge, counted from the byte after the next

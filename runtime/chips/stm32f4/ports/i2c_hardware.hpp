@@ -28,6 +28,7 @@ struct I2cHardware {
   bool reading = false;     ///< the present phase
   bool active = false;      ///< an exchange is under way
   std::uint32_t clock_hz = 0;
+  std::uint32_t stop_polls = 0;  ///< after which a STOP is given up
 
   /// The routines of its lines. Context: interrupt.
   void on_event();

@@ -1,5 +1,5 @@
 // SpiPort on the chip's SPI as master, by DMA both ways or by one interrupt per byte. Procedures:
-// RM0090 28.3.5, 28.3.9.
+// RM0090 28.3.5, 28.3.8, 28.3.9.
 #include "finemote/spi.hpp"
 
 #include <cstring>
@@ -26,10 +26,15 @@ using stm32f4::SpiSetup;
 
 enum class SpiFault : std::uint8_t {
   dma_stuck = 16,  ///< a stream did not stop
+  busy,            ///< the last clock edge did not come
 };
 
 constexpr std::uint8_t kPriority = cortex_m4::kSlowBusPriority;
 constexpr std::uint32_t kStopPolls = 1'000, kSlowest = 7;
+
+/// The last byte is in, so at most a bit of the slowest clock is left, 512 cycles of the core at APB1 (42 MHz / 256:
+/// 1024); a poll takes at least 6.
+constexpr std::uint32_t kBusyPolls = 2 * 1'024 / 6;
 
 std::uint32_t address_of(const void* bytes) {
   return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(bytes));
@@ -72,10 +77,10 @@ void SpiPort::configure(std::int64_t clock_hz, SpiBus& bus) {
     setup.selects[i].set(true);
     stm32f4::configure(setup.selects[i], PinSetup{PinMode::output});
   }
-  const Pin pins[] = {setup.sck, setup.miso, setup.mosi};
-  for (const Pin& pin : pins) {
-    stm32f4::configure(pin, PinSetup{PinMode::alternate, PinPull::none, false, setup.function});
-  }
+  // The clock has a level of its own while the peripheral is off and does not drive it.
+  stm32f4::configure(setup.sck, PinSetup{PinMode::alternate, PinPull::up, false, setup.function});
+  stm32f4::configure(setup.miso, PinSetup{PinMode::alternate, PinPull::none, false, setup.function});
+  stm32f4::configure(setup.mosi, PinSetup{PinMode::alternate, PinPull::none, false, setup.function});
   rcc::enable(setup.clock_enable, setup.clock_bit);
   if (setup.dma) {
     rcc::enable(rcc::ahb1enr, setup.receive.controller == dma::kController1 ? rcc::kAhb1Dma1 : rcc::kAhb1Dma2);
@@ -108,17 +113,37 @@ void SpiPort::begin(const SpiMessage& message) {
 
 void SpiPort::abort() {
   hardware_->active = false;
-  hardware_->stop();
+  hardware_->reset();
 }
 
-void SpiHardware::stop() {
+void SpiHardware::release_bus() const {
   if (setup.dma) {
     stop_stream(setup.transmit);
     stop_stream(setup.receive);
   }
-  setup.spi.cr2().write(0);
-  setup.spi.cr1().clear(spi::kOn);
   for (unsigned i = 0; i < setup.select_count; ++i) setup.selects[i].set(true);
+  setup.spi.cr2().write(0);
+}
+
+/// The end of an exchange, RM0090 28.3.8: the last byte is in; what is left is the last edge of the clock.
+void SpiHardware::stop() const {
+  constexpr std::uint32_t kIdle = spi::kTransmitEmpty;
+  if (!stm32f4::wait_for(setup.spi.sr(), spi::kTransmitEmpty | spi::kBusy, kIdle, kBusyPolls)) {
+    count_fault(Module::spi, static_cast<std::uint8_t>(SpiFault::busy));
+    return reset();
+  }
+  release_bus();
+  setup.spi.cr1().clear(spi::kOn);
+}
+
+/// An end at any moment: turned off, the peripheral may keep a byte that the next exchange would send first. Only its
+/// reset makes sure that it does not.
+void SpiHardware::reset() const {
+  release_bus();
+  const stm32f4::Register reset = rcc::reset_of(setup.clock_enable);
+  const cortex_m4::Masked masked;  // other ports share the register
+  reset.set(setup.clock_bit);
+  reset.clear(setup.clock_bit);
 }
 
 /// Receiving is started before sending, so that no byte is missed: RM0090 28.3.9.
@@ -145,7 +170,7 @@ void SpiHardware::next_byte() { setup.spi.dr().write(message.write != nullptr ? 
 
 SpiEvent SpiHardware::finish(SpiEvent event) {
   active = false;
-  stop();
+  event == SpiEvent::kDone ? stop() : reset();
   return event;
 }
 

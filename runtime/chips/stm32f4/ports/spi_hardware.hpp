@@ -50,9 +50,12 @@ struct SpiHardware {
 
   void start_dma();
   void next_byte();
-  void stop();
+  /// Ends the exchange whatever it does. Context: its interrupt.
+  void reset() const;
 
  private:
+  void stop() const;
+  void release_bus() const;
   [[nodiscard]] SpiEvent step_dma();
   [[nodiscard]] SpiEvent step_byte();
   SpiEvent finish(SpiEvent event);

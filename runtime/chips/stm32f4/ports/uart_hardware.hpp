@@ -30,7 +30,8 @@ struct UartSetup : UsartPeripheral {
 struct UartHardware {
   const stm32f4::UartSetup& setup;
   UartRing ring{};
-  Shared<std::uint32_t> laps{0};  ///< times the ring was filled
+  Shared<std::uint32_t> laps{0};     ///< times the ring was filled
+  Shared<std::uint32_t> counted{0};  ///< bytes received when last asked
   Shared<std::uint32_t> idle_count{0};
   UartIdle idle{};
   UartErrors errors{};
@@ -49,11 +50,14 @@ struct UartHardware {
   }
   /// Turns the interrupts of line events on or off. Context: interrupt, or with interrupts masked.
   void listen(bool on) const;
+  /// Bytes received since start, modulo 2^32, the last one perhaps not in memory yet. Context: any.
+  [[nodiscard]] std::uint32_t count();
   /// The routines of its lines. Context: interrupt.
   void on_usart();
   void on_receive_dma();
 
  private:
+  [[nodiscard]] std::uint32_t forward(std::uint32_t count);
   void take_events(std::uint32_t status, Time at);
 };
 

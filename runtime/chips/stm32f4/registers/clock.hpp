@@ -36,6 +36,9 @@ inline void enable(const Register& enable_register, std::uint32_t bits) {
   enable_register.set(bits);
   static_cast<void>(enable_register.read());
 }
+
+/// The reset register that goes with an enable register: the same bits, RM0090 7.3.5 to 7.3.14.
+constexpr Register reset_of(const Register& enable_register) { return Register{enable_register.address() - 0x20}; }
 }  // namespace rcc
 
 /// FLASH, RM0090 3.9.

@@ -22,7 +22,7 @@ inline constexpr std::uint32_t kMaster = bit(2), kDividerShift = 3, kOn = bit(6)
 /// CR2.
 inline constexpr std::uint32_t kDmaReceive = bit(0), kDmaTransmit = bit(1), kReceiveInterrupt = bit(6);
 /// SR.
-inline constexpr std::uint32_t kReceived = bit(0), kOverrun = bit(6);
+inline constexpr std::uint32_t kReceived = bit(0), kTransmitEmpty = bit(1), kOverrun = bit(6), kBusy = bit(7);
 }  // namespace spi
 
 }  // namespace finemote::stm32f4

@@ -1,4 +1,4 @@
-// Registers of the independent watchdog, and of what stops it while a debugger does the core.
+// Registers of the independent watchdog.
 #pragma once
 
 #include "runtime/chips/stm32f4/registers/register.hpp"
@@ -14,11 +14,5 @@ inline constexpr Register sr{0x4000300C};   // 21.4.4
 inline constexpr std::uint32_t kKeyUnlock = 0x5555, kKeyReload = 0xAAAA, kKeyStart = 0xCCCC;
 inline constexpr std::uint32_t kSrPrescalerBusy = bit(0), kSrReloadBusy = bit(1);
 }  // namespace iwdg
-
-/// DBGMCU, RM0090 38.16. A power-on resets it, nothing else does.
-namespace debug {
-inline constexpr Register apb1_freeze{0xE0042008};  // 38.16.4
-inline constexpr std::uint32_t kFreezeWatchdog = bit(12);
-}  // namespace debug
 
 }  // namespace finemote::stm32f4

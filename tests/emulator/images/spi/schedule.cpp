@@ -20,8 +20,8 @@ finemote::SpiSlot* const board_slots[] = {&slots::accelerometer, &slots::gyrosco
 finemote::SpiSlot* const user_slots[] = {&slots::other};
 constexpr std::uint8_t kRequest[4] = {0x92, 0, 0, 0};
 }  // namespace
-FINEMOTE_CONSTINIT finemote::SpiBus board_bus{finemote::ports::spi1, 10000000, board_slots};
-FINEMOTE_CONSTINIT finemote::SpiBus user_bus{finemote::ports::spi2, 1000000, user_slots};
+FINEMOTE_CONSTINIT finemote::SpiBus board_bus{finemote::ports::spi1, 2500000, board_slots};
+FINEMOTE_CONSTINIT finemote::SpiBus user_bus{finemote::ports::spi2, 200000, user_slots};
 namespace slots {
 FINEMOTE_CONSTINIT finemote::SpiSlot accelerometer{board_bus, 0, 1};
 FINEMOTE_CONSTINIT finemote::SpiSlot gyroscope{board_bus, 1, 2};

@@ -18,19 +18,19 @@
 namespace infantry::chassis {
 
 /// front_left: dji_m3508 on 'wheel_can' id 1, every 5 ms
-/// response <= 317.682 us; data age <= 26.746 ms when handle() ends, <= 27.349 ms at the output (oldest: remote)
+/// response <= 318.446 us; data age <= 26.748 ms when handle() ends, <= 27.352 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_left{finemote::DjiM3508::Config{}, slots::front_left};
 
 /// front_right: dji_m3508 on 'wheel_can' id 2, every 5 ms
-/// response <= 313.392 us; data age <= 26.742 ms when handle() ends, <= 27.349 ms at the output (oldest: remote)
+/// response <= 314.156 us; data age <= 26.744 ms when handle() ends, <= 27.352 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_right{finemote::DjiM3508::Config{}, slots::front_right};
 
 /// rear_left: dji_m3508 on 'wheel_can' id 3, every 5 ms
-/// response <= 309.102 us; data age <= 26.738 ms when handle() ends, <= 27.349 ms at the output (oldest: remote)
+/// response <= 309.866 us; data age <= 26.739 ms when handle() ends, <= 27.352 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_left{finemote::DjiM3508::Config{}, slots::rear_left};
 
 /// rear_right: dji_m3508 on 'wheel_can' id 4, every 5 ms
-/// response <= 304.812 us; data age <= 26.734 ms when handle() ends, <= 27.349 ms at the output (oldest: remote)
+/// response <= 305.576 us; data age <= 26.735 ms when handle() ends, <= 27.352 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_right{finemote::DjiM3508::Config{}, slots::rear_right};
 
 namespace ports {  // what 'chassis' sees of others
@@ -46,7 +46,7 @@ inline constexpr finemote::Port<finemote::Motor> chassis_wheels[] = {
 }  // namespace ports
 
 /// chassis: mecanum_chassis, every 5 ms
-/// response <= 296.331 us
+/// response <= 301.286 us
 FINEMOTE_CONSTINIT inline finemote::MecanumChassis chassis{
     [] { finemote::MecanumChassis::Config c{}; c.kp = 0.8f; c.ki = 1.0f; return c; }(),
     constants::chassis_rolling,

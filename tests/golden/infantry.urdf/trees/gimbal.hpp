@@ -24,7 +24,7 @@ FINEMOTE_CONSTINIT inline finemote::EdgePin imu_use_ready{finemote::ports::exti5
 }  // namespace ports
 
 /// imu: bmi088 on 'imu_spi' channel 0, every 1 ms
-/// response <= 227.842 us
+/// response <= 228.606 us
 FINEMOTE_CONSTINIT inline finemote::Bmi088 imu{
     finemote::Bmi088::Config{},
     /*mount*/ nullptr,
@@ -34,11 +34,11 @@ FINEMOTE_CONSTINIT inline finemote::Bmi088 imu{
     /*ready*/ &ports::imu_use_ready};
 
 /// yaw: dji_gm6020 on 'gimbal_can' id 1, every 1 ms
-/// response <= 224.552 us; data age <= 28.653 ms when handle() ends, <= 29.26 ms at the output (oldest: remote)
+/// response <= 225.316 us; data age <= 28.655 ms when handle() ends, <= 29.263 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiGm6020 yaw{finemote::DjiGm6020::Config{}, slots::yaw};
 
 /// pitch: dji_gm6020 on 'gimbal_can' id 2, every 1 ms
-/// response <= 219.343 us; data age <= 28.648 ms when handle() ends, <= 29.26 ms at the output (oldest: remote)
+/// response <= 220.108 us; data age <= 28.65 ms when handle() ends, <= 29.263 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiGm6020 pitch{finemote::DjiGm6020::Config{}, slots::pitch};
 
 namespace ports {  // what 'gimbal' sees of others
@@ -63,7 +63,7 @@ FINEMOTE_CONSTINIT inline finemote::Remote::State remote_to_gimbal{};
 }  // namespace ports
 
 /// gimbal: gimbal, every 2 ms
-/// response <= 254.031 us
+/// response <= 254.795 us
 FINEMOTE_CONSTINIT inline finemote::Gimbal gimbal{
     finemote::Gimbal::Config{},
     constants::gimbal_yaw_axes,
