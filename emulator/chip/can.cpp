@@ -45,7 +45,7 @@ void Can::reset() {
   btr_ = 0x01230000;
   transmit_errors_ = 0;
   initialising_ = true;  // asleep
-  error_flag_ = false;
+  acknowledged_ = error_flag_ = false;
   mailboxes_ = {};
   fifos_ = {};
   if (!second_) filters_ = CanFilters{};
@@ -165,11 +165,24 @@ void Can::write_mcr(std::uint32_t value) {
        "MCR");
   if ((value & kMasterReset) != 0) return reset();
   const bool was = initialising_;
+  const std::uint32_t rising = value & ~mcr_;
   mcr_ = value;
-  initialising_ = (value & (kInit | kSleep)) != 0;
+  if ((value & kInit) == 0) acknowledged_ = false;
+  if ((rising & kInit) != 0) return enter_initialisation();
+  if ((value & kInit) != 0) return;
+  initialising_ = (value & kSleep) != 0;
   if (!was || initialising_) return;
   line.set_bitrate(bitrate());
   bus_off() ? recover() : line.request();
+}
+
+/// At once, or as late as the chip is; nothing comes of a request that is taken back before.
+void Can::enter_initialisation() {
+  const auto enter = [this] {
+    if ((mcr_ & kInit) != 0) acknowledged_ = initialising_ = true;
+  };
+  const std::uint32_t late_us = world_.silicon().draw_or_zero(Meanness::can_init);
+  late_us == 0 ? enter() : world_.after(from_ns(std::uint64_t{late_us} * 1'000), enter);
 }
 
 std::uint32_t Can::read_received(const Fifo& fifo, unsigned word) {
@@ -220,7 +233,7 @@ std::uint32_t Can::read(std::uint32_t offset) {
     case 0x00:
       return mcr_;
     case 0x04:
-      return ((mcr_ & kInit) != 0 ? 1U : 0) | ((mcr_ & (kInit | kSleep)) == kSleep ? 2U : 0) | (error_flag_ ? 4U : 0) |
+      return (acknowledged_ ? 1U : 0) | ((mcr_ & (kInit | kSleep)) == kSleep ? 2U : 0) | (error_flag_ ? 4U : 0) |
              0xC00;  // RX and SAMP: the bus is recessive
     case 0x08:
       return transmit_status();

@@ -59,6 +59,7 @@ class Can : public Peripheral {
   void count_error(CanOutcome outcome);
   void recover();
   void write_mcr(std::uint32_t value);
+  void enter_initialisation();
   void write_filter(std::uint32_t offset, std::uint32_t value);
   [[nodiscard]] std::uint32_t read_received(const Fifo& fifo, unsigned word);
   [[nodiscard]] std::uint32_t error_status() const;
@@ -72,6 +73,7 @@ class Can : public Peripheral {
   std::function<std::uint32_t()> clock_hz_;
   std::uint32_t mcr_ = 0, ier_ = 0, esr_ = 0, btr_ = 0, completed_ = 0;
   unsigned transmit_errors_ = 0;
+  bool acknowledged_ = false;  ///< INAK
   bool initialising_ = true, error_flag_ = false;
   std::array<Mailbox, 3> mailboxes_{};
   std::uint64_t requests_ = 0;

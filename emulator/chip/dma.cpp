@@ -146,6 +146,7 @@ void Dma::turn_on(unsigned index) {
   const std::string stream = name() + " stream " + std::to_string(index);
   if ((flags_[index] & 0x3D) != 0)
     world_.report(Misuse::protocol, stream + " is turned on with flags of its last transfer set");
+  ++s.turned_on;
   s.left = s.count;  // also again: RM0090 10.5.6
   s.position = 0;
   if (s.left == 0) s.control &= ~kEnable;
@@ -249,9 +250,30 @@ bool Dma::transfer(Stream& s, std::uint32_t memory) {
     return write_peripheral(peripheral, bytes, value);
   }
   if (!read_peripheral(peripheral, bytes, value)) return false;
-  std::memcpy(p, &value, bytes);
-  world_.tags().put_in_memory(memory, bytes, world_.crossing());
+  store(memory, bytes, value);
   return true;
+}
+
+Time Dma::late(Meanness way) { return world_.silicon().draw_or_zero(way) * world_.system().clock().period(); }
+
+/// What the stream has read, to memory: at once, or as late as the chip is.
+void Dma::store(std::uint32_t memory, unsigned bytes, std::uint32_t value) {
+  const auto arrive = [this, memory, bytes, value, tags = world_.crossing()] {
+    std::memcpy(world_.cpu().memory(memory, bytes), &value, bytes);
+    world_.tags().put_in_memory(memory, bytes, tags);
+  };
+  const Time delay = late(Meanness::dma_store);
+  stored_at_ = delay;
+  delay == 0 ? arrive() : world_.after(delay, arrive);
+}
+
+/// Flags follow the last item into memory.
+void Dma::raise_late(unsigned index, std::uint32_t flags) {
+  const Time delay = stored_at_ + late(Meanness::dma_flag);
+  if (delay == 0) return raise(index, flags);
+  world_.after(delay, [this, index, flags, turned_on = streams_[index].turned_on] {
+    if (streams_[index].turned_on == turned_on) raise(index, flags);
+  });
 }
 
 void Dma::move(unsigned index) {
@@ -264,6 +286,7 @@ void Dma::move(unsigned index) {
   --s.left;
   const std::uint32_t left = s.left;
   --s.position;
+  stored_at_ = 0;
   const bool done = transfer(s, memory);
   ++s.position;
   if (!done) {
@@ -282,7 +305,7 @@ void Dma::move(unsigned index) {
       s.control &= ~kEnable;
     }
   }
-  if (flags != 0) raise(index, flags);
+  if (flags != 0) raise_late(index, flags);
 }
 
 }  // namespace finemote::emulator

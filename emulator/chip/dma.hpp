@@ -61,8 +61,9 @@ class Dma : public Peripheral {
  private:
   struct Stream {
     std::uint32_t control = 0, count = 0, peripheral = 0, memory0 = 0, memory1 = 0, fifo = 0x21;
-    std::uint32_t left = 0;      ///< items still to move; `count` is what was programmed last
-    std::uint32_t position = 0;  ///< items moved in this lap
+    std::uint32_t left = 0;       ///< items still to move; `count` is what was programmed last
+    std::uint32_t position = 0;   ///< items moved in this lap
+    std::uint32_t turned_on = 0;  ///< how often: what was begun before is forgotten
   };
   void write_control(unsigned index, std::uint32_t value);
   void turn_on(unsigned index);
@@ -77,12 +78,16 @@ class Dma : public Peripheral {
   bool write_peripheral(std::uint32_t address, unsigned bytes, std::uint32_t value);
   [[nodiscard]] bool has_bridge_to(std::uint32_t address) const;
   bool fail(std::uint32_t address);
+  void store(std::uint32_t memory, unsigned bytes, std::uint32_t value);
+  void raise_late(unsigned index, std::uint32_t flags);
+  [[nodiscard]] Time late(Meanness way);
   std::uint8_t* reachable(std::uint32_t address, unsigned bytes, bool written);
 
   unsigned number_;
   PeripheralBus& bus_;
   std::array<Stream, 8> streams_{};
   std::array<std::uint32_t, 8> flags_{};  ///< in the order of LISR
+  Time stored_at_ = 0;                    ///< how much later than now the item that is moved is in memory
 };
 
 }  // namespace finemote::emulator

@@ -139,12 +139,20 @@ void I2c::address_done() {
 void I2c::leave_addressed() {
   sr1_ &= ~kAddr;
   if (reading_) {
+    is_single_ = (cr1_ & (kAck | kPos)) == 0;
     begin_receive();
+    if (is_single_ && !world_.cpu().masks_interrupts()) pause();
   } else {
     sr1_ |= kTxe;
     go(State::send_wait);
     if ((cr1_ & kStop) != 0) begin_stop();
   }
+}
+
+/// Something more urgent runs first, on a chip that is so.
+void I2c::pause() {
+  const Time time = from_ns(std::uint64_t{world_.silicon().draw_or_zero(Meanness::i2c_pause)} * 1'000);
+  world_.cpu().add_wait(static_cast<unsigned>(time / world_.system().clock().period()));
 }
 
 void I2c::begin_send() {
@@ -195,6 +203,8 @@ void I2c::byte_received() {
   }
   go(State::receive_wait);
   if (!last_acknowledged_) {
+    if (is_single_ && (cr1_ & (kStop | kStart)) == 0)
+      world_.report(Misuse::protocol, name() + " STOP of a one-byte read is asked for after its byte: RM0090 27.3.3");
     if ((cr1_ & kStop) != 0) begin_stop();
     return;
   }

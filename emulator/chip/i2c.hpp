@@ -64,6 +64,7 @@ class I2c : public Peripheral {
   void leave_addressed();
   void begin_send();
   void byte_sent();
+  void pause();
   void begin_receive();
   void byte_received();
   void read_data();
@@ -85,6 +86,7 @@ class I2c : public Peripheral {
   WireByte data_, shift_;
   bool data_full_ = false;   ///< transmit: a byte waits in DR
   bool shift_full_ = false;  ///< receive: a byte waits in the shift register
+  bool is_single_ = false;   ///< the byte that comes is the only one
   bool last_acknowledged_ = true, reading_ = false, addr_seen_ = false, sb_seen_ = false;
   bool asking_ = false;      ///< DMA moves a byte right now
   bool last_comes_ = false;  ///< by DMA: the next byte is not acknowledged

@@ -11,6 +11,7 @@
 #include "emulator/core/system_space.hpp"
 #include "emulator/event_queue.hpp"
 #include "emulator/report.hpp"
+#include "emulator/silicon/silicon.hpp"
 
 namespace finemote::emulator {
 
@@ -39,6 +40,7 @@ class World {
   Reports& reports() { return reports_; }
   [[nodiscard]] const Reports& reports() const { return reports_; }
   SystemSpace& system() { return system_; }
+  Silicon& silicon() { return silicon_; }
   Cpu& cpu() { return *cpu_; }
   void connect(Cpu& cpu) { cpu_ = &cpu; }
 
@@ -49,6 +51,7 @@ class World {
 
   EventQueue queue_;
   Reports reports_;
+  Silicon silicon_;
   SystemSpace system_;
   Provenance provenance_;
   TagFlow tags_{provenance_};

@@ -70,8 +70,14 @@ bool Rcc::clocked(ClockBus bus, std::uint32_t bits) const {
   return false;
 }
 
+/// How long a start takes on this chip, of what is typical.
+Time Rcc::as_slow(Time typical) {
+  Silicon& silicon = world_.silicon();
+  return silicon.is(Meanness::clock_ready) ? typical * silicon.draw(Meanness::clock_ready) / 100 : typical;
+}
+
 void Rcc::start(std::uint32_t ready_bit, Time delay) {
-  world_.after(delay, [this, ready_bit] {
+  world_.after(as_slow(delay), [this, ready_bit] {
     if ((cr_ & ready_bit >> 1) == 0) return;
     cr_ |= ready_bit;
     switch_core();  // it may have been waited for: RM0090 7.2.6
@@ -231,7 +237,7 @@ void Rcc::write(std::uint32_t offset, std::uint32_t value) {
 void Rcc::write_csr(std::uint32_t value) {
   const bool on = (value & kLsiOn) != 0, was = (csr_ & kLsiOn) != 0;
   if (on && !was) {
-    world_.after(kLsiStart, [this] {
+    world_.after(as_slow(kLsiStart), [this] {
       if ((csr_ & kLsiOn) != 0) csr_ |= kLsiReady;
     });
   }

@@ -53,6 +53,7 @@ class Rcc : public Peripheral {
   static std::uint32_t divider(std::uint32_t field) { return field < 4 ? 1 : 2U << (field - 4); }
   [[nodiscard]] std::uint32_t pll_hz() const;
   void check_pll();
+  Time as_slow(Time typical);
   void start(std::uint32_t ready_bit, Time delay);
   void write_cr(std::uint32_t value);
   void write_cfgr(std::uint32_t value);

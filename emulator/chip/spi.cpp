@@ -9,7 +9,7 @@ void Spi::reset() {
   cr1_ = cr2_ = 0;
   polynomial_ = 7;
   sr_ = kEmpty;
-  full_ = shifting_ = overrun_read_ = false;
+  full_ = shifting_ = overrun_read_ = ending_ = false;
   ++token_;
   update();
 }
@@ -25,6 +25,7 @@ void Spi::selected(std::size_t part, bool low) {
   parts_[part].selected = low;
   if (low) ++statistics_.transfers;
   if (!low && shifting_) world_.report(Misuse::wire, name() + " chip select rises in the middle of a byte");
+  if (!low && ending_) world_.report(Misuse::wire, name() + " chip select rises before the last edge of the clock");
   if (parts_[part].part.select) parts_[part].part.select(low);
 }
 
@@ -38,7 +39,7 @@ void Spi::ask_dma() {
 
 void Spi::shift() {
   shifting_ = true;
-  full_ = false;
+  full_ = ending_ = false;
   sr_ |= kEmpty | kBusy;
   const Time duration = (wide() ? 16 : 8) * period_of(clock_hz());
   statistics_.busy += duration;
@@ -78,10 +79,25 @@ void Spi::shifted(const Frame& out) {
   if (full_) {
     shift();
   } else {
-    sr_ &= ~kBusy;
+    end_clock();
   }
   ask_dma();
   update();
+}
+
+/// BSY falls with the last edge, which on some chips comes later than the sampling of the last bit.
+void Spi::end_clock() {
+  const std::uint32_t half_bits = world_.silicon().draw_or_zero(Meanness::spi_busy);
+  if (half_bits == 0) {
+    sr_ &= ~kBusy;
+    return;
+  }
+  ending_ = true;
+  world_.after(half_bits * period_of(clock_hz()) / 2, [this, token = token_] {
+    if (token != token_) return;
+    ending_ = false;
+    if (!shifting_) sr_ &= ~kBusy;
+  });
 }
 
 std::uint32_t Spi::read(std::uint32_t offset) {
@@ -124,11 +140,16 @@ void Spi::write_cr1(std::uint32_t value) {
   const bool held_high = (cr1_ & 0x200) != 0 ? (cr1_ & 0x100) != 0 : (cr2_ & 4) != 0;  // SSM: SSI, else SSOE
   if (on() && !held_high)
     world_.report(Misuse::protocol, name() + " sees its own select low: mode fault (RM0090 28.3.10)");
-  if ((value & 0x40) != 0) return;
+  if ((value & 0x40) != 0) {
+    if (full_ && !shifting_) shift();  // kept since it was turned off
+    return;
+  }
   if (shifting_) world_.report(Misuse::protocol, name() + " is turned off in the middle of a byte");
+  if (ending_) world_.report(Misuse::protocol, name() + " is turned off before the last edge of the clock");
   ++token_;
-  shifting_ = full_ = false;
-  sr_ = (sr_ | kEmpty) & ~kBusy;
+  shifting_ = ending_ = false;
+  full_ = full_ && world_.silicon().is(Meanness::spi_kept);
+  sr_ = (sr_ & ~(kBusy | kEmpty)) | (full_ ? 0 : kEmpty);
 }
 
 void Spi::write(std::uint32_t offset, std::uint32_t value) {

@@ -62,6 +62,7 @@ class Spi : public Peripheral {
   void write_cr1(std::uint32_t value);
   void shift();
   void shifted(const Frame& out);
+  void end_clock();
   void ask_dma();
   void update();
 
@@ -70,6 +71,7 @@ class Spi : public Peripheral {
   std::uint32_t cr1_ = 0, cr2_ = 0, sr_ = 2, polynomial_ = 7;
   Frame out_, in_;
   bool full_ = false, shifting_ = false, overrun_read_ = false;
+  bool ending_ = false;  ///< the last bit is sampled, the last edge of the clock still to come
   std::uint64_t token_ = 0;
   BusStatistics statistics_;
 };

@@ -207,13 +207,22 @@ std::uint8_t Usart::sent_bits(std::uint32_t value) const {
 
 void Usart::write_cr1(std::uint32_t value) {
   only(value, 0xB7FC, "CR1");  // no break, no mute mode
-  const bool sent = sends();
+  const bool sent = sends(), heard = on() && (cr1_ & kReceiver) != 0;
   cr1_ = value;
   const unsigned bits = format().data_bits;
   if (on() && bits != 8)
     world_.report(Misuse::wire, name() + (bits == 9 ? " nine data bits: there is no parity bit among them"
                                                     : " seven data bits: the parity is one of the eight"));
   if (!sent && sends() && !shifting_) idle_frame();
+  if (!heard && on() && (cr1_ & kReceiver) != 0) hear_noise();
+}
+
+/// What some lines bring a receiver that is turned on.
+void Usart::hear_noise() {
+  const std::uint32_t bytes = world_.silicon().draw_or_zero(Meanness::first_bytes);
+  if (bytes == 0) return;
+  noisy_bytes += bytes;
+  send_in(std::vector<std::uint8_t>(bytes, 0xFE), format());
 }
 
 /// What a transmitter sends first when it is turned on: RM0090 30.3.2.

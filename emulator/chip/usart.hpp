@@ -73,6 +73,7 @@ class Usart : public Peripheral {
   void line_idle(std::uint64_t token);
   [[nodiscard]] std::uint8_t sent_bits(std::uint32_t value) const;
   void write_cr1(std::uint32_t value);
+  void hear_noise();
   void start_shift();
   void idle_frame();
   void shifted(WireByte byte);

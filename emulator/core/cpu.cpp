@@ -25,6 +25,7 @@ Cpu::Cpu(const Around& around, CostModel cost, FlashModel flash)
       bus_(around.bus),
       provenance_(around.provenance),
       tags_(around.tags),
+      silicon_(around.silicon),
       flash_(Memories::kFlashBytes, 0xFF),
       ram_(Memories::kRamBytes, 0xA5),  // not zero: an image that forgets to clear shows
       core_ram_(Memories::kCoreRamBytes, 0xA5),
@@ -292,9 +293,22 @@ void Cpu::take_exceptions() {
     return;
   }
   if (const int next = takeable(); next != 0) {
-    sleeping_ = false;
+    wake();
     enter(next, false, 0);
   }
+}
+
+/// Out of sleep; where the chip is mean so, without the instruction behind the WFI: ES0182.
+void Cpu::wake() {
+  if (!sleeping_) return;
+  sleeping_ = false;
+  const std::uint32_t slept_at = pc(), place = slept_at % 8;
+  const bool in_flash = slept_at < Memories::kFlashBase + Memories::kFlashBytes && (place == 2 || place == 4);
+  if (!in_flash || !system_.debug_clock_in_sleep() || silicon_.draw_or_zero(Meanness::wake_up) == 0) return;
+  std::uint32_t& next = core_.registers.next;
+  const std::uint8_t* lost = memory(next, 2);
+  next += lost != nullptr && lost[1] >= 0xE8 ? 4 : 2;
+  core_.pace.expected = next;
 }
 
 /// Runs instructions until something needs us, and sorts out what.
@@ -345,7 +359,7 @@ Stop Cpu::run_until(Time end) {
     if (system_.take_reset_request() && on_reset_request) on_reset_request();
     take_exceptions();
     if (locked_up_) break;
-    if (sleeping_ && wakes()) sleeping_ = false;
+    if (sleeping_ && wakes()) wake();
     const Time next_event = queue_.next();
     if (sleeping_) {
       if (next_event == kNever) return Stop::dead;

@@ -16,6 +16,7 @@
 #include "emulator/event_queue.hpp"
 #include "emulator/image.hpp"
 #include "emulator/report.hpp"
+#include "emulator/silicon/silicon.hpp"
 
 namespace finemote::emulator {
 
@@ -50,6 +51,7 @@ class Cpu : private Outside {
     PeripheralBus& bus;
     Provenance& provenance;
     TagFlow& tags;
+    Silicon& silicon;
   };
   Cpu(const Around& around, CostModel cost, FlashModel flash);
   Cpu(const Cpu&) = delete;
@@ -101,6 +103,7 @@ class Cpu : private Outside {
   [[nodiscard]] std::uint32_t register_value(unsigned number) const {
     return number < 15 ? core_.registers.r[number] : core_.registers.next;
   }
+  [[nodiscard]] bool masks_interrupts() const { return core_.registers.primask != 0; }
   /// When the last DSB was carried out.
   [[nodiscard]] Time drained_at() const { return core_.drained_at; }
   /// Time that a peripheral access costs beyond the instruction.
@@ -133,6 +136,7 @@ class Cpu : private Outside {
   [[nodiscard]] Claim claim_at_end(std::uint32_t mark);
   void set_stop() { core_.pace.stop_at = kick_ || probe_ ? 0 : next_stop_; }
   void execute();
+  void wake();
   void take_exceptions();
   bool access_alias(std::uint32_t address, unsigned bytes, const std::uint32_t* written, std::uint32_t& value);
   [[nodiscard]] int priority_limit() const;
@@ -155,6 +159,7 @@ class Cpu : private Outside {
   PeripheralBus& bus_;
   Provenance& provenance_;
   TagFlow& tags_;
+  Silicon& silicon_;
   std::vector<std::uint8_t> flash_, ram_, core_ram_, system_memory_;
   Interpreter core_;
 

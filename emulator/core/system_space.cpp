@@ -31,8 +31,8 @@ void SystemSpace::reset() {
 }
 
 void SystemSpace::slept(Time duration) {
-  const bool clock_runs = (debug_control_ & 1) != 0;  // DBGMCU_CR.DBG_SLEEP: RM0090 38.16.3
-  if (!clock_runs) dwt_zero_ += duration / clock_.period();
+  const bool counts = debug_clock_in_sleep() && counts_in_sleep;  // DBGMCU_CR.DBG_SLEEP: RM0090 38.16.3
+  if (!counts) dwt_zero_ += duration / clock_.period();
 }
 
 void SystemSpace::change_clock(Time now, Time period) {
@@ -188,7 +188,7 @@ std::uint32_t SystemSpace::read_word(std::uint32_t address, Time now, std::uint3
       return (dwt_control_ & kCycleCountOn) != 0 ? static_cast<std::uint32_t>(clock_.cycles(now) - dwt_zero_)
                                                  : dwt_held_;
     case 0xE0042000:
-      return 0x100F6413;  // DBGMCU_IDCODE: RM0090 38.6.1
+      return device_id;  // DBGMCU_IDCODE: RM0090 38.6.1
     case 0xE0042004:
       return debug_control_;
     case 0xE0042008:

@@ -53,6 +53,12 @@ class SystemSpace {
   void note_fault(std::uint32_t cfsr, std::uint32_t address, bool escalated);
   void set_active_exception(int exception) { active_exception_ = exception; }
 
+  /// The debug clock keeps the cycle counter going in sleep, as RM0090 38.16.3 reads.
+  bool counts_in_sleep = true;
+  [[nodiscard]] bool debug_clock_in_sleep() const { return (debug_control_ & 1) != 0; }
+
+  std::uint32_t device_id = 0x100F6413;  ///< DBGMCU_IDCODE, RM0090 38.6.1; 0x20006411 is revision A: ES0182
+
  private:
   std::uint32_t read_word(std::uint32_t address, Time now, std::uint32_t pc);
   void write_word(std::uint32_t address, std::uint32_t value, Time now, std::uint32_t pc);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "emulator/board.hpp"
 #include "emulator/outfit.hpp"
@@ -180,11 +181,22 @@ Json own_times_of(const std::map<unsigned, OwnTime>& times, unsigned first, unsi
   return all;
 }
 
+Silicon silicon_of(const Json& job) {
+  std::vector<Meanness> ways;
+  for (const Json& name : job.at("names")) {
+    const MeannessInfo* info = find_meanness(name.get<std::string>());
+    if (info == nullptr) throw std::invalid_argument("no silicon is '" + name.get<std::string>() + "'");
+    ways.push_back(info->meanness);
+  }
+  return Silicon(ways, job.at("seed").get<std::uint64_t>());
+}
+
 BoardOptions options_of(const Json& job) {
   BoardOptions options;
   if (job.value("flash", "hit") == "miss") options.flash = FlashModel::miss_always;
   options.keeps_log = job.contains("audit");
   options.tags = job.value("tags", true);
+  if (job.contains("silicon")) options.silicon = silicon_of(job.at("silicon"));
   return options;
 }
 

@@ -38,6 +38,7 @@ struct Setup {
   const Board& board;
   Duration duration;
   std::optional<Scenario> scenario;
+  std::vector<std::string> silicon;  ///< in what the emulated chip is meaner
 
   [[nodiscard]] bool is_emulated() const { return board.is_emulated; }
   [[nodiscard]] const Scenario* asked_scenario() const { return scenario ? &*scenario : nullptr; }
@@ -84,11 +85,15 @@ std::optional<Scenario> read_asked_scenario(const std::string& path, PlannedRobo
 
 /// Reports what only the emulated board can do.
 bool can_watch(const Options& options, const Setup& setup, Diagnostics& diagnostics) {
-  if (setup.is_emulated() || (options.audit.empty() && options.phases == 0)) return true;
+  const char* asked = !options.audit.empty()     ? "--audit"
+                      : options.phases != 0      ? "--phases"
+                      : !options.silicon.empty() ? "--silicon"
+                                                 : nullptr;
+  if (setup.is_emulated() || asked == nullptr) return true;
   diagnostics
-      .error(code::scenario_unjudged, {},
-             fmt::format("'{}' needs the emulated board: '{}' has no parts and keeps no record",
-                         options.audit.empty() ? "--phases" : "--audit", setup.board.name))
+      .error(
+          code::scenario_unjudged, {},
+          fmt::format("'{}' needs the emulated board: '{}' has no parts and keeps no record", asked, setup.board.name))
       .hint("leave out --board");
   return false;
 }
@@ -99,7 +104,9 @@ std::optional<Setup> setup_of(const Options& options, PlannedRobot& planned, Sou
   if (board == nullptr) return std::nullopt;
   const auto duration = duration_of(options.duration, planned.schedule, diagnostics);
   if (!duration) return std::nullopt;
-  Setup setup{*board, *duration, {}};
+  auto silicon = parse_silicon(options.silicon, diagnostics);
+  if (!silicon) return std::nullopt;
+  Setup setup{*board, *duration, {}, std::move(*silicon)};
   if (!can_watch(options, setup, diagnostics)) return std::nullopt;
   if (options.scenario.empty()) return setup;
   setup.scenario = read_asked_scenario(options.scenario, planned, setup, sources, diagnostics);
@@ -177,7 +184,7 @@ std::optional<RunRecord> run_image(const std::string& image, const PlannedRobot&
   if (!setup.is_emulated()) return execute(image, setup.board, forest, setup.duration, faults, diagnostics);
   return emulate(image, robot, forest, setup.duration,
                  {setup.board, faults, setup.asked_scenario(), options.audit.empty() ? nullptr : &schedule, phase,
-                  options.flash_misses},
+                  options.flash_misses, SiliconChoice{setup.silicon, options.seed + (phase ? phase->number : 0)}},
                  diagnostics);
 }
 

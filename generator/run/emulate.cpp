@@ -176,6 +176,7 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
               {"last_event_ns", last_event.ns()},
               {"ports", ports_of(robot)},
               {"parts", parts.scenario}};
+  if (!options.silicon.names.empty()) job["silicon"] = silicon_json(options.silicon);
   if (options.audit != nullptr) job["audit"] = exceptions_of(*options.audit);
   if (options.scenario != nullptr) job["events"] = options.scenario->document;
   const Json json = run_job(job, image, longest_bring_up(robot) + std::max(duration, last_event), diagnostics);
@@ -190,6 +191,7 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
   record.silent = parts.silent;
   record.clock_ppm = clock_ppm;
   record.flash = flash;
+  record.silicon = options.silicon;
   return record;
 }
 

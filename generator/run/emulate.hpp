@@ -8,6 +8,7 @@
 #include "generator/run/phase.hpp"
 #include "generator/run/record.hpp"
 #include "generator/run/scenario.hpp"
+#include "generator/run/silicon.hpp"
 #include "generator/schedule/schedule.hpp"
 
 namespace finemote::gen {
@@ -18,7 +19,8 @@ struct EmulationOptions {
   const Scenario* scenario = nullptr;  ///< null: none
   const Schedule* audit = nullptr;     ///< not null: every event of a run of this schedule is kept
   std::optional<Phase> phase = {};     ///< none: every clock is exact, and parts begin as their models do
-  bool flash_misses = false;  ///< every new line of flash costs its wait states; else the accelerator always has it
+  bool flash_misses = false;   ///< every new line of flash costs its wait states; else the accelerator always has it
+  SiliconChoice silicon = {};  ///< in what the chip is meaner than its manual reads
 };
 
 /// Reports FM6012 as a warning for every body whose wheels do not all drive it.

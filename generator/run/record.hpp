@@ -9,6 +9,7 @@
 
 #include "generator/forest/forest.hpp"
 #include "generator/run/fault_table.hpp"
+#include "generator/run/silicon.hpp"
 
 namespace finemote::gen {
 
@@ -101,6 +102,7 @@ struct RunRecord {
   unsigned resets = 0;                          ///< by the watchdog or the firmware; emulated board only
   std::vector<ExpectationRecord> expectations;  ///< of the scenario; emulated board only
   std::string flash;                            ///< hit or miss: how the emulated board counted fetches
+  SiliconChoice silicon;                        ///< in what the emulated chip was meaner
   bool faulty = false;                          ///< the scenario injects faults: bounds need not hold
   std::vector<std::string> silent;              ///< devices without a model on the emulated board
   std::vector<FaultCount> faults;               ///< in the order of their first times

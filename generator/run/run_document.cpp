@@ -228,6 +228,7 @@ Json run_document(const RunResult& result) {
                    {"resets", result.record.resets},
                    {"buses", bus_list(result)},
                    {"flash", result.record.flash.empty() ? Json(nullptr) : Json(result.record.flash)},
+                   {"silicon", result.record.flash.empty() ? Json(nullptr) : silicon_json(result.record.silicon)},
                    {"faults", result.record.faulty},
                    {"fault_counts", fault_list(result)},
                    {"expectations", expectation_list(result)},

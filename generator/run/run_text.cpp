@@ -185,6 +185,9 @@ void print_run(const RunResult& result, std::ostream& out) {
   if (!result.record.flash.empty())
     out << fmt::format("times are derived from instructions; fetches from flash {}\n",
                        result.record.flash == "hit" ? "hit its accelerator" : "always miss its accelerator");
+  if (const SiliconChoice& silicon = result.record.silicon; !silicon.names.empty())
+    out << fmt::format("the chip is meaner than its manual in {}, as seed {} draws it\n",
+                       fmt::join(silicon.names, ", "), silicon.seed);
   if (result.record.flash == "miss")
     out << "bounds are those of the execution times that are declared or assumed, whatever the fetches cost\n";
   print_order(result, out);

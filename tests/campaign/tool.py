@@ -29,11 +29,13 @@ class Tool:
         return json.loads(answer.stdout) if answer.returncode in (0, 1) and answer.stdout else None
 
     def run(self, robot, scenario, number, phases):
-        """Path of the record, or None where there is none, and what the tool said."""
+        """Path of the record, or None where there is none, and what the tool said. Every other robot runs on a chip that is
+        meaner than its manual reads."""
         record, events = self.folder / "audit.jsonl", self.folder / "scenario.json"
         record.unlink(missing_ok=True)
         events.write_text(json.dumps(scenario), encoding="utf-8")
-        answer = self.call("run", robot, "--duration", DURATION, "--phases", str(phases), "--seed", str(number), "--scenario",
-                           str(events), "--audit", str(record), "--keep", str(self.folder / "kept"))
+        silicon = ["--silicon", "strict"] if number % 2 == 1 else []
+        answer = self.call("run", robot, "--duration", DURATION, "--phases", str(phases), "--seed", str(number), *silicon,
+                           "--scenario", str(events), "--audit", str(record), "--keep", str(self.folder / "kept"))
         good = answer.returncode in (0, 1) and record.exists()
         return (record if good else None), answer.stderr

@@ -18,12 +18,13 @@ inline Image test_image(const std::string& name) {
 }
 
 struct MiniBoard {
-  explicit MiniBoard(const BoardOptions& options = {}) : board{finemote::test::type_c(), options} {
+  explicit MiniBoard(const BoardOptions& options = {}, const std::string& image = "mini")
+      : board{finemote::test::type_c(), options} {
     I2cLine& line = board.chip().i2c("i2c2")->line;
     line.attach(mux);
     mux.channel(0).attach(sensor);
     mux.channel(4).attach(pwm);
-    board.load(test_image("mini"));
+    board.load(test_image(image));
   }
 
   Board board;

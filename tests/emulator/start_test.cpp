@@ -40,6 +40,16 @@ TEST_CASE("an image that a boot loader starts has its own vectors") {
   check_no_reports(board);
 }
 
+TEST_CASE("a chip of revision A gets no prefetch") {
+  for (const bool is_old : {false, true}) {
+    Board board{finemote::test::type_c()};
+    if (is_old) board.world().system().device_id = 0x20006411;
+    board.load(test_image("sample"));
+    board.run_for(5'000'000);
+    CHECK((board.chip().read(0x40023C00, 4) & 1U << 8) == (is_old ? 0 : 1U << 8));
+  }
+}
+
 TEST_CASE("the watchdog stands still while a debugger holds the core") {
   Board board{finemote::test::type_c()};
   board.load(test_image("sample"));

@@ -1,0 +1,46 @@
+// In what a chip may be meaner than its manual reads: each way has a name, a range and a source.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace finemote::emulator {
+
+enum class Meanness : std::uint8_t {
+  dma_store,    ///< NDTR is ahead of memory
+  dma_flag,     ///< and both are ahead of the end-of-transfer flag
+  spi_busy,     ///< BSY falls late
+  spi_kept,     ///< an SPI that is turned off keeps the byte it was to send
+  i2c_pause,    ///< a more urgent interrupt comes between ADDR and the STOP of a one-byte read
+  can_init,     ///< INAK comes late
+  clock_ready,  ///< oscillators and the PLL take longer
+  lsi_rate,     ///< the watchdog's clock is off
+  cycle_count,  ///< CYCCNT stops in sleep whatever the debug clock does
+  wake_up,      ///< the instruction behind a WFI in flash is lost
+  first_bytes,  ///< a receiver that is turned on hears noise
+  ram_pattern,  ///< RAM holds anything at power-on
+};
+inline constexpr std::size_t kMeannesses = 12;
+
+struct MeannessInfo {
+  Meanness meanness;
+  const char* name;  ///< as in `--silicon strict:NAME`
+  std::uint32_t least, most;
+  const char* unit;
+  const char* what;
+  const char* source;
+};
+
+/// All of them, in the order of Meanness.
+const std::array<MeannessInfo, kMeannesses>& meannesses();
+
+/// Null where there is none of that name.
+const MeannessInfo* find_meanness(std::string_view name);
+
+/// The table of the page of the board.
+std::string silicon_table();
+
+}  // namespace finemote::emulator

@@ -1,0 +1,21 @@
+#include "emulator/silicon/silicon.hpp"
+
+namespace finemote::emulator {
+
+Silicon::Silicon(const std::vector<Meanness>& ways, std::uint64_t seed) {
+  for (const Meanness way : ways) {
+    is_[index(way)] = true;
+    std::seed_seq sequence{seed, seed >> 32, static_cast<std::uint64_t>(way)};
+    engines_[index(way)].seed(sequence);
+  }
+}
+
+std::uint32_t Silicon::draw(Meanness way) {
+  const MeannessInfo& info = meannesses()[index(way)];
+  const std::uint64_t drawn = engines_[index(way)]();
+  if (drawn % 4 == 0) return info.least;
+  if (drawn % 4 == 1) return info.most;
+  return info.least + static_cast<std::uint32_t>((drawn >> 2) % (info.most - info.least + 1));
+}
+
+}  // namespace finemote::emulator

@@ -1,0 +1,36 @@
+// One chip: in what it is mean, and how much each time, drawn by a seed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "emulator/silicon/meanness.hpp"
+
+namespace finemote::emulator {
+
+class Silicon {
+ public:
+  /// As the manual reads.
+  Silicon() = default;
+  /// Two chips with the same ways and seed draw the same.
+  Silicon(const std::vector<Meanness>& ways, std::uint64_t seed);
+
+  [[nodiscard]] bool is(Meanness way) const { return is_[index(way)]; }
+  /// A value of the range, its ends more often than what lies between. Only where the chip is so.
+  [[nodiscard]] std::uint32_t draw(Meanness way);
+  /// The same; 0 where the chip is not so.
+  [[nodiscard]] std::uint32_t draw_or_zero(Meanness way) { return is(way) ? draw(way) : 0; }
+
+  /// Random bits for a way without a range.
+  [[nodiscard]] std::uint64_t bits(Meanness way) { return engines_[index(way)](); }
+
+ private:
+  static constexpr std::size_t index(Meanness way) { return static_cast<std::size_t>(way); }
+
+  std::array<bool, kMeannesses> is_{};
+  std::array<std::mt19937_64, kMeannesses> engines_;  ///< one each: what one draws does not depend on the others
+};
+
+}  // namespace finemote::emulator

@@ -1,0 +1,48 @@
+// `run --silicon`: robots hold their bounds on chips that are meaner than their manual reads, too.
+#include "catch.hpp"
+#include "tests/cli/program.hpp"
+
+using namespace finemote::test;
+
+TEST_CASE("every example is as good on a chip that is mean in every way as on a plain one") {
+  for (const char* name : {"two_devices", "finsrov", "infantry", "six_joint_arm", "discovery"}) {
+    INFO(name);
+    const std::string robot = source_path(std::string("examples/") + name + ".urdf");
+    const auto ran =
+        run_finemote({"run", robot, "--duration", "150ms", "--silicon", "strict", "--phases", "2", "--format", "json"});
+    INFO(ran.output);
+    CHECK(ran.exit_status == 0);
+    const auto begin = ran.output.find('{');
+    REQUIRE(begin != std::string::npos);
+    const auto document = nlohmann::json::parse(ran.output.substr(begin));
+    CHECK(document["silicon"]["names"].size() == 12);
+    CHECK(document["silicon"]["seed"] == 1);
+    CHECK(document["fault_counts"].empty());
+    CHECK(document["resets"] == 0);
+    CHECK(ran.output.find("FM6005") == std::string::npos);
+  }
+}
+
+TEST_CASE("names choose in what the chip is meaner, and seeds how much") {
+  const auto run = [](const std::string& silicon, const std::string& seed) {
+    return finemote_json(
+        {"run", source_path("examples/two_devices.urdf"), "--duration", "100ms", "--silicon", silicon, "--seed", seed});
+  };
+  const auto first = run("strict:spi_busy,dma_store", "3");
+  CHECK(first["silicon"] == nlohmann::json::parse(R"({"names": ["dma_store", "spi_busy"], "seed": 3})"));
+  CHECK(first == run("strict:dma_store,spi_busy", "3"));
+  const auto plain = finemote_json({"run", source_path("examples/two_devices.urdf"), "--duration", "100ms"});
+  CHECK(plain["silicon"]["names"].empty());
+}
+
+TEST_CASE("what is no chip is said") {
+  const auto refused = [](const std::string& silicon, const std::string& message) {
+    const auto ran = run_finemote({"run", source_path("examples/two_devices.urdf"), "--silicon", silicon});
+    INFO(ran.output);
+    CHECK(ran.exit_status == 2);
+    CHECK(ran.output.find(message) != std::string::npos);
+  };
+  refused("mean", "there is no silicon 'mean'");
+  refused("strict:dma_stor", "no chip is 'dma_stor'");
+  refused("strict:dma_stor", "did you mean 'dma_store'");
+}
