@@ -71,7 +71,7 @@ int finish(const Options& options, Answer answer, const Diagnostics& diagnostics
   Diagnostics findings;
   add_findings(diagnostics, findings);
   add_findings(answer.judged, findings);
-  if (options.format == Format::text) out << answer.text;
+  if (options.format == Format::text || options.format == Format::markdown) out << answer.text;
   err << answer.summary << render_text(findings, use_color(options.color));
   if (options.format == Format::text) out << answer.file;
   const bool answered = status == kExitYes || status == kExitNo;

@@ -34,17 +34,31 @@ std::string generate_command(const Options& options) {
   return command;
 }
 
-/// The command that makes the files what they should be.
-std::string way_back(const Options& options, const CheckResult& result, bool schedulable) {
+/// The commands that make the folder what it should be, one after the other.
+std::vector<std::string> mending_commands(const Options& options, const CheckResult& result) {
   bool is_written = false, is_edited = false;
+  std::string orphans;
   for (const Finding& finding : result.findings) {
-    is_written |= finding.state != Finding::State::orphan;
+    const bool is_orphan = finding.state == Finding::State::orphan;
+    is_written |= !is_orphan;
     is_edited |= finding.state == Finding::State::hand_edited && finding.file != kManifestName;
+    if (is_orphan) orphans += " " + shell_word(options.out + "/" + finding.file);
   }
-  if (!is_written) return "remove the files that are orphans\n";
-  const std::string run = (schedulable ? "run: " : "when the robot is schedulable, run: ");
-  const std::string command = run + generate_command(options);
-  return command + (is_edited ? " --force\nedited files are kept as NAME.orig\n" : "\n");
+  std::vector<std::string> commands;
+  if (is_written) commands.push_back(generate_command(options) + (is_edited ? " --force" : ""));
+  if (!orphans.empty()) commands.push_back("rm" + orphans);
+  return commands;
+}
+
+/// The same in words.
+std::string way_back(const Options& options, const CheckResult& result, bool schedulable) {
+  std::string text;
+  for (const std::string& command : mending_commands(options, result)) {
+    const bool must_wait = !schedulable && command.starts_with("finemote");
+    text += (must_wait ? "when the robot is schedulable, run: " : "run: ") + command + "\n";
+    if (command.ends_with(" --force")) text += "edited files are kept as NAME.orig\n";
+  }
+  return text;
 }
 
 std::string findings_text(const CheckResult& result) {
@@ -85,7 +99,8 @@ Json document(const Options& options, const CheckResult& result, const std::stri
             {"fresh", result.findings.empty()},
             {"tool_changed", result.tool_changed},
             {"manifest_change", result.manifest_change.empty() ? Json(nullptr) : Json(result.manifest_change)},
-            {"findings", findings}};
+            {"findings", findings},
+            {"mend", mending_commands(options, result)}};
   if (options.diff) json["diff"] = diff;
   return json;
 }

@@ -143,9 +143,18 @@ Table options_of_run() {
        dump()});
 }
 
+/// @param words  the formats there are, of kFormatWords
+Option format(std::size_t words, const char* help) {
+  return {"--format",
+          Choice{{kFormatWords, kFormatWords + words},
+                 [](Options& o, std::size_t word) { o.format = static_cast<Format>(word); }},
+          help};
+}
+
 Table options_of_diff() {
   return join({{{"A", &Options::input, "robot, model (.json) or generated folder", kRequired},
-                {"B", &Options::other, "the other one", kRequired}},
+                {"B", &Options::other, "the other one", kRequired},
+                format(std::size(kFormatWords), "as for all commands; md: for a comment on a code host")},
                search(),
                sandbox()});
 }
@@ -264,10 +273,9 @@ std::vector<Command> make_commands() {
 }
 
 Table make_common_options() {
-  const std::vector<std::string> formats(std::begin(kFormatWords), std::end(kFormatWords));
   return {
-      {"--format", Choice{formats, [](Options& o, std::size_t word) { o.format = static_cast<Format>(word); }},
-       "of the result: text or json; of the diagnostics alone: sarif, github or gcc"},
+      format(std::size(kFormatWords) - 1,  // without md
+             "of the result: text or json; of the diagnostics alone: sarif, github or gcc"),
       {"--color",
        Choice{{"auto", "always", "never"},
               [](Options& o, std::size_t word) { o.color = static_cast<ColorMode>(word); }},

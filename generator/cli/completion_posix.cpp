@@ -1,6 +1,7 @@
 // Completion for bash and zsh: two functions around the same cases.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "generator/cli/commands.hpp"
@@ -48,37 +49,42 @@ std::string lines_of(const Cases& cases, const char* end) {
   return text;
 }
 
-/// Of `case "$command $before"`.
+/// Of `case "$command $before"`; a command's own option comes before one of all commands that has its name.
 std::string value_cases(const Shell& shell) {
-  Cases cases;
-  const auto add = [&](const std::string& command, const Option& option) {
+  Cases own, common;
+  const auto add = [&](const std::string& command, const Option& option, Cases& cases) {
     if (is_operand(option) || !takes_value(option)) return;
     for (const std::string& name : names_of(option)) cases[offer_value(shell, option)].push_back(command + name);
   };
-  for (const Option& option : common_options()) add("*' '", option);
+  for (const Option& option : common_options()) add("*' '", option, common);
   for (const Command& command : commands()) {
-    for (const Option& option : command.options) add(quoted_for_shell(std::string(command.name) + " "), option);
+    for (const Option& option : command.options) add(quoted_for_shell(std::string(command.name) + " "), option, own);
   }
-  return lines_of(cases, "; return");
+  return lines_of(own, "; return") + lines_of(common, "; return");
 }
 
-std::string option_words(const std::vector<Option>& options) {
-  std::string text;
-  for (const Option& option : options) {
-    if (!is_operand(option)) text += joined(names_of(option), " ") + " ";
+/// The names of options, each once.
+std::string option_words(const std::vector<const std::vector<Option>*>& tables, std::vector<std::string> words) {
+  for (const std::vector<Option>* table : tables) {
+    for (const Option& option : *table) {
+      for (const std::string& name : names_of(option)) {
+        const bool is_new = std::find(words.begin(), words.end(), name) == words.end();
+        if (!is_operand(option) && is_new) words.push_back(name);
+      }
+    }
   }
-  return text;
+  return joined(words, " ");
 }
 
 /// Lines of `case "$command"` for a word that begins with a dash.
 std::string option_cases(const Shell& shell) {
-  const std::string common = option_words(common_options()) + "-h --help";
   std::string text;
   for (const Command& command : commands()) {
     text += fmt::format("      {}) {} {} ;;\n", quoted_for_shell(command.name), shell.words,
-                        quoted_for_shell(option_words(command.options) + common));
+                        quoted_for_shell(option_words({&command.options, &common_options()}, {"-h", "--help"})));
   }
-  return text + fmt::format("      *) {} {} ;;\n", shell.words, quoted_for_shell(common + " --version"));
+  return text + fmt::format("      *) {} {} ;;\n", shell.words,
+                            quoted_for_shell(option_words({&common_options()}, {"-h", "--help", "--version"})));
 }
 
 /// Of `case "$command"` for all other words: further words of the command, or its operands.

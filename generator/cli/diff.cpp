@@ -6,7 +6,8 @@
 
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
-#include "generator/cli/diff_facts.hpp"
+#include "generator/cli/diff_bounds.hpp"
+#include "generator/cli/diff_changes.hpp"
 #include "generator/cli/robot_input.hpp"
 #include "generator/output/folder.hpp"
 #include "generator/output/unified_diff.hpp"
@@ -24,8 +25,10 @@ struct Side {
   std::map<std::string, std::string> texts;
 };
 
-Side robot_side(const PlannedRobot& planned, const std::vector<OutputFile>& files) {
+Side robot_side(const PlannedRobot& planned, const Analysis& analysis, const std::vector<OutputFile>& files) {
   Side side{facts_of(planned), {}};
+  add_bounds(analysis, side.facts);
+  add_sizes(planned, files, side.facts);
   for (const OutputFile& file : files) side.texts[file.name] = file.text;
   return side;
 }
@@ -78,7 +81,7 @@ std::optional<Side> planned_side(const Options& options, const std::string& path
   const Analysis analysis = analyse_robot(*planned, Hints::left_out);
   const auto files = emit_files(*planned, prove_bounds(*planned, analysis), input->data_dir, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  return robot_side(*planned, files);
+  return robot_side(*planned, analysis, files);
 }
 
 std::optional<Side> read_side(const Options& options, const std::string& operand, Sources& sources,
@@ -86,30 +89,6 @@ std::optional<Side> read_side(const Options& options, const std::string& operand
   if (fs::is_directory(operand)) return folder_side(operand, sources.access(), diagnostics);
   if (fs::path(operand).extension() == ".json") return model_side(operand, sources.access(), diagnostics);
   return planned_side(options, operand, sources, diagnostics);
-}
-
-std::vector<std::string> changes(const Side& a, const Side& b) {
-  std::vector<std::string> lines;
-  if (a.facts.empty() || b.facts.empty()) return lines;  // a folder: texts alone
-  for (const auto& [subject, facts] : a.facts) {
-    const auto other = b.facts.find(subject);
-    if (other == b.facts.end()) {
-      lines.push_back(subject + ": removed");
-      continue;
-    }
-    for (const auto& [property, value] : facts) {
-      const auto now = other->second.find(property);
-      const std::string after = now == other->second.end() ? "none" : now->second;
-      if (after != value) lines.push_back(fmt::format("{}: {} {} -> {}", subject, property, value, after));
-    }
-    for (const auto& [property, value] : other->second) {
-      if (facts.count(property) == 0) lines.push_back(fmt::format("{}: {} none -> {}", subject, property, value));
-    }
-  }
-  for (const auto& [subject, facts] : b.facts) {
-    if (a.facts.count(subject) == 0) lines.push_back(subject + ": added");
-  }
-  return lines;
 }
 
 /// The text with the line that names the input like that of `other`: two inputs are two names, and no difference.
@@ -138,13 +117,19 @@ Answer run_diff(const Options& options, Sources& sources, Diagnostics& diagnosti
   const auto a = read_side(options, options.input, sources, diagnostics);
   const auto b = read_side(options, options.other, sources, diagnostics);
   if (!a || !b) return no_answer();
-  const std::vector<std::string> lines = changes(*a, *b);
+  const std::vector<ModelChange> changes = changes_of(a->facts, b->facts);
   const std::string diff = text_diff(*a, *b);
-  const bool same = lines.empty() && diff.empty();
+  const bool same = changes.empty() && diff.empty();
   Answer answer{same ? kExitYes : kExitNo};
-  for (const std::string& line : lines) answer.text += line + "\n";
-  answer.text += diff;
-  answer.document = {{"schema", "finemote.diff/1"}, {"same", same}, {"changes", lines}, {"diff", diff}};
+  Json lines = Json::array(), model = Json::array();
+  for (const ModelChange& change : changes) {
+    answer.text += line_of(change) + "\n";
+    lines.push_back(line_of(change));
+    model.push_back(json_of(change));
+  }
+  answer.text = options.format == Format::markdown ? markdown_of(changes, diff) : answer.text + diff;
+  answer.document = {
+      {"schema", "finemote.diff/1"}, {"same", same}, {"changes", lines}, {"model", model}, {"diff", diff}};
   return answer;
 }
 

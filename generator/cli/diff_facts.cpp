@@ -57,6 +57,13 @@ std::string reads_text(const Robot& robot, const Device& device) {
   return text;
 }
 
+/// The device it runs behind: a device that comes or goes changes that of one other, whatever follows.
+std::string order_text(const PlannedRobot& planned, DeviceId index) {
+  const std::size_t rank = planned.forest.rank[index].value();
+  if (rank == 0) return "first";
+  return fmt::format("after '{}'", planned.robot.devices[planned.forest.order[Rank(rank - 1)]].name.text);
+}
+
 Properties device_facts(const PlannedRobot& planned, DeviceId index) {
   const Robot& robot = planned.robot;
   const Device& device = robot.devices[index];
@@ -65,7 +72,7 @@ Properties device_facts(const PlannedRobot& planned, DeviceId index) {
       {"parent", device.parent ? robot.devices[*device.parent].name.text : "none"},
       {"period", period_text(device.period)},
       {"place", device_comment(planned.plan(), index)},
-      {"position in the schedule", std::to_string(planned.forest.rank[index].value() + 1)},
+      {"order", order_text(planned, index)},
       {"wcet", fmt::format("update {} ns, handle {} ns", device.wcet.update.ns(), device.wcet.handle.ns())},
       {"source of the wcet", to_string(device.wcet.source)}};
   if (device.parent && device.role) facts["role"] = robot.devices[*device.parent].type->roles[*device.role].name;

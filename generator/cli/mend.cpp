@@ -41,7 +41,7 @@ Facts lasting_facts(const PlannedRobot& planned, const std::set<std::string>& wi
   for (const std::string& bus : without) facts.erase(fmt::format("bus '{}'", bus));
   for (const Device& device : planned.robot.devices) {
     auto& properties = facts[fmt::format("device '{}'", device.name.text)];
-    properties.erase("position in the schedule");
+    properties.erase("order");
     properties["children"] = children_text(planned.robot, device);
   }
   return facts;

@@ -13,9 +13,9 @@ namespace finemote::gen {
 enum class Stage { document, model, forest, schedule, tasks, plan };
 inline constexpr const char* kStageNames[] = {"document", "model", "forest", "schedule", "tasks", "plan"};
 
-enum class Format { text, json, sarif, github, gcc };
-inline constexpr const char* kFormatWords[] = {"text", "json", "sarif", "github", "gcc"};  ///< in the same order
-inline constexpr const char* kShellWords[] = {"bash", "zsh", "fish"};                      ///< that `completion` knows
+enum class Format { text, json, sarif, github, gcc, markdown };
+inline constexpr const char* kFormatWords[] = {"text", "json", "sarif", "github", "gcc", "md"};  ///< in the same order
+inline constexpr const char* kShellWords[] = {"bash", "zsh", "fish"};  ///< that `completion` knows
 enum class ColorMode { automatic, always, never };
 
 /// Everything the user can say. One flat value: each command reads what concerns it.

@@ -60,10 +60,10 @@ std::string changed_question(const Manifest& previous, const Manifest& now) {
 
 /// Why the output should be different now, as far as that can be known.
 std::string changes(const Manifest& previous, const Manifest& now) {
-  const std::string reason = changed_question(previous, now);
-  if (!reason.empty()) return reason;
-  if (previous.tool != now.tool) return "written by " + previous.tool;
-  return "same inputs and options, but the environment or the build of finemote differs";
+  std::string reason = changed_question(previous, now);
+  if (previous.tool != now.tool)
+    reason += fmt::format("{}written by {}, checked with {}", reason.empty() ? "" : "; ", previous.tool, now.tool);
+  return reason.empty() ? "same inputs and options, but the environment or the build of finemote differs" : reason;
 }
 
 /// Why generate would write the manifest anew where every other file is as it should be; empty: it would not, or for

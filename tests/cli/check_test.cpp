@@ -100,6 +100,17 @@ TEST_CASE("another version of the tool with the same bytes is fresh, with a note
   CHECK(result.output.find("tool-changed") != std::string::npos);
 }
 
+TEST_CASE("where bytes differ, the reason names the version that wrote the folder") {
+  const Generated generated;
+  const std::string manifest = generated.out + "/finemote.manifest.json";
+  write_file(manifest, replaced(read_file(manifest), "\"tool\": \"finemote ", "\"tool\": \"finemote 0.0."));
+  write_file(generated.robot, replaced(read_file(generated.robot), "period=\"2ms\"", "period=\"1ms\""));
+  const auto result = run_finemote({"check", generated.robot, "-o", generated.out});
+  CHECK(result.exit_status == 1);
+  CHECK(result.output.find("'robot.urdf' changed; written by finemote 0.0.0.1.0, checked with finemote 0.1.0\n") !=
+        std::string::npos);
+}
+
 TEST_CASE("a manifest that cannot be used is a warning, and the answer is no") {
   const Generated generated;
   write_file(generated.out + "/finemote.manifest.json", "{}");
