@@ -35,6 +35,13 @@ TEST_CASE("the figures of several phases are those of all runs") {
   }
 }
 
+TEST_CASE("bytes are counted once, also where an interrupt counts them while a job does") {
+  const auto document = finemote_json({"run", source_path("tests/emulator/bounds/two_frames.urdf"), "--duration", "1s",
+                                       "--phases", "8", "--seed", "4"});
+  CHECK(document["faults"] == false);
+  for (const auto& stage : document["stages"]) CHECK(stage["own_max_ns"] <= stage["wcet_ns"]);
+}
+
 TEST_CASE("a board without parts plays no phases and keeps no record") {
   const TemporaryFolder folder;
   const std::string robot = source_path("examples/two_devices.urdf");

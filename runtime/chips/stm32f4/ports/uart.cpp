@@ -111,6 +111,7 @@ std::uint32_t UartPort::received() const {
 
 std::uint32_t UartHardware::count() {
   const stm32f4::DmaStream& stream = setup.receive;
+  const std::uint32_t before = counted.load();  // what is read from now on is no less
   // A lap may end at any instruction; its interrupt may come before, between or after these reads. Laps and flag that
   // are the same before and after the position belong to it. A second lap needs a whole ring of more bytes: two tries
   // are enough.
@@ -120,15 +121,15 @@ std::uint32_t UartHardware::count() {
     const std::uint32_t position = ring.size - stream.ndtr().read();
     const bool same = (stream.flags() & dma::kFlagComplete) == flag && laps.load() == full;
     if (same || tries == 2) {
-      return forward((full + (flag != 0 ? 1 : 0)) * ring.size + (position & (ring.size - 1)));
+      return forward(before, (full + (flag != 0 ? 1 : 0)) * ring.size + (position & (ring.size - 1)));
     }
   }
 }
 
-// The flag of a lap comes after its last byte was counted: a count that seems to step back lacks that lap. What it was
-// before only has to be less than a lap behind, so it does not matter who stored it last.
-std::uint32_t UartHardware::forward(std::uint32_t count) {
-  if (static_cast<std::int32_t>(count - counted.load()) < 0) count += ring.size;
+// The flag of a lap comes after its last byte was counted: a count that seems to step back lacks that lap. What was
+// counted before only has to be less than a lap behind, so an interrupt that counts meanwhile does no harm.
+std::uint32_t UartHardware::forward(std::uint32_t before, std::uint32_t count) {
+  if (static_cast<std::int32_t>(count - before) < 0) count += ring.size;
   counted.store(count);
   return count;
 }

@@ -57,7 +57,7 @@ struct UartHardware {
   void on_receive_dma();
 
  private:
-  [[nodiscard]] std::uint32_t forward(std::uint32_t count);
+  [[nodiscard]] std::uint32_t forward(std::uint32_t before, std::uint32_t count);
   void take_events(std::uint32_t status, Time at);
 };
 
