@@ -107,6 +107,10 @@ struct BusType {
   /// own. Throws Overflow.
   WireUnit (*unit)(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte, Mover mover) = nullptr;
 
+  /// Bits from the end of what came before to the end of the shortest frame that so many bytes are sent in; null: a
+  /// kind whose frames are not told apart.
+  std::int64_t (*least_bits)(std::int64_t bytes) = nullptr;
+
   // Generated code
   Flush flush = Flush::nothing;
   Reach reach = Reach::nothing;

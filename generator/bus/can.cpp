@@ -15,6 +15,12 @@ WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t, Mover) {
   return {add(multiply(55, frames), multiply(10, bytes)), 0, frames};
 }
 
+/// Without a stuff bit: 44 bits, 8 for each byte, and three of interframe space.
+std::int64_t least_bits(std::int64_t bytes) {
+  const std::int64_t last = bytes % 8 == 0 ? std::min<std::int64_t>(bytes, 8) : bytes % 8;
+  return 47 + 8 * last;
+}
+
 }  // namespace
 
 constinit const BusType kCanBus{
@@ -28,6 +34,7 @@ constinit const BusType kCanBus{
     .is_arbitrated = true,
     .counts_traffic = true,
     .unit = unit,
+    .least_bits = least_bits,
     .flush = BusType::Flush::shared_frames,
     .reach = BusType::Reach::slot,
     .bus_class = {.name = "CanBus", .header = "<finemote/can.hpp>", .supervised = true},

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <deque>
 
+#include "generator/simulate/arrivals.hpp"
 #include "generator/simulate/data_flow.hpp"
 #include "generator/simulate/jobs.hpp"
 #include "generator/simulate/lengths.hpp"
-#include "generator/simulate/streams.hpp"
-#include "generator/timing/task_set.hpp"
+#include "generator/timing/profile.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -50,6 +50,12 @@ class InputReporter {
   SimulationObserver* observer_;
 };
 
+/// With what the analysis knows of when transfers have ended.
+timing::TaskSet task_set_of(const timing::Model& model, timing::Profile profile) {
+  if (profile != timing::Profile::target) return timing::make_task_set(model, profile);
+  return timing::analyse_deadlines(model, profile).set;
+}
+
 /// One processor: interrupts before jobs, jobs by the rank of their buckets.
 class Simulator {
  public:
@@ -58,7 +64,7 @@ class Simulator {
         options_(options),
         observer_(observer),
         topology_(timing::make_topology(model)),
-        set_(timing::make_task_set(model, options.profile)),
+        set_(task_set_of(model, options.profile)),
         random_(options.seed),
         lengths_(random_),
         clock_(set_.buckets),
@@ -69,9 +75,7 @@ class Simulator {
     for (const timing::TaskBucket& bucket : set_.buckets) pieces_.emplace_back(set_, bucket);
     result_.devices.resize(model.devices.size());
     for (const ChainEnds& ends : options.chains) result_.chains.push_back({ends, kNothing});
-    for (std::size_t s = 0; s < set_.bus_streams; ++s) {
-      arrivals_.emplace_back(set_.streams[s], set_.buckets.back().period, random_);
-    }
+    for (std::size_t s = 0; s < set_.bus_streams; ++s) arrivals_.emplace_back(set_.streams[s], set_, random_);
   }
 
   Simulation run() {
@@ -97,7 +101,7 @@ class Simulator {
  private:
   [[nodiscard]] Duration next_event() const {
     Duration event = clock_.next();
-    for (const ArrivalGenerator& a : arrivals_) event = std::min(event, a.next());
+    for (const Arrivals& a : arrivals_) event = std::min(event, a.next());
     return std::max(event, masked_until_);
   }
 
@@ -215,6 +219,7 @@ class Simulator {
 
   void end_stage(Rank d, bool is_update, const JobState& job) {
     Simulation::DeviceWorst& worst = result_.devices[d];
+    for (Arrivals& a : arrivals_) a.stage_ended(d, is_update, job.release, now_);
     if (is_update) {
       flow_.end_update(d, now_);
       worst.update_response = std::max(worst.update_response, now_ - job.release);
@@ -238,7 +243,7 @@ class Simulator {
   ReleaseClock clock_;
   DataFlow flow_;
   InputReporter reporter_;
-  std::vector<ArrivalGenerator> arrivals_;
+  std::vector<Arrivals> arrivals_;  ///< per stream of a bus
   std::deque<Interrupt> interrupts_;
   std::vector<Pieces> pieces_;  ///< of every bucket
   std::vector<JobState> jobs_;

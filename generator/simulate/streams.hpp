@@ -58,6 +58,8 @@ class ArrivalGenerator {
       std::optional<Duration> soonest;
       for (std::size_t i = 0; i < used_.size(); ++i) {
         const timing::Stream::Budget& b = stream_.budgets[i];
+        if (b.cause != timing::InterruptCause::clock)
+          continue;  // where jobs cause a part of them, that part is left out
         const std::int64_t period = floor_div(next_, b.period);
         const bool is_next = used_[i].period == kNoPeriod || period >= used_[i].period + b.every;
         if (is_next) used_[i] = {period, 0};

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/model/shared_frame.hpp"
 #include "generator/timing/connection.hpp"
 
@@ -30,6 +31,16 @@ bool writes(const gen::Device& device, const Connection& connection) {
   const std::vector<Frame> frames = frames_over(device, connection);
   return std::any_of(frames.begin(), frames.end(),
                      [](const Frame& frame) { return frame.write_bytes > 0 && frame.stage != FrameStage::autonomous; });
+}
+
+/// Lowers the bits of the shortest frames to those of a connection.
+void note_lengths(const gen::Device& device, const Connection& connection, const BusType& type, BusUse& use) {
+  if (type.least_bits == nullptr) return;
+  for (const Frame& frame : frames_over(device, connection)) {
+    const std::int64_t bits = type.least_bits(std::max(frame.write_bytes, frame.read_bytes));
+    std::int64_t& least = frame.stage == FrameStage::autonomous ? use.least_received : use.least_sent;
+    least = least == 0 ? bits : std::min(least, bits);
+  }
 }
 
 /// The most shared frames on a bus that devices of one period fill; at least one.
@@ -59,6 +70,7 @@ Table<BusId, BusUse> bus_uses(const Robot& robot) {
       if (!says_what_it_sends(robot, device, connection) || !says_how_often(device, connection))
         use.is_declared = false;
       if (writes(device, connection)) use.transmits = true;
+      note_lengths(device, connection, bus_type(robot.buses[robot.segments[connection.segment].bus].kind), use);
     }
   }
   for (const Expander& expander : robot.expanders) {

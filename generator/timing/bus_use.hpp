@@ -12,7 +12,10 @@ struct BusUse {
   bool transmits = false;         ///< a device writes to it, or is connected to it by a `<use>`
   bool is_declared = true;        ///< every device on it says what it sends
   std::size_t shared_frames = 1;  ///< at most, that the devices of one period fill together and one request hands over
-  std::int64_t slots = 0;         ///< places where its driver looks: devices, expanders, further frames they receive
+  /// Bits of the shortest frames that parts send by themselves, and that devices send; 0: there is none, or the kind of
+  /// bus does not tell.
+  std::int64_t least_received = 0, least_sent = 0;
+  std::int64_t slots = 0;  ///< places where its driver looks: devices, expanders, further frames they receive
 };
 
 /// Of every bus.

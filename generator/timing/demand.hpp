@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "generator/timing/effort.hpp"
@@ -14,9 +13,6 @@ inline constexpr Duration kNever = Duration::max();
 
 /// The longest search for what ends at some time.
 inline constexpr Duration kLongest = kNever - nanoseconds(1);
-
-/// As many as there can be.
-inline constexpr std::int64_t kUnlimited = std::numeric_limits<std::int64_t>::max();
 
 /// Work of all streams and of some more urgent buckets in a window [0, x), as a staircase walked from left to right:
 /// between two steps a query costs one comparison, at a step a division for every stream or term that steps there.
@@ -112,9 +108,10 @@ class Demand {
     if (!s.budgets.empty()) {
       std::int64_t by_budget = 0;
       for (const Stream::Budget& b : s.budgets) {
-        const std::int64_t periods = ceil_div(x, b.period);
-        step.end = std::min(step.end, flat_to({}, periods, b.period));
-        by_budget = gen::add(by_budget, multiply(b.count, ceil_div(gen::add(periods, b.carry_in), b.every)));
+        const std::int64_t periods = ceil_div(x + b.jitter, b.period);
+        const std::int64_t count = multiply(b.count, ceil_div(gen::add(periods, b.carry_in), b.every));
+        if (count < b.most) step.end = std::min(step.end, flat_to(-b.jitter, periods, b.period));
+        by_budget = gen::add(by_budget, std::min(count, b.most));
       }
       arrived = std::min(arrived, by_budget);
     }

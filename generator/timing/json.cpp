@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/timing/assumptions.hpp"
+#include "generator/timing/model_words.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -25,20 +26,6 @@ std::string_view class_name(TreeResult::Class kind) {
   return "";
 }
 
-std::string_view after_name(Transfer::After after) {
-  switch (after) {
-    case Transfer::After::update:
-      return "update";
-    case Transfer::After::handle:
-      return "handle";
-    case Transfer::After::bucket:
-      return "bucket";
-    case Transfer::After::autonomous:
-      return "autonomous";
-  }
-  return "";
-}
-
 void add_if(Json& out, const char* key, std::int64_t value) {
   if (value != 0) out[key] = value;
 }
@@ -51,6 +38,8 @@ Json source_json(const Model& model, const InterruptSource& source) {
     if (b.every != 1) budget["every"] = b.every;
     add_if(budget, "interval_ns", b.interval);
     if (b.carry_in != 1) budget["carry_in"] = b.carry_in;
+    if (b.cause != InterruptCause::clock) budget["cause"] = word_of(b.cause, kCauseWords);
+    if (b.in_update) budget["in_update"] = true;
     out["budgets"].push_back(std::move(budget));
   }
   if (source.of_transfers) out["of_transfers"] = true;
@@ -71,7 +60,7 @@ Json bus_json(const Model& model, const Bus& bus) {
 }
 
 Json transfer_json(const Model& model, const Transfer& t) {
-  Json out{{"bus", model.buses[t.bus].name}, {"wire_ns", t.wire.ns()}, {"after", after_name(t.after)}};
+  Json out{{"bus", model.buses[t.bus].name}, {"wire_ns", t.wire.ns()}, {"after", word_of(t.after, kAfterWords)}};
   add_if(out, "min_interval_ns", t.min_interval);
   if (t.interrupts != 1) out["interrupts"] = t.interrupts;
   add_if(out, "service_ns", t.service);

@@ -15,6 +15,14 @@ namespace finemote::gen::timing {
 /// Place of a bus in Model::buses.
 using BusPlace = Index<struct BusPlaceSpace>;
 
+/// What lets an interrupt of a budget come.
+enum class InterruptCause {
+  clock,     ///< nothing that our jobs do: a part that sends by itself, or nobody knows
+  request,   ///< a stage or flush that asks for a transfer, at once
+  transfer,  ///< the transfer asked for: after the request, and before the end of the transfer
+  look,      ///< a look at a line by a stage of the device: it allows so many until the next look
+};
+
 /// At most `count` interrupts of a source in one of any `every` consecutive periods of `device`, none in the others;
 /// the driver counts and refuses more.
 struct FrameBudget {
@@ -23,6 +31,8 @@ struct FrameBudget {
   std::int64_t every = 1;     ///< >= 1
   Duration interval;          ///< of what its part sends by itself; 0: the period of the device
   std::int64_t carry_in = 1;  ///< periods before a window whose interrupts can still come in it
+  InterruptCause cause = InterruptCause::clock;
+  bool in_update = false;  ///< request, transfer: update() asks; else handle() or the flush of the job
 };
 
 /// One interrupt of a bus (receive, transmit complete, ...). Only profile `target` tells sources apart.

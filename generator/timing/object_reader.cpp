@@ -83,6 +83,11 @@ void ObjectReader::check_members(const Value& object, std::string_view what,
   }
 }
 
+void ObjectReader::report_other_word(const json::Value& value, std::string_view key, std::string_view said,
+                                     std::string_view list) {
+  error(code::json_type, value, fmt::format("'{}' is '{}', not {}", key, said, list));
+}
+
 void ObjectReader::report_missing(const Value& object, std::string_view what, std::string_view key) {
   error(code::json_missing_member, object, fmt::format("{} has no '{}'", what, key));
 }

@@ -54,6 +54,20 @@ class ObjectReader {
   /// The same of an object's member, which must be there.
   std::string member_text(const json::Value& object, std::string_view what, std::string_view key);
 
+  /// What a text stands for, one of a few words; else the first.
+  template <class Kind, std::size_t kCount>
+  Kind one_of(const json::Value& value, std::string_view what, std::string_view key,
+              const std::pair<Kind, std::string_view> (&words)[kCount]) {
+    const std::string said = text(value, what, key);
+    std::string list;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      if (words[i].second == said) return words[i].first;
+      list += (i == 0 ? "" : i + 1 < kCount ? ", " : " or ") + std::string(words[i].second);
+    }
+    if (!said.empty()) report_other_word(value, key, said, list);
+    return words[0].first;
+  }
+
   /// Reads the members of an object in the order of the table, by `reader` where the table says so.
   /// @param what  the object in messages: `a bus`
   template <class Object, class Reader, std::size_t kCount>
@@ -78,6 +92,7 @@ class ObjectReader {
 
  private:
   void check_members(const json::Value& object, std::string_view what, const std::vector<std::string_view>& known);
+  void report_other_word(const json::Value& value, std::string_view key, std::string_view said, std::string_view list);
   void report_missing(const json::Value& object, std::string_view what, std::string_view key);
 
   template <class Object, class Reader, class Target>

@@ -1,5 +1,6 @@
 #include "generator/timing/profile.hpp"
 
+#include "generator/timing/job_streams.hpp"
 #include "generator/timing/latency.hpp"
 #include "generator/timing/repetition.hpp"
 #include "generator/timing/true_time.hpp"
@@ -39,6 +40,18 @@ void stretch(const Model& model, ProfileResult& result) {
   }
 }
 
+/// Steps for the search of when transfers have ended.
+constexpr std::int64_t kTransferSteps = std::int64_t{1} << 22;
+
+/// Response times; those of profile target after its streams know what jobs cause.
+Responses respond(const Model& model, Profile profile, TaskSet& set, Effort& effort) {
+  Responses responses = bound_responses(set, effort);
+  if (profile != Profile::target || set.bus_streams == 0) return responses;
+  Effort transfers(kTransferSteps, effort.most_releases());
+  separate_jobs(model, responses, set, transfers);
+  return bound_responses(set, effort);
+}
+
 }  // namespace
 
 std::string_view profile_name(Profile profile) {
@@ -57,7 +70,7 @@ ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Pr
   TaskSet set = make_task_set(model, profile);
   const std::int64_t releases = most_releases(set, limits);
   Effort searches(limits.steps / 2, releases), effort(limits.steps / 2, releases);
-  Responses responses = bound_responses(set, searches);
+  Responses responses = respond(model, profile, set, searches);
   ReleaseTable table =
       profile == Profile::paper ? ReleaseTable(set, responses) : ReleaseTable::refined(set, responses, effort);
   ProfileResult result;
@@ -74,7 +87,7 @@ ProfileAnalysis analyse_deadlines(const Model& model, Profile profile, const Lim
   TaskSet set = make_task_set(model, profile);
   const std::int64_t releases = most_releases(set, limits);
   Effort searches(limits.steps / 2, releases);
-  Responses responses = bound_responses(set, searches);
+  Responses responses = respond(model, profile, set, searches);
   ReleaseTable table(set, responses);
   ProfileResult result;
   result.profile = profile;

@@ -11,6 +11,7 @@
 #include "generator/json/parse.hpp"
 #include "generator/timing/case_file.hpp"
 #include "generator/timing/check_cycles.hpp"
+#include "generator/timing/model_words.hpp"
 #include "generator/timing/object_reader.hpp"
 #include "generator/units/clock_tolerance.hpp"
 
@@ -40,6 +41,7 @@ class ModelReader {
   void read_transfer(Device& device, const Value& v);
   void read_transfer_bus(Transfer& transfer, const Value& v);
   void read_after(Transfer& transfer, const Value& v);
+  void read_cause(FrameBudget& budget, const Value& v);
   void read_identifier(Transfer& transfer, const Value& v);
   void read_clock(Model& model, const Value& v);
   void read_costs(Model& model, const Value& v);
@@ -106,6 +108,8 @@ struct ModelReader::Tables {
       {"every", Need::target, &FrameBudget::every, 1},
       {"interval_ns", Need::target, &FrameBudget::interval},
       {"carry_in", Need::target, &FrameBudget::carry_in, 1},
+      {"cause", Need::target, Whole<FrameBudget>{&ModelReader::read_cause}},
+      {"in_update", Need::target, &FrameBudget::in_update},
   };
   static constexpr Field<Device> kDevice[] = {
       {"name"},
@@ -331,16 +335,11 @@ void ModelReader::read_transfer_bus(Transfer& transfer, const Value& v) {
 }
 
 void ModelReader::read_after(Transfer& transfer, const Value& v) {
-  const std::string after = values_.text(v, "a transfer", "after");
-  if (after == "update") {
-    transfer.after = Transfer::After::update;
-  } else if (after == "bucket") {
-    transfer.after = Transfer::After::bucket;
-  } else if (after == "autonomous") {
-    transfer.after = Transfer::After::autonomous;
-  } else if (after != "handle" && !after.empty()) {
-    values_.error(code::json_type, v, fmt::format("'after' is '{}', not update, handle, bucket or autonomous", after));
-  }
+  transfer.after = values_.one_of(v, "a transfer", "after", kAfterWords);
+}
+
+void ModelReader::read_cause(FrameBudget& budget, const Value& v) {
+  budget.cause = values_.one_of(v, "a budget", "cause", kCauseWords);
 }
 
 void ModelReader::read_identifier(Transfer& transfer, const Value& v) {

@@ -54,12 +54,15 @@ class ReleaseTable::Builder {
         w_(w),
         urgent_(urgent_buckets(set, w)),
         effort_(effort),
-        demand_(effort),
+        updates_(effort),
+        whole_(effort),
         inside_(effort) {
-    demand_.add_streams(set.streams);
-    inside_.add_streams(set.streams);
+    updates_.add_streams(set.in_updates(w));
+    whole_.add_streams(set.in_job(w));
+    inside_.add_streams(set.in_job(w));
     for (const Urgent& u : urgent_) {
-      demand_.add({{}, u.period, u.cost});
+      updates_.add({{}, u.period, u.cost});
+      whole_.add({{}, u.period, u.cost});
       inside_.add({{}, u.period, u.cost, 0});
     }
   }
@@ -120,24 +123,25 @@ class ReleaseTable::Builder {
   void sweep(const Duration* start, std::vector<Cell>& cells) {
     if (!effort_.spend(kStepsPerCell * static_cast<std::int64_t>(cells.size()))) return;
     const Duration distance = *start;
-    demand_.begin_at(start + 1);
+    updates_.begin_at(start + 1);
+    whole_.begin_at(start + 1);
     Duration x = distance + nanoseconds(1);
-    const auto end_of = [&](Duration work, bool empty) {
+    const auto end_of = [&](Demand& demand, Duration work, bool empty) {
       const Duration extra = nanoseconds(empty ? 1 : 0);
       const Duration base = work + extra;
-      x = least_fit(demand_, base, std::max(x, base), kLongest);
+      x = least_fit(demand, base, std::max(x, base), kLongest);
       return x - extra - distance;
     };
     Duration work = set_.blocking + bucket_.before;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const Duration cost = set_.update[bucket_.devices[i]];
       work += cost;
-      cells[i].r_plus = std::max(cells[i].r_plus, end_of(work, cost == Duration::zero()));
+      cells[i].r_plus = std::max(cells[i].r_plus, end_of(updates_, work, cost == Duration::zero()));
     }
     for (std::size_t i = cells.size(); i-- > 0;) {
       const Duration cost = set_.handle[bucket_.devices[i]];
       work += cost;
-      cells[i].r_minus = std::max(cells[i].r_minus, end_of(work, cost == Duration::zero()));
+      cells[i].r_minus = std::max(cells[i].r_minus, end_of(whole_, work, cost == Duration::zero()));
     }
   }
 
@@ -201,8 +205,8 @@ class ReleaseTable::Builder {
 
   std::vector<Urgent> urgent_;
   Effort& effort_;
-  Demand demand_;  ///< everything more urgent
-  Demand inside_;  ///< everything more urgent that is released inside a window
+  Demand updates_, whole_;  ///< everything more urgent, up to the last update and further
+  Demand inside_;           ///< everything more urgent that is released inside a window
 };
 
 ReleaseTable ReleaseTable::refined(const TaskSet& set, const Responses& responses, Effort& effort) {

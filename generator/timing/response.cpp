@@ -26,21 +26,30 @@ Duration lower_bound(const TaskSet& set, std::size_t w, Duration base) {
 class BucketSweep {
  public:
   BucketSweep(const TaskSet& set, std::size_t w, Effort& effort)
-      : set_(set), w_(w), bucket_(set.buckets[w]), demand_(effort) {
-    demand_.add_streams(set.streams);
-    for (std::size_t v = 0; v < w; ++v) demand_.add({{}, set.buckets[v].period, set.buckets[v].cost});
+      : set_(set), w_(w), bucket_(set.buckets[w]), updates_(effort), whole_(effort) {
+    updates_.add_streams(set.in_updates(w));
+    whole_.add_streams(set.in_job(w));
+    for (std::size_t v = 0; v < w; ++v) {
+      for (Demand* demand : {&updates_, &whole_}) demand->add({{}, set.buckets[v].period, set.buckets[v].cost});
+    }
     const Duration first = set.blocking + bucket_.before;
     x_ = lower_bound(set, w, std::max(first, nanoseconds(1)));
     good_ = !is_saturated(set, w) && x_ != kNever;
   }
 
-  /// Bound of a stage that ends when `work` of the own bucket is done; kNone from the first miss on.
-  Duration end_of(Duration work, bool empty) {
+  /// Bounds of stages that end when `work` of the own bucket is done; kNone from the first miss on.
+  Duration end_of_update(Duration work, bool empty) { return end_of(updates_, work, empty); }
+  Duration end_of(Duration work, bool empty) { return end_of(whole_, work, empty); }
+
+  [[nodiscard]] bool is_closed_form() const { return is_closed_form_; }
+
+ private:
+  Duration end_of(Demand& demand, Duration work, bool empty) {
     if (!good_) return kNone;
     const Duration extra = nanoseconds(empty ? 1 : 0);
     const Duration base = work + extra;
-    x_ = least_fit(demand_, base, std::max(x_, base), bucket_.period + extra);
-    if (demand_.is_spent()) {
+    x_ = least_fit(demand, base, std::max(x_, base), bucket_.period + extra);
+    if (demand.is_spent()) {
       is_closed_form_ = true;
       x_ = closed_fixed_point(set_, w_, base);
     }
@@ -48,13 +57,10 @@ class BucketSweep {
     return good_ ? x_ - extra : kNone;
   }
 
-  [[nodiscard]] bool is_closed_form() const { return is_closed_form_; }
-
- private:
   const TaskSet& set_;
   std::size_t w_;
   const TaskBucket& bucket_;
-  Demand demand_;
+  Demand updates_, whole_;  ///< everything more urgent, up to the last update and further
   Duration x_ = nanoseconds(1);
   bool good_ = true;
   bool is_closed_form_ = false;
@@ -66,7 +72,7 @@ void sweep_bucket(const TaskSet& set, std::size_t w, Effort& effort, Responses& 
   Duration work = bucket.before;
   for (const Rank d : bucket.devices) {
     out.b_plus[d] = work += set.update[d];
-    out.r_plus[d] = sweep.end_of(work + set.blocking, set.update[d] == Duration::zero());
+    out.r_plus[d] = sweep.end_of_update(work + set.blocking, set.update[d] == Duration::zero());
   }
   for (auto d = bucket.devices.rbegin(); d != bucket.devices.rend(); ++d) {
     out.b_minus[*d] = work += set.handle[*d];

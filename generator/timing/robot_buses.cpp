@@ -99,6 +99,15 @@ std::int64_t line_rate(const Robot& robot, const gen::Bus& bus) {
   return port == nullptr ? bus.rate : slowest_rate(*port, bus.kind, bus.rate);
 }
 
+/// The least bits between two interrupts of a source. Where all that goes over the bus is declared, those of the
+/// shortest frame that raises one.
+std::int64_t bits_apart(const DriverSource& source, const BusUse& use) {
+  std::int64_t declared = 0;
+  if (use.is_declared && source.counts == DriverSource::Counts::received) declared = use.least_received;
+  if (use.is_declared && source.counts == DriverSource::Counts::ends) declared = use.least_sent;
+  return std::max(source.min_frame_bits, declared);
+}
+
 Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driver) {
   const gen::Bus& bus = robot.buses[id];
   const BusType& type = bus_type(bus.kind);
@@ -115,7 +124,7 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
     out.sources.emplace();
     for (const DriverSource& source : driver->sources) {
       if (!can_interrupt(source, type, use, mover_of(robot, id))) continue;
-      const Duration apart = frame_time(bus.min_frame_bits.value_or(source.min_frame_bits), bus.rate);
+      const Duration apart = frame_time(bus.min_frame_bits.value_or(bits_apart(source, use)), bus.rate);
       const bool is_foreign = !type.is_mastered && source.raised_by != DriverSource::RaisedBy::transmit;
       out.sources->push_back({source.name,
                               bus.isr_wcet.value_or(routine(*driver, source, use, out.baud_bps)),

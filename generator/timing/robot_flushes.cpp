@@ -76,11 +76,11 @@ class FlushAdder {
     traffic_.add_selection(expander.segment, rate, use);
     flush.output = output.name.text;
     flush.bus = bus;
-    traffic_.add_budget(*bus, flush.devices.front(), use);
+    traffic_.add_budget(*bus, flush.devices.front(), use, false);
     if (frames.check) {
       WireUse check;
       check.add(rate, frames.check->write_bytes, frames.check->read_bytes);
-      traffic_.add_budget(*bus, flush.devices.front(), check, flushes_per_check(expander));
+      traffic_.add_budget(*bus, flush.devices.front(), check, false, flushes_per_check(expander));
       use.add(rate, frames.check->write_bytes, frames.check->read_bytes);
     }
     flush.wire = use.wire;
@@ -116,7 +116,7 @@ class FlushAdder {
     flush.wire = use.wire;
     flush.interrupts = use.interrupts;
     flush.service = traffic_.service(*bus, use);
-    traffic_.add_budget(*bus, flush.devices.front(), use);
+    traffic_.add_budget(*bus, flush.devices.front(), use, false);
     if (!go_by_identifier(rate.kind, *bus, of_bus.size())) return;
     flush.identifiers.assign(identifiers.begin(), identifiers.end());
     flush.interrupts = 1;  // each frame finds a mailbox at once

@@ -6,6 +6,19 @@
 namespace finemote::gen::timing {
 namespace {
 
+Stream::Budget budget_of(const Model& model, const TaskSet& set, const FrameBudget& b) {
+  Stream::Budget budget;
+  budget.count = b.count;
+  budget.period = b.interval > Duration::zero() ? b.interval : model.devices[b.device].period;
+  budget.carry_in = b.carry_in;
+  budget.every = b.every;
+  budget.cause = b.cause;
+  budget.in_update = b.in_update;
+  budget.device = b.device;
+  budget.bucket = set.bucket_of[b.device];
+  return budget;
+}
+
 void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
   const Duration entry = profile == Profile::target ? model.costs.interrupt : Duration::zero();
   for (const BusPlace place : model.buses.ids()) {
@@ -17,12 +30,10 @@ void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
       continue;
     }
     for (const InterruptSource& source : *bus.sources) {
-      Stream stream{source.min_interval, source.wcet + entry, {}, bus.name + "." + source.name, bus.name, source.name};
+      Stream stream{
+          source.min_interval, source.wcet + entry, {}, bus.name + "." + source.name, bus.name, source.name, place};
       if (source.of_transfers) stream.of_transfers = place;
-      for (const FrameBudget& b : source.budgets) {
-        stream.budgets.push_back({b.count, b.interval > Duration::zero() ? b.interval : model.devices[b.device].period,
-                                  b.carry_in, b.every});
-      }
+      for (const FrameBudget& b : source.budgets) stream.budgets.push_back(budget_of(model, set, b));
       set.streams.push_back(std::move(stream));
     }
   }
@@ -35,7 +46,9 @@ void add_release_streams(const Model& model, TaskSet& set) {
   Stream release{nanoseconds(1), model.costs.release, {}, "release"};
   for (const TaskBucket& bucket : set.buckets) {
     distance = gcd(distance, bucket.period);
-    release.budgets.push_back({1, bucket.period, 0, 1});
+    Stream::Budget& once = release.budgets.emplace_back();
+    once.count = 1;
+    once.period = bucket.period;
     set.streams.push_back({bucket.period, model.costs.release_per_bucket, {}, "release"});
   }
   release.separation = distance;

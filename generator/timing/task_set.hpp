@@ -1,6 +1,7 @@
 // Model and profile to what the fixed points work on: interrupt streams, buckets and stage costs.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,14 +11,23 @@
 
 namespace finemote::gen::timing {
 
+/// As many as there can be.
+inline constexpr std::int64_t kUnlimited = std::numeric_limits<std::int64_t>::max();
+
 /// Interrupts of one source in any window of length L: at most ceil(L/separation) and, with budgets, at most
-/// sum count * ceil((ceil(L/period) + carry_in) / every).
+/// sum min(most, count * ceil((ceil((L + jitter)/period) + carry_in) / every)).
 struct Stream {
   struct Budget {
     std::int64_t count = 0;
     Duration period = nanoseconds(1);
     std::int64_t carry_in = 0;
     std::int64_t every = 1;  ///< in so many periods that follow one another
+    Duration jitter;         ///< how long before the window what causes them can have been
+    std::int64_t most = kUnlimited;
+    InterruptCause cause = InterruptCause::clock;
+    bool in_update = false;
+    Rank device;             ///< that causes them, where jobs do
+    std::size_t bucket = 0;  ///< its bucket
   };
   Duration separation = nanoseconds(1);
   Duration cost;
@@ -25,7 +35,15 @@ struct Stream {
   std::string name;                           ///< of the bus, with its source where it has several; for people
   std::string bus = {};                       ///< the same apart: the bus,
   std::string source = {};                    ///< and its source where it has several
+  std::optional<BusPlace> place = {};         ///< the bus
   std::optional<BusPlace> of_transfers = {};  ///< the bus, where only the transfer on its wire causes them
+};
+
+/// The streams in windows in which one job of a bucket runs, from an instant on at which nothing more urgent waits:
+/// beside it only more urgent jobs run there, those that are released in the window (job_streams.hpp).
+struct JobStreams {
+  std::vector<Stream> updates;  ///< windows that end with an update() of the job
+  std::vector<Stream> whole;    ///< windows that end anywhere in it
 };
 
 struct TaskBucket {
@@ -38,8 +56,12 @@ struct TaskBucket {
 
 /// Streams run above all buckets, shorter periods above longer ones.
 struct TaskSet {
-  std::vector<Stream> streams;      ///< of nonzero cost: those of buses first, then of the release interrupt
-  std::size_t bus_streams = 0;      ///< how many are of buses
+  std::vector<Stream> streams;  ///< of nonzero cost: those of buses first, then of the release interrupt
+  std::size_t bus_streams = 0;  ///< how many are of buses
+  /// Of every bucket; empty: windows of jobs hold as much as any.
+  std::vector<JobStreams> of_jobs;
+  /// For every bus and bucket: how long after the release of a job all that it hands over has ended; none: not known.
+  Table<BusPlace, std::vector<std::optional<Duration>>> ended;
   std::vector<TaskBucket> buckets;  ///< ascending period
   Table<Rank, std::size_t> bucket_of;
   Table<Rank, Duration> update, handle;  ///< one run of the stage with everything around it
@@ -54,6 +76,12 @@ struct TaskSet {
     return lag(handle[producer], consumer_period);
   }
   Duration blocking;  ///< longest masked section: delays every busy window once
+  [[nodiscard]] const std::vector<Stream>& in_updates(std::size_t bucket) const {
+    return of_jobs.empty() ? streams : of_jobs[bucket].updates;
+  }
+  [[nodiscard]] const std::vector<Stream>& in_job(std::size_t bucket) const {
+    return of_jobs.empty() ? streams : of_jobs[bucket].whole;
+  }
 
  private:
   [[nodiscard]] Duration lag(Duration stage, Duration consumer_period) const;

@@ -127,15 +127,21 @@ void Traffic::add_transfer(Rank place, BusPlace bus, FrameStage stage, const Wir
   if (by_itself) {
     allow(bus, DriverSource::Counts::received, {place, use.ends, 1, use.min_interval});
   } else {
-    add_budget(bus, place, use);
+    add_budget(bus, place, use, stage == FrameStage::update);
   }
 }
 
-void Traffic::add_budget(BusPlace bus, Rank place, const WireUse& use, std::int64_t every) {
+void Traffic::add_budget(BusPlace bus, Rank place, const WireUse& use, bool in_update, std::int64_t every) {
   const bool together = use.in_one_request || bus_type(robot_.buses[places_.buses()[bus]].kind).is_mastered;
-  allow(bus, DriverSource::Counts::requests, {place, together ? 1 : use.ends, every, {}});
-  allow(bus, DriverSource::Counts::steps, {place, use.steps, every, {}});
-  allow(bus, DriverSource::Counts::ends, {place, use.ends, every, {}});
+  FrameBudget budget{place, together ? 1 : use.ends, every, {}};
+  budget.cause = InterruptCause::request;
+  budget.in_update = in_update;
+  allow(bus, DriverSource::Counts::requests, budget);
+  budget.cause = InterruptCause::transfer;
+  budget.count = use.steps;
+  allow(bus, DriverSource::Counts::steps, budget);
+  budget.count = use.ends;
+  allow(bus, DriverSource::Counts::ends, budget);
 }
 
 /// The driver allows so many from one look of the reader to the next, whatever the line does; what is left is lost. A
@@ -144,6 +150,7 @@ void Traffic::add_budget(BusPlace bus, Rank place, const WireUse& use, std::int6
 void Traffic::allow_events(BusPlace bus, Rank reader) {
   FrameBudget budget{reader, line_events(robot_, places_.buses()[bus]), 1, {}};
   budget.carry_in = 2;
+  budget.cause = InterruptCause::look;
   allow(bus, DriverSource::Counts::events, budget);
 }
 
@@ -206,6 +213,8 @@ void Traffic::allow_requests_of_slots(BusPlace bus) {
     }
     const Duration apart = sources[static_cast<std::size_t>(ends - counts.begin())].min_interval;
     const std::int64_t slots = std::max<std::int64_t>(uses_[places_.buses()[bus]].slots, 1);
+    for (FrameBudget& budget : sources[i].budgets)
+      budget.cause = InterruptCause::clock;  // some slots ask whenever they may
     sources[i].budgets.push_back({*user_[bus], slots, 1, slots * apart});
   }
 }

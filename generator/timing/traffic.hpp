@@ -24,7 +24,8 @@ class Traffic {
   /// Allows the interrupts of one use of a bus, asked for in one of any `every` periods of the device. Adds nothing
   /// where a driver does not say what its interrupts count. Where a device does not say what it sends, adds requests
   /// alone.
-  void add_budget(BusPlace bus, Rank place, const WireUse& use, std::int64_t every = 1);
+  /// @param in_update  the device's update() asks; else its handle() or the flush of its job
+  void add_budget(BusPlace bus, Rank place, const WireUse& use, bool in_update, std::int64_t every = 1);
 
   /// After all traffic was added: a source that no declared traffic raises does not interrupt. Where a device does not
   /// say what it sends, every slot may ask for a transfer as soon as its last one has ended.

@@ -1,30 +1,19 @@
-// When a transfer's last bit is on the wire, and how busy every bus is.
+// What the buses mean for chains: the age of samples, and the way of commands to their outputs.
 #pragma once
 
 #include <functional>
 
 #include "generator/timing/profile.hpp"
+#include "generator/timing/transfers.hpp"
 
 namespace finemote::gen::timing {
 
-struct BusLoad {
-  Duration wire_per_s;  ///< in every second; of the busier line where a bus has two
-  double utilization = 0;
-};
-
-/// Everything that goes over the buses, with its worst wait. A bus takes what is queued in rate-monotonic order, as the
-/// runtime's interrupt does, and finishes what it began. Frames a part sends by itself count as more urgent than
-/// anything; where identifiers decide (CAN), everything counts as more urgent than everything else.
-///
-/// Source: non-preemptive fixed priorities with release jitter, sufficient form (Davis, Burns, Bril and Lukkien,
-/// Real-Time Systems 35(3), 2007, section 3.4): the longest transfer of lower or own urgency blocks once.
+/// From the end of a stage to the output, and from a sample to the stage: what a robot's transfers mean for its chains.
 class WireAnalysis {
  public:
   WireAnalysis(const Model& model, const ProfileAnalysis& profile, Effort& effort);
 
-  /// Hand-over to last bit of a transfer; none where one may still be queued when the next is handed over. Of a flush:
-  /// from the end of its job to the last bit that carries what its job computed.
-  [[nodiscard]] std::optional<Duration> response(Rank device, std::size_t transfer) const;
+  /// From the end of a flush's job to the last bit that carries what the job computed; none where unbounded.
   [[nodiscard]] std::optional<Duration> flush_response(std::size_t flush) const;
 
   /// End of handle(to) to the last bit of its command; 0 where no bus carries one; none where unbounded.
@@ -33,50 +22,17 @@ class WireAnalysis {
   /// Age of a sample when update(from) begins; 0 without acquisition data; none where unbounded.
   [[nodiscard]] std::optional<Duration> acquisition(Rank from) const;
 
-  [[nodiscard]] const Table<BusPlace, BusLoad>& loads() const { return loads_; }
+  [[nodiscard]] const Table<BusPlace, BusLoad>& loads() const { return transfers_.loads(); }
 
  private:
-  struct Item {
-    BusPlace bus;
-    bool receive = false;
-    bool autonomous = false;
-    Duration period = nanoseconds(1);
-    Duration jitter;          ///< release to hand-over
-    Duration wire;            ///< occupation of the bus, service routines included
-    Duration pure;            ///< the same without them
-    std::size_t rank = 0;     ///< 0 is the most urgent
-    bool bounded = true;      ///< its bucket is ok
-    bool arbitrated = false;  ///< on a bus that arbitrates frame by frame
-    /// Identifiers of its first and last frame there; none: not known.
-    std::optional<std::pair<std::int64_t, std::int64_t>> identifiers = std::nullopt;
-    std::int64_t frames = 1;  ///< that it is sent in, all equally long
-    [[nodiscard]] Duration frame() const { return ceil_div(on_wire(), frames); }
-    /// Whether `other` goes first where both wait.
-    [[nodiscard]] bool yields_to(const Item& other) const {
-      if (!arbitrated) return other.rank <= rank;
-      return !identifiers || !other.identifiers || other.identifiers->first <= identifiers->second;
-    }
-    /// How long it keeps others off the wire. Neither a part that sends by itself nor a frame in a mailbox of the
-    /// controller waits for our service routines on the wire; between frames the wire is free for others.
-    [[nodiscard]] Duration on_wire() const { return autonomous || arbitrated ? pure : wire; }
-  };
-
-  void collect();
-  void add_load();
-  Duration with_service(const Item& item, std::int64_t interrupts, Duration service);
-  [[nodiscard]] std::optional<Duration> bound(std::size_t item) const;
   [[nodiscard]] std::optional<Duration> rest_of_job(Rank device) const;
   [[nodiscard]] std::optional<Duration> end_of_job(std::size_t bucket, Duration handles, Duration latest,
                                                    const std::function<Duration(Duration release)>& of) const;
-  [[nodiscard]] std::size_t bucket_of(const Flush& flush) const;
 
   const Model& model_;
   const ProfileAnalysis& profile_;
   Effort& effort_;
-  std::vector<Item> items_;
-  Table<Rank, std::vector<std::size_t>> item_of_;  ///< per transfer
-  std::vector<std::optional<std::size_t>> flush_item_;
-  Table<BusPlace, BusLoad> loads_;
+  TransferBounds transfers_;
 };
 
 }  // namespace finemote::gen::timing

@@ -37,13 +37,13 @@ std::string base() {
 // As it stands in the example.
 const std::string kFirst = R"(<device name="thruster_1" type="pwm_esc" role="thrusters" bus="pwm" channel="0")"
                            R"( joint="thruster_1_joint">
-        <wcet update="4us" handle="6500ns"/>
+        <wcet update="900ns" handle="1900ns"/>
       </device>
       )";
 const std::string kSecond = R"(<device name="thruster_2" type="pwm_esc" role="thrusters" bus="pwm" channel="1")"
                             R"( joint="thruster_2_joint">
         <param name="reverse">true</param>
-        <wcet update="4us" handle="6500ns"/>
+        <wcet update="900ns" handle="1900ns"/>
       </device>
       )";
 

@@ -38,7 +38,8 @@ class RandomForest {
       d.handle_extra = up_to(2);
     }
     if (random_.one_in(2)) model.flushes.push_back({model.devices[Rank{}].period, up_to(6), {}, {}, 1, {}, {}, {}, {}});
-    for (Bus& bus : model.buses) {
+    for (const BusPlace place : model.buses.ids()) {
+      Bus& bus = model.buses[place];
       if (random_.one_in(3)) continue;
       bus.sources.emplace();
       for (std::int64_t i = random_.between(1, 2); i > 0; --i) {
@@ -47,6 +48,7 @@ class RandomForest {
           const Rank device{
               static_cast<std::size_t>(random_.between(0, static_cast<std::int64_t>(model.devices.size()) - 1))};
           source.budgets.push_back({device, random_.between(0, 3), random_.between(1, 3), {}});
+          let_cause(model.devices[device], place, source.budgets.back());
         }
         bus.sources->push_back(source);
       }
@@ -74,6 +76,21 @@ class RandomForest {
   }
 
  private:
+  /// Most budgets are caused by jobs; where a transfer does, it is mostly known how long it lasts.
+  void let_cause(Device& device, BusPlace bus, FrameBudget& budget) {
+    static constexpr InterruptCause kCauses[] = {InterruptCause::clock, InterruptCause::request,
+                                                 InterruptCause::transfer, InterruptCause::look};
+    budget.cause = kCauses[random_.between(0, 3)];
+    if (budget.cause == InterruptCause::look) budget.every = 1, budget.carry_in = 2;
+    budget.in_update = budget.cause != InterruptCause::look && random_.one_in(2);
+    if (budget.cause != InterruptCause::transfer || random_.one_in(4)) return;
+    Transfer transfer;
+    transfer.bus = bus;
+    transfer.wire = up_to(device.period.ns());
+    transfer.after = budget.in_update ? Transfer::After::update : Transfer::After::handle;
+    device.transfers.push_back(transfer);
+  }
+
   Duration up_to(std::int64_t most_ns) { return nanoseconds(random_.between(0, most_ns)); }
 
   static constexpr std::int64_t kTick = 20;  ///< [ns]

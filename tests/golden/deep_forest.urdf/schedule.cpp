@@ -99,19 +99,19 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {2, 528981, finemote::kNothingToBound, nullptr},  // remote
+    {2, 526341, finemote::kNothingToBound, nullptr},  // remote
     {0, 157346, 16158146, &walker::hip_left.command},  // hip-left
     {0, 143038, 16143838, &walker::knee_left.command},  // knee-left
-    {1, 258813, 12259413, &walker::leg_left.command},  // leg-left
+    {1, 257053, 12257653, &walker::leg_left.command},  // leg-left
     {0, 128729, 16129529, &walker::hip_right.command},  // hip-right
     {0, 114420, 16115220, &walker::knee_right.command},  // knee-right
-    {1, 253587, 12254187, &walker::leg_right.command},  // leg-right
-    {1, 248361, 12248961, &walker::front.command},  // front
+    {1, 252267, 12252867, &walker::leg_right.command},  // leg-right
+    {1, 247481, 12248081, &walker::front.command},  // front
     {0, 100112, 12100712, &walker::tilt.command},  // tilt
-    {2, 520591, 2419223, &walker::body.command},  // body
-    {2, 515364, finemote::kNothingToBound, nullptr},  // walker
-    {2, 451371, 10451871, &gripper::finger.command},  // finger
-    {1, 218451, finemote::kNothingToBound, nullptr},  // gripper
+    {2, 517950, 2418343, &walker::body.command},  // body
+    {2, 513164, finemote::kNothingToBound, nullptr},  // walker
+    {2, 449171, 10449671, &gripper::finger.command},  // finger
+    {1, 217571, finemote::kNothingToBound, nullptr},  // gripper
 };
 
 }  // namespace

@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 223560, finemote::kNothingToBound, nullptr},  // imu
-    {1, 397676, finemote::kNothingToBound, nullptr},  // depth
-    {1, 393686, finemote::kNothingToBound, nullptr},  // button
-    {1, 391396, 23994519, &station::servo.command},  // servo
-    {1, 387306, 23990429, &station::green_led.command},  // green_led
-    {1, 378425, 23983638, &station::blue_led.command},  // blue_led
-    {1, 371635, finemote::kNothingToBound, nullptr},  // station
+    {0, 171197, finemote::kNothingToBound, nullptr},  // imu
+    {1, 332943, finemote::kNothingToBound, nullptr},  // depth
+    {1, 330653, finemote::kNothingToBound, nullptr},  // button
+    {1, 328363, 23947736, &station::servo.command},  // servo
+    {1, 324273, 23943646, &station::green_led.command},  // green_led
+    {1, 319082, 23938456, &station::blue_led.command},  // blue_led
+    {1, 313892, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

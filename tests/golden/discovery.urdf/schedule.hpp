@@ -9,11 +9,11 @@
 namespace discovery {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 219.359 us of its release.
+/// a job ends within 166.997 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 377.945 us of its release.
+/// a job ends within 315.302 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -23,13 +23,13 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 /// Some of the execution times behind it are assumed.
 namespace bounds {
-inline constexpr finemote::Bounds imu{219359, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{373685, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{371795, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{371605, 23985518, 24084723};
-inline constexpr finemote::Bounds green_led{369615, 23983528, 24084724};
-inline constexpr finemote::Bounds blue_led{364925, 23978838, 24084724};
-inline constexpr finemote::Bounds station{358144, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{166997, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{311042, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{310852, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{310662, 23938736, 24009020};
+inline constexpr finemote::Bounds green_led{308672, 23936746, 24009020};
+inline constexpr finemote::Bounds blue_led{305582, 23933656, 24009020};
+inline constexpr finemote::Bounds station{302492, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 398528, finemote::kNothingToBound, nullptr},  // imu
-    {1, 884311, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 880321, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 874240, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 870250, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 866260, 31065440, &rov::thruster_1.command},  // thruster_1
-    {1, 844099, 31056750, &rov::thruster_2.command},  // thruster_2
-    {1, 835408, 31034589, &rov::thruster_3.command},  // thruster_3
-    {1, 824628, 31025898, &rov::thruster_4.command},  // thruster_4
-    {1, 806657, 31015118, &rov::thruster_5.command},  // thruster_5
-    {1, 797966, 31006427, &rov::thruster_6.command},  // thruster_6
-    {1, 787186, 30988457, &rov::thruster_7.command},  // thruster_7
-    {1, 765025, 30977676, &rov::thruster_8.command},  // thruster_8
-    {1, 756334, finemote::kNothingToBound, nullptr},  // rov
+    {0, 222100, finemote::kNothingToBound, nullptr},  // imu
+    {1, 627298, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 625008, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 622718, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 620428, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 618137, 30734063, &rov::thruster_1.command},  // thruster_1
+    {1, 614047, 30727883, &rov::thruster_2.command},  // thruster_2
+    {1, 609957, 30723793, &rov::thruster_3.command},  // thruster_3
+    {1, 592396, 30719703, &rov::thruster_4.command},  // thruster_4
+    {1, 588306, 30713522, &rov::thruster_5.command},  // thruster_5
+    {1, 582126, 30709432, &rov::thruster_6.command},  // thruster_6
+    {1, 578035, 30693962, &rov::thruster_7.command},  // thruster_7
+    {1, 573945, 30689872, &rov::thruster_8.command},  // thruster_8
+    {1, 569855, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

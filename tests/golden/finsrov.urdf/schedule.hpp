@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 394.328 us of its release.
+/// a job ends within 210.709 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 834.988 us of its release.
+/// a job ends within 577.975 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{394328, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{825858, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{823968, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{822078, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{820188, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{818297, 31016878, 35868383};
-inline constexpr finemote::Bounds thruster_2{802427, 31010288, 35868383};
-inline constexpr finemote::Bounds thruster_3{795836, 30994416, 35861192};
-inline constexpr finemote::Bounds thruster_4{787156, 30987826, 35868383};
-inline constexpr finemote::Bounds thruster_5{780566, 30981236, 35870473};
-inline constexpr finemote::Bounds thruster_6{760505, 30968366, 35864193};
-inline constexpr finemote::Bounds thruster_7{753914, 30961775, 35864193};
-inline constexpr finemote::Bounds thruster_8{747324, 30945905, 35857003};
-inline constexpr finemote::Bounds rov{738643, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{210709, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{570935, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{570745, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{570555, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{570365, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{570175, 30683411, 35459862};
+inline constexpr finemote::Bounds thruster_2{568185, 30681421, 35459862};
+inline constexpr finemote::Bounds thruster_3{566195, 30679431, 35459863};
+inline constexpr finemote::Bounds thruster_4{562115, 30677441, 35459863};
+inline constexpr finemote::Bounds thruster_5{560125, 30673361, 35457773};
+inline constexpr finemote::Bounds thruster_6{550944, 30671371, 35457773};
+inline constexpr finemote::Bounds thruster_7{548954, 30669380, 35467052};
+inline constexpr finemote::Bounds thruster_8{546964, 30667390, 35467052};
+inline constexpr finemote::Bounds rov{544974, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 243857, finemote::kNothingToBound, nullptr},  // imu
-    {0, 238466, 28667553, &gimbal::yaw.command},  // yaw
-    {0, 225508, 28654595, &gimbal::pitch.command},  // pitch
-    {1, 268596, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 352898, 26781885, &chassis::front_left.command},  // front_left
-    {2, 346508, 26775495, &chassis::front_right.command},  // front_right
-    {2, 340118, 26769105, &chassis::rear_left.command},  // rear_left
-    {2, 333727, 26762714, &chassis::rear_right.command},  // rear_right
-    {2, 321687, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 385786, finemote::kNothingToBound, nullptr},  // remote
+    {0, 151460, finemote::kNothingToBound, nullptr},  // imu
+    {0, 146670, 28554116, &gimbal::yaw.command},  // yaw
+    {0, 140262, 28547708, &gimbal::pitch.command},  // pitch
+    {1, 171699, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 243431, 26650777, &chassis::front_left.command},  // front_left
+    {2, 237940, 26645286, &chassis::front_right.command},  // front_right
+    {2, 232450, 26639796, &chassis::rear_left.command},  // rear_left
+    {2, 216139, 26623485, &chassis::rear_right.command},  // rear_right
+    {2, 210649, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 280509, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 231.466 us of its release.
+/// a job ends within 144.72 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 254.795 us of its release.
+/// a job ends within 157.898 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 319.926 us of its release.
+/// a job ends within 205.289 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 352.784 us of its release.
+/// a job ends within 247.507 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{228606, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{225316, 28654403, 29262823};
-inline constexpr finemote::Bounds pitch{220108, 28649195, 29262823};
-inline constexpr finemote::Bounds gimbal{254795, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{318446, 26747433, 27351183};
-inline constexpr finemote::Bounds front_right{314156, 26743143, 27351183};
-inline constexpr finemote::Bounds rear_left{309866, 26738853, 27351183};
-inline constexpr finemote::Bounds rear_right{305576, 26734563, 27351183};
-inline constexpr finemote::Bounds chassis{301286, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{352784, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{141860, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{139169, 28546615, 29043277};
+inline constexpr finemote::Bounds pitch{134861, 28542307, 29043278};
+inline constexpr finemote::Bounds gimbal{157898, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{203809, 26611155, 27103747};
+inline constexpr finemote::Bounds front_right{200419, 26607765, 27103747};
+inline constexpr finemote::Bounds rear_left{197028, 26604374, 27103746};
+inline constexpr finemote::Bounds rear_right{193638, 26600984, 27103747};
+inline constexpr finemote::Bounds chassis{190248, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{247507, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 344134, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 260532, 28984517, &arm::base.command},  // base
-    {0, 254141, 28978126, &arm::shoulder.command},  // shoulder
-    {0, 247751, 28971736, &arm::elbow.command},  // elbow
-    {0, 230540, 28954525, &arm::wrist_roll.command},  // wrist_roll
-    {0, 224150, 28948135, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 217759, 28941744, &arm::flange.command},  // flange
-    {0, 211369, finemote::kNothingToBound, nullptr},  // arm
+    {1, 284761, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 190338, 28914323, &arm::base.command},  // base
+    {0, 184848, 28908833, &arm::shoulder.command},  // shoulder
+    {0, 179357, 28903342, &arm::elbow.command},  // elbow
+    {0, 173867, 28897852, &arm::wrist_roll.command},  // wrist_roll
+    {0, 168377, 28892362, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 162887, 28886872, &arm::flange.command},  // flange
+    {0, 157396, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace six_joint_arm {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 7 devices;
-/// a job ends within 232.23 us of its release.
+/// a job ends within 172.857 us of its release.
 void run_2ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 319.532 us of its release.
+/// a job ends within 260.16 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,14 +22,14 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds sticks{319532, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{229310, 28953295, 29336606};
-inline constexpr finemote::Bounds shoulder{225020, 28949005, 29336606};
-inline constexpr finemote::Bounds elbow{220730, 28944715, 29336606};
-inline constexpr finemote::Bounds wrist_roll{216439, 28940424, 29336605};
-inline constexpr finemote::Bounds wrist_pitch{212149, 28936134, 29336606};
-inline constexpr finemote::Bounds flange{207859, 28931844, 29336606};
-inline constexpr finemote::Bounds arm{203569, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds sticks{260160, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds base{169937, 28893922, 29249091};
+inline constexpr finemote::Bounds shoulder{166547, 28890532, 29249091};
+inline constexpr finemote::Bounds elbow{163157, 28887142, 29249092};
+inline constexpr finemote::Bounds wrist_roll{159766, 28883752, 29249092};
+inline constexpr finemote::Bounds wrist_pitch{156376, 28880361, 29249091};
+inline constexpr finemote::Bounds flange{152986, 28876971, 29249091};
+inline constexpr finemote::Bounds arm{149596, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace six_joint_arm

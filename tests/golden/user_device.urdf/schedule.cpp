@@ -48,9 +48,9 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 41843, finemote::kNothingToBound, nullptr},  // line
-    {0, 38652, 35362, &follower::drive.command},  // drive
-    {0, 25262, finemote::kNothingToBound, nullptr},  // follower
+    {0, 40963, finemote::kNothingToBound, nullptr},  // line
+    {0, 37772, 34482, &follower::drive.command},  // drive
+    {0, 24382, finemote::kNothingToBound, nullptr},  // follower
 };
 
 }  // namespace

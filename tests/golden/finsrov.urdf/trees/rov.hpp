@@ -19,61 +19,61 @@
 namespace FinsROV::rov {
 
 /// imu: h30_imu on 'imu_uart', every 5 ms
-/// response <= 394.328 us
+/// response <= 210.709 us
 FINEMOTE_CONSTINIT inline finemote::H30Imu imu{/*mount*/ nullptr, imu_uart};
 
 /// baro_1: ms5837 on 'segment_0' at 0x76, every 10 ms
-/// response <= 825.858 us
+/// response <= 570.935 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_1{finemote::Ms5837::Config{}, slots::baro_1};
 
 /// baro_2: ms5837 on 'segment_1' at 0x76, every 10 ms
-/// response <= 823.968 us
+/// response <= 570.745 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_2{finemote::Ms5837::Config{}, slots::baro_2};
 
 /// baro_3: ms5837 on 'segment_2' at 0x76, every 10 ms
-/// response <= 822.078 us
+/// response <= 570.555 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_3{finemote::Ms5837::Config{}, slots::baro_3};
 
 /// baro_4: ms5837 on 'segment_3' at 0x76, every 10 ms
-/// response <= 820.188 us
+/// response <= 570.365 us
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_4{finemote::Ms5837::Config{}, slots::baro_4};
 
 /// thruster_1: pwm_esc on 'pwm' channel 0, every 10 ms
-/// response <= 818.297 us; data age <= 31.017 ms when handle() ends, <= 35.869 ms at the output (oldest: baro_2)
+/// response <= 570.175 us; data age <= 30.684 ms when handle() ends, <= 35.46 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_1{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 0}};
 
 /// thruster_2: pwm_esc on 'pwm' channel 1, every 10 ms
-/// response <= 802.427 us; data age <= 31.011 ms when handle() ends, <= 35.869 ms at the output (oldest: baro_3)
+/// response <= 568.185 us; data age <= 30.682 ms when handle() ends, <= 35.46 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_2{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 1}};
 
 /// thruster_3: pwm_esc on 'pwm' channel 2, every 10 ms
-/// response <= 795.836 us; data age <= 30.995 ms when handle() ends, <= 35.862 ms at the output (oldest: baro_2)
+/// response <= 566.195 us; data age <= 30.68 ms when handle() ends, <= 35.46 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_3{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 2}};
 
 /// thruster_4: pwm_esc on 'pwm' channel 3, every 10 ms
-/// response <= 787.156 us; data age <= 30.988 ms when handle() ends, <= 35.869 ms at the output (oldest: baro_2)
+/// response <= 562.115 us; data age <= 30.678 ms when handle() ends, <= 35.46 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_4{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 3}};
 
 /// thruster_5: pwm_esc on 'pwm' channel 4, every 10 ms
-/// response <= 780.566 us; data age <= 30.982 ms when handle() ends, <= 35.871 ms at the output (oldest: baro_2)
+/// response <= 560.125 us; data age <= 30.674 ms when handle() ends, <= 35.458 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_5{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 4}};
 
 /// thruster_6: pwm_esc on 'pwm' channel 5, every 10 ms
-/// response <= 760.505 us; data age <= 30.969 ms when handle() ends, <= 35.865 ms at the output (oldest: baro_3)
+/// response <= 550.944 us; data age <= 30.672 ms when handle() ends, <= 35.458 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_6{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 5}};
 
 /// thruster_7: pwm_esc on 'pwm' channel 6, every 10 ms
-/// response <= 753.914 us; data age <= 30.962 ms when handle() ends, <= 35.865 ms at the output (oldest: baro_3)
+/// response <= 548.954 us; data age <= 30.67 ms when handle() ends, <= 35.468 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_7{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 6}};
 
 /// thruster_8: pwm_esc on 'pwm' channel 7, every 10 ms
-/// response <= 747.324 us; data age <= 30.946 ms when handle() ends, <= 35.858 ms at the output (oldest: baro_3)
+/// response <= 546.964 us; data age <= 30.668 ms when handle() ends, <= 35.468 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_8{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 7}};
@@ -101,7 +101,7 @@ inline constexpr finemote::Port<finemote::Thruster> rov_thrusters[] = {
 }  // namespace ports
 
 /// rov: finsrov, every 10 ms
-/// response <= 738.643 us
+/// response <= 544.974 us
 FINEMOTE_CONSTINIT inline finemote::FinsRov rov{
     finemote::FinsRov::Config{},
     constants::rov_allocation,

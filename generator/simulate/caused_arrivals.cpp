@@ -1,0 +1,62 @@
+#include "generator/simulate/caused_arrivals.hpp"
+
+#include <algorithm>
+
+namespace finemote::gen {
+
+using timing::InterruptCause;
+using Budget = timing::Stream::Budget;
+
+CausedArrivals::CausedArrivals(const timing::Stream& stream, const timing::TaskSet& set, Random& random)
+    : stream_(stream), set_(set), random_(random), jobs_left_(stream.budgets.size(), 0) {}
+
+bool CausedArrivals::cause(const timing::Stream& stream) {
+  const auto is_caused = [](const Budget& budget) { return budget.cause != InterruptCause::clock; };
+  return !stream.budgets.empty() && std::all_of(stream.budgets.begin(), stream.budgets.end(), is_caused);
+}
+
+Duration CausedArrivals::next() const { return planned_.empty() ? floor_div(Duration::max(), 4) : planned_.front(); }
+
+void CausedArrivals::stage_ended(Rank device, bool is_update, Duration release, Duration now) {
+  for (std::size_t i = 0; i < stream_.budgets.size(); ++i) {
+    const Budget& budget = stream_.budgets[i];
+    const bool asks = budget.cause == InterruptCause::look ? is_update : is_update == budget.in_update;
+    if (budget.device != device || !asks) continue;
+    if (budget.cause != InterruptCause::look && --jobs_left_[i] >= 0) continue;
+    jobs_left_[i] = budget.every - 1;
+    if (budget.cause == InterruptCause::look) planned_.clear();  // what the line did not use is lost
+    const Duration latest = budget.cause == InterruptCause::request ? now : latest_end(budget, release);
+    ask(i, begin_of(budget, now, latest), latest);
+  }
+}
+
+/// At once, as late as all of them fit, or between.
+Duration CausedArrivals::begin_of(const Budget& budget, Duration now, Duration latest) {
+  const Duration last = std::max(now, latest - (budget.count - 1) * stream_.separation);
+  switch (random_.between(0, 2)) {
+    case 0:
+      return now;
+    case 1:
+      return last;
+    default:
+      return random_.between(now, last);
+  }
+}
+
+/// Plans the interrupts of one budget as soon as the line allows; those that would come too late do not.
+void CausedArrivals::ask(std::size_t budget, Duration from, Duration latest) {
+  Duration at = std::max(from, free_from_);
+  for (std::int64_t n = 0; n < stream_.budgets[budget].count && at <= latest; ++n) {
+    planned_.push_back(at);
+    at += stream_.separation;
+    free_from_ = at;
+  }
+}
+
+Duration CausedArrivals::latest_end(const Budget& budget, Duration release) const {
+  if (budget.cause != InterruptCause::transfer || !stream_.place || set_.ended.size() == 0)
+    return release + 2 * budget.period;
+  return release + set_.ended[*stream_.place][budget.bucket].value_or(budget.period);
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,89 @@
+// When a transfer's last bit is on its wire, and how busy every bus is.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "generator/timing/response.hpp"
+
+namespace finemote::gen::timing {
+
+struct BusLoad {
+  Duration wire_per_s;  ///< in every second; of the busier line where a bus has two
+  double utilization = 0;
+};
+
+/// Everything that goes over the buses, with its worst wait. A bus takes what is queued in rate-monotonic order, as the
+/// runtime's interrupt does, and finishes what it began. Frames a part sends by itself count as more urgent than
+/// anything; where identifiers decide (CAN), everything counts as more urgent than everything else.
+///
+/// Source: non-preemptive fixed priorities with release jitter, sufficient form (Davis, Burns, Bril and Lukkien,
+/// Real-Time Systems 35(3), 2007, section 3.4): the longest transfer of lower or own urgency blocks once.
+class TransferBounds {
+ public:
+  /// Everything must outlive this.
+  TransferBounds(const Model& model, Profile profile, const TaskSet& set, const Responses& responses, Effort& effort);
+
+  /// Hand-over to last bit of a transfer; none where one may still be queued when the next is handed over.
+  [[nodiscard]] std::optional<Duration> of(Rank device, std::size_t transfer) const;
+  /// The same of what the flush of one bucket hands over, if its data are sent; 0 where it hands over nothing.
+  [[nodiscard]] std::optional<Duration> of_flush(std::size_t flush) const;
+
+  /// For every bus and bucket: how long after the release of a job all that it hands over has ended; none where that
+  /// may be later than the next release, or is not known.
+  [[nodiscard]] Table<BusPlace, std::vector<std::optional<Duration>>> ended() const;
+
+  [[nodiscard]] const Table<BusPlace, BusLoad>& loads() const { return loads_; }
+
+ private:
+  struct Item {
+    BusPlace bus;
+    bool receive = false;
+    bool autonomous = false;
+    Duration period = nanoseconds(1);
+    Duration jitter;          ///< release to hand-over
+    Duration wire;            ///< occupation of the bus, service routines included
+    Duration pure;            ///< the same without them
+    std::size_t rank = 0;     ///< 0 is the most urgent
+    bool bounded = true;      ///< its bucket is ok
+    bool arbitrated = false;  ///< on a bus that arbitrates frame by frame
+    /// Identifiers of its first and last frame there; none: not known.
+    std::optional<std::pair<std::int64_t, std::int64_t>> identifiers = std::nullopt;
+    std::int64_t frames = 1;  ///< that it is sent in, all equally long
+    std::size_t bucket = 0;   ///< whose jobs hand it over
+    [[nodiscard]] Duration frame() const { return ceil_div(on_wire(), frames); }
+    /// Whether `other` goes first where both wait.
+    [[nodiscard]] bool yields_to(const Item& other) const {
+      if (!arbitrated) return other.rank <= rank;
+      return !identifiers || !other.identifiers || other.identifiers->first <= identifiers->second;
+    }
+    /// How long it keeps others off the wire. Neither a part that sends by itself nor a frame in a mailbox of the
+    /// controller waits for our service routines on the wire; between frames the wire is free for others.
+    [[nodiscard]] Duration on_wire() const { return autonomous || arbitrated ? pure : wire; }
+  };
+
+  void collect();
+  void add_load();
+  std::size_t add_item(Item item, std::int64_t interrupts, Duration service);
+  [[nodiscard]] Duration with_service(const Item& item, std::int64_t interrupts, Duration service) const;
+  [[nodiscard]] std::optional<Duration> bound(std::size_t item) const;
+
+  const Model& model_;
+  Profile profile_;
+  const TaskSet& set_;
+  const Responses& responses_;
+  Effort& effort_;
+  std::vector<Item> items_;
+  Table<Rank, std::vector<std::size_t>> item_of_;  ///< per transfer
+  std::vector<std::optional<std::size_t>> flush_item_;
+  Table<BusPlace, BusLoad> loads_;
+};
+
+/// Place of the bucket that a flush belongs to.
+std::size_t bucket_of(const TaskSet& set, const Flush& flush);
+
+/// Whether the flushes of two buckets hand over the same data.
+bool share_slot(const Flush& a, const Flush& b);
+
+}  // namespace finemote::gen::timing

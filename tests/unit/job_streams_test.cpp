@@ -1,0 +1,115 @@
+// Which interrupts windows of jobs hold, beside those of any window.
+#include "catch.hpp"
+#include "duration_literals.hpp"
+#include "generator/timing/profile.hpp"
+
+using namespace finemote::gen;
+using namespace finemote::gen::timing;
+
+namespace {
+
+Device device(const std::string& name, Duration period) {
+  Device d;
+  d.name = name;
+  d.period = period;
+  d.update_wcet = d.handle_wcet = 10_ns;
+  return d;
+}
+
+/// Three buckets of one device each, of which the one in the middle uses a bus.
+class Robot {
+ public:
+  explicit Robot(InterruptCause cause, bool in_update = false) {
+    model.has_target = true;
+    model.tick = 1000_ns;
+    Bus bus;
+    bus.name = "bus";
+    InterruptSource source{"source", 5_ns, 1_ns, {}};
+    source.budgets.push_back({Rank{1}, 3, 1, {}});
+    source.budgets.back().cause = cause;
+    source.budgets.back().in_update = in_update;
+    if (cause == InterruptCause::look) source.budgets.back().carry_in = 2;
+    bus.sources = {source};
+    model.buses.push_back(bus);
+    for (const Duration period : {1000_ns, 2000_ns, 4000_ns}) model.devices.push_back(device("d", period));
+    Transfer transfer;
+    transfer.bus = BusPlace{0};
+    transfer.wire = 100_ns;
+    transfer.interrupts = 0;
+    transfer.after = in_update ? Transfer::After::update : Transfer::After::handle;
+    model.devices[Rank{1}].transfers.push_back(transfer);
+  }
+
+  /// The bus's budget in windows of one bucket.
+  [[nodiscard]] Stream::Budget budget(std::size_t bucket, bool has_handles) const {
+    const TaskSet set = analyse_deadlines(model, Profile::target).set;
+    const auto& streams = has_handles ? set.in_job(bucket) : set.in_updates(bucket);
+    REQUIRE(streams.front().budgets.size() == 1);
+    return streams.front().budgets.front();
+  }
+
+  Model model;
+};
+
+}  // namespace
+
+TEST_CASE("a request runs with the job that asks, and once where a masked section holds it back") {
+  const Robot later(InterruptCause::request), early(InterruptCause::request, true);
+  CHECK(later.budget(2, true).carry_in == 0);  // a more urgent job asks: as often as it is released
+  CHECK(later.budget(2, true).most == kUnlimited);
+  CHECK(later.budget(1, true).most == 3);
+  CHECK(later.budget(1, false).most == 0);
+  CHECK(early.budget(1, false).most == 3);
+  CHECK(later.budget(0, true).most == 1);  // a less urgent one asked just before
+}
+
+TEST_CASE("a transfer goes on after its job, until it has ended") {
+  const Robot later(InterruptCause::transfer), early(InterruptCause::transfer, true);
+
+  const Responses responses = analyse_deadlines(later.model, Profile::target).responses;
+  const Stream::Budget above = later.budget(2, true);
+  CHECK(above.carry_in == 0);
+  CHECK(above.jitter >= responses.r_minus[Rank{1}] + 100_ns);
+  CHECK(above.jitter < 400_ns);
+  CHECK(above.most == kUnlimited);
+  CHECK(later.budget(1, true).most == 3);
+  CHECK(later.budget(1, false).most == 0);
+  CHECK(early.budget(1, false).most == 3);
+  CHECK(later.budget(0, false).most == 3);  // of the job before
+}
+
+TEST_CASE("where transfers may last as long as the period, windows of jobs hold what any window does") {
+  Robot slow(InterruptCause::transfer);
+  slow.model.devices[Rank{1}].transfers.front().wire = 1990_ns;
+  for (const std::size_t bucket : {0U, 1U, 2U}) {
+    CHECK(slow.budget(bucket, true).carry_in == 1);
+    CHECK(slow.budget(bucket, true).jitter == 0_ns);
+    CHECK(slow.budget(bucket, true).most == kUnlimited);
+  }
+  slow.model.devices[Rank{1}].transfers.clear();  // nobody knows when they end
+  CHECK(slow.budget(0, true).most == kUnlimited);
+}
+
+TEST_CASE("transfers that have not ended when more urgent work may hold the window open count twice") {
+  Robot slow(InterruptCause::transfer);
+  const Responses responses = analyse_deadlines(slow.model, Profile::target).responses;
+  slow.model.devices[Rank{1}].transfers.front().wire = 2000_ns - responses.r_minus[Rank{1}] - 20_ns;
+  CHECK(slow.budget(2, true).jitter > 1900_ns);
+  CHECK(slow.budget(1, true).carry_in == 1);
+  CHECK(slow.budget(1, true).most == kUnlimited);
+}
+
+TEST_CASE("a look allows what it allows, beside what was left before it") {
+  const Robot robot(InterruptCause::look);
+  CHECK(robot.budget(2, true).carry_in == 1);
+  CHECK(robot.budget(1, true).most == 6);
+  CHECK(robot.budget(0, true).most == 3);
+}
+
+TEST_CASE("what no job causes counts as in any window") {
+  const Robot robot(InterruptCause::clock);
+  for (const std::size_t bucket : {0U, 1U, 2U}) {
+    CHECK(robot.budget(bucket, false).carry_in == 1);
+    CHECK(robot.budget(bucket, false).most == kUnlimited);
+  }
+}
