@@ -36,7 +36,9 @@ Table search() {
 
 Table robot() {
   return join(
-      {{{"IN", &Options::input, "robot description: .urdf, .xacro, or - for standard input", kRequired}}, search()});
+      {{{"IN", &Options::input, "robot description: .urdf, .xacro, or - for standard input", kRequired},
+        {"--show-config", &Options::show_config, "print what finemote.json and the options set, and do nothing else"}},
+       search()});
 }
 
 /// For commands that read a stranger's file and start nothing.
@@ -49,6 +51,11 @@ Table sandbox() {
 Table no_sandbox() {
   return {{"--sandbox", Refusal{"it compiles the robot's own code, which no sandbox holds"},
            "refused: this command compiles the robot's own code"}};
+}
+
+Table watch() {
+  return {{"--watch", &Options::watch, "answer again whenever a file changes that matters, until Ctrl-C", kOptional,
+           nullptr, "--sandbox"}};
 }
 
 Table dump() {
@@ -97,6 +104,7 @@ Table options_of_check() {
                {{"--diff", &Options::diff, "print a unified diff of what would change"},
                 {"--allow", &Options::allow, "lint code that is not reported"},
                 {"--deny", &Options::deny, "lint code that makes the exit status 1"}},
+               watch(),
                dump()});
 }
 
@@ -168,6 +176,13 @@ Table options_of_lint() {
        {{"--fix", &Options::fix, "fix the mechanical findings in the files", kOptional, nullptr, "--sandbox"}}});
 }
 
+Table options_of_fmt() {
+  return {
+      {"FILE", &Options::input, "file with <finemote> elements; of - (standard input) the text is printed", kRequired},
+      {"--dry-run", &Options::dry_run,
+       "write nothing, print a unified diff; exit status 1 where the file would change"}};
+}
+
 Table options_of_docs() {
   return {{"-o,--output", &Options::out, "folder of the reference: devices/ and boards/ in it", kRequired},
           {"--dry-run", &Options::dry_run, "write nothing; exit status 1 when a page would change"}};
@@ -192,6 +207,7 @@ Table options_of_analyze() {
         {"--suggest-order", &Options::suggest_order, "suggest an order of siblings and trees with shorter bounds"},
         {"--trace", &Options::trace, "of the firmware with the trace built in"},
         {"--monitor", &Options::monitor, "of the firmware with the monitor built in"}},
+       watch(),
        dump()});
 }
 
@@ -224,6 +240,7 @@ std::vector<Command> commands_of_projects() {
        arguments_footer},
       {"diff", "what changed between two robots, models or generated folders", options_of_diff(), run_diff},
       {"lint", "warn about valid but suspicious descriptions", options_of_lint(), run_lint, rules_footer},
+      {"fmt", "bring the <finemote> elements of a file into their canonical layout", options_of_fmt(), run_fmt},
       {"xacro", "expand a xacro file, as ROS xacro does", options_of_xacro(), run_xacro, arguments_footer},
   };
 }
@@ -257,7 +274,8 @@ std::vector<Command> commands_of_tool() {
        run_board_sources},
       {"schema",
        "print a schema for editors; without a name, list them",
-       {{"NAME", &Options::input, "device, expander, board, scenario or xsd", kOptional, nullptr, nullptr, "schema"}},
+       {{"NAME", &Options::input, "device, expander, board, scenario, settings or xsd", kOptional, nullptr, nullptr,
+         "schema"}},
        run_schema},
       {"docs", "write the reference pages of device types and board peripherals", options_of_docs(), run_docs},
       {"completion", "print what completes the words of a command line", options_of_completion(), run_completion},
@@ -293,6 +311,11 @@ Table make_common_options() {
 const std::vector<Command>& commands() {
   static const std::vector<Command> kCommands = make_commands();
   return kCommands;
+}
+
+bool has_option(const Command& command, std::string_view name) {
+  return std::any_of(command.options.begin(), command.options.end(),
+                     [&](const Option& option) { return option.names == name; });
 }
 
 const Command& command_named(std::string_view name) {

@@ -24,6 +24,9 @@ struct Command {
 /// In the order of --help.
 const std::vector<Command>& commands();
 
+/// Whether the command has an option of this name: `--show-config`.
+bool has_option(const Command& command, std::string_view name);
+
 /// The command of this name, which must exist.
 const Command& command_named(std::string_view name);
 
@@ -43,6 +46,7 @@ Answer run_scaffold_board(const Options& options, Sources& sources, Diagnostics&
 Answer run_board_sources(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_diff(const Options& options, Sources& sources, Diagnostics& diagnostics);
+Answer run_fmt(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_lint(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_docs(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_explain(const Options& options, Sources& sources, Diagnostics& diagnostics);

@@ -9,6 +9,7 @@
 #include "generator/cli/diff_bounds.hpp"
 #include "generator/cli/diff_changes.hpp"
 #include "generator/cli/robot_input.hpp"
+#include "generator/cli/settings.hpp"
 #include "generator/output/folder.hpp"
 #include "generator/output/unified_diff.hpp"
 #include "generator/xml/read_source.hpp"
@@ -73,9 +74,10 @@ std::optional<Side> model_side(const std::string& path, const files::Access& acc
 
 std::optional<Side> planned_side(const Options& options, const std::string& path, Sources& sources,
                                  Diagnostics& diagnostics) {
-  auto input = input_of(options, diagnostics);
-  if (!input) return std::nullopt;
-  input->path = path;
+  Options of_side = options;
+  of_side.input = path;
+  const auto input = input_of(settings_of(of_side, sources, diagnostics).options, diagnostics);
+  if (!input || diagnostics.has_errors()) return std::nullopt;
   const auto planned = plan_robot(*input, sources, diagnostics);
   if (!planned) return std::nullopt;
   const Analysis analysis = analyse_robot(*planned, Hints::left_out);

@@ -5,6 +5,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/data_dir.hpp"
 #include "generator/cli/new_project.hpp"
+#include "generator/cli/settings.hpp"
 #include "generator/scaffold/new_files.hpp"
 
 namespace finemote::gen {
@@ -28,7 +29,7 @@ bool generate_sources(const Options& options, const NewProject& project, const s
   generate.data_dir = data_dir;
   generate.allow_unschedulable = true;
   Sources sources;
-  return run_generate(generate, sources, diagnostics).status == kExitYes;
+  return run_generate(settings_of(generate, sources, diagnostics).options, sources, diagnostics).status == kExitYes;
 }
 
 std::vector<std::string> names_of(const NewProject& project) {

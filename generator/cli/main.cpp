@@ -16,6 +16,8 @@
 #include "generator/cli/command_line.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/sandbox.hpp"
+#include "generator/cli/settings.hpp"
+#include "generator/cli/watch.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/file/descriptor_buffer.hpp"
 #include "generator/file/system_reason.hpp"
@@ -24,19 +26,45 @@ namespace {
 
 using namespace finemote::gen;
 
-/// Runs the command and prints its answer.
-int run(const Options& options, std::ostream& out) {
+/// The command's answer, with what finemote.json beside a robot sets.
+Answer answer_of(const Options& options, Sources& sources, Diagnostics& diagnostics) {
+  const Command& command = command_named(options.command);
+  if (!has_option(command, "--show-config")) return command.run(options, sources, diagnostics);
+  const Settings settings = settings_of(options, sources, diagnostics);
+  if (diagnostics.has_errors()) return no_answer();
+  if (options.show_config) return settings_answer(settings);
+  return command.run(settings.options, sources, diagnostics);
+}
+
+/// Runs the command and prints its answer; `read`, where it is given, gets what the answer depends on.
+int run(const Options& options, std::ostream& out, std::vector<std::string>* read = nullptr) {
   Diagnostics diagnostics;
   Sources sources(read_access(options, diagnostics));
   if (diagnostics.has_errors()) return finish(options, no_answer(), diagnostics, out, std::cerr);
-  const auto command = command_named(options.command).run;
-  if (!options.sandbox) return finish(options, command(options, sources, diagnostics), diagnostics, out, std::cerr);
+  if (!options.sandbox) {
+    Answer answer = answer_of(options, sources, diagnostics);
+    if (read != nullptr) *read = watched_paths(options, sources);
+    return finish(options, std::move(answer), diagnostics, out, std::cerr);
+  }
   bound_resources();
   try {
-    return finish(options, command(options, sources, diagnostics), diagnostics, out, std::cerr);
+    return finish(options, answer_of(options, sources, diagnostics), diagnostics, out, std::cerr);
   } catch (const std::bad_alloc&) {
     report_memory_limit(diagnostics);
     return finish(options, no_answer(), diagnostics, out, std::cerr);
+  }
+}
+
+/// Answers again and again, until a signal ends the program.
+[[noreturn]] void run_and_watch(const Options& options, std::ostream& out) {
+  std::vector<std::string> paths = watched_paths(options, Sources());
+  while (true) {
+    Watched watched(paths);  // what changes while the command runs counts, too
+    std::vector<std::string> read;
+    run(options, out, &read);
+    if (read != paths) watched = Watched(paths = read);
+    if (!options.quiet) std::cerr << "watching; Ctrl-C ends\n" << std::flush;
+    watched.wait();
   }
 }
 
@@ -69,6 +97,11 @@ int report(Code code, const std::string& message, const char* hint, int status) 
 int run_words(const std::vector<std::string>& words, std::ostream& out) {
   try {
     const ParsedCommandLine parsed = parse_command_line(words);
+    if (parsed.options && parsed.options->watch) {
+      if (parsed.options->input == "-")
+        return report(code::usage, "--watch cannot watch standard input", "give the name of the file", kExitInvalid);
+      run_and_watch(*parsed.options, out);
+    }
     if (parsed.options) return run(*parsed.options, out);
     (parsed.exit_status == kExitYes ? out : std::cerr) << parsed.text;
     out << parsed.findings;

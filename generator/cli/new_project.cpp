@@ -8,6 +8,8 @@
 #include "generator/bus/bus_type.hpp"
 #include "generator/cli/data_dir.hpp"
 #include "generator/cli/named_board.hpp"
+#include "generator/cli/robot_input.hpp"
+#include "generator/cli/settings.hpp"
 #include "generator/diagnostic/code_output.hpp"
 #include "generator/diagnostic/suggest.hpp"
 #include "generator/output/folder.hpp"
@@ -58,7 +60,8 @@ std::vector<OutputFile> common_files(const std::string& data_dir, const Keys& ke
   const std::pair<const char*, const char*> copies[] = {
       {"cmake/toolchain-arm-none-eabi.cmake", "cmake/toolchain-arm-none-eabi.cmake"},
       {"schemas/finemote.xsd", ".vscode/finemote.xsd"},
-      {"schemas/device.schema.json", ".vscode/device.schema.json"}};
+      {"schemas/device.schema.json", ".vscode/device.schema.json"},
+      {"schemas/settings.schema.json", ".vscode/settings.schema.json"}};
   for (const auto& [from, to] : copies) {
     const auto text = read_data_file(data_dir + "/" + from, diagnostics);
     if (text) files.push_back({to, *text});
@@ -179,13 +182,15 @@ std::optional<NewProject> plan_project(const Options& options, const std::string
   const std::string name = project_name(options.input);
   const Keys keys{{"project", name},  {"robot", name},    {"version", minor_version()},         {"board", ""},
                   {"light_port", ""}, {"button_pin", ""}, {"robot_file", input_name(kOwnRobot)}};
-  Input input;
-  input.data_dir = data_dir;
-  input.path = given_robot(options, data_dir, diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-  auto project = input.path.empty() ? plan_own(options.board.empty() ? kDefaultBoard : options.board, input, keys,
-                                               sources, diagnostics)
-                                    : plan_around(input, keys, sources, diagnostics);
+  Options of_robot;
+  of_robot.input = given_robot(options, data_dir, diagnostics);
+  of_robot.data_dir = data_dir;
+  const bool is_own = of_robot.input.empty();
+  const auto input = input_of(is_own ? of_robot : settings_of(of_robot, sources, diagnostics).options, diagnostics);
+  if (!input || diagnostics.has_errors()) return std::nullopt;
+  auto project =
+      is_own ? plan_own(options.board.empty() ? kDefaultBoard : options.board, *input, keys, sources, diagnostics)
+             : plan_around(*input, keys, sources, diagnostics);
   if (!project || diagnostics.has_errors()) return std::nullopt;
   std::sort(project->files.begin(), project->files.end(),
             [](const OutputFile& a, const OutputFile& b) { return a.name < b.name; });

@@ -36,7 +36,9 @@ struct Options {
   std::optional<Stage> dump;  ///< --dump: show this stage instead
   bool sandbox = false;       ///< --sandbox: read only what the user named, and not without end
 
-  std::string out;  ///< -o
+  std::string out;           ///< -o
+  bool show_config = false;  ///< --show-config: print what is set, by whom, and do nothing else
+  bool watch = false;        ///< --watch: answer again whenever something changed
   std::string depfile;
   bool list = false;
   bool dry_run = false;

@@ -18,6 +18,7 @@ constexpr Schema kSchemas[] = {
     {"expander", "expander.schema.json", "expander descriptors (JSON Schema)"},
     {"board", "board.schema.json", "board files (JSON Schema)"},
     {"scenario", "scenario.schema.json", "scenarios of the emulated board (JSON Schema)"},
+    {"settings", "settings.schema.json", "finemote.json beside a robot (JSON Schema)"},
     {"xsd", "finemote.xsd", "the <finemote> elements of a URDF (XML Schema)"},
     {"json", "device.schema.json", "another name of 'device'"},
 };

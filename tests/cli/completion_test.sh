@@ -60,7 +60,7 @@ offers 'finemote --color never analyze robot.urdf --profile ' paper tight target
 offers 'finemote run --flash m' miss
 offers 'finemote -q generate robot.urdf --board q' qemu_f405
 offers 'finemote board show st' stm32f4_discovery
-offers 'finemote explain FM001' FM0010
+offers 'finemote explain FM001' FM0010 FM0011
 offers 'finemote schema x' xsd
 offers 'finemote check --de' --deny --device-path
 offers 'finemote --v' --verbose --version

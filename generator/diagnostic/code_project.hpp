@@ -1,0 +1,10 @@
+// Numbers of what is said of a project's own files; the others are in code.hpp.
+#pragma once
+
+#include "generator/diagnostic/code.hpp"
+
+namespace finemote::gen::code {
+
+inline constexpr Code project_settings{11};  // what finemote.json sets, and cannot
+
+}  // namespace finemote::gen::code

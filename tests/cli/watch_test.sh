@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# watch_test.sh FINEMOTE: `check --watch` answers again after each change of what it depends on, and only then.
+set -euo pipefail
+finemote=$(realpath "$1")
+work=$(mktemp -d)
+trap 'kill "${watcher:-}" 2>/dev/null || true; rm -rf "$work"' EXIT
+cd "$work"
+answers=0
+
+fail() { printf 'FAILED %s\n' "$*"; cat said errors; exit 1; }
+
+# answered WHAT PATTERN: one more answer comes, and holds the pattern.
+answered() {
+  answers=$((answers + 1))
+  for _ in $(seq 300); do
+    [ "$(grep -c '^watching' errors || true)" -lt $answers ] || break
+    sleep 0.1
+  done
+  [ "$(grep -c '^watching' errors || true)" -eq $answers ] || fail "$1: not $answers answers"
+  tail -n 9 said errors | grep -q -- "$2" || fail "$1: no '$2'"
+}
+
+mkdir devices
+robot() {
+  printf '<robot name="r"><finemote version="1"><board name="robomaster_type_c"/>
+    <device name="load" type="sim_load" period="%s"><wcet update="9us" handle="9us"/></device></finemote></robot>\n' "$1" >robot.urdf
+}
+robot 10ms
+"$finemote" -q generate robot.urdf -o out
+"$finemote" check robot.urdf -o out --watch >said 2>errors &
+watcher=$!
+answered "the first answer" fresh
+robot 20ms
+answered "another period" 'stale .*robot.urdf'
+"$finemote" -q generate robot.urdf -o out
+answered "generated anew" fresh
+echo '// mine' >>out/buses.cpp
+answered "an edited file" 'hand-edited .*buses.cpp'
+echo '{ "board": "host" }' >finemote.json
+answered "settings that came" 'stale'
+robot 20
+answered "a mistake" 'FM3030'
+robot 20ms
+answered "mended" 'hand-edited'
+sleep 0.5
+[ "$(grep -c '^watching' errors)" -eq $answers ] || fail "answers without a change"
+kill -0 $watcher || fail "it ended by itself"
+! "$finemote" check - -o out --watch <robot.urdf 2>/dev/null || fail "standard input was watched"
+! "$finemote" check robot.urdf -o out --watch --sandbox 2>/dev/null || fail "--watch beside --sandbox"
+echo "$answers answers"
