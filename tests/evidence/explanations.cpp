@@ -141,6 +141,14 @@ const std::vector<Explanation>& explanations() {
        "attitude is made.",
        "FINS-Fines/FineMote: Devices/Sensors/H30_imu.h (84e6e10) takes only frames with all of its records",
        lacks_a_record},
+      {"h30_left_out", "h30",
+       "The source also has the frame's number, the magnetic field and the attitude as a quaternion; ours steps over "
+       "their records by their lengths and takes the attitude from its angles.",
+       "FINS-Fines/FineMote: Devices/Sensors/H30_imu.h (84e6e10) takes the angles alone",
+       [](const Difference& difference) {
+         return difference.found.empty() &&
+                is_one_of(difference.field, {"tid", "magnetic_normalised", "magnetic_raw_milligauss", "quaternion"});
+       }},
   };
   return kAll;
 }

@@ -56,6 +56,9 @@ Findings decode_h30(const Vector& vector) {
     return findings;
   }
   put_state(findings, state);
+  for (const char* left_out : {"tid", "magnetic_normalised", "quaternion"})
+    findings.put({left_out}, std::vector<double>{});
+  findings.put({"magnetic_raw"}, Dimension::field, {});
   findings.put({"skip"}, static_cast<double>(first));
   // Where the frame begins, the driver has said; its length byte is the fifth.
   const Bytes& burst = vector.bursts[last.burst].bytes;
