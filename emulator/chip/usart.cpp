@@ -58,6 +58,7 @@ void Usart::ask_dma() {
 }
 
 void Usart::send_in(const std::vector<std::uint8_t>& bytes, const SerialFormat& sender, Tag sample) {
+  ++driven_;
   Time at = in_free_at_ > world_.now() ? in_free_at_ : world_.now();
   if (at == world_.now() || in_free_at_ < world_.now()) ++bursts_;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -217,12 +218,17 @@ void Usart::write_cr1(std::uint32_t value) {
   if (!heard && on() && (cr1_ & kReceiver) != 0) hear_noise();
 }
 
-/// What some lines bring a receiver that is turned on.
+/// What some lines bring a receiver that is turned on, until the other side drives them.
 void Usart::hear_noise() {
   const std::uint32_t bytes = world_.silicon().draw_or_zero(Meanness::first_bytes);
-  if (bytes == 0) return;
-  noisy_bytes += bytes;
-  send_in(std::vector<std::uint8_t>(bytes, 0xFE), format());
+  const SerialFormat mine = format();
+  for (std::uint32_t i = 1; i <= bytes; ++i) {
+    world_.after(i * mine.byte_time(), [this, mine, token = driven_] {
+      if (token != driven_) return;
+      ++noisy_bytes;
+      arrive({{0xFE, Tag::none}, true}, mine);
+    });
+  }
 }
 
 /// What a transmitter sends first when it is turned on: RM0090 30.3.2.

@@ -90,6 +90,7 @@ class Usart : public Peripheral {
   bool data_full_ = false, shifting_ = false, status_read_ = false;
   bool spoilt_ = false;  ///< what arrives is not whole
   Time in_free_at_ = 0;
+  std::uint64_t driven_ = 0;  ///< times that the other side began to drive the line
   std::uint64_t idle_token_ = 0;
   std::uint64_t in_bytes_ = 0, out_bytes_ = 0, bursts_ = 0, errors_ = 0;
   Time in_busy_ = 0, out_busy_ = 0, out_last_ = 0;

@@ -111,39 +111,68 @@ void TransferBounds::add_load() {
   }
 }
 
+bool TransferBounds::competes(const Item& item, const Item& own) {
+  return item.bus == own.bus && item.receive == own.receive;
+}
+
+/// The longest that may just have begun when something else is handed over: it yields to that, but is not broken off.
+Duration TransferBounds::blocking(const Item& own) const {
+  Duration longest;
+  for (const Item& item : items_) {
+    if (&item == &own || !competes(item, own) || !item.yields_to(own) || own.yields_to(item)) continue;
+    longest = std::max(longest, item.frame());
+  }
+  return longest;
+}
+
+/// All that goes before `own` and is handed over in a time, its begin included or not; none where there may be any
+/// amount. Of equal rank the order of the slots decides; counting both ways is safe.
+std::optional<Duration> TransferBounds::more_urgent(const Item& own, Duration time, bool with_begin) const {
+  Duration total;
+  for (const Item& item : items_) {
+    if (&item == &own || !competes(item, own) || !own.yields_to(item)) continue;
+    if (!item.bounded) return std::nullopt;
+    const Duration span = time + item.jitter;
+    total += (with_begin ? floor_div(span, item.period) + 1 : ceil_div(span, item.period)) * item.on_wire();
+  }
+  return total;
+}
+
+/// Least fixed point of `base` and all that goes before `own`; none above `limit`. What arrives exactly then counts
+/// where it goes first.
+std::optional<Duration> TransferBounds::least_wait(const Item& own, Duration base, Duration limit,
+                                                   bool with_begin) const {
+  for (Duration wait = base;;) {
+    const auto others = more_urgent(own, wait, with_begin);
+    const bool goes_on = effort_.spend(static_cast<std::int64_t>(items_.size()));
+    if (!others || !goes_on || base + *others > limit) return std::nullopt;
+    if (base + *others <= wait) return wait;
+    wait = base + *others;
+  }
+}
+
+/// One wait on an idle bus comes first. The one before can delay it only where the bus stays busy from that one on:
+/// where it is idle before the next is handed over, it cannot (Davis et al. 2007, section 3.2: one instance in the busy
+/// period). Else its own length stands for what is pushed through.
+Duration TransferBounds::at_begin(const Item& own) const {
+  const Duration other = blocking(own);
+  const auto busy = least_wait(own, other + own.on_wire(), own.period, false);
+  return busy && *busy + own.jitter <= own.period ? other : std::max(other, own.on_wire());
+}
+
 std::optional<Duration> TransferBounds::bound(std::size_t index) const {
   const Item& own = items_[index];
   // What an overloaded bus cannot carry fills mailboxes and queues: then no frame of it is sure of its place.
   if (!own.bounded || loads_[own.bus].utilization > 1) return std::nullopt;
-  const auto competes = [&](const Item& i) { return i.bus == own.bus && i.receive == own.receive; };
-  Duration blocking = own.on_wire();
-  bool alone = true;
-  for (std::size_t i = 0; i < items_.size(); ++i) {
-    alone &= i == index || !competes(items_[i]);
-    if (competes(items_[i]) && items_[i].yields_to(own))
-      blocking = std::max(blocking, own.yields_to(items_[i]) ? items_[i].on_wire() : items_[i].frame());
-  }
-  if (alone) blocking = {};
+  const bool alone = std::none_of(items_.begin(), items_.end(),
+                                  [&](const Item& item) { return &item != &own && competes(item, own); });
   const Duration before_last = own.on_wire() - own.frame();  // of its own; more urgent ones may come between
-  Duration wait = blocking + before_last;
-  for (bool stable = false; !stable;) {
-    Duration need = blocking + before_last;
-    for (std::size_t i = 0; i < items_.size(); ++i) {
-      const Item& other = items_[i];
-      // Of equal rank the order of the slots decides; counting both ways is safe.
-      if (i == index || !competes(other) || !own.yields_to(other)) continue;
-      if (!other.bounded) return std::nullopt;
-      need += (floor_div(wait + other.jitter, other.period) + 1) * other.on_wire();
-    }
-    const bool goes_on = effort_.spend(static_cast<std::int64_t>(items_.size()));
-    if (need > own.period || !goes_on) return std::nullopt;
-    stable = need <= wait;
-    wait = std::max(wait, need);
-  }
+  const Duration begin = alone ? Duration::zero() : at_begin(own);
+  const auto wait = least_wait(own, begin + before_last, own.period, true);
   // The slot must be free again before it is filled the next time. That of a part that sends by itself, and the mailbox
   // of a controller that arbitrates, are free when the frame has left the wire, whenever it is served.
-  if (wait + own.frame() + own.jitter > own.period) return std::nullopt;
-  return wait + own.wire - before_last;
+  if (!wait || *wait + own.frame() + own.jitter > own.period) return std::nullopt;
+  return *wait + own.wire - before_last;
 }
 
 std::optional<Duration> TransferBounds::of(Rank device, std::size_t transfer) const {

@@ -19,7 +19,8 @@ struct BusLoad {
 /// anything; where identifiers decide (CAN), everything counts as more urgent than everything else.
 ///
 /// Source: non-preemptive fixed priorities with release jitter, sufficient form (Davis, Burns, Bril and Lukkien,
-/// Real-Time Systems 35(3), 2007, section 3.4): the longest transfer of lower or own urgency blocks once.
+/// Real-Time Systems 35(3), 2007, section 3.4): the longest transfer of lower urgency blocks once, and where the bus
+/// may stay busy until the next hand-over, one of its own.
 class TransferBounds {
  public:
   /// Everything must outlive this.
@@ -68,6 +69,12 @@ class TransferBounds {
   std::size_t add_item(Item item, std::int64_t interrupts, Duration service);
   [[nodiscard]] Duration with_service(const Item& item, std::int64_t interrupts, Duration service) const;
   [[nodiscard]] std::optional<Duration> bound(std::size_t item) const;
+  [[nodiscard]] Duration at_begin(const Item& own) const;
+  [[nodiscard]] Duration blocking(const Item& own) const;
+  [[nodiscard]] std::optional<Duration> least_wait(const Item& own, Duration base, Duration limit,
+                                                   bool with_begin) const;
+  [[nodiscard]] std::optional<Duration> more_urgent(const Item& own, Duration time, bool with_begin) const;
+  static bool competes(const Item& item, const Item& own);
 
   const Model& model_;
   Profile profile_;

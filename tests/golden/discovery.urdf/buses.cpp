@@ -31,13 +31,13 @@ FINEMOTE_CONSTINIT finemote::PwmBus green{finemote::ports::led_green, 1 * finemo
 FINEMOTE_CONSTINIT finemote::PwmBus blue{finemote::ports::led_blue, 1 * finemote::kMillisecond};
 
 void start_buses() {
-  computer.start();
-  imu_line.start();
   i2c.start();
   servo_pulses.start();
   green.start();
   blue.start();
   finemote::ports::gpio.configure(finemote::pin_number('A', 0), finemote::PinSetting::kInputPullDown);  // button (line): key
+  computer.start();  // last: the first job finds what came since
+  imu_line.start();  // last: the first job finds what came since
 }
 
 void supervise_buses() {

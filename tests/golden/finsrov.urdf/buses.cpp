@@ -37,9 +37,9 @@ FINEMOTE_CONSTINIT finemote::I2cBus i2c{finemote::ports::i2c2, 400000 /* Hz */, 
 FINEMOTE_CONSTINIT finemote::Pca9685 pwm{slots::pwm, finemote::Pca9685::Config{}};
 
 void start_buses() {
-  imu_uart.start();
-  tether.start();
   i2c.start();
+  imu_uart.start();  // last: the first job finds what came since
+  tether.start();  // last: the first job finds what came since
 }
 
 void supervise_buses() {

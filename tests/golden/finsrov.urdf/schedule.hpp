@@ -27,14 +27,14 @@ inline constexpr finemote::Bounds baro_1{570935, finemote::kNothingToBound, fine
 inline constexpr finemote::Bounds baro_2{570745, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds baro_3{570555, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds baro_4{570365, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{570175, 30683411, 35459862};
-inline constexpr finemote::Bounds thruster_2{568185, 30681421, 35459862};
-inline constexpr finemote::Bounds thruster_3{566195, 30679431, 35459863};
-inline constexpr finemote::Bounds thruster_4{562115, 30677441, 35459863};
-inline constexpr finemote::Bounds thruster_5{560125, 30673361, 35457773};
-inline constexpr finemote::Bounds thruster_6{550944, 30671371, 35457773};
-inline constexpr finemote::Bounds thruster_7{548954, 30669380, 35467052};
-inline constexpr finemote::Bounds thruster_8{546964, 30667390, 35467052};
+inline constexpr finemote::Bounds thruster_1{570175, 30683411, 34093579};
+inline constexpr finemote::Bounds thruster_2{568185, 30681421, 34093579};
+inline constexpr finemote::Bounds thruster_3{566195, 30679431, 34093579};
+inline constexpr finemote::Bounds thruster_4{562115, 30677441, 34093579};
+inline constexpr finemote::Bounds thruster_5{560125, 30673361, 34091489};
+inline constexpr finemote::Bounds thruster_6{550944, 30671371, 34091490};
+inline constexpr finemote::Bounds thruster_7{548954, 30669380, 34100769};
+inline constexpr finemote::Bounds thruster_8{546964, 30667390, 34100769};
 inline constexpr finemote::Bounds rov{544974, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 

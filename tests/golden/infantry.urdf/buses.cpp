@@ -47,12 +47,12 @@ FINEMOTE_CONSTINIT finemote::SpiBus imu_spi{finemote::ports::spi1, 5250000 /* Hz
 FINEMOTE_CONSTINIT finemote::PwmBus imu_warmth{finemote::ports::imu_heater, 1 * finemote::kMillisecond};
 
 void start_buses() {
-  dbus.start();
   wheel_can.start();
   gimbal_can.start();
   imu_spi.start();
   imu_warmth.start();
   finemote::ports::exti5.start(/*falling*/ true);  // imu (ready): bmi088_int_gyro
+  dbus.start();  // last: the first job finds what came since
 }
 
 void supervise_buses() {

@@ -39,9 +39,9 @@ FINEMOTE_CONSTINIT finemote::CanBus arm_can{finemote::ports::can1, 1000000 /* bi
 FINEMOTE_CONSTINIT finemote::CanBus wrist_can{finemote::ports::can2, 1000000 /* bit/s */, finemote_wrist_can_slots};
 
 void start_buses() {
-  receiver.start();
   arm_can.start();
   wrist_can.start();
+  receiver.start();  // last: the first job finds what came since
 }
 
 void supervise_buses() {

@@ -39,41 +39,41 @@ FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_3{finemote::Ms5837::Config{}, sl
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_4{finemote::Ms5837::Config{}, slots::baro_4};
 
 /// thruster_1: pwm_esc on 'pwm' channel 0, every 10 ms
-/// response <= 570.175 us; data age <= 30.684 ms when handle() ends, <= 35.46 ms at the output (oldest: baro_1)
+/// response <= 570.175 us; data age <= 30.684 ms when handle() ends, <= 34.094 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_1{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 0}};
 
 /// thruster_2: pwm_esc on 'pwm' channel 1, every 10 ms
-/// response <= 568.185 us; data age <= 30.682 ms when handle() ends, <= 35.46 ms at the output (oldest: baro_1)
+/// response <= 568.185 us; data age <= 30.682 ms when handle() ends, <= 34.094 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_2{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 1}};
 
 /// thruster_3: pwm_esc on 'pwm' channel 2, every 10 ms
-/// response <= 566.195 us; data age <= 30.68 ms when handle() ends, <= 35.46 ms at the output (oldest: baro_1)
+/// response <= 566.195 us; data age <= 30.68 ms when handle() ends, <= 34.094 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_3{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 2}};
 
 /// thruster_4: pwm_esc on 'pwm' channel 3, every 10 ms
-/// response <= 562.115 us; data age <= 30.678 ms when handle() ends, <= 35.46 ms at the output (oldest: baro_1)
+/// response <= 562.115 us; data age <= 30.678 ms when handle() ends, <= 34.094 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_4{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 3}};
 
 /// thruster_5: pwm_esc on 'pwm' channel 4, every 10 ms
-/// response <= 560.125 us; data age <= 30.674 ms when handle() ends, <= 35.458 ms at the output (oldest: baro_1)
+/// response <= 560.125 us; data age <= 30.674 ms when handle() ends, <= 34.092 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_5{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 4}};
 
 /// thruster_6: pwm_esc on 'pwm' channel 5, every 10 ms
-/// response <= 550.944 us; data age <= 30.672 ms when handle() ends, <= 35.458 ms at the output (oldest: baro_1)
+/// response <= 550.944 us; data age <= 30.672 ms when handle() ends, <= 34.092 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_6{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 5}};
 
 /// thruster_7: pwm_esc on 'pwm' channel 6, every 10 ms
-/// response <= 548.954 us; data age <= 30.67 ms when handle() ends, <= 35.468 ms at the output (oldest: baro_1)
+/// response <= 548.954 us; data age <= 30.67 ms when handle() ends, <= 34.101 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_7{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 6}};
 
 /// thruster_8: pwm_esc on 'pwm' channel 7, every 10 ms
-/// response <= 546.964 us; data age <= 30.668 ms when handle() ends, <= 35.468 ms at the output (oldest: baro_1)
+/// response <= 546.964 us; data age <= 30.668 ms when handle() ends, <= 34.101 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_8{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 7}};
