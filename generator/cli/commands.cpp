@@ -176,6 +176,13 @@ Table options_of_lint() {
        {{"--fix", &Options::fix, "fix the mechanical findings in the files", kOptional, nullptr, "--sandbox"}}});
 }
 
+Table options_of_import() {
+  return join({{{"IN", &Options::input, "robot with <ros2_control> elements: .urdf, .xacro, or -", kRequired},
+                {"-o,--output", &Options::out, "write the whole robot to this file, with the element in it"},
+                {"--package", &Options::packages, "name=dir: where a package lies"}},
+               sandbox()});
+}
+
 Table options_of_fmt() {
   return {
       {"FILE", &Options::input, "file with <finemote> elements; of - (standard input) the text is printed", kRequired},
@@ -232,6 +239,8 @@ Table options_of_completion() {
 std::vector<Command> commands_of_projects() {
   return {
       {"init", "write a project around a robot, which builds at once", options_of_init(), run_init},
+      {"import", "make a <finemote> element to start from of <ros2_control> elements", options_of_import(), run_import,
+       arguments_footer},
       {"scaffold device", "write the first lines of a device type: descriptor, header, test", options_of_scaffold(),
        run_scaffold_device},
       {"scaffold board", "write the first lines of a board file", options_of_scaffold(), run_scaffold_board},

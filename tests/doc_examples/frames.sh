@@ -15,6 +15,7 @@ frame_FM0003() {
 }
 frame_FM0004() { printf '<robot name="r">\n%b\n</robot>\n' "$example" >robot.urdf; ask; }
 frame_FM0011() { echo "$example" >finemote.json; mkdir parts; example='<device name="load" type="sim_load" period="10ms"/>'; robot; ask; }
+frame_FM2017() { echo "$example" >robot.urdf; finemote import robot.urdf; }
 
 # ---- XML and xacro
 frame_FM1001() { echo "$example" >robot.urdf; ask; }

@@ -1,0 +1,32 @@
+// The <ros2_control> elements of a robot to what they say of its hardware.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/xml/node.hpp"
+
+namespace finemote::gen::ros2_control {
+
+struct Component {
+  enum class Kind { joint, sensor, gpio };
+  Kind kind = Kind::joint;
+  std::string name;
+  std::vector<std::string> commands, states;  ///< names of its interfaces, in document order
+  bool is_mimic = false;                      ///< a joint that another one moves
+  bool can_turn = true;                       ///< not: a joint that slides, is fixed, or that the robot does not have
+};
+
+/// One <ros2_control> element.
+struct Hardware {
+  std::string name;
+  std::string plugin;            ///< empty: none is named
+  std::optional<double> rate;    ///< rw_rate [Hz]; none where it is absent, zero or no number
+  std::vector<Component> parts;  ///< in document order
+};
+
+/// Elements and attributes without a meaning here are skipped, as ROS does.
+std::vector<Hardware> read_hardware(const xml::Node& robot);
+
+}  // namespace finemote::gen::ros2_control
