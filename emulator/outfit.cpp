@@ -49,6 +49,7 @@ void Outfit::add_part(const Json& part) {
   Json entry = part;
   complete(entry, model->figures);
   parts_[name] = {model, model->make(*this, entry, name)};
+  names_.push_back(name);
 }
 
 double Outfit::value(const std::string& part, const std::string& quantity) {
@@ -57,6 +58,17 @@ double Outfit::value(const std::string& part, const std::string& quantity) {
       found == parts_.end() ? nullptr : scenario::find_quantity(found->second.model->values, quantity);
   if (row == nullptr) throw std::invalid_argument("part '" + part + "' has no value '" + quantity + "'");
   return row->look(*found->second.element, scenario::number_in_family(quantity, row->name));
+}
+
+std::vector<std::string> Outfit::names() const { return names_; }
+
+std::vector<PartValue> Outfit::values(const std::string& part) {
+  std::vector<PartValue> all;
+  for (const scenario::Quantity& row : parts_.at(part).model->values) {
+    for (const std::string& name : scenario::names_of(row.name, row.last))
+      all.push_back({name, value(part, name), row.last >= 0});
+  }
+  return all;
 }
 
 SerialTerminal* Outfit::terminal(const std::string& part) {
@@ -101,6 +113,18 @@ void Outfit::listen_to_pulses(const Json& part, PulseSource::Listener listener) 
   header.first->on_pulse = [this, timer = header.first](unsigned which, Timer::Pulse pulse) {
     for (const auto& tell : headers_[{timer, which}]) tell(pulse);
   };
+}
+
+void Outfit::listen_to_drive(const Json& part, DrivenPin::Listener listener) {
+  if (part.contains("pwm"))
+    return listen_to_pulses(part, [tell = std::move(listener)](Timer::Pulse pulse) { tell(drive_of(pulse)); });
+  std::unique_ptr<DrivenPin>& pin = pins_[header_of(part)];
+  if (pin == nullptr) {
+    const PinPlace place = board_.chip().pulse_pin(need<std::string>(part, "port"));
+    pin = std::make_unique<DrivenPin>(board_.chip().gpio(place.port), place.number);
+    listen_to_pulses(part, [driven = pin.get()](Timer::Pulse pulse) { driven->set_pulse(pulse); });
+  }
+  pin->listen(std::move(listener));
 }
 
 void Outfit::listen_to_writes(const Json& part, WriteListener listener) {

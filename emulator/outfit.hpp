@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "emulator/board.hpp"
+#include "emulator/outfit/driven_pin.hpp"
 #include "emulator/outfit/element.hpp"
 #include "emulator/scenario/grammar.hpp"
 
@@ -44,6 +45,13 @@ struct SampleUse {
   unsigned channel;
   std::uint32_t n;  ///< of the sample of that channel
   Claim claimed;    ///< when the state's data were taken, as it says
+};
+
+/// A quantity of a part now.
+struct PartValue {
+  std::string name;
+  double value;
+  bool is_of_family;  ///< one of many of the same row: `r0`..`r255`
 };
 
 /// A value of a part that has to stay between two limits, and where it has been.
@@ -83,6 +91,10 @@ class Outfit {
 
   /// A quantity of a part now. @throws std::invalid_argument when there is no such part or quantity
   double value(const std::string& part, const std::string& quantity);
+  /// Names of all parts, as they were added.
+  [[nodiscard]] std::vector<std::string> names() const;
+  /// All quantities of a part now, in the order of its row.
+  std::vector<PartValue> values(const std::string& part);
   /// What a host terminal has heard.
   std::string text(const std::string& part);
   /// The host terminal of this name, or null.
@@ -106,6 +118,9 @@ class Outfit {
   I2cLine& line_of(const Json& part);
   /// Calls the listener for every change of the PWM output the part is connected to.
   void listen_to_pulses(const Json& part, PulseSource::Listener listener);
+  /// Calls the listener, now and with every change, of how the output the part is connected to is driven: also where
+  /// the pin of a header is no timer's but a plain output.
+  void listen_to_drive(const Json& part, DrivenPin::Listener listener);
   /// Told of every pulse width [ns] written, and where it comes from.
   using WriteListener = std::function<void(std::uint64_t width_ns, Tag origin)>;
   /// Calls the listener for every pulse width written for the PWM header the part is connected to.
@@ -130,8 +145,10 @@ class Outfit {
 
   Board& board_;
   std::map<std::string, Part> parts_;
+  std::vector<std::string> names_;  ///< of them, as they were added
   std::map<Header, std::vector<PulseSource::Listener>> headers_;
   std::map<Header, std::vector<WriteListener>> writes_;
+  std::map<Header, std::unique_ptr<DrivenPin>> pins_;
   using Channel = std::pair<std::string, unsigned>;  ///< of a part
   std::map<Channel, std::uint32_t> sources_;         ///< numbers of samples' sources
   std::vector<Channel> channels_;                    ///< by them

@@ -1,5 +1,6 @@
 #include "emulator/chip/chip.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 namespace finemote::emulator {
@@ -197,6 +198,13 @@ bool Chip::break_dma(const std::string& port) {
     return false;
   };
   return stop(stm32f407::kUsarts) || stop(stm32f407::kSpis);
+}
+
+PinPlace Chip::pulse_pin(const std::string& name) const {
+  for (const Wiring::Pulse& it : wiring_.pulses) {
+    if (it.port == name) return it.pin;
+  }
+  throw std::invalid_argument("the board has no pulse output '" + name + "'");
 }
 
 std::pair<Timer*, unsigned> Chip::pwm(const std::string& name) {

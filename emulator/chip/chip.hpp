@@ -62,6 +62,8 @@ class Chip : public ChipBus {
   bool break_dma(const std::string& port);
   /// Timer and channel of a pulse output of the board, by its port (`pwm1`, `led_red`); null and 0 when there is none.
   std::pair<Timer*, unsigned> pwm(const std::string& name);
+  /// The pin of such an output. @throws std::invalid_argument  the board has none of this name
+  [[nodiscard]] PinPlace pulse_pin(const std::string& name) const;
 
   Flash flash;
   Pwr pwr;

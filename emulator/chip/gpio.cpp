@@ -26,16 +26,15 @@ void Gpio::drive(unsigned pin, int level) {
 }
 
 void Gpio::changed() {
-  std::uint32_t drive = 0;
+  const std::uint64_t before = last_drive_;
   for (unsigned pin = 0; pin < 16; ++pin) {
     const bool output = mode(pin) == 1, high = (odr_ >> pin & 1) != 0;
-    const std::uint32_t now = (output ? 2U : 0U) | (high ? 1U : 0U);
-    drive |= now << (2 * pin);
-    if ((last_drive_ >> (2 * pin) & 3) == now) continue;
+    const std::uint64_t now = mode(pin) << 1 | (high ? 1 : 0), mask = std::uint64_t{7} << (3 * pin);
+    last_drive_ = (last_drive_ & ~mask) | now << (3 * pin);
+    if (((before ^ last_drive_) & mask) == 0) continue;
     if (watcher[pin]) watcher[pin](output, high);
     if (on_output) on_output(pin, output, high);
   }
-  last_drive_ = drive;
   std::uint32_t levels = 0;
   for (unsigned pin = 0; pin < 16; ++pin) levels |= level(pin) ? 1U << pin : 0;
   const std::uint32_t different = levels ^ last_levels_;

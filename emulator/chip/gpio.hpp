@@ -44,7 +44,8 @@ class Gpio : public Peripheral {
   std::uint32_t moder_ = 0, otyper_ = 0, ospeedr_ = 0, pupdr_ = 0, odr_ = 0;
   std::array<std::uint32_t, 2> afr_{};
   std::array<int, 16> outside_{};
-  std::uint32_t last_levels_ = 0, last_drive_ = 0;
+  std::uint32_t last_levels_ = 0;
+  std::uint64_t last_drive_ = 0;  ///< of each pin its mode and output
 };
 
 }  // namespace finemote::emulator

@@ -27,7 +27,8 @@ void read_port(const Json& port, Wiring& wiring) {
   }
   if (port.contains("timer")) {
     const Json& timer = port.at("timer");
-    wiring.pulses.push_back({name, timer.at("name").get<std::string>(), timer.at("channel").get<unsigned>()});
+    wiring.pulses.push_back({name, timer.at("name").get<std::string>(), timer.at("channel").get<unsigned>(),
+                             pin_place(port.at("pins").at(0).at("pin").get<std::string>())});
   }
 }
 

@@ -29,6 +29,7 @@ struct Wiring {
     std::string port;   ///< `pwm1`, `led_red`
     std::string timer;  ///< `tim1`
     unsigned channel = 0;
+    PinPlace pin = {};
   };
 
   std::uint32_t crystal_hz = 12'000'000;

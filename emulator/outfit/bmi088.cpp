@@ -50,10 +50,7 @@ class Bmi088Element : public SeatedElement {
   void connect() override {
     SeatedElement::connect();
     if (!part_.contains("heater")) return;
-    outfit().listen_to_pulses(need<Json>(part_, "heater"), [this](Timer::Pulse pulse) {
-      const double period = static_cast<double>(pulse.period_ns);
-      mass.heat(now(), pulse.period_ns == 0 ? 0 : static_cast<double>(pulse.width_ns) / period);
-    });
+    outfit().listen_to_drive(need<Json>(part_, "heater"), [this](Drive drive) { mass.heat(now(), drive.share); });
   }
   /// The wires of its outputs break, or are mended.
   void cut(bool cut) {

@@ -23,6 +23,10 @@ scenario::Model dji_motor();
 // On PWM outputs.
 scenario::Model pwm_output();
 scenario::Model thruster();
+// What a board has at its pins.
+scenario::Model load();
+scenario::Model button();
+scenario::Model battery();
 // Bodies and what moves them.
 scenario::Model standing_body();
 scenario::Model submerged_body();

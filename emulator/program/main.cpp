@@ -1,5 +1,5 @@
 // finemote-emulator JOB RECORD: runs the job in the file JOB and writes what the board did to the file RECORD.
-// finemote-emulator --image ELF [...]: runs any image for the chip and prints what its pins and buses did.
+// finemote-emulator --image ELF [...]: runs any image for the chip and tells what its pins, buses and parts did.
 //
 // A program of its own, so that whatever an image makes of the board cannot take the tool along; `finemote run` starts
 // it.
@@ -14,6 +14,7 @@
 
 #include "emulator/program/job.hpp"
 #include "emulator/program/watch.hpp"
+#include "generator/units/units.hpp"
 
 namespace {
 
@@ -21,8 +22,9 @@ using Words = std::vector<std::string>;
 
 constexpr const char* kUsage =
     "usage: finemote-emulator JOB RECORD\n"
-    "       finemote-emulator --image ELF [--board FILE] [--duration MS] [--crystal HZ] [--scenario FILE]\n"
-    "                         [--flash hit|miss]\n";
+    "       finemote-emulator --image ELF [--board NAME|FILE] [--duration TIME] [--scenario FILE] [--crystal HZ]\n"
+    "                         [--flash hit|miss] [--format text|json]\n"
+    "TIME is for example 500ms or 2s; a bare number counts ms\n";
 
 void run_job(const std::string& job_file, const std::string& record_file) {
   std::ifstream job(job_file);
@@ -41,6 +43,14 @@ std::optional<std::uint64_t> number(const std::string& word, std::size_t digits)
   return value == 0 ? std::nullopt : std::optional(value);
 }
 
+/// `500ms`, or a bare number of ms; not 0, at most a day.
+std::optional<std::uint64_t> duration_ns(const std::string& word) {
+  if (const auto ms = number(word, 8)) return *ms * 1'000'000;
+  const auto duration = finemote::gen::units::parse_duration(word);
+  if (!duration || (*duration).ns() <= 0 || (*duration).ns() > 86'400'000'000'000) return std::nullopt;
+  return static_cast<std::uint64_t>((*duration).ns());
+}
+
 /// The options of a watch, or nothing where the words are none.
 std::optional<finemote::emulator::WatchOptions> watch_options(const Words& words) {
   finemote::emulator::WatchOptions options;
@@ -52,12 +62,14 @@ std::optional<finemote::emulator::WatchOptions> watch_options(const Words& words
       options.board = value;
     } else if (key == "--scenario") {
       options.scenario = value;
-    } else if (const auto ms = number(value, 7); key == "--duration" && ms) {
-      options.duration_ns = *ms * 1'000'000;
+    } else if (const auto ns = duration_ns(value); key == "--duration" && ns) {
+      options.duration_ns = *ns;
     } else if (const auto hz = number(value, 8); key == "--crystal" && hz) {
       options.crystal_hz = static_cast<std::uint32_t>(*hz);
     } else if (key == "--flash" && (value == "hit" || value == "miss")) {
       options.flash_misses = value == "miss";
+    } else if (key == "--format" && (value == "text" || value == "json")) {
+      options.as_document = value == "json";
     } else {
       return std::nullopt;
     }

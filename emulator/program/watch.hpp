@@ -1,5 +1,4 @@
-// Turns any image for the chip into lines about what its pins, timers and serial buses did: for images that are not
-// FineMote's, or to look at one closely.
+// Runs any image for the chip, FineMote's or not, and tells what its pins, timers and buses did and what the parts saw.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +8,19 @@
 namespace finemote::emulator {
 
 struct WatchOptions {
-  std::string image;                          ///< an ELF file
-  std::string board;                          ///< a board file; empty: the bare chip
-  std::string scenario;                       ///< a document finemote.scenario/1; empty: nothing hangs on the board
+  std::string image;     ///< an ELF file
+  std::string board;     ///< a board's name or file, with its parts; empty: the bare chip
+  std::string scenario;  ///< a document finemote.scenario/1; empty: nothing else hangs on the board
   std::uint64_t duration_ns = 1'000'000'000;  ///< from power-on; events of the scenario lengthen it
   std::uint32_t crystal_hz = 0;               ///< 0: the board's; of the bare chip 12 MHz
   bool flash_misses = false;
+  bool as_document = false;  ///< writes one JSON document finemote.emulator/1 and nothing else
 };
 
 /// Writes one line per event, in order: time since power-on [ns], who, what. Then, each line beginning with `#`, how it
-/// ended, clocks, and what the image did that the hardware would not forgive.
-/// @return whether it ran to the end of the time without such misuse
-/// @throws std::exception  the image cannot be loaded, or the scenario has a mistake
+/// ended, clocks, what the image did that the hardware would not forgive, and what the parts saw.
+/// @return  whether it ran to the end, and as the scenario expects; reports alone do not count
+/// @throws std::exception  image, board or scenario cannot be used
 bool watch(const WatchOptions& options, std::ostream& out);
 
 }  // namespace finemote::emulator

@@ -1,0 +1,58 @@
+// A push button between a pin and one of the supplies.
+#include "emulator/outfit/models.hpp"
+#include "emulator/outfit/rows.hpp"
+
+namespace finemote::emulator {
+namespace {
+
+using namespace scenario;
+
+class ButtonElement : public Element {
+ public:
+  ButtonElement(Outfit& outfit, const Json& part, const std::string& name)
+      : Element(outfit, name),
+        gpio_(outfit.board().chip().gpio(need<std::string>(part, "pin")[1])),
+        pin_(static_cast<unsigned>(std::stoul(need<std::string>(part, "pin").substr(2)))),
+        pressed_level_(need<std::string>(part, "active") == "high" ? 1 : 0) {}
+
+  /// Released it leaves the pin to the chip's own resistors.
+  void hold(bool down) {
+    constexpr int kNothing = -1;
+    if (down && !is_down_) ++presses_;
+    is_down_ = down;
+    gpio_.drive(pin_, down ? pressed_level_ : kNothing);
+  }
+  [[nodiscard]] bool is_down() const { return is_down_; }
+  [[nodiscard]] unsigned presses() const { return presses_; }
+  [[nodiscard]] bool level() const { return gpio_.level(pin_); }
+
+ private:
+  Gpio& gpio_;
+  unsigned pin_;
+  int pressed_level_;
+  bool is_down_ = false;
+  unsigned presses_ = 0;
+};
+
+using Row = Rows<ButtonElement>;
+
+}  // namespace
+
+Model button() {
+  return {
+      .type = "button",
+      .summary = "a push button; released it leaves its pin alone",
+      .figures = {required(row(Kind::pin, "pin", "", "")),
+                  first_usual(choice("active", "level of the pin while it is pressed", {"low", "high"}))},
+      .verbs = {Row::stimulus("press", "until it is released", {},
+                              [](ButtonElement& part, const Json&) { part.hold(true); }),
+                Row::stimulus("release", "", {}, [](ButtonElement& part, const Json&) { part.hold(false); })},
+      .values = {Row::value("pressed", "", "1 or 0", [](ButtonElement& part) { return part.is_down() ? 1.0 : 0.0; }),
+                 Row::value("level", "", "of its pin, 1 or 0",
+                            [](ButtonElement& part) { return part.level() ? 1.0 : 0.0; }),
+                 Row::value("presses", "", "so far", [](ButtonElement& part) { return double(part.presses()); })},
+      .make = Row::make,
+  };
+}
+
+}  // namespace finemote::emulator

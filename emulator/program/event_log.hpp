@@ -1,0 +1,31 @@
+// What happens at pins, timers and serial buses to lines of text, each with its time.
+#pragma once
+
+#include <ostream>
+
+#include "emulator/board.hpp"
+
+namespace finemote::emulator {
+
+/// Writes `time since power-on [ns], who, what` while the board runs. It outlives the board's last event.
+class EventLog {
+ public:
+  /// Parts that listen to the board already hear it still.
+  EventLog(Board& board, std::ostream& out);
+  EventLog(const EventLog&) = delete;
+  EventLog& operator=(const EventLog&) = delete;
+
+ private:
+  template <class... Values>
+  void line(const char* format, Values... values);
+  void show_byte(const char* name, std::uint8_t byte);
+  void watch_pins();
+  void watch_serial_lines();
+  void watch_buses();
+  void watch_timers();
+
+  Board& board_;
+  std::ostream& out_;
+};
+
+}  // namespace finemote::emulator
