@@ -2,10 +2,15 @@
 
 #include <elf.h>
 
+#include <algorithm>
+
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+
+#include "emulator/core/memories.hpp"
+#include "emulator/intel_hex.hpp"
 
 namespace finemote::emulator {
 namespace {
@@ -69,6 +74,19 @@ void read_symbols(const std::vector<std::uint8_t>& file, const Elf32_Ehdr& heade
   }
 }
 
+/// What is loaded of a segment. A linker without a limit for pages lays the headers of the file before the flash.
+Segment in_memory(const Elf32_Phdr& program, const std::vector<std::uint8_t>& file) {
+  std::uint32_t headers = 0;
+  if (program.p_paddr < Memories::kFlashBase && Memories::kFlashBase - program.p_paddr < program.p_filesz)
+    headers = Memories::kFlashBase - program.p_paddr;
+  const auto begin = file.begin() + static_cast<std::ptrdiff_t>(program.p_offset);
+  return {program.p_paddr + headers, {begin + headers, begin + static_cast<std::ptrdiff_t>(program.p_filesz)}};
+}
+
+bool ends_in(const std::string& path, const std::string& ending) {
+  return path.size() >= ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+}
+
 }  // namespace
 
 std::optional<Symbol> Image::symbol(const std::string& name) const {
@@ -85,8 +103,7 @@ Image parse_image(const std::vector<std::uint8_t>& file) {
     if (program.p_type != PT_LOAD || program.p_filesz == 0) continue;
     if (std::uint64_t{program.p_offset} + program.p_filesz > file.size())
       throw std::runtime_error("the ELF file is cut off");
-    const auto begin = file.begin() + static_cast<std::ptrdiff_t>(program.p_offset);
-    image.segments.push_back(Segment{program.p_paddr, {begin, begin + static_cast<std::ptrdiff_t>(program.p_filesz)}});
+    image.segments.push_back(in_memory(program, file));
   }
   if (image.segments.empty()) throw std::runtime_error("the ELF file has nothing to load");
   read_symbols(file, header, image);
@@ -98,7 +115,16 @@ Image parse_image(const std::vector<std::uint8_t>& file) {
 Image load_image(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw std::runtime_error("cannot read '" + path + "'");
-  return parse_image({std::istreambuf_iterator<char>(in), {}});
+  const std::vector<std::uint8_t> file{std::istreambuf_iterator<char>(in), {}};
+  Image image;
+  if (ends_in(path, ".hex")) {
+    image.segments = parse_intel_hex({file.begin(), file.end()});
+  } else if (ends_in(path, ".bin")) {
+    image.segments = {{Memories::kFlashBase, file}};
+  } else {
+    return parse_image(file);
+  }
+  return image;
 }
 
 }  // namespace finemote::emulator

@@ -1,4 +1,4 @@
-// Reads a firmware ELF: what lies where, and what the symbols are.
+// Reads a file of firmware: what lies where, and of an ELF file what the symbols are.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +42,8 @@ struct Image {
   [[nodiscard]] std::optional<Symbol> symbol(const std::string& name) const;
 };
 
-/// A 32-bit little-endian Arm ELF executable.
+/// By the end of its name: `.hex` is Intel HEX, `.bin` the bytes of the flash from its begin on, anything else a 32-bit
+/// little-endian Arm ELF executable, which alone has marks and symbols.
 /// @throws std::runtime_error naming what is wrong with the file
 Image load_image(const std::string& path);
 Image parse_image(const std::vector<std::uint8_t>& file);

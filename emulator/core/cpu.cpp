@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "emulator/core/factory_memory.hpp"
 #include "emulator/word_text.hpp"
 
 namespace finemote::emulator {
@@ -29,7 +30,7 @@ Cpu::Cpu(const Around& around, CostModel cost, FlashModel flash)
       flash_(Memories::kFlashBytes, 0xFF),
       ram_(Memories::kRamBytes, 0xA5),  // not zero: an image that forgets to clear shows
       core_ram_(Memories::kCoreRamBytes, 0xA5),
-      system_memory_(Memories::kSystemBytes, 0xFF),
+      system_memory_(factory_memory()),
       core_(Memories{flash_.data(), ram_.data(), core_ram_.data(), system_memory_.data()}, *this, around.tags) {
   core_.pace.cost = cost;
   core_.pace.flash = flash;
@@ -135,8 +136,8 @@ int Cpu::priority_limit() const {
   const Registers& g = core_.registers;
   if (g.faultmask != 0 && limit > -1) limit = -1;
   if (g.primask != 0 && limit > 0) limit = 0;
-  const auto basepri = static_cast<int>(g.basepri);
-  if (basepri != 0 && limit > basepri) limit = basepri;
+  const int masked_from = system_.nvic().group_of(g.basepri);
+  if (g.basepri != 0 && limit > masked_from) limit = masked_from;
   return limit;
 }
 
@@ -269,7 +270,8 @@ void Cpu::leave(std::uint32_t exc_return) {
 }
 
 void Cpu::fault(int exception, std::uint32_t cfsr, std::uint32_t address, const std::string& what) {
-  reports_.add(Misuse::fault, what, now(), pc());
+  const auto accessed = address != 0 ? std::optional(address) : std::nullopt;
+  reports_.add(Misuse::fault, what, now(), pc(), accessed);
   const Nvic& nvic = system_.nvic();
   const bool masked = core_.registers.primask != 0;
   const bool reachable = nvic.is_enabled(exception) && nvic.priority(exception) < nvic.active_priority() && !masked;
@@ -345,8 +347,9 @@ void Cpu::execute() {
 /// What PRIMASK alone keeps out wakes the core too, without being taken: ARMv7-M B1.5.18.
 bool Cpu::wakes() const {
   const Nvic& nvic = system_.nvic();
-  const int next = nvic.most_urgent(), basepri = static_cast<int>(core_.registers.basepri);
-  if (next == 0 || (basepri != 0 && nvic.priority(next) >= basepri)) return false;
+  const int next = nvic.most_urgent();
+  const std::uint32_t basepri = core_.registers.basepri;
+  if (next == 0 || (basepri != 0 && nvic.priority(next) >= nvic.group_of(basepri))) return false;
   return nvic.priority(next) < nvic.active_priority();
 }
 

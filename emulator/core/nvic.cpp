@@ -37,8 +37,7 @@ void Nvic::enable(int exception, bool on) {
 }
 
 int Nvic::priority(int exception) const {
-  if (exception <= kHardFault) return exception - 4;
-  return priority_[index(exception)];
+  return exception <= kHardFault ? exception - 4 : group_of(priority_[index(exception)]);
 }
 
 int Nvic::lowest_active() const {
@@ -58,9 +57,9 @@ int Nvic::most_urgent() const {
     std::uint64_t left = pending_.words[word] & (enabled_.words[word] | (word == 0 ? kAlwaysEnabled : 0));
     for (; left != 0; left &= left - 1) {
       const int exception = static_cast<int>(64 * word) + std::countr_zero(left);
-      if (priority(exception) < best_priority) {
+      if (whole_priority(exception) < best_priority) {
         best = exception;
-        best_priority = priority(exception);
+        best_priority = whole_priority(exception);
       }
     }
   }

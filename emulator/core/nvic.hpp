@@ -46,6 +46,15 @@ class Nvic {
     changed_ = true;
   }
 
+  /// AIRCR.PRIGROUP: the bits up to this one order what is pending, but let nothing interrupt: PM0214 4.4.5.
+  void set_grouping(unsigned last_bit) {
+    group_mask_ = 0xFEU << last_bit & 0xFF;
+    active_priority_ = lowest_active();
+    changed_ = true;
+  }
+  /// What of a priority, or of BASEPRI, decides who interrupts whom.
+  [[nodiscard]] int group_of(std::uint32_t priority) const { return static_cast<int>(priority & group_mask_); }
+
   [[nodiscard]] bool is_pending(int exception) const { return pending_.has(exception); }
   [[nodiscard]] bool is_enabled(int exception) const { return enabled_.has(exception); }
   [[nodiscard]] bool is_active(int exception) const { return active_.has(exception); }
@@ -54,11 +63,12 @@ class Nvic {
   [[nodiscard]] bool is_high(int line) const { return level_.has(16 + line); }
   [[nodiscard]] std::uint8_t priority_register(int exception) const { return priority_[index(exception)]; }
 
-  /// Effective priority, smaller is more urgent; -3..-1 are reset, NMI and hard fault.
+  /// Effective priority, its group alone; smaller is more urgent; -3..-1 are reset, NMI and hard fault.
   [[nodiscard]] int priority(int exception) const;
   /// Of what runs now; 256 in thread mode. Masking registers not included.
   [[nodiscard]] int active_priority() const { return active_priority_; }
-  /// The most urgent pending and enabled exception; 0 when there is none. Equal priorities: the lowest number.
+  /// The most urgent pending and enabled exception; 0 when there is none. Equal priorities, of equal sub-priority: the
+  /// lowest number.
   [[nodiscard]] int most_urgent() const;
 
   void enter(int exception);
@@ -95,10 +105,14 @@ class Nvic {
     }
   };
   [[nodiscard]] int lowest_active() const;
+  [[nodiscard]] int whole_priority(int exception) const {
+    return exception <= kHardFault ? exception - 4 : priority_[index(exception)];
+  }
 
   Set pending_, enabled_, active_, level_;
   Table<std::uint8_t> priority_{};
   Table<unsigned> entered_{};
+  std::uint32_t group_mask_ = 0xFE;
   int active_priority_ = 256;
   int lowered_ = -1;
   bool changed_ = false;

@@ -244,7 +244,7 @@ void SystemSpace::write_word(std::uint32_t address, std::uint32_t value, Time no
     case 0xE000ED0C:
       if (value >> 16 != 0x05FA) return;
       aircr_ = value & 0x700;
-      if ((aircr_ >> 8) > 3) reports_.add(Misuse::unmodelled, "priority grouping with sub-priorities", now, pc);
+      nvic_.set_grouping(aircr_ >> 8);
       if ((value & 4) != 0) reset_request_ = true;
       return;
     case 0xE000ED10:

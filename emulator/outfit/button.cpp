@@ -46,7 +46,7 @@ Model button() {
                   first_usual(choice("active", "level of the pin while it is pressed", {"low", "high"}))},
       .verbs = {Row::stimulus("press", "until it is released", {},
                               [](ButtonElement& part, const Json&) { part.hold(true); }),
-                Row::stimulus("release", "", {}, [](ButtonElement& part, const Json&) { part.hold(false); })},
+                Row::stimulus("release", "lets it go", {}, [](ButtonElement& part, const Json&) { part.hold(false); })},
       .values = {Row::value("pressed", "", "1 or 0", [](ButtonElement& part) { return part.is_down() ? 1.0 : 0.0; }),
                  Row::value("level", "", "of its pin, 1 or 0",
                             [](ButtonElement& part) { return part.level() ? 1.0 : 0.0; }),

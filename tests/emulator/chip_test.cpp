@@ -74,6 +74,59 @@ TEST_CASE("circular DMA receives into RAM, flags half and end, and starts over")
   CHECK((bench.read(kUsart6) & 0x10) != 0);  // the line is idle
 }
 
+TEST_CASE("a stream with two buffers fills one after the other, and says which") {
+  constexpr std::uint32_t kSecond = 1U << 19;  // CT
+  Bench bench;
+  bench.write(kAhb1, 1U << 22);
+  bench.write(kApb2, 1U << 5);
+  bench.write(kUsart6 + 0x08, 139);
+  bench.write(kUsart6 + 0x14, 1U << 6);
+  const std::uint32_t stream1 = kDma2 + 0x10 + 0x18;
+  bench.write(stream1 + 0x08, kUsart6 + 4);
+  bench.write(stream1 + 0x0C, 0x20002000);
+  bench.write(stream1 + 0x10, 0x20002100);
+  bench.write(stream1 + 0x04, 2);
+  bench.write(stream1, 5U << 25 | 1U << 18 | 1U << 10 | 1);
+  bench.write(kUsart6 + 0x0C, 0x2004);
+  Usart& usart = *bench.board.chip().usart("usart6");
+  const auto has = [&](std::uint32_t address, int first, int second) {
+    const std::uint8_t* ram = bench.board.cpu().memory(address, 2);
+    return ram[0] == first && ram[1] == second;
+  };
+  usart.send_in({1, 2}, SerialFormat{115108, false, 1});
+  bench.run(1'000'000);
+  CHECK(has(0x20002000, 1, 2));
+  CHECK((bench.read(stream1) & kSecond) != 0);
+  CHECK((bench.read(kDma2) >> 6 & 0x20) == 0x20);  // TCIF1
+  bench.write(stream1 + 0x0C, 0x20002200);         // the one that is not in use may be moved
+  usart.send_in({3, 4, 5, 6}, SerialFormat{115108, false, 1});
+  bench.run(1'000'000);
+  CHECK(has(0x20002000, 1, 2));
+  CHECK(has(0x20002100, 3, 4));
+  CHECK(has(0x20002200, 5, 6));
+  CHECK(bench.board.reports().empty());
+}
+
+TEST_CASE("sub-priorities order what is pending, and interrupt nothing") {
+  Bench bench;
+  Nvic& nvic = bench.board.world().system().nvic();
+  constexpr int kFirst = 16, kSecond = 17, kThird = 18;
+  nvic.set_priority(kFirst, 0x50);
+  nvic.set_priority(kSecond, 0x40);
+  nvic.set_priority(kThird, 0x30);
+  CHECK(nvic.priority(kSecond) < nvic.priority(kFirst));
+  bench.write_core(0xE000ED0C, 0x05FA0000 | 5U << 8);  // two bits of four
+  CHECK(nvic.priority(kSecond) == nvic.priority(kFirst));
+  CHECK(nvic.priority(kThird) < nvic.priority(kFirst));
+  for (const int exception : {kFirst, kSecond}) {
+    nvic.enable(exception, true);
+    nvic.pend(exception);
+  }
+  CHECK(nvic.most_urgent() == kSecond);
+  CHECK(nvic.group_of(0x70) == 0x40);  // as BASEPRI
+  CHECK(bench.board.reports().empty());
+}
+
 TEST_CASE("a byte that is not fetched in time is an overrun") {
   Bench bench;
   bench.write(kApb2, 1U << 5);
@@ -344,6 +397,30 @@ TEST_CASE("a word of a bit-band alias is one bit of RAM or of a peripheral") {
     INFO(address << " bit " << bit);
     CHECK(seen == 1);
     CHECK((word >> bit & 1) == 1);
+    CHECK(bench.board.reports().empty());
+  }
+}
+
+TEST_CASE("a store to locked flash, also where it stands at 0, is an error of the flash and no fault") {
+  for (const std::uint32_t address : {0x00000000U, 0x08020000U}) {
+    const Code routine = {0x6001, 0x601A, 0xE7FE};  // str r1, [r0]; str r2, [r3]; b .
+    Bench bench(bench_image(1, routine, {address, 0x12345678, 7, 0x20002000}));
+    bench.run(10'000);
+    CHECK((bench.read(0x40023C0C) & 0x80) != 0);  // PGSERR
+    CHECK(*bench.board.cpu().memory(0x20002000, 1) == 7);
+    CHECK(bench.reported(Misuse::protocol));
+    CHECK_FALSE(bench.reported(Misuse::fault));
+  }
+}
+
+TEST_CASE("the chip knows its size and how its converter measured itself") {
+  const Code routine = {0x6801, 0x6019, 0xE7FE};  // ldr r1, [r0]; str r1, [r3]; b .
+  for (const auto& [address, value] : {std::pair{0x1FFF7A20U, 1024U << 16}, std::pair{0x1FFF7A28U, 1501U << 16}}) {
+    Bench bench(bench_image(1, routine, {address, 0, 0, 0x20002000}));
+    bench.run(10'000);
+    std::uint32_t word = 0;
+    std::memcpy(&word, bench.board.cpu().memory(0x20002000, 4), 4);
+    CHECK((word & 0xFFFF0000) == value);
     CHECK(bench.board.reports().empty());
   }
 }

@@ -118,3 +118,32 @@ TEST_CASE("what a generated start touches answers: clock, numbers, checksum, con
   CHECK(program.word("spi_answer") == 0xFF);
   CHECK(program.word("usb_interrupts") == 0);
 }
+
+TEST_CASE("compass and IMU answer to polling, in reads of one, two, three and six bytes") {
+  Program program("on_board", R"({"schema": "finemote.scenario/1", "parts": [
+    {"type": "bmi088", "name": "imu", "port": "spi1", "channel": 0, "gyro": 1},
+    {"type": "ist8310", "name": "compass", "port": "i2c3", "field": [30e-6, -15e-6, 0]}]})");
+  program.run_ms(500);
+  CHECK(program.word("timeouts") == 0);
+  CHECK(program.word("accelerometer_identity") == 0x1E);
+  CHECK(program.word("gyroscope_identity") == 0x0F);
+  CHECK(program.word("compass_identity") == 0x10);
+  CHECK(program.word("compass_pair") == 0x080B);  // CNTL1, CNTL2
+  CHECK(program.word("compass_three") == 0x080B);
+  CHECK(program.word("ready_edges") >= 30);
+  CHECK(program.word("field") == 0x00320064);  // 100 and 50 steps of 0.3 uT: its y axis points to the right
+  CHECK(program.word("rounds") > 1000);
+  CHECK(program.word("acceleration", 1) >> 16 == 0);                              // nothing read beyond the six bytes
+  CHECK((program.word("acceleration", 1) & 0xFFFF) == Approx(10920).margin(20));  // 1 g of 3: the z axis
+}
+
+TEST_CASE("a remote control's frames go to two buffers in turn, and an idle line ends each") {
+  Program program("remote", R"({"schema": "finemote.scenario/1",
+    "parts": [{"type": "dbus_receiver", "name": "remote", "port": "usart3", "baud": 100000, "even_parity": true}],
+    "events": [{"t_ns": 100000000, "part": "remote", "do": "move", "right_x": 0.5, "left_switch": "up"}]})");
+  program.run_ms(400);
+  CHECK(program.word("frames", 0) >= 12);
+  CHECK(program.word("frames", 1) >= 12);
+  CHECK(program.word("odd_lengths") <= 1);  // what was already on its way
+  CHECK(program.word("channel") == Approx(1024 + 330).margin(2));
+}

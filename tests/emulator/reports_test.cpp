@@ -158,8 +158,6 @@ TEST_CASE("registers and bits nobody models") {
           [](Bench& b, bool wrong) { b.write(wrong ? kRccCr + 0x88 : kAhb1, 1); }},
          {"core register", "core register 0xE000ED3C",
           [](Bench& b, bool wrong) { b.read_core(wrong ? 0xE000ED3C : 0xE000ED28); }},
-         {"sub-priorities", "priority grouping",
-          [](Bench& b, bool wrong) { b.write_core(0xE000ED0C, 0x05FA0000 | (wrong ? 4U : 3U) << 8); }},
          {"middle of a register", "middle",
           [](Bench& b, bool wrong) {
             clocks_on(b);

@@ -2,6 +2,7 @@
 #include <sys/wait.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -159,6 +160,7 @@ TEST_CASE("expectations that do not hold, and a fault whose routine does not end
   CHECK(dead.at("stopped") == "hardfault");
   REQUIRE(dead.at("reports").size() == 1);
   CHECK(dead.at("reports")[0].at("what").get<std::string>().find("fault: access to 0x60000000") == 0);
+  CHECK(dead.at("reports")[0].at("address") == 0x60000000);
   CHECK(dead.at("reports")[0].at("count") == 1);
   CHECK(dead.at("reports")[0].at("pc") > 0x08000000);
   CHECK(emulator("--image " + kImages + "/lost.elf --duration 20")
@@ -189,6 +191,15 @@ TEST_CASE("a board is known by its name or its file, and extends another") {
   CHECK(unknown.says("there is no board 'type_d'; there are 'host', 'qemu_f405', 'robomaster_type_c'"));
 }
 
+TEST_CASE("the parts of every shipped board can be placed on it") {
+  for (const char* board : {"robomaster_type_c", "stm32f4_discovery"}) {
+    const Ran ran = emulator("--image " + kImages + "/two_tasks.elf --duration 1 --board " + board);
+    INFO(ran.output);
+    CHECK(ran.status == 0);
+    CHECK(ran.says("# led_blue: share 0"));
+  }
+}
+
 TEST_CASE("words that are no options, and files that are no images, are errors") {
   CHECK(emulator("").status == 2);
   CHECK(emulator("--image").status == 2);
@@ -199,4 +210,18 @@ TEST_CASE("words that are no options, and files that are no images, are errors")
   const Ran ran = emulator("--image nowhere.elf");
   CHECK(ran.status == 2);
   CHECK(ran.says("cannot read 'nowhere.elf'"));
+}
+
+TEST_CASE("an image may also be Intel HEX, or the bytes of the flash") {
+  const std::string elf = kImages + "/two_tasks.elf", hex = kImages + "/two_tasks.hex",
+                    bin = kImages + "/two_tasks.bin";
+  REQUIRE(std::system(("arm-none-eabi-objcopy -O ihex " + elf + " " + hex).c_str()) == 0);
+  REQUIRE(std::system(("arm-none-eabi-objcopy -O binary " + elf + " " + bin).c_str()) == 0);
+  const auto instructions = document("--image " + elf + kTypeC + " --duration 50").at("instructions");
+  CHECK(document("--image " + hex + kTypeC + " --duration 50").at("instructions") == instructions);
+  CHECK(document("--image " + bin + kTypeC + " --duration 50").at("instructions") == instructions);
+  std::ofstream(kImages + "/damaged.hex") << ":10000000000001200100000801000008010000089F\n:00000001FE\n";
+  const Ran damaged = emulator("--image " + kImages + "/damaged.hex");
+  CHECK(damaged.status == 2);
+  CHECK(damaged.says("line 1 is no record of Intel HEX"));
 }

@@ -26,6 +26,7 @@ void SysTick_Handler();
 void CAN1_RX1_IRQHandler();
 void DMA2_Stream1_IRQHandler();
 void DMA2_Stream6_IRQHandler();
+void USART3_IRQHandler();
 void USART6_IRQHandler();
 }
 
@@ -36,6 +37,7 @@ FINEMOTE_WEAK(SysTick_Handler);
 FINEMOTE_WEAK(CAN1_RX1_IRQHandler);
 FINEMOTE_WEAK(DMA2_Stream1_IRQHandler);
 FINEMOTE_WEAK(DMA2_Stream6_IRQHandler);
+FINEMOTE_WEAK(USART3_IRQHandler);
 FINEMOTE_WEAK(USART6_IRQHandler);
 #undef FINEMOTE_WEAK
 
@@ -56,6 +58,7 @@ constexpr Vectors make_vectors() {
   put(14, PendSV_Handler);
   put(15, SysTick_Handler);
   put(16 + 21, CAN1_RX1_IRQHandler);
+  put(16 + 39, USART3_IRQHandler);
   put(16 + 57, DMA2_Stream1_IRQHandler);
   put(16 + 69, DMA2_Stream6_IRQHandler);
   put(16 + 71, USART6_IRQHandler);
