@@ -1,5 +1,7 @@
 #include "emulator/program/findings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -81,7 +83,7 @@ void Findings::write_text(std::ostream& out) {
     const Json all = shown(outfit_.values(name));
     out << "# " << name;
     for (const auto& [value, seen] : all.items()) {
-      out << between << value << " " << seen.dump();
+      out << between << value << " " << (seen.is_number() ? fmt::format("{:.6g}", seen.get<double>()) : seen.dump());
       between = ", ";
     }
     out << "\n";

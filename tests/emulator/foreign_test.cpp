@@ -147,3 +147,27 @@ TEST_CASE("a remote control's frames go to two buffers in turn, and an idle line
   CHECK(program.word("odd_lengths") <= 1);  // what was already on its way
   CHECK(program.word("channel") == Approx(1024 + 330).margin(2));
 }
+
+TEST_CASE("lights, sounder and heater show what timers and plain pins do with them, and a key interrupts") {
+  Program program("panel", R"({"schema": "finemote.scenario/1",
+    "parts": [{"type": "load", "name": "blue", "port": "led_blue"}, {"type": "load", "name": "green", "port": "led_green"},
+              {"type": "load", "name": "buzzer", "port": "buzzer"},
+              {"type": "bmi088", "name": "imu", "port": "spi1", "channel": 0, "gyro": 1, "heater": {"port": "imu_heater"}},
+              {"type": "button", "name": "key", "pin": "PA0"}],
+    "events": [{"t_ns": 100000000, "part": "key", "do": "press"}, {"t_ns": 250000000, "part": "key", "do": "release"}]})");
+  program.run_ms(200);
+  CHECK(program.outfit.value("blue", "share") == Approx(0.25).margin(0.001));
+  CHECK(program.outfit.value("blue", "frequency") == Approx(1000).margin(0.1));
+  CHECK(program.outfit.value("green", "share") == 1);
+  CHECK(program.outfit.value("green", "frequency") == 0);
+  CHECK(program.outfit.value("buzzer", "frequency") == Approx(2000).margin(0.1));
+  CHECK(program.outfit.value("key", "pressed") == 1);
+  program.run_ms(200);
+  CHECK(program.outfit.value("green", "mean") == Approx(0.375).margin(0.001));  // 150 of 400 ms
+  CHECK(program.outfit.value("green", "times_on") == 1);
+  CHECK(program.outfit.value("buzzer", "share") == 0);  // its timer runs, but no longer has the pin
+  CHECK(program.outfit.value("imu", "heat") == Approx(0.5).margin(0.001));
+  CHECK(program.word("presses") == 1);
+  CHECK(program.word("releases") == 1);
+  CHECK(program.word("periods") >= 390);
+}

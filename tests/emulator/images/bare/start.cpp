@@ -26,6 +26,8 @@ void SysTick_Handler();
 void CAN1_RX1_IRQHandler();
 void DMA2_Stream1_IRQHandler();
 void DMA2_Stream6_IRQHandler();
+void EXTI0_IRQHandler();
+void TIM8_TRG_COM_TIM14_IRQHandler();
 void USART3_IRQHandler();
 void USART6_IRQHandler();
 }
@@ -37,6 +39,8 @@ FINEMOTE_WEAK(SysTick_Handler);
 FINEMOTE_WEAK(CAN1_RX1_IRQHandler);
 FINEMOTE_WEAK(DMA2_Stream1_IRQHandler);
 FINEMOTE_WEAK(DMA2_Stream6_IRQHandler);
+FINEMOTE_WEAK(EXTI0_IRQHandler);
+FINEMOTE_WEAK(TIM8_TRG_COM_TIM14_IRQHandler);
 FINEMOTE_WEAK(USART3_IRQHandler);
 FINEMOTE_WEAK(USART6_IRQHandler);
 #undef FINEMOTE_WEAK
@@ -57,8 +61,10 @@ constexpr Vectors make_vectors() {
   put(11, SVC_Handler);
   put(14, PendSV_Handler);
   put(15, SysTick_Handler);
+  put(16 + 6, EXTI0_IRQHandler);
   put(16 + 21, CAN1_RX1_IRQHandler);
   put(16 + 39, USART3_IRQHandler);
+  put(16 + 45, TIM8_TRG_COM_TIM14_IRQHandler);
   put(16 + 57, DMA2_Stream1_IRQHandler);
   put(16 + 69, DMA2_Stream6_IRQHandler);
   put(16 + 71, USART6_IRQHandler);
