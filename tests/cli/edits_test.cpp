@@ -34,18 +34,14 @@ std::string base() {
 )");
 }
 
-// As it stands in the example.
-const std::string kFirst = R"(<device name="thruster_1" type="pwm_esc" role="thrusters" bus="pwm" channel="0")"
-                           R"( joint="thruster_1_joint">
-        <wcet update="900ns" handle="1900ns"/>
-      </device>
-      )";
-const std::string kSecond = R"(<device name="thruster_2" type="pwm_esc" role="thrusters" bus="pwm" channel="1")"
-                            R"( joint="thruster_2_joint">
-        <param name="reverse">true</param>
-        <wcet update="900ns" handle="1900ns"/>
-      </device>
-      )";
+/// The element of a device with what stands up to the next one, as it is in the example.
+std::string element_of(const std::string& name, const std::string& next) {
+  const std::string text = read_file(source_path("examples/finsrov.urdf"));
+  const auto begin = text.find("<device name=\"" + name + "\"");
+  return text.substr(begin, text.find("<device name=\"" + next + "\"") - begin);
+}
+
+const std::string kFirst = element_of("thruster_1", "thruster_2"), kSecond = element_of("thruster_2", "thruster_3");
 
 const std::vector<Edit> kEdits{
     {"period of a root",
