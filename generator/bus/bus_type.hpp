@@ -29,8 +29,9 @@ enum class Mover { routine, dma };
 /// What bytes that go over a bus together take.
 struct WireUnit {
   std::int64_t bits = 0;
-  std::int64_t steps = 0;  ///< interrupts in the midst of it
-  std::int64_t ends = 0;   ///< interrupts that end it, and begin what waits
+  std::int64_t steps = 0;    ///< interrupts in the midst of it
+  std::int64_t ends = 0;     ///< interrupts that end it, and begin what waits
+  std::int64_t answers = 0;  ///< frames that a part sends because it was asked to
 };
 
 /// The class of the runtime that is such a bus. An empty name: the kind has no object.

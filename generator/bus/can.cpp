@@ -7,12 +7,16 @@
 namespace finemote::gen {
 namespace {
 
+std::int64_t frames_of(std::int64_t bytes) { return std::max<std::int64_t>(ceil_div(bytes, 8), 1); }
+
 /// Bosch CAN 2.0 A, worst stuffing as in Davis et al. 2007: 55 + 10 n bits for a frame of n <= 8 bytes, interframe
-/// space included.
+/// space included. What is written and read is a frame that asks and one that answers.
 WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t, Mover) {
-  const std::int64_t bytes = std::max(write, read);
-  const std::int64_t frames = std::max<std::int64_t>(ceil_div(bytes, 8), 1);
-  return {add(multiply(55, frames), multiply(10, bytes)), 0, frames};
+  const bool is_polled = write > 0 && read > 0;
+  const std::int64_t first = write > 0 ? write : read, answer = is_polled ? read : 0;
+  const std::int64_t frames = frames_of(first), answers = is_polled ? frames_of(answer) : 0;
+  const std::int64_t bits = add(multiply(55, add(frames, answers)), multiply(10, add(first, answer)));
+  return {bits, 0, frames, answers};
 }
 
 /// Without a stuff bit: 44 bits, 8 for each byte, and three of interframe space.

@@ -7,7 +7,9 @@ using enum Assumption::Detected;
 
 constexpr Assumption kAssumptions[] = {
     {"declared-nodes", "only parts of the robot's devices and expanders send on a bus", undetectable},
-    {"declared-traffic", "a device and its part send no more, and no longer frames, than the descriptor declares",
+    {"declared-traffic",
+     "a device and its part send no more frames than the descriptor declares, no longer ones, and on CAN no shorter "
+     "ones",
      undetectable},
     {"part-clocks",
      "the clock of a part is off by tolerance_ppm of its descriptor at most, and a measurement takes no "

@@ -33,13 +33,16 @@ bool writes(const gen::Device& device, const Connection& connection) {
                      [](const Frame& frame) { return frame.write_bytes > 0 && frame.stage != FrameStage::autonomous; });
 }
 
-/// Lowers the bits of the shortest frames to those of a connection.
+void lower_to(std::int64_t bits, std::int64_t& least) { least = least == 0 ? bits : std::min(least, bits); }
+
+/// Lowers the bits of the shortest frames to those of a connection. What is written and read is a frame that asks and
+/// one that answers.
 void note_lengths(const gen::Device& device, const Connection& connection, const BusType& type, BusUse& use) {
   if (type.least_bits == nullptr) return;
   for (const Frame& frame : frames_over(device, connection)) {
-    const std::int64_t bits = type.least_bits(std::max(frame.write_bytes, frame.read_bytes));
-    std::int64_t& least = frame.stage == FrameStage::autonomous ? use.least_received : use.least_sent;
-    least = least == 0 ? bits : std::min(least, bits);
+    const bool is_autonomous = frame.stage == FrameStage::autonomous;
+    if (!is_autonomous) lower_to(type.least_bits(frame.write_bytes), use.least_sent);
+    if (is_autonomous || frame.read_bytes > 0) lower_to(type.least_bits(frame.read_bytes), use.least_received);
   }
 }
 

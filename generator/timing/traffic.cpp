@@ -142,6 +142,7 @@ void Traffic::add_budget(BusPlace bus, Rank place, const WireUse& use, bool in_u
   allow(bus, DriverSource::Counts::steps, budget);
   budget.count = use.ends;
   allow(bus, DriverSource::Counts::ends, budget);
+  if (use.answers > 0) allow(bus, DriverSource::Counts::received, {place, use.answers, every, {}});
 }
 
 /// The driver allows so many from one look of the reader to the next, whatever the line does; what is left is lost. A

@@ -11,6 +11,7 @@ void WireUse::add(const WireRate& rate, std::int64_t write, std::int64_t read) {
   wire += ceil_div(unit.bits * seconds(1), rate.bits_per_s);
   steps = gen::add(steps, unit.steps);
   ends = gen::add(ends, unit.ends);
+  answers = gen::add(answers, unit.answers);
   if (type.is_mastered && interrupts == 0) ++interrupts;
   interrupts = gen::add(interrupts, gen::add(unit.steps, unit.ends));
 }

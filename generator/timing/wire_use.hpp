@@ -18,6 +18,7 @@ struct WireUse {
   Duration wire;
   std::int64_t steps = 0;       ///< interrupts in the midst of it
   std::int64_t ends = 0;        ///< exchanges or frames
+  std::int64_t answers = 0;     ///< frames that come because they were asked for
   std::int64_t interrupts = 0;  ///< that the wire waits for, the one that begins it on an idle bus included
   /// One interrupt asks for all of it, also on a bus on which parts send by themselves.
   bool in_one_request = false;

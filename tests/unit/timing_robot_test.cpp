@@ -180,6 +180,22 @@ TEST_CASE("a flush on CAN sends the frames of its own bucket, and asks for them 
   CHECK(counts(sources[2]) == std::vector<std::int64_t>{1, 1});
 }
 
+TEST_CASE("who asks on CAN sends a frame and receives another") {
+  const Robots robot = Robots::with(R"(<bus name="can" type="can" port="can1" bitrate="1Mbit/s"/>
+      <device name="a" type="asker" period="2ms" bus="can" id="1"/>)");
+  const auto& sources = *robot.model.buses[BusPlace{0}].sources;
+  REQUIRE(sources.size() == 3);
+  REQUIRE(sources[0].name == "rx");
+  REQUIRE(sources[0].budgets.size() == 1);
+  CHECK(sources[0].budgets.front().count == 1);
+  CHECK(sources[0].min_interval > 105_us);  // 111 bits, by the part's clock
+  REQUIRE(sources[1].name == "tx");
+  CHECK(sources[1].min_interval == 55_us);
+  const auto& transfers = robot.model.devices[Rank{0}].transfers;
+  REQUIRE(transfers.size() == 1);
+  CHECK(transfers.front().wire == 200_us);  // 65 bits and 135
+}
+
 TEST_CASE("interrupts of a bus are those of what its devices declare") {
   const std::string bus = R"(<bus name="i2c" type="i2c" port="i2c2" clock="400kHz"/>)";
   const std::string load = R"(<device name="load" type="sim_load" period="5ms"/>)";
