@@ -26,9 +26,9 @@ class Watched {
   void wait() const;
 
  private:
-  /// Size, time of the last change and number of a file.
+  /// Size, time of the last change in nanoseconds of the file system, and number of a file.
   struct Mark {
-    std::uint64_t size = 0, changed_ns = 0, number = 0;
+    std::uint64_t size = 0, changed = 0, number = 0;
     friend bool operator==(const Mark&, const Mark&) = default;
   };
   using Marks = std::map<std::string, Mark>;
