@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "generator/bus/bus_type.hpp"
-#include "generator/descriptor/runtime_limits.hpp"
 #include "generator/emit/can_fields.hpp"
 #include "generator/emit/config.hpp"
 #include "generator/emit/pin_fields.hpp"
@@ -132,7 +131,7 @@ Data bus_fields(const Plan& plan, BusId index) {
   data.set("has_ring", has_ring(bus));
   data.set("ring", std::to_string(receive_ring(plan.robot, index)));
   data.set("events", std::to_string(line_events(plan.robot, index)));
-  data.set("bytes", std::to_string(std::min(received_bytes(plan.robot, index), runtime_limits::kMostReceiveRing)));
+  data.set("bytes", std::to_string(received_bytes(plan.robot, index)));
   data.set("starts", type.bus_class.starts);
   data.set("is_supervised", type.bus_class.supervised);
   return data;

@@ -1,7 +1,6 @@
 // What a port or its driver cannot do for the devices on it: FM3078 (an inverted line), FM3080 (more command frames
-// than a CAN bus holds), FM3083 (more devices, identifiers or bytes than a bus
-// serves). The firmware would stop at its start,
-// or be silent.
+// than a CAN bus holds), FM3083 (more devices, identifiers or bytes than a bus serves). The firmware would stop at its
+// start, lose bytes, or be silent.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -25,8 +25,8 @@ void CausedArrivals::stage_ended(Rank device, bool is_update, Duration release, 
     if (budget.cause != InterruptCause::look && --jobs_left_[i] >= 0) continue;
     jobs_left_[i] = budget.every - 1;
     if (budget.cause == InterruptCause::look) planned_.clear();  // what the line did not use is lost
-    const Duration latest = budget.cause == InterruptCause::request ? now : latest_end(budget, release);
-    ask(i, begin_of(budget, now, latest), latest);
+    const Duration latest = latest_end(budget, release, now);
+    ask(budget, begin_of(budget, now, latest), latest);
   }
 }
 
@@ -44,19 +44,19 @@ Duration CausedArrivals::begin_of(const Budget& budget, Duration now, Duration l
 }
 
 /// Plans the interrupts of one budget as soon as the line allows; those that would come too late do not.
-void CausedArrivals::ask(std::size_t budget, Duration from, Duration latest) {
+void CausedArrivals::ask(const Budget& budget, Duration from, Duration latest) {
   Duration at = std::max(from, free_from_);
-  for (std::int64_t n = 0; n < stream_.budgets[budget].count && at <= latest; ++n) {
+  for (std::int64_t n = 0; n < budget.count && at <= latest; ++n) {
     planned_.push_back(at);
     at += stream_.separation;
     free_from_ = at;
   }
 }
 
-Duration CausedArrivals::latest_end(const Budget& budget, Duration release) const {
-  if (budget.cause != InterruptCause::transfer || !stream_.place || set_.ended.size() == 0)
-    return release + 2 * budget.period;
-  return release + set_.ended[*stream_.place][budget.bucket].value_or(budget.period);
+Duration CausedArrivals::latest_end(const Budget& budget, Duration release, Duration now) const {
+  if (budget.cause == InterruptCause::request) return now;
+  if (budget.cause == InterruptCause::look) return release + 2 * budget.period;
+  return release + set_.ended[*stream_.place][set_.bucket_of[budget.device]].value_or(budget.period);
 }
 
 }  // namespace finemote::gen

@@ -29,8 +29,8 @@ class CausedArrivals {
 
  private:
   [[nodiscard]] Duration begin_of(const timing::Stream::Budget& budget, Duration now, Duration latest);
-  void ask(std::size_t budget, Duration from, Duration latest);
-  [[nodiscard]] Duration latest_end(const timing::Stream::Budget& budget, Duration release) const;
+  void ask(const timing::Stream::Budget& budget, Duration from, Duration latest);
+  [[nodiscard]] Duration latest_end(const timing::Stream::Budget& budget, Duration release, Duration now) const;
 
   const timing::Stream& stream_;
   const timing::TaskSet& set_;

@@ -61,7 +61,7 @@ class JobWindows {
         if (is_own(budget)) budget.most = has_handles || budget.in_update ? budget.count : 0;
         return;
       case InterruptCause::transfer:
-        if (const auto ended = set_.ended[*stream.place][budget.bucket])
+        if (const auto ended = set_.ended[*stream.place][set_.bucket_of[budget.device]])
           narrow_transfer(*ended, has_handles || budget.in_update, budget);
         return;
       case InterruptCause::look:
@@ -97,8 +97,8 @@ class JobWindows {
     budgets.erase(std::remove_if(first + 1, budgets.end(), is_masked), budgets.end());
   }
 
-  [[nodiscard]] bool is_own(const Budget& budget) const { return budget.bucket == bucket_; }
-  [[nodiscard]] bool is_less_urgent(const Budget& budget) const { return budget.bucket > bucket_; }
+  [[nodiscard]] bool is_own(const Budget& budget) const { return set_.bucket_of[budget.device] == bucket_; }
+  [[nodiscard]] bool is_less_urgent(const Budget& budget) const { return set_.bucket_of[budget.device] > bucket_; }
 
   const TaskSet& set_;
   const Responses& responses_;

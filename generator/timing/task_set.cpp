@@ -6,7 +6,7 @@
 namespace finemote::gen::timing {
 namespace {
 
-Stream::Budget budget_of(const Model& model, const TaskSet& set, const FrameBudget& b) {
+Stream::Budget budget_of(const Model& model, const FrameBudget& b) {
   Stream::Budget budget;
   budget.count = b.count;
   budget.period = b.interval > Duration::zero() ? b.interval : model.devices[b.device].period;
@@ -15,7 +15,6 @@ Stream::Budget budget_of(const Model& model, const TaskSet& set, const FrameBudg
   budget.cause = b.cause;
   budget.in_update = b.in_update;
   budget.device = b.device;
-  budget.bucket = set.bucket_of[b.device];
   return budget;
 }
 
@@ -32,8 +31,8 @@ void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
     for (const InterruptSource& source : *bus.sources) {
       Stream stream{
           source.min_interval, source.wcet + entry, {}, bus.name + "." + source.name, bus.name, source.name, place};
-      if (source.of_transfers) stream.of_transfers = place;
-      for (const FrameBudget& b : source.budgets) stream.budgets.push_back(budget_of(model, set, b));
+      stream.of_transfers = source.of_transfers;
+      for (const FrameBudget& b : source.budgets) stream.budgets.push_back(budget_of(model, b));
       set.streams.push_back(std::move(stream));
     }
   }

@@ -26,17 +26,16 @@ struct Stream {
     std::int64_t most = kUnlimited;
     InterruptCause cause = InterruptCause::clock;
     bool in_update = false;
-    Rank device;             ///< that causes them, where jobs do
-    std::size_t bucket = 0;  ///< its bucket
+    Rank device;  ///< that causes them, where jobs do
   };
   Duration separation = nanoseconds(1);
   Duration cost;
   std::vector<Budget> budgets;
-  std::string name;                           ///< of the bus, with its source where it has several; for people
-  std::string bus = {};                       ///< the same apart: the bus,
-  std::string source = {};                    ///< and its source where it has several
-  std::optional<BusPlace> place = {};         ///< the bus
-  std::optional<BusPlace> of_transfers = {};  ///< the bus, where only the transfer on its wire causes them
+  std::string name;                    ///< of the bus, with its source where it has several; for people
+  std::string bus = {};                ///< the same apart: the bus,
+  std::string source = {};             ///< and its source where it has several
+  std::optional<BusPlace> place = {};  ///< the bus
+  bool of_transfers = false;           ///< only the transfer on the wire of its bus causes them
 };
 
 /// The streams in windows in which one job of a bucket runs, from an instant on at which nothing more urgent waits:

@@ -34,7 +34,7 @@ Duration TransferBounds::with_service(const Item& item, std::int64_t interrupts,
   std::vector<Stream> streams = set_.streams;
   if (service > Duration::zero()) {
     service += interrupts * model_.costs.interrupt;
-    std::erase_if(streams, [&](const Stream& s) { return s.of_transfers == item.bus; });
+    std::erase_if(streams, [&](const Stream& s) { return s.of_transfers && s.place == item.bus; });
   }
   Demand demand(effort_);
   demand.add_streams(streams);
