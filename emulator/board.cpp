@@ -24,7 +24,7 @@ Board::Board(Wiring wiring, const BoardOptions& options) : chip_(world_, std::mo
   fill_ram();
   chip_.reset();
   chip_.rcc.lsi_hz =
-      options.silicon.is(Meanness::lsi_rate) ? world_.silicon().draw(Meanness::lsi_rate) : options.lsi_hz;
+      options.silicon.is(Meanness::clock_rates) ? world_.silicon().draw(Meanness::clock_rates) : options.lsi_hz;
   chip_.iwdg.lsi_hz = chip_.rcc.lsi_hz;
   chip_.iwdg.on_timeout = [this] { restart(Rcc::kWatchdogReset); };
   chip_.wwdg.on_timeout = [this] { restart(Rcc::kWindowReset); };

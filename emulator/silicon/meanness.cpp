@@ -26,8 +26,10 @@ constexpr std::array<MeannessInfo, kMeannesses> kAll = {{
      "RM0090 32.4.1 gives no time; ST's drivers allow 10 ms"},
     {Meanness::clock_ready, "clock_ready", 100, 1'000, "%", "start of crystal, PLL and LSI, of the typical time",
      "DS8626 5.3.8 to 5.3.10; ST's drivers allow the crystal 100 ms and the PLL 2 ms"},
-    {Meanness::lsi_rate, "lsi_rate", 17'000, 47'000, "Hz", "rate of the LSI, which drives the watchdog",
-     "DS8626 5.3.9"},
+    {Meanness::clock_rates, "clock_rates", 17'000, 47'000, "Hz",
+     "rate of the LSI, which drives the watchdog; the crystal and the clocks of parts are off as well, by up to "
+     "`clock_ppm` of the board and `tolerance_ppm` of the parts, either way",
+     "DS8626 5.3.9; the board file and the descriptors name theirs"},
     {Meanness::cycle_count, "cycle_count", 1, 1, "", "the cycle counter stops in sleep also with DBG_SLEEP set",
      "RM0090 38.16.3; reported both ways"},
     {Meanness::wake_up, "wake_up", 0, 1, "instructions",

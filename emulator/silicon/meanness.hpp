@@ -17,7 +17,7 @@ enum class Meanness : std::uint8_t {
   i2c_pause,    ///< a more urgent interrupt comes between ADDR and the STOP of a one-byte read
   can_init,     ///< INAK comes late
   clock_ready,  ///< oscillators and the PLL take longer
-  lsi_rate,     ///< the watchdog's clock is off
+  clock_rates,  ///< the watchdog's clock is off; those of board and parts are `run`'s to set
   cycle_count,  ///< CYCCNT stops in sleep whatever the debug clock does
   wake_up,      ///< the instruction behind a WFI in flash is lost
   first_bytes,  ///< a receiver that is turned on hears noise
@@ -36,6 +36,8 @@ struct MeannessInfo {
 
 /// All of them, in the order of Meanness.
 const std::array<MeannessInfo, kMeannesses>& meannesses();
+
+inline const MeannessInfo& info_of(Meanness way) { return meannesses()[static_cast<std::size_t>(way)]; }
 
 /// Null where there is none of that name.
 const MeannessInfo* find_meanness(std::string_view name);

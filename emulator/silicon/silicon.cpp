@@ -12,6 +12,7 @@ Silicon::Silicon(const std::vector<Meanness>& ways, std::uint64_t seed) {
 
 std::uint32_t Silicon::draw(Meanness way) {
   const MeannessInfo& info = meannesses()[index(way)];
+  if (exceeds_[index(way)]) return 100 * info.most;
   const std::uint64_t drawn = engines_[index(way)]();
   if (drawn % 4 == 0) return info.least;
   if (drawn % 4 == 1) return info.most;

@@ -17,6 +17,9 @@ class Silicon {
   /// Two chips with the same ways and seed draw the same.
   Silicon(const std::vector<Meanness>& ways, std::uint64_t seed);
 
+  /// Makes the chip worse than so: it draws a hundred times the end of the range.
+  void exceed(Meanness way) { exceeds_[index(way)] = true; }
+
   [[nodiscard]] bool is(Meanness way) const { return is_[index(way)]; }
   /// A value of the range, its ends more often than what lies between. Only where the chip is so.
   [[nodiscard]] std::uint32_t draw(Meanness way);
@@ -29,7 +32,7 @@ class Silicon {
  private:
   static constexpr std::size_t index(Meanness way) { return static_cast<std::size_t>(way); }
 
-  std::array<bool, kMeannesses> is_{};
+  std::array<bool, kMeannesses> is_{}, exceeds_{};
   std::array<std::mt19937_64, kMeannesses> engines_;  ///< one each: what one draws does not depend on the others
 };
 

@@ -164,7 +164,8 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
                                  const EmulationOptions& options, Diagnostics& diagnostics) {
   EmulatedParts parts = emulated_parts(robot);
   const auto most_ppm = static_cast<double>(options.board.clock_ppm);
-  const double clock_ppm = options.phase ? shift_clocks(*options.phase, most_ppm, parts.scenario.at("parts")) : 0;
+  const std::optional<Phase> phase = options.phase ? options.phase : clocks_of(options.silicon);
+  const double clock_ppm = phase ? shift_clocks(*phase, most_ppm, parts.scenario.at("parts")) : 0;
   const char* flash = options.flash_misses ? "miss" : "hit";
   const Duration last_event = options.scenario == nullptr ? Duration::zero() : options.scenario->last_event;
   Json job = {{"board", board_wiring(options.board)},

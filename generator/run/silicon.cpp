@@ -48,6 +48,12 @@ std::optional<std::vector<std::string>> parse_silicon(const std::string& text, D
   return names;
 }
 
+std::optional<Phase> clocks_of(const SiliconChoice& choice) {
+  const std::string wanted = emulator::info_of(emulator::Meanness::clock_rates).name;
+  if (std::find(choice.names.begin(), choice.names.end(), wanted) == choice.names.end()) return std::nullopt;
+  return Phase{choice.seed, 0};
+}
+
 nlohmann::ordered_json silicon_json(const SiliconChoice& choice) {
   return {{"names", choice.names}, {"seed", choice.seed}};
 }

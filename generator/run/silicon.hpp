@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/diagnostic/diagnostics.hpp"
+#include "generator/run/phase.hpp"
 
 namespace finemote::gen {
 
@@ -19,6 +20,9 @@ struct SiliconChoice {
 /// The names that were asked for, all of them with `strict` alone, none with an empty text. Reports words that are no
 /// names as wrong usage.
 std::optional<std::vector<std::string>> parse_silicon(const std::string& text, Diagnostics& diagnostics);
+
+/// How the clocks of board and parts are off where nobody asks for phases; none: they are exact.
+std::optional<Phase> clocks_of(const SiliconChoice& choice);
 
 /// `{names, seed}`, as in jobs of the emulator and in finemote.run/1.
 nlohmann::ordered_json silicon_json(const SiliconChoice& choice);

@@ -204,16 +204,21 @@ void CanBus::supervise() {
   returning_ = port_->recover();
   if (!returning_) return;
   try_again_ = at + 2 * (kRecoveryBits * kSecond / bitrate_);
+  silence();
   port_->pend();
 }
 
-// What was queued before the bus was lost is old: all groups go to zero, and only new commands drive again.
 void CanBus::begin_recovery(Time at) {
   recovering_ = true;
   try_again_ = at + kLongestPreparation;
   ++counters_.recoveries;
   ++counters_.errors;
   count_fault(Module::can, kBusOff);
+}
+
+// What was queued before the controller began to return is old: all groups go to zero, and only new commands drive
+// again. Nothing leaves before: 1408 bits go by.
+void CanBus::silence() {
   for (Group& group : groups_) {
     for (std::uint8_t& byte : group.frame.data) byte = 0;
     group.cleared.store(static_cast<std::uint8_t>(group.cleared.load() + 1));

@@ -1,6 +1,7 @@
 // CAN: the wire's arithmetic, the driver against nodes, a lost and regained bus.
 #include "catch.hpp"
 #include "emulator/board.hpp"
+#include "tests/emulator/tested_chip.hpp"
 #include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;
@@ -30,9 +31,12 @@ struct Motor {
 };
 
 struct Bench {
-  Bench() { board.load(load_image(std::string(FINEMOTE_IMAGES) + "/can.elf")); }
+  Bench() {
+    board.load(load_image(std::string(FINEMOTE_IMAGES) + "/can.elf"));
+    finemote::test::run_to_first_release(board);
+  }
   std::uint32_t seen(unsigned index) { return board.word("seen", 4 * index); }
-  Board board{finemote::test::type_c()};
+  Board board{finemote::test::type_c(), finemote::test::tested_chip()};
   Motor left{board.chip().can("can1")->line}, right{board.chip().can("can2")->line};
 };
 
@@ -150,8 +154,9 @@ TEST_CASE("a bus nobody acknowledges on stays on, and the first frame after that
 }
 
 TEST_CASE("an empty bus stops nothing") {
-  Board board{finemote::test::type_c()};
+  Board board{finemote::test::type_c(), finemote::test::tested_chip()};
   board.load(load_image(std::string(FINEMOTE_IMAGES) + "/can.elf"));
+  finemote::test::run_to_first_release(board);
   REQUIRE(board.run_for(50 * kMs) == Stop::time);
   CHECK(board.word("seen", 16) >= 40);
 }

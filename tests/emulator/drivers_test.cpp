@@ -13,12 +13,14 @@ enum Observed : unsigned { kImuValid, kRoll, kPressureValid, kPascal, kImuFrames
 
 TEST_CASE("sensors arrive, outputs leave, and nothing is used wrongly") {
   MiniBoard mini;
+  finemote::test::run_to_first_release(mini.board);
+  const unsigned unheard = mini.imu.frames();
   mini.board.run_for(500 * kMs);
   CHECK(mini.observed(kImuValid) == 1);
   CHECK(static_cast<int>(mini.observed(kRoll)) == Approx(-12.25e6 * 3.14159265 / 180).epsilon(1e-5));
   CHECK(mini.observed(kPressureValid) == 1);
   CHECK(mini.observed(kPascal) == Approx(250'000).margin(10));
-  CHECK(mini.imu.frames() - mini.observed(kImuFrames) <= 2);
+  CHECK(mini.imu.frames() - unheard - mini.observed(kImuFrames) <= 2);
   CHECK(mini.observed(kImuBad) == 0);
   CHECK(mini.sensor.early_reads() == 0);
   CHECK(mini.pwm.pulse_ns(3) == Approx(1'600'000).margin(3'000));
@@ -35,12 +37,18 @@ TEST_CASE("sensors arrive, outputs leave, and nothing is used wrongly") {
 TEST_CASE("bytes take their time on the wire") {
   MiniBoard mini;
   mini.board.run_for(100 * kMs);
+  const std::size_t noise = mini.host.heard().size();
   mini.host.send("0123456789");
   mini.board.run_for(100 * kMs);
-  REQUIRE(mini.host.text() == "0123456789");
-  // 8E1 at 115200: eleven bits, 95.5 us a byte; BRR 729 makes 115226.
-  for (std::size_t i = 1; i < 10; ++i)
-    CHECK(to_ns(mini.host.heard()[i].at - mini.host.heard()[i - 1].at) == Approx(11e9 / 115226).margin(20));
+  REQUIRE(mini.host.text().substr(noise) == "0123456789");
+  // 8E1 at 115200: eleven bits, 95.5 us a byte; BRR 729 makes 115226. A job may come between two of them.
+  unsigned together = 0;
+  for (std::size_t i = noise + 1; i < noise + 10; ++i) {
+    const auto apart = static_cast<double>(to_ns(mini.host.heard()[i].at - mini.host.heard()[i - 1].at));
+    if (apart < 1'000'000) CHECK(apart == Approx(11e9 / 115226).margin(20));
+    together += apart < 1'000'000 ? 1 : 0;
+  }
+  CHECK(together >= 8);
 }
 
 TEST_CASE("a silent unit makes its state invalid and the output neutral") {
@@ -62,9 +70,10 @@ TEST_CASE("damaged and noisy frames are dropped and counted, the next good one c
   mini.imu.damaged_frames = 1;
   mini.board.run_for(20 * kMs);
   CHECK(mini.observed(kImuBad) == 1);
+  const auto errors = mini.board.bus("usart1").errors;
   mini.board.chip().usart("usart1")->noisy_bytes = 5;
   mini.board.run_for(30 * kMs);
-  CHECK(mini.board.bus("usart1").errors == 5);
+  CHECK(mini.board.bus("usart1").errors == errors + 5);
   CHECK(mini.observed(kImuValid) == 1);
 }
 

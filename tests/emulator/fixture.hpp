@@ -9,6 +9,7 @@
 #include "emulator/parts/pca9685.hpp"
 #include "emulator/parts/serial_terminal.hpp"
 #include "emulator/parts/tca9548a.hpp"
+#include "tests/emulator/tested_chip.hpp"
 #include "tests/emulator/type_c.hpp"
 
 namespace finemote::emulator {
@@ -18,7 +19,7 @@ inline Image test_image(const std::string& name) {
 }
 
 struct MiniBoard {
-  explicit MiniBoard(const BoardOptions& options = {}, const std::string& image = "mini")
+  explicit MiniBoard(const BoardOptions& options = finemote::test::tested_chip(), const std::string& image = "mini")
       : board{finemote::test::type_c(), options} {
     I2cLine& line = board.chip().i2c("i2c2")->line;
     line.attach(mux);

@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "tests/emulator/fixture.hpp"
+#include "tests/emulator/tested_chip.hpp"
 #include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;
@@ -22,10 +23,10 @@ struct Result {
 template <class Step>
 Result run(Kind kind, Step step) {
   const Image image = test_image("latch");
-  Board board{finemote::test::type_c()};
+  Board board{finemote::test::type_c(), finemote::test::tested_chip()};
   board.load(image);
   board.cpu().interrupt_it_blocks(true);  // also between the instructions of an IT block, should the compiler make one
-  board.run_for(5'000'000);
+  finemote::test::run_to_first_release(board);
   const std::uint32_t entry = image.symbol("slow_side")->address, value = kind;
   std::memcpy(board.cpu().memory(image.symbol("latch_kind")->address, 4), &value, 4);
   unsigned job = 0, instruction = 0, longest = 0;
@@ -71,7 +72,7 @@ bool once(unsigned job, unsigned instruction) { return instruction + 1 == job; }
 TEST_CASE("a latch read by the slow side is whole and fresh wherever the writer interrupts") {
   const Result result = run(kToSlow, once);
   CHECK(result.longest > 40);
-  CHECK(result.fast_runs >= result.longest);  // every instruction has been interrupted
+  CHECK(result.fast_runs + 1 >= result.longest);  // every instruction, but perhaps one of the longest job
   CHECK(result.mixtures == 0);
   CHECK(result.steps_back == 0);
   CHECK(result.stale == 0);
@@ -80,7 +81,7 @@ TEST_CASE("a latch read by the slow side is whole and fresh wherever the writer 
 TEST_CASE("a latch written by the slow side is whole and fresh wherever the reader interrupts") {
   const Result result = run(kToFast, once);
   CHECK(result.longest > 40);
-  CHECK(result.fast_runs >= result.longest);
+  CHECK(result.fast_runs + 1 >= result.longest);  // every instruction, but perhaps one of the longest job
   CHECK(result.mixtures == 0);
   CHECK(result.steps_back == 0);
   CHECK(result.stale == 0);

@@ -36,8 +36,9 @@ struct Probe {
 TEST_CASE("a probe finds one control block with one buffer up, and reads the trace while the image runs") {
   BoardOptions options;
   options.probe = false;  // nobody else reads
-  Board board{finemote::test::type_c(), options};
+  Board board{finemote::test::type_c(), finemote::test::tested_chip(options)};
   board.load(test_image("mini"));
+  finemote::test::run_to_first_release(board);
   REQUIRE(board.run_for(20'000'000) == Stop::time);
   Probe probe(board);
   const auto found = probe.search();

@@ -5,11 +5,10 @@
 using namespace finemote::test;
 
 TEST_CASE("every example is as good on a chip that is mean in every way as on a plain one") {
-  for (const char* name : {"two_devices", "finsrov", "infantry", "six_joint_arm", "discovery"}) {
-    INFO(name);
-    const std::string robot = source_path(std::string("examples/") + name + ".urdf");
-    const auto ran =
-        run_finemote({"run", robot, "--duration", "150ms", "--silicon", "strict", "--phases", "2", "--format", "json"});
+  for (const std::string& robot : example_robots()) {
+    INFO(robot);
+    const auto ran = run_finemote(
+        {"run", source_path("examples/" + robot), "--duration", "150ms", "--silicon", "strict", "--format", "json"});
     INFO(ran.output);
     CHECK(ran.exit_status == 0);
     const auto begin = ran.output.find('{');
@@ -33,6 +32,22 @@ TEST_CASE("names choose in what the chip is meaner, and seeds how much") {
   CHECK(first == run("strict:dma_store,spi_busy", "3"));
   const auto plain = finemote_json({"run", source_path("examples/two_devices.urdf"), "--duration", "100ms"});
   CHECK(plain["silicon"]["names"].empty());
+}
+
+TEST_CASE("clocks are as far off as board and parts allow, and times are still compared at their nominal rate") {
+  const auto clock_hz = [](const std::string& silicon, const std::string& seed) {
+    const TemporaryFolder folder;
+    const std::string audit = folder.path("audit.jsonl");
+    const auto document = finemote_json({"run", source_path("examples/infantry.urdf"), "--duration", "100ms",
+                                         "--silicon", silicon, "--seed", seed, "--audit", audit});
+    for (const auto& stage : document["stages"]) CHECK(stage["own_max_ns"] <= stage["wcet_ns"]);
+    const std::string record = read_file(audit);
+    return nlohmann::json::parse(record.substr(0, record.find('\n')))["clock_hz"].get<double>();
+  };
+  CHECK(clock_hz("strict:spi_busy", "1") == 168e6);
+  const double first = clock_hz("strict:clock_rates", "1"), second = clock_hz("strict:clock_rates", "2");
+  CHECK(first != second);
+  CHECK(first == Approx(168e6).epsilon(51e-6));
 }
 
 TEST_CASE("what is no chip is said") {

@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "emulator/board.hpp"
+#include "tests/emulator/tested_chip.hpp"
 #include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;
@@ -33,7 +34,7 @@ struct Chip4 {
 }  // namespace
 
 TEST_CASE("three chips answer behind their own selects, and nothing is used wrongly") {
-  Board board{finemote::test::type_c()};
+  Board board{finemote::test::type_c(), finemote::test::tested_chip()};
   Chip4 accelerometer(0x10), gyroscope(0x40), other(0x80);
   Spi& spi1 = *board.chip().spi("spi1");
   Spi& spi2 = *board.chip().spi("spi2");
@@ -41,6 +42,7 @@ TEST_CASE("three chips answer behind their own selects, and nothing is used wron
   board.chip().attach_spi(spi1, 'B', 0, gyroscope.part());
   board.chip().attach_spi(spi2, 'B', 12, other.part());
   board.load(load_image(std::string(FINEMOTE_IMAGES) + "/spi.elf"));
+  finemote::test::run_to_first_release(board);
   board.run_for(60'500'000);
   for (unsigned i = 0; i < 3; ++i) {
     INFO("chip " << i);

@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "tests/emulator/fixture.hpp"
+#include "tests/emulator/tested_chip.hpp"
 #include "tests/emulator/type_c.hpp"
 
 using namespace finemote::emulator;
@@ -16,12 +17,24 @@ void check_no_reports(Board& board) {
   }
 }
 
+/// How often RAM holds this word.
+unsigned words_in_ram(Board& board, std::uint32_t wanted) {
+  unsigned count = 0;
+  const std::uint8_t* ram = board.cpu().memory(0x20000000, 0x20000);
+  for (std::size_t at = 0; at < 0x20000; at += 4) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, ram + at, 4);
+    count += word == wanted ? 1 : 0;
+  }
+  return count;
+}
+
 }  // namespace
 
 TEST_CASE("the image brings the chip to 168 MHz from the crystal, with five wait states") {
-  Board board{finemote::test::type_c()};
+  Board board{finemote::test::type_c(), finemote::test::tested_chip()};
   board.load(test_image("sample"));
-  REQUIRE(board.run_for(5'000'000) == Stop::time);
+  finemote::test::run_to_first_release(board);
   CHECK(board.chip().rcc.core_hz() == 168'000'000);
   CHECK(board.chip().rcc.apb1_hz() == 42'000'000);
   CHECK(board.chip().rcc.apb2_hz() == 84'000'000);
@@ -30,7 +43,7 @@ TEST_CASE("the image brings the chip to 168 MHz from the crystal, with five wait
 }
 
 TEST_CASE("an image that a boot loader starts has its own vectors") {
-  Board board{finemote::test::type_c()};
+  Board board{finemote::test::type_c(), finemote::test::tested_chip()};
   board.load(test_image("sample"));
   constexpr std::uint32_t kVectorTable = 0xE000ED08, kSystemMemory = 0x1FFF0000;
   board.world().system().write(kVectorTable, 4, kSystemMemory, 0, 0);
@@ -42,23 +55,23 @@ TEST_CASE("an image that a boot loader starts has its own vectors") {
 
 TEST_CASE("a chip of revision A gets no prefetch") {
   for (const bool is_old : {false, true}) {
-    Board board{finemote::test::type_c()};
+    Board board{finemote::test::type_c(), finemote::test::tested_chip()};
     if (is_old) board.world().system().device_id = 0x20006411;
     board.load(test_image("sample"));
-    board.run_for(5'000'000);
+    finemote::test::run_to_first_release(board);
     CHECK((board.chip().read(0x40023C00, 4) & 1U << 8) == (is_old ? 0 : 1U << 8));
   }
 }
 
 TEST_CASE("the watchdog stands still while a debugger holds the core") {
-  Board board{finemote::test::type_c()};
+  Board board{finemote::test::type_c(), finemote::test::tested_chip()};
   board.load(test_image("sample"));
-  board.run_for(5'000'000);
+  finemote::test::run_to_first_release(board);
   CHECK((board.world().system().frozen_in_debug() & 1U << 12) != 0);
 }
 
 TEST_CASE("without its crystal the board stops safely within 200 ms and runs no stage") {
-  Board board{finemote::test::type_c()};
+  Board board{finemote::test::type_c(), finemote::test::tested_chip()};
   board.chip().rcc.dead_crystal = true;
   board.load(test_image("sample"));
   REQUIRE(board.run_for(200'000'000) == Stop::time);
@@ -67,7 +80,7 @@ TEST_CASE("without its crystal the board stops safely within 200 ms and runs no 
 }
 
 TEST_CASE("stages run in the order of the schedule, the fast bucket preempting the slow one") {
-  Board board{finemote::test::type_c()};
+  Board board{finemote::test::type_c(), finemote::test::tested_chip()};
   board.load(test_image("sample"));
   REQUIRE(board.run_for(50'000'000) == Stop::time);
   const auto& events = board.stages();
@@ -100,26 +113,19 @@ TEST_CASE("two runs are equal in every event") {
 
 TEST_CASE("a release timer that does not count is a fault, not a start that hangs; the watchdog restarts the board") {
   constexpr std::uint32_t kCounted = 2U << 24 | 8U << 16 | 1;  // schedule, no_timer, once
-  Board board{finemote::test::type_c()};
+  Board board{finemote::test::type_c(), finemote::test::tested_chip()};
   board.world().system().systick().dead = true;
   board.load(test_image("sample"));
-  board.run_for(5'000'000);
+  for (int ms = 0; ms < 100 && words_in_ram(board, kCounted) == 0; ++ms) board.run_for(1'000'000);
   REQUIRE(board.resets() == 0);
-  unsigned records = 0;
-  const std::uint8_t* ram = board.cpu().memory(0x20000000, 0x20000);
-  for (std::size_t at = 0; at < 0x20000; at += 4) {
-    std::uint32_t word = 0;
-    std::memcpy(&word, ram + at, 4);
-    records += word == kCounted ? 1 : 0;
-  }
-  CHECK(records == 1);
-  board.run_for(100'000'000);
+  CHECK(words_in_ram(board, kCounted) == 1);
+  board.run_for(200'000'000);
   CHECK(board.stages().empty());
   CHECK(board.resets() >= 1);
   CHECK((board.chip().rcc.read(0x74) & Rcc::kWatchdogReset) != 0);
   const unsigned before = board.resets();
   board.world().system().systick().dead = false;
-  board.run_for(100'000'000);
+  board.run_for(200'000'000);
   CHECK(board.resets() <= before + 1);  // the start under way may still be lost
   CHECK(!board.stages().empty());
 }
@@ -128,7 +134,7 @@ TEST_CASE("the watchdog resets a board whose releases have stopped, and the imag
   for (const std::uint32_t lsi_hz : {17'000U, 32'000U, 47'000U}) {
     BoardOptions options;
     options.lsi_hz = lsi_hz;
-    Board board{finemote::test::type_c(), options};
+    Board board{finemote::test::type_c(), finemote::test::tested_chip(options)};
     board.load(test_image("sample"));
     board.run_for(50'000'000);
     REQUIRE(board.resets() == 0);                                            // also with the fastest clock

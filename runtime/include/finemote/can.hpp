@@ -167,6 +167,7 @@ class CanBus {
   bool send(const CanFrame& frame, Time at);
   Time busy_since(Moment arrival);
   void begin_recovery(Time at);
+  void silence();
 
   CanPort* port_;
   CanSlot* const* slots_;
