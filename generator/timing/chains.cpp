@@ -87,6 +87,19 @@ std::vector<ChainResult> ChainAnalysis::worst_of_pairs(const std::vector<Rank>& 
   return results;
 }
 
+/// Whether the data of each have a bound, and all jobs on their ways to the root do.
+bool ChainAnalysis::all_reach_root(const std::vector<Rank>& sources) const {
+  Table<Rank, bool> is_seen(model_.devices.size());
+  for (const Rank source : sources) {
+    if (!acquire_[source]) return false;
+    for (std::optional<Rank> d = source; d && !is_seen[*d]; d = model_.devices[*d].parent) {
+      if (!profile_.responses.ok(profile_.set.bucket_of[*d])) return false;
+      is_seen[*d] = true;
+    }
+  }
+  return true;
+}
+
 /// The same for large trees: per root release the oldest sample of any source, then per terminal its latest use.
 /// Windows within one job are not used.
 std::vector<ChainResult> ChainAnalysis::worst_of_groups(Rank root, const std::vector<Rank>& leaves,
@@ -95,10 +108,7 @@ std::vector<ChainResult> ChainAnalysis::worst_of_groups(Rank root, const std::ve
     walk_tree(model_, topology_, profile_.responses, profile_.set, profile_.table, root, *profile_.hand_overs, effort_,
               visit);
   };
-  bool complete_tree = true;
-  for (const Rank leaf : leaves) {
-    complete_tree &= profile_.responses.ok(profile_.set.bucket_of[leaf]) && acquire_[leaf].has_value();
-  }
+  const bool complete_tree = all_reach_root(leaves);
   OldestSources sources(model_.devices[root].period, effort_);
   walk_groups([&](const HandOverGroup& group) {
     OldestSources::Oldest best;

@@ -49,6 +49,7 @@ class ChainAnalysis {
   [[nodiscard]] ChainResult complete(Rank from, Rank to, const Decision& decision) const;
   [[nodiscard]] std::vector<ChainResult> worst_of_pairs(const std::vector<Rank>& sources,
                                                         const std::vector<Rank>& terminals) const;
+  [[nodiscard]] bool all_reach_root(const std::vector<Rank>& sources) const;
   [[nodiscard]] std::vector<ChainResult> worst_of_groups(Rank root, const std::vector<Rank>& leaves,
                                                          const std::vector<Rank>& terminals) const;
   [[nodiscard]] std::vector<ChainResult> worst_of(const std::vector<Rank>& sources,
