@@ -84,8 +84,9 @@ class Outfit {
   /// In the order of time; one for each source that an update's state is made of.
   [[nodiscard]] std::vector<SampleUse> uses() const;
   [[nodiscard]] const std::vector<Expectation>& expectations() const { return expectations_; }
-  /// Some event is a fault, and no stimulus or the end of a fault: what bounds presume does not hold.
-  [[nodiscard]] bool injects_faults() const { return injects_faults_; }
+  /// Assumptions of the bounds that events violate, in the order of the events: those of faults, not of stimuli or of
+  /// ends of faults.
+  [[nodiscard]] const std::vector<std::string>& violated() const { return violated_; }
   /// Resets the scenario has asked for so far.
   [[nodiscard]] unsigned scripted_resets() const { return scripted_resets_; }
 
@@ -155,7 +156,7 @@ class Outfit {
   std::vector<PartEvent> events_;
   std::vector<Expectation> expectations_;
   unsigned scripted_resets_ = 0;
-  bool injects_faults_ = false;
+  std::vector<std::string> violated_;
 };
 
 }  // namespace finemote::emulator

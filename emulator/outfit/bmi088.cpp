@@ -127,8 +127,8 @@ std::vector<Verb> verbs() {
   return {
       Row::fault("silent", "does not answer, and gives no edges", {until()},
                  [](Bmi088Element& part, const Json& event) { part.model.silent = is_on(event); }),
-      Row::fault("power_cycle", "loses its settings", {},
-                 [](Bmi088Element& part, const Json&) { part.model.power_cycle(); }),
+      violating("recovery", Row::fault("power_cycle", "loses its settings", {},
+                                       [](Bmi088Element& part, const Json&) { part.model.power_cycle(); })),
       Row::fault("cut", "breaks the wires of its data-ready outputs", {until("false mends them")},
                  [](Bmi088Element& part, const Json& event) { part.cut(is_on(event)); }),
       Row::stimulus("heat", "sets its temperature",

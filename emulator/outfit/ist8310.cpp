@@ -57,7 +57,7 @@ Model ist8310() {
           i2c_place() + std::vector{address(0x0E)} + seat() + std::vector{usually({20e-6, 0, -45e-6}, earths_field())},
       .one_of = i2c_where(),
       .verbs = {Row::fault("silent", "does not answer", {until()}, silence),
-                Row::fault("power_cycle", "loses its settings", {}, power_cycle),
+                violating("recovery", Row::fault("power_cycle", "loses its settings", {}, power_cycle)),
                 with_member(Row::stimulus("move", "holds it in this pose; it no longer follows its body",
                                           pose() + std::vector{earths_field()}, move))},
       .values = {Row::value("measurements", "", "so far",

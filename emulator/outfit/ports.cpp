@@ -18,10 +18,10 @@ unsigned number_in(const Json& event, const char* key) { return need<unsigned>(e
 using Act = void (*)(Outfit& outfit, const Json& event);
 
 Verb fault(const char* name, const char* summary, std::vector<Member> members, Act act) {
-  return {name, summary, std::move(members), act, true};
+  return {name, summary, std::move(members), act, kBusErrors};
 }
 Verb stimulus(const char* name, const char* summary, std::vector<Member> members, Act act) {
-  return {name, summary, std::move(members), act, false};
+  return {name, summary, std::move(members), act, {}};
 }
 
 Verb dma_error() {
@@ -54,10 +54,11 @@ PortKind serial_ports() {
              [](Outfit& outfit, const Json& event) { usart(outfit, event).silent = is_on(event); }),
        fault("noise", "bytes with a framing error", {count("bytes")},
              [](Outfit& outfit, const Json& event) { usart(outfit, event).noisy_bytes = number_in(event, "bytes"); }),
-       fault("flood", "bytes that nobody declared, one after the other at the rate of the port",
-             {required(integer("bytes", "", "how many", 1, kMostBytes)),
-              usually(kUsualNoise, integer("byte", "", "", 0, 255))},
-             send_noise),
+       violating("declared-nodes",
+                 fault("flood", "bytes that nobody declared, one after the other at the rate of the port",
+                       {required(integer("bytes", "", "how many", 1, kMostBytes)),
+                        usually(kUsualNoise, integer("byte", "", "", 0, 255))},
+                       send_noise)),
        dma_error()}};
 }
 
@@ -86,19 +87,21 @@ PortKind i2c_ports() {
 }
 
 PortKind can_ports() {
-  return {"can",
-          "CAN port",
-          {"can1", "can2"},
-          {fault("disturb", "destroys frames on the wire", {count("frames")},
-                 [](Outfit& outfit, const Json& event) {
-                   can(outfit, event).line.disturbed_frames = number_in(event, "frames");
-                 }),
-           fault("flood", "a node that nobody declared sends frames of eight bytes",
-                 {required(integer("identifier", "", "", 0, 2047)), count("frames"),
-                  usually(kUsualEvery_ns, integer("every_ns", "ns", "from one to the next", 1'000, kLongest))},
-                 send_foreign_frames),
-           fault("silent", "no node receives or acknowledges", {until()},
-                 [](Outfit& outfit, const Json& event) { can(outfit, event).line.cut = is_on(event); })}};
+  return {
+      "can",
+      "CAN port",
+      {"can1", "can2"},
+      {fault("disturb", "destroys frames on the wire", {count("frames")},
+             [](Outfit& outfit, const Json& event) {
+               can(outfit, event).line.disturbed_frames = number_in(event, "frames");
+             }),
+       violating("declared-nodes",
+                 fault("flood", "a node that nobody declared sends frames of eight bytes",
+                       {required(integer("identifier", "", "", 0, 2047)), count("frames"),
+                        usually(kUsualEvery_ns, integer("every_ns", "ns", "from one to the next", 1'000, kLongest))},
+                       send_foreign_frames)),
+       fault("silent", "no node receives or acknowledges", {until()},
+             [](Outfit& outfit, const Json& event) { can(outfit, event).line.cut = is_on(event); })}};
 }
 
 PortKind converters() {
@@ -155,9 +158,12 @@ const std::vector<Verb>& pin_verbs() {
 }
 
 const std::vector<Verb>& board_verbs() {
-  static const std::vector<Verb> kVerbs{emulator::fault(
-      "reset", "pulls the reset pin at any point of an operation; a part interrupted in the middle of a byte holds SDA",
-      {}, [](Outfit& outfit, const Json&) { outfit.press_reset(); })};
+  static const std::vector<Verb> kVerbs{violating(
+      "bring-up",
+      emulator::fault(
+          "reset",
+          "pulls the reset pin at any point of an operation; a part interrupted in the middle of a byte holds SDA", {},
+          [](Outfit& outfit, const Json&) { outfit.press_reset(); }))};
   return kVerbs;
 }
 

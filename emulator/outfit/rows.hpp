@@ -14,14 +14,14 @@ template <class Part>
 struct Rows {
   using Act = void (*)(Part& part, const Json& event);
 
-  /// What bounds presume does not hold afterwards.
+  /// What bounds presume does not hold afterwards: no bus errors, or what `violating` names.
   static scenario::Verb fault(const char* name, const char* summary, std::vector<scenario::Member> members, Act act) {
-    return {name, summary, std::move(members), on_part(act), true};
+    return {name, summary, std::move(members), on_part(act), scenario::kBusErrors};
   }
   /// Something every part has to stand.
   static scenario::Verb stimulus(const char* name, const char* summary, std::vector<scenario::Member> members,
                                  Act act) {
-    return {name, summary, std::move(members), on_part(act), false};
+    return {name, summary, std::move(members), on_part(act), {}};
   }
   static scenario::Quantity value(const char* name, const char* unit, const char* summary, double (*look)(Part& part)) {
     return {name, unit, summary, [look](Element& part, unsigned) { return look(static_cast<Part&>(part)); }};

@@ -253,7 +253,7 @@ Json run(Bench& bench, const Json& job) {
           {"reports", reports_of(board)},
           {"resets", board.resets() - outfit.scripted_resets()},
           {"overruns", overruns_of(board, image)},
-          {"faulty", outfit.injects_faults()},
+          {"violated", outfit.violated()},
           {"fault_counts", faults_of(board, image)},
           {"ready_ns", ready->end_ns},
           {"faults_at_ready", ready->faults},

@@ -93,6 +93,13 @@ inline Member held(const char* words, Member member) {
 /// Of a fault that lasts: it begins, or with false it ends.
 inline Member until(const char* summary = "false ends it") { return flag("on", summary); }
 inline Member count(const char* name) { return required(integer(name, "", "how many", 1, 1e9)); }
+/// A fault of most kinds: frames are damaged, lost or refused. Ids are those of docs/timing.md "Assumptions".
+inline constexpr const char* kBusErrors = "bus-errors";
+/// A fault that violates another assumption than `bus-errors`.
+inline Verb violating(const char* assumption, Verb fault) {
+  fault.violates = assumption;
+  return fault;
+}
 inline Verb with_member(Verb verb) {
   verb.needs_member = true;
   return verb;

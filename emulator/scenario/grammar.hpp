@@ -68,7 +68,7 @@ struct Verb {
   std::string name, summary;
   std::vector<Member> members;
   Act act;
-  bool is_fault = true;       ///< what bounds presume does not hold any more; else a stimulus
+  std::string violates;       ///< id of the assumption of the bounds that does not hold any more; empty: a stimulus
   bool needs_member = false;  ///< says nothing without at least one of its members
 };
 

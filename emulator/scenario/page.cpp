@@ -65,7 +65,8 @@ void add_verbs(Rows& rows, const std::string& who, const std::vector<Verb>& verb
   for (const Verb& verb : verbs)
     add_row(
         rows, who,
-        fmt::format("`{}` | {} | {} | {}", verb.name, verb.is_fault ? "yes" : "", verb.summary, list_of(verb.members)));
+        fmt::format("`{}` | {} | {} | {}", verb.name, verb.violates.empty() ? "" : fmt::format("`{}`", verb.violates),
+                    verb.summary, list_of(verb.members)));
 }
 
 std::string shown(const Target& target) {
@@ -88,7 +89,7 @@ std::string parts_table() {
 std::string actions_table() {
   Rows rows;
   for (const Target& target : targets()) add_verbs(rows, shown(target), *target.verbs);
-  return table("| target | `do` | fault | effect | members |\n|---|---|---|---|---|\n", rows);
+  return table("| target | `do` | violates | effect | members |\n|---|---|---|---|---|\n", rows);
 }
 
 std::string values_table() {

@@ -75,7 +75,7 @@ bool overrun_stops(const Robot& robot) {
 bool is_stopped_later(const Json& record, const Robot& robot, const FaultTable& table, Diagnostics& diagnostics) {
   const std::vector<FaultCount> faults = faults_of(record);
   const FaultCount* stop = stopping_fault(table, faults, overrun_stops(robot));
-  if (stop == nullptr || record.at("faulty").get<bool>()) return false;
+  if (stop == nullptr || !record.at("violated").empty()) return false;
   const Json& stages = record.at("stages");
   const Duration last = stages.empty() ? Duration::zero() : time_of(stages.back().at(0));
   report_safe_stop(table, faults, *stop, fmt::format("after its last stage at {}", units::format_duration(last)),

@@ -115,7 +115,7 @@ RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest
   record.buses = buses_of(json, robot);
   record.monitor = monitor_of(json, forest);
   record.resets = json.at("resets");
-  record.faulty = json.at("faulty");
+  record.violated = json.at("violated").get<std::vector<std::string>>();
   return record;
 }
 

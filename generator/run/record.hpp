@@ -103,7 +103,7 @@ struct RunRecord {
   std::vector<ExpectationRecord> expectations;  ///< of the scenario; emulated board only
   std::string flash;                            ///< hit or miss: how the emulated board counted fetches
   SiliconChoice silicon;                        ///< in what the emulated chip was meaner
-  bool faulty = false;                          ///< the scenario injects faults: bounds need not hold
+  std::vector<std::string> violated;            ///< assumptions that the scenario violates: bounds need not hold
   std::vector<std::string> silent;              ///< devices without a model on the emulated board
   std::vector<FaultCount> faults;               ///< in the order of their first times
   std::vector<FaultCount> late_faults;          ///< of these, counted after the bring-up

@@ -20,12 +20,10 @@ Json statistics(const Measured& figure) {
           {"bound_ns", bound(figure.bound)}, {"judged", judgement_name(figure.judged())}};
 }
 
-/// Of a scenario with faults: a bound that is broken presumes what the scenario breaks.
-constexpr const char* kBrokenAssumption = "bus-errors";
-
-/// Says of what is broken under faults which assumption they break.
+/// Says of what is broken under faults which assumption they violate: the first of the scenario.
 Json excused(Json document, const RunResult& result, const Measured& figure) {
-  if (result.record.faulty && figure.judged() == Judgement::broken) document["assumption"] = kBrokenAssumption;
+  const std::vector<std::string>& violated = result.record.violated;
+  if (!violated.empty() && figure.judged() == Judgement::broken) document["assumption"] = violated.front();
   return document;
 }
 
@@ -229,7 +227,7 @@ Json run_document(const RunResult& result) {
                    {"buses", bus_list(result)},
                    {"flash", result.record.flash.empty() ? Json(nullptr) : Json(result.record.flash)},
                    {"silicon", result.record.flash.empty() ? Json(nullptr) : silicon_json(result.record.silicon)},
-                   {"faults", result.record.faulty},
+                   {"faults", !result.record.violated.empty()},
                    {"fault_counts", fault_list(result)},
                    {"expectations", expectation_list(result)},
                    {"silent", result.record.silent},

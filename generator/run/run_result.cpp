@@ -68,7 +68,7 @@ std::vector<FaultCount> RunResult::unexplained_faults() const {
     const FaultMeaning* meaning = meaning_of(fault_table, fault);
     if (meaning == nullptr || silent.count(meaning->module_name) == 0) faults.push_back(fault);
   }
-  return record.faulty ? std::vector<FaultCount>{} : faults;
+  return record.violated.empty() ? faults : std::vector<FaultCount>{};
 }
 
 bool RunResult::good() const {
@@ -78,7 +78,7 @@ bool RunResult::good() const {
   if (must_judge && !is_judged()) return false;
   if (order.mistake || !unexplained_faults().empty()) return false;
   return overruns() == 0 && record.resets == 0 && wcets_hold && as_expected &&
-         ((bounds_hold() && claims_hold()) || record.faulty);
+         ((bounds_hold() && claims_hold()) || !record.violated.empty());
 }
 
 const std::string& name_of(const RunResult& result, DeviceId device) { return result.robot.devices[device].name.text; }

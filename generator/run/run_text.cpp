@@ -202,7 +202,9 @@ void print_run(const RunResult& result, std::ostream& out) {
     out << fmt::format("  {:<12} {:>7} transfers {:>4} errors  busy {:.1f} %\n", result.robot.buses[bus.bus].name.text,
                        bus.transfers, bus.errors, 100 * bus.busy);
   }
-  if (result.record.faulty) out << "\nthe scenario injects faults: bounds are shown, not judged\n";
+  if (!result.record.violated.empty())
+    out << fmt::format("\nthe scenario violates assumptions of the bounds ({}), which are shown and do not count\n",
+                       fmt::join(result.record.violated, ", "));
   print_expectations(result, out);
   print_wcets(result, out);
   for (const std::string& device : result.record.silent)

@@ -76,22 +76,28 @@ TEST_CASE("events and looks count from the instant the scenario begins at") {
   CHECK(broken_ns <= 450'000'000 + 1'000);  // between two instructions
 }
 
-TEST_CASE("what ends a fault is none") {
-  const auto injects = [](const std::string& event) {
+TEST_CASE("a fault violates an assumption, what ends one does not") {
+  using Assumptions = std::vector<std::string>;
+  const auto violated = [](const std::string& event) {
     Board board{finemote::test::type_c()};
     Outfit outfit(board);
     auto document = nlohmann::ordered_json::parse(kParts);
-    document["events"] = {nlohmann::ordered_json::parse("{\"t_ns\": 1, " + event + "}")};
+    document["events"] = nlohmann::ordered_json::parse("[{\"t_ns\": 1, " + event + "}]");
     outfit.add(document);
-    return outfit.injects_faults();
+    return outfit.violated();
   };
-  CHECK(injects(R"("part": "imu", "do": "silent")"));
-  CHECK(injects(R"("part": "imu", "do": "silent", "on": true)"));
-  CHECK(injects(R"("port": "i2c2", "do": "hold_sda", "clocks": 4)"));
-  CHECK_FALSE(injects(R"("part": "imu", "do": "silent", "on": false)"));
-  CHECK_FALSE(injects(R"("port": "usart1", "do": "silent", "on": false)"));
-  CHECK_FALSE(injects(R"("port": "adc3", "do": "silent", "on": false)"));
-  CHECK_FALSE(injects(R"("port": "i2c2", "do": "release_sda")"));
+  CHECK(violated(R"("part": "imu", "do": "silent")") == Assumptions{"bus-errors"});
+  CHECK(violated(R"("part": "imu", "do": "silent", "on": true)") == Assumptions{"bus-errors"});
+  CHECK(violated(R"("part": "imu", "do": "damage", "frames": 1}, {"t_ns": 2, "part": "imu", "do": "silent")") ==
+        Assumptions{"bus-errors"});
+  CHECK(violated(R"("part": "pwm", "do": "power_cycle")") == Assumptions{"recovery"});
+  CHECK(violated(R"("port": "can1", "do": "flood", "identifier": 1, "frames": 1}, {"t_ns": 2, "do": "reset")") ==
+        Assumptions{"declared-nodes", "bring-up"});
+  CHECK(violated(R"("port": "i2c2", "do": "hold_sda", "clocks": 4)") == Assumptions{"bus-errors"});
+  CHECK(violated(R"("part": "imu", "do": "silent", "on": false)").empty());
+  CHECK(violated(R"("port": "usart1", "do": "silent", "on": false)").empty());
+  CHECK(violated(R"("port": "adc3", "do": "silent", "on": false)").empty());
+  CHECK(violated(R"("port": "i2c2", "do": "release_sda")").empty());
 }
 
 TEST_CASE("a value that is not finite fails, and is told from one that was not seen") {

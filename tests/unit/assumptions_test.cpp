@@ -5,8 +5,10 @@
 #include <set>
 
 #include "catch.hpp"
+#include "emulator/scenario/grammar.hpp"
 #include "tests/read.hpp"
 
+namespace scenario = finemote::scenario;
 using namespace finemote::gen::timing;
 
 namespace {
@@ -42,6 +44,17 @@ TEST_CASE("every assumption is on the page, in order, with its words and how it 
     CHECK(items[i].id == assumption.id);
     CHECK(items[i].detected == to_string(assumption.detected));
     CHECK(items[i].text == assumption.text);
+  }
+}
+
+TEST_CASE("what a fault of a scenario violates is an assumption") {
+  std::set<std::string_view> ids{""};
+  for (const Assumption& assumption : assumptions()) ids.insert(assumption.id);
+  for (const scenario::Target& target : scenario::targets()) {
+    for (const scenario::Verb& verb : *target.verbs) {
+      INFO(target.title << " " << verb.name << " violates " << verb.violates);
+      CHECK(ids.contains(verb.violates));
+    }
   }
 }
 
