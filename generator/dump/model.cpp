@@ -111,7 +111,8 @@ Json dump_model(const Robot& robot) {
            {"board", robot.board->name},
            {"board_params", params_json(robot.board_params)},
            {"tick_ns", robot.tick.ns()}};
-  for (const char* list : {"buses", "expanders", "segments", "devices", "requirements", "links", "joints"})
+  for (const char* list :
+       {"buses", "expanders", "segments", "devices", "requirements", "links", "joints", "ros_joints"})
     out[list] = Json::array();
   for (const Bus& bus : robot.buses) out["buses"].push_back(bus_json(bus));
   for (const Expander& expander : robot.expanders) out["expanders"].push_back(expander_json(robot, expander));
@@ -122,6 +123,8 @@ Json dump_model(const Robot& robot) {
     out["requirements"].push_back(requirement_json(robot, requirement));
   for (const Link& link : robot.links) out["links"].push_back(link_json(link));
   for (const Joint& joint : robot.joints) out["joints"].push_back(joint_json(joint));
+  for (const RosJoint& joint : robot.ros_joints)
+    out["ros_joints"].push_back({{"name", joint.name}, {"commands", joint.commands}});
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include "generator/diagnostic/code_hardware.hpp"
 #include "generator/diagnostic/code_mechanics.hpp"
 #include "generator/lint/bus_rules.hpp"
+#include "generator/lint/command_rules.hpp"
 #include "generator/lint/device_rules.hpp"
 #include "generator/lint/hardware_rules.hpp"
 #include "generator/lint/joint_rules.hpp"
@@ -33,6 +34,8 @@ const Rule kRules[] = {
     {code::lint_sensor_place, "a sensor is not on what it measures for its device", find_misplaced_sensors},
     {code::lint_same_place, "two thrusters are in the same place", find_doubled_axes},
     {code::lint_param_range, "a param allows angles beyond the limits of the joint", find_wide_params},
+    {code::lint_other_command, "a joint is commanded by ros2_control what its device does not take",
+     find_other_commands},
     {code::lint_odd_output, "a pin leads nowhere, or an output is made for something else", find_odd_outputs},
 };
 

@@ -167,6 +167,7 @@ void read_all(Reading& reading) {
   check_joints(reading);
   check_arities(reading);
   read_requirements(reading);
+  read_ros_joints(reading);
 }
 
 }  // namespace

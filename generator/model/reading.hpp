@@ -78,6 +78,7 @@ void judge_doubts(Reading& reading);                         // doubts.cpp: word
 void check_joints(Reading& reading);                         // joints.cpp
 void check_geometry(Reading& reading, DeviceId device);      // geometry.cpp: of check_joints(), for one device
 void report_no_position(Reading& reading, DeviceId device);  // joints.cpp: limits of its joint with nothing between
+void read_ros_joints(Reading& reading);                      // ros_joints.cpp: what ROS commands
 void read_requirements(Reading& reading);                    // requirements.cpp
 
 bool satisfies(const DeviceType& child, const RoleSpec& role);  // roles.cpp: it provides the role's interface

@@ -123,6 +123,13 @@ struct Requirement {
   Position at;
 };
 
+/// A joint as <ros2_control> describes it.
+struct RosJoint {
+  std::string name;
+  std::vector<std::string> commands;  ///< names of its command interfaces, in document order; empty: it takes none
+  Position at;                        ///< its tag there
+};
+
 struct Robot {
   Name name;
   const Board* board = nullptr;
@@ -130,6 +137,7 @@ struct Robot {
   Duration tick = milliseconds(1);
   std::vector<Link> links;
   std::vector<Joint> joints;
+  std::vector<RosJoint> ros_joints;       ///< each once, in document order
   Table<BusId, Bus> buses;                ///< document order
   Table<ExpanderId, Expander> expanders;  ///< document order
   Table<SegmentId, Segment> segments;     ///< buses first, then channels and PWM expanders in document order

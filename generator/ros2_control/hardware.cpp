@@ -37,6 +37,7 @@ std::optional<Component::Kind> kind_of(const xml::Node& node) {
 
 Component component_of(const xml::Node& node, Component::Kind kind) {
   Component part{kind, attribute(node, "name"), {}, {}, attribute(node, "mimic") == "true"};
+  part.at = node.at;
   for (const xml::Node& child : node.children) {
     if (child.is_element("command_interface")) part.commands.push_back(attribute(child, "name"));
     if (child.is_element("state_interface")) part.states.push_back(attribute(child, "name"));

@@ -16,6 +16,7 @@ struct Component {
   std::vector<std::string> commands, states;  ///< names of its interfaces, in document order
   bool is_mimic = false;                      ///< a joint that another one moves
   bool can_turn = true;                       ///< not: a joint that slides, is fixed, or that the robot does not have
+  Position at = {};                           ///< its tag
 };
 
 /// One <ros2_control> element.

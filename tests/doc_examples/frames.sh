@@ -204,6 +204,9 @@ frame_FM3168() {
   sed "s#<device name=\"gimbal\".*#&$example#" "$source/examples/infantry.urdf" >robot.urdf
   ask
 }
+frame_FM3169() {
+  with_links "<joint name=\"tilt\" type=\"continuous\"><parent link=\"base_link\"/><child link=\"head_link\"/></joint><link name=\"head_link\"/><ros2_control name=\"head\" type=\"actuator\"><joint name=\"tilt\">$example</joint></ros2_control>" '<bus name="pwm" type="pwm" port="pwm1"/><device name="head" type="pwm_servo" period="10ms" bus="pwm" channel="0" joint="tilt"/>'
+}
 frame_FM3157() { mecanum "$example"; }
 finsrov_child() { local child=$example; robot "<device name=\"rov\" type=\"finsrov\" period=\"20ms\">$child</device>"; ask; }
 frame_FM3051() { finsrov_child; }
