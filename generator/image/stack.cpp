@@ -8,7 +8,8 @@
 #include <fmt/ranges.h>
 
 #include "generator/image/exception.hpp"
-#include "generator/image/flow.hpp"
+#include "generator/image/program.hpp"
+#include "generator/image/stack_use.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -25,11 +26,7 @@ struct Deepest {
 
 class Analysis {
  public:
-  Analysis(const Image& image, Diagnostics& diagnostics) : image_(image), diagnostics_(diagnostics) {
-    for (const ImageSymbol& symbol : image.symbols) {
-      if (symbol.kind == ImageSymbol::Kind::function && symbol.section != 0)
-        functions_.try_emplace(symbol.address, &symbol);
-    }
+  Analysis(const Image& image, Diagnostics& diagnostics) : image_(image), diagnostics_(diagnostics), program_(image) {
     read_schedule();
   }
 
@@ -107,30 +104,30 @@ class Analysis {
   Deepest deepest_from(std::uint32_t address) {
     const auto known = done_.find(address);
     if (known != done_.end()) return known->second;
-    const auto function = functions_.find(address);
-    if (function == functions_.end()) {
+    const ProgramFunction* function = program_.at(address);
+    if (function == nullptr) {
       fail(code::unbounded_stack, fmt::format("no function at the called address 0x{:08x}", address));
       return {};
     }
-    const std::string name = readable_name(function->second->name);
+    const std::string name = readable_name(function->symbol->name);
     if (!open_.insert(address).second) {
       fail(code::recursion, fmt::format("'{}' calls itself, directly or through others", name))
           .hint("the stack of recursive code has no bound: write a loop");
       return {};
     }
     trail_.push_back(name);
-    Deepest deepest = deepest_of(follow(image_, *function->second), name);
+    Deepest deepest = deepest_of(stack_use(*function), name);
     trail_.pop_back();
     open_.erase(address);
     deepest.path.insert(deepest.path.begin(), name);
     return done_[address] = deepest;
   }
 
-  Deepest deepest_of(const FunctionFlow& flow, const std::string& name) {
-    if (!flow.problem.empty()) fail(code::unbounded_stack, fmt::format("in '{}': {}", name, flow.problem));
-    Deepest deepest{flow.depth, {}};
-    for (const Call& call : flow.calls) {
-      for (const std::uint32_t target : targets_of(call, name)) {
+  Deepest deepest_of(const StackUse& use, const std::string& name) {
+    if (!use.problem.empty()) fail(code::unbounded_stack, fmt::format("in '{}': {}", name, use.problem));
+    Deepest deepest{use.depth, {}};
+    for (const StackUse::Call& call : use.calls) {
+      for (const std::uint32_t target : targets_of(call.call, name)) {
         const Deepest callee = deepest_from(target);
         if (call.depth + callee.bytes > deepest.bytes ||
             (deepest.path.empty() && call.depth + callee.bytes == deepest.bytes)) {
@@ -141,7 +138,7 @@ class Analysis {
     return deepest;
   }
 
-  std::vector<std::uint32_t> targets_of(const Call& call, const std::string& caller) {
+  std::vector<std::uint32_t> targets_of(const FlowCall& call, const std::string& caller) {
     if (call.target) return {*call.target};
     if (caller == "finemote_reset") return constructors();
     if (caller == "main" || caller.rfind("finemote::detail::start_robot(", 0) == 0)
@@ -172,7 +169,7 @@ class Analysis {
 
   const Image& image_;
   Diagnostics& diagnostics_;
-  std::map<std::uint32_t, const ImageSymbol*> functions_;
+  Program program_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> buckets_;  // line, entry
   std::uint32_t start_buses_ = 0, safe_outputs_ = 0;              // what the runtime calls through the schedule
   std::map<std::uint32_t, Deepest> done_;

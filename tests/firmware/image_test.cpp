@@ -6,7 +6,6 @@
 #include "catch.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/image/check.hpp"
-#include "generator/image/flow.hpp"
 #include "generator/image/sizes.hpp"
 
 namespace {

@@ -1,0 +1,124 @@
+#include "generator/image/instruction.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string_view>
+
+namespace finemote::gen {
+namespace {
+
+/// A decoder that begins outside of an IT block: capstone carries the state of one over from call to call.
+class Capstone {
+ public:
+  Capstone() {
+    ok_ = cs_open(CS_ARCH_ARM, static_cast<cs_mode>(CS_MODE_THUMB | CS_MODE_MCLASS), &handle_) == CS_ERR_OK;
+    if (ok_) cs_option(handle_, CS_OPT_DETAIL, CS_OPT_ON);
+  }
+  ~Capstone() {
+    if (ok_) cs_close(&handle_);
+  }
+  Capstone(const Capstone&) = delete;
+  Capstone& operator=(const Capstone&) = delete;
+  [[nodiscard]] csh handle() const { return handle_; }
+
+ private:
+  csh handle_ = 0;
+  bool ok_ = false;
+};
+
+Instruction instruction_of(const cs_insn& decoded) {
+  const cs_arm& arm = decoded.detail->arm;
+  Instruction instruction;
+  instruction.address = static_cast<std::uint32_t>(decoded.address);
+  instruction.size = decoded.size;
+  instruction.id = decoded.id;
+  instruction.condition = arm.cc;
+  instruction.sets_flags = arm.update_flags;
+  instruction.writes_back = arm.writeback;
+  instruction.operands.assign(arm.operands, arm.operands + arm.op_count);
+  instruction.text = std::string(decoded.mnemonic) + " " + decoded.op_str;
+  return instruction;
+}
+
+bool is_double(int reg) { return reg >= ARM_REG_D0 && reg <= ARM_REG_D31; }
+
+bool is_call(const Instruction& i) { return i.id == ARM_INS_BL || i.id == ARM_INS_BLX; }
+
+/// Instructions whose operands are all read.
+bool only_reads(unsigned id) {
+  switch (id) {
+    case ARM_INS_CMP:
+    case ARM_INS_CMN:
+    case ARM_INS_TST:
+    case ARM_INS_TEQ:
+    case ARM_INS_PUSH:
+    case ARM_INS_STR:
+    case ARM_INS_STRB:
+    case ARM_INS_STRH:
+    case ARM_INS_STRD:
+    case ARM_INS_B:
+    case ARM_INS_BX:
+    case ARM_INS_CBZ:
+    case ARM_INS_CBNZ:
+    case ARM_INS_TBB:
+    case ARM_INS_TBH:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+const cs_arm_op* Instruction::memory() const {
+  const auto found =
+      std::find_if(operands.begin(), operands.end(), [](const cs_arm_op& o) { return o.type == ARM_OP_MEM; });
+  return found == operands.end() ? nullptr : &*found;
+}
+
+std::uint32_t Instruction::words_from(std::size_t first) const {
+  std::uint32_t words = 0;
+  for (std::size_t i = first; i < operands.size(); ++i) {
+    if (operands[i].type == ARM_OP_REG) words += is_double(operands[i].reg) ? 2 : 1;
+  }
+  return words;
+}
+
+bool may_write(const Instruction& instruction, int reg) {
+  if (!instruction.is_known()) return true;
+  if (is_call(instruction)) return (reg >= ARM_REG_R0 && reg <= ARM_REG_R3) || reg == ARM_REG_R12 || reg == ARM_REG_LR;
+  const cs_arm_op* memory = instruction.memory();
+  if (instruction.writes_back && memory != nullptr && memory->mem.base == reg) return true;
+  if (only_reads(instruction.id)) return false;
+  // Any other register it names counts: some read it only, which makes this cautious.
+  return std::any_of(instruction.operands.begin(), instruction.operands.end(),
+                     [&](const cs_arm_op& o) { return o.type == ARM_OP_REG && o.reg == reg; });
+}
+
+std::vector<Instruction> decode(std::uint32_t begin, std::string_view bytes) {
+  const Capstone capstone;
+  const auto* code = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  std::size_t left = bytes.size();
+  std::uint64_t address = begin;
+  const std::unique_ptr<cs_insn, void (*)(cs_insn*)> decoded(cs_malloc(capstone.handle()),
+                                                             [](cs_insn* i) { cs_free(i, 1); });
+  std::vector<Instruction> instructions;
+  while (left >= 2) {
+    const auto here = static_cast<std::uint32_t>(address);
+    if (cs_disasm_iter(capstone.handle(), &code, &left, &address, decoded.get())) {
+      instructions.push_back(instruction_of(*decoded));
+      continue;
+    }
+    Instruction unknown;
+    unknown.address = here;
+    unknown.size = (code[1] & 0xF8U) >= 0xE8U ? 4 : 2;
+    const std::size_t taken = std::min<std::size_t>(unknown.size, left);
+    instructions.push_back(std::move(unknown));
+    code += taken;
+    left -= taken;
+    address += taken;
+  }
+  return instructions;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,51 @@
+#include "generator/image/program.hpp"
+
+#include <algorithm>
+
+namespace finemote::gen {
+
+Program::Program(const Image& image) : image_(image) {
+  for (const ImageSymbol& symbol : image.symbols) {
+    if (symbol.kind != ImageSymbol::Kind::function || symbol.section == 0 || functions_.count(symbol.address) != 0)
+      continue;
+    functions_.try_emplace(symbol.address, ProgramFunction{&symbol, FunctionBody(image, symbol), {}, false});
+  }
+  trace_all();
+}
+
+/// A least fixed point: at first no function returns, then those do that reach a return without a call of one that
+/// does not.
+void Program::trace_all() {
+  while (trace_again()) {}
+}
+
+/// True where one more function was found to return.
+bool Program::trace_again() {
+  bool is_one_new = false;
+  const auto call_returns = [this](const FlowCall& call) { return returns(call); };
+  for (auto& [address, function] : functions_) {
+    if (!function.graph.blocks.empty() && !is_cut(function.graph)) continue;
+    function.graph = trace(image_, function.body, call_returns);
+    if (function.returns || !function.graph.has_return(call_returns)) continue;
+    function.returns = is_one_new = true;
+  }
+  return is_one_new;
+}
+
+/// Whether more is reached when one more function returns.
+bool Program::is_cut(const FlowGraph& graph) const {
+  return std::any_of(graph.blocks.begin(), graph.blocks.end(),
+                     [this](const auto& entry) { return entry.second.call && !returns(*entry.second.call); });
+}
+
+const ProgramFunction* Program::at(std::uint32_t address) const {
+  const auto found = functions_.find(address);
+  return found == functions_.end() ? nullptr : &found->second;
+}
+
+bool Program::returns(const FlowCall& call) const {
+  const ProgramFunction* callee = call.target ? at(*call.target) : nullptr;
+  return callee == nullptr || callee->returns;
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,42 @@
+// All functions of an image with their control flow, calls that never return taken into account.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+
+#include "generator/image/body.hpp"
+#include "generator/image/flow_graph.hpp"
+#include "generator/image/image.hpp"
+
+namespace finemote::gen {
+
+struct ProgramFunction {
+  const ImageSymbol* symbol = nullptr;
+  FunctionBody body;
+  FlowGraph graph;
+  bool returns = false;  ///< some path leads back to the caller
+};
+
+class Program {
+ public:
+  /// `image` outlives it.
+  explicit Program(const Image& image);
+
+  /// The function that begins there, or null.
+  [[nodiscard]] const ProgramFunction* at(std::uint32_t address) const;
+  /// False where the callee is known and never returns.
+  [[nodiscard]] bool returns(const FlowCall& call) const;
+  /// By address.
+  [[nodiscard]] const std::map<std::uint32_t, ProgramFunction>& functions() const { return functions_; }
+
+ private:
+  void trace_all();
+  bool trace_again();
+  [[nodiscard]] bool is_cut(const FlowGraph& graph) const;
+
+  const Image& image_;
+  std::map<std::uint32_t, ProgramFunction> functions_;
+};
+
+}  // namespace finemote::gen
