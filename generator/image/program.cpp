@@ -8,7 +8,7 @@ Program::Program(const Image& image) : image_(image) {
   for (const ImageSymbol& symbol : image.symbols) {
     if (symbol.kind != ImageSymbol::Kind::function || symbol.section == 0 || functions_.count(symbol.address) != 0)
       continue;
-    functions_.try_emplace(symbol.address, ProgramFunction{&symbol, FunctionBody(image, symbol), {}, false});
+    functions_.try_emplace(symbol.address, ProgramFunction{&symbol, FunctionBody(image, symbol), {}, false, true});
   }
   trace_all();
 }
@@ -24,15 +24,16 @@ bool Program::trace_again() {
   bool is_one_new = false;
   const auto call_returns = [this](const FlowCall& call) { return returns(call); };
   for (auto& [address, function] : functions_) {
-    if (!function.graph.blocks.empty() && !is_cut(function.graph)) continue;
+    if (!function.is_cut) continue;
     function.graph = trace(image_, function.body, call_returns);
+    function.is_cut = is_cut(function.graph);
     if (function.returns || !function.graph.has_return(call_returns)) continue;
     function.returns = is_one_new = true;
   }
   return is_one_new;
 }
 
-/// Whether more is reached when one more function returns.
+/// Whether it ends at calls of functions of which no return is known: more is reached when they return.
 bool Program::is_cut(const FlowGraph& graph) const {
   return std::any_of(graph.blocks.begin(), graph.blocks.end(),
                      [this](const auto& entry) { return entry.second.call && !returns(*entry.second.call); });

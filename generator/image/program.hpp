@@ -16,6 +16,7 @@ struct ProgramFunction {
   FunctionBody body;
   FlowGraph graph;
   bool returns = false;  ///< some path leads back to the caller
+  bool is_cut = true;    ///< the graph ends at a call that does not return, as far as was known when it was made
 };
 
 class Program {
