@@ -6,6 +6,7 @@
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/diagnostic/code_project.hpp"
+#include "generator/format/format.hpp"
 #include "generator/input/read_document.hpp"
 #include "generator/output/folder.hpp"
 #include "generator/ros2_control/proposal.hpp"
@@ -66,7 +67,8 @@ Answer run_import(const Options& options, Sources& sources, Diagnostics& diagnos
   input.packages = options.packages;
   const auto document = read_document(input, sources, diagnostics);
   if (!document || !is_importable(document->root, diagnostics)) return no_answer();
-  const Proposal proposal = ros2_control::propose(ros2_control::read_hardware(document->root));
+  Proposal proposal = ros2_control::propose(ros2_control::read_hardware(document->root));
+  proposal.text = formatted(proposal.text);
   if (!options.out.empty()) {
     const std::string text = with_element(sources.files().front().text, proposal.text);
     check_outputs({{options.out, "-o"}}, sources, diagnostics);

@@ -32,12 +32,12 @@ std::optional<Component::Kind> kind_of(const xml::Node& node) {
   if (node.is_element("joint")) return Component::Kind::joint;
   if (node.is_element("sensor")) return Component::Kind::sensor;
   if (node.is_element("gpio")) return Component::Kind::gpio;
+  if (node.is_element("transmission")) return Component::Kind::transmission;
   return std::nullopt;
 }
 
 Component component_of(const xml::Node& node, Component::Kind kind) {
-  Component part{kind, attribute(node, "name"), {}, {}, attribute(node, "mimic") == "true"};
-  part.at = node.at;
+  Component part{kind, attribute(node, "name"), {}, {}, attribute(node, "mimic") == "true", {}, node.at};
   for (const xml::Node& child : node.children) {
     if (child.is_element("command_interface")) part.commands.push_back(attribute(child, "name"));
     if (child.is_element("state_interface")) part.states.push_back(attribute(child, "name"));
@@ -46,17 +46,13 @@ Component component_of(const xml::Node& node, Component::Kind kind) {
   return part;
 }
 
-/// What the robot's own element of the joint says: whether it turns, and whether by itself.
+/// What the robot's own element of the joint says: how it moves, and whether by itself.
 void look_up_joint(const xml::Node& robot, Component& part) {
   const auto joint = std::find_if(robot.children.begin(), robot.children.end(), [&](const xml::Node& node) {
     return node.is_element("joint") && attribute(node, "name") == part.name;
   });
-  if (joint == robot.children.end()) {
-    part.can_turn = false;
-    return;
-  }
-  const std::string type = attribute(*joint, "type");
-  part.can_turn = type == "revolute" || type == "continuous";
+  if (joint == robot.children.end()) return;
+  part.type = attribute(*joint, "type");
   part.is_mimic |= std::any_of(joint->children.begin(), joint->children.end(),
                                [](const xml::Node& child) { return child.is_element("mimic"); });
 }

@@ -10,13 +10,16 @@
 namespace finemote::gen::ros2_control {
 
 struct Component {
-  enum class Kind { joint, sensor, gpio };
+  enum class Kind { joint, sensor, gpio, transmission };
   Kind kind = Kind::joint;
   std::string name;
   std::vector<std::string> commands, states;  ///< names of its interfaces, in document order
   bool is_mimic = false;                      ///< a joint that another one moves
-  bool can_turn = true;                       ///< not: a joint that slides, is fixed, or that the robot does not have
-  Position at = {};                           ///< its tag
+  std::string type;                           ///< of the robot's joint of that name: `continuous`; empty: it has none
+  Position at;                                ///< its tag
+
+  /// The robot has that joint, and it turns.
+  [[nodiscard]] bool can_turn() const { return type == "revolute" || type == "continuous"; }
 };
 
 /// One <ros2_control> element.

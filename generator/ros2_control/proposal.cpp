@@ -9,7 +9,7 @@
 namespace finemote::gen::ros2_control {
 namespace {
 
-constexpr int kMotorsOfBus = 8, kServosOfDriver = 16;
+constexpr int kMotorsOfBus = 8, kOutputsOfDriver = 16;
 constexpr int kFirstDriverAddress = 0x40;  // of a PCA9685
 const char* const kCanPorts[] = {"can1", "can2"};
 constexpr int kMostDrivers = 8;
@@ -50,7 +50,7 @@ class Writer {
     Writer head;  // guesses in the order of the text: board and buses come first
     head.guess("    ", "the board");
     head.lines_ += "    <board name=\"robomaster_type_c\"/>\n\n";
-    head.buses(motors_, servos_, sensors_);
+    head.buses(motors_, outputs_, sensors_);
     text += head.lines_ + lines_;
     proposal_.guesses.insert(proposal_.guesses.begin(), head.proposal_.guesses.begin(), head.proposal_.guesses.end());
     proposal_.lacking.emplace_back(
@@ -68,19 +68,19 @@ class Writer {
 
   void lack(const std::string& what) { proposal_.lacking.push_back(what); }
 
-  void buses(int motors, int servos, int sensors) {
+  void buses(int motors, int outputs, int sensors) {
     for (int i = 0; i * kMotorsOfBus < motors; ++i) {
       guess("    ", fmt::format("the port that motors are on, up to {} of them", kMotorsOfBus));
       lines_ += fmt::format("    <bus name=\"motors_{}\" type=\"can\" port=\"{}\" bitrate=\"1Mbit/s\"/>\n", i + 1,
                             kCanPorts[i]);
     }
-    if (servos > 0) {
-      guess("    ", "servos on PCA9685 drivers, and the port these are on");
-      lines_ += "    <bus name=\"servo_i2c\" type=\"i2c\" port=\"i2c2\" clock=\"400kHz\"/>\n";
+    if (outputs > 0) {
+      guess("    ", "servos and thrusters on PCA9685 drivers, and the port these are on");
+      lines_ += "    <bus name=\"pulse_i2c\" type=\"i2c\" port=\"i2c2\" clock=\"400kHz\"/>\n";
     }
-    for (int i = 0; i * kServosOfDriver < servos; ++i)
+    for (int i = 0; i * kOutputsOfDriver < outputs; ++i)
       lines_ +=
-          fmt::format("    <expander name=\"servos_{}\" model=\"pca9685\" bus=\"servo_i2c\" address=\"{:#x}\"/>\n",
+          fmt::format("    <expander name=\"pulses_{}\" model=\"pca9685\" bus=\"pulse_i2c\" address=\"{:#x}\"/>\n",
                       i + 1, kFirstDriverAddress + i);
     if (sensors > 0) {
       guess("    ", "the attitude sensor's type, port and rate");
@@ -127,36 +127,59 @@ class Writer {
 
   void device(const Hardware& hardware, const Component& part) {
     const std::string what = fmt::format("'{}' of hardware '{}'", part.name, hardware.name);
-    if (part.kind == Component::Kind::gpio) return lack("gpio " + what + ": led, key, battery or a type of your own");
-    if (part.kind == Component::Kind::sensor) return sensor(part, what);
+    switch (part.kind) {
+      case Component::Kind::joint:
+        return joint(part, what);
+      case Component::Kind::sensor:
+        return sensor(part, what);
+      case Component::Kind::gpio:
+        return lack("gpio " + what + ": led, key, battery or a type of your own");
+      case Component::Kind::transmission:
+        return lack("transmission " + what + ": its reduction and offset, in the params of the device");
+    }
+  }
+
+  void joint(const Component& part, const std::string& what) {
     if (part.is_mimic) return note("joint '" + part.name + "' follows another one: no device");
+    if (part.commands.empty() && part.states.empty())
+      return lack("joint " + what + ": what it takes, as it names no interface");
     if (part.commands.empty()) return note("joint '" + part.name + "' takes no command: no device");
-    if (!part.can_turn) return lack(fmt::format("joint {}: no joint of the robot that turns", what));
-    if (has(part.commands, "velocity") || has(part.commands, "effort")) return motor(part, what);
+    if (part.type.empty()) return lack("joint " + what + ": the robot has no such joint");
+    if (!part.can_turn()) return lack(fmt::format("joint {}: it is {}, and nothing here moves that", what, part.type));
+    for (const char* command : {"velocity", "effort"})
+      if (has(part.commands, command)) return motor(part, what, command);
+    if (has(part.commands, "thrust")) return thruster(part, what);
     if (has(part.commands, "position")) return servo(part, what);
     lack(fmt::format("joint {}: nothing here takes the command '{}'", what, part.commands.front()));
   }
 
   void note(const std::string& text) { lines_ += "      <!-- " + for_comment(text) + " -->\n"; }
 
-  void motor(const Component& part, const std::string& what) {
+  void motor(const Component& part, const std::string& what, const char* command) {
     if (motors_ == kMotorsOfBus * static_cast<int>(std::size(kCanPorts)))
       return lack("joint " + what + ": both CAN buses have all the motors they take");
-    guess("      ",
-          fmt::format("'{}' takes the command '{}': a CAN motor, its type and id", part.name, part.commands.front()));
+    guess("      ", fmt::format("'{}' takes the command '{}': a CAN motor, its type and id", part.name, command));
     add(part, "dji_m3508",
         fmt::format("bus=\"motors_{}\" id=\"{}\" joint=\"{}\"", motors_ / kMotorsOfBus + 1, motors_ % kMotorsOfBus + 1,
                     escaped(part.name)));
     ++motors_;
   }
 
+  void thruster(const Component& part, const std::string& what) {
+    pulses(part, what, "pwm_esc", "takes thrust: a propeller on a speed controller, and its channel");
+  }
+
   void servo(const Component& part, const std::string& what) {
-    if (servos_ == kServosOfDriver * kMostDrivers) return lack("joint " + what + ": no driver has a channel left");
-    guess("      ", fmt::format("'{}' takes positions: a servo, and its channel", part.name));
-    add(part, "pwm_servo",
-        fmt::format("bus=\"servos_{}\" channel=\"{}\" joint=\"{}\"", servos_ / kServosOfDriver + 1,
-                    servos_ % kServosOfDriver, escaped(part.name)));
-    ++servos_;
+    pulses(part, what, "pwm_servo", "takes positions: a servo, and its channel");
+  }
+
+  void pulses(const Component& part, const std::string& what, const char* type, const char* because) {
+    if (outputs_ == kOutputsOfDriver * kMostDrivers) return lack("joint " + what + ": no driver has a channel left");
+    guess("      ", fmt::format("'{}' {}", part.name, because));
+    add(part, type,
+        fmt::format("bus=\"pulses_{}\" channel=\"{}\" joint=\"{}\"", outputs_ / kOutputsOfDriver + 1,
+                    outputs_ % kOutputsOfDriver, escaped(part.name)));
+    ++outputs_;
   }
 
   void sensor(const Component& part, const std::string& what) {
@@ -195,7 +218,7 @@ class Writer {
   Proposal proposal_;
   std::string lines_;
   std::set<std::string> names_;  ///< in lower case: names that differ by it alone are refused
-  int motors_ = 0, servos_ = 0, sensors_ = 0;
+  int motors_ = 0, outputs_ = 0, sensors_ = 0;
   int devices_ = 0;  ///< of the tree
 };
 

@@ -16,8 +16,8 @@ struct Proposal {
 };
 
 /// A tree for each <ros2_control> element, a device for each part that this project has a driver for: joints with a
-/// position command are servos, with a velocity or effort command CAN motors, sensors with an orientation attitude
-/// sensors.
+/// position command are servos, with a velocity or effort command CAN motors, with a thrust command thrusters, sensors
+/// with an orientation attitude sensors.
 Proposal propose(const std::vector<Hardware>& all);
 
 }  // namespace finemote::gen::ros2_control

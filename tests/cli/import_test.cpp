@@ -64,7 +64,7 @@ std::vector<Robot> robots() {
            kPlugin + takes("finger", {"position"}) + takes("other_finger", {"position"}) + "</ros2_control>",
        7,
        {"sensor 'tcp_fts_sensor' of hardware 'arm'", "gpio 'flange' of hardware 'arm'",
-        "joint 'finger' of hardware 'gripper': no joint of the robot that turns", "hardware 'gripper'"}},
+        "joint 'finger' of hardware 'gripper': it is prismatic, and nothing here moves that", "hardware 'gripper'"}},
       {"more motors than two buses take, and an attitude sensor",
        numbered(18, [](int i) { return joint("leg" + std::to_string(i), "revolute"); }),
        "<ros2_control name=\"walker\" type=\"system\" rw_rate=\"400\">" + kPlugin +
@@ -72,6 +72,24 @@ std::vector<Robot> robots() {
            "<sensor name=\"imu\"><state_interface name=\"orientation.x\"/></sensor></ros2_control>",
        18,
        {"joint 'leg17'", "joint 'leg18'"}},
+      {"a vehicle under water",
+       numbered(8, [](int i) { return joint("joint_of_the_thruster_number_" + std::to_string(i), "revolute"); }),
+       "<ros2_control name=\"sub\" type=\"system\">" + kPlugin +
+           numbered(8, [](int i) { return takes("joint_of_the_thruster_number_" + std::to_string(i), {"thrust"}); }) +
+           "</ros2_control>",
+       9,
+       {}},
+      {"joints that are none, a plugin that decides by itself, and a gear",
+       joint("pan", "revolute") + joint("wheel", "continuous"),
+       "<ros2_control name=\"arm\" type=\"system\">" + kPlugin + takes("pan", {"position"}) + takes("gpio", {"io_1"}) +
+           "<joint name=\"status\"><state_interface name=\"ready\"/></joint>"
+           "<joint name=\"wheel\"><param name=\"node_id\">0</param></joint>"
+           "<transmission name=\"gear\"><plugin>SimpleTransmission</plugin><joint name=\"pan\" role=\"joint1\"/>"
+           "</transmission></ros2_control>",
+       2,
+       {"joint 'gpio' of hardware 'arm': the robot has no such joint",
+        "joint 'wheel' of hardware 'arm': what it takes, as it names no interface",
+        "transmission 'gear' of hardware 'arm': its reduction and offset"}},
   };
 }
 
