@@ -18,17 +18,19 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/finemoteConfigVersion.cma
                                  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/finemoteConfigVersion.cmake DESTINATION share/finemote/cmake)
 
-# The manual page, and what completes the words of a command line, made by the program itself.
+# The manual pages, and what completes the words of a command line, made by the programs themselves.
 set(pages ${PROJECT_BINARY_DIR}/pages)
 file(MAKE_DIRECTORY ${pages})
-add_custom_command(OUTPUT ${pages}/finemote.1 ${pages}/finemote ${pages}/_finemote ${pages}/finemote.fish
+add_custom_command(OUTPUT ${pages}/finemote.1 ${pages}/finemote-emulator.1 ${pages}/finemote ${pages}/_finemote
+                          ${pages}/finemote.fish
                    COMMAND finemote man > ${pages}/finemote.1
+                   COMMAND finemote-emulator --man > ${pages}/finemote-emulator.1
                    COMMAND finemote completion bash > ${pages}/finemote
                    COMMAND finemote completion zsh > ${pages}/_finemote
                    COMMAND finemote completion fish > ${pages}/finemote.fish
-                   DEPENDS finemote)
+                   DEPENDS finemote finemote-emulator)
 add_custom_target(finemote_pages ALL DEPENDS ${pages}/finemote.1)
-install(FILES ${pages}/finemote.1 DESTINATION share/man/man1)
+install(FILES ${pages}/finemote.1 ${pages}/finemote-emulator.1 DESTINATION share/man/man1)
 install(FILES ${pages}/finemote DESTINATION share/bash-completion/completions)
 install(FILES ${pages}/_finemote DESTINATION share/zsh/site-functions)
 install(FILES ${pages}/finemote.fish DESTINATION share/fish/vendor_completions.d)

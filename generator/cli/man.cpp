@@ -3,26 +3,11 @@
 
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
+#include "generator/diagnostic/roff.hpp"
 #include "generator/version.hpp"
 
 namespace finemote::gen {
 namespace {
-
-/// Text of a line as roff reads it: dashes that can be copied, and no letter that is an instruction.
-std::string roff(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '-') {
-      escaped += "\\-";
-    } else if (c == '\\') {
-      escaped += "\\e";
-    } else {
-      escaped += c;
-    }
-  }
-  const bool is_request = !text.empty() && (text.front() == '.' || text.front() == '\'');
-  return (is_request ? "\\&" : "") + escaped;
-}
 
 /// `fB\-o\fR, \fB\-\-output\fR \fIVALUE\fR`.
 std::string option_term(const Option& option) {

@@ -21,6 +21,7 @@ const xml::Document* InputFiles::include(const std::string& file, bool is_option
   const SystemError missing = why_unreadable(file, sources_, at);
   if (missing.number == 0) return read_document(file, at);
   if (is_optional) return nullptr;
+  sources_.add(SourceFile{file, file, {}});  // for --watch: it may come
   throw Failure{code::xacro_include, fmt::format("{0}: {1} [Errno {2}] {0}: '{1}'", missing.text, file, missing.number),
                 at};
 }
@@ -29,6 +30,7 @@ const SourceFile* InputFiles::open_yaml(const std::string& file, const Position&
   add_dependency(file);
   const SystemError missing = why_unreadable(file, sources_, at);
   if (missing.number != 0) {
+    sources_.add(SourceFile{file, file, {}});
     fail(code::xacro_yaml, fmt::format("[Errno {}] {}: '{}'", missing.number, missing.text, file));
   }
   constexpr std::size_t none = 0;

@@ -47,4 +47,16 @@ sleep 0.5
 kill -0 $watcher || fail "it ended by itself"
 ! "$finemote" check - -o out --watch <robot.urdf 2>/dev/null || fail "standard input was watched"
 ! "$finemote" check robot.urdf -o out --watch --sandbox 2>/dev/null || fail "--watch beside --sandbox"
+kill $watcher
+
+# What is asked for and missing may come.
+answers=0
+mkdir parts
+printf '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:include filename="parts/load.xacro"/>
+  <finemote version="1"><board name="robomaster_type_c"/></finemote></robot>\n' >with_parts.xacro
+"$finemote" check with_parts.xacro -o parts_out --watch >said 2>errors &
+watcher=$!
+answered "without the included file" 'FM1027'
+printf '<robot><finemote><device name="load" type="sim_load" period="10ms"/></finemote></robot>\n' >parts/load.xacro
+answered "the included file came" 'missing .*buses.cpp'
 echo "$answers answers"

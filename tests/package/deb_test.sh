@@ -27,9 +27,12 @@ case $(field Depends) in *libc6*libexpat1*libyaml-cpp*) ;; *) fail "Depends: $(f
 case $(field Recommends) in *cmake*gcc-arm-none-eabi*) ;; *) fail "Recommends: $(field Recommends)" ;; esac
 dpkg-deb -x "$first" root
 for file in bin/finemote bin/finemote-emulator share/finemote/cmake/finemoteConfig.cmake share/doc/finemote/copyright \
-  share/doc/finemote/changelog.gz share/man/man1/finemote.1.gz share/bash-completion/completions/finemote \
+  share/doc/finemote/changelog.gz share/man/man1/finemote.1.gz share/man/man1/finemote-emulator.1.gz share/bash-completion/completions/finemote \
   share/zsh/vendor-completions/_finemote share/fish/vendor_completions.d/finemote.fish share/finemote/templates/project/dot_gitignore; do
   [ -f "root/usr/$file" ] || fail "no $file"
+done
+for option in image board duration scenario crystal flash format; do
+  zcat root/usr/share/man/man1/finemote-emulator.1.gz | grep -q "^.fB.-.-$option.fR" || fail "the manual page: no --$option"
 done
 equal "what is not below usr" "$(ls -A root)" "usr"
 for licence in 'Apache License' 'Boost Software License' 'Mozilla Public License' 'valijson' 'capstone' 'CLI11'; do

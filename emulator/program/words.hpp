@@ -1,0 +1,19 @@
+// The words of the command line to what is to be watched, and to what is said of them: usage and manual page.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "emulator/program/watch.hpp"
+
+namespace finemote::emulator {
+
+/// The options of a watch, or nothing where the words are none.
+std::optional<WatchOptions> watch_options(const std::vector<std::string>& words);
+
+std::string usage();
+/// In roff, for section 1.
+std::string manual_page();
+
+}  // namespace finemote::emulator
