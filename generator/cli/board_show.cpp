@@ -38,6 +38,19 @@ std::vector<std::string> line_texts(const Port& port) {
   return texts;
 }
 
+/// `RXD PB7`, `CANH can1`, `PC1`: those that a robot can use.
+std::vector<std::string> contact_texts(const Connector& connector) {
+  if (connector.lines.empty()) return connector.pins;
+  std::vector<std::string> texts;
+  for (const auto& line : connector.lines) {
+    for (const Contact& contact : line) {
+      const std::string& leads_to = contact.pin.empty() ? contact.port : contact.pin;
+      if (!leads_to.empty()) texts.push_back(contact.name == leads_to ? leads_to : contact.name + " " + leads_to);
+    }
+  }
+  return texts;
+}
+
 std::string board_text(const Board& board) {
   std::string text;
   text += fmt::format("{}: {}\n", board.name, board.summary);
@@ -49,9 +62,9 @@ std::string board_text(const Board& board) {
   }
   std::vector<std::string> lines;
   for (const SpareLine& line : board.lines) lines.push_back(fmt::format("{} ({})", line.number, line.name));
-  if (!board.connectors.empty()) text += "\npins on connectors\n";
+  if (!board.connectors.empty()) text += "\nconnectors\n";
   for (const Connector& connector : board.connectors)
-    text += fmt::format("  {:<38} {}\n", connector.name, joined(connector.pins));
+    text += fmt::format("  {:<38} {}\n", connector.name, joined(contact_texts(connector)));
   if (!board.reserved_pins.empty()) text += "\nreserved pins\n";
   for (const ReservedPins& reserved : board.reserved_pins)
     text += fmt::format("  {:<38} {}\n", joined(reserved.pins), reserved.purpose);

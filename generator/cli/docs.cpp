@@ -9,6 +9,7 @@
 #include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/code_output.hpp"
 #include "generator/document/board_page.hpp"
+#include "generator/document/connector_page.hpp"
 #include "generator/document/device_page.hpp"
 #include "generator/document/lint_page.hpp"
 #include "generator/document/markdown.hpp"
@@ -29,18 +30,13 @@ class Pages {
 
   /// Takes a page whose made part differs from the file's. Reports FM5004 for a file without such a part.
   void add(const std::string& name, const std::string& title, const std::string& made) {
-    const std::string path = (folder_ / name).generic_string();
-    const auto old = read_bytes(path);
-    const std::string text = with_made_part(old, "# " + title, made);
-    if (old == text) return;
-    if (old && !has_made_part(*old)) {
-      diagnostics_
-          .error(code::file_of_the_user, {sources_.add({path, path, {}})},
-                 fmt::format("'{}' was not written by finemote and would be overwritten", name))
-          .hint("move it elsewhere, or give another folder with -o");
-      return;
-    }
-    different_.push_back({name, text});
+    const auto old = read_bytes((folder_ / name).generic_string());
+    take(name, old, with_made_part(old, "# " + title, made));
+  }
+
+  /// The same for a picture, which is made as a whole.
+  void add_picture(const std::string& name, const std::string& svg) {
+    take(name, read_bytes((folder_ / name).generic_string()), as_made(svg));
   }
 
   /// Reports pages that are one file with another, or with what was read.
@@ -67,6 +63,16 @@ class Pages {
   }
 
  private:
+  void take(const std::string& name, const std::optional<std::string>& old, const std::string& text) {
+    if (old == text) return;
+    if (!old || has_made_part(*old)) return different_.push_back({name, text});
+    const std::string path = (folder_ / name).generic_string();
+    diagnostics_
+        .error(code::file_of_the_user, {sources_.add({path, path, {}})},
+               fmt::format("'{}' was not written by finemote and would be overwritten", name))
+        .hint("move it elsewhere, or give another folder with -o");
+  }
+
   fs::path folder_;
   Sources& sources_;
   Diagnostics& diagnostics_;
@@ -84,6 +90,8 @@ void add_pages(Library& library, Pages& pages, Sources& sources, Diagnostics& di
     if (board == nullptr || !board->has_watchdog) continue;  // no hardware
     for (const BoardPage& page : board_pages(*board))
       pages.add(fmt::format("boards/{}/{}.md", name, page.name), page.title, page.text);
+    for (const Picture& picture : connector_pictures(*board))
+      pages.add_picture(fmt::format("boards/{}/{}", name, picture.name), picture.svg);
   }
   pages.add("lint.md", "Findings of lint", lint_page());
 }

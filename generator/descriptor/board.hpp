@@ -10,6 +10,7 @@
 
 #include "generator/bus/rate_rule.hpp"
 #include "generator/descriptor/clocks.hpp"
+#include "generator/descriptor/connector.hpp"
 #include "generator/descriptor/costs.hpp"
 #include "generator/descriptor/device_type.hpp"
 #include "generator/descriptor/drivers.hpp"
@@ -110,13 +111,6 @@ struct ReservedPins {
   std::vector<std::string> pins;  ///< `PA13`
   std::string purpose;            ///< `the debugger (SWDIO, SWCLK)`
   std::string port;               ///< devices on a bus at this port may use them; empty: nobody may
-};
-
-/// Where pins leave the board.
-struct Connector {
-  std::string name;
-  std::vector<std::string> pins;
-  bool is_offered = true;  ///< hints offer its pins
 };
 
 /// An interrupt line no used peripheral needs; a period bucket may run in it.

@@ -163,22 +163,37 @@ class BoardCheck {
     }
   }
 
+  void check_pin(const Board& board, const JsonPath& path, const std::string& pin) {
+    if (std::find(board.chip_pins.begin(), board.chip_pins.end(), pin) == board.chip_pins.end())
+      contradiction(path, fmt::format("the package has no pin '{}'", pin));
+  }
+  void check_pin_list(const Board& board, const char* list, std::size_t index, const std::vector<std::string>& pins) {
+    for (std::size_t i = 0; i < pins.size(); ++i)
+      check_pin(board, {list, std::to_string(index), "pins", std::to_string(i)}, pins[i]);
+  }
+  void check_contacts(const Board& board, std::size_t connector) {
+    const auto& lines = board.connectors[connector].lines;
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+      for (std::size_t i = 0; i < lines[line].size(); ++i) {
+        if (lines[line][i].pin.empty()) continue;
+        check_pin(board,
+                  {"connectors", std::to_string(connector), "contacts", std::to_string(line), std::to_string(i), "pin"},
+                  lines[line][i].pin);
+      }
+    }
+  }
   /// Pins that reserved_pins, connectors and pins name are there.
   void check_pins(const Board& board) {
     if (board.chip_pins.empty())
       return contradiction({"package", "gpio"}, "the package has no pins: each range ends before it begins");
-    const auto check = [&](const JsonPath& path, const std::string& pin) {
-      if (std::find(board.chip_pins.begin(), board.chip_pins.end(), pin) == board.chip_pins.end())
-        contradiction(path, fmt::format("the package has no pin '{}'", pin));
-    };
-    const auto check_all = [&](const char* list, std::size_t index, const std::vector<std::string>& pins) {
-      for (std::size_t i = 0; i < pins.size(); ++i)
-        check({list, std::to_string(index), "pins", std::to_string(i)}, pins[i]);
-    };
-    for (std::size_t i = 0; i < board.pins.size(); ++i) check({"pins", std::to_string(i), "pin"}, board.pins[i].pin);
-    for (std::size_t i = 0; i < board.connectors.size(); ++i) check_all("connectors", i, board.connectors[i].pins);
+    for (std::size_t i = 0; i < board.pins.size(); ++i)
+      check_pin(board, {"pins", std::to_string(i), "pin"}, board.pins[i].pin);
+    for (std::size_t i = 0; i < board.connectors.size(); ++i) {
+      if (board.connectors[i].lines.empty()) check_pin_list(board, "connectors", i, board.connectors[i].pins);
+      check_contacts(board, i);
+    }
     for (std::size_t i = 0; i < board.reserved_pins.size(); ++i)
-      check_all("reserved_pins", i, board.reserved_pins[i].pins);
+      check_pin_list(board, "reserved_pins", i, board.reserved_pins[i].pins);
   }
 
   Contradictions found_;

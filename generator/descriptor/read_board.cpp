@@ -138,9 +138,32 @@ ReservedPins read_reserved(const Json& value) {
           optional_member<std::string>(value, "port").value_or("")};
 }
 
+Contact read_contact(const Json& value) {
+  Contact contact;
+  contact.number = value.at("at").get<std::string>();
+  contact.pin = optional_member<std::string>(value, "pin").value_or("");
+  contact.name = optional_member<std::string>(value, "is").value_or(contact.pin);
+  contact.port = optional_member<std::string>(value, "port").value_or("");
+  contact.volts = optional_member<double>(value, "volts");
+  return contact;
+}
+
 Connector read_connector(const Json& value) {
-  return {value.at("name").get<std::string>(), value.at("pins").get<std::vector<std::string>>(),
-          optional_member<bool>(value, "offered").value_or(true)};
+  Connector connector;
+  connector.name = value.at("name").get<std::string>();
+  connector.remark = optional_member<std::string>(value, "remark").value_or("");
+  connector.pins = optional_member<std::vector<std::string>>(value, "pins").value_or(connector.pins);
+  connector.is_offered = optional_member<bool>(value, "offered").value_or(true);
+  const auto lines = value.find("contacts");
+  if (lines == value.end()) return connector;
+  for (const Json& line : *lines) {
+    std::vector<Contact>& contacts = connector.lines.emplace_back();
+    for (const Json& contact : line) {
+      contacts.push_back(read_contact(contact));
+      if (!contacts.back().pin.empty()) connector.pins.push_back(contacts.back().pin);
+    }
+  }
+  return connector;
 }
 
 }  // namespace

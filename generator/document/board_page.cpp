@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "generator/bus/bus_type.hpp"
+#include "generator/document/connector_page.hpp"
 #include "generator/document/markdown.hpp"
 #include "generator/document/param_table.hpp"
 
@@ -96,16 +97,6 @@ BoardPage port_page(const Board& board, const Port& port) {
   return {port.name, fmt::format("`{}`: {}", port.name, port.connector), text + "```\n"};
 }
 
-std::string connector_table(const Board& board) {
-  if (board.connectors.empty()) return {};
-  std::string text =
-      "\n## On connectors\n\nPins of a port are free where no bus uses the port. lint reports pins that lead "
-      "nowhere.\n\n" +
-      table({"connector", "pins"});
-  for (const Connector& connector : board.connectors) text += row({connector.name, joined(connector.pins)});
-  return text;
-}
-
 std::string reserved_table(const Board& board) {
   if (board.reserved_pins.empty()) return {};
   std::string text =
@@ -125,7 +116,9 @@ BoardPage pins_page(const Board& board) {
   std::string text =
       "Pins with a name. A device uses one as `<use role=\"...\" pin=\"key\"/>`; any other pin of the chip that is not "
       "reserved can be an\n"
-      "input or an output by its own name, `pin=\"PB12\"`.\n\n" +
+      "input or an output by its own name, `pin=\"PB12\"`. [Connectors](connectors.md) shows which contact it leads "
+      "to; lint\n"
+      "reports pins that lead nowhere.\n\n" +
       table({"name", "pin", "can be", "active", "what"});
   for (const NamedPin& pin : board.pins) {
     std::string what = pin.summary;
@@ -133,7 +126,7 @@ BoardPage pins_page(const Board& board) {
       what += fmt::format("; full scale {} mV at {} input {}", pin.full_scale_mv, pin.converter, pin.input);
     text += row({"`" + pin.name + "`", pin.pin, joined(pin.functions), pin.active_low ? "low" : "high", what});
   }
-  return {"pins", "Single pins", text + connector_table(board) + reserved_table(board)};
+  return {"pins", "Single pins", text + reserved_table(board)};
 }
 
 }  // namespace
@@ -145,7 +138,11 @@ std::vector<BoardPage> board_pages(const Board& board) {
     index += row({fmt::format("[`{0}`]({0}.md)", port.name), joined(bus_kind_names(port.kinds)), port.connector});
     pages.push_back(port_page(board, port));
   }
-  index += "\n[Single pins](pins.md): key, battery, LEDs and what else has a name.\n" + param_table(board.params);
+  index +=
+      "\n[Connectors](connectors.md): pictures of the contacts, and what each can be used for. [Single pins](pins.md): "
+      "key,\nbattery, LEDs and what else has a name.\n" +
+      param_table(board.params);
+  pages.push_back({"connectors", "Connectors of `" + board.name + "`", connector_page(board)});
   pages.push_back(pins_page(board));
   pages.insert(pages.begin(), {"README", "Peripherals of `" + board.name + "`", index});
   return pages;

@@ -15,7 +15,7 @@ struct BoardPage {
   std::string text;
 };
 
-/// The index first, then the ports in the order of the file, then the single pins.
+/// The index first, then the ports in the order of the file, then the connectors and the single pins.
 std::vector<BoardPage> board_pages(const Board& board);
 
 }  // namespace finemote::gen

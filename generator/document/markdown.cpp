@@ -43,13 +43,15 @@ std::string sentence(std::string text) {
   return text + ".";
 }
 
+std::string as_made(const std::string& made) { return kBegin + made + kEnd; }
+
 bool has_made_part(const std::string& page) {
   const std::size_t begin = page.find(kBegin);
   return begin != std::string::npos && page.find(kEnd, begin) != std::string::npos;
 }
 
 std::string with_made_part(const std::optional<std::string>& page, const std::string& title, const std::string& made) {
-  const std::string part = kBegin + made + kEnd;
+  const std::string part = as_made(made);
   if (!page || !has_made_part(*page)) return title + "\n\n" + part;
   const std::size_t begin = page->find(kBegin);
   return page->substr(0, begin) + part + page->substr(page->find(kEnd, begin) + std::string(kEnd).size());

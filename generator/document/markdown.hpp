@@ -26,6 +26,9 @@ std::string time_text(Duration time);
 /// The first letter large, a full stop at the end.
 std::string sentence(std::string text);
 
+/// All of `made` between the marks.
+std::string as_made(const std::string& made);
+
 /// Whether a page has the marks.
 bool has_made_part(const std::string& page);
 

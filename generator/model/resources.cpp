@@ -159,8 +159,9 @@ class ResourceTable {
     return {};
   }
   [[nodiscard]] bool is_free(const std::string& pin, const std::string& function) const {
-    const NamedPin* named = reading_.robot.board->named_pin(pin);
-    if (named != nullptr && !named->can(function)) return false;
+    const Board& board = *reading_.robot.board;
+    const NamedPin* named = board.named_pin(pin);
+    if (board.reserved_pin(pin) != nullptr || (named != nullptr && !named->can(function))) return false;
     return !taken_.contains("pin" + pin) && !offered_.contains(pin) && !named_.contains(pin);
   }
 
