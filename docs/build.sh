@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
-# build.sh FINEMOTE: writes the parts of the reference pages that are made from descriptors and board files. What people
-# wrote around them stays; a second run changes nothing.
+# build.sh FINEMOTE: writes the parts of the reference pages that are made from descriptors and board files, and the pages of
+# the API, which are made from the comments of the headers. What people wrote around them stays; a second run changes nothing.
 set -euo pipefail
-exec "$1" docs -o "$(dirname "${BASH_SOURCE[0]}")/reference"
+docs=$(dirname "${BASH_SOURCE[0]}")
+"$1" docs -o "$docs/reference"
+exec "$docs/api.py"

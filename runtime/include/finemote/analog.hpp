@@ -10,6 +10,8 @@ namespace finemote {
 /// One analog input, as a device holds it.
 class AnalogPin {
  public:
+  /// @param port        the board's converter
+  /// @param input       of the converter
   /// @param full_scale  what the highest code means [V], any divider before the pin included
   constexpr AnalogPin(AdcPort& port, std::uint8_t input, float full_scale)
       : port_(&port), input_(input), volt_per_code_(full_scale / AdcPort::kFullScale) {}
@@ -22,7 +24,7 @@ class AnalogPin {
     port_->begin(input_);
     return ready;
   }
-  /// What the highest code means [V]: a measurement there may be more.
+  /// What the highest code means [V]: a measurement there may be more. Context: any.
   [[nodiscard]] float full_scale() const { return volt_per_code_ * AdcPort::kFullScale; }
 
  private:

@@ -12,7 +12,8 @@ namespace finemote {
 template <std::size_t longest>
 class ByteWindow {
  public:
-  void push(std::uint8_t byte) { append(&byte, 1); }
+  void push(std::uint8_t byte) { append(&byte, 1); }  ///< takes in one byte at the end
+  /// Takes in `count` bytes at the end; with those that are there at most `longest`.
   void append(const std::uint8_t* bytes, std::size_t count) {
     if (end_ + count > sizeof bytes_) make_room();
     for (const std::uint8_t* last = bytes + count; bytes != last; ++bytes) bytes_[end_++] = *bytes;
@@ -38,9 +39,9 @@ class ByteWindow {
     } while (begin_ < end_ && bytes_[begin_] != head);
   }
 
-  [[nodiscard]] std::uint8_t operator[](std::size_t at) const { return bytes_[begin_ + at]; }
-  [[nodiscard]] const std::uint8_t* data() const { return bytes_ + begin_; }
-  [[nodiscard]] std::size_t size() const { return end_ - begin_; }
+  [[nodiscard]] std::uint8_t operator[](std::size_t at) const { return bytes_[begin_ + at]; }  ///< `at` < size()
+  [[nodiscard]] const std::uint8_t* data() const { return bytes_ + begin_; }  ///< the first of size() bytes
+  [[nodiscard]] std::size_t size() const { return end_ - begin_; }            ///< bytes there are
 
  private:
   void make_room() {

@@ -16,9 +16,11 @@ class CanBus;
 /// Where the last frame with one of a few identifiers is kept.
 class CanInbox {
  public:
+  /// @param ids   identifiers that are kept here
   /// @param next  where frames with further identifiers of the device are kept; null: there are none
   constexpr explicit CanInbox(CanIds ids, CanInbox* next = nullptr) : ids_(ids), next_(next) {}
 
+  /// A frame, and when it was made.
   struct Received {
     CanFrame frame;           ///< with its identifier
     Time at = kLongAgo;       ///< not later than the device made it, see CanBus::on_frame()
@@ -49,6 +51,7 @@ struct CanShare {
 /// One device on a CAN bus: the last frames it sent to us, its part of a shared frame, and one frame to send.
 class CanSlot {
  public:
+  /// @param bus       whose table names the slot
   /// @param id        the device's `id` in the URDF
   /// @param receives  identifiers of the frames it sends to us
   /// @param priority  0 is the most urgent: the index of the bucket, shortest period first
@@ -58,7 +61,7 @@ class CanSlot {
                     CanInbox* more = nullptr)
       : bus_(&bus), id_(id), priority_(priority), share_(share), inbox_(receives, more) {}
 
-  using Received = CanInbox::Received;
+  using Received = CanInbox::Received;  ///< a frame, and when it was made
   /// The last frame received of entry `entry` of the descriptor's "receives", whole; of an entry it has not: none.
   /// Context: the device's bucket.
   [[nodiscard]] Received received(unsigned entry = 0) const;
@@ -69,11 +72,11 @@ class CanSlot {
   /// Sets the device's bytes, share().width of them, in the frame it shares; the flush() of its bucket sends it.
   /// False where it shares none, and when the bus keeps no more frames. Context: the device's bucket; safe().
   bool set_shared(const std::uint8_t* bytes);
-  [[nodiscard]] const CanShare& share() const { return share_; }
+  [[nodiscard]] const CanShare& share() const { return share_; }  ///< its bytes in a command frame
 
-  [[nodiscard]] std::uint16_t id() const { return id_; }
-  [[nodiscard]] std::uint8_t priority() const { return priority_; }
-  [[nodiscard]] CanBus& bus() const { return *bus_; }
+  [[nodiscard]] std::uint16_t id() const { return id_; }             ///< the device's `id` in the URDF
+  [[nodiscard]] std::uint8_t priority() const { return priority_; }  ///< 0 is the most urgent
+  [[nodiscard]] CanBus& bus() const { return *bus_; }                ///< the bus that carries its frames
 
  private:
   friend class CanBus;
@@ -89,17 +92,21 @@ class CanSlot {
 /// One CAN bus.
 class CanBus {
  public:
+  /// @param port     the board's
+  /// @param bitrate  bit/s
+  /// @param slots    every slot of this bus, most urgent first
   template <std::size_t N>
   constexpr CanBus(CanPort& port, std::int64_t bitrate, CanSlot* const (&slots)[N])
       : port_(&port), slots_(slots), count_(N), bitrate_(bitrate), longest_frame_(longest_frame(bitrate)) {
     static_assert(N <= kMaxSlots, "too many devices on one CAN bus");
   }
+  /// A bus without devices.
   constexpr CanBus(CanPort& port, std::int64_t bitrate)
       : port_(&port), slots_(nullptr), count_(0), bitrate_(bitrate), longest_frame_(longest_frame(bitrate)) {}
-  static constexpr std::size_t kMaxSlots = 32;
-  static constexpr std::size_t kGroups = 5;  ///< shared command frames
+  static constexpr std::size_t kMaxSlots = 32;  ///< devices
+  static constexpr std::size_t kGroups = 5;     ///< shared command frames
 
-  /// Context: init.
+  /// Sets the port up. Context: init.
   void start();
   /// Brings a controller that went off the bus back, with groups set to zero first; drops frames that nobody
   /// acknowledges. Context: fastest bucket.
@@ -110,7 +117,7 @@ class CanBus {
   /// A frame arrived. It may have waited for as long as the bus had been busy without a pause: then it was made at the
   /// earliest, and that is the time it is kept with. Context: interrupt.
   void on_frame(const CanFrame& frame, Moment arrival);
-  /// Context: interrupt.
+  /// A pended interrupt, or a mailbox that fell free. Context: interrupt.
   void on_interrupt();
 
   /// Sends every group that was set since the last flush, once. Context: init, safe stop.
@@ -119,14 +126,16 @@ class CanBus {
   /// end. Context: end of the bucket.
   void flush(std::uint8_t priority);
 
-  /// Context: any.
+  /// True while the controller is off the bus. Context: any.
   [[nodiscard]] bool unreachable() const { return port_->bus_off(); }
   /// Error counters of the controller (ISO 11898-1): above 127 it is passive; 256 transmit errors put it off the bus.
   /// Context: any.
   [[nodiscard]] std::uint8_t transmit_errors() const {
     return static_cast<std::uint8_t>(port_->error_counters() & 0xFFU);
   }
+  /// The same of reception. Context: any.
   [[nodiscard]] std::uint8_t receive_errors() const { return static_cast<std::uint8_t>(port_->error_counters() >> 8); }
+  /// What the bus has done and suffered. Context: any.
   [[nodiscard]] const BusCounters& counters() const { return counters_; }
 
  private:

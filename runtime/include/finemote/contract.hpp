@@ -40,15 +40,16 @@ struct Port {
   using Interface = I;
   static_assert(std::is_base_of_v<Stamp, typename I::State>, "a State derives publicly from finemote::Stamp");
   static_assert(std::is_base_of_v<Stamp, Command>, "a Command derives publicly from finemote::Stamp");
-  const typename I::State& state;
-  Command& command;
+  const typename I::State& state;  ///< the child's, as it was when the parent's stage began
+  Command& command;                ///< for the child: set its values, `origin` and `valid`
 };
 
+/// The same of a child without a command: a sensor.
 template <class I>
 struct Port<I, void> {
   using Interface = I;
   static_assert(std::is_base_of_v<Stamp, typename I::State>, "a State derives publicly from finemote::Stamp");
-  const typename I::State& state;
+  const typename I::State& state;  ///< the child's, as it was when the parent's stage began
 };
 
 /// A view of constants: pointer and count. Made from an array, or from nullptr or nothing for none.
@@ -56,17 +57,19 @@ template <class T>
 class View {
  public:
   constexpr View() = default;
-  constexpr View(std::nullptr_t) {}
+  constexpr View(std::nullptr_t) {}  ///< of nothing
+  /// Of a whole array, which outlives the view.
   template <std::size_t N>
   constexpr View(const T (&items)[N]) : first_(items), count_(N) {}
-  constexpr View(const T* first, std::size_t count) : first_(first), count_(count) {}
+  constexpr View(const T* first, std::size_t count)
+      : first_(first), count_(count) {}  ///< of `count` items side by side
 
-  [[nodiscard]] constexpr std::size_t size() const { return count_; }
-  [[nodiscard]] constexpr bool empty() const { return count_ == 0; }
+  [[nodiscard]] constexpr std::size_t size() const { return count_; }  ///< number of items
+  [[nodiscard]] constexpr bool empty() const { return count_ == 0; }   ///< whether there is none
   /// `i` < size(); not checked.
   constexpr const T& operator[](std::size_t i) const { return first_[i]; }
-  [[nodiscard]] constexpr const T* begin() const { return first_; }
-  [[nodiscard]] constexpr const T* end() const { return first_ + count_; }
+  [[nodiscard]] constexpr const T* begin() const { return first_; }         ///< for range-based loops
+  [[nodiscard]] constexpr const T* end() const { return first_ + count_; }  ///< for range-based loops
 
  private:
   const T* first_ = nullptr;

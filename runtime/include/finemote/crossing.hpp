@@ -15,7 +15,7 @@ struct CheckedCrossing {
       sizeof(T) <= kCrossingBytes,
       "a State or Command that crosses periods or trees has at most finemote::kCrossingBytes (128) bytes: the "
       "timing analysis counts no more for its copy; split it, or give both devices one period and tree");
-  static constexpr bool ok = true;
+  static constexpr bool ok = true;  ///< what a static_assert asks for
 };
 
 }  // namespace finemote

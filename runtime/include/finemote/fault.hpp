@@ -30,6 +30,7 @@ enum class Module : std::uint8_t {
   board,
 };
 
+/// Numbers of Module::core.
 enum class CoreFault : std::uint8_t {
   hard = 1,
   memory,
@@ -40,6 +41,7 @@ enum class CoreFault : std::uint8_t {
   unexpected_interrupt,  ///< a line without a routine
 };
 
+/// Numbers of Module::schedule.
 enum class ScheduleFault : std::uint8_t {
   empty = 1,      ///< no buckets
   bad_tick,       ///< the tick is no whole number of core cycles, or longer than the release timer
@@ -51,9 +53,10 @@ enum class ScheduleFault : std::uint8_t {
   no_timer,       ///< the release timer does not count
 };
 
+/// How often something went wrong.
 struct FaultRecord {
-  Module module;
-  std::uint8_t number;
+  Module module;        ///< who reported it
+  std::uint8_t number;  ///< what it is, in its module
   std::uint16_t count;  ///< sticks at 65535
 };
 
@@ -63,11 +66,12 @@ inline constexpr unsigned kFaultRecords = 16;
 /// Counts a fault the caller has survived. Bounded; from everywhere, interrupts included.
 void count_fault(Module module, std::uint8_t number);
 
-/// How often this fault was counted.
+/// How often this fault was counted. Context: any.
 std::uint16_t fault_count(Module module, std::uint8_t number);
 
-/// Record `index` < kFaultRecords; count 0 when there is none.
+/// Record `index` < kFaultRecords; count 0 when there is none. Context: any.
 FaultRecord fault_record(unsigned index);
+/// Faults that were counted in no record, because all were taken. Context: any.
 std::uint32_t faults_lost();
 
 /// Counts the fault, brings every actuator to its safe output and does not return: the buses and the watchdog live on.

@@ -11,8 +11,12 @@ namespace finemote {
 
 /// A mecanum wheel of a base: geometry kind `rolling`.
 struct RollingWheel {
-  float forward, left, turn;           ///< rolling speed [m/s] for 1 m/s forward, 1 m/s and 1 rad/s to the left
-  float to_forward, to_left, to_turn;  ///< its share in the base's motion, per m/s of rolling speed
+  float forward;     ///< rolling speed [m/s] where the base moves 1 m/s forward
+  float left;        ///< rolling speed [m/s] where the base moves 1 m/s to the left
+  float turn;        ///< rolling speed [m/s] where the base turns 1 rad/s to the left
+  float to_forward;  ///< its share in the base's forward speed [m/s], per m/s of rolling speed
+  float to_left;     ///< its share in the base's speed to the left [m/s], per m/s of rolling speed
+  float to_turn;     ///< its share in the base's turn to the left [rad/s], per m/s of rolling speed
 };
 
 /// A joint of a serial chain, with what moves with it but not with the next: geometry kind `chain`.
@@ -25,11 +29,13 @@ struct ChainLink {
 
 /// How far a joint may turn, within the reach of what drives it: geometry kind `range`.
 struct JointRange {
-  float lower, upper;  ///< rad; lower <= upper; without a limit the largest float
+  float lower;  ///< rad; without a limit the lowest float
+  float upper;  ///< rad, >= lower; without a limit the largest float
 };
 
 /// An angle aimed at, kept within the range. An aim that is outside is not thrown back: it goes no further out.
 /// @param range   null: any angle
+/// @param aim     the angle wanted [rad]
 /// @param before  the last angle aimed at [rad]
 constexpr float kept_within(const JointRange* range, float aim, float before) {
   if (range == nullptr) return aim;

@@ -18,6 +18,7 @@ struct MuxRoute {
   std::uint8_t address = 0;   ///< of the mux, 7 bit; 0: none
   std::uint8_t channels = 0;  ///< its control byte: bit n connects channel n (TCA9548A datasheet SCPS207, 8.6.2)
 
+  /// The same channels of the same mux.
   friend constexpr bool operator==(const MuxRoute& a, const MuxRoute& b) {
     return a.address == b.address && a.channels == b.channels;
   }
@@ -39,6 +40,7 @@ enum class SlotState : std::uint8_t {
 /// bucket, if not said otherwise.
 class I2cSlot {
  public:
+  /// @param bus       whose table names the slot
   /// @param address   of the device, 7 bit
   /// @param route     how to reach it
   /// @param priority  0 is the most urgent: the index of the bucket, shortest period first; the bus's table is sorted
@@ -52,28 +54,31 @@ class I2cSlot {
   bool start(const std::uint8_t* write, std::size_t write_size, std::uint8_t* read = nullptr, std::size_t read_size = 0,
              const std::uint8_t* then = nullptr, std::size_t then_size = 0);
 
+  /// What became of the last transfer. Context: any.
   [[nodiscard]] SlotState state() const { return state_.load(); }
+  /// A transfer waits or is on the wire: its bytes belong to the bus. Context: any.
   [[nodiscard]] bool busy() const { return state() == SlotState::kQueued || state() == SlotState::kActive; }
+  /// The last transfer ended well. True until the next start(). Context: any.
   [[nodiscard]] bool done() const { return state() == SlotState::kDone; }
 
   /// When the last transfer ended: STOP or failure. Only while !busy() and not in kIdle.
   [[nodiscard]] Time ended() const { return ended_; }
 
-  /// True after kUnreachableAfter transfers in a row have failed, until one ends well.
+  /// True after kUnreachableAfter transfers in a row have failed, until one ends well. Context: any.
   [[nodiscard]] bool unreachable() const { return failures_.load() >= kUnreachableAfter; }
-  static constexpr std::uint8_t kUnreachableAfter = 3;
+  static constexpr std::uint8_t kUnreachableAfter = 3;  ///< failures in a row
 
   /// The write that makes this device's outputs safe. From now on it is what the bus sends first after start() and
   /// after every recovery, before any other transfer. The bytes are read when it is sent; size 0 takes it back.
   void set_safe(const std::uint8_t* write, std::size_t size);
 
-  /// Times the safe write has been sent and acknowledged; wraps.
+  /// Times the safe write has been sent and acknowledged; wraps. Context: any.
   [[nodiscard]] std::uint32_t safe_writes() const { return safe_writes_.load(); }
 
-  [[nodiscard]] std::uint8_t address() const { return address_; }
-  [[nodiscard]] std::uint8_t priority() const { return priority_; }
-  [[nodiscard]] const MuxRoute& route() const { return route_; }
-  [[nodiscard]] I2cBus& bus() const { return *bus_; }
+  [[nodiscard]] std::uint8_t address() const { return address_; }    ///< of the device, 7 bit
+  [[nodiscard]] std::uint8_t priority() const { return priority_; }  ///< 0 is the most urgent
+  [[nodiscard]] const MuxRoute& route() const { return route_; }     ///< the way to the device
+  [[nodiscard]] I2cBus& bus() const { return *bus_; }                ///< the bus that carries its transfers
 
  private:
   friend class I2cBus;
@@ -102,11 +107,13 @@ class I2cSlot {
 /// anything, and the order on the wire is the one the analysis assumes: by priority, not preemptive.
 class I2cBus {
  public:
+  /// @param port      the board's
   /// @param clock_hz  bus clock, 10 kHz..1 MHz
   /// @param slots     every slot of this bus, most urgent first; also behind muxes
   template <std::size_t N>
   constexpr I2cBus(I2cPort& port, std::int64_t clock_hz, I2cSlot* const (&slots)[N])
       : I2cBus(port, clock_hz, slots, N) {}
+  /// A bus without devices.
   constexpr I2cBus(I2cPort& port, std::int64_t clock_hz) : I2cBus(port, clock_hz, nullptr, 0) {}
 
   /// Sets the port up. Nothing is known of the muxes, and safe writes go first. Context: init.
@@ -122,6 +129,7 @@ class I2cBus {
   /// True while the bus works; false from a bus error or an overdue transfer to the end of its recovery. Context: any.
   [[nodiscard]] bool ready() const { return mode_.load() == Mode::kReady; }
 
+  /// What the bus has done and suffered. Context: any.
   [[nodiscard]] const BusCounters& counters() const { return counters_; }
 
  private:

@@ -49,15 +49,19 @@ enum class UartFormat : std::uint8_t {
 
 /// Line errors since start; each counter wraps.
 struct UartErrors {
-  std::uint32_t framing = 0, noise = 0, parity = 0, overrun = 0;
+  std::uint32_t framing = 0;  ///< bytes without a stop bit
+  std::uint32_t noise = 0;    ///< bytes whose samples disagree
+  std::uint32_t parity = 0;   ///< bytes with a wrong parity bit
+  std::uint32_t overrun = 0;  ///< bytes lost because nothing took the one before
 };
 
 /// The receive ring the hardware fills without help, for ever: a power of two of bytes that DMA reaches (FINEMOTE_DMA).
 struct UartRing {
-  std::uint8_t* bytes = nullptr;
-  std::uint32_t size = 0;
+  std::uint8_t* bytes = nullptr;  ///< null: none
+  std::uint32_t size = 0;         ///< bytes
 
   constexpr UartRing() = default;
+  /// The whole array.
   template <std::size_t count>
   constexpr UartRing(std::uint8_t (&ring)[count]) : bytes(ring), size(count) {  // NOLINT(google-explicit-constructor)
     static_assert((count & (count - 1)) == 0 && count <= 0x8000, "a power of two, at most what a DMA stream counts");
@@ -66,13 +70,14 @@ struct UartRing {
 
 /// The last time the line fell silent: how many bytes had arrived by then, and when.
 struct UartIdle {
-  std::uint32_t received = 0;
-  Time at = kLongAgo;  ///< not later than the event
+  std::uint32_t received = 0;  ///< bytes since start, modulo 2^32
+  Time at = kLongAgo;          ///< not later than the event
 };
 
 /// A serial port that receives into a ring by DMA and sends one block at a time by DMA.
 class UartPort {
  public:
+  /// The port of this hardware, which outlives it.
   constexpr explicit UartPort(UartHardware& hardware) : hardware_(&hardware) {}
 
   /// Clocks, pins, baud rate [bit/s], receiving DMA into `ring` and its interrupts; no line events. Context: init.
@@ -95,7 +100,7 @@ class UartPort {
   /// bucket.
   [[nodiscard]] UartIdle idle() const;
 
-  /// Context: bucket.
+  /// What the line has suffered since start. Context: bucket.
   [[nodiscard]] UartErrors errors() const;
 
   /// True after a DMA error stopped reception; received() stands still. Context: bucket.
@@ -127,11 +132,11 @@ class UartPort {
 /// With both sizes 0 the address alone is sent. The buffers may lie in any RAM and stay untouched until the exchange
 /// has ended; a board whose DMA cannot reach them copies.
 struct I2cMessage {
-  std::uint8_t address;  ///< 7 bit
-  const std::uint8_t* write;
-  std::uint16_t write_size;
-  std::uint8_t* read;
-  std::uint16_t read_size;
+  std::uint8_t address;       ///< 7 bit
+  const std::uint8_t* write;  ///< bytes out
+  std::uint16_t write_size;   ///< 0: no write phase
+  std::uint8_t* read;         ///< room for the bytes in
+  std::uint16_t read_size;    ///< 0: no read phase
 };
 
 /// How an exchange ended, or that an interrupt brought no end.
@@ -145,6 +150,7 @@ enum class I2cEvent : std::uint8_t {
 /// An I2C master that carries out one exchange at a time.
 class I2cPort {
  public:
+  /// The port of this hardware, which outlives it.
   constexpr explicit I2cPort(I2cHardware& hardware) : hardware_(&hardware) {}
 
   /// Clocks, pins and bus clock [Hz], interrupts. From here on every interrupt of the port ends in
@@ -163,16 +169,18 @@ class I2cPort {
   /// Ends the exchange at once without waiting, peripheral and DMA off; no event follows it. Context: interrupt.
   void abort();
 
-  /// One bounded step of bus recovery: clocks SCL by hand until SDA is released (nine clocks in all at most, I2C-bus
-  /// specification UM10204 3.1.16), sends a STOP, and sets the peripheral up again as configure() did. `step` counts 0,
-  /// 1, 2, ... within one recovery. Takes at most 40 us each, and is over after at most kMaxRecoverySteps steps.
-  /// Context: fastest bucket, between abort() and the next begin().
+  /// What a step of recovery has reached.
   enum class Recovery : std::uint8_t {
     kBusy,   ///< call again with the next step
     kFree,   ///< SDA and SCL are high, the peripheral is ready for begin()
     kStuck,  ///< a line is still held low; the peripheral is off
   };
-  static constexpr unsigned kMaxRecoverySteps = 6;
+  static constexpr unsigned kMaxRecoverySteps = 6;  ///< after which recovery is over
+
+  /// One bounded step of bus recovery: clocks SCL by hand until SDA is released (nine clocks in all at most, I2C-bus
+  /// specification UM10204 3.1.16), sends a STOP, and sets the peripheral up again as configure() did. `step` counts 0,
+  /// 1, 2, ... within one recovery. Takes at most 40 us each, and is over after at most kMaxRecoverySteps steps.
+  /// Context: fastest bucket, between abort() and the next begin().
   [[nodiscard]] Recovery recover(unsigned step);
 
  private:
@@ -184,13 +192,14 @@ class I2cPort {
 /// One exchange with a chip select: `size` bytes out and in at the same time. `write` null sends 0xFF, `read` null
 /// drops what comes back. Buffers as in I2cMessage.
 struct SpiMessage {
-  std::uint8_t select;  ///< chip select, in the order of the board file
-  std::uint8_t mode;    ///< 0..3: CPOL * 2 + CPHA
-  const std::uint8_t* write;
-  std::uint8_t* read;
-  std::uint16_t size;  ///< >= 1
+  std::uint8_t select;        ///< chip select, in the order of the board file
+  std::uint8_t mode;          ///< 0..3: CPOL * 2 + CPHA
+  const std::uint8_t* write;  ///< bytes out, or null
+  std::uint8_t* read;         ///< room for the bytes in, or null
+  std::uint16_t size;         ///< >= 1
 };
 
+/// How an exchange ended, or that an interrupt brought no end.
 enum class SpiEvent : std::uint8_t {
   kNone,   ///< pended by software, or the exchange goes on
   kDone,   ///< all bytes moved, chip select high again
@@ -200,6 +209,7 @@ enum class SpiEvent : std::uint8_t {
 /// An SPI master with its chip selects.
 class SpiPort {
  public:
+  /// The port of this hardware, which outlives it.
   constexpr explicit SpiPort(SpiHardware& hardware) : hardware_(&hardware) {}
 
   /// As I2cPort::configure(); takes the highest clock not above `clock_hz`. Context: init.
@@ -219,24 +229,27 @@ class SpiPort {
 
 /// A classic CAN data frame with a standard identifier.
 struct CanFrame {
-  std::uint16_t id = 0;   ///< 11 bit
-  std::uint8_t size = 0;  ///< 0..8
-  std::uint8_t data[8]{};
+  std::uint16_t id = 0;    ///< 11 bit
+  std::uint8_t size = 0;   ///< 0..8
+  std::uint8_t data[8]{};  ///< the first `size` count
 };
 
 /// Identifiers that are accepted: none, one, or a block of a power of two that begins at a multiple of its size.
 struct CanIds {
-  std::uint16_t first = 0, count = 0;
+  std::uint16_t first = 0;  ///< 11 bit
+  std::uint16_t count = 0;  ///< 0: none
 
   constexpr CanIds() = default;
-  constexpr CanIds(std::uint16_t one) : first(one), count(1) {}
-  constexpr CanIds(std::uint16_t begin, std::uint16_t size) : first(begin), count(size) {}
+  constexpr CanIds(std::uint16_t one) : first(one), count(1) {}                             ///< one identifier
+  constexpr CanIds(std::uint16_t begin, std::uint16_t size) : first(begin), count(size) {}  ///< a block
+  /// Whether `id` is among them.
   [[nodiscard]] constexpr bool hold(std::uint16_t id) const { return static_cast<std::uint16_t>(id - first) < count; }
 };
 
 /// A CAN controller that filters by identifier.
 class CanPort {
  public:
+  /// The port of this hardware, which outlives it.
   constexpr explicit CanPort(CanHardware& hardware) : hardware_(&hardware) {}
 
   /// Clocks, pins, bit timing for `bitrate` [bit/s], acceptance of exactly what `bus.each_ids()` lists (a superset
@@ -266,12 +279,13 @@ class CanPort {
 
 // ---------------------------------------------------------------------------------------------------------- PWM, pins
 
-/// How often pulses can repeat [ns].
-inline constexpr std::uint32_t kShortestPwmPeriod = 1'000, kLongestPwmPeriod = 400'000'000;
+inline constexpr std::uint32_t kShortestPwmPeriod = 1'000;       ///< ns: pulses cannot repeat more often
+inline constexpr std::uint32_t kLongestPwmPeriod = 400'000'000;  ///< ns: nor more rarely
 
 /// One timer channel that repeats a pulse.
 class PwmPort {
  public:
+  /// The port of this hardware, which outlives it.
   constexpr explicit PwmPort(PwmHardware& hardware) : hardware_(&hardware) {}
 
   /// Clock, pin and repetition period [ns], in range and one for all outputs of a timer (Module::pwm); the output stays
@@ -295,7 +309,7 @@ enum class PinSetting : std::uint8_t {
   kInputPullDown,  ///< low when nobody drives it
   kOutputLow,      ///< push-pull, low from the first moment
   kOutputHigh,     ///< push-pull, high from the first moment
-  kAnalog,
+  kAnalog,         ///< for a converter: no digital input
 };
 
 /// The number of a chip pin: `pin_number('C', 4)` is PC4.
@@ -306,6 +320,7 @@ constexpr std::uint8_t pin_number(char port, unsigned pin) {
 /// The chip's single pins, by pin_number().
 class GpioPort {
  public:
+  /// The port of this hardware, which outlives it.
   constexpr explicit GpioPort(GpioHardware& hardware) : hardware_(&hardware) {}
 
   /// Clock, direction, pull and idle level of one pin. Context: init.
@@ -328,6 +343,7 @@ struct Edge {
 /// One pin whose edges are counted and timed by an interrupt of its own.
 class EdgePort {
  public:
+  /// The port of this hardware, which outlives it.
   constexpr explicit EdgePort(EdgeHardware& hardware) : hardware_(&hardware) {}
 
   /// Clock, input with a pull against the edge, interrupt on the falling or the rising edge. Context: init.
@@ -342,9 +358,10 @@ class EdgePort {
 /// A 12-bit converter that measures one input at a time.
 class AdcPort {
  public:
+  /// The port of this hardware, which outlives it.
   constexpr explicit AdcPort(AdcHardware& hardware) : hardware_(&hardware) {}
 
-  static constexpr std::uint16_t kFullScale = 4095;
+  static constexpr std::uint16_t kFullScale = 4095;  ///< the highest code
 
   /// Clock, and the pin of this input as analog. Context: init.
   void start(std::uint8_t input, std::uint8_t pin);

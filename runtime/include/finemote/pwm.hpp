@@ -36,7 +36,7 @@ class PwmOutput {
     if (tunable_ && period_.exchange(period) != period) tuned_.store(true);
   }
 
-  [[nodiscard]] std::uint8_t channels() const { return count_; }
+  [[nodiscard]] std::uint8_t channels() const { return count_; }  ///< channels the part has
 
  protected:
   struct Channel {
@@ -61,15 +61,20 @@ class PwmOutput {
 /// One channel of a PwmOutput, as a device holds it.
 class PwmChannel {
  public:
+  /// Channel `channel` of the part, from 0.
   constexpr PwmChannel(PwmOutput& output, std::uint8_t channel) : output_(&output), channel_(channel) {}
 
+  /// As PwmOutput::set(). Context: the device's bucket.
   void set(std::uint32_t pulse) { output_->set(channel_, pulse); }
+  /// As PwmOutput::set_safe(). Context: the device's bucket.
   void set_safe(std::uint32_t pulse) { output_->set_safe(channel_, pulse); }
-  /// A pulse that is this share of the period, cut to 0..1; no number is 0.
+  /// A pulse that is this share of the period, cut to 0..1; no number is 0. Context: the device's bucket.
   void set_share(float share);
-  /// Another repetition period [ns], where the output is alone on its timer.
+  /// Another repetition period [ns], where the output is alone on its timer. Context: the device's bucket.
   void tune(std::uint32_t period) { output_->tune(period); }
+  /// How often pulses repeat [ns]. Context: any.
   [[nodiscard]] std::uint32_t period() const { return output_->period(); }
+  /// As PwmOutput::unreachable(). Context: any.
   [[nodiscard]] bool unreachable() const { return output_->unreachable(); }
 
  private:
@@ -82,6 +87,8 @@ class PwmBus : public PwmOutput {
  public:
   static constexpr Duration kDefaultPeriod = 20000000;  ///< 50 Hz, what servos and ESCs take
 
+  /// @param port    the board's
+  /// @param period  how often pulses repeat
   constexpr explicit PwmBus(PwmPort& port, Duration period = kDefaultPeriod)
       : PwmOutput(&channel_, 1, static_cast<std::uint32_t>(period), true), port_(&port) {}
 

@@ -18,8 +18,9 @@ class Rs485;
 /// One device on the line: at most one question at a time.
 class Rs485Slot {
  public:
-  static constexpr std::size_t kMaxReply = 32;
+  static constexpr std::size_t kMaxReply = 32;  ///< bytes
 
+  /// @param bus       whose table names the slot
   /// @param id        the device's `id` in the URDF
   /// @param priority  0 is the most urgent: the index of the bucket, shortest period first
   constexpr Rs485Slot(Rs485& bus, std::uint8_t id, std::uint8_t priority) : bus_(&bus), id_(id), priority_(priority) {}
@@ -28,16 +29,19 @@ class Rs485Slot {
   /// False, and nothing is changed, while busy(). Context: the device's bucket.
   bool start(const std::uint8_t* bytes, std::size_t size, std::size_t reply_size);
 
-  /// Also carries the bus on. Context: the device's bucket.
+  /// What became of the last question. Also carries the bus on. Context: the device's bucket.
   [[nodiscard]] SlotState state();
+  /// A question waits or is under way. Also carries the bus on. Context: the device's bucket.
   [[nodiscard]] bool busy() {
     const SlotState s = state();
     return s == SlotState::kQueued || s == SlotState::kActive;
   }
+  /// The answer, as many bytes as were asked for; valid in SlotState::kDone. Context: the device's bucket.
   [[nodiscard]] const std::uint8_t* reply() const { return reply_; }
+  /// True after I2cSlot::kUnreachableAfter questions in a row have failed. Context: the device's bucket.
   [[nodiscard]] bool unreachable() const { return failures_ >= I2cSlot::kUnreachableAfter; }
-  [[nodiscard]] std::uint8_t id() const { return id_; }
-  [[nodiscard]] std::uint8_t priority() const { return priority_; }
+  [[nodiscard]] std::uint8_t id() const { return id_; }              ///< the device's `id` in the URDF
+  [[nodiscard]] std::uint8_t priority() const { return priority_; }  ///< 0 is the most urgent
 
  private:
   friend class Rs485;
@@ -53,20 +57,26 @@ class Rs485Slot {
 /// that preempts another leaves the work to it.
 class Rs485 {
  public:
+  /// @param port   the board's; its driver takes direction from the hardware, or from a pin
+  /// @param baud   bit rate [bit/s]
+  /// @param ring   keeps what comes until it is read
+  /// @param slots  every slot of this line, most urgent first
   template <std::size_t N>
   constexpr Rs485(UartPort& port, std::int64_t baud, UartRing ring, Rs485Slot* const (&slots)[N])
       : port_(&port), ring_(ring), slots_(slots), count_(N), baud_(baud), byte_time_(10 * 1000000000LL / baud) {}
+  /// A line without devices.
   constexpr Rs485(UartPort& port, std::int64_t baud, UartRing ring)
       : port_(&port), ring_(ring), slots_(nullptr), count_(0), baud_(baud), byte_time_(10 * 1000000000LL / baud) {}
 
-  /// Context: init.
+  /// Sets the port up. Context: init.
   void start();
-  /// Context: fastest bucket.
+  /// Carries the line on, and ends an overdue question. Context: fastest bucket.
   void supervise() {
     const MarkedWork<Work::supervise_rs485> marked;
     carry_on();
   }
 
+  /// What the line has done and suffered. Context: any.
   [[nodiscard]] const BusCounters& counters() const { return counters_; }
 
  private:

@@ -18,20 +18,27 @@ class SpiBus;
 /// one shows only in what it sends.
 class SpiSlot {
  public:
+  /// @param bus       whose table names the slot
   /// @param select    chip select of the port, in the order of the board file
   /// @param priority  0 is the most urgent: the index of the bucket, shortest period first
+  /// @param mode      0..3: CPOL * 2 + CPHA
   constexpr SpiSlot(SpiBus& bus, std::uint8_t select, std::uint8_t priority, std::uint8_t mode = 3)
       : bus_(&bus), select_(select), priority_(priority), mode_(mode) {}
 
   /// Asks for an exchange of `size` >= 1 bytes, both ways at once. False, and nothing is changed, while busy().
+  /// `write` null sends 0xFF, `read` null drops what comes; the bytes stay with the device and must not change while
+  /// busy(). Context: the device's bucket.
   bool start(const std::uint8_t* write, std::uint8_t* read, std::size_t size);
 
+  /// What became of the last exchange. Context: any.
   [[nodiscard]] SlotState state() const { return state_.load(); }
+  /// An exchange waits or is on the wire. Context: any.
   [[nodiscard]] bool busy() const { return state() == SlotState::kQueued || state() == SlotState::kActive; }
+  /// The last exchange ended well. True until the next start(). Context: any.
   [[nodiscard]] bool done() const { return state() == SlotState::kDone; }
-  /// When the last transfer ended. Only while !busy() and not in kIdle.
+  /// When the last exchange ended. Only while !busy() and not in kIdle. Context: the device's bucket.
   [[nodiscard]] Time ended() const { return ended_; }
-  [[nodiscard]] std::uint8_t priority() const { return priority_; }
+  [[nodiscard]] std::uint8_t priority() const { return priority_; }  ///< 0 is the most urgent
 
  private:
   friend class SpiBus;
@@ -48,19 +55,24 @@ class SpiSlot {
 /// One SPI bus; its queue works as that of I2cBus.
 class SpiBus {
  public:
+  /// @param port      the board's
+  /// @param clock_hz  bus clock [Hz]; the port takes the highest that is not above it
+  /// @param slots     every slot of this bus, most urgent first
   template <std::size_t N>
   constexpr SpiBus(SpiPort& port, std::int64_t clock_hz, SpiSlot* const (&slots)[N])
       : port_(&port), slots_(slots), count_(N), clock_hz_(clock_hz), byte_time_(8 * 1000000000LL / clock_hz) {}
+  /// A bus without devices.
   constexpr SpiBus(SpiPort& port, std::int64_t clock_hz)
       : port_(&port), slots_(nullptr), count_(0), clock_hz_(clock_hz), byte_time_(8 * 1000000000LL / clock_hz) {}
 
-  /// Context: init.
+  /// Sets the port up. Context: init.
   void start();
   /// Ends an overdue exchange. Context: fastest bucket.
   void supervise();
-  /// Context: interrupt.
+  /// An interrupt of the port, or a pended one. Context: interrupt.
   void on_interrupt(SpiEvent event);
 
+  /// What the bus has done and suffered. Context: any.
   [[nodiscard]] const BusCounters& counters() const { return counters_; }
 
  private:

@@ -11,9 +11,9 @@ using Time = std::int64_t;
 /// A difference of two times in nanoseconds.
 using Duration = std::int64_t;
 
-inline constexpr Duration kMicrosecond = 1'000;
-inline constexpr Duration kMillisecond = 1'000'000;
-inline constexpr Duration kSecond = 1'000'000'000;
+inline constexpr Duration kMicrosecond = 1'000;      ///< ns
+inline constexpr Duration kMillisecond = 1'000'000;  ///< ns
+inline constexpr Duration kSecond = 1'000'000'000;   ///< ns
 
 /// Stands for when something happened before time began: older than anything that may still be used.
 inline constexpr Time kLongAgo = -3600 * kSecond;
@@ -28,6 +28,7 @@ void busy(Duration work);
 /// The earlier of two times: the origin of a value made from both.
 constexpr Time oldest(Time a, Time b) { return a < b ? a : b; }
 
+/// The earliest of several times.
 template <class... More>
 constexpr Time oldest(Time a, Time b, More... more) {
   return oldest(oldest(a, b), more...);

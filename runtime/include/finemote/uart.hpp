@@ -21,8 +21,11 @@ struct UartLimits {
 /// one bucket.
 class Uart {
  public:
-  /// @param baud  bit rate [bit/s]
-  /// @param ring  keeps what comes until it is read
+  /// @param port    the board's
+  /// @param baud    bit rate [bit/s]
+  /// @param ring    keeps what comes until it is read
+  /// @param format  bits on the line
+  /// @param limits  what the line may cost, whatever comes
   constexpr Uart(UartPort& port, std::int64_t baud, UartRing ring, UartFormat format = UartFormat::k8N1,
                  UartLimits limits = {})
       : port_(&port),
@@ -33,7 +36,7 @@ class Uart {
         limits_(limits),
         left_(limits.bytes) {}
 
-  /// Context: init.
+  /// Sets the port up; reception begins. Context: init.
   void start();
 
   /// Copies the bytes received since the last call, oldest first, at most `capacity`, and returns how many. Bytes the
@@ -46,19 +49,22 @@ class Uart {
   /// Sends a block; false, and nothing is sent, while the last one is still under way or `size` is above capacity(). A
   /// block that has not left within twice its wire time is aborted and counted. Context: the device's bucket.
   bool write(const std::uint8_t* bytes, std::size_t size);
+  /// Most bytes of one write(), at least 64. Context: any.
   [[nodiscard]] std::size_t capacity() const { return port_->transmit_capacity(); }
 
   /// True when the line has been silent since the last byte read() returned: a message without terminator is complete.
+  /// Context: the device's bucket.
   [[nodiscard]] bool idle() const;
 
   /// A time not later than when a byte arrived: the one `behind` bytes before the last that read() returned. From the
   /// idle event right behind it; where there is none, from the read() or idle event before it and the wire time of the
-  /// bytes since.
+  /// bytes since. Context: the device's bucket.
   [[nodiscard]] Time arrival(std::size_t behind = 0) const;
 
-  /// Wire time of `bytes` bytes (start, 8 data, parity, stop bits), rounded up.
+  /// Wire time of `bytes` bytes (start, 8 data, parity, stop bits), rounded up. Context: any.
   [[nodiscard]] Duration wire_time(std::size_t bytes) const;
 
+  /// What the line has done and suffered. Context: any.
   [[nodiscard]] const BusCounters& counters() const { return counters_; }
 
  private:

@@ -22,9 +22,10 @@ namespace finemote::bench {
 
 /// What the schedule of the bench calls. Empty functions do nothing.
 struct Robot {
-  std::function<void()> start, safe;
-  std::function<void()> fast;  ///< every 5 ms
-  std::function<void()> slow;  ///< every 10 ms
+  std::function<void()> start;  ///< before the first release: starts the buses
+  std::function<void()> safe;   ///< once it has stopped: the safe outputs
+  std::function<void()> fast;   ///< every 5 ms
+  std::function<void()> slow;   ///< every 10 ms
 };
 
 /// The robot of the bench: a test sets its functions.

@@ -9,11 +9,13 @@ namespace finemote::bench {
 /// The checks of one program. `main` returns status().
 class Checks {
  public:
+  /// It holds.
   /// @param what  the statement that should hold, in words
   void that(bool holds, const char* what, const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
     note(holds, what, "it does not hold", file, line);
   }
 
+  /// The two are the same.
   template <class A, class B>
   void equal(const A& seen, const B& expected, const char* what, const char* file = __builtin_FILE(),
              int line = __builtin_LINE()) {

@@ -10,18 +10,22 @@
 
 namespace finemote {
 
+/// The host's bus, and the hardware behind CanPort.
 struct CanHardware {
+  // ---- for tests
+  /// A frame the robot sent.
   struct Sent {
-    Time at;
-    CanFrame frame;
+    Time at;         ///< its last bit
+    CanFrame frame;  ///< as sent
   };
   /// A frame from another node at `at`; filtered as the controller does.
   void feed(Time at, const CanFrame& frame);
   /// Called for each frame the robot has sent, at its end.
   std::function<void(const CanFrame&)> listener;
-  std::vector<Sent> sent;
-  bool off = false;  ///< the controller has left the bus
+  std::vector<Sent> sent;  ///< by the robot, in order
+  bool off = false;        ///< the controller has left the bus
 
+  // ---- for the port
   std::vector<CanIds> accepted;
   std::vector<CanFrame> mailboxes;  ///< at most three
   std::int64_t bitrate = 0;

@@ -14,6 +14,7 @@ namespace finemote::host {
 /// TCA9548A switch: one control byte; parts answer through the connected channels.
 class Tca9548aPart : public I2cPart {
  public:
+  /// Hangs a part behind a channel, 0..7; it outlives the switch.
   void connect(unsigned channel, std::uint8_t address, I2cPart& part) { parts_[channel][address] = &part; }
 
   bool write(const std::vector<std::uint8_t>& bytes) override;
@@ -21,8 +22,8 @@ class Tca9548aPart : public I2cPart {
   void reset() override { channels_ = 0; }
   I2cPart* behind(std::uint8_t address) override;
 
-  bool silent = false;
-  [[nodiscard]] std::uint8_t channels() const { return channels_; }
+  bool silent = false;                                               ///< answers to nothing
+  [[nodiscard]] std::uint8_t channels() const { return channels_; }  ///< connected now, bit n: channel n
 
  private:
   std::uint8_t channels_ = 0;
@@ -32,7 +33,7 @@ class Tca9548aPart : public I2cPart {
 /// PCA9685 PWM controller: its registers, and the pulses they make.
 class Pca9685Part : public I2cPart {
  public:
-  Pca9685Part() { reset(); }
+  Pca9685Part() { reset(); }  ///< asleep, as after power-on
 
   bool write(const std::vector<std::uint8_t>& bytes) override;
   bool read(std::size_t size, std::vector<std::uint8_t>& bytes) override;
@@ -40,14 +41,16 @@ class Pca9685Part : public I2cPart {
 
   /// Pulse width [ns] at a channel's pin, rounded; 0 while asleep or switched off.
   [[nodiscard]] std::uint32_t pulse(unsigned channel) const;
+  /// What stands in a register.
   [[nodiscard]] std::uint8_t reg(std::uint8_t address) const { return registers_[address]; }
 
+  /// What a write has made of the outputs.
   struct Change {
-    Time at;
-    std::array<std::uint32_t, 16> pulses;
+    Time at;                               ///< of the write
+    std::array<std::uint32_t, 16> pulses;  ///< ns, by channel
   };
   std::vector<Change> changes;  ///< pulses after every write
-  bool silent = false;
+  bool silent = false;          ///< answers to nothing
 
  private:
   std::array<std::uint8_t, 256> registers_{};
@@ -57,6 +60,7 @@ class Pca9685Part : public I2cPart {
 /// MS5837 pressure sensor: PROM with CRC, conversions that take their time, a world with pressure and temperature.
 class Ms5837Part : public I2cPart {
  public:
+  /// At 101325 Pa and 20 degrees Celsius.
   explicit Ms5837Part(Ms5837::Variant variant = Ms5837::Variant::k30BA);
 
   bool write(const std::vector<std::uint8_t>& bytes) override;
@@ -66,11 +70,11 @@ class Ms5837Part : public I2cPart {
   /// The world: Pa and degrees Celsius. Met to within the resolution of the part.
   void set(double pressure, double temperature);
 
-  bool silent = false;       ///< answers to nothing
-  bool bad_prom = false;     ///< one bit of the PROM is flipped
-  std::uint32_t noise = 0;   ///< these bits of every result are flipped
-  unsigned conversions = 0;  ///< begun so far
-  Ms5837::Calibration calibration;
+  bool silent = false;              ///< answers to nothing
+  bool bad_prom = false;            ///< one bit of the PROM is flipped
+  std::uint32_t noise = 0;          ///< these bits of every result are flipped
+  unsigned conversions = 0;         ///< begun so far
+  Ms5837::Calibration calibration;  ///< what its PROM holds
 
  private:
   Ms5837::Variant variant_;

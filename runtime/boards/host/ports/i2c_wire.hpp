@@ -28,10 +28,12 @@ class I2cPart {
 
 /// One exchange as a logic analyser shows it.
 struct I2cExchange {
-  Time begin, end;
-  std::uint8_t address;
-  std::vector<std::uint8_t> written, read;
-  I2cEvent event;  ///< kNone: it was aborted
+  Time begin;                         ///< START
+  Time end;                           ///< STOP
+  std::uint8_t address;               ///< 7 bit
+  std::vector<std::uint8_t> written;  ///< by the robot
+  std::vector<std::uint8_t> read;     ///< from the part
+  I2cEvent event;                     ///< kNone: it was aborted
 };
 
 }  // namespace finemote::host
@@ -41,21 +43,23 @@ namespace finemote {
 /// The host's wire, and the hardware behind I2cPort.
 struct I2cHardware {
   // ---- for tests
+  /// Hangs a part on the wire; it outlives its connection.
   void connect(std::uint8_t address, host::I2cPart& part) { parts[address] = &part; }
-  void disconnect(std::uint8_t address) { parts.erase(address); }
+  void disconnect(std::uint8_t address) { parts.erase(address); }  ///< nothing answers there any more
   /// SDA is held low from now on, until `clocks` clocks of a recovery have gone by; negative: for ever.
   void hold_sda(int clocks);
-  void release_sda() { held = 0; }
-  /// The next `count` exchanges are not acknowledged / end in a bus error.
+  void release_sda() { held = 0; }  ///< ends hold_sda()
+  /// The next `count` exchanges are not acknowledged.
   void refuse(int count) { refusals = count; }
+  /// The next `count` exchanges end in a bus error.
   void disturb(int count) { disturbances = count; }
   /// Called whenever the driver pends its interrupt: in the middle of whatever asked for it.
   std::function<void()> when_pended;
   /// No parts, no faults, nothing recorded.
   void reset();
 
-  std::vector<host::I2cExchange> exchanges;
-  unsigned recovery_clocks = 0;  ///< clocks sent by recoveries so far
+  std::vector<host::I2cExchange> exchanges;  ///< in order, units with a mux as several
+  unsigned recovery_clocks = 0;              ///< clocks sent by recoveries so far
 
   // ---- for the port
   I2cEvent perform(const I2cMessage& message, host::I2cExchange& record);

@@ -10,6 +10,7 @@
 
 namespace finemote::host {
 
+/// A part behind a chip select.
 class SpiPart {
  public:
   virtual ~SpiPart() = default;
@@ -21,11 +22,15 @@ class SpiPart {
 
 namespace finemote {
 
+/// The host's wires, and the hardware behind SpiPort.
 struct SpiHardware {
+  // ---- for tests
+  /// Hangs a part behind a chip select, in the order of the board file; it outlives its connection.
   void connect(std::uint8_t select, host::SpiPart& part) { parts[select] = &part; }
   /// The clock stops: exchanges do not end any more.
   void block(bool stop) { blocked = stop; }
 
+  // ---- for the port
   std::map<std::uint8_t, host::SpiPart*> parts;
   bool blocked = false;
   std::int64_t clock_hz = 0;

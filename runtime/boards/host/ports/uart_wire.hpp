@@ -13,8 +13,9 @@ namespace finemote::host {
 
 /// A block the robot sent.
 struct Sent {
-  Time begin, end;
-  std::vector<std::uint8_t> bytes;
+  Time begin;                       ///< first start bit
+  Time end;                         ///< last stop bit
+  std::vector<std::uint8_t> bytes;  ///< as sent
 };
 
 }  // namespace finemote::host
@@ -26,7 +27,7 @@ struct UartHardware {
   // ---- for tests
   /// Bytes from outside: the first begins at `at` (or after what is still on its way), one follows the other.
   void feed(Time at, const std::vector<std::uint8_t>& bytes);
-  void feed(Time at, const std::string& text);
+  void feed(Time at, const std::string& text);  ///< the same of the characters of a text
   /// The receiver sees this many disturbed bytes.
   void disturb(std::uint32_t count) { errors.framing += count; }
   /// Reception stops, as after a DMA error, until the driver restarts it; what arrives meanwhile is lost.
@@ -36,7 +37,7 @@ struct UartHardware {
   /// Silence, no errors, nothing recorded. The driver's position in the ring stays.
   void reset();
 
-  std::vector<host::Sent> sent;
+  std::vector<host::Sent> sent;  ///< by the robot, in order
 
   // ---- for the port
   struct Byte {

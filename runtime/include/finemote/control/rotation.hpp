@@ -3,17 +3,25 @@
 
 namespace finemote {
 
+/// Three coordinates.
 struct Vector {
-  float x = 0, y = 0, z = 0;
+  float x = 0;  ///< forward, in the frames of a robot
+  float y = 0;  ///< left
+  float z = 0;  ///< up
 };
 
+/// The sum.
 constexpr Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+/// The difference.
 constexpr Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+/// `k` times as long.
 constexpr Vector operator*(float k, const Vector& v) { return {k * v.x, k * v.y, k * v.z}; }
+/// The scalar product.
 constexpr float dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /// An orthogonal matrix by its rows: what it multiplies is turned, or taken from one frame to another.
 struct Rotation {
+  /// What the turned x, y and z are the scalar products with.
   Vector row[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
   /// About `axis`, of unit length, by a finite `angle` [rad] (Rodrigues).
@@ -24,8 +32,8 @@ struct Rotation {
   /// The angles of of_angles(): roll and yaw -pi..pi, pitch -pi/2..pi/2. Where x points straight up or down only the
   /// difference of roll and yaw means anything, or their sum.
   [[nodiscard]] float roll() const;
-  [[nodiscard]] float pitch() const;
-  [[nodiscard]] float yaw() const;
+  [[nodiscard]] float pitch() const;  ///< as roll()
+  [[nodiscard]] float yaw() const;    ///< as roll()
 };
 
 /// What takes back: the transpose.
@@ -35,6 +43,7 @@ constexpr Rotation inverse(const Rotation& r) {
            {r.row[0].z, r.row[1].z, r.row[2].z}}};
 }
 
+/// The vector, turned.
 constexpr Vector operator*(const Rotation& r, const Vector& v) {
   return {dot(r.row[0], v), dot(r.row[1], v), dot(r.row[2], v)};
 }

@@ -14,6 +14,7 @@ struct ImuState : Stamp {
   float acceleration[3] = {};  ///< m/s^2 along x, y, z; at rest and level z reads +9.81
 };
 
+/// Offered by inertial sensors; nothing to command.
 struct Imu {
   using State = ImuState;
   using Command = void;

@@ -5,11 +5,13 @@
 
 namespace finemote {
 
+/// What it measures.
 struct PressureState : Stamp {
   float pressure = 0;     ///< Pa, absolute
   float temperature = 0;  ///< degrees Celsius
 };
 
+/// Offered by pressure sensors; nothing to command.
 struct Pressure {
   using State = PressureState;
   using Command = void;
