@@ -3,7 +3,7 @@
 #   NAME-size       a table of what the image takes, by device and by class, held to FLASH_BUDGET and RAM_BUDGET
 #   NAME-hex, -bin  NAME.hex and NAME.bin beside NAME.elf
 #   NAME-flash      writes the image with OpenOCD, verifies it and starts it
-#   NAME-debug      gdb at the reset of the board, with the image loaded
+#   NAME-debug      gdb at the reset of the board, with the image loaded; NAME.gdb tells it where the sources lie
 #   NAME-rtt        serves the trace of the running board at TCP port 9090 (an image with TRACE); does not halt it
 #   NAME-generate   writes the generated sources (finemote_add_firmware with INPUT)
 #
@@ -45,6 +45,16 @@ function(finemote_copied_image target suffix format)
   add_custom_target(${target}-${suffix} DEPENDS ${file})
 endfunction()
 
+# NAME.gdb: where the sources lie that the image names in short (finemote_compile_options). For a debugger on this computer.
+function(finemote_source_paths target)
+  set(text "")
+  foreach(folder "robot ${CMAKE_SOURCE_DIR}" "build ${CMAKE_BINARY_DIR}" "finemote ${FINEMOTE_ROOT}")
+    string(REPLACE " /" " \"/" folder "${folder}\"")
+    string(APPEND text "set substitute-path ${folder}\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${target}.gdb CONTENT "${text}" @ONLY)
+endfunction()
+
 # The short names, once in a project.
 function(finemote_short_targets target)
   get_property(first GLOBAL PROPERTY FINEMOTE_FIRST_FIRMWARE)
@@ -65,6 +75,7 @@ function(finemote_firmware_targets target chips)
     set(scripts ${FINEMOTE_ROOT}/cmake/scripts)
     set(image $<TARGET_FILE:${target}>)
     finemote_probe_file(probe)
+    finemote_source_paths(${target})
     finemote_copied_image(${target} hex ihex)
     finemote_copied_image(${target} bin binary)
     add_custom_target(${target}-size COMMAND ${CMAKE_COMMAND} -DIMAGE=${image} -DNM=${CMAKE_NM} -DOBJDUMP=${CMAKE_OBJDUMP}
@@ -73,6 +84,7 @@ function(finemote_firmware_targets target chips)
     finemote_probe_target(${target} flash FINEMOTE_OPENOCD openocd
                           COMMAND ${FINEMOTE_OPENOCD} -f ${probe} -c "program {${image}} verify reset exit")
     finemote_probe_target(${target} debug FINEMOTE_GDB gdb-multiarch COMMAND ${FINEMOTE_GDB} ${image}
+                          -x ${CMAKE_CURRENT_BINARY_DIR}/${target}.gdb
                           -ex "target extended-remote | ${FINEMOTE_OPENOCD} -f '${probe}' -c 'gdb_port pipe' -c 'log_output openocd.log'"
                           -ex "monitor reset halt" -ex load -ex "monitor reset halt")
     finemote_probe_target(${target} rtt FINEMOTE_OPENOCD openocd COMMAND ${CMAKE_COMMAND} -DIMAGE=${image} -DNM=${CMAKE_NM}
