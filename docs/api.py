@@ -4,10 +4,12 @@
 usage: api.py [--dry-run]
 
 Doxygen reads the headers; this turns its XML into Markdown. A public name without a comment is an error. With --dry-run
-nothing is written, and the exit status is 1 where a page is not what would be written.
+nothing is written, and the exit status is 1 where a page is not what would be written. 77: that is not known, because Doxygen is
+missing, or is not the one of Debian 12, which others need not agree with to the letter.
 """
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -46,6 +48,9 @@ SELF_EXPLANATORY = {"State", "Command"}
 HIDDEN = {"Interface"}
 # From this comment to its end a structure of the bench is nobody's business but its port's.
 INTERNAL = "// ---- for the port"
+
+DOXYGEN = "1.9.4"
+UNKNOWN = 77
 
 DOXYFILE = """
 OUTPUT_DIRECTORY = {out}
@@ -200,6 +205,8 @@ def fields(members):
 
 
 class Page:
+    """What a header says, as Markdown."""
+
     def __init__(self, api, header):
         self.api = api
         self.header = header
@@ -225,8 +232,9 @@ class Page:
         return re.sub(r"\n{3,}", "\n\n", "\n".join(words))
 
     def include(self):
+        """What a user writes: the headers of wires and parts come with two of the bench."""
         if self.header.startswith(WIRES):
-            return "finemote/bench/" + ("parts.hpp" if self.header.endswith("parts.hpp") or "h30" in self.header else "bench.hpp")
+            return "finemote/bench/" + ("parts.hpp" if self.header.endswith(("parts.hpp", "part.hpp")) else "bench.hpp")
         return self.header.removeprefix("include/").removeprefix("bench/")
 
     def text(self, level):
@@ -255,6 +263,7 @@ class Page:
         return "```cpp\n" + declaration(self.checked(member)) + "\n```\n\n" + described(member)
 
     def compound(self, compound, level):
+        """A class or structure: its values in a table, then types and functions."""
         name = compound.findtext("compoundname").removeprefix("finemote::").replace("< ", "<").replace(" >", ">")
         text = f"{level} `{name}`\n\n" + described(self.checked(compound))
         members = sorted((m for m in compound.iter("memberdef") if self.is_shown(m)), key=line_of)
@@ -268,6 +277,7 @@ class Page:
         return text
 
     def is_shown(self, member):
+        """Public, and not what every class has."""
         if member.get("prot") != "public" or not is_in(member, self.header) or line_of(member) in self.internal:
             return False
         name = member.findtext("name")
@@ -275,6 +285,7 @@ class Page:
         return name not in HIDDEN and not name.startswith("~") and not arguments.endswith(("=default", "=delete"))
 
     def checked(self, element):
+        """The element; noted where it has no comment."""
         name = element.findtext("name") or element.findtext("compoundname")
         if name not in SELF_EXPLANATORY and not is_described(element):
             self.api.undocumented.append(f"{RUNTIME / self.header}:{line_of(element)}: '{name}' has no comment")
@@ -286,7 +297,7 @@ def page_text(api, title, headers):
     for header in headers:
         page = Page(api, header)
         if len(headers) > 1:
-            text += f"\n## {page.include().rpartition('/')[2] if not header.startswith(WIRES) else pathlib.Path(header).name}\n"
+            text += f"\n## {pathlib.Path(header).name}\n"
         text += "\n" + page.text("###" if len(headers) > 1 else "##")
     return text
 
@@ -298,7 +309,18 @@ def read_headers(folder):
     return Api(folder / "xml")
 
 
+def doxygen_version():
+    """Empty where there is none."""
+    if shutil.which("doxygen") is None:
+        return ""
+    return subprocess.run(["doxygen", "--version"], check=True, capture_output=True, text=True).stdout.split()[0]
+
+
 def main(words):
+    version = doxygen_version()
+    if not version:
+        print("doxygen is missing: apt-get install doxygen")
+        return UNKNOWN if "--dry-run" in words else 2
     with tempfile.TemporaryDirectory() as name:
         api = read_headers(pathlib.Path(name))
     status = 0
@@ -314,6 +336,9 @@ def main(words):
             path.write_text(text)
     for line in api.undocumented:
         print(line)
+    if status == 1 and version != DOXYGEN and not api.undocumented:
+        print(f"the pages were made with Doxygen {DOXYGEN}; this is {version}")
+        return UNKNOWN
     return 1 if api.undocumented else status
 
 
