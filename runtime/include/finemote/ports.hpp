@@ -27,14 +27,14 @@ class I2cBus;
 class SpiBus;
 class CanBus;
 
-struct UartHardware;  ///< defined by the board
-struct I2cHardware;   ///< defined by the board
-struct SpiHardware;   ///< defined by the board
-struct CanHardware;   ///< defined by the board
-struct PwmHardware;   ///< defined by the board
-struct GpioHardware;  ///< defined by the board
-struct EdgeHardware;  ///< defined by the board
-struct AdcHardware;   ///< defined by the board
+struct UartHardware;  // defined by the board
+struct I2cHardware;   // defined by the board
+struct SpiHardware;   // defined by the board
+struct CanHardware;   // defined by the board
+struct PwmHardware;   // defined by the board
+struct GpioHardware;  // defined by the board
+struct EdgeHardware;  // defined by the board
+struct AdcHardware;   // defined by the board
 
 // ---------------------------------------------------------------------------------------------------------------- UART
 
