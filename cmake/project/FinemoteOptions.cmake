@@ -1,10 +1,19 @@
 # Compiler options shared by all host code: C++20, warnings as errors, optional sanitizers, ccache.
+option(FINEMOTE_TESTS "Build the tests, and treat warnings as errors" ON)
+option(FINEMOTE_PRECOMPILED "Compile all host code with one precompiled header" OFF)
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(FINEMOTE_TESTS)
+  add_compile_options(-Wall -Wextra -Wpedantic -Werror)
+endif()
 # Floating point is computed as written, so that the same input gives the same bytes on every machine.
-add_compile_options(-Wall -Wextra -Wpedantic -Werror -ffp-contract=off)
+add_compile_options(-ffp-contract=off)
+
+if(FINEMOTE_PRECOMPILED)
+  add_compile_definitions(EIGEN_DONT_VECTORIZE)  # as the emulator has it: all that share a header share its definitions
+endif()
 
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
@@ -24,6 +33,23 @@ if(FINEMOTE_CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${FINEMOTE_CCACHE})
 endif()
 
+# finemote_precompiled(TARGET): gives it the precompiled header, if there is one. It holds what takes long to read; nothing may
+# rely on it.
+function(finemote_precompiled target)
+  if(NOT FINEMOTE_PRECOMPILED)
+    return()
+  endif()
+  if(NOT TARGET finemote_common_headers)
+    add_library(finemote_common_headers OBJECT ${PROJECT_SOURCE_DIR}/cmake/project/common_headers.cpp)
+    target_include_directories(finemote_common_headers PRIVATE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(finemote_common_headers PRIVATE fmt::fmt nlohmann_json::nlohmann_json Eigen3::Eigen)
+    target_precompile_headers(finemote_common_headers PRIVATE <fmt/format.h> <nlohmann/json.hpp> <Eigen/Geometry> <algorithm>
+                              <filesystem> <functional> "${PROJECT_SOURCE_DIR}/emulator/outfit.hpp"
+                              "${PROJECT_SOURCE_DIR}/generator/run/run_result.hpp")
+  endif()
+  target_precompile_headers(${target} REUSE_FROM finemote_common_headers)
+endfunction()
+
 # finemote_module(NAME SOURCES a.cpp ... [LINK lib ...])
 # One pipeline stage as a static library `finemote_NAME`; headers are included as "generator/NAME/x.hpp" from the root.
 function(finemote_module name)
@@ -31,6 +57,7 @@ function(finemote_module name)
   add_library(finemote_${name} STATIC ${arg_SOURCES})
   target_include_directories(finemote_${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(finemote_${name} PUBLIC ${arg_LINK})
+  finemote_precompiled(finemote_${name})
 endfunction()
 
 # finemote_test(NAME SOURCES a_test.cpp ... [LINK lib ...])
