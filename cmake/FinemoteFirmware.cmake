@@ -21,6 +21,7 @@
 # WATCH_BOUNDS the firmware holds every device to its proven bounds: finemote/monitor.hpp
 # DURATION     a number and s, ms, us or ns: the run ends by itself (boards qemu_f405 and host); without it: forever
 # DEFINITIONS, INCLUDES, SOURCES   for the compiler; with INPUT the folders of the robot's own descriptors are known
+# WITHOUT      files of the runtime's start-up that SOURCES stand in for: main.cpp, trace.cpp
 # OPTIMIZE     -Os without it
 # STACK        bytes that a board with a chip reserves for the stack, 4096 without it; `finemote run` proves how many it takes
 # FLASH_BUDGET, RAM_BUDGET   bytes that NAME-size holds the image to
@@ -81,7 +82,7 @@ endfunction()
 function(finemote_add_firmware target)
   cmake_parse_arguments(arg "COMMITTED;TRACE;WATCH_BOUNDS"
                         "INPUT;GENERATED;BOARD;OUTPUT_DIR;DURATION;OPTIMIZE;STACK;FLASH_BUDGET;RAM_BUDGET"
-                        "DEVICES;ARGS;DEFINITIONS;INCLUDES;SOURCES" ${ARGN})
+                        "DEVICES;ARGS;DEFINITIONS;INCLUDES;SOURCES;WITHOUT" ${ARGN})
   if(arg_UNPARSED_ARGUMENTS)
     list(JOIN arg_UNPARSED_ARGUMENTS "', '" words)
     message(FATAL_ERROR "finemote_add_firmware(${target}): unknown '${words}'")
@@ -103,7 +104,7 @@ function(finemote_add_firmware target)
   finemote_firmware_definitions(definitions ${ARGN})
   list(APPEND definitions ${board_definitions})
   finemote_runtime_library(runtime ${arg_BOARD} "${chips}" "${board_definitions}" ${arg_OPTIMIZE})
-  finemote_board_objects(board ${arg_BOARD} "${chips}" "${definitions}" ${arg_OPTIMIZE})
+  finemote_board_objects(board ${arg_BOARD} "${chips}" "${definitions}" ${arg_OPTIMIZE} "${arg_WITHOUT}")
 
   add_executable(${target} ${generated} ${arg_SOURCES} $<TARGET_OBJECTS:${board}>)
   finemote_compile_options(${target} ${arg_BOARD} "${chips}" ${arg_OPTIMIZE})

@@ -121,6 +121,8 @@ void Chip::add_timers() {
     timers_.push_back(std::make_unique<Timer>(world_, it.name, it.kind, clock, lines));
     place(it.place, *timers_.back());
   }
+  named(timers_, "tim5")->lead_in({4, 3U << 6, 1U << 6, [this] { return rcc.running_lsi_hz(); }});
+  named(timers_, "tim11")->lead_in({1, 3, 2, [this] { return rcc.divided_crystal_hz(); }});
 }
 
 Adc::Wiring Chip::converter_wiring(unsigned number) {

@@ -8,6 +8,8 @@ namespace finemote::emulator {
 namespace {
 
 enum Offset : std::uint32_t { kAcr = 0x00, kKey = 0x04, kOptionKey = 0x08, kSr = 0x0C, kCr = 0x10, kOptcr = 0x14 };
+// ACR: RM0090 3.9.1.
+constexpr std::uint32_t kPrefetch = 1U << 8, kInstructionCache = 1U << 9;
 // SR: RM0090 3.9.5.
 constexpr std::uint32_t kEnd = 1, kOperationError = 2, kParallelismError = 64, kSequenceError = 128, kBusy = 1U << 16;
 constexpr std::uint32_t kFlags = 0xF3;
@@ -50,6 +52,9 @@ void Flash::reset() {
   update();
 }
 
+/// Prefetch and the instruction cache together are the accelerator: each hides the wait states of straight code. 3.5.2.
+void Flash::apply() { world_.cpu().set_flash((acr_ & (kPrefetch | kInstructionCache)) != 0, wait_states()); }
+
 void Flash::update() {
   const bool end = (cr_ & kEndInterrupt) != 0 && (sr_ & kEnd) != 0;
   const bool error = (cr_ & kErrorInterrupt) != 0 && (sr_ & kOperationError) != 0;
@@ -79,7 +84,7 @@ void Flash::write(std::uint32_t offset, std::uint32_t value) {
     case kAcr:
       only(value, 0x1F07, "ACR");
       acr_ = value & 0x0707;
-      return;
+      return apply();
     case kKey:
       return control_.give(value);
     case kOptionKey:

@@ -37,6 +37,7 @@ class Flash : public Peripheral {
     bool spoilt_ = false;
   };
 
+  void apply();
   void write_control(std::uint32_t value);
   void erase(std::uint32_t from, std::uint32_t bytes, Time duration);
   void program(std::uint32_t address, unsigned bytes, std::uint32_t value);

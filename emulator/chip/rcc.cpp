@@ -251,13 +251,17 @@ std::uint32_t Rcc::usb_hz() const {
   return (cr_ & kPllReady) == 0 || q < 2 ? 0 : static_cast<std::uint32_t>(std::uint64_t{pll_hz()} * p / q);
 }
 
-std::uint32_t Rcc::rtc_hz() const {
+std::uint32_t Rcc::divided_crystal_hz() const {
   const std::uint32_t divider = cfgr_ >> 16 & 0x1F;
+  return (cr_ & kHseReady) != 0 && divider >= 2 ? crystal_hz / divider : 0;
+}
+
+std::uint32_t Rcc::rtc_hz() const {
   switch (backup.rtc_source()) {
     case BackupDomain::RtcSource::low_internal:
-      return (csr_ & kLsiReady) != 0 ? lsi_hz : 0;
+      return running_lsi_hz();
     case BackupDomain::RtcSource::crystal:
-      return (cr_ & kHseReady) != 0 && divider >= 2 ? crystal_hz / divider : 0;
+      return divided_crystal_hz();
     default:
       return 0;  // off, or the crystal of 32.768 kHz, which no board here has
   }

@@ -33,6 +33,10 @@ class Rcc : public Peripheral {
   /// Of the clock the backup domain chose for its calendar; 0: it stands.
   [[nodiscard]] std::uint32_t rtc_hz() const;
 
+  /// What timers can measure inside: the LSI, and the crystal divided for the calendar. 0: it stands.
+  [[nodiscard]] std::uint32_t running_lsi_hz() const { return (csr_ & 2) != 0 ? lsi_hz : 0; }
+  [[nodiscard]] std::uint32_t divided_crystal_hz() const;
+
   /// Why the chip was reset, as RCC_CSR shows it (bits 24..31).
   void note_reset(std::uint32_t cause) { csr_ = (csr_ & 0x03) | cause; }
   static constexpr std::uint32_t kPinReset = 1U << 26, kPowerReset = 1U << 27, kSoftwareReset = 1U << 28,

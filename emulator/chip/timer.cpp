@@ -27,6 +27,8 @@ constexpr unsigned kFrozen = 0, kForcedLow = 4, kForcedHigh = 5, kPwm1 = 6, kPwm
 constexpr std::uint32_t kIdleStates = 0x7F00;                                           // CR2: 17.4.2
 constexpr std::uint32_t kCompares = 0x1E;                                               // SR, DIER, EGR
 constexpr std::uint32_t kInputs = 0x0303, kInputFilters = 0xFCFC;                       // CCMR of inputs
+constexpr std::uint32_t kOvercapture = 0x200;                                           // SR, of channel 1
+constexpr std::uint32_t kOption = 0x50;
 }  // namespace
 
 void Timer::reset() {
@@ -37,6 +39,7 @@ void Timer::reset() {
   ccr_active_ = {};
   matched_ = {};
   ++token_;
+  ++input_token_;
   update_line();
   announce();
 }
@@ -99,7 +102,7 @@ void Timer::match_compares() {
   if (!counts()) return;
   const Time now = world_.now(), period = (Time{arr_active_} + 1) * count_time();
   for (unsigned i = 0; i < 4; ++i) {
-    if (ccr_active_[i] > arr_active_) continue;
+    if (ccr_active_[i] > arr_active_ || is_input(i)) continue;
     const Time in_lap = zero_ + ccr_active_[i] * count_time();
     const Time last = in_lap <= now ? in_lap : in_lap > period ? in_lap - period : 0;
     if (last <= matched_[i] || last > now) continue;
@@ -111,6 +114,7 @@ void Timer::match_compares() {
 /// Looks again when the counter comes to the value, where that is an interrupt.
 void Timer::schedule_compare(unsigned index) {
   if (!counts() || (registers_[kDier / 4] >> (index + 1) & 1) == 0 || ccr_active_[index] > arr_active_) return;
+  if (is_input(index)) return;
   const Time at = zero_ + ccr_active_[index] * count_time();
   if (at <= matched_[index]) return;
   world_.at(at, [this, token = token_] {
@@ -158,9 +162,49 @@ std::uint32_t Timer::count() const {
   return counts() ? static_cast<std::uint32_t>((world_.now() - zero_) / count_time()) : held_;
 }
 
+/// Between two captures of the clock inside; 0: none comes. ICxPSC: every edge, every second, fourth or eighth.
+Time Timer::capture_period() const {
+  if (!inner_clock_ || !counts()) return 0;
+  const unsigned index = inner_clock_->channel - 1;
+  const bool is_chosen = (registers_[kOption / 4] & inner_clock_->field) == inner_clock_->choice;
+  const bool is_on = (registers_[kCcer / 4] >> (4 * index) & 1) != 0;
+  const std::uint32_t input = registers_[kFirstMode + index / 2] >> (index % 2 * 8) & 0xF;
+  const std::uint32_t hz = inner_clock_->hz();
+  if (!is_chosen || !is_on || (input & 3) != 1 || hz == 0) return 0;
+  return period_of(hz) << (input >> 2);
+}
+
+/// Begins to follow the clock at the input, whose edges are wherever they are.
+void Timer::follow_input() {
+  ++input_token_;
+  const Time period = capture_period();
+  if (period != 0) capture_next((world_.now() / period + 1) * period, period);
+}
+
+void Timer::capture_next(Time at, Time period) {
+  world_.at(at, [this, at, period, token = input_token_] {
+    if (token != input_token_) return;
+    capture(at);
+    capture_next(at + period, period);
+  });
+}
+
+/// RM0090 17.3.6: the flag, or with the flag up the one that says that a capture was lost.
+void Timer::capture(Time at) {
+  const unsigned index = inner_clock_->channel - 1;
+  const std::uint32_t flag = 2U << index;
+  registers_[kSr / 4] |= (registers_[kSr / 4] & flag) != 0 ? kOvercapture << index : flag;
+  registers_[kCcr1 / 4 + index] = static_cast<std::uint32_t>((at - zero_) / count_time());
+  update_line();
+}
+
 std::uint32_t Timer::read(std::uint32_t offset) {
   if (offset > kLast) return unmodelled_read(offset);
   if (offset == kSr) match_compares();
+  if (offset >= kCcr1 && offset < kCcr1 + 16 && is_input((offset - kCcr1) / 4)) {
+    registers_[kSr / 4] &= ~(2U << (offset - kCcr1) / 4);
+    update_line();
+  }
   return offset == kCnt ? count() : registers_[offset / 4];
 }
 
@@ -185,16 +229,22 @@ void Timer::check(std::uint32_t offset, std::uint32_t value) {
   if (offset == kCcer) only(value, 0x3333 | 0x0888, "CCER");  // no complementary outputs
   if (offset == kRcr) only(value, 0, "RCR");
   if (offset == kBdtr) only(value, 0xAFFF, "BDTR");  // all but the break input and what it ends
-  if (offset >= kDcr) only(value, 0, "DMA");
+  if (offset >= kDcr && offset != kOption) only(value, 0, "DMA");
+  if (offset == kOption) only(value, inner_clock_ ? inner_clock_->field : 0, "OR");
   if (offset == kCcmr1 || offset == kCcmr1 + 4) check_modes(value);
 }
 
 /// An encoder's inputs are its own affair; other inputs, and clearing from outside, are not there.
 void Timer::check_modes(std::uint32_t value) {
   if (is_encoder()) return only(value, kInputs | kInputFilters, "CCMR");
-  only(value, 0x7C7C, "CCMR");
   for (unsigned i = 0; i < 2; ++i) {
-    const std::uint32_t mode = value >> (8 * i + 4) & 7;
+    const std::uint32_t byte = value >> (8 * i) & 0xFF;
+    if (inner_clock_ && (byte & 3) == 1) {
+      only(byte, 0xD, "CCMR");  // no filter
+      continue;
+    }
+    only(byte, 0x7C, "CCMR");
+    const std::uint32_t mode = byte >> 4 & 7;
     if (mode != kFrozen && mode < kForcedLow) world_.report(Misuse::unmodelled, name() + " compare mode " + hex(mode));
   }
 }
@@ -256,6 +306,7 @@ void Timer::write(std::uint32_t offset, std::uint32_t value) {
       schedule_compare(index);
     }
   }
+  if (offset == kCr1 || offset == kCcer || offset == kOption || offset / 4 - kFirstMode < 2) follow_input();
   announce();
 }
 

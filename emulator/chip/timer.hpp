@@ -1,10 +1,11 @@
 // A timer that counts up: prescaler, period and preloaded compare values become pulses, updates and compare events.
-// RM0090 17 to 20. As an encoder's counter it stands until somebody turns it. Input capture, other slave modes,
-// counting down and DMA are not modelled.
+// RM0090 17 to 20. As an encoder's counter it stands until somebody turns it. Of input capture there is that of clocks
+// inside the chip; other inputs, other slave modes, counting down and DMA are not modelled.
 #pragma once
 
 #include <array>
 #include <functional>
+#include <optional>
 
 #include "emulator/chip/peripheral.hpp"
 
@@ -33,6 +34,13 @@ class Timer : public Peripheral {
     std::uint64_t width_ns = 0;
     std::uint64_t period_ns = 0;  ///< 0: the output is off
   };
+  /// A clock of the chip that the option register can lead to an input: RM0090 18.4.20, 19.5.11.
+  struct InnerClock {
+    unsigned channel;                   ///< 1 to 4
+    std::uint32_t field, choice;        ///< bits of the option register, and their value that chooses it
+    std::function<std::uint32_t()> hz;  ///< 0: it stands
+  };
+  void lead_in(InnerClock clock) { inner_clock_ = std::move(clock); }
   /// Turns the encoder it counts by so many edges; elsewhere nothing happens.
   void turn(int edges);
   /// What channel 1..4 puts out now.
@@ -51,6 +59,14 @@ class Timer : public Peripheral {
   void check_modes(std::uint32_t value);
   void update_line();
   void schedule_compare(unsigned index);
+  /// The channel is an input, not an output: CCxS, RM0090 17.4.7.
+  [[nodiscard]] bool is_input(unsigned index) const {
+    return (registers_[kFirstMode + index / 2] >> (index % 2 * 8) & 3) != 0;
+  }
+  [[nodiscard]] Time capture_period() const;
+  void follow_input();
+  void capture_next(Time at, Time period);
+  void capture(Time at);
   void match_compares();
   /// By its clock.
   [[nodiscard]] bool counts() const { return (registers_[0] & 1) != 0 && !is_encoder(); }
@@ -60,6 +76,8 @@ class Timer : public Peripheral {
   void announce();
   [[nodiscard]] unsigned mode(unsigned index) const;
   [[nodiscard]] std::uint64_t width_ns(unsigned index, std::uint32_t compare, std::uint64_t top) const;
+
+  static constexpr unsigned kFirstMode = 0x18 / 4;  ///< word of CCMR1
 
   TimerKind kind_;
   std::function<std::uint32_t()> clock_hz_;
@@ -73,6 +91,8 @@ class Timer : public Peripheral {
   Time zero_ = 0;                  ///< when the counter was 0, while it counts
   std::uint32_t held_ = 0;         ///< the counter while it stands
   std::uint64_t token_ = 0;
+  std::optional<InnerClock> inner_clock_;
+  std::uint64_t input_token_ = 0;
 };
 
 }  // namespace finemote::emulator

@@ -10,7 +10,7 @@ enum class CostModel {
 
 enum class FlashModel {
   hit,          ///< the accelerator always has the line: RM0090 3.5.2 claims the equivalent of no wait state
-  miss_always,  ///< every new 128-bit line costs the five wait states of 168 MHz
+  miss_always,  ///< every new 128-bit line costs the wait states
 };
 
 }  // namespace finemote::emulator

@@ -31,9 +31,19 @@ Cpu::Cpu(const Around& around, CostModel cost, FlashModel flash)
       ram_(Memories::kRamBytes, 0xA5),  // not zero: an image that forgets to clear shows
       core_ram_(Memories::kCoreRamBytes, 0xA5),
       system_memory_(factory_memory()),
-      core_(Memories{flash_.data(), ram_.data(), core_ram_.data(), system_memory_.data()}, *this, around.tags) {
+      core_(Memories{flash_.data(), ram_.data(), core_ram_.data(), system_memory_.data()}, *this, around.tags),
+      asked_flash_(flash) {
   core_.pace.cost = cost;
   core_.pace.flash = flash;
+}
+
+void Cpu::set_flash(bool accelerator, unsigned wait_states) {
+  if (asked_flash_ != FlashModel::hit) return;
+  const FlashModel now = accelerator || wait_states == 0 ? FlashModel::hit : FlashModel::miss_always;
+  if (now == core_.pace.flash && wait_states == core_.pace.flash_wait) return;
+  core_.pace.flash = now;
+  core_.pace.flash_wait = wait_states;
+  kick();
 }
 
 /// Interrupts and the probe wait for the end of an IT block, unless they are let in.
@@ -87,6 +97,7 @@ void Cpu::passed(std::uint32_t address, Time at) {
 void Cpu::report_unmodelled(const char* what) { reports_.add(Misuse::unmodelled, what, now(), pc()); }
 
 void Cpu::reset() {
+  set_flash(true, 0);  // ACR after a reset: RM0090 3.9.1
   system_.reset();
   note(ExecutionEvent::Kind::reset, 0);
   provenance_.reset();

@@ -108,6 +108,9 @@ class Cpu : private Outside {
   [[nodiscard]] Time drained_at() const { return core_.drained_at; }
   /// Time that a peripheral access costs beyond the instruction.
   void add_wait(unsigned cycles) { core_.pace.charge(cycles); }
+  /// What the flash interface is set to. Without its accelerator every new line takes the wait states; a model that
+  /// always misses stays what it is.
+  void set_flash(bool accelerator, unsigned wait_states);
   /// The flash does not answer for so long: the core stands, if that is where its instructions come from.
   void stall_in_flash(Time duration);
   /// Something has written to flash.
@@ -163,6 +166,7 @@ class Cpu : private Outside {
   std::vector<std::uint8_t> flash_, ram_, core_ram_, system_memory_;
   Interpreter core_;
 
+  const FlashModel asked_flash_;
   Time end_ = 0, next_stop_ = 0, idle_ = 0;
   std::vector<int> active_;
   std::uint32_t lowest_stack_ = 0xFFFFFFFFU, guard_begin_ = 0, guard_end_ = 0;

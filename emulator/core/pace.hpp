@@ -10,12 +10,12 @@
 namespace finemote::emulator {
 
 struct Pace {
-  static constexpr unsigned kFlashWait = 5;  ///< wait states of 168 MHz: RM0090 3.5.1, table 10
   static constexpr std::uint32_t kNoLine = 0xFFFFFFFFU;
   static constexpr Time kQemuInstruction = from_ns(8);
 
   CostModel cost = CostModel::cortex_m4;
   FlashModel flash = FlashModel::hit;
+  unsigned flash_wait = 5;  ///< wait states of a miss; those of 168 MHz: RM0090 3.5.1, table 10
   Time time = 0;
   Time cycle = 0;                          ///< of the core clock
   Time stop_at = 0;                        ///< the interpreter asks before the first instruction at or after this time
@@ -33,7 +33,7 @@ struct Pace {
   /// A read of data in flash: a line of its own, which pushes out the one that instructions come from.
   void read_flash() {
     if (flash != FlashModel::miss_always) return;
-    charge(kFlashWait);
+    charge(flash_wait);
     line = kNoLine;
   }
 
@@ -46,7 +46,7 @@ struct Pace {
     if constexpr (Flash == FlashModel::miss_always) {
       if ((address >> 4) != line) {
         line = address >> 4;
-        time += kFlashWait * cycle;
+        time += flash_wait * cycle;
       }
     }
     time += Cost == CostModel::qemu ? kQemuInstruction : cycles * cycle;

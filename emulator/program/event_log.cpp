@@ -32,10 +32,23 @@ void EventLog::show_byte(const char* name, std::uint8_t byte) {
   line("%s 0x%02X", name, byte);
 }
 
+/// The line of text that ends here, if it is one: what a terminal would show.
+void EventLog::show_text(const std::string& name, char c) {
+  std::string& text = texts_[name];
+  const bool is_text = (c >= 0x20 && c < 0x7F) || c == '\t';
+  if (is_text) {
+    text += c;
+    return;
+  }
+  if (c == '\n' && text.size() > 1) out_ << board_.now_ns() << ' ' << name << " text " << text << '\n';
+  if (c != '\r') text.clear();
+}
+
 void EventLog::watch_serial_lines() {
   for (const auto& it : board_.chip().usarts()) {
     it->on_sent = [this, name = it->name().c_str(), other = it->on_sent](WireByte byte) {
       show_byte(name, byte);
+      show_text(name, static_cast<char>(byte.value));
       if (other) other(byte);
     };
   }

@@ -1,7 +1,9 @@
 // What happens at pins, timers and serial buses to lines of text, each with its time.
 #pragma once
 
+#include <map>
 #include <ostream>
+#include <string>
 
 #include "emulator/board.hpp"
 
@@ -19,6 +21,7 @@ class EventLog {
   template <class... Values>
   void line(const char* format, Values... values);
   void show_byte(const char* name, std::uint8_t byte);
+  void show_text(const std::string& name, char c);
   void watch_pins();
   void watch_serial_lines();
   void watch_buses();
@@ -26,6 +29,7 @@ class EventLog {
 
   Board& board_;
   std::ostream& out_;
+  std::map<std::string, std::string> texts_;  ///< of lines of text that have no end yet, by serial port
 };
 
 }  // namespace finemote::emulator

@@ -181,22 +181,16 @@ Json own_times_of(const std::map<unsigned, OwnTime>& times, unsigned first, unsi
   return all;
 }
 
-Silicon silicon_of(const Json& job) {
-  std::vector<Meanness> ways;
-  for (const Json& name : job.at("names")) {
-    const MeannessInfo* info = find_meanness(name.get<std::string>());
-    if (info == nullptr) throw std::invalid_argument("no silicon is '" + name.get<std::string>() + "'");
-    ways.push_back(info->meanness);
-  }
-  return Silicon(ways, job.at("seed").get<std::uint64_t>());
-}
-
 BoardOptions options_of(const Json& job) {
   BoardOptions options;
   if (job.value("flash", "hit") == "miss") options.flash = FlashModel::miss_always;
   options.keeps_log = job.contains("audit");
   options.tags = job.value("tags", true);
-  if (job.contains("silicon")) options.silicon = silicon_of(job.at("silicon"));
+  if (job.contains("silicon")) {
+    const Json& silicon = job.at("silicon");
+    options.silicon =
+        Silicon::named(silicon.at("names").get<std::vector<std::string>>(), silicon.at("seed").get<std::uint64_t>());
+  }
   return options;
 }
 

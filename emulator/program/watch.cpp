@@ -65,6 +65,7 @@ Wiring wiring_of(const WatchOptions& options, const Setting& setting) {
 BoardOptions options_of(const WatchOptions& options) {
   BoardOptions board_options;
   board_options.probe = false;
+  board_options.silicon = Silicon::named(options.silicon, options.seed);
   if (options.flash_misses) board_options.flash = FlashModel::miss_always;
   return board_options;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace finemote::emulator {
 
@@ -14,10 +15,13 @@ struct WatchOptions {
   std::uint64_t duration_ns = 1'000'000'000;  ///< from power-on; events of the scenario lengthen it
   std::uint32_t crystal_hz = 0;               ///< 0: the board's; of the bare chip 12 MHz
   bool flash_misses = false;
-  bool as_document = false;  ///< writes one JSON document finemote.emulator/1 and nothing else
+  std::vector<std::string> silicon;  ///< in what the chip is meaner: names of emulator/silicon/meanness.hpp
+  std::uint64_t seed = 1;            ///< and how much
+  bool as_document = false;          ///< writes one JSON document finemote.emulator/1 and nothing else
 };
 
-/// Writes one line per event, in order: time since power-on [ns], who, what. Then, each line beginning with `#`, how it
+/// Writes one line per event, in order: time since power-on [ns], who, what; and behind the last byte of a line of text
+/// on a serial line that line. Then, each line beginning with `#`, how it
 /// ended, clocks, what the image did that the hardware would not forgive, and what the parts saw.
 /// @return  whether it ran to the end, and as the scenario expects; reports alone do not count
 /// @throws std::exception  image, board or scenario cannot be used

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "emulator/silicon/choice.hpp"
+#include "generator/diagnostic/render.hpp"
 #include "generator/diagnostic/roff.hpp"
 #include "generator/units/units.hpp"
 #include "generator/version.hpp"
@@ -39,6 +42,21 @@ bool read_choice(const std::string& word, const char* on, const char* off, bool&
   return flag || word == off;
 }
 
+/// The ways of `strict` or `strict:NAME,..`. @throws std::invalid_argument with what is wrong with it
+bool read_silicon(const std::string& word, WatchOptions& options) {
+  gen::Diagnostics diagnostics;
+  const auto names = parse_silicon(word, diagnostics);
+  if (!names) throw std::invalid_argument(gen::render_text(diagnostics, false));
+  options.silicon = *names;
+  return true;
+}
+
+bool read_seed(const std::string& word, WatchOptions& options) {
+  const auto seed = number(word, 18);
+  if (seed) options.seed = *seed;
+  return seed.has_value();
+}
+
 struct Row {
   const char* key;
   const char* value;
@@ -57,6 +75,8 @@ constexpr Row kRows[] = {
     {"--crystal", "HZ", "frequency of the crystal; the board's if absent", read_crystal},
     {"--flash", "hit|miss", "fetches hit the flash accelerator, or miss it always",
      [](const std::string& word, WatchOptions& o) { return read_choice(word, "miss", "hit", o.flash_misses); }},
+    {"--silicon", "WAYS", "strict, or strict:NAME,.. for a chip that is meaner than its manual reads", read_silicon},
+    {"--seed", "N", "of how much it is; 1 if absent", read_seed},
     {"--format", "text|json", "lines of text, or one document finemote.emulator/1",
      [](const std::string& word, WatchOptions& o) { return read_choice(word, "json", "text", o.as_document); }},
 };

@@ -1,5 +1,7 @@
 #include "emulator/silicon/silicon.hpp"
 
+#include <stdexcept>
+
 namespace finemote::emulator {
 
 Silicon::Silicon(const std::vector<Meanness>& ways, std::uint64_t seed) {
@@ -8,6 +10,16 @@ Silicon::Silicon(const std::vector<Meanness>& ways, std::uint64_t seed) {
     std::seed_seq sequence{seed, seed >> 32, static_cast<std::uint64_t>(way)};
     engines_[index(way)].seed(sequence);
   }
+}
+
+Silicon Silicon::named(const std::vector<std::string>& names, std::uint64_t seed) {
+  std::vector<Meanness> ways;
+  for (const std::string& name : names) {
+    const MeannessInfo* info = find_meanness(name);
+    if (info == nullptr) throw std::invalid_argument("no silicon is '" + name + "'");
+    ways.push_back(info->meanness);
+  }
+  return {ways, seed};
 }
 
 std::uint32_t Silicon::draw(Meanness way) {

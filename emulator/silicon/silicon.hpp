@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "emulator/silicon/meanness.hpp"
@@ -19,6 +20,8 @@ class Silicon {
 
   /// Makes the chip worse than so: it draws a hundred times the end of the range.
   void exceed(Meanness way) { exceeds_[index(way)] = true; }
+  /// The same by names. @throws std::invalid_argument for what is none
+  static Silicon named(const std::vector<std::string>& names, std::uint64_t seed);
 
   [[nodiscard]] bool is(Meanness way) const { return is_[index(way)]; }
   /// A value of the range, its ends more often than what lies between. Only where the chip is so.

@@ -151,6 +151,15 @@ Table options_of_run() {
        dump()});
 }
 
+Table options_of_bench_kit() {
+  return join(
+      {{{"-o,--output", &Options::out, "folder of the kit: sources, drawing, and the image where it can be built"},
+        {"--read", &Options::read, "a record that the image printed, to be judged", kOptional, nullptr, "--output"},
+        {"--robot", &Options::robot, "a robot whose stages are measured; without it: the board's own parts"}},
+       search(),
+       no_sandbox()});
+}
+
 /// @param words  the formats there are, of kFormatWords
 Option format(std::size_t words, const char* help) {
   return {"--format",
@@ -265,6 +274,8 @@ std::vector<Command> commands_of_analyses() {
        run_simulate, arguments_footer},
       {"run", "generate, compile, run and measure the firmware of a robot", options_of_run(), run_run,
        arguments_footer},
+      {"bench-kit", "write a self-test for a bare board, or judge what it printed", options_of_bench_kit(),
+       run_bench_kit, arguments_footer},
   };
 }
 

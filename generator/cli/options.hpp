@@ -46,6 +46,8 @@ struct Options {
   bool allow_unschedulable = false;
   bool diff = false;
   std::string from;                 ///< init --from
+  std::string robot;                ///< bench-kit --robot
+  std::string read;                 ///< bench-kit --read
   std::string example;              ///< init --example
   std::string duration;             ///< --duration
   bool flash_misses = false;        ///< --flash miss: fetches from the emulated flash are never there already

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "emulator/silicon/choice.hpp"
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/dump.hpp"
@@ -104,7 +105,7 @@ std::optional<Setup> setup_of(const Options& options, PlannedRobot& planned, Sou
   if (board == nullptr) return std::nullopt;
   const auto duration = duration_of(options.duration, planned.schedule, diagnostics);
   if (!duration) return std::nullopt;
-  auto silicon = parse_silicon(options.silicon, diagnostics);
+  auto silicon = emulator::parse_silicon(options.silicon, diagnostics);
   if (!silicon) return std::nullopt;
   Setup setup{*board, *duration, {}, std::move(*silicon)};
   if (!can_watch(options, setup, diagnostics)) return std::nullopt;

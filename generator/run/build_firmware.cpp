@@ -83,8 +83,8 @@ std::string project_text(const FirmwareRequest& request) {
           << "project(firmware LANGUAGES CXX" << (request.for_host ? "" : " ASM") << ")\n"
           << fmt::format("include([==[{}/cmake/FinemoteFirmware.cmake]==])\n",
                          fs::absolute(request.data_dir).generic_string())
-          << "finemote_add_firmware(firmware GENERATED ${CMAKE_CURRENT_SOURCE_DIR}/generated BOARD " << request.board
-          << (request.trace ? " TRACE" : "") << (request.monitor ? " WATCH_BOUNDS" : "")
+          << "finemote_add_firmware(" << request.name << " GENERATED ${CMAKE_CURRENT_SOURCE_DIR}/generated BOARD "
+          << request.board << (request.trace ? " TRACE" : "") << (request.monitor ? " WATCH_BOUNDS" : "")
           << (request.duration > Duration::zero() ? fmt::format(" DURATION {}ns", request.duration.ns()) : "")
           << (request.stack > 0 ? fmt::format(" STACK {}", request.stack) : "")
           << cmake_list("INCLUDES", request.include_dirs) << cmake_list("SOURCES", request.sources) << ")\n";
@@ -92,7 +92,12 @@ std::string project_text(const FirmwareRequest& request) {
 }
 
 std::string image_path(const FirmwareRequest& request) {
-  return (fs::path(request.folder) / "build" / (request.for_host ? "firmware" : "firmware.elf")).string();
+  return (fs::path(request.folder) / "build" / (request.name + (request.for_host ? "" : ".elf"))).string();
+}
+
+bool can_build(const FirmwareRequest& request) {
+  Diagnostics ignored;
+  return are_there(tools_for(request.for_host), ignored);
 }
 
 std::optional<std::string> build_firmware(const FirmwareRequest& request, Diagnostics& diagnostics) {

@@ -12,12 +12,13 @@
 namespace finemote::gen {
 
 struct FirmwareRequest {
-  std::string folder;       ///< work folder: holds CMakeLists.txt and `generated`; `build` is made
-  std::string data_dir;     ///< holds runtime and cmake
-  std::string board;        ///< folder below runtime/boards
-  bool for_host = false;    ///< the board is this computer: no cross compiler
-  Duration duration;        ///< the run ends by itself; 0: never
-  std::uint32_t stack = 0;  ///< bytes to reserve; 0: as many as the board does
+  std::string name = "firmware";  ///< of the executable
+  std::string folder;             ///< work folder: holds CMakeLists.txt and `generated`; `build` is made
+  std::string data_dir;           ///< holds runtime and cmake
+  std::string board;              ///< folder below runtime/boards
+  bool for_host = false;          ///< the board is this computer: no cross compiler
+  Duration duration;              ///< the run ends by itself; 0: never
+  std::uint32_t stack = 0;        ///< bytes to reserve; 0: as many as the board does
   bool trace = true;
   bool monitor = false;
   std::vector<std::string> include_dirs;  ///< of the user's own device types
@@ -29,6 +30,9 @@ std::string project_text(const FirmwareRequest& request);
 
 /// Where the executable will be.
 std::string image_path(const FirmwareRequest& request);
+
+/// Whether CMake, Ninja and the compiler are there.
+bool can_build(const FirmwareRequest& request);
 
 /// Builds and returns the path of the executable. Reports FM0006 when CMake, Ninja or the compiler is missing and
 /// FM6001 with the compiler's words when the sources do not compile.

@@ -13,10 +13,10 @@ namespace fs = std::filesystem;
 
 std::string generated_folder(const Project& project) { return project.request.folder + "/generated"; }
 
-WriteOptions options_for_work() {
+WriteOptions options_for_work(const Project& project) {
   WriteOptions options;
-  options.way_out = "give --keep an empty folder, or one that finemote made";
-  options.other_robot = "give --keep another folder for each robot";
+  options.way_out = "give " + project.option + " an empty folder, or one that finemote made";
+  options.other_robot = "give " + project.option + " another folder for each robot";
   return options;
 }
 
@@ -57,18 +57,19 @@ Project make_project(const FirmwareRequest& request, Output generated, const Rob
   std::vector<OutputFile> files{{"CMakeLists.txt", project_text(request)}};
   if (with_parts) files.push_back({"parts.json", emulated_parts(robot).scenario.dump(2) + "\n"});
   Output project = make_output(std::move(files), generated.manifest.inputs, robot.name.text);
-  return {request, std::move(generated), std::move(project)};
+  return {request, std::move(generated), std::move(project), "--keep"};
 }
 
 bool is_free_to_write(const Project& project, const ResultFiles& results, Sources& sources, Diagnostics& diagnostics) {
   const FirmwareRequest& request = project.request;
-  std::vector<PlannedFile> planned = planned_files(generated_folder(project), project.generated, "--keep");
-  for (PlannedFile& file : planned_files(request.folder, project.project, "--keep")) planned.push_back(std::move(file));
-  planned.push_back({image_path(request), "--keep"});
+  std::vector<PlannedFile> planned = planned_files(generated_folder(project), project.generated, project.option);
+  for (PlannedFile& file : planned_files(request.folder, project.project, project.option))
+    planned.push_back(std::move(file));
+  planned.push_back({image_path(request), project.option});
   if (!results.trace.empty()) planned.push_back({results.trace, "-o"});
   if (!results.audit.empty()) planned.push_back({results.audit, "--audit"});
   if (!check_outputs(planned, sources, diagnostics, files_of_the_compiler(request))) return false;
-  WriteOptions options = options_for_work();
+  WriteOptions options = options_for_work(project);
   options.dry_run = true;
   Diagnostics said;  // warnings are repeated when the files are written
   write_output(request.folder, project.project, options, sources, said);
@@ -78,11 +79,15 @@ bool is_free_to_write(const Project& project, const ResultFiles& results, Source
   return false;
 }
 
+bool write_project(const Project& project, Sources& sources, Diagnostics& diagnostics) {
+  write_output(generated_folder(project), project.generated, options_for_work(project), sources, diagnostics);
+  if (diagnostics.has_errors()) return false;
+  write_output(project.request.folder, project.project, options_for_work(project), sources, diagnostics);
+  return !diagnostics.has_errors();
+}
+
 std::optional<std::string> make_image(const Project& project, Sources& sources, Diagnostics& diagnostics) {
-  write_output(generated_folder(project), project.generated, options_for_work(), sources, diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-  write_output(project.request.folder, project.project, options_for_work(), sources, diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
+  if (!write_project(project, sources, diagnostics)) return std::nullopt;
   return build_firmware(project.request, diagnostics);
 }
 

@@ -12,8 +12,9 @@ namespace finemote::gen {
 
 struct Project {
   FirmwareRequest request;
-  Output generated;  ///< the robot's own files, below `generated`
-  Output project;    ///< what includes them, in the work folder itself
+  Output generated;               ///< the robot's own files, below `generated`
+  Output project;                 ///< what includes them, in the work folder itself
+  std::string option = "--keep";  ///< that names the work folder
 };
 
 /// The folders of the robot's own device types.
@@ -35,6 +36,9 @@ struct ResultFiles {
 /// Whether all of it, and the results, can be written: looked at before the first file is. Reports what check_outputs
 /// and write_output report.
 bool is_free_to_write(const Project& project, const ResultFiles& results, Sources& sources, Diagnostics& diagnostics);
+
+/// Writes the files. Reports what write_output reports. @return  whether they are there
+bool write_project(const Project& project, Sources& sources, Diagnostics& diagnostics);
 
 /// Writes the files and builds. Returns the path of the image; reports what write_output and build_firmware report.
 std::optional<std::string> make_image(const Project& project, Sources& sources, Diagnostics& diagnostics);

@@ -1,0 +1,16 @@
+// `strict` and `strict:NAME,..` to the ways in which the emulated chip is meaner than its manual reads.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/diagnostic/diagnostics.hpp"
+
+namespace finemote::emulator {
+
+/// The names that were asked for, in the order of meannesses(): all of them with `strict` alone, none with an empty
+/// text. Reports words that are no names as wrong usage.
+std::optional<std::vector<std::string>> parse_silicon(const std::string& text, gen::Diagnostics& diagnostics);
+
+}  // namespace finemote::emulator

@@ -1,0 +1,145 @@
+#include "generator/bench_kit/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/emit/render.hpp"
+#include "generator/output/sha256.hpp"
+
+namespace finemote::gen {
+namespace {
+
+constexpr const char* kReportPort = "usart6";
+
+/// `clock.core_hz` to `clock_core_hz`.
+std::string identifier(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '.' || c == '-'; }, '_');
+  return name;
+}
+
+std::string lines_of_tests(const BenchPlan& plan) {
+  std::string text;
+  for (const BenchTest& it : plan.tests) {
+    text += fmt::format("    {{\"{}\", Group::{}, {}U, {}U, {}, \"{}\"}},\n", it.name, it.group, it.least, it.most,
+                        it.is_judged, it.jumper);
+  }
+  return text;
+}
+
+std::string enumerators(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += "  " + name + ",\n";
+  return text;
+}
+
+std::vector<std::string> names_of(const std::vector<BenchTest>& tests) {
+  std::vector<std::string> names;
+  for (const BenchTest& test : tests) names.push_back(identifier(test.name));
+  return names;
+}
+
+const PortPin& pin_of(const Port& port, const char* signal) {
+  return *std::find_if(port.pins.begin(), port.pins.end(), [&](const PortPin& pin) { return pin.signal == signal; });
+}
+
+/// `PA9` to `{'A', 9}`.
+std::string pin_text(const std::string& pin) { return fmt::format("{{'{}', {}}}", pin[1], pin.substr(2)); }
+
+/// The members of a UartPins.
+std::string uart_pins(const Port& port) {
+  const PortPin &tx = pin_of(port, "tx"), &rx = pin_of(port, "rx");
+  return fmt::format("{{stm32f4::kUsart{}, {}, {}, {}}}", port.name.back(), pin_text(tx.pin), pin_text(rx.pin),
+                     tx.alternate_function);
+}
+
+/// Those of the report, and of all serial ports.
+std::string serial_pins(const Board& board) {
+  std::string all;
+  std::size_t count = 0;
+  for (const Port& port : board.ports) {
+    if (port.name.rfind("usart", 0) != 0) continue;
+    all += "    " + uart_pins(port) + ",\n";
+    ++count;
+  }
+  return fmt::format(
+      "inline constexpr UartPins kReportPort{};\ninline constexpr UartPins kSerialPorts[{}] = {{\n{}}};\n",
+      uart_pins(*board.port(kReportPort)), count, all);
+}
+
+/// `{stm32f4::dma::kController2, 0}` of the stream for `rx` or `tx`.
+std::string stream_text(const Port& port, const char* signal) {
+  const auto it =
+      std::find_if(port.dma.begin(), port.dma.end(), [&](const DmaStream& stream) { return stream.signal == signal; });
+  return fmt::format("{{stm32f4::dma::kController{}, {}}}", it->controller.back(), it->stream);
+}
+
+std::string spi_pins(const Board& board, const char* constant, const char* port_name) {
+  const Port& port = *board.port(port_name);
+  std::string selects;
+  for (const std::string& pin : port.selects) selects += (selects.empty() ? "" : ", ") + pin_text(pin);
+  return fmt::format(
+      "inline constexpr stm32f4::Pin {0}Selects[] = {{{1}}};\n"
+      "inline constexpr SpiPins {0}{{stm32f4::kSpi{2}, {3}, {4}, {5}, {6}, {0}Selects, {7},\n"
+      "    {8}, {9}, {10}}};\n",
+      constant, selects, port_name[3], pin_text(pin_of(port, "sck").pin), pin_text(pin_of(port, "miso").pin),
+      pin_text(pin_of(port, "mosi").pin), pin_of(port, "sck").alternate_function, port.selects.size(),
+      stream_text(port, "rx"), stream_text(port, "tx"), port.dma.front().channel);
+}
+
+std::string i2c_pins(const Board& board, const char* constant, const char* port_name) {
+  const Port& port = *board.port(port_name);
+  return fmt::format("inline constexpr I2cPins {}{{stm32f4::kI2c{}, {}, {}, {}}};\n", constant, port_name[3],
+                     pin_text(pin_of(port, "scl").pin), pin_text(pin_of(port, "sda").pin),
+                     pin_of(port, "scl").alternate_function);
+}
+
+std::string constants(const BenchPlan& plan) {
+  constexpr std::size_t kBytesOfTest = 220, kBytesAround = 1'000;
+  const std::string identity = plan.identity();
+  return fmt::format(
+             "inline constexpr const char kBoardName[] = \"{}\", kRobotName[] = \"{}\", kPlanName[] = \"{}\";\n"
+             "inline constexpr std::uint32_t kPlanNumber = 0x{};\n"
+             "inline constexpr std::uint32_t kReportBaud = 115'200, kReportBusHz = {}, kReportBytes = {};\n"
+             "inline constexpr unsigned kFreeLine = {};\n"
+             "#define FINEMOTE_BENCH_LINE finemote_line_{}\n",
+             plan.board.name, plan.robot, identity, identity.substr(0, 8), *plan.board.port(kReportPort)->clock_hz,
+             kBytesAround + kBytesOfTest * plan.tests.size(), plan.free_line, plan.free_line) +
+         serial_pins(plan.board) + spi_pins(plan.board, "kSensorSpi", "spi1") +
+         i2c_pins(plan.board, "kSensorI2c", "i2c3");
+}
+
+}  // namespace
+
+std::string BenchPlan::identity() const {
+  constexpr std::size_t kDigits = 16;
+  std::string text = board.name + "\n" + robot + "\n";
+  for (const BenchTest& it : tests)
+    text += fmt::format("{} {} {} {} {}\n", it.name, it.least, it.most, it.is_judged, it.jumper);
+  return sha256(text).substr(0, kDigits);
+}
+
+std::vector<std::string> bench_groups(const std::vector<BenchTest>& tests) {
+  std::vector<std::string> groups;
+  for (const BenchTest& test : tests) {
+    if (std::find(groups.begin(), groups.end(), test.group) == groups.end()) groups.push_back(test.group);
+  }
+  return groups;
+}
+
+std::string bench_plan_header(const BenchPlan& plan) {
+  const std::vector<std::string> groups = bench_groups(plan.tests);
+  return fmt::format(
+      "{}\n"
+      "// The tests of this kit, what is expected of them, and the ports they use.\n"
+      "#pragma once\n\n#include \"planned.hpp\"\n\n"
+      "namespace finemote::bench_kit {{\n\n"
+      "enum class Group : std::uint8_t {{\n{}}};\ninline constexpr unsigned kGroupCount = {};\n\n"
+      "enum class Test : std::uint8_t {{\n{}}};\ninline constexpr unsigned kTestCount = {};\n\n"
+      "inline constexpr Planned kTests[kTestCount] = {{\n{}}};\n\n{}\n}}  // namespace finemote::bench_kit\n",
+      kGeneratedHeader, enumerators(groups), groups.size(), enumerators(names_of(plan.tests)), plan.tests.size(),
+      lines_of_tests(plan), constants(plan));
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,28 @@
+// The measurements of one kit, and the header that tells its image of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/bench_kit/bench_test.hpp"
+#include "generator/descriptor/board.hpp"
+
+namespace finemote::gen {
+
+struct BenchPlan {
+  const Board& board;
+  std::string robot;  ///< the kit measures its stages
+  std::vector<BenchTest> tests;
+  std::uint32_t free_line = 0;  ///< an interrupt line that no bucket of the robot runs in
+
+  /// Of names and expectations: two kits with the same answer to the same. 16 hexadecimal digits.
+  [[nodiscard]] std::string identity() const;
+};
+
+/// Groups in the order in which the tests name them first.
+std::vector<std::string> bench_groups(const std::vector<BenchTest>& tests);
+
+/// bench_plan.hpp: tests, groups, and the pins of the ports that are measured.
+std::string bench_plan_header(const BenchPlan& plan);
+
+}  // namespace finemote::gen

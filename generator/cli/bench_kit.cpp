@@ -1,0 +1,200 @@
+// finemote bench-kit: a self-test for a bare board, and what its record says.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "generator/bench_kit/board_tests.hpp"
+#include "generator/bench_kit/plan.hpp"
+#include "generator/bench_kit/record.hpp"
+#include "generator/cli/answer.hpp"
+#include "generator/cli/commands.hpp"
+#include "generator/cli/data_dir.hpp"
+#include "generator/cli/robot_input.hpp"
+#include "generator/cli/settings.hpp"
+#include "generator/diagnostic/code_scenario.hpp"
+#include "generator/run/project.hpp"
+#include "generator/scaffold/fill_folder.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr const char *kBoard = "robomaster_type_c", *kOwnRobot = "/templates/bench_kit/robot.urdf";
+
+/// The robot of --robot, or the board's own.
+std::optional<Input> robot_of(const Options& options, Sources& sources, Diagnostics& diagnostics) {
+  Options of_robot = options;
+  of_robot.input = options.robot;
+  if (!options.robot.empty()) return input_of(settings_of(of_robot, sources, diagnostics).options, diagnostics);
+  auto input = input_of(of_robot, diagnostics);
+  if (input) input->path = input->data_dir + kOwnRobot;
+  return input;
+}
+
+std::optional<PlannedRobot> plan_for_bench(const Input& input, Sources& sources, Diagnostics& diagnostics) {
+  auto planned = plan_robot(input, sources, diagnostics);
+  if (!planned || planned->robot.board->name == kBoard) return planned;
+  diagnostics
+      .error(code::usage, {},
+             fmt::format("there is no bench kit for the board '{}' of the robot", planned->robot.board->name))
+      .hint(fmt::format("it is written for '{}'", kBoard));
+  return std::nullopt;
+}
+
+BenchPlan plan_of(const PlannedRobot& planned) {
+  const Robot& robot = planned.robot;
+  // Buckets take the lines of the board in their order.
+  return {*robot.board, robot.name.text, board_tests(*robot.board), robot.board->lines.back().number};
+}
+
+/// Words of a CMake list.
+std::string cmake_words(const std::vector<std::string>& values) {
+  std::string text;
+  for (const std::string& value : values) text += fmt::format("[==[{}]==] ", fs::absolute(value).generic_string());
+  return text.empty() ? text : text.substr(0, text.size() - 1);
+}
+
+FirmwareRequest request_of(const Options& options, const Robot& robot, const std::string& data_dir) {
+  FirmwareRequest request;
+  request.name = "bench";
+  request.folder = options.out;
+  request.data_dir = data_dir;
+  request.board = robot.board->name;
+  request.include_dirs = user_include_dirs(robot);
+  request.sources = user_sources(request.include_dirs);
+  return request;
+}
+
+/// Every file of a folder of the data, as one below `folder` of the kit.
+void add_copies(std::vector<OutputFile>& files, const std::string& from, const std::string& folder) {
+  for (OutputFile& file : fill_folder(from, {})) files.push_back({folder + file.name, std::move(file.text)});
+}
+
+/// What the folder of the kit holds beside the generated sources of the robot.
+std::vector<OutputFile> files_of_kit(const Options& options, const BenchPlan& plan, const FirmwareRequest& request) {
+  const Keys keys{{"data_dir", fs::absolute(request.data_dir).lexically_normal().generic_string()},
+                  {"board", request.board},
+                  {"robot", plan.robot},
+                  {"report", plan.board.port("usart6")->connector},
+                  {"robot_option", options.robot.empty() ? "" : " --robot " + options.robot},
+                  {"include_dirs", cmake_words(request.include_dirs)},
+                  {"sources", cmake_words(request.sources)}};
+  std::vector<OutputFile> files = fill_folder(request.data_dir + "/templates/bench_kit/project", keys);
+  add_copies(files, request.data_dir + "/templates/project/openocd", "openocd/");
+  add_copies(files, request.data_dir + "/runtime/bench_kit", "src/");
+  files.push_back({"src/bench_plan.hpp", bench_plan_header(plan)});
+  std::sort(files.begin(), files.end(), [](const OutputFile& a, const OutputFile& b) { return a.name < b.name; });
+  return files;
+}
+
+Answer answer_of_kit(const std::string& folder, const std::optional<std::string>& image) {
+  Answer answer{kExitYes};
+  if (image) {
+    answer.text = fmt::format(
+        "{0}\n\nFlash it, for example:\n"
+        "  openocd -f {1}/openocd/stlink.cfg -c \"program {0} verify reset exit\"\n"
+        "  pyocd flash --target stm32f407ighx {0}\n"
+        "then read its record as {1}/README.md says: finemote bench-kit --read FILE\n",
+        *image, folder);
+  } else {
+    answer.text = fmt::format("{0}\n\nThere is no compiler for the board here: see {0}/README.md\n", folder);
+  }
+  answer.document = {{"schema", "finemote.bench-kit/1"}, {"output", folder}, {"image", image ? Json(*image) : Json()}};
+  return answer;
+}
+
+Answer write_kit(const Options& options, Sources& sources, Diagnostics& diagnostics) {
+  const auto input = robot_of(options, sources, diagnostics);
+  if (!input || diagnostics.has_errors()) return no_answer();
+  const auto planned = plan_for_bench(*input, sources, diagnostics);
+  if (!planned) return no_answer();
+  const Analysis analysis = analyse_robot(*planned, Hints::left_out);
+  auto generated = emit_files(*planned, prove_bounds(*planned, analysis), input->data_dir, diagnostics);
+  if (diagnostics.has_errors()) return no_answer();
+  const FirmwareRequest request = request_of(options, planned->robot, input->data_dir);
+  const BenchPlan plan = plan_of(*planned);
+  Output robot = output_of(std::move(generated), *planned, *input, sources);
+  Output kit = make_output(files_of_kit(options, plan, request), robot.manifest.inputs, plan.robot);
+  const Project project{request, std::move(robot), std::move(kit), "-o"};
+  if (!is_free_to_write(project, {}, sources, diagnostics)) return no_answer();
+  if (!can_build(request)) {
+    if (!write_project(project, sources, diagnostics)) return no_answer();
+    return answer_of_kit(options.out, std::nullopt);
+  }
+  const auto image = make_image(project, sources, diagnostics);
+  return image ? answer_of_kit(options.out, image) : no_answer();
+}
+
+std::string words_for(const Json& expected) {
+  if (expected.is_null()) return "anything";
+  if (!expected.is_object()) return expected.dump();
+  return fmt::format("{} to {}", expected.value("min", Json()).dump(), expected.value("max", Json()).dump());
+}
+
+std::string text_of(const BenchJudgement& judgement) {
+  std::string text;
+  for (const BenchVerdict& it : judgement.tests) {
+    const std::string value = it.value ? std::to_string(*it.value) : "none: " + it.why;
+    const std::string ground = it.source.empty() ? it.ground : it.ground + ": " + it.source;
+    text += fmt::format("{}  {:<34} {:>12}  expected {} ({})\n", it.is_ok ? "ok     " : "DIFFERS", it.name, value,
+                        words_for(it.expected), ground);
+  }
+  for (const auto& [name, why] : judgement.not_done) text += fmt::format("not done {} (needs {})\n", name, why);
+  const auto differ =
+      std::count_if(judgement.tests.begin(), judgement.tests.end(), [](const BenchVerdict& it) { return !it.is_ok; });
+  return text + fmt::format("\n{} tests, {} differ, {} not done\n", judgement.tests.size() + judgement.not_done.size(),
+                            differ, judgement.not_done.size());
+}
+
+Json document_of(const BenchRecord& record, const BenchJudgement& judgement) {
+  Json tests = Json::array(), not_done = Json::array();
+  for (const BenchVerdict& it : judgement.tests) {
+    tests.push_back({{"name", it.name},
+                     {"value", it.value ? Json(*it.value) : Json()},
+                     {"expected", it.expected},
+                     {"ok", it.is_ok},
+                     {"ground", it.ground},
+                     {"source", it.source}});
+    if (!it.why.empty()) tests.back()["why"] = it.why;
+  }
+  for (const auto& [name, why] : judgement.not_done) not_done.push_back({{"name", name}, {"why", why}});
+  return {{"schema", kBenchFormat}, {"board", record.board}, {"robot", record.robot},
+          {"plan", record.plan},    {"tests", tests},        {"not_done", not_done}};
+}
+
+/// The text of the file; FM0002 where it cannot be read.
+std::optional<std::string> text_of_file(const std::string& path, Diagnostics& diagnostics) {
+  auto text = read_bytes(path);
+  if (!text) diagnostics.error(code::unreadable_file, {}, fmt::format("cannot read '{}'", path));
+  return text;
+}
+
+Answer read_record(const Options& options, Sources& sources, Diagnostics& diagnostics) {
+  const auto text = text_of_file(options.read, diagnostics);
+  const auto input = robot_of(options, sources, diagnostics);
+  if (!text || !input || diagnostics.has_errors()) return no_answer();
+  const auto record = find_bench_record(*text);
+  if (!record) {
+    diagnostics.error(code::bench_record, {}, fmt::format("'{}' holds no whole record {}", options.read, kBenchFormat))
+        .hint("the image prints it as one line every two seconds: record for five");
+    return no_answer();
+  }
+  const auto planned = plan_for_bench(*input, sources, diagnostics);
+  if (!planned) return no_answer();
+  const BenchJudgement judgement = judge_bench(*record, plan_of(*planned));
+  return {judgement.is_good() ? kExitYes : kExitNo, text_of(judgement), document_of(*record, judgement)};
+}
+
+}  // namespace
+
+Answer run_bench_kit(const Options& options, Sources& sources, Diagnostics& diagnostics) {
+  if (options.out.empty() != options.read.empty())
+    return options.read.empty() ? write_kit(options, sources, diagnostics) : read_record(options, sources, diagnostics);
+  diagnostics.error(code::usage, {}, "bench-kit needs -o DIR, to write a kit, or --read FILE, to judge a record");
+  return no_answer();
+}
+
+}  // namespace finemote::gen

@@ -1,0 +1,51 @@
+// The serial ports: what a receiver hears that nobody sends to.
+#include "groups.hpp"
+#include "record.hpp"
+#include "runtime/chips/stm32f4/registers/clock.hpp"
+#include "stopwatch.hpp"
+
+namespace finemote::bench_kit {
+namespace {
+
+namespace usart = stm32f4::usart;
+using stm32f4::PinMode;
+using stm32f4::PinPull;
+
+constexpr std::uint32_t kBaud = 115'200, kByteUs = 87;
+
+void start(const UartPins& port, std::uint32_t parts_on) {
+  const stm32f4::UsartRegisters registers = port.peripheral.usart;
+  stm32f4::configure(port.rx, {PinMode::alternate, PinPull::up, false, port.function});
+  stm32f4::rcc::enable(port.peripheral.clock_enable, port.peripheral.clock_bit);
+  registers.cr1().write(0);
+  registers.brr().write((port.peripheral.clock_hz + kBaud / 2) / kBaud);
+  registers.cr1().write(usart::kOn | parts_on);
+}
+
+/// Turns the receiver on and listens for five bytes' time. @return bytes heard
+std::uint32_t listen(const UartPins& port) {
+  constexpr std::uint32_t kListenUs = 5 * kByteUs;
+  const stm32f4::UsartRegisters registers = port.peripheral.usart;
+  start(port, usart::kReceiverOn);
+  std::uint32_t heard = 0;
+  for (const Stopwatch watch; !watch.has_passed(cycles_in(kListenUs));) {
+    if (!registers.sr().any(usart::kReceived | usart::kErrors)) continue;
+    static_cast<void>(registers.dr().read());
+    ++heard;
+  }
+  registers.cr1().write(0);
+  return heard;
+}
+
+}  // namespace
+
+void listen_to_silence() {
+  constexpr unsigned kRounds = 8;
+  std::uint32_t heard = 0;
+  for (const UartPins& port : kSerialPorts) {
+    for (unsigned i = 0; i < kRounds; ++i) heard += listen(port);
+  }
+  put(Test::serial_bytes_of_noise, heard);
+}
+
+}  // namespace finemote::bench_kit
