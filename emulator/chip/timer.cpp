@@ -231,15 +231,16 @@ void Timer::check(std::uint32_t offset, std::uint32_t value) {
   if (offset == kBdtr) only(value, 0xAFFF, "BDTR");  // all but the break input and what it ends
   if (offset >= kDcr && offset != kOption) only(value, 0, "DMA");
   if (offset == kOption) only(value, inner_clock_ ? inner_clock_->field : 0, "OR");
-  if (offset == kCcmr1 || offset == kCcmr1 + 4) check_modes(value);
+  if (offset == kCcmr1 || offset == kCcmr1 + 4) check_modes(offset == kCcmr1 ? 0 : 2, value);
 }
 
-/// An encoder's inputs are its own affair; other inputs, and clearing from outside, are not there.
-void Timer::check_modes(std::uint32_t value) {
+/// An encoder's inputs are its own affair; inputs but that of the clock inside, and clearing from outside, are not
+/// there.
+void Timer::check_modes(unsigned first, std::uint32_t value) {
   if (is_encoder()) return only(value, kInputs | kInputFilters, "CCMR");
   for (unsigned i = 0; i < 2; ++i) {
     const std::uint32_t byte = value >> (8 * i) & 0xFF;
-    if (inner_clock_ && (byte & 3) == 1) {
+    if (inner_clock_ && inner_clock_->channel == first + i + 1 && (byte & 3) == 1) {
       only(byte, 0xD, "CCMR");  // no filter
       continue;
     }

@@ -56,7 +56,7 @@ class Timer : public Peripheral {
   void schedule();
   void write_cr1(std::uint32_t value);
   void check(std::uint32_t offset, std::uint32_t value);
-  void check_modes(std::uint32_t value);
+  void check_modes(unsigned first, std::uint32_t value);
   void update_line();
   void schedule_compare(unsigned index);
   /// The channel is an input, not an output: CCxS, RM0090 17.4.7.

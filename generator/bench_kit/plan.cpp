@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "generator/emit/render.hpp"
 #include "generator/output/sha256.hpp"
@@ -15,7 +16,7 @@ constexpr const char* kReportPort = "usart6";
 /// `clock.core_hz` to `clock_core_hz`.
 std::string identifier(std::string name) {
   std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '.' || c == '-'; }, '_');
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
   return name;
 }
 
@@ -102,10 +103,11 @@ std::string constants(const BenchPlan& plan) {
              "inline constexpr const char kBoardName[] = \"{}\", kRobotName[] = \"{}\", kPlanName[] = \"{}\";\n"
              "inline constexpr std::uint32_t kPlanNumber = 0x{};\n"
              "inline constexpr std::uint32_t kReportBaud = 115'200, kReportBusHz = {}, kReportBytes = {};\n"
-             "inline constexpr unsigned kFreeLine = {};\n"
+             "inline constexpr Test kFirstStage{{{}}};\ninline constexpr unsigned kStageCount = {}, kFreeLine = {};\n"
              "#define FINEMOTE_BENCH_LINE finemote_line_{}\n",
              plan.board.name, plan.robot, identity, identity.substr(0, 8), *plan.board.port(kReportPort)->clock_hz,
-             kBytesAround + kBytesOfTest * plan.tests.size(), plan.free_line, plan.free_line) +
+             kBytesAround + kBytesOfTest * plan.tests.size(), plan.tests.size() - plan.stages, plan.stages,
+             plan.free_line, plan.free_line) +
          serial_pins(plan.board) + spi_pins(plan.board, "kSensorSpi", "spi1") +
          i2c_pins(plan.board, "kSensorI2c", "i2c3");
 }
@@ -136,7 +138,7 @@ std::string bench_plan_header(const BenchPlan& plan) {
       "#pragma once\n\n#include \"planned.hpp\"\n\n"
       "namespace finemote::bench_kit {{\n\n"
       "enum class Group : std::uint8_t {{\n{}}};\ninline constexpr unsigned kGroupCount = {};\n\n"
-      "enum class Test : std::uint8_t {{\n{}}};\ninline constexpr unsigned kTestCount = {};\n\n"
+      "enum class Test : std::uint16_t {{\n{}}};\ninline constexpr unsigned kTestCount = {};\n\n"
       "inline constexpr Planned kTests[kTestCount] = {{\n{}}};\n\n{}\n}}  // namespace finemote::bench_kit\n",
       kGeneratedHeader, enumerators(groups), groups.size(), enumerators(names_of(plan.tests)), plan.tests.size(),
       lines_of_tests(plan), constants(plan));

@@ -14,6 +14,7 @@ struct BenchPlan {
   std::string robot;  ///< the kit measures its stages
   std::vector<BenchTest> tests;
   std::uint32_t free_line = 0;  ///< an interrupt line that no bucket of the robot runs in
+  std::size_t stages = 0;       ///< so many of the tests, the last ones: update and handle of each device in its order
 
   /// Of names and expectations: two kits with the same answer to the same. 16 hexadecimal digits.
   [[nodiscard]] std::string identity() const;

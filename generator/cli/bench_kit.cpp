@@ -7,14 +7,17 @@
 #include "generator/bench_kit/board_tests.hpp"
 #include "generator/bench_kit/plan.hpp"
 #include "generator/bench_kit/record.hpp"
+#include "generator/bench_kit/robot_tests.hpp"
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/data_dir.hpp"
 #include "generator/cli/robot_input.hpp"
 #include "generator/cli/settings.hpp"
 #include "generator/diagnostic/code_scenario.hpp"
+#include "generator/run/check_wcet.hpp"
 #include "generator/run/project.hpp"
 #include "generator/scaffold/fill_folder.hpp"
+#include "generator/timing/from_robot.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -44,10 +47,46 @@ std::optional<PlannedRobot> plan_for_bench(const Input& input, Sources& sources,
   return std::nullopt;
 }
 
-BenchPlan plan_of(const PlannedRobot& planned) {
+Ground ground_of(Wcet::Source source) {
+  switch (source) {
+    case Wcet::Source::static_analysis:
+    case Wcet::Source::budget:
+      return Ground::declared;
+    case Wcet::Source::measured:
+      return Ground::measured;
+    case Wcet::Source::assumed:
+      break;
+  }
+  return Ground::assumed;
+}
+
+/// Of the release interrupt as the analysis has it, less what only those feel whom it interrupts.
+Duration release_limit(const PlannedRobot& planned, const timing::Model& model) {
+  const auto buckets = static_cast<std::int64_t>(planned.schedule.buckets.size());
+  return model.costs.release - planned.robot.board->costs.preemption + buckets * model.costs.release_per_bucket;
+}
+
+/// Tests of the board, then of the robot. Reports what is wrong with the robot where its times cannot be added up.
+std::optional<BenchPlan> plan_of(const PlannedRobot& planned, Diagnostics& diagnostics) {
+  Diagnostics findings;
+  const auto model = timing::make_timing_model(planned.robot, planned.forest, planned.schedule, findings);
+  if (!model) {
+    add_findings(findings, diagnostics);
+    return std::nullopt;
+  }
   const Robot& robot = planned.robot;
+  const auto wcets = analysed_wcets(robot, planned.forest, *model);
+  std::vector<StageLimits> limits;
+  for (const Rank rank : planned.forest.order.ids()) {
+    const DeviceId device = planned.forest.order[rank];
+    limits.push_back(
+        {robot.devices[device].name.text, wcets[device].update, wcets[device].handle, ground_of(wcets[device].source)});
+  }
   // Buckets take the lines of the board in their order.
-  return {*robot.board, robot.name.text, board_tests(*robot.board), robot.board->lines.back().number};
+  BenchPlan plan{*robot.board, robot.name.text, board_tests(*robot.board), robot.board->lines.back().number,
+                 2 * limits.size()};
+  for (BenchTest& test : robot_tests(limits, release_limit(planned, *model))) plan.tests.push_back(std::move(test));
+  return plan;
 }
 
 /// Words of a CMake list.
@@ -115,9 +154,10 @@ Answer write_kit(const Options& options, Sources& sources, Diagnostics& diagnost
   auto generated = emit_files(*planned, prove_bounds(*planned, analysis), input->data_dir, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   const FirmwareRequest request = request_of(options, planned->robot, input->data_dir);
-  const BenchPlan plan = plan_of(*planned);
+  const auto plan = plan_of(*planned, diagnostics);
+  if (!plan) return no_answer();
   Output robot = output_of(std::move(generated), *planned, *input, sources);
-  Output kit = make_output(files_of_kit(options, plan, request), robot.manifest.inputs, plan.robot);
+  Output kit = make_output(files_of_kit(options, *plan, request), robot.manifest.inputs, plan->robot);
   const Project project{request, std::move(robot), std::move(kit), "-o"};
   if (!is_free_to_write(project, {}, sources, diagnostics)) return no_answer();
   if (!can_build(request)) {
@@ -183,8 +223,9 @@ Answer read_record(const Options& options, Sources& sources, Diagnostics& diagno
     return no_answer();
   }
   const auto planned = plan_for_bench(*input, sources, diagnostics);
-  if (!planned) return no_answer();
-  const BenchJudgement judgement = judge_bench(*record, plan_of(*planned));
+  const auto plan = planned ? plan_of(*planned, diagnostics) : std::nullopt;
+  if (!plan) return no_answer();
+  const BenchJudgement judgement = judge_bench(*record, *plan);
   return {judgement.is_good() ? kExitYes : kExitNo, text_of(judgement), document_of(*record, judgement)};
 }
 

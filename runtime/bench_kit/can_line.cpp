@@ -18,6 +18,8 @@ CanStart enter_initialisation() {
   CanStart start;
   start.came = wait_until(it.can.msr(), can::kInitAcknowledge, can::kInitAcknowledge, kLimit);
   start.cycles = watch.cycles();
+  rcc::apb1rstr.set(it.clock_bits);
+  rcc::apb1rstr.clear(it.clock_bits);
   return start;
 }
 

@@ -31,10 +31,14 @@ constexpr std::uint32_t kFirstChannel = bit(1), kTicksPerUs = stm32f4::kApb1Time
 constexpr Register disable_of(unsigned line) { return Register{0xE000E180 + 4 * (line / 32)}; }
 constexpr Register unpend_of(unsigned line) { return Register{0xE000E280 + 4 * (line / 32)}; }
 
-void start_clock() {
-  rcc::enable(rcc::apb1enr, stm32f4::kTim5.clock_bit);
+void reset_clock() {
   rcc::apb1rstr.set(stm32f4::kTim5.clock_bit);
   rcc::apb1rstr.clear(stm32f4::kTim5.clock_bit);
+}
+
+void start_clock() {
+  rcc::enable(rcc::apb1enr, stm32f4::kTim5.clock_bit);
+  reset_clock();
   kClockInterrupts.write(kFirstChannel);
   kClock.cr1().write(stm32f4::timer::kCr1Enable);
 }
@@ -119,7 +123,7 @@ void measure_sleep() {
   put(Test::sleep_instructions_lost, instructions_lost());
   kDebugControl.clear(kDebugSleep);
   disable_of(kClockLine).write(bit(kClockLine % 32));
-  kClock.cr1().write(0);
+  reset_clock();
 }
 
 // RM0090 3.9.1: the caches are emptied while they are off.

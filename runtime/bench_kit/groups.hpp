@@ -23,5 +23,7 @@ void listen_to_silence();
 void watch_spi();
 void watch_i2c();
 void watch_can();
+/// The release interrupt of the robot, and its stages. Masks all interrupts from then on.
+void measure_robot();
 
 }  // namespace finemote::bench_kit

@@ -47,6 +47,7 @@ constexpr Procedure kProcedures[] = {
     {Group::spi, watch_spi},
     {Group::i2c, watch_i2c},
     {Group::can, watch_can},
+    {Group::robot, measure_robot},
 };
 static_assert(sizeof kProcedures / sizeof kProcedures[0] == kGroupCount);
 
@@ -78,6 +79,7 @@ void run_from(unsigned first) {
   board::start_watchdog(kLongestGroup);
   if (first > static_cast<unsigned>(Group::board_clock) && has(Test::clock_board_starts)) board::start_hardware();
   for (unsigned i = first; i < kGroupCount; ++i) run(kProcedures[i]);
+  board::start_watchdog(kLongestGroup);  // the releases of the robot had it for themselves
   end_record();
 }
 

@@ -131,7 +131,9 @@ void start_port(std::uint32_t bus_hz) {
   const auto& port = kReportPort;
   stm32f4::configure(port.tx, {PinMode::alternate, PinPull::up, false, port.function});
   stm32f4::rcc::enable(port.peripheral.clock_enable, port.peripheral.clock_bit);
-  port.peripheral.usart.cr1().write(0);
+  const stm32f4::Register reset = stm32f4::rcc::reset_of(port.peripheral.clock_enable);
+  reset.set(port.peripheral.clock_bit);  // the robot may have used it
+  reset.clear(port.peripheral.clock_bit);
   port.peripheral.usart.brr().write((bus_hz + kReportBaud / 2) / kReportBaud);  // in sixteenths of 16: RM0090 30.3.4
   port.peripheral.usart.cr1().write(usart::kOn | usart::kTransmitterOn);
 }

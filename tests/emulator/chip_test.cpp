@@ -281,6 +281,50 @@ TEST_CASE("what a timer has and the model has not is reported") {
   CHECK(bench.reported(Misuse::unmodelled));
 }
 
+TEST_CASE("a timer measures the LSI inside the chip, and says when a capture was lost") {
+  Bench bench;
+  constexpr std::uint32_t kTim5 = 0x40000C00, kCsr = 0x40023874;
+  bench.write(kCsr, 1);
+  bench.run(100'000);
+  bench.write(kApb1, 1U << 3);
+  bench.write(kTim5 + 0x50, 1U << 6);              // TI4_RMP: LSI
+  bench.write(kTim5 + 0x1C, (1U | 3U << 2) << 8);  // its own input, every eighth edge
+  bench.write(kTim5 + 0x20, 1U << 12);
+  bench.write(kTim5 + 0x00, 1);
+  bench.run(251'000);
+  REQUIRE((bench.read(kTim5 + 0x10) & 0x10) != 0);
+  const std::uint32_t first = bench.read(kTim5 + 0x40);
+  CHECK((bench.read(kTim5 + 0x10) & 0x10) == 0);
+  bench.run(250'000);
+  CHECK(bench.read(kTim5 + 0x40) - first == 4'000);  // 8 of 32 kHz at 16 MHz
+  CHECK((bench.read(kTim5 + 0x10) & 0x1000) == 0);
+  bench.run(500'000);
+  CHECK((bench.read(kTim5 + 0x10) & 0x1000) != 0);
+  CHECK(bench.board.reports().empty());
+}
+
+TEST_CASE("a timer measures the crystal divided for the calendar, once it runs") {
+  Bench bench;
+  constexpr std::uint32_t kTim11 = 0x40014800, kApb2 = 0x40023844;
+  bench.write(kApb2, 1U << 18);
+  bench.write(kTim11 + 0x50, 2);
+  bench.write(kTim11 + 0x18, 1);
+  bench.write(kTim11 + 0x20, 1);
+  bench.write(0x40023808, 12U << 16);
+  bench.write(kTim11 + 0x00, 1);
+  bench.run(10'000);
+  CHECK((bench.read(kTim11 + 0x10) & 2) == 0);
+  bench.write(0x40023800, 0x83 | 1U << 16);
+  bench.run(3'000'000);
+  bench.write(kTim11 + 0x00, 1);
+  bench.run(2'000);
+  REQUIRE((bench.read(kTim11 + 0x10) & 2) != 0);
+  const std::uint32_t first = bench.read(kTim11 + 0x34);
+  bench.run(1'000);
+  const std::uint32_t passed = bench.read(kTim11 + 0x34) - first;
+  CHECK((passed == 16 || passed == 32));  // microseconds at 16 MHz
+}
+
 TEST_CASE("the core changes over when the clock it was told to take is ready") {
   Bench bench;
   bench.write(0x40023800, 0x83 | 1U << 16);
