@@ -23,6 +23,9 @@ scenario::Model dji_motor();
 // On PWM outputs.
 scenario::Model pwm_output();
 scenario::Model thruster();
+// Wires.
+scenario::Model serial_jumper();
+scenario::Model spi_jumper();
 // What a board has at its pins.
 scenario::Model load();
 scenario::Model button();

@@ -87,6 +87,34 @@ Tests tests_of_buses() {
   };
 }
 
+/// `bits` at the rate that a divider makes of the port's clock, to half a percent; over a jumper.
+BenchTest wire_time(const char* group, const char* name, const Port& port, std::int64_t bits, std::int64_t divider,
+                    const char* jumper) {
+  constexpr std::int64_t kNsPerSecond = 1'000'000'000, kTolerated = 5'000;  // ppm
+  const std::int64_t ns = bits * divider * kNsPerSecond / *port.clock_hz;
+  BenchTest test = around(group, name, ns, kTolerated, Ground::board_file, "clock_hz of the port, by its divider");
+  test.jumper = jumper;
+  return test;
+}
+
+BenchTest no_wrong_bytes(const char* group, const char* name, const char* jumper) {
+  BenchTest test = exactly(group, name, 0, Ground::manual, "what is sent comes back");
+  test.jumper = jumper;
+  return test;
+}
+
+Tests tests_of_wires(const Board& board) {
+  constexpr std::int64_t kBaud = 115'200, kSpiDivider = 16;
+  const Port &serial = *board.port("usart1"), &spi = *board.port("spi2");
+  const std::int64_t divider = (*serial.clock_hz + kBaud / 2) / kBaud;
+  return {
+      wire_time("serial_wire", "wire.serial_byte_ns", serial, 10, divider, "J1"),
+      no_wrong_bytes("serial_wire", "wire.serial_wrong_bytes", "J1"),
+      wire_time("spi_wire", "wire.spi_byte_ns", spi, 8, kSpiDivider, "J2"),
+      no_wrong_bytes("spi_wire", "wire.spi_wrong_bytes", "J2"),
+  };
+}
+
 }  // namespace
 
 const char* ground_words(Ground ground) {
@@ -111,8 +139,8 @@ const char* ground_words(Ground ground) {
 
 std::vector<BenchTest> board_tests(const Board& board) {
   Tests all;
-  for (const Tests& some :
-       {tests_of_start(board), tests_of_clocks(board), tests_of_parts(), tests_of_core(board), tests_of_buses()})
+  for (const Tests& some : {tests_of_start(board), tests_of_clocks(board), tests_of_parts(), tests_of_core(board),
+                            tests_of_buses(), tests_of_wires(board)})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

@@ -11,7 +11,7 @@
 namespace finemote::gen {
 namespace {
 
-constexpr const char* kReportPort = "usart6";
+constexpr const char *kReportPort = "usart6", *kLoopPort = "usart1";
 
 /// `clock.core_hz` to `clock_core_hz`.
 std::string identifier(std::string name) {
@@ -55,7 +55,7 @@ std::string uart_pins(const Port& port) {
                      tx.alternate_function);
 }
 
-/// Those of the report, and of all serial ports.
+/// Those of the report, of the jumper, and of all serial ports.
 std::string serial_pins(const Board& board) {
   std::string all;
   std::size_t count = 0;
@@ -65,15 +65,17 @@ std::string serial_pins(const Board& board) {
     ++count;
   }
   return fmt::format(
-      "inline constexpr UartPins kReportPort{};\ninline constexpr UartPins kSerialPorts[{}] = {{\n{}}};\n",
-      uart_pins(*board.port(kReportPort)), count, all);
+      "inline constexpr UartPins kReportPort{};\ninline constexpr UartPins kLoopUart{};\n"
+      "inline constexpr UartPins kSerialPorts[{}] = {{\n{}}};\n",
+      uart_pins(*board.port(kReportPort)), uart_pins(*board.port(kLoopPort)), count, all);
 }
 
-/// `{stm32f4::dma::kController2, 0}` of the stream for `rx` or `tx`.
+/// `{stm32f4::dma::kController2, 0}` of the stream for `rx` or `tx`; `{}`: there is none.
 std::string stream_text(const Port& port, const char* signal) {
   const auto it =
       std::find_if(port.dma.begin(), port.dma.end(), [&](const DmaStream& stream) { return stream.signal == signal; });
-  return fmt::format("{{stm32f4::dma::kController{}, {}}}", it->controller.back(), it->stream);
+  return it == port.dma.end() ? "{}"
+                              : fmt::format("{{stm32f4::dma::kController{}, {}}}", it->controller.back(), it->stream);
 }
 
 std::string spi_pins(const Board& board, const char* constant, const char* port_name) {
@@ -86,7 +88,7 @@ std::string spi_pins(const Board& board, const char* constant, const char* port_
       "    {8}, {9}, {10}}};\n",
       constant, selects, port_name[3], pin_text(pin_of(port, "sck").pin), pin_text(pin_of(port, "miso").pin),
       pin_text(pin_of(port, "mosi").pin), pin_of(port, "sck").alternate_function, port.selects.size(),
-      stream_text(port, "rx"), stream_text(port, "tx"), port.dma.front().channel);
+      stream_text(port, "rx"), stream_text(port, "tx"), port.dma.empty() ? 0 : port.dma.front().channel);
 }
 
 std::string i2c_pins(const Board& board, const char* constant, const char* port_name) {
@@ -109,7 +111,7 @@ std::string constants(const BenchPlan& plan) {
              kBytesAround + kBytesOfTest * plan.tests.size(), plan.tests.size() - plan.stages, plan.stages,
              plan.free_line, plan.free_line) +
          serial_pins(plan.board) + spi_pins(plan.board, "kSensorSpi", "spi1") +
-         i2c_pins(plan.board, "kSensorI2c", "i2c3");
+         spi_pins(plan.board, "kLoopSpi", "spi2") + i2c_pins(plan.board, "kSensorI2c", "i2c3");
 }
 
 }  // namespace

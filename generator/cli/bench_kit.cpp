@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "generator/bench_kit/board_tests.hpp"
+#include "generator/bench_kit/jumpers.hpp"
 #include "generator/bench_kit/plan.hpp"
 #include "generator/bench_kit/record.hpp"
 #include "generator/bench_kit/robot_tests.hpp"
@@ -124,6 +125,9 @@ std::vector<OutputFile> files_of_kit(const Options& options, const BenchPlan& pl
   std::vector<OutputFile> files = fill_folder(request.data_dir + "/templates/bench_kit/project", keys);
   add_copies(files, request.data_dir + "/templates/project/openocd", "openocd/");
   add_copies(files, request.data_dir + "/runtime/bench_kit", "src/");
+  const std::vector<Jumper> jumpers = bench_jumpers(plan.board);
+  files.push_back({"jumpers.svg", jumper_drawing(jumpers)});
+  files.push_back({"jumpers.json", jumper_scenario(jumpers).dump(2) + "\n"});
   files.push_back({"src/bench_plan.hpp", bench_plan_header(plan)});
   std::sort(files.begin(), files.end(), [](const OutputFile& a, const OutputFile& b) { return a.name < b.name; });
   return files;

@@ -23,6 +23,9 @@ void listen_to_silence();
 void watch_spi();
 void watch_i2c();
 void watch_can();
+/// Over jumpers, where there are any.
+void measure_serial_wire();
+void measure_spi_wire();
 /// The release interrupt of the robot, and its stages. Masks all interrupts from then on.
 void measure_robot();
 

@@ -47,6 +47,8 @@ constexpr Procedure kProcedures[] = {
     {Group::spi, watch_spi},
     {Group::i2c, watch_i2c},
     {Group::can, watch_can},
+    {Group::serial_wire, measure_serial_wire},
+    {Group::spi_wire, measure_spi_wire},
     {Group::robot, measure_robot},
 };
 static_assert(sizeof kProcedures / sizeof kProcedures[0] == kGroupCount);

@@ -1,32 +1,20 @@
 // The serial ports: what a receiver hears that nobody sends to.
 #include "groups.hpp"
 #include "record.hpp"
-#include "runtime/chips/stm32f4/registers/clock.hpp"
 #include "stopwatch.hpp"
+#include "uart_line.hpp"
 
 namespace finemote::bench_kit {
 namespace {
 
 namespace usart = stm32f4::usart;
-using stm32f4::PinMode;
-using stm32f4::PinPull;
-
-constexpr std::uint32_t kBaud = 115'200, kByteUs = 87;
-
-void start(const UartPins& port, std::uint32_t parts_on) {
-  const stm32f4::UsartRegisters registers = port.peripheral.usart;
-  stm32f4::configure(port.rx, {PinMode::alternate, PinPull::up, false, port.function});
-  stm32f4::rcc::enable(port.peripheral.clock_enable, port.peripheral.clock_bit);
-  registers.cr1().write(0);
-  registers.brr().write((port.peripheral.clock_hz + kBaud / 2) / kBaud);
-  registers.cr1().write(usart::kOn | parts_on);
-}
+constexpr std::uint32_t kByteUs = 87;  ///< ten bits
 
 /// Turns the receiver on and listens for five bytes' time. @return bytes heard
 std::uint32_t listen(const UartPins& port) {
   constexpr std::uint32_t kListenUs = 5 * kByteUs;
   const stm32f4::UsartRegisters registers = port.peripheral.usart;
-  start(port, usart::kReceiverOn);
+  start_uart(port, usart::kReceiverOn);
   std::uint32_t heard = 0;
   for (const Stopwatch watch; !watch.has_passed(cycles_in(kListenUs));) {
     if (!registers.sr().any(usart::kReceived | usart::kErrors)) continue;

@@ -31,7 +31,7 @@ const std::string& kit() {
 }
 
 /// What the image prints on an emulated board, with these further words.
-std::string recorded(const std::string& words = "", const std::string& duration = "2500ms") {
+std::string recorded_bare(const std::string& words, const std::string& duration = "3500ms") {
   const std::string command = std::string(FINEMOTE_EMULATOR) + " --image " + kit() +
                               "/build/bench.elf --board robomaster_type_c --duration " + duration + " " + words +
                               " 2>&1";
@@ -42,6 +42,11 @@ std::string recorded(const std::string& words = "", const std::string& duration 
   for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) output.append(buffer.data(), n);
   pclose(pipe);
   return output;
+}
+
+/// The same with its jumpers.
+std::string recorded(const std::string& words = "", const std::string& duration = "3500ms") {
+  return recorded_bare("--scenario " + kit() + "/jumpers.json " + words, duration);
 }
 
 struct Read {
@@ -99,10 +104,20 @@ TEST_CASE("the kit is written, built, and green on the emulated board") {
   CHECK(read.status == 0);
   CHECK(read.document.at("schema") == "finemote.bench/1");
   CHECK(read.document.at("robot") == "bench");
+  CHECK(read.document.at("not_done").empty());
   const auto files = files_below(kit());
-  for (const char* name : {"CMakeLists.txt", "README.md", "openocd/stlink.cfg", "src/main.cpp", "src/bench_plan.hpp"})
+  for (const char* name :
+       {"CMakeLists.txt", "README.md", "jumpers.svg", "openocd/stlink.cfg", "src/main.cpp", "src/bench_plan.hpp"})
     CHECK(files.contains(name));
   CHECK(files.at("README.md").find("pyocd flash") != std::string::npos);
+}
+
+TEST_CASE("without jumpers their tests are not done, and nothing differs") {
+  const Read read = read_record(recorded_bare(""));
+  CHECK(read.differ == Names{});
+  CHECK(read.status == 0);
+  REQUIRE(read.document.at("not_done").size() == 4);
+  CHECK(read.document["not_done"][0] == nlohmann::json{{"name", "wire.serial_byte_ns"}, {"why", "jumper J1"}});
 }
 
 TEST_CASE("the image judges itself as --read does") {

@@ -14,6 +14,11 @@ Board board() {
   result.clocks->crystal_hz = 12'000'000;
   result.clocks->flash_wait_states = 5;
   result.cpu_hz = 168'000'000;
+  for (const char* name : {"usart1", "spi2"}) {
+    result.ports.emplace_back();
+    result.ports.back().name = name;
+    result.ports.back().clock_hz = 84'000'000;
+  }
   return result;
 }
 
@@ -118,6 +123,7 @@ TEST_CASE("expectations come from the board's file") {
   CHECK(expected(board(), "clock.crystal_hz") == R"({"min":11520000,"max":12480000})");
   CHECK(expected(other, "clock.crystal_hz") == R"({"min":7680000,"max":8320000})");
   CHECK(expected(board(), "flash.wait_cycles_per_line") == "5");
+  CHECK(expected(board(), "wire.spi_byte_ns") == R"({"min":1516,"max":1530})");  // 8 bits at 84 MHz / 16
 }
 
 TEST_CASE("a plan has another identity when a name or an expectation changes") {
