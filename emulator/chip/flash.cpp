@@ -103,6 +103,12 @@ void Flash::write(std::uint32_t offset, std::uint32_t value) {
   }
 }
 
+/// ACR keeps its other bytes: words, halfwords and bytes are allowed, RM0090 3.9.1.
+void Flash::write_part(std::uint32_t offset, std::uint32_t mask, std::uint32_t value) {
+  if (offset != kAcr) return Peripheral::write_part(offset, mask, value);
+  write(kAcr, (acr_ & ~mask) | value);
+}
+
 void Flash::write_control(std::uint32_t value) {
   if (!control_.is_open()) {
     world_.report(Misuse::protocol, name() + " CR is written while it is locked");

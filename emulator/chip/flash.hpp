@@ -15,6 +15,7 @@ class Flash : public Peripheral {
 
   std::uint32_t read(std::uint32_t offset) override;
   void write(std::uint32_t offset, std::uint32_t value) override;
+  void write_part(std::uint32_t offset, std::uint32_t mask, std::uint32_t value) override;
   void reset() override;
 
   /// The processor stores to the flash memory at `address`.
