@@ -4,4 +4,5 @@
 set -euo pipefail
 docs=$(dirname "${BASH_SOURCE[0]}")
 "$1" docs -o "$docs/reference"
+"$docs/pictures.sh" "$1"
 exec "$docs/api.py"

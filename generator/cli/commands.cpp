@@ -176,6 +176,24 @@ Table options_of_diff() {
                sandbox()});
 }
 
+Table options_of_graph() {
+  return join({robot(),
+               sandbox(),
+               {{"--format",
+                 Choice{{std::begin(kGraphFormatWords), std::end(kGraphFormatWords)},
+                        [](Options& o, std::size_t word) { o.graph_format = static_cast<GraphFormat>(word); }},
+                 "a picture, or a text for Graphviz or Mermaid"}}});
+}
+
+Table options_of_report() {
+  return join({robot(),
+               sandbox(),
+               question(),
+               {{"-o,--output", &Options::out, "the page to write", kRequired},
+                {"--run", &Options::run_file, "what 'run --format json' printed: adds measured values and sizes"}},
+               watch()});
+}
+
 Table options_of_lint() {
   return join(
       {robot(),
@@ -268,10 +286,13 @@ std::vector<Command> commands_of_analyses() {
   return {
       {"tree", "show the device trees and the order they run in", join({robot(), sandbox()}), run_tree,
        arguments_footer},
+      {"graph", "draw the device trees with buses, types and periods", options_of_graph(), run_graph, arguments_footer},
       {"analyze", "schedulability, response times, latency of every chain", options_of_analyze(), run_analyze,
        arguments_footer},
       {"simulate", "run the schedule with random execution times beside its bounds", options_of_simulate(),
        run_simulate, arguments_footer},
+      {"report", "write what is known of a robot as one page to look at", options_of_report(), run_report,
+       arguments_footer},
       {"run", "generate, compile, run and measure the firmware of a robot", options_of_run(), run_run,
        arguments_footer},
       {"bench-kit", "write a self-test for a bare board, or judge what it printed", options_of_bench_kit(),

@@ -39,6 +39,8 @@ const std::vector<Option>& common_options();
 Answer run_generate(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_check(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_tree(const Options& options, Sources& sources, Diagnostics& diagnostics);
+Answer run_graph(const Options& options, Sources& sources, Diagnostics& diagnostics);
+Answer run_report(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_board_show(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_init(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_scaffold_device(const Options& options, Sources& sources, Diagnostics& diagnostics);

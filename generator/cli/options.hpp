@@ -15,7 +15,9 @@ inline constexpr const char* kStageNames[] = {"document", "model", "forest", "sc
 
 enum class Format { text, json, sarif, github, gcc, markdown };
 inline constexpr const char* kFormatWords[] = {"text", "json", "sarif", "github", "gcc", "md"};  ///< in the same order
-inline constexpr const char* kShellWords[] = {"bash", "zsh", "fish"};  ///< that `completion` knows
+enum class GraphFormat { svg, dot, mermaid };
+inline constexpr const char* kGraphFormatWords[] = {"svg", "dot", "mermaid"};  ///< in the same order
+inline constexpr const char* kShellWords[] = {"bash", "zsh", "fish"};          ///< that `completion` knows
 enum class ColorMode { automatic, always, never };
 
 /// Everything the user can say. One flat value: each command reads what concerns it.
@@ -29,6 +31,7 @@ struct Options {
   std::string data_dir;  ///< --data-dir; empty: found
   std::string board;     ///< --board
   Format format = Format::text;
+  GraphFormat graph_format = GraphFormat::svg;  ///< graph --format
   ColorMode color = ColorMode::automatic;
   bool quiet = false;
   bool verbose = false;
@@ -39,6 +42,7 @@ struct Options {
   std::string out;           ///< -o
   bool show_config = false;  ///< --show-config: print what is set, by whom, and do nothing else
   bool watch = false;        ///< --watch: answer again whenever something changed
+  std::string run_file;      ///< report --run
   std::string depfile;
   bool list = false;
   bool dry_run = false;

@@ -7,8 +7,7 @@
 #include "generator/cli/subject.hpp"
 #include "generator/diagnostic/clash.hpp"
 #include "generator/file/replace_file.hpp"
-#include "generator/simulate/beside_bounds.hpp"
-#include "generator/timing/json.hpp"
+#include "generator/simulate/json.hpp"
 #include "generator/timing/table.hpp"
 #include "generator/timing/text_table.hpp"
 #include "generator/units/units.hpp"
@@ -17,35 +16,6 @@ namespace finemote::gen {
 namespace {
 
 using timing::duration_text;
-using timing::Json;
-
-Json number(std::optional<Duration> value) { return value ? Json(value->ns()) : Json(nullptr); }
-
-Json document(const SimulatedModel& simulated, const SimulationRequest& request) {
-  const auto& [timing, run] = simulated;
-  const auto& bounds = timing.verdict().devices;
-  Json out{{"schema", "finemote.simulation/1"},
-           {"profile", timing::profile_name(timing.asked)},
-           {"seed", request.seed},
-           {"duration_ns", run.duration.ns()},
-           {"devices", Json::array()},
-           {"chains", Json::array()},
-           {"misses", run.misses}};
-  for (const Rank d : run.devices.ids()) {
-    out["devices"].push_back(Json{{"name", timing.model.devices[d].name},
-                                  {"response_max_ns", number(observed(run.devices[d].response))},
-                                  {"window_max_ns", number(observed(run.devices[d].window))},
-                                  {"response_bound_ns", number(bounds[d].r_minus)},
-                                  {"window_bound_ns", number(bounds[d].window)}});
-  }
-  for (std::size_t c = 0; c < run.chains.size(); ++c) {
-    out["chains"].push_back(Json{{"from", timing.model.devices[run.chains[c].ends.from].name},
-                                 {"to", timing.model.devices[run.chains[c].ends.to].name},
-                                 {"max_ns", number(observed(run.chains[c].latency))},
-                                 {"bound_ns", number(timing.chains[c].decide)}});
-  }
-  return out;
-}
 
 std::string text(const SimulatedModel& simulated, const SimulationRequest& request) {
   const auto& [timing, run] = simulated;
@@ -95,13 +65,14 @@ SimulationRequest request_of(const Options& options, Diagnostics& diagnostics) {
 }  // namespace
 
 Answer run_simulate(const Options& options, Sources& sources, Diagnostics& diagnostics) {
-  const SimulationRequest request = request_of(options, diagnostics);
+  SimulationRequest request = request_of(options, diagnostics);
   timing::RobotTimingOptions robot_options;
   robot_options.assumed_wcet = time_option("--assume-wcet", options.assume_wcet, "50us", diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   if (options.dump) return dump_subject(options, robot_options, sources, diagnostics);
   const auto subject = read_subject(options, robot_options, sources, diagnostics);
   if (!subject) return no_answer();
+  request.requirements = subject->requirements;
 
   const bool is_traced = !options.out.empty();
   if (is_traced && !check_outputs({{options.out, "-o"}}, sources, diagnostics)) return no_answer();
@@ -116,7 +87,7 @@ Answer run_simulate(const Options& options, Sources& sources, Diagnostics& diagn
     if (reason) report_unwritten(options.out, *reason, diagnostics);
     if (reason) return answer;
   }
-  if (options.format == Format::json) answer.document = document(*simulated, request);
+  if (options.format == Format::json) answer.document = simulation_json(simulated->timing, simulated->run, request);
   if (options.format == Format::text) answer.text = text(*simulated, request);
   answer.status = denies_warnings(options, answer.judged) ? kExitInvalid : simulated->good() ? kExitYes : kExitNo;
   return answer;

@@ -22,7 +22,7 @@ std::vector<std::string> watched_paths(const Options& options, const Sources& so
   const std::string folder = input_folder(options.input);
   std::vector<std::string> paths{options.input, folder + "/" + kSettingsName, folder + "/devices"};
   paths.insert(paths.end(), options.device_paths.begin(), options.device_paths.end());
-  if (!options.out.empty()) paths.push_back(options.out);
+  if (options.command == "check" && !options.out.empty()) paths.push_back(options.out);  // others write it
   for (const SourceFile& file : sources.files()) {
     if (!file.path.empty()) paths.push_back(file.path);
   }

@@ -1,20 +1,19 @@
 #include "generator/document/connector_picture.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "generator/document/contact_use.hpp"
+#include "generator/svg/svg.hpp"
 
 namespace finemote::gen {
 namespace {
 
-// In pixels. A character of a monospaced font is 0.6 of its size wide; 8 leaves room for wider ones.
-constexpr std::size_t kCharacter = 8, kInset = 8, kGap = 4, kMargin = 10;
+// In pixels.
+constexpr std::size_t kInset = 8, kGap = 4, kMargin = 10;
 constexpr std::size_t kTwoLines = 42, kOneLine = 26, kNarrowest = 56;
 
-constexpr const char* kStyle = R"(<style>
-text { font: 13px "DejaVu Sans Mono", "Liberation Mono", Menlo, Consolas, monospace; fill: #1f2328 }
+constexpr const char* kStyle =
+    R"(text { font: 13px "DejaVu Sans Mono", "Liberation Mono", Menlo, Consolas, monospace; fill: #1f2328 }
 .name { font-weight: bold }
 rect { stroke: #59636e; fill: #f6f8fa }
 .body { fill: #ffffff; stroke-width: 2 }
@@ -31,14 +30,7 @@ rect { stroke: #9198a1; fill: #212830 }
 .bus { fill: #0c3b6b }
 .pin { fill: #11532a }
 }
-</style>
 )";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
-  return out;
-}
 
 /// What stands in the box of a contact.
 struct Box {
@@ -85,8 +77,8 @@ std::vector<std::size_t> widths_of(const std::vector<std::vector<Box>>& lines) {
   for (const auto& line : lines) {
     widths.resize(std::max(widths.size(), line.size()), kNarrowest);
     for (std::size_t i = 0; i < line.size(); ++i) {
-      const std::size_t longest = std::max(line[i].name.size(), line[i].leads_to.size());
-      widths[i] = std::max(widths[i], 2 * kInset + kCharacter * longest);
+      const std::size_t longest = std::max(svg::width_of(line[i].name), svg::width_of(line[i].leads_to));
+      widths[i] = std::max(widths[i], 2 * kInset + longest);
     }
   }
   return widths;
@@ -99,11 +91,8 @@ std::size_t height_of(const std::vector<Box>& line) {
 
 std::string drawn(const Box& box, std::size_t x, std::size_t y, std::size_t width, std::size_t height) {
   const std::size_t first = box.leads_to.empty() ? y + height / 2 + 5 : y + 17;
-  std::string text = fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"3\"/>\n",
-                                 box.look, x, y, width, height);
-  text += fmt::format("<text class=\"name\" x=\"{}\" y=\"{}\">{}</text>\n", x + kInset, first, escaped(box.name));
-  if (!box.leads_to.empty())
-    text += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", x + kInset, y + 34, box.leads_to);
+  std::string text = svg::rect(box.look, {x, y, width, height}, 3) + svg::text("name", x + kInset, first, box.name);
+  if (!box.leads_to.empty()) text += svg::text("", x + kInset, y + 34, box.leads_to);
   return text;
 }
 
@@ -125,14 +114,8 @@ std::string connector_picture(const Connector& connector, const Board& board) {
   std::size_t width = 2 * kMargin - kGap;
   for (const std::size_t column : widths) width += column + kGap;
   const std::size_t height = y - kGap + kMargin;
-  return fmt::format(
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-             "role=\"img\">\n<title>{2}</title>\n",
-             width, height, escaped(connector.name)) +
-         kStyle +
-         fmt::format("<rect class=\"body\" x=\"1\" y=\"1\" width=\"{}\" height=\"{}\" rx=\"6\"/>\n", width - 2,
-                     height - 2) +
-         boxes + "</svg>\n";
+  const std::string body = svg::rect("body", {1, 1, width - 2, height - 2}, 6);
+  return svg::picture(width, height, connector.name, kStyle, body + boxes);
 }
 
 }  // namespace finemote::gen

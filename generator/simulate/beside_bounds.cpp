@@ -18,6 +18,13 @@ Simulation simulate_traced(const timing::Model& model, const SimulationOptions& 
 
 }  // namespace
 
+SimulationOptions options_beside(const timing::Timing& timing, const SimulationRequest& request) {
+  const bool as_paper = timing.asked == timing::Profile::paper;
+  SimulationOptions options{request.seed, request.duration, as_paper ? timing::Profile::tight : timing.asked, {}};
+  for (const timing::ChainResult& chain : timing.chains) options.chains.push_back({chain.from, chain.to});
+  return options;
+}
+
 std::optional<Duration> observed(Duration worst) {
   return worst < Duration::zero() ? std::nullopt : std::optional(worst);
 }
@@ -39,14 +46,14 @@ std::optional<SimulatedModel> simulate_beside_bounds(const timing::Model& model,
   timing::AnalysisRequest question;
   question.profile = request.profile;
   question.chains = timing::parse_chains(model, request.chains, diagnostics);
+  question.requirements = request.requirements;
+  question.chains_alone = true;
   if (diagnostics.has_errors()) return std::nullopt;
   auto timing = timing::analyse(model, question, diagnostics);
   if (!timing) return std::nullopt;
-  const bool as_paper = timing->asked == timing::Profile::paper;
-  SimulationOptions options{request.seed, request.duration, as_paper ? timing::Profile::tight : timing->asked, {}};
-  for (const timing::ChainResult& chain : timing->chains) options.chains.push_back({chain.from, chain.to});
   try {
-    return SimulatedModel{std::move(*timing), simulate_traced(model, options, trace)};
+    Simulation run = simulate_traced(model, options_beside(*timing, request), trace);
+    return SimulatedModel{std::move(*timing), std::move(run)};
   } catch (const Overflow& overflow) {
     timing::report_overflow(timing::start(model), overflow, diagnostics);
     return std::nullopt;

@@ -16,6 +16,7 @@ struct SimulationRequest {
   Duration duration = seconds(10);
   std::vector<std::string> chains = {};                   ///< `a->b`, beyond the default ones
   std::optional<timing::Profile> profile = std::nullopt;  ///< none: target where the model has one, else tight
+  std::vector<timing::Requirement> requirements = {};     ///< whose chains are simulated, too; nothing else of them
 };
 
 /// A run and the analysis of its model; `run.chains` are those of `timing`, in the same order.
@@ -29,10 +30,14 @@ struct SimulatedModel {
   [[nodiscard]] bool good() const { return timing.schedulable && run.misses == 0 && holds(); }
 };
 
+/// What is simulated beside the bounds of `timing`: all its chains. Profile paper is simulated as tight: its buses
+/// interrupt more often than any wire can.
+SimulationOptions options_beside(const timing::Timing& timing, const SimulationRequest& request);
+
 /// An observed value; none where nothing was.
 std::optional<Duration> observed(Duration worst);
 
-/// Analyses and simulates. Profile paper is simulated as tight: its buses interrupt more often than any wire can.
+/// Analyses and simulates.
 /// @param trace  where a Chrome trace is written; null: none
 /// @return  none where timing::parse_chains or timing::analyse report an error and give no answer, and where a time of
 /// the run leaves 64 bits, which is reported as FM4010

@@ -207,7 +207,9 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
   const std::vector<Requirement> requirements = reach_actuators(request.requirements, model, topology);
   for (const ChainRequest& c : asked_chains(request, requirements)) add_chain(chains, c, timing.chains);
   const Evaluation evaluation(model, best, chains, wire.loads());
-  for (const Requirement& r : requirements) timing.requirements.push_back(evaluation.evaluate(r));
+  if (!request.chains_alone) {
+    for (const Requirement& r : requirements) timing.requirements.push_back(evaluation.evaluate(r));
+  }
   timing.bus_loads = wire.loads();
   for (const Rank d : model.devices.ids()) {
     if (model.devices[d].source == WcetSource::assumed) timing.assumed.push_back(d);

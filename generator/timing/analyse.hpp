@@ -42,6 +42,7 @@ struct AnalysisRequest {
   std::optional<Profile> profile;    ///< whose verdict counts; none: target where the model has one, else tight
   std::vector<ChainRequest> chains;  ///< beyond the default ones
   std::vector<Requirement> requirements;
+  bool chains_alone = false;  ///< requirements add their chains, and are not judged
   bool inputs = false;        ///< fill Timing::inputs
   Remodel remodel;            ///< to look for hints that help; none: messages are without them
   Limits limits;              ///< of each profile and of the chains

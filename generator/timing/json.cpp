@@ -182,6 +182,12 @@ std::string_view kind_name(Requirement::Kind kind) {
   return "";
 }
 
+/// How far the value may still rise; below zero: by how much it is too large.
+Json slack_json(const RequirementResult& r) {
+  if (r.requirement.kind == Requirement::Kind::utilization) return r.requirement.max_fraction - *r.fraction;
+  return r.value ? Json((r.requirement.max - *r.value).ns()) : Json(nullptr);
+}
+
 Json requirement_json(const RequirementResult& r) {
   const Requirement& wanted = r.requirement;
   const bool share = wanted.kind == Requirement::Kind::utilization;
@@ -189,6 +195,7 @@ Json requirement_json(const RequirementResult& r) {
   if (wanted.kind == Requirement::Kind::latency_decision) out["of"] = "decision";
   out["max"] = share ? Json(wanted.max_fraction) : Json(wanted.max.ns());
   out["value"] = share ? Json(*r.fraction) : number(r.value);
+  out["slack"] = slack_json(r);
   out["ok"] = r.ok;
   out["where"] =
       wanted.at.file != nullptr ? Json(wanted.at.file->name + ":" + std::to_string(wanted.at.line)) : Json(nullptr);
@@ -205,6 +212,20 @@ Json processor_json(const Timing& timing) {
                         {"every_ns", use.every.ns()},
                         {"utilization", use.utilization},
                         {"share", use.utilization / timing.processor_load}});
+  }
+  return list;
+}
+
+/// What each execution time rests on, in the words of documents; null: the model does not say.
+Json labels_json(const Model& model) {
+  Json list = Json::array();
+  for (const Device& d : model.devices) {
+    const char* label = d.source == WcetSource::static_analysis ? "static"
+                        : d.source == WcetSource::measured      ? "measured"
+                        : d.source == WcetSource::budget        ? "declared"
+                        : d.source == WcetSource::assumed       ? "assumed"
+                                                                : nullptr;
+    list.push_back(Json{{"device", d.name}, {"label", label != nullptr ? Json(label) : Json(nullptr)}});
   }
   return list;
 }
@@ -290,6 +311,7 @@ Json timing_json(const Timing& timing) {
   }
   Json& assumed = out["assumed_wcet"] = Json::array();
   for (const Rank d : timing.assumed) assumed.push_back(model.devices[d].name);
+  out["wcet_labels"] = labels_json(model);
   out["assumptions"] = assumptions_json();
   return out;
 }

@@ -34,6 +34,17 @@ echo "== timing analysis (to reach: 10,000 devices within 0.3 s; bound / worst s
 "$build/tests/bench/timing/timing_bench"
 
 echo
+echo "== report of 1,000 devices, whole process, milliseconds of processor time (to reach: 1000), and its size (to reach: 2000000 B)"
+{
+  printf '<robot name="wide"><link name="base"/><finemote version="1"><board name="robomaster_type_c"/>'
+  printf '<device name="root" type="group" period="40ms">'
+  for leaf in $(seq 999); do printf '<device name="leaf_%s" type="sim_load"/>' "$leaf"; done
+  printf '</device></finemote></robot>'
+} >"$folder/wide.urdf"
+used=$( { time "$finemote" -q report "$folder/wide.urdf" -o "$folder/wide.html" >/dev/null 2>&1; } 2>&1 | awk '{ printf "%d", 1000 * ($1 + $2) }')
+echo "$used ms, $(stat -c %s "$folder/wide.html") B"
+
+echo
 echo "== emulator speed on the infantry (to reach: 50 M instructions per second of processor time)"
 "$finemote" -q run "$root/examples/infantry.urdf" --build-only --keep "$folder/infantry" >/dev/null
 "$build/tests/bench/emulator/emulator_speed" "$folder/infantry/build/firmware.elf" "$folder/infantry/parts.json" 5

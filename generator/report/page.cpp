@@ -1,0 +1,106 @@
+#include "generator/report/page.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+
+#include "generator/graph/forest_svg.hpp"
+#include "generator/output/sha256.hpp"
+#include "generator/report/base64.hpp"
+#include "generator/report/data_block.hpp"
+#include "generator/report/tables.hpp"
+#include "generator/report/verdict.hpp"
+#include "generator/svg/palette.hpp"
+#include "generator/svg/svg.hpp"
+
+namespace finemote::gen::report {
+namespace {
+
+/// Of the page, in the order in which they run; templates/README.md says what each does.
+constexpr const char* kScripts[] = {"page.js", "chains.js", "timeline_data.js", "timeline.js", "main.js"};
+
+/// The pieces of a page, by the names that stand for them in page.html between two `@`.
+using Pieces = std::map<std::string, std::string>;
+
+std::string read(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::string filled(const std::string& frame, const Pieces& pieces) {
+  std::string page;
+  std::size_t at = 0;
+  for (std::size_t begin = frame.find('@'); begin != std::string::npos; begin = frame.find('@', at)) {
+    const std::size_t end = frame.find('@', begin + 1);
+    page.append(frame, at, begin - at).append(pieces.at(frame.substr(begin + 1, end - begin - 1)));
+    at = end + 1;
+  }
+  return page.append(frame, at);
+}
+
+std::string style_of(const std::string& folder) {
+  return fmt::format(
+             ":root {{\n{0}}}\n@media (prefers-color-scheme: dark) {{\n:root:not([data-theme=light]) {{\n{1}}}\n}}\n"
+             ":root[data-theme=dark] {{\n{1}}}\n@media print {{\n:root, :root[data-theme] {{\n{0}}}\n}}\n",
+             svg::kLightColours, svg::kDarkColours) +
+         kForestStyle + read(folder + "/style.css");
+}
+
+std::string script_of(const std::string& folder) {
+  std::string text = "'use strict';\n";
+  for (const char* name : kScripts) text += read(folder + "/" + name);
+  return text;
+}
+
+/// A section that not every report has, with the link to it.
+void add_optional(const std::string& name, const std::string& title, const std::string& text, Pieces& pieces) {
+  const bool is_there = !text.empty();
+  pieces[name + "_link"] = is_there ? fmt::format("<a href=\"#{}\">{}</a>\n", name, title) : "";
+  pieces[name] = is_there ? fmt::format(
+                                "<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n"
+                                "<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n",
+                                name, title, text)
+                          : "";
+}
+
+std::string length_text(const Timeline& timeline) {
+  if (timeline.length == timeline.hyperperiod) return shown(timeline.length.ns(), Unit::time);
+  return shown(timeline.length.ns(), Unit::time) + " of " + shown(timeline.hyperperiod.ns(), Unit::time);
+}
+
+}  // namespace
+
+std::string page_of(const Contents& contents, const std::string& folder) {
+  const auto& [view, model, documents, timeline] = contents;
+  const Verdict verdict = verdict_of(documents, view.robot);
+  const std::string script = script_of(folder);
+  Pieces pieces;
+  pieces["title"] = svg::escaped(view.robot);
+  pieces["board"] = svg::escaped(fmt::format("{}, tick {}", view.board, view.tick));
+  pieces["script_hash"] = base64_of_hex(sha256(script));
+  pieces["style"] = style_of(folder);
+  pieces["script"] = script;
+  pieces["verdict"] = svg::escaped(verdict.text);
+  pieces["verdict_look"] = verdict.is_good ? "good" : "bad";
+  pieces["verdict_mark"] = verdict.is_good ? "✓" : "✗";
+  pieces["figures"] = headline_figures(documents);
+  pieces["forest"] = inline_forest_svg(view);
+  pieces["devices"] = device_table(documents, view);
+  pieces["chains"] = chain_table(documents, model);
+  pieces["requirements"] = requirement_table(documents);
+  pieces["length"] = length_text(timeline);
+  pieces["processor"] = processor_table(documents);
+  pieces["buses"] = bus_table(documents);
+  pieces["assumptions"] = assumption_table(documents);
+  pieces["data"] = data_block(model, timeline, documents.of_timing()["profile"].text());
+  add_optional("changes", "What changed", "", pieces);
+  add_optional("body", "The robot from three sides", "", pieces);
+  add_optional("plots", "What the run showed", "", pieces);
+  return filled(read(folder + "/page.html"), pieces);
+}
+
+}  // namespace finemote::gen::report

@@ -1,0 +1,62 @@
+#include "generator/report/timeline.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "generator/report/frames.hpp"
+
+namespace finemote::gen::report {
+namespace {
+
+constexpr Duration kLongest = seconds(10);
+
+/// The least common multiple of the periods; at most kLongest.
+Duration hyperperiod_of(const std::vector<Duration>& periods) {
+  std::int64_t all = 1;
+  for (const Duration period : periods) {
+    const std::int64_t factor = period.ns() / std::gcd(all, period.ns());
+    if (factor > kLongest.ns() / all) return kLongest;
+    all *= factor;
+  }
+  return nanoseconds(all);
+}
+
+/// So long that about as many stages begin as can be shown.
+Duration shown_of(const timing::TaskSet& set, Duration hyperperiod) {
+  double per_ns = 0;
+  for (const timing::TaskBucket& bucket : set.buckets)
+    per_ns += 2 * static_cast<double>(bucket.devices.size()) / static_cast<double>(bucket.period.ns());
+  const double most = TimelineRecorder::kMostStages / std::max(per_ns, 1e-12);
+  if (most >= static_cast<double>(hyperperiod.ns())) return hyperperiod;
+  return nanoseconds(std::max(static_cast<std::int64_t>(most), std::int64_t{1}));
+}
+
+}  // namespace
+
+TimelineRecorder::TimelineRecorder(const timing::Model& model, timing::Profile profile) : model_(model) {
+  const timing::TaskSet set = timing::make_task_set(model, profile);
+  for (const timing::TaskBucket& bucket : set.buckets) kept_.periods.push_back(bucket.period);
+  for (const timing::Stream& stream : set.streams) kept_.streams.push_back(stream.name);
+  kept_.hyperperiod = hyperperiod_of(kept_.periods);
+  kept_.length = shown_of(set, kept_.hyperperiod);
+}
+
+Timeline TimelineRecorder::timeline() const {
+  Timeline timeline = kept_;
+  timeline.frames = frames_of(model_, kept_);
+  return timeline;
+}
+
+void TimelineRecorder::job(std::size_t bucket, Duration begin, Duration end) {
+  if (begin < kept_.length) kept_.jobs.push_back({bucket, begin, end});
+}
+
+void TimelineRecorder::stage(Rank device, Stage stage, Duration begin, Duration end) {
+  if (begin < kept_.length) kept_.stages.push_back({device, stage == Stage::handle, begin, end});
+}
+
+void TimelineRecorder::interrupt(std::size_t stream, Duration begin, Duration end) {
+  if (begin < kept_.length) kept_.interrupts.push_back({stream, begin, end});
+}
+
+}  // namespace finemote::gen::report

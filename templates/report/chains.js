@@ -1,0 +1,99 @@
+// The table of chains as bars; choosing one shows its way in the trees and in the timeline.
+
+const kPartNames = ['acquire', 'decide', 'wire'];
+const kFewChains = 8;  // shown at first
+
+/** The chains of the table, those with the longest bound first. Cells are in the order of its columns. */
+function readChains() {
+  const rows = [...document.querySelectorAll('#chains-table tbody tr')];
+  const chains = rows.map((row) => {
+    const cells = [...row.cells];
+    const numbers = (text) => text.split(' ').filter((word) => word !== '').map(Number);
+    const measured = cells.length > 7;
+    return {
+      row,
+      name: cells[0].textContent,
+      bound: cells.slice(1, 4),
+      total: cells[4],
+      simulated: cells[5],
+      measured: measured ? cells.slice(6, 9) : null,
+      measuredTotal: measured ? cells[9] : null,
+      up: numbers(row.dataset.up),
+      down: numbers(row.dataset.down),
+    };
+  });
+  const length = (chain) => valueOf(chain.total) ?? valueOf(chain.bound[1]) ?? Infinity;
+  return chains.sort((a, b) => length(b) - length(a));
+}
+
+/** A part of a bar, `length` of `longest`; one without a name leaves its place empty. */
+function makePart(name, length, longest, title = '') {
+  const share = 100 * length / longest;
+  const part = make('i', {class: `part ${name}`.trim(), style: `width:${share}%`, title});
+  if (share > 5) part.textContent = name.slice(0, 1).toUpperCase();
+  return part;
+}
+
+/** One bar: whose it is, its parts, and its length in words, with a letter where that is of one part alone. */
+function makeBar(who, parts, letter, total) {
+  const track = make('span', {class: 'track', 'aria-hidden': 'true'}, ...parts);
+  const shown = make('span', {class: 'total'}, letter, valueOf(total) !== null ? copyOf(total) : 'no bound');
+  return make('div', {class: who === 'bound' ? 'bar' : 'bar seen'}, make('span', {class: 'who'}, who), track, shown);
+}
+
+/** The bars of a chain: its bound, and what was seen of it. */
+function makeBars(chain, longest) {
+  const partsOf = (cells) => cells.map((cell, i) =>
+      makePart(kPartNames[i], valueOf(cell) ?? 0, longest, `${kPartNames[i]} ${cell.textContent}`));
+  // Where a part has no value there is no whole either: the decision stands for it.
+  const whole = (total, cells) => valueOf(total) !== null ? ['', total] : ['D ', cells[1]];
+  const bars = [makeBar('bound', partsOf(chain.bound), ...whole(chain.total, chain.bound))];
+  if (valueOf(chain.simulated) !== null) {
+    const ahead = makePart('', valueOf(chain.bound[0]) ?? 0, longest);
+    const decide = makePart('decide', valueOf(chain.simulated), longest, `decide ${chain.simulated.textContent}`);
+    bars.push(makeBar('simulated', [ahead, decide], 'D ', chain.simulated));
+  }
+  if (chain.measured && valueOf(chain.measured[1]) !== null)
+    bars.push(makeBar('measured', partsOf(chain.measured), ...whole(chain.measuredTotal, chain.measured)));
+  return bars;
+}
+
+function makeChain(chain, longest) {
+  const button = make('button', {type: 'button', 'aria-pressed': 'false'}, chain.name);
+  button.addEventListener('click', () => selection.select(selection.chain === chain ? null : chain));
+  selection.listeners.push((chosen) => button.setAttribute('aria-pressed', String(chosen === chain)));
+  return make('div', {class: 'chain'}, button, make('div', {}, ...makeBars(chain, longest)));
+}
+
+function prepareChains() {
+  const chains = readChains();
+  const box = find('#chain-bars');
+  const lengths = chains.flatMap((chain) => [chain.total, chain.bound[1], chain.measuredTotal].map(valueOf));
+  const longest = Math.max(1, ...lengths.filter((value) => value !== null));
+  const add = (some) => box.append(...some.map((chain) => makeChain(chain, longest)));
+  add(chains.slice(0, kFewChains));
+  if (chains.length > kFewChains) {
+    const more = make('button', {type: 'button', class: 'more'}, `Show all ${chains.length} chains`);
+    more.addEventListener('click', () => {
+      more.remove();
+      add(chains.slice(kFewChains));
+    });
+    box.after(more);
+    addEventListener('beforeprint', () => more.isConnected && chains.length < 100 && more.click());
+  }
+  if (chains.length === 0) box.append(make('p', {class: 'note'}, 'No device takes a command.'));
+}
+
+/** Shows the way of the chosen chain in the picture of the trees. */
+function prepareForest() {
+  const cards = [...document.querySelectorAll('.forest .device')];
+  const place = new Map(data.devices.map((name, i) => [name, i]));
+  selection.listeners.push((chain) => {
+    for (const card of cards) {
+      const device = place.get(card.dataset.device);
+      const isOn = chain !== null && (chain.up.includes(device) || chain.down.includes(device));
+      card.classList.toggle('path', isOn);
+      card.classList.toggle('off', chain !== null && !isOn);
+    }
+  });
+}

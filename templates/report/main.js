@@ -1,0 +1,5 @@
+// Brings the page to life. Everything that is proven or measured is there without it.
+prepareTheme();
+prepareForest();
+prepareChains();
+new Timeline(find('#timeline-view'));

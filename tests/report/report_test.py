@@ -1,0 +1,217 @@
+#!/usr/bin/env python3
+"""The page of `finemote report` in a browser: usage: report_test.py FINEMOTE SOURCE. 77: there is no Chromium."""
+import html.parser
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from browser import Browser, program
+
+FINEMOTE, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+FOLDER = tempfile.TemporaryDirectory()
+SIZE_LIMIT = 2_000_000
+
+
+def finemote(*words):
+    return subprocess.run([FINEMOTE, *map(str, words)], capture_output=True, text=True, check=False)
+
+
+def document(*words):
+    return json.loads(finemote(*words, "--format", "json").stdout)
+
+
+def wide_robot(count):
+    leaves = "".join(f'<device name="leaf_{i}" type="sim_load"/>' for i in range(count - 1))
+    return ('<robot name="wide"><link name="base"/><finemote version="1"><board name="robomaster_type_c"/>'
+            f'<device name="root" type="group" period="40ms">{leaves}</device></finemote></robot>')
+
+
+def measured(robot):
+    """A run of the robot as if each chain had taken half its bound."""
+    timing = document("analyze", robot)
+    part = {"acquire": "acquire_ns", "decide": "decide_ns", "wire": "wire_ns", "end_to_end": "end_to_end_ns"}
+    chains = [{"from": c["from"], "to": c["to"],
+               **{name: {"max_ns": c[bound] and c[bound] // 2, "judged": "held"} for name, bound in part.items()}}
+              for c in timing["chains"]]
+    path = pathlib.Path(FOLDER.name) / (robot.stem + ".run.json")
+    path.write_text(json.dumps({"schema": "finemote.run/1", "chains": chains, "overruns": 0, "duration_ns": 10**9,
+                                "image": {"flash": 12345, "ram": 678, "stack": None}}))
+    return path
+
+
+class Keys(html.parser.HTMLParser):
+    """Every result of the page as it stands in the file, before any script."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.values = []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        found = dict(attributes)
+        if "data-key" in found:
+            self.values.append((found["data-key"], found["data-value"]))
+
+
+def at(documents, key):
+    """The member that a key names."""
+    name, pointer = key.split("#")
+    value = documents[name]
+    for step in pointer.split("/")[1:]:
+        value = value[int(step)] if isinstance(value, list) else value[step]
+    return value
+
+
+class Report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser()
+        cls.robots = {"finsrov": SOURCE / "examples/finsrov.urdf", "infantry": SOURCE / "examples/infantry.urdf",
+                      "wide": pathlib.Path(FOLDER.name) / "wide.urdf"}
+        cls.robots["wide"].write_text(wide_robot(1000))
+        cls.runs = {name: measured(robot) for name, robot in cls.robots.items()}
+        for name, robot in cls.robots.items():
+            answer = finemote("report", robot, "-o", cls.page(name), "--run", cls.runs[name])
+            assert answer.returncode == 0, answer.stderr
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.__exit__()
+
+    @staticmethod
+    def page(name):
+        return pathlib.Path(FOLDER.name) / (name + ".html")
+
+    def open(self, name, **how):
+        page = self.browser.open(self.page(name), **how)
+        self.addCleanup(lambda: self.assertEqual(page.complaints(), []))
+        return page
+
+    def test_every_number_is_that_of_its_document(self):
+        for name, robot in self.robots.items():
+            documents = {"timing": document("analyze", robot), "simulation": document("simulate", robot),
+                         "run": json.loads(self.runs[name].read_text())}
+            values = Keys(self.page(name).read_text()).values
+            self.assertGreater(len(values), 100)
+            for key, value in values:
+                self.assertEqual(json.loads(value), at(documents, key), key)
+            shown = {key for key, _ in values}
+            for i in range(len(documents["timing"]["chains"])):
+                for part in ("acquire_ns", "decide_ns", "wire_ns", "end_to_end_ns"):
+                    self.assertIn(f"timing#/chains/{i}/{part}", shown)
+
+    def test_pages_are_small_and_quiet_at_every_width(self):
+        for name in self.robots:
+            self.assertLess(self.page(name).stat().st_size, SIZE_LIMIT)
+            for width in (1280, 390):
+                page = self.open(name, width=width)
+                self.assertEqual(page.run("document.documentElement.scrollWidth"), width, f"{name} at {width}")
+                self.assertRegex(page.run("document.body.innerText.trim().split('\\n')[0]"), "keeps every deadline")
+
+    def test_a_page_without_script_shows_its_results(self):
+        page = self.open("finsrov", script=False)
+        text = self.page("finsrov").read_text()
+        self.assertIn("default-src 'none'", text)
+        self.assertNotIn("://", text.replace("http://www.w3.org/2000/svg", ""))
+        self.assertEqual(page.complaints(), [])
+
+    def test_a_chain_shows_its_way(self):
+        page = self.open("infantry")
+        page.run("document.querySelector('.chain button').click()")
+        name = page.run("document.querySelector('.chain button').textContent")
+        source, end = name.split(" → ")
+        lit = page.run("[...document.querySelectorAll('.forest .device.path')].map(card => card.dataset.device)")
+        self.assertIn(source, lit)
+        self.assertIn(end, lit)
+        dim = page.run("[...document.querySelectorAll('.forest .device.off')].map(card => card.dataset.device)")
+        self.assertEqual(set(lit) & set(dim), set())
+        row = page.run(f"(row => [row.dataset.up, row.dataset.down])([...document.querySelectorAll('#chains-table tbody tr')]"
+                       f".find(row => row.cells[0].textContent === {json.dumps(name)}))")
+        devices = page.run("data.devices")
+        self.assertEqual(set(lit), {devices[int(i)] for i in " ".join(row).split()})
+        self.assertGreaterEqual(page.run("document.querySelectorAll('#timeline-view .path').length"), 2)
+        self.assertEqual(page.run("document.querySelector('.chain button').getAttribute('aria-pressed')"), "true")
+        page.run("document.querySelector('.chain button').click()")
+        self.assertEqual(page.run("document.querySelectorAll('.path, .off').length"), 0)
+
+    def test_the_timeline_zooms_moves_and_tells(self):
+        page = self.open("infantry")
+        view = "(({from, to}) => [Number(from), Number(to)])(document.querySelector('#timeline-view svg').dataset)"
+        whole = page.run(view)
+        self.assertEqual(whole, [0, 10_000_000])
+        page.run("document.querySelector('#timeline-view [aria-label=\"Zoom in\"]').click()")
+        zoomed = page.run(view)
+        self.assertAlmostEqual(zoomed[1] - zoomed[0], 5_000_000, delta=1)
+        page.run("document.querySelector('#timeline-view svg').focus()")
+        for key in ("+", "ArrowRight", "ArrowDown"):
+            page.press(key)
+        nearer = page.run(view)
+        self.assertAlmostEqual(nearer[1] - nearer[0], 2_500_000, delta=1)
+        detail = page.run("[...document.querySelectorAll('#detail [data-key]')].map(e => [e.dataset.key, e.dataset.value])")
+        self.assertGreaterEqual(len(detail), 3)
+        documents = {"timing": document("analyze", self.robots["infantry"]),
+                     "simulation": document("simulate", self.robots["infantry"])}
+        for key, value in detail:
+            if not key.startswith("run#"):
+                self.assertEqual(json.loads(value), at(documents, key))
+        page.press("0")
+        self.assertEqual(page.run(view), whole)
+
+    def test_the_theme_changes_and_texts_keep_their_contrast(self):
+        for dark in (False, True):
+            page = self.open("finsrov", dark=dark)
+            before = page.run("getComputedStyle(document.body).backgroundColor")
+            self.assertEqual(page.run(CONTRASTS), [], "dark" if dark else "light")
+            page.run("document.querySelector('#theme').click()")
+            self.assertNotEqual(page.run("getComputedStyle(document.body).backgroundColor"), before)
+            self.assertEqual(page.run(CONTRASTS), [], "light" if dark else "dark")
+
+    def test_the_keyboard_reaches_everything(self):
+        page = self.open("finsrov")
+        reached = []
+        for _ in range(60):
+            page.press("Tab")
+            reached.append(page.run("(e => e.id || e.getAttribute('href') || e.tagName.toLowerCase())(document.activeElement)"))
+        for wanted in ("theme", "#chains", "button", "summary", "svg"):
+            self.assertIn(wanted, reached)
+        page.run("document.querySelector('.chain button').focus()")
+        page.press("Enter")
+        self.assertEqual(page.run("document.querySelector('.chain button').getAttribute('aria-pressed')"), "true")
+
+
+# Texts on the page with too little contrast to what is behind them, as [text, ratio].
+CONTRASTS = """(() => {
+  const canvas = document.createElement('canvas').getContext('2d', {willReadFrequently: true});
+  const numbers = (colour) => {
+    canvas.clearRect(0, 0, 1, 1); canvas.fillStyle = colour; canvas.fillRect(0, 0, 1, 1);
+    return [...canvas.getImageData(0, 0, 1, 1).data];
+  };
+  const light = ([r, g, b]) => [r, g, b].map((v) => v / 255).map((v) => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
+      .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+  const behind = (element) => {
+    for (let e = element; e; e = e.parentElement) {
+      const colour = numbers(getComputedStyle(e).backgroundColor);
+      if (colour[3] === 255) return colour;
+    }
+    return [255, 255, 255, 255];
+  };
+  const bad = [];
+  for (const element of document.querySelectorAll('body *')) {
+    const own = [...element.childNodes].some((node) => node.nodeType === 3 && node.textContent.trim() !== '');
+    if (!own || !element.checkVisibility() || element.closest('svg') || ['SCRIPT', 'STYLE'].includes(element.tagName)) continue;
+    const [a, b] = [light(numbers(getComputedStyle(element).color)), light(behind(element))];
+    const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    if (ratio < 4.5) bad.push([element.textContent.slice(0, 30), ratio]);
+  }
+  return bad;
+})()"""
+
+
+if __name__ == "__main__":
+    if program() is None:
+        print("skipped: needs Chromium")
+        sys.exit(77)
+    unittest.main(argv=[sys.argv[0]], verbosity=2)
