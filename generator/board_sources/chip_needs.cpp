@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "generator/board_sources/port_objects.hpp"
+#include "generator/descriptor/port_signals.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -52,20 +53,6 @@ std::optional<std::string> first_of(std::optional<std::string> one, std::optiona
 }
 
 }  // namespace
-
-const PortPin* signal_pin(const Port& port, std::string_view signal) {
-  for (const PortPin& pin : port.pins) {
-    if (pin.signal == signal) return &pin;
-  }
-  return nullptr;
-}
-
-const DmaStream* dma_for(const Port& port, std::string_view signal) {
-  for (const DmaStream& stream : port.dma) {
-    if (stream.signal == signal) return &stream;
-  }
-  return nullptr;
-}
 
 const InterruptLine* interrupt_ending(const Port& port, std::string_view ending) {
   for (const InterruptLine& line : port.interrupts) {

@@ -10,8 +10,6 @@
 namespace finemote::gen {
 
 /// Null: the port has none.
-const PortPin* signal_pin(const Port& port, std::string_view signal);
-const DmaStream* dma_for(const Port& port, std::string_view signal);
 const InterruptLine* interrupt_ending(const Port& port, std::string_view ending);
 /// The interrupt called as the port itself: `USART1`; null where there is none.
 const InterruptLine* own_interrupt(const Port& port);

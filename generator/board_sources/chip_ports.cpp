@@ -5,6 +5,7 @@
 #include <map>
 
 #include "generator/board_sources/chip_needs.hpp"
+#include "generator/descriptor/port_signals.hpp"
 #include "generator/emit/template.hpp"
 
 namespace finemote::gen {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "generator/xml/escape.hpp"
+
 namespace finemote::gen::ros2_control {
 namespace {
 
@@ -17,22 +19,6 @@ constexpr int kUsualPeriodMs = 10;
 
 bool has(const std::vector<std::string>& interfaces, std::string_view name) {
   return std::find(interfaces.begin(), interfaces.end(), name) != interfaces.end();
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
 }
 
 /// For a comment, which must not hold `--`.
@@ -161,7 +147,7 @@ class Writer {
     guess("      ", fmt::format("'{}' takes the command '{}': a CAN motor, its type and id", part.name, command));
     add(part, "dji_m3508",
         fmt::format("bus=\"motors_{}\" id=\"{}\" joint=\"{}\"", motors_ / kMotorsOfBus + 1, motors_ % kMotorsOfBus + 1,
-                    escaped(part.name)));
+                    xml::escaped(part.name)));
     ++motors_;
   }
 
@@ -178,7 +164,7 @@ class Writer {
     guess("      ", fmt::format("'{}' {}", part.name, because));
     add(part, type,
         fmt::format("bus=\"pulses_{}\" channel=\"{}\" joint=\"{}\"", outputs_ / kOutputsOfDriver + 1,
-                    outputs_ % kOutputsOfDriver, escaped(part.name)));
+                    outputs_ % kOutputsOfDriver, xml::escaped(part.name)));
     ++outputs_;
   }
 

@@ -14,11 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::chrono::seconds kLongestBuild{600};
 
-std::string cmake_list(const char* keyword, const std::vector<std::string>& values) {
-  if (values.empty()) return {};
-  std::string text = std::string(" ") + keyword;
-  for (const std::string& value : values) text += fmt::format(" [==[{}]==]", fs::absolute(value).generic_string());
-  return text;
+std::string cmake_list(const char* keyword, const std::vector<std::string>& paths) {
+  return paths.empty() ? std::string() : fmt::format(" {} {}", keyword, cmake_words(paths));
 }
 
 /// What a build said without its progress and its commands: what is left are the compiler's messages.
@@ -76,6 +73,13 @@ bool step(const std::vector<std::string>& command, const char* what, Diagnostics
 }
 
 }  // namespace
+
+std::string cmake_words(const std::vector<std::string>& paths) {
+  std::string text;
+  for (const std::string& path : paths)
+    text += fmt::format("{}[==[{}]==]", text.empty() ? "" : " ", fs::absolute(path).generic_string());
+  return text;
+}
 
 std::string project_text(const FirmwareRequest& request) {
   std::ostringstream project;

@@ -25,6 +25,9 @@ struct FirmwareRequest {
   std::vector<std::string> sources;       ///< and their sources
 };
 
+/// Words of a CMake list: each path absolute, in brackets that nothing in it ends.
+std::string cmake_words(const std::vector<std::string>& paths);
+
 /// The CMakeLists.txt of the work folder.
 std::string project_text(const FirmwareRequest& request);
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "generator/xml/escape.hpp"
+
 namespace finemote::gen::svg {
 
 // In pixels. A character of a monospaced font of 13 px is 0.6 of its size wide; 8 leaves room for wider ones.
@@ -17,8 +19,7 @@ struct Box {
   std::size_t x = 0, y = 0, width = 0, height = 0;
 };
 
-/// As text and as the value of an attribute in XML and HTML.
-std::string escaped(std::string_view text);
+using xml::escaped;  // of HTML, too
 
 /// How many characters of a monospaced font a text is wide: two for those of East Asian scripts.
 std::size_t columns(std::string_view text);

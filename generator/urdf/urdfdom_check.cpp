@@ -8,6 +8,8 @@
 #include <array>
 #include <exception>
 
+#include "generator/xml/escape.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -34,29 +36,11 @@ class CapturedConsole final : public console_bridge::OutputHandler {
   console_bridge::LogLevel level_;
 };
 
-void append_escaped(std::string& out, std::string_view value) {
-  for (const char c : value) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-}
-
 void append_element(std::string& out, const xml::Node& node) {
   out += '<' + node.name;
   for (const xml::Attribute& attribute : node.attributes) {
     out += ' ' + attribute.name + "=\"";
-    append_escaped(out, attribute.value);
+    xml::append_escaped(out, attribute.value);
     out += '"';
   }
   out += '>';
@@ -70,7 +54,7 @@ void append_element(std::string& out, const xml::Node& node) {
 std::string urdf_text(const xml::Node& robot) {
   std::string text = "<robot name=\"";
   const xml::Attribute* name = robot.attribute("name");
-  append_escaped(text, name != nullptr ? name->value : "");
+  xml::append_escaped(text, name != nullptr ? name->value : "");
   text += "\">\n";
   constexpr std::array<std::string_view, 3> kParts{"link", "joint", "material"};
   for (const xml::Node& child : robot.children) {

@@ -4,37 +4,12 @@
 
 #include <algorithm>
 
+#include "generator/xml/escape.hpp"
+
 namespace finemote::gen::xml {
 namespace {
 
 constexpr std::string_view kIndentStep = "  ";
-
-std::string_view reference_for(char c) {
-  switch (c) {
-    case '&':
-      return "&amp;";
-    case '<':
-      return "&lt;";
-    case '>':
-      return "&gt;";
-    case '"':
-      return "&quot;";
-    default:
-      return {};
-  }
-}
-
-void append_escaped(std::string& out, std::string_view text) {
-  std::size_t copied = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const std::string_view reference = reference_for(text[i]);
-    if (reference.empty()) continue;
-    out.append(text, copied, i - copied);
-    out += reference;
-    copied = i + 1;
-  }
-  out.append(text, copied);
-}
 
 class Writer {
  public:
