@@ -237,7 +237,7 @@ void I2c::request_stop() {
 
 void I2c::begin_stop() {
   go(State::stopping);
-  later(bits(1), &I2c::stop_done);
+  later(bits(1) + from_ns(world_.silicon().draw_or_zero(Meanness::i2c_stop)), &I2c::stop_done);
 }
 
 void I2c::stop_done() {

@@ -22,6 +22,8 @@ constexpr std::array<MeannessInfo, kMeannesses> kAll = {{
     {Meanness::i2c_pause, "i2c_pause", 0, 40, "us",
      "a more urgent interrupt takes so long between the clearing of ADDR and the STOP of a one-byte read",
      "RM0090 27.3.3: STOP is asked for just after ADDR is cleared"},
+    {Meanness::i2c_stop, "i2c_stop", 0, 800, "ns", "a STOP takes so much longer than a bit",
+     "UM10204, table 10: a rise of 300 ns in fast mode, which is part of the bit; half a microsecond is a choice"},
     {Meanness::can_init, "can_init", 0, 8'000, "us", "INAK follows INRQ so late",
      "RM0090 32.4.1 gives no time; ST's drivers allow 10 ms"},
     {Meanness::clock_ready, "clock_ready", 100, 1'000, "%", "start of crystal, PLL and LSI, of the typical time",

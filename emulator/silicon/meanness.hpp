@@ -15,6 +15,7 @@ enum class Meanness : std::uint8_t {
   spi_busy,     ///< BSY falls late
   spi_kept,     ///< an SPI that is turned off keeps the byte it was to send
   i2c_pause,    ///< a more urgent interrupt comes between ADDR and the STOP of a one-byte read
+  i2c_stop,     ///< a STOP comes late
   can_init,     ///< INAK comes late
   clock_ready,  ///< oscillators and the PLL take longer
   clock_rates,  ///< the watchdog's clock is off; those of board and parts are `run`'s to set
@@ -23,7 +24,7 @@ enum class Meanness : std::uint8_t {
   first_bytes,  ///< a receiver that is turned on hears noise
   ram_pattern,  ///< RAM holds anything at power-on
 };
-inline constexpr std::size_t kMeannesses = 12;
+inline constexpr std::size_t kMeannesses = 13;
 
 struct MeannessInfo {
   Meanness meanness;

@@ -24,7 +24,7 @@ Silicon Silicon::named(const std::vector<std::string>& names, std::uint64_t seed
 
 std::uint32_t Silicon::draw(Meanness way) {
   const MeannessInfo& info = meannesses()[index(way)];
-  if (exceeds_[index(way)]) return 100 * info.most;
+  if (fixed_[index(way)]) return *fixed_[index(way)];
   const std::uint64_t drawn = engines_[index(way)]();
   if (drawn % 4 == 0) return info.least;
   if (drawn % 4 == 1) return info.most;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -18,8 +19,13 @@ class Silicon {
   /// Two chips with the same ways and seed draw the same.
   Silicon(const std::vector<Meanness>& ways, std::uint64_t seed);
 
+  /// Makes the chip so by just this much, whatever the range.
+  void fix(Meanness way, std::uint32_t value) {
+    is_[index(way)] = true;
+    fixed_[index(way)] = value;
+  }
   /// Makes the chip worse than so: it draws a hundred times the end of the range.
-  void exceed(Meanness way) { exceeds_[index(way)] = true; }
+  void exceed(Meanness way) { fix(way, 100 * info_of(way).most); }
   /// The same by names. @throws std::invalid_argument for what is none
   static Silicon named(const std::vector<std::string>& names, std::uint64_t seed);
 
@@ -35,7 +41,8 @@ class Silicon {
  private:
   static constexpr std::size_t index(Meanness way) { return static_cast<std::size_t>(way); }
 
-  std::array<bool, kMeannesses> is_{}, exceeds_{};
+  std::array<bool, kMeannesses> is_{};
+  std::array<std::optional<std::uint32_t>, kMeannesses> fixed_;
   std::array<std::mt19937_64, kMeannesses> engines_;  ///< one each: what one draws does not depend on the others
 };
 

@@ -5,9 +5,11 @@
 #include <set>
 
 #include "catch.hpp"
+#include "tests/emulator/faults.hpp"
 #include "tests/emulator/fixture.hpp"
 
 using namespace finemote::emulator;
+using finemote::test::faults_of;
 
 namespace {
 
@@ -17,16 +19,6 @@ BoardOptions mean(const std::vector<Meanness>& ways, std::uint64_t seed) {
   BoardOptions options;
   options.silicon = Silicon(ways, seed);
   return options;
-}
-
-/// The faults the firmware has counted, as module * 256 + number.
-std::set<unsigned> faults_of(Board& board) {
-  std::set<unsigned> faults;
-  for (unsigned i = 0; i < 16; ++i) {
-    const std::uint32_t word = board.word("_ZN8finemote12_GLOBAL__N_17recordsE", 4 * i);
-    if (word != 0) faults.insert(word >> 16);
-  }
-  return faults;
 }
 
 bool has_reports(const Board& board) {
@@ -192,6 +184,7 @@ TEST_CASE("an exchange that is broken off leaves nothing for the next") {
   check("spi_kept", "spi", broken_spi_trouble);
 }
 TEST_CASE("the STOP of a one-byte read is in time") { check("i2c_pause", "mini", vehicle_trouble); }
+TEST_CASE("a STOP is waited for until it is out") { check("i2c_stop", "mini", vehicle_trouble); }
 TEST_CASE("a controller that takes its time to initialise is waited for") { check("can_init", "can", can_trouble); }
 TEST_CASE("slow oscillators are waited for") { check("clock_ready", "mini", vehicle_trouble); }
 TEST_CASE("the watchdog is fed in time however fast its clock is") { check("clock_rates", "mini", vehicle_trouble); }

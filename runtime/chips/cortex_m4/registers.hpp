@@ -48,6 +48,12 @@ namespace nvic {  // 4.3; `word` is line / 32
 inline void enable(unsigned line) {
   *reinterpret_cast<volatile std::uint32_t*>(0xE000E100U + 4 * (line / 32)) = bit(line % 32);
 }
+inline void disable(unsigned line) {  // 4.3.3
+  *reinterpret_cast<volatile std::uint32_t*>(0xE000E180U + 4 * (line / 32)) = bit(line % 32);
+}
+inline void clear_pending(unsigned line) {  // 4.3.5
+  *reinterpret_cast<volatile std::uint32_t*>(0xE000E280U + 4 * (line / 32)) = bit(line % 32);
+}
 inline volatile std::uint32_t& set_pending(unsigned word) {
   return *reinterpret_cast<volatile std::uint32_t*>(0xE000E200U + 4 * word);
 }

@@ -1,8 +1,9 @@
-// A wait for hardware that always ends.
+// Waits for hardware that always end.
 #pragma once
 
 #include <cstdint>
 
+#include "runtime/chips/cortex_m4/core.hpp"
 #include "runtime/chips/stm32f4/registers/register.hpp"
 
 namespace finemote::stm32f4 {
@@ -15,6 +16,19 @@ namespace finemote::stm32f4 {
     if ((status.read() & mask) == value) return true;
   }
   return false;
+}
+
+/// The same until `limit` cycles of the core have passed since the cycle count was `begin`: for interrupt routines,
+/// whose waits the timing analysis charges. Looks once at least. Where the cycle count stands still it ends by the
+/// number of its turns.
+/// @return false when they have not by then
+[[nodiscard]] inline bool wait_within(const Register& status, std::uint32_t mask, std::uint32_t value,
+                                      std::uint32_t begin, std::uint32_t limit) {
+  constexpr std::uint32_t kTurn = 8;  // cycles, at least: two loads, of which one over a peripheral bus, and a branch
+  for (std::uint32_t turns = limit / kTurn;; --turns) {
+    if ((status.read() & mask) == value) return true;
+    if (turns == 0 || cortex_m4::cycles() - begin >= limit) return false;
+  }
 }
 
 }  // namespace finemote::stm32f4

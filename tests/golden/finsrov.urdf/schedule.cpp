@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 222100, finemote::kNothingToBound, nullptr},  // imu
-    {1, 627298, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 625008, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 622718, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 620428, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 618137, 30734063, &rov::thruster_1.command},  // thruster_1
-    {1, 614047, 30727883, &rov::thruster_2.command},  // thruster_2
-    {1, 609957, 30723793, &rov::thruster_3.command},  // thruster_3
-    {1, 592396, 30719703, &rov::thruster_4.command},  // thruster_4
-    {1, 588306, 30713522, &rov::thruster_5.command},  // thruster_5
-    {1, 582126, 30709432, &rov::thruster_6.command},  // thruster_6
-    {1, 578035, 30693962, &rov::thruster_7.command},  // thruster_7
-    {1, 573945, 30689872, &rov::thruster_8.command},  // thruster_8
-    {1, 569855, finemote::kNothingToBound, nullptr},  // rov
+    {0, 233690, finemote::kNothingToBound, nullptr},  // imu
+    {1, 649389, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 647099, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 644809, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 642519, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 640229, 30770546, &rov::thruster_1.command},  // thruster_1
+    {1, 636138, 30766455, &rov::thruster_2.command},  // thruster_2
+    {1, 629958, 30760275, &rov::thruster_3.command},  // thruster_3
+    {1, 625868, 30747994, &rov::thruster_4.command},  // thruster_4
+    {1, 621778, 30743904, &rov::thruster_5.command},  // thruster_5
+    {1, 617687, 30739814, &rov::thruster_6.command},  // thruster_6
+    {1, 613597, 30735724, &rov::thruster_7.command},  // thruster_7
+    {1, 594736, 30729544, &rov::thruster_8.command},  // thruster_8
+    {1, 590646, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 151460, finemote::kNothingToBound, nullptr},  // imu
-    {0, 146670, 28554116, &gimbal::yaw.command},  // yaw
-    {0, 140262, 28547708, &gimbal::pitch.command},  // pitch
-    {1, 171699, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 243431, 26650777, &chassis::front_left.command},  // front_left
-    {2, 237940, 26645286, &chassis::front_right.command},  // front_right
-    {2, 232450, 26639796, &chassis::rear_left.command},  // rear_left
-    {2, 216139, 26623485, &chassis::rear_right.command},  // rear_right
-    {2, 210649, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 280509, finemote::kNothingToBound, nullptr},  // remote
+    {0, 158660, finemote::kNothingToBound, nullptr},  // imu
+    {0, 153870, 28571516, &gimbal::yaw.command},  // yaw
+    {0, 147462, 28565108, &gimbal::pitch.command},  // pitch
+    {1, 178899, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 252231, 26669777, &chassis::front_left.command},  // front_left
+    {2, 246741, 26664287, &chassis::front_right.command},  // front_right
+    {2, 241251, 26658797, &chassis::rear_left.command},  // rear_left
+    {2, 235760, 26653306, &chassis::rear_right.command},  // rear_right
+    {2, 217849, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 289609, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

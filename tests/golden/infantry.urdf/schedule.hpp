@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 144.72 us of its release.
+/// a job ends within 151.92 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 157.898 us of its release.
+/// a job ends within 165.099 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 205.289 us of its release.
+/// a job ends within 212.489 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 247.507 us of its release.
+/// a job ends within 256.607 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{141860, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{139169, 28546615, 29043277};
-inline constexpr finemote::Bounds pitch{134861, 28542307, 29043278};
-inline constexpr finemote::Bounds gimbal{157898, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{203809, 26611155, 27103747};
-inline constexpr finemote::Bounds front_right{200419, 26607765, 27103747};
-inline constexpr finemote::Bounds rear_left{197028, 26604374, 27103746};
-inline constexpr finemote::Bounds rear_right{193638, 26600984, 27103747};
-inline constexpr finemote::Bounds chassis{190248, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{247507, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{149060, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{146370, 28564016, 29076179};
+inline constexpr finemote::Bounds pitch{142062, 28559708, 29076179};
+inline constexpr finemote::Bounds gimbal{165099, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{211009, 26628555, 27136648};
+inline constexpr finemote::Bounds front_right{207619, 26625165, 27136648};
+inline constexpr finemote::Bounds rear_left{204229, 26621775, 27136648};
+inline constexpr finemote::Bounds rear_right{200839, 26618385, 27136648};
+inline constexpr finemote::Bounds chassis{197448, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{256607, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

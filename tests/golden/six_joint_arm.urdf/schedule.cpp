@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 284761, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 190338, 28914323, &arm::base.command},  // base
-    {0, 184848, 28908833, &arm::shoulder.command},  // shoulder
-    {0, 179357, 28903342, &arm::elbow.command},  // elbow
-    {0, 173867, 28897852, &arm::wrist_roll.command},  // wrist_roll
-    {0, 168377, 28892362, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 162887, 28886872, &arm::flange.command},  // flange
-    {0, 157396, finemote::kNothingToBound, nullptr},  // arm
+    {1, 298351, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 202029, 28932714, &arm::base.command},  // base
+    {0, 192048, 28922733, &arm::shoulder.command},  // shoulder
+    {0, 186558, 28917243, &arm::elbow.command},  // elbow
+    {0, 181068, 28911753, &arm::wrist_roll.command},  // wrist_roll
+    {0, 175577, 28906262, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 170087, 28900772, &arm::flange.command},  // flange
+    {0, 164597, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

@@ -29,7 +29,8 @@ constexpr std::uint8_t kPriority = cortex_m4::kBusPriority;
 /// The present frame must end first: 130 bits at 125 kbit/s are 1 ms, and ST's drivers allow 10 ms. A poll takes at
 /// least 6 cycles at 168 MHz.
 constexpr std::uint32_t kInitPolls = 280'000;
-constexpr std::uint32_t kReleasePolls = 50;
+/// A few clocks of APB1, RM0090 32.9.2, RFOM; these are sixteen.
+constexpr std::uint32_t kReleaseLimit = 16 * (cortex_m4::kCoreHz / stm32f4::kApb1Hz);
 
 // A bit is 14 quanta of the 42 MHz clock divided: one to synchronise, 10, 3; sample point 78.6 %.
 constexpr std::uint32_t kSegment1 = 10, kSegment2 = 3, kQuanta = 1 + kSegment1 + kSegment2;
@@ -217,7 +218,7 @@ void CanHardware::on_receive() {
     put_word(frame.data, registers.received(2).read());
     put_word(frame.data + 4, registers.received(3).read());
     registers.rf0r().write(can::kRelease);
-    static_cast<void>(wait_for(registers.rf0r(), can::kRelease, 0, kReleasePolls));  // a few bus cycles
+    static_cast<void>(stm32f4::wait_within(registers.rf0r(), can::kRelease, 0, cortex_m4::cycles(), kReleaseLimit));
     if ((identifier & can::kExtendedOrRemote) == 0) bus->on_frame(frame, interrupt.event());
   }
   stm32f4::settle(registers.mcr());

@@ -31,8 +31,32 @@ enum class I2cFault : std::uint8_t {
 constexpr std::uint8_t kPriority = cortex_m4::kSlowBusPriority;
 constexpr std::uint32_t kCyclesPerUs = cortex_m4::kCoreHz / 1'000'000;
 
-/// A STOP takes less than two bit times. One poll takes at least 6 cycles.
-std::uint32_t stop_polls(std::uint32_t clock_hz) { return 2 * (cortex_m4::kCoreHz / clock_hz) / 6 + 1; }
+/// How the driver makes a clock, RM0090 27.6.8 and 27.6.9. Fast mode: low twice as long as high, rise time 300 ns;
+/// standard mode: half and half, rise time 1000 ns, and not the range 88 to 100 kHz (ES0182, set-up time of a repeated
+/// START).
+struct BitTiming {
+  bool is_fast;
+  std::uint32_t count;    ///< CCR: of the bus' clock, for each of the parts of a bit
+  std::uint32_t parts;    ///< of a bit
+  std::uint32_t rise_ns;  ///< UM10204, table 10
+};
+
+BitTiming bit_timing(std::uint32_t clock_hz) {
+  if (clock_hz > 100'000) return {true, (kApb1Hz + 3 * clock_hz - 1) / (3 * clock_hz), 3, 300};
+  const std::uint32_t safe_hz = clock_hz > 87'000 ? 87'000 : clock_hz;
+  return {false, (kApb1Hz + 2 * safe_hz - 1) / (2 * safe_hz), 2, 1000};
+}
+
+/// For how long a STOP is waited for. It is the end of a bit: the low part of the clock, its rise, and the set-up time
+/// of the STOP, which the peripheral makes as long as the high part (UM10204, table 10: t_LOW, t_r, t_SU;STO; in fast
+/// mode 1.3, 0.3 and 0.6 us at least). Until the flag shows it, a few clocks of APB1 go by; half a microsecond is 21.
+/// Nothing but a part that holds the clock low behind the last acknowledge makes it later. No part that ships with
+/// FineMote does; UM10204 3.1.9 sets no limit to one that would, so it is not waited for: what it costs is known.
+std::uint32_t stop_limit(const BitTiming& timing) {
+  constexpr std::uint32_t kSeen_ns = 500;
+  return timing.count * timing.parts * (cortex_m4::kCoreHz / kApb1Hz) +
+         (timing.rise_ns + kSeen_ns) * kCyclesPerUs / 1000;
+}
 
 /// Half a bit of the recovery clock: 100 kHz.
 constexpr std::uint32_t kHalfBit = 5 * kCyclesPerUs;
@@ -43,18 +67,9 @@ void wait_cycles(std::uint32_t count) {
   for (std::uint32_t turns = count; turns != 0 && cortex_m4::cycles() - from < count; --turns) {}
 }
 
-/// CCR and TRISE, RM0090 27.6.8 and 27.6.9. Fast mode: low twice as long as high, rise time 300 ns; standard mode:
-/// half and half, rise time 1000 ns, and not the range 88 to 100 kHz (ES0182, set-up time of a repeated START).
-void set_clock(const stm32f4::I2cRegisters& registers, std::uint32_t clock_hz) {
-  constexpr std::uint32_t kMhz = kApb1Hz / 1'000'000;
-  if (clock_hz > 100'000) {
-    registers.ccr().write(i2c::kFastMode | ((kApb1Hz + 3 * clock_hz - 1) / (3 * clock_hz)));
-    registers.trise().write(kMhz * 300 / 1000 + 1);
-    return;
-  }
-  const std::uint32_t safe_hz = clock_hz > 87'000 ? 87'000 : clock_hz;
-  registers.ccr().write((kApb1Hz + 2 * safe_hz - 1) / (2 * safe_hz));
-  registers.trise().write(kMhz + 1);
+void set_clock(const stm32f4::I2cRegisters& registers, const BitTiming& timing) {
+  registers.ccr().write((timing.is_fast ? i2c::kFastMode : 0) | timing.count);
+  registers.trise().write(kApb1Hz / 1'000'000 * timing.rise_ns / 1000 + 1);
 }
 
 }  // namespace
@@ -66,14 +81,14 @@ void I2cHardware::set_up() {
   setup.i2c.cr1().write(i2c::kSoftwareReset);  // releases the lines and forgets a misplaced STOP: ES0182
   setup.i2c.cr1().write(0);
   setup.i2c.cr2().write(kApb1Hz / 1'000'000 | i2c::kErrorInterrupt | i2c::kEventInterrupt);
-  set_clock(setup.i2c, clock_hz);
+  set_clock(setup.i2c, bit_timing(clock_hz));
   setup.i2c.cr1().write(i2c::kOn);
 }
 
 void I2cPort::configure(std::int64_t clock_hz, I2cBus& bus) {
   hardware_->bus = &bus;
   hardware_->clock_hz = static_cast<std::uint32_t>(clock_hz);
-  hardware_->stop_polls = stop_polls(hardware_->clock_hz);
+  hardware_->stop_limit = stop_limit(bit_timing(hardware_->clock_hz));
   rcc::enable(rcc::apb1enr, hardware_->setup.clock_bit);
   hardware_->set_up();
   cortex_m4::enable_line(hardware_->setup.event_line, kPriority);
@@ -90,9 +105,7 @@ void I2cPort::begin(const I2cMessage& message) {
   hardware_->active = true;
   // CR1 must not be written while a STOP is pending: RM0090 27.6.1, note on STOP.
   // Where it stays, the exchange does not begin, and its deadline recovers the bus.
-  if (!stm32f4::wait_for(registers.cr1(), i2c::kStop, 0, hardware_->stop_polls)) {
-    return count_fault(Module::i2c, static_cast<std::uint8_t>(I2cFault::stop_late));
-  }
+  if (!hardware_->has_stopped()) return;
   registers.cr1().write(i2c::kOn | i2c::kStart);
 }
 
@@ -134,8 +147,25 @@ I2cPort::Recovery I2cPort::recover(unsigned step) {
   return Recovery::kFree;
 }
 
+/// Waits for the STOP of the exchange that ended last.
+bool I2cHardware::has_stopped() const {
+  if (stm32f4::wait_within(setup.i2c.cr1(), i2c::kStop, 0, finished_at, stop_limit)) return true;
+  count_fault(Module::i2c, static_cast<std::uint8_t>(I2cFault::stop_late));
+  return false;
+}
+
+/// The routine that ends an exchange waits for its STOP, whether another one begins or not: a request, which comes at
+/// any time, then finds the bus free. The wait is charged to the end of an exchange, and to nothing else.
+void I2cHardware::hand_on(I2cEvent event) {
+  bus->on_interrupt(event);
+  if (event != I2cEvent::kNone && !active) static_cast<void>(has_stopped());
+  stm32f4::settle(setup.i2c.cr1());
+}
+
+/// The STOP was asked for just now; of a byte that is read alone, when it began, and is due behind it.
 I2cEvent I2cHardware::finish(I2cEvent event) {
   active = false;
+  finished_at = cortex_m4::cycles();
   setup.i2c.cr2().clear(i2c::kBufferInterrupt);
   return event;
 }
@@ -232,10 +262,7 @@ I2cEvent I2cHardware::step() {
   return reading ? read_on(status) : write_on(status);
 }
 
-void I2cHardware::on_event() {
-  bus->on_interrupt(step());
-  stm32f4::settle(setup.i2c.cr1());
-}
+void I2cHardware::on_event() { hand_on(step()); }
 
 void I2cHardware::on_error() {
   const stm32f4::I2cRegisters& registers = setup.i2c;
@@ -249,8 +276,7 @@ void I2cHardware::on_error() {
     registers.cr1().write(i2c::kOn | i2c::kStop);
     event = finish(I2cEvent::kNack);
   }
-  bus->on_interrupt(event);
-  stm32f4::settle(registers.cr1());
+  hand_on(event);
 }
 
 }  // namespace finemote

@@ -28,7 +28,8 @@ struct I2cHardware {
   bool reading = false;     ///< the present phase
   bool active = false;      ///< an exchange is under way
   std::uint32_t clock_hz = 0;
-  std::uint32_t stop_polls = 0;  ///< after which a STOP is given up
+  std::uint32_t stop_limit = 0;   ///< of the wait for a STOP, from finished_at on [cycles]
+  std::uint32_t finished_at = 0;  ///< end of the last exchange [cycles]
 
   /// The routines of its lines. Context: interrupt.
   void on_event();
@@ -36,8 +37,10 @@ struct I2cHardware {
 
   void set_up();
   [[nodiscard]] I2cEvent step();
+  [[nodiscard]] bool has_stopped() const;
 
  private:
+  void hand_on(I2cEvent event);
   I2cEvent finish(I2cEvent event);
   void send_address();
   I2cEvent address_sent();

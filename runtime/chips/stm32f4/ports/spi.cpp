@@ -8,6 +8,7 @@
 #include "runtime/chips/cortex_m4/core.hpp"
 #include "runtime/chips/stm32f4/interrupt.hpp"
 #include "runtime/chips/stm32f4/ports/spi_hardware.hpp"
+#include "runtime/chips/stm32f4/ports/stop_stream.hpp"
 #include "runtime/chips/stm32f4/registers/clock.hpp"
 #include "runtime/chips/stm32f4/wait.hpp"
 
@@ -30,11 +31,14 @@ enum class SpiFault : std::uint8_t {
 };
 
 constexpr std::uint8_t kPriority = cortex_m4::kSlowBusPriority;
-constexpr std::uint32_t kStopPolls = 1'000, kSlowest = 7;
+constexpr std::uint32_t kSlowest = 7, kCyclesPerUs = cortex_m4::kCoreHz / 1'000'000;
 
-/// The last byte is in, so at most a bit of the slowest clock is left, 512 cycles of the core at APB1 (42 MHz / 256:
-/// 1024); a poll takes at least 6.
-constexpr std::uint32_t kBusyPolls = 2 * 1'024 / 6;
+/// For how long the end of the clock is waited for. The last bit is sampled (RM0090 28.3.3, figure 248): of its clock
+/// half a period is left at most, and BSY falls with the period's end. A bit is waited for, and half a microsecond
+/// until the flag shows it: synchronising takes a few clocks of the bus. Nobody but the master makes the clock.
+std::uint32_t busy_limit(std::uint32_t clock_hz, std::uint32_t divider) {
+  return (cortex_m4::kCoreHz / clock_hz << (divider + 1)) + kCyclesPerUs / 2;
+}
 
 std::uint32_t address_of(const void* bytes) {
   return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(bytes));
@@ -51,11 +55,7 @@ std::uint32_t divider_for(std::uint32_t clock_hz, std::uint32_t wanted_hz) {
 }
 
 void stop_stream(const stm32f4::DmaStream& stream) {
-  stream.cr().clear(dma::kEnable);
-  if (!stm32f4::wait_for(stream.cr(), dma::kEnable, 0, kStopPolls)) {
-    count_fault(Module::spi, static_cast<std::uint8_t>(SpiFault::dma_stuck));
-  }
-  stream.clear_flags(dma::kFlagsAll);
+  if (!stm32f4::stop(stream)) count_fault(Module::spi, static_cast<std::uint8_t>(SpiFault::dma_stuck));
 }
 
 void start_stream(const stm32f4::DmaStream& stream, std::uint32_t peripheral, const void* memory, std::uint32_t count,
@@ -86,6 +86,7 @@ void SpiPort::configure(std::int64_t clock_hz, SpiBus& bus) {
     rcc::enable(rcc::ahb1enr, setup.receive.controller == dma::kController1 ? rcc::kAhb1Dma1 : rcc::kAhb1Dma2);
   }
   hardware_->divider = divider_for(setup.clock_hz, static_cast<std::uint32_t>(clock_hz));
+  hardware_->busy_limit = busy_limit(setup.clock_hz, hardware_->divider);
   cortex_m4::enable_line(setup.line, kPriority);
 }
 
@@ -128,7 +129,7 @@ void SpiHardware::release_bus() const {
 /// The end of an exchange, RM0090 28.3.8: the last byte is in; what is left is the last edge of the clock.
 void SpiHardware::stop() const {
   constexpr std::uint32_t kIdle = spi::kTransmitEmpty;
-  if (!stm32f4::wait_for(setup.spi.sr(), spi::kTransmitEmpty | spi::kBusy, kIdle, kBusyPolls)) {
+  if (!stm32f4::wait_within(setup.spi.sr(), spi::kTransmitEmpty | spi::kBusy, kIdle, cortex_m4::cycles(), busy_limit)) {
     count_fault(Module::spi, static_cast<std::uint8_t>(SpiFault::busy));
     return reset();
   }
@@ -140,10 +141,8 @@ void SpiHardware::stop() const {
 /// reset makes sure that it does not.
 void SpiHardware::reset() const {
   release_bus();
-  const stm32f4::Register reset = rcc::reset_of(setup.clock_enable);
   const cortex_m4::Masked masked;  // other ports share the register
-  reset.set(setup.clock_bit);
-  reset.clear(setup.clock_bit);
+  rcc::restart(setup.clock_enable, setup.clock_bit);
 }
 
 /// Receiving is started before sending, so that no byte is missed: RM0090 28.3.9.

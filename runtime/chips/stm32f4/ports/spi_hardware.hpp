@@ -40,7 +40,8 @@ struct SpiHardware {
   stm32f4::SpiBuffers& buffers;
 
   SpiBus* bus = nullptr;
-  std::uint32_t divider = 7;  ///< field of CR1
+  std::uint32_t divider = 7;     ///< field of CR1
+  std::uint32_t busy_limit = 0;  ///< of the wait for the end of the clock [cycles]
   SpiMessage message{};
   std::uint16_t moved = 0;
   bool active = false;

@@ -3,9 +3,9 @@
 #include "runtime/chips/cortex_m4/core.hpp"
 #include "runtime/chips/cortex_m4/urgent_interrupt.hpp"
 #include "runtime/chips/stm32f4/interrupt.hpp"
+#include "runtime/chips/stm32f4/ports/stop_stream.hpp"
 #include "runtime/chips/stm32f4/ports/uart_hardware.hpp"
 #include "runtime/chips/stm32f4/registers/clock.hpp"
-#include "runtime/chips/stm32f4/wait.hpp"
 
 namespace finemote {
 namespace {
@@ -23,9 +23,6 @@ enum class UartFault : std::uint8_t {
 
 constexpr std::uint8_t kPriority = cortex_m4::kBusPriority;
 
-/// A stream stops within one transfer (RM0090 10.3.17): far below this.
-constexpr std::uint32_t kStopPolls = 1'000;
-
 /// The DMA counts a byte when it has read it, and memory has it later. Nobody gives a figure; taken as 64 cycles: seven
 /// other streams of the controller come first (AN4031 2.1), eight cycles each. A turn of the wait takes at least three.
 constexpr std::uint32_t kStoreTurns = 22;
@@ -42,11 +39,7 @@ std::uint32_t stop_bits(UartFormat format) {
 }
 
 void stop_stream(const stm32f4::DmaStream& stream) {
-  stream.cr().clear(dma::kEnable);
-  if (!stm32f4::wait_for(stream.cr(), dma::kEnable, 0, kStopPolls)) {
-    count_fault(Module::uart, static_cast<std::uint8_t>(UartFault::dma_stuck));
-  }
-  stream.clear_flags(dma::kFlagsAll);
+  if (!stm32f4::stop(stream)) count_fault(Module::uart, static_cast<std::uint8_t>(UartFault::dma_stuck));
 }
 
 std::uint32_t address_of(const std::uint8_t* bytes) {

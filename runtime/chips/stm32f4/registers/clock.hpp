@@ -39,6 +39,14 @@ inline void enable(const Register& enable_register, std::uint32_t bits) {
 
 /// The reset register that goes with an enable register: the same bits, RM0090 7.3.5 to 7.3.14.
 constexpr Register reset_of(const Register& enable_register) { return Register{enable_register.address() - 0x20}; }
+
+/// Puts peripherals of one enable register back into the state after a reset. Not interruptible by whoever resets
+/// another one of that register.
+inline void restart(const Register& enable_register, std::uint32_t bits) {
+  const Register reset = reset_of(enable_register);
+  reset.set(bits);
+  reset.clear(bits);
+}
 }  // namespace rcc
 
 /// FLASH, RM0090 3.9.
