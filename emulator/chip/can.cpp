@@ -9,6 +9,7 @@ constexpr std::uint32_t kTransmitInterrupt = 1, kReceiveInterrupt = 2, kFullInte
                         kCodeInterrupt = 1U << 11, kErrorInterrupt = 1U << 15;
 constexpr std::uint32_t kKnownInterrupts = 0x7F | kWarningInterrupt | kPassiveInterrupt | kBusOffInterrupt |
                                            kCodeInterrupt | kErrorInterrupt | 1U << 16 | 1U << 17;
+constexpr std::uint32_t kLoopBack = 1U << 30, kSilent = 1U << 31, kSelfTest = kLoopBack | kSilent;   // BTR: 32.4.4
 constexpr std::uint32_t kWarning = 1, kPassive = 2, kBusOff = 4;                                     // ESR: 32.9.2
 constexpr std::uint32_t kNotAcknowledged = 3U << 4, kRecessiveWrong = 4U << 4, kLastCode = 7U << 4;  // ESR.LEC
 
@@ -29,13 +30,19 @@ Can::Can(World& world, std::string name, Lines lines, CanFilters& filters, bool 
          std::function<std::uint32_t()> clock_hz)
     : Peripheral(world, std::move(name)),
       line(world),
+      own_(world),
       lines_(lines),
       filters_(filters),
       second_(second),
       clock_hz_(std::move(clock_hz)) {
-  line.attach(CanLine::Node{[this] { return next(); },
-                            [this](const CanFrame& f, CanOutcome outcome) { sent(f, outcome); },
-                            [this](const CanFrame& f) { received(f); }});
+  const auto tell = [this](const CanFrame& f, CanOutcome outcome) { sent(f, outcome); };
+  const auto take = [this](const CanFrame& f) { received(f); };
+  line.attach(CanLine::Node{[this] { return tests_itself() ? std::nullopt : next(); }, tell,
+                            [this, take](const CanFrame& f) {
+                              if (!tests_itself()) take(f);
+                            }});
+  own_.attach(CanLine::Node{[this] { return tests_itself() ? next() : std::nullopt; }, tell, {}});
+  own_.attach(CanLine::Node{{}, {}, take});  // itself
   reset();
 }
 
@@ -63,6 +70,9 @@ void Can::update() {
   }
   world_.set_line(lines_.error, (ier_ & kErrorInterrupt) != 0 && error_flag_);
 }
+
+/// Loop-back combined with silent mode: what it sends it hears inside, and the bus neither hears nor disturbs it.
+bool Can::tests_itself() const { return (btr_ & kSelfTest) == kSelfTest; }
 
 std::uint32_t Can::bitrate() const {
   const std::uint32_t quanta = 1 + ((btr_ >> 16 & 0xF) + 1) + ((btr_ >> 20 & 7) + 1);
@@ -136,11 +146,11 @@ std::uint32_t Can::error_status() const {
 
 /// Back on the bus after 128 times eleven recessive bits: RM0090 32.7.6.
 void Can::recover() {
-  world_.after(128 * 11 * line.bit_time(), [this] {
+  world_.after(128 * 11 * wire().bit_time(), [this] {
     if (initialising_) return;
     esr_ &= ~4U;
     transmit_errors_ = 0;
-    line.request();
+    wire().request();
   });
 }
 
@@ -172,8 +182,8 @@ void Can::write_mcr(std::uint32_t value) {
   if ((value & kInit) != 0) return;
   initialising_ = (value & kSleep) != 0;
   if (!was || initialising_) return;
-  line.set_bitrate(bitrate());
-  bus_off() ? recover() : line.request();
+  wire().set_bitrate(bitrate());
+  bus_off() ? recover() : wire().request();
 }
 
 /// At once, or as late as the chip is; nothing comes of a request that is taken back before.
@@ -261,7 +271,7 @@ void Can::write_mailbox(unsigned index, unsigned word, std::uint32_t value) {
   mailbox.waiting = true;
   mailbox.request = ++requests_;
   completed_ &= ~(0xFU << (8 * index));  // a request to transmit clears it: RM0090 32.9.2
-  line.request();
+  wire().request();
 }
 
 void Can::write_transmit_status(std::uint32_t value) {
@@ -314,7 +324,9 @@ void Can::write(std::uint32_t offset, std::uint32_t value) {
     case 0x1C:
       if ((mcr_ & kInit) == 0)
         world_.report(Misuse::protocol, name() + " bit timing is written outside the initialisation mode");
-      only(value, 0x037F03FF, "BTR");
+      only(value, 0x037F03FF | kSelfTest, "BTR");
+      if ((value & kSelfTest) == kLoopBack || (value & kSelfTest) == kSilent)
+        world_.report(Misuse::unmodelled, name() + " loop-back without silent mode, or that without loop-back");
       btr_ = value;
       break;
     default:

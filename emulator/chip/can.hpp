@@ -65,8 +65,11 @@ class Can : public Peripheral {
   [[nodiscard]] std::uint32_t error_status() const;
   void note_error();
   [[nodiscard]] std::uint32_t bitrate() const;
+  [[nodiscard]] bool tests_itself() const;
+  CanLine& wire() { return tests_itself() ? own_ : line; }
   void update();
 
+  CanLine own_;  ///< from its output to its input, inside
   Lines lines_;
   CanFilters& filters_;
   bool second_;

@@ -75,6 +75,7 @@ BoardOptions options_of(const WatchOptions& options) {
 bool watch(const WatchOptions& options, std::ostream& out) {
   const Setting setting = read_setting(options);
   Board board(wiring_of(options, setting), options_of(options));
+  board.chip().rcc.dead_crystal = options.dead_crystal;
   Outfit outfit(board);
   board.load(load_image(options.image));
   outfit.add(setting.parts);

@@ -14,6 +14,7 @@ struct WatchOptions {
   std::string scenario;  ///< a document finemote.scenario/1; empty: nothing else hangs on the board
   std::uint64_t duration_ns = 1'000'000'000;  ///< from power-on; events of the scenario lengthen it
   std::uint32_t crystal_hz = 0;               ///< 0: the board's; of the bare chip 12 MHz
+  bool dead_crystal = false;                  ///< it never starts
   bool flash_misses = false;
   std::vector<std::string> silicon;  ///< in what the chip is meaner: names of emulator/silicon/meanness.hpp
   std::uint64_t seed = 1;            ///< and how much

@@ -31,6 +31,8 @@ bool read_duration(const std::string& word, WatchOptions& options) {
 }
 
 bool read_crystal(const std::string& word, WatchOptions& options) {
+  options.dead_crystal = word == "dead";
+  if (options.dead_crystal) return true;
   const auto hz = number(word, 8);
   if (hz) options.crystal_hz = static_cast<std::uint32_t>(*hz);
   return hz.has_value();
@@ -72,7 +74,7 @@ constexpr Row kRows[] = {
     {"--duration", "TIME", "from power-on, 1s if absent: 500ms, 2s; a bare number counts ms", read_duration},
     {"--scenario", "FILE", "parts, events and expectations",
      [](const std::string& word, WatchOptions& o) { return o.scenario = word, true; }},
-    {"--crystal", "HZ", "frequency of the crystal; the board's if absent", read_crystal},
+    {"--crystal", "HZ|dead", "frequency of the crystal, or that it never starts; the board's if absent", read_crystal},
     {"--flash", "hit|miss", "fetches hit the flash accelerator, or miss it always",
      [](const std::string& word, WatchOptions& o) { return read_choice(word, "miss", "hit", o.flash_misses); }},
     {"--silicon", "WAYS", "strict, or strict:NAME,.. for a chip that is meaner than its manual reads", read_silicon},

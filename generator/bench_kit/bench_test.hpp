@@ -13,7 +13,6 @@ enum class Ground : std::uint8_t {
   data_sheet,  ///< limits the maker states
   manual,      ///< what the reference manual says happens
   board_file,  ///< the board's wiring and clocks
-  proven,      ///< follows from an analysis of the image
   measured,    ///< on the emulated board, whose times come from instruction counts
   declared,    ///< by whoever described the robot
   assumed,     ///< written down, and believed
@@ -27,9 +26,9 @@ struct BenchTest {
   std::string name;   ///< `clock.core_hz`: subject, then what is counted and its unit
   std::int64_t least = 0, most = 0;
   Ground ground = Ground::assumed;
-  std::string source;       ///< of the expectation, for people
-  std::string jumper = {};  ///< name of the jumper it needs, `J1`; empty: none
-  bool is_judged = true;    ///< false: measured, and nothing is claimed of it
+  std::string source;      ///< of the expectation, for people
+  std::string needs = {};  ///< what a bare board lacks for it: `jumper J1`; empty: nothing
+  bool is_judged = true;   ///< false: measured, and nothing is claimed of it
 };
 
 }  // namespace finemote::gen

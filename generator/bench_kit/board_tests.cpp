@@ -1,8 +1,11 @@
 #include "generator/bench_kit/board_tests.hpp"
 
+#include "generator/bench_kit/bench_ports.hpp"
+
 namespace finemote::gen {
 namespace {
 
+using namespace bench_ports;
 using Tests = std::vector<BenchTest>;
 
 /// `value`, and so many parts per million to both sides.
@@ -72,9 +75,20 @@ Tests tests_of_core(const Board& board) {
   };
 }
 
+constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+constexpr std::int64_t kRise = 300;  // ns, of SCL in fast mode: UM10204, table 10
+
+/// At 400 kHz, three counts a bit; without the rise of the line.
+std::int64_t i2c_bit_ns(const Board& board) {
+  constexpr std::int64_t kParts = 3, kRate = 400'000;
+  const std::int64_t clock = *board.port(kCompass)->clock_hz;
+  return clock / (kParts * kRate) * kParts * kNsPerSecond / clock;
+}
+
 /// What the drivers do not rely on: each is a way in which a chip may be meaner than its manual reads.
-Tests tests_of_buses() {
+Tests tests_of_buses(const Board& board) {
   constexpr std::int64_t kPoll = 1'000, kFrame = 200'000;  // ns: half a bit at 328 kHz is 1.5 us; a frame at 1 Mbit/s
+  constexpr std::int64_t kSeen = 200;                      // ns: a turn of the loop that looks, and four clocks of APB1
   return {
       exactly("serial", "serial.bytes_of_noise", 0, Ground::manual, "RM0090 30.3.3: an idle line brings nothing"),
       at_most("spi", "spi.busy_after_last_byte_ns", kPoll, Ground::manual, "RM0090 28.3.7, read as if at once"),
@@ -82,6 +96,8 @@ Tests tests_of_buses() {
       exactly("spi", "dma.bytes_behind_count", 0, Ground::manual, "RM0090 10.3.14, read as if at once"),
       exactly("spi", "dma.flags_behind_count", 0, Ground::manual, "RM0090 10.3.14, read as if at once"),
       exactly("i2c", "i2c.late_stops", 0, Ground::manual, "RM0090 27.3.3"),
+      at_most("i2c", "i2c.stop_ns", i2c_bit_ns(board) + kRise + kSeen, Ground::manual,
+              "RM0090 27.3.3 and UM10204, table 10: low phase, rise and set-up time are a bit"),
       at_most("can", "can.initialisation_ns", kFrame, Ground::assumed,
               "RM0090 32.4.1 has no time; nothing is on the bus, so at most one frame's"),
   };
@@ -89,58 +105,47 @@ Tests tests_of_buses() {
 
 /// `bits` at the rate that a divider makes of the port's clock, to half a percent; over a jumper.
 BenchTest wire_time(const char* group, const char* name, const Port& port, std::int64_t bits, std::int64_t divider,
-                    const char* jumper) {
-  constexpr std::int64_t kNsPerSecond = 1'000'000'000, kTolerated = 5'000;  // ppm
+                    const char* needs) {
+  constexpr std::int64_t kTolerated = 5'000;  // ppm
   const std::int64_t ns = bits * divider * kNsPerSecond / *port.clock_hz;
   BenchTest test = around(group, name, ns, kTolerated, Ground::board_file, "clock_hz of the port, by its divider");
-  test.jumper = jumper;
+  test.needs = needs;
   return test;
 }
 
-BenchTest no_wrong_bytes(const char* group, const char* name, const char* jumper) {
+BenchTest no_wrong_bytes(const char* group, const char* name, const char* needs) {
   BenchTest test = exactly(group, name, 0, Ground::manual, "what is sent comes back");
-  test.jumper = jumper;
+  test.needs = needs;
   return test;
 }
 
 Tests tests_of_wires(const Board& board) {
   constexpr std::int64_t kBaud = 115'200, kSpiDivider = 16;
-  const Port &serial = *board.port("usart1"), &spi = *board.port("spi2");
+  const Port &serial = *board.port(kSerialLoop), &spi = *board.port(kSpiLoop);
   const std::int64_t divider = (*serial.clock_hz + kBaud / 2) / kBaud;
+  constexpr std::int64_t kBitsOfByte = 9, kPpm = 5'000;
+  const std::int64_t i2c_least = kBitsOfByte * i2c_bit_ns(board), i2c_most = i2c_least + kBitsOfByte * kRise;
+  // Identifier 0x2AA and eight bytes 0x55: 98 bits up to the checksum and none stuffed, then 13 (ISO 11898-1).
+  constexpr std::int64_t kFrameBits = 98 + 13, kCanBit = 1'000;
   return {
-      wire_time("serial_wire", "wire.serial_byte_ns", serial, 10, divider, "J1"),
-      no_wrong_bytes("serial_wire", "wire.serial_wrong_bytes", "J1"),
-      wire_time("spi_wire", "wire.spi_byte_ns", spi, 8, kSpiDivider, "J2"),
-      no_wrong_bytes("spi_wire", "wire.spi_wrong_bytes", "J2"),
+      {"i2c_wire", "wire.i2c_byte_ns", i2c_least - i2c_least * kPpm / 1'000'000, i2c_most + i2c_most * kPpm / 1'000'000,
+       Ground::board_file, "clock_hz of the port, by its divider; each clock longer by the rise of the line"},
+      around("can_wire", "wire.can_frame_ns", kFrameBits * kCanBit, kPpm, Ground::board_file,
+             "clock_hz of the port, by its divider"),
+      no_wrong_bytes("can_wire", "wire.can_wrong_frames", ""),
+      wire_time("serial_wire", "wire.serial_byte_ns", serial, 10, divider, kNeedsSerialJumper),
+      no_wrong_bytes("serial_wire", "wire.serial_wrong_bytes", kNeedsSerialJumper),
+      wire_time("spi_wire", "wire.spi_byte_ns", spi, 8, kSpiDivider, kNeedsSpiJumper),
+      no_wrong_bytes("spi_wire", "wire.spi_wrong_bytes", kNeedsSpiJumper),
   };
 }
 
 }  // namespace
 
-const char* ground_words(Ground ground) {
-  switch (ground) {
-    case Ground::data_sheet:
-      return "data sheet";
-    case Ground::manual:
-      return "manual";
-    case Ground::board_file:
-      return "board file";
-    case Ground::proven:
-      return "proven";
-    case Ground::measured:
-      return "measured, emulated";
-    case Ground::declared:
-      return "declared";
-    case Ground::assumed:
-      break;
-  }
-  return "assumed";
-}
-
 std::vector<BenchTest> board_tests(const Board& board) {
   Tests all;
   for (const Tests& some : {tests_of_start(board), tests_of_clocks(board), tests_of_parts(), tests_of_core(board),
-                            tests_of_buses(), tests_of_wires(board)})
+                            tests_of_buses(board), tests_of_wires(board)})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

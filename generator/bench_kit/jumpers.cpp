@@ -2,20 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "generator/bench_kit/bench_ports.hpp"
+#include "generator/descriptor/port_signals.hpp"
 
 namespace finemote::gen {
 namespace {
 
-std::string pin_of(const Port& port, const char* signal) {
-  const auto it =
-      std::find_if(port.pins.begin(), port.pins.end(), [&](const PortPin& pin) { return pin.signal == signal; });
-  return it == port.pins.end() ? std::string() : it->pin;
-}
-
 Jumper jumper(const Board& board, const char* name, const char* port_name, const char* from, const char* to) {
   const Port& port = *board.port(port_name);
-  return {name, port.name, port.connector, from, pin_of(port, from), to, pin_of(port, to)};
+  return {name, port.name, port.connector, from, signal_pin(port, from)->pin, to, signal_pin(port, to)->pin};
 }
 
 /// One connector with its two pins, `y` below the top.
@@ -34,7 +29,8 @@ std::string drawing_of(const Jumper& it, int y) {
 }  // namespace
 
 std::vector<Jumper> bench_jumpers(const Board& board) {
-  return {jumper(board, "J1", "usart1", "tx", "rx"), jumper(board, "J2", "spi2", "mosi", "miso")};
+  using namespace bench_ports;
+  return {jumper(board, kSerialJumper, kSerialLoop, "tx", "rx"), jumper(board, kSpiJumper, kSpiLoop, "mosi", "miso")};
 }
 
 std::string jumper_drawing(const std::vector<Jumper>& jumpers) {

@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <cctype>
 
+#include "generator/bench_kit/bench_ports.hpp"
+#include "generator/descriptor/port_signals.hpp"
 #include "generator/emit/render.hpp"
 #include "generator/output/sha256.hpp"
 
 namespace finemote::gen {
 namespace {
 
-constexpr const char *kReportPort = "usart6", *kLoopPort = "usart1";
+using namespace bench_ports;
 
 /// `clock.core_hz` to `clock_core_hz`.
 std::string identifier(std::string name) {
@@ -24,7 +26,7 @@ std::string lines_of_tests(const BenchPlan& plan) {
   std::string text;
   for (const BenchTest& it : plan.tests) {
     text += fmt::format("    {{\"{}\", Group::{}, {}U, {}U, {}, \"{}\"}},\n", it.name, it.group, it.least, it.most,
-                        it.is_judged, it.jumper);
+                        it.is_judged, it.needs);
   }
   return text;
 }
@@ -41,16 +43,12 @@ std::vector<std::string> names_of(const std::vector<BenchTest>& tests) {
   return names;
 }
 
-const PortPin& pin_of(const Port& port, const char* signal) {
-  return *std::find_if(port.pins.begin(), port.pins.end(), [&](const PortPin& pin) { return pin.signal == signal; });
-}
-
 /// `PA9` to `{'A', 9}`.
 std::string pin_text(const std::string& pin) { return fmt::format("{{'{}', {}}}", pin[1], pin.substr(2)); }
 
 /// The members of a UartPins.
 std::string uart_pins(const Port& port) {
-  const PortPin &tx = pin_of(port, "tx"), &rx = pin_of(port, "rx");
+  const PortPin &tx = *signal_pin(port, "tx"), &rx = *signal_pin(port, "rx");
   return fmt::format("{{stm32f4::kUsart{}, {}, {}, {}}}", port.name.back(), pin_text(tx.pin), pin_text(rx.pin),
                      tx.alternate_function);
 }
@@ -67,15 +65,15 @@ std::string serial_pins(const Board& board) {
   return fmt::format(
       "inline constexpr UartPins kReportPort{};\ninline constexpr UartPins kLoopUart{};\n"
       "inline constexpr UartPins kSerialPorts[{}] = {{\n{}}};\n",
-      uart_pins(*board.port(kReportPort)), uart_pins(*board.port(kLoopPort)), count, all);
+      uart_pins(*board.port(kReport)), uart_pins(*board.port(kSerialLoop)), count, all);
 }
 
 /// `{stm32f4::dma::kController2, 0}` of the stream for `rx` or `tx`; `{}`: there is none.
 std::string stream_text(const Port& port, const char* signal) {
-  const auto it =
-      std::find_if(port.dma.begin(), port.dma.end(), [&](const DmaStream& stream) { return stream.signal == signal; });
-  return it == port.dma.end() ? "{}"
-                              : fmt::format("{{stm32f4::dma::kController{}, {}}}", it->controller.back(), it->stream);
+  const DmaStream* stream = dma_for(port, signal);
+  return stream == nullptr
+             ? "{}"
+             : fmt::format("{{stm32f4::dma::kController{}, {}}}", stream->controller.back(), stream->stream);
 }
 
 std::string spi_pins(const Board& board, const char* constant, const char* port_name) {
@@ -86,32 +84,39 @@ std::string spi_pins(const Board& board, const char* constant, const char* port_
       "inline constexpr stm32f4::Pin {0}Selects[] = {{{1}}};\n"
       "inline constexpr SpiPins {0}{{stm32f4::kSpi{2}, {3}, {4}, {5}, {6}, {0}Selects, {7},\n"
       "    {8}, {9}, {10}}};\n",
-      constant, selects, port_name[3], pin_text(pin_of(port, "sck").pin), pin_text(pin_of(port, "miso").pin),
-      pin_text(pin_of(port, "mosi").pin), pin_of(port, "sck").alternate_function, port.selects.size(),
+      constant, selects, port_name[3], pin_text(signal_pin(port, "sck")->pin), pin_text(signal_pin(port, "miso")->pin),
+      pin_text(signal_pin(port, "mosi")->pin), signal_pin(port, "sck")->alternate_function, port.selects.size(),
       stream_text(port, "rx"), stream_text(port, "tx"), port.dma.empty() ? 0 : port.dma.front().channel);
 }
 
 std::string i2c_pins(const Board& board, const char* constant, const char* port_name) {
   const Port& port = *board.port(port_name);
   return fmt::format("inline constexpr I2cPins {}{{stm32f4::kI2c{}, {}, {}, {}}};\n", constant, port_name[3],
-                     pin_text(pin_of(port, "scl").pin), pin_text(pin_of(port, "sda").pin),
-                     pin_of(port, "scl").alternate_function);
+                     pin_text(signal_pin(port, "scl")->pin), pin_text(signal_pin(port, "sda")->pin),
+                     signal_pin(port, "scl")->alternate_function);
+}
+
+std::string bus_lines(const BenchPlan& plan) {
+  std::string all;
+  for (const BusLine& it : plan.bus_lines) all += fmt::format("{{{}, {}}}, ", it.line, it.bus);
+  return fmt::format("inline constexpr BusLine kBusLines[] = {{{}{{kNoLine, 0}}}};\n", all);
 }
 
 std::string constants(const BenchPlan& plan) {
-  constexpr std::size_t kBytesOfTest = 220, kBytesAround = 1'000;
+  constexpr std::size_t kBytesOfTest = 240, kBytesAround = 1'000;
   const std::string identity = plan.identity();
   return fmt::format(
              "inline constexpr const char kBoardName[] = \"{}\", kRobotName[] = \"{}\", kPlanName[] = \"{}\";\n"
              "inline constexpr std::uint32_t kPlanNumber = 0x{};\n"
              "inline constexpr std::uint32_t kReportBaud = 115'200, kReportBusHz = {}, kReportBytes = {};\n"
-             "inline constexpr Test kFirstStage{{{}}};\ninline constexpr unsigned kStageCount = {}, kFreeLine = {};\n"
+             "inline constexpr Test kFirstRoutine{{{}}}, kFirstStage{{{}}};\n"
+             "inline constexpr unsigned kBusCount = {}, kStageCount = {}, kFreeLine = {};\n"
              "#define FINEMOTE_BENCH_LINE finemote_line_{}\n",
-             plan.board.name, plan.robot, identity, identity.substr(0, 8), *plan.board.port(kReportPort)->clock_hz,
-             kBytesAround + kBytesOfTest * plan.tests.size(), plan.tests.size() - plan.stages, plan.stages,
-             plan.free_line, plan.free_line) +
-         serial_pins(plan.board) + spi_pins(plan.board, "kSensorSpi", "spi1") +
-         spi_pins(plan.board, "kLoopSpi", "spi2") + i2c_pins(plan.board, "kSensorI2c", "i2c3");
+             plan.board.name, plan.robot, identity, identity.substr(0, 8), *plan.board.port(kReport)->clock_hz,
+             kBytesAround + kBytesOfTest * plan.tests.size(), plan.tests.size() - plan.stages - plan.buses,
+             plan.tests.size() - plan.stages, plan.buses, plan.stages, plan.free_line, plan.free_line) +
+         bus_lines(plan) + serial_pins(plan.board) + spi_pins(plan.board, "kSensorSpi", kImu) +
+         spi_pins(plan.board, "kLoopSpi", kSpiLoop) + i2c_pins(plan.board, "kSensorI2c", kCompass);
 }
 
 }  // namespace
@@ -120,7 +125,7 @@ std::string BenchPlan::identity() const {
   constexpr std::size_t kDigits = 16;
   std::string text = board.name + "\n" + robot + "\n";
   for (const BenchTest& it : tests)
-    text += fmt::format("{} {} {} {} {}\n", it.name, it.least, it.most, it.is_judged, it.jumper);
+    text += fmt::format("{} {} {} {} {}\n", it.name, it.least, it.most, it.is_judged, it.needs);
   return sha256(text).substr(0, kDigits);
 }
 

@@ -107,7 +107,7 @@ BenchJudgement judge_bench(const BenchRecord& record, const BenchPlan& plan) {
   for (const BenchTest& test : plan.tests) {
     const auto lacks = std::find_if(record.not_done.begin(), record.not_done.end(),
                                     [&](const auto& it) { return it.first == test.name; });
-    if (lacks != record.not_done.end() && !test.jumper.empty()) {
+    if (lacks != record.not_done.end() && !test.needs.empty()) {
       judgement.not_done.push_back(*lacks);
       continue;
     }

@@ -43,7 +43,7 @@ struct BenchVerdict {
 
 struct BenchJudgement {
   std::vector<BenchVerdict> tests;
-  std::vector<std::pair<std::string, std::string>> not_done;  ///< that need a jumper which is not there
+  std::vector<std::pair<std::string, std::string>> not_done;  ///< that need what is not there
   [[nodiscard]] bool is_good() const;
 };
 

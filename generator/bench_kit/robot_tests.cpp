@@ -18,9 +18,14 @@ BenchTest stage_test(const std::string& device, const char* stage, Duration limi
 
 }  // namespace
 
-std::vector<BenchTest> robot_tests(const std::vector<StageLimits>& devices, Duration release) {
+std::vector<BenchTest> robot_tests(const std::vector<StageLimits>& devices, const std::vector<RoutineLimit>& buses,
+                                   Duration release) {
   std::vector<BenchTest> tests{
       {"robot", "release.cost_ns", 0, release.ns(), Ground::assumed, "release and exception costs of the board file"}};
+  for (const RoutineLimit& it : buses) {
+    tests.push_back({"robot", "routine." + plain(it.bus) + "_ns", 0, it.most.ns(), it.ground,
+                     "longest routine of the bus, as the timing analysis charges it", it.needs});
+  }
   for (const StageLimits& it : devices) {
     tests.push_back(stage_test(it.device, "update", it.update, it.ground));
     tests.push_back(stage_test(it.device, "handle", it.handle, it.ground));

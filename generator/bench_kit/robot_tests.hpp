@@ -16,8 +16,17 @@ struct StageLimits {
   Ground ground = Ground::assumed;
 };
 
-/// The release interrupt, then update and handle of each device.
+/// A bus with interrupts.
+struct RoutineLimit {
+  std::string bus;
+  Duration most;  ///< that one run of any of its routines takes, without the way into it and back
+  Ground ground = Ground::assumed;
+  std::string needs;  ///< to have interrupts, on a bare board; empty: nothing
+};
+
+/// The release interrupt, then the routines of each bus, then update and handle of each device.
 /// @param release  of the interrupt, with the way into it and back
-std::vector<BenchTest> robot_tests(const std::vector<StageLimits>& devices, Duration release);
+std::vector<BenchTest> robot_tests(const std::vector<StageLimits>& devices, const std::vector<RoutineLimit>& buses,
+                                   Duration release);
 
 }  // namespace finemote::gen

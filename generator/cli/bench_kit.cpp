@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "generator/bench_kit/bench_ports.hpp"
 #include "generator/bench_kit/board_tests.hpp"
 #include "generator/bench_kit/jumpers.hpp"
 #include "generator/bench_kit/plan.hpp"
@@ -15,6 +16,7 @@
 #include "generator/cli/robot_input.hpp"
 #include "generator/cli/settings.hpp"
 #include "generator/diagnostic/code_scenario.hpp"
+#include "generator/run/build_firmware.hpp"
 #include "generator/run/check_wcet.hpp"
 #include "generator/run/project.hpp"
 #include "generator/scaffold/fill_folder.hpp"
@@ -67,6 +69,36 @@ Duration release_limit(const PlannedRobot& planned, const timing::Model& model) 
   return model.costs.release - planned.robot.board->costs.preemption + buckets * model.costs.release_per_bucket;
 }
 
+std::vector<StageLimits> stage_limits(const PlannedRobot& planned, const timing::Model& model) {
+  const auto wcets = analysed_wcets(planned.robot, planned.forest, model);
+  std::vector<StageLimits> limits;
+  for (const Rank rank : planned.forest.order.ids()) {
+    const DeviceId device = planned.forest.order[rank];
+    limits.push_back({planned.robot.devices[device].name.text, wcets[device].update, wcets[device].handle,
+                      ground_of(wcets[device].source)});
+  }
+  return limits;
+}
+
+/// A line that only hears: without anybody who sends there is nothing to measure.
+std::string needs_of(const Bus& bus) {
+  return bus.kind == BusKind::uart || bus.kind == BusKind::rs485 ? "traffic at " + bus.port : std::string();
+}
+
+/// Adds what is charged for one run of a routine of the bus, and its lines; nothing where it has no interrupts.
+void add_bus(const Robot& robot, const Bus& bus, const timing::Bus& charged, std::vector<RoutineLimit>& limits,
+             std::vector<BusLine>& lines) {
+  const Port* port = robot.board->port(bus.port);
+  const auto driver = robot.board->drivers.find(bus.kind);
+  if (port == nullptr || driver == robot.board->drivers.end() || !charged.sources || charged.sources->empty()) return;
+  Duration most;
+  for (const timing::InterruptSource& source : *charged.sources) most = std::max(most, source.wcet);
+  for (const InterruptLine& line : port->interrupts)
+    lines.push_back({static_cast<std::uint32_t>(line.number), limits.size()});
+  limits.push_back(
+      {bus.name.text, most, driver->second.is_assumed ? Ground::assumed : Ground::measured, needs_of(bus)});
+}
+
 /// Tests of the board, then of the robot. Reports what is wrong with the robot where its times cannot be added up.
 std::optional<BenchPlan> plan_of(const PlannedRobot& planned, Diagnostics& diagnostics) {
   Diagnostics findings;
@@ -76,25 +108,20 @@ std::optional<BenchPlan> plan_of(const PlannedRobot& planned, Diagnostics& diagn
     return std::nullopt;
   }
   const Robot& robot = planned.robot;
-  const auto wcets = analysed_wcets(robot, planned.forest, *model);
-  std::vector<StageLimits> limits;
-  for (const Rank rank : planned.forest.order.ids()) {
-    const DeviceId device = planned.forest.order[rank];
-    limits.push_back(
-        {robot.devices[device].name.text, wcets[device].update, wcets[device].handle, ground_of(wcets[device].source)});
-  }
+  const std::vector<StageLimits> stages = stage_limits(planned, *model);
   // Buckets take the lines of the board in their order.
   BenchPlan plan{*robot.board, robot.name.text, board_tests(*robot.board), robot.board->lines.back().number,
-                 2 * limits.size()};
-  for (BenchTest& test : robot_tests(limits, release_limit(planned, *model))) plan.tests.push_back(std::move(test));
+                 2 * stages.size()};
+  std::vector<RoutineLimit> routines;
+  for (const timing::Bus& charged : model->buses) {
+    const auto bus = std::find_if(robot.buses.begin(), robot.buses.end(),
+                                  [&](const Bus& it) { return it.name.text == charged.name; });
+    if (bus != robot.buses.end()) add_bus(robot, *bus, charged, routines, plan.bus_lines);
+  }
+  plan.buses = routines.size();
+  for (BenchTest& test : robot_tests(stages, routines, release_limit(planned, *model)))
+    plan.tests.push_back(std::move(test));
   return plan;
-}
-
-/// Words of a CMake list.
-std::string cmake_words(const std::vector<std::string>& values) {
-  std::string text;
-  for (const std::string& value : values) text += fmt::format("[==[{}]==] ", fs::absolute(value).generic_string());
-  return text.empty() ? text : text.substr(0, text.size() - 1);
 }
 
 FirmwareRequest request_of(const Options& options, const Robot& robot, const std::string& data_dir) {
@@ -118,7 +145,7 @@ std::vector<OutputFile> files_of_kit(const Options& options, const BenchPlan& pl
   const Keys keys{{"data_dir", fs::absolute(request.data_dir).lexically_normal().generic_string()},
                   {"board", request.board},
                   {"robot", plan.robot},
-                  {"report", plan.board.port("usart6")->connector},
+                  {"report", plan.board.port(bench_ports::kReport)->connector},
                   {"robot_option", options.robot.empty() ? "" : " --robot " + options.robot},
                   {"include_dirs", cmake_words(request.include_dirs)},
                   {"sources", cmake_words(request.sources)}};

@@ -137,8 +137,12 @@ void watch_i2c() {
   std::uint32_t late = 0;
   for (unsigned i = 0; i < kRounds; ++i) {
     const Reading found = read_register(kAddress, kWhoAmI, Interrupts::allowed);
-    if (!found.came) return miss(Test::i2c_late_stops, Missing::answer);
+    if (!found.came) {
+      miss(Test::i2c_stop_ns, Missing::answer);
+      return miss(Test::i2c_late_stops, Missing::answer);
+    }
     late += found.is_late ? 1 : 0;
+    put_largest(Test::i2c_stop_ns, ns_of(found.stop_cycles));
   }
   put(Test::i2c_late_stops, late);
 }

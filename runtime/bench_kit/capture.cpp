@@ -29,16 +29,10 @@ constexpr Register enable_of(const stm32f4::TimerPeripheral& timer) {
   return timer.is_on_apb1() ? rcc::apb1enr : rcc::apb2enr;
 }
 
-void reset(const stm32f4::TimerPeripheral& timer) {
-  const Register reset = rcc::reset_of(enable_of(timer));
-  reset.set(timer.clock_bit);
-  reset.clear(timer.clock_bit);
-}
-
 void set_up(const CaptureInput& input) {
   const TimerRegisters timer = input.timer.timer;
   rcc::enable(enable_of(input.timer), input.timer.clock_bit);
-  reset(input.timer);
+  rcc::restart(enable_of(input.timer), input.timer.clock_bit);
   option(timer).write(input.remap);
   const std::uint32_t index = input.channel - 1;
   timer.ccmr(index / 2).write((kFromOwnInput | kEveryEighth) << index % 2 * 8);
@@ -62,7 +56,7 @@ Captured count_ticks(const CaptureInput& input, std::uint32_t captures, std::uin
     before = at;
   }
   all.cycles = watch.cycles();
-  reset(input.timer);
+  rcc::restart(enable_of(input.timer), input.timer.clock_bit);
   return has_come ? all : Captured{};
 }
 

@@ -12,6 +12,7 @@ namespace finemote::bench_kit {
 namespace {
 
 namespace flash = stm32f4::flash;
+namespace nvic = cortex_m4::nvic;
 namespace rcc = stm32f4::rcc;
 using stm32f4::bit;
 using stm32f4::Register;
@@ -27,14 +28,8 @@ constexpr Register kClockInterrupts{kClock.base + 0x0C}, kClockStatus{kClock.bas
 constexpr unsigned kClockLine = 50;
 constexpr std::uint32_t kFirstChannel = bit(1), kTicksPerUs = stm32f4::kApb1TimerHz / 1'000'000,
                         kCyclesPerTick = kCoreHz / stm32f4::kApb1TimerHz;
-/// NVIC_ICER and NVIC_ICPR, PM0214 4.3.3, 4.3.5.
-constexpr Register disable_of(unsigned line) { return Register{0xE000E180 + 4 * (line / 32)}; }
-constexpr Register unpend_of(unsigned line) { return Register{0xE000E280 + 4 * (line / 32)}; }
 
-void reset_clock() {
-  rcc::apb1rstr.set(stm32f4::kTim5.clock_bit);
-  rcc::apb1rstr.clear(stm32f4::kTim5.clock_bit);
-}
+void reset_clock() { rcc::restart(rcc::apb1enr, stm32f4::kTim5.clock_bit); }
 
 void start_clock() {
   rcc::enable(rcc::apb1enr, stm32f4::kTim5.clock_bit);
@@ -47,7 +42,7 @@ void start_clock() {
 void set_alarm(std::uint32_t us) {
   kClock.ccr(1).write(kClockCount.read() + us * kTicksPerUs);
   kClockStatus.write(0);
-  unpend_of(kClockLine).write(bit(kClockLine % 32));
+  nvic::clear_pending(kClockLine);
 }
 
 /// Cycles that the counter lacks after a sleep of a millisecond, by the timer.
@@ -116,13 +111,13 @@ volatile std::uint32_t entered, left;
 void measure_sleep() {
   const cortex_m4::Masked masked;
   start_clock();
-  cortex_m4::nvic::enable(kClockLine);
+  nvic::enable(kClockLine);
   put(Test::sleep_cycles_lost, cycles_lost_in_sleep());
   kDebugControl.set(kDebugSleep);
   put(Test::sleep_cycles_lost_with_debug_clock, cycles_lost_in_sleep());
   put(Test::sleep_instructions_lost, instructions_lost());
   kDebugControl.clear(kDebugSleep);
-  disable_of(kClockLine).write(bit(kClockLine % 32));
+  nvic::disable(kClockLine);
   reset_clock();
 }
 
@@ -153,7 +148,7 @@ void measure_interrupt() {
     put_largest(Test::interrupt_entry_ns, ns_of(entered - before - reading));
     put_largest(Test::interrupt_exit_ns, ns_of(after - left - reading));
   }
-  disable_of(kFreeLine).write(bit(kFreeLine % 32));
+  nvic::disable(kFreeLine);
 }
 
 }  // namespace finemote::bench_kit

@@ -23,10 +23,12 @@ void listen_to_silence();
 void watch_spi();
 void watch_i2c();
 void watch_can();
-/// Over jumpers, where there are any.
+/// Wire times; of the last two over jumpers, where there are any.
+void measure_i2c_wire();
+void measure_can_wire();
 void measure_serial_wire();
 void measure_spi_wire();
-/// The release interrupt of the robot, and its stages. Masks all interrupts from then on.
+/// The release interrupt of the robot, the routines of its buses, and its stages. Masks all interrupts from then on.
 void measure_robot();
 
 }  // namespace finemote::bench_kit

@@ -72,8 +72,7 @@ void start_i2c() {
   stm32f4::configure(kSensorI2c.sda, {PinMode::alternate, PinPull::up, true, kSensorI2c.function});
   const std::uint32_t clock = kSensorI2c.peripheral.clock_bit;
   rcc::enable(rcc::apb1enr, clock);
-  rcc::apb1rstr.set(clock);
-  rcc::apb1rstr.clear(clock);
+  rcc::restart(rcc::apb1enr, clock);
   kRegisters.cr2().write(kBusMHz);
   kRegisters.ccr().write(i2c::kFastMode | kCount);
   kRegisters.trise().write(kRise);
@@ -87,9 +86,30 @@ Reading read_register(std::uint8_t part, std::uint8_t address, Interrupts interr
   interrupts == Interrupts::masked ? end_masked() : end_at_address();
   result.is_late = kRegisters.sr1().any(i2c::kReceived);
   if (!comes(i2c::kReceived)) return result;
+  const Stopwatch watch;
   result.byte = static_cast<std::uint8_t>(kRegisters.dr().read());
   result.came = stops();
+  result.stop_cycles = watch.cycles();
   return result;
+}
+
+std::uint32_t time_bytes(std::uint8_t part, std::uint8_t address, unsigned count) {
+  kRegisters.cr1().set(i2c::kAcknowledge);
+  if (!point_at(part, address) || !call(part, true)) return 0;
+  clear_address();
+  Stopwatch first;
+  std::uint32_t last = 0;
+  for (unsigned i = 0; i < count; ++i) {
+    if (!comes(i2c::kReceived)) return 0;
+    if (i == 0) first = Stopwatch();
+    last = first.cycles();
+    if (i + 2 == count) {
+      kRegisters.cr1().clear(i2c::kAcknowledge);
+      stop();
+    }
+    static_cast<void>(kRegisters.dr().read());
+  }
+  return stops() ? last : 0;
 }
 
 }  // namespace finemote::bench_kit

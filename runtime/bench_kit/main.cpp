@@ -7,13 +7,10 @@
 #include "record.hpp"
 #include "report.hpp"
 #include "runtime/chips/cortex_m4/fault.hpp"
-#include "runtime/chips/stm32f4/registers/clock.hpp"
 #include "stopwatch.hpp"
 
 namespace finemote::bench_kit {
 namespace {
-
-namespace rcc = stm32f4::rcc;
 
 /// Every group takes less; the watchdog resets the board after at least this and at most four times as much.
 constexpr Duration kLongestGroup = 3 * kSecond;
@@ -47,20 +44,13 @@ constexpr Procedure kProcedures[] = {
     {Group::spi, watch_spi},
     {Group::i2c, watch_i2c},
     {Group::can, watch_can},
+    {Group::i2c_wire, measure_i2c_wire},
+    {Group::can_wire, measure_can_wire},
     {Group::serial_wire, measure_serial_wire},
     {Group::spi_wire, measure_spi_wire},
     {Group::robot, measure_robot},
 };
 static_assert(sizeof kProcedures / sizeof kProcedures[0] == kGroupCount);
-
-/// Whether a fault or the watchdog has reset the chip; forgets why.
-bool is_restart() {
-  CoreFault fault;
-  const bool by_fault = cortex_m4::restarted_by_fault(fault);
-  const bool by_watchdog = rcc::csr.any(rcc::kCsrIwdgReset);
-  rcc::csr.set(rcc::kCsrRemoveFlags);
-  return by_fault || by_watchdog;
-}
 
 void miss_group(Group group) {
   for (unsigned i = 0; i < kTestCount; ++i) {
@@ -108,7 +98,7 @@ void run_from(unsigned first) {
 int main() {
   using namespace finemote;
   using namespace finemote::bench_kit;
-  const unsigned first = begin_record(is_restart());
+  const unsigned first = begin_record();
   cortex_m4::start_guards();
   cortex_m4::start_cycles(0);
   run_from(first);

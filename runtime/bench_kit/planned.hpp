@@ -17,8 +17,15 @@ struct Planned {
   Group group;
   std::uint32_t least, most;  ///< of its value
   bool is_judged;             ///< false: measured, and nothing is claimed of it
-  const char* jumper;         ///< that it needs; empty: none
+  const char* needs;          ///< what a bare board lacks for it; empty: nothing
 };
+
+/// An interrupt line of a bus of the robot, which is the one of this number.
+struct BusLine {
+  std::uint16_t line;
+  std::uint16_t bus;
+};
+inline constexpr std::uint16_t kNoLine = 0xFFFF;  ///< ends the list
 
 struct UartPins {
   stm32f4::UsartPeripheral peripheral;

@@ -28,8 +28,8 @@ void miss(Test test, Missing why) { of(test) = {0, why}; }
 
 const Entry& entry(unsigned test) { return record.tests[test]; }
 
-unsigned begin_record(bool is_restart) {
-  if (!is_restart || record.magic != kMagic || record.plan != kPlanNumber) {
+unsigned begin_record() {
+  if (record.magic != kMagic || record.plan != kPlanNumber) {
     for (Entry& it : record.tests) it = {0, Missing::not_run};
     record.group = Group{};
     record.plan = kPlanNumber;
@@ -37,7 +37,7 @@ unsigned begin_record(bool is_restart) {
     return 0;
   }
   for (unsigned i = 0; i < kTestCount; ++i) {
-    const bool was_running = kTests[i].group == record.group && record.tests[i].missing == Missing::not_run;
+    const bool was_running = kTests[i].group == record.group && record.tests[i].missing != Missing::nothing;
     if (was_running) record.tests[i].missing = Missing::restart;
   }
   return static_cast<unsigned>(record.group) + 1;

@@ -12,7 +12,7 @@ namespace finemote::bench_kit {
 enum class Missing : std::uint8_t {
   not_run,  ///< not come to yet
   nothing,  ///< it has a value
-  jumper,   ///< nothing came over the jumper it needs
+  partner,  ///< nothing came from what it needs beside the board
   answer,   ///< what it asks or waits for did not come in time
   clock,    ///< the board's clock does not run
   restart,  ///< the board was reset in the middle of it
@@ -29,12 +29,12 @@ struct Entry {
 };
 [[nodiscard]] const Entry& entry(unsigned test);
 
-/// The group of tests to begin with: 0, or the one behind that in which the board was reset.
-/// @param is_restart  a fault or the watchdog has reset the board, and nobody else
-unsigned begin_record(bool is_restart);
-/// From here on a restart belongs to this group.
+/// The group of tests to begin with: 0, or the one behind that in which the board was reset, by whomever: what resets
+/// the board in every run, as a supply that breaks down under a test does, must not keep the record from its end.
+unsigned begin_record();
+/// From here on a reset belongs to this group.
 void enter_group(Group group);
-/// Everything was run: the next restart begins anew.
+/// Everything was run: the next reset begins anew.
 void end_record();
 
 }  // namespace finemote::bench_kit

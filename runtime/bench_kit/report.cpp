@@ -1,16 +1,13 @@
 #include "report.hpp"
 
 #include "record.hpp"
-#include "runtime/chips/stm32f4/peripherals.hpp"
-#include "runtime/chips/stm32f4/pin.hpp"
 #include "runtime/chips/stm32f4/wait.hpp"
+#include "uart_line.hpp"
 
 namespace finemote::bench_kit {
 namespace {
 
 namespace usart = stm32f4::usart;
-using stm32f4::PinMode;
-using stm32f4::PinPull;
 
 char text[kReportBytes];
 
@@ -66,8 +63,6 @@ class Writer {
 
 const char* words_for(Missing missing) {
   switch (missing) {
-    case Missing::jumper:
-      return "nothing came over the jumper";
     case Missing::answer:
       return "no answer in time";
     case Missing::clock:
@@ -105,13 +100,13 @@ void write_test(Writer& out, const Planned& test, const Entry& found) {
   out << "}";
 }
 
-/// What only lacks its jumper has not failed: it stands apart.
-bool lacks_jumper(unsigned test) { return entry(test).missing == Missing::jumper; }
+/// What only lacks a jumper or a partner has not failed: it stands apart.
+bool lacks_partner(unsigned test) { return entry(test).missing == Missing::partner; }
 
 void write_tests(Writer& out) {
   const char* between = "";
   for (unsigned i = 0; i < kTestCount; ++i) {
-    if (lacks_jumper(i)) continue;
+    if (lacks_partner(i)) continue;
     out << between;
     between = ",";
     write_test(out, kTests[i], entry(i));
@@ -121,21 +116,10 @@ void write_tests(Writer& out) {
 void write_not_done(Writer& out) {
   const char* between = "";
   for (unsigned i = 0; i < kTestCount; ++i) {
-    if (!lacks_jumper(i)) continue;
-    out << between << R"({"name":")" << kTests[i].name << R"(","why":"jumper )" << kTests[i].jumper << R"("})";
+    if (!lacks_partner(i)) continue;
+    out << between << R"({"name":")" << kTests[i].name << R"(","why":")" << kTests[i].needs << R"("})";
     between = ",";
   }
-}
-
-void start_port(std::uint32_t bus_hz) {
-  const auto& port = kReportPort;
-  stm32f4::configure(port.tx, {PinMode::alternate, PinPull::up, false, port.function});
-  stm32f4::rcc::enable(port.peripheral.clock_enable, port.peripheral.clock_bit);
-  const stm32f4::Register reset = stm32f4::rcc::reset_of(port.peripheral.clock_enable);
-  reset.set(port.peripheral.clock_bit);  // the robot may have used it
-  reset.clear(port.peripheral.clock_bit);
-  port.peripheral.usart.brr().write((bus_hz + kReportBaud / 2) / kReportBaud);  // in sixteenths of 16: RM0090 30.3.4
-  port.peripheral.usart.cr1().write(usart::kOn | usart::kTransmitterOn);
 }
 
 }  // namespace
@@ -152,7 +136,7 @@ void write_report() {
 }
 
 void send_report(std::uint32_t bus_hz) {
-  start_port(bus_hz);
+  start_uart(kReportPort, bus_hz, usart::kTransmitterOn);
   const stm32f4::UsartRegisters registers = kReportPort.peripheral.usart;
   // Three bytes of ten bits; a poll takes at least four cycles of the core, which is never slower than the bus.
   const std::uint32_t polls = 3 * 10 * 2 * (bus_hz / kReportBaud);

@@ -14,7 +14,7 @@ constexpr std::uint32_t kByteUs = 87;  ///< ten bits
 std::uint32_t listen(const UartPins& port) {
   constexpr std::uint32_t kListenUs = 5 * kByteUs;
   const stm32f4::UsartRegisters registers = port.peripheral.usart;
-  start_uart(port, usart::kReceiverOn);
+  start_uart(port, port.peripheral.clock_hz, usart::kReceiverOn);
   std::uint32_t heard = 0;
   for (const Stopwatch watch; !watch.has_passed(cycles_in(kListenUs));) {
     if (!registers.sr().any(usart::kReceived | usart::kErrors)) continue;

@@ -39,9 +39,7 @@ void start_spi(const SpiPins& port) {
   stm32f4::configure(port.mosi, {PinMode::alternate, PinPull::none, false, port.function});
   const stm32f4::SpiPeripheral& it = port.peripheral;
   rcc::enable(it.clock_enable, it.clock_bit);
-  const stm32f4::Register reset = rcc::reset_of(it.clock_enable);
-  reset.set(it.clock_bit);
-  reset.clear(it.clock_bit);
+  rcc::restart(it.clock_enable, it.clock_bit);
 }
 
 bool exchange(const SpiPins& port, unsigned select, std::uint8_t* bytes, unsigned size) {

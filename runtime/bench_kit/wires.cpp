@@ -1,6 +1,8 @@
-// Wire times, over jumpers from an output of a bus to its own input: what is sent has to come back, at the rate that
-// the port's clock and divider make.
+// Wire times: what is sent has to come back, at the rate that the port's clock and divider make. I2C asks the part on
+// the board, CAN loops back inside, the others need a jumper from an output to the input.
+#include "can_line.hpp"
 #include "groups.hpp"
+#include "i2c_line.hpp"
 #include "record.hpp"
 #include "runtime/chips/stm32f4/registers/clock.hpp"
 #include "spi_line.hpp"
@@ -47,8 +49,8 @@ Returned send_round(const stm32f4::Register& status, const stm32f4::Register& da
 
 void record(const Returned& returned, Test byte_ns, Test wrong_bytes) {
   if (returned.bytes < kBytes || returned.wrong == kBytes) {
-    miss(byte_ns, Missing::jumper);
-    return miss(wrong_bytes, Missing::jumper);
+    miss(byte_ns, Missing::partner);
+    return miss(wrong_bytes, Missing::partner);
   }
   put(byte_ns, returned.byte_ns());
   put(wrong_bytes, returned.wrong);
@@ -56,8 +58,26 @@ void record(const Returned& returned, Test byte_ns, Test wrong_bytes) {
 
 }  // namespace
 
+void measure_i2c_wire() {
+  constexpr std::uint8_t kPart = 0x0E, kFirst = 0x00;
+  start_i2c();
+  const std::uint32_t cycles = time_bytes(kPart, kFirst, kBytes);
+  if (cycles == 0) return miss(Test::wire_i2c_byte_ns, Missing::answer);
+  put(Test::wire_i2c_byte_ns, ns_of(cycles / (kBytes - 1)));
+}
+
+void measure_can_wire() {
+  const CanLoop loop = send_to_itself();
+  if (!loop.came) {
+    miss(Test::wire_can_frame_ns, Missing::answer);
+    return miss(Test::wire_can_wrong_frames, Missing::answer);
+  }
+  put(Test::wire_can_frame_ns, ns_of(loop.cycles));
+  put(Test::wire_can_wrong_frames, loop.wrong);
+}
+
 void measure_serial_wire() {
-  start_uart(kLoopUart, usart::kTransmitterOn | usart::kReceiverOn);
+  start_uart(kLoopUart, kLoopUart.peripheral.clock_hz, usart::kTransmitterOn | usart::kReceiverOn);
   const stm32f4::UsartRegisters registers = kLoopUart.peripheral.usart;
   record(send_round(registers.sr(), registers.dr(), usart::kTransmitEmpty, usart::kReceived), Test::wire_serial_byte_ns,
          Test::wire_serial_wrong_bytes);

@@ -14,7 +14,7 @@ Board board() {
   result.clocks->crystal_hz = 12'000'000;
   result.clocks->flash_wait_states = 5;
   result.cpu_hz = 168'000'000;
-  for (const char* name : {"usart1", "spi2"}) {
+  for (const char* name : {"usart1", "spi2", "i2c3"}) {
     result.ports.emplace_back();
     result.ports.back().name = name;
     result.ports.back().clock_hz = 84'000'000;
@@ -29,7 +29,7 @@ BenchPlan plan() {
           "bench",
           {{"clocks", "a.exact", 5, 5, Ground::board_file, "here"},
            {"clocks", "b.range", 10, 20, Ground::data_sheet, "there"},
-           {"wire", "c.wired", 1, 1, Ground::manual, "", "J1"},
+           {"wire", "c.wired", 1, 1, Ground::manual, "", "jumper J1"},
            {"clocks", "d.open", 0, 0, Ground::assumed, "", "", false}},
           60};
 }
