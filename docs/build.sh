@@ -5,4 +5,5 @@ set -euo pipefail
 docs=$(dirname "${BASH_SOURCE[0]}")
 "$1" docs -o "$docs/reference"
 "$docs/pictures.sh" "$1"
+"$docs/screenshots.py" "$1" || [ $? -eq 77 ]
 exec "$docs/api.py"

@@ -190,7 +190,9 @@ Table options_of_report() {
                sandbox(),
                question(),
                {{"-o,--output", &Options::out, "the page to write", kRequired},
-                {"--run", &Options::run_file, "what 'run --format json' printed: adds measured values and sizes"}},
+                {"--run", &Options::run_file, "what 'run --format json' printed: adds measured values and sizes"},
+                {"--against", &Options::against,
+                 "a robot, or what 'analyze --format json' printed of one: adds what changed since"}},
                watch()});
 }
 

@@ -43,6 +43,7 @@ struct Options {
   bool show_config = false;  ///< --show-config: print what is set, by whom, and do nothing else
   bool watch = false;        ///< --watch: answer again whenever something changed
   std::string run_file;      ///< report --run
+  std::string against;       ///< report --against
   std::string depfile;
   bool list = false;
   bool dry_run = false;

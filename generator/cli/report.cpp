@@ -2,7 +2,7 @@
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/robot_input.hpp"
-#include "generator/cli/run_file.hpp"
+#include "generator/cli/saved_document.hpp"
 #include "generator/cli/subject.hpp"
 #include "generator/diagnostic/clash.hpp"
 #include "generator/report/page.hpp"
@@ -27,12 +27,30 @@ std::optional<Answers> answers_of(const timing::Model& model, const timing::Anal
     const SimulationOptions options = options_beside(*timing, request);
     report::TimelineRecorder recorder(model, options.profile);
     const Simulation run = simulate(model, options, &recorder);
-    return Answers{{timing::timing_json(*timing), simulation_json(*timing, run, request), nullptr},
+    return Answers{{timing::timing_json(*timing), simulation_json(*timing, run, request), nullptr, nullptr},
                    recorder.timeline()};
   } catch (const Overflow& overflow) {
     timing::report_overflow(timing::start(model), overflow, findings);
     return std::nullopt;
   }
+}
+
+/// The analysis to compare with: saved, or of another robot, made here. Null where diagnostics hold why there is none.
+report::Json earlier_timing(const Options& options, const timing::RobotTimingOptions& robot_options,
+                            const timing::AnalysisRequest& question, Sources& sources, Diagnostics& diagnostics) {
+  if (options.against.empty()) return nullptr;
+  if (is_timing_model(options.against)) return read_timing(options.against, sources, diagnostics);
+  Options before = options;
+  before.input = options.against;
+  const auto subject = read_subject(before, robot_options, sources, diagnostics);
+  if (!subject) return nullptr;
+  timing::AnalysisRequest request;
+  request.profile = question.profile;
+  request.requirements = subject->requirements;
+  Diagnostics findings;  // of that robot: not what this report is about
+  const auto timing = timing::analyse(subject->model, request, findings);
+  if (!timing) add_findings(findings, diagnostics);
+  return timing ? timing::timing_json(*timing) : report::Json(nullptr);
 }
 
 }  // namespace
@@ -52,6 +70,7 @@ Answer run_report(const Options& options, Sources& sources, Diagnostics& diagnos
   question.requirements = subject->requirements;
   report::Json run;
   if (!options.run_file.empty()) run = read_run(options.run_file, subject->model, sources, diagnostics);
+  report::Json against = earlier_timing(options, robot_options, question, sources, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   if (!check_outputs({{options.out, "-o"}}, sources, diagnostics)) return no_answer();
 
@@ -63,8 +82,9 @@ Answer run_report(const Options& options, Sources& sources, Diagnostics& diagnos
   auto answers = answers_of(subject->model, question, request, answer.judged);
   if (!answers) return answer;
   answers->documents.run = std::move(run);
-  const report::Contents contents{view_of(robot, forest, schedule), subject->model, std::move(answers->documents),
-                                  std::move(answers->timeline)};
+  answers->documents.against = std::move(against);
+  const report::Contents contents{view_of(robot, forest, schedule), report::body_of(robot), subject->model,
+                                  std::move(answers->documents), std::move(answers->timeline)};
   const std::string page = report::page_of(contents, input_of(options, diagnostics)->data_dir + "/templates/report");
   if (!write_result(options.out, page, diagnostics)) return no_answer();
   answer.status = denies_warnings(options, answer.judged) ? kExitInvalid : kExitYes;

@@ -15,10 +15,12 @@ struct Documents {
   Json timing;      ///< finemote.timing/1
   Json simulation;  ///< finemote.simulation/1, of the same chains in the same order
   Json run;         ///< finemote.run/1; null: there is none
+  Json against;     ///< finemote.timing/1 of what the robot was before; null: there is none
 
   [[nodiscard]] Place of_timing() const { return {timing, "timing"}; }
   [[nodiscard]] Place of_simulation() const { return {simulation, "simulation"}; }
   [[nodiscard]] Place of_run() const { return {run, "run"}; }
+  [[nodiscard]] Place of_against() const { return {against, "against"}; }
   [[nodiscard]] bool has_run() const { return !run.is_null(); }
 
   /// The profile whose verdict counts, in timing.

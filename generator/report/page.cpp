@@ -10,6 +10,7 @@
 #include "generator/graph/forest_svg.hpp"
 #include "generator/output/sha256.hpp"
 #include "generator/report/base64.hpp"
+#include "generator/report/changes.hpp"
 #include "generator/report/data_block.hpp"
 #include "generator/report/tables.hpp"
 #include "generator/report/verdict.hpp"
@@ -75,7 +76,7 @@ std::string length_text(const Timeline& timeline) {
 }  // namespace
 
 std::string page_of(const Contents& contents, const std::string& folder) {
-  const auto& [view, model, documents, timeline] = contents;
+  const auto& [view, body, model, documents, timeline] = contents;
   const Verdict verdict = verdict_of(documents, view.robot);
   const std::string script = script_of(folder);
   Pieces pieces;
@@ -91,15 +92,15 @@ std::string page_of(const Contents& contents, const std::string& folder) {
   pieces["forest"] = inline_forest_svg(view);
   pieces["devices"] = device_table(documents, view);
   pieces["chains"] = chain_table(documents, model);
+  pieces["earlier"] = earlier_bounds(documents);
   pieces["requirements"] = requirement_table(documents);
   pieces["length"] = length_text(timeline);
   pieces["processor"] = processor_table(documents);
   pieces["buses"] = bus_table(documents);
   pieces["assumptions"] = assumption_table(documents);
   pieces["data"] = data_block(model, timeline, documents.of_timing()["profile"].text());
-  add_optional("changes", "What changed", "", pieces);
-  add_optional("body", "The robot from three sides", "", pieces);
-  add_optional("plots", "What the run showed", "", pieces);
+  add_optional("changes", "What changed", changes_of(documents), pieces);
+  add_optional("body", "The robot from three sides", body_pictures(body), pieces);
   return filled(read(folder + "/page.html"), pieces);
 }
 

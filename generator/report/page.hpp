@@ -4,6 +4,7 @@
 #include <string>
 
 #include "generator/graph/forest_view.hpp"
+#include "generator/report/body.hpp"
 #include "generator/report/documents.hpp"
 #include "generator/report/timeline.hpp"
 
@@ -11,6 +12,7 @@ namespace finemote::gen::report {
 
 struct Contents {
   ForestView view;
+  Body body;
   timing::Model model;
   Documents documents;
   Timeline timeline;

@@ -63,9 +63,9 @@ std::string age_card(const Documents& documents) {
   const Place worst = worst_chain(documents, member);
   if (!worst.exists()) return card("Worst age of a command", "no bound", "of no chain");
   const std::string from = worst["from"].text(), to = worst["to"].text();
-  std::string value = worst[member].figure(Unit::time) + " bound";
+  std::string value = "<span class=\"whole\">" + worst[member].figure(Unit::time) + " bound</span>";
   const Place measured = Measurements(documents).chain(from, to)[has_wire ? "end_to_end" : "decide"]["max_ns"];
-  if (measured.is_number()) value += ", " + measured.figure(Unit::time) + " measured";
+  if (measured.is_number()) value += ", <span class=\"whole\">" + measured.figure(Unit::time) + " measured</span>";
   return card(has_wire ? "Worst age of a command" : "Longest decision", value,
               svg::escaped(from + " → " + to) + (worst["assumed"].is_true() ? ", on assumed times" : ""));
 }

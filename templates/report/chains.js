@@ -6,6 +6,8 @@ const kFewChains = 8;  // shown at first
 /** The chains of the table, those with the longest bound first. Cells are in the order of its columns. */
 function readChains() {
   const rows = [...document.querySelectorAll('#chains-table tbody tr')];
+  const earlier = new Map([...document.querySelectorAll('#earlier-table tbody tr')]
+      .map((row) => [row.cells[0].textContent, [...row.cells].slice(1)]));
   const chains = rows.map((row) => {
     const cells = [...row.cells];
     const numbers = (text) => text.split(' ').filter((word) => word !== '').map(Number);
@@ -15,6 +17,7 @@ function readChains() {
       name: cells[0].textContent,
       bound: cells.slice(1, 4),
       total: cells[4],
+      earlier: earlier.get(cells[0].textContent) ?? null,
       simulated: cells[5],
       measured: measured ? cells.slice(6, 9) : null,
       measuredTotal: measured ? cells[9] : null,
@@ -48,6 +51,10 @@ function makeBars(chain, longest) {
   // Where a part has no value there is no whole either: the decision stands for it.
   const whole = (total, cells) => valueOf(total) !== null ? ['', total] : ['D ', cells[1]];
   const bars = [makeBar('bound', partsOf(chain.bound), ...whole(chain.total, chain.bound))];
+  if (chain.earlier) {
+    const parts = chain.earlier.slice(0, 3);
+    bars.push(makeBar('before', partsOf(parts), ...whole(chain.earlier[3], parts)));
+  }
   if (valueOf(chain.simulated) !== null) {
     const ahead = makePart('', valueOf(chain.bound[0]) ?? 0, longest);
     const decide = makePart('decide', valueOf(chain.simulated), longest, `decide ${chain.simulated.textContent}`);
@@ -68,7 +75,7 @@ function makeChain(chain, longest) {
 function prepareChains() {
   const chains = readChains();
   const box = find('#chain-bars');
-  const lengths = chains.flatMap((chain) => [chain.total, chain.bound[1], chain.measuredTotal].map(valueOf));
+  const lengths = chains.flatMap((chain) => [chain.total, chain.bound[1], chain.measuredTotal, chain.earlier?.[3]].map(valueOf));
   const longest = Math.max(1, ...lengths.filter((value) => value !== null));
   const add = (some) => box.append(...some.map((chain) => makeChain(chain, longest)));
   add(chains.slice(0, kFewChains));
@@ -84,9 +91,15 @@ function prepareChains() {
   if (chains.length === 0) box.append(make('p', {class: 'note'}, 'No device takes a command.'));
 }
 
-/** Shows the way of the chosen chain in the picture of the trees. */
+/** Marks the devices that changed in the picture of the trees, and shows the way of the chosen chain there. */
 function prepareForest() {
   const cards = [...document.querySelectorAll('.forest .device')];
+  const changed = new Set([...document.querySelectorAll('#changes-table tbody th')].map((cell) => cell.textContent));
+  for (const card of cards) {
+    if (!changed.has(`device ${card.dataset.device}`)) continue;
+    card.classList.add('changed');
+    card.append(draw('title', {}, 'changed'));
+  }
   const place = new Map(data.devices.map((name, i) => [name, i]));
   selection.listeners.push((chain) => {
     for (const card of cards) {

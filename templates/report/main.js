@@ -2,4 +2,4 @@
 prepareTheme();
 prepareForest();
 prepareChains();
-new Timeline(find('#timeline-view'));
+const view = new Timeline(find('#timeline-view'));

@@ -169,6 +169,53 @@ class Report(unittest.TestCase):
             self.assertNotEqual(page.run("getComputedStyle(document.body).backgroundColor"), before)
             self.assertEqual(page.run(CONTRASTS), [], "light" if dark else "dark")
 
+    def test_what_changed_is_said_and_drawn(self):
+        before = SOURCE / "examples/finsrov.urdf"
+        slower = pathlib.Path(FOLDER.name) / "slower.urdf"
+        text = before.read_text()
+        slower.write_text(text.replace('bus="imu_uart" period="5ms"', 'bus="imu_uart" period="10ms"')
+                          .replace('name="thruster_8" type', 'name="thruster_nine" type'))
+        saved = pathlib.Path(FOLDER.name) / "before.json"
+        saved.write_text(json.dumps(document("analyze", before)))
+        for against in (before, saved):
+            answer = finemote("report", slower, "-o", self.page("changed"), "--against", against)
+            self.assertEqual(answer.returncode, 0, answer.stderr)
+            page = self.open("changed")
+            rows = page.run("[...document.querySelectorAll('#changes-table tbody tr')].map(r => [...r.cells].map(c => c.innerText))")
+            self.assertIn(["device imu", "period", "5 ms", "10 ms", "changed"], rows)
+            self.assertIn(["device thruster_nine", "", "–", "–", "added"], rows)
+            self.assertIn(["device thruster_8", "", "–", "–", "removed"], rows)
+            worse = [row[0] for row in rows if row[4] == "worse"]
+            self.assertTrue(worse)
+            changed = page.run("[...document.querySelectorAll('.device.changed')].map(card => card.dataset.device)")
+            self.assertEqual(set(changed), {"imu", "thruster_nine"})
+            self.assertGreater(page.run("[...document.querySelectorAll('.bar .who')].filter(w => w.innerText === 'before').length"), 0)
+            documents = {"timing": document("analyze", slower), "simulation": document("simulate", slower),
+                         "against": json.loads(saved.read_text())}
+            for key, value in Keys(self.page("changed").read_text()).values:
+                self.assertEqual(json.loads(value), at(documents, key), key)
+        finemote("report", before, "-o", self.page("changed"), "--against", saved)
+        self.assertEqual(self.open("changed").run("document.querySelectorAll('#changes-table, .device.changed').length"), 0)
+
+    def test_the_body_is_drawn_from_three_sides(self):
+        page = self.open("finsrov")
+        self.assertEqual(page.run("document.querySelectorAll('#body svg').length"), 3)
+        devices = page.run("[...document.querySelectorAll('#parts-table tbody tr')].map(row => row.cells[0].innerText)")
+        self.assertEqual(len(devices), 13)
+        outside = page.run("""[...document.querySelectorAll('#body svg')].flatMap(svg => {
+          const box = svg.getBoundingClientRect();
+          return [...svg.querySelectorAll('circle, text')].filter(e => {
+            const b = e.getBoundingClientRect();
+            return b.left < box.left || b.right > box.right || b.top < box.top || b.bottom > box.bottom;
+          }).map(e => e.outerHTML);
+        })""")
+        self.assertEqual(outside, [])
+        overlapping = page.run("""[...document.querySelectorAll('#body svg')].flatMap(svg => {
+          const all = [...svg.querySelectorAll('.number')].map(e => [Number(e.getAttribute('cx')), Number(e.getAttribute('cy'))]);
+          return all.filter(([x, y], i) => all.some(([u, v], j) => j < i && Math.hypot(x - u, y - v) < 17));
+        })""")
+        self.assertEqual(overlapping, [])
+
     def test_the_keyboard_reaches_everything(self):
         page = self.open("finsrov")
         reached = []

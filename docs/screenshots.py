@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+"""Photographs reports of the examples for the pages: docs/pictures/*.png. usage: screenshots.py FINEMOTE
+
+The pictures depend on the version of Chromium to the pixel: nothing compares them. 77: there is no Chromium.
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PICTURES = ROOT / "docs/pictures"
+sys.path.insert(0, str(ROOT / "tests/report"))
+
+from browser import Browser, program  # noqa: E402
+
+CHOOSE = "document.querySelectorAll('.chain button')[{}].click()"
+SHOW = "view.show({}, {})"
+
+
+def report(finemote, folder, robot, *words):
+    """The page of an example as it runs for half a second."""
+    source, page, run = ROOT / f"examples/{robot}.urdf", folder / f"{robot}.html", folder / f"{robot}.json"
+    measured = subprocess.run([finemote, "run", source, "--duration", "500ms", "--format", "json"], capture_output=True,
+                              text=True, check=True)
+    run.write_text(measured.stdout)
+    subprocess.run([finemote, "-q", "report", source, "-o", page, "--run", run, *words], check=True,
+                   stdout=subprocess.DEVNULL)
+    return page
+
+
+def take(browser, name, page, selector, *steps, **how):
+    opened = browser.open(page, **how)
+    for step in steps:
+        opened.run(step)
+        opened.settle()
+    opened.screenshot(PICTURES / f"{name}.png", selector)
+    complaints = opened.complaints()
+    if complaints:
+        sys.exit(f"{name}: {complaints}")
+
+
+def main():
+    if program() is None:
+        print("no Chromium: the screenshots stay as they are", file=sys.stderr)
+        return 77
+    finemote = str(pathlib.Path(sys.argv[1]).resolve())
+    with tempfile.TemporaryDirectory() as name, Browser() as browser:
+        finsrov, infantry = (report(finemote, pathlib.Path(name), robot) for robot in ("finsrov", "infantry"))
+        top = "document.body.style.height = '860px'; document.body.style.overflow = 'hidden'"
+        take(browser, "report", infantry, None, top, width=1280)
+        take(browser, "report_narrow_dark", infantry, None, top, width=390, dark=True)
+        take(browser, "ages", infantry, "#chain-bars", width=900)
+        take(browser, "timeline_chain", infantry, "#timeline", CHOOSE.format(0), width=1100)
+        take(browser, "preemption", infantry, "#timeline-view svg", SHOW.format(0, 260_000), width=1100)
+        take(browser, "thrusters", finsrov, ".views", width=1100)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
