@@ -151,6 +151,14 @@ Table options_of_run() {
        dump()});
 }
 
+Table options_of_wcet() {
+  return join({robot(),
+               no_sandbox(),
+               {{"-o,--output", &Options::out, "write the bounds to this file, as finemote.wcet/1"},
+                {"--elf", &Options::elf, "an image of this robot that was linked elsewhere"},
+                {"--explain", &Options::explained_stage, "the longest way through a stage, for example imu.update"}}});
+}
+
 Table options_of_bench_kit() {
   return join(
       {{{"-o,--output", &Options::out, "folder of the kit: sources, drawing, and the image where it can be built"},
@@ -297,6 +305,7 @@ std::vector<Command> commands_of_analyses() {
        arguments_footer},
       {"run", "generate, compile, run and measure the firmware of a robot", options_of_run(), run_run,
        arguments_footer},
+      {"wcet", "bound execution times from the linked image", options_of_wcet(), run_wcet, arguments_footer},
       {"bench-kit", "write a self-test for a bare board, or judge what it printed", options_of_bench_kit(),
        run_bench_kit, arguments_footer},
   };

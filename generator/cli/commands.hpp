@@ -48,6 +48,7 @@ Answer run_scaffold_board(const Options& options, Sources& sources, Diagnostics&
 Answer run_board_sources(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_bench_kit(const Options& options, Sources& sources, Diagnostics& diagnostics);
+Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_diff(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_import(const Options& options, Sources& sources, Diagnostics& diagnostics);
 Answer run_fmt(const Options& options, Sources& sources, Diagnostics& diagnostics);

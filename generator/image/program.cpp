@@ -1,10 +1,12 @@
 #include "generator/image/program.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace finemote::gen {
 
-Program::Program(const Image& image) : image_(image) {
+Program::Program(const Image& image, std::vector<std::uint32_t> boundaries)
+    : image_(image), boundaries_(std::move(boundaries)) {
   for (const ImageSymbol& symbol : image.symbols) {
     if (symbol.kind != ImageSymbol::Kind::function || symbol.section == 0 || functions_.count(symbol.address) != 0)
       continue;
@@ -25,7 +27,7 @@ bool Program::trace_again() {
   const auto call_returns = [this](const FlowCall& call) { return returns(call); };
   for (auto& [address, function] : functions_) {
     if (!function.is_cut) continue;
-    function.graph = trace(image_, function.body, call_returns);
+    function.graph = trace(image_, function.body, call_returns, boundaries_);
     function.is_cut = is_cut(function.graph);
     if (function.returns || !function.graph.has_return(call_returns)) continue;
     function.returns = is_one_new = true;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "generator/image/body.hpp"
 #include "generator/image/flow_graph.hpp"
@@ -21,8 +22,8 @@ struct ProgramFunction {
 
 class Program {
  public:
-  /// `image` outlives it.
-  explicit Program(const Image& image);
+  /// `image` outlives it. Blocks end at the `boundaries`, too, which are in order and may lie anywhere.
+  explicit Program(const Image& image, std::vector<std::uint32_t> boundaries = {});
 
   /// The function that begins there, or null.
   [[nodiscard]] const ProgramFunction* at(std::uint32_t address) const;
@@ -37,6 +38,7 @@ class Program {
   [[nodiscard]] bool is_cut(const FlowGraph& graph) const;
 
   const Image& image_;
+  std::vector<std::uint32_t> boundaries_;
   std::map<std::uint32_t, ProgramFunction> functions_;
 };
 

@@ -15,6 +15,13 @@ constexpr float kStepsPerSecond = kTurn / 60.0F;      ///< per rpm
 constexpr float kMaxRpm = 32000;
 constexpr Duration kLongestGap = 1 * kSecond;  ///< beyond it the turns between two frames are not guessed
 
+/// The same angle within half a turn: -kTurn / 2 < step <= kTurn / 2.
+constexpr std::int32_t nearest_turn(std::int32_t step) {
+  static_assert((kTurn & (kTurn - 1)) == 0, "the remainder is taken by a mask");
+  constexpr std::int32_t kBelow = kTurn / 2 - 1;
+  return ((step + kBelow) & (kTurn - 1)) - kBelow;
+}
+
 std::int16_t word_at(const CanFrame& frame, unsigned at) {
   return static_cast<std::int16_t>(frame.data[at] << 8 | frame.data[at + 1]);
 }
@@ -51,8 +58,7 @@ void DjiMotor::count_turns(std::int32_t angle, float rpm, Time at) {
   std::int32_t step = angle - last_angle_;
   if (!counting_) {
     step = angle - static_cast<std::int32_t>(std::lround(zero_ / kRadPerStep));
-    while (step > kTurn / 2) step -= kTurn;
-    while (step <= -kTurn / 2) step += kTurn;
+    step = nearest_turn(step);
   } else {
     const Duration gap = at - last_at_;
     const float expected = gap <= kLongestGap ? rpm * seconds(gap) * kStepsPerSecond : 0;

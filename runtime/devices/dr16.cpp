@@ -33,7 +33,9 @@ std::int16_t word_at(const std::uint8_t* bytes) { return static_cast<std::int16_
 }  // namespace
 
 void Dr16::update() {
-  for (std::size_t size = 0, room = 0; size == room;) {
+  // The first one may have less room than a frame; the last one returns less than it may.
+  std::size_t size = 0, room = 0;
+  for (std::size_t left = uart_->full_reads(kFrame) + 2; size == room && left != 0; --left) {
     if (size_ == sizeof bytes_) {  // the oldest frame makes room
       size_ -= kFrame;
       std::memmove(bytes_, bytes_ + kFrame, size_);

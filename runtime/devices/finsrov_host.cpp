@@ -1,5 +1,7 @@
 #include "finemote/devices/finsrov_host.hpp"
 
+#include "finemote/loop_bound.hpp"
+
 namespace finemote {
 
 namespace {
@@ -64,7 +66,10 @@ bool FinsRovHost::receive(Uart& uart) {
     const std::size_t room = kMaxMessage - size_;
     too_long_ = too_long_ || size > room;
     const std::size_t kept = size < room ? size : room;
-    for (std::size_t i = 0; i < kept; ++i) text_[size_ + i] = static_cast<char>(bytes[i]);
+    for (std::size_t i = 0; i < kept; ++i) {
+      loop_bound<sizeof bytes>();
+      text_[size_ + i] = static_cast<char>(bytes[i]);
+    }
     size_ += kept;
   }
   if (size_ == 0 || !uart.idle()) return false;

@@ -54,7 +54,8 @@ void H30Imu::update() {
   std::uint8_t bytes[64];
   const std::uint32_t before = frames_;
   bad_now_ = 0;
-  for (std::size_t size = sizeof bytes; size == sizeof bytes;) {
+  std::size_t size = sizeof bytes;
+  for (std::size_t left = uart_->full_reads(sizeof bytes) + 1; size == sizeof bytes && left != 0; --left) {
     size = uart_->read(bytes, sizeof bytes);
     take(bytes, size);
   }

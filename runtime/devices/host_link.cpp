@@ -88,7 +88,8 @@ void HostLink::handle() {
 void HostLink::receive() {
   std::uint8_t bytes[64];
   rejected_now_ = 0;
-  for (std::size_t size = sizeof bytes; size == sizeof bytes;) {
+  std::size_t size = sizeof bytes;
+  for (std::size_t left = uart_->full_reads(sizeof bytes) + 1; size == sizeof bytes && left != 0; --left) {
     size = uart_->read(bytes, sizeof bytes);
     take(bytes, size);
   }

@@ -31,7 +31,8 @@ void Sbus::update() {
   const std::uint32_t before = gaps();
   bad_now_ = 0;
   std::uint8_t bytes[64];
-  for (std::size_t size = sizeof bytes; size == sizeof bytes;) {
+  std::size_t size = sizeof bytes;
+  for (std::size_t left = uart_->full_reads(sizeof bytes) + 1; size == sizeof bytes && left != 0; --left) {
     size = uart_->read(bytes, sizeof bytes);
     if (gaps() != before) frame_.drop(frame_.size());  // what is kept lies before the gap
     for (std::size_t i = 0; i < size;) {

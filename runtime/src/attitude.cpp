@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "finemote/control/pid.hpp"
+#include "finemote/control/sine.hpp"
 
 namespace finemote {
 
@@ -33,7 +34,7 @@ void AttitudeFilter::step(const Gains& gains, const float (&rate)[3], const floa
 void AttitudeFilter::align(const float (&a)[3]) {
   const float half_roll = 0.5F * std::atan2(a[1], a[2]);
   const float half_pitch = 0.5F * std::atan2(-a[0], std::sqrt(a[1] * a[1] + a[2] * a[2]));
-  const float cr = std::cos(half_roll), sr = std::sin(half_roll), cp = std::cos(half_pitch), sp = std::sin(half_pitch);
+  const float cr = cosine(half_roll), sr = sine(half_roll), cp = cosine(half_pitch), sp = sine(half_pitch);
   q_[0] = cr * cp;
   q_[1] = sr * cp;
   q_[2] = cr * sp;

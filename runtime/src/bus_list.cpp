@@ -1,15 +1,23 @@
 #include "finemote/bus_counters.hpp"
 
+#include "finemote/loop_bound.hpp"
+
 namespace finemote {
 namespace {
 
 BusCounters* first = nullptr;
 
+/// More than any chip has ports.
+constexpr unsigned kMostBuses = 32;
+
 }  // namespace
 
 void list_bus(BusCounters& counters) {
   BusCounters** end = &first;
-  while (*end != nullptr && *end != &counters) end = &(*end)->next;
+  while (*end != nullptr && *end != &counters) {
+    loop_bound<kMostBuses>();
+    end = &(*end)->next;
+  }
   *end = &counters;
 }
 

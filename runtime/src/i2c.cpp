@@ -95,8 +95,9 @@ void I2cBus::on_interrupt(I2cEvent event) {
 }
 
 void I2cBus::pick() {
-  while (safe_cursor_ < count_) {
-    I2cSlot& slot = *slots_[safe_cursor_++];
+  for (std::uint8_t i = safe_cursor_; i < count_; ++i) {
+    I2cSlot& slot = *slots_[i];
+    safe_cursor_ = static_cast<std::uint8_t>(i + 1);
     if (slot.safe_size_.load() != 0) return begin_unit(slot, true);
   }
   for (std::uint8_t i = 0; i < count_; ++i) {
@@ -157,8 +158,9 @@ bool I2cBus::begin_deselect() {
     deselect_cursor_ = 1;
     return !is_off;
   }
-  while (deselect_cursor_ < count_) {
-    const std::uint8_t mux = slots_[deselect_cursor_++]->route_.address;
+  for (std::uint8_t i = deselect_cursor_; i < count_; ++i) {
+    const std::uint8_t mux = slots_[i]->route_.address;
+    deselect_cursor_ = static_cast<std::uint8_t>(i + 1);
     if (mux == 0 || mux == target) continue;
     std::uint32_t& addresses = switched_off_[mux / 32 % 4];
     const std::uint32_t own = std::uint32_t{1} << mux % 32;

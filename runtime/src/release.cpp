@@ -26,18 +26,18 @@ Ticks ticks_in(Duration period, std::uint32_t tick_ns) {
 }
 
 void ReleasePlan::start(const Schedule& schedule, const std::uint32_t* bits, std::uint32_t longest_step) {
-  count_ = 0;
+  std::size_t count = 0;
   for (const Bucket& bucket : schedule.buckets) {
-    entries_[count_] = {0, ticks_in(bucket.period, static_cast<std::uint32_t>(schedule.tick)).count, bits[count_]};
-    overrun_counts[count_++] = 0;
+    entries_[count] = {0, ticks_in(bucket.period, static_cast<std::uint32_t>(schedule.tick)).count, bits[count]};
+    overrun_counts[count++] = 0;
   }
   step_ = 0;
   longest_step_ = longest_step;
 }
 
-Release ReleasePlan::next() {
+Release ReleasePlan::next(std::size_t buckets) {
   Release release{0, longest_step_};
-  for (unsigned i = 0; i < count_; ++i) {
+  for (std::size_t i = 0; i < buckets; ++i) {
     Entry& entry = entries_[i];
     entry.left -= step_;
     if (entry.left == 0) {

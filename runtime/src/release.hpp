@@ -1,6 +1,7 @@
 // Turns periods into releases: which buckets are due at the next instant, and how long until the one after it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "finemote/schedule.hpp"
@@ -29,8 +30,8 @@ class ReleasePlan {
   /// `bits[i]` stands for bucket i in Release::due. Instants are at most `longest_step` ticks apart.
   void start(const Schedule& schedule, const std::uint32_t* bits, std::uint32_t longest_step);
 
-  /// The next instant: one short pass over the buckets.
-  Release next();
+  /// The next instant: one short pass over the buckets, of which there are as many as at the start.
+  Release next(std::size_t buckets);
 
  private:
   struct Entry {
@@ -40,7 +41,6 @@ class ReleasePlan {
   };
 
   Entry entries_[kMaxBuckets]{};
-  unsigned count_ = 0;
   std::uint32_t step_ = 0;
   std::uint32_t longest_step_ = 0;
 };

@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "finemote/control/pid.hpp"
+#include "finemote/control/sine.hpp"
 
 namespace finemote {
 
 Rotation Rotation::about(const Vector& axis, float angle) {
-  const float within = wrap_angle(angle);  // the time of sine and cosine grows with what they get
-  const float s = std::sin(within), c = std::cos(within);
+  const float s = sine(angle), c = cosine(angle);
   const Vector k = (1 - c) * axis, w = s * axis;
   return {{{c + k.x * axis.x, k.x * axis.y - w.z, k.x * axis.z + w.y},
            {k.y * axis.x + w.z, c + k.y * axis.y, k.y * axis.z - w.x},
@@ -16,8 +16,8 @@ Rotation Rotation::about(const Vector& axis, float angle) {
 }
 
 Rotation Rotation::of_angles(float roll, float pitch, float yaw) {
-  const float cr = std::cos(roll), sr = std::sin(roll), cp = std::cos(pitch), sp = std::sin(pitch);
-  const float cy = std::cos(yaw), sy = std::sin(yaw);
+  const float cr = cosine(roll), sr = sine(roll), cp = cosine(pitch), sp = sine(pitch);
+  const float cy = cosine(yaw), sy = sine(yaw);
   return {{{cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr},
            {sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr},
            {-sp, cp * sr, cp * cr}}};

@@ -14,6 +14,8 @@ constexpr Duration kSendSlack = 1 * kMillisecond;
 /// The clock of a sender that is understood is off by at most a part of so many: 4.5 %, RM0090 30.3.5.
 constexpr std::int64_t kClockDeviationPart = 22;
 
+constexpr std::size_t least(std::size_t a, std::size_t b) { return a < b ? a : b; }
+
 constexpr Time later(Time a, Time b) { return a < b ? b : a; }
 
 /// Start bit, data, parity, stop bits.
@@ -34,7 +36,7 @@ constexpr int bits_per_byte(UartFormat format) {
 /// Bytes of a ring from number `from` on.
 void copy(const UartRing ring, std::uint32_t from, std::uint8_t* out, std::uint32_t count) {
   const std::uint32_t mask = ring.size - 1;
-  for (const std::uint8_t* end = out + count; out != end; ++out, ++from) *out = ring.bytes[from & mask];
+  for (; count != 0; --count) *out++ = ring.bytes[from++ & mask];
 }
 
 }  // namespace
@@ -46,7 +48,8 @@ void Uart::start() {
 }
 
 std::size_t Uart::read(std::uint8_t* out, std::size_t capacity) {
-  const std::size_t size = take(out, capacity < left_ ? capacity : left_);
+  const std::size_t allowed = least(left_, limits_.bytes);  // left_ is never more, which only this line tells tools
+  const std::size_t size = take(out, least(capacity, allowed));
   left_ = static_cast<std::uint16_t>(left_ - size);
   if (size < capacity) {
     left_ = limits_.bytes;

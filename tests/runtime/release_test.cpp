@@ -27,7 +27,7 @@ void check_against_arithmetic(const std::vector<int>& periods_ms, std::uint32_t 
   plan.start(schedule, bits, longest_step);
   std::uint64_t tick = 0;
   for (unsigned n = 0; n < instants; ++n) {
-    const detail::Release release = plan.next();
+    const detail::Release release = plan.next(buckets.size());
     std::uint32_t due = 0;
     std::uint64_t nearest = tick + longest_step;
     for (unsigned i = 0; i < buckets.size(); ++i) {

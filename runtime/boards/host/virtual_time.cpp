@@ -70,7 +70,7 @@ void release(Machine& m) {
   m.pending |= m.next.due & ~late;
   m.watch.note(finemote_schedule, bits, m.next.due, late);
   m.next_release += m.next.ticks * finemote_schedule.tick;
-  m.next = m.plan.next();
+  m.next = m.plan.next(finemote_schedule.buckets.size());
   if (m.next_release >= m.end) m.next_release = kNever;
   m.fed = !m.watch.starving();
   if (late != 0) detail::report_overruns(late, bits);
@@ -186,7 +186,7 @@ bool run(Duration duration) {
   try {
     detail::start_robot(finemote_schedule, kTimer);
     m.plan.start(finemote_schedule, bits, UINT32_MAX);
-    m.next = m.plan.next();
+    m.next = m.plan.next(finemote_schedule.buckets.size());
     m.next_release = 0;
     idle_until(m, duration);
   } catch (const Stopped&) {

@@ -9,6 +9,7 @@
 
 #include "finemote/board.hpp"
 #include "finemote/fault.hpp"
+#include "finemote/loop_bound.hpp"
 #include "finemote/schedule.hpp"
 #include "finemote/single_core.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
@@ -71,7 +72,7 @@ __attribute__((noinline)) void plan(Releases& r, Instant& slot) {
   const std::uint32_t ticks = r.ahead.ticks;
   r.ahead_at += static_cast<Time>(std::uint64_t{ticks} * r.tick_ns);
   r.ahead_stamp += ticks * r.cycles_per_tick;
-  r.ahead = r.plan.next();
+  r.ahead = r.plan.next(finemote_schedule.buckets.size());
   slot.reload = r.ahead.ticks * r.cycles_per_tick - 1;
 }
 
@@ -104,7 +105,7 @@ Duration longest_gap(const Schedule& schedule, std::uint32_t longest_step) {
 // come.
 Instant& fill(Releases& r, std::uint32_t all) {
   unsigned whole = 0;  // slots that whole hyperperiods take
-  r.ahead = r.plan.next();
+  r.ahead = r.plan.next(finemote_schedule.buckets.size());
   for (unsigned i = 0; i < kSlots - 1; ++i) {
     plan(r, r.ring[i]);
     r.ring[i].next = &r.ring[i + 1];
@@ -183,6 +184,7 @@ bool pass_instant() {
 Interval release_interval() {
   const Releases& r = releases;
   for (;;) {  // ends: one more turn at most per release, and releases are at least a tick apart
+    retried_if_interrupted();
     const Instant* const present = r.present;
     if (present == nullptr) return {0, 1};
     const Interval interval{present->stamp, present->next->stamp - present->stamp};
@@ -203,6 +205,7 @@ __attribute__((weak)) void run_ended() {}
 Time now() {
   const cortex_m4::Releases& r = cortex_m4::releases;
   for (;;) {  // ends: as in release_interval()
+    retried_if_interrupted();
     const cortex_m4::Instant* const present = r.present;
     if (present == nullptr) return 0;
     const Time at = present->at;

@@ -28,9 +28,9 @@ class AnalogPin {
   [[nodiscard]] float full_scale() const { return volt_per_code_ * AdcPort::kFullScale; }
 
  private:
-  AdcPort* port_;
-  std::uint8_t input_;
-  float volt_per_code_;
+  AdcPort* const port_;
+  const std::uint8_t input_;
+  const float volt_per_code_;
 };
 
 }  // namespace finemote

@@ -34,11 +34,11 @@ class CanInbox {
   friend class CanSlot;
   void store(const CanFrame& frame, Time at);
 
-  CanIds ids_;
+  const CanIds ids_;
   Shared<std::uint32_t> changes_{0};  ///< twice the frames so far; odd while one is being stored
   Time at_ = kLongAgo;
   CanFrame in_;
-  CanInbox* next_;
+  CanInbox* const next_;
 };
 
 /// A device's bytes in a command frame that several devices fill.
@@ -80,12 +80,12 @@ class CanSlot {
 
  private:
   friend class CanBus;
-  CanBus* bus_;
-  std::uint16_t id_;
-  std::uint8_t priority_;
+  CanBus* const bus_;
+  const std::uint16_t id_;
+  const std::uint8_t priority_;
   Shared<bool> waiting_{false};
   CanFrame out_;
-  CanShare share_;
+  const CanShare share_;
   CanInbox inbox_;
 };
 
@@ -178,11 +178,11 @@ class CanBus {
   void begin_recovery(Time at);
   void silence();
 
-  CanPort* port_;
-  CanSlot* const* slots_;
-  std::uint8_t count_;
-  std::int64_t bitrate_;
-  std::int32_t longest_frame_;  ///< ns
+  CanPort* const port_;
+  CanSlot* const* const slots_;
+  const std::uint8_t count_;
+  const std::int64_t bitrate_;
+  const std::int32_t longest_frame_;  ///< ns
   Busy received_;
   Busy sent_[kSentKept];  ///< the last one first
   bool recovering_ = false;

@@ -21,7 +21,7 @@ class GpioBus {
   [[nodiscard]] bool read(std::uint8_t pin) const { return port_->read(pin); }
 
  private:
-  GpioPort* port_;
+  GpioPort* const port_;
 };
 
 /// One pin, as a device holds it. Active is what the board file says: low for a key to ground, high for a lamp.
@@ -44,8 +44,8 @@ class GpioPin {
 
  private:
   GpioPort* port_;
-  std::uint8_t pin_;
-  bool active_low_;
+  const std::uint8_t pin_;
+  const bool active_low_;
 };
 
 /// One pin whose edges into the active level are timed, as a device holds it.

@@ -85,15 +85,15 @@ class I2cSlot {
   void end(SlotState result);
   void count_failure(bool failed);
 
-  I2cBus* bus_;
+  I2cBus* const bus_;
   const std::uint8_t* write_ = nullptr;
   std::uint8_t* read_ = nullptr;
   const std::uint8_t* then_ = nullptr;
   const std::uint8_t* safe_ = nullptr;
   std::uint16_t write_size_ = 0, read_size_ = 0, then_size_ = 0;
   Shared<std::uint16_t> safe_size_{0};
-  std::uint8_t address_, priority_;
-  MuxRoute route_;
+  const std::uint8_t address_, priority_;
+  const MuxRoute route_;
   Time ended_ = 0;
   Shared<SlotState> state_{SlotState::kIdle};
   Shared<std::uint8_t> failures_{0};  ///< in a row, saturating
@@ -157,11 +157,11 @@ class I2cBus {
   void enter_recovery();
   void carry_recovery_on();
 
-  I2cPort* port_;
-  I2cSlot* const* slots_;
-  std::uint8_t count_;
-  std::int32_t clock_hz_;
-  std::int32_t byte_time_;  ///< ns, wire time of a byte and its acknowledge, rounded down
+  I2cPort* const port_;
+  I2cSlot* const* const slots_;
+  const std::uint8_t count_;
+  const std::int32_t clock_hz_;
+  const std::int32_t byte_time_;  ///< ns, wire time of a byte and its acknowledge, rounded down
 
   I2cSlot* active_ = nullptr;  ///< only the interrupt writes what follows, while the mode is kReady
   Phase phase_ = Phase::kTransfer;

@@ -123,7 +123,7 @@ class UartPort {
   void abort_transmit();
 
  private:
-  UartHardware* hardware_;
+  UartHardware* const hardware_;
 };
 
 // ----------------------------------------------------------------------------------------------------------------- I2C
@@ -184,7 +184,7 @@ class I2cPort {
   [[nodiscard]] Recovery recover(unsigned step);
 
  private:
-  I2cHardware* hardware_;
+  I2cHardware* const hardware_;
 };
 
 // ----------------------------------------------------------------------------------------------------------------- SPI
@@ -222,7 +222,7 @@ class SpiPort {
   void abort();
 
  private:
-  SpiHardware* hardware_;
+  SpiHardware* const hardware_;
 };
 
 // ----------------------------------------------------------------------------------------------------------------- CAN
@@ -274,7 +274,7 @@ class CanPort {
   [[nodiscard]] std::uint16_t error_counters() const;
 
  private:
-  CanHardware* hardware_;
+  CanHardware* const hardware_;
 };
 
 // ---------------------------------------------------------------------------------------------------------- PWM, pins
@@ -299,7 +299,7 @@ class PwmPort {
   [[nodiscard]] bool tune(std::uint32_t period);
 
  private:
-  PwmHardware* hardware_;
+  PwmHardware* const hardware_;
 };
 
 /// What a pin is made into.
@@ -331,7 +331,7 @@ class GpioPort {
   [[nodiscard]] bool read(std::uint8_t pin) const;
 
  private:
-  GpioHardware* hardware_;
+  GpioHardware* const hardware_;
 };
 
 /// The last edge of a line that interrupts.
@@ -352,7 +352,7 @@ class EdgePort {
   [[nodiscard]] Edge last() const;
 
  private:
-  EdgeHardware* hardware_;
+  EdgeHardware* const hardware_;
 };
 
 /// A 12-bit converter that measures one input at a time.
@@ -371,7 +371,7 @@ class AdcPort {
   [[nodiscard]] bool take(std::uint8_t input, std::uint16_t& value);
 
  private:
-  AdcHardware* hardware_;
+  AdcHardware* const hardware_;
 };
 
 }  // namespace finemote

@@ -47,9 +47,9 @@ class PwmOutput {
   constexpr PwmOutput(Channel* channels, std::uint8_t count, std::uint32_t period, bool tunable)
       : channels_(channels), count_(count), tunable_(tunable), period_(period) {}
 
-  Channel* channels_;
-  std::uint8_t count_;
-  bool tunable_;
+  Channel* const channels_;
+  const std::uint8_t count_;
+  const bool tunable_;
   Shared<std::uint32_t> period_;  ///< ns
   Shared<bool> tuned_{false};     ///< period_ differs from what was sent
   Shared<bool> unreachable_{false};
@@ -78,8 +78,8 @@ class PwmChannel {
   [[nodiscard]] bool unreachable() const { return output_->unreachable(); }
 
  private:
-  PwmOutput* output_;
-  std::uint8_t channel_;
+  PwmOutput* const output_;
+  const std::uint8_t channel_;
 };
 
 /// A timer channel of the chip; it has channel 0 alone.
@@ -99,7 +99,7 @@ class PwmBus : public PwmOutput {
   void flush();
 
  private:
-  PwmPort* port_;
+  PwmPort* const port_;
   Channel channel_;
 };
 

@@ -45,7 +45,7 @@ class Rs485Slot {
 
  private:
   friend class Rs485;
-  Rs485* bus_;
+  Rs485* const bus_;
   const std::uint8_t* bytes_ = nullptr;
   std::uint16_t size_ = 0, reply_size_ = 0;
   std::uint8_t id_, priority_, failures_ = 0;
@@ -86,12 +86,12 @@ class Rs485 {
   void pick();
   void finish(SlotState result);
 
-  UartPort* port_;
-  UartRing ring_;
-  Rs485Slot* const* slots_;
-  std::uint8_t count_;
-  std::int64_t baud_;
-  Duration byte_time_;
+  UartPort* const port_;
+  const UartRing ring_;
+  Rs485Slot* const* const slots_;
+  const std::uint8_t count_;
+  const std::int64_t baud_;
+  const Duration byte_time_;
   Shared<bool> busy_{false};
   Rs485Slot* active_ = nullptr;
   std::uint32_t reply_from_ = 0;

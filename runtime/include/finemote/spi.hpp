@@ -43,11 +43,11 @@ class SpiSlot {
  private:
   friend class SpiBus;
 
-  SpiBus* bus_;
+  SpiBus* const bus_;
   const std::uint8_t* write_ = nullptr;
   std::uint8_t* read_ = nullptr;
   std::uint16_t size_ = 0;
-  std::uint8_t select_, priority_, mode_;
+  const std::uint8_t select_, priority_, mode_;
   Time ended_ = 0;
   Shared<SlotState> state_{SlotState::kIdle};
 };
@@ -81,11 +81,11 @@ class SpiBus {
   void pick();
   void finish(SlotState result);
 
-  SpiPort* port_;
-  SpiSlot* const* slots_;
-  std::uint8_t count_;
-  std::int64_t clock_hz_;
-  Duration byte_time_;
+  SpiPort* const port_;
+  SpiSlot* const* const slots_;
+  const std::uint8_t count_;
+  const std::int64_t clock_hz_;
+  const Duration byte_time_;
   SpiSlot* active_ = nullptr;
   Time deadline_ = 0;
   Shared<std::uint32_t> unit_{0};  ///< as I2cBus

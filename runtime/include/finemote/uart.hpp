@@ -46,6 +46,10 @@ class Uart {
   /// and the line may raise its interrupts anew. Context: the device's bucket.
   std::size_t read(std::uint8_t* out, std::size_t capacity);
 
+  /// Most calls of read() in one update() that return all they may, where each may return at least `capacity` bytes.
+  /// Context: any.
+  [[nodiscard]] std::size_t full_reads(std::size_t capacity) const { return limits_.bytes / capacity; }
+
   /// Sends a block; false, and nothing is sent, while the last one is still under way or `size` is above capacity(). A
   /// block that has not left within twice its wire time is aborted and counted. Context: the device's bucket.
   bool write(const std::uint8_t* bytes, std::size_t size);
@@ -73,11 +77,11 @@ class Uart {
   void count_line_errors();
   void lose(std::uint32_t bytes);
 
-  UartPort* port_;
-  UartRing ring_;
-  std::int32_t baud_, bit_time_;  ///< bit/s, ns
-  UartFormat format_;
-  UartLimits limits_;
+  UartPort* const port_;
+  const UartRing ring_;
+  const std::int32_t baud_, bit_time_;  ///< bit/s, ns
+  const UartFormat format_;
+  const UartLimits limits_;
   std::uint16_t left_;             ///< bytes that read() may still return in this update()
   std::uint32_t read_ = 0;         ///< bytes taken since start, modulo 2^32
   std::uint32_t line_errors_ = 0;  ///< seen so far

@@ -131,7 +131,7 @@ void put_word(std::uint8_t* bytes, std::uint32_t word) {
 
 void CanPort::configure(std::int64_t bitrate, CanBus& bus) {
   const CanSetup& setup = hardware_->setup;
-  hardware_->bus = &bus;
+  hardware_->bus.set(&bus);
   const stm32f4::PinSetup pin{stm32f4::PinMode::alternate, stm32f4::PinPull::up, false, setup.alternate_function};
   stm32f4::configure(setup.rx, pin);
   stm32f4::configure(setup.tx, pin);

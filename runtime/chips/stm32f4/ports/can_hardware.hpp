@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "finemote/at_start.hpp"
 #include "finemote/ports.hpp"
 #include "runtime/chips/stm32f4/peripherals.hpp"
 #include "runtime/chips/stm32f4/pin.hpp"
@@ -22,7 +23,7 @@ struct CanSetup : CanPeripheral {
 
 struct CanHardware {
   const stm32f4::CanSetup& setup;
-  CanBus* bus = nullptr;
+  AtStart<CanBus*> bus{};
 
   /// The routines of its lines. Context: interrupt.
   void on_transmit();

@@ -61,10 +61,11 @@ std::uint32_t stop_limit(const BitTiming& timing) {
 /// Half a bit of the recovery clock: 100 kHz.
 constexpr std::uint32_t kHalfBit = 5 * kCyclesPerUs;
 
-/// Ends also when the count stands still: a turn takes a cycle at least, in fact five or more.
+/// Ends also when the count stands still, and never early: a turn takes five cycles or more.
 void wait_cycles(std::uint32_t count) {
+  constexpr std::uint32_t kTurn = 4;
   const std::uint32_t from = cortex_m4::cycles();
-  for (std::uint32_t turns = count; turns != 0 && cortex_m4::cycles() - from < count; --turns) {}
+  for (std::uint32_t turns = count / kTurn; turns != 0 && cortex_m4::cycles() - from < count; --turns) {}
 }
 
 void set_clock(const stm32f4::I2cRegisters& registers, const BitTiming& timing) {
@@ -86,9 +87,9 @@ void I2cHardware::set_up() {
 }
 
 void I2cPort::configure(std::int64_t clock_hz, I2cBus& bus) {
-  hardware_->bus = &bus;
-  hardware_->clock_hz = static_cast<std::uint32_t>(clock_hz);
-  hardware_->stop_limit = stop_limit(bit_timing(hardware_->clock_hz));
+  hardware_->bus.set(&bus);
+  hardware_->clock_hz.set(static_cast<std::uint32_t>(clock_hz));
+  hardware_->stop_limit.set(stop_limit(bit_timing(hardware_->clock_hz)));
   rcc::enable(rcc::apb1enr, hardware_->setup.clock_bit);
   hardware_->set_up();
   cortex_m4::enable_line(hardware_->setup.event_line, kPriority);

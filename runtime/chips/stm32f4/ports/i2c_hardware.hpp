@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "finemote/at_start.hpp"
 #include "finemote/ports.hpp"
 #include "runtime/chips/stm32f4/peripherals.hpp"
 #include "runtime/chips/stm32f4/pin.hpp"
@@ -22,14 +23,14 @@ struct I2cSetup : I2cPeripheral {
 struct I2cHardware {
   const stm32f4::I2cSetup& setup;
 
-  I2cBus* bus = nullptr;
+  AtStart<I2cBus*> bus{};
   I2cMessage message{};
   std::uint16_t moved = 0;  ///< bytes of the present phase
   bool reading = false;     ///< the present phase
   bool active = false;      ///< an exchange is under way
-  std::uint32_t clock_hz = 0;
-  std::uint32_t stop_limit = 0;   ///< of the wait for a STOP, from finished_at on [cycles]
-  std::uint32_t finished_at = 0;  ///< end of the last exchange [cycles]
+  AtStart<std::uint32_t> clock_hz{};
+  AtStart<std::uint32_t> stop_limit{};  ///< of the wait for a STOP, from finished_at on [cycles]
+  std::uint32_t finished_at = 0;        ///< end of the last exchange [cycles]
 
   /// The routines of its lines. Context: interrupt.
   void on_event();

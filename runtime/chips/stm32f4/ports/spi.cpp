@@ -71,7 +71,7 @@ void start_stream(const stm32f4::DmaStream& stream, std::uint32_t peripheral, co
 
 void SpiPort::configure(std::int64_t clock_hz, SpiBus& bus) {
   const SpiSetup& setup = hardware_->setup;
-  hardware_->bus = &bus;
+  hardware_->bus.set(&bus);
   for (unsigned i = 0; i < setup.select_count; ++i) {
     rcc::enable(rcc::ahb1enr, stm32f4::bit(static_cast<unsigned>(setup.selects[i].port - 'A')));
     setup.selects[i].set(true);
@@ -86,7 +86,7 @@ void SpiPort::configure(std::int64_t clock_hz, SpiBus& bus) {
     rcc::enable(rcc::ahb1enr, setup.receive.controller == dma::kController1 ? rcc::kAhb1Dma1 : rcc::kAhb1Dma2);
   }
   hardware_->divider = divider_for(setup.clock_hz, static_cast<std::uint32_t>(clock_hz));
-  hardware_->busy_limit = busy_limit(setup.clock_hz, hardware_->divider);
+  hardware_->busy_limit.set(busy_limit(setup.clock_hz, hardware_->divider));
   cortex_m4::enable_line(setup.line, kPriority);
 }
 
@@ -179,8 +179,9 @@ SpiEvent SpiHardware::step_dma() {
   if ((flags & dma::kFlagComplete) == 0) return SpiEvent::kNone;
   const bool copied = message.read != nullptr && !dma_reaches(message.read);
   const SpiEvent event = finish(SpiEvent::kDone);
-  if (copied && message.size > kSpiCopy) return SpiEvent::kError;
-  if (copied) std::memcpy(message.read, buffers.in, message.size);
+  const std::size_t size = message.size;
+  if (copied && size > kSpiCopy) return SpiEvent::kError;
+  if (copied) std::memcpy(message.read, buffers.in, size);
   return event;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "finemote/at_start.hpp"
 #include "finemote/ports.hpp"
 #include "runtime/chips/stm32f4/peripherals.hpp"
 #include "runtime/chips/stm32f4/pin.hpp"
@@ -39,9 +40,9 @@ struct SpiHardware {
   const stm32f4::SpiSetup& setup;
   stm32f4::SpiBuffers& buffers;
 
-  SpiBus* bus = nullptr;
-  std::uint32_t divider = 7;     ///< field of CR1
-  std::uint32_t busy_limit = 0;  ///< of the wait for the end of the clock [cycles]
+  AtStart<SpiBus*> bus{};
+  std::uint32_t divider = 7;            ///< field of CR1
+  AtStart<std::uint32_t> busy_limit{};  ///< of the wait for the end of the clock [cycles]
   SpiMessage message{};
   std::uint16_t moved = 0;
   bool active = false;

@@ -42,7 +42,7 @@ class BatterySense {
   };
   void take(float voltage, Time at);
 
-  Config config_;
+  const Config config_;
   AnalogPin input_;
   Time begun_ = 0, taken_ = 0;
   bool running_ = false;

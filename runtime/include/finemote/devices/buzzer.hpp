@@ -31,7 +31,7 @@ class Buzzer {
   SounderCommand command;
 
  private:
-  Config config_;
+  const Config config_;
   PwmChannel channel_;
   float frequency_ = 0;
 };

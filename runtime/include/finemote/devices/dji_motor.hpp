@@ -50,11 +50,11 @@ class DjiMotor {
   void count_turns(std::int32_t angle, float rpm, Time at);
   void drive(std::int16_t word);
 
-  const DjiMotorKind* kind_;
-  CanSlot* slot_;
-  float gear_;
-  float zero_;
-  Duration max_age_;
+  const DjiMotorKind* const kind_;
+  CanSlot* const slot_;
+  const float gear_;
+  const float zero_;
+  const Duration max_age_;
   std::uint32_t seen_ = 0;
   std::int32_t last_angle_ = 0;
   Time last_at_ = 0;

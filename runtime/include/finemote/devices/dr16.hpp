@@ -30,7 +30,7 @@ class Dr16 {
  private:
   bool decode(const std::uint8_t* frame, RemoteState& out) const;
 
-  Uart* uart_;
+  Uart* const uart_;
   std::uint8_t bytes_[4 * kFrame]{};
   std::size_t size_ = 0;
   std::uint32_t line_errors_ = 0, bad_frames_ = 0;

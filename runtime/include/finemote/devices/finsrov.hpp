@@ -87,12 +87,12 @@ class FinsRov {
   void command_test(Time at);
   void command_nothing();
 
-  Config config_;
+  const Config config_;
   const float (&allocation_)[kThrusters][6];
-  Uart* host_;
-  Port<Imu> imu_;
-  Ports<Pressure> depth_;
-  Ports<Thruster> thrusters_;
+  Uart* const host_;
+  const Port<Imu> imu_;
+  const Ports<Pressure> depth_;
+  const Ports<Thruster> thrusters_;
 
   FinsRovHost orders_;
   Mode mode_ = Mode::kOff;

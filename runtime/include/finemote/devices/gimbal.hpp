@@ -53,13 +53,13 @@ class Gimbal {
  private:
   void move_aim(float dt);
 
-  Config config_;
-  float yaw_way_, pitch_way_;  ///< 1 or -1: which way the motors turn the head
+  const Config config_;
+  const float yaw_way_, pitch_way_;  ///< 1 or -1: which way the motors turn the head
   const JointRange* yaw_range_;
-  JointRange pitch_range_;  ///< rad, of the head against the turret
-  Port<Motor> yaw_, pitch_;
-  Port<Imu> imu_;
-  Port<Remote> remote_;
+  const JointRange pitch_range_;  ///< rad, of the head against the turret
+  const Port<Motor> yaw_, pitch_;
+  const Port<Imu> imu_;
+  const Port<Remote> remote_;
   bool driving_ = false;
   float yaw_aim_ = 0, pitch_aim_ = 0;
   Pid yaw_rate_, pitch_rate_;

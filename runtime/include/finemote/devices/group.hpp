@@ -19,7 +19,7 @@ class Group {
   Stamp command;
 
  private:
-  Ports<Any> children_;
+  const Ports<Any> children_;
 };
 
 }  // namespace finemote

@@ -52,7 +52,7 @@ class H30Imu {
   void turn_state();
 
   const Rotation* mount_;
-  Uart* uart_;
+  Uart* const uart_;
   ByteWindow<kMaxFrame> frame_;
   std::size_t needed_ = 2;    ///< bytes without which nothing new can be said
   std::size_t behind_ = 0;    ///< bytes that arrived together behind the last one in the frame

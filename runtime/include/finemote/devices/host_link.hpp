@@ -41,9 +41,9 @@ class HostLink {
   void apply(std::uint8_t block);
   void send();
 
-  Config config_;
+  const Config config_;
   const LinkLayout* layout_;
-  Uart* uart_;
+  Uart* const uart_;
   Time next_send_ = 0;
   std::uint8_t block_ = 0, sequence_ = 0;
   ByteWindow<link::kMaxFrame> in_;  ///< the frame under way

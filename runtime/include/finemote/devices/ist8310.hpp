@@ -34,7 +34,7 @@ class Ist8310 {
   void bad_value();
 
   const Rotation* mount_;
-  I2cSlot* slot_;
+  I2cSlot* const slot_;
   Step step_ = Step::kIdentity;
   bool started_ = false;
   Time asked_ = 0;  ///< when the read under way was begun

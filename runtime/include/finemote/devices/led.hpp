@@ -37,10 +37,10 @@ class Led {
   void show(float red, float green, float blue);
   void lose();
 
-  Config config_;
+  const Config config_;
   PwmChannel own_;
-  PwmChannel* green_;
-  PwmChannel* blue_;
+  PwmChannel* const green_;
+  PwmChannel* const blue_;
   float shown_[3] = {};
   bool lit_ = false;  ///< of the blinking
   Time turn_at_ = 0;

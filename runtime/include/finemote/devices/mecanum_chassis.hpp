@@ -59,10 +59,10 @@ class MecanumChassis {
     return {1, left, turn * reach, 0.25F, left / 4, turn / (4 * reach)};
   }
 
-  Config config_;
+  const Config config_;
   RollingWheel rolling_[kWheels];
-  Ports<Motor> wheels_;
-  Port<Remote> remote_;
+  const Ports<Motor> wheels_;
+  const Port<Remote> remote_;
   Motion motion_;
   Pid loops_[kWheels];
   Time stepped_ = 0;

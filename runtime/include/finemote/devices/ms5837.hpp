@@ -109,9 +109,9 @@ class Ms5837 {
   void bad_value();
   [[nodiscard]] std::uint8_t command(Kind kind) const;
 
-  I2cSlot* slot_;
-  Variant variant_;
-  std::uint8_t step_size_;  ///< added to the conversion commands
+  I2cSlot* const slot_;
+  const Variant variant_;
+  const std::uint8_t step_size_;  ///< added to the conversion commands
   Step step_ = Step::kReset;
   bool started_ = false;
   bool known_ = false;  ///< there was a good value since the bring-up; the next one must follow it
@@ -121,7 +121,7 @@ class Ms5837 {
   std::uint8_t bad_values_ = 0;  ///< in a row
   std::uint8_t write_[2]{};
   std::uint8_t read_[3]{};
-  std::int32_t conversion_;  ///< ns
+  const std::int32_t conversion_;  ///< ns
   std::uint32_t d1_ = 0, d2_ = 0;
   Time transfer_begun_ = 0;    ///< when the transfer under way was begun
   Time conversion_asked_ = 0;  ///< when the running conversion was asked for

@@ -45,10 +45,10 @@ class PwmEsc {
   [[nodiscard]] std::uint32_t pulse(float effort) const;
 
  private:
-  Duration max_age_;
+  const Duration max_age_;
   PwmChannel channel_;
-  std::int32_t neutral_, min_, max_, dead_zone_;  ///< ns
-  bool reverse_;
+  const std::int32_t neutral_, min_, max_, dead_zone_;  ///< ns
+  const bool reverse_;
   float driven_ = 0;
 };
 

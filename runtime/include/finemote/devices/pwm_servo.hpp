@@ -46,8 +46,8 @@ class PwmServo {
   [[nodiscard]] std::uint32_t pulse(float angle) const;
 
  private:
-  Config config_;
-  float lowest_, highest_;  ///< rad
+  const Config config_;
+  const float lowest_, highest_;  ///< rad
   PwmChannel channel_;
   float angle_ = 0;
 };

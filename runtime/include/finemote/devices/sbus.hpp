@@ -52,7 +52,7 @@ class Sbus {
   /// How often bytes were lost.
   [[nodiscard]] std::uint32_t gaps() const;
 
-  Uart* uart_;
+  Uart* const uart_;
   ByteWindow<kFrame> frame_;
   std::uint8_t last_[kFlagsAt + 1]{};  ///< begin of the last whole frame
   std::uint8_t bad_now_ = 0;           ///< frames with a wrong end, in this update()

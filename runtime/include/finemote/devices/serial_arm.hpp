@@ -52,11 +52,11 @@ class SerialArm {
   [[nodiscard]] float jog(unsigned joint) const;
   [[nodiscard]] unsigned count() const;
 
-  Config config_;
+  const Config config_;
   const ChainLink* chain_;
   const JointRange* ranges_;
-  Ports<Motor> joints_;
-  Port<Remote> remote_;
+  const Ports<Motor> joints_;
+  const Port<Remote> remote_;
   bool driving_ = false;
   float aims_[kMaxJoints]{};
   float weights_[kMaxJoints]{};

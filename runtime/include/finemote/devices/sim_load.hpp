@@ -24,8 +24,8 @@ class SimLoad {
   Stamp command;
 
  private:
-  Config config_;
-  Ports<Any> children_;
+  const Config config_;
+  const Ports<Any> children_;
 };
 
 }  // namespace finemote

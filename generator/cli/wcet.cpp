@@ -1,0 +1,99 @@
+// finemote wcet: bounds of the execution times of a robot's image, computed from the image.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/cli/answer.hpp"
+#include "generator/cli/commands.hpp"
+#include "generator/cli/robot_input.hpp"
+#include "generator/image/constants.hpp"
+#include "generator/run/project.hpp"
+#include "generator/run/timing_inputs.hpp"
+#include "generator/run/wcet_report.hpp"
+#include "generator/run/work_folder.hpp"
+#include "generator/timing/bounds.hpp"
+
+namespace finemote::gen {
+namespace {
+
+/// Reports boards whose chip the cost model does not know.
+bool has_model(const Robot& robot, Diagnostics& diagnostics) {
+  if (robot.board->is_emulated && robot.board->cpu_hz > 0) return true;
+  diagnostics.error(code::usage, {}, fmt::format("no execution times are known of the board '{}'", robot.board->name))
+      .note("bounds are computed for the STM32F405 and STM32F407")
+      .hint("choose one of these boards: finemote board show");
+  return false;
+}
+
+FirmwareRequest request_of(const PlannedRobot& planned, const std::string& folder, const std::string& data_dir) {
+  FirmwareRequest request;
+  request.folder = folder;
+  request.data_dir = data_dir;
+  request.board = planned.robot.board->name;
+  request.trace = false;
+  request.include_dirs = user_include_dirs(planned.robot);
+  request.sources = user_sources(request.include_dirs);
+  return request;
+}
+
+/// The image of --elf, or the one that is made of the generated sources.
+std::optional<std::string> image_of(const Options& options, const Project& project, Sources& sources,
+                                    Diagnostics& diagnostics) {
+  return options.elf.empty() ? make_image(project, sources, diagnostics) : std::optional(options.elf);
+}
+
+std::vector<std::string> words_of(const std::vector<std::pair<std::string, std::string>>& arguments) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : arguments) words.push_back(fmt::format("{}:={}", name, value));
+  return words;
+}
+
+void report_unknown_stage(const std::string& asked, Diagnostics& diagnostics) {
+  diagnostics.error(code::usage, {}, fmt::format("no stage '{}' with a bound", asked))
+      .hint("name it as the table does, for example 'imu.update'");
+}
+
+Answer answer_of(const Options& options, const TimedRobot& timed, Diagnostics& diagnostics) {
+  const int status = timed.times.gaps.empty() ? kExitYes : kExitNo;
+  if (!options.explained_stage.empty()) {
+    const auto text = explain_stage(timed, options.explained_stage);
+    if (!text) report_unknown_stage(options.explained_stage, diagnostics);
+    return text ? Answer{status, *text, wcet_document(timed)} : no_answer();
+  }
+  nlohmann::ordered_json document = wcet_document(timed);
+  if (!options.out.empty() && !write_result(options.out, document.dump(2) + "\n", diagnostics)) return no_answer();
+  return {status, wcet_text(timed), std::move(document)};
+}
+
+}  // namespace
+
+Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnostics) {
+  const auto input = input_of(options, diagnostics);
+  const auto planned = input ? plan_robot(*input, sources, diagnostics) : std::nullopt;
+  if (!planned || !has_model(planned->robot, diagnostics)) return no_answer();
+  const WorkFolder work({}, diagnostics);
+  if (diagnostics.has_errors()) return no_answer();
+  // Without bounds: they do not change what is computed here, and are computed from it.
+  const timing::RobotBounds unknown = timing::robot_bounds(std::nullopt, planned->forest, planned->schedule);
+  auto files = emit_files(*planned, {unknown, unknown}, input->data_dir, diagnostics);
+  if (diagnostics.has_errors()) return no_answer();
+  const FirmwareRequest request = request_of(*planned, work.path(), input->data_dir);
+  WcetInputs inputs{wcet::Placement::flash, planned->robot.board->cpu_hz, {}, {}, words_of(options.arguments)};
+  if (options.elf.empty()) {
+    inputs.compiler = compiler_for_board();
+    inputs.hash = timing_hash(files, request);
+  }
+  const Project project =
+      make_project(request, output_of(std::move(files), *planned, *input, sources), planned->robot, false);
+  const auto path = image_of(options, project, sources, diagnostics);
+  const auto image = path ? read_image(*path, diagnostics) : std::nullopt;
+  if (!image) return no_answer();
+  const KeptMembers kept = kept_members(*path, diagnostics);
+  if (diagnostics.has_errors()) return no_answer();
+  const wcet::ImageTimes times = wcet::time_image(*image, kept, inputs.placement);
+  const SourceLines lines(*path);
+  return answer_of(options, {planned->robot, planned->forest, planned->schedule, times, lines, std::move(inputs)},
+                   diagnostics);
+}
+
+}  // namespace finemote::gen

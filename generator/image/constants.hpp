@@ -1,0 +1,26 @@
+// Parts of an image's variables that keep a value, by what the debug information says of their types.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "generator/diagnostic/diagnostics.hpp"
+
+namespace finemote::gen {
+
+/// Bytes [begin, end) of memory.
+struct ImageRange {
+  std::uint32_t begin = 0, end = 0;
+};
+
+struct KeptMembers {
+  std::vector<ImageRange> constant;  ///< `const` members and references: what the image holds there
+  std::vector<ImageRange> at_start;  ///< members of type finemote::AtStart: what start-up writes there
+};
+
+/// Of all variables with static storage of the image at `path`. Reports FM6101 when the debug information cannot be
+/// read; an image without any has no such members.
+KeptMembers kept_members(const std::string& path, Diagnostics& diagnostics);
+
+}  // namespace finemote::gen

@@ -1,0 +1,176 @@
+#include "generator/run/wcet_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/forest/stage.hpp"
+#include "generator/image/exception.hpp"
+#include "generator/schedule/period.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using wcet::Cycles;
+
+constexpr const char* kModel = "cortex-m4-maxima";
+constexpr int kModelVersion = 1;
+
+const char* name_of(wcet::Placement placement) { return placement == wcet::Placement::sram ? "sram" : "flash"; }
+
+std::string name_of(const TimedRobot& timed, Stage stage) {
+  return timed.robot.devices[timed.forest.order[stage.rank]].name.text + (stage.is_handle ? ".handle" : ".update");
+}
+
+/// Rounded up.
+std::int64_t ns_of(Cycles cycles, const TimedRobot& timed) {
+  return (cycles * 1'000'000'000 + timed.inputs.clock_hz - 1) / timed.inputs.clock_hz;
+}
+
+Json place_of(std::uint32_t address, const std::string& function, const TimedRobot& timed) {
+  const auto line = timed.lines.at(address);
+  return {
+      {"function", function}, {"file", line ? Json(line->file) : Json()}, {"line", line ? Json(line->line) : Json()}};
+}
+
+std::vector<Stage> stages_of(const TimedRobot& timed) {
+  std::vector<Stage> stages;
+  for (const Rank rank : timed.forest.order.ids()) {
+    stages.push_back({rank, false});
+    stages.push_back({rank, true});
+  }
+  return stages;
+}
+
+Json stage_json(const TimedRobot& timed, Stage stage, const wcet::BracketTime& bracket) {
+  Json loops = Json::array();
+  for (const wcet::LoopTime& loop : bracket.loops) {
+    Json place = place_of(loop.address, loop.function, timed);
+    place["bound"] = loop.rounds;
+    place["from"] = loop.is_by_mark ? "mark" : "code";
+    loops.push_back(std::move(place));
+  }
+  return {{"device", timed.robot.devices[timed.forest.order[stage.rank]].name.text},
+          {"stage", stage.is_handle ? "handle" : "update"},
+          {"wcet_ns", ns_of(bracket.cycles, timed)},
+          {"wcet_cycles", bracket.cycles},
+          {"label", "static"},
+          {"loops", std::move(loops)}};
+}
+
+/// The bus that an exception belongs to, and its source there; empty: it is no bus's.
+std::string source_of(const TimedRobot& timed, unsigned exception) {
+  for (const Bus& bus : timed.robot.buses) {
+    const Port* port = timed.robot.board->port(bus.port);
+    if (port == nullptr) continue;
+    for (const InterruptLine& line : port->interrupts) {
+      if (exception_of(static_cast<std::uint32_t>(line.number)) == exception) return bus.name.text + "." + line.name;
+    }
+  }
+  return {};
+}
+
+/// What a routine of the scheduler is called: the release, or a bucket with all that it runs; empty: it is none.
+std::string task_of(const TimedRobot& timed, unsigned exception) {
+  if (exception == kSysTickException) return "release";
+  for (const Bucket& bucket : timed.schedule.buckets) {
+    if (exception_of(bucket.line) == exception) return fmt::format("bucket {}", period_text(bucket.period));
+  }
+  return {};
+}
+
+std::string interrupt_name(const TimedRobot& timed, const wcet::RoutineTime& routine) {
+  const std::string source = source_of(timed, routine.exception);
+  return source.empty() ? routine.name : source;
+}
+
+std::string where(std::uint32_t address, const TimedRobot& timed) {
+  const auto line = timed.lines.at(address);
+  return line ? fmt::format("{}:{}", line->file, line->line) : fmt::format("0x{:08x}", address);
+}
+
+std::string row(const std::string& name, Cycles cycles, const TimedRobot& timed) {
+  return fmt::format("  {:<32} {:>9} {:>12.3f}\n", name, cycles, static_cast<double>(ns_of(cycles, timed)) / 1e3);
+}
+
+/// The bracket of a stage; null: its routine has no bound.
+const wcet::BracketTime* bracket_of(const TimedRobot& timed, Stage stage) {
+  const std::uint32_t mark = 2 * stage.number();
+  for (const wcet::RoutineTime& routine : timed.times.routines) {
+    for (const wcet::BracketTime& bracket : routine.brackets) {
+      if (bracket.mark == mark) return &bracket;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Json wcet_document(const TimedRobot& timed) {
+  Json document{{"schema", "finemote.wcet/1"}, {"robot", timed.robot.name.text}};
+  Json stages = Json::array(), interrupts = Json::array(), scheduler = Json::array(), unresolved = Json::array();
+  for (const Stage stage : stages_of(timed)) {
+    if (const auto* bracket = bracket_of(timed, stage)) stages.push_back(stage_json(timed, stage, *bracket));
+  }
+  for (const wcet::RoutineTime& routine : timed.times.routines) {
+    const std::string task = task_of(timed, routine.exception);
+    if (task.empty())
+      interrupts.push_back({{"source", interrupt_name(timed, routine)}, {"wcet_ns", ns_of(routine.cycles, timed)}});
+    else
+      scheduler.push_back({{"what", task}, {"wcet_ns", ns_of(routine.cycles, timed)}});
+  }
+  for (const wcet::TimeGap& gap : timed.times.gaps) {
+    Json place = place_of(gap.address, gap.function, timed);
+    place["why"] = gap.why;
+    unresolved.push_back(std::move(place));
+  }
+  document["stages"] = std::move(stages);
+  document["interrupts"] = std::move(interrupts);
+  document["scheduler"] = std::move(scheduler);
+  document["unresolved"] = std::move(unresolved);
+  document["model"] = {{"name", kModel}, {"version", kModelVersion}, {"placement", name_of(timed.inputs.placement)}};
+  const auto or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
+  document["inputs"] = {{"compiler", or_null(timed.inputs.compiler)},
+                        {"arguments", timed.inputs.arguments},
+                        {"hash", or_null(timed.inputs.hash)}};
+  return document;
+}
+
+std::string wcet_text(const TimedRobot& timed) {
+  std::string text = fmt::format("longest execution times, code in {}, {} MHz\n\n", name_of(timed.inputs.placement),
+                                 timed.inputs.clock_hz / 1'000'000);
+  text += fmt::format("  {:<32} {:>9} {:>12}\n", "stage", "cycles", "us");
+  for (const Stage stage : stages_of(timed)) {
+    const auto* bracket = bracket_of(timed, stage);
+    if (bracket != nullptr) text += row(name_of(timed, stage), bracket->cycles, timed);
+  }
+  text += fmt::format("\n  {:<32} {:>9} {:>12}\n", "interrupt", "cycles", "us");
+  for (const wcet::RoutineTime& routine : timed.times.routines) {
+    const std::string task = task_of(timed, routine.exception);
+    text += row(task.empty() ? interrupt_name(timed, routine) : task, routine.cycles, timed);
+  }
+  if (timed.times.gaps.empty()) return text;
+  text += "\nwithout a bound\n";
+  for (const wcet::TimeGap& gap : timed.times.gaps)
+    text += fmt::format("  {}: in '{}': {}\n", where(gap.address, timed), gap.function, gap.why);
+  return text;
+}
+
+std::optional<std::string> explain_stage(const TimedRobot& timed, const std::string& asked) {
+  const auto stages = stages_of(timed);
+  const auto stage = std::find_if(stages.begin(), stages.end(), [&](Stage s) { return name_of(timed, s) == asked; });
+  const auto* bracket = stage == stages.end() ? nullptr : bracket_of(timed, *stage);
+  if (bracket == nullptr) return std::nullopt;
+  std::string text = fmt::format("{}: {} cycles on the longest way\n\n  {:>8} {:>8}  {:<10}  {}\n", asked,
+                                 bracket->cycles, "from", "cycles", "address", "line, function");
+  Cycles begin = 0;
+  for (const wcet::PathStep& step : bracket->path) {
+    text += fmt::format("  {:>8} {:>8}  0x{:08x}  {}, {}\n", begin, step.cycles, step.address,
+                        where(step.address, timed), step.function);
+    begin += step.cycles;
+  }
+  return text;
+}
+
+}  // namespace finemote::gen

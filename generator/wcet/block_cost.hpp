@@ -1,0 +1,32 @@
+// What a piece of code takes: instructions, the fetch of their lines, and waits for memory.
+#pragma once
+
+#include <optional>
+
+#include "generator/image/instruction.hpp"
+#include "generator/wcet/machine.hpp"
+#include "generator/wcet/memory_map.hpp"
+
+namespace finemote::gen::wcet {
+
+class CodeCost {
+ public:
+  explicit CodeCost(Placement placement) : placement_(placement) {}
+
+  /// Of an instruction that runs on a machine, without the way to the next; none: it has no known bound.
+  [[nodiscard]] std::optional<Cycles> run(const Instruction& instruction, const Machine& machine) const;
+  /// The same where its condition does not hold.
+  [[nodiscard]] Cycles skip(const Instruction& instruction) const;
+  /// To go on at the next instruction.
+  [[nodiscard]] Cycles fall(const Instruction& from) const;
+  /// To go on at `target` by a branch, a call or a return.
+  [[nodiscard]] Cycles jump(std::uint32_t target) const;
+  /// A branch that may be taken and is not: its target may have been fetched.
+  [[nodiscard]] Cycles not_taken(const Instruction& branch, std::uint32_t target) const;
+
+ private:
+  [[nodiscard]] Cycles fetch(const Instruction& instruction) const;
+  Placement placement_;
+};
+
+}  // namespace finemote::gen::wcet

@@ -1,0 +1,51 @@
+#include "generator/wcet/constants.hpp"
+
+#include <algorithm>
+
+namespace finemote::gen::wcet {
+namespace {
+
+/// Tables that are larger are not looked through.
+constexpr std::uint32_t kLargestTable = 1024;
+
+}  // namespace
+
+Constants::Constants(const Image& image, std::vector<AddressRange> members,
+                     std::map<std::uint32_t, std::uint32_t> words)
+    : image_(image), ranges_(std::move(members)), words_(std::move(words)) {
+  for (const ImageSection& section : image.sections) {
+    if (section.allocated && section.has_bytes && !section.writable)
+      ranges_.emplace_back(section.address, section.address + section.size);
+  }
+  std::sort(ranges_.begin(), ranges_.end());
+}
+
+bool Constants::is_constant(std::uint32_t address, std::uint32_t size) const {
+  auto range = std::upper_bound(ranges_.begin(), ranges_.end(), AddressRange{address, UINT32_MAX});
+  return range != ranges_.begin() && address + size <= std::prev(range)->second;
+}
+
+std::optional<std::uint32_t> Constants::word(std::uint32_t address, std::uint32_t size) const {
+  const auto set = words_.find(address);
+  if (set != words_.end() && size == 4) return set->second;
+  if (!is_constant(address, size)) return std::nullopt;
+  const std::string_view bytes = image_.bytes(address, size);
+  if (bytes.size() < size) return std::nullopt;
+  std::uint32_t value = 0;
+  for (std::uint32_t i = size; i-- > 0;) value = value << 8U | static_cast<std::uint8_t>(bytes[i]);
+  return value;
+}
+
+std::optional<Interval> Constants::load(const Access& access) const {
+  const Interval at = access.address.range();
+  if (at.high - at.low > kLargestTable) return std::nullopt;
+  std::optional<Interval> result;
+  for (std::uint64_t address = at.low; address <= at.high; address += access.size) {
+    const auto value = word(static_cast<std::uint32_t>(address), access.size);
+    if (!value) return std::nullopt;
+    result = result ? join(*result, Interval::of(*value)) : Interval::of(*value);
+  }
+  return result;
+}
+
+}  // namespace finemote::gen::wcet

@@ -1,0 +1,181 @@
+#include "generator/wcet/cost_table.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace finemote::gen::wcet {
+namespace {
+
+constexpr Cycles kMultiple = 2;  // load and store multiple: and one per word
+constexpr Cycles kTableBranch = 4;
+constexpr Cycles kRefill = 3;
+constexpr Cycles kDrain = 14;  // a store of the slowest memory still in the write buffer
+
+Cycles multiple(const Instruction& i, std::size_t first) { return kMultiple + i.words_from(first); }
+
+bool has_double(const Instruction& i) {
+  return !i.operands.empty() && i.operands[0].type == ARM_OP_REG && i.operands[0].reg >= ARM_REG_D0 &&
+         i.operands[0].reg <= ARM_REG_D31;
+}
+
+struct Row {
+  unsigned id;
+  Cycles cycles;
+};
+
+/// What does not depend on operands.
+constexpr Row kRows[] = {
+    {ARM_INS_ADC, 1},
+    {ARM_INS_ADD, 1},
+    {ARM_INS_ADDW, 1},
+    {ARM_INS_ADR, 1},
+    {ARM_INS_AND, 1},
+    {ARM_INS_ASR, 1},
+    {ARM_INS_BFC, 1},
+    {ARM_INS_BFI, 1},
+    {ARM_INS_BIC, 1},
+    {ARM_INS_CLREX, 1},
+    {ARM_INS_CLZ, 1},
+    {ARM_INS_CMN, 1},
+    {ARM_INS_CMP, 1},
+    {ARM_INS_EOR, 1},
+    {ARM_INS_IT, 1},
+    {ARM_INS_LSL, 1},
+    {ARM_INS_LSR, 1},
+    {ARM_INS_MLA, 1},
+    {ARM_INS_MLS, 1},
+    {ARM_INS_MOV, 1},
+    {ARM_INS_MOVT, 1},
+    {ARM_INS_MOVW, 1},
+    {ARM_INS_MUL, 1},
+    {ARM_INS_MVN, 1},
+    {ARM_INS_NOP, 1},
+    {ARM_INS_ORN, 1},
+    {ARM_INS_ORR, 1},
+    {ARM_INS_RBIT, 1},
+    {ARM_INS_REV, 1},
+    {ARM_INS_REV16, 1},
+    {ARM_INS_REVSH, 1},
+    {ARM_INS_ROR, 1},
+    {ARM_INS_RRX, 1},
+    {ARM_INS_RSB, 1},
+    {ARM_INS_SBC, 1},
+    {ARM_INS_SBFX, 1},
+    {ARM_INS_SMLAL, 1},
+    {ARM_INS_SMULL, 1},
+    {ARM_INS_SMULBB, 1},
+    {ARM_INS_SMLABB, 1},
+    {ARM_INS_SSAT, 1},
+    {ARM_INS_SUB, 1},
+    {ARM_INS_SUBW, 1},
+    {ARM_INS_SXTAB, 1},
+    {ARM_INS_SXTAH, 1},
+    {ARM_INS_SXTB, 1},
+    {ARM_INS_SXTH, 1},
+    {ARM_INS_TEQ, 1},
+    {ARM_INS_TST, 1},
+    {ARM_INS_UBFX, 1},
+    {ARM_INS_UMAAL, 1},
+    {ARM_INS_UMLAL, 1},
+    {ARM_INS_UMULL, 1},
+    {ARM_INS_USAT, 1},
+    {ARM_INS_UXTAB, 1},
+    {ARM_INS_UXTAH, 1},
+    {ARM_INS_UXTB, 1},
+    {ARM_INS_UXTH, 1},
+    {ARM_INS_B, 1},
+    {ARM_INS_BL, 1},
+    {ARM_INS_BX, 1},
+    {ARM_INS_BLX, 1},
+    {ARM_INS_CBZ, 1},
+    {ARM_INS_CBNZ, 1},
+    {ARM_INS_CPS, 2},
+    {ARM_INS_MRS, 2},
+    {ARM_INS_MSR, 2},
+    {ARM_INS_SDIV, 12},
+    {ARM_INS_UDIV, 12},
+    {ARM_INS_DSB, 1 + kDrain},
+    {ARM_INS_DMB, 1 + kDrain},
+    {ARM_INS_ISB, 1 + kRefill},
+    {ARM_INS_TBB, kTableBranch},
+    {ARM_INS_TBH, kTableBranch},
+    {ARM_INS_VADD, 2},
+    {ARM_INS_VSUB, 2},
+    {ARM_INS_VMUL, 2},
+    {ARM_INS_VNMUL, 2},
+    {ARM_INS_VCVT, 2},
+    {ARM_INS_VCVTR, 2},
+    {ARM_INS_VABS, 2},
+    {ARM_INS_VNEG, 2},
+    {ARM_INS_VCMP, 2},
+    {ARM_INS_VCMPE, 2},
+    {ARM_INS_VMOV, 2},
+    {ARM_INS_VMRS, 2},
+    {ARM_INS_VMSR, 2},
+    {ARM_INS_VMLA, 4},
+    {ARM_INS_VMLS, 4},
+    {ARM_INS_VNMLA, 4},
+    {ARM_INS_VNMLS, 4},
+    {ARM_INS_VFMA, 4},
+    {ARM_INS_VFMS, 4},
+    {ARM_INS_VFNMA, 4},
+    {ARM_INS_VFNMS, 4},
+    {ARM_INS_VDIV, 15},
+    {ARM_INS_VSQRT, 15},
+};
+
+std::optional<Cycles> of_table(unsigned id) {
+  const auto row = std::find_if(std::begin(kRows), std::end(kRows), [id](const Row& r) { return r.id == id; });
+  return row == std::end(kRows) ? std::nullopt : std::optional(row->cycles);
+}
+
+std::optional<Cycles> of_memory(const Instruction& i) {
+  switch (i.id) {
+    case ARM_INS_LDR:
+    case ARM_INS_LDRB:
+    case ARM_INS_LDRH:
+    case ARM_INS_LDRSB:
+    case ARM_INS_LDRSH:
+    case ARM_INS_STR:
+    case ARM_INS_STRB:
+    case ARM_INS_STRH:
+    case ARM_INS_LDREX:
+    case ARM_INS_LDREXB:
+    case ARM_INS_LDREXH:
+    case ARM_INS_STREX:
+    case ARM_INS_STREXB:
+    case ARM_INS_STREXH:
+      return 3;
+    case ARM_INS_LDRD:
+    case ARM_INS_STRD:
+      return 4;
+    case ARM_INS_PUSH:
+    case ARM_INS_POP:
+    case ARM_INS_VPUSH:
+    case ARM_INS_VPOP:
+      return multiple(i, 0);
+    case ARM_INS_LDM:
+    case ARM_INS_LDMDB:
+    case ARM_INS_STM:
+    case ARM_INS_STMDB:
+    case ARM_INS_VLDMIA:
+    case ARM_INS_VLDMDB:
+    case ARM_INS_VSTMIA:
+    case ARM_INS_VSTMDB:
+      return multiple(i, 1);
+    case ARM_INS_VLDR:
+    case ARM_INS_VSTR:
+      return has_double(i) ? 4 : 3;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<Cycles> longest_time(const Instruction& i) {
+  if (const auto fixed = of_table(i.id)) return fixed;
+  return of_memory(i);
+}
+
+}  // namespace finemote::gen::wcet

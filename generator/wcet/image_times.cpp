@@ -1,0 +1,156 @@
+#include "generator/wcet/image_times.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+
+#include "generator/image/exception.hpp"
+#include "generator/wcet/certificate.hpp"
+#include "generator/wcet/longest_path.hpp"
+#include "generator/wcet/vectors.hpp"
+#include "generator/wcet/walk.hpp"
+
+namespace finemote::gen::wcet {
+namespace {
+
+std::vector<AddressRange> ranges_of(const std::vector<ImageRange>& kept) {
+  std::vector<AddressRange> ranges;
+  for (const ImageRange& range : kept) ranges.emplace_back(range.begin, range.end);
+  return ranges;
+}
+
+std::string name_of(const ProgramFunction* function) {
+  return function == nullptr ? std::string("?") : readable_name(function->symbol->name);
+}
+
+class Timing {
+ public:
+  Timing(const Image& image, const KeptMembers& kept, Placement placement)
+      : image_(image),
+        marks_(read_marks(image)),
+        program_(image, marks_.addresses()),
+        cost_(placement),
+        members_(ranges_of(kept.constant)),
+        constants_(image, members_, words_set_at_start(kept)) {}
+
+  ImageTimes result() {
+    for (const Vector& vector : interrupt_vectors(image_)) add(vector);
+    for (auto& [address, gap] : gaps_) times_.gaps.push_back(std::move(gap));
+    return std::move(times_);
+  }
+
+ private:
+  [[nodiscard]] ImageFactsForWalk facts(const Constants& constants, WordStores* stores) const {
+    const ImageSymbol* top = image_.find("_stack_top");
+    return {program_, constants, marks_, cost_, stores, top == nullptr ? 0 : top->address};
+  }
+
+  /// What start-up writes into members that are set there and never again: it is walked as any routine.
+  std::map<std::uint32_t, std::uint32_t> words_set_at_start(const KeptMembers& kept) const {
+    std::map<std::uint32_t, std::uint32_t> words;
+    const auto start = start_of_buses(image_);
+    if (!start || kept.at_start.empty()) return words;
+    const Constants constants(image_, members_);
+    WordStores stores;
+    walk(facts(constants, &stores), *start);
+    for (const ImageRange& range : kept.at_start) {
+      for (std::uint32_t at = range.begin; at + 4 <= range.end; at += 4) {
+        const auto stored = stores.find(at);
+        if (stored != stores.end() && stored->second.is_constant()) words[at] = stored->second.low;
+      }
+    }
+    return words;
+  }
+
+  void add(const Vector& vector) {
+    const Walked walked = walk(facts(constants_, nullptr), vector.entry);
+    for (const auto& [address, problem] : walked.problems)
+      gaps_.try_emplace(address, TimeGap{address, name_of(problem.function), problem.why});
+    if (!walked.problems.empty()) return;
+    const auto path = longest_path(walked.graph);
+    const std::string doubt =
+        path ? check_certificate(walked.graph, path->potentials, path->bound) : "no way leads out";
+    if (!doubt.empty()) {
+      gaps_.try_emplace(vector.entry, TimeGap{vector.entry, name_of(program_.at(vector.entry)), doubt});
+      return;
+    }
+    RoutineTime routine{vector.exception, name_of(program_.at(vector.entry)), path->bound, {}, {}};
+    routine.path = steps_of(walked.graph, *path, path->bound);
+    add_brackets(walked, routine);
+    times_.routines.push_back(std::move(routine));
+  }
+
+  void add_brackets(const Walked& walked, RoutineTime& routine) const {
+    for (const std::uint32_t mark : begun_in(walked.graph)) {
+      const auto path = longest_between(walked.graph, nodes_at(walked.graph, mark), nodes_at(walked.graph, mark + 1));
+      if (!path) continue;
+      routine.brackets.push_back(
+          {mark, path->bound, steps_of(walked.graph, *path, path->bound), loops_on(walked, path->potentials)});
+    }
+  }
+
+  /// Marks of even number begin a bracket.
+  [[nodiscard]] std::set<std::uint32_t> begun_in(const UnrolledGraph& graph) const {
+    std::set<std::uint32_t> begun;
+    for (const UnrolledNode& node : graph.nodes) {
+      const auto [first, last] = marks_.brackets.equal_range(node.block);
+      for (auto mark = first; mark != last; ++mark) {
+        if (mark->second % 2 == 0) begun.insert(mark->second);
+      }
+    }
+    return begun;
+  }
+
+  [[nodiscard]] std::vector<bool> nodes_at(const UnrolledGraph& graph, std::uint32_t mark) const {
+    std::vector<bool> are_there(graph.nodes.size());
+    for (std::size_t node = 0; node < graph.nodes.size(); ++node) {
+      const auto [first, last] = marks_.brackets.equal_range(graph.nodes[node].block);
+      for (auto at = first; at != last; ++at) {
+        if (at->second == mark) are_there[node] = true;
+      }
+    }
+    return are_there;
+  }
+
+  static std::vector<PathStep> steps_of(const UnrolledGraph& graph, const LongestPath& path, Cycles end) {
+    std::vector<PathStep> steps;
+    for (std::size_t i = 0; i < path.nodes.size(); ++i) {
+      const UnrolledNode& node = graph.nodes[path.nodes[i]];
+      const Cycles next = i + 1 < path.nodes.size() ? path.potentials[path.nodes[i + 1]] : end;
+      steps.push_back({node.block, name_of(node.function), next - path.potentials[path.nodes[i]]});
+    }
+    return steps;
+  }
+
+  static std::vector<LoopTime> loops_on(const Walked& walked, const Potentials& potentials) {
+    std::set<std::uint32_t> headers;
+    for (std::size_t node = 0; node < potentials.size(); ++node) {
+      const std::uint32_t block = walked.graph.nodes[node].block;
+      if (potentials[node] >= 0 && walked.loops.count(block) != 0) headers.insert(block);
+    }
+    std::vector<LoopTime> loops;
+    for (const std::uint32_t header : headers) {
+      const CountedLoop& loop = walked.loops.at(header);
+      loops.push_back({header, name_of(loop.function), loop.rounds, loop.is_by_mark});
+    }
+    return loops;
+  }
+
+  const Image& image_;
+  const Marks marks_;
+  const Program program_;
+  const CodeCost cost_;
+  const std::vector<AddressRange> members_;
+  const Constants constants_;
+  std::map<std::uint32_t, TimeGap> gaps_;
+  ImageTimes times_;
+};
+
+}  // namespace
+
+ImageTimes time_image(const Image& image, const KeptMembers& kept, Placement placement) {
+  return Timing(image, kept, placement).result();
+}
+
+}  // namespace finemote::gen::wcet

@@ -1,0 +1,61 @@
+// A linked image to bounds of the execution times of all its routines.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "generator/image/constants.hpp"
+#include "generator/image/image.hpp"
+#include "generator/wcet/memory_map.hpp"
+
+namespace finemote::gen::wcet {
+
+/// A piece of a longest path.
+struct PathStep {
+  std::uint32_t address = 0;  ///< of the code
+  std::string function;
+  Cycles cycles = 0;  ///< of its instructions and of the way to the next piece
+};
+
+/// A loop and how often it turns back to its begin.
+struct LoopTime {
+  std::uint32_t address = 0;
+  std::string function;
+  std::uint64_t rounds = 0;  ///< at most, from when it is entered to when it is left
+  bool is_by_mark = false;   ///< the source says so: `loop_bound<n>()`; else it follows from the code
+};
+
+/// From one mark to the next: runtime/include/finemote/mark.hpp.
+struct BracketTime {
+  std::uint32_t mark = 0;  ///< at its begin
+  Cycles cycles = 0;
+  std::vector<PathStep> path;
+  std::vector<LoopTime> loops;  ///< that it may run through
+};
+
+struct RoutineTime {
+  unsigned exception = 0;
+  std::string name;
+  Cycles cycles = 0;  ///< from its first instruction to its last, brackets included
+  std::vector<PathStep> path;
+  std::vector<BracketTime> brackets;
+};
+
+/// Why some routine has no bound.
+struct TimeGap {
+  std::uint32_t address = 0;
+  std::string function;
+  std::string why;
+};
+
+/// Routines with a gap have no entry.
+struct ImageTimes {
+  std::vector<RoutineTime> routines;  ///< by exception
+  std::vector<TimeGap> gaps;          ///< by address
+};
+
+/// Of the release and of every interrupt line with a routine. The bounds hold under the assumptions of docs/wcet.md.
+ImageTimes time_image(const Image& image, const KeptMembers& kept, Placement placement);
+
+}  // namespace finemote::gen::wcet

@@ -1,0 +1,115 @@
+// What is known of the processor at a place in the code: registers, flags, and the words of the stack.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "generator/wcet/comparison.hpp"
+#include "generator/wcet/interval.hpp"
+
+namespace finemote::gen::wcet {
+
+/// A word: a range of numbers, or of distances from a word of which a range is known. So a pointer to the end of an
+/// array is known to be so many steps from its begin, wherever that is.
+struct Value {
+  Interval distance;       ///< from the base; without one the word itself
+  std::uint32_t base = 0;  ///< tells words apart of which only a range is known; 0: none
+  Interval base_range;     ///< of the base, where there is one
+  /// May be an address in the stack. A pointer that was never made of the stack pointer leads to no variable there.
+  bool is_of_stack = false;
+
+  static constexpr Value of(std::uint32_t value) { return in(Interval::of(value)); }
+  static constexpr Value in(Interval range, bool is_of_stack = false) { return {range, 0, {}, is_of_stack}; }
+  /// What the word may be.
+  [[nodiscard]] Interval range() const { return base == 0 ? distance : add(base_range, distance); }
+};
+
+Value sum(Value a, Value b);
+Value difference(Value a, Value b);
+
+/// Makes words of which only a range is known, each another.
+class Unknowns {
+ public:
+  Value next(Interval range, bool is_of_stack) { return {Interval::of(0), ++last_, range, is_of_stack}; }
+
+ private:
+  std::uint32_t last_ = 0;
+};
+
+/// Of what one access of memory holds or changes.
+struct Access {
+  Value address;
+  std::uint32_t size = 4;  ///< bytes: 1, 2 or 4
+};
+
+/// The bytes of the stack whose contents are known.
+class StackWords {
+ public:
+  /// A store of `value`; an address that is not constant makes all it may reach unknown.
+  void store(const Access& access, Value value);
+  /// What a load reads.
+  [[nodiscard]] Value load(const Access& access) const;
+  /// Keeps what both know.
+  void join(const StackWords& other);
+  [[nodiscard]] bool covers(const StackWords& other) const;
+  /// The base of words lies in `range`.
+  void narrow_base(std::uint32_t base, Interval range);
+  /// Forgets what lies below the stack pointer.
+  void drop_below(std::uint32_t address);
+
+ private:
+  struct Word {
+    std::uint32_t address, size;
+    Value value;
+  };
+  [[nodiscard]] const Word* find(std::uint32_t address, std::uint32_t size) const;
+  [[nodiscard]] bool is_of_stack(std::uint32_t low, std::uint32_t high) const;
+  void forget(std::uint32_t low, std::uint32_t high);
+
+  std::vector<Word> words_;             // by address; none overlaps another
+  bool has_forgotten_address_ = false;  // of the stack: it may still be read somewhere
+};
+
+/// Registers r0 to r12, sp and lr by their capstone names; others are not followed.
+class Machine {
+ public:
+  [[nodiscard]] Value get(int reg) const;
+  /// Forgets a comparison of the register's old value.
+  void set(int reg, Value value);
+  [[nodiscard]] static bool follows(int reg);
+
+  [[nodiscard]] const std::optional<Comparison>& flags() const { return flags_; }
+  void set_flags(std::optional<Comparison> comparison) { flags_ = comparison; }
+  /// Goes on where the condition holds. False where it never does.
+  bool assume(arm_cc condition);
+
+  StackWords& stack() { return stack_; }
+  [[nodiscard]] const StackWords& stack() const { return stack_; }
+  /// An address in the stack was written to other memory: what is read from there may be one.
+  [[nodiscard]] bool has_escaped() const { return has_escaped_; }
+  void escape() { has_escaped_ = true; }
+
+  /// Makes a base of every register of which only a range is known: what is made of it can be compared with it.
+  void name_unknowns(Unknowns& unknowns);
+
+  /// Becomes what holds for both.
+  void join(const Machine& other);
+  /// Whatever holds here holds there: nothing new would come of going on from `other`.
+  [[nodiscard]] bool covers(const Machine& other) const;
+
+ private:
+  static constexpr std::size_t kRegisters = 15;
+  [[nodiscard]] static std::optional<std::size_t> index(int reg);
+  void narrow(int reg, std::uint32_t base, Interval range);
+  /// Of every word that is so far from this base.
+  void narrow_base(Comparison::Offset offset, Interval range);
+
+  std::array<Value, kRegisters> registers_{};
+  std::optional<Comparison> flags_;
+  StackWords stack_;
+  bool has_escaped_ = false;
+};
+
+}  // namespace finemote::gen::wcet

@@ -1,0 +1,51 @@
+#include "generator/wcet/marks.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+namespace finemote::gen::wcet {
+namespace {
+
+constexpr std::size_t kRecord = 8;                         // address, number
+constexpr std::uint32_t kUnlessInterrupted = 0x8000'0000;  // runtime/include/finemote/loop_bound.hpp
+
+std::uint32_t word_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i-- > 0;) value = value << 8U | static_cast<std::uint8_t>(bytes[at + i]);
+  return value;
+}
+
+template <class Take>
+void read_section(const Image& image, std::string_view name, Take take) {
+  for (const ImageSection& section : image.sections) {
+    if (section.name != name) continue;
+    for (std::size_t at = 0; at + kRecord <= section.bytes.size(); at += kRecord) {
+      const std::uint32_t address = word_at(section.bytes, at) & ~1U;
+      if (address != 0) take(address, word_at(section.bytes, at + 4));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> Marks::addresses() const {
+  std::set<std::uint32_t> all;
+  for (const auto& [address, number] : brackets) all.insert(address);
+  for (const auto& [address, bound] : loop_bounds) all.insert(address);
+  return {all.begin(), all.end()};
+}
+
+Marks read_marks(const Image& image) {
+  Marks marks;
+  read_section(image, ".debug_finemote",
+               [&](std::uint32_t address, std::uint32_t number) { marks.brackets.emplace(address, number); });
+  read_section(image, ".debug_finemote_loops", [&](std::uint32_t address, std::uint32_t word) {
+    const std::uint32_t bound = word & ~kUnlessInterrupted;
+    const auto [known, is_new] = marks.loop_bounds.try_emplace(address, bound);
+    if (!is_new) known->second = std::min(known->second, bound);  // both are true
+  });
+  return marks;
+}
+
+}  // namespace finemote::gen::wcet

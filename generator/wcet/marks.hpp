@@ -1,0 +1,25 @@
+// Places that the sources mark for tools: brackets of stages and of the runtime's work, and bounds of loops.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "generator/image/image.hpp"
+
+namespace finemote::gen::wcet {
+
+struct Marks {
+  /// By address: numbers of runtime/include/finemote/mark.hpp.
+  std::multimap<std::uint32_t, std::uint32_t> brackets;
+  /// By address: how often the place is passed at most in the innermost loop around it, per entry of the loop.
+  std::map<std::uint32_t, std::uint32_t> loop_bounds;
+
+  /// All of them, in order.
+  [[nodiscard]] std::vector<std::uint32_t> addresses() const;
+};
+
+/// Of sections `.debug_finemote` and `.debug_finemote_loops`. Records of code that the linker left out are none.
+Marks read_marks(const Image& image);
+
+}  // namespace finemote::gen::wcet

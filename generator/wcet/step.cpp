@@ -1,0 +1,184 @@
+#include "generator/wcet/step.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/image/transfer.hpp"
+#include "generator/wcet/execute.hpp"
+#include "generator/wcet/operands.hpp"
+
+namespace finemote::gen::wcet {
+namespace {
+
+using Kind = Transfer::Kind;
+
+bool goes_elsewhere(const Instruction& i) {
+  const Kind kind = transfer_of(i).kind;
+  return kind != Kind::next && kind != Kind::call && kind != Kind::indirect;
+}
+
+class Stepping {
+ public:
+  Stepping(const ProgramFunction& function, const BasicBlock& block, const Surroundings& surroundings,
+           const CodeCost& cost, Machine machine)
+      : function_(function), block_(block), surroundings_(surroundings), cost_(cost), machine_(std::move(machine)) {}
+
+  Step result() {
+    const Instruction* last = nullptr;
+    for (std::uint32_t address = block_.begin; address < block_.end; address = last->end()) {
+      last = function_.body.at(address);
+      if (last == nullptr) return fail(address, "no instruction");
+      if (last->end() == block_.end && goes_elsewhere(*last)) break;
+      pass(*last);
+      if (step_.problem) return std::move(step_);
+      if (last->end() < block_.end) step_.cost += cost_.fall(*last);
+    }
+    finish(*last);
+    return std::move(step_);
+  }
+
+ private:
+  Step fail(std::uint32_t address, std::string why) {
+    step_.problem = {address, std::move(why)};
+    return std::move(step_);
+  }
+
+  /// What the instruction takes if it runs on this machine.
+  Cycles time(const Instruction& i, const Machine& machine) {
+    const auto cycles = cost_.run(i, machine);
+    if (!cycles) step_.problem = {i.address, fmt::format("'{}' has no documented longest time", i.text)};
+    return cycles.value_or(0);
+  }
+
+  /// An instruction behind which the next follows.
+  void pass(const Instruction& i) {
+    if (!i.is_conditional() || i.id == ARM_INS_IT) {
+      step_.cost += time(i, machine_);
+      return execute(i, surroundings_, machine_);
+    }
+    Machine runs = machine_, skips = machine_;
+    const bool may_run = runs.assume(i.condition), may_skip = skips.assume(opposite(i.condition));
+    Cycles cycles = may_skip ? cost_.skip(i) : 0;
+    if (may_run) cycles = std::max(cycles, time(i, runs));
+    step_.cost += cycles;
+    if (may_run) execute(i, surroundings_, runs);
+    if (may_run && may_skip)
+      machine_ = either(i, std::move(runs), skips);
+    else
+      machine_ = may_run ? std::move(runs) : std::move(skips);
+  }
+
+  /// After an instruction that may have run: later ones in the IT block still ask for the same comparison.
+  Machine either(const Instruction& i, Machine runs, const Machine& skips) const {
+    std::optional<Comparison> flags = i.sets_flags ? std::nullopt : machine_.flags();
+    runs.join(skips);
+    if (flags) {
+      for (int* reg : {&flags->left, &flags->right, &flags->result}) {
+        if (may_write(i, *reg)) *reg = ARM_REG_INVALID;
+      }
+      runs.set_flags(flags);
+    }
+    return runs;
+  }
+
+  /// The end of the block: the ways from here.
+  void finish(const Instruction& last) {
+    const Transfer transfer = transfer_of(last);
+    switch (transfer.kind) {
+      case Kind::next:
+        return block_.call ? call(machine_, cost_.fall(last)) : edges(cost_.fall(last));
+      case Kind::call:
+      case Kind::indirect:
+        return call_by(last);
+      default:
+        return transfer.may_fall_through ? branch(last) : jump(last);
+    }
+  }
+
+  /// All edges alike: there is one, which the next instruction follows.
+  void edges(Cycles cost) {
+    for (const FlowEdge& edge : block_.edges) step_.ways.push_back({Way::Kind::edge, edge.to, machine_, cost});
+  }
+
+  /// `bl` was passed as an ordinary instruction: the link register is set.
+  void call_by(const Instruction& last) {
+    if (!last.is_conditional()) return call(machine_, 0);
+    step_.problem = {last.address, "a call in an IT block"};
+  }
+
+  void call(const Machine& machine, Cycles cost) {
+    if (!block_.call) {
+      step_.problem = {block_.begin, "a call without a target"};
+      return;
+    }
+    const FlowCall& call = *block_.call;
+    const auto target = call.target ? call.target : target_of(*function_.body.at(call.at), machine);
+    if (!target) {
+      step_.problem = {call.at, fmt::format("'{}' calls what a variable says", function_.body.at(call.at)->text)};
+      return;
+    }
+    const bool is_jump = cost == 0;
+    Way way{Way::Kind::call, *target & ~1U, machine, is_jump ? cost_.jump(*target & ~1U) : cost, call.is_tail};
+    if (!call.is_tail) way.behind = block_.edges.empty() ? 0 : block_.edges.front().to;
+    step_.ways.push_back(std::move(way));
+  }
+
+  std::optional<std::uint32_t> target_of(const Instruction& i, const Machine& machine) const {
+    const Interval range = operand(i, 0, machine).range();
+    return range.is_constant() ? std::optional(range.low) : std::nullopt;
+  }
+
+  void jump(const Instruction& last) {
+    step_.cost += time(last, machine_);
+    take(last, machine_);
+  }
+
+  /// Taken or not, as the machine allows.
+  void branch(const Instruction& last) {
+    step_.cost += time(last, machine_);
+    const bool is_on_register = last.id == ARM_INS_CBZ || last.id == ARM_INS_CBNZ;
+    arm_cc condition = last.condition;
+    if (is_on_register) {
+      const int reg = last.operands[0].reg;
+      machine_.set_flags(comparison_of(machine_.get(reg), Value::of(0), reg, ARM_REG_INVALID));
+      condition = last.id == ARM_INS_CBZ ? ARM_CC_EQ : ARM_CC_NE;
+    }
+    Machine taken = machine_, falls = machine_;
+    if (taken.assume(condition)) take(last, taken);
+    if (!falls.assume(opposite(condition))) return;
+    const Cycles cost = cost_.fall(last) + cost_.not_taken(last, transfer_of(last).target);
+    for (const FlowEdge& edge : block_.edges) {
+      if (!edge.is_taken) step_.ways.push_back({Way::Kind::edge, edge.to, falls, cost});
+    }
+  }
+
+  /// Where the last instruction leads when its condition holds.
+  void take(const Instruction& last, Machine machine) {
+    const Kind kind = transfer_of(last).kind;
+    if (kind == Kind::stop) return;
+    if (kind == Kind::leave) {
+      execute(last, surroundings_, machine);
+      step_.ways.push_back({Way::Kind::leave, 0, std::move(machine)});
+      return;
+    }
+    if (block_.call && block_.call->is_tail) return call(machine, 0);
+    for (const FlowEdge& edge : block_.edges) {
+      if (edge.is_taken) step_.ways.push_back({Way::Kind::edge, edge.to, machine, cost_.jump(edge.to)});
+    }
+  }
+
+  const ProgramFunction& function_;
+  const BasicBlock& block_;
+  const Surroundings& surroundings_;
+  const CodeCost& cost_;
+  Machine machine_;
+  Step step_;
+};
+
+}  // namespace
+
+Step step(const ProgramFunction& function, const BasicBlock& block, const Surroundings& surroundings,
+          const CodeCost& cost, Machine machine) {
+  return Stepping(function, block, surroundings, cost, std::move(machine)).result();
+}
+
+}  // namespace finemote::gen::wcet

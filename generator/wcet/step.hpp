@@ -1,0 +1,36 @@
+// A basic block on a machine: what it takes, and what holds on the edges behind it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/image/program.hpp"
+#include "generator/wcet/block_cost.hpp"
+#include "generator/wcet/execute.hpp"
+#include "generator/wcet/machine.hpp"
+
+namespace finemote::gen::wcet {
+
+/// A way out of a block.
+struct Way {
+  enum class Kind { edge, call, leave } kind = Kind::edge;
+  std::uint32_t to = 0;  ///< of an edge: the block; of a call: the function
+  Machine machine;
+  Cycles cost = 0;  ///< of the way itself; of a call: to the function; of a return: none, its place is not known here
+  bool is_tail = false;      ///< of a call: its return is that of this function
+  std::uint32_t behind = 0;  ///< of a call that is no tail: the block that goes on
+};
+
+struct Step {
+  Cycles cost = 0;
+  std::vector<Way> ways;  ///< only those that the machine allows
+  /// Place and reason where there is no bound.
+  std::optional<std::pair<std::uint32_t, std::string>> problem;
+};
+
+/// Runs `block` of `function` on `machine`.
+Step step(const ProgramFunction& function, const BasicBlock& block, const Surroundings& surroundings,
+          const CodeCost& cost, Machine machine);
+
+}  // namespace finemote::gen::wcet

@@ -1,0 +1,199 @@
+#include "generator/wcet/walk.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "generator/wcet/loop_nest.hpp"
+#include "generator/wcet/step.hpp"
+
+namespace finemote::gen::wcet {
+namespace {
+
+/// Where a walk gives up: no routine that must end in a period is longer.
+constexpr std::size_t kMostNodes = 1'000'000;
+constexpr std::uint64_t kMostRounds = 10'000;
+constexpr std::size_t kDeepestCalls = 64;
+
+/// What comes to a place, by all ways that lead there.
+struct Arrival {
+  Machine machine;
+  std::vector<UnrolledEdge> from;
+};
+
+void arrive(std::optional<Arrival>& there, Machine machine, const std::vector<UnrolledEdge>& from) {
+  if (!there) {
+    there = Arrival{std::move(machine), from};
+    return;
+  }
+  there->machine.join(machine);
+  there->from.insert(there->from.end(), from.begin(), from.end());
+}
+
+class Walker {
+ public:
+  explicit Walker(const ImageFactsForWalk& facts) : facts_(facts) {}
+
+  Walked result(std::uint32_t entry) {
+    Machine machine;
+    for (int reg = ARM_REG_R0; reg <= ARM_REG_R12; ++reg) machine.set(reg, Value::in(Interval::any()));
+    machine.set(ARM_REG_SP, Value::in(Interval::of(facts_.stack_top), true));
+    const auto end = enter(entry, Arrival{std::move(machine), {}}, entry, nullptr);
+    if (walked_.graph.nodes.size() > kMostNodes)
+      fail(entry, facts_.program.at(entry), "too many ways through it: bound its loops more tightly");
+    if (end) {
+      for (const UnrolledEdge& edge : end->from) walked_.graph.exits.push_back(edge.from);
+    }
+    return std::move(walked_);
+  }
+
+ private:
+  using Arrivals = std::map<std::uint32_t, std::optional<Arrival>>;  // by block
+
+  /// One call of a function.
+  struct Frame {
+    const ProgramFunction& function;
+    const LoopNest& nest;
+    Arrivals arrivals;
+    std::optional<Arrival> end;
+    std::map<std::uint32_t, std::uint32_t> passes;  // of marks, in the loop around each
+    bool is_cut_by_mark = false;
+  };
+
+  void fail(std::uint32_t address, const ProgramFunction* function, std::string why) {
+    walked_.problems.try_emplace(address, WalkProblem{address, function, std::move(why)});
+  }
+
+  const LoopNest& nest_of(const ProgramFunction& function) {
+    auto& nest = nests_[function.graph.entry];
+    if (!nest) nest = std::make_unique<LoopNest>(function.graph);
+    return *nest;
+  }
+
+  /// Goes through a function; what leaves it, if something does.
+  std::optional<Arrival> enter(std::uint32_t address, Arrival arrival, std::uint32_t from,
+                               const ProgramFunction* caller) {
+    const ProgramFunction* function = facts_.program.at(address);
+    if (function == nullptr) return fail(from, caller, "a call of what is no function"), std::nullopt;
+    const bool is_open = std::find(open_.begin(), open_.end(), function) != open_.end();
+    if (is_open || open_.size() == kDeepestCalls) return fail(from, caller, "recursion: it has no bound"), std::nullopt;
+    for (const FlowProblem& problem : function->graph.problems) fail(problem.address, function, problem.text);
+    const LoopNest& nest = nest_of(*function);
+    for (const std::uint32_t block : nest.irreducible())
+      fail(block, function, "a loop with more than one entry: write it as one loop");
+    if (!nest.irreducible().empty()) return std::nullopt;
+    open_.push_back(function);
+    Frame frame{*function, nest, {}, {}, {}};
+    frame.arrivals[function->graph.entry] = std::move(arrival);
+    go_through(frame, std::nullopt);
+    open_.pop_back();
+    return std::move(frame.end);
+  }
+
+  /// The blocks of a loop in one round, or of the function.
+  void go_through(Frame& frame, std::optional<std::size_t> loop) {
+    for (const std::uint32_t block : frame.nest.order(loop)) {
+      auto& arrival = frame.arrivals[block];
+      if (!arrival || walked_.graph.nodes.size() > kMostNodes) continue;
+      const auto inner = frame.nest.around(block);
+      const bool is_inner_header = inner != loop && inner && frame.nest.loops()[*inner].header == block;
+      if (is_inner_header)
+        turn(frame, *inner);
+      else
+        visit(frame, block);
+    }
+  }
+
+  /// A loop, round by round, until nothing comes back to its header.
+  void turn(Frame& frame, std::size_t index) {
+    const Loop& loop = frame.nest.loops()[index];
+    auto& header = frame.arrivals[loop.header];
+    for (const std::uint32_t block : loop.blocks) frame.passes.erase(block);
+    frame.is_cut_by_mark = false;
+    std::uint64_t rounds = 0;
+    for (;; ++rounds) {
+      const Machine before = header->machine;
+      const std::uint64_t passed = marks_passed(frame, loop);
+      go_through(frame, index);
+      if (!header) break;
+      const bool is_same =
+          before.covers(header->machine) && header->machine.covers(before) && marks_passed(frame, loop) == passed;
+      if (is_same || rounds == kMostRounds || walked_.graph.nodes.size() > kMostNodes) {
+        fail(loop.header, &frame.function, "a loop whose rounds are not known: bound it with loop_bound<n>()");
+        header.reset();
+        break;
+      }
+    }
+    note(frame, loop, rounds);
+  }
+
+  static std::uint64_t marks_passed(const Frame& frame, const Loop& loop) {
+    std::uint64_t sum = 0;
+    for (const auto& [block, passes] : frame.passes) sum += loop.blocks.count(block) != 0 ? passes : 0;
+    return sum;
+  }
+
+  void note(const Frame& frame, const Loop& loop, std::uint64_t rounds) {
+    CountedLoop& counted = walked_.loops[loop.header];
+    counted.function = &frame.function;
+    counted.header = loop.header;
+    counted.is_by_mark |= frame.is_cut_by_mark;
+    counted.rounds = std::max(counted.rounds, rounds);
+  }
+
+  /// False where a mark says that the place is not passed again.
+  bool pass_mark(Frame& frame, std::uint32_t block) {
+    const auto bound = facts_.marks.loop_bounds.find(block);
+    if (bound == facts_.marks.loop_bounds.end()) return true;
+    if (frame.passes[block] < bound->second) return ++frame.passes[block], true;
+    frame.is_cut_by_mark = true;
+    return false;
+  }
+
+  void visit(Frame& frame, std::uint32_t block) {
+    Arrival arrival = std::move(*frame.arrivals[block]);
+    frame.arrivals[block].reset();
+    if (!pass_mark(frame, block)) return;
+    arrival.machine.name_unknowns(unknowns_);
+    const BasicBlock& code = frame.function.graph.blocks.at(block);
+    Step step = wcet::step(frame.function, code, {facts_.constants, unknowns_, facts_.stores}, facts_.cost,
+                           std::move(arrival.machine));
+    if (step.problem) return fail(step.problem->first, &frame.function, step.problem->second);
+    const std::size_t node = walked_.graph.nodes.size();
+    walked_.graph.nodes.push_back({&frame.function, block, step.cost, std::move(arrival.from)});
+    for (Way& way : step.ways) follow(frame, code, node, std::move(way));
+  }
+
+  void follow(Frame& frame, const BasicBlock& code, std::size_t node, Way way) {
+    const std::vector<UnrolledEdge> here{{node, way.cost}};
+    switch (way.kind) {
+      case Way::Kind::edge:
+        return arrive(frame.arrivals[way.to], std::move(way.machine), here);
+      case Way::Kind::leave:
+        return arrive(frame.end, std::move(way.machine), here);
+      case Way::Kind::call:
+        break;
+    }
+    auto back = enter(way.to, Arrival{std::move(way.machine), here}, code.call->at, &frame.function);
+    if (!back) return;
+    back->machine.stack().drop_below(back->machine.get(ARM_REG_SP).range().low);
+    if (way.is_tail) return arrive(frame.end, std::move(back->machine), back->from);
+    if (way.behind == 0) return;
+    for (UnrolledEdge& edge : back->from) edge.cost += facts_.cost.jump(way.behind);
+    arrive(frame.arrivals[way.behind], std::move(back->machine), back->from);
+  }
+
+  const ImageFactsForWalk& facts_;
+  Unknowns unknowns_;
+  Walked walked_;
+  std::map<std::uint32_t, std::unique_ptr<LoopNest>> nests_;  // by function
+  std::vector<const ProgramFunction*> open_;                  // the chain of calls
+};
+
+}  // namespace
+
+Walked walk(const ImageFactsForWalk& facts, std::uint32_t entry) { return Walker(facts).result(entry); }
+
+}  // namespace finemote::gen::wcet

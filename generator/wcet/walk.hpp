@@ -1,0 +1,53 @@
+// Follows a routine of an image in all ways it can take, with what is known of registers and memory on each.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/image/program.hpp"
+#include "generator/wcet/block_cost.hpp"
+#include "generator/wcet/constants.hpp"
+#include "generator/wcet/execute.hpp"
+#include "generator/wcet/marks.hpp"
+#include "generator/wcet/unrolled.hpp"
+
+namespace finemote::gen::wcet {
+
+/// Why a routine has no bound.
+struct WalkProblem {
+  std::uint32_t address = 0;
+  const ProgramFunction* function = nullptr;
+  std::string why;
+};
+
+/// A loop that ended, in whatever context it ran longest.
+struct CountedLoop {
+  const ProgramFunction* function = nullptr;
+  std::uint32_t header = 0;
+  std::uint64_t rounds = 0;  ///< turns back to the header, at most
+  bool is_by_mark = false;   ///< a mark ended it
+};
+
+struct Walked {
+  UnrolledGraph graph;
+  std::map<std::uint32_t, CountedLoop> loops;     ///< by header
+  std::map<std::uint32_t, WalkProblem> problems;  ///< by address; empty: the graph holds every way there is
+};
+
+/// What is known of an image for all its routines; all of it outlives the walk.
+struct ImageFactsForWalk {
+  const Program& program;  ///< whose blocks end at the marks
+  const Constants& constants;
+  const Marks& marks;
+  CodeCost cost;
+  WordStores* stores = nullptr;  ///< as in Surroundings
+  std::uint32_t stack_top = 0;   ///< where the stack is when the routine begins: any place does
+};
+
+/// From a routine's entry to its ends. Registers hold anything at first.
+Walked walk(const ImageFactsForWalk& facts, std::uint32_t entry);
+
+}  // namespace finemote::gen::wcet

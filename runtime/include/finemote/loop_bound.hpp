@@ -1,0 +1,35 @@
+// How often a loop turns at most, where tools cannot see it from the code: docs/wcet.md.
+#pragma once
+
+#include <cstdint>
+
+namespace finemote {
+namespace detail {
+
+constexpr std::uint32_t kUnlessInterrupted = 0x8000'0000;
+
+/// Records the address of this place and `word` in section `.debug_finemote_loops`, two words each.
+template <std::uint32_t word>
+[[gnu::always_inline]] inline void tell_loop() {
+#ifdef __arm__
+  asm volatile("0: .pushsection .debug_finemote_loops,\"\",%%progbits\n\t.word 0b, %c0\n\t.popsection" ::"i"(word));
+#endif
+}
+
+}  // namespace detail
+
+/// This place, in the body of a loop, is passed at most `passes` times from when the loop is entered to when it is
+/// left. It costs no instruction. What is told must be true: `finemote run` counts, and bounds are computed from it.
+/// @code for (Inbox* i = first; i != nullptr; i = i->next) { loop_bound<kMostInboxes>(); ... } @endcode
+template <std::uint32_t passes>
+[[gnu::always_inline]] inline void loop_bound() {
+  static_assert(passes < detail::kUnlessInterrupted, "a loop that turns so often has no useful bound");
+  detail::tell_loop<passes>();
+}
+
+/// This place, in the body of a loop, is passed once from when the loop is entered to when it is left, and once more
+/// for each interrupt that comes in between: it tries again what an interrupt has disturbed. Further rounds are part of
+/// what an interruption costs.
+[[gnu::always_inline]] inline void retried_if_interrupted() { detail::tell_loop<detail::kUnlessInterrupted | 1U>(); }
+
+}  // namespace finemote

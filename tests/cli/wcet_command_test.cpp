@@ -1,0 +1,159 @@
+// finemote wcet: its bounds against what the emulated board takes, and what it says where it has none.
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+#include "catch.hpp"
+#include "cli/program.hpp"
+
+using namespace finemote;
+using namespace finemote::test;
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr const char* kRobot = R"(<robot name="r"><link name="l"/><finemote version="1">
+  <board name="robomaster_type_c"/><device name="own" type="counter" period="5ms"/></finemote></robot>)";
+
+/// Sensors on SPI and I2C, an analog input, a key.
+constexpr const char* kSensors = R"(<robot name="s"><link name="base_link"/><finemote version="1">
+  <board name="robomaster_type_c"/>
+  <bus name="imu_spi" type="spi" port="spi1" clock="5250kHz"/>
+  <bus name="compass_i2c" type="i2c" port="i2c3" clock="400kHz"/>
+  <device name="board" type="group" period="5ms">
+    <device name="imu" type="bmi088" bus="imu_spi" channel="0" period="1ms" link="base_link">
+      <use role="gyro" bus="imu_spi" channel="1"/><use role="ready" pin="bmi088_int_gyro"/></device>
+    <device name="compass" type="ist8310" bus="compass_i2c" link="base_link"/>
+    <device name="supply" type="battery"><use role="sense" pin="battery"/></device>
+    <device name="button" type="key"><use role="line" pin="key"/></device>
+  </device></finemote></robot>)";
+
+constexpr const char* kDescriptor = R"({"schema": "finemote.device/1", "type": "counter", "summary": "counts",
+  "class": "Counter", "header": "counter.hpp", "provides": [], "params": [],
+  "wcet": {"update_ns": 20000, "handle_ns": 1000}})";
+
+/// A device type of a user, whose update() runs `loop`.
+std::string header_with(const std::string& loop) {
+  return "#pragma once\n#include <cstdint>\n#include <finemote/loop_bound.hpp>\n"
+         "class Counter {\n public:\n  constexpr Counter() = default;\n"
+         "  void update() {\n" +
+         loop + "\n  }\n  void handle() {}\n private:\n  std::uint32_t volatile limit_ = 3, sum_ = 0;\n};\n";
+}
+
+/// What wcet says of a robot with this device.
+struct Told {
+  int status;
+  Json document;
+};
+
+Told wcet_of(const std::string& loop) {
+  const TemporaryFolder folder;
+  write_file(folder.path("r.urdf"), kRobot);
+  write_file(folder.path("devices/counter.json"), kDescriptor);
+  write_file(folder.path("devices/counter.hpp"), header_with(loop));
+  const auto result = run_finemote({"wcet", folder.path("r.urdf"), "--format", "json"});
+  CAPTURE(result.output);
+  const auto begin = result.output.find('{');
+  REQUIRE(begin != std::string::npos);
+  return {result.exit_status, Json::parse(result.output.substr(begin))};
+}
+
+std::int64_t update_cycles(const Told& told) {
+  for (const Json& stage : told.document["stages"]) {
+    if (stage["device"] == "own" && stage["stage"] == "update") return stage["wcet_cycles"];
+  }
+  return -1;
+}
+
+using Stages = std::map<std::pair<std::string, std::string>, std::int64_t>;
+
+Stages longest_seen(const std::string& robot) {
+  Stages seen;
+  const Json run = finemote_json({"run", robot, "--flash", "miss", "--duration", "200ms"});
+  for (const Json& stage : run["stages"]) {
+    if (!stage["own_max_ns"].is_null()) seen[{stage["device"], stage["stage"]}] = stage["own_max_ns"];
+  }
+  return seen;
+}
+
+}  // namespace
+
+TEST_CASE("no stage on the emulated board takes longer than its bound, every line of flash missed") {
+  const TemporaryFolder folder;
+  write_file(folder.path("sensors.urdf"), kSensors);
+  for (const std::string& robot : {source_path("examples/infantry.urdf"), folder.path("sensors.urdf")}) {
+    const Json bounds = finemote_json({"wcet", robot});
+    const Stages seen = longest_seen(robot);
+    std::size_t judged = 0;
+    for (const Json& stage : bounds["stages"]) {
+      const auto longest = seen.find({stage["device"], stage["stage"]});
+      if (longest == seen.end()) continue;
+      CAPTURE(robot, stage.dump(), longest->second);
+      CHECK(longest->second <= stage["wcet_ns"].get<std::int64_t>());
+      CHECK(stage["label"] == "static");
+      ++judged;
+    }
+    CAPTURE(robot);
+    CHECK(judged >= 6);
+    CHECK(bounds["model"]["placement"] == "flash");
+    CHECK(bounds["inputs"]["hash"].get<std::string>().size() == 64);
+  }
+}
+
+TEST_CASE("a loop that is made longer costs so many rounds more") {
+  const Told five = wcet_of("for (int i = 0; i < 5; ++i) sum_ = sum_ + i;");
+  const Told nine = wcet_of("for (int i = 0; i < 9; ++i) sum_ = sum_ + i;");
+  CHECK(five.status == 0);
+  CHECK(nine.status == 0);
+  const std::int64_t shorter = update_cycles(five), longer = update_cycles(nine);
+  REQUIRE(shorter > 0);
+  CHECK(longer > shorter);
+  CHECK((longer - shorter) % 4 == 0);
+}
+
+TEST_CASE("a loop without a bound is named, with its line, and its routine has no number") {
+  const Told told = wcet_of("for (std::uint32_t i = 0; i < limit_; ++i) sum_ = sum_ + i;");
+  CHECK(told.status == 1);
+  CHECK(update_cycles(told) == -1);
+  REQUIRE(told.document["unresolved"].size() == 1);
+  const Json& gap = told.document["unresolved"][0];
+  CHECK(gap["why"] == "a loop whose rounds are not known: bound it with loop_bound<n>()");
+  CHECK(gap["file"].get<std::string>().find("counter.hpp") != std::string::npos);
+  CHECK(gap["line"] == 8);
+}
+
+TEST_CASE("a mark bounds it, and more passes cost more") {
+  const auto marked = [](int passes) {
+    return wcet_of("for (std::uint32_t i = 0; i < limit_; ++i) { finemote::loop_bound<" + std::to_string(passes) +
+                   ">(); sum_ = sum_ + i; }");
+  };
+  const Told three = marked(3), four = marked(4);
+  CHECK(three.status == 0);
+  REQUIRE(update_cycles(three) > 0);
+  CHECK(update_cycles(four) > update_cycles(three));
+  bool is_by_mark = false;
+  for (const Json& stage : three.document["stages"]) {
+    for (const Json& loop : stage["loops"]) is_by_mark |= loop["from"] == "mark" && loop["bound"] == 3;
+  }
+  CHECK(is_by_mark);
+}
+
+TEST_CASE("a stage is explained to the last cycle, and a name that is none is refused") {
+  const std::string robot = source_path("examples/infantry.urdf");
+  const Json bounds = finemote_json({"wcet", robot});
+  const Json& stage = bounds["stages"][0];
+  const std::string name = stage["device"].get<std::string>() + "." + stage["stage"].get<std::string>();
+  const auto explained = run_finemote({"wcet", robot, "--explain", name});
+  CHECK(explained.output.rfind(name + ": " + stage["wcet_cycles"].dump() + " cycles on the longest way\n", 0) == 0);
+  const auto refused = run_finemote({"wcet", robot, "--explain", "nobody.update"});
+  CHECK(refused.exit_status == 2);
+  CHECK(refused.output.find("no stage 'nobody.update' with a bound") != std::string::npos);
+}
+
+TEST_CASE("an image that is none is refused") {
+  const TemporaryFolder folder;
+  write_file(folder.path("x.elf"), "not an image");
+  const auto result = run_finemote({"wcet", source_path("examples/infantry.urdf"), "--elf", folder.path("x.elf")});
+  CHECK(result.exit_status == 2);
+  CHECK(result.output.find("is not a linked Arm image with symbols") != std::string::npos);
+}

@@ -1,0 +1,434 @@
+// Bounds of execution times: ranges against all values, paths against all ways, code by hand against the rules.
+#include <algorithm>
+#include <functional>
+#include <random>
+
+#include "catch.hpp"
+#include "generator/wcet/certificate.hpp"
+#include "generator/wcet/comparison.hpp"
+#include "generator/wcet/cost_table.hpp"
+#include "generator/wcet/execute.hpp"
+#include "generator/wcet/interval.hpp"
+#include "generator/wcet/longest_path.hpp"
+#include "generator/wcet/loop_nest.hpp"
+#include "generator/wcet/machine.hpp"
+#include "generator/wcet/walk.hpp"
+
+using namespace finemote::gen;
+using namespace finemote::gen::wcet;
+
+namespace {
+
+using Word = std::uint32_t;
+
+std::mt19937& dice() {
+  static std::mt19937 generator(7);
+  return generator;
+}
+
+Word roll(Word limit) { return std::uniform_int_distribution<Word>(0, limit)(dice()); }
+
+/// Small ones, ones around the wrap and around the sign.
+Interval random_interval() {
+  const Word around[] = {0, 0x7FFFFFFC, 0x80000000, 0xFFFFFFF8, 1000};
+  const Word low = around[roll(4)] + roll(4);
+  const Word high = low + roll(3);
+  return high < low ? Interval{low, UINT32_MAX} : Interval{low, high};
+}
+
+template <class Each>
+void for_each_word(Interval range, Each each) {
+  for (std::uint64_t word = range.low; word <= range.high; ++word) each(static_cast<Word>(word));
+}
+
+void check_operation(Interval (*on_ranges)(Interval, Interval), Word (*on_words)(Word, Word)) {
+  for (int i = 0; i < 300; ++i) {
+    const Interval a = random_interval(), b = random_interval(), result = on_ranges(a, b);
+    for_each_word(a, [&](Word x) {
+      for_each_word(b, [&](Word y) {
+        CAPTURE(a.low, a.high, b.low, b.high, x, y);
+        REQUIRE(result.contains(Interval::of(on_words(x, y))));
+      });
+    });
+  }
+}
+
+bool holds(arm_cc condition, Word a, Word b) {
+  const auto x = static_cast<std::int32_t>(a), y = static_cast<std::int32_t>(b);
+  switch (condition) {
+    case ARM_CC_EQ:
+      return a == b;
+    case ARM_CC_NE:
+      return a != b;
+    case ARM_CC_HS:
+      return a >= b;
+    case ARM_CC_LO:
+      return a < b;
+    case ARM_CC_MI:
+      return static_cast<std::int32_t>(a - b) < 0;
+    case ARM_CC_PL:
+      return static_cast<std::int32_t>(a - b) >= 0;
+    case ARM_CC_HI:
+      return a > b;
+    case ARM_CC_LS:
+      return a <= b;
+    case ARM_CC_GE:
+      return x >= y;
+    case ARM_CC_LT:
+      return x < y;
+    case ARM_CC_GT:
+      return x > y;
+    case ARM_CC_LE:
+      return x <= y;
+    default:
+      return true;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("operations on ranges hold every result") {
+  check_operation(add, [](Word a, Word b) { return a + b; });
+  check_operation(subtract, [](Word a, Word b) { return a - b; });
+  check_operation(multiply, [](Word a, Word b) { return a * b; });
+  check_operation(bitwise_and, [](Word a, Word b) { return a & b; });
+  check_operation(bitwise_or, [](Word a, Word b) { return a | b; });
+  check_operation(exclusive_or, [](Word a, Word b) { return a ^ b; });
+  check_operation(divide_unsigned, [](Word a, Word b) { return b == 0 ? 0 : a / b; });
+  check_operation([](Interval a, Interval) { return complement(a); }, [](Word a, Word) { return ~a; });
+  check_operation([](Interval a, Interval) { return shift_left(a, 3); }, [](Word a, Word) { return a << 3; });
+  check_operation([](Interval a, Interval) { return shift_right(a, 3); }, [](Word a, Word) { return a >> 3; });
+  check_operation([](Interval a, Interval) { return shift_right_signed(a, 3); },
+                  [](Word a, Word) { return static_cast<Word>(static_cast<std::int32_t>(a) >> 3); });
+}
+
+TEST_CASE("a condition keeps every pair for which it holds, and none is left where it never does") {
+  constexpr arm_cc kConditions[] = {ARM_CC_EQ, ARM_CC_NE, ARM_CC_HS, ARM_CC_LO, ARM_CC_MI, ARM_CC_PL,
+                                    ARM_CC_HI, ARM_CC_LS, ARM_CC_GE, ARM_CC_LT, ARM_CC_GT, ARM_CC_LE};
+  for (const arm_cc condition : kConditions) {
+    for (int i = 0; i < 200; ++i) {
+      Comparison flags;
+      flags.left_range = random_interval();
+      flags.right_range = random_interval();
+      const auto sides = where(flags, condition);
+      const auto difference = difference_where(flags, condition);
+      for_each_word(flags.left_range, [&](Word a) {
+        for_each_word(flags.right_range, [&](Word b) {
+          CAPTURE(static_cast<int>(condition), a, b);
+          REQUIRE(holds(opposite(condition), a, b) != holds(condition, a, b));
+          if (!holds(condition, a, b)) return;
+          REQUIRE(sides);
+          REQUIRE(sides->first.contains(Interval::of(a)));
+          REQUIRE(sides->second.contains(Interval::of(b)));
+          REQUIRE(difference);
+          REQUIRE(difference->contains(Interval::of(a - b)));
+        });
+      });
+    }
+  }
+}
+
+namespace {
+
+/// Edges lead to later nodes only, as those of an unrolled graph do.
+UnrolledGraph random_graph(std::size_t size) {
+  UnrolledGraph graph;
+  for (std::size_t node = 0; node < size; ++node) {
+    UnrolledNode fresh;
+    fresh.cost = roll(20);
+    for (std::size_t from = 0; from < node; ++from) {
+      if (from + 1 == node || roll(3) == 0) fresh.from.push_back({from, static_cast<Cycles>(roll(5))});
+    }
+    graph.nodes.push_back(std::move(fresh));
+  }
+  graph.exits = {size - 1, size / 2};
+  return graph;
+}
+
+/// Over all ways, one by one.
+Cycles longest_by_search(const UnrolledGraph& graph, std::size_t node) {
+  Cycles longest = node == 0 ? 0 : -1;
+  for (const UnrolledEdge& edge : graph.nodes[node].from) {
+    const Cycles before = longest_by_search(graph, edge.from);
+    if (before >= 0) longest = std::max(longest, before + edge.cost);
+  }
+  return longest < 0 ? -1 : longest + graph.nodes[node].cost;
+}
+
+}  // namespace
+
+TEST_CASE("the longest path is that of all ways, and its certificate says so") {
+  for (int i = 0; i < 300; ++i) {
+    const UnrolledGraph graph = random_graph(2 + roll(8));
+    Cycles longest = 0;
+    for (const std::size_t exit : graph.exits) longest = std::max(longest, longest_by_search(graph, exit));
+    const auto path = longest_path(graph);
+    REQUIRE(path);
+    CHECK(path->bound == longest);
+    CHECK(check_certificate(graph, path->potentials, path->bound).empty());
+    Cycles along = 0;
+    for (std::size_t step = 0; step < path->nodes.size(); ++step) {
+      along += graph.nodes[path->nodes[step]].cost;
+      if (step == 0) continue;
+      Cycles edge_cost = -1;
+      for (const UnrolledEdge& edge : graph.nodes[path->nodes[step]].from) {
+        if (edge.from == path->nodes[step - 1]) edge_cost = std::max(edge_cost, edge.cost);
+      }
+      REQUIRE(edge_cost >= 0);
+      along += edge_cost;
+    }
+    CHECK(along == longest);
+  }
+}
+
+TEST_CASE("a certificate that is a cycle short in any place proves nothing") {
+  int refused = 0;
+  for (int i = 0; i < 200; ++i) {
+    const UnrolledGraph graph = random_graph(3 + roll(6));
+    const auto path = longest_path(graph);
+    REQUIRE(path);
+    CHECK_FALSE(check_certificate(graph, path->potentials, path->bound - 1).empty());
+    for (std::size_t step = 1; step < path->nodes.size(); ++step) {
+      Potentials shorter = path->potentials;
+      --shorter[path->nodes[step]];
+      CHECK_FALSE(check_certificate(graph, shorter, path->bound).empty());
+      ++refused;
+    }
+    UnrolledGraph longer = graph;
+    ++longer.nodes[path->nodes[roll(static_cast<Word>(path->nodes.size() - 1))]].cost;
+    CHECK_FALSE(check_certificate(longer, path->potentials, path->bound).empty());
+  }
+  CHECK(refused > 200);
+}
+
+TEST_CASE("between marks only what lies between them counts") {
+  UnrolledGraph graph;  // 0 - 1 - 2 - 4, and 1 - 3 - 4
+  graph.nodes = {{nullptr, 0, 5, {}},
+                 {nullptr, 0, 7, {{0, 1}}},
+                 {nullptr, 0, 11, {{1, 2}}},
+                 {nullptr, 0, 2, {{1, 0}}},
+                 {nullptr, 0, 100, {{2, 3}, {3, 1}}}};
+  graph.exits = {4};
+  const std::vector<bool> from{false, true, false, false, false}, to{false, false, false, false, true};
+  const auto path = longest_between(graph, from, to);
+  REQUIRE(path);
+  CHECK(path->bound == 7 + 2 + 11 + 3);
+  CHECK(path->nodes == std::vector<std::size_t>{1, 2});
+  CHECK_FALSE(longest_between(graph, to, from));
+}
+
+namespace {
+
+FlowGraph graph_of(const std::vector<std::pair<Word, std::vector<Word>>>& blocks) {
+  FlowGraph graph;
+  graph.entry = blocks.front().first;
+  for (const auto& [begin, successors] : blocks) {
+    BasicBlock block;
+    block.begin = begin;
+    for (const Word to : successors) block.edges.push_back({to, true});
+    graph.blocks[begin] = block;
+  }
+  return graph;
+}
+
+}  // namespace
+
+TEST_CASE("loops nest as their blocks do") {
+  const LoopNest nest(graph_of({{1, {2}}, {2, {3, 6}}, {3, {4}}, {4, {3, 5}}, {5, {2}}, {6, {}}}));
+  REQUIRE(nest.loops().size() == 2);
+  CHECK(nest.irreducible().empty());
+  const auto outer = nest.around(2), inner = nest.around(4);
+  REQUIRE((outer && inner));
+  CHECK(nest.loops()[*inner].parent == outer);
+  CHECK(nest.loops()[*outer].blocks == std::set<Word>{2, 3, 4, 5});
+  CHECK(nest.loops()[*inner].blocks == std::set<Word>{3, 4});
+  CHECK_FALSE(nest.around(6));
+  CHECK(nest.order({}) == std::vector<Word>{1, 2, 6});
+  CHECK(nest.order(outer) == std::vector<Word>{2, 3, 5});
+}
+
+TEST_CASE("a cycle that is entered in two places is no loop") {
+  const LoopNest nest(graph_of({{1, {2, 3}}, {2, {3}}, {3, {2, 4}}, {4, {}}}));
+  CHECK_FALSE(nest.irreducible().empty());
+}
+
+namespace {
+
+/// Decodes halfwords and runs them, all behind each other.
+Machine run_code(const std::vector<std::uint16_t>& halfwords, Machine machine) {
+  std::string bytes;
+  for (const std::uint16_t halfword : halfwords) {
+    bytes.push_back(static_cast<char>(halfword & 0xFFU));
+    bytes.push_back(static_cast<char>(halfword >> 8U));
+  }
+  static const Image kNoImage;
+  const Constants constants(kNoImage, {});
+  static Unknowns unknowns;
+  for (const Instruction& i : decode(0x08000000, bytes)) execute(i, {constants, unknowns}, machine);
+  return machine;
+}
+
+Machine machine_with_stack() {
+  Machine machine;
+  machine.set(ARM_REG_SP, Value::in(Interval::of(0x10001000), true));
+  return machine;
+}
+
+}  // namespace
+
+TEST_CASE("what was pushed is popped, and a store through an unknown pointer leaves it alone") {
+  Machine machine = machine_with_stack();
+  machine.set(ARM_REG_R4, Value::of(42));
+  machine.set(ARM_REG_R1, Value::in(Interval::any()));
+  machine = run_code({0xB410, 0x6008, 0xBC20}, machine);  // push {r4}; str r0, [r1]; pop {r5}
+  CHECK(machine.get(ARM_REG_R5).range() == Interval::of(42));
+  CHECK(machine.get(ARM_REG_SP).range() == Interval::of(0x10001000));
+}
+
+TEST_CASE("a store through a pointer into the stack that is not known makes its words unknown") {
+  Machine machine = machine_with_stack();
+  machine.set(ARM_REG_R4, Value::of(42));
+  machine.set(ARM_REG_R2, Value::in({0, 64}));
+  // push {r4}; sub sp, #8; add r1, sp, r2 (by mov r1, sp; add r1, r2); str r0, [r1]; ldr r5, [sp, #8]
+  machine = run_code({0xB410, 0xB082, 0x4669, 0x4411, 0x6008, 0x9D02}, machine);
+  CHECK_FALSE(machine.get(ARM_REG_R5).range().is_constant());
+}
+
+TEST_CASE("pointers are compared by their distance, wherever they lead") {
+  Machine machine = machine_with_stack();
+  machine.set(ARM_REG_R0, Value::in(Interval::any()));
+  // mov r1, r0 (after a move that names it); adds r1, #8; adds r0, #8; cmp r0, r1
+  machine = run_code({0x4603, 0x4619, 0x3108, 0x4618, 0x3008, 0x4288}, machine);
+  Machine differs = machine, equals = machine;
+  CHECK_FALSE(differs.assume(ARM_CC_NE));
+  CHECK(equals.assume(ARM_CC_EQ));
+}
+
+TEST_CASE("a branch tells the range of what was compared, and of every copy of it") {
+  Machine machine = machine_with_stack();
+  machine.set(ARM_REG_R0, Value::in(Interval::any()));
+  machine = run_code({0x4603, 0x4619, 0x461A, 0x2905}, machine);  // mov r3, r0; mov r1, r3; mov r2, r3; cmp r1, #5
+  REQUIRE(machine.assume(ARM_CC_LS));
+  CHECK(machine.get(ARM_REG_R1).range() == Interval{0, 5});
+  CHECK(machine.get(ARM_REG_R2).range() == Interval{0, 5});
+}
+
+TEST_CASE("instructions cost what the reference manual says at most") {
+  struct Row {
+    std::vector<std::uint16_t> code;
+    Cycles cycles;
+  };
+  // Cortex-M4 TRM (DDI 0439D), tables 3-1 and 7-1 and the notes below them.
+  const Row rows[] = {
+      {{0x3001}, 1},           // adds r0, #1
+      {{0xFBB0, 0xF1F1}, 12},  // udiv r1, r0, r1
+      {{0x6808}, 3},           // ldr r0, [r1]: 2, and 1 for an address just computed
+      {{0xE9D1, 0x2300}, 4},   // ldrd r2, r3, [r1]: 3 and 1
+      {{0xB4F0}, 6},           // push {r4-r7}: 1 + 4, and 1
+      {{0xEE30, 0x0A20}, 2},   // vadd.f32: 1, and 1 where the next needs it
+      {{0xEE80, 0x0A20}, 15},  // vdiv.f32: 14 and 1
+      {{0xEEA0, 0x0A20}, 4},   // vfma.f32: 3 and 1
+      {{0xF3EF, 0x8010}, 2},   // mrs r0, primask
+  };
+  for (const Row& row : rows) {
+    std::string bytes;
+    for (const std::uint16_t halfword : row.code) {
+      bytes.push_back(static_cast<char>(halfword & 0xFFU));
+      bytes.push_back(static_cast<char>(halfword >> 8U));
+    }
+    const auto decoded = decode(0, bytes);
+    REQUIRE(decoded.size() == 1);
+    CAPTURE(decoded[0].text);
+    CHECK(longest_time(decoded[0]) == row.cycles);
+  }
+}
+
+TEST_CASE("waiting for an interrupt has no place in code that must end in time") {
+  const auto decoded = decode(0, std::string_view("\x30\xBF", 2));  // wfi
+  REQUIRE(decoded.size() == 1);
+  CHECK_FALSE(longest_time(decoded[0]));
+}
+
+namespace {
+
+constexpr Word kBase = 0x08000000;
+
+/// One function of these halfwords.
+Image image_of_code(const std::vector<std::uint16_t>& code) {
+  Image image;
+  for (const std::uint16_t half : code) {
+    image.file.push_back(static_cast<char>(half & 0xFFU));
+    image.file.push_back(static_cast<char>(half >> 8U));
+  }
+  ImageSection text;
+  text.name = ".text";
+  text.address = kBase;
+  text.size = static_cast<Word>(image.file.size());
+  text.allocated = text.has_bytes = text.executable = true;
+  text.bytes = {image.file.data(), image.file.size()};
+  image.sections = {{}, text};
+  image.symbols = {{"f", kBase, text.size, ImageSymbol::Kind::function, 1},
+                   {"$t", kBase, 0, ImageSymbol::Kind::mapping, 1}};
+  return image;
+}
+
+struct Bound {
+  std::optional<Cycles> cycles;
+  std::uint64_t rounds = 0;
+  std::string problem;
+};
+
+Bound bound_of(const std::vector<std::uint16_t>& code, const Marks& marks = {}) {
+  const Image image = image_of_code(code);
+  const Program program(image, marks.addresses());
+  const Constants constants(image, {});
+  const Walked walked = walk({program, constants, marks, CodeCost(Placement::sram), nullptr, 0x10001000}, kBase);
+  Bound bound;
+  for (const auto& [header, loop] : walked.loops) bound.rounds = std::max(bound.rounds, loop.rounds);
+  for (const auto& [address, problem] : walked.problems) bound.problem = problem.why;
+  const auto path = longest_path(walked.graph);
+  if (path && walked.problems.empty()) bound.cycles = path->bound;
+  return bound;
+}
+
+constexpr std::uint16_t kReturn = 0x4770;
+
+}  // namespace
+
+TEST_CASE("a loop that counts down is turned so often and no more") {
+  // movs r0, #5; subs r0, #1; bne -2; bx lr
+  const Bound bound = bound_of({0x2005, 0x3801, 0xD1FD, kReturn});
+  CHECK(bound.rounds == 4);
+  // 1; five times 1 + 1; four branches taken, 3; the return: 1
+  CHECK(bound.cycles == 1 + 5 * 2 + 4 * 3 + 1);
+}
+
+TEST_CASE("a loop over what a caller gives has no bound") {
+  const Bound bound = bound_of({0x3801, 0xD1FD, kReturn});  // subs r0, #1; bne -2; bx lr
+  CHECK_FALSE(bound.cycles);
+  CHECK(bound.problem == "a loop whose rounds are not known: bound it with loop_bound<n>()");
+}
+
+TEST_CASE("a byte bounds a loop, and a smaller limit bounds it tighter") {
+  // ldrb r0, [r1]; cbz r0, out; subs r0, #1; bne -2; out: bx lr
+  CHECK(bound_of({0x7808, 0xB108, 0x3801, 0xD1FD, kReturn}).rounds == 254);
+  // ldrb r0, [r1]; cmp r0, #7; bhi out; adds r0, #1; subs r0, #1; bne -2; out: bx lr
+  CHECK(bound_of({0x7808, 0x2807, 0xD802, 0x3001, 0x3801, 0xD1FD, kReturn}).rounds == 7);
+}
+
+TEST_CASE("a mark bounds a loop, and each more pass costs more") {
+  const std::vector<std::uint16_t> code{0x3801, 0xD1FD, kReturn};
+  Marks marks;
+  marks.loop_bounds[kBase] = 3;
+  const Bound three = bound_of(code, marks);
+  REQUIRE(three.cycles);
+  marks.loop_bounds[kBase] = 4;
+  const Bound four = bound_of(code, marks);
+  REQUIRE(four.cycles);
+  CHECK(*four.cycles - *three.cycles == 1 + 1 + 3);
+}
+
+TEST_CASE("a call through a variable, and a function that calls itself, have no bound") {
+  CHECK(bound_of({0x4780, kReturn}).problem == "'blx r0' calls what a variable says");
+  CHECK(bound_of({0xB500, 0xF7FF, 0xFFFD, 0xBD00}).problem == "recursion: it has no bound");  // push {lr}; bl f; pop
+}
