@@ -14,27 +14,27 @@
 namespace finemote::gen {
 namespace {
 
-using Table = std::vector<Option>;
+using OptionList = std::vector<Option>;
 constexpr auto kRequired = Option::Need::required;
 constexpr auto kOptional = Option::Need::optional;
 constexpr const char* kBoards = "board show";  ///< lists them
 
 /// Pieces of the table one behind the other.
-Table join(std::initializer_list<Table> pieces) {
-  Table all;
-  for (const Table& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());
+OptionList join(std::initializer_list<OptionList> pieces) {
+  OptionList all;
+  for (const OptionList& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());
   return all;
 }
 
 /// Where what a robot names is found.
-Table search() {
+OptionList search() {
   return {{"--board", &Options::board, "use this board instead of the one the robot names", kOptional, nullptr, nullptr,
            kBoards},
           {"--device-path", &Options::device_paths, "further folder with device descriptors"},
           {"--package", &Options::packages, "name=dir: where a package lies"}};
 }
 
-Table robot() {
+OptionList robot() {
   return join(
       {{{"IN", &Options::input, "robot description: .urdf, .xacro, or - for standard input", kRequired},
         {"--show-config", &Options::show_config, "print what finemote.json and the options set, and do nothing else"}},
@@ -42,32 +42,32 @@ Table robot() {
 }
 
 /// For commands that read a stranger's file and start nothing.
-Table sandbox() {
+OptionList sandbox() {
   return {{"--sandbox", &Options::sandbox,
            "read only below the folder of IN, packages named with --package, and shipped data"}};
 }
 
 /// For commands that compile or run what the file describes: whoever asks for a sandbox must not believe in one.
-Table no_sandbox() {
+OptionList no_sandbox() {
   return {{"--sandbox", Refusal{"it compiles the robot's own code, which no sandbox holds"},
            "refused: this command compiles the robot's own code"}};
 }
 
-Table watch() {
+OptionList watch() {
   return {{"--watch", &Options::watch, "answer again whenever a file changes that matters, until Ctrl-C", kOptional,
            nullptr, "--sandbox"}};
 }
 
-Table dump() {
+OptionList dump() {
   const std::vector<std::string> stages(std::begin(kStageNames), std::end(kStageNames));
   return {{"--dump", Choice{stages, [](Options& o, std::size_t word) { o.dump = static_cast<Stage>(word); }},
            "print this stage of the pipeline as JSON, and do nothing else"}};
 }
 
-Table chains() { return {{"--chain", &Options::chains, "a->b: a chain beside the default ones"}}; }
+OptionList chains() { return {{"--chain", &Options::chains, "a->b: a chain beside the default ones"}}; }
 
 /// What `analyze` and `simulate` ask of the analysis.
-Table question() {
+OptionList question() {
   return join(
       {chains(),
        {{"--profile", &Options::profile, "profile that decides the verdict", kOptional, "paper|tight|target"},
@@ -85,7 +85,7 @@ std::string rules_footer() {
   return text + "\n" + arguments_footer();
 }
 
-Table options_of_generate() {
+OptionList options_of_generate() {
   return join({robot(),
                {{"-o,--output", &Options::out, "folder to write to"},
                 {"--depfile", &Options::depfile, "write a Makefile rule with every input"}},
@@ -97,7 +97,7 @@ Table options_of_generate() {
                dump()});
 }
 
-Table options_of_check() {
+OptionList options_of_check() {
   return join({robot(),
                {{"-o,--output", &Options::out, "folder that was generated; required"}},
                sandbox(),
@@ -108,25 +108,25 @@ Table options_of_check() {
                dump()});
 }
 
-Table options_of_init() {
+OptionList options_of_init() {
   return {{"DIR", &Options::input, "folder of the project; created if missing", kRequired},
           {"--board", &Options::board, "board of the robot that is written", kOptional, nullptr, nullptr, kBoards},
           {"--from", &Options::from, "a robot of yours, which is copied with what it reads"},
           {"--example", &Options::example, "a robot of the examples, by name", kOptional, nullptr, "--from"}};
 }
 
-Table options_of_scaffold() {
+OptionList options_of_scaffold() {
   return {{"NAME", &Options::input, "name of the new type or board", kRequired},
           {"-o,--output", &Options::out, "folder; without it src of a project that init wrote, else this one"}};
 }
 
-Table options_of_board_sources() {
+OptionList options_of_board_sources() {
   return {{"BOARD", &Options::input, "name of a board", kRequired, nullptr, nullptr, kBoards},
           {"-o,--output", &Options::out, "folder: runtime/boards/BOARD/generated", kRequired},
           {"--dry-run", &Options::dry_run, "write nothing; exit status 1 when a file would change"}};
 }
 
-Table options_of_run() {
+OptionList options_of_run() {
   return join(
       {robot(),
        no_sandbox(),
@@ -151,7 +151,7 @@ Table options_of_run() {
        dump()});
 }
 
-Table options_of_wcet() {
+OptionList options_of_wcet() {
   return join({robot(),
                no_sandbox(),
                {{"-o,--output", &Options::out, "write the bounds to this file, as finemote.wcet/1"},
@@ -159,7 +159,7 @@ Table options_of_wcet() {
                 {"--explain", &Options::explained_stage, "the longest way through a stage, for example imu.update"}}});
 }
 
-Table options_of_bench_kit() {
+OptionList options_of_bench_kit() {
   return join(
       {{{"-o,--output", &Options::out, "folder of the kit: sources, drawing, and the image where it can be built"},
         {"--read", &Options::read, "a record that the image printed, to be judged", kOptional, nullptr, "--output"},
@@ -176,15 +176,17 @@ Option format(std::size_t words, const char* help) {
           help};
 }
 
-Table options_of_diff() {
+OptionList options_of_diff() {
   return join({{{"A", &Options::input, "robot, model (.json) or generated folder", kRequired},
                 {"B", &Options::other, "the other one", kRequired},
                 format(std::size(kFormatWords), "as for all commands; md: for a comment on a code host")},
                search(),
-               sandbox()});
+               sandbox(),
+               {{"--sizes", &Options::sizes, "compile both robots, and compare flash, RAM and proven stack", kOptional,
+                 nullptr, "--sandbox"}}});
 }
 
-Table options_of_graph() {
+OptionList options_of_graph() {
   return join({robot(),
                sandbox(),
                {{"--format",
@@ -193,7 +195,7 @@ Table options_of_graph() {
                  "a picture, or a text for Graphviz or Mermaid"}}});
 }
 
-Table options_of_report() {
+OptionList options_of_report() {
   return join({robot(),
                sandbox(),
                question(),
@@ -204,7 +206,7 @@ Table options_of_report() {
                watch()});
 }
 
-Table options_of_lint() {
+OptionList options_of_lint() {
   return join(
       {robot(),
        {{"--allow", &Options::allow, "code that is not reported, for example FM3153"},
@@ -213,26 +215,26 @@ Table options_of_lint() {
        {{"--fix", &Options::fix, "fix the mechanical findings in the files", kOptional, nullptr, "--sandbox"}}});
 }
 
-Table options_of_import() {
+OptionList options_of_import() {
   return join({{{"IN", &Options::input, "robot with <ros2_control> elements: .urdf, .xacro, or -", kRequired},
                 {"-o,--output", &Options::out, "write the whole robot to this file, with the element in it"},
                 {"--package", &Options::packages, "name=dir: where a package lies"}},
                sandbox()});
 }
 
-Table options_of_fmt() {
+OptionList options_of_fmt() {
   return {
       {"FILE", &Options::input, "file with <finemote> elements; of - (standard input) the text is printed", kRequired},
       {"--dry-run", &Options::dry_run,
        "write nothing, print a unified diff; exit status 1 where the file would change"}};
 }
 
-Table options_of_docs() {
+OptionList options_of_docs() {
   return {{"-o,--output", &Options::out, "folder of the reference: devices/ and boards/ in it", kRequired},
           {"--dry-run", &Options::dry_run, "write nothing; exit status 1 when a page would change"}};
 }
 
-Table options_of_xacro() {
+OptionList options_of_xacro() {
   return join({{{"FILE", &Options::input, "xacro file, or - for standard input", kRequired},
                 {"-o", &Options::out, "file to write instead of standard output"},
                 {"--package", &Options::packages, "name=dir: where a package lies"}},
@@ -242,7 +244,7 @@ Table options_of_xacro() {
                 {"--verbosity", &Options::verbosity, "0: no warnings, 1: default, 2 and above: more"}}});
 }
 
-Table options_of_analyze() {
+OptionList options_of_analyze() {
   return join(
       {robot(),
        sandbox(),
@@ -255,7 +257,7 @@ Table options_of_analyze() {
        dump()});
 }
 
-Table options_of_simulate() {
+OptionList options_of_simulate() {
   return join({robot(),
                sandbox(),
                question(),
@@ -265,7 +267,7 @@ Table options_of_simulate() {
                dump()});
 }
 
-Table options_of_completion() {
+OptionList options_of_completion() {
   return {{"SHELL",
            Choice{{std::begin(kShellWords), std::end(kShellWords)},
                   [](Options& o, std::size_t word) { o.input = kShellWords[word]; }},
@@ -342,7 +344,7 @@ std::vector<Command> make_commands() {
   return all;
 }
 
-Table make_common_options() {
+OptionList make_common_options() {
   return {
       format(std::size(kFormatWords) - 1,  // without md
              "of the result: text or json; of the diagnostics alone: sarif, github or gcc"),

@@ -8,6 +8,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/diff_bounds.hpp"
 #include "generator/cli/diff_changes.hpp"
+#include "generator/cli/diff_sizes.hpp"
 #include "generator/cli/robot_input.hpp"
 #include "generator/cli/settings.hpp"
 #include "generator/output/folder.hpp"
@@ -24,10 +25,11 @@ using Json = nlohmann::ordered_json;
 struct Side {
   Facts facts;
   std::map<std::string, std::string> texts;
+  std::optional<ImageFacts> image;  ///< with --sizes
 };
 
 Side robot_side(const PlannedRobot& planned, const Analysis& analysis, const std::vector<OutputFile>& files) {
-  Side side{facts_of(planned), {}};
+  Side side{facts_of(planned), {}, {}};
   add_bounds(analysis, side.facts);
   add_sizes(planned, files, side.facts);
   for (const OutputFile& file : files) side.texts[file.name] = file.text;
@@ -83,7 +85,24 @@ std::optional<Side> planned_side(const Options& options, const std::string& path
   const Analysis analysis = analyse_robot(*planned, Hints::left_out);
   const auto files = emit_files(*planned, prove_bounds(*planned, analysis), input->data_dir, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  return robot_side(*planned, analysis, files);
+  Side side = robot_side(*planned, analysis, files);
+  if (!options.sizes) return side;
+  side.image =
+      built_image(planned->robot, output_of(files, *planned, *input, sources), input->data_dir, sources, diagnostics);
+  if (!side.image) return std::nullopt;
+  add_image(*side.image, side.facts);
+  return side;
+}
+
+/// Reports FM0001 for what --sizes cannot compile.
+bool can_compile(const std::string& operand, Diagnostics& diagnostics) {
+  const bool is_folder = fs::is_directory(operand);
+  if (!is_folder && fs::path(operand).extension() != ".json") return true;
+  diagnostics
+      .error(code::usage, {},
+             fmt::format("--sizes compiles robots, and '{}' is a {}", operand, is_folder ? "folder" : "timing model"))
+      .hint("give the URDF or xacro of both");
+  return false;
 }
 
 std::optional<Side> read_side(const Options& options, const std::string& operand, Sources& sources,
@@ -103,6 +122,9 @@ std::string with_source_of(std::string text, const std::string& other) {
   return text.replace(line.size(), name_of(text).size(), name_of(other));
 }
 
+/// Behind the changes of two robots.
+constexpr const char* kNoSizes = "size of the image: not compared; --sizes compiles both\n";
+
 std::string text_diff(const Side& a, const Side& b) {
   std::map<std::string, std::pair<std::string, std::string>> pairs;
   for (const auto& [name, text] : a.texts) pairs[name].first = text;
@@ -116,6 +138,10 @@ std::string text_diff(const Side& a, const Side& b) {
 }  // namespace
 
 Answer run_diff(const Options& options, Sources& sources, Diagnostics& diagnostics) {
+  if (options.sizes) {
+    for (const std::string& operand : {options.input, options.other}) can_compile(operand, diagnostics);
+    if (diagnostics.has_errors()) return no_answer();
+  }
   const auto a = read_side(options, options.input, sources, diagnostics);
   const auto b = read_side(options, options.other, sources, diagnostics);
   if (!a || !b) return no_answer();
@@ -129,9 +155,15 @@ Answer run_diff(const Options& options, Sources& sources, Diagnostics& diagnosti
     lines.push_back(line_of(change));
     model.push_back(json_of(change));
   }
-  answer.text = options.format == Format::markdown ? markdown_of(changes, diff) : answer.text + diff;
-  answer.document = {
-      {"schema", "finemote.diff/1"}, {"same", same}, {"changes", lines}, {"model", model}, {"diff", diff}};
+  const std::string remark = options.sizes || changes.empty() ? "" : kNoSizes;
+  answer.text = options.format == Format::markdown ? markdown_of(changes, remark, diff) : answer.text + remark + diff;
+  const Json sizes = options.sizes ? Json{{"before", json_of(a->image)}, {"after", json_of(b->image)}} : Json(nullptr);
+  answer.document = {{"schema", "finemote.diff/1"},
+                     {"same", same},
+                     {"changes", lines},
+                     {"model", model},
+                     {"sizes", sizes},
+                     {"diff", diff}};
   return answer;
 }
 

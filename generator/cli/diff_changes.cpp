@@ -19,8 +19,6 @@ std::size_t place_of(const ModelChange& change) {
   return static_cast<std::size_t>(std::find(std::begin(kOrder), std::end(kOrder), word) - std::begin(kOrder));
 }
 
-using Properties = Facts::mapped_type;
-
 void compare(const std::string& subject, const Properties& before, const Properties& after,
              std::vector<ModelChange>& changes) {
   for (const auto& [property, value] : before) {
@@ -99,7 +97,8 @@ Json json_of(const ModelChange& change) {
           {"after", value(change.after)}};
 }
 
-std::string markdown_of(const std::vector<ModelChange>& changes, const std::string& text_diff) {
+std::string markdown_of(const std::vector<ModelChange>& changes, const std::string& remark,
+                        const std::string& text_diff) {
   constexpr std::size_t kMostTable = 30'000, kMostText = 30'000;  // a comment on GitHub holds 65536
   if (changes.empty() && text_diff.empty()) return "The robot and its generated files are the same.\n";
   std::string text;
@@ -114,6 +113,7 @@ std::string markdown_of(const std::vector<ModelChange>& changes, const std::stri
     }
     text = "| | change | before | after |\n|---|---|---|---|\n" + cut(rows, kMostTable);
   }
+  if (!remark.empty()) text += "\n" + remark;
   if (text_diff.empty()) return text;
   const std::string fence = fence_of(text_diff);
   return text + fmt::format("{}<details><summary>Generated files</summary>\n\n{}diff\n{}{}\n\n</details>\n",

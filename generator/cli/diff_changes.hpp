@@ -29,6 +29,8 @@ nlohmann::ordered_json json_of(const ModelChange& change);
 
 /// Changes as a table and the text below it folded up, for a comment on a code host. Text beyond what a comment holds
 /// is left out.
-std::string markdown_of(const std::vector<ModelChange>& changes, const std::string& text_diff);
+/// @param remark  a line below the table; empty: none
+std::string markdown_of(const std::vector<ModelChange>& changes, const std::string& remark,
+                        const std::string& text_diff);
 
 }  // namespace finemote::gen

@@ -77,6 +77,7 @@ struct Options {
   bool monitor = false;         ///< --monitor: the firmware holds itself to its bounds
   bool trace = false;           ///< --trace: the firmware records every begin and end of a stage
   bool require_judged = false;  ///< --require-judged: every bound has to be held against a sample
+  bool sizes = false;           ///< diff --sizes: compile both robots
   bool build_only = false;      ///< --build-only: stop after the image
 };
 
