@@ -11,6 +11,10 @@ endforeach()
 # The page of every diagnostic, which `finemote explain` prints.
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/docs/diagnostics ${PROJECT_BINARY_DIR}/share/diagnostics SYMBOLIC)
 install(DIRECTORY docs/diagnostics DESTINATION share/finemote)
+# The manual, beside the folders that its pages link to.
+install(FILES README.md README.zh-CN.md CHANGELOG.md LICENSE DESTINATION share/finemote)
+install(DIRECTORY docs DESTINATION share/finemote PATTERN docs/diagnostics EXCLUDE PATTERN docs/build.sh EXCLUDE PATTERN docs/api.py EXCLUDE)
+install(CODE [[file(CREATE_LINK ../diagnostics $ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/share/finemote/docs/diagnostics SYMBOLIC)]])
 install(TARGETS finemote finemote-emulator DESTINATION bin)
 
 # find_package looks into share/finemote/cmake. The package is for the computer that builds, whatever the project is for.

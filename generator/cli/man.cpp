@@ -66,6 +66,11 @@ Where the packages lie that a xacro file names.
 .TP
 \fBNO_COLOR\fR
 Diagnostics have no colour.
+.SH FILES
+.TP
+\fIshare/finemote/README.md\fR
+Where the manual begins, in the folder that also has the programs' \fIbin\fR. Its pages are in \fIshare/finemote/docs\fR:
+\fItutorial.md\fR, \fIhowto/onto-the-board.md\fR, \fIhowto/bench-kit.md\fR for the first board of its kind.
 )";
 
 std::string man_page() {

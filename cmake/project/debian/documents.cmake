@@ -22,6 +22,8 @@ file(WRITE ${documents}/changelog
      "  * The changes are in CHANGELOG.md of the sources.\n\n"
      " -- ${CPACK_PACKAGE_CONTACT}  ${date}\n")
 file(COPY ${CPACK_FINEMOTE_SOURCES}/CHANGELOG.md DESTINATION ${documents})
+file(CREATE_LINK ../../finemote/README.md ${documents}/README.md SYMBOLIC)
+file(CREATE_LINK ../../finemote/docs ${documents}/docs SYMBOLIC)
 # Where Debian's zsh looks for what packages bring.
 file(RENAME ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/usr/share/zsh/site-functions
      ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/usr/share/zsh/vendor-completions)
