@@ -15,5 +15,12 @@ if(NOT CMAKE_CXX_FLAGS MATCHES "--specs=")
 endif()
 add_compile_options(${finemote_options})
 add_link_options(${finemote_options})
+# The headers of the C++ library are enough for what finemote ships and generates; its archive is linked where it is installed.
+execute_process(COMMAND ${FINEMOTE_ARM_COMPILER} -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard
+                        -print-file-name=libstdc++.a OUTPUT_VARIABLE finemote_cxx_archive OUTPUT_STRIP_TRAILING_WHITESPACE)
+if(NOT EXISTS "${finemote_cxx_archive}")
+  add_link_options(-nodefaultlibs)
+  set(CMAKE_CXX_STANDARD_LIBRARIES_INIT "-Wl,--start-group -lc_nano -lm -lgcc -Wl,--end-group")
+endif()
 # These options decide what is built; a build type would only add to them.
 set(CMAKE_BUILD_TYPE "" CACHE STRING "")

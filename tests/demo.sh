@@ -24,5 +24,5 @@ printf 'compiling for QEMU and running\n' >&2
 
 echo
 echo "== The Type C image on the emulated board, with models of the robot's parts on its buses"
-printf 'compiling for the Type C board with trace and running\n' >&2
-"$finemote" run "$robot" --keep "$folder/emulated" --duration 1s
+printf 'running the image\n' >&2
+"$finemote" run "$robot" --keep "$folder/type_c" --duration 1s

@@ -1,6 +1,7 @@
 # Compiler options shared by all host code: C++20, warnings as errors, optional sanitizers, ccache.
 option(FINEMOTE_TESTS "Build the tests, and treat warnings as errors" ON)
 option(FINEMOTE_PRECOMPILED "Compile all host code with one precompiled header" OFF)
+set(FINEMOTE_UNITY 0 CACHE STRING "Source files of a module that are compiled as one; 0: each by itself")
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -50,6 +51,14 @@ function(finemote_precompiled target)
   target_precompile_headers(${target} REUSE_FROM finemote_common_headers)
 endfunction()
 
+# finemote_unity(TARGET): compiles its sources in batches, if asked for. So names in a module's files differ, those of unnamed
+# namespaces too.
+function(finemote_unity target)
+  if(FINEMOTE_UNITY GREATER 0)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${FINEMOTE_UNITY})
+  endif()
+endfunction()
+
 # finemote_module(NAME SOURCES a.cpp ... [LINK lib ...])
 # One pipeline stage as a static library `finemote_NAME`; headers are included as "generator/NAME/x.hpp" from the root.
 function(finemote_module name)
@@ -58,6 +67,7 @@ function(finemote_module name)
   target_include_directories(finemote_${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(finemote_${name} PUBLIC ${arg_LINK})
   finemote_precompiled(finemote_${name})
+  finemote_unity(finemote_${name})
 endfunction()
 
 # finemote_test(NAME SOURCES a_test.cpp ... [LINK lib ...])

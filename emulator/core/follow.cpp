@@ -6,11 +6,10 @@
 namespace finemote::emulator {
 namespace {
 
-bool is_among(Opcode kind, Opcode first, Opcode last) { return kind >= first && kind <= last; }
 unsigned distance(Opcode first, Opcode kind) { return static_cast<unsigned>(kind) - static_cast<unsigned>(first); }
 
 /// Data processing in the order of Opcode.
-enum Process : unsigned { kAnd, kBic, kOrr, kOrn, kEor, kMov, kMvn, kAdd };
+enum class Process : unsigned { kAnd, kBic, kOrr, kOrn, kEor, kMov, kMvn, kAdd };
 
 /// Bytes of a mask with a bit in them keep their tags.
 WordTags masked(WordTags tags, std::uint32_t mask) {
@@ -20,7 +19,7 @@ WordTags masked(WordTags tags, std::uint32_t mask) {
   return tags;
 }
 
-WordTags shifted(const WordTags& tags, Shift how, unsigned amount) {
+WordTags shifted_tags(const WordTags& tags, Shift how, unsigned amount) {
   if (amount == 0) return tags;
   const int by = static_cast<int>(std::min(amount, 32U));
   switch (how) {
@@ -70,7 +69,7 @@ void TagFlow::follow(const Operation& o, const Registers& registers, bool is_con
 /// @param form  0 an immediate, 1 a register, 2 a register shifted by a constant
 WordTags TagFlow::last_operand(const Operation& o, unsigned form) const {
   if (form == 0) return {};
-  return form == 1 ? r_[o.m] : shifted(r_[o.m], o.shift, o.amount);
+  return form == 1 ? r_[o.m] : shifted_tags(r_[o.m], o.shift, o.amount);
 }
 
 void TagFlow::process(const Operation& o) {
@@ -84,17 +83,17 @@ void TagFlow::process(const Operation& o) {
 
 void TagFlow::process_form(const Operation& o, unsigned what, unsigned form) {
   const WordTags last = last_operand(o, form);
-  switch (what) {
-    case kMov:
-    case kMvn:
+  switch (static_cast<Process>(what)) {
+    case Process::kMov:
+    case Process::kMvn:
       return set(r_[o.d], last);
-    case kAnd:
+    case Process::kAnd:
       return set(r_[o.d], form == 0 ? masked(r_[o.n], o.imm) : newer(r_[o.n], last));
-    case kBic:
+    case Process::kBic:
       return set(r_[o.d], form == 0 ? masked(r_[o.n], ~o.imm) : newer(r_[o.n], last));
-    case kOrr:
-    case kOrn:
-    case kEor:
+    case Process::kOrr:
+    case Process::kOrn:
+    case Process::kEor:
       return set(r_[o.d], newer(r_[o.n], last));
     default:
       return set(r_[o.d], all_of(newest(newer(r_[o.n], last))));
@@ -106,7 +105,7 @@ void TagFlow::move_bits(const Operation& o, const Registers& registers) {
   switch (o.kind) {
     case Opcode::shift_by:
     case Opcode::shifts_by:
-      return set(r_[o.d], shifted(r_[o.n], o.shift, registers.r[o.m] & 0xFF));
+      return set(r_[o.d], shifted_tags(r_[o.n], o.shift, registers.r[o.m] & 0xFF));
     case Opcode::mov_plain:
       return set(r_[o.d], m);
     case Opcode::add_plain:
@@ -188,7 +187,7 @@ void TagFlow::media(const Operation& o) {
   Tag result = newest(newer(r_[o.n], r_[o.m]));
   switch (static_cast<Media>(o.a)) {
     case Media::pkh: {
-      const WordTags second = shifted(r_[o.m], o.shift, o.amount), &n = r_[o.n];
+      const WordTags second = shifted_tags(r_[o.m], o.shift, o.amount), &n = r_[o.n];
       return set(r_[o.d],
                  o.mode != 0 ? WordTags{second[0], second[1], n[2], n[3]} : WordTags{n[0], n[1], second[2], second[3]});
     }

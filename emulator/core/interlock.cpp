@@ -3,8 +3,6 @@
 namespace finemote::emulator {
 namespace {
 
-bool is_among(Opcode kind, Opcode first, Opcode last) { return kind >= first && kind <= last; }
-
 bool only_compares(Opcode kind) {
   return is_among(kind, Opcode::tst_imm, Opcode::cmn_imm) || is_among(kind, Opcode::tst_reg, Opcode::cmn_reg) ||
          is_among(kind, Opcode::tst_shifted, Opcode::cmn_shifted);

@@ -54,6 +54,9 @@ enum class Opcode : std::uint8_t {
   // clang-format on
 };
 
+/// In the order of Opcode, both ends included.
+constexpr bool is_among(Opcode kind, Opcode first, Opcode last) { return kind >= first && kind <= last; }
+
 /// Which of the five shifts of A7.4.
 enum class Shift : std::uint8_t { lsl, lsr, asr, ror, rrx };
 

@@ -30,7 +30,7 @@ class BatteryElement : public Element {
   double divider_, volts_ = 0;
 };
 
-using Row = Rows<BatteryElement>;
+using BatteryRow = Rows<BatteryElement>;
 
 Member volts() { return number("volts", "V", "of the battery", 0, 1000); }
 
@@ -43,12 +43,13 @@ Model battery() {
       .figures = {required(port("adc")),
                   held("is measured at input", required(integer("input", "", "of the converter", 0, 15))),
                   usually(24, volts()), usually(1, positive("divider", "", "its volts for one at the pin"))},
-      .verbs = {Row::stimulus("charge", "to another voltage", {required(volts())},
-                              [](BatteryElement& part, const Json& event) { part.set(need<double>(event, "volts")); })},
-      .values = {Row::value("volts", "V", "", [](BatteryElement& part) { return part.volts(); }),
-                 Row::value("conversions", "", "of its converter so far",
-                            [](BatteryElement& part) { return double(part.conversions()); })},
-      .make = Row::make,
+      .verbs = {BatteryRow::stimulus(
+          "charge", "to another voltage", {required(volts())},
+          [](BatteryElement& part, const Json& event) { part.set(need<double>(event, "volts")); })},
+      .values = {BatteryRow::value("volts", "V", "", [](BatteryElement& part) { return part.volts(); }),
+                 BatteryRow::value("conversions", "", "of its converter so far",
+                                   [](BatteryElement& part) { return double(part.conversions()); })},
+      .make = BatteryRow::make,
   };
 }
 

@@ -81,9 +81,9 @@ class Bmi088Element : public SeatedElement {
   bool cut_ = false;
 };
 
-using Row = Rows<Bmi088Element>;
+using Bmi088Row = Rows<Bmi088Element>;
 
-std::vector<Member> figures() {
+std::vector<Member> bmi088_figures() {
   const HeatedMass::Parameters usual;
   Member heater = list(Kind::object, "heater", "its pulse output", pulse_place());
   heater.one_of = pulse_where();
@@ -123,31 +123,35 @@ void check_selects(const gen::json::Value& entry, const Model& model, const scen
       .underline(entry.find("gyro")->length);
 }
 
-std::vector<Verb> verbs() {
-  return {
-      Row::fault("silent", "does not answer, and gives no edges", {until()},
-                 [](Bmi088Element& part, const Json& event) { part.model.silent = is_on(event); }),
-      violating("recovery", Row::fault("power_cycle", "loses its settings", {},
-                                       [](Bmi088Element& part, const Json&) { part.model.power_cycle(); })),
-      Row::fault("cut", "breaks the wires of its data-ready outputs", {until("false mends them")},
-                 [](Bmi088Element& part, const Json& event) { part.cut(is_on(event)); }),
-      Row::stimulus("heat", "sets its temperature",
-                    {required(number("temperature", "degrees Celsius", "from which it continues", -60, 150))},
-                    [](Bmi088Element& part, const Json& event) { part.heat_to(need<double>(event, "temperature")); }),
-      SeatedElement::move_verb()};
+std::vector<Verb> bmi088_verbs() {
+  return {Bmi088Row::fault("silent", "does not answer, and gives no edges", {until()},
+                           [](Bmi088Element& part, const Json& event) { part.model.silent = is_on(event); }),
+          violating("recovery", Bmi088Row::fault("power_cycle", "loses its settings", {},
+                                                 [](Bmi088Element& part, const Json&) { part.model.power_cycle(); })),
+          Bmi088Row::fault("cut", "breaks the wires of its data-ready outputs", {until("false mends them")},
+                           [](Bmi088Element& part, const Json& event) { part.cut(is_on(event)); }),
+          Bmi088Row::stimulus(
+              "heat", "sets its temperature",
+              {required(number("temperature", "degrees Celsius", "from which it continues", -60, 150))},
+              [](Bmi088Element& part, const Json& event) { part.heat_to(need<double>(event, "temperature")); }),
+          SeatedElement::move_verb()};
 }
 
-std::vector<Quantity> values() {
-  return {
-      Row::value("roll", "deg", "", [](Bmi088Element& part) { return degrees_of(part.motion_now(), &Angles::roll); }),
-      Row::value("pitch", "deg", "", [](Bmi088Element& part) { return degrees_of(part.motion_now(), &Angles::pitch); }),
-      Row::value("yaw", "deg", "", [](Bmi088Element& part) { return degrees_of(part.motion_now(), &Angles::yaw); }),
-      Row::value("temperature", "degrees Celsius", "", [](Bmi088Element& part) { return part.temperature_now(); }),
-      Row::value("heat", "", "0 to 1: its heater's share of full power",
-                 [](Bmi088Element& part) { return part.mass.share(); }),
-      Row::value("rate_reads", "", "so far", [](Bmi088Element& part) { return static_cast<double>(part.reads[0]); }),
-      Row::value("acceleration_reads", "", "so far",
-                 [](Bmi088Element& part) { return static_cast<double>(part.reads[1]); })};
+std::vector<Quantity> bmi088_values() {
+  return {Bmi088Row::value("roll", "deg", "",
+                           [](Bmi088Element& part) { return degrees_of(part.motion_now(), &Angles::roll); }),
+          Bmi088Row::value("pitch", "deg", "",
+                           [](Bmi088Element& part) { return degrees_of(part.motion_now(), &Angles::pitch); }),
+          Bmi088Row::value("yaw", "deg", "",
+                           [](Bmi088Element& part) { return degrees_of(part.motion_now(), &Angles::yaw); }),
+          Bmi088Row::value("temperature", "degrees Celsius", "",
+                           [](Bmi088Element& part) { return part.temperature_now(); }),
+          Bmi088Row::value("heat", "", "0 to 1: its heater's share of full power",
+                           [](Bmi088Element& part) { return part.mass.share(); }),
+          Bmi088Row::value("rate_reads", "", "so far",
+                           [](Bmi088Element& part) { return static_cast<double>(part.reads[0]); }),
+          Bmi088Row::value("acceleration_reads", "", "so far",
+                           [](Bmi088Element& part) { return static_cast<double>(part.reads[1]); })};
 }
 
 }  // namespace
@@ -156,10 +160,10 @@ Model bmi088() {
   return {
       .type = "bmi088",
       .summary = "two chips, their wake-up, ranges, rates and sensor time, data-ready outputs and temperature",
-      .figures = figures() + seat(),
-      .verbs = verbs(),
-      .values = values(),
-      .make = Row::make,
+      .figures = bmi088_figures() + seat(),
+      .verbs = bmi088_verbs(),
+      .values = bmi088_values(),
+      .make = Bmi088Row::make,
       .check = check_selects,
   };
 }

@@ -34,7 +34,7 @@ class ButtonElement : public Element {
   unsigned presses_ = 0;
 };
 
-using Row = Rows<ButtonElement>;
+using ButtonRow = Rows<ButtonElement>;
 
 }  // namespace
 
@@ -44,14 +44,16 @@ Model button() {
       .summary = "a push button; released it leaves its pin alone",
       .figures = {required(row(Kind::pin, "pin", "", "")),
                   first_usual(choice("active", "level of the pin while it is pressed", {"low", "high"}))},
-      .verbs = {Row::stimulus("press", "until it is released", {},
-                              [](ButtonElement& part, const Json&) { part.hold(true); }),
-                Row::stimulus("release", "lets it go", {}, [](ButtonElement& part, const Json&) { part.hold(false); })},
-      .values = {Row::value("pressed", "", "1 or 0", [](ButtonElement& part) { return part.is_down() ? 1.0 : 0.0; }),
-                 Row::value("level", "", "of its pin, 1 or 0",
-                            [](ButtonElement& part) { return part.level() ? 1.0 : 0.0; }),
-                 Row::value("presses", "", "so far", [](ButtonElement& part) { return double(part.presses()); })},
-      .make = Row::make,
+      .verbs = {ButtonRow::stimulus("press", "until it is released", {},
+                                    [](ButtonElement& part, const Json&) { part.hold(true); }),
+                ButtonRow::stimulus("release", "lets it go", {},
+                                    [](ButtonElement& part, const Json&) { part.hold(false); })},
+      .values = {ButtonRow::value("pressed", "", "1 or 0",
+                                  [](ButtonElement& part) { return part.is_down() ? 1.0 : 0.0; }),
+                 ButtonRow::value("level", "", "of its pin, 1 or 0",
+                                  [](ButtonElement& part) { return part.level() ? 1.0 : 0.0; }),
+                 ButtonRow::value("presses", "", "so far", [](ButtonElement& part) { return double(part.presses()); })},
+      .make = ButtonRow::make,
   };
 }
 

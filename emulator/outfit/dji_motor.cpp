@@ -64,9 +64,9 @@ class MotorElement : public Element, public ShaftSource {
   DjiMotor model;
 };
 
-using Row = Rows<MotorElement>;
+using MotorRow = Rows<MotorElement>;
 
-std::vector<Member> figures() {
+std::vector<Member> motor_figures() {
   const DjiMotor::Figures usual;
   const MotorShaft::Parameters shaft;
   return {required(port("can")),
@@ -88,29 +88,31 @@ std::vector<Member> figures() {
           number("upper", "rad", "")};
 }
 
-std::vector<Verb> verbs() {
-  return {Row::fault("silent", "reports nothing; a silent controller still obeys", {until()},
-                     [](MotorElement& part, const Json& event) { part.model.silent = is_on(event); }),
-          Row::fault("damage", "frames with an impossible angle", {count("frames")},
-                     [](MotorElement& part, const Json& event) {
-                       part.model.damaged_reports = need<unsigned>(event, "frames");
-                     }),
-          Row::stimulus("disturb", "from now on", {required(number("torque", "N m", "on the output"))},
-                        [](MotorElement& part, const Json& event) { part.disturb(need<double>(event, "torque")); })};
+std::vector<Verb> motor_verbs() {
+  return {
+      MotorRow::fault("silent", "reports nothing; a silent controller still obeys", {until()},
+                      [](MotorElement& part, const Json& event) { part.model.silent = is_on(event); }),
+      MotorRow::fault(
+          "damage", "frames with an impossible angle", {count("frames")},
+          [](MotorElement& part, const Json& event) { part.model.damaged_reports = need<unsigned>(event, "frames"); }),
+      MotorRow::stimulus("disturb", "from now on", {required(number("torque", "N m", "on the output"))},
+                         [](MotorElement& part, const Json& event) { part.disturb(need<double>(event, "torque")); })};
 }
 
-std::vector<Quantity> values() {
+std::vector<Quantity> motor_values() {
   return {
-      Row::value("angle", "rad", "of the output", [](MotorElement& part) { return part.angle(); }),
-      Row::value("speed", "rad/s", "of the output", [](MotorElement& part) { return part.speed(); }),
-      Row::value("torque", "N m", "of the output", [](MotorElement& part) { return part.torque(); }),
-      Row::value("command", "", "as commanded", [](MotorElement& part) -> double { return part.model.command(); }),
-      Row::value("current", "A", "as commanded", [](MotorElement& part) -> double { return part.model.current(); }),
-      Row::value("commands", "", "received so far", [](MotorElement& part) -> double { return part.model.commands(); }),
-      Row::value("pauses", "", "of more than 8 ms between commands",
-                 [](MotorElement& part) -> double { return part.model.pauses(); }),
-      Row::value("resumed_with", "", "the first command after the last pause",
-                 [](MotorElement& part) -> double { return part.model.resumed_with(); })};
+      MotorRow::value("angle", "rad", "of the output", [](MotorElement& part) { return part.angle(); }),
+      MotorRow::value("speed", "rad/s", "of the output", [](MotorElement& part) { return part.speed(); }),
+      MotorRow::value("torque", "N m", "of the output", [](MotorElement& part) { return part.torque(); }),
+      MotorRow::value("command", "", "as commanded", [](MotorElement& part) -> double { return part.model.command(); }),
+      MotorRow::value("current", "A", "as commanded",
+                      [](MotorElement& part) -> double { return part.model.current(); }),
+      MotorRow::value("commands", "", "received so far",
+                      [](MotorElement& part) -> double { return part.model.commands(); }),
+      MotorRow::value("pauses", "", "of more than 8 ms between commands",
+                      [](MotorElement& part) -> double { return part.model.pauses(); }),
+      MotorRow::value("resumed_with", "", "the first command after the last pause",
+                      [](MotorElement& part) -> double { return part.model.resumed_with(); })};
 }
 
 }  // namespace
@@ -122,11 +124,11 @@ Model dji_motor() {
           "C620 with M3508, C610 with M2006, GM6020: receives a word of the group frame, sends a report every "
           "millisecond; keeps the last current when commands stop",
       .is = {"shaft"},
-      .figures = figures() + pace(1e6),
+      .figures = motor_figures() + pace(1e6),
       .clock_tolerance_ppm = kResonatorTolerancePpm,
-      .verbs = verbs(),
-      .values = values(),
-      .make = Row::make,
+      .verbs = motor_verbs(),
+      .values = motor_values(),
+      .make = MotorRow::make,
   };
 }
 

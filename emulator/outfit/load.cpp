@@ -41,7 +41,7 @@ class LoadElement : public Element {
   double times_on_ = 0;  ///< whole
 };
 
-using Row = Rows<LoadElement>;
+using LoadRow = Rows<LoadElement>;
 
 }  // namespace
 
@@ -51,15 +51,15 @@ Model load() {
       .summary = "what the pin of a pulse output switches, also as a plain output: a light, a sounder, a heater",
       .figures = held_pulse_place("switches with"),
       .one_of = pulse_where(),
-      .values = {Row::value("share", "", "0 to 1 of its full power",
-                            [](LoadElement& part) { return part.drive().share; }),
-                 Row::value("frequency", "Hz", "of its pulses; 0: none",
-                            [](LoadElement& part) { return part.drive().hertz; }),
-                 Row::value("mean", "", "0 to 1 of its full power since power-on",
-                            [](LoadElement& part) { return part.mean(); }),
-                 Row::value("times_on", "", "how often it was turned on so far",
-                            [](LoadElement& part) { return part.times_on(); })},
-      .make = Row::make,
+      .values = {LoadRow::value("share", "", "0 to 1 of its full power",
+                                [](LoadElement& part) { return part.drive().share; }),
+                 LoadRow::value("frequency", "Hz", "of its pulses; 0: none",
+                                [](LoadElement& part) { return part.drive().hertz; }),
+                 LoadRow::value("mean", "", "0 to 1 of its full power since power-on",
+                                [](LoadElement& part) { return part.mean(); }),
+                 LoadRow::value("times_on", "", "how often it was turned on so far",
+                                [](LoadElement& part) { return part.times_on(); })},
+      .make = LoadRow::make,
   };
 }
 

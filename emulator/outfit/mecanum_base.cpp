@@ -49,7 +49,7 @@ class MecanumElement : public BodyElement {
   MecanumBase body_;
 };
 
-std::vector<Member> figures() {
+std::vector<Member> mecanum_figures() {
   const MecanumBase::Parameters usual;
   return weight(usual.mass, Eigen::Matrix3d::Identity() * usual.inertia) +
          std::vector{required(positive("wheel_radius", "m", "")),
@@ -76,7 +76,7 @@ Model mecanum_base() {
       .type = "mecanum_base",
       .summary = "rolls on the `wheels` that motors turn, and slides where they push too hard",
       .is = {"body"},
-      .figures = figures(),
+      .figures = mecanum_figures(),
       .verbs = {Row::stimulus("disturb", "from now on; without members, no more", push(),
                               [](MecanumElement& part, const Json& event) { part.disturb(event); })},
       .values = BodyElement::values(),

@@ -62,7 +62,7 @@ std::vector<Member> sticks() {
   return members;
 }
 
-using Row = Rows<RemoteElement>;
+using RemoteRow = Rows<RemoteElement>;
 
 Model receiver(const char* type, Model::Make make) {
   return {
@@ -70,9 +70,9 @@ Model receiver(const char* type, Model::Make make) {
       .summary = "frames of a remote control every 14 ms",
       .figures = serial_line() + pace(14e6),
       .clock_tolerance_ppm = kResonatorTolerancePpm,
-      .verbs = {with_member(Row::stimulus("move", "what the operator does; the rest stays", sticks(), move)),
-                Row::fault("silent", "sends nothing", {until()}, silence),
-                Row::fault("damage", "frames that lack a byte", {count("frames")}, damage)},
+      .verbs = {with_member(RemoteRow::stimulus("move", "what the operator does; the rest stays", sticks(), move)),
+                RemoteRow::fault("silent", "sends nothing", {until()}, silence),
+                RemoteRow::fault("damage", "frames that lack a byte", {count("frames")}, damage)},
       .make = make,
   };
 }
@@ -84,7 +84,7 @@ Model dbus_receiver() { return receiver("dbus_receiver", make<dbus_frame>); }
 Model sbus_receiver() {
   Model model = receiver("sbus_receiver", make<sbus_frame>);
   model.verbs.push_back(
-      Row::fault("failsafe", "the receiver reports that it lost its transmitter", {until()}, fail_safe));
+      RemoteRow::fault("failsafe", "the receiver reports that it lost its transmitter", {until()}, fail_safe));
   return model;
 }
 

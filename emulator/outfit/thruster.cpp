@@ -55,9 +55,9 @@ class ThrusterElement : public OutputElement {
   std::size_t number_ = 0;
 };
 
-using Row = Rows<ThrusterElement>;
+using ThrusterRow = Rows<ThrusterElement>;
 
-std::vector<Member> figures() {
+std::vector<Member> thruster_figures() {
   return {usually(1.5e6, positive("neutral", "ns", "")),
           usually(1.1e6, positive("min", "ns", "")),
           usually(1.9e6, positive("max", "ns", "")),
@@ -82,10 +82,12 @@ void check_pulses(const gen::json::Value& entry, const Model& model, const scena
       .underline(word->length);
 }
 
-std::vector<Quantity> values() {
+std::vector<Quantity> thruster_values() {
   std::vector<Quantity> all = OutputElement::values();
-  all.push_back(Row::value("drive", "", "-1 to 1, along the axis", [](ThrusterElement& part) { return part.drive(); }));
-  all.push_back(Row::value("thrust", "N", "along the axis", [](ThrusterElement& part) { return part.thrust(); }));
+  all.push_back(
+      ThrusterRow::value("drive", "", "-1 to 1, along the axis", [](ThrusterElement& part) { return part.drive(); }));
+  all.push_back(
+      ThrusterRow::value("thrust", "N", "along the axis", [](ThrusterElement& part) { return part.thrust(); }));
   return all;
 }
 
@@ -95,10 +97,10 @@ Model thruster() {
   return {
       .type = "thruster",
       .summary = "converts pulses to thrust, quadratic in the drive with a lag of 50 ms; pushes a body",
-      .figures = held_pulse_place("has") + figures(),
+      .figures = held_pulse_place("has") + thruster_figures(),
       .one_of = pulse_where(),
-      .values = values(),
-      .make = Row::make,
+      .values = thruster_values(),
+      .make = ThrusterRow::make,
       .check = check_pulses,
   };
 }

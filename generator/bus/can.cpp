@@ -11,7 +11,7 @@ std::int64_t frames_of(std::int64_t bytes) { return std::max<std::int64_t>(ceil_
 
 /// Bosch CAN 2.0 A, worst stuffing as in Davis et al. 2007: 55 + 10 n bits for a frame of n <= 8 bytes, interframe
 /// space included. What is written and read is a frame that asks and one that answers.
-WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t, Mover) {
+WireUnit can_unit(std::int64_t write, std::int64_t read, std::int64_t, Mover) {
   const bool is_polled = write > 0 && read > 0;
   const std::int64_t first = write > 0 ? write : read, answer = is_polled ? read : 0;
   const std::int64_t frames = frames_of(first), answers = is_polled ? frames_of(answer) : 0;
@@ -37,7 +37,7 @@ constinit const BusType kCanBus{
     .is_shared = true,
     .is_arbitrated = true,
     .counts_traffic = true,
-    .unit = unit,
+    .unit = can_unit,
     .least_bits = least_bits,
     .flush = BusType::Flush::shared_frames,
     .reach = BusType::Reach::slot,

@@ -7,7 +7,7 @@ namespace {
 
 /// NXP UM10204: start or repeated start, address and every byte with its acknowledge 9 bits, stop and bus-free time 2
 /// bits. Service for start, address and each byte; the last byte counts as the end once more.
-WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t, Mover) {
+WireUnit i2c_unit(std::int64_t write, std::int64_t read, std::int64_t, Mover) {
   WireUnit total{2, 0, 1};
   for (const std::int64_t bytes : {write, read}) {
     if (bytes == 0) continue;
@@ -29,7 +29,7 @@ constinit const BusType kI2cBus{
     .is_shared = true,
     .is_mastered = true,
     .counts_traffic = true,
-    .unit = unit,
+    .unit = i2c_unit,
     .reach = BusType::Reach::slot,
     .bus_class = {.name = "I2cBus", .header = "<finemote/i2c.hpp>", .supervised = true},
     .slot_class = {.name = "I2cSlot", .takes_route = true},

@@ -5,7 +5,7 @@
 namespace finemote::gen {
 namespace {
 
-WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte, Mover) {
+WireUnit rs485_unit(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte, Mover) {
   return {multiply(bits_per_byte, add(write, read)), 1, 1};
 }
 
@@ -17,7 +17,7 @@ constinit const BusType kRs485Bus{
     .port_class = PortClass::uart,
     .rate = {.form = &kBaud, .rule = &kStm32Usart, .example = 115'200},
     .has_direction = true,
-    .unit = unit,
+    .unit = rs485_unit,
     .reach = BusType::Reach::slot,
     .bus_class = {.name = "Rs485", .header = "<finemote/rs485.hpp>", .supervised = true},
     .slot_class = {.name = "Rs485Slot"},

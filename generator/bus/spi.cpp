@@ -8,7 +8,7 @@ namespace finemote::gen {
 namespace {
 
 /// Without a DMA every byte is a step; the last one counts as the end once more.
-WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t, Mover mover) {
+WireUnit spi_unit(std::int64_t write, std::int64_t read, std::int64_t, Mover mover) {
   const std::int64_t bytes = std::max(write, read);
   return {multiply(8, bytes), mover == Mover::dma ? 0 : bytes, 1};
 }
@@ -23,7 +23,7 @@ constinit const BusType kSpiBus{
     .channels = BusType::Channels::selects,
     .is_mastered = true,
     .counts_traffic = true,
-    .unit = unit,
+    .unit = spi_unit,
     .reach = BusType::Reach::slot,
     .bus_class = {.name = "SpiBus", .header = "<finemote/spi.hpp>", .supervised = true},
     .slot_class = {.name = "SpiSlot", .takes_mode = true},

@@ -7,7 +7,7 @@
 namespace finemote::gen {
 namespace {
 
-WireUnit unit(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte, Mover) {
+WireUnit uart_unit(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte, Mover) {
   return {multiply(bits_per_byte, std::max(write, read)), 0, 1};
 }
 
@@ -22,7 +22,7 @@ constinit const BusType kUartBus{
     .has_line_format = true,
     .has_two_lines = true,
     .counts_traffic = true,
-    .unit = unit,
+    .unit = uart_unit,
     .reach = BusType::Reach::bus,
     .bus_class = {.name = "Uart", .header = "<finemote/uart.hpp>"},
 };

@@ -28,7 +28,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr const char *kBoard = "robomaster_type_c", *kOwnRobot = "/templates/bench_kit/robot.urdf";
+constexpr const char *kBoard = "robomaster_type_c", *kKitRobot = "/templates/bench_kit/robot.urdf";
 
 /// The robot of --robot, or the board's own.
 std::optional<Input> robot_of(const Options& options, Sources& sources, Diagnostics& diagnostics) {
@@ -36,7 +36,7 @@ std::optional<Input> robot_of(const Options& options, Sources& sources, Diagnost
   of_robot.input = options.robot;
   if (!options.robot.empty()) return input_of(settings_of(of_robot, sources, diagnostics).options, diagnostics);
   auto input = input_of(of_robot, diagnostics);
-  if (input) input->path = input->data_dir + kOwnRobot;
+  if (input) input->path = input->data_dir + kKitRobot;
   return input;
 }
 

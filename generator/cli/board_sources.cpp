@@ -31,8 +31,8 @@ std::vector<const Board*> real_boards(Library& library, Sources& sources, Diagno
 }
 
 /// FM3103 for each, at the begin of the board's file.
-void report(const Board& board, const std::vector<std::string>& mistakes, const Sources& sources,
-            Diagnostics& diagnostics) {
+void report_mistakes(const Board& board, const std::vector<std::string>& mistakes, const Sources& sources,
+                     Diagnostics& diagnostics) {
   Position at;
   for (const SourceFile& file : sources.files()) {
     if (file.name == board.display_path) at = {&file, 1, 1, nullptr};
@@ -128,8 +128,8 @@ Answer run_board_sources(const Options& options, Sources& sources, Diagnostics& 
   const std::vector<const Board*> boards = real_boards(*library, sources, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   for (const Board* used : board->stands_in ? boards : std::vector<const Board*>{board})
-    report(*used, mistakes_for_chip(*used), sources, diagnostics);
-  report(*board, mistakes_for_sources(*board, boards), sources, diagnostics);
+    report_mistakes(*used, mistakes_for_chip(*used), sources, diagnostics);
+  report_mistakes(*board, mistakes_for_sources(*board, boards), sources, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
 
   const std::vector<OutputFile> files = board_sources(*board, boards, data_dir);

@@ -10,8 +10,6 @@
 namespace finemote::gen {
 namespace {
 
-using Properties = std::map<std::string, std::string>;
-
 void add_params(const std::vector<Param>& params, Properties& facts) {
   for (const Param& param : params) {
     facts["param '" + param.spec->name + "'"] =

@@ -8,8 +8,11 @@
 
 namespace finemote::gen {
 
-/// By subject (`device 'imu'`) and property (`period`), as text for people.
-using Facts = std::map<std::string, std::map<std::string, std::string>>;
+/// By property (`period`), as text for people.
+using Properties = std::map<std::string, std::string>;
+
+/// By subject (`device 'imu'`).
+using Facts = std::map<std::string, Properties>;
 
 Facts facts_of(const PlannedRobot& planned);
 

@@ -13,7 +13,7 @@
 namespace finemote::gen {
 namespace {
 
-using Keys = std::multimap<std::string, std::string>;  ///< of findings, to what they say
+using Sayings = std::multimap<std::string, std::string>;  ///< of findings, to what they say
 
 /// Whether a device can tell its children of a role apart by their order. A link sends them in it, and nobody knows
 /// what a user's class does; shipped ones treat children of any interface alike.
@@ -69,8 +69,8 @@ std::string key_of(const Diagnostic& finding) {
   return key;
 }
 
-Keys keys_of(const Diagnostics& said, const Linted& linted) {
-  Keys keys;
+Sayings keys_of(const Diagnostics& said, const Linted& linted) {
+  Sayings keys;
   for (const Diagnostics* findings : {&said, &linted.verdict.reasons, &linted.findings}) {
     for (const Diagnostic& finding : findings->in_file_order())
       keys.emplace(key_of(finding), fmt::format("{}: {}", code_name(finding.code), finding.message));
@@ -79,7 +79,7 @@ Keys keys_of(const Diagnostics& said, const Linted& linted) {
 }
 
 /// What the first of `all` that `known` lacks says; empty: none.
-std::string first_new(const Keys& all, const Keys& known) {
+std::string first_new(const Sayings& all, const Sayings& known) {
   for (const auto& [key, words] : all) {
     if (all.count(key) > known.count(key)) return words;
   }
@@ -165,7 +165,7 @@ class Mender {
       }
       return "the edited robot cannot be read";
     }
-    Keys expected = before_;
+    Sayings expected = before_;
     std::set<std::string> removed;
     for (const Fix* fix : fixes) {
       expected.erase(expected.find(key_of({Severity::warning, fix->code, {}, 1, fix->message, {}, {}})));
@@ -182,7 +182,7 @@ class Mender {
   const Input& input_;
   const Linted& linted_;
   const Sources& sources_;
-  Keys before_;
+  Sayings before_;
   Mended mended_;
 };
 

@@ -83,25 +83,25 @@ constexpr Signature kNothing;
 constexpr Signature kLower({}, 0, "lower");
 constexpr Signature kIsDigit({}, 0, "isdigit");
 
-constexpr Method kMethods[] = {{"capitalize", kNothing, capitalize},
-                               {"casefold", kLower, lower},
-                               {"isalnum", kNothing, all_characters<is_letter_or_decimal>},
-                               {"isalpha", kNothing, all_characters<is_letter>},
-                               {"isascii", kNothing, isascii},
-                               {"isdecimal", kIsDigit, all_characters<is_decimal>},
-                               {"isdigit", kNothing, all_characters<is_decimal>},
-                               {"isidentifier", kNothing, isidentifier},
-                               {"islower", kNothing, one_case<is_lower, is_upper>},
-                               {"isnumeric", kIsDigit, all_characters<is_decimal>},
-                               {"isspace", kNothing, all_characters<is_space>},
-                               {"isupper", kNothing, one_case<is_upper, is_lower>},
-                               {"lower", kNothing, lower},
-                               {"swapcase", kNothing, swapcase},
-                               {"title", kNothing, title},
-                               {"upper", kNothing, upper}};
+constexpr Method kCaseMethods[] = {{"capitalize", kNothing, capitalize},
+                                   {"casefold", kLower, lower},
+                                   {"isalnum", kNothing, all_characters<is_letter_or_decimal>},
+                                   {"isalpha", kNothing, all_characters<is_letter>},
+                                   {"isascii", kNothing, isascii},
+                                   {"isdecimal", kIsDigit, all_characters<is_decimal>},
+                                   {"isdigit", kNothing, all_characters<is_decimal>},
+                                   {"isidentifier", kNothing, isidentifier},
+                                   {"islower", kNothing, one_case<is_lower, is_upper>},
+                                   {"isnumeric", kIsDigit, all_characters<is_decimal>},
+                                   {"isspace", kNothing, all_characters<is_space>},
+                                   {"isupper", kNothing, one_case<is_upper, is_lower>},
+                                   {"lower", kNothing, lower},
+                                   {"swapcase", kNothing, swapcase},
+                                   {"title", kNothing, title},
+                                   {"upper", kNothing, upper}};
 
 }  // namespace
 
-const Method* find_case_method(std::string_view name) { return find_method(kMethods, name); }
+const Method* find_case_method(std::string_view name) { return find_method(kCaseMethods, name); }
 
 }  // namespace finemote::gen::expression

@@ -106,7 +106,7 @@ const Values& sequence_of(const Value& self) {
   return list != nullptr ? *list->items : self.object<const Tuple>()->items;
 }
 
-Value index(Runtime& runtime, const Value& self, const Parameters& p) {
+Value index_in(Runtime& runtime, const Value& self, const Parameters& p) {
   const Values& items = sequence_of(self);
   const std::size_t at = place_of(runtime, items, p.at(0));
   if (at == items.size()) {
@@ -116,7 +116,7 @@ Value index(Runtime& runtime, const Value& self, const Parameters& p) {
   return static_cast<std::int64_t>(at);
 }
 
-Value count(Runtime& runtime, const Value& self, const Parameters& p) {
+Value count_in(Runtime& runtime, const Value& self, const Parameters& p) {
   const Values& items = sequence_of(self);
   return static_cast<std::int64_t>(
       std::count_if(items.begin(), items.end(), [&](const Value& v) { return equal(runtime, v, p.at(0)); }));
@@ -284,15 +284,15 @@ Value isdisjoint(Runtime& runtime, const Value& self, const Parameters& p) {
 constexpr Method kListMethods[] = {{"append", {{"object"}, 1}, append},
                                    {"clear", {}, clear_list},
                                    {"copy", {}, copy_list},
-                                   {"count", {{"value"}, 1}, count},
+                                   {"count", {{"value"}, 1}, count_in},
                                    {"extend", {{"iterable"}, 1}, extend},
-                                   {"index", {{"value"}, 1}, index},
+                                   {"index", {{"value"}, 1}, index_in},
                                    {"insert", {{"index", "object"}, 2}, insert},
                                    {"pop", {{"index"}, 0}, pop},
                                    {"remove", {{"value"}, 1}, remove},
                                    {"reverse", {}, reverse},
                                    {"sort", Signature::free(), sort}};
-constexpr Method kTupleMethods[] = {{"count", {{"value"}, 1}, count}, {"index", {{"value"}, 1}, index}};
+constexpr Method kTupleMethods[] = {{"count", {{"value"}, 1}, count_in}, {"index", {{"value"}, 1}, index_in}};
 constexpr Method kDictMethods[] = {{"clear", {}, clear_dict},
                                    {"copy", {}, copy_dict},
                                    {"get", {{"key", "default"}, 1}, get},

@@ -6,6 +6,7 @@
 #include "generator/expression/attribute.hpp"
 #include "generator/expression/cost.hpp"
 #include "generator/expression/format.hpp"
+#include "generator/expression/letters.hpp"
 #include "generator/expression/number.hpp"
 #include "generator/expression/print.hpp"
 #include "generator/expression/runtime.hpp"
@@ -13,8 +14,6 @@
 
 namespace finemote::gen::expression {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 class BraceFormatter {
  public:

@@ -7,6 +7,7 @@
 #include "generator/expression/cost.hpp"
 #include "generator/expression/format.hpp"
 #include "generator/expression/layout.hpp"
+#include "generator/expression/letters.hpp"
 #include "generator/expression/number.hpp"
 #include "generator/expression/print.hpp"
 #include "generator/expression/real_format.hpp"
@@ -15,8 +16,6 @@
 
 namespace finemote::gen::expression {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 struct Specification {
   std::string fill = " ";

@@ -3,19 +3,11 @@
 #include <algorithm>
 
 #include "generator/expression/failure.hpp"
+#include "generator/expression/letters.hpp"
 #include "generator/expression/utf8.hpp"
 
 namespace finemote::gen::expression {
-namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-std::string upper(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) { return c >= 'a' && c <= 'z' ? c - 32 : c; });
-  return text;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::size_t read_count(std::string_view pattern, std::size_t& at) {
   std::size_t count = 0;
@@ -52,13 +44,18 @@ std::string shortened(std::string text, const std::optional<std::size_t>& most) 
   return cut;
 }
 
+std::string with_capitals(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) { return c >= 'a' && c <= 'z' ? c - 32 : c; });
+  return text;
+}
+
 std::string integer_digits(const Integer& i, char type) {
   const Integer magnitude = i.is_negative() ? -i : i;
   switch (type) {
     case 'x':
       return magnitude.to_string(16);
     case 'X':
-      return upper(magnitude.to_string(16));
+      return with_capitals(magnitude.to_string(16));
     case 'o':
       return magnitude.to_string(8);
     case 'b':

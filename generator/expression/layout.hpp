@@ -24,6 +24,9 @@ std::string pad_with_zeros(const std::string& sign, const std::string& digits, s
 /// At most the first so many characters.
 std::string shortened(std::string text, const std::optional<std::size_t>& most);
 
+/// ASCII letters alone.
+std::string with_capitals(std::string text);
+
 /// The digits of |i| in the base that a format letter stands for: d x X o b.
 std::string integer_digits(const Integer& i, char type);
 

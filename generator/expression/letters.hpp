@@ -3,6 +3,8 @@
 
 namespace finemote::gen::expression {
 
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 char32_t to_upper(char32_t c);
 char32_t to_lower(char32_t c);
 bool is_upper(char32_t c);

@@ -5,12 +5,12 @@
 #include <limits>
 #include <string>
 
+#include "generator/expression/letters.hpp"
 #include "generator/xml/write.hpp"
 
 namespace finemote::gen::expression {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_alnum(char c) { return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 std::string lower(std::string_view text) {
@@ -20,7 +20,7 @@ std::string lower(std::string_view text) {
 }
 
 /// `digits [. digits] [e [sign] digits]` with at least one digit before the exponent.
-bool is_decimal(std::string_view text) {
+bool is_decimal_text(std::string_view text) {
   std::size_t at = 0;
   const auto digits = [&] {
     const std::size_t begin = at;
@@ -102,7 +102,7 @@ std::optional<double> parse_real(std::string_view text) {
     return std::nullopt;
   }
   const auto digits = without_underscores(text);
-  if (!digits || !is_decimal(*digits)) return std::nullopt;
+  if (!digits || !is_decimal_text(*digits)) return std::nullopt;
   double value = 0;
   const auto result = std::from_chars(digits->data(), digits->data() + digits->size(), value);
   if (result.ec == std::errc::result_out_of_range) value = out_of_range(*digits);

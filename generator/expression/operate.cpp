@@ -58,7 +58,7 @@ std::string_view spelling(Operator op) {
   fail_eval(fmt::format("unsupported operand type(s) for {}: '{}' and '{}'", spelling(op), type_name(a), type_name(b)));
 }
 
-double real_of(const Value& value) {
+double as_double(const Value& value) {
   const double* d = as_real(value);
   return d != nullptr ? *d : as_integer(value)->to_double();
 }
@@ -83,8 +83,8 @@ double floor_quotient(double a, double b) {
 }
 
 Value real_operation(Operator op, const Value& a, const Value& b) {
-  const double x = real_of(a);
-  const double y = real_of(b);
+  const double x = as_double(a);
+  const double y = as_double(b);
   switch (op) {
     case Operator::add:
       return x + y;
@@ -298,8 +298,8 @@ Value raise_to(const Value& base, const Value& exponent) {
   const auto i = as_integer(base);
   const auto j = as_integer(exponent);
   if (i && j && !j->is_negative()) return power(*i, *j);
-  const double x = real_of(base);
-  const double y = real_of(exponent);
+  const double x = as_double(base);
+  const double y = as_double(exponent);
   if (x == 0.0 && y < 0) fail_eval("0.0 cannot be raised to a negative power");
   if (x < 0 && std::isfinite(x) && std::isfinite(y) && y != std::floor(y)) {
     fail_eval("complex numbers are not supported: a negative number cannot be raised to a fractional power");

@@ -8,14 +8,10 @@
 #include <cmath>
 
 #include "generator/expression/big_integer.hpp"
+#include "generator/expression/layout.hpp"
 
 namespace finemote::gen::expression {
 namespace {
-
-std::string upper(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) { return c >= 'a' && c <= 'z' ? c - 32 : c; });
-  return text;
-}
 
 std::string digits_of(double magnitude, std::chars_format form, int precision) {
   std::string buffer(static_cast<std::size_t>(precision) + 400, '\0');
@@ -85,7 +81,7 @@ std::string format_magnitude(double value, char type, int precision, bool altern
   if (alternate && precision == 0 && text.find('.') == std::string::npos && std::isfinite(value)) {
     text.insert(std::min(text.find('e'), text.size()), ".");
   }
-  return is_capital ? upper(std::move(text)) : text;
+  return is_capital ? with_capitals(std::move(text)) : text;
 }
 
 double round_to(double value, long digits) {

@@ -332,36 +332,36 @@ Value format(Runtime& runtime, const Value& self, const Parameters& p) {
   return format_braces(runtime, text_of(self), p.all());
 }
 
-constexpr Method kMethods[] = {{"center", {{"width", "fillchar"}, 1}, center},
-                               {"count", {{"sub", "start", "end"}, 1}, count},
-                               {"endswith", {{"prefix", "start", "end"}, 1}, endswith},
-                               {"expandtabs", {{"tabsize"}, 0}, expandtabs},
-                               {"find", {{"sub", "start", "end"}, 1}, find},
-                               {"format", Signature::free(), format},
-                               {"index", {{"sub", "start", "end"}, 1}, index},
-                               {"join", {{"iterable"}, 1}, join},
-                               {"ljust", {{"width", "fillchar"}, 1}, ljust},
-                               {"lstrip", {{"chars"}, 0}, lstrip},
-                               {"partition", {{"sep"}, 1}, partition},
-                               {"removeprefix", {{"prefix"}, 1}, removeprefix},
-                               {"removesuffix", {{"suffix"}, 1}, removesuffix},
-                               {"replace", {{"old", "new", "count"}, 2}, replace},
-                               {"rfind", {{"sub", "start", "end"}, 1}, rfind},
-                               {"rindex", {{"sub", "start", "end"}, 1}, rindex},
-                               {"rjust", {{"width", "fillchar"}, 1}, rjust},
-                               {"rpartition", {{"sep"}, 1}, rpartition},
-                               {"rsplit", {{"sep", "maxsplit"}, 0}, rsplit},
-                               {"rstrip", {{"chars"}, 0}, rstrip},
-                               {"split", {{"sep", "maxsplit"}, 0}, split},
-                               {"splitlines", {{"keepends"}, 0}, splitlines},
-                               {"startswith", {{"prefix", "start", "end"}, 1}, startswith},
-                               {"strip", {{"chars"}, 0}, strip},
-                               {"zfill", {{"width"}, 1}, zfill}};
+constexpr Method kStrMethods[] = {{"center", {{"width", "fillchar"}, 1}, center},
+                                  {"count", {{"sub", "start", "end"}, 1}, count},
+                                  {"endswith", {{"prefix", "start", "end"}, 1}, endswith},
+                                  {"expandtabs", {{"tabsize"}, 0}, expandtabs},
+                                  {"find", {{"sub", "start", "end"}, 1}, find},
+                                  {"format", Signature::free(), format},
+                                  {"index", {{"sub", "start", "end"}, 1}, index},
+                                  {"join", {{"iterable"}, 1}, join},
+                                  {"ljust", {{"width", "fillchar"}, 1}, ljust},
+                                  {"lstrip", {{"chars"}, 0}, lstrip},
+                                  {"partition", {{"sep"}, 1}, partition},
+                                  {"removeprefix", {{"prefix"}, 1}, removeprefix},
+                                  {"removesuffix", {{"suffix"}, 1}, removesuffix},
+                                  {"replace", {{"old", "new", "count"}, 2}, replace},
+                                  {"rfind", {{"sub", "start", "end"}, 1}, rfind},
+                                  {"rindex", {{"sub", "start", "end"}, 1}, rindex},
+                                  {"rjust", {{"width", "fillchar"}, 1}, rjust},
+                                  {"rpartition", {{"sep"}, 1}, rpartition},
+                                  {"rsplit", {{"sep", "maxsplit"}, 0}, rsplit},
+                                  {"rstrip", {{"chars"}, 0}, rstrip},
+                                  {"split", {{"sep", "maxsplit"}, 0}, split},
+                                  {"splitlines", {{"keepends"}, 0}, splitlines},
+                                  {"startswith", {{"prefix", "start", "end"}, 1}, startswith},
+                                  {"strip", {{"chars"}, 0}, strip},
+                                  {"zfill", {{"width"}, 1}, zfill}};
 
 }  // namespace
 
 const Method* find_str_method(std::string_view name) {
-  const Method* found = find_method(kMethods, name);
+  const Method* found = find_method(kStrMethods, name);
   return found != nullptr ? found : find_case_method(name);
 }
 

@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "generator/expression/failure.hpp"
+#include "generator/expression/letters.hpp"
 #include "generator/expression/number.hpp"
 #include "generator/expression/text_token.hpp"
 
@@ -27,7 +28,6 @@ constexpr std::array<std::string_view, 34> kSymbols = {
 bool is_name_start(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || static_cast<unsigned char>(c) >= 0x80;
 }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_name_part(char c) { return is_name_start(c) || is_digit(c); }
 
 char closer_of(char opener) { return opener == '(' ? ')' : opener == '[' ? ']' : '}'; }

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "generator/expression/letters.hpp"
 #include "generator/expression/number.hpp"
 #include "generator/expression/yaml.hpp"
 
 namespace finemote::gen::expression {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_digit_or_underscore(char c) { return is_digit(c) || c == '_'; }
 
 template <std::size_t N>

@@ -12,7 +12,6 @@ using Kind = MarkupToken::Kind;
 using Tokens = std::vector<MarkupToken>;
 
 constexpr std::size_t kColumns = 120;
-constexpr std::string_view kBlanks = " \t\r\n";
 
 bool is_blank(std::string_view text) { return text.find_first_not_of(kBlanks) == std::string_view::npos; }
 

@@ -5,8 +5,6 @@ namespace {
 
 using Kind = MarkupToken::Kind;
 
-constexpr std::string_view kBlanks = " \t\r\n";
-
 /// Behind `close`, searched from `from`; the end of the text when it is missing.
 std::size_t behind(std::string_view text, std::size_t from, std::string_view close) {
   const std::size_t at = text.find(close, from);

@@ -6,6 +6,8 @@
 
 namespace finemote::gen {
 
+inline constexpr std::string_view kBlanks = " \t\r\n";  ///< white space of XML
+
 struct MarkupAttribute {
   std::string_view name;
   std::string_view value;  ///< without the quotes, with its entities

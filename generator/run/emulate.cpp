@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-Json ports_of(const Robot& robot) {
+Json bus_ports(const Robot& robot) {
   Json ports = Json::array();
   for (const Bus& bus : robot.buses) {
     if (!bus.port.empty()) ports.push_back(bus.port);
@@ -175,7 +175,7 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
               {"bring_up_ns", longest_bring_up(robot).ns()},
               {"duration_ns", duration.ns()},
               {"last_event_ns", last_event.ns()},
-              {"ports", ports_of(robot)},
+              {"ports", bus_ports(robot)},
               {"parts", parts.scenario}};
   if (!options.silicon.names.empty()) job["silicon"] = silicon_json(options.silicon);
   if (options.audit != nullptr) job["audit"] = exceptions_of(*options.audit);

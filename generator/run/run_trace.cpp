@@ -7,7 +7,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double microseconds_of(Duration time) { return static_cast<double>(time.ns()) / 1e3; }
+double trace_time(Duration time) { return static_cast<double>(time.ns()) / 1e3; }
 
 }  // namespace
 
@@ -18,8 +18,8 @@ Json run_trace(const RunResult& result) {
                       {"ph", "X"},
                       {"pid", 1},
                       {"tid", result.schedule.bucket_of[device] + 1},
-                      {"ts", microseconds_of(begin)},
-                      {"dur", microseconds_of(end - begin)}});
+                      {"ts", trace_time(begin)},
+                      {"dur", trace_time(end - begin)}});
   };
   for (std::size_t i = 0; i < result.schedule.buckets.size(); ++i) {
     events.push_back({{"name", "thread_name"},

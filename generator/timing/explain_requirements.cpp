@@ -16,7 +16,7 @@ namespace {
 
 using units::readable_duration;
 
-constexpr std::size_t kMostNamed = 4;
+constexpr std::size_t kMostChanges = 4;
 
 std::string without_zeros(std::string text) {
   while (text.back() == '0') text.pop_back();
@@ -130,7 +130,7 @@ class RequirementFamilies {
   void add(Family family) { list_.push_back(std::move(family)); }
 
   [[nodiscard]] std::string names(const std::vector<Rank>& devices) const {
-    return quoted_names(model_, devices, kMostNamed);
+    return quoted_names(model_, devices, kMostChanges);
   }
 
   /// These devices, and what shares an output with them.

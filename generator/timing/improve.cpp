@@ -99,7 +99,7 @@ Order registration(const Siblings& siblings) {
 }
 
 /// Orders that are tried: fewer where one analysis takes long.
-int most_trials(std::size_t devices) {
+int most_orders(std::size_t devices) {
   constexpr std::size_t kMost = 400, kLeast = 8, kDevices = 200'000;  // devices analysed in all
   return static_cast<int>(std::clamp(kDevices / std::max<std::size_t>(devices, 1), kLeast, kMost));
 }
@@ -150,7 +150,7 @@ Order suggest_order(const Model& model, Profile profile) {
   for (const Rank d : model.devices.ids()) best.push_back(d);
   std::optional<Score> best_score = judge(model, profile);
   int trials = 0;
-  const int most = most_trials(model.devices.size());
+  const int most = most_orders(model.devices.size());
   const auto try_order = [&] {
     ++trials;
     Order order = registration(siblings);

@@ -9,7 +9,7 @@
 namespace finemote::gen::timing {
 namespace {
 
-long double ratio(Duration part, Duration whole) {
+long double exact_ratio(Duration part, Duration whole) {
   return static_cast<long double>(part.ns()) / static_cast<long double>(whole.ns());
 }
 
@@ -41,12 +41,12 @@ void add_buckets(const Model& model, const TaskSet& set, std::vector<ProcessorUs
   for (const TaskBucket& bucket : set.buckets) {
     const Duration work = bucket.cost - bucket.after;
     list.push_back({ProcessorUse::Kind::bucket, period_text(bucket.period), "", work, bucket.period,
-                    static_cast<double>(ratio(work, bucket.period))});
+                    static_cast<double>(exact_ratio(work, bucket.period))});
     if (bucket.after == Duration::zero()) continue;  // the profile has no flushes
     for (const Flush& flush : model.flushes) {
       if (flush.period != bucket.period) continue;
       list.push_back({ProcessorUse::Kind::flush, flush_name(model, flush), period_text(flush.period), flush.wcet,
-                      flush.period, static_cast<double>(ratio(flush.wcet, flush.period))});
+                      flush.period, static_cast<double>(exact_ratio(flush.wcet, flush.period))});
     }
   }
 }
@@ -111,7 +111,7 @@ std::vector<ProcessorUse> processor_use(const Model& model, const TaskSet& set) 
 double processor_share(const TaskSet& set) {
   long double sum = 0;
   for (const Stream& stream : set.streams) sum += rate(stream) * static_cast<long double>(stream.cost.ns());
-  for (const TaskBucket& bucket : set.buckets) sum += ratio(bucket.cost, bucket.period);
+  for (const TaskBucket& bucket : set.buckets) sum += exact_ratio(bucket.cost, bucket.period);
   return static_cast<double>(sum);
 }
 

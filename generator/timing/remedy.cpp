@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::int64_t, 9> kFactors = {2, 3, 4, 5, 6, 8, 10, 16, 20};
 
 /// Robots that are analysed to find hints: fewer where one takes long.
-int most_trials(std::size_t devices) {
+int most_robots(std::size_t devices) {
   constexpr std::size_t kMost = 200, kLeast = 6, kDevices = 60'000;  // devices analysed in all
   return static_cast<int>(std::clamp(kDevices / std::max<std::size_t>(devices, 1), kLeast, kMost));
 }
@@ -97,7 +97,7 @@ std::optional<Remedy> find_together(Trials& trials, const std::vector<Family>& f
 }  // namespace
 
 Trials::Trials(const Timing& timing, const AnalysisRequest& request)
-    : timing_(timing), remodel_(request.remodel), request_(request), left_(most_trials(timing.model.devices.size())) {
+    : timing_(timing), remodel_(request.remodel), request_(request), left_(most_robots(timing.model.devices.size())) {
   request_.remodel = nullptr;
   request_.profile = timing.asked;
   request_.inputs = false;

@@ -13,7 +13,7 @@ using Big = boost::multiprecision::cpp_int;
 /// to ten thousand terms. Nearer ones are decided in integers.
 constexpr long double kGuard = 1e-12L;
 
-struct Share {
+struct BucketShare {
   Duration cost;
   Duration period = nanoseconds(1);
 };
@@ -21,7 +21,7 @@ struct Share {
 /// A sum of fractions over one growing common denominator; reduced only when asked.
 class Fraction {
  public:
-  void add(const Share& s) {
+  void add(const BucketShare& s) {
     const Big period = s.period.ns();
     const Big factor = period / boost::multiprecision::gcd(denominator_, period);
     numerator_ *= factor;
@@ -42,8 +42,8 @@ class Fraction {
   long double approximate_ = 0;
 };
 
-std::vector<Share> shares(const Model& model) {
-  std::vector<Share> list;
+std::vector<BucketShare> shares(const Model& model) {
+  std::vector<BucketShare> list;
   for (const Bus& bus : model.buses) list.push_back({bus.wcet, std::min(bus.frame, model.tick)});
   for (const TaskBucket& bucket : make_task_set(model, Profile::paper).buckets) {
     list.push_back({bucket.cost, bucket.period});
@@ -59,14 +59,14 @@ bool liu_layland_holds(const Fraction& u, std::size_t n) {
   return left <= 2 * boost::multiprecision::pow(scaled, static_cast<unsigned>(n));
 }
 
-bool hyperbolic_holds(const std::vector<Share>& list) {
+bool hyperbolic_holds(const std::vector<BucketShare>& list) {
   long double distance = -std::log(2.0L);
-  for (const Share& s : list) {
+  for (const BucketShare& s : list) {
     distance += std::log1p(static_cast<long double>(s.cost.ns()) / static_cast<long double>(s.period.ns()));
   }
   if (std::fabs(distance) > kGuard) return distance < 0;
   Big left = 1, right = 2;
-  for (const Share& s : list) {
+  for (const BucketShare& s : list) {
     left *= Big(s.period.ns()) + s.cost.ns();
     right *= s.period.ns();
   }
@@ -77,7 +77,7 @@ bool hyperbolic_holds(const std::vector<Share>& list) {
 void add_rate(const Stream& stream, Fraction& total) {
   Fraction budgets;
   for (const Stream::Budget& b : stream.budgets) budgets.add({b.count * stream.cost, b.period * b.every});
-  const Share separation{stream.cost, stream.separation};
+  const BucketShare separation{stream.cost, stream.separation};
   const bool slower = !stream.budgets.empty() &&
                       budgets.numerator() * separation.period.ns() < budgets.denominator() * separation.cost.ns();
   if (!slower) return total.add(separation);
@@ -87,9 +87,9 @@ void add_rate(const Stream& stream, Fraction& total) {
 }  // namespace
 
 UtilizationTests test_utilization(const Model& model) {
-  const std::vector<Share> list = shares(model);
+  const std::vector<BucketShare> list = shares(model);
   Fraction total;
-  for (const Share& s : list) total.add(s);
+  for (const BucketShare& s : list) total.add(s);
   const std::size_t n = list.size();
   UtilizationTests result;
   result.utilization = {total.text(), static_cast<double>(total.approximate()),

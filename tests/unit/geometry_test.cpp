@@ -1,5 +1,5 @@
 // Geometry from links and joints: poses, masses, wheels, chains, against numbers worked out by hand.
-#include <Eigen/SVD>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <random>
 
@@ -324,10 +324,11 @@ struct RandomHull {
 Eigen::MatrixXd inverse_by_eigenvectors(const Eigen::MatrixXd& a) {
   const bool wide = a.cols() >= a.rows();
   const Eigen::MatrixXd square = wide ? Eigen::MatrixXd(a * a.transpose()) : Eigen::MatrixXd(a.transpose() * a);
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(square, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::VectorXd values = svd.singularValues();
-  for (double& value : values) value = value > 1e-12 * svd.singularValues()[0] ? 1 / value : 0;
-  const Eigen::MatrixXd inverse = svd.matrixV() * values.asDiagonal() * svd.matrixU().transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(square);
+  Eigen::VectorXd values = solver.eigenvalues();
+  const double least = 1e-12 * values.maxCoeff();
+  for (double& value : values) value = value > least ? 1 / value : 0;
+  const Eigen::MatrixXd inverse = solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
   return wide ? Eigen::MatrixXd(a.transpose() * inverse) : Eigen::MatrixXd(inverse * a.transpose());
 }
 

@@ -1,0 +1,169 @@
+// Names of unnamed namespaces differ among the files of a module, so that they can be compiled as one: `./dev demo`
+// does.
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "catch.hpp"
+#include "tests/read.hpp"
+#include "tests/structure/tokens.hpp"
+
+namespace fs = std::filesystem;
+using namespace finemote::test;
+
+namespace {
+
+using Tokens = std::vector<Token>;
+
+/// What a declaration introduces: a name and, of a function, what makes it another than one of that name.
+struct LocalName {
+  std::string name, parameters;
+  std::string stands_for{};  ///< of an alias, which may be declared again; else empty
+
+  bool operator<(const LocalName& other) const {
+    return std::tie(name, parameters) < std::tie(other.name, other.parameters);
+  }
+};
+
+bool is_word(const Token& token) {
+  return std::isalpha(static_cast<unsigned char>(token.text[0])) != 0 || token.text[0] == '_';
+}
+
+bool opens(const Token& token) { return token.text == "(" || token.text == "[" || token.text == "{"; }
+bool closes(const Token& token) { return token.text == ")" || token.text == "]" || token.text == "}"; }
+
+/// Behind the bracket that closes the one at `at`.
+std::size_t behind_group(const Tokens& tokens, std::size_t at) {
+  int depth = 0;
+  do {
+    depth += opens(tokens[at]) ? 1 : closes(tokens[at]) ? -1 : 0;
+    ++at;
+  } while (depth > 0 && at < tokens.size());
+  return at;
+}
+
+/// The parameters without their names, for those that have one.
+std::string parameter_types(const Tokens& tokens, std::size_t begin, std::size_t end) {
+  std::string types;
+  for (std::size_t i = begin; i < end; ++i) {
+    const bool ends_one = i + 1 == end || tokens[i + 1].text == ",";
+    const bool is_name = ends_one && i > begin && is_word(tokens[i]) && tokens[i - 1].text != "::" &&
+                         tokens[i - 1].text != "," && tokens[i - 1].text != "const";
+    if (!is_name) types += tokens[i].text + " ";
+  }
+  return types;
+}
+
+/// Of `constexpr int kOne = 1, kTwo[] = {2}`.
+void add_variables(const Tokens& head, std::set<LocalName>& names) {
+  bool in_value = false;
+  for (std::size_t i = 0; i < head.size(); ++i) {
+    const std::string next = i + 1 < head.size() ? head[i + 1].text : ";";
+    const bool ends_name = next == "=" || next == "[" || next == "{" || next == ";" || next == ",";
+    if (!in_value && i > 0 && is_word(head[i]) && ends_name) names.insert({head[i].text, ""});
+    if (head[i].text == "=" || head[i].text == "{") in_value = true;
+    if (opens(head[i])) i = behind_group(head, i) - 1;
+    if (i < head.size() && head[i].text == ",") in_value = false;
+  }
+}
+
+void add_declaration(Tokens head, std::set<LocalName>& names) {
+  while (!head.empty() && (head[0].text == "[" || head[0].text == "inline")) head.erase(head.begin());
+  if (head.size() < 2) return;
+  const std::string& first = head[0].text;
+  if (first == "using" || first == "namespace") {
+    if (head.size() < 3 || head[2].text != "=") return;  // brings in what stands elsewhere
+    std::string stands_for;
+    for (std::size_t i = 3; i < head.size(); ++i) stands_for += head[i].text;
+    names.insert({head[1].text, "", stands_for});
+  } else if (first == "struct" || first == "class" || first == "enum") {
+    names.insert({head[1].text == "class" || head[1].text == "struct" ? head[2].text : head[1].text, ""});
+  } else {
+    const auto sign =
+        std::find_if(head.begin(), head.end(), [](const Token& t) { return t.text == "(" || t.text == "="; });
+    if (sign == head.end() || sign->text == "=") return add_variables(head, names);
+    const std::size_t at = static_cast<std::size_t>(sign - head.begin());
+    if (at > 0 && is_word(head[at - 1]))
+      names.insert({head[at - 1].text, "(" + parameter_types(head, at + 1, behind_group(head, at) - 1)});
+  }
+}
+
+/// The declarations from `at` to the brace that closes their namespace.
+void add_scope(const Tokens& tokens, std::size_t at, std::set<LocalName>& names) {
+  Tokens head;
+  while (at < tokens.size() && tokens[at].text != "}") {
+    if (tokens[at].text == ";") {
+      add_declaration(std::move(head), names);
+      head = {};
+      ++at;
+    } else if (opens(tokens[at])) {
+      const std::size_t end = behind_group(tokens, at);
+      const bool is_body =
+          tokens[at].text == "{" && (end >= tokens.size() || (tokens[end].text != ";" && tokens[end].text != ","));
+      head.insert(head.end(), tokens.begin() + static_cast<std::ptrdiff_t>(at),
+                  tokens.begin() + static_cast<std::ptrdiff_t>(end));
+      at = end;
+      if (is_body) {
+        add_declaration(std::move(head), names);
+        head = {};
+      }
+    } else {
+      head.push_back(tokens[at++]);
+    }
+  }
+}
+
+std::set<LocalName> local_names(const std::string& text) {
+  const Tokens tokens = tokens_of(text);
+  std::set<LocalName> names;
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
+    if (tokens[i].text == "namespace" && tokens[i + 1].text == "{") add_scope(tokens, i + 2, names);
+  return names;
+}
+
+/// The target whose batches the file is in; empty: it is compiled by itself.
+std::string module_of(const std::string& file, const std::string& emulator_build) {
+  const std::string folder = file.substr(0, file.rfind('/'));
+  if (folder.rfind("emulator", 0) != 0 || folder == "emulator/program") return folder;
+  const std::size_t alone = emulator_build.find("set_source_files_properties(");
+  return emulator_build.find(file.substr(9), alone) == std::string::npos ? "emulator" : "";
+}
+
+}  // namespace
+
+TEST_CASE("names of unnamed namespaces are read as they are written") {
+  const auto has = [](const char* text, const char* name, const char* parameters) {
+    return local_names(std::string("namespace a { namespace {\n") + text + "\n} }").count({name, parameters}) == 1;
+  };
+  CHECK(has("constexpr int kOne = 1, kTwo[] = {2, 3};", "kTwo", ""));
+  CHECK(!has("constexpr int kOne = f(kTwo, 2);", "kTwo", ""));
+  CHECK(has("enum Offset : unsigned { kA };", "Offset", ""));
+  CHECK(has("using Row = Rows<int>;", "Row", ""));
+  CHECK(has("bool is(const A& a, B b) { return a == b; }", "is", "(const A & , B "));
+  CHECK(has("int f() { int g = 1; return g; } int h() { return 2; }", "h", "("));
+  CHECK(!has("int f() { int g = 1; return g; }", "g", ""));
+}
+
+TEST_CASE("files of a module can be compiled as one") {
+  const fs::path root = FINEMOTE_SOURCE_DIR;
+  const std::string emulator_build = read(root / "emulator/CMakeLists.txt");
+  std::map<std::string, std::map<LocalName, std::string>> modules;  ///< the file that has each name
+  std::size_t files = 0;
+  for (const char* part : {"generator", "emulator"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
+      if (entry.path().extension() != ".cpp") continue;
+      const std::string file = entry.path().lexically_relative(root).generic_string();
+      const std::string module = module_of(file, emulator_build);
+      if (module.empty()) continue;
+      ++files;
+      for (const LocalName& name : local_names(read(entry.path()))) {
+        const auto [known, is_new] = modules[module].emplace(name, file);
+        const bool is_same_alias = !name.stands_for.empty() && name.stands_for == known->first.stands_for;
+        if (!is_new && !is_same_alias)
+          FAIL_CHECK(file << ": '" << name.name << "' is also a name in an unnamed namespace of " << known->second);
+      }
+    }
+  }
+  CHECK(files > 400);
+}
