@@ -140,6 +140,30 @@ TEST_CASE("diff names every kind of edit, and check says no where it changes a g
   }
 }
 
+TEST_CASE("sizes of images are those of the images, or are said not to be compared") {
+  const TemporaryFolder folder;
+  const std::string before = source_path("examples/two_devices.urdf"), after = folder.path("robot.urdf");
+  std::string text = read_file(before);
+  text = replaced(text, "</finemote>",
+                  "<device name=\"more\" type=\"sim_load\" period=\"7ms\"><wcet update=\"1us\" handle=\"1us\" "
+                  "source=\"budget\"/></device></finemote>");
+  write_file(after, text);
+  const auto without = run_finemote({"diff", before, after, "--format", "json"});
+  CHECK(nlohmann::json::parse(without.output).at("sizes").is_null());
+  CHECK(run_finemote({"diff", before, after}).output.find("size of the image: not compared") != std::string::npos);
+  const auto said = nlohmann::json::parse(run_finemote({"diff", before, after, "--sizes", "--format", "json"}).output);
+  CHECK(said.at("sizes").at("before") != said.at("sizes").at("after"));
+  for (const auto& [side, robot] : {std::pair{"before", before}, std::pair{"after", after}}) {
+    auto built = finemote_json({"run", robot, "--build-only"}).at("image");
+    built.erase("sha256");
+    CHECK(said.at("sizes").at(side) == built);
+  }
+  const auto is_of_flash = [](const nlohmann::json& line) {
+    return line.get<std::string>().rfind("size of the image: flash ", 0) == 0;
+  };
+  CHECK(std::count_if(said.at("changes").begin(), said.at("changes").end(), is_of_flash) == 1);
+}
+
 TEST_CASE("diff as Markdown is a table, and the text folded up") {
   const TemporaryFolder folder;
   const std::string before = folder.path("robot.urdf"), after = folder.path("edited.urdf");

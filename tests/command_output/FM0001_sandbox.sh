@@ -4,4 +4,6 @@ robot <<'X'
 X
 finemote run robot.urdf --sandbox; echo "run: $?"
 finemote lint robot.urdf --sandbox --fix; echo "lint --fix: $?"
+finemote diff robot.urdf robot.urdf --sandbox --sizes; echo "diff --sizes: $?"
+mkdir folder; finemote diff robot.urdf folder --sizes
 finemote tree /robot.urdf --sandbox
