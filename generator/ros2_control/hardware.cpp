@@ -36,11 +36,16 @@ std::optional<Component::Kind> kind_of(const xml::Node& node) {
   return std::nullopt;
 }
 
+/// An interface without a name is none.
+void add_interface(const xml::Node& node, std::vector<std::string>& names) {
+  if (std::string name = attribute(node, "name"); !name.empty()) names.push_back(std::move(name));
+}
+
 Component component_of(const xml::Node& node, Component::Kind kind) {
   Component part{kind, attribute(node, "name"), {}, {}, attribute(node, "mimic") == "true", {}, node.at};
   for (const xml::Node& child : node.children) {
-    if (child.is_element("command_interface")) part.commands.push_back(attribute(child, "name"));
-    if (child.is_element("state_interface")) part.states.push_back(attribute(child, "name"));
+    if (child.is_element("command_interface")) add_interface(child, part.commands);
+    if (child.is_element("state_interface")) add_interface(child, part.states);
     if (child.is_element("param") && attribute(child, "name") == "mimic") part.is_mimic = true;
   }
   return part;

@@ -11,11 +11,16 @@
 namespace finemote::gen::ros2_control {
 namespace {
 
-constexpr int kMotorsOfBus = 8, kOutputsOfDriver = 16;
+constexpr int kMotorsOfBus = 8, kMotorsOfFrame = 4, kOutputsOfDriver = 16;
 constexpr int kFirstDriverAddress = 0x40;  // of a PCA9685
 const char* const kCanPorts[] = {"can1", "can2"};
 constexpr int kMostDrivers = 8;
 constexpr int kUsualPeriodMs = 10;
+
+/// [ms]; exact unless rw_rate is no divisor of 1000 Hz.
+int period_for(const Hardware& hardware) {
+  return hardware.rate ? static_cast<int>(std::clamp(std::round(1000 / *hardware.rate), 1.0, 1000.0)) : kUsualPeriodMs;
+}
 
 bool has(const std::vector<std::string>& interfaces, std::string_view name) {
   return std::find(interfaces.begin(), interfaces.end(), name) != interfaces.end();
@@ -81,6 +86,7 @@ class Writer {
     std::swap(outer, lines_);
     const std::size_t before = proposal_.guesses.size();
     devices_ = 0;
+    period_ = period_for(hardware);
     for (const Component& part : hardware.parts) device(hardware, part);
     std::string inner;
     std::swap(inner, lines_);
@@ -91,24 +97,17 @@ class Writer {
                                       proposal_.guesses.end());
     proposal_.guesses.resize(before);
     lines_ += fmt::format("\n    <!-- hardware '{}'{} -->\n", for_comment(hardware.name), for_comment(plugin));
-    const int period = period_of(hardware);
+    guess_period(hardware);
     guess("    ", "what joins its devices; a type of your own decides more (finemote scaffold device)");
     lines_ +=
-        fmt::format("    <device name=\"{}\" type=\"group\" period=\"{}ms\">\n{}    </device>\n", name, period, inner);
+        fmt::format("    <device name=\"{}\" type=\"group\" period=\"{}ms\">\n{}    </device>\n", name, period_, inner);
     proposal_.guesses.insert(proposal_.guesses.end(), of_parts.begin(), of_parts.end());
   }
 
-  /// [ms]
-  int period_of(const Hardware& hardware) {
-    if (!hardware.rate) {
-      guess("    ", "the period: rw_rate is not given");
-      return kUsualPeriodMs;
-    }
-    const double exact = 1000 / *hardware.rate;
-    const int period = static_cast<int>(std::clamp(std::round(exact), 1.0, 1000.0));
-    if (exact != period)
+  void guess_period(const Hardware& hardware) {
+    if (!hardware.rate) return guess("    ", "the period: rw_rate is not given");
+    if (1000 / *hardware.rate != period_)
       guess("    ", fmt::format("the period: rw_rate is {:g} Hz, which is no whole number of ms", *hardware.rate));
-    return period;
   }
 
   void device(const Hardware& hardware, const Component& part) {
@@ -132,6 +131,7 @@ class Writer {
     if (part.commands.empty()) return note("joint '" + part.name + "' takes no command: no device");
     if (part.type.empty()) return lack("joint " + what + ": the robot has no such joint");
     if (!part.can_turn()) return lack(fmt::format("joint {}: it is {}, and nothing here moves that", what, part.type));
+    if (driven_.count(part.name) != 0) return lack("joint " + what + ": another device drives it already");
     for (const char* command : {"velocity", "effort"})
       if (has(part.commands, command)) return motor(part, what, command);
     if (has(part.commands, "thrust")) return thruster(part, what);
@@ -142,6 +142,8 @@ class Writer {
   void note(const std::string& text) { lines_ += "      <!-- " + for_comment(text) + " -->\n"; }
 
   void motor(const Component& part, const std::string& what, const char* command) {
+    if (period_ != period_of_frame_) motors_ = (motors_ + kMotorsOfFrame - 1) / kMotorsOfFrame * kMotorsOfFrame;
+    period_of_frame_ = period_;
     if (motors_ == kMotorsOfBus * static_cast<int>(std::size(kCanPorts)))
       return lack("joint " + what + ": both CAN buses have all the motors they take");
     guess("      ", fmt::format("'{}' takes the command '{}': a CAN motor, its type and id", part.name, command));
@@ -177,6 +179,7 @@ class Writer {
   }
 
   void add(const Component& part, const char* type, const std::string& place) {
+    if (part.kind == Component::Kind::joint) driven_.insert(part.name);
     lines_ += fmt::format("      <device name=\"{}\" type=\"{}\" {}/>\n", name_for(part.name), type, place);
     ++devices_;
   }
@@ -205,7 +208,9 @@ class Writer {
   std::string lines_;
   std::set<std::string> names_;  ///< in lower case: names that differ by it alone are refused
   int motors_ = 0, outputs_ = 0, sensors_ = 0;
-  int devices_ = 0;  ///< of the tree
+  std::set<std::string> driven_;  ///< joints that have a device
+  int devices_ = 0, period_ = 0;  ///< of the tree; [ms]
+  int period_of_frame_ = 0;       ///< of the last motor's tree: motors of one frame have one period
 };
 
 }  // namespace

@@ -92,7 +92,8 @@ std::vector<Robot> robots() {
         "transmission 'gear' of hardware 'arm': its reduction and offset"}},
       {"an actuator for each joint, run by a thread of its own",
        joint("a/joint 1", "revolute") + joint("a/joint-2", "revolute"),
-       "<ros2_control name=\"a/joint 1\" type=\"actuator\" is_async=\"true\" thread_priority=\"30\" rw_rate=\"333.3\">" +
+       "<ros2_control name=\"a/joint 1\" type=\"actuator\" is_async=\"true\" thread_priority=\"30\" "
+       "rw_rate=\"333.3\">" +
            kPlugin + takes("a/joint 1", {"velocity"}) +
            "</ros2_control><ros2_control name=\"a/joint-2\" type=\"actuator\" rw_rate=\"0\">" + kPlugin +
            takes("a/joint-2", {"velocity"}) + "</ros2_control>",
@@ -104,14 +105,18 @@ std::vector<Robot> robots() {
        "<ros2_control name=\"rover\" type=\"system\" rw_rate=\"100\">" + kPlugin +
            numbered(4, [](int i) { return takes(fmt::format("steer_{}", i), {"position"}); }) +
            numbered(4, [](int i) { return takes(fmt::format("drive_{}", i), {"velocity"}); }) +
-           "<sensor name=\"imu\"><param name=\"frame_id\">imu_link</param><state_interface name=\"angular_velocity.x\"/>"
+           "<sensor name=\"imu\"><param name=\"frame_id\">imu_link</param><state_interface "
+           "name=\"angular_velocity.x\"/>"
            "</sensor><sensor name=\"laser\"><state_interface name=\"range\"/></sensor></ros2_control>",
        10,
        {"sensor 'laser' of hardware 'rover'"}},
       {"a hand of more fingers than one driver has channels, one of which follows by the old way to say so",
        numbered(17, [](int i) { return joint(fmt::format("finger_{}", i), "revolute"); }) + joint("tip", "revolute"),
        "<ros2_control name=\"hand\" type=\"system\">" + kPlugin +
-           numbered(17, [](int i) { return takes(fmt::format("finger_{}", i), {"position", "kp", "kd"}); }) +
+           numbered(17,
+                    [](int i) {
+                      return takes(fmt::format("finger_{}", i), {"position", "kp", "kd"});
+                    }) +
            "<joint name=\"tip\"><param name=\"mimic\">finger_1</param><param name=\"multiplier\">2</param>"
            "<command_interface name=\"position\"/></joint></ros2_control>",
        18,
@@ -126,15 +131,16 @@ std::vector<Robot> robots() {
        2,
        {"hardware 'simulated'", "sensor 'force' of hardware 'wrist'", "hardware 'wrist'"}},
       {"a joint that two hardwares drive, one that nothing could, and commands without a name",
-       joint("pan", "revolute") + joint("base", "planar") + joint("lift", "revolute") + joint("tilt", "revolute"),
+       joint("pan", "revolute") + joint("floor", "planar") + joint("lift", "revolute") + joint("tilt", "revolute"),
        "<ros2_control name=\"real\" type=\"system\">" + kPlugin + takes("pan", {"velocity"}) +
-           takes("base", {"velocity"}) + takes("lift", {"acceleration"}) +
+           takes("floor", {"velocity"}) + takes("lift", {"acceleration"}) +
            "<joint name=\"tilt\"><command_interface/></joint></ros2_control>"
            "<ros2_control name=\"real\" type=\"system\">" +
            kPlugin + takes("pan", {"velocity"}) + "</ros2_control>",
-       4,
-       {"joint 'base' of hardware 'real': it is planar", "'lift' of hardware 'real': nothing here takes the command",
-        "joint 'tilt' of hardware 'real': what it takes, as it names no interface"}},
+       2,
+       {"joint 'floor' of hardware 'real': it is planar", "'lift' of hardware 'real': nothing here takes the command",
+        "joint 'tilt' of hardware 'real': what it takes, as it names no interface",
+        "joint 'pan' of hardware 'real': another device drives it already", "hardware 'real'"}},
   };
 }
 
