@@ -43,6 +43,17 @@ std::size_t behind_group(const Tokens& tokens, std::size_t at) {
   return at;
 }
 
+/// Behind the template arguments that begin at `at`; `at` where none do.
+std::size_t behind_angles(const Tokens& tokens, std::size_t at) {
+  if (at >= tokens.size() || tokens[at].text != "<") return at;
+  int depth = 0;
+  do {
+    depth += tokens[at].text == "<" ? 1 : tokens[at].text == ">" ? -1 : 0;
+    ++at;
+  } while (depth > 0 && at < tokens.size());
+  return at;
+}
+
 /// The parameters without their names, for those that have one.
 std::string parameter_types(const Tokens& tokens, std::size_t begin, std::size_t end) {
   std::string types;
@@ -59,6 +70,8 @@ std::string parameter_types(const Tokens& tokens, std::size_t begin, std::size_t
 void add_variables(const Tokens& head, std::set<LocalName>& names) {
   bool in_value = false;
   for (std::size_t i = 0; i < head.size(); ++i) {
+    if (!in_value) i = behind_angles(head, i);
+    if (i == head.size()) return;
     const std::string next = i + 1 < head.size() ? head[i + 1].text : ";";
     const bool ends_name = next == "=" || next == "[" || next == "{" || next == ";" || next == ",";
     if (!in_value && i > 0 && is_word(head[i]) && ends_name) names.insert({head[i].text, ""});
@@ -70,6 +83,8 @@ void add_variables(const Tokens& head, std::set<LocalName>& names) {
 
 void add_declaration(Tokens head, std::set<LocalName>& names) {
   while (!head.empty() && (head[0].text == "[" || head[0].text == "inline")) head.erase(head.begin());
+  if (!head.empty() && head[0].text == "template")
+    head.erase(head.begin(), head.begin() + static_cast<std::ptrdiff_t>(behind_angles(head, 1)));
   if (head.size() < 2) return;
   const std::string& first = head[0].text;
   if (first == "using" || first == "namespace") {
@@ -138,6 +153,9 @@ TEST_CASE("names of unnamed namespaces are read as they are written") {
   };
   CHECK(has("constexpr int kOne = 1, kTwo[] = {2, 3};", "kTwo", ""));
   CHECK(!has("constexpr int kOne = f(kTwo, 2);", "kTwo", ""));
+  CHECK(!has("constexpr std::array<int, 2> kTwo = {1, 2};", "int", ""));
+  CHECK(has("constexpr std::array<int, 2> kTwo = {1, 2};", "kTwo", ""));
+  CHECK(has("template <bool (*Test)(char)> int all(int a) { return a; }", "all", "(int "));
   CHECK(has("enum Offset : unsigned { kA };", "Offset", ""));
   CHECK(has("using Row = Rows<int>;", "Row", ""));
   CHECK(has("bool is(const A& a, B b) { return a == b; }", "is", "(const A & , B "));
