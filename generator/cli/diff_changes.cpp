@@ -8,7 +8,7 @@ namespace finemote::gen {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Kind = ModelChange::Kind;
+using ChangeKind = ModelChange::Kind;
 
 /// First words of subjects in the order in which they are shown.
 constexpr std::string_view kOrder[] = {"robot",  "device", "expander", "bus",  "requirement",
@@ -24,10 +24,10 @@ void compare(const std::string& subject, const Properties& before, const Propert
   for (const auto& [property, value] : before) {
     const auto found = after.find(property);
     const std::string now = found == after.end() ? "none" : found->second;
-    if (now != value) changes.push_back({Kind::changed, subject, property, value, now});
+    if (now != value) changes.push_back({ChangeKind::changed, subject, property, value, now});
   }
   for (const auto& [property, value] : after) {
-    if (before.count(property) == 0) changes.push_back({Kind::changed, subject, property, "none", value});
+    if (before.count(property) == 0) changes.push_back({ChangeKind::changed, subject, property, "none", value});
   }
 }
 
@@ -68,12 +68,12 @@ std::vector<ModelChange> changes_of(const Facts& before, const Facts& after) {
   for (const auto& [subject, properties] : before) {
     const auto found = after.find(subject);
     if (found == after.end())
-      changes.push_back({Kind::removed, subject, {}, {}, {}});
+      changes.push_back({ChangeKind::removed, subject, {}, {}, {}});
     else
       compare(subject, properties, found->second, changes);
   }
   for (const auto& [subject, properties] : after) {
-    if (before.count(subject) == 0) changes.push_back({Kind::added, subject, {}, {}, {}});
+    if (before.count(subject) == 0) changes.push_back({ChangeKind::added, subject, {}, {}, {}});
   }
   std::stable_sort(changes.begin(), changes.end(),
                    [](const ModelChange& a, const ModelChange& b) { return place_of(a) < place_of(b); });
@@ -81,13 +81,13 @@ std::vector<ModelChange> changes_of(const Facts& before, const Facts& after) {
 }
 
 std::string line_of(const ModelChange& change) {
-  if (change.kind == Kind::added) return change.subject + ": added";
-  if (change.kind == Kind::removed) return change.subject + ": removed";
+  if (change.kind == ChangeKind::added) return change.subject + ": added";
+  if (change.kind == ChangeKind::removed) return change.subject + ": removed";
   return fmt::format("{}: {} {} -> {}", change.subject, change.property, change.before, change.after);
 }
 
 Json json_of(const ModelChange& change) {
-  const bool is_value = change.kind == Kind::changed;
+  const bool is_value = change.kind == ChangeKind::changed;
   const auto value = [is_value](const std::string& text) { return is_value ? Json(text) : Json(nullptr); };
   constexpr const char* kWords[] = {"added", "removed", "changed"};
   return {{"change", kWords[static_cast<int>(change.kind)]},
@@ -105,10 +105,11 @@ std::string markdown_of(const std::vector<ModelChange>& changes, const std::stri
   if (!changes.empty()) {
     std::string rows;
     for (const ModelChange& change : changes) {
-      const std::string what = change.kind == Kind::added     ? "added | |"
-                               : change.kind == Kind::removed ? "removed | |"
-                                                              : fmt::format("{} | {} | {}", cell(change.property),
-                                                                            cell(change.before), cell(change.after));
+      const std::string what =
+          change.kind == ChangeKind::added ? "added | |"
+          : change.kind == ChangeKind::removed
+              ? "removed | |"
+              : fmt::format("{} | {} | {}", cell(change.property), cell(change.before), cell(change.after));
       rows += fmt::format("| {} | {} |\n", cell(change.subject), what);
     }
     text = "| | change | before | after |\n|---|---|---|---|\n" + cut(rows, kMostTable);
