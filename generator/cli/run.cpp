@@ -261,7 +261,7 @@ Answer answer_of_run(const Options& options, const RunResult& result, Diagnostic
   if (!options.out.empty() && !write_result(options.out, run_trace(result).dump() + "\n", diagnostics))
     return no_answer();
   std::ostringstream text;
-  if (options.format == Format::text) print_run(result, text);
+  if (options.format == Format::text) print_run(result, options.verbose, text);
   const bool allowed = options.allow_unschedulable || result.schedulable.value_or(true);
   const bool is_enough = !options.require_judged || result.is_all_judged();
   return {result.good() && allowed && is_enough ? kExitYes : kExitNo, text.str(), run_document(result)};

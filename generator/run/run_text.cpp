@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "generator/run/run_summary.hpp"
 #include "generator/schedule/period.hpp"
+#include "generator/timing/words.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -74,10 +76,39 @@ void print_instructions(const RunResult& result, std::ostream& out) {
   }
 }
 
-void print_chains(const RunResult& result, std::ostream& out) {
+/// The chains with the least room to their bounds first; those without bound last.
+std::vector<const MeasuredChain*> by_room(const RunResult& result) {
+  std::vector<const MeasuredChain*> chains;
+  for (const MeasuredChain& chain : result.figures.chains) chains.push_back(&chain);
+  const auto use = [](const MeasuredChain* chain) {
+    const Measured& whole = whole_of(*chain);
+    return whole.observed.count > 0 && whole.bound ? timing::ratio(whole.observed.max, *whole.bound) : -1;
+  };
+  std::stable_sort(chains.begin(), chains.end(),
+                   [&](const MeasuredChain* a, const MeasuredChain* b) { return use(a) > use(b); });
+  return chains;
+}
+
+/// Of the chains with the least room the whole, and every part that is above its bound.
+void print_tightest(const RunResult& result, std::ostream& out) {
+  constexpr std::size_t kFew = 5;
+  const auto chains = by_room(result);
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    for (const auto& figure : kChainFigures) {
+      const Measured& measured = chains[i]->*figure.measured;
+      const bool is_whole = i < kFew && &measured == &whole_of(*chains[i]);
+      if (is_whole || measured.judged() == Judgement::broken)
+        print_figure(result, *chains[i], figure.name, measured, out);
+    }
+  }
+  if (chains.size() > 1) out << "  -v shows all chains with all their parts, responses and the observed order\n";
+}
+
+void print_chains(const RunResult& result, bool is_verbose, std::ostream& out) {
   out << "\nage of the data behind a command, us: sample (acquire) update (decide) handle (wire) output\n";
   out << fmt::format("  {:<28} {:<10} {:>7} {:>11} {:>11} {:>11} {:>9} {:>11}\n", "chain", "part", "samples", "min",
                      "mean", "max", "sd", "bound");
+  if (!is_verbose) return print_tightest(result, out);
   for (const MeasuredChain& chain : result.figures.chains) {
     for (const auto& figure : kChainFigures) print_figure(result, chain, figure.name, chain.*figure.measured, out);
   }
@@ -89,17 +120,23 @@ std::string beside(const Measured& figure) {
   return fmt::format("{:>11} {:>11}", seen, figure.bound ? fmt::format("{:.3f}", microseconds_of(*figure.bound)) : "-");
 }
 
-void print_responses(const RunResult& result, std::ostream& out) {
-  if (result.figures.responses.empty()) return;
+bool is_broken(const MeasuredResponse& response) {
+  return std::any_of(kResponseFigures.begin(), kResponseFigures.end(),
+                     [&](const auto& figure) { return (response.*figure.measured).judged() == Judgement::broken; });
+}
+
+/// All of them, or those that are above a bound.
+void print_responses(const RunResult& result, bool is_verbose, std::ostream& out) {
+  const std::vector<MeasuredResponse>& all = result.figures.responses;
+  if (is_verbose ? all.empty() : std::none_of(all.begin(), all.end(), is_broken)) return;
   out << "\nrelease to end of a stage, and jitter of handle(), us: longest seen and bound\n";
   out << fmt::format("  {:<28} {:>11} {:>11} {:>11} {:>11} {:>11} {:>11}\n", "device", "update", "bound", "handle",
                      "bound", "jitter", "bound");
   for (const MeasuredResponse& response : result.figures.responses) {
-    const bool is_broken = std::any_of(kResponseFigures.begin(), kResponseFigures.end(), [&](const auto& figure) {
-      return (response.*figure.measured).judged() == Judgement::broken;
-    });
+    if (!is_verbose && !is_broken(response)) continue;
     out << fmt::format("  {:<28} {} {} {}{}\n", name_of(result, response.device), beside(response.update),
-                       beside(response.handle), beside(response.jitter), is_broken ? "  ABOVE ITS BOUND" : "");
+                       beside(response.handle), beside(response.jitter),
+                       is_broken(response) ? "  ABOVE ITS BOUND" : "");
   }
 }
 
@@ -174,7 +211,7 @@ void print_image(const ImageFacts& image, std::ostream& out) {
                      image.stack ? fmt::format("{} B (proven worst case)", *image.stack) : "without bound");
 }
 
-void print_run(const RunResult& result, std::ostream& out) {
+void print_run(const RunResult& result, bool is_verbose, std::ostream& out) {
   out << fmt::format("{} on {}, {}\n", result.robot.name.text, result.board, period_text(result.duration));
   if (result.must_judge)
     out << fmt::format("judged from {:.3f} ms on, when every part had been seen{}\n",
@@ -190,9 +227,10 @@ void print_run(const RunResult& result, std::ostream& out) {
                        fmt::join(silicon.names, ", "), silicon.seed);
   if (result.record.flash == "miss")
     out << "bounds are those of the execution times that are declared or assumed, whatever the fetches cost\n";
-  print_order(result, out);
-  print_chains(result, out);
-  print_responses(result, out);
+  print_summary(result, out);
+  if (is_verbose) print_order(result, out);
+  print_chains(result, is_verbose, out);
+  print_responses(result, is_verbose, out);
   print_claims(result, out);
   print_monitor(result, out);
   print_instructions(result, out);
@@ -210,15 +248,6 @@ void print_run(const RunResult& result, std::ostream& out) {
   for (const std::string& device : result.record.silent)
     out << fmt::format("\nnote: the emulated board has no model of '{}': its bus is silent\n", device);
   print_unjudged(result, out);
-  if (result.order.mistake) out << "\nout of order: " << *result.order.mistake << "\n";
-  if (result.must_judge && !result.is_judged())
-    out << "\nnothing was judged: no figure has both a bound and a sample\n";
-  out << fmt::format("\noverruns {}, resets {}\n", result.overruns(), result.record.resets);
-  if (result.schedulable)
-    out << fmt::format("schedulable: {} (finemote analyze)\n", *result.schedulable ? "yes" : "no");
-  for (const FaultCount& fault : result.record.faults)
-    out << "fault: " << fault_text(result.fault_table, fault) << "\n";
-  if (!result.unexplained_faults().empty()) out << "no scenario asked for these faults\n";
 }
 
 }  // namespace finemote::gen

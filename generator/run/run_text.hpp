@@ -7,8 +7,9 @@
 
 namespace finemote::gen {
 
-/// Sizes, observed order, chains, counters.
-void print_run(const RunResult& result, std::ostream& out);
+/// A summary up to the first blank line; then the chains with the least room, buses, and what is not as it should be.
+/// @param is_verbose  also the observed order, all parts of all chains, and all responses
+void print_run(const RunResult& result, bool is_verbose, std::ostream& out);
 
 /// `flash 14032 B, RAM 3560 B, stack 1208 B (proven)`; nothing for a host executable.
 void print_image(const ImageFacts& image, std::ostream& out);

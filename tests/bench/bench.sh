@@ -53,5 +53,5 @@ echo
 echo "== measured beside bound on the emulated board, all chains of all examples; no measured value may be above its bound"
 for robot in "$root"/examples/*.urdf "$root"/examples/*.urdf.xacro; do
   echo "-- ${robot##*/}"
-  "$finemote" run "$robot" --duration 1s | sed -n '/^age of/,/^$/p'
+  "$finemote" run "$robot" -v --duration 1s | sed -n '/^age of/,/^$/p'
 done

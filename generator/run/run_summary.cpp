@@ -1,0 +1,75 @@
+#include "generator/run/run_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/timing/table.hpp"
+
+namespace finemote::gen {
+namespace {
+
+/// How many figures were held against their bounds, and how many are above.
+struct Count {
+  std::size_t judged = 0, broken = 0;
+
+  template <class Of, class Figures>
+  void add(const Of& of, const Figures& figures) {
+    for (const auto& figure : figures) {
+      const Judgement j = (of.*figure.measured).judged();
+      judged += j == Judgement::held || j == Judgement::broken ? 1 : 0;
+      broken += j == Judgement::broken ? 1 : 0;
+    }
+  }
+};
+
+void print_bounds(const RunResult& result, std::ostream& out) {
+  Count count;
+  for (const MeasuredChain& chain : result.figures.chains) count.add(chain, kChainFigures);
+  for (const MeasuredResponse& response : result.figures.responses) count.add(response, kResponseFigures);
+  if (count.broken > 0)
+    out << fmt::format("ABOVE THEIR BOUNDS: {} of {} measured values\n", count.broken, count.judged);
+  else if (count.judged > 0)
+    out << fmt::format("every bound was held, by {} measured values\n", count.judged);
+  else if (result.must_judge)
+    out << "nothing was judged: no figure has both a bound and a sample\n";
+}
+
+void print_worst_age(const RunResult& result, std::ostream& out) {
+  const MeasuredChain* worst = nullptr;
+  for (const MeasuredChain& chain : result.figures.chains) {
+    if (chain.end_to_end.observed.count == 0) continue;
+    if (worst == nullptr || chain.end_to_end.observed.max > worst->end_to_end.observed.max) worst = &chain;
+  }
+  if (worst == nullptr) return;
+  const Measured& age = worst->end_to_end;
+  out << fmt::format("worst age of a command: {} measured, {} bound ({} -> {})\n",
+                     timing::duration_text(age.observed.max), timing::duration_text(age.bound),
+                     name_of(result, worst->from), name_of(result, worst->to));
+}
+
+}  // namespace
+
+const Measured& whole_of(const MeasuredChain& chain) {
+  return chain.end_to_end.observed.count > 0 ? chain.end_to_end : chain.decide;
+}
+
+void print_summary(const RunResult& result, std::ostream& out) {
+  print_bounds(result, out);
+  print_worst_age(result, out);
+  if (result.order.mistake)
+    out << "out of order: " << *result.order.mistake << "\n";
+  else if (result.order.is_judged)
+    out << "every stage ran in its order\n";
+  const std::vector<ExpectationRecord>& expected = result.record.expectations;
+  const auto met = std::count_if(expected.begin(), expected.end(), [](const ExpectationRecord& e) { return e.ok; });
+  if (!expected.empty()) out << fmt::format("{} of {} expectations of the scenario were met\n", met, expected.size());
+  out << fmt::format("overruns {}, resets {}\n", result.overruns(), result.record.resets);
+  if (result.schedulable)
+    out << fmt::format("schedulable: {} (finemote analyze)\n", *result.schedulable ? "yes" : "no");
+  for (const FaultCount& fault : result.record.faults)
+    out << "fault: " << fault_text(result.fault_table, fault) << "\n";
+  if (!result.unexplained_faults().empty()) out << "no scenario asked for these faults\n";
+}
+
+}  // namespace finemote::gen
