@@ -20,6 +20,7 @@ Board::Board(Wiring wiring, const BoardOptions& options) : chip_(world_, std::mo
   cpu_ = std::make_unique<Cpu>(around, options.cost, options.flash);
   world_.connect(*cpu_);
   cpu_->set_log(&log_);
+  chip_.syscfg.on_map = [this](bool ram) { cpu_->map_ram_to_zero(ram); };
   if (options.cost == CostModel::qemu) chip_.rcc.fixed_hz = 168'000'000;
   fill_ram();
   chip_.reset();
@@ -108,7 +109,10 @@ BusStatistics Board::bus(const std::string& port) {
 void Board::set_word(const std::string& symbol, std::uint32_t value, std::uint32_t offset) {
   const auto found = image_.symbol(symbol);
   if (!found) throw std::runtime_error("the image has no symbol '" + symbol + "'");
-  if (std::uint8_t* p = cpu_->memory(found->address + offset, 4)) std::memcpy(p, &value, 4);
+  std::uint8_t* p = cpu_->memory(found->address + offset, 4);
+  if (p == nullptr) return;
+  std::memcpy(p, &value, 4);
+  cpu_->ram_changed(found->address + offset, 4);
 }
 
 std::uint32_t Board::word(const std::string& symbol, std::uint32_t offset) {

@@ -232,6 +232,7 @@ bool Dma::write_peripheral(std::uint32_t address, unsigned bytes, std::uint32_t 
   std::uint8_t* target = reachable(address, bytes, true);
   if (target == nullptr) return false;
   std::memcpy(target, &value, bytes);
+  world_.cpu().ram_changed(address, bytes);
   world_.tags().put_in_memory(address, bytes, world_.crossing());
   return true;
 }
@@ -260,6 +261,7 @@ Time Dma::late(Meanness way) { return world_.silicon().draw_or_zero(way) * world
 void Dma::store(std::uint32_t memory, unsigned bytes, std::uint32_t value) {
   const auto arrive = [this, memory, bytes, value, tags = world_.crossing()] {
     std::memcpy(world_.cpu().memory(memory, bytes), &value, bytes);
+    world_.cpu().ram_changed(memory, bytes);
     world_.tags().put_in_memory(memory, bytes, tags);
   };
   const Time delay = late(Meanness::dma_store);

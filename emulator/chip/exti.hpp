@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 
 #include "emulator/chip/peripheral.hpp"
 
@@ -57,14 +58,24 @@ class Syscfg : public Peripheral {
   }
   void write(std::uint32_t offset, std::uint32_t value) override {
     if (offset > 0x20) return unmodelled_write(offset);
-    only(value, offset >= 0x08 && offset <= 0x14 ? 0xFFFF : 0, "register");  // EXTICR1 to 4; flash at address 0
+    only(value, offset >= 0x08 && offset <= 0x14 ? 0xFFFF : offset == 0 ? 3 : 0, "register");  // MEMRMP, EXTICR1 to 4
     registers_[offset / 4] = value;
+    if (offset != 0) return;
+    if (value == 1 || value == 2)
+      world_.report(Misuse::unmodelled, "syscfg MEMRMP maps something else than flash or RAM");
+    if (on_map) on_map(value == kRamAtZero);
   }
-  void reset() override { registers_ = {}; }
+  void reset() override {
+    registers_ = {};
+    if (on_map) on_map(false);
+  }
+  /// Told what stands at address 0 from now on: SRAM1, or the flash.
+  std::function<void(bool ram)> on_map;
   /// Port (0 = A) whose pin `line` is the source of EXTI `line`.
   [[nodiscard]] unsigned source(unsigned line) const { return registers_[2 + line / 4] >> (4 * (line % 4)) & 0xF; }
 
  private:
+  static constexpr std::uint32_t kRamAtZero = 3;  ///< MEM_MODE: RM0090 9.2.1
   std::array<std::uint32_t, 9> registers_{};
 };
 

@@ -1,6 +1,7 @@
 #include "emulator/core/cpu.hpp"
 
 #include <cstring>
+#include <utility>
 
 #include "emulator/core/factory_memory.hpp"
 #include "emulator/word_text.hpp"
@@ -15,7 +16,8 @@ constexpr unsigned kEntryCycles = 12, kReturnCycles = 10, kFloatReturnCycles = 2
 // PM0214 4.4.13: configurable fault status.
 constexpr std::uint32_t kStackingMem = 1U << 4, kInstructionBus = 1U << 8, kPreciseBus = 1U << 9,
                         kBusAddress = 1U << 15, kUndefinedInstruction = 1U << 16, kBadState = 1U << 17,
-                        kBadReturn = 1U << 18, kNoFpu = 1U << 19, kDataMem = 1U << 1, kMemAddress = 1U << 7;
+                        kBadReturn = 1U << 18, kNoFpu = 1U << 19, kInstructionMem = 1, kDataMem = 1U << 1,
+                        kMemAddress = 1U << 7;
 
 }  // namespace
 
@@ -71,8 +73,9 @@ void Cpu::set_log(ExecutionLog* log) {
 }
 
 void Cpu::mark(std::uint32_t address, std::uint32_t number) {
-  marks_.emplace(address, number);
-  core_.mark(address);
+  const std::uint32_t place = address < Memories::kMainRamBytes ? Memories::kRamBase + address : address;
+  marks_.emplace(place, number);
+  core_.mark(place);
 }
 
 /// The stamp of the device whose update ends at this mark.
@@ -87,7 +90,7 @@ Claim Cpu::claim_at_end(std::uint32_t mark) {
 }
 
 void Cpu::passed(std::uint32_t address, Time at) {
-  const auto [first, end] = marks_.equal_range(address);
+  const auto [first, end] = marks_.equal_range(core_.physical(address));
   for (auto it = first; it != end; ++it) {
     if (tags_.is_on()) provenance_.pass_mark(it->second, at, claim_at_end(it->second));
     if (log_ != nullptr) log_->push_back({at, it->second, ExecutionEvent::Kind::mark});
@@ -99,6 +102,7 @@ void Cpu::report_unmodelled(const char* what) { reports_.add(Misuse::unmodelled,
 void Cpu::reset() {
   set_flash(true, 0);  // ACR after a reset: RM0090 3.9.1
   system_.reset();
+  map_ram_to_zero(false);
   note(ExecutionEvent::Kind::reset, 0);
   provenance_.reset();
   tags_.reset();
@@ -183,6 +187,7 @@ void Cpu::enter(int exception, bool tail_chained, std::uint32_t chained_return) 
     const std::uint32_t saved[] = {g.r[0],  g.r[1],  g.r[2], g.r[3],
                                    g.r[12], g.r[14], g.next, g.xpsr() | (pad != 0 ? 0x200U : 0)};
     std::memcpy(bytes, saved, sizeof saved);
+    ram_changed(frame, fp ? 104 : 32);
     if (fp) {
       std::memcpy(bytes + 32, g.s.data(), 64);
       std::memcpy(bytes + 96, &g.fpscr, 4);
@@ -206,7 +211,7 @@ void Cpu::enter(int exception, bool tail_chained, std::uint32_t chained_return) 
   g.choose_stack(false);  // B1.5.6
   g.exclusive = false;
   g.r[14] = exc_return;
-  pace.read_flash();  // the vector
+  if (pace.is_flash(system_.vector_table())) pace.read_flash();
   g.next = vector(exception) & ~1U;
   g.r[15] = g.next + 4;
   pace.expected = g.next;
@@ -348,8 +353,12 @@ void Cpu::execute() {
     case Halt::bad_state:
       return fault(kUsageFault, kBadState, 0, "jump out of Thumb state at " + hex(pc()));
     case Halt::no_instruction:
+      if (!may_execute(next)) return fault(kMemManage, kInstructionMem, 0, "execution is denied at " + hex(next));
       return fault(kBusFault, kInstructionBus, 0, "no instruction at " + hex(next));
     case Halt::bad_access:
+      if (std::exchange(denied_, false))
+        return fault(kMemManage, kDataMem | kMemAddress, core_.bad_address(),
+                     "write to protected " + hex(core_.bad_address()) + " at " + hex(next));
       return fault(kBusFault, kPreciseBus | kBusAddress, core_.bad_address(),
                    "access to " + hex(core_.bad_address()) + " at " + hex(next));
   }

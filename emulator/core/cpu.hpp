@@ -76,10 +76,11 @@ class Cpu : private Outside {
   [[nodiscard]] const std::string& console() const { return console_; }
   [[nodiscard]] const std::vector<int>& active_exceptions() const { return active_; }
 
-  /// Flash, RAM or core-coupled RAM behind `address`, or null when not all bytes lie in one of them.
+  /// Flash, RAM or core-coupled RAM behind `address`, also by what stands at 0; null when not all bytes lie in one.
   [[nodiscard]] std::uint8_t* memory(std::uint32_t address, std::uint32_t bytes);
+  /// Neither core-coupled RAM nor what stands at 0: RM0090 2.1, 2.4.
   [[nodiscard]] static bool dma_reaches(std::uint32_t address) {
-    return address < 0x10000000U || address >= 0x20000000U;
+    return (address >= Memories::kFlashBase && address < Memories::kCoreRamBase) || address >= Memories::kRamBase;
   }
 
   /// Called before every instruction while set: for tests and counters. Slow.
@@ -91,7 +92,7 @@ class Cpu : private Outside {
   /// What happens from now on is kept in `log`, which outlives the processor; null: nowhere.
   void set_log(ExecutionLog* log);
   /// Passing the instruction at `address` of the loaded image is an event of the log with `number`; several marks of
-  /// one address come in the order they were set.
+  /// one address come in the order they were set. An image that is linked at 0 runs in RAM.
   void mark(std::uint32_t address, std::uint32_t number);
   /// The device of this update keeps its stamp at `address`: what it claims when the update ends is kept with what it
   /// used.
@@ -113,8 +114,11 @@ class Cpu : private Outside {
   void set_flash(bool accelerator, unsigned wait_states);
   /// The flash does not answer for so long: the core stands, if that is where its instructions come from.
   void stall_in_flash(Time duration);
-  /// Something has written to flash.
+  /// Something has written to flash, or to RAM past the processor.
   void flash_changed(std::uint32_t address, std::uint32_t bytes) { core_.take_apart_again(address, bytes); }
+  void ram_changed(std::uint32_t address, std::uint32_t bytes) { core_.forget_ram(address, bytes); }
+  /// What stands at 0: SRAM1, or the flash as after a reset.
+  void map_ram_to_zero(bool on);
   /// An exception's routine has ended.
   std::function<void(int exception)> on_return;
   /// The image asked for a system reset (AIRCR).
@@ -133,9 +137,11 @@ class Cpu : private Outside {
   void stack_moved() override;
   void report_unmodelled(const char* what) override;
   void passed(std::uint32_t address, Time at) override;
+  bool may_execute(std::uint32_t address) override;
 
   void after_access();
   void after_core_access();
+  void look_at_memory();
   [[nodiscard]] Claim claim_at_end(std::uint32_t mark);
   void set_stop() { core_.pace.stop_at = kick_ || probe_ ? 0 : next_stop_; }
   void execute();
@@ -184,6 +190,8 @@ class Cpu : private Outside {
   std::vector<ItBlock> left_it_blocks_;  ///< of what the active exceptions interrupted
   bool interrupt_it_blocks_ = false;
   bool exited_ = false, locked_up_ = false;
+  bool ram_at_zero_ = false;
+  bool denied_ = false;    ///< by the memory protection unit, the access that failed
   int pending_fault_ = 0;  ///< found by the emulator, not by an instruction
   std::uint32_t pending_cfsr_ = 0, pending_address_ = 0;
 };

@@ -82,60 +82,12 @@ inline std::uint32_t reverse_bits(std::uint32_t x) {
 
 }  // namespace
 
-const Operation* Interpreter::take_apart_at(std::uint32_t address, Operation& into) const {
-  const auto half = [this](std::uint32_t at, std::uint16_t& value) {
-    const std::uint8_t* from = nullptr;
-    if (at <= Memories::kFlashBytes - 2) from = memories_.flash + at;
-    if (at - Memories::kFlashBase <= Memories::kFlashBytes - 2) from = memories_.flash + (at - Memories::kFlashBase);
-    if (at - Memories::kRamBase <= Memories::kRamBytes - 2) from = memories_.ram + (at - Memories::kRamBase);
-    if (from != nullptr) std::memcpy(&value, from, 2);
-    return from != nullptr;
-  };
-  std::uint16_t halves[2] = {0, 0};
-  if (!half(address, halves[0])) return nullptr;
-  if (halves[0] >= 0xE800 && !half(address + 2, halves[1])) return nullptr;
-  into = take_apart(halves[0], halves[1]);
-  return &into;
-}
-
-void Interpreter::take_apart_flash(std::uint32_t bytes) {
-  known_count_ = (bytes + 1) / 2;
-  // The last two are what runs off the end: erased flash, or none.
-  operations_.assign(known_count_ + 2, {});
-  for (std::uint32_t n = known_count_; n < known_count_ + 2; ++n) operations_[n] = take_apart(0xFFFF, 0xFFFF);
-  for (std::uint32_t n = known_count_; n-- > 0;) take_apart_known(n);
-  known_ = operations_.data();
-}
-
-/// After those behind it: a wait is charged with the instruction before, as only from there is it known that the two
-/// follow each other.
-void Interpreter::take_apart_known(std::uint32_t n) {
-  Operation& o = operations_[n];
-  if (o.kind == Opcode::marked) return;
-  take_apart_at(Memories::kFlashBase + 2 * n, o);
-  o.info.cycles = static_cast<std::uint8_t>(o.info.cycles + interlock(o, operations_[n + o.info.bytes / 2U]));
-}
-
-void Interpreter::take_apart_again(std::uint32_t address, std::uint32_t bytes) {
-  const std::uint32_t first = (address - Memories::kFlashBase) / 2, last = first + (bytes + 1) / 2;
-  const std::uint32_t before = 3;  // an instruction of two halfwords, and one that waits for it
-  for (std::uint32_t n = last < known_count_ ? last : known_count_; n-- > (first > before ? first - before : 0);)
-    take_apart_known(n);
-}
-
-void Interpreter::mark(std::uint32_t address) {
-  const std::uint32_t n = (address - Memories::kFlashBase) / 2;
-  if (n >= known_count_ || operations_[n].kind == Opcode::marked) return;
-  marked_[address] = operations_[n];
-  operations_[n].kind = Opcode::marked;
-  marked_[address].info.flags |= InstructionInfo::kAlone;
-}
-
 /// @return null where no instruction can be
-inline const Operation* Interpreter::operation_at(std::uint32_t address, Operation& outside_image) const {
-  if (const std::uint32_t n = (address - Memories::kFlashBase) / 2; n < known_count_) return known_ + n;
-  if (address / 2 < known_count_) return known_ + address / 2;
-  if (take_apart_at(address, outside_image) == nullptr) return nullptr;
+inline const Operation* Interpreter::operation_at(std::uint32_t address, Operation& outside_image) {
+  if (const std::uint32_t n = (address - Memories::kFlashBase) / 2; n < flash_count_) return known_ + n;
+  if (const std::uint32_t n = address / 2; n < low_count_)
+    return low_[n].kind == Opcode::unknown ? take_apart_ram(n) : low_ + n;
+  if (!outside_.may_execute(address) || take_apart_at(address, outside_image) == nullptr) return nullptr;
   outside_image.info.flags |= InstructionInfo::kAlone;
   return &outside_image;
 }
@@ -208,10 +160,6 @@ bool Interpreter::load_elsewhere(std::uint32_t address, unsigned bytes, std::uin
   bad_address_ = address;
   if (address >= Memories::kRamBase) return outside_.read(address, bytes, value);
   const std::uint8_t* from = nullptr;
-  if (address <= Memories::kFlashBytes - bytes) {
-    from = memories_.flash + address;
-    pace.read_flash();
-  }
   if (const std::uint32_t at = address - Memories::kSystemBase; at <= Memories::kSystemBytes - bytes)
     from = memories_.system + at;
   if (from == nullptr) return false;
@@ -680,11 +628,15 @@ Halt Interpreter::run_with() {
         case Opcode::marked: {  // begins once more as what it stands for
           pace.undo(o.info.cycles);
           outside_.passed(address, pace.time);
-          const Operation& original = marked_.at(address);
+          const Operation& original = marked_.at(physical(address));
           elsewhere_ = here == &conditional_ ? inside_it(original) : original;
           here = &elsewhere_;
           continue;
         }
+        case Opcode::unknown:  // reached from the instruction before
+          pace.undo(o.info.cycles);
+          here = take_apart_ram(address / 2);
+          continue;
         case Opcode::undefined:
           return stop_again((o.info.flags & InstructionInfo::kFloatingPoint) != 0 && !fpu_on ? Halt::no_fpu
                                                                                              : Halt::undefined);

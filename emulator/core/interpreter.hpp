@@ -44,6 +44,19 @@ class Outside {
   virtual void report_unmodelled(const char* what) = 0;
   /// The marked instruction at `address` begins at `at`.
   virtual void passed(std::uint32_t address, Time at) = 0;
+  /// Asked before an instruction that was not taken apart before.
+  virtual bool may_execute(std::uint32_t address) {
+    static_cast<void>(address);
+    return true;
+  }
+};
+
+/// What stands where for the processor, and what of it is shut.
+struct MemoryView {
+  bool ram_at_zero = false;         ///< SRAM1 and not the flash
+  bool runs_zero = true;            ///< all of what stands at 0 may be executed
+  bool runs_flash = true;           ///< the same of the flash at its own place
+  std::uint32_t protected_ram = 0;  ///< bytes from the begin of RAM up to the last that may not be written
 };
 
 class Interpreter {
@@ -63,7 +76,16 @@ class Interpreter {
   void take_apart_flash(std::uint32_t bytes);
   /// These bytes of flash have changed.
   void take_apart_again(std::uint32_t address, std::uint32_t bytes);
-  /// `Outside::passed` is told whenever the instruction at `address`, in the image's flash, begins.
+  /// These bytes of RAM have changed.
+  void forget_ram(std::uint32_t address, std::uint32_t bytes);
+  void see(const MemoryView& view);
+  /// Where what the processor sees at `address` has its own place; `address` itself where nothing stands at 0.
+  [[nodiscard]] std::uint32_t physical(std::uint32_t address) const {
+    if (address >= low_bytes_) return address;
+    return address + (pace.ram_at_zero ? Memories::kRamBase : Memories::kFlashBase);
+  }
+  /// `Outside::passed` is told whenever the instruction at the physical `address`, in the image's flash or in RAM,
+  /// begins.
   void mark(std::uint32_t address);
   /// Runs until it has to stop.
   Halt run();
@@ -82,8 +104,9 @@ class Interpreter {
   Halt run_at_cost() {
     return tags_.is_on() ? run_with<Cost, Flash, true>() : run_with<Cost, Flash, false>();
   }
-  const Operation* operation_at(std::uint32_t address, Operation& outside_image) const;
+  const Operation* operation_at(std::uint32_t address, Operation& outside_image);
   void take_apart_known(std::uint32_t n);
+  const Operation* take_apart_ram(std::uint32_t n);
   const Operation* take_apart_at(std::uint32_t address, Operation& into) const;
   template <CostModel Cost>
   void arrive(std::uint32_t address, std::uint32_t expected);
@@ -101,14 +124,21 @@ class Interpreter {
     const std::uint32_t at = address - Memories::kCoreRamBase;
     return at <= Memories::kCoreRamBytes - bytes ? memories_.core_ram + at : nullptr;
   }
+  /// In RAM that holds code or may not be written.
+  [[nodiscard]] bool is_watched(std::uint32_t address) const { return address - Memories::kRamBase < watched_; }
   template <class T>
   bool load(std::uint32_t address, std::uint32_t& value) {
     const std::uint8_t* from = in_ram(address, sizeof(T));
     if (from == nullptr) {
-      const std::uint32_t at = address - Memories::kFlashBase;
-      if (at > Memories::kFlashBytes - sizeof(T)) return load_elsewhere(address, sizeof(T), value);
-      from = memories_.flash + at;
-      pace.read_flash();
+      if (const std::uint32_t at = address - Memories::kFlashBase; at <= Memories::kFlashBytes - sizeof(T)) {
+        from = memories_.flash + at;
+        pace.read_flash();
+      } else if (address <= low_bytes_ - sizeof(T)) {
+        from = (pace.ram_at_zero ? memories_.ram : memories_.flash) + address;
+        if (!pace.ram_at_zero) pace.read_flash();
+      } else {
+        return load_elsewhere(address, sizeof(T), value);
+      }
     }
     charge_alignment<T>(address);
     T item;
@@ -119,7 +149,7 @@ class Interpreter {
   template <class T>
   bool store(std::uint32_t address, std::uint32_t value) {
     std::uint8_t* to = in_ram(address, sizeof(T));
-    if (to == nullptr) return store_elsewhere(address, sizeof(T), value);
+    if (to == nullptr || is_watched(address)) return store_elsewhere(address, sizeof(T), value);
     charge_alignment<T>(address);
     const T item = static_cast<T>(value);
     std::memcpy(to, &item, sizeof(T));
@@ -187,11 +217,18 @@ class Interpreter {
   Memories memories_;
   Outside& outside_;
   TagFlow& tags_;
-  std::vector<Operation> operations_;          ///< one per halfword of the image, and what lies behind its end
-  const Operation* known_ = nullptr;           ///< the same, at hand
-  std::uint32_t known_count_ = 0;              ///< halfwords of the image
+  std::vector<Operation> operations_;              ///< one per halfword of the image, and what lies behind its end
+  std::uint32_t known_count_ = 0;                  ///< halfwords of the image
+  std::vector<Operation> ram_operations_;          ///< the same of SRAM1, once it has stood at 0
+  const Operation* known_ = nullptr;               ///< of the flash, at hand
+  Operation* low_ = nullptr;                       ///< of what stands at 0
+  std::uint32_t flash_count_ = 0, low_count_ = 0;  ///< how many of them may be executed
+  std::uint32_t low_bytes_ = Memories::kFlashBytes;
+  std::uint32_t protected_ram_ = 0, ram_code_ = 0;  ///< bytes from the begin of RAM
+  std::uint32_t watched_ = 0;                       ///< the larger of them
+  MemoryView view_;
   Operation elsewhere_, conditional_;          ///< an instruction outside of it; one inside an IT block
-  std::map<std::uint32_t, Operation> marked_;  ///< by address: what stands at a mark
+  std::map<std::uint32_t, Operation> marked_;  ///< by physical address: what stands at a mark
   std::uint32_t bad_address_ = 0;
 };
 

@@ -10,7 +10,8 @@ namespace finemote::emulator {
 /// What an instruction does. Names are those of the ARMv7-M Architecture Reference Manual, A7.7.
 enum class Opcode : std::uint8_t {
   undefined,
-  marked,  // stands for another, which is marked: see Interpreter::mark
+  marked,   // stands for another, which is marked: see Interpreter::mark
+  unknown,  // of RAM, not taken apart since it was written
   // clang-format off
   // Data processing with an immediate, a register, a register shifted by a constant; then, in the same order, the forms
   // that set the flags of those that have a result.

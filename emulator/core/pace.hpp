@@ -5,6 +5,7 @@
 
 #include "emulator/core/cost.hpp"
 #include "emulator/core/instruction.hpp"
+#include "emulator/core/memories.hpp"
 #include "emulator/time.hpp"
 
 namespace finemote::emulator {
@@ -20,7 +21,8 @@ struct Pace {
   Time cycle = 0;                          ///< of the core clock
   Time stop_at = 0;                        ///< the interpreter asks before the first instruction at or after this time
   std::uint32_t expected = 0;              ///< where the next instruction is without a jump
-  std::uint32_t line = 0;                  ///< of flash, fetched last
+  std::uint32_t line = 0;                  ///< of flash or RAM, fetched last
+  bool ram_at_zero = false;                ///< and not the flash
   std::uint32_t it_begin = 0, it_end = 0;  ///< the IT instruction seen last, and the end of its block
   std::uint64_t instructions = 0;
   std::uint64_t waits = 0;  ///< of them, turns of jumps to themselves that were charged without being run
@@ -37,6 +39,10 @@ struct Pace {
     line = kNoLine;
   }
 
+  [[nodiscard]] bool is_flash(std::uint32_t address) const {
+    return address - Memories::kFlashBase < Memories::kFlashBytes || (address < Memories::kFlashBytes && !ram_at_zero);
+  }
+
   /// Inside the block of an IT instruction, behind its first boundary.
   [[nodiscard]] bool in_it_block(std::uint32_t address) const { return address > it_begin && address < it_end; }
 
@@ -46,7 +52,7 @@ struct Pace {
     if constexpr (Flash == FlashModel::miss_always) {
       if ((address >> 4) != line) {
         line = address >> 4;
-        time += flash_wait * cycle;
+        if (is_flash(address)) time += flash_wait * cycle;
       }
     }
     time += Cost == CostModel::qemu ? kQemuInstruction : cycles * cycle;

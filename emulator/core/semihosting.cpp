@@ -8,7 +8,7 @@ namespace finemote::emulator {
 
 void Cpu::semihosting() {
   constexpr std::uint8_t kSemihosting = 0xAB;  // the number in BKPT
-  const std::uint8_t* instruction = memory(pc() < Memories::kFlashBytes ? pc() + Memories::kFlashBase : pc(), 2);
+  const std::uint8_t* instruction = memory(pc(), 2);
   if (instruction == nullptr || *instruction != kSemihosting)
     return fault(kHardFault, 0, 0, "breakpoint at " + hex(pc()) + " without a debugger");
   Registers& g = core_.registers;

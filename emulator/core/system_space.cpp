@@ -24,8 +24,7 @@ void SystemSpace::reset() {
   vtor_ = cpacr_ = shcsr_ = cfsr_ = hfsr_ = mmfar_ = bfar_ = aircr_ = scr_ = fpdscr_ = demcr_ = 0;
   ccr_ = 0x200;          // STKALIGN: PM0214 4.4.7
   fpccr_ = 0xC0000000U;  // ASPEN and LSPEN: PM0214 4.6.2
-  mpu_control_ = mpu_number_ = 0;
-  regions_ = {};
+  mpu_.reset();
   dwt_control_ = 0;
   dwt_held_ = 0;
 }
@@ -38,15 +37,6 @@ void SystemSpace::slept(Time duration) {
 void SystemSpace::change_clock(Time now, Time period) {
   clock_.change(now, period);
   systick_.clock_changed(now);
-}
-
-std::pair<std::uint32_t, std::uint32_t> SystemSpace::guard() const {
-  if ((mpu_control_ & 1) == 0) return {0, 0};
-  for (const MpuRegion& region : regions_) {
-    if (region.enabled() && region.no_access() && region.base >= 0x10000000U && region.base < 0x40000000U)
-      return {region.base, region.base + region.bytes()};
-  }
-  return {0, 0};
 }
 
 void SystemSpace::note_fault(std::uint32_t cfsr, std::uint32_t address, bool escalated) {
@@ -127,10 +117,7 @@ std::uint32_t SystemSpace::read_word(std::uint32_t address, Time now, std::uint3
       word |= std::uint32_t{nvic_.priority_register(first + i)} << (8 * i);
     return word;
   }
-  if (in(address, 0xE000ED9C, 0xE000EDBC)) {  // MPU_RBAR, MPU_RASR and their aliases
-    const MpuRegion& region = regions_[mpu_number_ & 7];
-    return (address & 4) == 0 ? region.attributes : (region.base | (mpu_number_ & 7));
-  }
+  if (const auto value = mpu_.read(address)) return *value;
   switch (address) {
     case 0xE000E004:
       return 2;  // ICTR: 65 to 96 lines
@@ -162,12 +149,6 @@ std::uint32_t SystemSpace::read_word(std::uint32_t address, Time now, std::uint3
       return bfar_;
     case 0xE000ED88:
       return cpacr_;
-    case 0xE000ED90:
-      return 8U << 8;  // MPU_TYPE: eight regions
-    case 0xE000ED94:
-      return mpu_control_;
-    case 0xE000ED98:
-      return mpu_number_;
     case 0xE000EDF0:
       return 0;  // DHCSR: no debugger
     case 0xE000EDFC:
@@ -219,15 +200,7 @@ void SystemSpace::write_word(std::uint32_t address, std::uint32_t value, Time no
       nvic_.set_priority(first + i, static_cast<std::uint8_t>(value >> (8 * i)));
     return;
   }
-  if (in(address, 0xE000ED9C, 0xE000EDBC)) {
-    if ((address & 4) != 0) {  // RBAR: 0xE000ED9C, +8 ...
-      if ((value & 0x10) != 0) mpu_number_ = value & 0xF;
-      regions_[mpu_number_ & 7].base = value & ~0x1FU;
-    } else {
-      regions_[mpu_number_ & 7].attributes = value;
-    }
-    return;
-  }
+  if (mpu_.write(address, value)) return;
   switch (address) {
     case 0xE000E008:
       return;
@@ -267,12 +240,6 @@ void SystemSpace::write_word(std::uint32_t address, std::uint32_t value, Time no
       return;
     case 0xE000ED88:
       cpacr_ = value & 0xF00000;
-      return;
-    case 0xE000ED94:
-      mpu_control_ = value & 7;
-      return;
-    case 0xE000ED98:
-      mpu_number_ = value & 0xFF;
       return;
     case 0xE000EDFC:
       demcr_ = value;

@@ -3,23 +3,15 @@
 
 #include <array>
 #include <cstdint>
-#include <utility>
 
 #include "emulator/core/core_clock.hpp"
+#include "emulator/core/mpu.hpp"
 #include "emulator/core/nvic.hpp"
 #include "emulator/core/systick.hpp"
 #include "emulator/event_queue.hpp"
 #include "emulator/report.hpp"
 
 namespace finemote::emulator {
-
-/// A region of the memory protection unit that nobody may touch.
-struct MpuRegion {
-  std::uint32_t base = 0, attributes = 0;
-  [[nodiscard]] bool enabled() const { return (attributes & 1) != 0; }
-  [[nodiscard]] std::uint32_t bytes() const { return std::uint32_t{2} << ((attributes >> 1) & 0x1F); }
-  [[nodiscard]] bool no_access() const { return ((attributes >> 24) & 7) == 0; }
-};
 
 class SystemSpace {
  public:
@@ -41,8 +33,7 @@ class SystemSpace {
   [[nodiscard]] std::uint32_t frozen_in_debug() const { return debug_freeze_[0]; }
   [[nodiscard]] bool fpu_enabled() const { return ((cpacr_ >> 20) & 0xF) == 0xF; }
   [[nodiscard]] bool sleeps_on_exit() const { return (scr_ & 2) != 0; }
-  /// The lowest and the end address nobody may touch, where such a region is on; else 0, 0.
-  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> guard() const;
+  [[nodiscard]] const Mpu& mpu() const { return mpu_; }
   [[nodiscard]] bool reset_requested() const { return reset_request_; }
   [[nodiscard]] bool take_reset_request() {
     const bool wanted = reset_request_;
@@ -74,8 +65,7 @@ class SystemSpace {
   SysTick systick_;
   std::uint32_t vtor_ = 0, cpacr_ = 0, shcsr_ = 0, cfsr_ = 0, hfsr_ = 0, mmfar_ = 0, bfar_ = 0, aircr_ = 0, scr_ = 0,
                 ccr_ = 0, fpccr_ = 0, fpdscr_ = 0, demcr_ = 0, debug_control_ = 0;
-  std::uint32_t mpu_control_ = 0, mpu_number_ = 0;
-  std::array<MpuRegion, 8> regions_{};
+  Mpu mpu_;
   std::array<std::uint32_t, 2> debug_freeze_{};
   std::uint32_t dwt_control_ = 0;
   std::uint64_t dwt_zero_ = 0;  ///< core cycle at which CYCCNT was 0

@@ -58,7 +58,7 @@ bool Interpreter::load_multiple(const Operation& o, std::uint32_t& target) {
 bool Interpreter::store_multiple(const Operation& o) {
   const std::uint32_t base = registers.r[o.n], moved = (o.mode & 2) != 0 ? base - o.amount : base + o.amount;
   std::uint32_t address = (o.mode & 2) != 0 ? moved : base;
-  if (std::uint8_t* to = in_ram(address, o.amount)) {
+  if (std::uint8_t* to = is_watched(address) ? nullptr : in_ram(address, o.amount)) {
     for (std::uint32_t list = o.imm; list != 0; list &= list - 1, to += 4)
       std::memcpy(to, &registers.r[static_cast<unsigned>(std::countr_zero(list))], 4);
   } else {
