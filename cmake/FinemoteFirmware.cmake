@@ -24,6 +24,8 @@
 # WITHOUT      files of the runtime's start-up that SOURCES stand in for: main.cpp, trace.cpp
 # OPTIMIZE     -Os without it
 # STACK        bytes that a board with a chip reserves for the stack, 4096 without it; `finemote run` proves how many it takes
+# CODE         where a board with a chip runs the code: `flash`, or `sram` where the board can; without it, with INPUT what the
+#              robot's <board> says (param `code`), else flash
 # FLASH_BUDGET, RAM_BUDGET   bytes that NAME-size holds the image to
 #
 # For a board configure with a toolchain file: cmake/toolchain-arm-none-eabi.cmake. Build types make no difference there.
@@ -67,11 +69,35 @@ function(finemote_firmware_definitions result)
   set(${result} ${definitions} PARENT_SCOPE)
 endfunction()
 
+# Where the code of a firmware runs: `asked`, or what the robot says, which is of no effect on a board that stands in.
+function(finemote_code_place result target board asked robots)
+  set(can_sram NO)
+  if(EXISTS ${FINEMOTE_ROOT}/runtime/boards/${board}/generated/board_sram.ld)
+    set(can_sram YES)
+  endif()
+  set(place flash)
+  if(asked)
+    set(place ${asked})
+    if(NOT asked MATCHES "^(flash|sram)$")
+      message(FATAL_ERROR "finemote_add_firmware(${target}): CODE is flash or sram, not '${asked}'")
+    elseif(asked STREQUAL "sram" AND NOT can_sram)
+      message(FATAL_ERROR "finemote_add_firmware(${target}): board '${board}' does not run code in SRAM")
+    endif()
+  elseif(robots STREQUAL "sram" AND can_sram)
+    set(place sram)
+  endif()
+  set(${result} ${place} PARENT_SCOPE)
+endfunction()
+
 # How an image for a chip is linked.
-function(finemote_link_options target board stack)
-  set(script ${FINEMOTE_ROOT}/runtime/boards/${board}/generated/board.ld)
+function(finemote_link_options target board stack code)
+  set(suffix)
+  if(code STREQUAL "sram")
+    set(suffix _sram)
+  endif()
+  set(script ${FINEMOTE_ROOT}/runtime/boards/${board}/generated/board${suffix}.ld)
   set(core ${FINEMOTE_ROOT}/runtime/chips/cortex_m4)
-  set_target_properties(${target} PROPERTIES SUFFIX .elf LINK_DEPENDS "${script};${core}/sections.ld")
+  set_target_properties(${target} PROPERTIES SUFFIX .elf LINK_DEPENDS "${script};${core}/sections${suffix}.ld")
   target_link_options(${target} PRIVATE -nostartfiles -T ${script} -L ${core} -Wl,--gc-sections -Wl,-Map=${target}.map
                       -Wl,--no-warn-rwx-segments)
   if(stack)
@@ -81,14 +107,14 @@ endfunction()
 
 function(finemote_add_firmware target)
   cmake_parse_arguments(arg "COMMITTED;TRACE;WATCH_BOUNDS"
-                        "INPUT;GENERATED;BOARD;OUTPUT_DIR;DURATION;OPTIMIZE;STACK;FLASH_BUDGET;RAM_BUDGET"
+                        "INPUT;GENERATED;BOARD;OUTPUT_DIR;DURATION;OPTIMIZE;STACK;CODE;FLASH_BUDGET;RAM_BUDGET"
                         "DEVICES;ARGS;DEFINITIONS;INCLUDES;SOURCES;WITHOUT" ${ARGN})
   if(arg_UNPARSED_ARGUMENTS)
     list(JOIN arg_UNPARSED_ARGUMENTS "', '" words)
     message(FATAL_ERROR "finemote_add_firmware(${target}): unknown '${words}'")
   endif()
   if(arg_INPUT)
-    finemote_sources_of_input(${target} ${ARGN})  # sets arg_BOARD, generated_dir, generated, and adds to the two below
+    finemote_sources_of_input(${target} ${ARGN})  # sets arg_BOARD, robot_code, generated_dir, generated, and adds to the two below
   elseif(arg_GENERATED AND arg_BOARD)
     get_filename_component(generated_dir ${arg_GENERATED} ABSOLUTE)
     file(GLOB_RECURSE generated ${generated_dir}/*.cpp)
@@ -102,7 +128,11 @@ function(finemote_add_firmware target)
   endif()
   finemote_check_compiler(${arg_BOARD} "${chips}")
   finemote_firmware_definitions(definitions ${ARGN})
+  finemote_code_place(code ${target} ${arg_BOARD} "${arg_CODE}" "${robot_code}")
   list(APPEND definitions ${board_definitions})
+  if(code STREQUAL "sram")
+    list(APPEND definitions FINEMOTE_CODE_IN_SRAM)
+  endif()
   finemote_runtime_library(runtime ${arg_BOARD} "${chips}" "${board_definitions}" ${arg_OPTIMIZE})
   finemote_board_objects(board ${arg_BOARD} "${chips}" "${definitions}" ${arg_OPTIMIZE} "${arg_WITHOUT}")
 
@@ -112,7 +142,7 @@ function(finemote_add_firmware target)
   target_include_directories(${target} PRIVATE ${generated_dir} ${arg_INCLUDES})
   target_link_libraries(${target} PRIVATE ${runtime})
   if(chips)
-    finemote_link_options(${target} ${arg_BOARD} "${arg_STACK}")
+    finemote_link_options(${target} ${arg_BOARD} "${arg_STACK}" ${code})
   endif()
   finemote_firmware_targets(${target} "${chips}" FLASH_BUDGET ${arg_FLASH_BUDGET} RAM_BUDGET ${arg_RAM_BUDGET})
 endfunction()

@@ -85,7 +85,7 @@ function(finemote_use_committed target words folder result)
   set(${result} ${files} PARENT_SCOPE)
 endfunction()
 
-# For finemote_add_firmware(NAME INPUT ...): sets generated_dir and generated, arg_BOARD where it is the robot's, and adds
+# For finemote_add_firmware(NAME INPUT ...): sets generated_dir, generated and robot_code, arg_BOARD where it is the robot's, and adds
 # what belongs to the robot's own device types to arg_INCLUDES and arg_SOURCES.
 function(finemote_sources_of_input target)
   cmake_parse_arguments(arg "COMMITTED" "INPUT;BOARD;OUTPUT_DIR" "DEVICES;ARGS;INCLUDES;SOURCES" ${ARGN})
@@ -114,6 +114,8 @@ function(finemote_sources_of_input target)
   if(NOT arg_BOARD)
     string(JSON arg_BOARD GET "${list}" board)
   endif()
+  string(JSON robot_code GET "${list}" code)
+  set(robot_code ${robot_code} PARENT_SCOPE)
   finemote_strings("${list}" include_dirs folders)
   foreach(own ${folders})
     file(GLOB sources ${own}/*.cpp)

@@ -72,27 +72,44 @@ Data names_by_class(const std::vector<PortObject>& objects) {
   return list;
 }
 
+std::uint32_t origin_of(const Memory& memory) {
+  return static_cast<std::uint32_t>(std::stoul(memory.origin, nullptr, 16));
+}
+
+Data region(const char* name, std::uint32_t origin, std::uint32_t bytes) {
+  Data region;
+  region.set("name", name);
+  region.set("origin", fmt::format("0x{:08X}", origin));
+  region.set("kib", std::to_string(bytes / 1024));
+  return region;
+}
+
 /// Without core-coupled RAM the upper half of the RAM stands in for it: the stack has a place of its own.
 Data regions(const Board& board) {
-  Data list{Data::type::list};
-  const auto add = [&](const char* name, std::uint32_t origin, std::uint32_t bytes) {
-    Data region;
-    region.set("name", name);
-    region.set("origin", fmt::format("0x{:08X}", origin));
-    region.set("kib", std::to_string(bytes / 1024));
-    list.push_back(region);
-  };
-  const auto origin = [](const Memory& memory) {
-    return static_cast<std::uint32_t>(std::stoul(memory.origin, nullptr, 16));
-  };
   const Memory *flash = find_memory(board, "flash"), *ram = find_memory(board, "ram"),
                *core = find_memory(board, "ccm");
   if (flash == nullptr || ram == nullptr) throw std::logic_error("sources of a board without memory");
   const std::uint32_t ram_bytes = core != nullptr ? ram->bytes : ram->bytes / 2;
-  add("FLASH    (rx) ", origin(*flash), flash->bytes);
-  add("RAM      (rwx)", origin(*ram), ram_bytes);
-  add("CORE_RAM (rw) ", core != nullptr ? origin(*core) : origin(*ram) + ram_bytes,
-      core != nullptr ? core->bytes : ram->bytes - ram_bytes);
+  Data list{Data::type::list};
+  list.push_back(region("FLASH    (rx) ", origin_of(*flash), flash->bytes));
+  list.push_back(region("RAM      (rwx)", origin_of(*ram), ram_bytes));
+  list.push_back(region("CORE_RAM (rw) ", core != nullptr ? origin_of(*core) : origin_of(*ram) + ram_bytes,
+                        core != nullptr ? core->bytes : ram->bytes - ram_bytes));
+  return list;
+}
+
+/// Of a board that can run its code in RAM mapped to 0: what is left of the RAM is for DMA, data lie in core-coupled
+/// RAM.
+Data regions_with_code(const Board& board) {
+  const Memory *flash = find_memory(board, "flash"), *ram = find_memory(board, "ram"),
+               *core = find_memory(board, "ccm"), *code = find_memory(board, "code");
+  if (flash == nullptr || ram == nullptr || core == nullptr || code == nullptr)
+    throw std::logic_error("code in RAM without memory");
+  Data list{Data::type::list};
+  list.push_back(region("FLASH    (rx) ", origin_of(*flash), flash->bytes));
+  list.push_back(region("CODE     (rwx)", 0, code->bytes));
+  list.push_back(region("RAM      (rw) ", origin_of(*ram) + code->bytes, ram->bytes - code->bytes));
+  list.push_back(region("CORE_RAM (rw) ", origin_of(*core), core->bytes));
   return list;
 }
 
@@ -170,6 +187,11 @@ class SourceFiles {
       return std::move(files_);
     }
     add("board.ld", "board.ld", Data{"regions", regions(board_)});
+    if (const Memory* code = find_memory(board_, "code"); code != nullptr) {
+      Data data{"regions", regions_with_code(board_)};
+      data.set("code_copy", code->origin);
+      add("board_sram.ld", "board_sram.ld", data);
+    }
     add("board/clocks.hpp", "clocks.hpp", clocks(board_));
     if (board_.chip == "stm32f4") {
       add("board/resting_pins.hpp", "stm32f4/resting_pins.hpp", resting_pins(board_));

@@ -51,6 +51,7 @@ Answer list_names(const PlannedRobot& planned, const Sources& sources) {
   answer.document = {{"schema", "finemote.list/1"},
                      {"files", names},
                      {"board", planned.robot.board->name},
+                     {"code", runs_code_in_sram(planned.robot) ? "sram" : "flash"},
                      {"include_dirs", user_include_dirs(planned.robot)},
                      {"inputs", files_read(sources)}};
   return answer;

@@ -155,6 +155,7 @@ FirmwareRequest firmware_request(const Options& options, const Setup& setup, con
   request.duration = options.build_only || setup.is_emulated() ? Duration::zero() : setup.duration;
   request.trace = options.trace || (!setup.is_emulated() && !options.build_only);
   request.monitor = options.monitor;
+  request.code_in_sram = setup.is_emulated() && runs_code_in_sram(robot);
   request.include_dirs = user_include_dirs(robot);
   request.sources = user_sources(request.include_dirs);
   return request;
@@ -254,6 +255,7 @@ Answer answer_of_build(const ImageFacts& image, const std::string& board) {
                 {{"sha256", image.sha256},
                  {"flash", image.flash},
                  {"ram", image.ram},
+                 {"code_ram", image.code_ram},
                  {"stack", image.stack ? Json(*image.stack) : Json(nullptr)}}}}};
 }
 

@@ -18,6 +18,7 @@ struct SectionSize {
 struct ImageSizes {
   std::uint32_t flash = 0;            ///< vectors, code, constants and initial values
   std::uint32_t ram = 0;              ///< variables and buffers, without the stack
+  std::uint32_t code_ram = 0;         ///< vectors, code and constants that are copied to RAM to run there
   std::uint32_t stack_reserved = 0;   ///< between `_stack_bottom` and `_stack_top`
   std::vector<SectionSize> sections;  ///< allocated ones that are not empty, in address order of the file
 };

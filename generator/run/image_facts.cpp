@@ -22,6 +22,7 @@ std::optional<ImageFacts> image_facts(const std::string& path, bool is_arm, bool
   const ImageSizes sizes = measure_image(*image);
   facts.flash = sizes.flash;
   facts.ram = sizes.ram;
+  facts.code_ram = sizes.code_ram;
   facts.stack_reserved = sizes.stack_reserved;
   const StackBound stack = worst_case_stack(*image, diagnostics);
   if (stack.known) facts.stack = stack.bytes;

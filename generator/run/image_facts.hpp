@@ -12,6 +12,7 @@ struct ImageFacts {
   std::string sha256;                  ///< of what is flashed; of a host executable: of the file
   std::uint32_t flash = 0;             ///< bytes
   std::uint32_t ram = 0;               ///< bytes, without the stack
+  std::uint32_t code_ram = 0;          ///< bytes of it that are code, copied to run there; `ram` does not have them
   std::optional<std::uint32_t> stack;  ///< proven worst case in bytes; none: not known
   std::uint32_t stack_reserved = 0;    ///< bytes
 };

@@ -53,6 +53,10 @@ std::vector<std::string> user_sources(const std::vector<std::string>& dirs) {
   return sources;
 }
 
+bool runs_code_in_sram(const Robot& robot) {
+  return param_value(robot.board_params, "code", std::string("flash")) == "sram";
+}
+
 Project make_project(const FirmwareRequest& request, Output generated, const Robot& robot, bool with_parts) {
   std::vector<OutputFile> files{{"CMakeLists.txt", project_text(request)}};
   if (with_parts) files.push_back({"parts.json", emulated_parts(robot).scenario.dump(2) + "\n"});

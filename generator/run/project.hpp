@@ -23,6 +23,9 @@ std::vector<std::string> user_include_dirs(const Robot& robot);
 /// The sources in them, sorted.
 std::vector<std::string> user_sources(const std::vector<std::string>& dirs);
 
+/// Whether its board runs the code in SRAM: param `code`.
+bool runs_code_in_sram(const Robot& robot);
+
 /// The project of `request` around the generated files, for the same robot and inputs.
 /// @param parts  also what hangs on the board, as parts.json
 Project make_project(const FirmwareRequest& request, Output generated, const Robot& robot, bool with_parts);

@@ -206,6 +206,7 @@ Json run_document(const RunResult& result) {
                     {{"sha256", result.image.sha256},
                      {"flash", is_arm ? Json(result.image.flash) : Json(nullptr)},
                      {"ram", is_arm ? Json(result.image.ram) : Json(nullptr)},
+                     {"code_ram", is_arm ? Json(result.image.code_ram) : Json(nullptr)},
                      {"stack", result.image.stack ? Json(*result.image.stack) : Json(nullptr)}}},
                    {"board", result.board},
                    {"duration_ns", result.duration.ns()},

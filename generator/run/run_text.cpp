@@ -207,7 +207,8 @@ std::string missing_text(const RunResult& result) {
 
 void print_image(const ImageFacts& image, std::ostream& out) {
   if (image.flash == 0) return;
-  out << fmt::format("flash {} B, RAM {} B, stack {}\n", image.flash, image.ram,
+  out << fmt::format("flash {} B, RAM {} B{}, stack {}\n", image.flash, image.ram,
+                     image.code_ram > 0 ? fmt::format(" and {} B of code", image.code_ram) : "",
                      image.stack ? fmt::format("{} B (proven worst case)", *image.stack) : "without bound");
 }
 

@@ -65,6 +65,8 @@ const char* text_of(CoreFault fault) {
       return "core: bus fault\n";
     case CoreFault::usage:
       return "core: usage fault\n";
+    case CoreFault::code_copy:
+      return "core: the copy of the code was wrong\n";
     default:
       return "core: hard fault\n";
   }
@@ -78,10 +80,11 @@ void start_guards() {
   scb::set_priority(5, 0);
   scb::set_priority(6, 0);
   scb::HandlerControl::set(scb::kMemoryFault | scb::kBusFault | scb::kUsageFault);
-  // One region of 256 bytes without access at the lower end of the stack: PM0214 4.2.9, 4.2.10.
-  mpu::Number::write(0);
-  mpu::Base::write(address_of(&_stack_guard));
-  mpu::Attributes::write((7U << 1) | 1U | bit(28));  // 2^(7 + 1) bytes, AP 000: no access, execute never
+#ifdef FINEMOTE_CODE_IN_SRAM
+  protect_code();
+#endif
+  // A region of 256 bytes without access at the lower end of the stack, before all others: PM0214 4.2.9, 4.2.10.
+  mpu::set_region(7, address_of(&_stack_guard), (7U << 1) | mpu::kExecuteNever);  // 2^(7 + 1) bytes, AP 000: no access
   mpu::Control::write(mpu::kEnable | mpu::kBackground);
   barrier();
 }

@@ -24,6 +24,10 @@ extern LastFault last_fault;
 /// Lets faults be told apart, and puts the guard under the stack.
 void start_guards();
 
+/// Regions 0 to 6 of the memory protection unit: code may be read and run, and nothing else may be run. Defined by a
+/// chip that runs code in SRAM.
+void protect_code();
+
 /// The fault that caused this start, cleared by asking; false when the start was an ordinary one.
 bool restarted_by_fault(CoreFault& fault);
 

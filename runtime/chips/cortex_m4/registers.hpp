@@ -71,6 +71,15 @@ constexpr std::uint32_t kEnable = bit(0), kBackground = bit(2);
 using Number = Register<0xE000ED98>;
 using Base = Register<0xE000ED9C>;
 using Attributes = Register<0xE000EDA0>;
+/// Of a region's attributes, 4.2.10; the size, the power of two of its bytes less 1, stands from bit 1 on.
+constexpr std::uint32_t kNormal = bit(17), kReadWrite = 3U << 24, kReadOnly = 5U << 24, kExecuteNever = bit(28);
+
+/// Turns region 0..7 on. `base` is a multiple of its size.
+inline void set_region(std::uint32_t number, std::uint32_t base, std::uint32_t attributes) {
+  Number::write(number);
+  Base::write(base);
+  Attributes::write(attributes | 1U);
+}
 }  // namespace mpu
 
 inline void barrier() { asm volatile("dsb\n\tisb" : : : "memory"); }

@@ -6,6 +6,9 @@
 extern "C" {
 // Defined by sections.ld.
 extern std::uint32_t _data_load, _data_begin, _data_end, _bss_begin, _bss_end, _core_bss_begin, _core_bss_end;
+#ifdef FINEMOTE_CODE_IN_SRAM
+extern std::uint32_t _dma_constants_load, _dma_constants_begin, _dma_constants_end;  // sections_sram.ld
+#endif
 using Constructor = void (*)();
 extern Constructor __init_array_start[], __init_array_end[];
 extern const std::uint32_t finemote_vectors[];
@@ -29,6 +32,10 @@ extern "C" [[noreturn]] void finemote_reset() {
   barrier();
   const std::uint32_t* from = &_data_load;
   for (std::uint32_t* to = &_data_begin; to < &_data_end;) *to++ = *from++;
+#ifdef FINEMOTE_CODE_IN_SRAM
+  from = &_dma_constants_load;
+  for (std::uint32_t* to = &_dma_constants_begin; to < &_dma_constants_end;) *to++ = *from++;
+#endif
   zero(&_bss_begin, &_bss_end);
   zero(&_core_bss_begin, &_core_bss_end);
   for (Constructor* constructor = __init_array_start; constructor < __init_array_end; ++constructor) (*constructor)();

@@ -18,10 +18,13 @@ using stm32f4::PinSetup;
 constexpr stm32f4::Register kDwtControl{0xE0001000}, kDwtCycles{0xE0001004}, kDemcr{0xE000EDFC};
 constexpr std::uint32_t kTraceEnable = stm32f4::bit(24), kCountEnable = stm32f4::bit(0);
 
-/// The flash at address 0 as after a reset: the boot loader in the system memory leaves itself there.
+/// The flash at address 0 as after a reset: the boot loader in the system memory leaves itself there. Code in SRAM has
+/// mapped that.
 void map_flash() {
+#ifndef FINEMOTE_CODE_IN_SRAM
   stm32f4::rcc::enable(stm32f4::rcc::apb2enr, stm32f4::rcc::kApb2Syscfg);
   stm32f4::syscfg::memrmp.write(stm32f4::syscfg::kFlashAtZero);
+#endif
 }
 
 /// Pins of parts on the board that must be quiet until somebody uses them, as its file says.

@@ -39,6 +39,7 @@ enum class CoreFault : std::uint8_t {
   nmi,
   stack,                 ///< the stack guard was touched
   unexpected_interrupt,  ///< a line without a routine
+  code_copy,             ///< the copy of the code in SRAM was wrong, and was made again
 };
 
 /// Numbers of Module::schedule.

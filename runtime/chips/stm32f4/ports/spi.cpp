@@ -44,8 +44,12 @@ std::uint32_t address_of(const void* bytes) {
   return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(bytes));
 }
 
-/// DMA reaches everything but the core-coupled RAM at 0x10000000: RM0090 2.1.
-bool dma_reaches(const void* bytes) { return address_of(bytes) >> 28 != 1; }
+/// DMA reaches neither the core-coupled RAM at 0x10000000 nor what stands at 0, as code in SRAM does: RM0090 2.1, 2.4.
+bool dma_reaches(const void* bytes) {
+  constexpr std::uint32_t kFlash = 0x08000000;
+  const std::uint32_t address = address_of(bytes);
+  return address >> 28 != 1 && address >= kFlash;
+}
 
 /// The smallest divider 2 << n whose clock is not above the wanted one.
 std::uint32_t divider_for(std::uint32_t clock_hz, std::uint32_t wanted_hz) {

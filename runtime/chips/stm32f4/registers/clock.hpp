@@ -27,7 +27,7 @@ inline constexpr std::uint32_t kCsrLsiOn = bit(0), kCsrLsiReady = bit(1), kCsrRe
                                kCsrIwdgReset = bit(29), kCsrWwdgReset = bit(30);
 
 /// Bits of ahb1enr: ports A..I are bits 0..8.
-inline constexpr std::uint32_t kAhb1CcmRam = bit(20), kAhb1Dma1 = bit(21), kAhb1Dma2 = bit(22);
+inline constexpr std::uint32_t kAhb1Crc = bit(12), kAhb1CcmRam = bit(20), kAhb1Dma1 = bit(21), kAhb1Dma2 = bit(22);
 /// Bits of apb1enr and apb2enr; those of what serves ports are in peripherals.hpp.
 inline constexpr std::uint32_t kApb1Power = bit(28), kApb2Syscfg = bit(14);
 

@@ -35,7 +35,7 @@ inline constexpr Register pr{0x40013C14};    // 12.3.6
 /// SYSCFG: RM0090 9.2.
 namespace syscfg {
 inline constexpr Register memrmp{0x40013800};  // 9.2.1: what lies at address 0
-inline constexpr std::uint32_t kFlashAtZero = 0;
+inline constexpr std::uint32_t kFlashAtZero = 0, kRamAtZero = 3;
 /// SYSCFG_EXTICR1..4, 9.2.3 to 9.2.6.
 constexpr Register exticr(std::uint32_t index) { return Register{0x40013808 + 4 * index}; }
 }  // namespace syscfg
