@@ -10,6 +10,7 @@
 #include "generator/bench_kit/plan.hpp"
 #include "generator/bench_kit/record.hpp"
 #include "generator/bench_kit/robot_tests.hpp"
+#include "generator/bus/bus_type.hpp"
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/data_dir.hpp"
@@ -82,7 +83,7 @@ std::vector<StageLimits> stage_limits(const PlannedRobot& planned, const timing:
 
 /// A line that only hears: without anybody who sends there is nothing to measure.
 std::string needs_of(const Bus& bus) {
-  return bus.kind == BusKind::uart || bus.kind == BusKind::rs485 ? "traffic at " + bus.port : std::string();
+  return bus_type(bus.kind).port_class == PortClass::uart ? "traffic at " + bus.port : std::string();
 }
 
 /// Adds what is charged for one run of a routine of the bus, and its lines; nothing where it has no interrupts.
