@@ -10,8 +10,6 @@ using namespace finemote::emulator;
 
 namespace {
 
-bool is_among(Opcode kind, Opcode first, Opcode last) { return kind >= first && kind <= last; }
-
 bool stores(const Operation& o) {
   return is_among(o.kind, Opcode::str_imm, Opcode::strh_imm) || is_among(o.kind, Opcode::str_reg, Opcode::strh_reg) ||
          o.kind == Opcode::stm || o.kind == Opcode::strd || o.kind == Opcode::strex || o.kind == Opcode::vstr ||
