@@ -20,6 +20,7 @@ std::optional<ImageFacts> built_image(const Robot& robot, Output generated, cons
   request.board = robot.board->name;
   request.for_host = robot.board->is_host();
   request.trace = false;
+  request.code_in_sram = runs_code_in_sram(robot);
   request.include_dirs = user_include_dirs(robot);
   request.sources = user_sources(request.include_dirs);
   const Project project = make_project(request, std::move(generated), robot, false);
@@ -35,7 +36,10 @@ void add_image(const ImageFacts& image, Facts& facts) {
 
 Json json_of(const std::optional<ImageFacts>& image) {
   if (!image) return nullptr;
-  return {{"flash", image->flash}, {"ram", image->ram}, {"stack", image->stack ? Json(*image->stack) : Json(nullptr)}};
+  return {{"flash", image->flash},
+          {"ram", image->ram},
+          {"code_ram", image->code_ram},
+          {"stack", image->stack ? Json(*image->stack) : Json(nullptr)}};
 }
 
 }  // namespace finemote::gen

@@ -31,6 +31,7 @@ FirmwareRequest request_of(const PlannedRobot& planned, const std::string& folde
   request.data_dir = data_dir;
   request.board = planned.robot.board->name;
   request.trace = false;
+  request.code_in_sram = runs_code_in_sram(planned.robot);
   request.include_dirs = user_include_dirs(planned.robot);
   request.sources = user_sources(request.include_dirs);
   return request;

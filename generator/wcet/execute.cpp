@@ -290,10 +290,6 @@ void store(const Transferred& word, const Surroundings& surroundings, Machine& m
     note(word.access, value, *surroundings.stores);
 }
 
-/// It succeeds where no exception comes between it and the load before (ARMv7-M A3.4.1): a repetition is part of what
-/// a preemption costs.
-bool is_exclusive_store(unsigned id) { return id == ARM_INS_STREX || id == ARM_INS_STREXB || id == ARM_INS_STREXH; }
-
 void access_memory(const Instruction& i, const MemoryUse& use, const Surroundings& surroundings, Machine& machine) {
   const bool is_signed = use.kind == MemoryUse::Kind::load_signed;
   std::vector<std::pair<int, Value>> loads;
@@ -305,6 +301,8 @@ void access_memory(const Instruction& i, const MemoryUse& use, const Surrounding
   }
   if (use.base) machine.set(use.base->first, use.base->second);
   for (const auto& [reg, value] : loads) machine.set(reg, value);
+  // It succeeds where no exception comes between it and the load before (ARMv7-M A3.4.1): a repetition is part of what
+  // a preemption costs.
   if (is_exclusive_store(i.id)) machine.set(i.operands[0].reg, Value::of(0));
 }
 

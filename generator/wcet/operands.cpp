@@ -67,8 +67,6 @@ Form form_of(unsigned id) {
 
 bool is_double(int reg) { return reg >= ARM_REG_D0 && reg <= ARM_REG_D31; }
 
-bool is_exclusive_store(unsigned id) { return id == ARM_INS_STREX || id == ARM_INS_STREXB || id == ARM_INS_STREXH; }
-
 void append(MemoryUse& use, Value address, std::uint32_t size, int reg) {
   const std::uint32_t words = is_double(reg) ? 2 : 1;
   for (std::uint32_t word = 0; word < words; ++word)
@@ -125,6 +123,8 @@ MemoryUse block_use(const Instruction& i, Kind kind, bool is_downwards, const Ma
 }
 
 }  // namespace
+
+bool is_exclusive_store(unsigned id) { return id == ARM_INS_STREX || id == ARM_INS_STREXB || id == ARM_INS_STREXH; }
 
 Value operand(const Instruction& instruction, std::size_t i, const Machine& machine) {
   if (i >= instruction.operands.size()) return Value::in(Interval::any(), true);

@@ -9,11 +9,11 @@
 namespace finemote::gen::wcet {
 namespace {
 
-using Kind = Transfer::Kind;
+using TransferKind = Transfer::Kind;
 
 bool goes_elsewhere(const Instruction& i) {
-  const Kind kind = transfer_of(i).kind;
-  return kind != Kind::next && kind != Kind::call && kind != Kind::indirect;
+  const TransferKind kind = transfer_of(i).kind;
+  return kind != TransferKind::next && kind != TransferKind::call && kind != TransferKind::indirect;
 }
 
 class Stepping {
@@ -84,10 +84,10 @@ class Stepping {
   void finish(const Instruction& last) {
     const Transfer transfer = transfer_of(last);
     switch (transfer.kind) {
-      case Kind::next:
+      case TransferKind::next:
         return block_.call ? call(machine_, cost_.fall(last)) : edges(cost_.fall(last));
-      case Kind::call:
-      case Kind::indirect:
+      case TransferKind::call:
+      case TransferKind::indirect:
         return call_by(last);
       default:
         return transfer.may_fall_through ? branch(last) : jump(last);
@@ -153,9 +153,9 @@ class Stepping {
 
   /// Where the last instruction leads when its condition holds.
   void take(const Instruction& last, Machine machine) {
-    const Kind kind = transfer_of(last).kind;
-    if (kind == Kind::stop) return;
-    if (kind == Kind::leave) {
+    const TransferKind kind = transfer_of(last).kind;
+    if (kind == TransferKind::stop) return;
+    if (kind == TransferKind::leave) {
       execute(last, surroundings_, machine);
       step_.ways.push_back({Way::Kind::leave, 0, std::move(machine)});
       return;

@@ -201,9 +201,9 @@ TEST_CASE("registers and bits nobody models") {
          {"trigger of a timer", "adc3 trigger", bits(kAdc + 0x208, 1U << 28 | 1, 1)},
          {"event", "exti EMR bits", bits(kExti + 4, 1, 0)},
          {"internal line", "exti line bits", bits(kExti, 1U << 17, 0xFFFF)},
-         {"memory remapped", "syscfg register bits", [](Bench& b, bool wrong) {
+         {"system memory at 0", "syscfg MEMRMP", [](Bench& b, bool wrong) {
             clocks_on(b);
-            b.write(kSyscfg + (wrong ? 0 : 8), 3);
+            b.write(kSyscfg, wrong ? 1 : 3);
           }}});
 }
 

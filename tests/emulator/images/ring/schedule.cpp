@@ -29,10 +29,20 @@ void look(std::uint32_t& last) {
   last = count;
 }
 
+/// Some tens of cycles, other ones each time: looks that keep step with the bytes would see some instants never.
+void pause() {
+  static std::uint32_t random = 1;
+  random = random * 1'664'525 + 1'013'904'223;
+  for (std::uint32_t turns = random >> 28U; turns != 0; --turns) asm volatile("");
+}
+
 void run_1ms() {
   static std::uint32_t last = 0;
   const finemote::Time end = finemote::now() + kLook;
-  while (finemote::now() < end) look(last);
+  while (finemote::now() < end) {
+    look(last);
+    pause();
+  }
 }
 
 void start_buses() { port().start(921'600, finemote::UartFormat::k8N1, ring); }
