@@ -93,6 +93,18 @@ void StackWords::join(const StackWords& other) {
   words_ = std::move(both);
 }
 
+void StackWords::widen(const StackWords& other) {
+  std::vector<Word> before = std::move(words_);
+  words_.clear();
+  for (Word& word : before) {
+    const Word* its = other.find(word.address, word.size);
+    const bool is_kept = its != nullptr && holds(word.value, its->value);
+    has_forgotten_address_ |= !is_kept && (word.value.is_of_stack || (its != nullptr && its->value.is_of_stack));
+    if (is_kept) words_.push_back(word);
+  }
+  has_forgotten_address_ |= other.has_forgotten_address_;
+}
+
 bool StackWords::covers(const StackWords& other) const {
   if (other.has_forgotten_address_ && !has_forgotten_address_) return false;
   return std::all_of(words_.begin(), words_.end(), [&](const Word& word) {
@@ -178,6 +190,17 @@ void Machine::join(const Machine& other) {
   for (std::size_t i = 0; i < kRegisters; ++i) registers_[i] = joined(registers_[i], other.registers_[i]);
   if (!(flags_ == other.flags_)) flags_.reset();
   stack_.join(other.stack_);
+  has_escaped_ |= other.has_escaped_;
+}
+
+void Machine::widen(const Machine& other) {
+  for (std::size_t i = 0; i < kRegisters; ++i) {
+    const Value its = other.registers_[i];
+    if (!holds(registers_[i], its))
+      registers_[i] = Value::in(Interval::any(), registers_[i].is_of_stack || its.is_of_stack);
+  }
+  flags_.reset();
+  stack_.widen(other.stack_);
   has_escaped_ |= other.has_escaped_;
 }
 

@@ -53,6 +53,8 @@ class StackWords {
   [[nodiscard]] Value load(const Access& access) const;
   /// Keeps what both know.
   void join(const StackWords& other);
+  /// Makes unknown what `other` has otherwise.
+  void widen(const StackWords& other);
   [[nodiscard]] bool covers(const StackWords& other) const;
   /// The base of words lies in `range`.
   void narrow_base(std::uint32_t base, Interval range);
@@ -96,6 +98,8 @@ class Machine {
 
   /// Becomes what holds for both.
   void join(const Machine& other);
+  /// Forgets what `other` has otherwise: what changes from round to round of a loop.
+  void widen(const Machine& other);
   /// Whatever holds here holds there: nothing new would come of going on from `other`.
   [[nodiscard]] bool covers(const Machine& other) const;
 

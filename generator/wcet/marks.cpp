@@ -1,5 +1,7 @@
 #include "generator/wcet/marks.hpp"
 
+#include <capstone/capstone.h>
+
 #include <algorithm>
 #include <set>
 #include <string_view>
@@ -14,6 +16,21 @@ std::uint32_t word_at(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
   for (std::size_t i = 4; i-- > 0;) value = value << 8U | static_cast<std::uint8_t>(bytes[at + i]);
   return value;
+}
+
+/// Of the name that the assembler knows a register by, as the four bytes of a record.
+int register_named(std::uint32_t name) {
+  constexpr struct {
+    const char* name;
+    int reg;
+  } kOthers[] = {{"sl", ARM_REG_R10},  {"fp", ARM_REG_R11},  {"ip", ARM_REG_R12}, {"lr", ARM_REG_LR},
+                 {"r10", ARM_REG_R10}, {"r11", ARM_REG_R11}, {"r12", ARM_REG_R12}};
+  const char text[] = {static_cast<char>(name), static_cast<char>(name >> 8U), static_cast<char>(name >> 16U), 0};
+  for (const auto& other : kOthers) {
+    if (std::string_view(text) == other.name) return other.reg;
+  }
+  const bool is_low = text[0] == 'r' && text[1] >= '0' && text[1] <= '9' && text[2] == 0;
+  return is_low ? ARM_REG_R0 + (text[1] - '0') : static_cast<int>(ARM_REG_INVALID);
 }
 
 template <class Take>
@@ -33,6 +50,7 @@ std::vector<std::uint32_t> Marks::addresses() const {
   std::set<std::uint32_t> all;
   for (const auto& [address, number] : brackets) all.insert(address);
   for (const auto& [address, bound] : loop_bounds) all.insert(address);
+  for (const auto& [address, reg] : waits) all.insert(address);
   return {all.begin(), all.end()};
 }
 
@@ -45,6 +63,8 @@ Marks read_marks(const Image& image) {
     const auto [known, is_new] = marks.loop_bounds.try_emplace(address, bound);
     if (!is_new) known->second = std::min(known->second, bound);  // both are true
   });
+  read_section(image, ".debug_finemote_waits",
+               [&](std::uint32_t address, std::uint32_t name) { marks.waits.emplace(address, register_named(name)); });
   return marks;
 }
 

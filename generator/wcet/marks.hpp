@@ -15,11 +15,15 @@ struct Marks {
   /// By address: how often the place is passed at most in the innermost loop around it, per entry of the loop.
   std::map<std::uint32_t, std::uint32_t> loop_bounds;
 
+  /// By address in a loop: the register that holds how many cycles it waits at most.
+  std::map<std::uint32_t, int> waits;
+
   /// All of them, in order.
   [[nodiscard]] std::vector<std::uint32_t> addresses() const;
 };
 
-/// Of sections `.debug_finemote` and `.debug_finemote_loops`. Records of code that the linker left out are none.
+/// Of sections `.debug_finemote`, `.debug_finemote_loops` and `.debug_finemote_waits`. Records of code that the linker
+/// left out are none.
 Marks read_marks(const Image& image);
 
 }  // namespace finemote::gen::wcet

@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t kMostNodes = 1'000'000;
 constexpr std::uint64_t kMostRounds = 10'000;
 constexpr std::size_t kDeepestCalls = 64;
+/// A tenth of a second: longer ones are none of a routine that has a period.
+constexpr Cycles kLongestWait = 16'800'000;
 
 /// What comes to a place, by all ways that lead there.
 struct Arrival {
@@ -32,9 +34,51 @@ void arrive(std::optional<Arrival>& there, Machine machine, const std::vector<Un
   there->from.insert(there->from.end(), from.begin(), from.end());
 }
 
+using Arrivals = std::map<std::uint32_t, std::optional<Arrival>>;  // by block
+
+/// One call of a function.
+struct Frame {
+  const ProgramFunction& function;
+  const LoopNest& nest;
+  Arrivals arrivals;
+  std::optional<Arrival> end;
+  std::map<std::uint32_t, std::uint32_t> passes;  // of marks, in the loop around each
+  bool is_cut_by_mark = false;
+};
+
+/// What the marks of waits say while a loop is gone through.
+class Waits {
+ public:
+  explicit Waits(const Marks& marks) : marks_(marks) {}
+
+  void note(std::uint32_t block, const Machine& machine) {
+    const auto wait = marks_.waits.find(block);
+    if (wait == marks_.waits.end()) return;
+    Cycles& limit = limits_[block];
+    limit = std::max(limit, static_cast<Cycles>(machine.get(wait->second).range().high));
+  }
+
+  void forget(const Loop& loop) {
+    for (const std::uint32_t block : loop.blocks) limits_.erase(block);
+  }
+
+  /// The shortest of its marks: each is true.
+  [[nodiscard]] Cycles limit_of(const Loop& loop) const {
+    Cycles limit = kLongestWait + 1;
+    for (const auto& [block, cycles] : limits_) {
+      if (loop.blocks.count(block) != 0) limit = std::min(limit, cycles);
+    }
+    return limit;
+  }
+
+ private:
+  const Marks& marks_;
+  std::map<std::uint32_t, Cycles> limits_;  // by block of the mark
+};
+
 class Walker {
  public:
-  explicit Walker(const ImageFactsForWalk& facts) : facts_(facts) {}
+  explicit Walker(const ImageFactsForWalk& facts) : facts_(facts), waits_(facts.marks) {}
 
   Walked result(std::uint32_t entry) {
     Machine machine;
@@ -50,18 +94,6 @@ class Walker {
   }
 
  private:
-  using Arrivals = std::map<std::uint32_t, std::optional<Arrival>>;  // by block
-
-  /// One call of a function.
-  struct Frame {
-    const ProgramFunction& function;
-    const LoopNest& nest;
-    Arrivals arrivals;
-    std::optional<Arrival> end;
-    std::map<std::uint32_t, std::uint32_t> passes;  // of marks, in the loop around each
-    bool is_cut_by_mark = false;
-  };
-
   void fail(std::uint32_t address, const ProgramFunction* function, std::string why) {
     walked_.problems.try_emplace(address, WalkProblem{address, function, std::move(why)});
   }
@@ -108,6 +140,7 @@ class Walker {
 
   /// A loop, round by round, until nothing comes back to its header.
   void turn(Frame& frame, std::size_t index) {
+    if (is_wait(frame, index)) return wait(frame, index);
     const Loop& loop = frame.nest.loops()[index];
     auto& header = frame.arrivals[loop.header];
     for (const std::uint32_t block : loop.blocks) frame.passes.erase(block);
@@ -127,6 +160,48 @@ class Walker {
       }
     }
     note(frame, loop, rounds);
+  }
+
+  [[nodiscard]] bool is_wait(const Frame& frame, std::size_t index) const {
+    const auto& blocks = frame.nest.loops()[index].blocks;
+    return std::any_of(blocks.begin(), blocks.end(), [&](std::uint32_t block) {
+      return facts_.marks.waits.count(block) != 0 && frame.nest.around(block) == index;
+    });
+  }
+
+  /// A loop that ends when the time is over: that long; then the rest of the round that was under way, and the one that
+  /// sees it, both from whatever state it has come to.
+  void wait(Frame& frame, std::size_t index) {
+    const Loop& loop = frame.nest.loops()[index];
+    Arrival arrival = std::move(*frame.arrivals[loop.header]);
+    waits_.forget(loop);
+    while (!settle(frame, index, arrival.machine)) {}
+    const Cycles limit = waits_.limit_of(loop);
+    if (limit > kLongestWait) return fail(loop.header, &frame.function, "a wait whose limit is not known");
+    const std::size_t node = walked_.graph.nodes.size();
+    walked_.graph.nodes.push_back({&frame.function, loop.header, limit, std::move(arrival.from)});
+    frame.arrivals[loop.header] = Arrival{std::move(arrival.machine), {{node, 0}}};
+    for (int round = 0; round < 2 && frame.arrivals[loop.header]; ++round) go_through(frame, index);
+    frame.arrivals[loop.header].reset();
+  }
+
+  /// Tries a round and widens `machine` by what it comes back with, without a trace of it. True where nothing is new.
+  bool settle(Frame& frame, std::size_t index, Machine& machine) {
+    const std::uint32_t header = frame.nest.loops()[index].header;
+    const std::size_t nodes = walked_.graph.nodes.size();
+    const Arrivals arrivals = frame.arrivals;
+    const std::optional<Arrival> end = frame.end;
+    const auto passes = frame.passes;
+    frame.arrivals[header] = Arrival{machine, {}};
+    go_through(frame, index);
+    const std::optional<Arrival> back = std::move(frame.arrivals[header]);
+    frame.arrivals = arrivals;
+    frame.end = end;
+    frame.passes = passes;
+    walked_.graph.nodes.resize(nodes);
+    if (!back || machine.covers(back->machine)) return true;
+    machine.widen(back->machine);
+    return false;
   }
 
   static std::uint64_t marks_passed(const Frame& frame, const Loop& loop) {
@@ -157,6 +232,7 @@ class Walker {
     frame.arrivals[block].reset();
     if (!pass_mark(frame, block)) return;
     arrival.machine.name_unknowns(unknowns_);
+    waits_.note(block, arrival.machine);
     const BasicBlock& code = frame.function.graph.blocks.at(block);
     Step step = wcet::step(frame.function, code, {facts_.constants, unknowns_, facts_.stores}, facts_.cost,
                            std::move(arrival.machine));
@@ -189,7 +265,8 @@ class Walker {
   Unknowns unknowns_;
   Walked walked_;
   std::map<std::uint32_t, std::unique_ptr<LoopNest>> nests_;  // by function
-  std::vector<const ProgramFunction*> open_;                  // the chain of calls
+  Waits waits_;
+  std::vector<const ProgramFunction*> open_;  // the chain of calls
 };
 
 }  // namespace

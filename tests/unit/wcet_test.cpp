@@ -416,6 +416,50 @@ TEST_CASE("a byte bounds a loop, and a smaller limit bounds it tighter") {
   CHECK(bound_of({0x7808, 0x2807, 0xD802, 0x3001, 0x3801, 0xD1FD, kReturn}).rounds == 7);
 }
 
+namespace {
+
+/// A wait for a word to become 0, whose limit is in r2: ldr r0, [r1]; cmp r0, #0; bne -3; bx lr.
+Bound bound_of_wait(std::vector<std::uint16_t> before, const std::vector<std::uint16_t>& behind = {kReturn}) {
+  Marks marks;
+  marks.waits.emplace(kBase + static_cast<Word>(2 * before.size()), ARM_REG_R2);
+  before.insert(before.end(), {0x6808, 0x2800, 0xD1FC});
+  before.insert(before.end(), behind.begin(), behind.end());
+  return bound_of(before, marks);
+}
+
+}  // namespace
+
+TEST_CASE("a wait lasts as long as its mark says, and two rounds") {
+  const Bound bound = bound_of_wait({0x2264});  // movs r2, #100
+  CHECK(bound.problem.empty());
+  // 1; 100; twice the word from anywhere, 3 and 11, 1 and 1; one branch taken, 3; the return: 1
+  CHECK(bound.cycles == 1 + 100 + 2 * (3 + 11 + 1 + 1) + 3 + 1);
+}
+
+TEST_CASE("a wait whose limit nobody knows has no bound") {
+  CHECK(bound_of_wait({}).problem == "a wait whose limit is not known");
+}
+
+TEST_CASE("the largest limit that a wait can be given counts") {
+  // movs r2, #100; ldrb r3, [r1]; cbz r3, +1; movs r2, #200
+  const auto longest = bound_of_wait({0x2264, 0x780B, 0xB103, 0x22C8}).cycles;
+  const auto shortest = bound_of_wait({0x2264, 0x780B, 0xB103, 0x2264}).cycles;
+  REQUIRE((longest && shortest));
+  CHECK(*longest - *shortest == 100);
+}
+
+TEST_CASE("what a wait changes from round to round is not known behind it") {
+  // movs r2, #100; movs r3, #5; and in each round: adds r3, #1
+  const std::vector<std::uint16_t> before{0x2264, 0x2305};
+  const std::vector<std::uint16_t> count_down{0x3B01, 0xD1FD, kReturn};  // subs r3, #1; bne -2; bx lr
+  CHECK(bound_of_wait(before, count_down).rounds == 4);
+  Marks marks;
+  marks.waits.emplace(kBase + 4, ARM_REG_R2);
+  // ldr r0, [r1]; adds r3, #1; cmp r0, #0; bne -4; then count down
+  const Bound bound = bound_of({0x2264, 0x2305, 0x6808, 0x3301, 0x2800, 0xD1FB, 0x3B01, 0xD1FD, kReturn}, marks);
+  CHECK(bound.problem == "a loop whose rounds are not known: bound it with loop_bound<n>()");
+}
+
 TEST_CASE("a mark bounds a loop, and each more pass costs more") {
   const std::vector<std::uint16_t> code{0x3801, 0xD1FD, kReturn};
   Marks marks;

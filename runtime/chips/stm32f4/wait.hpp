@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "finemote/loop_bound.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
 #include "runtime/chips/stm32f4/registers/register.hpp"
 
@@ -26,6 +27,7 @@ namespace finemote::stm32f4 {
                                       std::uint32_t begin, std::uint32_t limit) {
   constexpr std::uint32_t kTurn = 8;  // cycles, at least: two loads, of which one over a peripheral bus, and a branch
   for (std::uint32_t turns = limit / kTurn;; --turns) {
+    leaves_after(limit);
     if ((status.read() & mask) == value) return true;
     if (turns == 0 || cortex_m4::cycles() - begin >= limit) return false;
   }

@@ -32,4 +32,14 @@ template <std::uint32_t passes>
 /// what an interruption costs.
 [[gnu::always_inline]] inline void retried_if_interrupted() { detail::tell_loop<detail::kUnlessInterrupted | 1U>(); }
 
+/// This place is in the body of a loop that is left in the round after the cycle count has gone on by `cycles` from
+/// when the loop was entered, or before. It puts the number into a register.
+[[gnu::always_inline]] inline void leaves_after([[maybe_unused]] std::uint32_t cycles) {
+#ifdef __arm__
+  asm volatile(
+      "0: .pushsection .debug_finemote_waits,\"\",%%progbits\n\t.word 0b\n\t.asciz \"%0\"\n\t.balign 8\n\t"
+      ".popsection" ::"r"(cycles));
+#endif
+}
+
 }  // namespace finemote

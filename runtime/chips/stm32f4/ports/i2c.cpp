@@ -5,6 +5,7 @@
 // a transfer are closer than the nine bits of a byte.
 #include "finemote/i2c.hpp"
 #include "finemote/fault.hpp"
+#include "finemote/loop_bound.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
 #include "runtime/chips/stm32f4/clock.hpp"
 #include "runtime/chips/stm32f4/interrupt.hpp"
@@ -60,12 +61,15 @@ std::uint32_t stop_limit(const BitTiming& timing) {
 
 /// Half a bit of the recovery clock: 100 kHz.
 constexpr std::uint32_t kHalfBit = 5 * kCyclesPerUs;
+/// A byte and its acknowledge: UM10204 3.1.16.
+constexpr unsigned kMostClocks = 9;
 
 /// Ends also when the count stands still, and never early: a turn takes five cycles or more.
 void wait_cycles(std::uint32_t count) {
   constexpr std::uint32_t kTurn = 4;
   const std::uint32_t from = cortex_m4::cycles();
-  for (std::uint32_t turns = count / kTurn; turns != 0 && cortex_m4::cycles() - from < count; --turns) {}
+  for (std::uint32_t turns = count / kTurn; turns != 0 && cortex_m4::cycles() - from < count; --turns)
+    leaves_after(count);
 }
 
 void set_clock(const stm32f4::I2cRegisters& registers, const BitTiming& timing) {
@@ -126,9 +130,8 @@ I2cPort::Recovery I2cPort::recover(unsigned step) {
     stm32f4::configure(sda, by_hand);
     wait_cycles(kHalfBit);
   }
-  // Nine clocks at most, two per step: 20 us.
-  const unsigned clocks = step < 4 ? 2 : (step == 4 ? 1 : 0);
-  for (unsigned i = 0; i < clocks && !sda.is_high(); ++i) {
+  // Two per step: 20 us.
+  for (unsigned i = 0; i < 2 && 2 * step + i < kMostClocks && !sda.is_high(); ++i) {
     scl.set(false);
     wait_cycles(kHalfBit);
     scl.set(true);
