@@ -153,6 +153,8 @@ void Machine::narrow(int reg, std::uint32_t base, Interval range) {
     value.distance = range;
   } else if (base == 0 && value.distance.is_constant()) {
     narrow_base({value.base, value.distance.low}, range);
+  } else if (base == 0 && !(range == value.range())) {
+    value = Value::in(range, value.is_of_stack);  // better than a range of distances
   }
 }
 

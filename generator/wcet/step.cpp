@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/image/transfer.hpp"
 #include "generator/wcet/execute.hpp"
 #include "generator/wcet/operands.hpp"
@@ -28,7 +30,7 @@ class Stepping {
       last = function_.body.at(address);
       if (last == nullptr) return fail(address, "no instruction");
       if (last->end() == block_.end && goes_elsewhere(*last)) break;
-      pass(*last);
+      last = pass(*last);
       if (step_.problem) return std::move(step_);
       if (last->end() < block_.end) step_.cost += cost_.fall(*last);
     }
@@ -49,35 +51,66 @@ class Stepping {
     return cycles.value_or(0);
   }
 
-  /// An instruction behind which the next follows.
-  void pass(const Instruction& i) {
-    if (!i.is_conditional() || i.id == ARM_INS_IT) {
-      step_.cost += time(i, machine_);
-      return execute(i, surroundings_, machine_);
-    }
-    Machine runs = machine_, skips = machine_;
-    const bool may_run = runs.assume(i.condition), may_skip = skips.assume(opposite(i.condition));
-    Cycles cycles = may_skip ? cost_.skip(i) : 0;
-    if (may_run) cycles = std::max(cycles, time(i, runs));
-    step_.cost += cycles;
-    if (may_run) execute(i, surroundings_, runs);
-    if (may_run && may_skip)
-      machine_ = either(i, std::move(runs), skips);
-    else
-      machine_ = may_run ? std::move(runs) : std::move(skips);
+  /// An instruction behind which the next follows, or all of an IT block; the last one.
+  const Instruction* pass(const Instruction& i) {
+    if (i.is_conditional() && i.id != ARM_INS_IT) return pass_either(i);
+    step_.cost += time(i, machine_);
+    execute(i, surroundings_, machine_);
+    return &i;
   }
 
-  /// After an instruction that may have run: later ones in the IT block still ask for the same comparison.
-  Machine either(const Instruction& i, Machine runs, const Machine& skips) const {
-    std::optional<Comparison> flags = i.sets_flags ? std::nullopt : machine_.flags();
-    runs.join(skips);
-    if (flags) {
-      for (int* reg : {&flags->left, &flags->right, &flags->result}) {
-        if (may_write(i, *reg)) *reg = ARM_REG_INVALID;
-      }
-      runs.set_flags(flags);
+  /// What one of the two conditions of an IT block leads to.
+  struct Side {
+    Machine machine;
+    bool is_possible;
+    Cycles cycles = 0;
+  };
+
+  /// Instructions of an IT block run on one side or on the other, and what one side does holds there for the next.
+  const Instruction* pass_either(const Instruction& first) {
+    Side yes{machine_, true}, no{machine_, true};
+    yes.is_possible = yes.machine.assume(first.condition);
+    no.is_possible = no.machine.assume(opposite(first.condition));
+    std::optional<Comparison> flags = machine_.flags();
+    const Instruction* last = &first;
+    for (const Instruction* i = &first; i != nullptr; i = next_in_block(*i, first.condition)) {
+      if (i != &first) step_.cost += cost_.fall(*last);
+      const bool is_yes = i->condition == first.condition;
+      run(*i, is_yes ? yes : no);
+      (is_yes ? no : yes).cycles += cost_.skip(*i);
+      forget_written(*i, flags);
+      last = i;
     }
-    return runs;
+    step_.cost += std::max(yes.is_possible ? yes.cycles : 0, no.is_possible ? no.cycles : 0);
+    machine_ = std::move(yes.is_possible ? yes.machine : no.machine);
+    if (!yes.is_possible || !no.is_possible) return last;
+    machine_.join(no.machine);
+    if (flags) machine_.set_flags(flags);
+    return last;
+  }
+
+  void run(const Instruction& i, Side& side) {
+    if (!side.is_possible) return;
+    side.cycles += time(i, side.machine);
+    execute(i, surroundings_, side.machine);
+  }
+
+  /// Another one under the same condition or its opposite; none where the flags are others.
+  const Instruction* next_in_block(const Instruction& i, arm_cc condition) const {
+    if (i.sets_flags || i.end() >= block_.end) return nullptr;
+    const Instruction* next = function_.body.at(i.end());
+    if (next == nullptr || next->id == ARM_INS_IT || !next->is_conditional()) return nullptr;
+    if (next->end() == block_.end && goes_elsewhere(*next)) return nullptr;
+    return next->condition == condition || next->condition == opposite(condition) ? next : nullptr;
+  }
+
+  /// What is behind the block may still ask for the same comparison, but not for registers that were written since.
+  static void forget_written(const Instruction& i, std::optional<Comparison>& flags) {
+    if (i.sets_flags) flags.reset();
+    if (!flags) return;
+    for (int* reg : {&flags->left, &flags->right, &flags->result}) {
+      if (may_write(i, *reg)) *reg = ARM_REG_INVALID;
+    }
   }
 
   /// The end of the block: the ways from here.

@@ -153,8 +153,10 @@ class Walker {
       if (!header) break;
       const bool is_same =
           before.covers(header->machine) && header->machine.covers(before) && marks_passed(frame, loop) == passed;
-      if (is_same || rounds == kMostRounds || walked_.graph.nodes.size() > kMostNodes) {
+      const bool is_endless = is_same || rounds == kMostRounds;
+      if (is_endless)
         fail(loop.header, &frame.function, "a loop whose rounds are not known: bound it with loop_bound<n>()");
+      if (is_endless || walked_.graph.nodes.size() > kMostNodes) {
         header.reset();
         break;
       }

@@ -460,6 +460,20 @@ TEST_CASE("what a wait changes from round to round is not known behind it") {
   CHECK(bound.problem == "a loop whose rounds are not known: bound it with loop_bound<n>()");
 }
 
+TEST_CASE("the two sides of an IT block are told apart to its end") {
+  // ldrb r3, [r1]; cmp r3, #24; ite ls; rsbls r3, r3, #25; movhi r3, #0; cbz r3, out; subs r3, #1; bne -2; out: bx lr
+  const std::vector<std::uint16_t> code{0x780B, 0x2B18, 0xBF94, 0xF1C3, 0x0319,
+                                        0x2300, 0xB10B, 0x3B01, 0xD1FD, kReturn};
+  CHECK(bound_of(code).rounds == 24);
+}
+
+TEST_CASE("a sum of two ranges is a range, from round to round") {
+  // ldrb r3, [r1]; ldrb r4, [r1]; adds r2, r3, r4; movs r0, #0; cmp r0, r2; beq out; adds r0, #1; b -6; out: bx lr
+  const Bound bound = bound_of({0x780B, 0x780C, 0x191A, 0x2000, 0x4290, 0xD001, 0x3001, 0xE7FB, kReturn});
+  CHECK(bound.problem.empty());
+  CHECK(bound.rounds == 255 + 255);
+}
+
 TEST_CASE("a mark bounds a loop, and each more pass costs more") {
   const std::vector<std::uint16_t> code{0x3801, 0xD1FD, kReturn};
   Marks marks;
