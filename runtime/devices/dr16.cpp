@@ -1,7 +1,5 @@
 #include "finemote/devices/dr16.hpp"
 
-#include <cstring>
-
 namespace finemote {
 
 namespace {
@@ -33,32 +31,31 @@ std::int16_t word_at(const std::uint8_t* bytes) { return static_cast<std::int16_
 }  // namespace
 
 void Dr16::update() {
-  // The first one may have less room than a frame; the last one returns less than it may.
-  std::size_t size = 0, room = 0;
-  for (std::size_t left = uart_->full_reads(kFrame) + 2; size == room && left != 0; --left) {
-    if (size_ == sizeof bytes_) {  // the oldest frame makes room
-      size_ -= kFrame;
-      std::memmove(bytes_, bytes_ + kFrame, size_);
-    }
-    room = sizeof bytes_ - size_;
-    size = uart_->read(bytes_ + size_, room);
-    size_ += size;
+  std::size_t size = Uart::kChunk;
+  for (std::size_t left = uart_->full_reads(Uart::kChunk) + 1; size == Uart::kChunk && left != 0; --left) {
+    size = uart_->read(recent_.room(), Uart::kChunk);
+    const std::size_t all = size_ + size;
+    size_ = static_cast<std::uint16_t>(all < kFrame ? all : kFrame + all % kFrame);
+    const std::size_t kept = size_ < kFrame ? size_ : kFrame;
+    recent_.keep(recent_.room() + size - kept, size);
   }
-  if (size_ != 0 && uart_->idle()) {
-    const std::uint32_t errors = uart_->counters().errors;
-    RemoteState decoded;
-    const bool whole = size_ % kFrame == 0 && errors == line_errors_;
-    if (whole && decode(bytes_ + size_ - kFrame, decoded)) {
-      decoded.origin = uart_->arrival() - uart_->wire_time(kFrame);
-      decoded.valid = true;
-      state = decoded;
-    } else {
-      ++bad_frames_;
-    }
-    line_errors_ = errors;
-    size_ = 0;
-  }
+  if (size_ != 0 && uart_->idle()) end_message();
   if (!is_fresh(state, now(), kMaxAge)) state.valid = false;
+}
+
+void Dr16::end_message() {
+  const std::uint32_t errors = uart_->counters().errors;
+  RemoteState decoded;
+  const bool whole = size_ % kFrame == 0 && errors == line_errors_;
+  if (whole && decode(recent_.room() - kFrame, decoded)) {
+    decoded.origin = uart_->arrival() - uart_->wire_time(kFrame);
+    decoded.valid = true;
+    state = decoded;
+  } else {
+    ++bad_frames_;
+  }
+  line_errors_ = errors;
+  size_ = 0;
 }
 
 bool Dr16::decode(const std::uint8_t* frame, RemoteState& out) const {

@@ -89,7 +89,12 @@ void FinsRov::take_depth(float depth, Time origin) {
 void FinsRov::take_orders(Time at) {
   if (!orders_.receive(*host_)) return;
   FinsRovOrder order;
-  while (orders_.next(order)) obey(order, at);
+  bool is_asked = false;
+  for (unsigned left = FinsRovHost::kMostOrders; left != 0 && orders_.next(order); --left) {
+    obey(order, at);
+    is_asked = is_asked || order.verb == FinsRovOrder::Verb::kValues;
+  }
+  if (is_asked) report_pressures();  // once: the line takes one block at a time
 }
 
 void FinsRov::obey(const FinsRovOrder& order, Time at) {
@@ -142,7 +147,6 @@ void FinsRov::obey(const FinsRovOrder& order, Time at) {
     case Verb::kCalibrate:
       return set_surface(at);
     case Verb::kValues:
-      return report_pressures();
     case Verb::kServos:
     case Verb::kNothing:
       return;

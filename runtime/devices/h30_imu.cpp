@@ -7,9 +7,6 @@ namespace {
 constexpr std::uint8_t kHead0 = 0x59, kHead1 = 0x53;
 constexpr std::size_t kHeads = 2, kNumberAt = 2, kLengthAt = 4;
 
-/// Frames with a wrong sum whose bytes are looked at once more, in one update().
-constexpr unsigned kMostBad = 3;
-
 // Record types and what they must hold.
 constexpr std::uint8_t kAcceleration = 0x10, kRates = 0x20, kAngles = 0x40;
 constexpr std::size_t kVector = 12;
@@ -51,13 +48,11 @@ bool angles_at(const std::uint8_t* bytes, ImuState& out) {
 }  // namespace
 
 void H30Imu::update() {
-  std::uint8_t bytes[64];
   const std::uint32_t before = frames_;
-  bad_now_ = 0;
-  std::size_t size = sizeof bytes;
-  for (std::size_t left = uart_->full_reads(sizeof bytes) + 1; size == sizeof bytes && left != 0; --left) {
-    size = uart_->read(bytes, sizeof bytes);
-    take(bytes, size);
+  std::size_t size = Uart::kChunk;
+  for (std::size_t left = uart_->full_reads(Uart::kChunk) + 1; size == Uart::kChunk && left != 0; --left) {
+    size = uart_->read(recent_.room(), Uart::kChunk);
+    recent_.keep(look(size), size);
   }
   if (frames_ != before) turn_state();
   if (!is_fresh(state, now(), kMaxAge)) state.valid = false;
@@ -75,91 +70,94 @@ void H30Imu::turn_state() {
   state.yaw = body.yaw();
 }
 
-void H30Imu::take(const std::uint8_t* bytes, std::size_t size) {
-  for (std::size_t i = 0; i < size;) {
-    if (frame_.size() < kHeads) {
-      frame_.begin(bytes[i++], kHead0, kHead1);
-    } else {
-      const std::size_t missing = needed_ - frame_.size(), count = size - i < missing ? size - i : missing;
-      frame_.append(bytes + i, count);
-      i += count;
+H30Imu::Heads::Heads(const std::uint8_t* bytes, std::size_t size) {
+  for (std::size_t& place : at) place = kMostBytes;
+  for (std::size_t i = 0; i < size; ++i) {
+    if (bytes[i] == kHead0 && (i + 1 == size || bytes[i + 1] == kHead1)) at[count++ % kMostHeads] = i;
+  }
+}
+
+/// Looks for frames in what is kept and `size` bytes more. Returns the first byte that may still begin one.
+const std::uint8_t* H30Imu::look(std::size_t size) {
+  const std::uint8_t* const begin = recent_.begin();
+  const std::uint8_t* const end = recent_.room() + size;
+  const auto count = static_cast<std::size_t>(end - begin);
+  const Heads heads(begin, count);
+  const std::uint8_t *last = nullptr, *undecided = end;
+  std::size_t decided = 0, judged = 0;
+  for (unsigned i = 0; i < kMostHeads; ++i) {
+    const std::size_t at = heads.at[(heads.count + i) % kMostHeads];  // the oldest first
+    if (at >= count || at < decided) continue;
+    const std::uint8_t* const frame = begin + at;
+    const std::size_t whole = size_of(frame, count - at);
+    if (whole == 0) continue;
+    if (whole > count - at) {
+      undecided = frame;
+      break;
     }
-    if (frame_.size() < needed_) continue;
-    behind_ = size - i;
-    look();
+    if (take(frame)) {
+      last = frame;
+      decided = at + whole;
+    } else if (at >= judged) {  // one of many that overlap is counted
+      ++bad_frames_;
+      judged = at + whole;
+    }
   }
+  if (last != nullptr) stamp(static_cast<std::size_t>(end - last), size_of(last, kMaxFrame));
+  return undecided;
 }
 
-/// Looks for frames until more bytes are needed.
-void H30Imu::look() {
-  do {
-    needed_ = examine();
-    if (needed_ != 0) continue;
-    frame_.drop_to_next(kHead0);
-    needed_ = kHeads;
-  } while (frame_.size() >= needed_);
+/// Bytes of the frame that begins there, more than `size` where that many do not tell; 0: it is none.
+std::size_t H30Imu::size_of(const std::uint8_t* frame, std::size_t size) {
+  if (size < kHeader) return kHeader;
+  const std::size_t payload = frame[kLengthAt];
+  return payload <= kMaxPayload ? kHeader + payload + kSums : 0;
 }
 
-/// Looks at what there is of a frame; a whole one is decoded. How many bytes there must be to say more, 0 when this is
-/// no frame.
-std::size_t H30Imu::examine() {
-  if (frame_[0] != kHead0 || frame_[1] != kHead1) return 0;
-  if (frame_.size() < kHeader) return kHeader;
-  const std::size_t payload = frame_[kLengthAt];
-  const std::size_t whole = kHeader + payload + kSums;
-  if (payload > kMaxPayload) return 0;
-  if (frame_.size() < whole) return whole;
-
+/// A whole frame; false, and nothing is changed, when it does not count.
+bool H30Imu::take(const std::uint8_t* frame) {
+  const std::size_t payload = frame[kLengthAt] < kMaxPayload ? frame[kLengthAt] : kMaxPayload;
   ImuState decoded;
-  if (!sums_agree(payload) || !decode(payload, decoded)) {
-    ++bad_frames_;
-    if (++bad_now_ > kMostBad) frame_.drop(whole - 1);
-    return 0;
-  }
+  if (!sums_agree(frame, payload) || !decode(frame, payload, decoded)) return false;
   ++frames_;
-  decoded.origin = uart_->arrival(behind_ + frame_.size() - whole) - uart_->wire_time(whole);
-  decoded.valid = true;
   state = decoded;
-  frame_.drop(whole);
-  return kHeads;
+  return true;
 }
 
-bool H30Imu::sums_agree(std::size_t payload) const {
-  std::uint8_t sum1 = 0, sum2 = 0;
+/// @param since  bytes from the begin of the last good frame on
+void H30Imu::stamp(std::size_t since, std::size_t whole) {
+  state.origin = uart_->arrival(since - whole) - uart_->wire_time(whole);
+  state.valid = true;
+}
+
+bool H30Imu::sums_agree(const std::uint8_t* frame, std::size_t payload) {
+  std::uint32_t sum1 = 0, sum2 = 0;
   const std::size_t end = kHeader + payload;
   for (std::size_t i = kNumberAt; i < end; ++i) {
-    sum1 = static_cast<std::uint8_t>(sum1 + frame_[i]);
-    sum2 = static_cast<std::uint8_t>(sum2 + sum1);
+    sum1 += frame[i];
+    sum2 += sum1;
   }
-  return frame_[end] == sum1 && frame_[end + 1] == sum2;
+  return (sum1 & 0xFFU) == frame[end] && (sum2 & 0xFFU) == frame[end + 1];
 }
 
-bool H30Imu::decode(std::size_t payload, ImuState& out) const {
-  bool acceleration = false, rates = false, angles = false;
+/// The last record of a type counts.
+bool H30Imu::decode(const std::uint8_t* frame, std::size_t payload, ImuState& out) {
+  const std::uint8_t *acceleration = nullptr, *rates = nullptr, *angles = nullptr;
   const std::size_t end = kHeader + payload;
   std::size_t at = kHeader;
-  while (at + 2 <= end) {
-    const std::uint8_t type = frame_[at];
-    const std::size_t length = frame_[at + 1];
-    const std::uint8_t* data = frame_.data() + at + 2;
-    at += 2 + length;
-    if (at > end) return false;
-    const bool known = type == kAcceleration || type == kRates || type == kAngles;
-    if (!known) continue;
-    if (length != kVector) return false;
-    switch (type) {
-      case kAcceleration:
-        acceleration = vector_at(data, kMaxAcceleration, kMicro, out.acceleration);
-        break;
-      case kRates:
-        rates = vector_at(data, kMaxRate, kMicroDegree, out.rate);
-        break;
-      default:
-        angles = angles_at(data, out);
-        break;
-    }
+  for (unsigned left = kMostRecords; left != 0 && at + 2 <= end; --left) {
+    const std::uint8_t type = frame[at], length = frame[at + 1];
+    const std::uint8_t* const data = frame + at + 2;
+    at += 2U + length;
+    const bool is_known = type == kAcceleration || type == kRates || type == kAngles;
+    if (at > end || (is_known && length != kVector)) return false;
+    if (type == kAcceleration) acceleration = data;
+    if (type == kRates) rates = data;
+    if (type == kAngles) angles = data;
   }
-  return at == end && acceleration && rates && angles;
+  return at == end && acceleration != nullptr && rates != nullptr && angles != nullptr &&
+         vector_at(acceleration, kMaxAcceleration, kMicro, out.acceleration) &&
+         vector_at(rates, kMaxRate, kMicroDegree, out.rate) && angles_at(angles, out);
 }
 
 }  // namespace finemote

@@ -11,8 +11,6 @@ namespace {
 constexpr std::uint8_t kHead = 0x0F, kTail = 0x00;
 /// S.BUS2: the group of telemetry slots that follows stands in bits 4 and 5.
 constexpr std::uint8_t kSlotTail = 0x04, kSlotGroup = 0x30;
-/// Frames with a wrong end whose bytes are looked at once more, in one update().
-constexpr unsigned kMostBad = 2;
 constexpr int kCentre = 992;
 constexpr float kScale = 1.0F / 820;  ///< 172..1811 is -1..1
 
@@ -29,32 +27,46 @@ RemoteSwitch switch_of(std::uint16_t channel) {
 
 void Sbus::update() {
   const std::uint32_t before = gaps();
-  bad_now_ = 0;
-  std::uint8_t bytes[64];
-  std::size_t size = sizeof bytes;
-  for (std::size_t left = uart_->full_reads(sizeof bytes) + 1; size == sizeof bytes && left != 0; --left) {
-    size = uart_->read(bytes, sizeof bytes);
-    if (gaps() != before) frame_.drop(frame_.size());  // what is kept lies before the gap
-    for (std::size_t i = 0; i < size;) {
-      if (frame_.size() == kFrame) decode(size - i);
-      i += frame_.size() != 0 || bytes[i] == kHead ? take(bytes + i, size - i) : 1;
-    }
+  std::size_t size = Uart::kChunk;
+  for (std::size_t left = uart_->full_reads(Uart::kChunk) + 1; size == Uart::kChunk && left != 0; --left) {
+    size = uart_->read(recent_.room(), Uart::kChunk);
+    if (gaps() != before) recent_.drop();  // what is kept lies before the gap
+    look(size);
   }
-  if (frame_.size() == kFrame && uart_->idle()) decode(0);
   if (!is_fresh(state, now(), kMaxAge)) state.valid = false;
 }
 
 std::uint32_t Sbus::gaps() const { return uart_->counters().lost + uart_->counters().recoveries; }
 
 // A whole frame waits for the silence behind it, which tells when it came, or for the first byte of the next one.
-std::size_t Sbus::take(const std::uint8_t* bytes, std::size_t size) {
-  const std::size_t missing = kFrame - frame_.size(), count = size < missing ? size : missing;
-  frame_.append(bytes, count);
-  if (frame_.size() < kFrame || is_tail(frame_[kFrame - 1])) return count;
-  ++bad_frames_;
-  if (++bad_now_ > kMostBad) frame_.drop(kFrame - 1);
-  frame_.drop_to_next(kHead);
-  return count;
+void Sbus::look(std::size_t size) {
+  const std::uint8_t* const begin = recent_.begin();
+  const auto count = static_cast<std::size_t>(recent_.room() - begin) + size;
+  const bool is_silent = uart_->idle();
+  const std::uint8_t *last = nullptr, *good = nullptr;
+  std::size_t at = 0, judged = 0;
+  while (at + kFrame <= count) {
+    const std::uint8_t* const frame = begin + at;
+    if (frame[0] != kHead) {
+      ++at;
+    } else if (!is_tail(frame[kFrame - 1])) {
+      if (at >= judged) {  // one of many that overlap is counted
+        ++bad_frames_;
+        judged = at + kFrame;
+      }
+      ++at;
+    } else if (at + kFrame == count && !is_silent) {
+      break;
+    } else {
+      ++frames_;
+      last = frame;
+      if ((frame[kFlagsAt] & (kFrameLost | kFailsafe)) == 0) good = frame;
+      at += kFrame;
+    }
+  }
+  if (good != nullptr) decode(good, static_cast<std::size_t>(begin + count - good) - kFrame);
+  if (last != nullptr) std::memcpy(last_, last, sizeof last_);
+  recent_.keep(begin + at, size);
 }
 
 std::uint16_t Sbus::channel(unsigned number) const {
@@ -64,11 +76,8 @@ std::uint16_t Sbus::channel(unsigned number) const {
   return static_cast<std::uint16_t>(bits >> at % 8 & 0x7FFU);
 }
 
-void Sbus::decode(std::size_t behind) {
-  ++frames_;
-  std::memcpy(last_, frame_.data(), sizeof last_);
-  frame_.drop(kFrame);
-  if (frame_lost() || failsafe()) return;
+void Sbus::decode(const std::uint8_t* frame, std::size_t behind) {
+  std::memcpy(last_, frame, sizeof last_);
   state.right_x = scaled(channel(1));
   state.right_y = scaled(channel(2));
   state.left_y = scaled(channel(3));

@@ -10,9 +10,9 @@ namespace finemote {
 template <std::size_t N>
 class Text {
  public:
-  Text& add(const char* text) {
-    for (; *text != '\0'; ++text) put(*text);
-    return *this;
+  template <std::size_t size>
+  Text& add(const char (&text)[size]) {
+    return add(text, size - 1);
   }
 
   Text& add_number(std::int32_t value) {
@@ -39,6 +39,10 @@ class Text {
   [[nodiscard]] std::size_t size() const { return size_; }
 
  private:
+  Text& add(const char* text, std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i) put(text[i]);
+    return *this;
+  }
   Text& add_digits(std::uint32_t value) {
     char digits[10];
     unsigned count = 0;

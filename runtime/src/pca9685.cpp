@@ -21,9 +21,12 @@ constexpr Duration kOscillatorStart = 500 * kMicrosecond;  ///< section 7.3.1.1
 
 constexpr bool runs(std::uint8_t mode) { return (mode & (kSleep | kAutoIncrement)) == kAutoIncrement; }
 
-/// Index of the lowest and of the highest bit of a mask that is not 0.
+/// Index of the lowest and of the highest bit of a mask of channels that is not 0.
 unsigned lowest(std::uint32_t mask) { return static_cast<unsigned>(__builtin_ctz(mask)); }
-unsigned highest(std::uint32_t mask) { return 31U - static_cast<unsigned>(__builtin_clz(mask)); }
+unsigned highest(std::uint32_t mask) {
+  const unsigned index = 31U - static_cast<unsigned>(__builtin_clz(mask));
+  return index < Pca9685::kChannels ? index : Pca9685::kChannels - 1;  // never more, which only this line tells tools
+}
 
 }  // namespace
 

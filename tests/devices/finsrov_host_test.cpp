@@ -22,11 +22,14 @@ struct Fixture {
   }
   std::vector<Verb> take() {
     std::vector<Verb> all;
-    if (!host.receive(uart)) return all;
     FinsRovOrder order;
-    while (host.next(order)) {
-      all.push_back(order.verb);
-      last = order;
+    for (unsigned update = 0; update <= FinsRovHost::kMaxMessage / FinsRovHost::kMostOrders; ++update) {
+      if (!host.receive(uart)) continue;
+      while (host.next(order)) {
+        all.push_back(order.verb);
+        last = order;
+      }
+      break;
     }
     return all;
   }

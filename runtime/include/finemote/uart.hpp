@@ -21,6 +21,10 @@ struct UartLimits {
 /// one bucket.
 class Uart {
  public:
+  /// Room for what one read() returns under the default limits, and a byte: it returns less, so that it is the last of
+  /// an update().
+  static constexpr std::size_t kChunk = UartLimits{}.bytes + 1;
+
   /// @param port    the board's
   /// @param baud    bit rate [bit/s]
   /// @param ring    keeps what comes until it is read

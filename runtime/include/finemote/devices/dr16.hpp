@@ -6,6 +6,7 @@
 
 #include "finemote/contract.hpp"
 #include "finemote/interfaces/remote.hpp"
+#include "finemote/recent_bytes.hpp"
 #include "finemote/uart.hpp"
 
 namespace finemote {
@@ -28,11 +29,13 @@ class Dr16 {
   [[nodiscard]] std::uint32_t bad_frames() const { return bad_frames_; }
 
  private:
+  /// The line fell silent.
+  void end_message();
   bool decode(const std::uint8_t* frame, RemoteState& out) const;
 
   Uart* const uart_;
-  std::uint8_t bytes_[4 * kFrame]{};
-  std::size_t size_ = 0;
+  RecentBytes<kFrame> recent_;
+  std::uint16_t size_ = 0;  ///< bytes since the line was silent last; of more than a frame a number as good
   std::uint32_t line_errors_ = 0, bad_frames_ = 0;
 };
 

@@ -40,12 +40,16 @@ struct FinsRovOrder {
 };
 
 /// Collects a message and takes it apart. A message counts whole or not at all: text that is no command, a number that
-/// is out of int16, more than kMaxMessage bytes or a line error (parity, framing, noise) drop all of it.
+/// is out of int16 or has more than seven digits, more than kMaxMessage bytes or a line error (parity, framing, noise)
+/// drop all of it. A long message is checked over several calls; while one is checked or obeyed, the next one waits in
+/// the ring of the line.
 class FinsRovHost {
  public:
   static constexpr std::size_t kMaxMessage = 100;
+  /// Orders that one receive() checks, and that one update() should obey.
+  static constexpr unsigned kMostOrders = 4;
 
-  /// Takes what has arrived. True when a message has come to its end and is good: next() then gives its orders.
+  /// Takes what has arrived. True while orders of a good message are left: next() then gives them.
   bool receive(Uart& uart);
   /// The next order of that message; false after the last one.
   bool next(FinsRovOrder& order);
@@ -53,15 +57,23 @@ class FinsRovHost {
   [[nodiscard]] std::uint32_t bad_messages() const { return bad_messages_; }
 
  private:
-  bool parse(std::size_t& at, FinsRovOrder& order) const;
-  bool parse_numbers(std::size_t& at, unsigned count, FinsRovOrder& order) const;
-  bool message_is_good();
+  enum class Stage : std::uint8_t { kCollecting, kChecking, kOrders };
+  static constexpr unsigned kMostNumbers = sizeof FinsRovOrder::value / sizeof FinsRovOrder::value[0];
+
+  void begin_message();
+  void collect(Uart& uart);
+  void append(const std::uint8_t* bytes, std::size_t count);
+  void drop();
+  void check();
+  bool parse(FinsRovOrder& order);
+  bool parse_numbers(unsigned count, FinsRovOrder& order);
+  bool parse_number(std::int32_t& number);
 
   char text_[kMaxMessage]{};
-  std::size_t size_ = 0;
-  std::size_t at_ = 0;
+  std::uint8_t size_ = 0;
+  std::uint8_t at_ = 0;  ///< of what is checked or obeyed
+  Stage stage_ = Stage::kCollecting;
   bool too_long_ = false;
-  bool complete_ = false;
   std::uint32_t line_errors_ = 0;
   std::uint32_t bad_messages_ = 0;
 };

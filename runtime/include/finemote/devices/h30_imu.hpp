@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "finemote/byte_window.hpp"
 #include "finemote/contract.hpp"
 #include "finemote/geometry.hpp"
 #include "finemote/interfaces/imu.hpp"
+#include "finemote/recent_bytes.hpp"
 #include "finemote/uart.hpp"
 
 namespace finemote {
@@ -21,9 +21,10 @@ namespace finemote {
 /// way, both modulo 256. Records used: 0x10 acceleration (3 x int32, 1e-6 m/s^2), 0x20 rates (3 x int32, 1e-6 deg/s),
 /// 0x40 pitch, roll, yaw (3 x int32, 1e-6 deg); others are passed over.
 ///
-/// A frame counts when both sums agree, its records fill it exactly, all three records above are there, and every value
-/// is in range. Attitude, rates and acceleration are in the axes of the robot's body, wherever the URDF says the part's
-/// own link points. The state is valid until kMaxAge after the last one; its origin is when the frame began to arrive.
+/// A frame counts when both sums agree, its records, at most twelve, fill it exactly, all three records above are
+/// there, and every value is in range. Attitude, rates and acceleration are in the axes of the robot's body, wherever
+/// the URDF says the part's own link points. The state is valid until kMaxAge after the last one; its origin is when
+/// the frame began to arrive.
 class H30Imu {
  public:
   static constexpr Duration kMaxAge = 50 * kMillisecond;
@@ -36,7 +37,7 @@ class H30Imu {
 
   ImuState state;
 
-  /// Frames that counted, and those dropped for a wrong sum or content. Both wrap.
+  /// Frames that counted, and those dropped for a wrong sum or content, of which that overlap one. Both wrap.
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
   [[nodiscard]] std::uint32_t bad_frames() const { return bad_frames_; }
 
@@ -44,19 +45,29 @@ class H30Imu {
   static constexpr std::size_t kHeader = 5, kSums = 2, kMaxPayload = 0x58;  ///< with both records of its magnetometer
   static constexpr std::size_t kMaxFrame = kHeader + kMaxPayload + kSums;
 
-  void take(const std::uint8_t* bytes, std::size_t size);
-  void look();
-  std::size_t examine();
-  bool sums_agree(std::size_t payload) const;
-  bool decode(std::size_t payload, ImuState& out) const;
+  static constexpr std::size_t kMostBytes = RecentBytes<kMaxFrame>::kMost;
+  /// Places at which frames seem to begin that one read looks at: twice what comes of the part.
+  static constexpr std::size_t kMostHeads = 8;
+  static constexpr unsigned kMostRecords = 12;  ///< of a frame
+
+  /// Where frames seem to begin: the last ones, in a ring.
+  struct Heads {
+    Heads(const std::uint8_t* bytes, std::size_t size);
+    std::size_t at[kMostHeads];  ///< kMostBytes: none
+    std::size_t count = 0;
+  };
+
+  const std::uint8_t* look(std::size_t size);
+  bool take(const std::uint8_t* frame);
+  void stamp(std::size_t since, std::size_t whole);
+  static std::size_t size_of(const std::uint8_t* frame, std::size_t size);
+  static bool sums_agree(const std::uint8_t* frame, std::size_t payload);
+  static bool decode(const std::uint8_t* frame, std::size_t payload, ImuState& out);
   void turn_state();
 
   const Rotation* mount_;
   Uart* const uart_;
-  ByteWindow<kMaxFrame> frame_;
-  std::size_t needed_ = 2;    ///< bytes without which nothing new can be said
-  std::size_t behind_ = 0;    ///< bytes that arrived together behind the last one in the frame
-  std::uint8_t bad_now_ = 0;  ///< frames with a wrong sum, in this update()
+  RecentBytes<kMaxFrame> recent_;
   std::uint32_t frames_ = 0, bad_frames_ = 0;
 };
 

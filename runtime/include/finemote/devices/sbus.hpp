@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "finemote/byte_window.hpp"
 #include "finemote/contract.hpp"
 #include "finemote/interfaces/remote.hpp"
+#include "finemote/recent_bytes.hpp"
 #include "finemote/uart.hpp"
 
 namespace finemote {
@@ -28,6 +28,7 @@ class Sbus {
 
   RemoteState state;
 
+  /// Frames with a wrong end: of those that overlap one. Wraps.
   [[nodiscard]] std::uint32_t bad_frames() const { return bad_frames_; }
   /// Frames with both ends right, whatever their flags say; wraps.
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
@@ -45,17 +46,16 @@ class Sbus {
   static constexpr std::uint8_t kFrameLost = 0x04, kFailsafe = 0x08;
 
   [[nodiscard]] std::uint8_t flags() const { return last_[kFlagsAt]; }
-  /// Takes bytes of one frame; returns how many.
-  std::size_t take(const std::uint8_t* bytes, std::size_t size);
+  /// Looks for frames in what is kept and `size` bytes more.
+  void look(std::size_t size);
   /// @param behind  bytes that arrived together behind the frame
-  void decode(std::size_t behind);
+  void decode(const std::uint8_t* frame, std::size_t behind);
   /// How often bytes were lost.
   [[nodiscard]] std::uint32_t gaps() const;
 
   Uart* const uart_;
-  ByteWindow<kFrame> frame_;
+  RecentBytes<kFrame> recent_;
   std::uint8_t last_[kFlagsAt + 1]{};  ///< begin of the last whole frame
-  std::uint8_t bad_now_ = 0;           ///< frames with a wrong end, in this update()
   std::uint32_t frames_ = 0, bad_frames_ = 0;
 };
 
