@@ -25,6 +25,7 @@ const Case kCases[] = {
     {"lowered_clock", "600ms", "servo_0", "servo_0", "wire", 1.25},
     {"slow_stop", "200ms", "fast", "fast", "decide", 2},
     {"slow_bus", "300ms", nullptr, nullptr, nullptr, 0},
+    {"preempted_wait", "600ms", nullptr, nullptr, nullptr, 0},
     {"wide_flush", "300ms", nullptr, nullptr, nullptr, 0},
     {"many_releases", "300ms", "every_30ms", "every_30ms", "decide", 2},
     {"two_frames", "600ms", "imu", "head", "decide", 2},
