@@ -1,6 +1,8 @@
 #include "generator/bench_kit/record.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <set>
 
 namespace finemote::gen {
 namespace {
@@ -8,12 +10,50 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string text_at(const Json& object, const char* key) {
-  return object.contains(key) && object.at(key).is_string() ? object.at(key).get<std::string>() : std::string();
+  return object.is_object() && object.contains(key) && object.at(key).is_string() ? object.at(key).get<std::string>()
+                                                                                  : std::string();
+}
+
+/// A number that fits, not one beyond 64 bits with a sign.
+bool is_value(const Json& it) {
+  if (it.is_number_unsigned()) return it.get<std::uint64_t>() <= std::uint64_t{INT64_MAX};
+  return it.is_null() || it.is_number_integer();
+}
+
+/// What expectation_of() makes: null, a number, or both ends of a range.
+bool is_expectation(const Json& it) {
+  const auto has_number = [&](const char* key) { return it.contains(key) && it.at(key).is_number(); };
+  return it.is_null() || it.is_number() || (it.is_object() && has_number("min") && has_number("max"));
 }
 
 bool is_entry(const Json& it) {
   return it.is_object() && !text_at(it, "name").empty() && it.contains("value") && it.contains("ok") &&
-         it.at("ok").is_boolean() && (it.at("value").is_null() || it.at("value").is_number_integer());
+         it.at("ok").is_boolean() && is_value(it.at("value")) && is_expectation(it.value("expected", Json()));
+}
+
+bool has_entry(const BenchRecord& record, const std::string& name) {
+  return std::any_of(record.tests.begin(), record.tests.end(), [&](const auto& it) { return it.name == name; });
+}
+
+/// Which of two tests of one name is meant cannot be told.
+bool names_one_twice(const BenchRecord& record) {
+  std::set<std::string> names;
+  return !std::all_of(record.tests.begin(), record.tests.end(),
+                      [&](const auto& it) { return names.insert(it.name).second; });
+}
+
+/// Of one object, and of those in it, each member has a name of its own: nobody can tell which of two is meant.
+std::optional<Json> parse_once_named(const std::string& text) {
+  std::vector<std::set<std::string>> members;
+  bool is_twice = false;
+  const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
+    if (event == Json::parse_event_t::object_start) members.emplace_back();
+    if (event == Json::parse_event_t::object_end) members.pop_back();
+    if (event == Json::parse_event_t::key && !members.back().insert(parsed.get<std::string>()).second) is_twice = true;
+    return true;
+  };
+  Json parsed = Json::parse(text, watch, false);
+  return is_twice || parsed.is_discarded() ? std::nullopt : std::optional(std::move(parsed));
 }
 
 std::optional<BenchRecord> record_of(const Json& document) {
@@ -28,9 +68,13 @@ std::optional<BenchRecord> record_of(const Json& document) {
     if (!it.at("value").is_null()) entry.value = it.at("value").get<std::int64_t>();
     record.tests.push_back(std::move(entry));
   }
-  for (const Json& it : document.value("not_done", Json::array())) {
-    if (it.is_object()) record.not_done.emplace_back(text_at(it, "name"), text_at(it, "why"));
+  const Json not_done = document.value("not_done", Json::array());
+  if (!not_done.is_array()) return std::nullopt;
+  for (const Json& it : not_done) {
+    if (text_at(it, "name").empty()) return std::nullopt;
+    record.not_done.emplace_back(text_at(it, "name"), text_at(it, "why"));
   }
+  if (names_one_twice(record)) return std::nullopt;
   return record;
 }
 
@@ -85,12 +129,16 @@ Json expectation_of(const BenchTest& test) {
 }
 
 std::optional<BenchRecord> find_bench_record(const std::string& text) {
-  if (const Json whole = Json::parse(text, nullptr, false); whole.is_object()) return record_of(whole);
+  if (Json::parse(text, nullptr, false).is_object()) {
+    const auto whole = parse_once_named(text);
+    return whole ? record_of(*whole) : std::nullopt;
+  }
   const std::string begin = "{\"schema\":\"" + std::string(kBenchFormat) + "\"";
   for (std::size_t at = text.rfind(begin); at != std::string::npos; at = text.rfind(begin, at - 1)) {
     const std::size_t end = end_of_object(text, at);
     if (end != std::string::npos) {
-      auto record = record_of(Json::parse(text.substr(at, end - at), nullptr, false));
+      const auto document = parse_once_named(text.substr(at, end - at));
+      auto record = document ? record_of(*document) : std::nullopt;
       if (record) return record;
     }
     if (at == 0) break;
@@ -107,7 +155,7 @@ BenchJudgement judge_bench(const BenchRecord& record, const BenchPlan& plan) {
   for (const BenchTest& test : plan.tests) {
     const auto lacks = std::find_if(record.not_done.begin(), record.not_done.end(),
                                     [&](const auto& it) { return it.first == test.name; });
-    if (lacks != record.not_done.end() && !test.needs.empty()) {
+    if (lacks != record.not_done.end() && !test.needs.empty() && !has_entry(record, test.name)) {
       judgement.not_done.push_back(*lacks);
       continue;
     }

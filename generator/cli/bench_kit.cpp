@@ -254,6 +254,13 @@ Answer read_record(const Options& options, Sources& sources, Diagnostics& diagno
         .hint("the image prints it as one line every two seconds: record for five");
     return no_answer();
   }
+  if (record->board != kBoard) {
+    diagnostics
+        .error(code::bench_record, {},
+               fmt::format("the record in '{}' is of the board '{}'", options.read, record->board))
+        .hint(fmt::format("the bench kit is written for '{}'", kBoard));
+    return no_answer();
+  }
   const auto planned = plan_for_bench(*input, sources, diagnostics);
   const auto plan = planned ? plan_of(*planned, diagnostics) : std::nullopt;
   if (!plan) return no_answer();

@@ -250,6 +250,50 @@ TEST_CASE("a value that was changed in the record differs") {
   CHECK(read.differ == Names{"bmi088.accelerometer_id"});
 }
 
+TEST_CASE("a record that says a thing twice, or of another board, is none") {
+  const TemporaryFolder folder;
+  const std::string begin = R"({"schema":"finemote.bench/1","board":"robomaster_type_c","robot":"bench","plan":"0",)";
+  const std::string good = R"({"name":"a","value":1,"expected":{"min":0,"max":2},"ok":true})";
+  const auto read = [&](const std::string& text) {
+    write_file(folder.path("record.txt"), text);
+    const auto ran = run_finemote({"bench-kit", "--read", folder.path("record.txt")});
+    INFO(text << "\n" << ran.output);
+    CHECK((ran.exit_status != 2 || ran.output.find("FM6013") != std::string::npos));
+    return ran.exit_status;
+  };
+  CHECK(read(begin + R"("tests":[)" + good + "]}") == 1);  // whole, and lacks all tests of the plan
+  for (const std::string& tests :
+       {good + "," + good,                                                          //
+        good + R"(,{"name":"a","value":9,"expected":null,"ok":false})",             //
+        std::string(R"({"name":"a","value":1,"expected":"x","ok":true})"),          //
+        std::string(R"({"name":"a","value":1,"expected":{"least":7},"ok":true})"),  //
+        std::string(R"({"name":"a","value":1,"expected":1,"ok":false,"ok":true})"),
+        std::string(R"({"name":"a","value":18446744073709551615,"expected":null,"ok":true})"),
+        std::string(R"({"name":"a","value":1e3,"expected":null,"ok":true})"),
+        std::string(R"({"name":"a","value":NaN,"expected":null,"ok":true})")}) {
+    CHECK(read(begin + "\"tests\":[" + tests + "]}") == 2);
+    CHECK(read("text\n" + begin + "\"tests\":[" + tests + "]}\n") == 2);
+  }
+  for (const char* not_done : {"null", "{}", "\"x\"", "[1]", "[{}]"})
+    CHECK(read(begin + R"("tests":[],"not_done":)" + not_done + "}") == 2);
+  CHECK(read(R"({"schema":"finemote.bench/1","board":"other","robot":"bench","plan":"0","tests":[]})") == 2);
+}
+
+TEST_CASE("a test that was done and differs is not hidden by saying that it was not done") {
+  std::string output = recorded();
+  const std::string name = R"({"name":"wire.spi_wrong_bytes","value":)";
+  const auto at = output.find(name);
+  REQUIRE(at != std::string::npos);
+  output.replace(at, name.size() + 1, name + "7");
+  const std::string none = R"("not_done":[)";
+  const auto list = output.find(none);
+  REQUIRE(list != std::string::npos);
+  output.insert(list + none.size(), R"({"name":"wire.spi_wrong_bytes","why":"J2"})");
+  const Read read = read_record(output);
+  CHECK(read.status == 1);
+  CHECK(read.differ == Names{"wire.spi_wrong_bytes"});
+}
+
 TEST_CASE("what is no record is said, and so are words that go together badly") {
   const TemporaryFolder folder;
   write_file(folder.path("record.txt"), "garbage");
