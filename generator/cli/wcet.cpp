@@ -91,6 +91,7 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   if (!image) return no_answer();
   const KeptMembers kept = kept_members(*path, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
+  inputs.placement = wcet::placement_of(*image);
   const wcet::ImageTimes times = wcet::time_image(*image, kept, inputs.placement);
   const SourceLines lines(*path);
   return answer_of(options, {planned->robot, planned->forest, planned->schedule, times, lines, std::move(inputs)},

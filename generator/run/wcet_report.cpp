@@ -54,6 +54,7 @@ Json stage_json(const TimedRobot& timed, Stage stage, const wcet::BracketTime& b
   return {{"device", timed.robot.devices[timed.forest.order[stage.rank]].name.text},
           {"stage", stage.is_handle ? "handle" : "update"},
           {"wcet_ns", ns_of(bracket.cycles, timed)},
+          {"without_faults_ns", ns_of(bracket.without_faults.value_or(bracket.cycles), timed)},
           {"wcet_cycles", bracket.cycles},
           {"label", "static"},
           {"loops", std::move(loops)}};
@@ -90,8 +91,15 @@ std::string where(std::uint32_t address, const TimedRobot& timed) {
   return line ? fmt::format("{}:{}", line->file, line->line) : fmt::format("0x{:08x}", address);
 }
 
-std::string row(const std::string& name, Cycles cycles, const TimedRobot& timed) {
-  return fmt::format("  {:<32} {:>9} {:>12.3f}\n", name, cycles, static_cast<double>(ns_of(cycles, timed)) / 1e3);
+/// Times of a stage or a routine: with faults, and without them where that is less.
+std::string row(const std::string& name, Cycles cycles, std::optional<Cycles> without_faults, const TimedRobot& timed) {
+  const auto us = [&](Cycles c) { return static_cast<double>(ns_of(c, timed)) / 1e3; };
+  return fmt::format("  {:<32} {:>9} {:>12.3f} {:>12.3f}\n", name, cycles, us(cycles),
+                     us(without_faults.value_or(cycles)));
+}
+
+std::string head(const char* what) {
+  return fmt::format("  {:<32} {:>9} {:>12} {:>12}\n", what, "cycles", "us", "no fault, us");
 }
 
 /// The bracket of a stage; null: its routine has no bound.
@@ -116,7 +124,9 @@ Json wcet_document(const TimedRobot& timed) {
   for (const wcet::RoutineTime& routine : timed.times.routines) {
     const std::string task = task_of(timed, routine.exception);
     if (task.empty())
-      interrupts.push_back({{"source", interrupt_name(timed, routine)}, {"wcet_ns", ns_of(routine.cycles, timed)}});
+      interrupts.push_back({{"source", interrupt_name(timed, routine)},
+                            {"wcet_ns", ns_of(routine.without_faults.value_or(routine.cycles), timed)},
+                            {"with_faults_ns", ns_of(routine.cycles, timed)}});
     else
       scheduler.push_back({{"what", task}, {"wcet_ns", ns_of(routine.cycles, timed)}});
   }
@@ -140,15 +150,15 @@ Json wcet_document(const TimedRobot& timed) {
 std::string wcet_text(const TimedRobot& timed) {
   std::string text = fmt::format("longest execution times, code in {}, {} MHz\n\n", name_of(timed.inputs.placement),
                                  timed.inputs.clock_hz / 1'000'000);
-  text += fmt::format("  {:<32} {:>9} {:>12}\n", "stage", "cycles", "us");
+  text += head("stage");
   for (const Stage stage : stages_of(timed)) {
     const auto* bracket = bracket_of(timed, stage);
-    if (bracket != nullptr) text += row(name_of(timed, stage), bracket->cycles, timed);
+    if (bracket != nullptr) text += row(name_of(timed, stage), bracket->cycles, bracket->without_faults, timed);
   }
-  text += fmt::format("\n  {:<32} {:>9} {:>12}\n", "interrupt", "cycles", "us");
+  text += "\n" + head("interrupt");
   for (const wcet::RoutineTime& routine : timed.times.routines) {
     const std::string task = task_of(timed, routine.exception);
-    text += row(task.empty() ? interrupt_name(timed, routine) : task, routine.cycles, timed);
+    text += row(task.empty() ? interrupt_name(timed, routine) : task, routine.cycles, routine.without_faults, timed);
   }
   if (timed.times.gaps.empty()) return text;
   text += "\nwithout a bound\n";

@@ -10,6 +10,7 @@
 #include "generator/wcet/longest_path.hpp"
 #include "generator/wcet/vectors.hpp"
 #include "generator/wcet/walk.hpp"
+#include "generator/wcet/without.hpp"
 
 namespace finemote::gen::wcet {
 namespace {
@@ -75,19 +76,33 @@ class Timing {
       gaps_.try_emplace(vector.entry, TimeGap{vector.entry, name_of(program_.at(vector.entry)), doubt});
       return;
     }
-    RoutineTime routine{vector.exception, name_of(program_.at(vector.entry)), path->bound, {}, {}};
+    RoutineTime routine{vector.exception, name_of(program_.at(vector.entry)), path->bound, {}, {}, {}};
     routine.path = steps_of(walked.graph, *path, path->bound);
-    add_brackets(walked, routine);
+    const UnrolledGraph undisturbed = without(walked.graph, marks_.faults);
+    routine.without_faults = proven_bound(undisturbed);
+    add_brackets(walked, undisturbed, routine);
     times_.routines.push_back(std::move(routine));
   }
 
-  void add_brackets(const Walked& walked, RoutineTime& routine) const {
+  static std::optional<Cycles> proven_bound(const UnrolledGraph& graph) {
+    const auto path = longest_path(graph);
+    if (!path || !check_certificate(graph, path->potentials, path->bound).empty()) return std::nullopt;
+    return path->bound;
+  }
+
+  void add_brackets(const Walked& walked, const UnrolledGraph& undisturbed, RoutineTime& routine) const {
     for (const std::uint32_t mark : begun_in(walked.graph)) {
-      const auto path = longest_between(walked.graph, nodes_at(walked.graph, mark), nodes_at(walked.graph, mark + 1));
+      const auto path = way_behind(mark, walked.graph);
       if (!path) continue;
-      routine.brackets.push_back(
-          {mark, path->bound, steps_of(walked.graph, *path, path->bound), loops_on(walked, path->potentials)});
+      const auto short_path = way_behind(mark, undisturbed);
+      routine.brackets.push_back({mark, path->bound, short_path ? std::optional(short_path->bound) : std::nullopt,
+                                  steps_of(walked.graph, *path, path->bound), loops_on(walked, path->potentials)});
     }
+  }
+
+  /// From a mark that begins a bracket to the next, which ends it.
+  [[nodiscard]] std::optional<LongestPath> way_behind(std::uint32_t mark, const UnrolledGraph& graph) const {
+    return longest_between(graph, nodes_at(graph, mark), nodes_at(graph, mark + 1));
   }
 
   /// Marks of even number begin a bracket.
@@ -148,6 +163,12 @@ class Timing {
 };
 
 }  // namespace
+
+Placement placement_of(const Image& image) {
+  constexpr std::uint32_t kFlash = 0x0800'0000;
+  const auto vectors = interrupt_vectors(image);
+  return !vectors.empty() && vectors.front().entry < kFlash ? Placement::sram : Placement::flash;
+}
 
 ImageTimes time_image(const Image& image, const KeptMembers& kept, Placement placement) {
   return Timing(image, kept, placement).result();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct LoopTime {
 struct BracketTime {
   std::uint32_t mark = 0;  ///< at its begin
   Cycles cycles = 0;
+  std::optional<Cycles> without_faults;  ///< on ways that no fault leads to; none: there is no such way
   std::vector<PathStep> path;
   std::vector<LoopTime> loops;  ///< that it may run through
 };
@@ -37,7 +39,8 @@ struct BracketTime {
 struct RoutineTime {
   unsigned exception = 0;
   std::string name;
-  Cycles cycles = 0;  ///< from its first instruction to its last, brackets included
+  Cycles cycles = 0;                     ///< from its first instruction to its last, brackets included
+  std::optional<Cycles> without_faults;  ///< as of a bracket
   std::vector<PathStep> path;
   std::vector<BracketTime> brackets;
 };
@@ -54,6 +57,9 @@ struct ImageTimes {
   std::vector<RoutineTime> routines;  ///< by exception
   std::vector<TimeGap> gaps;          ///< by address
 };
+
+/// Where its code runs.
+Placement placement_of(const Image& image);
 
 /// Of the release and of every interrupt line with a routine. The bounds hold under the assumptions of docs/wcet.md.
 ImageTimes time_image(const Image& image, const KeptMembers& kept, Placement placement);

@@ -51,6 +51,7 @@ std::vector<std::uint32_t> Marks::addresses() const {
   for (const auto& [address, number] : brackets) all.insert(address);
   for (const auto& [address, bound] : loop_bounds) all.insert(address);
   for (const auto& [address, reg] : waits) all.insert(address);
+  all.insert(faults.begin(), faults.end());
   return {all.begin(), all.end()};
 }
 
@@ -65,6 +66,8 @@ Marks read_marks(const Image& image) {
   });
   read_section(image, ".debug_finemote_waits",
                [&](std::uint32_t address, std::uint32_t name) { marks.waits.emplace(address, register_named(name)); });
+  read_section(image, ".debug_finemote_faults",
+               [&](std::uint32_t address, std::uint32_t) { marks.faults.insert(address); });
   return marks;
 }
 

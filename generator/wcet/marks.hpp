@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "generator/image/image.hpp"
@@ -18,12 +19,15 @@ struct Marks {
   /// By address in a loop: the register that holds how many cycles it waits at most.
   std::map<std::uint32_t, int> waits;
 
+  /// Begins of blocks that are reached only after a fault.
+  std::set<std::uint32_t> faults;
+
   /// All of them, in order.
   [[nodiscard]] std::vector<std::uint32_t> addresses() const;
 };
 
-/// Of sections `.debug_finemote`, `.debug_finemote_loops` and `.debug_finemote_waits`. Records of code that the linker
-/// left out are none.
+/// Of sections `.debug_finemote`, and `_loops`, `_waits` and `_faults` behind that name. Records of code that the
+/// linker left out are none.
 Marks read_marks(const Image& image);
 
 }  // namespace finemote::gen::wcet

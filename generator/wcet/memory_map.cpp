@@ -44,7 +44,8 @@ bool meets(Interval a, std::uint32_t first, std::uint32_t last) { return a.low <
 Cycles longest_wait(Interval address, Placement placement) {
   if (kCoreRam.contains(address)) return 0;
   if (address == Interval::any())
-    return std::max(longest_wait(kSramMemory, placement), longest_wait(kFlashMemory, placement));
+    return std::max(longest_wait(kSramMemory, placement),
+                    longest_wait(placement == Placement::sram ? kLow : kFlashMemory, placement));
   Cycles longest = 0;
   if (meets(address, kLow.low, kLow.high)) longest = placement == Placement::sram ? kFetchedSram : kFlash;
   for (const Region& region : kElsewhere) {

@@ -3,6 +3,7 @@
 
 #include "finemote/fault.hpp"
 #include "finemote/loop_bound.hpp"
+#include "finemote/only_after_fault.hpp"
 
 namespace finemote {
 namespace {
@@ -31,6 +32,7 @@ bool count_in(std::atomic<std::uint32_t>& record, std::uint32_t key) {
 }  // namespace
 
 void count_fault(Module module, std::uint8_t number) {
+  only_after_fault();
   const std::uint32_t key = key_of(module, number);
   for (auto& record : records) {
     if (count_in(record, key)) return;

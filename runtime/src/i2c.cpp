@@ -2,6 +2,7 @@
 
 #include "finemote/fault.hpp"
 #include "finemote/mark.hpp"
+#include "finemote/only_after_fault.hpp"
 
 namespace finemote {
 
@@ -81,6 +82,7 @@ void I2cBus::on_interrupt(I2cEvent event) {
         enter_recovery();
         return;
       case I2cEvent::kNack:
+        only_after_fault();
         if (phase_ != Phase::kDeselect) {
           finish_unit(SlotState::kNack);
           break;
@@ -238,6 +240,7 @@ void I2cBus::supervise() {
     case Mode::kRecover:
       return carry_recovery_on();
     case Mode::kStuck:
+      only_after_fault();
       if (--retry_wait_ != 0) return;
       recovery_step_ = 0;
       mode_.store(Mode::kRecover);
@@ -246,6 +249,7 @@ void I2cBus::supervise() {
 }
 
 void I2cBus::carry_recovery_on() {
+  only_after_fault();
   const I2cPort::Recovery result = port_->recover(recovery_step_++);
   if (result == I2cPort::Recovery::kFree) {
     safe_cursor_ = 0;

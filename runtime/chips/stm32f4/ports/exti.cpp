@@ -1,4 +1,5 @@
 // EdgePort on EXTI: RM0090 12.2; the port behind a line is chosen in SYSCFG, 9.2.3 to 9.2.6.
+#include "finemote/loop_bound.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
 #include "runtime/chips/cortex_m4/urgent_interrupt.hpp"
 #include "runtime/chips/stm32f4/interrupt.hpp"
@@ -34,6 +35,7 @@ void EdgePort::start(bool falling) {
 Edge EdgePort::last() const {
   Edge edge;
   for (unsigned turn = 0; turn < 4; ++turn) {
+    retried_if_interrupted();
     edge.count = hardware_->count.load();
     Shared<std::uint32_t>::fence();
     edge.at = hardware_->at;
