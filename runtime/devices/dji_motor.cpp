@@ -75,7 +75,8 @@ void DjiMotor::handle() {
   if (!usable) return drive(0);
   const auto full = static_cast<float>(kind_->full);
   const float word = command.torque / (gear_ * kind_->torque_per_ampere * kind_->full_current) * full;
-  drive(static_cast<std::int16_t>(std::lround(clamp(word, -full, full))));
+  const float bounded = clamp(word, -full, full);
+  drive(static_cast<std::int16_t>(bounded + (bounded < 0 ? -0.5F : 0.5F)));
 }
 
 void DjiMotor::safe() { drive(0); }

@@ -1,7 +1,9 @@
 #include "finemote/can.hpp"
 
 #include "finemote/fault.hpp"
+#include "finemote/loop_bound.hpp"
 #include "finemote/mark.hpp"
+#include "finemote/only_after_fault.hpp"
 
 namespace finemote {
 
@@ -31,6 +33,7 @@ CanInbox::Received CanInbox::received() const {
   // The count is raised before and after a frame is stored: odd while it is. Frames of one identifier are at least
   // 47 bits apart, so that a copy is disturbed at most once.
   for (int attempt = 0; attempt < 3; ++attempt) {
+    retried_if_interrupted();
     const std::uint32_t before = changes_.load();
     copy.frame = in_;
     copy.at = at_;
@@ -70,6 +73,7 @@ bool CanSlot::send(const CanFrame& frame) {
 
 void CanBus::start() {
   list_bus(counters_);
+  assign_groups();
   port_->configure(bitrate_, *this);
 }
 
@@ -133,7 +137,36 @@ bool CanBus::send_group(Group& group, Time at) {
   return true;
 }
 
-CanBus::Group* CanBus::group_of(std::uint16_t id) {
+/// The first slot whose devices fill the same frame as this one.
+std::uint8_t CanBus::first_sharing(std::uint8_t slot) const {
+  for (std::uint8_t i = 0; i < slot; ++i) {
+    const CanShare& share = slots_[i]->share_;
+    if (share.width != 0 && share.frame == slots_[slot]->share_.frame) return i;
+  }
+  return slot;
+}
+
+/// Slots that share a frame share a group.
+void CanBus::assign_groups() {
+  for (std::uint8_t i = 0; i < count_; ++i) {
+    const CanShare& share = slots_[i]->share_;
+    if (share.width == 0) continue;
+    const std::uint8_t first = first_sharing(i);
+    std::uint32_t group = 0;  // frames before
+    for (std::uint8_t k = 0; k < first; ++k) group += slots_[k]->share_.width != 0 && first_sharing(k) == k ? 1 : 0;
+    slots_[i]->group_.set(group);
+    if (group < kGroups) groups_[group].id.store(share.frame);
+  }
+}
+
+/// Of a slot of this bus it is known since the start.
+CanBus::Group* CanBus::group_of(const CanSlot& slot) {
+  const std::uint32_t index = slot.group_;
+  if (index < kGroups) return &groups_[index];
+  return slot.share_.width > 0 ? find_group(slot.share_.frame) : nullptr;
+}
+
+CanBus::Group* CanBus::find_group(std::uint16_t id) {
   for (Group& group : groups_) {
     if (group.id.load() == 0) group.id.replace(0, id);  // whoever comes second sees the first's identifier
     if (group.id.load() == id) return &group;
@@ -143,7 +176,7 @@ CanBus::Group* CanBus::group_of(std::uint16_t id) {
 
 bool CanBus::set_shared(const CanSlot& slot, const std::uint8_t* bytes) {
   const CanShare& share = slot.share_;
-  Group* group = share.width > 0 ? group_of(share.frame) : nullptr;
+  Group* const group = group_of(slot);
   if (group == nullptr) {
     count_fault(Module::can, kNoGroup);
     return false;
@@ -154,6 +187,7 @@ bool CanBus::set_shared(const CanSlot& slot, const std::uint8_t* bytes) {
     const std::uint8_t cleared = group->cleared.load();
     write(*group, share, bytes);
     if (group->cleared.load() == cleared) break;
+    only_after_fault();
   }
   group->priority.store(slot.priority_);
   group->changed.store(true);

@@ -157,21 +157,23 @@ TEST_CASE_METHOD(Fixture, "a device's part of a frame may be any of its bytes") 
   CHECK_FALSE(alone.set_shared(bytes));
 }
 
-TEST_CASE_METHOD(Fixture, "groups run out after five identifiers") {
-  for (std::uint16_t id = 1; id <= 5; ++id) {
+TEST_CASE_METHOD(Fixture, "groups run out after five identifiers, of which the bus' own slots have the first") {
+  for (std::uint16_t id = 1; id <= 4; ++id) {
     CanSlot slot = at_frame(id);
     CHECK(set_word(slot, 1));
   }
   CanSlot sixth = at_frame(6), third = at_frame(3);
   CHECK_FALSE(set_word(sixth, 1));
   CHECK(set_word(third, 1));
+  CHECK(set_word(two, 1));
 }
 
 TEST_CASE_METHOD(Fixture, "more frames than mailboxes all leave, without any received frame") {
-  for (std::uint16_t id = 1; id <= 5; ++id) {
+  for (std::uint16_t id = 1; id <= 4; ++id) {
     CanSlot slot = at_frame(id);
     set_word(slot, 1);
   }
+  set_word(one, 1);
   bus.flush();
   CHECK(one.send(frame(0x140, 1)));
   CHECK_FALSE(one.send(frame(0x140, 2)));

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "finemote/at_start.hpp"
 #include "finemote/bus_counters.hpp"
 #include "finemote/ports.hpp"
 #include "finemote/single_core.hpp"
@@ -86,6 +87,7 @@ class CanSlot {
   Shared<bool> waiting_{false};
   CanFrame out_;
   const CanShare share_;
+  AtStart<std::uint32_t> group_{UINT32_MAX};  ///< of the bus; too large: it is looked for
   CanInbox inbox_;
 };
 
@@ -170,7 +172,10 @@ class CanBus {
   bool set_shared(const CanSlot& slot, const std::uint8_t* bytes);
   template <typename Belongs>
   void flush_if(Belongs&& belongs);
-  [[nodiscard]] Group* group_of(std::uint16_t id);
+  [[nodiscard]] std::uint8_t first_sharing(std::uint8_t slot) const;
+  void assign_groups();
+  [[nodiscard]] Group* group_of(const CanSlot& slot);
+  [[nodiscard]] Group* find_group(std::uint16_t id);
   static void write(Group& group, const CanShare& share, const std::uint8_t* bytes);
   bool send_group(Group& group, Time at);
   bool send(const CanFrame& frame, Time at);

@@ -1,5 +1,6 @@
 // UartPort on a USART with two DMA streams. Procedures: RM0090 30.3.13 (continuous communication by DMA), 10.3.17.
 #include "finemote/fault.hpp"
+#include "finemote/loop_bound.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
 #include "runtime/chips/cortex_m4/urgent_interrupt.hpp"
 #include "runtime/chips/stm32f4/interrupt.hpp"
@@ -129,6 +130,7 @@ std::uint32_t UartHardware::forward(std::uint32_t before, std::uint32_t count) {
 
 UartIdle UartPort::idle() const {
   for (unsigned tries = 0;; ++tries) {
+    retried_if_interrupted();
     const std::uint32_t count = hardware_->idle_count.load();
     const UartIdle idle = hardware_->idle;
     if (hardware_->idle_count.load() == count || tries == 3) return idle;  // idle events are 20 bits apart or more
