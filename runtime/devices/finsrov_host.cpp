@@ -49,6 +49,8 @@ constexpr Index index_of_words() {
 constexpr Index kIndex = index_of_words();
 static_assert(kIndex.first[kLetters] == kWordCount, "the words are in the order of their first letters");
 
+/// Spaces that are passed over at once.
+constexpr unsigned kMostSpaces = 8;
 /// Digits of a number at most, leading zeros among them.
 constexpr unsigned kMostDigits = 7;
 
@@ -121,14 +123,15 @@ void FinsRovHost::check() {
 
 bool FinsRovHost::next(FinsRovOrder& order) { return stage_ == Stage::kOrders && at_ < size_ && parse(order); }
 
-/// The order that begins at at_, which is set behind it.
+/// The order that begins at at_ or behind spaces there, which is set behind it. Spaces without one are one, too.
 bool FinsRovHost::parse(FinsRovOrder& order) {
-  const char letter = text_[at_];
-  if (is_space(letter)) {
-    ++at_;
+  unsigned spaces = 0;
+  for (; spaces < kMostSpaces && at_ < size_ && is_space(text_[at_]); ++spaces) ++at_;
+  if (at_ >= size_ || spaces == kMostSpaces) {
     order = {};
     return true;
   }
+  const char letter = text_[at_];
   if (letter < 'A' || letter > 'Z') return false;
   const std::size_t begin = kIndex.first[letter - 'A'], end = kIndex.first[letter - 'A' + 1];
   for (std::size_t i = 0; i < kIndex.most && begin + i < end; ++i) {

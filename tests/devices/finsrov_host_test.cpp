@@ -84,6 +84,7 @@ TEST_CASE_METHOD(Fixture, "numbers") {
 
 TEST_CASE_METHOD(Fixture, "messages the reader saw as one are all taken") {
   CHECK(verbs("WUPDNE") == std::vector<Verb>{Verb::kForward, Verb::kUp, Verb::kDown, Verb::kTurnRight});
+  CHECK(verbs(" W\r\nUP\r\n") == std::vector<Verb>{Verb::kForward, Verb::kUp, Verb::kNothing});
   CHECK(verbs("H:100ON") == std::vector<Verb>{Verb::kDepth, Verb::kOn});
 }
 
