@@ -100,6 +100,22 @@ TEST_CASE("no stage on the emulated board takes longer than its bound, every lin
   }
 }
 
+TEST_CASE("all of the examples on the Type C board has a bound, and no fault makes anything faster") {
+  bool is_slower_with_faults = false;
+  for (const char* example : {"examples/finsrov.urdf", "examples/six_joint_arm.urdf"}) {
+    CAPTURE(example);
+    const Json bounds = finemote_json({"wcet", source_path(example)});
+    CHECK(bounds["unresolved"].empty());
+    CHECK(bounds["stages"].size() > 10);
+    for (const Json& stage : bounds["stages"]) CHECK(stage["without_faults_ns"] <= stage["wcet_ns"]);
+    for (const Json& interrupt : bounds["interrupts"]) {
+      CHECK(interrupt["wcet_ns"] <= interrupt["with_faults_ns"]);
+      is_slower_with_faults |= interrupt["wcet_ns"] < interrupt["with_faults_ns"];
+    }
+  }
+  CHECK(is_slower_with_faults);
+}
+
 TEST_CASE("a loop that is made longer costs so many rounds more") {
   const Told five = wcet_of("for (int i = 0; i < 5; ++i) sum_ = sum_ + i;");
   const Told nine = wcet_of("for (int i = 0; i < 9; ++i) sum_ = sum_ + i;");
