@@ -85,7 +85,23 @@ function(finemote_use_committed target words folder result)
   set(${result} ${files} PARENT_SCOPE)
 endfunction()
 
-# For finemote_add_firmware(NAME INPUT ...): sets generated_dir, generated and robot_code, arg_BOARD where it is the robot's, and adds
+# After linking: no stage may take longer than the robot's timing file says, where it has one (docs/wcet.md).
+function(finemote_hold_to_timing_file target words)
+  list(GET words 0 input)
+  string(REGEX REPLACE "(\\.urdf)?\\.xacro$|\\.urdf$" "" base ${input})
+  set(times ${base}.timing.json)
+  get_target_property(program finemote::finemote IMPORTED_LOCATION)
+  add_custom_command(TARGET ${target} POST_BUILD
+                     COMMAND ${CMAKE_COMMAND} -DPROGRAM=${program} "-DWORDS=${words}" -DIMAGE=$<TARGET_FILE:${target}>
+                             -DTIMES=${times} -DBOUNDS=${CMAKE_CURRENT_BINARY_DIR}/${target}.wcet.json
+                             -P ${FINEMOTE_ROOT}/cmake/scripts/times.cmake
+                     COMMENT "Holding ${target} to its timing file" VERBATIM)
+  if(EXISTS ${times})
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${times})
+  endif()
+endfunction()
+
+# For finemote_add_firmware(NAME INPUT ...): sets generated_dir, generated, robot_code and robot_words, arg_BOARD where it is the robot's, and adds
 # what belongs to the robot's own device types to arg_INCLUDES and arg_SOURCES.
 function(finemote_sources_of_input target)
   cmake_parse_arguments(arg "COMMITTED" "INPUT;BOARD;OUTPUT_DIR" "DEVICES;ARGS;INCLUDES;SOURCES" ${ARGN})
@@ -116,6 +132,7 @@ function(finemote_sources_of_input target)
   endif()
   string(JSON robot_code GET "${list}" code)
   set(robot_code ${robot_code} PARENT_SCOPE)
+  set(robot_words ${words} PARENT_SCOPE)
   finemote_strings("${list}" include_dirs folders)
   foreach(own ${folders})
     file(GLOB sources ${own}/*.cpp)

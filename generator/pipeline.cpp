@@ -1,8 +1,12 @@
 #include "generator/pipeline.hpp"
 
+#include <cerrno>
+
 #include "generator/input/read_document.hpp"
 #include "generator/model/build.hpp"
+#include "generator/model/firmware_inputs.hpp"
 #include "generator/timing/remodel.hpp"
+#include "generator/timing_file/inputs_hash.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -19,6 +23,22 @@ ModelOptions model_of(const Input& input) {
   return options;
 }
 
+/// Whether there is such a file, though it may be one that cannot be read.
+bool is_there(const std::string& path, const files::Access& access) {
+  const auto denial = access.why_not(path);
+  return !denial || (denial->error != ENOENT && denial->error != ENOTDIR);
+}
+
+void take_timing_file(const Input& input, PlannedRobot& planned, Sources& sources, Diagnostics& diagnostics) {
+  const std::string path = timing_file_path(input.path);
+  if (path.empty() || !is_there(path, sources.access())) return;
+  const auto file = read_timing_file(path, sources, diagnostics);
+  if (!file) return;
+  const TimingQuestion question{argument_words(input), input.board,
+                                timing_hash_of(planned, input.data_dir, sources.access())};
+  planned.timing_file = {use_timing_file(*file, question, planned.robot, diagnostics), file->at, path, file->compiler};
+}
+
 }  // namespace
 
 std::optional<PlannedRobot> plan_robot(const Input& input, Sources& sources, Diagnostics& diagnostics) {
@@ -32,11 +52,22 @@ std::optional<PlannedRobot> plan_robot(const Input& input, Sources& sources, Dia
   Forest forest = build_forest(*robot);
   Schedule schedule = plan_schedule(*robot, forest, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
-  return PlannedRobot{std::move(*library), std::move(*robot), std::move(forest), std::move(schedule)};
+  PlannedRobot planned{std::move(*library), std::move(*robot), std::move(forest), std::move(schedule)};
+  if (!input.without_timing_file) take_timing_file(input, planned, sources, diagnostics);
+  return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(planned));
+}
+
+std::string timing_hash_of(const PlannedRobot& planned, const std::string& data_dir, const files::Access& access) {
+  Diagnostics said;  // by whoever writes the files
+  const auto unknown = timing::robot_bounds(std::nullopt, planned.forest, planned.schedule);
+  const auto generated = emit_files(planned, {unknown, unknown}, data_dir, said);
+  return timing_hash({generated, planned.robot.board->name, runs_code_in_sram(planned.robot) ? "sram" : "flash",
+                      data_dir, user_include_dirs(planned.robot)},
+                     access);
 }
 
 Analysis analyse_robot(const PlannedRobot& planned, Hints hints) {
-  const auto& [library, robot, forest, schedule] = planned;
+  const auto& [library, robot, forest, schedule, timing_file] = planned;
   timing::AnalysisRequest request;
   request.requirements = timing::timing_requirements(robot, forest);
   request.inputs = true;
@@ -48,7 +79,7 @@ Analysis analyse_robot(const PlannedRobot& planned, Hints hints) {
 }
 
 ProvenBounds prove_bounds(const PlannedRobot& planned, const Analysis& analysis) {
-  const auto& [library, robot, forest, schedule] = planned;
+  const auto& [library, robot, forest, schedule, timing_file] = planned;
   return {timing::robot_bounds(analysis.timing, forest, schedule),
           timing::instrumented_bounds(robot, forest, schedule)};
 }

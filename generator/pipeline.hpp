@@ -15,6 +15,7 @@
 #include "generator/emit/render.hpp"
 #include "generator/input/input.hpp"
 #include "generator/timing/analyse.hpp"
+#include "generator/timing_file/use.hpp"
 
 namespace finemote::gen {
 
@@ -24,12 +25,18 @@ struct PlannedRobot {
   Robot robot;
   Forest forest;
   Schedule schedule;
+  TimingFileUse timing_file = {};
 
   [[nodiscard]] Plan plan() const { return {robot, forest, schedule}; }
 };
 
-/// Parse, expand, model, forest, schedule. All mistakes are reported; with one there is no robot.
+/// Parse, expand, model, forest, schedule, and the bounds of the robot's timing file. All mistakes are reported; with
+/// one there is no robot.
 std::optional<PlannedRobot> plan_robot(const Input& input, Sources& sources, Diagnostics& diagnostics);
+
+/// What the instructions of the robot's image are made from, its generated files without bounds included:
+/// timing_hash().
+std::string timing_hash_of(const PlannedRobot& planned, const std::string& data_dir, const files::Access& access);
 
 /// What is proven of a robot, in its own profile `target`.
 struct Analysis {

@@ -14,6 +14,7 @@
 #include "generator/timing/slack.hpp"
 #include "generator/timing/table.hpp"
 #include "generator/timing/text_table.hpp"
+#include "generator/timing/words.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -85,6 +86,21 @@ std::string text(const timing::Timing& timing, const Extras& extras) {
   return text;
 }
 
+/// FM4025 for each device whose execution times were not computed. @return  whether there is none
+bool report_not_static(const timing::Model& model, Diagnostics& judged) {
+  bool is_static = true;
+  for (const timing::Device& device : model.devices) {
+    if (device.source == timing::WcetSource::computed) continue;
+    is_static = false;
+    judged
+        .error(
+            code::timing_not_static, device.at,
+            fmt::format("the execution times of '{}' are {}, not static", device.name, timing::label_of(device.source)))
+        .hint("compute them: finemote wcet IN -o BASE.timing.json");
+  }
+  return is_static;
+}
+
 }  // namespace
 
 Answer run_analyze(const Options& options, Sources& sources, Diagnostics& diagnostics) {
@@ -114,7 +130,8 @@ Answer run_analyze(const Options& options, Sources& sources, Diagnostics& diagno
   if (options.suggest_order) extras.order = timing::suggest_order(model, timing->asked);
   if (options.format == Format::json) answer.document = document(*timing, extras);
   if (options.format == Format::text) answer.text = text(*timing, extras);
-  const bool is_yes = timing->schedulable && timing->requirements_hold();
+  const bool is_static = !options.require_static || report_not_static(timing->model, answer.judged);
+  const bool is_yes = timing->schedulable && timing->requirements_hold() && is_static;
   answer.status = denies_warnings(options, answer.judged) ? kExitInvalid : is_yes ? kExitYes : kExitNo;
   return answer;
 }

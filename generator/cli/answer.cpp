@@ -58,7 +58,7 @@ bool write_result(const std::string& path, std::string_view text, Diagnostics& d
 }
 
 bool denies_warnings(const Options& options, const Diagnostics& findings) {
-  return options.warnings_are_errors && findings.size() > 0;
+  return options.warnings_are_errors && findings.has_errors_or_warnings();
 }
 
 bool is_refused(const Options& options, const Diagnostics& findings) {

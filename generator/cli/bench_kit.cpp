@@ -17,6 +17,7 @@
 #include "generator/cli/robot_input.hpp"
 #include "generator/cli/settings.hpp"
 #include "generator/diagnostic/code_scenario.hpp"
+#include "generator/model/firmware_inputs.hpp"
 #include "generator/run/build_firmware.hpp"
 #include "generator/run/check_wcet.hpp"
 #include "generator/run/project.hpp"
@@ -55,6 +56,7 @@ Ground ground_of(Wcet::Source source) {
   switch (source) {
     case Wcet::Source::static_analysis:
     case Wcet::Source::budget:
+    case Wcet::Source::computed:
       return Ground::declared;
     case Wcet::Source::measured:
       return Ground::measured;

@@ -12,15 +12,16 @@
 #include "generator/cli/verdict.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "generator/input/read_document.hpp"
+#include "generator/run/compiler.hpp"
 
 namespace finemote::gen {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// `generate` with every option that the answer depends on.
-std::string generate_command(const Options& options) {
-  std::vector<std::string> words{"finemote", "generate", options.input, "-o", options.out};
+/// `generate` or `wcet` with every option that the answer depends on.
+std::string command_of(const char* command_name, const std::string& out, const Options& options) {
+  std::vector<std::string> words{"finemote", command_name, options.input, "-o", out};
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {option, value});
   };
@@ -36,16 +37,22 @@ std::string generate_command(const Options& options) {
 
 /// The commands that make the folder what it should be, one after the other.
 std::vector<std::string> mending_commands(const Options& options, const CheckResult& result) {
-  bool is_written = false, is_edited = false;
+  bool is_written = false, is_edited = false, is_timed = false;
   std::string orphans;
   for (const Finding& finding : result.findings) {
     const bool is_orphan = finding.state == Finding::State::orphan;
+    if (finding.state == Finding::State::stale_timing) {
+      is_timed = true;
+      continue;
+    }
     is_written |= !is_orphan;
     is_edited |= finding.state == Finding::State::hand_edited && finding.file != kManifestName;
     if (is_orphan) orphans += " " + shell_word(options.out + "/" + finding.file);
   }
   std::vector<std::string> commands;
-  if (is_written) commands.push_back(generate_command(options) + (is_edited ? " --force" : ""));
+  if (is_timed) commands.push_back(command_of("wcet", timing_file_path(options.input), options));
+  if (is_written || is_timed)
+    commands.push_back(command_of("generate", options.out, options) + (is_edited ? " --force" : ""));
   if (!orphans.empty()) commands.push_back("rm" + orphans);
   return commands;
 }
@@ -127,6 +134,23 @@ Answer answer_of(const Options& options, const Output& output, const CheckResult
   return answer;
 }
 
+/// What is wrong with the timing file of the robot; a note where another compiler made the image that it is of.
+void add_timing_file(const TimingFileUse& file, CheckResult& result, Diagnostics& diagnostics) {
+  if (file.state == TimingFileUse::State::stale) {
+    result.findings.push_back(
+        {Finding::State::stale_timing, file.path,
+         "computed from another state of the robot, its device types, the runtime or the options"});
+  }
+  if (file.state != TimingFileUse::State::fits || file.compiler.empty()) return;
+  const std::string here = compiler_for_board();
+  if (here == file.compiler) return;
+  diagnostics
+      .remark(code::timing_unused, file.at,
+              fmt::format("the execution times are of an image made by '{}'", file.compiler))
+      .note(here.empty() ? "there is no compiler for the board here"
+                         : fmt::format("another compiler is here: '{}'", here));
+}
+
 }  // namespace
 
 Answer run_check(const Options& options, Sources& sources, Diagnostics& diagnostics) {
@@ -143,8 +167,9 @@ Answer run_check(const Options& options, Sources& sources, Diagnostics& diagnost
   auto files = emit_files(*planned, prove_bounds(*planned, analysis), input->data_dir, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   const Output output = output_of(std::move(files), *planned, *input, sources);
-  const CheckResult result = check_output(options.out, output, diagnostics);
+  CheckResult result = check_output(options.out, output, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
+  add_timing_file(planned->timing_file, result, diagnostics);
 
   const auto verdict = verdict_of(analysis, diagnostics);
   if (!verdict) return no_answer();

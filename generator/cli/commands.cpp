@@ -250,6 +250,7 @@ OptionList options_of_analyze() {
        sandbox(),
        question(),
        {{"--slack", &Options::slack, "the factor by which execution times may grow"},
+        {"--require-static", &Options::require_static, "exit with status 1 unless every execution time is computed"},
         {"--suggest-order", &Options::suggest_order, "suggest an order of siblings and trees with shorter bounds"},
         {"--trace", &Options::trace, "of the firmware with the trace built in"},
         {"--monitor", &Options::monitor, "of the firmware with the monitor built in"}},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/model/firmware_inputs.hpp"
 #include "generator/run/project.hpp"
 #include "generator/run/proven_image.hpp"
 #include "generator/run/work_folder.hpp"

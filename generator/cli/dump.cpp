@@ -20,7 +20,7 @@ std::optional<Json> stage_json(Stage stage, const Input& input, const timing::Ro
   }
   const auto planned = plan_robot(input, sources, diagnostics);
   if (!planned) return std::nullopt;
-  const auto& [library, robot, forest, schedule] = *planned;
+  const auto& [library, robot, forest, schedule, timing_file] = *planned;
   if (stage == Stage::model) return dump_model(robot);
   if (stage == Stage::forest) return dump_forest(robot, forest);
   if (stage == Stage::schedule) return dump_schedule(robot, schedule);

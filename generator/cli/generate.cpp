@@ -6,6 +6,7 @@
 #include "generator/cli/dump.hpp"
 #include "generator/cli/robot_input.hpp"
 #include "generator/cli/verdict.hpp"
+#include "generator/model/firmware_inputs.hpp"
 #include "generator/output/write.hpp"
 #include "generator/run/project.hpp"
 
@@ -104,7 +105,7 @@ bool are_apart(const Options& options, const Output& output, Sources& sources, D
 /// A requirement that fails refuses nothing here, but nobody should believe that it holds.
 void warn_of_requirements(const Verdict& verdict, bool warnings_are_errors, Diagnostics& diagnostics) {
   for (Diagnostic finding : verdict.reasons.in_file_order()) {
-    if (finding.code != code::timing_requirement) continue;
+    if (finding.code != code::timing_requirement && finding.code != code::timing_above_declared) continue;
     finding.severity = Severity::warning;
     finding.note(warnings_are_errors
                      ? "without -W error generate would write the files; analyze and check exit with status 1"

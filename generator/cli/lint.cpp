@@ -84,8 +84,9 @@ Answer fix_and_answer(const Options& options, const Input& input, const Linted& 
 }  // namespace
 
 Answer run_lint(const Options& options, Sources& sources, Diagnostics& diagnostics) {
-  const auto input = input_of(options, diagnostics);
+  auto input = input_of(options, diagnostics);
   if (!input) return no_answer();
+  input->without_timing_file = options.fix;  // it would be of the robot before
   auto planned = plan_robot(*input, sources, diagnostics);
   if (!planned) return no_answer();
   const auto linted = lint_planned(options, std::move(*planned), diagnostics);

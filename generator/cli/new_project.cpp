@@ -12,6 +12,7 @@
 #include "generator/cli/settings.hpp"
 #include "generator/diagnostic/code_output.hpp"
 #include "generator/diagnostic/suggest.hpp"
+#include "generator/model/firmware_inputs.hpp"
 #include "generator/output/folder.hpp"
 #include "generator/pipeline.hpp"
 #include "generator/run/project.hpp"

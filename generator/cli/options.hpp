@@ -68,6 +68,7 @@ struct Options {
   std::string profile;              ///< --profile
   std::string assume_wcet;          ///< --assume-wcet
   bool slack = false;
+  bool require_static = false;
   bool fix = false;                      ///< lint --fix
   std::vector<std::string> allow, deny;  ///< lint --allow, --deny
   bool suggest_order = false;

@@ -74,7 +74,7 @@ Answer run_report(const Options& options, Sources& sources, Diagnostics& diagnos
   if (diagnostics.has_errors()) return no_answer();
   if (!check_outputs({{options.out, "-o"}}, sources, diagnostics)) return no_answer();
 
-  const auto& [library, robot, forest, schedule] = *subject->planned;
+  const auto& [library, robot, forest, schedule, timing_file] = *subject->planned;
   question.remodel = timing::robot_remodel(robot, forest, robot_options);
   Answer answer;
   SimulationRequest request;

@@ -1,6 +1,5 @@
 #include "generator/cli/robot_input.hpp"
 
-#include <algorithm>
 #include <iostream>
 
 #include "generator/cli/data_dir.hpp"
@@ -12,9 +11,7 @@ namespace {
 
 /// What changes the files beside the inputs, as on the command line: `--board NAME`, then `name:=value`, sorted.
 std::vector<std::string> output_options(const Input& input) {
-  std::vector<std::string> words;
-  for (const auto& [name, value] : xacro_arguments(input.arguments)) words.push_back(name + ":=" + value);
-  std::sort(words.begin(), words.end());
+  std::vector<std::string> words = argument_words(input);
   if (!input.board.empty()) words.insert(words.begin(), "--board " + input.board);
   return words;
 }

@@ -15,6 +15,7 @@
 #include "generator/descriptor/library.hpp"
 #include "generator/diagnostic/code_scenario.hpp"
 #include "generator/model/attributes.hpp"
+#include "generator/model/firmware_inputs.hpp"
 #include "generator/run/audit.hpp"
 #include "generator/run/check_wcet.hpp"
 #include "generator/run/duration.hpp"
@@ -127,7 +128,7 @@ bool has_parts(const Robot& robot, const Setup& setup, bool build_only, Diagnost
 /// not exist; what else is wrong with the image is wrong with the robot.
 std::optional<timing::Timing> analyse_image(const Options& options, const PlannedRobot& planned,
                                             Diagnostics& diagnostics) {
-  const auto& [library, robot, forest, schedule] = planned;
+  const auto& [library, robot, forest, schedule, timing_file] = planned;
   timing::RobotTimingOptions instrumented;
   instrumented.trace = options.trace;
   instrumented.monitor = options.monitor;
@@ -182,7 +183,7 @@ std::optional<bool> repeat_verdict(const Analysis& analysis, Diagnostics& diagno
 std::optional<RunRecord> run_image(const std::string& image, const PlannedRobot& planned, const Setup& setup,
                                    const FaultTable& faults, const Options& options, std::optional<Phase> phase,
                                    Diagnostics& diagnostics) {
-  const auto& [library, robot, forest, schedule] = planned;
+  const auto& [library, robot, forest, schedule, timing_file] = planned;
   if (!setup.is_emulated()) return execute(image, setup.board, forest, setup.duration, faults, diagnostics);
   return emulate(image, robot, forest, setup.duration,
                  {setup.board, faults, setup.asked_scenario(), options.audit.empty() ? nullptr : &schedule, phase,
@@ -228,7 +229,7 @@ std::optional<Runs> run_phases(const std::string& image, const PlannedRobot& pla
 /// What was run, and what it left behind.
 RunResult result_of(const PlannedRobot& planned, const Setup& setup, const ImageFacts& image, Runs runs,
                     const FaultTable& faults) {
-  const auto& [library, robot, forest, schedule] = planned;
+  const auto& [library, robot, forest, schedule, timing_file] = planned;
   const auto whole = hyperperiod(schedule, setup.duration);
   const bool fits_twice = whole && *whole <= floor_div(setup.duration, 2);
   const Duration shown = fits_twice ? 2 * *whole : setup.duration;
@@ -278,7 +279,7 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   if (options.dump) return dump_robot(options, *input, {}, sources, diagnostics);
   auto planned = plan_robot(*input, sources, diagnostics);
   if (!planned) return no_answer();
-  const auto& [library, robot, forest, schedule] = *planned;
+  const auto& [library, robot, forest, schedule, timing_file] = *planned;
   const auto setup = setup_of(options, *planned, sources, diagnostics);
   if (!setup || !has_parts(robot, *setup, options.build_only, diagnostics)) return no_answer();
   const auto image_timing = analyse_image(options, *planned, diagnostics);
@@ -315,7 +316,8 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   Diagnostics judged;
   for (const Device& device : robot.devices) result.wcets_given.push_back(device.wcet);
   if (image_timing) result.wcets_given = analysed_wcets(robot, forest, image_timing->model);
-  result.wcets_hold = check_wcet(robot, result.wcets_given, result.record, judged);
+  const bool declared_hold = !image_timing || image_timing->above_declared.empty();
+  result.wcets_hold = check_wcet(robot, result.wcets_given, result.record, judged) && declared_hold;
   result.must_judge = setup->is_emulated();
   result.wcets = measured_wcets(robot, result.record);
   result.order = judge_order(robot, planned->schedule, result.record);

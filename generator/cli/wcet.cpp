@@ -7,8 +7,10 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/robot_input.hpp"
 #include "generator/image/constants.hpp"
+#include "generator/input/read_document.hpp"
+#include "generator/model/firmware_inputs.hpp"
+#include "generator/run/compiler.hpp"
 #include "generator/run/project.hpp"
-#include "generator/run/timing_inputs.hpp"
 #include "generator/run/wcet_report.hpp"
 #include "generator/run/work_folder.hpp"
 #include "generator/timing/bounds.hpp"
@@ -43,12 +45,6 @@ std::optional<std::string> image_of(const Options& options, const Project& proje
   return options.elf.empty() ? make_image(project, sources, diagnostics) : std::optional(options.elf);
 }
 
-std::vector<std::string> words_of(const std::vector<std::pair<std::string, std::string>>& arguments) {
-  std::vector<std::string> words;
-  for (const auto& [name, value] : arguments) words.push_back(fmt::format("{}:={}", name, value));
-  return words;
-}
-
 void report_unknown_stage(const std::string& asked, Diagnostics& diagnostics) {
   diagnostics.error(code::usage, {}, fmt::format("no stage '{}' with a bound", asked))
       .hint("name it as the table does, for example 'imu.update'");
@@ -69,7 +65,8 @@ Answer answer_of(const Options& options, const TimedRobot& timed, Diagnostics& d
 }  // namespace
 
 Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnostics) {
-  const auto input = input_of(options, diagnostics);
+  auto input = input_of(options, diagnostics);
+  if (input) input->without_timing_file = true;
   const auto planned = input ? plan_robot(*input, sources, diagnostics) : std::nullopt;
   if (!planned || !has_model(planned->robot, diagnostics)) return no_answer();
   const WorkFolder work({}, diagnostics);
@@ -79,10 +76,13 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   auto files = emit_files(*planned, {unknown, unknown}, input->data_dir, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   const FirmwareRequest request = request_of(*planned, work.path(), input->data_dir);
-  WcetInputs inputs{wcet::Placement::flash, planned->robot.board->cpu_hz, {}, {}, words_of(options.arguments)};
+  const bool is_in_sram = runs_code_in_sram(planned->robot);
+  WcetInputs inputs{is_in_sram ? wcet::Placement::sram : wcet::Placement::flash, planned->robot.board->cpu_hz};
+  inputs.arguments = argument_words(*input);
+  inputs.board = options.board;
   if (options.elf.empty()) {
     inputs.compiler = compiler_for_board();
-    inputs.hash = timing_hash(files, request);
+    inputs.hash = timing_hash_of(*planned, input->data_dir, sources.access());
   }
   const Project project =
       make_project(request, output_of(std::move(files), *planned, *input, sources), planned->robot, false);
@@ -94,7 +94,9 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   inputs.placement = wcet::placement_of(*image);
   const wcet::ImageTimes times = wcet::time_image(*image, kept, inputs.placement);
   const SourceLines lines(*path);
-  return answer_of(options, {planned->robot, planned->forest, planned->schedule, times, lines, std::move(inputs)},
+  const SourceNames names(input->data_dir, input_folder(input->path));
+  return answer_of(options,
+                   {planned->robot, planned->forest, planned->schedule, times, lines, names, std::move(inputs)},
                    diagnostics);
 }
 

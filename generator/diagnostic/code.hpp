@@ -85,14 +85,19 @@ inline constexpr Code timing_overflow{4010};  // a time, sum or product beyond 6
 // Retired: 4011 (closed forms stand in where an analysis would take too long: FM4017).
 inline constexpr Code timing_frame_time{4012};  // a frame shorter than 1 ns
 inline constexpr Code timing_no_device{4013};
-inline constexpr Code timing_cycle{4014};          // reads and parents form a cycle
-inline constexpr Code timing_unschedulable{4015};  // a bucket may run over its period
-inline constexpr Code timing_requirement{4016};    // a <require> does not hold
-inline constexpr Code timing_closed_form{4017};    // a safe closed form stands in for the exact maximum
-inline constexpr Code timing_chain{4018};          // a chain operand names nothing, or nothing leads from a to b
-inline constexpr Code timing_profile{4019};        // profile target asked of a model without its fields
-inline constexpr Code timing_assumed{4020};        // the verdict depends on assumed execution times
-inline constexpr Code timing_bus_overload{4021};   // warning: a bus is overloaded
+inline constexpr Code timing_cycle{4014};           // reads and parents form a cycle
+inline constexpr Code timing_unschedulable{4015};   // a bucket may run over its period
+inline constexpr Code timing_requirement{4016};     // a <require> does not hold
+inline constexpr Code timing_closed_form{4017};     // a safe closed form stands in for the exact maximum
+inline constexpr Code timing_chain{4018};           // a chain operand names nothing, or nothing leads from a to b
+inline constexpr Code timing_profile{4019};         // profile target asked of a model without its fields
+inline constexpr Code timing_assumed{4020};         // the verdict depends on assumed execution times
+inline constexpr Code timing_bus_overload{4021};    // warning: a bus is overloaded
+inline constexpr Code timing_stale{4022};           // warning: the timing file was computed from something else
+inline constexpr Code timing_unused{4023};          // note: the timing file is of other arguments or another compiler
+inline constexpr Code timing_above_declared{4024};  // a computed execution time is above the declared one
+inline constexpr Code timing_not_static{4025};      // --require-static: an execution time that is not computed
+inline constexpr Code timing_file_schema{4026};     // a timing file of another schema
 // 20xx: links and joints of the URDF
 inline constexpr Code urdf_rejected{2001};  // urdfdom, which ROS tools use, refuses the links and joints
 inline constexpr Code unknown_link{2002};

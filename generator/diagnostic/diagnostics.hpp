@@ -10,7 +10,8 @@
 
 namespace finemote::gen {
 
-enum class Severity { error, warning };
+/// A note says what a user may want to know and asks for nothing: `-W error` leaves it one.
+enum class Severity { error, warning, note };
 
 /// Further information below a message, with a place of its own or none.
 struct Note {
@@ -41,14 +42,20 @@ class Diagnostics {
     return add(Severity::error, code, at, std::move(message));
   }
   Diagnostic& warning(Code code, Position at, std::string message) {
+    ++warnings_;
     return add(Severity::warning, code, at, std::move(message));
+  }
+  Diagnostic& remark(Code code, Position at, std::string message) {
+    return add(Severity::note, code, at, std::move(message));
   }
   /// A finding made elsewhere.
   void add(const Diagnostic& finding) {
     if (finding.severity == Severity::error) ++errors_;
+    if (finding.severity == Severity::warning) ++warnings_;
     list_.push_back(finding);
   }
   [[nodiscard]] bool has_errors() const { return errors_ > 0; }
+  [[nodiscard]] bool has_errors_or_warnings() const { return errors_ + warnings_ > 0; }
   [[nodiscard]] std::size_t size() const { return list_.size(); }
 
   /// All findings in file order (stable: findings at one place keep the order they were made in).
@@ -59,7 +66,7 @@ class Diagnostics {
     return list_.emplace_back(Diagnostic{severity, code, at, 1, std::move(message), {}, {}});
   }
   std::deque<Diagnostic> list_;  // references handed out stay valid
-  std::size_t errors_ = 0;
+  std::size_t errors_ = 0, warnings_ = 0;
 };
 
 }  // namespace finemote::gen

@@ -105,11 +105,22 @@ std::string render_way(const Expansion* innermost, const Palette& paint) {
   return text;
 }
 
+const char* color_of(Severity severity, const Palette& paint) {
+  switch (severity) {
+    case Severity::error:
+      return paint.red;
+    case Severity::warning:
+      return paint.yellow;
+    case Severity::note:
+      break;
+  }
+  return paint.cyan;
+}
+
 std::string render_one(const Message& message, Lines& lines, const Palette& paint) {
   const Diagnostic& finding = message.finding;
-  const bool is_error = finding.severity == Severity::error;
   std::string text = fmt::format("{}{}:{} {}{}[{}]{}: {}\n", paint.bold, printable(place_text(finding.at)), paint.reset,
-                                 is_error ? paint.red : paint.yellow, is_error ? "error" : "warning",
+                                 color_of(finding.severity, paint), severity_name(finding.severity),
                                  code_name(finding.code), paint.reset, printable_lines(finding.message));
   text += excerpt(finding, lines, paint);
   text += render_way(finding.at.via, paint);
@@ -126,6 +137,18 @@ std::string render_one(const Message& message, Lines& lines, const Palette& pain
 }
 
 }  // namespace
+
+const char* severity_name(Severity severity) {
+  switch (severity) {
+    case Severity::error:
+      return "error";
+    case Severity::warning:
+      return "warning";
+    case Severity::note:
+      break;
+  }
+  return "note";
+}
 
 std::string code_name(Code code) { return fmt::format("FM{:04}", code.number); }
 
@@ -148,9 +171,8 @@ void put_place(const Position& at, Json& json) {
 
 Json json_of(const Message& message) {
   const Diagnostic& finding = message.finding;
-  Json json{{"severity", finding.severity == Severity::error ? "error" : "warning"},
-            {"code", code_name(finding.code)},
-            {"message", finding.message}};
+  Json json{
+      {"severity", severity_name(finding.severity)}, {"code", code_name(finding.code)}, {"message", finding.message}};
   put_place(finding.at, json);
   Json notes = Json::array();
   for (const Expansion* step = finding.at.via; step != nullptr; step = step->at.via) notes.push_back(describe(*step));

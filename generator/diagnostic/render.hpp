@@ -16,6 +16,9 @@ std::string render_text(const Diagnostics& diagnostics, bool color);
 /// A finding with repeats has them in `repeats`: [{message, file, line, column}], at the outermost macro calls.
 nlohmann::ordered_json render_json(const Diagnostics& diagnostics);
 
+/// `error`, `warning`, `note`.
+const char* severity_name(Severity severity);
+
 /// `FM0042`.
 std::string code_name(Code code);
 

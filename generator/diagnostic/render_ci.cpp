@@ -15,7 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* severity_name(Severity severity) { return severity == Severity::error ? "error" : "warning"; }
+/// As workflow commands are called.
+const char* command_name(Severity severity) { return severity == Severity::note ? "notice" : severity_name(severity); }
 
 /// Message, notes and hints as one text.
 std::string whole_message(const Message& message) {
@@ -39,7 +40,7 @@ std::string escape_github(std::string_view text, bool is_property) {
 
 std::string github_line(const Message& message) {
   const Diagnostic& finding = message.finding;
-  std::string text = fmt::format("::{} ", severity_name(finding.severity));
+  std::string text = fmt::format("::{} ", command_name(finding.severity));
   const Position& at = finding.at;
   if (at.file != nullptr) text += fmt::format("file={},", escape_github(at.file->name, true));
   if (at.file != nullptr && at.line > 0) text += fmt::format("line={},", at.line);
@@ -112,7 +113,7 @@ std::string render_github(const Diagnostics& diagnostics) {
     const std::size_t number = ++written[finding.severity];
     const bool is_last = number == kShown && total[finding.severity] > kShown;
     if (number > kShown) continue;
-    text += is_last ? fmt::format("::{} title=FineMote::and {} more\n", severity_name(finding.severity),
+    text += is_last ? fmt::format("::{} title=FineMote::and {} more\n", command_name(finding.severity),
                                   total[finding.severity] - kShown + 1)
                     : github_line(message);
   }

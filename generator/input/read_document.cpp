@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "generator/xacro/expand_file.hpp"
@@ -67,6 +68,13 @@ std::optional<xml::Document> read_document(const Input& input, Sources& sources,
   return xacro::expand(*file, xacro_arguments(input.arguments),
                        xacro::package_path(input.path, folders, sources.access()), sources, diagnostics, dependencies,
                        input.messages);
+}
+
+std::vector<std::string> argument_words(const Input& input) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : xacro_arguments(input.arguments)) words.push_back(name + ":=" + value);
+  std::sort(words.begin(), words.end());
+  return words;
 }
 
 }  // namespace finemote::gen

@@ -21,4 +21,7 @@ std::vector<std::pair<std::string, std::string>> package_folders(const std::vect
 /// `name:=value` words as xacro takes them.
 xacro::Arguments xacro_arguments(const std::vector<std::pair<std::string, std::string>>& words);
 
+/// The arguments of an input as words `name:=value`, sorted, each name once.
+std::vector<std::string> argument_words(const Input& input);
+
 }  // namespace finemote::gen

@@ -190,8 +190,10 @@ const char* to_string(Wcet::Source source) {
       return "measured";
     case Wcet::Source::static_analysis:
       return "static";
+    case Wcet::Source::computed:
+      break;
   }
-  return "";
+  return "computed";
 }
 
 void read_devices(Reading& reading) {

@@ -83,14 +83,17 @@ struct Read {
 };
 
 struct Wcet {
-  enum class Source { assumed, budget, measured, static_analysis };
+  /// The type's default or the tool's; three that the tag declares; a bound of the robot's timing file.
+  enum class Source { assumed, budget, measured, static_analysis, computed };
   Duration update;
   Duration handle;
   Source source = Source::assumed;
-  Duration per_frame;  ///< assumed: the part of update() for each of most_frames()
+  Duration per_frame;                                    ///< assumed: the part of update() for each of most_frames()
+  std::optional<Duration> update_static, handle_static;  ///< of the timing file, where it fits
+  bool is_above_declared = false;                        ///< one of them is above what the tag declares
 };
 
-/// As the extension spells it: `static`.
+/// As the extension spells it: `static`. What it cannot spell is `computed`.
 const char* to_string(Wcet::Source source);
 
 struct Device {

@@ -10,9 +10,10 @@
 namespace finemote::gen {
 
 struct Finding {
-  enum class State { missing, hand_edited, line_endings, stale, orphan };
+  /// `stale_timing`: not of the folder; the robot's timing file is of something else.
+  enum class State { missing, hand_edited, line_endings, stale, orphan, stale_timing };
   State state = State::stale;
-  std::string file;    ///< below the folder
+  std::string file;    ///< below the folder; of `stale_timing` its path
   std::string reason;  ///< one line
 };
 
@@ -29,7 +30,7 @@ CheckResult check_output(const std::string& folder, const Output& output, Diagno
 /// `hand-edited`, `line-endings`, ...
 const char* state_name(Finding::State state);
 
-/// The findings as errors FM5007 to FM5011, each at its file below `folder`; `sources` keeps their names.
+/// The findings of the folder as errors FM5007 to FM5011, each at its file below `folder`; `sources` keeps their names.
 Diagnostics as_diagnostics(const std::string& folder, const CheckResult& result, Sources& sources);
 
 /// Unified diff from the files on disk to those a fresh run would write, for the findings.

@@ -32,16 +32,6 @@ std::vector<std::string> files_of_the_compiler(const FirmwareRequest& request) {
 
 }  // namespace
 
-std::vector<std::string> user_include_dirs(const Robot& robot) {
-  std::vector<std::string> dirs;
-  const auto add = [&](const std::string& dir) {
-    if (!dir.empty() && std::find(dirs.begin(), dirs.end(), dir) == dirs.end()) dirs.push_back(dir);
-  };
-  for (const Device& device : robot.devices) add(device.type->include_dir);
-  for (const Expander& expander : robot.expanders) add(expander.type->include_dir);
-  return dirs;
-}
-
 std::vector<std::string> user_sources(const std::vector<std::string>& dirs) {
   std::vector<std::string> sources;
   for (const std::string& dir : dirs) {
@@ -51,10 +41,6 @@ std::vector<std::string> user_sources(const std::vector<std::string>& dirs) {
   }
   std::sort(sources.begin(), sources.end());
   return sources;
-}
-
-bool runs_code_in_sram(const Robot& robot) {
-  return param_value(robot.board_params, "code", std::string("flash")) == "sram";
 }
 
 Project make_project(const FirmwareRequest& request, Output generated, const Robot& robot, bool with_parts) {

@@ -17,14 +17,8 @@ struct Project {
   std::string option = "--keep";  ///< that names the work folder
 };
 
-/// The folders of the robot's own device types.
-std::vector<std::string> user_include_dirs(const Robot& robot);
-
-/// The sources in them, sorted.
+/// The sources in folders, sorted.
 std::vector<std::string> user_sources(const std::vector<std::string>& dirs);
-
-/// Whether its board runs the code in SRAM: param `code`.
-bool runs_code_in_sram(const Robot& robot);
 
 /// The project of `request` around the generated files, for the same robot and inputs.
 /// @param parts  also what hangs on the board, as parts.json

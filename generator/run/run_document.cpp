@@ -1,5 +1,8 @@
 #include "generator/run/run_document.hpp"
 
+#include "generator/timing/from_robot.hpp"
+#include "generator/timing/words.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -29,20 +32,6 @@ Json excused(Json document, const RunResult& result, const Measured& figure) {
 
 Json statistics(const RunResult& result, const Measured& figure) { return excused(statistics(figure), result, figure); }
 
-const char* label_of(Wcet::Source source) {
-  switch (source) {
-    case Wcet::Source::static_analysis:
-      return "static";
-    case Wcet::Source::measured:
-      return "measured";
-    case Wcet::Source::budget:
-      return "declared";
-    case Wcet::Source::assumed:
-      return "assumed";
-  }
-  return "";
-}
-
 Json own_time(const RunResult& result, DeviceId device, bool is_handle) {
   for (const OwnTime& own : result.record.own_times) {
     if (own.device == device && own.is_handle == is_handle) return own.longest.ns();
@@ -56,15 +45,18 @@ Json stage_list(const RunResult& result) {
     for (const bool is_handle : {false, true}) {
       const Statistics& s = result.figures.stages[device][is_handle ? 1 : 0];
       const Wcet& wcet = result.wcets_given[device];
-      list.push_back({{"device", name_of(result, device)},
-                      {"stage", is_handle ? "handle" : "update"},
-                      {"count", s.count},
-                      {"min_ns", seen(s, s.min.ns())},
-                      {"mean_ns", seen(s, s.mean_ns)},
-                      {"max_ns", seen(s, s.max.ns())},
-                      {"own_max_ns", own_time(result, device, is_handle)},
-                      {"wcet_ns", (is_handle ? wcet.handle : wcet.update).ns()},
-                      {"wcet_label", label_of(wcet.source)}});
+      Json stage{{"device", name_of(result, device)},
+                 {"stage", is_handle ? "handle" : "update"},
+                 {"count", s.count},
+                 {"min_ns", seen(s, s.min.ns())},
+                 {"mean_ns", seen(s, s.mean_ns)},
+                 {"max_ns", seen(s, s.max.ns())},
+                 {"own_max_ns", own_time(result, device, is_handle)},
+                 {"wcet_ns", (is_handle ? wcet.handle : wcet.update).ns()},
+                 {"wcet_label", timing::label_of(timing::source_of(wcet.source))}};
+      const auto& computed = is_handle ? wcet.handle_static : wcet.update_static;
+      if (computed) stage["static_ns"] = computed->ns();
+      list.push_back(std::move(stage));
     }
   }
   return list;

@@ -7,15 +7,13 @@
 #include "generator/forest/stage.hpp"
 #include "generator/image/exception.hpp"
 #include "generator/schedule/period.hpp"
+#include "generator/timing_file/timing_file.hpp"
 
 namespace finemote::gen {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using wcet::Cycles;
-
-constexpr const char* kModel = "cortex-m4-maxima";
-constexpr int kModelVersion = 1;
 
 const char* name_of(wcet::Placement placement) { return placement == wcet::Placement::sram ? "sram" : "flash"; }
 
@@ -30,8 +28,9 @@ std::int64_t ns_of(Cycles cycles, const TimedRobot& timed) {
 
 Json place_of(std::uint32_t address, const std::string& function, const TimedRobot& timed) {
   const auto line = timed.lines.at(address);
-  return {
-      {"function", function}, {"file", line ? Json(line->file) : Json()}, {"line", line ? Json(line->line) : Json()}};
+  return {{"function", function},
+          {"file", line ? Json(timed.names.of(line->file)) : Json()},
+          {"line", line ? Json(line->line) : Json()}};
 }
 
 std::vector<Stage> stages_of(const TimedRobot& timed) {
@@ -88,7 +87,7 @@ std::string interrupt_name(const TimedRobot& timed, const wcet::RoutineTime& rou
 
 std::string where(std::uint32_t address, const TimedRobot& timed) {
   const auto line = timed.lines.at(address);
-  return line ? fmt::format("{}:{}", line->file, line->line) : fmt::format("0x{:08x}", address);
+  return line ? fmt::format("{}:{}", timed.names.of(line->file), line->line) : fmt::format("0x{:08x}", address);
 }
 
 /// Times of a stage or a routine: with faults, and without them where that is less.
@@ -116,7 +115,7 @@ const wcet::BracketTime* bracket_of(const TimedRobot& timed, Stage stage) {
 }  // namespace
 
 Json wcet_document(const TimedRobot& timed) {
-  Json document{{"schema", "finemote.wcet/1"}, {"robot", timed.robot.name.text}};
+  Json document{{"schema", kTimingSchema}, {"robot", timed.robot.name.text}};
   Json stages = Json::array(), interrupts = Json::array(), scheduler = Json::array(), unresolved = Json::array();
   for (const Stage stage : stages_of(timed)) {
     if (const auto* bracket = bracket_of(timed, stage)) stages.push_back(stage_json(timed, stage, *bracket));
@@ -139,9 +138,11 @@ Json wcet_document(const TimedRobot& timed) {
   document["interrupts"] = std::move(interrupts);
   document["scheduler"] = std::move(scheduler);
   document["unresolved"] = std::move(unresolved);
-  document["model"] = {{"name", kModel}, {"version", kModelVersion}, {"placement", name_of(timed.inputs.placement)}};
+  document["model"] = {
+      {"name", cost_model().name}, {"version", cost_model().version}, {"placement", name_of(timed.inputs.placement)}};
   const auto or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
   document["inputs"] = {{"compiler", or_null(timed.inputs.compiler)},
+                        {"options", {{"board", or_null(timed.inputs.board)}}},
                         {"arguments", timed.inputs.arguments},
                         {"hash", or_null(timed.inputs.hash)}};
   return document;

@@ -9,6 +9,7 @@
 #include "generator/forest/forest.hpp"
 #include "generator/image/source_lines.hpp"
 #include "generator/model/robot.hpp"
+#include "generator/run/source_names.hpp"
 #include "generator/schedule/schedule.hpp"
 #include "generator/wcet/image_times.hpp"
 
@@ -18,8 +19,9 @@ namespace finemote::gen {
 struct WcetInputs {
   wcet::Placement placement = wcet::Placement::flash;
   std::int64_t clock_hz = 0;
-  std::string compiler, hash;          ///< empty for an image that was linked elsewhere
-  std::vector<std::string> arguments;  ///< NAME:=VALUE
+  std::string compiler = {}, hash = {};     ///< empty for an image that was linked elsewhere
+  std::vector<std::string> arguments = {};  ///< NAME:=VALUE
+  std::string board = {};                   ///< that was asked for instead of the robot's own; empty: none
 };
 
 /// An image of this robot with its bounds; all outlive the report.
@@ -29,6 +31,7 @@ struct TimedRobot {
   const Schedule& schedule;
   const wcet::ImageTimes& times;
   const SourceLines& lines;
+  const SourceNames& names;
   WcetInputs inputs;
 };
 

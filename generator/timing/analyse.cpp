@@ -6,6 +6,7 @@
 
 #include "generator/timing/explain.hpp"
 #include "generator/timing/operands.hpp"
+#include "generator/timing/table.hpp"
 #include "generator/timing/unbounded.hpp"
 #include "generator/timing/words.hpp"
 #include "generator/units/units.hpp"
@@ -115,6 +116,24 @@ std::vector<Rank> with_closed_form(const Timing& timing) {
   return closed;
 }
 
+std::string stage_text(const char* stage, const std::optional<Duration>& computed) {
+  return fmt::format("{}() at most {}", stage, duration_text(computed));
+}
+
+/// FM4024 of every device that the image can take longer than the user declares.
+void report_declared(const Timing& timing, Diagnostics& diagnostics) {
+  for (const Rank d : timing.above_declared) {
+    const Device& device = timing.model.devices[d];
+    diagnostics
+        .error(code::timing_above_declared, device.at,
+               fmt::format("the image can take longer than <wcet> of '{}' declares", device.name))
+        .note(fmt::format("bounds of the image: {}, {}", stage_text("update", device.update_static),
+                          stage_text("handle", device.handle_static)))
+        .hint(fmt::format("<wcet update=\"{}\" handle=\"{}\" source=\"budget\"/>, or make the code faster",
+                          units::format_duration(device.update_wcet), units::format_duration(device.handle_wcet)));
+  }
+}
+
 void report_remarks(const Timing& timing, Diagnostics& diagnostics) {
   const std::vector<Rank> closed = with_closed_form(timing);
   if (!closed.empty()) {
@@ -213,6 +232,7 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
   timing.bus_loads = wire.loads();
   for (const Rank d : model.devices.ids()) {
     if (model.devices[d].source == WcetSource::assumed) timing.assumed.push_back(d);
+    if (model.devices[d].is_above_declared) timing.above_declared.push_back(d);
   }
   timing.asked = request.profile.value_or(target ? Profile::target : Profile::tight);
   const ProfileAnalysis& asked = timing.asked == Profile::paper   ? paper
@@ -227,6 +247,7 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
   Trials trials(timing, request);
   report_buckets(timing, trials, diagnostics);
   report_requirements(timing, trials, diagnostics);
+  report_declared(timing, diagnostics);
   timing.missing = missing_bounds(timing, trials);
   report_bus_overloads(timing, trials, diagnostics);
   report_remarks(timing, diagnostics);
@@ -236,7 +257,8 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
 }  // namespace
 
 bool Timing::requirements_hold() const {
-  return std::all_of(requirements.begin(), requirements.end(), [](const RequirementResult& r) { return r.ok; });
+  const auto holds = [](const RequirementResult& r) { return r.ok; };
+  return above_declared.empty() && std::all_of(requirements.begin(), requirements.end(), holds);
 }
 
 std::optional<Duration> jitter_bound(const Model& model, const ProfileResult& profile, Rank device) {

@@ -71,16 +71,18 @@ struct Timing {
   std::vector<MissingBound> missing;    ///< of chains without end-to-end bound
   double processor_load = 0;            ///< share of the processor in the long run, in the asked profile
   std::vector<Rank> assumed;            ///< devices whose execution times are assumed
+  std::vector<Rank> above_declared;     ///< devices whose computed execution time is above the declared one
   bool schedulable = false;             ///< in the asked profile
 
   [[nodiscard]] const ProfileResult& verdict() const {
     return asked == Profile::paper ? paper : asked == Profile::target && target ? *target : tight;
   }
+  /// Declared execution times are requirements, too: what was computed must not be above them.
   [[nodiscard]] bool requirements_hold() const;
 };
 
 /// Analyses a model that read_model accepts. Reports FM4010 (no result), FM4015 (a bucket of the asked
-/// profile may overrun), FM4016 (a requirement fails), FM4018 (a chain that leads nowhere; no result), FM4019 (target
+/// profile may overrun), FM4016 (a requirement fails), FM4018 (a chain that leads nowhere; no result), FM4024 (computed above declared), FM4019 (target
 /// asked of a plain model; no result), and as warnings FM4017 (closed forms), FM4020 (assumed execution times) and
 /// FM4021 (an overloaded bus).
 std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics);

@@ -16,20 +16,6 @@ namespace {
 /// generator does not: more does not compile (finemote::kCrossingBytes). The interfaces shipped have at most 24.
 constexpr std::int64_t kCrossingWords = 32;
 
-WcetSource source_of(Wcet::Source source) {
-  switch (source) {
-    case Wcet::Source::assumed:
-      return WcetSource::assumed;
-    case Wcet::Source::budget:
-      return WcetSource::budget;
-    case Wcet::Source::measured:
-      return WcetSource::measured;
-    case Wcet::Source::static_analysis:
-      return WcetSource::static_analysis;
-  }
-  return WcetSource::unknown;
-}
-
 /// As the board's clock counts it.
 std::optional<Acquisition> acquisition_of(const Robot& robot, const gen::Device& device) {
   if (device.type == nullptr || !device.type->acquisition) return {};
@@ -70,6 +56,9 @@ Device make_device(const Robot& robot, const Forest& forest, const gen::Device& 
   out.update_wcet = device.wcet.update;
   out.handle_wcet = device.wcet.handle;
   out.source = source_of(device.wcet.source);
+  out.update_static = device.wcet.update_static;
+  out.handle_static = device.wcet.handle_static;
+  out.is_above_declared = device.wcet.is_above_declared;
   if (out.source == WcetSource::assumed && options.assumed_wcet) {
     out.update_wcet = out.handle_wcet = *options.assumed_wcet;
   }
@@ -145,6 +134,21 @@ Position start(const Robot& robot, const Forest& forest) {
 }
 
 }  // namespace
+
+WcetSource source_of(Wcet::Source source) {
+  switch (source) {
+    case Wcet::Source::assumed:
+      return WcetSource::assumed;
+    case Wcet::Source::budget:
+    case Wcet::Source::static_analysis:
+      return WcetSource::declared;
+    case Wcet::Source::measured:
+      return WcetSource::measured;
+    case Wcet::Source::computed:
+      return WcetSource::computed;
+  }
+  return WcetSource::unknown;
+}
 
 std::optional<Model> make_timing_model(const Robot& robot, const Forest& forest, const Schedule& schedule,
                                        Diagnostics& diagnostics, const RobotTimingOptions& options) {

@@ -13,6 +13,9 @@ struct RobotTimingOptions {
   std::optional<Duration> assumed_wcet;  ///< instead of every assumed execution time (`--assume-wcet`)
 };
 
+/// What an execution time of a robot rests on. The tag's word `static` is the user's: it is declared.
+WcetSource source_of(Wcet::Source source);
+
 /// The model in registration order. Buses are the physical ones that have a rate; costs and interrupts come from
 /// the board, frames and acquisition from the device types. `has_target` is set. None where what the board, the types
 /// and the robot say adds up to more than 64 bits hold: FM4010 is reported.

@@ -4,6 +4,7 @@
 
 #include "generator/timing/assumptions.hpp"
 #include "generator/timing/model_words.hpp"
+#include "generator/timing/words.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -220,12 +221,11 @@ Json processor_json(const Timing& timing) {
 Json labels_json(const Model& model) {
   Json list = Json::array();
   for (const Device& d : model.devices) {
-    const char* label = d.source == WcetSource::static_analysis ? "static"
-                        : d.source == WcetSource::measured      ? "measured"
-                        : d.source == WcetSource::budget        ? "declared"
-                        : d.source == WcetSource::assumed       ? "assumed"
-                                                                : nullptr;
-    list.push_back(Json{{"device", d.name}, {"label", label != nullptr ? Json(label) : Json(nullptr)}});
+    const bool is_known = d.source != WcetSource::unknown;
+    Json entry{{"device", d.name}, {"label", is_known ? Json(label_of(d.source)) : Json(nullptr)}};
+    if (d.update_static) entry["update_static_ns"] = d.update_static->ns();
+    if (d.handle_static) entry["handle_static_ns"] = d.handle_static->ns();
+    list.push_back(std::move(entry));
   }
   return list;
 }

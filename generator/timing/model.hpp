@@ -97,7 +97,9 @@ struct Acquisition {
   bool assumed = false;      ///< not from a data sheet or a measurement
 };
 
-enum class WcetSource { unknown, assumed, budget, measured, static_analysis };
+/// What an execution time rests on: nothing that the model says, a type's default, what the user declares, the longest
+/// that was seen, a bound that was computed from the image.
+enum class WcetSource { unknown, assumed, declared, measured, computed };
 
 struct Device {
   std::string name;
@@ -120,6 +122,8 @@ struct Device {
   std::optional<Acquisition> acquisition;
   std::vector<Transfer> transfers;
   WcetSource source = WcetSource::unknown;
+  std::optional<Duration> update_static, handle_static;  ///< computed from the image
+  bool is_above_declared = false;  ///< what was computed is above what the user declares
   Position at;
 };
 

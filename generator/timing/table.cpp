@@ -11,22 +11,6 @@
 namespace finemote::gen::timing {
 namespace {
 
-std::string_view source_text(WcetSource source) {
-  switch (source) {
-    case WcetSource::unknown:
-      return "given";
-    case WcetSource::assumed:
-      return "assumed";
-    case WcetSource::budget:
-      return "budget";
-    case WcetSource::measured:
-      return "measured";
-    case WcetSource::static_analysis:
-      return "static";
-  }
-  return "";
-}
-
 std::string verdict(const Timing& timing) {
   const auto failing = std::count_if(timing.requirements.begin(), timing.requirements.end(),
                                      [](const RequirementResult& r) { return !r.ok; });
@@ -96,7 +80,7 @@ std::string devices(const Timing& timing) {
                                    duration_text(r.r_plus),
                                    duration_text(r.r_minus)};
     if (windows) cells.push_back(duration_text(r.window));
-    cells.emplace_back(source_text(device.source));
+    cells.emplace_back(label_of(device.source));
     table.row(cells);
   }
   return "\ndevices (R+, R-: release to end of update and handle; window: begin of update to end of handle)\n" +

@@ -8,6 +8,22 @@
 
 namespace finemote::gen::timing {
 
+std::string_view label_of(WcetSource source) {
+  switch (source) {
+    case WcetSource::unknown:
+      return "given";
+    case WcetSource::assumed:
+      return "assumed";
+    case WcetSource::declared:
+      return "declared";
+    case WcetSource::measured:
+      return "measured";
+    case WcetSource::computed:
+      return "static";
+  }
+  return "";
+}
+
 double ratio(Duration part, Duration whole) {
   return static_cast<double>(part.ns()) / static_cast<double>(std::max(whole, nanoseconds(1)).ns());
 }

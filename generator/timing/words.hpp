@@ -2,10 +2,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "generator/timing/model.hpp"
 
 namespace finemote::gen::timing {
+
+/// `assumed`, `declared`, `measured`, `static`; `given` where the model does not say.
+std::string_view label_of(WcetSource source);
 
 /// 0 and above; a whole of 0 counts as 1 ns.
 double ratio(Duration part, Duration whole);

@@ -300,6 +300,14 @@ frame_FM4013() { model "\"tick_ns\": 1000, $example"; }
 frame_FM4014() { model "\"tick_ns\": 1000, \"devices\": [${example//, .../, \"parent\": null, \"period_ns\": 10000000, \"update_wcet_ns\": 1, \"handle_wcet_ns\": 1}]"; }
 frame_FM4016() { robot "$rov_with_imu$example"; finemote analyze robot.urdf; }
 frame_FM4017() { robot; finemote analyze robot.urdf; }
+# a robot that a compiler makes an image of in a moment
+button() { example= robot "<device name=\"button\" type=\"key\" period=\"10ms\"><use role=\"line\" pin=\"key\"/>$1</device>"; }
+timed() { button; eval "$example"; }
+frame_FM4022() { timed; }
+frame_FM4023() { timed; }
+frame_FM4024() { button "$example"; finemote wcet robot.urdf -o robot.timing.json; finemote analyze robot.urdf; }
+frame_FM4025() { timed; }
+frame_FM4026() { timed; }
 frame_FM4018() { example= robot "$rov_with_imu"; eval "$(block "$source/docs/diagnostics/$code.md" $which)"; }
 frame_FM4019() { model "\"tick_ns\": 1000000, $one_device" >/dev/null 2>&1; mv model.json case.json; eval "$example"; }
 frame_FM4020() { example=$(with_period); robot; finemote analyze robot.urdf; }

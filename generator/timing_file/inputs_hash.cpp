@@ -1,0 +1,98 @@
+#include "generator/timing_file/inputs_hash.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <sstream>
+#include <string_view>
+
+#include "generator/output/manifest.hpp"
+#include "generator/output/sha256.hpp"
+#include "generator/timing_file/timing_file.hpp"
+#include "generator/xml/read_source.hpp"
+
+namespace finemote::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the runtime is compiled with.
+constexpr const char* kBuildFiles[] = {"FinemoteCompile.cmake", "FinemoteFirmware.cmake",
+                                       "toolchain-arm-none-eabi.cmake"};
+
+/// Endings of files that a compiler reads.
+constexpr std::array<std::string_view, 16> kSourceEndings = {".h",   ".hh",  ".hpp", ".hxx", ".ipp", ".inl",
+                                                             ".tpp", ".inc", ".def", ".c",   ".cc",  ".cpp",
+                                                             ".cxx", ".s",   ".S",   ".ld"};
+
+constexpr int kDeepest = 32;
+
+/// Without the lines that name what the file was made from.
+std::string without_sources(const std::string& text) {
+  std::istringstream lines(text);
+  std::string kept;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("// Source:", 0) != 0) kept += line + "\n";
+  }
+  return kept;
+}
+
+/// Names and digests of files, one after the other.
+class List {
+ public:
+  explicit List(const files::Access& access) : access_(access) {}
+
+  void add(const std::string& name, const std::string& text) { text_ += name + " " + sha256(text) + "\n"; }
+
+  void add_file(const std::string& name, const fs::path& path) {
+    add(name, access_.read(path.string(), xml::kMaxFileSize).value_or(std::string()));
+  }
+
+  /// Every source below a folder, in the order of names. Generated folders and hidden ones are left out: they hold what
+  /// is made of the robot.
+  void add_folder(const std::string& name, const fs::path& folder, int depth = 0) {
+    files::Denial denial;
+    std::vector<std::string> entries = access_.list(folder.string(), denial);
+    const bool is_generated = std::find(entries.begin(), entries.end(), kManifestName) != entries.end();
+    if (is_generated || depth == kDeepest) return;
+    for (const std::string& entry : entries) {
+      if (entry.empty() || entry.front() == '.') continue;
+      const fs::path path = folder / entry;
+      if (access_.holds_folder(path.string())) {
+        add_folder(name + "/" + entry, path, depth + 1);
+      } else if (is_source(path)) {
+        add_file(name + "/" + entry, path);
+      }
+    }
+  }
+
+  [[nodiscard]] std::string digest() const { return sha256(text_); }
+
+ private:
+  static bool is_source(const fs::path& path) {
+    const std::string ending = path.extension().string();
+    return std::find(kSourceEndings.begin(), kSourceEndings.end(), ending) != kSourceEndings.end();
+  }
+
+  const files::Access& access_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string timing_hash(const TimingInputs& inputs, const files::Access& access) {
+  List list(access);
+  const CostModel model = cost_model();
+  list.add("model", model.name + " " + std::to_string(model.version));
+  list.add("board", inputs.board + " " + inputs.placement);
+  for (const OutputFile& file : inputs.generated) list.add(file.name, without_sources(file.text));
+  const fs::path data = inputs.data_dir;
+  for (const char* folder : {"chips", "devices", "include", "src"})
+    list.add_folder(std::string("runtime/") + folder, data / "runtime" / folder);
+  list.add_folder("runtime/board", data / "runtime" / "boards" / inputs.board);
+  for (const char* file : kBuildFiles) list.add_file(file, data / "cmake" / file);
+  for (const std::string& folder : inputs.user_folders) list.add_folder("user", folder);
+  return list.digest();
+}
+
+}  // namespace finemote::gen

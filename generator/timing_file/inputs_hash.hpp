@@ -1,0 +1,24 @@
+// What execution times depend on: all that makes the instructions of an image.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/emit/render.hpp"
+#include "generator/file/access.hpp"
+
+namespace finemote::gen {
+
+struct TimingInputs {
+  const std::vector<OutputFile>& generated;  ///< without bounds in them
+  std::string board;                         ///< a folder of runtime/boards
+  std::string placement;                     ///< of the code: `flash`, `sram`
+  std::string data_dir;                      ///< holds runtime and cmake
+  std::vector<std::string> user_folders;     ///< of the robot's own device types
+};
+
+/// SHA-256 of the cost model, the board, the generated sources without the names of the files they were made from, the
+/// runtime, the user's sources and the compiler's options. The compiler is not in it: it stands beside.
+std::string timing_hash(const TimingInputs& inputs, const files::Access& access);
+
+}  // namespace finemote::gen

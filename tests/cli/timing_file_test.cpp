@@ -1,0 +1,204 @@
+// <base>.timing.json: written by wcet, taken by every command that analyses, and told from one that is out of date.
+#include <nlohmann/json.hpp>
+
+#include "catch.hpp"
+#include "cli/program.hpp"
+
+using namespace finemote::test;
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr const char* kDescriptor = R"({"schema": "finemote.device/1", "type": "counter", "summary": "counts",
+  "class": "Counter", "header": "counter.hpp", "provides": [], "params": [],
+  "wcet": {"update_ns": 20000, "handle_ns": 1000}})";
+
+/// A robot with one device of the user, whose update() turns so many times, and with <wcet> or not.
+class OneRobot {
+ public:
+  OneRobot() {
+    write_file(folder_.path("devices/counter.json"), kDescriptor);
+    turn(5);
+    describe("");
+    REQUIRE(run_finemote({"wcet", robot(), "-o", timing_file()}).exit_status == 0);
+  }
+
+  void turn(int rounds) const {
+    write_file(folder_.path("devices/counter.hpp"),
+               "#pragma once\n#include <cstdint>\nclass Counter {\n public:\n  constexpr Counter() = default;\n"
+               "  void update() { for (int i = 0; i < " +
+                   std::to_string(rounds) +
+                   "; ++i) sum_ = sum_ + i; }\n  void handle() {}\n private:\n  int volatile sum_ = 0;\n};\n");
+  }
+
+  void describe(const std::string& children, const std::string& period = "5ms") const {
+    write_file(robot(), R"(<robot name="r"><link name="l"/><finemote version="1"><board name="robomaster_type_c"/>
+  <device name="own" type="counter" period=")" +
+                            period + "\">" + children + "</device></finemote></robot>");
+  }
+
+  [[nodiscard]] std::string robot() const { return folder_.path("r.urdf"); }
+  [[nodiscard]] std::string timing_file() const { return folder_.path("r.timing.json"); }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.path(name); }
+
+  void edit(const std::string& text, const std::string& by) const {
+    std::string all = read_file(timing_file());
+    const std::size_t at = all.find(text);
+    REQUIRE(at != std::string::npos);
+    write_file(timing_file(), all.replace(at, text.size(), by));
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+/// What one command says of the device.
+struct Told {
+  int status;
+  Json document;
+  std::string output;
+
+  [[nodiscard]] bool says(const std::string& text) const { return output.find(text) != std::string::npos; }
+  [[nodiscard]] const Json& label() const { return document["wcet_labels"][0]; }
+  [[nodiscard]] std::int64_t update_ns() const { return document["model"]["devices"][0]["update_wcet_ns"]; }
+};
+
+Told told_by(std::vector<std::string> words) {
+  words.insert(words.end(), {"--format", "json"});
+  const auto result = run_finemote(words);
+  const auto begin = result.output.find('{');
+  Json document = begin == std::string::npos ? Json() : Json::parse(result.output.substr(begin), nullptr, false);
+  return {result.exit_status, std::move(document), result.output};
+}
+
+std::int64_t bound_of(const OneRobot& one, const std::string& stage) {
+  for (const Json& entry : Json::parse(read_file(one.timing_file()))["stages"]) {
+    if (entry["stage"] == stage) return entry["wcet_ns"];
+  }
+  return -1;
+}
+
+}  // namespace
+
+TEST_CASE("bounds beside a robot are its execution times, called static") {
+  const OneRobot one;
+  const Told told = told_by({"analyze", one.robot(), "--require-static"});
+  CAPTURE(told.output);
+  CHECK(told.status == 0);
+  CHECK(told.label()["label"] == "static");
+  CHECK(told.update_ns() == bound_of(one, "update"));
+  CHECK(told.update_ns() < 20000);
+  CHECK_FALSE(told.says("FM4020"));
+  const Told run = told_by({"run", one.robot(), "--duration", "50ms"});
+  CHECK(run.status == 0);
+  CHECK(run.document["stages"][0]["wcet_label"] == "static");
+  CHECK(run.document["stages"][0]["wcet_ns"] == bound_of(one, "update"));
+}
+
+TEST_CASE("without its file a robot has no static time, and --require-static says so") {
+  const OneRobot one;
+  write_file(one.path("other.urdf"), read_file(one.robot()));
+  const Told told = told_by({"analyze", one.path("other.urdf"), "--require-static"});
+  CHECK(told.status == 1);
+  CHECK(told.says("the execution times of 'own' are assumed, not static"));
+}
+
+TEST_CASE("wcet writes the same bytes before and after generate, wherever the robot lies") {
+  const OneRobot one;
+  const std::string before = read_file(one.timing_file());
+  REQUIRE(run_finemote({"generate", one.robot(), "-o", one.path("out")}).exit_status == 0);
+  REQUIRE(run_finemote({"wcet", one.robot(), "-o", one.timing_file()}).exit_status == 0);
+  CHECK(read_file(one.timing_file()) == before);
+  const Json manifest = Json::parse(read_file(one.path("out/finemote.manifest.json")));
+  CHECK(manifest.dump().find("r.timing.json") != std::string::npos);
+  write_file(one.path("renamed.urdf"), read_file(one.robot()));
+  write_file(one.path("renamed.timing.json"), before);
+  CHECK(told_by({"analyze", one.path("renamed.urdf"), "--require-static"}).status == 0);
+}
+
+TEST_CASE("a loop made longer makes the file stale: check says so, and its figures are assumed") {
+  const OneRobot one;
+  REQUIRE(run_finemote({"generate", one.robot(), "-o", one.path("out")}).exit_status == 0);
+  CHECK(told_by({"check", one.robot(), "-o", one.path("out")}).status == 0);
+  one.turn(9);
+  const Told check = told_by({"check", one.robot(), "-o", one.path("out")});
+  CHECK(check.status == 1);
+  bool is_stale = false;
+  for (const Json& finding : check.document["findings"]) is_stale |= finding["state"] == "stale-timing";
+  CHECK(is_stale);
+  CHECK(check.document["mend"][0].get<std::string>().rfind("finemote wcet ", 0) == 0);
+  const Told told = told_by({"analyze", one.robot()});
+  CHECK(told.status == 0);
+  CHECK(told.says("FM4022"));
+  CHECK(told.label()["label"] == "assumed");
+  CHECK(told.update_ns() == bound_of(one, "update"));
+  CHECK(told_by({"analyze", one.robot(), "--require-static"}).status == 1);
+}
+
+TEST_CASE("another period or another device makes it stale, another comment does not") {
+  const OneRobot one;
+  one.describe("<!-- nothing -->");
+  CHECK(told_by({"analyze", one.robot(), "--require-static"}).status == 0);
+  one.describe("", "4ms");
+  CHECK(told_by({"analyze", one.robot()}).says("FM4022"));
+}
+
+TEST_CASE("a declared time counts where it is above the bound, and is an answer of no where it is below") {
+  const OneRobot one;
+  const auto declare = [&](const char* time) {
+    one.describe(std::string("<wcet update=\"") + time + "\" handle=\"5us\"/>");
+    REQUIRE(run_finemote({"wcet", one.robot(), "-o", one.timing_file()}).exit_status == 0);
+    return told_by({"analyze", one.robot()});
+  };
+  const Told above = declare("15us");
+  CHECK(above.status == 0);
+  CHECK(above.update_ns() == 15000);
+  CHECK(above.label()["label"] == "static");
+  CHECK(above.label()["update_static_ns"] == bound_of(one, "update"));
+  const Told below = declare("10ns");
+  CHECK(below.status == 1);
+  CHECK(below.says("FM4024"));
+  CHECK(below.update_ns() == bound_of(one, "update"));
+  CHECK(told_by({"run", one.robot(), "--duration", "50ms"}).status == 1);
+  REQUIRE(run_finemote({"generate", one.robot(), "-o", one.path("out")}).exit_status == 0);
+  CHECK(told_by({"check", one.robot(), "-o", one.path("out")}).status == 1);
+}
+
+TEST_CASE("a file of other arguments is left alone, and a note says so") {
+  const OneRobot one;
+  one.edit("\"arguments\": []", "\"arguments\": [\"rate:=2\"]");
+  const Told told = told_by({"-W", "error", "analyze", one.robot(), "--assume-wcet", "7us"});
+  CHECK(told.says("FM4023"));
+  CHECK(told.label()["label"] == "assumed");
+  CHECK(told.update_ns() == 7000);
+  CHECK(told.document["diagnostics"][0]["severity"] == "note");
+}
+
+TEST_CASE("another compiler is a note of check alone") {
+  const OneRobot one;
+  REQUIRE(run_finemote({"generate", one.robot(), "-o", one.path("out")}).exit_status == 0);
+  const std::string compiler = Json::parse(read_file(one.timing_file()))["inputs"]["compiler"];
+  one.edit(compiler, "a compiler of 1999");
+  REQUIRE(run_finemote({"generate", one.robot(), "-o", one.path("out")}).exit_status == 0);
+  const Told check = told_by({"check", one.robot(), "-o", one.path("out")});
+  CHECK(check.status == 0);
+  CHECK(check.says("'a compiler of 1999'"));
+  CHECK(told_by({"analyze", one.robot(), "--require-static"}).status == 0);
+}
+
+TEST_CASE("a file that is broken is an error at its place") {
+  const OneRobot one;
+  const std::string good = read_file(one.timing_file());
+  const auto error_of = [&](const std::string& text) {
+    write_file(one.timing_file(), text);
+    const auto result = run_finemote({"analyze", one.robot()});
+    CHECK(result.exit_status == 2);
+    return result.output;
+  };
+  CHECK(error_of("{").find("r.timing.json:1:2: error[FM4001]") != std::string::npos);
+  CHECK(error_of("{}").find("error[FM4026]") != std::string::npos);
+  CHECK(error_of("").find("error[FM0003]") != std::string::npos);
+  CHECK(error_of(R"({"schema": "finemote.wcet/1"})").find("a timing file needs 'stages'") != std::string::npos);
+  const std::size_t at = good.find("\"wcet_ns\": ");
+  CHECK(error_of(std::string(good).replace(at, 11, "\"wcet_ns\": -")).find("error[FM4006]") != std::string::npos);
+}

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# A firmware whose stages take longer than the robot's timing file says does not link.
+. "$(dirname "$0")/common.sh"
+new_project rover
+robot=$work/rover/rover.urdf.xacro times=$work/rover/rover.timing.json
+holds "bounds" finemote wcet "$robot" -o "$times"
+holds "a static robot" finemote analyze "$robot" --require-static
+holds "sources" finemote generate "$robot" -o "$work/out"
+holds "fresh sources" finemote check "$robot" -o "$work/out"
+holds "configures" configure_board rover
+holds "builds within its times" ninja -C "$work/rover/build" rover.elf
+bound() { sed -n '/"device": "rover"/,/wcet_ns/s/.*"wcet_ns": \([0-9]*\),/\1/p' "$times" | head -1; }
+granted=$(bound)
+[ "${granted:-0}" -gt 0 ] || fail "no bound of the rover in $(cat "$times")"
+
+sed -i 's/++jobs_;/for (int volatile i = 0; i < 9; ++i) ++jobs_;/' "$work/rover/devices/meter.cpp"
+grep -q 'volatile i' "$work/rover/devices/meter.cpp" || fail "no loop in meter.cpp"
+refuses "a loop in a device" "rover.update can take [0-9]* ns, $granted ns are granted" ninja -C "$work/rover/build" rover.elf
+refuses "check" "stale-timing" finemote check "$robot" -o "$work/out"
+holds "bounds anew" finemote wcet "$robot" -o "$times"
+[ "$(bound)" -gt "$granted" ] || fail "the loop costs nothing: $(bound)"
+holds "builds again" ninja -C "$work/rover/build" rover.elf
+
+sed -i 's/i < 9/i < static_cast<int>(jobs_)/' "$work/rover/devices/meter.cpp"
+refuses "a loop without a bound" "rover.update has no bound any more" ninja -C "$work/rover/build" rover.elf
