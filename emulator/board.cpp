@@ -49,7 +49,7 @@ void Board::load(const Image& image) {
   for (const Mark& mark : image.marks) cpu_->mark(mark.address, mark.number);
   for (const StampPlace& place : image.stamps) cpu_->find_stamp(place.stage, place.address);
   if (options_.probe) trace_ = std::make_unique<TraceReader>(world_, image);
-  chip_.rcc.note_reset(Rcc::kPowerReset | Rcc::kPinReset);
+  chip_.rcc.note_reset(Rcc::kPowerReset | Rcc::kPinReset | Rcc::kBrownOutReset);
   cpu_->reset();
 }
 

@@ -34,7 +34,7 @@ void take_timing_file(const Input& input, PlannedRobot& planned, Sources& source
   if (path.empty() || !is_there(path, sources.access())) return;
   const auto file = read_timing_file(path, sources, diagnostics);
   if (!file) return;
-  const TimingQuestion question{argument_words(input), input.board,
+  const TimingQuestion question{input.path, argument_words(input), input.board,
                                 timing_hash_of(planned, input.data_dir, sources.access())};
   planned.timing_file = {use_timing_file(*file, question, planned.robot, diagnostics), file->at, path, file->compiler};
 }

@@ -39,8 +39,8 @@ class Rcc : public Peripheral {
 
   /// Why the chip was reset, as RCC_CSR shows it (bits 24..31).
   void note_reset(std::uint32_t cause) { csr_ = (csr_ & 0x03) | cause; }
-  static constexpr std::uint32_t kPinReset = 1U << 26, kPowerReset = 1U << 27, kSoftwareReset = 1U << 28,
-                                 kWatchdogReset = 1U << 29, kWindowReset = 1U << 30;
+  static constexpr std::uint32_t kBrownOutReset = 1U << 25, kPinReset = 1U << 26, kPowerReset = 1U << 27,
+                                 kSoftwareReset = 1U << 28, kWatchdogReset = 1U << 29, kWindowReset = 1U << 30;
 
   /// QEMU's board: 168 MHz from the first cycle, whatever is written. 0: the chip's own clocks.
   std::uint32_t fixed_hz = 0;

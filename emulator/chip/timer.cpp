@@ -152,9 +152,15 @@ void Timer::schedule() {
   ++token_;
   if (!counts() || arr_active_ == 0) return;  // a period of 0 stops the counter: RM0090 17.4.12
   for (unsigned i = 0; i < 4; ++i) schedule_compare(i);
-  const Time at = zero_ + (Time{arr_active_} + 1) * count_time();
-  world_.at(at, [this, at, token = token_] {
-    if (token == token_) overflow(at);
+  // A counter that is above its reload value already runs to its end, and begins again without an event: 18.3.1.
+  const bool is_past = count() > arr_active_;
+  const Time top = is_past ? Time{kind_.wide ? 0xFFFFFFFFU : 0xFFFFU} : Time{arr_active_};
+  const Time at = zero_ + (top + 1) * count_time();
+  world_.at(at, [this, at, is_past, token = token_] {
+    if (token != token_) return;
+    if (!is_past) return overflow(at);
+    zero_ = at;
+    schedule();
   });
 }
 

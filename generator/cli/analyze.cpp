@@ -15,6 +15,7 @@
 #include "generator/timing/table.hpp"
 #include "generator/timing/text_table.hpp"
 #include "generator/timing/words.hpp"
+#include "generator/timing_file/timing_file.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -87,7 +88,9 @@ std::string text(const timing::Timing& timing, const Extras& extras) {
 }
 
 /// FM4025 for each device whose execution times were not computed. @return  whether there is none
-bool report_not_static(const timing::Model& model, Diagnostics& judged) {
+/// @param input  what was analysed
+bool report_not_static(const timing::Model& model, const std::string& input, Diagnostics& judged) {
+  const std::string file = timing_file_path(input);
   bool is_static = true;
   for (const timing::Device& device : model.devices) {
     if (device.source == timing::WcetSource::computed) continue;
@@ -96,7 +99,8 @@ bool report_not_static(const timing::Model& model, Diagnostics& judged) {
         .error(
             code::timing_not_static, device.at,
             fmt::format("the execution times of '{}' are {}, not static", device.name, timing::label_of(device.source)))
-        .hint("compute them: finemote wcet IN -o BASE.timing.json");
+        .hint(file.empty() ? "only of a robot in a file can they be computed"
+                           : fmt::format("compute them: finemote wcet {} -o {}", input, file));
   }
   return is_static;
 }
@@ -130,7 +134,7 @@ Answer run_analyze(const Options& options, Sources& sources, Diagnostics& diagno
   if (options.suggest_order) extras.order = timing::suggest_order(model, timing->asked);
   if (options.format == Format::json) answer.document = document(*timing, extras);
   if (options.format == Format::text) answer.text = text(*timing, extras);
-  const bool is_static = !options.require_static || report_not_static(timing->model, answer.judged);
+  const bool is_static = !options.require_static || report_not_static(timing->model, options.input, answer.judged);
   const bool is_yes = timing->schedulable && timing->requirements_hold() && is_static;
   answer.status = denies_warnings(options, answer.judged) ? kExitInvalid : is_yes ? kExitYes : kExitNo;
   return answer;

@@ -8,6 +8,7 @@
 
 #include "generator/cli/settings.hpp"
 #include "generator/input/input.hpp"
+#include "generator/timing_file/timing_file.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -21,6 +22,7 @@ constexpr auto kPause = std::chrono::milliseconds(100);
 std::vector<std::string> watched_paths(const Options& options, const Sources& sources) {
   const std::string folder = input_folder(options.input);
   std::vector<std::string> paths{options.input, folder + "/" + kSettingsName, folder + "/devices"};
+  if (const std::string times = timing_file_path(options.input); !times.empty()) paths.push_back(times);
   paths.insert(paths.end(), options.device_paths.begin(), options.device_paths.end());
   if (options.command == "check" && !options.out.empty()) paths.push_back(options.out);  // others write it
   for (const SourceFile& file : sources.files()) {

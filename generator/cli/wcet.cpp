@@ -76,8 +76,8 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   auto files = emit_files(*planned, {unknown, unknown}, input->data_dir, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   const FirmwareRequest request = request_of(*planned, work.path(), input->data_dir);
-  const bool is_in_sram = runs_code_in_sram(planned->robot);
-  WcetInputs inputs{is_in_sram ? wcet::Placement::sram : wcet::Placement::flash, planned->robot.board->cpu_hz};
+  WcetInputs inputs;
+  inputs.clock_hz = planned->robot.board->cpu_hz;
   inputs.arguments = argument_words(*input);
   inputs.board = options.board;
   if (options.elf.empty()) {

@@ -82,9 +82,9 @@ struct Timing {
 };
 
 /// Analyses a model that read_model accepts. Reports FM4010 (no result), FM4015 (a bucket of the asked
-/// profile may overrun), FM4016 (a requirement fails), FM4018 (a chain that leads nowhere; no result), FM4024 (computed above declared), FM4019 (target
-/// asked of a plain model; no result), and as warnings FM4017 (closed forms), FM4020 (assumed execution times) and
-/// FM4021 (an overloaded bus).
+/// profile may overrun), FM4016 (a requirement fails), FM4018 (a chain that leads nowhere; no result), FM4024 (computed
+/// above declared), FM4019 (target asked of a plain model; no result), and as warnings FM4017 (closed forms), FM4020
+/// (assumed execution times) and FM4021 (an overloaded bus).
 std::optional<Timing> analyse(const Model& model, const AnalysisRequest& request, Diagnostics& diagnostics);
 
 /// From the earliest to the latest end of handle() after a release: its worst response less the least time its job

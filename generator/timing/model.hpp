@@ -123,7 +123,7 @@ struct Device {
   std::vector<Transfer> transfers;
   WcetSource source = WcetSource::unknown;
   std::optional<Duration> update_static, handle_static;  ///< computed from the image
-  bool is_above_declared = false;  ///< what was computed is above what the user declares
+  bool is_above_declared = false;                        ///< what was computed is above what the user declares
   Position at;
 };
 

@@ -40,28 +40,26 @@ std::string without_sources(const std::string& text) {
 /// Names and digests of files, one after the other.
 class List {
  public:
-  explicit List(const files::Access& access) : access_(access) {}
-
   void add(const std::string& name, const std::string& text) { text_ += name + " " + sha256(text) + "\n"; }
 
-  void add_file(const std::string& name, const fs::path& path) {
-    add(name, access_.read(path.string(), xml::kMaxFileSize).value_or(std::string()));
+  void add_file(const std::string& name, const fs::path& path, const files::Access& access) {
+    add(name, access.read(path.string(), xml::kMaxFileSize).value_or(std::string()));
   }
 
   /// Every source below a folder, in the order of names. Generated folders and hidden ones are left out: they hold what
   /// is made of the robot.
-  void add_folder(const std::string& name, const fs::path& folder, int depth = 0) {
+  void add_folder(const std::string& name, const fs::path& folder, const files::Access& access, int depth = 0) {
     files::Denial denial;
-    std::vector<std::string> entries = access_.list(folder.string(), denial);
+    std::vector<std::string> entries = access.list(folder.string(), denial);
     const bool is_generated = std::find(entries.begin(), entries.end(), kManifestName) != entries.end();
     if (is_generated || depth == kDeepest) return;
     for (const std::string& entry : entries) {
       if (entry.empty() || entry.front() == '.') continue;
       const fs::path path = folder / entry;
-      if (access_.holds_folder(path.string())) {
-        add_folder(name + "/" + entry, path, depth + 1);
+      if (access.holds_folder(path.string())) {
+        add_folder(name + "/" + entry, path, access, depth + 1);
       } else if (is_source(path)) {
-        add_file(name + "/" + entry, path);
+        add_file(name + "/" + entry, path, access);
       }
     }
   }
@@ -74,24 +72,24 @@ class List {
     return std::find(kSourceEndings.begin(), kSourceEndings.end(), ending) != kSourceEndings.end();
   }
 
-  const files::Access& access_;
   std::string text_;
 };
 
 }  // namespace
 
 std::string timing_hash(const TimingInputs& inputs, const files::Access& access) {
-  List list(access);
+  const files::Access own;  // what is shipped lies outside of every sandbox
+  List list;
   const CostModel model = cost_model();
   list.add("model", model.name + " " + std::to_string(model.version));
   list.add("board", inputs.board + " " + inputs.placement);
   for (const OutputFile& file : inputs.generated) list.add(file.name, without_sources(file.text));
   const fs::path data = inputs.data_dir;
   for (const char* folder : {"chips", "devices", "include", "src"})
-    list.add_folder(std::string("runtime/") + folder, data / "runtime" / folder);
-  list.add_folder("runtime/board", data / "runtime" / "boards" / inputs.board);
-  for (const char* file : kBuildFiles) list.add_file(file, data / "cmake" / file);
-  for (const std::string& folder : inputs.user_folders) list.add_folder("user", folder);
+    list.add_folder(std::string("runtime/") + folder, data / "runtime" / folder, own);
+  list.add_folder("runtime/board", data / "runtime" / "boards" / inputs.board, own);
+  for (const char* file : kBuildFiles) list.add_file(file, data / "cmake" / file, own);
+  for (const std::string& folder : inputs.user_folders) list.add_folder("user", folder, access);
   return list.digest();
 }
 

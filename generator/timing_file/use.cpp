@@ -67,9 +67,9 @@ State use_timing_file(const TimingFile& file, const TimingQuestion& question, Ro
   if (state == State::other) {
     diagnostics
         .remark(code::timing_unused, file.at,
-                fmt::format("'{}' is not used: it is of {}, asked for is {}", name,
+                fmt::format("'{}' is not used: it was computed with {}, and this run is with {}", name,
                             words_of(file.arguments, file.board), words_of(question.arguments, question.board)))
-        .hint("bounds for these arguments: finemote wcet IN [NAME:=VALUE ...] -o FILE");
+        .hint(fmt::format("bounds for these arguments: finemote wcet {} ... -o {}", question.robot, name));
     return state;
   }
   if (state == State::stale) {
@@ -77,7 +77,7 @@ State use_timing_file(const TimingFile& file, const TimingQuestion& question, Ro
         .warning(code::timing_stale, file.at,
                  fmt::format("the execution times in '{}' are stale: they count as assumed", name))
         .note(why_stale(file))
-        .hint("compute them anew: finemote wcet IN -o " + name);
+        .hint(fmt::format("compute them anew: finemote wcet {} -o {}", question.robot, name));
   }
   for (const DeviceId id : robot.devices.ids()) {
     const auto bounds = file.devices.find(robot.devices[id].name.text);

@@ -11,6 +11,7 @@ namespace finemote::gen {
 
 /// What a robot is made of now, to be held against what a timing file was computed from.
 struct TimingQuestion {
+  std::string robot;                   ///< its file, for messages
   std::vector<std::string> arguments;  ///< `name:=value`, sorted
   std::string board;                   ///< that is asked for instead of the robot's own; empty: none
   std::string hash;                    ///< timing_hash()

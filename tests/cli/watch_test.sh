@@ -23,7 +23,8 @@ answered() {
 mkdir devices
 robot() {
   printf '<robot name="r"><finemote version="1"><board name="robomaster_type_c"/>
-    <device name="load" type="sim_load" period="%s"><wcet update="9us" handle="9us"/></device></finemote></robot>\n' "$1" >robot.urdf
+    <device name="load" type="sim_load" period="%s"><wcet update="9us" handle="9us"/></device></finemote></robot>\n' "$1" >robot.new
+  mv robot.new robot.urdf  # at once: half a file would be a change, too
 }
 robot 10ms
 "$finemote" -q generate robot.urdf -o out
@@ -36,7 +37,8 @@ answered "another period" 'stale .*robot.urdf'
 answered "generated anew" fresh
 echo '// mine' >>out/buses.cpp
 answered "an edited file" 'hand-edited .*buses.cpp'
-echo '{ "board": "host" }' >finemote.json
+echo '{ "board": "host" }' >settings.new
+mv settings.new finemote.json
 answered "settings that came" 'stale'
 robot 20
 answered "a mistake" 'FM3030'

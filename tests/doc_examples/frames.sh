@@ -301,7 +301,7 @@ frame_FM4014() { model "\"tick_ns\": 1000, \"devices\": [${example//, .../, \"pa
 frame_FM4016() { robot "$rov_with_imu$example"; finemote analyze robot.urdf; }
 frame_FM4017() { robot; finemote analyze robot.urdf; }
 # a robot that a compiler makes an image of in a moment
-button() { example= robot "<device name=\"button\" type=\"key\" period=\"10ms\"><use role=\"line\" pin=\"key\"/>$1</device>"; }
+button() { example= robot "<device name=\"button\" type=\"key\" period=\"10ms\"><use role=\"line\" pin=\"key\"/>${1:-}</device>"; }
 timed() { button; eval "$example"; }
 frame_FM4022() { timed; }
 frame_FM4023() { timed; }

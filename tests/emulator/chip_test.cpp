@@ -274,6 +274,28 @@ TEST_CASE("a counter that is stopped holds its value and goes on from there") {
   CHECK(bench.read(kTim2 + 0x24) >= 1015);
 }
 
+TEST_CASE("a counter above its new reload value runs to its end and begins again without an event") {
+  Bench bench;
+  constexpr std::uint32_t kTim3 = 0x40000400;
+  bench.write(kApb1, 2);
+  bench.write(kTim3 + 0x24, 60'000);
+  bench.write(kTim3 + 0x00, 1);
+  bench.write(kTim3 + 0x2C, 1'599);  // below the count; from 0 on it is 100 us
+  bench.run(340'000);                // 5440 of the 5535 counts to the end
+  CHECK(bench.read(kTim3 + 0x24) > 65'000);
+  CHECK((bench.read(kTim3 + 0x10) & 1) == 0);
+  bench.run(50'000);
+  CHECK(bench.read(kTim3 + 0x24) < 1'000);
+  CHECK((bench.read(kTim3 + 0x10) & 1) == 0);
+  bench.run(100'000);
+  CHECK((bench.read(kTim3 + 0x10) & 1) == 1);
+}
+
+TEST_CASE("after power-on the reset flags read as the manual says") {
+  Bench bench;
+  CHECK((bench.read(0x40023874) & 0xFF000000U) == 0x0E000000U);  // RCC_CSR: RM0090 7.3.21
+}
+
 TEST_CASE("what a timer has and the model has not is reported") {
   Bench bench;
   bench.write(kApb1, 1);

@@ -2,6 +2,9 @@
 # A firmware whose stages take longer than the robot's timing file says does not link.
 . "$(dirname "$0")/common.sh"
 new_project rover
+# Without wheels, whose type keeps the core busy for a time that nothing bounds.
+sed -i '/<xacro:wheel /d' "$work/rover/rover.urdf.xacro"
+sed -i 's/if (wheels_.size() > 0) //' "$work/rover/devices/meter.cpp"
 robot=$work/rover/rover.urdf.xacro times=$work/rover/rover.timing.json
 holds "bounds" finemote wcet "$robot" -o "$times"
 holds "a static robot" finemote analyze "$robot" --require-static
