@@ -18,6 +18,15 @@ LoopNest::LoopNest(const FlowGraph& graph) {
 }
 
 /// Depth first, without recursion: functions may be long.
+bool LoopNest::is_on_every_turn(std::uint32_t block) const {
+  const auto index = around(block);
+  if (!index) return false;
+  const Loop& loop = loops_[*index];
+  const auto& before = predecessors_.at(loop.header);
+  return std::all_of(before.begin(), before.end(),
+                     [&](std::uint32_t from) { return loop.blocks.count(from) == 0 || dominates(block, from); });
+}
+
 void LoopNest::number(const FlowGraph& graph) {
   std::set<std::uint32_t> seen{graph.entry};
   std::vector<std::pair<std::uint32_t, std::size_t>> open{{graph.entry, 0}};

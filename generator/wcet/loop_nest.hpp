@@ -26,6 +26,8 @@ class LoopNest {
   [[nodiscard]] const std::vector<Loop>& loops() const { return loops_; }
   /// The smallest loop that holds a block; none: only the function does.
   [[nodiscard]] std::optional<std::size_t> around(std::uint32_t block) const;
+  /// Whether no turn of the smallest loop around a block passes it by; false where there is none.
+  [[nodiscard]] bool is_on_every_turn(std::uint32_t block) const;
   /// Blocks of which a cycle is entered elsewhere than at a header that every way to it passes: it has no loop.
   [[nodiscard]] const std::vector<std::uint32_t>& irreducible() const { return irreducible_; }
   /// What to go through in a loop, or in the function (none): its own blocks and the headers of the loops in it, each

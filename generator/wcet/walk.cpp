@@ -220,10 +220,15 @@ class Walker {
     counted.rounds = std::max(counted.rounds, rounds);
   }
 
-  /// False where a mark says that the place is not passed again.
+  /// False where a mark says that the place is not passed again. A mark that rounds can pass by says nothing of how
+  /// many rounds there are, and which of them pass it.
   bool pass_mark(Frame& frame, std::uint32_t block) {
     const auto bound = facts_.marks.loop_bounds.find(block);
     if (bound == facts_.marks.loop_bounds.end()) return true;
+    if (frame.nest.around(block) && !frame.nest.is_on_every_turn(block)) {
+      fail(block, &frame.function, "a mark that not every round of its loop passes");
+      return false;
+    }
     if (frame.passes[block] < bound->second) return ++frame.passes[block], true;
     frame.is_cut_by_mark = true;
     return false;
