@@ -15,17 +15,18 @@ sys.path.insert(0, str(ROOT / "tests/report"))
 from browser import Browser, program  # noqa: E402
 
 CHOOSE = "document.querySelectorAll('.chain button')[{}].click()"
+FIRST_SIX = "document.querySelectorAll('#run .plots figure:nth-child(n+7)').forEach(figure => figure.remove())"
 SHOW = "view.show({}, {})"
 
 
 def report(finemote, folder, robot, *words):
-    """The page of an example as it runs for half a second."""
-    source, page, run = ROOT / f"examples/{robot}.urdf", folder / f"{robot}.html", folder / f"{robot}.json"
-    measured = subprocess.run([finemote, "run", source, "--duration", "500ms", "--format", "json"], capture_output=True,
-                              text=True, check=True)
+    """The page of an example as it runs, for half a second unless `words` of `run` say more."""
+    source, name = ROOT / f"examples/{robot}.urdf", "_".join([robot, *(pathlib.Path(word).stem for word in words)])
+    page, run = folder / f"{name}.html", folder / f"{name}.json"
+    measured = subprocess.run([finemote, "run", source, *(words or ["--duration", "500ms"]), "--format", "json"],
+                              capture_output=True, text=True, check=True)
     run.write_text(measured.stdout)
-    subprocess.run([finemote, "-q", "report", source, "-o", page, "--run", run, *words], check=True,
-                   stdout=subprocess.DEVNULL)
+    subprocess.run([finemote, "-q", "report", source, "-o", page, "--run", run], check=True, stdout=subprocess.DEVNULL)
     return page
 
 
@@ -47,12 +48,15 @@ def main():
     finemote = str(pathlib.Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory() as name, Browser() as browser:
         finsrov, infantry = (report(finemote, pathlib.Path(name), robot) for robot in ("finsrov", "infantry"))
+        dive = report(finemote, pathlib.Path(name), "finsrov", "--scenario", ROOT / "tests/emulator/scenarios/rov_loops.json",
+                      "--duration", "14s")
         top = "document.body.style.height = '860px'; document.body.style.overflow = 'hidden'"
         take(browser, "report", infantry, None, top, width=1280)
         take(browser, "report_narrow_dark", infantry, None, top, width=390, dark=True)
         take(browser, "ages", infantry, "#chain-bars", width=900)
         take(browser, "timeline_chain", infantry, "#timeline", CHOOSE.format(0), width=1100)
         take(browser, "preemption", infantry, "#timeline-view svg", SHOW.format(0, 260_000), width=1100)
+        take(browser, "settling", dive, "#run .plots", FIRST_SIX, width=1100)
         take(browser, "thrusters", finsrov, ".views", width=1100)
     return 0
 

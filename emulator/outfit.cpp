@@ -66,7 +66,7 @@ std::vector<PartValue> Outfit::values(const std::string& part) {
   std::vector<PartValue> all;
   for (const scenario::Quantity& row : parts_.at(part).model->values) {
     for (const std::string& name : scenario::names_of(row.name, row.last))
-      all.push_back({name, value(part, name), row.last >= 0});
+      all.push_back({name, row.unit, value(part, name), row.last >= 0});
   }
   return all;
 }

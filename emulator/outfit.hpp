@@ -49,7 +49,7 @@ struct SampleUse {
 
 /// A quantity of a part now.
 struct PartValue {
-  std::string name;
+  std::string name, unit;
   double value;
   bool is_of_family;  ///< one of many of the same row: `r0`..`r255`
 };

@@ -31,7 +31,7 @@ echo
 echo "== In short: it dives to 0.75 m, turns to 45 degrees, is pushed away, and comes back"
 scenario=tests/emulator/scenarios/rov_loops.json
 printf 'running %s, and writing a report\n' "$scenario" >&2
-"$finemote" run "$robot" --keep "$folder/type_c" --duration 1s --format json >"$folder/run.json"
+"$finemote" run "$robot" --keep "$folder/type_c" --scenario "$scenario" --duration 14s --format json >"$folder/run.json"
 "$finemote" -q report "$robot" --run "$folder/run.json" -o "$folder/report.html" >&2
 "$finemote" run "$robot" --keep "$folder/type_c" --scenario "$scenario" --duration 14s | sed '/^$/,$d'
 echo "to look at: $folder/report.html"

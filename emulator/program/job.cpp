@@ -11,6 +11,7 @@
 #include "emulator/outfit.hpp"
 #include "emulator/program/audit.hpp"
 #include "emulator/program/firmware.hpp"
+#include "emulator/program/value_series.hpp"
 
 namespace finemote::emulator {
 namespace {
@@ -231,9 +232,11 @@ Json run(Bench& bench, const Json& job) {
   const auto ready = zero ? bring_up(board, image, outfit, job, *zero) : std::nullopt;
   const std::int64_t judged_to = (ready ? ready->end_ns : 0) + job.at("duration_ns").get<std::int64_t>();
   Stop stop = Stop::time;
+  std::optional<ValueSeries> series;
   if (ready) {
     const std::int64_t end = *zero + std::max(judged_to, job.at("last_event_ns").get<std::int64_t>()) +
                              1;  // what is due at the last moment happens
+    series.emplace(board, outfit, static_cast<std::int64_t>(board.now_ns()), end);
     const std::int64_t rest = end - static_cast<std::int64_t>(board.now_ns());
     if (rest > 0) stop = board.run_for(static_cast<std::uint64_t>(rest));
   }
@@ -256,6 +259,7 @@ Json run(Bench& bench, const Json& job) {
           {"parts", parts_of(outfit, *zero)},
           {"uses", uses_of(outfit, *zero)},
           {"expectations", expectations_of(outfit)},
+          {"series", series->document(*zero)},
           {"buses", buses_of(board, job.at("ports"))},
           {"own_stages", own_times_of(board.own_times().brackets(), 0, kFirstWork)},
           {"own_works", own_times_of(board.own_times().brackets(), kFirstWork, kNoBracket)},

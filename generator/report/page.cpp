@@ -12,6 +12,7 @@
 #include "generator/report/base64.hpp"
 #include "generator/report/changes.hpp"
 #include "generator/report/data_block.hpp"
+#include "generator/report/over_time.hpp"
 #include "generator/report/tables.hpp"
 #include "generator/report/verdict.hpp"
 #include "generator/svg/palette.hpp"
@@ -100,6 +101,8 @@ std::string page_of(const Contents& contents, const std::string& folder) {
   pieces["assumptions"] = assumption_table(documents);
   pieces["data"] = data_block(model, timeline, documents.of_timing()["profile"].text());
   add_optional("changes", "What changed", changes_of(documents), pieces);
+  add_optional("run", "The run over time", over_time(documents), pieces);
+  add_optional("image", "Flash and RAM", image_table(documents), pieces);
   add_optional("body", "The robot from three sides", body_pictures(body), pieces);
   return filled(read(folder + "/page.html"), pieces);
 }

@@ -37,6 +37,8 @@ std::string shown(const Json& value, Unit unit) {
       return count_text(value) + " B";
     case Unit::count:
       return count_text(value);
+    case Unit::number:
+      return fmt::format("{:.4g}", value.get<double>());
   }
   return {};
 }
@@ -65,8 +67,12 @@ bool Place::is_true() const { return exists() && value_->is_boolean() && value_-
 
 std::string Place::element(std::string_view tag, Unit unit) const {
   if (!exists()) return fmt::format("<{0}>{1}</{0}>", tag, kNothing);
-  return fmt::format("<{} data-key=\"{}\" data-value=\"{}\">{}</{}>", tag, key_, svg::escaped(value_->dump()),
-                     shown(*value_, unit), tag);
+  return fmt::format("<{}{}>{}</{}>", tag, attributes(), shown(*value_, unit), tag);
+}
+
+std::string Place::attributes() const {
+  if (!exists()) return {};
+  return fmt::format(" data-key=\"{}\" data-value=\"{}\"", key_, svg::escaped(value_->dump()));
 }
 
 std::string Place::figure(Unit unit) const { return element("span", unit); }

@@ -9,7 +9,7 @@ namespace finemote::gen::report {
 
 using Json = nlohmann::ordered_json;
 
-enum class Unit { time, share, bytes, count };
+enum class Unit { time, share, bytes, count, number };
 
 /// As people read it: `1.83 ms`, `38.2 %`, `12 345`; a dash for null. Times are rounded up, as a bound may not look
 /// smaller than it is.
@@ -36,6 +36,8 @@ class Place {
   [[nodiscard]] std::string figure(Unit unit) const;
   /// The same as a cell of a table.
   [[nodiscard]] std::string cell(Unit unit) const;
+  /// ` data-key="..." data-value="..."`, of an element that shows it as a picture; empty for what does not exist.
+  [[nodiscard]] std::string attributes() const;
 
  private:
   Place(const Json* value, std::string key) : value_(value), key_(std::move(key)) {}

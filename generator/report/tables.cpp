@@ -37,6 +37,15 @@ std::string device_row(const Documents& documents, const Measurements& measureme
   return text + "</tr>\n";
 }
 
+/// Whose a part of the image is, for people.
+std::string owner_of(const Place& part) {
+  const std::string kind = part["kind"].text(), name = part["name"].text();
+  if (kind == "type") return "code of type " + name;
+  if (kind == "generated") return "stages, ports and constants of the robot";
+  if (kind == "rest") return "runtime, board and libraries";
+  return kind + " " + name;
+}
+
 /// What a use of the processor is, for people.
 std::string user_of(const Place& use) {
   const std::string kind = use["kind"].text(), name = use["name"].text(), source = use["source"].text();
@@ -85,6 +94,20 @@ std::string processor_table(const Documents& documents) {
   }
   return table_of("processor-table", "Who uses the processor",
                   {{"User"}, {"Each", true}, {"At most every", true}, {"Share", true}, {""}}, rows);
+}
+
+std::string image_table(const Documents& documents) {
+  const Place parts = documents.of_run()["image"]["parts"];
+  std::string rows;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Place part = parts[i];
+    if (part["flash"].number() == 0 && part["ram"].number() == 0) continue;
+    rows += "<tr>" + row_title(owner_of(part)) + part["flash"].cell(Unit::bytes) + part["ram"].cell(Unit::bytes) +
+            "</tr>\n";
+  }
+  if (rows.empty()) return {};
+  return table_of("image-table", "Whose flash and RAM it is, as far as the image's symbols say",
+                  {{"Owner"}, {"Flash", true}, {"RAM", true}}, rows);
 }
 
 std::string bus_table(const Documents& documents) {

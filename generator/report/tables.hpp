@@ -23,6 +23,9 @@ std::string device_table(const Documents& documents, const ForestView& view);
 std::string processor_table(const Documents& documents);
 std::string bus_table(const Documents& documents);
 
+/// Flash and RAM by owner: devices, buses, code of types, the rest. Empty without a run that has them.
+std::string image_table(const Documents& documents);
+
 /// What the bounds assume, and whether the firmware notices where it does not hold.
 std::string assumption_table(const Documents& documents);
 

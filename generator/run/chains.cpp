@@ -66,6 +66,7 @@ class ReachedOutputs {
 
 struct Series {
   std::vector<Duration> acquire, decide, wire, end_to_end;
+  std::vector<CommandAge> decisions, commands;
 };
 
 Series collect(const Robot& robot, const Forest& forest, const RunRecord& record, DeviceId from, DeviceId to) {
@@ -78,9 +79,12 @@ Series collect(const Robot& robot, const Forest& forest, const RunRecord& record
     const auto age = taken.age(sample.update);
     const auto output = reached.of(sample.handle_run);
     keep(series.decide, decide);
+    series.decisions.push_back({sample.handle_end, series.decide.back()});
     if (age) keep(series.acquire, *age);
     if (output) keep(series.wire, *output - sample.handle_end);
-    if (age && output) keep(series.end_to_end, *age + decide + *output - sample.handle_end);
+    if (!age || !output) continue;
+    keep(series.end_to_end, *age + decide + *output - sample.handle_end);
+    series.commands.push_back({*output, series.end_to_end.back()});
   }
   return series;
 }
@@ -95,12 +99,13 @@ std::vector<MeasuredChain> measure_chains(const Robot& robot, const Forest& fore
     MeasuredChain chain;
     chain.from = forest.order[bound.from];
     chain.to = forest.order[bound.to];
-    const Series series = collect(robot, forest, record, chain.from, chain.to);
+    Series series = collect(robot, forest, record, chain.from, chain.to);
     chain.acquire = {summarize(series.acquire), bound_of(bound.acquire)};
     chain.decide = {summarize(series.decide), bound_of(bound.decide)};
     chain.wire = {summarize(series.wire), bound_of(bound.wire)};
     chain.end_to_end = {summarize(series.end_to_end), bound_of(bound.end_to_end)};
-    chains.push_back(chain);
+    chain.ages = std::move(series.commands.empty() ? series.decisions : series.commands);
+    chains.push_back(std::move(chain));
   }
   return chains;
 }

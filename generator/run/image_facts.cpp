@@ -9,8 +9,8 @@
 
 namespace finemote::gen {
 
-std::optional<ImageFacts> image_facts(const std::string& path, bool is_arm, bool constructors_allowed,
-                                      Diagnostics& diagnostics) {
+std::optional<ImageFacts> image_facts(const std::string& path, bool is_arm, const Robot& robot,
+                                      bool constructors_allowed, Diagnostics& diagnostics) {
   ImageFacts facts;
   if (!is_arm) {
     facts.sha256 = sha256(read_bytes(path).value_or(""));
@@ -23,6 +23,7 @@ std::optional<ImageFacts> image_facts(const std::string& path, bool is_arm, bool
   facts.flash = sizes.flash;
   facts.ram = sizes.ram;
   facts.code_ram = sizes.code_ram;
+  facts.shares = image_shares(*image, robot);
   facts.stack_reserved = sizes.stack_reserved;
   const StackBound stack = worst_case_stack(*image, diagnostics);
   if (stack.known) facts.stack = stack.bytes;

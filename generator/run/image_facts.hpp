@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "generator/diagnostic/diagnostics.hpp"
+#include "generator/run/image_shares.hpp"
 
 namespace finemote::gen {
 
@@ -15,11 +17,12 @@ struct ImageFacts {
   std::uint32_t code_ram = 0;          ///< bytes of it that are code, copied to run there; `ram` does not have them
   std::optional<std::uint32_t> stack;  ///< proven worst case in bytes; none: not known
   std::uint32_t stack_reserved = 0;    ///< bytes
+  std::vector<ImageShare> shares;      ///< of flash and RAM; empty of a host executable
 };
 
 /// Facts of an Arm image; of a host executable the hash alone. With an Arm image it also proves what the target code
 /// promises: reports what check_image and worst_case_stack report.
-std::optional<ImageFacts> image_facts(const std::string& path, bool is_arm, bool constructors_allowed,
-                                      Diagnostics& diagnostics);
+std::optional<ImageFacts> image_facts(const std::string& path, bool is_arm, const Robot& robot,
+                                      bool constructors_allowed, Diagnostics& diagnostics);
 
 }  // namespace finemote::gen

@@ -15,7 +15,7 @@ std::optional<ProvenImage> make_once(const Project& project, const Robot& robot,
                                      Diagnostics& diagnostics) {
   auto path = make_image(project, sources, diagnostics);
   if (!path) return std::nullopt;
-  auto facts = image_facts(*path, !project.request.for_host, !all_constant(robot), diagnostics);
+  auto facts = image_facts(*path, !project.request.for_host, robot, !all_constant(robot), diagnostics);
   if (!facts) return std::nullopt;
   return ProvenImage{std::move(*path), std::move(*facts)};
 }

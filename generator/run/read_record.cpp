@@ -57,6 +57,17 @@ std::vector<ExpectationRecord> expectations_of(const Json& record) {
   return all;
 }
 
+std::vector<ValueSeries> series_of(const Json& record) {
+  std::vector<ValueSeries> all;
+  for (const Json& s : record.at("series")) {
+    ValueSeries& series = all.emplace_back();
+    series = {s.at("part"), s.at("value"), s.at("unit"), time_of(s.at("from_ns")), time_of(s.at("every_ns"))};
+    for (const Json& value : s.at("values"))
+      series.values.push_back(value.is_null() ? std::nullopt : std::optional(value.get<double>()));
+  }
+  return all;
+}
+
 std::optional<std::int64_t> maybe(const Json& ps) {
   return ps.is_null() ? std::nullopt : std::optional(ps.get<std::int64_t>());
 }
@@ -112,6 +123,7 @@ RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest
     record.uses.push_back({use.at(0), use.at(1), use.at(2), use.at(3), use.at(4), maybe(use.at(5))});
   for (const Json& event : json.at("audit")) record.log.push_back({event.at(0), event.at(1), event.at(2)});
   record.expectations = expectations_of(json);
+  record.series = series_of(json);
   record.buses = buses_of(json, robot);
   record.monitor = monitor_of(json, forest);
   record.resets = json.at("resets");

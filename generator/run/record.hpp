@@ -87,6 +87,13 @@ struct ExpectationRecord {
   bool ok = false;
 };
 
+/// A quantity of a part at even times, the first at `from` since the first release.
+struct ValueSeries {
+  std::string part, value, unit;
+  Duration from, every;
+  std::vector<std::optional<double>> values = {};  ///< none: no finite number
+};
+
 struct RunRecord {
   Duration ready;                       ///< end of bring-up, since the first release: bounds hold from then on
   std::vector<std::string> absent;      ///< parts that never came up
@@ -101,6 +108,7 @@ struct RunRecord {
   std::vector<MonitorEntry> monitor;            ///< in schedule order; empty without the monitor
   unsigned resets = 0;                          ///< by the watchdog or the firmware; emulated board only
   std::vector<ExpectationRecord> expectations;  ///< of the scenario; emulated board only
+  std::vector<ValueSeries> series;              ///< emulated board only
   std::string flash;                            ///< hit or miss: how the emulated board counted fetches
   SiliconChoice silicon;                        ///< in what the emulated chip was meaner
   std::vector<std::string> violated;            ///< assumptions that the scenario violates: bounds need not hold

@@ -1,5 +1,6 @@
 #include "generator/run/run_document.hpp"
 
+#include "generator/run/run_series.hpp"
 #include "generator/timing/from_robot.hpp"
 #include "generator/timing/words.hpp"
 
@@ -76,6 +77,7 @@ Json event_list(const RunResult& result) {
 
 Json chain_list(const RunResult& result) {
   Json list = Json::array();
+  const std::size_t most = most_ages(result.figures.chains.size());
   for (const MeasuredChain& chain : result.figures.chains) {
     list.push_back({{"from", name_of(result, chain.from)},
                     {"to", name_of(result, chain.to)},
@@ -83,7 +85,8 @@ Json chain_list(const RunResult& result) {
                     {"decide", statistics(result, chain.decide)},
                     {"acquire", statistics(result, chain.acquire)},
                     {"wire", statistics(result, chain.wire)},
-                    {"end_to_end", statistics(result, chain.end_to_end)}});
+                    {"end_to_end", statistics(result, chain.end_to_end)},
+                    {"ages", ages_of(chain, most)}});
   }
   return list;
 }
@@ -189,17 +192,28 @@ Json expectation_list(const RunResult& result) {
   return list;
 }
 
+Json image_json(const ImageFacts& image) {
+  const bool is_arm = image.flash > 0;
+  Json parts = Json::array();
+  for (const ImageShare& share : image.shares) {
+    parts.push_back({{"kind", share_name(share.kind)},
+                     {"name", share.name.empty() ? Json(nullptr) : Json(share.name)},
+                     {"flash", share.flash},
+                     {"ram", share.ram}});
+  }
+  return {{"sha256", image.sha256},
+          {"flash", is_arm ? Json(image.flash) : Json(nullptr)},
+          {"ram", is_arm ? Json(image.ram) : Json(nullptr)},
+          {"code_ram", is_arm ? Json(image.code_ram) : Json(nullptr)},
+          {"stack", image.stack ? Json(*image.stack) : Json(nullptr)},
+          {"parts", std::move(parts)}};
+}
+
 }  // namespace
 
 Json run_document(const RunResult& result) {
-  const bool is_arm = result.image.flash > 0;
   Json document = {{"schema", "finemote.run/1"},
-                   {"image",
-                    {{"sha256", result.image.sha256},
-                     {"flash", is_arm ? Json(result.image.flash) : Json(nullptr)},
-                     {"ram", is_arm ? Json(result.image.ram) : Json(nullptr)},
-                     {"code_ram", is_arm ? Json(result.image.code_ram) : Json(nullptr)},
-                     {"stack", result.image.stack ? Json(*result.image.stack) : Json(nullptr)}}},
+                   {"image", image_json(result.image)},
                    {"board", result.board},
                    {"duration_ns", result.duration.ns()},
                    {"bringup_ns", result.record.ready.ns()},
@@ -223,6 +237,7 @@ Json run_document(const RunResult& result) {
                    {"faults", !result.record.violated.empty()},
                    {"fault_counts", fault_list(result)},
                    {"expectations", expectation_list(result)},
+                   {"values", value_list(result.record.series)},
                    {"silent", result.record.silent},
                    {"schedulable", result.schedulable ? Json(*result.schedulable) : Json(nullptr)}};
   if (!result.record.monitor.empty()) document["monitor"] = monitor_list(result);

@@ -1,5 +1,7 @@
 // Examples on the emulated board with plants that close their loops, and with what goes wrong on their buses: every
 // scenario says itself what has to be seen at the parts, and until when.
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <sstream>
 
@@ -12,6 +14,37 @@ namespace {
 
 std::string scenario(const std::string& name) { return source_path("tests/emulator/scenarios/" + name + ".json"); }
 
+/// Over time a value is seen where it was wanted, and the oldest command is the worst of the chain.
+void check_series(const nlohmann::json& document) {
+  CHECK_FALSE(document["values"].empty());
+  for (const auto& wanted : document["expectations"]) {
+    for (const auto& series : document["values"]) {
+      if (series["part"] != wanted["part"] || series["value"] != wanted["value"]) continue;
+      INFO(wanted.dump());
+      std::int64_t at = series["from_ns"];
+      const double room = 1e-5 * std::abs(wanted["max"].get<double>());  // values have six digits
+      for (const auto& value : series["values"]) {
+        if (at >= wanted["from_ns"] && at <= wanted["to_ns"]) {
+          CHECK(value >= wanted["min"].get<double>() - room);
+          CHECK(value <= wanted["max"].get<double>() + room);
+        }
+        at += series["every_ns"].get<std::int64_t>();
+      }
+      CHECK(at > wanted["from_ns"].get<std::int64_t>());
+    }
+  }
+  for (const auto& chain : document["chains"]) {
+    INFO(chain.dump());
+    const auto& ages = chain["ages"]["age_ns"];
+    const auto& times = chain["ages"]["t_ns"];
+    REQUIRE(ages.size() == times.size());
+    CHECK(std::is_sorted(times.begin(), times.end()));
+    if (ages.empty()) continue;
+    const bool is_whole = !chain["end_to_end"]["max_ns"].is_null();
+    CHECK(*std::max_element(ages.begin(), ages.end()) == chain[is_whole ? "end_to_end" : "decide"]["max_ns"]);
+  }
+}
+
 nlohmann::json run_file(const std::string& robot, const std::string& name, const std::string& duration,
                         std::size_t expectations) {
   INFO(robot << ", " << name);
@@ -21,6 +54,7 @@ nlohmann::json run_file(const std::string& robot, const std::string& name, const
     INFO(it.dump());
     CHECK(it["ok"] == true);
   }
+  check_series(document);
   CHECK(document["overruns"] == 0);
   CHECK(document["resets"] == 0);
   if (document["faults"] == true) return document;  // bounds presume that parts and wires work

@@ -1,26 +1,18 @@
 #!/usr/bin/env python3
 """The page of `finemote report` in a browser: usage: report_test.py FINEMOTE SOURCE. 77: there is no Chromium."""
-import html.parser
 import json
 import pathlib
-import subprocess
 import sys
 import tempfile
 import unittest
+from xml.sax.saxutils import quoteattr
 
 from browser import Browser, program
+from page_keys import Keys, at, document, finemote, measured
 
 FINEMOTE, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
 FOLDER = tempfile.TemporaryDirectory()
 SIZE_LIMIT = 2_000_000
-
-
-def finemote(*words):
-    return subprocess.run([FINEMOTE, *map(str, words)], capture_output=True, text=True, check=False)
-
-
-def document(*words):
-    return json.loads(finemote(*words, "--format", "json").stdout)
 
 
 def wide_robot(count):
@@ -29,40 +21,17 @@ def wide_robot(count):
             f'<device name="root" type="group" period="40ms">{leaves}</device></finemote></robot>')
 
 
-def measured(robot):
-    """A run of the robot as if each chain had taken half its bound."""
-    timing = document("analyze", robot)
-    part = {"acquire": "acquire_ns", "decide": "decide_ns", "wire": "wire_ns", "end_to_end": "end_to_end_ns"}
-    chains = [{"from": c["from"], "to": c["to"],
-               **{name: {"max_ns": c[bound] and c[bound] // 2, "judged": "held"} for name, bound in part.items()}}
-              for c in timing["chains"]]
-    path = pathlib.Path(FOLDER.name) / (robot.stem + ".run.json")
-    path.write_text(json.dumps({"schema": "finemote.run/1", "chains": chains, "overruns": 0, "duration_ns": 10**9,
-                                "image": {"flash": 12345, "ram": 678, "stack": None}}))
+def hostile_robot():
+    """Names that are markup, written from right to left, and long; a name of a device has no two odd characters in a row."""
+    link = "</script><!--\u0645\u0631\u062d\u0628\u0627<svg/onload=x>'\"&amp; " + "y" * 280
+    path = pathlib.Path(FOLDER.name) / "hostile.urdf"
+    path.write_text(
+        f'<robot name={quoteattr("a<b>c" + "x" * 290)}><link name={quoteattr(link)}/><finemote version="1">'
+        '<board name="robomaster_type_c"/><bus name="esc" type="pwm" port="pwm1"/>'
+        '<bus name="i2c" type="i2c" port="i2c2" clock="400kHz"/><device name="r&amp;o&lt;o>t" type="group" period="10ms">'
+        f'<device name="d&lt;i>e&quot;p\'th" type="ms5837" bus="i2c" address="0x76" link={quoteattr(link)}/>'
+        f'<device name={quoteattr("z" * 300)} type="pwm_esc" bus="esc" channel="0"/></device></finemote></robot>')
     return path
-
-
-class Keys(html.parser.HTMLParser):
-    """Every result of the page as it stands in the file, before any script."""
-
-    def __init__(self, text):
-        super().__init__()
-        self.values = []
-        self.feed(text)
-
-    def handle_starttag(self, tag, attributes):
-        found = dict(attributes)
-        if "data-key" in found:
-            self.values.append((found["data-key"], found["data-value"]))
-
-
-def at(documents, key):
-    """The member that a key names."""
-    name, pointer = key.split("#")
-    value = documents[name]
-    for step in pointer.split("/")[1:]:
-        value = value[int(step)] if isinstance(value, list) else value[step]
-    return value
 
 
 class Report(unittest.TestCase):
@@ -72,9 +41,10 @@ class Report(unittest.TestCase):
         cls.robots = {"finsrov": SOURCE / "examples/finsrov.urdf", "infantry": SOURCE / "examples/infantry.urdf",
                       "wide": pathlib.Path(FOLDER.name) / "wide.urdf"}
         cls.robots["wide"].write_text(wide_robot(1000))
-        cls.runs = {name: measured(robot) for name, robot in cls.robots.items()}
+        cls.runs = {name: pathlib.Path(FOLDER.name) / f"{name}.run.json" for name in cls.robots}
         for name, robot in cls.robots.items():
-            answer = finemote("report", robot, "-o", cls.page(name), "--run", cls.runs[name])
+            cls.runs[name].write_text(json.dumps(measured(document(FINEMOTE, "analyze", robot))))
+            answer = finemote(FINEMOTE, "report", robot, "-o", cls.page(name), "--run", cls.runs[name])
             assert answer.returncode == 0, answer.stderr
 
     @classmethod
@@ -92,13 +62,13 @@ class Report(unittest.TestCase):
 
     def test_every_number_is_that_of_its_document(self):
         for name, robot in self.robots.items():
-            documents = {"timing": document("analyze", robot), "simulation": document("simulate", robot),
+            documents = {"timing": document(FINEMOTE, "analyze", robot), "simulation": document(FINEMOTE, "simulate", robot),
                          "run": json.loads(self.runs[name].read_text())}
             values = Keys(self.page(name).read_text()).values
             self.assertGreater(len(values), 100)
-            for key, value in values:
+            for key, value, _ in values:
                 self.assertEqual(json.loads(value), at(documents, key), key)
-            shown = {key for key, _ in values}
+            shown = {key for key, _, _ in values}
             for i in range(len(documents["timing"]["chains"])):
                 for part in ("acquire_ns", "decide_ns", "wire_ns", "end_to_end_ns"):
                     self.assertIn(f"timing#/chains/{i}/{part}", shown)
@@ -106,7 +76,7 @@ class Report(unittest.TestCase):
     def test_pages_are_small_and_quiet_at_every_width(self):
         for name in self.robots:
             self.assertLess(self.page(name).stat().st_size, SIZE_LIMIT)
-            for width in (1280, 390):
+            for width in (1280, 390, 360):
                 page = self.open(name, width=width)
                 self.assertEqual(page.run("document.documentElement.scrollWidth"), width, f"{name} at {width}")
                 self.assertRegex(page.run("document.body.innerText.trim().split('\\n')[0]"), "keeps every deadline")
@@ -152,8 +122,8 @@ class Report(unittest.TestCase):
         self.assertAlmostEqual(nearer[1] - nearer[0], 2_500_000, delta=1)
         detail = page.run("[...document.querySelectorAll('#detail [data-key]')].map(e => [e.dataset.key, e.dataset.value])")
         self.assertGreaterEqual(len(detail), 3)
-        documents = {"timing": document("analyze", self.robots["infantry"]),
-                     "simulation": document("simulate", self.robots["infantry"])}
+        documents = {"timing": document(FINEMOTE, "analyze", self.robots["infantry"]),
+                     "simulation": document(FINEMOTE, "simulate", self.robots["infantry"])}
         for key, value in detail:
             if not key.startswith("run#"):
                 self.assertEqual(json.loads(value), at(documents, key))
@@ -176,9 +146,9 @@ class Report(unittest.TestCase):
         slower.write_text(text.replace('bus="imu_uart" period="5ms"', 'bus="imu_uart" period="10ms"')
                           .replace('name="thruster_8" type', 'name="thruster_nine" type'))
         saved = pathlib.Path(FOLDER.name) / "before.json"
-        saved.write_text(json.dumps(document("analyze", before)))
+        saved.write_text(json.dumps(document(FINEMOTE, "analyze", before)))
         for against in (before, saved):
-            answer = finemote("report", slower, "-o", self.page("changed"), "--against", against)
+            answer = finemote(FINEMOTE, "report", slower, "-o", self.page("changed"), "--against", against)
             self.assertEqual(answer.returncode, 0, answer.stderr)
             page = self.open("changed")
             rows = page.run("[...document.querySelectorAll('#changes-table tbody tr')].map(r => [...r.cells].map(c => c.innerText))")
@@ -190,12 +160,45 @@ class Report(unittest.TestCase):
             changed = page.run("[...document.querySelectorAll('.device.changed')].map(card => card.dataset.device)")
             self.assertEqual(set(changed), {"imu", "thruster_nine"})
             self.assertGreater(page.run("[...document.querySelectorAll('.bar .who')].filter(w => w.innerText === 'before').length"), 0)
-            documents = {"timing": document("analyze", slower), "simulation": document("simulate", slower),
+            documents = {"timing": document(FINEMOTE, "analyze", slower), "simulation": document(FINEMOTE, "simulate", slower),
                          "against": json.loads(saved.read_text())}
-            for key, value in Keys(self.page("changed").read_text()).values:
+            for key, value, _ in Keys(self.page("changed").read_text()).values:
                 self.assertEqual(json.loads(value), at(documents, key), key)
-        finemote("report", before, "-o", self.page("changed"), "--against", saved)
+        finemote(FINEMOTE, "report", before, "-o", self.page("changed"), "--against", saved)
         self.assertEqual(self.open("changed").run("document.querySelectorAll('#changes-table, .device.changed').length"), 0)
+
+    def test_a_run_is_drawn_over_time(self):
+        page = self.open("finsrov")
+        self.assertEqual(page.run("document.querySelectorAll('#run figure').length"), 1 + 6)  # what moves, oldest chains
+        self.assertEqual(page.run("document.querySelectorAll('#run .wanted').length"), 1)
+        self.assertEqual(page.run("document.querySelectorAll('#run .limit').length"), 6)
+        line = page.run("""(path => {
+          const box = path.getBBox();
+          return [path.getAttribute('d').split('L').length, box.x, box.y, box.x + box.width, box.y + box.height];
+        })(document.querySelector('#run .line'))""")
+        self.assertEqual(line[0], 90)
+        self.assertTrue(all(0 < low and high < 360 for low, high in zip(line[1:3], line[3:])), line)
+        for width in (1280, 360):
+            page.resize(width, 900)
+            page.settle()
+            self.assertEqual(page.run("""[...document.querySelectorAll('.plot')].flatMap(svg => {
+              const box = svg.getBoundingClientRect();
+              return [...svg.querySelectorAll('text')].filter(e => {
+                const b = e.getBoundingClientRect();
+                return b.left < box.left || b.right > box.right || b.top < box.top || b.bottom > box.bottom;
+              }).map(e => e.outerHTML);
+            })"""), [])
+
+    def test_hostile_names_change_nothing(self):
+        answer = finemote(FINEMOTE, "report", hostile_robot(), "-o", self.page("hostile"))
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        for width in (1280, 360):
+            page = self.open("hostile", width=width)
+            self.assertEqual(page.run("document.documentElement.scrollWidth"), width)
+            self.assertEqual(page.run("document.scripts.length"), 2)
+            self.assertEqual(page.run("[...document.querySelectorAll('b, i, o, svg svg')].filter(e => e.textContent.includes('>')).length"), 0)
+            self.assertEqual(page.run("document.querySelectorAll('o, svg svg').length"), 0)
+            self.assertTrue(page.run("document.querySelector('#parts-table').textContent.includes('<svg/onload=x>')"))
 
     def test_the_body_is_drawn_from_three_sides(self):
         page = self.open("finsrov")

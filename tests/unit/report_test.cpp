@@ -3,7 +3,9 @@
 #include "generator/report/base64.hpp"
 #include "generator/report/data_block.hpp"
 #include "generator/report/frames.hpp"
+#include "generator/report/over_time.hpp"
 #include "generator/report/path.hpp"
+#include "generator/report/plot.hpp"
 #include "generator/report/verdict.hpp"
 
 using namespace finemote::gen;
@@ -126,4 +128,50 @@ TEST_CASE("the verdict is what the documents say") {
   CHECK_FALSE(verdict(good, R"({"chains":[{"wire":{"judged":"broken"}}]})").is_good);
   CHECK_FALSE(verdict(good, R"({"overruns":1})").is_good);
   CHECK(verdict(good, R"({"overruns":0,"chains":5,"responses":[3]})").is_good);
+}
+
+TEST_CASE("a plot lies within its axes, and marks where a value is wanted") {
+  Plot plot{"depth & <b>", " data-key=\"k\""};
+  for (int i = 0; i <= 10; ++i) plot.points.push_back({i * 1e8, i < 5 ? 0.0 : 1.5});
+  plot.bands = {{5e8, 9e8, 1, 2}, {2e9, 3e9, 0, 1}};  // the second one comes later than what is drawn
+  const std::string text = drawn(plot);
+  CHECK(text.find("aria-label=\"depth &amp; &lt;b&gt;\"") != std::string::npos);
+  CHECK(text.find("<path class=\"line\" data-key=\"k\" d=\"M54.0 119.") != std::string::npos);
+  CHECK(text.find(">1000 µs<") == std::string::npos);
+  CHECK(text.find(">400 ms<") != std::string::npos);
+  CHECK(text.find(">0.5</text>") != std::string::npos);
+  CHECK(text.find("class=\"wanted\"") == text.rfind("class=\"wanted\""));
+  CHECK(text.find("class=\"limit\"") == std::string::npos);
+  plot.limit = 3;
+  CHECK(drawn(plot).find("class=\"limit\"") != std::string::npos);
+}
+
+TEST_CASE("what cannot be drawn is not") {
+  Plot plot{"x"};
+  CHECK(plot.is_constant());
+  CHECK(drawn(plot).empty());
+  plot.points = {{0, 1e308}, {1, -1e308}};
+  CHECK_FALSE(plot.is_constant());
+  CHECK(drawn(plot).empty());
+  plot.points = {{5, 2}};
+  CHECK_FALSE(drawn(plot).empty());
+}
+
+TEST_CASE("of a run over time, counters and what stays are in the table alone") {
+  Documents documents;
+  documents.timing = Json::parse(R"({"model":{"devices":[{"name":"motor"}]}})");
+  CHECK(over_time(documents).empty());
+  documents.run = Json::parse(R"({"values":[
+    {"part":"motor","value":"frames","unit":"","from_ns":0,"every_ns":1000000,"values":[0,1,2]},
+    {"part":"motor","value":"angle","unit":"rad","from_ns":0,"every_ns":1000000,"values":[0,1,2]},
+    {"part":"motor","value":"current","unit":"A","from_ns":0,"every_ns":1000000,"values":[1,1,1]},
+    {"part":"hull","value":"x","unit":"m","from_ns":0,"every_ns":1000000,"values":[0,null,2]}]})");
+  const std::string text = over_time(documents);
+  CHECK(text.find("run#/values/0/values\"") == std::string::npos);
+  CHECK(text.find("run#/values/2/values\"") == std::string::npos);
+  const auto angle = text.find("data-key=\"run#/values/1/values\" data-value=\"[0,1,2]\"");
+  const auto hull = text.find("data-key=\"run#/values/3/values\" data-value=\"[0,null,2]\"");
+  REQUIRE(angle != std::string::npos);
+  CHECK(hull < angle);  // bodies come before what moves them
+  CHECK(text.find("How old commands were") == std::string::npos);
 }
