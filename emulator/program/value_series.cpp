@@ -22,7 +22,7 @@ std::int64_t looks_for(std::size_t quantities) {
 
 Json rounded(double value) {
   if (!std::isfinite(value)) return nullptr;
-  return std::stod(fmt::format("{:.6g}", value));
+  return std::stod(fmt::format("{:.6g}", value)) + 0.0;  // no -0
 }
 
 }  // namespace

@@ -22,7 +22,9 @@ namespace finemote::gen::report {
 namespace {
 
 /// Of the page, in the order in which they run; templates/README.md says what each does.
-constexpr const char* kScripts[] = {"page.js", "chains.js", "timeline_data.js", "timeline.js", "main.js"};
+constexpr const char* kScripts[] = {
+    "page.js", "chains.js", "timeline_data.js", "timeline_table.js", "timeline.js", "main.js",
+};
 
 /// The pieces of a page, by the names that stand for them in page.html between two `@`.
 using Pieces = std::map<std::string, std::string>;

@@ -3,3 +3,4 @@ prepareTheme();
 prepareForest();
 prepareChains();
 const view = new Timeline(find('#timeline-view'));
+prepareTimelineTable(view);

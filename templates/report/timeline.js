@@ -14,6 +14,7 @@ class Timeline {
     this.to = data.length;
     this.picked = null;  // {lane, slice}
     this.way = null;     // slices of the chosen chain, in order
+    this.whenDrawn = null;
     this.output = make('output', {'aria-live': 'polite'});
     this.svg = draw('svg', {tabindex: '0', role: 'application', 'aria-label':
         'Timeline. Plus and minus zoom, left and right move, up and down choose a stage, 0 shows all.'});
@@ -85,6 +86,7 @@ class Timeline {
     this.svg.setAttribute('viewBox', `0 0 ${this.width} ${y}`);
     this.svg.dataset.from = this.from;
     this.svg.dataset.to = this.to;
+    this.whenDrawn?.();
     this.output.textContent = `${timeText(this.from)} to ${timeText(this.to)}`;
   }
 
@@ -214,7 +216,6 @@ class Timeline {
       return;
     }
     const {slice} = this.picked;
-    const words = {update: 'update()', handle: 'handle()', frame: 'frame', interrupt: 'interrupt', flush: ''};
     const list = make('dl');
     const add = (name, value) => list.append(make('div', {}, make('dt', {}, name), value));
     add('from', make('dd', {}, timeText(slice.begin)));
@@ -228,7 +229,7 @@ class Timeline {
       add('worst simulated', copyOf(cells[8], 'dd'));
       if (cells.length > 9) add('worst measured', copyOf(cells[9], 'dd'));
     }
-    this.detail.replaceChildren(make('b', {}, `${slice.name} ${words[slice.kind]}`.trim()), list);
+    this.detail.replaceChildren(make('b', {}, `${slice.name} ${kStageWords[slice.kind]}`.trim()), list);
   }
 
   /** Shows the stages that a chosen chain takes, for the first data that go all its way. */

@@ -61,4 +61,21 @@ watcher=$!
 answered "without the included file" 'FM1027'
 printf '<robot><finemote><device name="load" type="sim_load" period="10ms"/></finemote></robot>\n' >parts/load.xacro
 answered "the included file came" 'missing .*buses.cpp'
+kill $watcher
+
+# A report is written again, and a mistake leaves the page as it was.
+answers=0
+robot 10ms
+"$finemote" report robot.urdf -o page.html --watch >said 2>errors &
+watcher=$!
+answered "the first page" 'written: page.html'
+grep -q 'every 10ms' page.html || fail "not the page of the robot"
+robot 20ms
+answered "another page" 'written: page.html'
+grep -q 'every 20ms' page.html || fail "not the page of the robot as it is now"
+cp page.html page.before
+robot 20
+answered "a mistake in the robot" 'FM3030'
+cmp -s page.html page.before || fail "a mistake changed the page"
+kill -0 $watcher || fail "the watch of the report ended by itself"
 echo "$answers answers"

@@ -130,6 +130,20 @@ class Report(unittest.TestCase):
         page.press("0")
         self.assertEqual(page.run(view), whole)
 
+    def test_the_timeline_has_a_table(self):
+        page = self.open("infantry")
+        rows = "[...document.querySelectorAll('#timeline-table tbody tr')].map(row => [...row.cells].map(c => c.innerText))"
+        self.assertEqual(page.run(rows), [])
+        page.run("document.querySelector('#timeline > details summary').click()")
+        page.settle()
+        self.assertEqual(len(page.run(rows)), 200)
+        self.assertIn("of", page.run("document.querySelector('#timeline-table caption').innerText"))
+        page.run("view.show(0, 260_000)")
+        near = page.run(rows)
+        self.assertIn(["imu update()", "every 1 ms"], [row[:2] for row in near])
+        self.assertTrue(any(row[4] != "0 ns" for row in near))  # a stage that waited
+        self.assertEqual(page.run("document.documentElement.scrollWidth"), 1280)
+
     def test_the_theme_changes_and_texts_keep_their_contrast(self):
         for dark in (False, True):
             page = self.open("finsrov", dark=dark)
