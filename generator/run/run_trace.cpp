@@ -27,6 +27,8 @@ Json run_trace(const RunResult& result) {
                       {"pid", 1},
                       {"tid", i + 1},
                       {"args", {{"name", "every " + period_text(result.schedule.buckets[i].period)}}}});
+    events.push_back(
+        {{"name", "thread_sort_index"}, {"ph", "M"}, {"pid", 1}, {"tid", i + 1}, {"args", {{"sort_index", i + 1}}}});
   }
   struct Running {
     DeviceId device;

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <tuple>
 
 #include "generator/timing/table.hpp"
 
@@ -20,11 +22,17 @@ std::string stamp(Duration time) { return fmt::format("{}.{:03}", time.ns() / 10
 TraceWriter::TraceWriter(const timing::Model& model, timing::Profile profile, std::ostream& out)
     : model_(model), set_(timing::make_task_set(model, profile)), out_(out), last_empty_(model.devices.size()) {
   find_buses();
-  out_ << "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n";
   name_tracks();
 }
 
-void TraceWriter::close() { out_ << "\n]}\n"; }
+void TraceWriter::close() {
+  std::stable_sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) {
+    return std::tie(a.time_ns, a.is_inside, a.order) < std::tie(b.time_ns, b.is_inside, b.order);
+  });
+  out_ << "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[";
+  for (const Line& line : lines_) out_ << (&line == &lines_.front() ? "\n" : ",\n") << line.text;
+  out_ << "\n]}\n";
+}
 
 /// Streams are called like their bus, or `bus.source` where it has several: the longest name that fits is the bus.
 void TraceWriter::find_buses() {
@@ -46,10 +54,11 @@ std::size_t TraceWriter::job_track(std::size_t bucket) const { return model_.bus
 
 void TraceWriter::name_tracks() {
   const auto name = [&](std::size_t track, const std::string& text) {
-    line(
+    add(Duration::zero(), false,
         fmt::format(R"({{"ph":"M","pid":1,"tid":{},"name":"thread_name","args":{{"name":{}}}}})", track, quoted(text)));
-    line(fmt::format(R"({{"ph":"M","pid":1,"tid":{},"name":"thread_sort_index","args":{{"sort_index":{}}}}})", track,
-                     track));
+    add(Duration::zero(), false,
+        fmt::format(R"({{"ph":"M","pid":1,"tid":{},"name":"thread_sort_index","args":{{"sort_index":{}}}}})", track,
+                    track));
   };
   for (const timing::BusPlace b : model_.buses.ids()) name(bus_track(b), "bus " + model_.buses[b].name);
   name(model_.buses.size() + 1, "release");
@@ -58,48 +67,59 @@ void TraceWriter::name_tracks() {
   }
 }
 
-void TraceWriter::line(const std::string& event) {
-  if (!first_) out_ << ",\n";
-  first_ = false;
-  out_ << event;
+void TraceWriter::add(Duration time, bool is_inside, std::string text) {
+  lines_.push_back({time.ns(), is_inside, lines_.size(), std::move(text)});
 }
 
-void TraceWriter::slice(std::size_t track, const std::string& name, Duration begin, Duration end) {
-  line(fmt::format(R"({{"ph":"X","pid":1,"tid":{},"ts":{},"dur":{},"name":{}}})", track, stamp(begin),
-                   stamp(end - begin), quoted(name)));
+void TraceWriter::add_behind(std::size_t line, std::string text) {
+  lines_.push_back({lines_[line].time_ns, lines_[line].is_inside, line, std::move(text)});
 }
 
-Duration& TraceWriter::last_empty(Rank device, Stage stage) {
+void TraceWriter::slice(std::size_t track, const std::string& name, Duration begin, Duration end, bool is_inside) {
+  add(begin, is_inside,
+      fmt::format(R"({{"ph":"X","pid":1,"tid":{},"ts":{},"dur":{},"name":{}}})", track, stamp(begin),
+                  stamp(end - begin), quoted(name)));
+}
+
+TraceWriter::Empty& TraceWriter::last_empty(Rank device, Stage stage) {
   LastEmpty& last = last_empty_[device];
   return stage == Stage::update ? last.update : last.handle;
 }
 
 std::size_t TraceWriter::bucket_track(Rank device) const { return job_track(set_.bucket_of[device]); }
 
-void TraceWriter::job(std::size_t bucket, Duration begin, Duration end) { slice(job_track(bucket), "job", begin, end); }
+void TraceWriter::job(std::size_t bucket, Duration begin, Duration end) {
+  slice(job_track(bucket), "job", begin, end, false);
+}
 
 void TraceWriter::stage(Rank device, Stage stage, Duration begin, Duration end) {
   slice(bucket_track(device), model_.devices[device].name + (stage == Stage::update ? ".update" : ".handle"), begin,
-        end);
-  if (begin == end) last_empty(device, stage) = end;
+        end, true);
+  if (begin == end) last_empty(device, stage) = {end, lines_.size() - 1};
 }
 
 void TraceWriter::interrupt(std::size_t stream, Duration begin, Duration end) {
   const bool is_bus = stream < set_.bus_streams;
   slice(is_bus ? bus_track(bus_of_[stream]) : model_.buses.size() + 1, is_bus ? set_.streams[stream].name : "release",
-        begin, end);
+        begin, end, true);
 }
 
-/// The arrow leaves one nanosecond before the producer's end, inside its slice; where that is empty, at its end.
+/// The arrow leaves one nanosecond before the producer's end, inside its slice; where that is empty, at its end. It
+/// ends at the slice of its track that begins next.
 void TraceWriter::hand_over(Rank producer, Rank consumer, Stage stage, Duration published, Duration used) {
   const std::string name = quoted(stage == Stage::update ? "state" : "command");
-  const bool is_empty = last_empty(producer, stage) == published;
+  const Empty& empty = last_empty(producer, stage);
+  const Duration left = empty.at == published || published == Duration::zero() ? published : published - nanoseconds(1);
   ++flow_;
-  line(fmt::format(R"({{"ph":"s","pid":1,"tid":{},"ts":{},"id":{},"cat":"data","name":{}}})", bucket_track(producer),
-                   stamp(is_empty || published == Duration::zero() ? published : published - nanoseconds(1)), flow_,
-                   name));
-  line(fmt::format(R"({{"ph":"f","bp":"e","pid":1,"tid":{},"ts":{},"id":{},"cat":"data","name":{}}})",
-                   bucket_track(consumer), stamp(used), flow_, name));
+  const std::string leaves = fmt::format(R"({{"ph":"s","pid":1,"tid":{},"ts":{},"id":{},"cat":"data","name":{}}})",
+                                         bucket_track(producer), stamp(left), flow_, name);
+  if (empty.at == published)
+    add_behind(empty.line, leaves);
+  else
+    add(left, true, leaves);
+  add(used, true,
+      fmt::format(R"({{"ph":"f","pid":1,"tid":{},"ts":{},"id":{},"cat":"data","name":{}}})", bucket_track(consumer),
+                  stamp(used), flow_, name));
 }
 
 }  // namespace finemote::gen

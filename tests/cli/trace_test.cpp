@@ -65,6 +65,62 @@ struct Trace {
   }
 };
 
+/// Arrows as Perfetto reads them, which goes through a file once, in the order of time: an arrow leaves the innermost
+/// slice that is open, and ends at the slice of its track that begins next.
+struct Arrows {
+  struct End {
+    std::string slice;
+    std::int64_t begin, end;
+  };
+  std::map<int, End> from, to;  ///< by id
+  bool in_order = true, nest = true;
+
+  explicit Arrows(const Json& document) {
+    std::int64_t last = 0;
+    for (const Json& e : document["traceEvents"]) {
+      if (e["ph"] == "M") continue;
+      const std::int64_t time = nanoseconds(e["ts"]);
+      in_order &= time >= last;
+      last = time;
+      take(e, time);
+    }
+  }
+
+ private:
+  void take(const Json& e, std::int64_t time) {
+    std::vector<End>& open = open_[e["tid"].get<int>()];
+    std::vector<int>& pending = pending_[e["tid"].get<int>()];
+    if (e["ph"] == "s" && !open.empty()) from.emplace(e["id"].get<int>(), open.back());
+    if (e["ph"] == "f") pending.push_back(e["id"].get<int>());
+    if (e["ph"] != "X") return;
+    while (!open.empty() && open.back().end <= time) open.pop_back();
+    const End slice{e["name"], time, time + nanoseconds(e["dur"])};
+    nest &= open.empty() || slice.end <= open.back().end;
+    for (const int id : pending) to.emplace(id, slice);
+    pending.clear();
+    open.push_back(slice);
+  }
+
+  std::map<int, std::vector<End>> open_;
+  std::map<int, std::vector<int>> pending_;
+};
+
+void check_arrows(const Json& document, const Trace& trace) {
+  const Arrows arrows(document);
+  CHECK(arrows.in_order);
+  CHECK(arrows.nest);
+  REQUIRE(arrows.from.size() == trace.starts.size());
+  REQUIRE(arrows.to.size() == trace.ends.size());
+  for (const auto& [id, from] : arrows.from) {
+    const Arrows::End& to = arrows.to.at(id);
+    INFO("flow " << id << " from " << from.slice << " to " << to.slice);
+    CHECK(from.slice != "job");
+    CHECK(to.slice != "job");
+    CHECK(from.end - trace.starts.at(id).second <= 1);
+    CHECK(to.begin == trace.ends.at(id).second);
+  }
+}
+
 void check_tracks(const Trace& trace) {
   CHECK(trace.well_formed);
   for (const auto& [track, list] : trace.slices) {
@@ -83,8 +139,10 @@ TEST_CASE("a simulated run is a trace with one track per bucket and bus, and who
     TemporaryFolder folder;
     const std::string file = folder.path("trace.json"), input = source_path("examples/" + robot);
     REQUIRE(run_finemote({"simulate", input, "--duration", "50ms", "-o", file}).exit_status == 0);
-    const Trace trace(Json::parse(read_file(file)));
+    const Json document = Json::parse(read_file(file));
+    const Trace trace(document);
     check_tracks(trace);
+    check_arrows(document, trace);
     const Json tree = finemote_json({"tree", input});
     std::size_t buckets = 0, buses = 0;
     for (const auto& [track, name] : trace.names) {
@@ -110,8 +168,10 @@ TEST_CASE("a model with stages of no length is a good trace too") {
   const Json cases = Json::parse(read_file(source_path("tests/analysis-cases/zero-handle-sensors.json")));
   write_file(folder.path("m.json"), cases["model"].dump());
   REQUIRE(run_finemote({"simulate", folder.path("m.json"), "-o", folder.path("t.json")}).exit_status == 0);
-  const Trace trace(Json::parse(read_file(folder.path("t.json"))));
+  const Json document = Json::parse(read_file(folder.path("t.json")));
+  const Trace trace(document);
   check_tracks(trace);
+  check_arrows(document, trace);
   for (const auto& [id, start] : trace.starts) CHECK(trace.in_a_slice(start));
 }
 
