@@ -9,6 +9,7 @@
 #include "generator/cli/diff_bounds.hpp"
 #include "generator/cli/diff_changes.hpp"
 #include "generator/cli/diff_sizes.hpp"
+#include "generator/cli/progress.hpp"
 #include "generator/cli/robot_input.hpp"
 #include "generator/cli/settings.hpp"
 #include "generator/output/folder.hpp"
@@ -87,6 +88,8 @@ std::optional<Side> planned_side(const Options& options, const std::string& path
   if (diagnostics.has_errors()) return std::nullopt;
   Side side = robot_side(*planned, analysis, files);
   if (!options.sizes) return side;
+  Progress progress(options);
+  progress.say("compiling the firmware of " + path);
   side.image =
       built_image(planned->robot, output_of(files, *planned, *input, sources), input->data_dir, sources, diagnostics);
   if (!side.image) return std::nullopt;

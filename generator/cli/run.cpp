@@ -9,6 +9,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/dump.hpp"
 #include "generator/cli/named_board.hpp"
+#include "generator/cli/progress.hpp"
 #include "generator/cli/robot_input.hpp"
 #include "generator/cli/subject.hpp"
 #include "generator/cli/verdict.hpp"
@@ -201,10 +202,13 @@ struct Runs {
 /// One run without phases, or as many as were asked for.
 std::optional<Runs> run_phases(const std::string& image, const PlannedRobot& planned, const Setup& setup,
                                const FaultTable& faults, const Options& options, const std::string& image_sha256,
-                               const std::optional<timing::Timing>& timing, Diagnostics& diagnostics) {
+                               const std::optional<timing::Timing>& timing, Progress& progress,
+                               Diagnostics& diagnostics) {
   std::optional<Runs> all;
   std::string audit;
-  for (std::uint64_t i = 0; i < std::max<std::uint64_t>(options.phases, 1); ++i) {
+  const std::uint64_t count = std::max<std::uint64_t>(options.phases, 1);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    progress.say(fmt::format("running on {}: {} of {}", setup.board.name, i + 1, count));
     const auto phase = options.phases == 0 ? std::nullopt : std::optional(Phase{options.seed, i});
     auto record = run_image(image, planned, setup, faults, options, phase, diagnostics);
     if (!record) return std::nullopt;
@@ -299,13 +303,15 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   const bool is_played = setup->is_emulated() && !options.build_only;
   if (is_played && !rehearse(setup->board, setup->asked_scenario(), robot, work.path() + "/scenario", diagnostics))
     return no_answer();
+  Progress progress(options);
+  progress.say("compiling the firmware");
   const auto image = make_proven_image(project, robot, !options.keep.empty(), sources, diagnostics);
   if (!image) return no_answer();
   if (options.build_only) return answer_of_build(image->facts, setup->board.name);
 
   const auto schedulable = repeat_verdict(analysis, diagnostics);
-  auto runs =
-      run_phases(image->path, *planned, *setup, faults, options, image->facts.sha256, image_timing, diagnostics);
+  auto runs = run_phases(image->path, *planned, *setup, faults, options, image->facts.sha256, image_timing, progress,
+                         diagnostics);
   if (!runs) return no_answer();
   if (!options.audit.empty() && !write_result(options.audit, runs->audit, diagnostics)) return no_answer();
   RunResult result = result_of(*planned, *setup, image->facts, std::move(*runs), faults);

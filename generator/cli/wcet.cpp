@@ -5,6 +5,7 @@
 
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
+#include "generator/cli/progress.hpp"
 #include "generator/cli/robot_input.hpp"
 #include "generator/image/constants.hpp"
 #include "generator/input/read_document.hpp"
@@ -86,11 +87,14 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   }
   const Project project =
       make_project(request, output_of(std::move(files), *planned, *input, sources), planned->robot, false);
+  Progress progress(options);
+  if (options.elf.empty()) progress.say("compiling the firmware");
   const auto path = image_of(options, project, sources, diagnostics);
   const auto image = path ? read_image(*path, diagnostics) : std::nullopt;
   if (!image) return no_answer();
   const KeptMembers kept = kept_members(*path, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
+  progress.say("bounding execution times");
   inputs.placement = wcet::placement_of(*image);
   const wcet::ImageTimes times = wcet::time_image(*image, kept, inputs.placement);
   const SourceLines lines(*path);
