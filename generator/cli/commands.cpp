@@ -60,7 +60,7 @@ OptionList watch() {
 
 OptionList dump() {
   const std::vector<std::string> stages(std::begin(kStageNames), std::end(kStageNames));
-  return {{"--dump", Choice{stages, [](Options& o, std::size_t word) { o.dump = static_cast<Stage>(word); }},
+  return {{"--dump", Choice{stages, [](Options& o, std::size_t word) { o.dump = static_cast<DumpStage>(word); }},
            "print this stage of the pipeline as JSON, and do nothing else"}};
 }
 

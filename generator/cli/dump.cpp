@@ -12,19 +12,19 @@ namespace finemote::gen {
 namespace {
 
 /// None after an error.
-std::optional<Json> stage_json(Stage stage, const Input& input, const timing::RobotTimingOptions& tasks,
+std::optional<Json> stage_json(DumpStage stage, const Input& input, const timing::RobotTimingOptions& tasks,
                                Sources& sources, Diagnostics& diagnostics) {
-  if (stage == Stage::document) {
+  if (stage == DumpStage::document) {
     const auto document = read_document(input, sources, diagnostics);
     return document ? std::optional(dump_document(*document)) : std::nullopt;
   }
   const auto planned = plan_robot(input, sources, diagnostics);
   if (!planned) return std::nullopt;
   const auto& [library, robot, forest, schedule, timing_file] = *planned;
-  if (stage == Stage::model) return dump_model(robot);
-  if (stage == Stage::forest) return dump_forest(robot, forest);
-  if (stage == Stage::schedule) return dump_schedule(robot, schedule);
-  if (stage == Stage::tasks) {
+  if (stage == DumpStage::model) return dump_model(robot);
+  if (stage == DumpStage::forest) return dump_forest(robot, forest);
+  if (stage == DumpStage::schedule) return dump_schedule(robot, schedule);
+  if (stage == DumpStage::tasks) {
     const auto model = timing::make_timing_model(robot, forest, schedule, diagnostics, tasks);
     return model ? std::optional(dump_tasks(*model)) : std::nullopt;
   }
@@ -52,7 +52,7 @@ Answer dump_subject(const Options& options, const timing::RobotTimingOptions& ta
     const auto input = input_of(options, diagnostics);
     return input ? dump_robot(options, *input, tasks, sources, diagnostics) : no_answer();
   }
-  if (*options.dump != Stage::tasks) {
+  if (*options.dump != DumpStage::tasks) {
     const char* name = kStageNames[static_cast<std::size_t>(*options.dump)];
     diagnostics
         .error(code::usage, {}, fmt::format("'{}' is a timing model, which has no stage '{}'", options.input, name))

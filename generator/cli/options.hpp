@@ -10,7 +10,7 @@
 namespace finemote::gen {
 
 /// A stage of the pipeline that --dump shows.
-enum class Stage { document, model, forest, schedule, tasks, plan };
+enum class DumpStage { document, model, forest, schedule, tasks, plan };
 inline constexpr const char* kStageNames[] = {"document", "model", "forest", "schedule", "tasks", "plan"};
 
 enum class Format { text, json, sarif, github, gcc, markdown };
@@ -36,8 +36,8 @@ struct Options {
   bool quiet = false;
   bool verbose = false;
   bool warnings_are_errors = false;
-  std::optional<Stage> dump;  ///< --dump: show this stage instead
-  bool sandbox = false;       ///< --sandbox: read only what the user named, and not without end
+  std::optional<DumpStage> dump;  ///< --dump: show this stage instead
+  bool sandbox = false;           ///< --sandbox: read only what the user named, and not without end
 
   std::string out;           ///< -o
   bool show_config = false;  ///< --show-config: print what is set, by whom, and do nothing else

@@ -66,7 +66,7 @@ class ReachedOutputs {
 
 struct Series {
   std::vector<Duration> acquire, decide, wire, end_to_end;
-  std::vector<CommandAge> decisions, commands;
+  std::vector<MeasuredAge> decisions, commands;
 };
 
 Series collect(const Robot& robot, const Forest& forest, const RunRecord& record, DeviceId from, DeviceId to) {

@@ -11,7 +11,7 @@ namespace finemote::gen {
 
 /// A command when it took effect: at the last bit of its output where that and the sample behind it are known, else at
 /// the end of its handle().
-struct CommandAge {
+struct MeasuredAge {
   Duration at;   ///< since the first release
   Duration age;  ///< of its data: end to end, else of the decision alone
 };
@@ -20,7 +20,7 @@ struct CommandAge {
 struct MeasuredChain {
   DeviceId from, to;
   Measured acquire, decide, wire, end_to_end;
-  std::vector<CommandAge> ages = {};  ///< of one run, in time order; end to end where that has samples
+  std::vector<MeasuredAge> ages = {};  ///< of one run, in time order; end to end where that has samples
 };
 
 inline constexpr std::array<Figure<MeasuredChain>, 4> kChainFigures{{{"acquire", &MeasuredChain::acquire},

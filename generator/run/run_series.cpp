@@ -48,7 +48,7 @@ Json ages_of(const MeasuredChain& chain, std::size_t most) {
     const auto begin = chain.ages.begin() + static_cast<std::ptrdiff_t>(i * count / windows);
     const auto end = chain.ages.begin() + static_cast<std::ptrdiff_t>((i + 1) * count / windows);
     const auto oldest =
-        std::max_element(begin, end, [](const CommandAge& a, const CommandAge& b) { return a.age < b.age; });
+        std::max_element(begin, end, [](const MeasuredAge& a, const MeasuredAge& b) { return a.age < b.age; });
     times.push_back(oldest->at.ns());
     ages.push_back(oldest->age.ns());
   }

@@ -1,5 +1,5 @@
 // Names of unnamed namespaces differ among the files of a module, so that they can be compiled as one: `./dev demo`
-// does.
+// does. A type that headers define is the only one of its name in its namespace, whichever of them are read together.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -137,6 +137,46 @@ std::set<LocalName> local_names(const std::string& text) {
   return names;
 }
 
+/// Of `struct A final : B`, `enum class A : int`: `A`; empty for what defines no type, or one more form of a template.
+std::string type_name(const Tokens& tokens, std::size_t at, std::size_t brace) {
+  if (tokens[at].text == "template") at = behind_angles(tokens, at + 1);
+  if (at >= brace || (tokens[at].text != "struct" && tokens[at].text != "class" && tokens[at].text != "enum"))
+    return "";
+  ++at;
+  while (at < brace && (tokens[at].text == "class" || tokens[at].text == "struct" || opens(tokens[at])))
+    at = opens(tokens[at]) ? behind_group(tokens, at) : at + 1;
+  if (at >= brace || !is_word(tokens[at])) return "";
+  const std::string next = tokens[at + 1].text;
+  return next == "{" || next == ":" || next == "final" ? tokens[at].text : "";
+}
+
+/// The types that are defined from `at` to the brace that closes their namespace, which is where `at` then is.
+void add_types(const Tokens& tokens, std::size_t& at, const std::string& scope, std::set<std::string>& types) {
+  std::size_t first = at;  // of the declaration
+  while (at < tokens.size() && tokens[at].text != "}") {
+    const bool is_end = tokens[at].text == ";", is_brace = tokens[at].text == "{";
+    if (is_brace && tokens[first].text == "namespace") {
+      std::string inner = scope;
+      for (std::size_t i = first + 1; i < at; ++i) inner += tokens[i].text;
+      add_types(tokens, ++at, inner + "::", types);
+      ++at;
+    } else {
+      const std::string type = is_brace ? type_name(tokens, first, at) : "";
+      if (!type.empty()) types.insert(scope + type);
+      at = opens(tokens[at]) ? behind_group(tokens, at) : at + 1;
+    }
+    if (is_end || is_brace) first = at;
+  }
+}
+
+std::set<std::string> types_in(const std::string& text) {
+  const Tokens tokens = tokens_of(text);
+  std::set<std::string> types;
+  std::size_t at = 0;
+  add_types(tokens, at, "", types);
+  return types;
+}
+
 /// The target whose batches the file is in; empty: it is compiled by itself.
 std::string module_of(const std::string& file, const std::string& emulator_build) {
   const std::string folder = file.substr(0, file.rfind('/'));
@@ -184,4 +224,29 @@ TEST_CASE("files of a module can be compiled as one") {
     }
   }
   CHECK(files > 400);
+}
+
+TEST_CASE("types are read with their namespaces") {
+  CHECK(types_in("namespace a::b { struct S final { struct T {}; }; namespace c { enum class E : int { e }; } }") ==
+        std::set<std::string>{"a::b::S", "a::b::c::E"});
+  CHECK(types_in("namespace a { template <typename T> class C : B<T> {}; template <> class C<int> {}; }") ==
+        std::set<std::string>{"a::C"});
+  CHECK(types_in("namespace a { struct S; struct S make() { return {}; } inline S s{}; int f() {} class D {}; }") ==
+        std::set<std::string>{"a::D"});
+}
+
+TEST_CASE("a type of the headers has its name for itself") {
+  const fs::path root = FINEMOTE_SOURCE_DIR;
+  std::map<std::string, std::string> known;  ///< the header of each type
+  for (const char* part : {"generator", "emulator"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
+      if (entry.path().extension() != ".hpp") continue;
+      const std::string header = entry.path().lexically_relative(root).generic_string();
+      for (const std::string& type : types_in(read(entry.path()))) {
+        const auto [other, is_new] = known.emplace(type, header);
+        if (!is_new) FAIL_CHECK(header << ": '" << type << "' is also defined in " << other->second);
+      }
+    }
+  }
+  CHECK(known.size() > 600);
 }
