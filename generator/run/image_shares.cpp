@@ -46,8 +46,8 @@ class Owners {
   }
 
   void add(const ImageSymbol& symbol, bool is_flash, bool is_ram) {
-    const auto [kind, name] = owner_of(symbol);
-    const auto is_it = [&](const ImageShare& share) { return share.kind == kind && share.name == name; };
+    const auto owner = owner_of(symbol);
+    const auto is_it = [&](const ImageShare& share) { return share.kind == owner.first && share.name == owner.second; };
     ImageShare& share = *std::find_if(shares_.begin(), shares_.end(), is_it);
     if (is_flash) share.flash += symbol.size;
     if (is_ram) share.ram += symbol.size;
