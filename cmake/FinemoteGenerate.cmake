@@ -37,10 +37,24 @@ function(finemote_strings document name result)
   set(${result} "${strings}" PARENT_SCOPE)
 endfunction()
 
+# Where the robot's timing file is, or would be.
+function(finemote_timing_file_of input result)
+  string(REGEX REPLACE "(\\.urdf)?\\.xacro$|\\.urdf$" "" base ${input})
+  set(${result} ${base}.timing.json PARENT_SCOPE)
+endfunction()
+
+# The files beside the robot that count as soon as they are there: every build looks for them.
+function(finemote_files_beside input result)
+  get_filename_component(folder ${input} DIRECTORY)
+  finemote_timing_file_of(${input} times)
+  file(GLOB files CONFIGURE_DEPENDS ${folder}/finemote.json ${times})
+  set(${result} ${files} PARENT_SCOPE)
+endfunction()
+
 # Sources that are generated into `folder` when something changed that they depend on. Files whose bytes stay the same are
 # not touched, so nothing is compiled for them. Which files there are depends on the robot: when a file of its own changes,
 # CMake asks for the list again.
-function(finemote_generate_in_build target words folder list)
+function(finemote_generate_in_build target words beside folder list)
   if(NOT CMAKE_GENERATOR MATCHES "Ninja")
     message(FATAL_ERROR "finemote_add_firmware(${target}): without COMMITTED the build needs Ninja: configure with -G Ninja")
   endif()
@@ -53,7 +67,7 @@ function(finemote_generate_in_build target words folder list)
   list(GET words 0 input)
   add_custom_command(OUTPUT ${manifest} BYPRODUCTS ${files}
                      COMMAND ${program} -q generate ${words} -o ${folder} --depfile ${folder}.d
-                     DEPENDS ${input} ${program} ${templates} DEPFILE ${folder}.d
+                     DEPENDS ${input} ${beside} ${program} ${templates} DEPFILE ${folder}.d
                      COMMENT "Generating the sources of ${target}" VERBATIM)
   add_custom_target(${target}-generate DEPENDS ${manifest})
   finemote_strings("${list}" inputs inputs)
@@ -88,8 +102,7 @@ endfunction()
 # After linking: no stage may take longer than the robot's timing file says, where it has one (docs/wcet.md).
 function(finemote_hold_to_timing_file target words)
   list(GET words 0 input)
-  string(REGEX REPLACE "(\\.urdf)?\\.xacro$|\\.urdf$" "" base ${input})
-  set(times ${base}.timing.json)
+  finemote_timing_file_of(${input} times)
   get_target_property(program finemote::finemote IMPORTED_LOCATION)
   add_custom_command(TARGET ${target} POST_BUILD
                      COMMAND ${CMAKE_COMMAND} -DPROGRAM=${program} "-DWORDS=${words}" -DIMAGE=$<TARGET_FILE:${target}>
@@ -110,6 +123,7 @@ function(finemote_sources_of_input target)
   endif()
   get_filename_component(input ${arg_INPUT} ABSOLUTE)
   finemote_robot_words(words ${input} "${arg_BOARD}" "${arg_DEVICES}" "${arg_ARGS}")
+  finemote_files_beside(${input} beside)
   finemote_ask_for_list(${target} "${words}" list)
   if(NOT arg_OUTPUT_DIR AND arg_COMMITTED)
     set(arg_OUTPUT_DIR generated)
@@ -120,7 +134,7 @@ function(finemote_sources_of_input target)
   if(arg_COMMITTED)
     finemote_use_committed(${target} "${words}" ${folder} generated)
   else()
-    finemote_generate_in_build(${target} "${words}" ${folder} "${list}")
+    finemote_generate_in_build(${target} "${words}" "${beside}" ${folder} "${list}")
     finemote_strings("${list}" files files)
     list(TRANSFORM files PREPEND ${folder}/ OUTPUT_VARIABLE generated)
   endif()

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/dump.hpp"
@@ -68,11 +70,18 @@ std::string way_back(const Options& options, const CheckResult& result, bool sch
   return text;
 }
 
+/// One line for each; a reason that several share stands below them, once.
 std::string findings_text(const CheckResult& result) {
+  const auto follows_change = [&](const Finding& finding) { return finding.reason.ends_with(result.change); };
+  const bool is_shared =
+      !result.change.empty() && std::count_if(result.findings.begin(), result.findings.end(), follows_change) > 1;
   std::string text;
-  for (const Finding& finding : result.findings)
-    text += fmt::format("{:<12} {}: {}\n", state_name(finding.state), finding.file, finding.reason);
-  return text;
+  for (const Finding& finding : result.findings) {
+    std::string reason = ": " + finding.reason;
+    if (is_shared && follows_change(finding)) reason.erase(reason.size() - result.change.size() - 2);
+    text += fmt::format("{:<12} {}{}\n", state_name(finding.state), finding.file, reason);
+  }
+  return is_shared ? text + "because " + result.change + "\n" : text;
 }
 
 /// Says that the files are what they should be, and what makes the answer no all the same.

@@ -104,7 +104,7 @@ UsageMistake describe_missing_command(const CLI::App& app, const std::vector<std
   if (at == words.size()) {
     const std::string message =
         chosen.empty() ? "a command is missing" : "command '" + chosen + "' needs a second word";
-    return {message, did_you_mean("", commands)};
+    return {message, chosen.empty() ? "finemote --help" : did_you_mean("", commands)};
   }
   const std::string asked = (chosen.empty() ? "" : chosen + " ") + words[at];
   return {"there is no command '" + asked + "'", did_you_mean(asked, commands)};

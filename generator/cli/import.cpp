@@ -48,8 +48,8 @@ Answer answer_of(const Options& options, const Proposal& proposal) {
   if (options.out.empty()) answer.text = proposal.text;
   if (!options.quiet) {
     for (const std::string& what : proposal.lacking) answer.summary += "lacking: " + what + "\n";
-    answer.summary += fmt::format("{} guesses, each in a comment; {} things lacking\n", proposal.guesses.size(),
-                                  proposal.lacking.size());
+    answer.summary +=
+        fmt::format("guesses: {}, each in a comment; lacking: {}\n", proposal.guesses.size(), proposal.lacking.size());
   }
   answer.document = {{"schema", "finemote.import/1"},
                      {"guesses", proposal.guesses},

@@ -42,7 +42,7 @@ class UseReader {
       at_tag(diagnostics_, code::use_missing, tag_, fmt::format("{} needs <use role=\"{}\">", owner_, spec.role))
           .note(fmt::format("it takes: {}", fmt::join(bus_kind_names(spec.buses), " or ")))
           .hint(fmt::format("add for example <use role=\"{}\" {}/>", spec.role,
-                            takes_pin(spec) ? "pin=\"" + example_pin(spec) + "\"" : "bus=\"...\""));
+                            takes_pin(spec) ? "pin=\"" + example_pin(spec) + "\"" : example_bus(spec)));
     }
   }
 
@@ -75,6 +75,17 @@ class UseReader {
       }
     }
     return "PB12";
+  }
+  /// A further chip select is on the device's own bus.
+  [[nodiscard]] std::string example_bus(const UseSpec& spec) const {
+    const std::string own(value_of(tag_, "bus"));
+    const auto segment = reading_.segment_named(own);
+    const auto is_shared = [&](BusKind kind) {
+      return bus_type(kind).channels == BusType::Channels::selects && contains(spec.buses, kind);
+    };
+    return segment && is_shared(reading_.robot.segments[*segment].bus_kind)
+               ? fmt::format("bus=\"{}\" channel=\"...\"", own)
+               : "bus=\"...\"";
   }
   void read_use(const xml::Node& child, const xml::Attribute& role, std::set<std::string>& given) {
     const auto& specs = device_.type->uses;
@@ -116,7 +127,7 @@ class UseReader {
       at_tag(diagnostics_, code::use_endpoint, child,
              fmt::format("<use role=\"{}\"> has to name {}", use.spec->role, what))
           .hint(fmt::format("write <use role=\"{}\" {}/>", use.spec->role,
-                            wants_bus ? "bus=\"...\"" : "pin=\"" + example_pin(*use.spec) + "\""));
+                            wants_bus ? example_bus(*use.spec) : "pin=\"" + example_pin(*use.spec) + "\""));
       return false;
     }
     if (pin != nullptr) return read_pin(*pin, use, wants_pin);

@@ -32,11 +32,10 @@ std::string changed_inputs(const Manifest& previous, const Manifest& now) {
   };
   for (const auto& [name, hash] : after) {
     const auto found = before.find(name);
-    if (found == before.end()) {
-      add(name, "is new");
-    } else if (found->second != hash) {
-      add(name, "changed");
-    }
+    if (found != before.end() && found->second != hash) add(name, "changed");
+  }
+  for (const auto& [name, hash] : after) {
+    if (before.count(name) == 0) add(name, "is new");
   }
   for (const auto& [name, hash] : before) {
     if (after.count(name) == 0) add(name, "is gone");
@@ -92,6 +91,9 @@ class Checker {
         listed_(by_name(folder.previous.outputs)),
         wanted_(by_name(output.manifest.outputs)),
         why_(has_manifest_ ? changes(folder.previous, output.manifest) : "nothing was generated here") {}
+
+  /// Why files are not what they were, as the reasons of findings end.
+  [[nodiscard]] const std::string& why() const { return why_; }
 
   std::vector<Finding> run(const Folder& folder, const Output& output) {
     const Manifest& previous = folder.previous;
@@ -217,7 +219,9 @@ CheckResult check_output(const std::string& folder, const Output& output, Diagno
   if (diagnostics.has_errors()) return result;
   const auto found = open_folder(folder, output, {}, diagnostics);
   if (!found) return result;
-  result.findings = Checker(*found, output).run(*found, output);
+  Checker checker(*found, output);
+  result.findings = checker.run(*found, output);
+  result.change = checker.why();
   result.previous_tool = found->previous.tool;
   if (result.findings.empty()) result.manifest_change = manifest_change(*found, output);
   result.tool_changed = result.findings.empty() && result.previous_tool != output.manifest.tool;

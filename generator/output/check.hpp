@@ -19,7 +19,8 @@ struct Finding {
 
 struct CheckResult {
   std::vector<Finding> findings;  ///< in manifest order, then orphans by name; empty: fresh
-  bool tool_changed = false;      ///< the folder was written by another version of the tool, with the same bytes
+  std::string change;           ///< why other files would be generated now: what the reasons of their findings end with
+  bool tool_changed = false;    ///< the folder was written by another version of the tool, with the same bytes
   std::string manifest_change;  ///< why generate would write the manifest anew, and no other file; empty: it would not
   std::string previous_tool;
 };

@@ -42,13 +42,26 @@ void add_interface(const xml::Node& node, std::vector<std::string>& names) {
 }
 
 Component component_of(const xml::Node& node, Component::Kind kind) {
-  Component part{kind, attribute(node, "name"), {}, {}, attribute(node, "mimic") == "true", {}, node.at};
+  Component part{kind, attribute(node, "name"), {}, {}, attribute(node, "mimic") == "true", {}, {}, node.at};
   for (const xml::Node& child : node.children) {
     if (child.is_element("command_interface")) add_interface(child, part.commands);
     if (child.is_element("state_interface")) add_interface(child, part.states);
     if (child.is_element("param") && attribute(child, "name") == "mimic") part.is_mimic = true;
   }
   return part;
+}
+
+/// The link that the param `frame_id` names, as drivers of sensors take it.
+std::string link_of_sensor(const xml::Node& robot, const xml::Node& sensor) {
+  for (const xml::Node& param : sensor.children) {
+    if (!param.is_element("param") || attribute(param, "name") != "frame_id") continue;
+    const std::string frame = text_of(param);
+    const bool is_link = std::any_of(robot.children.begin(), robot.children.end(), [&](const xml::Node& node) {
+      return node.is_element("link") && attribute(node, "name") == frame;
+    });
+    if (is_link) return frame;
+  }
+  return {};
 }
 
 /// What the robot's own element of the joint says: how it moves, and whether by itself.
@@ -73,6 +86,7 @@ std::vector<Hardware> read_hardware(const xml::Node& robot) {
       if (const auto kind = kind_of(child)) {
         Component part = component_of(child, *kind);
         if (*kind == Component::Kind::joint) look_up_joint(robot, part);
+        if (*kind == Component::Kind::sensor) part.link = link_of_sensor(robot, child);
         hardware.parts.push_back(std::move(part));
       }
       for (const xml::Node& inner : child.children) {

@@ -16,6 +16,7 @@ struct Component {
   std::vector<std::string> commands, states;  ///< names of its interfaces, in document order
   bool is_mimic = false;                      ///< a joint that another one moves
   std::string type;                           ///< of the robot's joint of that name: `continuous`; empty: it has none
+  std::string link;                           ///< of the robot, that a sensor's data refer to; empty: none is named
   Position at;                                ///< its tag
 
   /// The robot has that joint, and it turns.

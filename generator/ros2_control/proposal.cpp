@@ -87,7 +87,10 @@ class Writer {
     const std::size_t before = proposal_.guesses.size();
     devices_ = 0;
     period_ = period_for(hardware);
-    for (const Component& part : hardware.parts) device(hardware, part);
+    // Sensors stand before what is commanded: handles run in the reverse order.
+    for (const bool is_sensor : {true, false})
+      for (const Component& part : hardware.parts)
+        if ((part.kind == Component::Kind::sensor) == is_sensor) device(hardware, part);
     std::string inner;
     std::swap(inner, lines_);
     lines_ = outer;
@@ -175,7 +178,8 @@ class Writer {
       return lack("sensor " + what + ": a type of your own (finemote scaffold device)");
     if (sensors_ == 1) return lack("sensor " + what + ": a serial port for a second attitude sensor");
     ++sensors_;
-    add(part, "h30_imu", "bus=\"attitude_uart\"");
+    add(part, "h30_imu",
+        "bus=\"attitude_uart\"" + (part.link.empty() ? "" : " link=\"" + xml::escaped(part.link) + "\""));
   }
 
   void add(const Component& part, const char* type, const std::string& place) {

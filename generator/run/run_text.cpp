@@ -18,6 +18,13 @@ std::string name_of(const RunResult& result, const MeasuredChain& chain) {
   return name_of(result, chain.from) + " -> " + name_of(result, chain.to);
 }
 
+/// The column of the chains, as wide as the longest of them.
+std::size_t chain_width(const RunResult& result) {
+  std::size_t width = 28;
+  for (const MeasuredChain& chain : result.figures.chains) width = std::max(width, name_of(result, chain).size());
+  return width;
+}
+
 std::string seen_text(const ExpectationRecord& e) {
   if (!e.lowest) return e.finite ? "nothing: the run ended before" : "values that are not finite";
   return fmt::format("{:.6g} to {:.6g}{}", *e.lowest, *e.highest, e.finite ? "" : " and values that are not finite");
@@ -53,12 +60,12 @@ void print_order(const RunResult& result, std::ostream& out) {
   out << line << "\n";
 }
 
-void print_figure(const RunResult& result, const MeasuredChain& chain, const char* part, const Measured& figure,
+void print_figure(const std::string& name, std::size_t width, const char* part, const Measured& figure,
                   std::ostream& out) {
   const Statistics& s = figure.observed;
   if (s.count == 0) return;
-  out << fmt::format("  {:<28} {:<10} {:>7} {:>11.3f} {:>11.3f} {:>11.3f} {:>9.3f} {:>11}{}\n", name_of(result, chain),
-                     part, s.count, microseconds_of(s.min), s.mean_ns / 1e3, microseconds_of(s.max), s.sd_ns / 1e3,
+  out << fmt::format("  {:<{}} {:<10} {:>7} {:>11.3f} {:>11.3f} {:>11.3f} {:>9.3f} {:>11}{}\n", name, width, part,
+                     s.count, microseconds_of(s.min), s.mean_ns / 1e3, microseconds_of(s.max), s.sd_ns / 1e3,
                      figure.bound ? fmt::format("{:.3f}", microseconds_of(*figure.bound)) : "-",
                      figure.judged() == Judgement::broken ? "  ABOVE ITS BOUND" : "");
 }
@@ -67,11 +74,12 @@ void print_figure(const RunResult& result, const MeasuredChain& chain, const cha
 void print_instructions(const RunResult& result, std::ostream& out) {
   if (!result.record.instruction_time) return;
   const Duration each = *result.record.instruction_time;
+  const std::size_t width = chain_width(result);
   out << "\nthe same in instructions: update to handle\n";
   for (const MeasuredChain& chain : result.figures.chains) {
     const Statistics& s = chain.decide.observed;
     if (s.count == 0) continue;
-    out << fmt::format("  {:<28} {} to {}, jitter {}\n", name_of(result, chain), floor_div(s.min, each),
+    out << fmt::format("  {:<{}} {} to {}, jitter {}\n", name_of(result, chain), width, floor_div(s.min, each),
                        floor_div(s.max, each), floor_div(s.max - s.min, each));
   }
 }
@@ -90,7 +98,7 @@ std::vector<const MeasuredChain*> by_room(const RunResult& result) {
 }
 
 /// Of the chains with the least room the whole, and every part that is above its bound.
-void print_tightest(const RunResult& result, std::ostream& out) {
+void print_tightest(const RunResult& result, std::size_t width, std::ostream& out) {
   constexpr std::size_t kFew = 5;
   const auto chains = by_room(result);
   for (std::size_t i = 0; i < chains.size(); ++i) {
@@ -98,7 +106,7 @@ void print_tightest(const RunResult& result, std::ostream& out) {
       const Measured& measured = chains[i]->*figure.measured;
       const bool is_whole = i < kFew && &measured == &whole_of(*chains[i]);
       if (is_whole || measured.judged() == Judgement::broken)
-        print_figure(result, *chains[i], figure.name, measured, out);
+        print_figure(name_of(result, *chains[i]), width, figure.name, measured, out);
     }
   }
   if (chains.size() > 1) out << "  -v shows all chains with all their parts, responses and the observed order\n";
@@ -106,11 +114,13 @@ void print_tightest(const RunResult& result, std::ostream& out) {
 
 void print_chains(const RunResult& result, bool is_verbose, std::ostream& out) {
   out << "\nage of the data behind a command, us: sample (acquire) update (decide) handle (wire) output\n";
-  out << fmt::format("  {:<28} {:<10} {:>7} {:>11} {:>11} {:>11} {:>9} {:>11}\n", "chain", "part", "samples", "min",
-                     "mean", "max", "sd", "bound");
-  if (!is_verbose) return print_tightest(result, out);
+  const std::size_t width = chain_width(result);
+  out << fmt::format("  {:<{}} {:<10} {:>7} {:>11} {:>11} {:>11} {:>9} {:>11}\n", "chain", width, "part", "samples",
+                     "min", "mean", "max", "sd", "bound");
+  if (!is_verbose) return print_tightest(result, width, out);
   for (const MeasuredChain& chain : result.figures.chains) {
-    for (const auto& figure : kChainFigures) print_figure(result, chain, figure.name, chain.*figure.measured, out);
+    for (const auto& figure : kChainFigures)
+      print_figure(name_of(result, chain), width, figure.name, chain.*figure.measured, out);
   }
 }
 
@@ -183,13 +193,14 @@ void print_unjudged(const RunResult& result, std::ostream& out) {
                                                      : nullptr;
   };
   std::string lines;
+  const std::size_t width = chain_width(result);
   const auto add = [&](const std::string& name, const auto& of, const auto& figures) {
     std::string list;
     for (const auto& figure : figures) {
       const char* why = reason(of.*figure.measured);
       if (why != nullptr) list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", figure.name, why);
     }
-    if (!list.empty()) lines += fmt::format("  {:<28} {}\n", name, list);
+    if (!list.empty()) lines += fmt::format("  {:<{}} {}\n", name, width, list);
   };
   for (const MeasuredChain& chain : result.figures.chains) add(name_of(result, chain), chain, kChainFigures);
   for (const MeasuredResponse& r : result.figures.responses) add(name_of(result, r.device), r, kResponseFigures);

@@ -82,7 +82,11 @@ TEST_CASE("a changed period makes files stale, and the reason names the input") 
   write_file(generated.robot, replaced(read_file(generated.robot), "period=\"2ms\"", "period=\"1ms\""));
   const auto result = run_finemote({"check", generated.robot, "-o", generated.out});
   CHECK(result.exit_status == 1);
-  CHECK(result.output.find("stale        schedule.cpp: 'robot.urdf' changed") != std::string::npos);
+  CHECK(result.output.find("stale        schedule.cpp\n") != std::string::npos);
+  CHECK(result.output.find("\nbecause 'robot.urdf' changed\nrun: ") != std::string::npos);
+  const auto document = generated.check();
+  CHECK(document["findings"].size() > 1);
+  for (const auto& finding : document["findings"]) CHECK(finding["reason"] == "'robot.urdf' changed");
 }
 
 TEST_CASE("white space in the robot's file leaves the output fresh") {

@@ -166,6 +166,26 @@ TEST_CASE("robots of ros2_control become robots that generate firmware, or say w
   }
 }
 
+TEST_CASE("sensors stand before what they command, at the link that ROS names") {
+  const TemporaryFolder folder;
+  write_file(folder.path("robot.urdf"),
+             "<robot name=\"r\"><link name=\"base_link\"/><link name=\"imu_link\"/>"
+             "<joint name=\"imu_joint\" type=\"fixed\"><parent link=\"base_link\"/>"
+             "<child link=\"imu_link\"/></joint>" +
+                 joint("wheel", "continuous") + "<ros2_control name=\"base\" type=\"system\">" + kPlugin +
+                 takes("wheel", {"velocity"}) +
+                 "<sensor name=\"imu\"><param name=\"frame_id\"> imu_link </param>"
+                 "<state_interface name=\"orientation.x\"/></sensor>"
+                 "</ros2_control></robot>\n");
+  const auto element = finemote_json({"import", folder.path("robot.urdf"), "-o", folder.path("whole.urdf")});
+  const std::string text = element.at("text");
+  CHECK(text.find("type=\"h30_imu\" bus=\"attitude_uart\" link=\"imu_link\"/>") != std::string::npos);
+  CHECK(text.find("name=\"imu\"") < text.find("name=\"wheel\""));
+  const auto lint = run_finemote({"lint", folder.path("whole.urdf")});
+  INFO(lint.output);
+  CHECK(lint.output.find("FM3151") == std::string::npos);
+}
+
 TEST_CASE("import reads what xacro makes of a file, and the element goes into the file itself") {
   const TemporaryFolder folder;
   write_file(folder.path("hardware.xacro"), R"x(<robot xmlns:xacro="http://www.ros.org/wiki/xacro">

@@ -8,7 +8,7 @@ holds "builds" cmake --build "$work/rover/build" --target rover committed
 # The steps of a build, sorted, without numbers: `objects of rover` has the files, for example.
 steps() {
   ninja -C "$work/rover/build" rover committed >"$work/said" || { cat "$work/said"; fail "build"; }
-  sed -nE 's/^\[[0-9/]+\] //p' "$work/said" | sed -E 's/Building CXX object CMakeFiles\/([a-z]+)\.dir\//\1: /' | sort | paste -sd '|'
+  sed -nE 's/^\[[0-9/]+\] //p' "$work/said" | sed -E '/^Re-checking globbed directories/d' | sed -E 's/Building CXX object CMakeFiles\/([a-z]+)\.dir\//\1: /' | sort | paste -sd '|'
 }
 touched() {
   sleep 0.05
@@ -39,6 +39,19 @@ equal "the linker script" "$(steps)" "Linking CXX executable committed.elf|Linki
 # A comment in the URDF changes the manifest alone: nothing is compiled.
 sed -i 's/Every kind of input/Each kind of input/' "$work/rover/rover.urdf.xacro"
 equal "a comment" "$(steps)" "$generated|Re-running CMake..."
+equal "and then nothing" "$(steps)" ""
+
+# Settings beside the robot count as soon as they are there, and no more when they are gone.
+settings=$work/rover/finemote.json
+echo '{ "allow": ["FM3153"] }' >"$settings"
+equal "settings are new" "$(steps)" "$generated|Re-running CMake..."
+equal "and then nothing" "$(steps)" ""
+echo '{ "arguments": { "period": "40ms" } }' >"$settings"
+said=$(steps)
+case $said in "$generated|"*"rover: rover.generated/trees/rover.cpp.obj"*) ;; *) fail "another argument: $said" ;; esac
+rm "$settings"
+said=$(steps)
+case $said in "$generated|"*"rover: rover.generated/trees/rover.cpp.obj"*) ;; *) fail "no settings any more: $said" ;; esac
 equal "and then nothing" "$(steps)" ""
 
 # Another tree is a new file; committed sources are never written.

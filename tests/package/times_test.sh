@@ -6,12 +6,14 @@ new_project rover
 sed -i '/<xacro:wheel /d' "$work/rover/rover.urdf.xacro"
 sed -i 's/if (wheels_.size() > 0) //' "$work/rover/devices/meter.cpp"
 robot=$work/rover/rover.urdf.xacro times=$work/rover/rover.timing.json
+holds "configures" configure_board rover
+holds "builds without times" ninja -C "$work/rover/build" rover.elf
 holds "bounds" finemote wcet "$robot" -o "$times"
 holds "a static robot" finemote analyze "$robot" --require-static
 holds "sources" finemote generate "$robot" -o "$work/out"
 holds "fresh sources" finemote check "$robot" -o "$work/out"
-holds "configures" configure_board rover
 holds "builds within its times" ninja -C "$work/rover/build" rover.elf
+grep -q 'Linking CXX executable rover.elf' "$work/said" || fail "a new timing file: nothing was held to it"
 bound() { sed -n '/"device": "rover"/,/wcet_ns/s/.*"wcet_ns": \([0-9]*\),/\1/p' "$times" | head -1; }
 granted=$(bound)
 [ "${granted:-0}" -gt 0 ] || fail "no bound of the rover in $(cat "$times")"
