@@ -108,8 +108,10 @@ class Labels {
   [[nodiscard]] bool is_free(const Flat& at) const {
     const bool is_inside =
         at.x() > kLabel && at.y() > 2 * kLabel + 12 && at.x() < kSize - kLabel && at.y() < kSize - kLabel;
-    return is_inside && std::none_of(taken_.begin(), taken_.end(),
-                                     [&](const Flat& other) { return (at - other).norm() < 2 * kLabel; });
+    const bool is_at_axes = at.x() < 100 && at.y() > kSize - 56;
+    return is_inside && !is_at_axes && std::none_of(taken_.begin(), taken_.end(), [&](const Flat& other) {
+             return (at - other).norm() < 2 * kLabel;
+           });
   }
 
   std::vector<Flat> taken_;
@@ -119,7 +121,7 @@ std::string axes_of(const View& view) {
   const Flat corner(16, kSize - 16);
   return line("axis", corner, corner + Flat(28, 0)) + line("axis", corner, corner - Flat(0, 28)) +
          text("axis-name", corner + Flat(32, 4), view.right_name) +
-         text("axis-name", corner + Flat(-6, -33), view.up_name);
+         text("axis-name", corner + Flat(6, -18), view.up_name);
 }
 
 /// Arrows from the middle: how hard the robot can push that way beside the hardest way.
@@ -165,6 +167,17 @@ std::string picture_of(const Body& body, const View& view, const Scale& scale) {
       kSize, view.title, axes_of(view), drawn);
 }
 
+/// How hard the parts that push can push together each way.
+std::string authority_table(const Body& body) {
+  if (body.authority.maxCoeff() <= 0) return {};
+  const std::array<const char*, 3> ways{"ahead and back", "left and right", "up and down"};
+  std::string rows;
+  for (int k = 0; k < 3; ++k)
+    rows += "<tr>" + row_title(ways[k]) + fmt::format("<td>{:.2f}</td></tr>\n", body.authority[k]);
+  return table_of("authority-table", "How hard they push together, if each pushes with 1 N (N)",
+                  {{"Way"}, {"Together", true}}, rows);
+}
+
 std::string part_table(const Body& body) {
   std::string rows;
   const auto metres = [](double value) { return fmt::format("<td>{:.3f}</td>", value); };
@@ -193,7 +206,8 @@ std::string body_pictures(const Body& body) {
   text += "</p>\n<div class=\"views\">\n";
   for (const View& view : kViews) text += picture_of(body, view, scale);
   if (body.parts.size() > kMostParts) text += fmt::format("<p>Only the first {} devices are drawn.</p>\n", kMostParts);
-  return text + "</div>\n<details><summary>What the numbers stand for</summary>\n" + part_table(body) + "</details>\n";
+  return text + "</div>\n<details><summary>What the numbers stand for</summary>\n" + part_table(body) +
+         authority_table(body) + "</details>\n";
 }
 
 }  // namespace finemote::gen::report

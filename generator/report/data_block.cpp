@@ -10,10 +10,14 @@ void add(Json& list, Numbers... numbers) {
   (list.push_back(numbers), ...);
 }
 
+/// Each begins so long behind the one before it: thousands of large numbers would be half of the page.
 Json stages_of(const Timeline& timeline) {
   Json list = Json::array();
-  for (const Timeline::Stage& s : timeline.stages)
-    add(list, s.device.value(), s.is_handle ? 1 : 0, s.begin.ns(), (s.end - s.begin).ns());
+  Duration before;
+  for (const Timeline::Stage& s : timeline.stages) {
+    add(list, s.device.value(), s.is_handle ? 1 : 0, (s.begin - before).ns(), (s.end - s.begin).ns());
+    before = s.begin;
+  }
   return list;
 }
 

@@ -19,8 +19,13 @@ constexpr std::size_t kMostValues = 24, kMostChains = 6;  // that are drawn
 
 std::string name_of(const Place& series) { return series["part"].text() + " " + series["value"].text(); }
 
-std::string title_of(const Place& series) {
+std::string unit_of(const Place& series) {
   const std::string unit = series["unit"].text();
+  return unit == "us" ? "µs" : unit;
+}
+
+std::string title_of(const Place& series) {
+  const std::string unit = unit_of(series);
   return name_of(series) + (unit.empty() ? "" : ", " + unit);
 }
 
@@ -118,12 +123,35 @@ std::string figures_of(const std::vector<Plot>& plots, std::size_t most) {
 std::string value_table(const Place& all) {
   std::string rows;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    rows += "<tr>" + row_title(all[i]["part"].text()) + word(all[i]["value"].text()) + word(all[i]["unit"].text());
+    rows += "<tr>" + row_title(all[i]["part"].text()) + word(all[i]["value"].text()) + word(unit_of(all[i]));
     for (const char* member : {"lowest", "highest", "last"}) rows += all[i][member].cell(Unit::number);
     rows += "</tr>\n";
   }
   return table_of("values-table", "Every quantity of every part",
                   {{"Part"}, {"Quantity"}, {"Unit"}, {"Lowest", true}, {"Highest", true}, {"Last", true}}, rows);
+}
+
+std::string expectation_table(const Place& all) {
+  if (all.size() == 0) return {};
+  std::string rows;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool ok = all[i]["ok"].is_true();
+    rows += fmt::format("<tr class=\"{}\">", ok ? "good" : "bad") + row_title(name_of(all[i])) +
+            fmt::format("<td class=\"state\">{}</td>", ok ? "✓ met" : "✗ not met") +
+            all[i]["from_ns"].cell(Unit::time) + all[i]["to_ns"].cell(Unit::time);
+    for (const char* member : {"min", "max", "lowest", "highest"}) rows += all[i][member].cell(Unit::number);
+    rows += "</tr>\n";
+  }
+  return table_of("expectations-table", "What the scenario wants, and what was",
+                  {{"Quantity"},
+                   {"State"},
+                   {"From", true},
+                   {"To", true},
+                   {"At least", true},
+                   {"At most", true},
+                   {"Lowest", true},
+                   {"Highest", true}},
+                  rows);
 }
 
 std::string values_text(const Documents& documents) {
@@ -138,6 +166,7 @@ std::string values_text(const Documents& documents) {
   if (rest > 0)
     text += fmt::format(
         "<p class=\"note\">{} more are in the table only, among them counters and what did not change.</p>\n", rest);
+  text += expectation_table(documents.of_run()["expectations"]);
   return text + "<details><summary>The quantities as a table</summary>\n" + value_table(all) + "</details>\n";
 }
 

@@ -49,7 +49,7 @@ std::string filled(const std::string& frame, const Pieces& pieces) {
 std::string style_of(const std::string& folder) {
   return fmt::format(
              ":root {{\n{0}}}\n@media (prefers-color-scheme: dark) {{\n:root:not([data-theme=light]) {{\n{1}}}\n}}\n"
-             ":root[data-theme=dark] {{\n{1}}}\n@media print {{\n:root, :root[data-theme] {{\n{0}}}\n}}\n",
+             ":root[data-theme=dark] {{\n{1}}}\n@media print {{\n:root:root:root {{\n{0}}}\n}}\n",
              svg::kLightColours, svg::kDarkColours) +
          kForestStyle + read(folder + "/style.css");
 }

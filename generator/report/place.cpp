@@ -38,7 +38,7 @@ std::string shown(const Json& value, Unit unit) {
     case Unit::count:
       return count_text(value);
     case Unit::number:
-      return fmt::format("{:.6g}", value.get<double>());
+      return fmt::format("{:.6g}", value.get<double>() + 0.0);
   }
   return {};
 }

@@ -33,7 +33,8 @@ std::vector<double> ticks_of(const Axis& axis, int wanted) {
   std::vector<double> ticks;
   for (double i = std::ceil(axis.low / step - 1e-9); i * step <= axis.high + 1e-9 * step && ticks.size() < 20; ++i)
     ticks.push_back(i * step);
-  return ticks;
+  const bool is_enough = ticks.size() > 2 || wanted > 8;
+  return is_enough ? ticks : ticks_of(axis, 2 * wanted);
 }
 
 struct TimeUnit {
@@ -78,8 +79,9 @@ std::string axes_drawn(const Plot& plot, const Axis& x, const Axis& y) {
   }
   const Axis in_time{x.low / time.ns, x.high / time.ns, x.from, x.to};
   for (const double tick : ticks_of(in_time, 5)) {
-    text += fmt::format("<text class=\"x\" x=\"{:.1f}\" y=\"{:.0f}\">{} {}</text>\n",
-                        std::min(in_time.place(tick), kWidth - 24), kHeight - 7,
+    const double at = in_time.place(tick);
+    if (at > kWidth - 16) continue;  // its text would not fit
+    text += fmt::format("<text class=\"x\" x=\"{:.1f}\" y=\"{:.0f}\">{} {}</text>\n", at, kHeight - 7,
                         number(tick, in_time.high - in_time.low), time.name);
   }
   return text;

@@ -24,6 +24,7 @@ std::string word(const std::string& text) { return "<td class=\"word\">" + svg::
 std::string row_title(const std::string& text) { return "<th scope=\"row\">" + svg::escaped(text) + "</th>"; }
 
 std::string share_bar(double share) {
+  if (share <= 0) return "<td class=\"meter\" aria-hidden=\"true\"></td>";
   return fmt::format("<td class=\"meter\" aria-hidden=\"true\"><i style=\"width:{:.2f}%\"></i></td>",
                      100 * std::clamp(share, 0.0, 1.0));
 }

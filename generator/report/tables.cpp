@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/report/table.hpp"
 #include "generator/svg/svg.hpp"
 
@@ -55,6 +57,13 @@ std::string user_of(const Place& use) {
   return "release of buckets";
 }
 
+/// The largest of a member, which bars are drawn beside; never 0.
+double most_of(const Place& list, const char* member) {
+  double most = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) most = std::max(most, list[i][member].number());
+  return most > 0 ? most : 1;
+}
+
 }  // namespace
 
 std::string requirement_table(const Documents& documents) {
@@ -67,13 +76,12 @@ std::string requirement_table(const Documents& documents) {
     const Unit unit = kind == "utilization" ? Unit::share : Unit::time;
     const bool ok = r["ok"].is_true();
     rows += fmt::format("<tr class=\"{}\">", ok ? "good" : "bad") + row_title(r["text"].text()) +
-            word(kind + (r["of"].text() == "decision" ? " of the decision" : "")) + r["max"].cell(unit) +
+            fmt::format("<td class=\"state\">{}</td>", ok ? "✓ met" : "✗ not met") + r["max"].cell(unit) +
             r["value"].cell(unit) + r["slack"].cell(unit) +
-            fmt::format("<td class=\"state\">{}</td>", ok ? "✓ met" : "✗ not met") + word(r["where"].text()) +
-            "</tr>\n";
+            word(kind + (r["of"].text() == "decision" ? " of the decision" : "")) + word(r["where"].text()) + "</tr>\n";
   }
   return table_of("requirements-table", "What the robot's file asks for",
-                  {{"Requirement"}, {"Of"}, {"Limit", true}, {"Bound", true}, {"Slack", true}, {"State"}, {"Where"}},
+                  {{"Requirement"}, {"State"}, {"Limit", true}, {"Bound", true}, {"Slack", true}, {"Of"}, {"Where"}},
                   rows);
 }
 
@@ -86,28 +94,31 @@ std::string device_table(const Documents& documents, const ForestView& view) {
 
 std::string processor_table(const Documents& documents) {
   const Place uses = documents.of_timing()["processor"];
+  const double most = most_of(uses, "utilization");
   std::string rows;
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const Place use = uses[i];
     rows += "<tr>" + row_title(user_of(use)) + use["cost_ns"].cell(Unit::time) + use["every_ns"].cell(Unit::time) +
-            use["utilization"].cell(Unit::share) + share_bar(use["utilization"].number()) + "</tr>\n";
+            use["utilization"].cell(Unit::share) + share_bar(use["utilization"].number() / most) + "</tr>\n";
   }
-  return table_of("processor-table", "Who uses the processor",
+  return table_of("processor-table", "Who uses the processor; bars compare shares",
                   {{"User"}, {"Each", true}, {"At most every", true}, {"Share", true}, {""}}, rows);
 }
 
 std::string image_table(const Documents& documents) {
   const Place parts = documents.of_run()["image"]["parts"];
+  const double most_flash = most_of(parts, "flash"), most_ram = most_of(parts, "ram");
   std::string rows;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Place part = parts[i];
     if (part["flash"].number() == 0 && part["ram"].number() == 0) continue;
-    rows += "<tr>" + row_title(owner_of(part)) + part["flash"].cell(Unit::bytes) + part["ram"].cell(Unit::bytes) +
-            "</tr>\n";
+    rows += "<tr>" + row_title(owner_of(part)) + part["flash"].cell(Unit::bytes) +
+            share_bar(part["flash"].number() / most_flash) + part["ram"].cell(Unit::bytes) +
+            share_bar(part["ram"].number() / most_ram) + "</tr>\n";
   }
   if (rows.empty()) return {};
   return table_of("image-table", "Whose flash and RAM it is, as far as the image's symbols say",
-                  {{"Owner"}, {"Flash", true}, {"RAM", true}}, rows);
+                  {{"Owner"}, {"Flash", true}, {""}, {"RAM", true}, {""}}, rows);
 }
 
 std::string bus_table(const Documents& documents) {

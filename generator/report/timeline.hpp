@@ -46,7 +46,7 @@ struct Timeline {
 /// Keeps what begins before the end of the first hyperperiod.
 class TimelineRecorder : public SimulationObserver {
  public:
-  static constexpr std::int64_t kMostStages = 20'000;  ///< shown, about
+  static constexpr std::int64_t kMostStages = 10'000;  ///< shown, about
 
   TimelineRecorder(const timing::Model& model, timing::Profile profile);
 

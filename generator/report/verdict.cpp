@@ -17,9 +17,10 @@ std::string late_buckets(const Place& verdict) {
   return text;
 }
 
-std::size_t failed_requirements(const Place& requirements) {
+/// How many of a list are not `ok`.
+std::size_t failed(const Place& list) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < requirements.size(); ++i) count += requirements[i]["ok"].is_true() ? 0 : 1;
+  for (std::size_t i = 0; i < list.size(); ++i) count += list[i]["ok"].is_true() ? 0 : 1;
   return count;
 }
 
@@ -104,10 +105,14 @@ Verdict verdict_of(const Documents& documents, const std::string& robot) {
     return {false, robot + " can miss a deadline: devices every " + late_buckets(documents.of_verdict())};
   if (has_broken(documents)) return {false, robot + " was measured above a bound"};
   if (documents.of_run()["overruns"].number() > 0) return {false, robot + " overran its period in the run"};
-  const std::size_t failed = failed_requirements(timing["requirements"]);
+  if (documents.of_run()["resets"].number() > 0) return {false, robot + " was reset in the run"};
   const std::size_t all = timing["requirements"].size();
-  if (failed > 0)
-    return {false, fmt::format("{} keeps every deadline, but fails {} of {} requirements", robot, failed, all)};
+  if (const std::size_t count = failed(timing["requirements"]); count > 0)
+    return {false, fmt::format("{} keeps every deadline, but fails {} of {} requirements", robot, count, all)};
+  const Place wanted = documents.of_run()["expectations"];
+  if (const std::size_t count = failed(wanted); count > 0)
+    return {false, fmt::format("{} keeps every deadline, but fails {} of {} expectations of the scenario", robot, count,
+                               wanted.size())};
   return {true, robot + (all > 0 ? " keeps every deadline and every requirement" : " keeps every deadline")};
 }
 

@@ -32,7 +32,7 @@ function readChains() {
 /** A part of a bar, `length` of `longest`; one without a name leaves its place empty. */
 function makePart(name, length, longest, title = '') {
   const share = 100 * length / longest;
-  const part = make('i', {class: `part ${name}`.trim(), style: `width:${share}%`, title});
+  const part = make('i', {class: `part ${name}${share < 14 ? ' short' : ''}`.trim(), style: `width:${share}%`, title});
   if (share > 5) part.textContent = name.slice(0, 1).toUpperCase();
   return part;
 }

@@ -3,6 +3,7 @@
 const kRow = 22;          // height of a row of slices, in pixels
 const kTitle = 20;        // of the line above a lane
 const kAxis = 24;
+const kPaper = 720;       // width of the picture on paper
 const kGap = 8;
 const kThinnest = 0.6;    // slices thinner than that are drawn together
 const kLetter = 6.4;      // width of a letter in a slice, about
@@ -15,6 +16,7 @@ class Timeline {
     this.picked = null;  // {lane, slice}
     this.way = null;     // slices of the chosen chain, in order
     this.whenDrawn = null;
+    this.paper = 0;      // width on paper; 0: on a screen
     this.output = make('output', {'aria-live': 'polite'});
     this.svg = draw('svg', {tabindex: '0', role: 'application', 'aria-label':
         'Timeline. Plus and minus zoom, left and right move, up and down choose a stage, 0 shows all.'});
@@ -66,7 +68,7 @@ class Timeline {
   }
 
   draw() {
-    this.width = Math.max(200, this.svg.clientWidth || this.svg.parentElement.clientWidth);
+    this.width = Math.max(200, this.paper || this.svg.clientWidth || this.svg.parentElement.clientWidth);
     const parts = [];
     let y = kAxis;
     for (const lane of this.lanes) {
@@ -88,6 +90,11 @@ class Timeline {
     this.svg.dataset.to = this.to;
     this.whenDrawn?.();
     this.output.textContent = `${timeText(this.from)} to ${timeText(this.to)}`;
+  }
+
+  drawFor(paper) {
+    this.paper = paper;
+    this.draw();
   }
 
   ticks(bottom) {
@@ -296,6 +303,7 @@ class Timeline {
     });
     this.svg.addEventListener('pointerdown', (event) => this.pick(this.at(event.offsetX, event.offsetY) ?? this.picked));
     new ResizeObserver(() => this.svg.clientWidth !== this.width && this.draw()).observe(this.svg);
-    addEventListener('beforeprint', () => this.draw());
+    addEventListener('beforeprint', () => this.drawFor(kPaper));
+    addEventListener('afterprint', () => this.drawFor(0));
   }
 }

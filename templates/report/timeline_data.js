@@ -70,8 +70,12 @@ function addStages(buckets, busy) {
   const jobs = buckets.map(() => []);
   each(data.jobs, 3, (bucket, begin, length) => jobs[bucket].push([begin, begin + length]));
   const stages = buckets.map(() => []);
-  each(data.stages, 4, (device, isHandle, begin, length) => stages[data.bucketOf[device]].push(
-      {kind: isHandle ? 'handle' : 'update', row: isHandle, device, begin, end: begin + length, name: data.devices[device]}));
+  let begin = 0;
+  each(data.stages, 4, (device, isHandle, gap, length) => {
+    begin += gap;
+    stages[data.bucketOf[device]].push(
+        {kind: isHandle ? 'handle' : 'update', row: isHandle, device, begin, end: begin + length, name: data.devices[device]});
+  });
   let taken = busy;
   buckets.forEach((lane, i) => {
     lane.slices = [...stages[i], ...flushesOf(jobs[i], stages[i])];

@@ -89,7 +89,11 @@ class Report(unittest.TestCase):
         self.assertEqual(page.complaints(), [])
 
     def test_a_chain_shows_its_way(self):
-        page = self.open("infantry")
+        for name in self.robots:
+            with self.subTest(robot=name):
+                self.check_way(self.open(name))
+
+    def check_way(self, page):
         page.run("document.querySelector('.chain button').click()")
         name = page.run("document.querySelector('.chain button').textContent")
         source, end = name.split(" → ")
@@ -106,6 +110,19 @@ class Report(unittest.TestCase):
         self.assertEqual(page.run("document.querySelector('.chain button').getAttribute('aria-pressed')"), "true")
         page.run("document.querySelector('.chain button').click()")
         self.assertEqual(page.run("document.querySelectorAll('.path, .off').length"), 0)
+
+    def test_every_timeline_zooms_and_every_theme_changes(self):
+        length = "(d => d.to - d.from)(document.querySelector('#timeline-view svg').dataset)"
+        colour = "getComputedStyle(document.body).backgroundColor"
+        for name in self.robots:
+            page = self.open(name)
+            whole, light = page.run(length), page.run(colour)
+            page.run("document.querySelector('#timeline-view [aria-label=\"Zoom in\"]').click()")
+            self.assertAlmostEqual(page.run(length), whole / 2, delta=1)
+            page.run("document.querySelector('#theme').click()")
+            self.assertNotEqual(page.run(colour), light, name)
+            page.run("document.querySelector('#theme').click()")
+            self.assertEqual(page.run(colour), light, name)
 
     def test_the_timeline_zooms_moves_and_tells(self):
         page = self.open("infantry")
@@ -202,6 +219,31 @@ class Report(unittest.TestCase):
                 return b.left < box.left || b.right > box.right || b.top < box.top || b.bottom > box.bottom;
               }).map(e => e.outerHTML);
             })"""), [])
+
+    def test_paper_is_light_and_shows_all(self):
+        page = self.open("finsrov", dark=True)
+        page.run("document.querySelector('#theme').click(); document.querySelector('#theme').click()")  # dark by choice
+        page.call("Emulation.setEmulatedMedia", media="print", features=[{"name": "prefers-color-scheme", "value": "dark"}])
+        page.resize(700, 1000)
+        page.settle()
+        self.assertEqual(page.run("getComputedStyle(document.body).backgroundColor"), "rgb(255, 255, 255)")
+        self.assertEqual(page.run(CONTRASTS), [])
+        cut = """[...document.querySelectorAll('.scroll')].filter(e => e.checkVisibility() && e.getBoundingClientRect().width > 0)
+                 .filter(e => e.scrollWidth > 701).map(e => e.getAttribute('aria-label'))"""
+        self.assertEqual(page.run(cut), [])
+
+    def test_expectations_of_a_scenario_are_told(self):
+        page = self.open("finsrov")
+        rows = "[...document.querySelectorAll('#expectations-table tbody tr')].map(row => [...row.cells].map(c => c.innerText))"
+        self.assertEqual(page.run(rows), [["hull depth", "✓ met", "500 ms", "900 ms", "0.9", "1.1", "0.985", "0.9998"]])
+        missed = json.loads(self.runs["finsrov"].read_text())
+        missed["expectations"][0]["ok"] = False
+        run = pathlib.Path(FOLDER.name) / "missed.run.json"
+        run.write_text(json.dumps(missed))
+        finemote(FINEMOTE, "report", self.robots["finsrov"], "-o", self.page("missed"), "--run", run)
+        page = self.open("missed")
+        self.assertRegex(page.run("document.querySelector('h1').innerText"), "fails 1 of 1 expectations of the scenario")
+        self.assertEqual(page.run(rows)[0][1], "✗ not met")
 
     def test_hostile_names_change_nothing(self):
         answer = finemote(FINEMOTE, "report", hostile_robot(), "-o", self.page("hostile"))
