@@ -3,6 +3,7 @@
 
 The pictures depend on the version of Chromium to the pixel: nothing compares them. 77: there is no Chromium.
 """
+import json
 import pathlib
 import subprocess
 import sys
@@ -10,13 +11,16 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PICTURES = ROOT / "docs/pictures"
-sys.path.insert(0, str(ROOT / "tests/report"))
+sys.path[:0] = [str(ROOT / "tests/report"), str(ROOT / "docs")]
 
+import trace_picture  # noqa: E402
 from browser import Browser, program  # noqa: E402
 
 CHOOSE = "document.querySelectorAll('.chain button')[{}].click()"
 FIRST_SIX = "document.querySelectorAll('#run .plots figure:nth-child(n+7)').forEach(figure => figure.remove())"
+BARS = "document.querySelectorAll('#chains h2, #chains p, #chains .more, #chains details').forEach(one => one.remove())"
 SHOW = "view.show({}, {})"
+CHANGES = "document.querySelector('.changes').style.maxHeight = '22rem'; document.querySelector('.changes').style.overflow = 'hidden'"
 
 
 def report(finemote, folder, robot, *words):
@@ -27,6 +31,24 @@ def report(finemote, folder, robot, *words):
                               capture_output=True, text=True, check=True)
     run.write_text(measured.stdout)
     subprocess.run([finemote, "-q", "report", source, "-o", page, "--run", run], check=True, stdout=subprocess.DEVNULL)
+    return page
+
+
+def trace(finemote, folder):
+    """A page with the begin of a simulated trace."""
+    file, page = folder / "trace.json", folder / "trace.html"
+    subprocess.run([finemote, "-q", "simulate", ROOT / "examples/infantry.urdf", "--duration", "20ms", "-o", file], check=True,
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    page.write_text(trace_picture.page_of(json.loads(file.read_text())["traceEvents"], 220))
+    return page
+
+
+def changed(finemote, folder):
+    """The page of FinsROV with an inertial sensor at half the rate, beside FinsROV as it is."""
+    before, after, page = ROOT / "examples/finsrov.urdf", folder / "slower.urdf", folder / "changed.html"
+    after.write_text(before.read_text().replace('bus="imu_uart" period="5ms"', 'bus="imu_uart" period="10ms"'))
+    subprocess.run([finemote, "-q", "report", after, "-o", page, "--against", before], check=True, stdout=subprocess.DEVNULL,
+                   stderr=subprocess.DEVNULL)
     return page
 
 
@@ -53,11 +75,13 @@ def main():
         top = "document.body.style.height = '860px'; document.body.style.overflow = 'hidden'"
         take(browser, "report", infantry, None, top, width=1280)
         take(browser, "report_narrow_dark", infantry, None, top, width=390, dark=True)
-        take(browser, "ages", infantry, "#chain-bars", width=900)
+        take(browser, "ages", infantry, "#chains", BARS, width=900)
         take(browser, "timeline_chain", infantry, "#timeline", CHOOSE.format(0), width=1100)
         take(browser, "preemption", infantry, "#timeline-view svg", SHOW.format(0, 260_000), width=1100)
         take(browser, "settling", dive, "#run .plots", FIRST_SIX, width=1100)
         take(browser, "thrusters", finsrov, ".views", width=1100)
+        take(browser, "trace", trace(finemote, pathlib.Path(name)), "svg", width=1120)
+        take(browser, "changes", changed(finemote, pathlib.Path(name)), "#changes", CHANGES, width=1000)
     return 0
 
 

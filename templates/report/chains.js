@@ -72,12 +72,25 @@ function makeChain(chain, longest) {
   return make('div', {class: 'chain'}, button, make('div', {}, ...makeBars(chain, longest)));
 }
 
+/** The time axis of all bars, from 0 to `longest`. */
+function makeAxis(longest) {
+  const least = longest / 5;
+  let step = 10 ** Math.floor(Math.log10(least));
+  step *= [1, 2, 5, 10].find((factor) => step * factor >= least);
+  const ticks = [];
+  for (let i = 0; i * step <= longest * 0.98; ++i)
+    ticks.push(make('i', {class: i % 2 ? 'between' : '', style: `left:${100 * i * step / longest}%`}, i ? timeText(i * step) : '0'));
+  const axis = make('span', {class: 'axis', 'aria-hidden': 'true'}, ...ticks);
+  return make('div', {class: 'chain scale'}, make('span'), make('div', {class: 'bar'}, make('span'), axis));
+}
+
 function prepareChains() {
   const chains = readChains();
   const box = find('#chain-bars');
   const lengths = chains.flatMap((chain) => [chain.total, chain.bound[1], chain.measuredTotal, chain.earlier?.[3]].map(valueOf));
   const longest = Math.max(1, ...lengths.filter((value) => value !== null));
   const add = (some) => box.append(...some.map((chain) => makeChain(chain, longest)));
+  if (chains.length > 0) box.before(makeAxis(longest));
   add(chains.slice(0, kFewChains));
   if (chains.length > kFewChains) {
     const more = make('button', {type: 'button', class: 'more'}, `Show all ${chains.length} chains`);
