@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <cstdlib>
+
 #include "generator/svg/svg.hpp"
 #include "generator/timing/table.hpp"
 
@@ -12,9 +15,20 @@ constexpr const char* kNothing = "–";
 
 std::string time_text(const Json& value) {
   if (!value.is_number_integer()) return fmt::format("{} ns", value.dump());  // a mean
-  std::string text = timing::duration_text(nanoseconds(value.get<std::int64_t>()));
+  const auto ns = value.get<std::int64_t>();
+  std::string text = (ns < 0 ? "-" : "") + timing::duration_text(nanoseconds(std::abs(ns)));
   const auto micro = text.find(" us");
   return micro == std::string::npos ? text : text.replace(micro, 3, " µs");
+}
+
+/// To as many digits as are shown.
+Json rounded_down(const Json& value) {
+  if (!value.is_number_integer()) return value;
+  const auto ns = value.get<std::int64_t>();
+  const std::int64_t size = std::abs(ns);
+  const std::int64_t step = size >= 1'000'000'000 ? 1'000'000 : size >= 1'000'000 ? 1'000 : 1;
+  const std::int64_t above = ((ns % step) + step) % step;
+  return ns - above;
 }
 
 std::string count_text(const Json& value) {
@@ -31,6 +45,8 @@ std::string shown(const Json& value, Unit unit) {
   switch (unit) {
     case Unit::time:
       return time_text(value);
+    case Unit::room:
+      return time_text(rounded_down(value));
     case Unit::share:
       return fmt::format("{:.1f} %", 100 * value.get<double>());
     case Unit::bytes:

@@ -9,10 +9,10 @@ namespace finemote::gen::report {
 
 using Json = nlohmann::ordered_json;
 
-enum class Unit { time, share, bytes, count, number };
+enum class Unit { time, room, share, bytes, count, number };
 
 /// As people read it: `1.83 ms`, `38.2 %`, `12 345`; a dash for null. Times are rounded up, as a bound may not look
-/// smaller than it is.
+/// smaller than it is; what is left of a limit (`room`, a time as well) is rounded down.
 std::string shown(const Json& value, Unit unit);
 
 /// A value of a document, with the way to it. What is not there has places below it that are not there either.

@@ -77,7 +77,7 @@ std::string requirement_table(const Documents& documents) {
     const bool ok = r["ok"].is_true();
     rows += fmt::format("<tr class=\"{}\">", ok ? "good" : "bad") + row_title(r["text"].text()) +
             fmt::format("<td class=\"state\">{}</td>", ok ? "✓ met" : "✗ not met") + r["max"].cell(unit) +
-            r["value"].cell(unit) + r["slack"].cell(unit) +
+            r["value"].cell(unit) + r["slack"].cell(unit == Unit::time ? Unit::room : unit) +
             word(kind + (r["of"].text() == "decision" ? " of the decision" : "")) + word(r["where"].text()) + "</tr>\n";
   }
   return table_of("requirements-table", "What the robot's file asks for",

@@ -56,6 +56,10 @@ TEST_CASE("a result names its member and holds its exact value") {
   CHECK(chain["load"].figure(Unit::share) ==
         R"(<span data-key="timing#/chains/0/load" data-value="0.1">10.0 %</span>)");
   CHECK(chain["none"][3].figure(Unit::time) == "<span>–</span>");
+  CHECK(shown(Json(14409034), Unit::time) == "14.41 ms");
+  CHECK(shown(Json(14409934), Unit::room) == "14.409 ms");
+  CHECK(shown(Json(999), Unit::room) == "999 ns");
+  CHECK(shown(Json(-1000001), Unit::room) == "-1.001 ms");
   CHECK(shown(Json(1234567), Unit::count) == "1\u202f234\u202f567");
   CHECK(shown(Json(-1234), Unit::count) == "-1\u202f234");
   CHECK(shown(Json(-123), Unit::count) == "-123");
