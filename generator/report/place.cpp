@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 
 #include "generator/svg/svg.hpp"
 #include "generator/timing/table.hpp"
@@ -15,7 +17,8 @@ constexpr const char* kNothing = "–";
 
 std::string time_text(const Json& value) {
   if (!value.is_number_integer()) return fmt::format("{} ns", value.dump());  // a mean
-  const auto ns = value.get<std::int64_t>();
+  // A document that somebody wrote may hold anything; the least number has no positive one.
+  const std::int64_t ns = std::max(value.get<std::int64_t>(), -std::numeric_limits<std::int64_t>::max());
   std::string text = (ns < 0 ? "-" : "") + timing::duration_text(nanoseconds(std::abs(ns)));
   const auto micro = text.find(" us");
   return micro == std::string::npos ? text : text.replace(micro, 3, " µs");
@@ -25,6 +28,7 @@ std::string time_text(const Json& value) {
 Json rounded_down(const Json& value) {
   if (!value.is_number_integer()) return value;
   const auto ns = value.get<std::int64_t>();
+  if (ns < -1'000'000'000'000'000'000) return value;
   const std::int64_t size = std::abs(ns);
   const std::int64_t step = size >= 1'000'000'000 ? 1'000'000 : size >= 1'000'000 ? 1'000 : 1;
   const std::int64_t above = ((ns % step) + step) % step;

@@ -60,6 +60,7 @@ TEST_CASE("a result names its member and holds its exact value") {
   CHECK(shown(Json(14409934), Unit::room) == "14.409 ms");
   CHECK(shown(Json(999), Unit::room) == "999 ns");
   CHECK(shown(Json(-1000001), Unit::room) == "-1.001 ms");
+  CHECK_FALSE(shown(Json(std::numeric_limits<std::int64_t>::min()), Unit::room).empty());
   CHECK(shown(Json(1234567), Unit::count) == "1\u202f234\u202f567");
   CHECK(shown(Json(-1234), Unit::count) == "-1\u202f234");
   CHECK(shown(Json(-123), Unit::count) == "-123");
