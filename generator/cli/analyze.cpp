@@ -1,5 +1,6 @@
 // finemote analyze: bounds of a robot or a model, with the verdict.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -7,6 +8,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/dump.hpp"
 #include "generator/cli/subject.hpp"
+#include "generator/timing/cost_labels.hpp"
 #include "generator/timing/json.hpp"
 #include "generator/timing/operands.hpp"
 #include "generator/timing/remodel.hpp"
@@ -87,7 +89,17 @@ std::string text(const timing::Timing& timing, const Extras& extras) {
   return text;
 }
 
-/// FM4025 for each device whose execution times were not computed. @return  whether there is none
+/// What runs beside the stages and is not charged a bound of the image.
+std::vector<std::string> costs_not_static(const timing::Model& model) {
+  std::vector<std::string> list;
+  for (const timing::CostLabel& cost : timing::cost_labels(model)) {
+    if (cost.source != timing::WcetSource::computed) list.push_back(cost.what);
+  }
+  return list;
+}
+
+/// FM4025 for each device whose execution times were not computed, and for what runs beside the stages.
+/// @return  whether there is none
 /// @param input  what was analysed
 bool report_not_static(const timing::Model& model, const std::string& input, Diagnostics& judged) {
   const std::string file = timing_file_path(input);
@@ -102,7 +114,13 @@ bool report_not_static(const timing::Model& model, const std::string& input, Dia
         .hint(file.empty() ? "only of a robot in a file can they be computed"
                            : fmt::format("compute them: finemote wcet {} -o {}", input, file));
   }
-  return is_static;
+  const std::vector<std::string> others = costs_not_static(model);
+  if (!is_static || others.empty()) return is_static;  // who computes those of the stages gets these as well
+  judged
+      .error(code::timing_not_static, model.devices.empty() ? Position{} : model.devices[Rank{}].at,
+             fmt::format("what the scheduler and the interrupts take is not static: {}", fmt::join(others, ", ")))
+      .note("an image with a part that has no bound, or a timing file of an older version, has none for these either");
+  return false;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "generator/descriptor/expander_type.hpp"
 #include "generator/diagnostic/source.hpp"
 #include "generator/index/ids.hpp"
+#include "generator/model/computed_costs.hpp"
 #include "generator/units/duration.hpp"
 #include "generator/urdf/kinematics.hpp"
 
@@ -146,9 +147,10 @@ struct Robot {
   Table<SegmentId, Segment> segments;     ///< buses first, then channels and PWM expanders in document order
   Table<DeviceId, Device> devices;        ///< document order of start tags
   std::vector<Requirement> requirements;
-  std::vector<std::string> inputs;       ///< display names of every file read: input, includes, descriptors, board
-  std::vector<std::string> input_paths;  ///< the same files as opened, for hashes and depfiles
-  std::string source;                    ///< display name of IN
+  std::optional<ComputedCosts> computed;  ///< of the timing file
+  std::vector<std::string> inputs;        ///< display names of every file read: input, includes, descriptors, board
+  std::vector<std::string> input_paths;   ///< the same files as opened, for hashes and depfiles
+  std::string source;                     ///< display name of IN
 
   /// The segment that is the bus itself.
   [[nodiscard]] static SegmentId segment_of(BusId bus) { return SegmentId{bus.value()}; }

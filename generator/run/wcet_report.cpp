@@ -5,8 +5,7 @@
 #include <algorithm>
 
 #include "generator/forest/stage.hpp"
-#include "generator/image/exception.hpp"
-#include "generator/schedule/period.hpp"
+#include "generator/run/wcet_scheduler.hpp"
 #include "generator/timing_file/timing_file.hpp"
 
 namespace finemote::gen {
@@ -19,11 +18,6 @@ const char* name_of(wcet::Placement placement) { return placement == wcet::Place
 
 std::string name_of(const TimedRobot& timed, Stage stage) {
   return timed.robot.devices[timed.forest.order[stage.rank]].name.text + (stage.is_handle ? ".handle" : ".update");
-}
-
-/// Rounded up.
-std::int64_t ns_of(Cycles cycles, const TimedRobot& timed) {
-  return (cycles * 1'000'000'000 + timed.inputs.clock_hz - 1) / timed.inputs.clock_hz;
 }
 
 Json place_of(std::uint32_t address, const std::string& function, const TimedRobot& timed) {
@@ -59,32 +53,6 @@ Json stage_json(const TimedRobot& timed, Stage stage, const wcet::BracketTime& b
           {"loops", std::move(loops)}};
 }
 
-/// The bus that an exception belongs to, and its source there; empty: it is no bus's.
-std::string source_of(const TimedRobot& timed, unsigned exception) {
-  for (const Bus& bus : timed.robot.buses) {
-    const Port* port = timed.robot.board->port(bus.port);
-    if (port == nullptr) continue;
-    for (const InterruptLine& line : port->interrupts) {
-      if (exception_of(static_cast<std::uint32_t>(line.number)) == exception) return bus.name.text + "." + line.name;
-    }
-  }
-  return {};
-}
-
-/// What a routine of the scheduler is called: the release, or a bucket with all that it runs; empty: it is none.
-std::string task_of(const TimedRobot& timed, unsigned exception) {
-  if (exception == kSysTickException) return "release";
-  for (const Bucket& bucket : timed.schedule.buckets) {
-    if (exception_of(bucket.line) == exception) return fmt::format("bucket {}", period_text(bucket.period));
-  }
-  return {};
-}
-
-std::string interrupt_name(const TimedRobot& timed, const wcet::RoutineTime& routine) {
-  const std::string source = source_of(timed, routine.exception);
-  return source.empty() ? routine.name : source;
-}
-
 std::string where(std::uint32_t address, const TimedRobot& timed) {
   const auto line = timed.lines.at(address);
   return line ? fmt::format("{}:{}", timed.names.of(line->file), line->line) : fmt::format("0x{:08x}", address);
@@ -116,18 +84,9 @@ const wcet::BracketTime* bracket_of(const TimedRobot& timed, Stage stage) {
 
 Json wcet_document(const TimedRobot& timed) {
   Json document{{"schema", kTimingSchema}, {"robot", timed.robot.name.text}};
-  Json stages = Json::array(), interrupts = Json::array(), scheduler = Json::array(), unresolved = Json::array();
+  Json stages = Json::array(), unresolved = Json::array();
   for (const Stage stage : stages_of(timed)) {
     if (const auto* bracket = bracket_of(timed, stage)) stages.push_back(stage_json(timed, stage, *bracket));
-  }
-  for (const wcet::RoutineTime& routine : timed.times.routines) {
-    const std::string task = task_of(timed, routine.exception);
-    if (task.empty())
-      interrupts.push_back({{"source", interrupt_name(timed, routine)},
-                            {"wcet_ns", ns_of(routine.without_faults.value_or(routine.cycles), timed)},
-                            {"with_faults_ns", ns_of(routine.cycles, timed)}});
-    else
-      scheduler.push_back({{"what", task}, {"wcet_ns", ns_of(routine.cycles, timed)}});
   }
   for (const wcet::TimeGap& gap : timed.times.gaps) {
     Json place = place_of(gap.address, gap.function, timed);
@@ -135,8 +94,8 @@ Json wcet_document(const TimedRobot& timed) {
     unresolved.push_back(std::move(place));
   }
   document["stages"] = std::move(stages);
-  document["interrupts"] = std::move(interrupts);
-  document["scheduler"] = std::move(scheduler);
+  document["interrupts"] = interrupts_json(timed);
+  document["scheduler"] = scheduler_json(timed);
   document["unresolved"] = std::move(unresolved);
   document["model"] = {
       {"name", cost_model().name}, {"version", cost_model().version}, {"placement", name_of(timed.inputs.placement)}};
@@ -158,8 +117,8 @@ std::string wcet_text(const TimedRobot& timed) {
   }
   text += "\n" + head("interrupt");
   for (const wcet::RoutineTime& routine : timed.times.routines) {
-    const std::string task = task_of(timed, routine.exception);
-    text += row(task.empty() ? interrupt_name(timed, routine) : task, routine.cycles, routine.without_faults, timed);
+    const auto task = task_of(timed, routine.exception);
+    text += row(task ? task->name : interrupt_name(timed, routine), routine.cycles, routine.without_faults, timed);
   }
   if (timed.times.gaps.empty()) return text;
   text += "\nwithout a bound\n";

@@ -27,7 +27,7 @@ TraceWriter::TraceWriter(const timing::Model& model, timing::Profile profile, st
 
 void TraceWriter::close() {
   std::stable_sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) {
-    return std::tie(a.time_ns, a.is_inside, a.order) < std::tie(b.time_ns, b.is_inside, b.order);
+    return std::tie(a.at, a.is_inside, a.order) < std::tie(b.at, b.is_inside, b.order);
   });
   out_ << "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[";
   for (const Line& line : lines_) out_ << (&line == &lines_.front() ? "\n" : ",\n") << line.text;
@@ -68,11 +68,11 @@ void TraceWriter::name_tracks() {
 }
 
 void TraceWriter::add(Duration time, bool is_inside, std::string text) {
-  lines_.push_back({time.ns(), is_inside, lines_.size(), std::move(text)});
+  lines_.push_back({time, is_inside, lines_.size(), std::move(text)});
 }
 
 void TraceWriter::add_behind(std::size_t line, std::string text) {
-  lines_.push_back({lines_[line].time_ns, lines_[line].is_inside, line, std::move(text)});
+  lines_.push_back({lines_[line].at, lines_[line].is_inside, line, std::move(text)});
 }
 
 void TraceWriter::slice(std::size_t track, const std::string& name, Duration begin, Duration end, bool is_inside) {

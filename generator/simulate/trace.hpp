@@ -38,7 +38,7 @@ class TraceWriter : public SimulationObserver {
   };
 
   struct Line {
-    std::int64_t time_ns;
+    Duration at;
     bool is_inside;     ///< of what begins at the same time, behind the slice around it
     std::size_t order;  ///< of what is equal in both
     std::string text;

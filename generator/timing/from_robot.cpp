@@ -46,8 +46,8 @@ void add_roles(const Robot& robot, const Forest& forest, const gen::Device& devi
 }
 
 /// Without its traffic.
-Device make_device(const Robot& robot, const Forest& forest, const gen::Device& device,
-                   const RobotTimingOptions& options) {
+Device make_device(const Robot& robot, const Forest& forest, DeviceId id, const RobotTimingOptions& options) {
+  const gen::Device& device = robot.devices[id];
   Device out;
   out.name = device.name.text;
   out.at = device.at;
@@ -63,6 +63,11 @@ Device make_device(const Robot& robot, const Forest& forest, const gen::Device& 
     out.update_wcet = out.handle_wcet = *options.assumed_wcet;
   }
   if (options.monitor) out.handle_extra = monitor_cost(board_costs(robot).monitor_handle);
+  if (robot.computed) {
+    const ComputedCosts::Before& before = robot.computed->before[id];
+    out.update_extra += before.update;
+    out.handle_extra += before.handle;
+  }
   out.takes_command = device.type != nullptr && device.type->has_command();
   out.actuator = device.type != nullptr && device.type->actuator;
   for (const Read& r : device.reads) out.reads.push_back(forest.rank[r.device]);
@@ -118,13 +123,13 @@ Model model_of(const Robot& robot, const Forest& forest, const Schedule& schedul
   Traffic traffic(robot, places, uses, model);
   for (const DeviceId id : forest.order) {
     const gen::Device& device = robot.devices[id];
-    const Rank place = model.devices.push_back(make_device(robot, forest, device, options));
+    const Rank place = model.devices.push_back(make_device(robot, forest, id, options));
     if (device.type != nullptr) traffic.add_device(device, place);
   }
-  add_crossings(robot, forest, schedule, model);
+  if (!robot.computed) add_crossings(robot, forest, schedule, model);  // else they run before stages
   add_flushes(robot, forest, schedule, places, traffic, model);
   traffic.settle();
-  add_supervision(robot, model);
+  if (!robot.computed) add_supervision(robot, model);
   return model;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/timing/assumptions.hpp"
+#include "generator/timing/cost_labels.hpp"
 #include "generator/timing/model_words.hpp"
 #include "generator/timing/words.hpp"
 
@@ -230,11 +231,36 @@ Json labels_json(const Model& model) {
   return list;
 }
 
+/// The same of what runs beside stages: interrupt routines by `bus.source`, and the rest of the scheduler's work.
+Json cost_labels_json(const Model& model) {
+  Json list = Json::array();
+  for (const CostLabel& cost : cost_labels(model)) {
+    const bool is_known = cost.source != WcetSource::unknown;
+    list.push_back(Json{{"what", cost.what}, {"label", is_known ? Json(label_of(cost.source)) : Json(nullptr)}});
+  }
+  return list;
+}
+
 Json assumptions_json() {
   Json list = Json::array();
   for (const Assumption& a : assumptions())
     list.push_back(Json{{"id", a.id}, {"text", a.text}, {"detected", to_string(a.detected)}});
   return list;
+}
+
+/// All of a robot's; of another model those that it gives.
+Json costs_json(const Costs& costs) {
+  Json out = Json::object();
+  const auto add = [&](const char* key, Duration cost) {
+    if (costs.source != WcetSource::unknown || cost != Duration::zero()) out[key] = cost.ns();
+  };
+  add("release_ns", costs.release);
+  add("release_per_bucket_ns", costs.release_per_bucket);
+  add("interrupt_ns", costs.interrupt);
+  add("job_ns", costs.job);
+  add("stage_ns", costs.stage);
+  add("masked_ns", costs.masked);
+  return out;
 }
 
 }  // namespace
@@ -244,13 +270,7 @@ Json model_json(const Model& model) {
   for (const Bus& bus : model.buses) out["buses"].push_back(bus_json(model, bus));
   for (const Device& d : model.devices) out["devices"].push_back(device_json(model, d));
   add_if(out, "clock_ppm", model.clock_ppm);
-  Json costs = Json::object();
-  add_if(costs, "release_ns", model.costs.release);
-  add_if(costs, "release_per_bucket_ns", model.costs.release_per_bucket);
-  add_if(costs, "interrupt_ns", model.costs.interrupt);
-  add_if(costs, "job_ns", model.costs.job);
-  add_if(costs, "stage_ns", model.costs.stage);
-  add_if(costs, "masked_ns", model.costs.masked);
+  Json costs = costs_json(model.costs);
   if (!costs.empty()) out["costs"] = std::move(costs);
   for (const Flush& f : model.flushes) {
     out["flushes"].push_back(flush_json(model, f));
@@ -312,6 +332,7 @@ Json timing_json(const Timing& timing) {
   Json& assumed = out["assumed_wcet"] = Json::array();
   for (const Rank d : timing.assumed) assumed.push_back(model.devices[d].name);
   out["wcet_labels"] = labels_json(model);
+  out["cost_labels"] = cost_labels_json(model);
   out["assumptions"] = assumptions_json();
   return out;
 }

@@ -23,6 +23,10 @@ enum class InterruptCause {
   look,      ///< a look at a line by a stage of the device: it allows so many until the next look
 };
 
+/// What an execution time rests on: nothing that the model says, a type's default, what the user declares, the longest
+/// that was seen, a bound that was computed from the image.
+enum class WcetSource { unknown, assumed, declared, measured, computed };
+
 /// At most `count` interrupts of a source in one of any `every` consecutive periods of `device`, none in the others;
 /// the driver counts and refuses more.
 struct FrameBudget {
@@ -42,6 +46,7 @@ struct InterruptSource {
   Duration min_interval;             ///< >= 1 ns; two interrupts are never closer
   std::vector<FrameBudget> budgets;  ///< empty: only the interval bounds it
   bool of_transfers = false;  ///< only the transfer that is on the wire causes it, of which there is one at a time
+  WcetSource source = WcetSource::unknown;
 };
 
 /// What a message can offer where a bus is too slow; empty where nobody knows.
@@ -97,10 +102,6 @@ struct Acquisition {
   bool assumed = false;      ///< not from a data sheet or a measurement
 };
 
-/// What an execution time rests on: nothing that the model says, a type's default, what the user declares, the longest
-/// that was seen, a bound that was computed from the image.
-enum class WcetSource { unknown, assumed, declared, measured, computed };
-
 struct Device {
   std::string name;
   std::optional<Rank> parent;  ///< larger than the device's own
@@ -129,12 +130,13 @@ struct Device {
 
 /// What the processor and the scheduler cost (profile `target`); zero where not given.
 struct Costs {
-  Duration release;             ///< one release interrupt, entry and exit included
-  Duration release_per_bucket;  ///< for every bucket due
-  Duration interrupt;           ///< exception entry and exit, added to every bus interrupt
-  Duration job;                 ///< exception entry and exit and bookkeeping of one job of a bucket
-  Duration stage;               ///< dispatch of one update or handle
-  Duration masked;              ///< longest time with interrupts masked
+  Duration release;                         ///< one release interrupt, entry and exit included
+  Duration release_per_bucket;              ///< for every bucket due
+  Duration interrupt;                       ///< exception entry and exit, added to every bus interrupt
+  Duration job;                             ///< exception entry and exit and bookkeeping of one job of a bucket
+  Duration stage;                           ///< dispatch of one update or handle
+  Duration masked;                          ///< longest time with interrupts masked
+  WcetSource source = WcetSource::unknown;  ///< of the release, of what jobs take beside their stages, and of masked
 };
 
 /// Work at the end of every job of one bucket: one shared output is written, once for all devices on it.

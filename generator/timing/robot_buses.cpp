@@ -93,6 +93,24 @@ Duration routine(const Driver& driver, const DriverSource& source, const BusUse&
   return std::max(work, wait + source.isr_beside_wait.value_or(work));
 }
 
+/// What the bounds of the image call the event that raises a source.
+DriverSource::Counts event_of(const DriverSource& source) {
+  using Counts = DriverSource::Counts;
+  if (source.counts != Counts::nothing) return source.counts;
+  return source.raised_by == DriverSource::RaisedBy::transmit ? Counts::ends : Counts::received;
+}
+
+/// The bound of the image of one run, with what it makes others do again; none: it has none.
+std::optional<Duration> computed_routine(const Robot& robot, BusId bus, const DriverSource& source) {
+  if (!robot.computed) return std::nullopt;
+  const auto found = robot.computed->routines.find({bus, event_of(source)});
+  if (found == robot.computed->routines.end()) return std::nullopt;
+  const ComputedCosts::Retries& retries = robot.computed->retries;
+  if (source.counts == DriverSource::Counts::received) return found->second + retries.received;
+  if (source.counts == DriverSource::Counts::events) return found->second + retries.event;
+  return found->second;
+}
+
 /// What the port makes of the rate that is asked for, at its slowest.
 std::int64_t line_rate(const Robot& robot, const gen::Bus& bus) {
   const Port* port = robot.board != nullptr ? robot.board->port(bus.port) : nullptr;
@@ -106,6 +124,21 @@ std::int64_t bits_apart(const DriverSource& source, const BusUse& use) {
   if (use.is_declared && source.counts == DriverSource::Counts::received) declared = use.least_received;
   if (use.is_declared && source.counts == DriverSource::Counts::ends) declared = use.least_sent;
   return std::max(source.min_frame_bits, declared);
+}
+
+/// A bound counts in place of what is assumed, and of what is declared where it is above that.
+void set_time(const Robot& robot, BusId id, const DriverSource& of_driver, Duration assumed, InterruptSource& source) {
+  const std::optional<Duration> declared = robot.buses[id].isr_wcet;
+  const std::optional<Duration> computed = computed_routine(robot, id, of_driver);
+  source.wcet = std::max(declared.value_or(Duration::zero()), computed.value_or(Duration::zero()));
+  if (!declared && !computed) source.wcet = assumed;
+  source.source = computed ? WcetSource::computed : declared ? WcetSource::declared : WcetSource::assumed;
+}
+
+std::optional<Duration> longest_of(const std::vector<InterruptSource>& sources) {
+  std::optional<Duration> longest;
+  for (const InterruptSource& source : sources) longest = std::max(longest.value_or(source.wcet), source.wcet);
+  return longest;
 }
 
 Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driver) {
@@ -127,12 +160,14 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
       const Duration apart = frame_time(bus.min_frame_bits.value_or(bits_apart(source, use)), bus.rate);
       const bool is_foreign = !type.is_mastered && source.raised_by != DriverSource::RaisedBy::transmit;
       out.sources->push_back({source.name,
-                              bus.isr_wcet.value_or(routine(*driver, source, use, out.baud_bps)),
+                              {},
                               is_foreign ? received_apart(robot, id, apart) : apart,
                               {},
                               type.is_mastered && is_of_transfer(source.counts)});
+      set_time(robot, id, source, routine(*driver, source, use, out.baud_bps), out.sources->back());
     }
   }
+  if (robot.computed && out.sources) out.wcet = longest_of(*out.sources).value_or(out.wcet);
   out.advice = advice_for(robot, id);
   return out;
 }

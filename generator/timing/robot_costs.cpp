@@ -31,6 +31,26 @@ Duration release_cost(const gen::Costs& costs, const Schedule& schedule) {
          static_cast<std::int64_t>(schedule.buckets.size()) * costs.release_walk_per_bucket;
 }
 
+/// Of jobs that no flush ends: a flush takes it else.
+Duration longest_behind(const ComputedCosts& computed, const Schedule& schedule) {
+  Duration longest;
+  for (const gen::Bucket& bucket : schedule.buckets) {
+    if (bucket.flushes.empty()) longest = std::max(longest, computed.behind_jobs(bucket.period));
+  }
+  return longest;
+}
+
+/// Bounds of the image in place of what the board file says. What runs before a stage is charged with the stage.
+void take_computed(const ComputedCosts& computed, const Schedule& schedule, Costs& costs) {
+  const auto jobs = static_cast<std::int64_t>(schedule.buckets.size());  // each may be amid what a release disturbs
+  costs.release = costs.interrupt + computed.release + jobs * computed.retries.release;
+  costs.release_per_bucket = Duration::zero();
+  costs.job = costs.interrupt + longest_behind(computed, schedule);
+  costs.stage = Duration::zero();
+  costs.masked = computed.masked;
+  costs.source = WcetSource::computed;
+}
+
 }  // namespace
 
 const gen::Costs& board_costs(const Robot& robot) {
@@ -48,8 +68,10 @@ Costs robot_costs(const Robot& robot, const Schedule& schedule, const RobotTimin
   result.release_per_bucket = costs.release_per_bucket;
   result.job = costs.bucket + result.interrupt;
   result.stage = costs.stage;
-  if (options.trace) result.stage += 2 * costs.trace_event;
   result.masked = costs.masked_section;
+  result.source = WcetSource::assumed;
+  if (robot.computed) take_computed(*robot.computed, schedule, result);
+  if (options.trace) result.stage += 2 * costs.trace_event;
   if (options.monitor) result.job += monitor_cost(costs.monitor_job);
   return result;
 }

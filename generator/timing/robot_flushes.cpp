@@ -142,13 +142,21 @@ class FlushAdder {
   Model& model_;
 };
 
+/// The end of a job holds all its flushes, and may hold them in any order.
+void take_computed(Duration behind, std::size_t first, std::vector<Flush>& flushes) {
+  for (std::size_t flush = first; flush < flushes.size(); ++flush)
+    flushes[flush].wcet = flush == first ? behind : Duration::zero();
+}
+
 }  // namespace
 
 void add_flushes(const Robot& robot, const Forest& forest, const Schedule& schedule, const BusPlaces& places,
                  Traffic& traffic, Model& model) {
   FlushAdder adder(robot, forest, places, traffic, model);
   for (const gen::Bucket& bucket : schedule.buckets) {
+    const std::size_t first = model.flushes.size();
     for (const SegmentId segment : bucket.flushes) adder.add(bucket, segment);
+    if (robot.computed) take_computed(robot.computed->behind_jobs(bucket.period), first, model.flushes);
   }
 }
 

@@ -1,10 +1,12 @@
 #include "generator/timing/table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "generator/timing/assumptions.hpp"
+#include "generator/timing/cost_labels.hpp"
 #include "generator/timing/text_table.hpp"
 #include "generator/timing/words.hpp"
 
@@ -23,6 +25,26 @@ std::string verdict(const Timing& timing) {
                      requirements);
 }
 
+/// What the times of the scheduler and of interrupts rest on; nothing where the model does not say.
+std::string labels_of_costs(const Model& model) {
+  const std::vector<CostLabel> costs = cost_labels(model);
+  if (costs.front().source == WcetSource::unknown) return {};
+  std::string text, separator = "  ";
+  for (const WcetSource source :
+       {WcetSource::computed, WcetSource::declared, WcetSource::measured, WcetSource::assumed}) {
+    std::vector<std::string> names;
+    for (const CostLabel& cost : costs) {
+      if (cost.source == source) names.push_back(cost.what);
+    }
+    if (names.empty()) continue;
+    const bool is_all = names.size() == costs.size();
+    text += fmt::format("{}{}: {}", separator, label_of(source),
+                        is_all ? "the release, jobs and all interrupts" : fmt::format("{}", fmt::join(names, ", ")));
+    separator = "; ";
+  }
+  return text + "\n";
+}
+
 /// Who uses the processor, worst first.
 std::string processor(const Timing& timing) {
   TextTable table({"used by", "", "every", "one", "load", "share"});
@@ -36,7 +58,7 @@ std::string processor(const Timing& timing) {
   }
   return fmt::format("\nprocessor: {} of its time in the long run (profile {})\n", percent(timing.processor_load),
                      profile_name(timing.asked)) +
-         table.text();
+         table.text() + labels_of_costs(timing.model);
 }
 
 /// Figures of the classic tests, which decide nothing: the response times above do.

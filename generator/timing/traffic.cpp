@@ -232,10 +232,14 @@ void Traffic::add_own_lines(const gen::Device& device) {
     const Duration interval = entry.is_autonomous
                                   ? shortest_of_part(robot_, device, entry.min_interval.value_or(nanoseconds(1)))
                                   : floor_div(device.period, std::max<std::int64_t>(entry.count, 1));
+    const bool is_computed = robot_.computed && robot_.computed->pins > Duration::zero();
     model_.buses[*bus].sources->push_back({device.name.text + ": " + entry.source,
-                                           entry.wcet.value_or(model_.buses[*bus].wcet),
+                                           is_computed ? robot_.computed->pins + robot_.computed->retries.event
+                                                       : entry.wcet.value_or(model_.buses[*bus].wcet),
                                            std::max(interval, nanoseconds(1)),
-                                           {}});
+                                           {},
+                                           false,
+                                           is_computed ? WcetSource::computed : WcetSource::assumed});
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "generator/json/parse.hpp"
 #include "generator/timing/object_reader.hpp"
+#include "generator/timing_file/cost_words.hpp"
 #include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
@@ -21,7 +22,10 @@ class Reader {
   TimingFile read(const Value& root) {
     TimingFile file;
     file.at = root.at;
-    for (const Value& stage : items(root, "stages")) read_stage(stage, file);
+    for (const Value& stage : items(root, "stages")) read_stage(stage, file.devices);
+    for (const Value& line : items_or_none(root, "interrupts")) read_line(line, file);
+    for (const Value& task : items_or_none(root, "scheduler")) read_task(task, file.scheduler);
+    file.is_complete = root.find("unresolved") != nullptr && items(root, "unresolved").empty();
     if (const Value* model = object(root, "model"))
       file.model = {values_.member_text(*model, "'model'", "name"), number(*model, "version")};
     if (const Value* inputs = object(root, "inputs")) read_inputs(*inputs, file);
@@ -37,6 +41,12 @@ class Reader {
       return kNone;
     }
     return values_.is_array(*list, key) ? list->items : kNone;
+  }
+
+  /// Of a member that may be absent.
+  const std::vector<Value>& items_or_none(const Value& object, std::string_view key) {
+    static const std::vector<Value> kNone;
+    return object.find(key) != nullptr ? items(object, key) : kNone;
   }
 
   const Value* object(const Value& parent, std::string_view key) {
@@ -55,6 +65,8 @@ class Reader {
     return found != nullptr ? values_.integer(*found, key, 0) : 0;
   }
 
+  Duration time(const Value& object, std::string_view key) { return nanoseconds(number(object, key)); }
+
   /// Empty where it is null or not there.
   std::string text_or_none(const Value& object, std::string_view key) {
     const Value* found = object.find(key);
@@ -62,7 +74,7 @@ class Reader {
     return values_.text(*found, "'inputs'", key);
   }
 
-  void read_stage(const Value& stage, TimingFile& file) {
+  void read_stage(const Value& stage, std::map<std::string, StageBounds>& devices) {
     enum class Which { update, handle };
     constexpr std::pair<Which, std::string_view> kWords[] = {{Which::update, "update"}, {Which::handle, "handle"}};
     if (!values_.is_object(stage, "a stage")) return;
@@ -71,9 +83,31 @@ class Reader {
     if (which == nullptr) return missing(stage, "stage");
     const bool is_update = values_.one_of(*which, "a stage", "stage", kWords) == Which::update;
     const Duration bound = nanoseconds(number(stage, "wcet_ns"));
-    StageBounds& bounds = file.devices[device];
+    StageBounds& bounds = devices[device];
     auto& place = is_update ? bounds.update : bounds.handle;
     place = std::max(place.value_or(Duration::zero()), bound);
+  }
+
+  void read_line(const Value& value, TimingFile& file) {
+    if (!values_.is_object(value, "an interrupt")) return;
+    LineBounds line{values_.member_text(value, "an interrupt", "source"), time(value, "wcet_ns"), {}};
+    const Value* causes = value.find("raised_by");
+    if (causes != nullptr && values_.is_object(*causes, "'raised_by'")) {
+      for (const json::Member& cause : causes->members)
+        line.raised_by[cause.key] = nanoseconds(values_.integer(cause.value, cause.key, 0));
+    }
+    file.lines.push_back(std::move(line));
+  }
+
+  void read_task(const Value& task, SchedulerBounds& bounds) {
+    if (!values_.is_object(task, "a part of the scheduler")) return;
+    const std::string what = values_.member_text(task, "a part of the scheduler", "what");
+    const Duration time = this->time(task, "wcet_ns");
+    if (what == cost_words::kRelease) bounds.release = time;
+    if (what == cost_words::kMasked) bounds.masked = time;
+    if (what == cost_words::kBefore) read_stage(task, bounds.before);
+    if (what == cost_words::kRetry) bounds.retries[values_.member_text(task, "'retry'", "after")] = time;
+    if (task.find("behind_ns") != nullptr) bounds.behind[this->time(task, "period_ns")] = this->time(task, "behind_ns");
   }
 
   void read_inputs(const Value& inputs, TimingFile& file) {

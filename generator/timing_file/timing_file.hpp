@@ -30,9 +30,27 @@ struct StageBounds {
   std::optional<Duration> update, handle;
 };
 
+/// Of the routine of an interrupt line.
+struct LineBounds {
+  std::string source;                         ///< `i2c.I2C2_EV` of a bus, else a name
+  Duration longest;                           ///< whatever raises it
+  std::map<std::string, Duration> raised_by;  ///< cost_words
+};
+
+/// Of what runs around the stages; none: it is not in the file.
+struct SchedulerBounds {
+  std::optional<Duration> release, masked;
+  std::map<std::string, StageBounds> before;  ///< by device
+  std::map<Duration, Duration> behind;        ///< by period
+  std::map<std::string, Duration> retries;    ///< cost_words
+};
+
 struct TimingFile {
   Position at;  ///< its first byte
   std::map<std::string, StageBounds> devices;
+  std::vector<LineBounds> lines;
+  SchedulerBounds scheduler;
+  bool is_complete = false;            ///< everything in the image has a bound
   std::vector<std::string> arguments;  ///< `name:=value`, sorted
   std::string board;                   ///< that was asked for instead of the robot's own; empty: none
   std::string compiler, hash;          ///< empty: not recorded

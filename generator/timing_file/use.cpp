@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "generator/timing_file/computed_costs.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -79,6 +81,7 @@ State use_timing_file(const TimingFile& file, const TimingQuestion& question, Ro
         .note(why_stale(file))
         .hint(fmt::format("compute them anew: finemote wcet {} -o {}", question.robot, name));
   }
+  if (state == State::fits) robot.computed = computed_costs(file, robot);
   for (const DeviceId id : robot.devices.ids()) {
     const auto bounds = file.devices.find(robot.devices[id].name.text);
     if (bounds == file.devices.end()) continue;

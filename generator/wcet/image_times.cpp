@@ -8,12 +8,16 @@
 #include "generator/image/exception.hpp"
 #include "generator/wcet/certificate.hpp"
 #include "generator/wcet/longest_path.hpp"
+#include "generator/wcet/proven_bound.hpp"
 #include "generator/wcet/vectors.hpp"
 #include "generator/wcet/walk.hpp"
 #include "generator/wcet/without.hpp"
 
 namespace finemote::gen::wcet {
 namespace {
+
+/// runtime/include/finemote/mark.hpp: marks of stages are below it.
+constexpr std::uint32_t kFirstWorkMark = 0x40000;
 
 std::vector<AddressRange> ranges_of(const std::vector<ImageRange>& kept) {
   std::vector<AddressRange> ranges;
@@ -76,18 +80,15 @@ class Timing {
       gaps_.try_emplace(vector.entry, TimeGap{vector.entry, name_of(program_.at(vector.entry)), doubt});
       return;
     }
-    RoutineTime routine{vector.exception, name_of(program_.at(vector.entry)), path->bound, {}, {}, {}};
+    RoutineTime routine{vector.exception, name_of(program_.at(vector.entry)), path->bound, {}, {}, {}, {}, {}};
     routine.path = steps_of(walked.graph, *path, path->bound);
     const UnrolledGraph undisturbed = without(walked.graph, marks_.faults);
     routine.without_faults = proven_bound(undisturbed);
     add_brackets(walked, undisturbed, routine);
+    routine.by_cause = times_by_cause(undisturbed, marks_);
+    routine.gaps = gaps_between(undisturbed, marks_, kFirstWorkMark);
+    take_retries(walked, times_.retries);
     times_.routines.push_back(std::move(routine));
-  }
-
-  static std::optional<Cycles> proven_bound(const UnrolledGraph& graph) {
-    const auto path = longest_path(graph);
-    if (!path || !check_certificate(graph, path->potentials, path->bound).empty()) return std::nullopt;
-    return path->bound;
   }
 
   void add_brackets(const Walked& walked, const UnrolledGraph& undisturbed, RoutineTime& routine) const {

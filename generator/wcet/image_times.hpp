@@ -8,7 +8,10 @@
 
 #include "generator/image/constants.hpp"
 #include "generator/image/image.hpp"
+#include "generator/wcet/causes.hpp"
+#include "generator/wcet/gaps.hpp"
 #include "generator/wcet/memory_map.hpp"
+#include "generator/wcet/retries.hpp"
 
 namespace finemote::gen::wcet {
 
@@ -43,6 +46,8 @@ struct RoutineTime {
   std::optional<Cycles> without_faults;  ///< as of a bracket
   std::vector<PathStep> path;
   std::vector<BracketTime> brackets;
+  CauseTimes by_cause;  ///< without faults: of a routine of buses
+  Gaps gaps;            ///< without faults: of a job
 };
 
 /// Why some routine has no bound.
@@ -56,6 +61,7 @@ struct TimeGap {
 struct ImageTimes {
   std::vector<RoutineTime> routines;  ///< by exception
   std::vector<TimeGap> gaps;          ///< by address
+  RetryTimes retries{};
 };
 
 /// Where its code runs.

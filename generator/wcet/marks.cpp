@@ -9,8 +9,11 @@
 namespace finemote::gen::wcet {
 namespace {
 
-constexpr std::size_t kRecord = 8;                         // address, number
-constexpr std::uint32_t kUnlessInterrupted = 0x8000'0000;  // runtime/include/finemote/loop_bound.hpp
+constexpr std::size_t kRecord = 8;  // address, number
+// runtime/include/finemote/loop_bound.hpp
+constexpr std::uint32_t kUnlessInterrupted = 0x8000'0000;
+constexpr unsigned kRetriedByShift = 24;
+constexpr std::uint32_t kPassesMask = (1U << kRetriedByShift) - 1;
 
 std::uint32_t word_at(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -52,6 +55,7 @@ std::vector<std::uint32_t> Marks::addresses() const {
   for (const auto& [address, bound] : loop_bounds) all.insert(address);
   for (const auto& [address, reg] : waits) all.insert(address);
   all.insert(faults.begin(), faults.end());
+  for (const auto& [address, causes] : raised) all.insert(address);
   return {all.begin(), all.end()};
 }
 
@@ -60,7 +64,9 @@ Marks read_marks(const Image& image) {
   read_section(image, ".debug_finemote",
                [&](std::uint32_t address, std::uint32_t number) { marks.brackets.emplace(address, number); });
   read_section(image, ".debug_finemote_loops", [&](std::uint32_t address, std::uint32_t word) {
-    const std::uint32_t bound = word & ~kUnlessInterrupted;
+    const std::uint32_t bound = word & kPassesMask;
+    const std::uint32_t by = (word & ~kUnlessInterrupted) >> kRetriedByShift;
+    if ((word & kUnlessInterrupted) != 0 && by < kKindsOfRetry) marks.retries[address] = static_cast<RetriedBy>(by);
     const auto [known, is_new] = marks.loop_bounds.try_emplace(address, bound);
     if (!is_new) known->second = std::min(known->second, bound);  // both are true
   });
@@ -68,6 +74,10 @@ Marks read_marks(const Image& image) {
                [&](std::uint32_t address, std::uint32_t name) { marks.waits.emplace(address, register_named(name)); });
   read_section(image, ".debug_finemote_faults",
                [&](std::uint32_t address, std::uint32_t) { marks.faults.insert(address); });
+  read_section(image, ".debug_finemote_raised", [&](std::uint32_t address, std::uint32_t causes) {
+    const auto [known, is_new] = marks.raised.try_emplace(address, causes);
+    if (!is_new) known->second &= causes;  // both are true
+  });
   return marks;
 }
 

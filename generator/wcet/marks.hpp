@@ -10,11 +10,18 @@
 
 namespace finemote::gen::wcet {
 
+/// Whose interrupts make a loop turn once more, by the numbers of runtime/include/finemote/loop_bound.hpp.
+enum class RetriedBy : std::uint32_t { release, received, event, fault };
+inline constexpr std::size_t kKindsOfRetry = 4;
+
 struct Marks {
   /// By address: numbers of runtime/include/finemote/mark.hpp.
   std::multimap<std::uint32_t, std::uint32_t> brackets;
   /// By address: how often the place is passed at most in the innermost loop around it, per entry of the loop.
   std::map<std::uint32_t, std::uint32_t> loop_bounds;
+
+  /// By begin of a block in a loop that is gone through once more after some interrupts: which.
+  std::map<std::uint32_t, RetriedBy> retries;
 
   /// By address in a loop: the register that holds how many cycles it waits at most.
   std::map<std::uint32_t, int> waits;
@@ -22,12 +29,15 @@ struct Marks {
   /// Begins of blocks that are reached only after a fault.
   std::set<std::uint32_t> faults;
 
+  /// By begin of a block that only some interrupts of a bus lead to: their Causes.
+  std::map<std::uint32_t, std::uint32_t> raised;
+
   /// All of them, in order.
   [[nodiscard]] std::vector<std::uint32_t> addresses() const;
 };
 
-/// Of sections `.debug_finemote`, and `_loops`, `_waits` and `_faults` behind that name. Records of code that the
-/// linker left out are none.
+/// Of sections `.debug_finemote`, and `_loops`, `_waits`, `_faults` and `_raised` behind that name. Records of code
+/// that the linker left out are none.
 Marks read_marks(const Image& image);
 
 }  // namespace finemote::gen::wcet

@@ -43,6 +43,7 @@ struct Frame {
   Arrivals arrivals;
   std::optional<Arrival> end;
   std::map<std::uint32_t, std::uint32_t> passes;  // of marks, in the loop around each
+  std::map<std::uint32_t, std::size_t> passed;    // nodes of the last of them
   bool is_cut_by_mark = false;
 };
 
@@ -75,6 +76,19 @@ class Waits {
   const Marks& marks_;
   std::map<std::uint32_t, Cycles> limits_;  // by block of the mark
 };
+
+std::uint64_t marks_passed(const Frame& frame, const Loop& loop) {
+  std::uint64_t sum = 0;
+  for (const auto& [block, passes] : frame.passes) sum += loop.blocks.count(block) != 0 ? passes : 0;
+  return sum;
+}
+
+/// A round more than its mark allows without an interrupt.
+void note_retry(const Frame& frame, std::uint32_t block, const Marks& marks, std::vector<UnrolledEdge> back,
+                std::vector<Retry>& retries) {
+  const auto retry = marks.retries.find(block);
+  if (retry != marks.retries.end()) retries.push_back({retry->second, frame.passed.at(block), std::move(back)});
+}
 
 class Walker {
  public:
@@ -117,7 +131,7 @@ class Walker {
       fail(block, function, "a loop with more than one entry: write it as one loop");
     if (!nest.irreducible().empty()) return std::nullopt;
     open_.push_back(function);
-    Frame frame{*function, nest, {}, {}, {}};
+    Frame frame{*function, nest, {}, {}, {}, {}};
     frame.arrivals[function->graph.entry] = std::move(arrival);
     go_through(frame, std::nullopt);
     open_.pop_back();
@@ -190,7 +204,7 @@ class Walker {
   /// Tries a round and widens `machine` by what it comes back with, without a trace of it. True where nothing is new.
   bool settle(Frame& frame, std::size_t index, Machine& machine) {
     const std::uint32_t header = frame.nest.loops()[index].header;
-    const std::size_t nodes = walked_.graph.nodes.size();
+    const std::size_t nodes = walked_.graph.nodes.size(), retries = walked_.retries.size();
     const Arrivals arrivals = frame.arrivals;
     const std::optional<Arrival> end = frame.end;
     const auto passes = frame.passes;
@@ -201,15 +215,10 @@ class Walker {
     frame.end = end;
     frame.passes = passes;
     walked_.graph.nodes.resize(nodes);
+    walked_.retries.resize(retries);
     if (!back || machine.covers(back->machine)) return true;
     machine.widen(back->machine);
     return false;
-  }
-
-  static std::uint64_t marks_passed(const Frame& frame, const Loop& loop) {
-    std::uint64_t sum = 0;
-    for (const auto& [block, passes] : frame.passes) sum += loop.blocks.count(block) != 0 ? passes : 0;
-    return sum;
   }
 
   void note(const Frame& frame, const Loop& loop, std::uint64_t rounds) {
@@ -237,7 +246,9 @@ class Walker {
   void visit(Frame& frame, std::uint32_t block) {
     Arrival arrival = std::move(*frame.arrivals[block]);
     frame.arrivals[block].reset();
-    if (!pass_mark(frame, block)) return;
+    if (!pass_mark(frame, block))
+      return note_retry(frame, block, facts_.marks, std::move(arrival.from), walked_.retries);
+    frame.passed[block] = walked_.graph.nodes.size();
     arrival.machine.name_unknowns(unknowns_);
     waits_.note(block, arrival.machine);
     const BasicBlock& code = frame.function.graph.blocks.at(block);

@@ -31,8 +31,16 @@ struct CountedLoop {
   bool is_by_mark = false;   ///< a mark ended it
 };
 
+/// One more round of a loop that an interrupt has disturbed.
+struct Retry {
+  RetriedBy by = RetriedBy::release;
+  std::size_t begin = 0;           ///< node of the mark in the round before
+  std::vector<UnrolledEdge> back;  ///< ways from there to the mark again
+};
+
 struct Walked {
   UnrolledGraph graph;
+  std::vector<Retry> retries;
   std::map<std::uint32_t, CountedLoop> loops;     ///< by header
   std::map<std::uint32_t, WalkProblem> problems;  ///< by address; empty: the graph holds every way there is
 };

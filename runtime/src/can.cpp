@@ -33,7 +33,7 @@ CanInbox::Received CanInbox::received() const {
   // The count is raised before and after a frame is stored: odd while it is. Frames of one identifier are at least
   // 47 bits apart, so that a copy is disturbed at most once.
   for (int attempt = 0; attempt < 3; ++attempt) {
-    retried_if_interrupted();
+    retried_if_interrupted<RetriedBy::received>();
     const std::uint32_t before = changes_.load();
     copy.frame = in_;
     copy.at = at_;
@@ -226,9 +226,11 @@ void CanBus::supervise() {
     recovering_ = false;
     // Error passive: nobody acknowledges, and what waits in the mailboxes grows old, for ever on an empty bus. It goes;
     // the next flush sends what holds then.
-    if (transmit_errors() > kErrorPassive) port_->abort();
-    return;
+    if (transmit_errors() <= kErrorPassive) return;
+    only_after_fault();
+    return port_->abort();
   }
+  only_after_fault();
   const Time at = now();
   if (!recovering_ || at >= try_again_) {
     begin_recovery(at);

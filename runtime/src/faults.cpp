@@ -22,7 +22,7 @@ constexpr std::uint32_t key_of(Module module, std::uint8_t number) {
 bool count_in(std::atomic<std::uint32_t>& record, std::uint32_t key) {
   std::uint32_t seen = record.load(std::memory_order_relaxed);
   do {
-    retried_if_interrupted();
+    retried_if_interrupted<RetriedBy::fault>();
     if (seen != 0 && (seen & ~kCountMask) != key) return false;
     if ((seen & kCountMask) == kCountMask) return true;
   } while (!record.compare_exchange_weak(seen, (seen | key) + 1, std::memory_order_relaxed));

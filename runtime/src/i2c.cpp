@@ -3,6 +3,7 @@
 #include "finemote/fault.hpp"
 #include "finemote/mark.hpp"
 #include "finemote/only_after_fault.hpp"
+#include "finemote/raised_by.hpp"
 
 namespace finemote {
 
@@ -97,6 +98,7 @@ void I2cBus::on_interrupt(I2cEvent event) {
 }
 
 void I2cBus::pick() {
+  only_if_raised_by<Raised::request, Raised::end>();  // steps come while a unit is under way
   for (std::uint8_t i = safe_cursor_; i < count_; ++i) {
     I2cSlot& slot = *slots_[i];
     safe_cursor_ = static_cast<std::uint8_t>(i + 1);
@@ -179,6 +181,7 @@ void I2cBus::begin_write(std::uint8_t address, const std::uint8_t* bytes, std::u
 }
 
 void I2cBus::phase_done() {
+  only_if_raised_by<Raised::end>();
   switch (phase_) {
     case Phase::kDeselect:
       return begin_phase(Phase::kDeselect);

@@ -2,6 +2,7 @@
 
 #include "finemote/fault.hpp"
 #include "finemote/mark.hpp"
+#include "finemote/raised_by.hpp"
 
 namespace finemote {
 
@@ -44,6 +45,7 @@ void SpiBus::on_interrupt(SpiEvent event) {
 }
 
 void SpiBus::pick() {
+  only_if_raised_by<Raised::request, Raised::end>();  // steps come while a unit is under way
   for (std::uint8_t i = 0; i < count_; ++i) {
     SpiSlot& slot = *slots_[i];
     if (slot.state() != SlotState::kQueued) continue;
@@ -57,6 +59,7 @@ void SpiBus::pick() {
 }
 
 void SpiBus::finish(SlotState result) {
+  only_if_raised_by<Raised::end>();
   ++counters_.transfers;
   if (result != SlotState::kDone) ++counters_.errors;
   unit_.store(unit_.load() + 1);

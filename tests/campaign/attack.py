@@ -18,9 +18,13 @@ MOST_LOAD = 8.0
 class Task:
     """What a worker needs to know to attack one robot."""
 
-    def __init__(self, finemote, folder, seed, number, phases, injected=None):
+    def __init__(self, finemote, folder, seed, number, phases, injected=None, is_static=False):
         self.finemote, self.folder = finemote, folder
         self.seed, self.number, self.phases, self.injected = seed, number, phases, injected
+        self.is_static = is_static  # held against bounds of the image instead of assumed times
+
+    def draw(self):
+        return (draw.draw_bounded if self.is_static else draw.draw_robot)(self.seed, self.number)
 
     def tool(self):
         return tool.Tool(self.finemote, pathlib.Path(self.folder) / str(os.getpid()))
@@ -99,10 +103,23 @@ def examine(finemote, robot, analysis, inputs, task):
     return figures.verdict(), ""
 
 
+def bounded_analysis(finemote, robot):
+    """The analysis that rests on the robot's image, None where it is not schedulable; and what has no bound."""
+    problem = finemote.bound(robot)
+    analysis = None if problem else finemote.analyze(robot)
+    return analysis if analysis is not None and analysis["target"]["schedulable"] else None, problem
+
+
 def attack(task):
     finemote, result = task.tool(), Result(task.number)
-    robot = draw.draw_robot(task.seed, task.number)
-    result.breakdown, analysis = load_to_limit(finemote, robot)
+    robot = task.draw()
+    if task.is_static:
+        is_any = "<device" in robot.text()
+        analysis, result.problem = bounded_analysis(finemote, robot) if is_any else (None, None)
+        if result.problem:
+            result.state, result.text = "failed", robot.text()
+    else:
+        result.breakdown, analysis = load_to_limit(finemote, robot)
     if analysis is None:
         return result
     outline = robots.Outline(robot.text())
@@ -122,7 +139,7 @@ def attack(task):
 
 
 def breaks(finemote, robot, inputs, task, kinds):
-    analysis = analysis_at(finemote, robot, robot.load)
+    analysis = bounded_analysis(finemote, robot)[0] if task.is_static else analysis_at(finemote, robot, robot.load)
     if analysis is None:
         return False
     verdict, _ = examine(finemote, robot, analysis, inputs, task)
@@ -132,7 +149,7 @@ def breaks(finemote, robot, inputs, task, kinds):
 def shrink(task, load, kinds):
     """The smallest robot that still breaks a bound of one of these kinds: parts are left out one by one."""
     finemote = task.tool()
-    robot = draw.draw_robot(task.seed, task.number)
+    robot = task.draw()
     inputs = stimuli.Stimuli(robots.Outline(robot.text()), task.seed, task.number)
     robots.set_load(robot, load)
     for siblings, index in robots.removable(robot):

@@ -40,7 +40,7 @@ class Tally:
 
 
 def task_of(asked, folder, number):
-    return attack.Task(asked.finemote, folder, asked.seed, number, asked.phases, asked.inject)
+    return attack.Task(asked.finemote, folder, asked.seed, number, asked.phases, asked.inject, asked.static)
 
 
 def results(pool, asked, folder):
@@ -94,6 +94,7 @@ def options():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--phases", type=int, default=2, help="runs of each robot")
     parser.add_argument("--inject", choices=list(inject.KINDS), help="make these bounds 2 %% too small")
+    parser.add_argument("--static", action="store_true", help="hold runs against bounds that are computed from each image")
     parser.add_argument("--sweep", action="store_true", help="write down what is reached: reached.json, for --inject")
     parser.add_argument("--keep-going", action="store_true", help="do not stop at the first violation")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())

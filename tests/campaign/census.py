@@ -39,5 +39,5 @@ def contents(results):
     yield f"{len(chains)} chains judged in every part, {100 * short / max(len(chains), 1):.1f} % of them decide below 1 ms"
     noisy = sum(result.is_noisy for result in results)
     yield f"{100 * noisy / total:.1f} % of the robots ran once more with noise on a bus"
-    if results:
+    if results and results[0].breakdown is not None:
         yield f"median breakdown load: {statistics.median(result.breakdown for result in results):.3f}"

@@ -46,6 +46,18 @@ def pairs_of(draw, trees):
     return pairs
 
 
+#: Types that finemote wcet has no bound for: work by a 64-bit count, and a parser.
+UNBOUNDED = ("sim_load", "host_link")
+
+
+def draw_bounded(seed, number):
+    """The robot of this number without the types that have no bound, code in SRAM."""
+    robot = draw_robot(seed, number)
+    robot.is_in_sram = True
+    robots.leave_out(robot, UNBOUNDED)
+    return robot
+
+
 def draw_robot(seed, number):
     """The robot of this number; its loads have their full shares."""
     draw = random.Random(f"{seed}/{number}")

@@ -46,6 +46,7 @@ class Robot:
         self.tick_us = tick_us
         self.buses, self.expanders, self.trees, self.pairs = [], [], [], []
         self.load, self.share = 1.0, 1.0
+        self.is_in_sram = False
 
     def roots(self):
         """List of the parts that no part holds."""
@@ -53,7 +54,8 @@ class Robot:
 
     def text(self):
         lines = ['<robot name="robot"><link name="base"/>', '<finemote version="1">']
-        lines.append(f'  <board name="robomaster_type_c" tick="{self.tick_us}us"/>')
+        place = '<param name="code">sram</param>' if self.is_in_sram else ""
+        lines.append(f'  <board name="robomaster_type_c" tick="{self.tick_us}us">{place}</board>')
         parts = [line for tree in self.trees for line in tree.lines(1)]
         used = re.findall(r'bus="(\w+)"', "\n".join(parts))
         expanders = [line for line in self.expanders if re.search(r'name="(\w+)"', line)[1] in used]
@@ -91,6 +93,19 @@ def set_load(robot, load):
             if part.kind == "sim_load":
                 update, handle = (int(share * load * part.period_us * 1000) for share in part.shares)
                 part.body = [f'<param name="update">{update}ns</param>', f'<param name="handle">{handle}ns</param>']
+
+
+def leave_out(robot, kinds):
+    """Takes all parts of these kinds out, with what they hold."""
+
+    def prune(parts):
+        parts[:] = [part for part in parts if part.kind not in kinds]
+        for part in parts:
+            prune(part.children)
+
+    prune(robot.roots())
+    names = Outline(robot.text()).types
+    robot.pairs = [pair for pair in robot.pairs if pair[0] in names and pair[1] in names]
 
 
 def removable(robot):

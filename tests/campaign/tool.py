@@ -23,6 +23,15 @@ class Tool:
         words = [self.path, command, str(file), "--device-path", str(robots.DEVICES), "--format", "json"]
         return subprocess.run([*words, *chains, *arguments], capture_output=True, text=True, check=False)
 
+    def bound(self, robot):
+        """Writes the robot's timing file, which every call after it reads. None, or what the tool said where something in
+        the image has no bound."""
+        file = self.folder / "robot.urdf"
+        file.write_text(robot.text(), encoding="utf-8")
+        words = [self.path, "wcet", str(file), "--device-path", str(robots.DEVICES), "-o", str(file.with_suffix(".timing.json"))]
+        answer = subprocess.run(words, capture_output=True, text=True, check=False)
+        return None if answer.returncode == 0 else answer.stdout + answer.stderr
+
     def analyze(self, robot):
         """The document of analyze, or None where the robot is refused or has no answer."""
         answer = self.call("analyze", robot)

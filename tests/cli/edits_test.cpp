@@ -23,9 +23,13 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 const std::string kOther = R"(<device name="other" type="sim_load" period="20ms">)"
                            R"(<wcet update="10us" handle="10us"/></device>)";
 
-/// FinsROV with two more trees.
+/// FinsROV with two more trees and an execution time, code in flash.
 std::string base() {
-  return replaced(read_file(source_path("examples/finsrov.urdf")), "  </finemote>\n",
+  const std::string use = R"(<use role="host" bus="tether"/>)";
+  std::string text = read_file(source_path("examples/finsrov.urdf"));
+  text = replaced(text, ">\n      <param name=\"code\">sram</param>\n    </board>", "/>");
+  text = replaced(text, use, use + R"(<wcet update="110us" handle="13500ns"/>)");
+  return replaced(text, "  </finemote>\n",
                   R"(    <device name="extra" type="sim_load" period="20ms"/>
     )" + kOther + R"(
     <device name="inner" type="sim_load" parent="extra"><wcet update="10us" handle="10us"/></device>

@@ -32,7 +32,7 @@ robot 10ms
 watcher=$!
 answered "the first answer" fresh
 robot 20ms
-answered "another period" 'stale .*robot.urdf'
+answered "another period" "because 'robot.urdf' changed"
 "$finemote" -q generate robot.urdf -o out
 answered "generated anew" fresh
 echo '// mine' >>out/buses.cpp

@@ -93,7 +93,7 @@ frame_FM2003() { with_links "$prop${thruster/TYPE/continuous}" "${example/ joint
 frame_FM2004() { with_links "$prop$example<parent link=\"base_link\"/><child link=\"prop\"/></joint>" '<device name="t" type="pwm_esc" period="5ms" bus="pwm" channel="0" joint="thruster_joint"/>'; }
 frame_FM2005() { echo "$example" >robot.urdf; ask; }
 frame_FM2006() {  # FinsROV with this thruster
-  sed "s#<device name=\"thruster_1\" .*joint=[^>]*>#${example%/>}>#" "$source/examples/finsrov.urdf" >robot.urdf
+  sed "s#<device name=\"thruster_1\" .*joint=[^>]*>#$example#" "$source/examples/finsrov.urdf" >robot.urdf
   ask
 }
 frame_FM2007() { links "$example"; ask; }

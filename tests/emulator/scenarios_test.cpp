@@ -135,7 +135,7 @@ TEST_CASE("the infantry moves the same with motors and encoders turned and a sen
   change(robot, "\"yaw_joint\" type", "0 0 1\"/>", "0 0 -1\"/>");
   change(robot, "\"pitch_joint\" type", R"(lower="-0.6" upper="0.7")", R"(lower="-0.7" upper="0.6")");
   change(robot, "\"imu_joint\"", R"(xyz="0.02 0 0.03")", R"(xyz="0.02 0 0.03" rpy="1.5708 0 -1.5708")");
-  change(robot, "joint=\"pitch_joint\"", ">", R"(><param name="zero">4.5</param>)");
+  change(robot, "joint=\"pitch_joint\"", "/>", R"(><param name="zero">4.5</param></device>)");
   write_file(folder.path("other.urdf"), robot);
   run_file(folder.path("other.urdf"), "infantry_other_way", "4s", 10);
 }

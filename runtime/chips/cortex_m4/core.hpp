@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "board/clocks.hpp"
+#include "finemote/mark.hpp"
 #include "finemote/time.hpp"
 
 namespace finemote::cortex_m4 {
@@ -34,12 +35,20 @@ void enable_line(unsigned line, std::uint8_t level);
 /// longer than `masked_section` of the board file.
 class Masked {
  public:
-  Masked() { asm volatile("mrs %0, primask\n\tcpsid i" : "=r"(before_) : : "memory"); }
-  ~Masked() { asm volatile("msr primask, %0" : : "r"(before_) : "memory"); }
+  [[gnu::always_inline]] Masked() {
+    mark<kMark>();
+    asm volatile("mrs %0, primask\n\tcpsid i" : "=r"(before_) : : "memory");
+  }
+  [[gnu::always_inline]] ~Masked() {
+    asm volatile("msr primask, %0" : : "r"(before_) : "memory");
+    mark<kMark + 1U>();
+  }
   Masked(const Masked&) = delete;
   Masked& operator=(const Masked&) = delete;
 
  private:
+  static constexpr std::uint32_t kMark = kFirstWorkMark + 2U * static_cast<std::uint32_t>(Work::masked);
+
   std::uint32_t before_;
 };
 

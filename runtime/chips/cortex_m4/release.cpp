@@ -184,7 +184,7 @@ bool pass_instant() {
 Interval release_interval() {
   const Releases& r = releases;
   for (;;) {  // ends: one more turn at most per release, and releases are at least a tick apart
-    retried_if_interrupted();
+    retried_if_interrupted<RetriedBy::release>();
     const Instant* const present = r.present;
     if (present == nullptr) return {0, 1};
     const Interval interval{present->stamp, present->next->stamp - present->stamp};
@@ -205,7 +205,7 @@ __attribute__((weak)) void run_ended() {}
 Time now() {
   const cortex_m4::Releases& r = cortex_m4::releases;
   for (;;) {  // ends: as in release_interval()
-    retried_if_interrupted();
+    retried_if_interrupted<RetriedBy::release>();
     const cortex_m4::Instant* const present = r.present;
     if (present == nullptr) return 0;
     const Time at = present->at;

@@ -12,7 +12,7 @@ constexpr std::uint32_t kPause = 320;
 
 /// From an event to the begin of its routine where no other one is in the way: what `exception_entry`, `preemption` and
 /// `masked_section` of the chip's file allow together.
-constexpr Duration kEntry = 1'400;
+constexpr Duration kEntry = 1'600;
 
 /// The last routine that ended [cycles]: since when it, or those it followed, ran. Only routines of one priority use
 /// it, which do not interrupt each other.

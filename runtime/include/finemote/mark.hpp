@@ -11,8 +11,8 @@ namespace finemote {
 template <std::uint32_t number>
 [[gnu::always_inline]] inline void mark() {
 #ifdef __arm__
-  asm volatile("0: .pushsection .debug_finemote,\"\",%%progbits\n\t.word 0b, %c0\n\t.popsection" ::"i"(number)
-               : "memory");
+  asm volatile inline("0: .pushsection .debug_finemote,\"\",%%progbits\n\t.word 0b, %c0\n\t.popsection" ::"i"(number)
+                      : "memory");
 #endif
 }
 
@@ -26,7 +26,7 @@ class Marked {
   Marked& operator=(const Marked&) = delete;
 };
 
-/// What the runtime does around the stages of a job. The values are known to whoever measures: they do not change.
+/// What the runtime does beside stages. The values are known to whoever measures: they do not change.
 enum class Work : std::uint32_t {
   supervise_i2c,
   supervise_spi,
@@ -35,6 +35,7 @@ enum class Work : std::uint32_t {
   flush_pwm,
   flush_expander,
   flush_can,
+  masked,  ///< interrupts are kept out
 };
 
 /// Marks of stages are below it: 65536 stages have two each, and each of these begin and end.

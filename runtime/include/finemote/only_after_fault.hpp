@@ -8,7 +8,7 @@ namespace finemote {
 /// without faults.
 [[gnu::always_inline]] inline void only_after_fault() {
 #ifdef __arm__
-  asm volatile("0: .pushsection .debug_finemote_faults,\"\",%progbits\n\t.word 0b, 0\n\t.popsection");
+  asm volatile inline("0: .pushsection .debug_finemote_faults,\"\",%progbits\n\t.word 0b, 0\n\t.popsection");
 #endif
 }
 

@@ -86,13 +86,13 @@ class Mixer {
   }
   void stamp(finemote::Stamp& to) const { to = state; }
 
-  finemote::Ports<finemote::Any> inputs_;
-  finemote::Ports<finemote::Motor> motors_;
-  finemote::Ports<finemote::Servo> servos_;
-  finemote::Ports<finemote::Thruster> thrusters_;
-  finemote::Ports<finemote::Light> lights_;
-  finemote::Ports<finemote::Sounder> sounders_;
-  finemote::Ports<Level> gauges_;
+  const finemote::Ports<finemote::Any> inputs_;
+  const finemote::Ports<finemote::Motor> motors_;
+  const finemote::Ports<finemote::Servo> servos_;
+  const finemote::Ports<finemote::Thruster> thrusters_;
+  const finemote::Ports<finemote::Light> lights_;
+  const finemote::Ports<finemote::Sounder> sounders_;
+  const finemote::Ports<Level> gauges_;
   std::uint8_t step_ = 0;
 };
 

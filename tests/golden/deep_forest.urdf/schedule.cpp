@@ -99,19 +99,19 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {2, 526341, finemote::kNothingToBound, nullptr},  // remote
-    {0, 157346, 16158146, &walker::hip_left.command},  // hip-left
-    {0, 143038, 16143838, &walker::knee_left.command},  // knee-left
-    {1, 257053, 12257653, &walker::leg_left.command},  // leg-left
-    {0, 128729, 16129529, &walker::hip_right.command},  // hip-right
-    {0, 114420, 16115220, &walker::knee_right.command},  // knee-right
-    {1, 252267, 12252867, &walker::leg_right.command},  // leg-right
-    {1, 247481, 12248081, &walker::front.command},  // front
-    {0, 100112, 12100712, &walker::tilt.command},  // tilt
-    {2, 517950, 2418343, &walker::body.command},  // body
-    {2, 513164, finemote::kNothingToBound, nullptr},  // walker
-    {2, 449171, 10449671, &gripper::finger.command},  // finger
-    {1, 217571, finemote::kNothingToBound, nullptr},  // gripper
+    {2, 526541, finemote::kNothingToBound, nullptr},  // remote
+    {0, 157546, 16158346, &walker::hip_left.command},  // hip-left
+    {0, 143238, 16144038, &walker::knee_left.command},  // knee-left
+    {1, 257253, 12257853, &walker::leg_left.command},  // leg-left
+    {0, 128929, 16129729, &walker::hip_right.command},  // hip-right
+    {0, 114620, 16115420, &walker::knee_right.command},  // knee-right
+    {1, 252467, 12253067, &walker::leg_right.command},  // leg-right
+    {1, 247681, 12248281, &walker::front.command},  // front
+    {0, 100312, 12100912, &walker::tilt.command},  // tilt
+    {2, 518150, 2418543, &walker::body.command},  // body
+    {2, 513364, finemote::kNothingToBound, nullptr},  // walker
+    {2, 449371, 10449871, &gripper::finger.command},  // finger
+    {1, 217771, finemote::kNothingToBound, nullptr},  // gripper
 };
 
 }  // namespace

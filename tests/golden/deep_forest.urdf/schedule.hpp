@@ -9,15 +9,15 @@
 namespace deep_forest {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 5 devices;
-/// a job ends within 142.346 us of its release.
+/// a job ends within 142.546 us of its release.
 void run_2ms();
 
 /// Every 4 ms: priority 5, interrupt line 49 (SDIO), 4 devices;
-/// a job ends within 229.752 us of its release.
+/// a job ends within 229.952 us of its release.
 void run_4ms();
 
 /// Every 10 ms: priority 6, interrupt line 51 (SPI3), 4 devices;
-/// a job ends within 486.739 us of its release.
+/// a job ends within 486.939 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -27,19 +27,19 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 /// Some of the execution times behind it are assumed.
 namespace bounds {
-inline constexpr finemote::Bounds remote{486739, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds hip_left{142346, 16143146, 16143146};
-inline constexpr finemote::Bounds knee_left{130137, 16130937, 16130937};
-inline constexpr finemote::Bounds leg_left{229752, 12230352, 12230352};
-inline constexpr finemote::Bounds hip_right{117928, 16118728, 16118728};
-inline constexpr finemote::Bounds knee_right{105720, 16106520, 16106520};
-inline constexpr finemote::Bounds leg_right{227066, 12227666, 12227666};
-inline constexpr finemote::Bounds front{224380, 12224980, 12224980};
-inline constexpr finemote::Bounds tilt{93511, 12094111, 12094111};
-inline constexpr finemote::Bounds body{480449, 2393142, 2393142};
-inline constexpr finemote::Bounds walker{477762, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds finger{415869, 10416369, 10416369};
-inline constexpr finemote::Bounds gripper{196570, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{486939, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds hip_left{142546, 16143346, 16143346};
+inline constexpr finemote::Bounds knee_left{130337, 16131137, 16131137};
+inline constexpr finemote::Bounds leg_left{229952, 12230552, 12230552};
+inline constexpr finemote::Bounds hip_right{118128, 16118928, 16118928};
+inline constexpr finemote::Bounds knee_right{105920, 16106720, 16106720};
+inline constexpr finemote::Bounds leg_right{227266, 12227866, 12227866};
+inline constexpr finemote::Bounds front{224580, 12225180, 12225180};
+inline constexpr finemote::Bounds tilt{93711, 12094311, 12094311};
+inline constexpr finemote::Bounds body{480649, 2393342, 2393342};
+inline constexpr finemote::Bounds walker{477962, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds finger{416069, 10416569, 10416569};
+inline constexpr finemote::Bounds gripper{196770, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace deep_forest

@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 176397, finemote::kNothingToBound, nullptr},  // imu
-    {1, 338743, finemote::kNothingToBound, nullptr},  // depth
-    {1, 336453, finemote::kNothingToBound, nullptr},  // button
-    {1, 334163, 23974898, &station::servo.command},  // servo
-    {1, 330073, 23968718, &station::green_led.command},  // green_led
-    {1, 324883, 23963527, &station::blue_led.command},  // blue_led
-    {1, 319692, finemote::kNothingToBound, nullptr},  // station
+    {0, 176797, finemote::kNothingToBound, nullptr},  // imu
+    {1, 339143, finemote::kNothingToBound, nullptr},  // depth
+    {1, 336853, finemote::kNothingToBound, nullptr},  // button
+    {1, 334563, 23975598, &station::servo.command},  // servo
+    {1, 330473, 23969418, &station::green_led.command},  // green_led
+    {1, 325283, 23964227, &station::blue_led.command},  // blue_led
+    {1, 320093, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

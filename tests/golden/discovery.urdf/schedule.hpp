@@ -9,11 +9,11 @@
 namespace discovery {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 172.197 us of its release.
+/// a job ends within 172.597 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 321.103 us of its release.
+/// a job ends within 321.503 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -23,13 +23,13 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 /// Some of the execution times behind it are assumed.
 namespace bounds {
-inline constexpr finemote::Bounds imu{172197, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{316842, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{316652, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{316462, 23963807, 24039291};
-inline constexpr finemote::Bounds green_led{314472, 23961817, 24039291};
-inline constexpr finemote::Bounds blue_led{311382, 23958727, 24039292};
-inline constexpr finemote::Bounds station{308292, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{172597, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{317242, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{317052, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{316862, 23964507, 24040391};
+inline constexpr finemote::Bounds green_led{314872, 23962517, 24040391};
+inline constexpr finemote::Bounds blue_led{311782, 23959427, 24040392};
+inline constexpr finemote::Bounds station{308692, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

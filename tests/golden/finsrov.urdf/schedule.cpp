@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 233690, finemote::kNothingToBound, nullptr},  // imu
-    {1, 649389, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 647099, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 644809, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 642519, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 640229, 30770546, &rov::thruster_1.command},  // thruster_1
-    {1, 636138, 30766455, &rov::thruster_2.command},  // thruster_2
-    {1, 629958, 30760275, &rov::thruster_3.command},  // thruster_3
-    {1, 625868, 30747994, &rov::thruster_4.command},  // thruster_4
-    {1, 621778, 30743904, &rov::thruster_5.command},  // thruster_5
-    {1, 617687, 30739814, &rov::thruster_6.command},  // thruster_6
-    {1, 613597, 30735724, &rov::thruster_7.command},  // thruster_7
-    {1, 594736, 30729544, &rov::thruster_8.command},  // thruster_8
-    {1, 590646, finemote::kNothingToBound, nullptr},  // rov
+    {0, 773199, finemote::kNothingToBound, nullptr},  // imu
+    {1, 1565062, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 1562962, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 1560862, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 1558761, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 1556661, 31966585, &rov::thruster_1.command},  // thruster_1
+    {1, 1543152, 31960331, &rov::thruster_2.command},  // thruster_2
+    {1, 1539265, 31956444, &rov::thruster_3.command},  // thruster_3
+    {1, 1535379, 31952558, &rov::thruster_4.command},  // thruster_4
+    {1, 1529119, 31948660, &rov::thruster_5.command},  // thruster_5
+    {1, 1525239, 31942418, &rov::thruster_6.command},  // thruster_6
+    {1, 1521353, 31938531, &rov::thruster_7.command},  // thruster_7
+    {1, 1517466, 31934645, &rov::thruster_8.command},  // thruster_8
+    {1, 1513580, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 229.49 us of its release.
+/// a job ends within 768.999 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 613.537 us of its release.
+/// a job ends within 1.566 ms of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{229490, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{591726, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{591536, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{591346, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{591156, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{590966, 30725174, 34190535};
-inline constexpr finemote::Bounds thruster_2{588976, 30723184, 34190535};
-inline constexpr finemote::Bounds thruster_3{584896, 30719102, 34198723};
-inline constexpr finemote::Bounds thruster_4{582906, 30717112, 34198724};
-inline constexpr finemote::Bounds thruster_5{580916, 30715122, 34198724};
-inline constexpr finemote::Bounds thruster_6{578925, 30713132, 34198724};
-inline constexpr finemote::Bounds thruster_7{576935, 30706652, 34194234};
-inline constexpr finemote::Bounds thruster_8{574945, 30704662, 34194234};
-inline constexpr finemote::Bounds rov{572955, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{768999, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{1512268, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{1512268, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{1512268, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{1512268, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{1512268, 31928847, 36361840};
+inline constexpr finemote::Bounds thruster_2{1510482, 31927061, 36361840};
+inline constexpr finemote::Bounds thruster_3{1506328, 31925275, 36361840};
+inline constexpr finemote::Bounds thruster_4{1504542, 31923489, 36361840};
+inline constexpr finemote::Bounds thruster_5{1502750, 31921697, 36361841};
+inline constexpr finemote::Bounds thruster_6{1500970, 31917549, 36389130};
+inline constexpr finemote::Bounds thruster_7{1499183, 31908507, 36381874};
+inline constexpr finemote::Bounds thruster_8{1497397, 31906721, 36381874};
+inline constexpr finemote::Bounds rov{1495611, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

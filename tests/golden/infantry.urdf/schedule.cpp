@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 158660, finemote::kNothingToBound, nullptr},  // imu
-    {0, 153870, 28571516, &gimbal::yaw.command},  // yaw
-    {0, 147462, 28565108, &gimbal::pitch.command},  // pitch
-    {1, 178899, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 252231, 26669777, &chassis::front_left.command},  // front_left
-    {2, 246741, 26664287, &chassis::front_right.command},  // front_right
-    {2, 241251, 26658797, &chassis::rear_left.command},  // rear_left
-    {2, 235760, 26653306, &chassis::rear_right.command},  // rear_right
-    {2, 217849, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 289609, finemote::kNothingToBound, nullptr},  // remote
+    {0, 314833, finemote::kNothingToBound, nullptr},  // imu
+    {0, 309560, 28916234, &gimbal::yaw.command},  // yaw
+    {0, 303762, 28910436, &gimbal::pitch.command},  // pitch
+    {1, 340850, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 403865, 27010439, &chassis::front_left.command},  // front_left
+    {2, 398275, 27004849, &chassis::front_right.command},  // front_right
+    {2, 392680, 26999254, &chassis::rear_left.command},  // rear_left
+    {2, 387091, 26993665, &chassis::rear_right.command},  // rear_right
+    {2, 381496, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 486488, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

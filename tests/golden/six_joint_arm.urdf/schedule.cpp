@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 298351, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 202029, 28932714, &arm::base.command},  // base
-    {0, 192048, 28922733, &arm::shoulder.command},  // shoulder
-    {0, 186558, 28917243, &arm::elbow.command},  // elbow
-    {0, 181068, 28911753, &arm::wrist_roll.command},  // wrist_roll
-    {0, 175577, 28906262, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 170087, 28900772, &arm::flange.command},  // flange
-    {0, 164597, finemote::kNothingToBound, nullptr},  // arm
+    {1, 374621, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 265227, 29107795, &arm::base.command},  // base
+    {0, 259637, 29102206, &arm::shoulder.command},  // shoulder
+    {0, 254042, 29096610, &arm::elbow.command},  // elbow
+    {0, 248453, 29091021, &arm::wrist_roll.command},  // wrist_roll
+    {0, 242858, 29085426, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 237268, 29079836, &arm::flange.command},  // flange
+    {0, 231673, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

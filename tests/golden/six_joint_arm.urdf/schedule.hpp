@@ -9,11 +9,11 @@
 namespace six_joint_arm {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 7 devices;
-/// a job ends within 180.058 us of its release.
+/// a job ends within 247.934 us of its release.
 void run_2ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 269.26 us of its release.
+/// a job ends within 350.02 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,14 +22,14 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds sticks{269260, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{177137, 28907822, 29274992};
-inline constexpr finemote::Bounds shoulder{173747, 28904432, 29274992};
-inline constexpr finemote::Bounds elbow{170357, 28901042, 29274992};
-inline constexpr finemote::Bounds wrist_roll{166967, 28897652, 29274992};
-inline constexpr finemote::Bounds wrist_pitch{163577, 28894262, 29274993};
-inline constexpr finemote::Bounds flange{160187, 28890872, 29274993};
-inline constexpr finemote::Bounds arm{156796, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds sticks{350020, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds base{244826, 29087394, 29611755};
+inline constexpr finemote::Bounds shoulder{241337, 29083905, 29611755};
+inline constexpr finemote::Bounds elbow{237841, 29080409, 29611754};
+inline constexpr finemote::Bounds wrist_roll{234352, 29076920, 29619248};
+inline constexpr finemote::Bounds wrist_pitch{230857, 29073425, 29623854};
+inline constexpr finemote::Bounds flange{227368, 29069936, 29623854};
+inline constexpr finemote::Bounds arm{219266, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace six_joint_arm

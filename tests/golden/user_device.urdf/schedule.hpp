@@ -9,7 +9,7 @@
 namespace line_follower {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 31.362 us of its release.
+/// a job ends within 31.562 us of its release.
 void run_5ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -19,9 +19,9 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 /// Some of the execution times behind it are assumed.
 namespace bounds {
-inline constexpr finemote::Bounds line{31362, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds drive{30272, 28482, 28482};
-inline constexpr finemote::Bounds follower{18981, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds line{31562, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds drive{30472, 28482, 28482};
+inline constexpr finemote::Bounds follower{19181, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace line_follower

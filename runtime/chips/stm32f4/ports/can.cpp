@@ -3,6 +3,8 @@
 #include "finemote/can.hpp"
 
 #include "finemote/fault.hpp"
+#include "finemote/only_after_fault.hpp"
+#include "finemote/raised_by.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
 #include "runtime/chips/cortex_m4/urgent_interrupt.hpp"
 #include "runtime/chips/stm32f4/clock.hpp"
@@ -193,6 +195,7 @@ std::uint16_t CanPort::error_counters() const {
 // The request comes here, too. The end of a frame interrupts only while a frame waits for it: where send() found all
 // mailboxes full, none of the flags cleared here was set any more (RM0090 32.9.2, RQCP).
 void CanHardware::on_transmit() {
+  only_if_raised_by<Raised::request, Raised::end>();
   const cortex_m4::UrgentInterrupt interrupt;
   const stm32f4::CanRegisters& registers = setup.can;
   registers.ier().clear(can::kTransmitInterrupt);
@@ -203,6 +206,7 @@ void CanHardware::on_transmit() {
 }
 
 void CanHardware::on_receive() {
+  only_if_raised_by<Raised::received>();
   const cortex_m4::UrgentInterrupt interrupt;
   const stm32f4::CanRegisters& registers = setup.can;
   if (registers.rf0r().any(can::kOverrun)) {
@@ -225,6 +229,7 @@ void CanHardware::on_receive() {
 }
 
 void CanHardware::on_error() {
+  only_after_fault();
   const cortex_m4::UrgentInterrupt interrupt;
   setup.can.msr().write(can::kErrorFlag);
   stm32f4::settle(setup.can.mcr());

@@ -35,7 +35,7 @@ void EdgePort::start(bool falling) {
 Edge EdgePort::last() const {
   Edge edge;
   for (unsigned turn = 0; turn < 4; ++turn) {
-    retried_if_interrupted();
+    retried_if_interrupted<RetriedBy::event>();
     edge.count = hardware_->count.load();
     Shared<std::uint32_t>::fence();
     edge.at = hardware_->at;

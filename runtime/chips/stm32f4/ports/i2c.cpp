@@ -6,6 +6,8 @@
 #include "finemote/i2c.hpp"
 #include "finemote/fault.hpp"
 #include "finemote/loop_bound.hpp"
+#include "finemote/only_after_fault.hpp"
+#include "finemote/raised_by.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
 #include "runtime/chips/stm32f4/clock.hpp"
 #include "runtime/chips/stm32f4/interrupt.hpp"
@@ -103,19 +105,14 @@ void I2cPort::configure(std::int64_t clock_hz, I2cBus& bus) {
 void I2cPort::pend() { stm32f4::pend_line(hardware_->setup.event_line); }
 
 void I2cPort::begin(const I2cMessage& message) {
-  const stm32f4::I2cRegisters& registers = hardware_->setup.i2c;
   hardware_->message = message;
   hardware_->moved = 0;
   hardware_->reading = message.write_size == 0 && message.read_size != 0;
-  hardware_->active = true;
-  // CR1 must not be written while a STOP is pending: RM0090 27.6.1, note on STOP.
-  // Where it stays, the exchange does not begin, and its deadline recovers the bus.
-  if (!hardware_->has_stopped()) return;
-  registers.cr1().write(i2c::kOn | i2c::kStart);
+  hardware_->active = hardware_->begins = true;
 }
 
 void I2cPort::abort() {
-  hardware_->active = false;
+  hardware_->active = hardware_->begins = false;
   hardware_->setup.i2c.cr2().clear(i2c::kErrorInterrupt | i2c::kEventInterrupt | i2c::kBufferInterrupt);
   hardware_->setup.i2c.cr1().write(0);
 }
@@ -151,8 +148,10 @@ I2cPort::Recovery I2cPort::recover(unsigned step) {
   return Recovery::kFree;
 }
 
-/// Waits for the STOP of the exchange that ended last.
+/// Waits for the STOP of the exchange that ended last. Only the routine that ended it finds it pending.
 bool I2cHardware::has_stopped() const {
+  if (!setup.i2c.cr1().any(i2c::kStop)) return true;
+  only_if_raised_by<Raised::end>();
   if (stm32f4::wait_within(setup.i2c.cr1(), i2c::kStop, 0, finished_at, stop_limit)) return true;
   count_fault(Module::i2c, static_cast<std::uint8_t>(I2cFault::stop_late));
   return false;
@@ -160,14 +159,22 @@ bool I2cHardware::has_stopped() const {
 
 /// The routine that ends an exchange waits for its STOP, whether another one begins or not: a request, which comes at
 /// any time, then finds the bus free. The wait is charged to the end of an exchange, and to nothing else.
+/// CR1 must not be written while a STOP is pending: RM0090 27.6.1, note on STOP. Where it stays, the next exchange does
+/// not begin, and its deadline recovers the bus.
 void I2cHardware::hand_on(I2cEvent event) {
   bus->on_interrupt(event);
-  if (event != I2cEvent::kNone && !active) static_cast<void>(has_stopped());
+  if (event != I2cEvent::kNone || begins) {
+    only_if_raised_by<Raised::request, Raised::end>();
+    const bool is_free = has_stopped();
+    if (begins && is_free) setup.i2c.cr1().write(i2c::kOn | i2c::kStart);
+    begins = false;
+  }
   stm32f4::settle(setup.i2c.cr1());
 }
 
 /// The STOP was asked for just now; of a byte that is read alone, when it began, and is due behind it.
 I2cEvent I2cHardware::finish(I2cEvent event) {
+  only_if_raised_by<Raised::end>();
   active = false;
   finished_at = cortex_m4::cycles();
   setup.i2c.cr2().clear(i2c::kBufferInterrupt);
@@ -176,11 +183,15 @@ I2cEvent I2cHardware::finish(I2cEvent event) {
 
 void I2cHardware::send_address() { setup.i2c.dr().write(std::uint32_t{message.address} << 1 | (reading ? 1 : 0)); }
 
-void I2cHardware::take_byte() { message.read[moved++] = static_cast<std::uint8_t>(setup.i2c.dr().read()); }
+void I2cHardware::take_byte() {
+  only_if_raised_by<Raised::step, Raised::end>();
+  message.read[moved++] = static_cast<std::uint8_t>(setup.i2c.dr().read());
+}
 
 /// The address was acknowledged. Reading SR2 clears the flag and lets the clock go: what must be decided before the
 /// first byte is decided before that read.
 I2cEvent I2cHardware::address_sent() {
+  only_if_raised_by<Raised::step, Raised::end>();
   const stm32f4::I2cRegisters& registers = setup.i2c;
   if (!reading) {
     static_cast<void>(registers.sr2().read());
@@ -213,6 +224,7 @@ I2cEvent I2cHardware::address_sent() {
 I2cEvent I2cHardware::write_on(std::uint32_t status) {
   const stm32f4::I2cRegisters& registers = setup.i2c;
   if ((status & i2c::kByteFinished) == 0) return I2cEvent::kNone;
+  only_if_raised_by<Raised::step, Raised::end>();
   if (moved < message.write_size) {
     registers.dr().write(message.write[moved++]);
     return I2cEvent::kNone;
@@ -269,6 +281,7 @@ I2cEvent I2cHardware::step() {
 void I2cHardware::on_event() { hand_on(step()); }
 
 void I2cHardware::on_error() {
+  only_after_fault();
   const stm32f4::I2cRegisters& registers = setup.i2c;
   const std::uint32_t status = registers.sr1().read();
   registers.sr1().write(~(status & i2c::kErrors) & 0xDFFF);  // error flags are cleared by writing 0: RM0090 27.6.6

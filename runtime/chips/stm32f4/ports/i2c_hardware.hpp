@@ -28,6 +28,7 @@ struct I2cHardware {
   std::uint16_t moved = 0;  ///< bytes of the present phase
   bool reading = false;     ///< the present phase
   bool active = false;      ///< an exchange is under way
+  bool begins = false;      ///< its START is to be asked for
   AtStart<std::uint32_t> clock_hz{};
   AtStart<std::uint32_t> stop_limit{};  ///< of the wait for a STOP, from finished_at on [cycles]
   std::uint32_t finished_at = 0;        ///< end of the last exchange [cycles]

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "finemote/fault.hpp"
+#include "finemote/raised_by.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
 #include "runtime/chips/stm32f4/interrupt.hpp"
 #include "runtime/chips/stm32f4/ports/spi_hardware.hpp"
@@ -172,6 +173,7 @@ void SpiHardware::start_dma() {
 void SpiHardware::next_byte() { setup.spi.dr().write(message.write != nullptr ? message.write[moved] : 0xFFU); }
 
 SpiEvent SpiHardware::finish(SpiEvent event) {
+  only_if_raised_by<Raised::end>();
   active = false;
   event == SpiEvent::kDone ? stop() : reset();
   return event;
@@ -193,6 +195,7 @@ SpiEvent SpiHardware::step_byte() {
   const std::uint32_t status = setup.spi.sr().read();
   if ((status & spi::kOverrun) != 0) return finish(SpiEvent::kError);
   if ((status & spi::kReceived) == 0) return SpiEvent::kNone;
+  only_if_raised_by<Raised::step, Raised::end>();
   const auto byte = static_cast<std::uint8_t>(setup.spi.dr().read());
   if (message.read != nullptr) message.read[moved] = byte;
   if (++moved == message.size) return finish(SpiEvent::kDone);

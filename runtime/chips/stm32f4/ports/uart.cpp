@@ -1,6 +1,7 @@
 // UartPort on a USART with two DMA streams. Procedures: RM0090 30.3.13 (continuous communication by DMA), 10.3.17.
 #include "finemote/fault.hpp"
 #include "finemote/loop_bound.hpp"
+#include "finemote/raised_by.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
 #include "runtime/chips/cortex_m4/urgent_interrupt.hpp"
 #include "runtime/chips/stm32f4/interrupt.hpp"
@@ -27,6 +28,11 @@ constexpr std::uint8_t kPriority = cortex_m4::kBusPriority;
 /// The DMA counts a byte when it has read it, and memory has it later. Nobody gives a figure; taken as 64 cycles: seven
 /// other streams of the controller come first (AN4031 2.1), eight cycles each. A turn of the wait takes at least three.
 constexpr std::uint32_t kStoreTurns = 22;
+
+/// Of CR1: of the line, but for damaged bytes, which CR3 has.
+constexpr std::uint32_t kEventInterrupts = usart::kIdleInterrupt | usart::kParityInterrupt;
+/// CR3 without them.
+constexpr std::uint32_t kByDma = usart::kDmaReceive | usart::kDmaTransmit;
 
 bool is_inverted(UartFormat format) { return format == UartFormat::k8E1Inverted || format == UartFormat::k8E2Inverted; }
 
@@ -76,7 +82,7 @@ void UartPort::start(std::int64_t baud, UartFormat format, UartRing ring) {
   const auto rate = static_cast<std::uint32_t>(baud);
   setup.usart.brr().write((setup.clock_hz + rate / 2) / rate);  // sixteenths of the divider: RM0090 30.3.4
   setup.usart.cr2().write(stop_bits(format));
-  setup.usart.cr3().write(usart::kDmaReceive | usart::kDmaTransmit);
+  setup.usart.cr3().write(kByDma);
   hardware_->ring = ring;
   start_receive(setup, ring);
   setup.usart.cr1().write(usart::kOn | usart::kTransmitterOn | usart::kReceiverOn | word_bits(format));
@@ -85,15 +91,21 @@ void UartPort::start(std::int64_t baud, UartFormat format, UartRing ring) {
 }
 
 // What is left is set only while events interrupt, or before they do: it never drops to 0 unseen. One that ends between
-// the look and the store stays quiet until the next call.
+// the look and the store stays quiet until the next call, and so does a line on which something came meanwhile: what it
+// ended by would be stamped late.
 void UartPort::allow_events(std::uint32_t count) {
   const bool resumes = hardware_->quiet.load();
   hardware_->events_left.store(count);
   if (!resumes || count == 0) return;
+  const std::uint32_t laps = hardware_->laps.load(), bytes = received(), size = hardware_->ring.size;
+  const stm32f4::UsartRegisters& registers = hardware_->setup.usart;
+  const stm32f4::Register left = hardware_->setup.receive.ndtr(), cr1 = registers.cr1(), cr3 = registers.cr3();
   const cortex_m4::Masked masked;  // an event in between would be stamped late, or turn them off again
-  hardware_->resumed_from = received();
+  if (hardware_->laps.load() != laps || left.read() != size - (bytes & (size - 1))) return;
+  hardware_->resumed_from = bytes;
   hardware_->quiet.store(false);
-  hardware_->listen(true);
+  cr1.set(kEventInterrupts);
+  cr3.write(kByDma | usart::kErrorInterrupt);
 }
 
 std::uint32_t UartPort::received() const {
@@ -130,7 +142,7 @@ std::uint32_t UartHardware::forward(std::uint32_t before, std::uint32_t count) {
 
 UartIdle UartPort::idle() const {
   for (unsigned tries = 0;; ++tries) {
-    retried_if_interrupted();
+    retried_if_interrupted<RetriedBy::event>();
     const std::uint32_t count = hardware_->idle_count.load();
     const UartIdle idle = hardware_->idle;
     if (hardware_->idle_count.load() == count || tries == 3) return idle;  // idle events are 20 bits apart or more
@@ -188,6 +200,7 @@ void UartPort::abort_transmit() {
 }
 
 void UartHardware::on_usart() {
+  only_if_raised_by<Raised::event, Raised::end>();
   const cortex_m4::UrgentInterrupt interrupt;
   const stm32f4::UsartRegisters& registers = setup.usart;
   const std::uint32_t status = registers.sr().read();
@@ -195,6 +208,7 @@ void UartHardware::on_usart() {
   if (!quiet.load() && has_event) take_events(status, interrupt.event().earliest);
   const bool waiting = (registers.cr1().read() & usart::kCompleteInterrupt) != 0;
   if (waiting && (status & usart::kTransmitComplete) != 0 && setup.transmit.ndtr().read() == 0) {
+    only_if_raised_by<Raised::end>();
     registers.cr1().clear(usart::kCompleteInterrupt);
     drive(false);
     sending.store(false);
@@ -203,6 +217,7 @@ void UartHardware::on_usart() {
 }
 
 void UartHardware::take_events(std::uint32_t status, Time at) {
+  only_if_raised_by<Raised::event>();
   // Status, then data register: clears these flags (RM0090 30.6.1). The byte itself was taken by the DMA long ago.
   static_cast<void>(setup.usart.dr().read());
   errors.framing += (status & usart::kFramingError) != 0 ? 1 : 0;
@@ -221,21 +236,12 @@ void UartHardware::take_events(std::uint32_t status, Time at) {
   if (left > 1) return;
   quiet_since = at;
   quiet.store(true);
-  listen(false);
-}
-
-void UartHardware::listen(bool on) const {
-  const stm32f4::UsartRegisters& registers = setup.usart;
-  if (on) {
-    registers.cr1().set(usart::kIdleInterrupt | usart::kParityInterrupt);
-    registers.cr3().set(usart::kErrorInterrupt);
-  } else {
-    registers.cr1().clear(usart::kIdleInterrupt | usart::kParityInterrupt);
-    registers.cr3().clear(usart::kErrorInterrupt);
-  }
+  setup.usart.cr1().clear(kEventInterrupts);
+  setup.usart.cr3().write(kByDma);
 }
 
 void UartHardware::on_receive_dma() {
+  only_if_raised_by<Raised::received>();
   const cortex_m4::UrgentInterrupt interrupt;
   const std::uint32_t flags = setup.receive.flags();
   setup.receive.clear_flags(flags);

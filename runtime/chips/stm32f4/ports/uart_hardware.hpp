@@ -48,8 +48,6 @@ struct UartHardware {
   void drive(bool on) const {
     if (directed) driver.set(on != driver_low);
   }
-  /// Turns the interrupts of line events on or off. Context: interrupt, or with interrupts masked.
-  void listen(bool on) const;
   /// Bytes received since start, modulo 2^32, the last one perhaps not in memory yet. Context: any.
   [[nodiscard]] std::uint32_t count();
   /// The routines of its lines. Context: interrupt.

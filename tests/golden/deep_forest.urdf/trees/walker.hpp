@@ -17,11 +17,11 @@
 namespace deep_forest::walker {
 
 /// hip-left: sim_load, every 2 ms
-/// response <= 142.346 us; data age <= 16.144 ms when handle() ends, <= 16.144 ms at the output (oldest: hip-left)
+/// response <= 142.546 us; data age <= 16.144 ms when handle() ends, <= 16.144 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad hip_left{finemote::SimLoad::Config{}, finemote::Ports<finemote::Any>{}};
 
 /// knee-left: sim_load, every 2 ms
-/// response <= 130.137 us; data age <= 16.131 ms when handle() ends, <= 16.131 ms at the output (oldest: hip-left)
+/// response <= 130.337 us; data age <= 16.132 ms when handle() ends, <= 16.132 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad knee_left{finemote::SimLoad::Config{}, finemote::Ports<finemote::Any>{}};
 
 namespace ports {  // what 'leg-left' sees of others
@@ -44,15 +44,15 @@ inline constexpr finemote::Port<finemote::Any> leg_left_children[] = {
 }  // namespace ports
 
 /// leg-left: group, every 4 ms
-/// response <= 229.752 us; data age <= 12.231 ms when handle() ends, <= 12.231 ms at the output (oldest: hip-left)
+/// response <= 229.952 us; data age <= 12.231 ms when handle() ends, <= 12.231 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::Group leg_left{ports::leg_left_children};
 
 /// hip-right: sim_load, every 2 ms
-/// response <= 117.928 us; data age <= 16.119 ms when handle() ends, <= 16.119 ms at the output (oldest: hip-left)
+/// response <= 118.128 us; data age <= 16.119 ms when handle() ends, <= 16.119 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad hip_right{finemote::SimLoad::Config{}, finemote::Ports<finemote::Any>{}};
 
 /// knee-right: sim_load, every 2 ms
-/// response <= 105.72 us; data age <= 16.107 ms when handle() ends, <= 16.107 ms at the output (oldest: hip-left)
+/// response <= 105.92 us; data age <= 16.107 ms when handle() ends, <= 16.107 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad knee_right{finemote::SimLoad::Config{}, finemote::Ports<finemote::Any>{}};
 
 namespace ports {  // what 'leg-right' sees of others
@@ -75,7 +75,7 @@ inline constexpr finemote::Port<finemote::Any> leg_right_children[] = {
 }  // namespace ports
 
 /// leg-right: group, every 4 ms
-/// response <= 227.066 us; data age <= 12.228 ms when handle() ends, <= 12.228 ms at the output (oldest: hip-left)
+/// response <= 227.266 us; data age <= 12.228 ms when handle() ends, <= 12.228 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::Group leg_right{ports::leg_right_children};
 
 namespace ports {  // what 'front' sees of others
@@ -86,7 +86,7 @@ inline constexpr finemote::Port<finemote::Any> front_children[] = {
 }  // namespace ports
 
 /// front: sim_load, every 4 ms
-/// response <= 224.38 us; data age <= 12.225 ms when handle() ends, <= 12.225 ms at the output (oldest: hip-left)
+/// response <= 224.58 us; data age <= 12.226 ms when handle() ends, <= 12.226 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad front{
     [] {
       finemote::SimLoad::Config c{};
@@ -97,7 +97,7 @@ FINEMOTE_CONSTINIT inline finemote::SimLoad front{
     ports::front_children};
 
 /// tilt: sim_load, every 2 ms
-/// response <= 93.511 us; data age <= 12.095 ms when handle() ends, <= 12.095 ms at the output (oldest: hip-left)
+/// response <= 93.711 us; data age <= 12.095 ms when handle() ends, <= 12.095 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad tilt{
     [] {
       finemote::SimLoad::Config c{};
@@ -127,7 +127,7 @@ inline constexpr finemote::Port<finemote::Any> body_children[] = {
 }  // namespace ports
 
 /// body: group, every 10 ms
-/// response <= 480.449 us; data age <= 2.394 ms when handle() ends, <= 2.394 ms at the output (oldest: hip-left)
+/// response <= 480.649 us; data age <= 2.394 ms when handle() ends, <= 2.394 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::Group body{ports::body_children};
 
 namespace ports {  // what 'walker' sees of others
@@ -142,7 +142,7 @@ inline constexpr finemote::Port<finemote::Any> walker_children[] = {
 }  // namespace ports
 
 /// walker: sim_load, every 10 ms
-/// response <= 477.762 us
+/// response <= 477.962 us
 FINEMOTE_CONSTINIT inline finemote::SimLoad walker{
     [] {
       finemote::SimLoad::Config c{};

@@ -19,37 +19,37 @@
 namespace six_joint_arm::arm {
 
 /// sticks: sbus on 'receiver', every 10 ms
-/// response <= 269.26 us
+/// response <= 350.02 us
 FINEMOTE_CONSTINIT inline finemote::Sbus sticks{receiver};
 
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
-/// response <= 177.137 us; data age <= 28.908 ms when handle() ends, <= 29.275 ms at the output (oldest: sticks)
+/// response <= 244.826 us; data age <= 29.088 ms when handle() ends, <= 29.612 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 base{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::base};
 
 /// shoulder: dji_m3508 on 'arm_can' id 2, every 2 ms
-/// response <= 173.747 us; data age <= 28.905 ms when handle() ends, <= 29.275 ms at the output (oldest: sticks)
+/// response <= 241.337 us; data age <= 29.084 ms when handle() ends, <= 29.612 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 shoulder{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::shoulder};
 
 /// elbow: dji_m3508 on 'arm_can' id 3, every 2 ms
-/// response <= 170.357 us; data age <= 28.902 ms when handle() ends, <= 29.275 ms at the output (oldest: sticks)
+/// response <= 237.841 us; data age <= 29.081 ms when handle() ends, <= 29.612 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 elbow{
     [] { finemote::DjiM3508::Config c{}; c.gear = 38.406f; return c; }(),
     slots::elbow};
 
 /// wrist_roll: dji_m3508 on 'wrist_can' id 1, every 2 ms
-/// response <= 166.967 us; data age <= 28.898 ms when handle() ends, <= 29.275 ms at the output (oldest: sticks)
+/// response <= 234.352 us; data age <= 29.077 ms when handle() ends, <= 29.62 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{finemote::DjiM3508::Config{}, slots::wrist_roll};
 
 /// wrist_pitch: dji_m2006 on 'wrist_can' id 2, every 2 ms
-/// response <= 163.577 us; data age <= 28.895 ms when handle() ends, <= 29.275 ms at the output (oldest: sticks)
+/// response <= 230.857 us; data age <= 29.074 ms when handle() ends, <= 29.624 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{finemote::DjiM2006::Config{}, slots::wrist_pitch};
 
 /// flange: dji_m2006 on 'wrist_can' id 3, every 2 ms
-/// response <= 160.187 us; data age <= 28.891 ms when handle() ends, <= 29.275 ms at the output (oldest: sticks)
+/// response <= 227.368 us; data age <= 29.07 ms when handle() ends, <= 29.624 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{finemote::DjiM2006::Config{}, slots::flange};
 
 namespace ports {  // what 'arm' sees of others
@@ -67,7 +67,7 @@ inline constexpr finemote::Port<finemote::Motor> arm_joints[] = {
 }  // namespace ports
 
 /// arm: serial_arm, every 2 ms
-/// response <= 156.796 us
+/// response <= 219.266 us
 FINEMOTE_CONSTINIT inline finemote::SerialArm arm{
     [] {
       finemote::SerialArm::Config c{};
