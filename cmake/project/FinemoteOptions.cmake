@@ -71,12 +71,11 @@ function(finemote_module name)
 endfunction()
 
 # finemote_test(NAME SOURCES a_test.cpp ... [LINK lib ...])
-# One Catch2 program, registered with CTest under its name. Runs with the source folder as FINEMOTE_SOURCE_DIR.
+# One Catch2 program, registered with CTest under its name.
 function(finemote_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/tests)
-  target_compile_definitions(${name} PRIVATE FINEMOTE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  target_link_libraries(${name} PRIVATE catch_main ${arg_LINK})
+  target_link_libraries(${name} PRIVATE catch_main finemote_source_dir ${arg_LINK})
   add_test(NAME ${name} COMMAND ${name})
 endfunction()

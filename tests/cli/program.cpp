@@ -1,5 +1,6 @@
 #include "cli/program.hpp"
 #include "read.hpp"
+#include "source_dir.hpp"
 
 #include <stdlib.h>
 
@@ -53,7 +54,7 @@ void write_file(const std::string& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-std::string source_path(const std::string& name) { return std::string(FINEMOTE_SOURCE_DIR) + "/" + name; }
+std::string source_path(const std::string& name) { return finemote::test::source_dir() + "/" + name; }
 
 std::vector<std::string> example_robots() {
   std::vector<std::string> robots;

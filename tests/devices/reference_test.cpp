@@ -5,13 +5,14 @@
 #include <sstream>
 
 #include "catch.hpp"
+#include "source_dir.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-const fs::path kRoot = FINEMOTE_SOURCE_DIR;
+const fs::path kRoot = finemote::test::source_dir();
 
 std::string text_of(const fs::path& path) {
   std::ifstream file(path);

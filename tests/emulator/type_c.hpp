@@ -4,12 +4,13 @@
 #include <nlohmann/json.hpp>
 
 #include "emulator/chip/wiring.hpp"
+#include "source_dir.hpp"
 #include "tests/read.hpp"
 
 namespace finemote::test {
 
 inline emulator::Wiring type_c() {
-  const std::string file = read(FINEMOTE_SOURCE_DIR "/schemas/boards/robomaster_type_c.json");
+  const std::string file = read(finemote::test::source_dir() + "/schemas/boards/robomaster_type_c.json");
   return emulator::read_wiring(nlohmann::ordered_json::parse(file));
 }
 

@@ -1,4 +1,5 @@
 #include "cases.hpp"
+#include "source_dir.hpp"
 
 #include <fstream>
 #include <sstream>
@@ -13,7 +14,7 @@ namespace finemote::test {
 using namespace gen;
 namespace fs = std::filesystem;
 
-fs::path source_folder() { return FINEMOTE_SOURCE_DIR; }
+fs::path source_folder() { return finemote::test::source_dir(); }
 fs::path cases_folder() { return source_folder() / "tests" / "errors"; }
 
 std::set<std::string> case_names() {

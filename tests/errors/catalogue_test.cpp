@@ -11,6 +11,7 @@
 #include "generator/diagnostic/catalogue.hpp"
 #include "generator/diagnostic/render.hpp"
 #include "read.hpp"
+#include "source_dir.hpp"
 
 using namespace finemote::gen;
 using finemote::test::read;
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kSource = FINEMOTE_SOURCE_DIR;
+const std::string kSource = finemote::test::source_dir();
 
 /// Name -> number of every constant in code.hpp and its parts.
 std::map<std::string, int> declared_codes() {

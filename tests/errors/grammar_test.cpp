@@ -7,6 +7,7 @@
 #include "catch.hpp"
 #include "generator/xml/parse.hpp"
 #include "generator/xml/read_source.hpp"
+#include "source_dir.hpp"
 
 using namespace finemote::gen;
 
@@ -33,7 +34,7 @@ TEST_CASE("the XSD knows the elements and attributes the reader knows") {
   Sources sources;
   Diagnostics diagnostics;
   const SourceFile* file =
-      xml::read_source(std::string(FINEMOTE_SOURCE_DIR) + "/schemas/finemote.xsd", sources, diagnostics);
+      xml::read_source(finemote::test::source_dir() + "/schemas/finemote.xsd", sources, diagnostics);
   REQUIRE(file);
   const auto xsd = xml::parse(*file, diagnostics);
   REQUIRE(xsd);

@@ -14,6 +14,7 @@
 #include "errors/structure_mutator.hpp"
 #include "generator/xml/parse.hpp"
 #include "read.hpp"
+#include "source_dir.hpp"
 
 using namespace finemote::gen;
 using finemote::test::read;
@@ -22,7 +23,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-const fs::path kSource = FINEMOTE_SOURCE_DIR;
+const fs::path kSource = finemote::test::source_dir();
 
 /// Counts what becomes of mutants, and keeps the first that nothing explains.
 struct Bench {

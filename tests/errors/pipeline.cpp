@@ -13,11 +13,12 @@
 #include "generator/timing/from_robot.hpp"
 #include "generator/xacro/expand.hpp"
 #include "generator/xml/parse.hpp"
+#include "source_dir.hpp"
 
 namespace finemote::gen {
 namespace {
 
-const std::string kSource = FINEMOTE_SOURCE_DIR;
+const std::string kSource = finemote::test::source_dir();
 
 /// Every finding says what is wrong, and in which line.
 bool is_explained(const Diagnostics& diagnostics) {

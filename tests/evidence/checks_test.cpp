@@ -6,6 +6,7 @@
 #include <set>
 
 #include "catch.hpp"
+#include "source_dir.hpp"
 #include "tests/evidence/explanations.hpp"
 #include "tests/evidence/page.hpp"
 #include "tests/read.hpp"
@@ -15,7 +16,7 @@ using finemote::test::read;
 
 namespace {
 
-const std::string kFolder = FINEMOTE_SOURCE_DIR "/tests/evidence";
+const std::string kFolder = finemote::test::source_dir() + "/tests/evidence";
 
 /// Another value, far from the one it was.
 Json spoiled(const Json& value) {
@@ -130,7 +131,7 @@ TEST_CASE("every explanation is needed by a vector") {
 }
 
 TEST_CASE("the page of the evidence shows what the vectors come to") {
-  const std::string path = FINEMOTE_SOURCE_DIR "/docs/reference/evidence.md";
+  const std::string path = finemote::test::source_dir() + "/docs/reference/evidence.md";
   const std::string page = read(path);
   const std::string sources = table_of_sources(read_vectors(kFolder));
   const std::string expected =

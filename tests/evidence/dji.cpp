@@ -10,6 +10,7 @@
 
 #include "emulator/parts/dji_motor.hpp"
 #include "finemote/bench/bench.hpp"
+#include "source_dir.hpp"
 #include "tests/evidence/decoders.hpp"
 #include "tests/read.hpp"
 
@@ -43,7 +44,7 @@ struct Kind {
 
 Kind kind_of(const char* type, const DjiMotorKind& motor, double gear) {
   const std::string file = std::string("/schemas/devices/") + type + ".json";
-  return {&motor, gear, Json::parse(test::read(FINEMOTE_SOURCE_DIR + file))};
+  return {&motor, gear, Json::parse(test::read(finemote::test::source_dir() + file))};
 }
 
 /// One of our motors on a bus, whichever kind it is.

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <map>
 
+#include "source_dir.hpp"
 #include "tests/evidence/judge.hpp"
 
 using namespace finemote::evidence;
@@ -35,7 +36,7 @@ int run(const std::string& folder) {
 int main() {
   const char* folder = std::getenv("FINEMOTE_EVIDENCE");
   try {
-    return run(folder != nullptr ? folder : FINEMOTE_SOURCE_DIR "/tests/evidence");
+    return run(folder != nullptr ? folder : finemote::test::source_dir() + "/tests/evidence");
   } catch (const std::exception& error) {
     std::cerr << "evidence_test: " << error.what() << '\n';
     return 2;

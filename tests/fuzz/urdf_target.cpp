@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "errors/pipeline.hpp"
+#include "source_dir.hpp"
 
 using namespace finemote::gen;
 
@@ -93,7 +94,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static Pipeline pipeline(FINEMOTE_SOURCE_DIR "/examples");
+  static Pipeline pipeline(finemote::test::source_dir() + "/examples");
   const std::string text(reinterpret_cast<const char*>(data), size);
   const Outcome outcome = pipeline.run(text);
   if (outcome.kind == Outcome::Kind::unexplained) fail("refused without a place", text + "\n" + outcome.said);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "source_dir.hpp"
 #include "tests/read.hpp"
 
 namespace fs = std::filesystem;
@@ -21,7 +22,7 @@ struct Row {
   std::set<std::string> uses;
 };
 
-const fs::path kGenerator = fs::path(FINEMOTE_SOURCE_DIR) / "generator";
+const fs::path kGenerator = fs::path(finemote::test::source_dir()) / "generator";
 
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;

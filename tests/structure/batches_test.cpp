@@ -6,6 +6,7 @@
 #include <set>
 
 #include "catch.hpp"
+#include "source_dir.hpp"
 #include "tests/read.hpp"
 #include "tests/structure/tokens.hpp"
 
@@ -204,7 +205,7 @@ TEST_CASE("names of unnamed namespaces are read as they are written") {
 }
 
 TEST_CASE("files of a module can be compiled as one") {
-  const fs::path root = FINEMOTE_SOURCE_DIR;
+  const fs::path root = finemote::test::source_dir();
   const std::string emulator_build = read(root / "emulator/CMakeLists.txt");
   std::map<std::string, std::map<LocalName, std::string>> modules;  ///< the file that has each name
   std::size_t files = 0;
@@ -236,7 +237,7 @@ TEST_CASE("types are read with their namespaces") {
 }
 
 TEST_CASE("a type of the headers has its name for itself") {
-  const fs::path root = FINEMOTE_SOURCE_DIR;
+  const fs::path root = finemote::test::source_dir();
   std::map<std::string, std::string> known;  ///< the header of each type
   for (const char* part : {"generator", "emulator"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / part)) {

@@ -3,6 +3,7 @@
 #include <regex>
 
 #include "catch.hpp"
+#include "source_dir.hpp"
 #include "tests/read.hpp"
 
 namespace fs = std::filesystem;
@@ -18,7 +19,7 @@ int count_kinds(const std::string& text) {
 }  // namespace
 
 TEST_CASE("kinds of bus are named in generator/bus only") {
-  const fs::path generator = fs::path(FINEMOTE_SOURCE_DIR) / "generator";
+  const fs::path generator = fs::path(finemote::test::source_dir()) / "generator";
   for (const auto& entry : fs::recursive_directory_iterator(generator)) {
     const fs::path extension = entry.path().extension();
     const std::string file = entry.path().lexically_relative(generator).generic_string();

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "catch.hpp"
+#include "source_dir.hpp"
 #include "tests/read.hpp"
 #include "tests/structure/tokens.hpp"
 
@@ -33,7 +34,7 @@ bool counts_nanoseconds(const std::string& name) {
 }
 
 std::vector<Finding> counts_in_headers() {
-  const fs::path generator = fs::path(FINEMOTE_SOURCE_DIR) / "generator";
+  const fs::path generator = fs::path(finemote::test::source_dir()) / "generator";
   std::vector<Finding> findings;
   for (const auto& entry : fs::recursive_directory_iterator(generator)) {
     if (entry.path().extension() != ".hpp") continue;

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "catch.hpp"
+#include "source_dir.hpp"
 #include "tests/read.hpp"
 #include "tests/structure/definitions.hpp"
 #include "tests/structure/tokens.hpp"
@@ -49,7 +50,7 @@ struct Source {
 };
 
 std::vector<Source> all_sources() {
-  const fs::path root = FINEMOTE_SOURCE_DIR;
+  const fs::path root = finemote::test::source_dir();
   std::vector<Source> sources;
   for (const char* folder : {"generator", "runtime", "emulator"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "catch.hpp"
+#include "source_dir.hpp"
 #include "tests/read.hpp"
 #include "tests/structure/tokens.hpp"
 
@@ -12,7 +13,7 @@ using namespace finemote::test;
 
 namespace {
 
-const fs::path kRoot = FINEMOTE_SOURCE_DIR;
+const fs::path kRoot = finemote::test::source_dir();
 
 /// What no text in emit holds: ends of statements, comments, braces of C++ (which fmt writes twice), calls, indents,
 /// words that declarations begin with. Templates and layout have braces and comments of their own to speak of.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "source_dir.hpp"
 #include "tests/read.hpp"
 
 namespace fs = std::filesystem;
@@ -14,7 +15,7 @@ using finemote::test::read;
 
 namespace {
 
-const fs::path kRoot = FINEMOTE_SOURCE_DIR;
+const fs::path kRoot = finemote::test::source_dir();
 
 /// Sections of the README that claim nothing: links, and terms.
 const std::set<std::string> kWithoutClaims = {"Read on", "Licence"};

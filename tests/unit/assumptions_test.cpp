@@ -6,6 +6,7 @@
 
 #include "catch.hpp"
 #include "emulator/scenario/grammar.hpp"
+#include "source_dir.hpp"
 #include "tests/read.hpp"
 
 namespace scenario = finemote::scenario;
@@ -21,7 +22,7 @@ std::string on_one_line(const std::string& text) { return std::regex_replace(tex
 
 /// `1. **id** (detected): text.` at the begin of every item of the page's section.
 std::vector<Item> items_of_page() {
-  const std::string page = finemote::test::read(FINEMOTE_SOURCE_DIR "/docs/timing.md");
+  const std::string page = finemote::test::read(finemote::test::source_dir() + "/docs/timing.md");
   const std::size_t begin = page.find("\n## Assumptions\n");
   REQUIRE(begin != std::string::npos);
   const std::string section = page.substr(begin, page.find("\n## ", begin + 1) - begin);

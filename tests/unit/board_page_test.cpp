@@ -7,6 +7,7 @@
 
 #include "catch.hpp"
 #include "emulator/silicon/meanness.hpp"
+#include "source_dir.hpp"
 #include "tests/read.hpp"
 
 namespace {
@@ -63,8 +64,8 @@ void put_table(std::string& page, const std::string& name, const std::string& ta
 }  // namespace
 
 TEST_CASE("the page of the Type C board has the figures and errata of its chip's file") {
-  const std::string path = FINEMOTE_SOURCE_DIR "/docs/reference/boards/robomaster_type_c.md";
-  const Json chip = Json::parse(finemote::test::read(FINEMOTE_SOURCE_DIR "/schemas/chips/stm32f407.json"));
+  const std::string path = finemote::test::source_dir() + "/docs/reference/boards/robomaster_type_c.md";
+  const Json chip = Json::parse(finemote::test::read(finemote::test::source_dir() + "/schemas/chips/stm32f407.json"));
   std::string page = finemote::test::read(path);
   put_table(page, "costs", costs_table(chip));
   put_table(page, "drivers", drivers_table(chip));

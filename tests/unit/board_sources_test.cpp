@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "generator/board_sources/chip_needs.hpp"
 #include "generator/descriptor/library.hpp"
+#include "source_dir.hpp"
 
 using namespace finemote::gen;
 
@@ -14,7 +15,7 @@ namespace {
 struct Shelf {
   Sources sources;
   Diagnostics diagnostics;
-  std::optional<Library> library = load_library({FINEMOTE_SOURCE_DIR, "", {}, {}}, sources, diagnostics);
+  std::optional<Library> library = load_library({finemote::test::source_dir(), "", {}, {}}, sources, diagnostics);
   const Board& board(const char* name) { return *find_board(*library, name, sources, diagnostics); }
 };
 
@@ -32,7 +33,7 @@ Port& port_of(Board& board, const std::string& name) {
 
 TEST_CASE("a port object has the pins, streams and lines of the board file") {
   Shelf shelf;
-  const auto files = board_sources(shelf.board("robomaster_type_c"), {}, FINEMOTE_SOURCE_DIR);
+  const auto files = board_sources(shelf.board("robomaster_type_c"), {}, finemote::test::source_dir());
   const std::string usart1 = text_of(files, "ports/usart1.cpp");
   CHECK(usart1.find("/*tx*/ {'A', 9}, /*rx*/ {'B', 7}, /*alternate function*/ 7") != std::string::npos);
   CHECK(usart1.find("void finemote_line_68() { finemote::hardware.on_receive_dma(); }") != std::string::npos);
@@ -43,11 +44,11 @@ TEST_CASE("a port object has the pins, streams and lines of the board file") {
 TEST_CASE("the order of a port's interrupts says nothing") {
   Shelf shelf;
   Board board = shelf.board("robomaster_type_c");
-  const auto files = board_sources(board, {}, FINEMOTE_SOURCE_DIR);
+  const auto files = board_sources(board, {}, finemote::test::source_dir());
   for (Port& port : board.ports) std::reverse(port.interrupts.begin(), port.interrupts.end());
   for (const char* name :
        {"ports/usart1.cpp", "ports/can1.cpp", "ports/i2c2.cpp", "ports/spi1.cpp", "ports/spi2.cpp"}) {
-    CHECK(text_of(board_sources(board, {}, FINEMOTE_SOURCE_DIR), name) == text_of(files, name));
+    CHECK(text_of(board_sources(board, {}, finemote::test::source_dir()), name) == text_of(files, name));
   }
 }
 
@@ -57,7 +58,7 @@ TEST_CASE("edges that share an interrupt line share a file and its routine") {
   NamedPin second = *board.named_pin("bmi088_int_gyro");  // PC5
   second.pin = "PD9";
   board.pins.push_back(second);
-  const std::string text = text_of(board_sources(board, {}, FINEMOTE_SOURCE_DIR), "ports/exti5.cpp");
+  const std::string text = text_of(board_sources(board, {}, finemote::test::source_dir()), "ports/exti5.cpp");
   CHECK(text.find("if (finemote::exti9.is_pending()) finemote::exti9.on_interrupt();") != std::string::npos);
 }
 
@@ -68,7 +69,8 @@ TEST_CASE("a board that stands in for others has the ports of all, and none of t
   Board other = first;
   other.name = "other";
   port_of(other, "i2c3").name = "i2c1";
-  const auto names = text_of(board_sources(host, {&first, &other}, FINEMOTE_SOURCE_DIR), "board/port_names.hpp");
+  const auto names =
+      text_of(board_sources(host, {&first, &other}, finemote::test::source_dir()), "board/port_names.hpp");
   CHECK(names.find("extern I2cPort i2c2, i2c3, i2c1;") != std::string::npos);
   port_of(other, "i2c1").name = "usart6";
   CHECK(mistakes_for_sources(host, {&first, &other}).size() == 1);

@@ -7,6 +7,7 @@
 #include "catch.hpp"
 #include "generator/bus/bus_type.hpp"
 #include "generator/bus/line_format.hpp"
+#include "source_dir.hpp"
 #include "tests/read.hpp"
 
 namespace fs = std::filesystem;
@@ -15,7 +16,7 @@ using finemote::test::read;
 
 namespace {
 
-const fs::path kSource = FINEMOTE_SOURCE_DIR;
+const fs::path kSource = finemote::test::source_dir();
 
 }  // namespace
 

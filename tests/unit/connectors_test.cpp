@@ -7,6 +7,7 @@
 #include "generator/document/connector_page.hpp"
 #include "generator/document/connector_picture.hpp"
 #include "generator/document/contact_use.hpp"
+#include "source_dir.hpp"
 
 using namespace finemote::gen;
 
@@ -18,7 +19,7 @@ constexpr int kNarrowScreen = 358;              // of 390 px, less the margins o
 struct Shelf {
   Sources sources;
   Diagnostics diagnostics;
-  std::optional<Library> library = load_library({FINEMOTE_SOURCE_DIR, "", {}, {}}, sources, diagnostics);
+  std::optional<Library> library = load_library({finemote::test::source_dir(), "", {}, {}}, sources, diagnostics);
   const Board& board(const char* name) { return *find_board(*library, name, sources, diagnostics); }
 };
 

@@ -7,6 +7,7 @@
 #include "generator/descriptor/read_device_type.hpp"
 #include "generator/descriptor/read_param.hpp"
 #include "generator/diagnostic/render.hpp"
+#include "source_dir.hpp"
 
 using namespace finemote::gen;
 
@@ -49,7 +50,7 @@ struct ReadParam : ReadType {
 struct ShippedLibrary {
   Sources sources;
   Diagnostics diagnostics;
-  std::optional<Library> library = load_library({FINEMOTE_SOURCE_DIR, "", {}, {}}, sources, diagnostics);
+  std::optional<Library> library = load_library({finemote::test::source_dir(), "", {}, {}}, sources, diagnostics);
 
   const Board& board(const std::string& name) {
     const Board* found = find_board(*library, name, sources, diagnostics);

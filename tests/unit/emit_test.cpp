@@ -10,6 +10,7 @@
 #include "generator/emit/scope.hpp"
 #include "generator/emit/template.hpp"
 #include "generator/emit/value.hpp"
+#include "source_dir.hpp"
 #include "unit/robot_plan.hpp"
 
 using namespace finemote::gen;
@@ -39,7 +40,7 @@ std::string filled(const std::string& text, const Data& data) { return TemplateF
 std::string config_of(const std::string& cpp_class, const std::vector<Param>& params, bool is_shipped) {
   Data data;
   set_config(cpp_class, params, is_shipped, data);
-  std::string text = Templates(std::string(FINEMOTE_SOURCE_DIR) + "/templates").fill("config.mustache", data);
+  std::string text = Templates(finemote::test::source_dir() + "/templates").fill("config.mustache", data);
   text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());  // as inside of a line
   return text;
 }
@@ -65,7 +66,7 @@ struct Rendered {
     const auto timing = timing::analyse(model, request, planned.diagnostics);
     const ProvenBounds bounds{timing::robot_bounds(timing, plan.forest, plan.schedule),
                               timing::instrumented_bounds(plan.robot, plan.forest, plan.schedule)};
-    files = render_files(plan, bounds, FINEMOTE_SOURCE_DIR, planned.diagnostics);
+    files = render_files(plan, bounds, finemote::test::source_dir(), planned.diagnostics);
   }
   [[nodiscard]] std::string operator[](const std::string& name) const {
     for (const OutputFile& file : files) {

@@ -11,6 +11,7 @@
 
 #include "catch.hpp"
 #include "read.hpp"
+#include "source_dir.hpp"
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
@@ -19,7 +20,7 @@ using finemote::test::read;
 
 namespace {
 
-const fs::path kSource = FINEMOTE_SOURCE_DIR;
+const fs::path kSource = finemote::test::source_dir();
 
 std::vector<std::string> matches(const std::string& text, const std::string& pattern, int group) {
   const std::regex regex(pattern);

@@ -6,12 +6,13 @@
 #include "generator/model/build.hpp"
 #include "generator/xml/parse.hpp"
 #include "generator/xml/read_source.hpp"
+#include "source_dir.hpp"
 
 using namespace finemote::gen;
 
 namespace {
 
-const std::string kSource = FINEMOTE_SOURCE_DIR;
+const std::string kSource = finemote::test::source_dir();
 
 /// A robot, what lint says of it, and its text after the edits.
 struct Linted {

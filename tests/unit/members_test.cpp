@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "catch.hpp"
+#include "source_dir.hpp"
 #include "tests/read.hpp"
 
 namespace fs = std::filesystem;
@@ -14,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-const fs::path kSource = FINEMOTE_SOURCE_DIR;
+const fs::path kSource = finemote::test::source_dir();
 
 /// The files that make types of JSON. Checks and repairs speak of members only to find their place in the text.
 std::string reader_sources() {

@@ -5,13 +5,14 @@
 #include "generator/diagnostic/render.hpp"
 #include "generator/xml/parse.hpp"
 #include "generator/xml/read_source.hpp"
+#include "source_dir.hpp"
 #include "unit/duration_literals.hpp"
 
 using namespace finemote::gen;
 
 namespace {
 
-const std::string kSource = FINEMOTE_SOURCE_DIR;
+const std::string kSource = finemote::test::source_dir();
 
 /// One reading of a robot, kept together with what it points into.
 struct Case {

@@ -8,6 +8,7 @@
 #include "generator/descriptor/library.hpp"
 #include "generator/model/build.hpp"
 #include "generator/xml/parse.hpp"
+#include "source_dir.hpp"
 
 using namespace finemote::gen;
 
@@ -19,7 +20,7 @@ constexpr const char* kBoard = "robomaster_type_c";
 std::vector<int> mistakes(const std::string& tags) {
   Sources sources;
   Diagnostics diagnostics;
-  auto library = load_library({FINEMOTE_SOURCE_DIR, "", {}, {}}, sources, diagnostics);
+  auto library = load_library({finemote::test::source_dir(), "", {}, {}}, sources, diagnostics);
   REQUIRE(library);
   const SourceFile* file = sources.add(
       SourceFile{"robot.urdf", "robot.urdf",
@@ -36,7 +37,7 @@ std::vector<int> mistakes(const std::string& tags) {
 struct Shelf {
   Sources sources;
   Diagnostics diagnostics;
-  std::optional<Library> library = load_library({FINEMOTE_SOURCE_DIR, "", {}, {}}, sources, diagnostics);
+  std::optional<Library> library = load_library({finemote::test::source_dir(), "", {}, {}}, sources, diagnostics);
   const Board& board() { return *find_board(*library, kBoard, sources, diagnostics); }
   /// Shipped types that sit on a kind of bus.
   std::vector<const DeviceType*> types_on(BusKind kind) {

@@ -13,6 +13,7 @@
 #include "generator/schedule/schedule.hpp"
 #include "generator/xml/parse.hpp"
 #include "generator/xml/read_source.hpp"
+#include "source_dir.hpp"
 
 namespace finemote::gen {
 
@@ -39,7 +40,7 @@ struct RobotPlan {
   }
   /// Types of its own are those beside the file.
   explicit RobotPlan(const RobotFile& robot_file) {
-    const std::string path = std::string(FINEMOTE_SOURCE_DIR) + "/" + robot_file.path;
+    const std::string path = finemote::test::source_dir() + "/" + robot_file.path;
     const SourceFile* file = xml::read_source(path, sources, diagnostics, robot_file.path);
     REQUIRE(file);
     load(*file, std::filesystem::path(robot_file.path).parent_path().string());
@@ -66,7 +67,7 @@ struct RobotPlan {
  private:
   /// @param folder  whose `devices` the robot can have, from the top of the project
   void load(const SourceFile& file, const std::string& folder) {
-    library = load_library({FINEMOTE_SOURCE_DIR, std::string(FINEMOTE_SOURCE_DIR) + "/" + folder, {}, {}}, sources,
+    library = load_library({finemote::test::source_dir(), finemote::test::source_dir() + "/" + folder, {}, {}}, sources,
                            diagnostics);
     REQUIRE(library);
     const auto document = xml::parse(file, diagnostics);

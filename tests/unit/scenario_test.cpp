@@ -21,6 +21,7 @@
 #include "generator/xml/parse.hpp"
 #include "generator/xml/read_source.hpp"
 #include "read.hpp"
+#include "source_dir.hpp"
 
 using namespace finemote;
 using finemote::test::read;
@@ -28,7 +29,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-const std::string kSource = FINEMOTE_SOURCE_DIR;
+const std::string kSource = finemote::test::source_dir();
 
 bool rewrites() {
   const char* wish = std::getenv("FINEMOTE_UPDATE_GOLDEN");

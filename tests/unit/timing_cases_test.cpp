@@ -10,6 +10,7 @@
 #include "generator/timing/json.hpp"
 #include "generator/timing/profile.hpp"
 #include "generator/timing/read_model.hpp"
+#include "source_dir.hpp"
 
 using namespace finemote::gen;
 using namespace finemote::gen::timing;
@@ -18,7 +19,8 @@ namespace {
 
 std::vector<std::filesystem::path> case_files() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(FINEMOTE_SOURCE_DIR "/tests/analysis-cases")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(finemote::test::source_dir() + "/tests/analysis-cases")) {
     if (entry.path().extension() == ".json") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());

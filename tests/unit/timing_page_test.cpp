@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "catch.hpp"
+#include "source_dir.hpp"
 #include "tests/read.hpp"
 
 namespace {
@@ -41,7 +42,7 @@ const std::map<std::string, std::vector<std::string>> kRows{
 
 /// All figures of the chip's file by those names, but those of drivers that do not interrupt.
 std::map<std::string, std::string> figures() {
-  const Json chip = Json::parse(finemote::test::read(FINEMOTE_SOURCE_DIR "/schemas/chips/stm32f407.json"));
+  const Json chip = Json::parse(finemote::test::read(finemote::test::source_dir() + "/schemas/chips/stm32f407.json"));
   std::map<std::string, std::string> all;
   for (const auto& [name, cost] : chip.at("costs").items()) all["costs." + name] = cost.at("ns").dump();
   for (const auto& [name, driver] : chip.at("drivers").items()) {
@@ -58,7 +59,7 @@ std::map<std::string, std::string> figures() {
 
 /// By the first cells of the table's rows: the numbers in the third.
 std::map<std::string, std::vector<std::string>> rows() {
-  const std::string page = finemote::test::read(FINEMOTE_SOURCE_DIR "/docs/timing.md");
+  const std::string page = finemote::test::read(finemote::test::source_dir() + "/docs/timing.md");
   const std::size_t begin = page.find("| cost | depends on |");
   std::istringstream table(page.substr(begin, page.find("\n\n", begin) - begin));
   std::map<std::string, std::vector<std::string>> all;
