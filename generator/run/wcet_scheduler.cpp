@@ -96,7 +96,9 @@ Cycles longest_masked(const wcet::ImageTimes& times) {
 }  // namespace
 
 std::int64_t ns_of(Cycles cycles, const TimedRobot& timed) {
-  return (cycles * 1'000'000'000 + timed.inputs.clock_hz - 1) / timed.inputs.clock_hz;
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  const std::int64_t hz = timed.inputs.clock_hz;
+  return cycles / hz * kSecond + (cycles % hz * kSecond + hz - 1) / hz;
 }
 
 std::optional<SchedulerTask> task_of(const TimedRobot& timed, unsigned exception) {

@@ -8,6 +8,19 @@ namespace {
 /// Tables that are larger are not looked through.
 constexpr std::uint32_t kLargestTable = 1024;
 
+/// In order, those that touch or lie in each other as one.
+std::vector<AddressRange> merged(std::vector<AddressRange> ranges) {
+  std::sort(ranges.begin(), ranges.end());
+  std::vector<AddressRange> whole;
+  for (const AddressRange& range : ranges) {
+    if (whole.empty() || whole.back().second < range.first)
+      whole.push_back(range);
+    else
+      whole.back().second = std::max(whole.back().second, range.second);
+  }
+  return whole;
+}
+
 }  // namespace
 
 Constants::Constants(const Image& image, std::vector<AddressRange> members,
@@ -17,7 +30,7 @@ Constants::Constants(const Image& image, std::vector<AddressRange> members,
     if (section.allocated && section.has_bytes && !section.writable)
       ranges_.emplace_back(section.address, section.address + section.size);
   }
-  std::sort(ranges_.begin(), ranges_.end());
+  ranges_ = merged(std::move(ranges_));
 }
 
 bool Constants::is_constant(std::uint32_t address, std::uint32_t size) const {

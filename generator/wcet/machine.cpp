@@ -29,18 +29,28 @@ void narrow_to(Value& value, std::uint32_t base, Interval range) {
 
 }  // namespace
 
+namespace {
+
+/// A distance that may pass zero says nothing; what the word may be then still does.
+Value unless_wrapped(Value relative, Interval range) {
+  return relative.distance == Interval::any() ? Value::in(range, relative.is_of_stack) : relative;
+}
+
+}  // namespace
+
 /// Of two words of which only ranges are known the result stays a distance from the less known one.
 Value sum(Value a, Value b) {
   const bool is_of_stack = a.is_of_stack || b.is_of_stack;
   const auto width = [](Value v) { return v.base == 0 ? 0 : std::uint64_t{v.base_range.high} - v.base_range.low + 1; };
   if (width(a) < width(b)) std::swap(a, b);
-  return {add(a.distance, b.range()), a.base, a.base_range, is_of_stack};
+  return unless_wrapped({add(a.distance, b.range()), a.base, a.base_range, is_of_stack}, add(a.range(), b.range()));
 }
 
 Value difference(Value a, Value b) {
   const bool is_of_stack = a.is_of_stack || b.is_of_stack;
   if (a.base == b.base) return Value::in(subtract(a.distance, b.distance), is_of_stack && a.base == 0);
-  return {subtract(a.distance, b.range()), a.base, a.base_range, is_of_stack};
+  return unless_wrapped({subtract(a.distance, b.range()), a.base, a.base_range, is_of_stack},
+                        subtract(a.range(), b.range()));
 }
 
 bool StackWords::is_of_stack(std::uint32_t low, std::uint32_t high) const {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/wcet/countdown.hpp"
 #include "generator/wcet/loop_nest.hpp"
 #include "generator/wcet/step.hpp"
 
@@ -18,6 +19,8 @@ constexpr std::uint64_t kMostRounds = 10'000;
 constexpr std::size_t kDeepestCalls = 64;
 /// A tenth of a second: longer ones are none of a routine that has a period.
 constexpr Cycles kLongestWait = 16'800'000;
+/// Ten seconds, of which an experiment may ask for one.
+constexpr Cycles kLongestCount = 1'680'000'000;
 
 /// What comes to a place, by all ways that lead there.
 struct Arrival {
@@ -155,6 +158,7 @@ class Walker {
   /// A loop, round by round, until nothing comes back to its header.
   void turn(Frame& frame, std::size_t index) {
     if (is_wait(frame, index)) return wait(frame, index);
+    if (const auto reg = counter_of(frame, index)) return count_down(frame, index, *reg);
     const Loop& loop = frame.nest.loops()[index];
     auto& header = frame.arrivals[loop.header];
     for (const std::uint32_t block : loop.blocks) frame.passes.erase(block);
@@ -183,6 +187,34 @@ class Walker {
     return std::any_of(blocks.begin(), blocks.end(), [&](std::uint32_t block) {
       return facts_.marks.waits.count(block) != 0 && frame.nest.around(block) == index;
     });
+  }
+
+  /// The register that all of the loop counts down, where it holds more than zero and nothing is marked.
+  [[nodiscard]] std::optional<int> counter_of(const Frame& frame, std::size_t index) const {
+    const Loop& loop = frame.nest.loops()[index];
+    if (loop.blocks.size() != 1 || facts_.marks.loop_bounds.count(loop.header) != 0) return std::nullopt;
+    const auto reg = counted_down(frame.function, frame.function.graph.blocks.at(loop.header));
+    const bool wraps = reg && frame.arrivals.at(loop.header)->machine.get(*reg).range().low == 0;
+    return wraps ? std::nullopt : reg;
+  }
+
+  /// All of its rounds but the last together, which are alike; then the last one, behind which it is left.
+  void count_down(Frame& frame, std::size_t index, int reg) {
+    const Loop& loop = frame.nest.loops()[index];
+    Arrival arrival = std::move(*frame.arrivals[loop.header]);
+    const auto back = static_cast<Cycles>(arrival.machine.get(reg).range().high) - 1;
+    const Step round = wcet::step(frame.function, frame.function.graph.blocks.at(loop.header),
+                                  {facts_.constants, unknowns_, facts_.stores}, facts_.cost, arrival.machine);
+    Cycles cost = round.cost;
+    for (const Way& way : round.ways) cost = std::max(cost, round.cost + way.cost);
+    frame.arrivals[loop.header].reset();
+    if (back > kLongestCount / cost) return fail(loop.header, &frame.function, "a loop that counts for seconds");
+    const std::size_t node = walked_.graph.nodes.size();
+    walked_.graph.nodes.push_back({&frame.function, loop.header, back * cost, std::move(arrival.from)});
+    arrival.machine.set(reg, Value::of(1));
+    frame.arrivals[loop.header] = Arrival{std::move(arrival.machine), {{node, 0}}};
+    go_through(frame, index);
+    note(frame, loop, static_cast<std::uint64_t>(back));
   }
 
   /// A loop that ends when the time is over: that long; then the rest of the round that was under way, and the one that

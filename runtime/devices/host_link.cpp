@@ -1,72 +1,55 @@
 #include "finemote/devices/host_link.hpp"
 
-#include <cstring>
+#include "finemote/loop_bound.hpp"
+#include "frame_heads.hpp"
 
 namespace finemote {
 
 namespace {
 
-/// Frames with a wrong sum whose bytes are looked at once more, in one update().
+/// Places that look like the begin of a frame and are none, of which one read looks at so many.
 constexpr unsigned kMostRejected = 3;
 
 /// Bytes that a frame begins with, always the same.
 constexpr std::size_t kHeads = 2;
 
-constexpr std::size_t size_of(LinkKind kind) {
-  switch (kind) {
-    case LinkKind::kBool:
-    case LinkKind::kU8:
-      return 1;
-    case LinkKind::kI16:
-    case LinkKind::kU16:
-      return 2;
-    case LinkKind::kI32:
-    case LinkKind::kU32:
-    case LinkKind::kF32:
-      return 4;
-    case LinkKind::kI64:
-      return 8;
+/// Fields of a frame.
+constexpr std::size_t kKindAt = 2, kSizeAt = 3, kLayoutAt = 4, kSequenceAt = 8;
+
+/// Byte by byte: the sizes are small, and the places aligned to nothing.
+void copy(const void* from, std::uint8_t* to, std::size_t size) {
+  const auto* bytes = static_cast<const std::uint8_t*>(from);
+  for (; size != 0; --size) {
+    as_counted(size);
+    *to++ = *bytes++;
   }
-  return 0;
 }
 
-/// Writes into a frame's payload. Both ends are little endian: the bytes of a value are those in memory.
-class Writer {
- public:
-  explicit Writer(std::uint8_t* bytes) : bytes_(bytes) {}
-  void put(const void* value, std::size_t size) {
-    if (size_ + size > link::kMaxPayload) return;  // cannot be: the generator cuts the blocks
-    std::memcpy(bytes_ + size_, value, size);
-    size_ += size;
-  }
-  void put(const Stamp& stamp) {
-    const auto valid = static_cast<std::uint8_t>(stamp.valid ? 1 : 0);
-    put(&stamp.origin, sizeof stamp.origin);
-    put(&valid, 1);
-  }
-  [[nodiscard]] std::size_t size() const { return size_; }
+std::uint32_t layout_of(const std::uint8_t* frame) {
+  const std::uint8_t* const bytes = frame + kLayoutAt;
+  return bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 | std::uint32_t{bytes[3]} << 24;
+}
 
- private:
-  std::uint8_t* bytes_;
-  std::size_t size_ = 0;
-};
+constexpr std::size_t least(std::size_t a, std::size_t b) { return a < b ? a : b; }
 
-std::size_t size_of(const LinkTarget& target) {
-  std::size_t size = 1;
-  for (const LinkSlot& field : target.fields) size += size_of(field.kind);
-  return size;
+/// Whether the sum behind `payload` bytes is right. It says so of the bytes from the kind on.
+bool is_intact(const std::uint8_t* frame, std::size_t payload) {
+  const std::uint8_t* const end = frame + link::kHeader + payload;
+  const unsigned sent = end[0] | static_cast<unsigned>(end[1]) << 8;
+  return link::crc(frame + kHeads, link::kHeader - kHeads + payload) == sent;
 }
 
 }  // namespace
 
-// Half bytes at a time: 16 words of table instead of 256.
+// x is what the division by the polynomial leaves of the highest eight bits: x^12 + x^5 + 1 times them and their
+// upper half.
 std::uint16_t link::crc(const std::uint8_t* bytes, std::size_t size) {
-  constexpr std::uint16_t kTable[16] = {0x0000, 0x1021, 0x2042, 0x3063, 0x4084, 0x50A5, 0x60C6, 0x70E7,
-                                        0x8108, 0x9129, 0xA14A, 0xB16B, 0xC18C, 0xD1AD, 0xE1CE, 0xF1EF};
-  unsigned value = 0xFFFF;
-  for (std::size_t i = 0; i < size; ++i) {
-    value = (value << 4 ^ kTable[(value >> 12 ^ bytes[i] >> 4U) & 0xFU]) & 0xFFFFU;
-    value = (value << 4 ^ kTable[(value >> 12 ^ bytes[i]) & 0xFU]) & 0xFFFFU;
+  std::uint32_t value = 0xFFFF;
+  for (; size != 0; --size) {
+    as_counted(size);
+    std::uint32_t x = value >> 8 ^ *bytes++;
+    x ^= x >> 4;
+    value = (value << 8 ^ x << 12 ^ x << 5 ^ x) & 0xFFFFU;
   }
   return static_cast<std::uint16_t>(value);
 }
@@ -79,137 +62,147 @@ void HostLink::update() {
 void HostLink::handle() {
   if (is_fresh(state, now(), config_.max_age)) return;
   state.valid = false;
-  for (const LinkTarget& target : layout_->down) target.stamp.valid = false;
+  for (const LinkTarget& target : layout_.down) target.stamp.valid = false;
 }
 
 // --------------------------------------------------------------------------------------------------------------
 // down
 
+struct HostLink::Found {
+  const std::uint8_t* latest[link::kMaxBlocks]{};  ///< the last good frame of each block
+  const std::uint8_t* last = nullptr;              ///< the last of all
+  const std::uint8_t* foreign = nullptr;           ///< the last whole one that no sum was made of
+};
+
 void HostLink::receive() {
-  std::uint8_t bytes[64];
-  rejected_now_ = 0;
-  std::size_t size = sizeof bytes;
-  for (std::size_t left = uart_->full_reads(sizeof bytes) + 1; size == sizeof bytes && left != 0; --left) {
-    size = uart_->read(bytes, sizeof bytes);
-    take(bytes, size);
+  std::size_t size = Uart::kChunk;
+  for (std::size_t left = uart_.full_reads(Uart::kChunk) + 1; size == Uart::kChunk && left != 0; --left) {
+    size = uart_.read(recent_.room(), Uart::kChunk);
+    recent_.keep(look(size), size);
   }
 }
 
-void HostLink::take(const std::uint8_t* bytes, std::size_t size) {
-  for (std::size_t i = 0; i < size;) {
-    if (in_.size() < kHeads) {
-      in_.begin(bytes[i++], link::kFirst, link::kSecond);
+/// Takes what the frames in what is kept and `size` bytes more say. Returns the first byte that may still begin one.
+const std::uint8_t* HostLink::look(std::size_t size) {
+  const std::uint8_t* const begin = recent_.begin();
+  const std::uint8_t* const end = recent_.room() + size;
+  const auto count = static_cast<std::size_t>(end - begin);
+  Found found;
+  const std::size_t decided = find(begin, count, found);
+  if (found.foreign != nullptr) judge_foreign(found.foreign);
+  if (found.last == nullptr) return begin + decided;
+  const auto arrival_of = [&](const std::uint8_t* frame) {
+    const std::size_t whole = link::kHeader + frame[kSizeAt] + link::kCrc;
+    return uart_.arrival(static_cast<std::size_t>(end - frame) - whole) - uart_.wire_time(whole);
+  };
+  for (std::uint8_t block = 0; block < layout_.down_blocks; ++block) {
+    const std::uint8_t* const frame = found.latest[block];
+    if (frame != nullptr) apply(block, frame + link::kHeader, arrival_of(frame));
+  }
+  state.origin = arrival_of(found.last);
+  state.valid = true;
+  return begin + decided;
+}
+
+/// Frames that fill what one read has brought, and places that are none.
+unsigned HostLink::most_frames() const {
+  const std::size_t bytes = least(uart_.full_reads(1), Uart::kChunk) + link::kMaxFrame;
+  return static_cast<unsigned>(bytes / (link::kHeader + sizes_.smallest + link::kCrc)) + kMostRejected;
+}
+
+/// Goes from one place at which a frame may begin to the next: behind a good one, else to the next inside, for what
+/// looked like a beginning was none, or bytes were lost. Returns how many bytes are decided.
+std::size_t HostLink::find(const std::uint8_t* begin, std::size_t count, Found& found) {
+  const FrameHeads<kMostBytes> heads(begin, count, link::kFirst, link::kSecond);
+  std::size_t at = 0;
+  for (unsigned left = most_frames(); left != 0; --left) {
+    at = heads.next(at);
+    if (at >= count) return count;
+    const std::uint8_t* const frame = begin + at;
+    if (count - at < link::kHeader) return at;
+    const std::size_t payload = frame[kSizeAt], whole = link::kHeader + payload + link::kCrc;
+    if (payload <= link::kMaxPayload && count - at < whole) return at;
+    at += kHeads;
+    if (payload > link::kMaxPayload) continue;
+    if (!is_ours(frame)) {
+      found.foreign = frame;
+    } else if (is_intact(frame, least(payload, sizes_.largest))) {
+      found.latest[frame[kKindAt] % link::kMaxBlocks] = found.last = frame;
+      ++state.frames;
+      at += whole - kHeads;
     } else {
-      const std::size_t missing = needed_ - in_.size(), count = size - i < missing ? size - i : missing;
-      in_.append(bytes + i, count);
-      i += count;
+      ++state.rejected;
     }
-    if (in_.size() < needed_) continue;
-    behind_ = size - i;
-    look();
   }
+  return at;
 }
 
-/// A broken beginning is left behind; every turn needs more bytes than there are, or drops one, so that this ends.
-void HostLink::look() {
-  do {
-    needed_ = examine();
-    if (needed_ == 0) {
-      in_.drop_to_next(link::kFirst);
-      needed_ = kHeads;
-    } else if (needed_ <= in_.size()) {
-      judge();
-      needed_ = kHeads;
-    }
-  } while (in_.size() >= needed_);
+bool HostLink::is_ours(const std::uint8_t* frame) const {
+  const unsigned kind = frame[kKindAt] >> 4U, block = frame[kKindAt] % link::kMaxBlocks;
+  return layout_of(frame) == layout_.number && kind == link::kCommands && block < layout_.down_blocks &&
+         frame[kSizeAt] == sizes_.of[block];
 }
 
-/// How many bytes there must be to say more of what begins a frame, no more than there are for a whole one; 0 when this
-/// is none.
-std::size_t HostLink::examine() const {
-  if (in_[0] != link::kFirst || in_[1] != link::kSecond) return 0;
-  if (in_.size() < link::kHeader) return link::kHeader;
-  return in_[3] <= link::kMaxPayload ? expected() : 0;
+/// A sum may be as long as the longest frame there is, so that one is made of these and no more.
+void HostLink::judge_foreign(const std::uint8_t* frame) {
+  ++(is_intact(frame, least(frame[kSizeAt], link::kMaxPayload)) ? state.mismatched : state.rejected);
 }
 
-std::size_t HostLink::expected() const { return link::kHeader + in_[3] + link::kCrc; }
-
-void HostLink::judge() {
-  const std::size_t whole = expected(), end = whole - link::kCrc;
-  const unsigned sent = in_[end] | static_cast<unsigned>(in_[end + 1]) << 8;
-  if (link::crc(in_.data() + 2, end - 2) != sent) {
-    ++state.rejected;
-    // What looked like a beginning was none, or bytes were lost: the next frame may stand inside. Each that is looked
-    // for there costs a sum over bytes that were summed before.
-    if (++rejected_now_ <= kMostRejected)
-      in_.drop_to_next(link::kFirst);
-    else
-      in_.drop(whole);
-    return;
-  }
-  std::uint32_t layout = 0;
-  std::memcpy(&layout, in_.data() + 4, sizeof layout);
-  const std::uint8_t kind = in_[2] >> 4U, block = in_[2] & 0xFU;
-  if (layout != layout_->number || kind != link::kCommands || block >= layout_->down_blocks) {
-    ++state.mismatched;
-  } else {
-    apply(block);
-  }
-  in_.drop(whole);  // after a broken beginning more may stand behind
-}
-
-void HostLink::apply(std::uint8_t block) {
-  std::size_t need = 0;
-  for (const LinkTarget& target : layout_->down) need += target.block == block ? size_of(target) : 0;
-  if (need != in_[3]) {
-    ++state.mismatched;
-    return;
-  }
-  const Time arrival = uart_->arrival(behind_ + in_.size() - expected()) - uart_->wire_time(expected());
-  const std::uint8_t* from = in_.data() + link::kHeader;
-  for (const LinkTarget& target : layout_->down) {
+void HostLink::apply(std::uint8_t block, const std::uint8_t* from, Time arrival) {
+  for (const LinkTarget& target : layout_.down) {
     if (target.block != block) continue;
     target.stamp.origin = arrival;
     target.stamp.valid = *from++ == 1;
     for (const LinkSlot& field : target.fields) {
-      std::memcpy(field.to, from, size_of(field.kind));
-      if (field.kind == LinkKind::kBool) *static_cast<bool*>(field.to) = *from == 1;
-      from += size_of(field.kind);
+      const std::size_t size = link::size_of(field.kind);
+      if (field.kind == LinkKind::kBool)
+        *static_cast<bool*>(field.to) = *from == 1;
+      else
+        copy(from, static_cast<std::uint8_t*>(field.to), size);
+      from += size;
     }
   }
-  ++state.frames;
-  state.origin = arrival;
-  state.valid = true;
 }
 
 // --------------------------------------------------------------------------------------------------------------
 // up
 
+/// Writes the block whose turn it is; returns its size.
+std::size_t HostLink::fill(std::uint8_t* payload, Time at) const {
+  copy(&at, payload, sizeof at);
+  std::size_t size = sizeof at;
+  for (const LinkSource& source : layout_.up) {
+    if (source.block != block_) continue;
+    copy(&source.stamp.origin, payload + size, sizeof source.stamp.origin);
+    size += sizeof source.stamp.origin;
+    payload[size++] = source.stamp.valid ? 1 : 0;
+    for (const LinkField& field : source.fields) {
+      copy(field.from, payload + size, link::size_of(field.kind));
+      size += link::size_of(field.kind);
+    }
+  }
+  return least(size, link::kMaxPayload);  // never more, for the generator cuts the blocks: only this line tells tools
+}
+
 void HostLink::send() {
   const Time at = now();
-  if (layout_->up_blocks == 0 || at < next_send_) return;
+  if (layout_.up_blocks == 0 || at < next_send_) return;
   std::uint8_t frame[link::kMaxFrame];
-  Writer payload(frame + link::kHeader);
-  payload.put(&at, sizeof at);
-  for (const LinkSource& source : layout_->up) {
-    if (source.block != block_) continue;
-    payload.put(source.stamp);
-    for (const LinkField& field : source.fields) payload.put(field.from, size_of(field.kind));
-  }
+  const std::size_t payload = fill(frame + link::kHeader, at);
   frame[0] = link::kFirst;
   frame[1] = link::kSecond;
-  frame[2] = static_cast<std::uint8_t>(link::kStates << 4U | block_);
-  frame[3] = static_cast<std::uint8_t>(payload.size());
-  std::memcpy(frame + 4, &layout_->number, sizeof layout_->number);
-  frame[8] = sequence_;
-  const std::size_t end = link::kHeader + payload.size();
-  const std::uint16_t check = link::crc(frame + 2, end - 2);
+  frame[kKindAt] = static_cast<std::uint8_t>(link::kStates << 4U | block_);
+  frame[kSizeAt] = static_cast<std::uint8_t>(payload);
+  copy(&layout_.number, frame + kLayoutAt, sizeof layout_.number);
+  frame[kSequenceAt] = sequence_;
+  const std::size_t end = link::kHeader + payload;
+  const std::uint16_t check = link::crc(frame + kHeads, end - kHeads);
   frame[end] = static_cast<std::uint8_t>(check & 0xFFU);
   frame[end + 1] = static_cast<std::uint8_t>(check >> 8U);
-  if (!uart_->write(frame, end + link::kCrc)) return;  // the last one is still under way: at the next update
+  if (!uart_.write(frame, end + link::kCrc)) return;  // the last one is still under way: at the next update
   ++sequence_;
   ++state.sent;
-  block_ = static_cast<std::uint8_t>(block_ + 1 < layout_->up_blocks ? block_ + 1 : 0);
+  block_ = static_cast<std::uint8_t>(block_ + 1 < layout_.up_blocks ? block_ + 1 : 0);
   // Frames are due on a fixed grid: a job that starts a little sooner after its release than the last one misses none.
   next_send_ += config_.interval;
   if (next_send_ <= at) next_send_ = at - (at - next_send_) % config_.interval + config_.interval;

@@ -95,19 +95,6 @@ def set_load(robot, load):
                 part.body = [f'<param name="update">{update}ns</param>', f'<param name="handle">{handle}ns</param>']
 
 
-def leave_out(robot, kinds):
-    """Takes all parts of these kinds out, with what they hold."""
-
-    def prune(parts):
-        parts[:] = [part for part in parts if part.kind not in kinds]
-        for part in parts:
-            prune(part.children)
-
-    prune(robot.roots())
-    names = Outline(robot.text()).types
-    robot.pairs = [pair for pair in robot.pairs if pair[0] in names and pair[1] in names]
-
-
 def removable(robot):
     """Places of parts that can be left out, the last ones first: lists of siblings with an index."""
 

@@ -425,6 +425,40 @@ TEST_CASE("a loop that counts down is turned so often and no more") {
   CHECK(bound.cycles == 1 + 5 * 2 + 4 * 3 + 1);
 }
 
+TEST_CASE("a loop that only counts is not followed round by round") {
+  // movw r0, #0; movt r0, #256 (16,777,216); subs r0, #1; bne -2; bx lr
+  const Bound bound = bound_of({0xF240, 0x0000, 0xF2C0, 0x1000, 0x3801, 0xD1FD, kReturn});
+  CHECK(bound.rounds == 0xFFFFFF);
+  // 1 and 1; each round 1 + 1; a branch taken, 3, but in the last; the return: 1
+  CHECK(bound.cycles == 2 + 0x1000000 * 2 + 0xFFFFFF * 3 + 1);
+  CHECK(bound_of({0xF240, 0x0000, 0xF6CF, 0x7000, 0x3801, 0xD1FD, kReturn}).problem ==
+        "a loop that counts for seconds");
+}
+
+TEST_CASE("what counts down by more than one, or does more, is followed") {
+  // movs r0, #6; subs r0, #2; bne -2; bx lr
+  CHECK(bound_of({0x2006, 0x3802, 0xD1FD, kReturn}).rounds == 2);
+  // movs r0, #5; movs r1, #0; adds r1, #1; subs r0, #1; bne -3; then count r1 down
+  const Bound bound = bound_of({0x2005, 0x2100, 0x3101, 0x3801, 0xD1FC, 0x3901, 0xD1FD, kReturn});
+  CHECK(bound.cycles == 2 + 5 * 3 + 4 * 3 + 5 * 2 + 4 * 3 + 1);
+}
+
+TEST_CASE("a distance that passes zero does not hide what a word may be") {
+  Machine machine = machine_with_stack();
+  Unknowns unknowns;
+  machine.set(ARM_REG_R0, unknowns.next({8, 8}, false));
+  Value counter = sum(unknowns.next({8, 9}, false), Value::in({0, 57}));
+  for (int i = 0; i < 8; ++i) counter = difference(counter, Value::of(1));
+  CHECK(counter.range() == Interval{0, 58});
+}
+
+TEST_CASE("constants are found behind others that lie in the same section") {
+  const Image image = image_of_code({0x1234, 0x5678, 0x9ABC, 0xDEF0});
+  const Constants constants(image, {{kBase, kBase + 2}, {kBase + 1, kBase + 3}});
+  CHECK(constants.load({Value::of(kBase + 4), 4}) == Interval::of(0xDEF09ABC));
+  CHECK_FALSE(constants.load({Value::of(kBase + 6), 4}));
+}
+
 TEST_CASE("a loop over what a caller gives has no bound") {
   const Bound bound = bound_of({0x3801, 0xD1FD, kReturn});  // subs r0, #1; bne -2; bx lr
   CHECK_FALSE(bound.cycles);

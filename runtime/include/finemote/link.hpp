@@ -86,6 +86,33 @@ inline constexpr std::uint8_t kFirst = 0xA5, kSecond = 0x5A;
 inline constexpr std::uint8_t kStates = 1, kCommands = 2;
 inline constexpr std::size_t kHeader = 9, kCrc = 2, kMaxPayload = 117;
 inline constexpr std::size_t kMaxFrame = kHeader + kMaxPayload + kCrc;  ///< 128
+inline constexpr std::size_t kMaxBlocks = 16;                           ///< each way
+
+/// Bytes of a value.
+constexpr std::size_t size_of(LinkKind kind) {
+  switch (kind) {
+    case LinkKind::kBool:
+    case LinkKind::kU8:
+      return 1;
+    case LinkKind::kI16:
+    case LinkKind::kU16:
+      return 2;
+    case LinkKind::kI32:
+    case LinkKind::kU32:
+    case LinkKind::kF32:
+      return 4;
+    case LinkKind::kI64:
+      return 8;
+  }
+  return 0;
+}
+
+/// Bytes of a device's command.
+constexpr std::size_t size_of(const LinkTarget& target) {
+  std::size_t size = 1;
+  for (const LinkSlot& field : target.fields) size += size_of(field.kind);
+  return size;
+}
 
 /// CRC-16/IBM-3740: polynomial 0x1021, from 0xFFFF, nothing reflected; of "123456789" it is 0x29B1.
 std::uint16_t crc(const std::uint8_t* bytes, std::size_t size);

@@ -4,18 +4,19 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "finemote/byte_window.hpp"
 #include "finemote/contract.hpp"
 #include "finemote/interfaces/any.hpp"
 #include "finemote/interfaces/link.hpp"
 #include "finemote/link.hpp"
+#include "finemote/recent_bytes.hpp"
 #include "finemote/uart.hpp"
 
 namespace finemote {
 
 /// Every update() takes what has arrived and, every `interval`, sends one block of states: the blocks in turn. A frame
-/// that is damaged, or of another layout, is counted and changes nothing. A command's origin is when its frame began to
-/// arrive; after `max_age` without a good frame all commands are invalid, so that actuators go safe.
+/// that is damaged, or of another layout, is counted and changes nothing; of several good ones of a block the last
+/// counts. A command's origin is when its frame began to arrive; after `max_age` without a good frame all commands are
+/// invalid, so that actuators go safe.
 class HostLink {
  public:
   struct Config {
@@ -24,7 +25,7 @@ class HostLink {
   };
 
   constexpr HostLink(const Config& config, const LinkLayout& layout, Uart& uart, Ports<Any> = {})
-      : config_(config), layout_(&layout), uart_(&uart) {}
+      : config_(config), sizes_(layout), layout_(layout), uart_(uart) {}
 
   void update();
   void handle();
@@ -32,24 +33,41 @@ class HostLink {
   LinkState state;
 
  private:
+  /// Bytes of the payload of each block of commands.
+  struct BlockSizes {
+    constexpr explicit BlockSizes(const LinkLayout& layout) {
+      for (const LinkTarget& target : layout.down)
+        of[target.block] = static_cast<std::uint8_t>(of[target.block] + link::size_of(target));
+      for (std::size_t block = 0; block < layout.down_blocks; ++block) {
+        smallest = of[block] < smallest ? of[block] : smallest;
+        largest = of[block] < largest ? largest : of[block];
+      }
+    }
+    std::uint8_t of[link::kMaxBlocks]{};
+    std::uint8_t smallest = link::kMaxPayload, largest = 0;
+  };
+  /// What one read has brought.
+  struct Found;
+
+  static constexpr std::size_t kMostBytes = RecentBytes<link::kMaxFrame>::kMost;
+
   void receive();
-  void take(const std::uint8_t* bytes, std::size_t size);
-  void look();
-  [[nodiscard]] std::size_t examine() const;
-  [[nodiscard]] std::size_t expected() const;
-  void judge();
-  void apply(std::uint8_t block);
+  const std::uint8_t* look(std::size_t size);
+  std::size_t find(const std::uint8_t* begin, std::size_t count, Found& found);
+  [[nodiscard]] unsigned most_frames() const;
+  [[nodiscard]] bool is_ours(const std::uint8_t* frame) const;
+  void judge_foreign(const std::uint8_t* frame);
+  void apply(std::uint8_t block, const std::uint8_t* payload, Time arrival);
   void send();
+  std::size_t fill(std::uint8_t* payload, Time at) const;
 
   const Config config_;
-  const LinkLayout* layout_;
-  Uart* const uart_;
+  const BlockSizes sizes_;
+  const LinkLayout& layout_;
+  Uart& uart_;
   Time next_send_ = 0;
   std::uint8_t block_ = 0, sequence_ = 0;
-  ByteWindow<link::kMaxFrame> in_;  ///< the frame under way
-  std::size_t needed_ = 2;          ///< bytes without which nothing new can be said
-  std::size_t behind_ = 0;          ///< bytes that arrived together behind its last one
-  std::uint8_t rejected_now_ = 0;   ///< frames with a wrong sum, in this update()
+  RecentBytes<link::kMaxFrame> recent_;
 };
 
 }  // namespace finemote
