@@ -93,6 +93,38 @@ void note_retry(const Frame& frame, std::uint32_t block, const Marks& marks, std
   if (retry != marks.retries.end()) retries.push_back({retry->second, frame.passed.at(block), std::move(back)});
 }
 
+/// A mark in its own blocks, not in those of a loop in it, says how long it waits.
+bool is_wait(const Frame& frame, std::size_t index, const Marks& marks) {
+  const auto& blocks = frame.nest.loops()[index].blocks;
+  return std::any_of(blocks.begin(), blocks.end(), [&](std::uint32_t block) {
+    return marks.waits.count(block) != 0 && frame.nest.around(block) == index;
+  });
+}
+
+/// The register that all of a loop counts down, where it holds more than zero and nothing is marked.
+std::optional<int> counter_of(const Frame& frame, std::size_t index, const Marks& marks) {
+  const Loop& loop = frame.nest.loops()[index];
+  if (loop.blocks.size() != 1 || marks.loop_bounds.count(loop.header) != 0) return std::nullopt;
+  const auto reg = counted_down(frame.function, frame.function.graph.blocks.at(loop.header));
+  const bool wraps = reg && frame.arrivals.at(loop.header)->machine.get(*reg).range().low == 0;
+  return wraps ? std::nullopt : reg;
+}
+
+/// Of a block and the longest way out of it.
+Cycles longest_round(const Step& step) {
+  Cycles longest = step.cost;
+  for (const Way& way : step.ways) longest = std::max(longest, step.cost + way.cost);
+  return longest;
+}
+
+void note(const Frame& frame, const Loop& loop, std::uint64_t rounds, std::map<std::uint32_t, CountedLoop>& loops) {
+  CountedLoop& counted = loops[loop.header];
+  counted.function = &frame.function;
+  counted.header = loop.header;
+  counted.is_by_mark |= frame.is_cut_by_mark;
+  counted.rounds = std::max(counted.rounds, rounds);
+}
+
 class Walker {
  public:
   explicit Walker(const ImageFactsForWalk& facts) : facts_(facts), waits_(facts.marks) {}
@@ -157,8 +189,8 @@ class Walker {
 
   /// A loop, round by round, until nothing comes back to its header.
   void turn(Frame& frame, std::size_t index) {
-    if (is_wait(frame, index)) return wait(frame, index);
-    if (const auto reg = counter_of(frame, index)) return count_down(frame, index, *reg);
+    if (is_wait(frame, index, facts_.marks)) return wait(frame, index);
+    if (const auto reg = counter_of(frame, index, facts_.marks)) return count_down(frame, index, *reg);
     const Loop& loop = frame.nest.loops()[index];
     auto& header = frame.arrivals[loop.header];
     for (const std::uint32_t block : loop.blocks) frame.passes.erase(block);
@@ -179,23 +211,7 @@ class Walker {
         break;
       }
     }
-    note(frame, loop, rounds);
-  }
-
-  [[nodiscard]] bool is_wait(const Frame& frame, std::size_t index) const {
-    const auto& blocks = frame.nest.loops()[index].blocks;
-    return std::any_of(blocks.begin(), blocks.end(), [&](std::uint32_t block) {
-      return facts_.marks.waits.count(block) != 0 && frame.nest.around(block) == index;
-    });
-  }
-
-  /// The register that all of the loop counts down, where it holds more than zero and nothing is marked.
-  [[nodiscard]] std::optional<int> counter_of(const Frame& frame, std::size_t index) const {
-    const Loop& loop = frame.nest.loops()[index];
-    if (loop.blocks.size() != 1 || facts_.marks.loop_bounds.count(loop.header) != 0) return std::nullopt;
-    const auto reg = counted_down(frame.function, frame.function.graph.blocks.at(loop.header));
-    const bool wraps = reg && frame.arrivals.at(loop.header)->machine.get(*reg).range().low == 0;
-    return wraps ? std::nullopt : reg;
+    note(frame, loop, rounds, walked_.loops);
   }
 
   /// All of its rounds but the last together, which are alike; then the last one, behind which it is left.
@@ -203,10 +219,9 @@ class Walker {
     const Loop& loop = frame.nest.loops()[index];
     Arrival arrival = std::move(*frame.arrivals[loop.header]);
     const auto back = static_cast<Cycles>(arrival.machine.get(reg).range().high) - 1;
-    const Step round = wcet::step(frame.function, frame.function.graph.blocks.at(loop.header),
-                                  {facts_.constants, unknowns_, facts_.stores}, facts_.cost, arrival.machine);
-    Cycles cost = round.cost;
-    for (const Way& way : round.ways) cost = std::max(cost, round.cost + way.cost);
+    const BasicBlock& block = frame.function.graph.blocks.at(loop.header);
+    const Cycles cost = longest_round(
+        wcet::step(frame.function, block, {facts_.constants, unknowns_, facts_.stores}, facts_.cost, arrival.machine));
     frame.arrivals[loop.header].reset();
     if (back > kLongestCount / cost) return fail(loop.header, &frame.function, "a loop that counts for seconds");
     const std::size_t node = walked_.graph.nodes.size();
@@ -214,7 +229,7 @@ class Walker {
     arrival.machine.set(reg, Value::of(1));
     frame.arrivals[loop.header] = Arrival{std::move(arrival.machine), {{node, 0}}};
     go_through(frame, index);
-    note(frame, loop, static_cast<std::uint64_t>(back));
+    note(frame, loop, static_cast<std::uint64_t>(back), walked_.loops);
   }
 
   /// A loop that ends when the time is over: that long; then the rest of the round that was under way, and the one that
@@ -251,14 +266,6 @@ class Walker {
     if (!back || machine.covers(back->machine)) return true;
     machine.widen(back->machine);
     return false;
-  }
-
-  void note(const Frame& frame, const Loop& loop, std::uint64_t rounds) {
-    CountedLoop& counted = walked_.loops[loop.header];
-    counted.function = &frame.function;
-    counted.header = loop.header;
-    counted.is_by_mark |= frame.is_cut_by_mark;
-    counted.rounds = std::max(counted.rounds, rounds);
   }
 
   /// False where a mark says that the place is not passed again. A mark that rounds can pass by says nothing of how

@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 773199, finemote::kNothingToBound, nullptr},  // imu
-    {1, 1565062, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 1562962, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 1560862, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 1558761, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 1556661, 31966585, &rov::thruster_1.command},  // thruster_1
-    {1, 1543152, 31960331, &rov::thruster_2.command},  // thruster_2
-    {1, 1539265, 31956444, &rov::thruster_3.command},  // thruster_3
-    {1, 1535379, 31952558, &rov::thruster_4.command},  // thruster_4
-    {1, 1529119, 31948660, &rov::thruster_5.command},  // thruster_5
-    {1, 1525239, 31942418, &rov::thruster_6.command},  // thruster_6
-    {1, 1521353, 31938531, &rov::thruster_7.command},  // thruster_7
-    {1, 1517466, 31934645, &rov::thruster_8.command},  // thruster_8
-    {1, 1513580, finemote::kNothingToBound, nullptr},  // rov
+    {0, 807895, finemote::kNothingToBound, nullptr},  // imu
+    {1, 1609868, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 1607768, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 1605668, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 1603568, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 1601468, 32036716, &rov::thruster_1.command},  // thruster_1
+    {1, 1594856, 32032830, &rov::thruster_2.command},  // thruster_2
+    {1, 1590970, 32028944, &rov::thruster_3.command},  // thruster_3
+    {1, 1587084, 32025057, &rov::thruster_4.command},  // thruster_4
+    {1, 1583192, 32018440, &rov::thruster_5.command},  // thruster_5
+    {1, 1579311, 32014423, &rov::thruster_6.command},  // thruster_6
+    {1, 1572700, 32010536, &rov::thruster_7.command},  // thruster_7
+    {1, 1568814, 32006650, &rov::thruster_8.command},  // thruster_8
+    {1, 1564928, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

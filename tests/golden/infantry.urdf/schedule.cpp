@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 314833, finemote::kNothingToBound, nullptr},  // imu
-    {0, 309560, 28916234, &gimbal::yaw.command},  // yaw
-    {0, 303762, 28910436, &gimbal::pitch.command},  // pitch
-    {1, 340850, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 403865, 27010439, &chassis::front_left.command},  // front_left
-    {2, 398275, 27004849, &chassis::front_right.command},  // front_right
-    {2, 392680, 26999254, &chassis::rear_left.command},  // rear_left
-    {2, 387091, 26993665, &chassis::rear_right.command},  // rear_right
-    {2, 381496, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 486488, finemote::kNothingToBound, nullptr},  // remote
+    {0, 336150, finemote::kNothingToBound, nullptr},  // imu
+    {0, 325843, 28958514, &gimbal::yaw.command},  // yaw
+    {0, 320045, 28952716, &gimbal::pitch.command},  // pitch
+    {1, 357703, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 421005, 27053576, &chassis::front_left.command},  // front_left
+    {2, 415415, 27047986, &chassis::front_right.command},  // front_right
+    {2, 409820, 27042391, &chassis::rear_left.command},  // rear_left
+    {2, 404231, 27036802, &chassis::rear_right.command},  // rear_right
+    {2, 398635, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 503842, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

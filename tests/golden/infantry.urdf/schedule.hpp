@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 308.585 us of its release.
+/// a job ends within 325.011 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 322.443 us of its release.
+/// a job ends within 343.903 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 376.712 us of its release.
+/// a job ends within 393.852 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 453.486 us of its release.
+/// a job ends within 470.84 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{305233, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{302060, 28908734, 29776053};
-inline constexpr finemote::Bounds pitch{298361, 28905035, 29776052};
-inline constexpr finemote::Bounds gimbal{322443, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{375063, 26981637, 27844080};
-inline constexpr finemote::Bounds front_right{371574, 26978148, 27844080};
-inline constexpr finemote::Bounds rear_left{368079, 26974653, 27844080};
-inline constexpr finemote::Bounds rear_right{364590, 26971164, 27844080};
-inline constexpr finemote::Bounds chassis{361095, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{453486, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{321516, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{318342, 28951013, 29860327};
+inline constexpr finemote::Bounds pitch{314644, 28947315, 29860327};
+inline constexpr finemote::Bounds gimbal{343903, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{392203, 27024774, 27929069};
+inline constexpr finemote::Bounds front_right{388714, 27021285, 27929069};
+inline constexpr finemote::Bounds rear_left{385219, 27017790, 27929069};
+inline constexpr finemote::Bounds rear_right{381730, 27014301, 27929069};
+inline constexpr finemote::Bounds chassis{378234, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{470840, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

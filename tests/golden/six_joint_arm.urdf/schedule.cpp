@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 374621, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 265227, 29107795, &arm::base.command},  // base
-    {0, 259637, 29102206, &arm::shoulder.command},  // shoulder
-    {0, 254042, 29096610, &arm::elbow.command},  // elbow
-    {0, 248453, 29091021, &arm::wrist_roll.command},  // wrist_roll
-    {0, 242858, 29085426, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 237268, 29079836, &arm::flange.command},  // flange
-    {0, 231673, finemote::kNothingToBound, nullptr},  // arm
+    {1, 397031, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 279715, 29148285, &arm::base.command},  // base
+    {0, 274126, 29142695, &arm::shoulder.command},  // shoulder
+    {0, 268531, 29137100, &arm::elbow.command},  // elbow
+    {0, 262942, 29131511, &arm::wrist_roll.command},  // wrist_roll
+    {0, 257346, 29125915, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 251757, 29120326, &arm::flange.command},  // flange
+    {0, 246162, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace
