@@ -5,6 +5,7 @@ The pictures depend on the version of Chromium to the pixel: nothing compares th
 """
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -20,6 +21,7 @@ CHOOSE = "document.querySelectorAll('.chain button')[{}].click()"
 FIRST_SIX = "document.querySelectorAll('#run .plots figure:nth-child(n+7)').forEach(figure => figure.remove())"
 BARS = "document.querySelectorAll('#chains h2, #chains p, #chains .more, #chains details').forEach(one => one.remove())"
 SHOW = "view.show({}, {})"
+VIEWS = "document.querySelectorAll('#body h2, #body p, #body details').forEach(one => one.remove())"
 CHANGES = "document.querySelector('.changes').style.maxHeight = '22rem'; document.querySelector('.changes').style.overflow = 'hidden'"
 
 
@@ -44,9 +46,10 @@ def trace(finemote, folder):
 
 
 def changed(finemote, folder):
-    """The page of FinsROV with an inertial sensor at half the rate, beside FinsROV as it is."""
+    """The page of FinsROV with an inertial sensor at half the rate, beside FinsROV as it is: with the same execution times."""
     before, after, page = ROOT / "examples/finsrov.urdf", folder / "slower.urdf", folder / "changed.html"
     after.write_text(before.read_text().replace('bus="imu_uart" period="5ms"', 'bus="imu_uart" period="10ms"'))
+    shutil.copy(ROOT / "examples/finsrov.timing.json", folder / "slower.timing.json")
     subprocess.run([finemote, "-q", "report", after, "-o", page, "--against", before], check=True, stdout=subprocess.DEVNULL,
                    stderr=subprocess.DEVNULL)
     return page
@@ -79,7 +82,7 @@ def main():
         take(browser, "timeline_chain", infantry, "#timeline", CHOOSE.format(0), width=1100)
         take(browser, "preemption", infantry, "#timeline-view svg", SHOW.format(0, 260_000), width=1100)
         take(browser, "settling", dive, "#run .plots", FIRST_SIX, width=1100)
-        take(browser, "thrusters", finsrov, ".views", width=1100)
+        take(browser, "thrusters", finsrov, "#body", VIEWS, width=1100)
         take(browser, "trace", trace(finemote, pathlib.Path(name)), "svg", width=1120)
         take(browser, "changes", changed(finemote, pathlib.Path(name)), "#changes", CHANGES, width=1000)
     return 0

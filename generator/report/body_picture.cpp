@@ -167,6 +167,14 @@ std::string picture_of(const Body& body, const View& view, const Scale& scale) {
       kSize, view.title, axes_of(view), drawn);
 }
 
+/// Whose the numbers are, beside the pictures.
+std::string key_of(const Body& body) {
+  std::string items;
+  for (std::size_t i = 0; i < std::min(body.parts.size(), kMostParts); ++i)
+    items += "<li>" + svg::escaped(body.parts[i].device) + "</li>\n";
+  return "<ol class=\"key\" aria-label=\"What the numbers stand for\">\n" + items + "</ol>\n";
+}
+
 /// How hard the parts that push can push together each way.
 std::string authority_table(const Body& body) {
   if (body.authority.maxCoeff() <= 0) return {};
@@ -206,8 +214,8 @@ std::string body_pictures(const Body& body) {
   text += "</p>\n<div class=\"views\">\n";
   for (const View& view : kViews) text += picture_of(body, view, scale);
   if (body.parts.size() > kMostParts) text += fmt::format("<p>Only the first {} devices are drawn.</p>\n", kMostParts);
-  return text + "</div>\n<details><summary>What the numbers stand for</summary>\n" + part_table(body) +
-         authority_table(body) + "</details>\n";
+  return text + "</div>\n" + key_of(body) + "<details><summary>Places and axes as a table</summary>\n" +
+         part_table(body) + authority_table(body) + "</details>\n";
 }
 
 }  // namespace finemote::gen::report

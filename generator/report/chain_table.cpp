@@ -22,14 +22,22 @@ std::map<std::string, Rank> ranks_of(const timing::Model& model) {
   return ranks;
 }
 
+/// Why a part has no bound, and what gives it one.
+std::string gap_text(const Place& gap) {
+  std::string text = "no bound of " + gap["part"].text() + ": " + gap["why"].text();
+  for (std::size_t i = 0; i < gap["restored_by"].size(); ++i)
+    text += (i == 0 ? "; restored by " : ", or by ") + gap["restored_by"][i].text();
+  return text;
+}
+
 std::string remarks(const Place& chain) {
   std::string text;
   const auto add = [&](const std::string& remark) { text += (text.empty() ? "" : "; ") + remark; };
-  if (chain["assumed"].is_true()) add("assumed times");
-  if (chain["through_reads"].is_true()) add("over a read");
-  if (chain["closed_form"].is_true()) add("closed form");
+  if (chain["assumed"].is_true()) add("rests on assumed execution times");
+  if (chain["through_reads"].is_true()) add("through <reads>");
+  if (chain["closed_form"].is_true()) add("by a simpler formula, never below the exact one");
   for (std::size_t i = 0; i < chain["unbounded"].size(); ++i)
-    add("no bound of " + chain["unbounded"][i]["part"].text() + ": " + chain["unbounded"][i]["why"].text());
+    add(gap_text(chain["unbounded"][i]));
   return text;
 }
 

@@ -86,33 +86,36 @@ void compare_requirements(const Place& before, const Place& after, Changes& chan
   const auto old = by_name(before, name);
   for (const auto& [subject, place] : by_name(after, name)) {
     const auto was = old.find(subject);
-    if (was == old.end() || was->second["ok"].is_true() == place["ok"].is_true()) continue;
+    if (was == old.end()) continue;
     const Unit unit = place["kind"].text() == "utilization" ? Unit::share : Unit::time;
+    compare(subject, {{"max", "limit", unit, false}}, was->second, place, changes);
     const bool ok = place["ok"].is_true();
-    changes.add(subject, ok ? "met now" : "not met any more", was->second["value"], place["value"], unit,
-                ok ? "better" : "worse");
+    if (was->second["ok"].is_true() != ok)
+      changes.add(subject, ok ? "met now" : "not met any more", was->second["value"], place["value"], unit,
+                  ok ? "better" : "worse");
   }
+  compare_lists(before, after, name, {}, true, changes);
 }
 
 Changes all_changes(const Documents& documents) {
   Changes changes;
   const Place before = documents.of_against(), after = documents.of_timing();
-  const auto plain = [](const Place& one) { return one["name"].text(); };
   const auto device = [](const Place& one) { return "device " + one["name"].text(); };
+  const auto response = [](const Place& one) { return "response of " + one["name"].text(); };
   const auto bus = [](const Place& one) { return "bus " + one["name"].text(); };
+  compare_requirements(before["requirements"], after["requirements"], changes);
+  compare_lists(before["chains"], after["chains"], chain_name,
+                {{"end_to_end_ns", "age, end to end", Unit::time}, {"decide_ns", "decide", Unit::time}}, false,
+                changes);
+  compare("processor", {{"processor_load", "load", Unit::share}}, before, after, changes);
+  compare_lists(before["bus_load"], after["bus_load"], bus, {{"utilization", "load", Unit::share}}, true, changes);
   compare_lists(before["model"]["devices"], after["model"]["devices"], device,
                 {{"period_ns", "period", Unit::time, false},
                  {"update_wcet_ns", "own time of update()", Unit::time},
                  {"handle_wcet_ns", "own time of handle()", Unit::time}},
                 true, changes);
-  compare_requirements(before["requirements"], after["requirements"], changes);
-  compare_lists(before["chains"], after["chains"], chain_name,
-                {{"end_to_end_ns", "age, end to end", Unit::time}, {"decide_ns", "decide", Unit::time}}, false,
-                changes);
-  compare_lists(before[before["profile"].text()]["devices"], documents.of_verdict()["devices"], plain,
-                {{"r_minus_ns", "response", Unit::time}}, false, changes);
-  compare_lists(before["bus_load"], after["bus_load"], bus, {{"utilization", "load", Unit::share}}, true, changes);
-  compare("processor", {{"processor_load", "load", Unit::share}}, before, after, changes);
+  compare_lists(before[before["profile"].text()]["devices"], documents.of_verdict()["devices"], response,
+                {{"r_minus_ns", "bound", Unit::time}}, false, changes);
   return changes;
 }
 
@@ -128,13 +131,13 @@ std::string changes_of(const Documents& documents) {
     text = fmt::format("<p class=\"{}\">{}</p>\n", is_good ? "better" : "worse",
                        is_good ? "Every deadline is kept now; before, some could be missed."
                                : "Some deadline can be missed now; before, all were kept.");
-  if (changes.counts.empty()) return text + "<p>Nothing that is proven of the robot.</p>\n";
+  if (changes.counts.empty()) return text + "<p>Nothing: every bound, load and requirement is what it was.</p>\n";
   std::string sentence;
   for (const auto& [name, count] : changes.counts)
     sentence += fmt::format("{}{} {}", sentence.empty() ? "" : ", ", count, name);
   return text + fmt::format("<p>{}.</p>\n", sentence) + "<div class=\"changes\">" +
-         table_of("changes-table", "What is another now",
-                  {{"What"}, {"Property"}, {"Before", true}, {"Now", true}, {"That is"}}, changes.rows) +
+         table_of("changes-table", "What is different now; the most telling first",
+                  {{"What"}, {"Property"}, {"Before", true}, {"Now", true}, {"Which is"}}, changes.rows) +
          "</div>\n";
 }
 
@@ -149,7 +152,7 @@ std::string earlier_bounds(const Documents& documents) {
   }
   if (rows.empty()) return {};
   return "<details><summary>Bounds before, as a table</summary>\n" +
-         table_of("earlier-table", "Age of every command before",
+         table_of("earlier-table", "Age of every command before the change",
                   {{"Chain"}, {"Acquire", true}, {"Decide", true}, {"Wire", true}, {"End to end", true}}, rows) +
          "</details>\n";
 }

@@ -70,7 +70,7 @@ std::string script_text(const Json& json) {
 
 std::string data_block(const timing::Model& model, const Timeline& timeline, const std::string& profile) {
   Json data{{"profile", profile},
-            {"hyperperiod", timeline.hyperperiod.ns()},
+            {"hyperperiod", timeline.hyperperiod ? Json(timeline.hyperperiod->ns()) : Json(nullptr)},
             {"length", timeline.length.ns()},
             {"buckets", Json::array()},
             {"streams", timeline.streams},

@@ -160,12 +160,14 @@ std::string values_text(const Documents& documents) {
   const std::vector<Plot> plots = value_plots(documents);
   std::string text = "<h3>The robot and its parts</h3>\n";
   if (std::any_of(plots.begin(), plots.end(), [](const Plot& plot) { return !plot.bands.empty(); }))
-    text += "<p>Boxes are where the scenario wants a value.</p>\n";
+    text += "<p>The dashed boxes are where the scenario wants a value to be.</p>\n";
   text += figures_of(plots, kMostValues);
   const std::size_t rest = all.size() - std::min(plots.size(), kMostValues);
   if (rest > 0)
     text += fmt::format(
-        "<p class=\"note\">{} more are in the table only, among them counters and what did not change.</p>\n", rest);
+        "<p class=\"note\">{} more are only in the table below: counters, what did not change, and what is one too "
+        "many.</p>\n",
+        rest);
   text += expectation_table(documents.of_run()["expectations"]);
   return text + "<details><summary>The quantities as a table</summary>\n" + value_table(all) + "</details>\n";
 }
@@ -174,12 +176,11 @@ std::string ages_text(const Documents& documents) {
   const std::vector<Plot> plots = age_plots(documents);
   if (plots.empty()) return {};
   std::string text =
-      "<h3>How old commands were</h3>\n<p>Each point is a command when it took effect; of many that follow closely, "
-      "the "
-      "oldest. The table of the chains has the worst.</p>\n" +
+      "<h3>How old commands were</h3>\n<p>Each point is a command at the time when it took effect; where many follow "
+      "closely, the oldest of them. The worst of each chain is in the table of chains.</p>\n" +
       figures_of(plots, kMostChains);
   if (plots.size() > kMostChains)
-    text += fmt::format("<p class=\"note\">Of {} chains those with the oldest commands.</p>\n", plots.size());
+    text += fmt::format("<p class=\"note\">Of {} chains, the {} with the oldest commands are drawn.</p>\n", plots.size(), kMostChains);
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "generator/graph/forest_svg.hpp"
 #include "generator/output/sha256.hpp"
@@ -23,8 +24,11 @@ namespace {
 
 /// Of the page, in the order in which they run; templates/README.md says what each does.
 constexpr const char* kScripts[] = {
-    "page.js", "chains.js", "timeline_data.js", "timeline_table.js", "timeline.js", "main.js",
+    "page.js", "chains.js", "timeline_data.js", "way.js", "timeline_table.js", "timeline.js", "main.js",
 };
+
+/// Class and mark of a verdict, in the order of Verdict::Look.
+constexpr std::pair<const char*, const char*> kLooks[] = {{"good", "✓"}, {"open", "!"}, {"bad", "✗"}};
 
 /// The pieces of a page, by the names that stand for them in page.html between two `@`.
 using Pieces = std::map<std::string, std::string>;
@@ -71,9 +75,12 @@ void add_optional(const std::string& name, const std::string& title, const std::
                           : "";
 }
 
-std::string length_text(const Timeline& timeline) {
-  if (timeline.length == timeline.hyperperiod) return shown(timeline.length.ns(), Unit::time);
-  return shown(timeline.length.ns(), Unit::time) + " of " + shown(timeline.hyperperiod.ns(), Unit::time);
+std::string time_text(Duration time) { return shown(time.ns(), Unit::time); }
+
+/// After what the order of releases begins anew.
+std::string repeats_text(const Timeline& timeline) {
+  if (!timeline.hyperperiod) return "Releases fall together anew only after more time than a page can tell.";
+  return "Releases fall together anew every " + time_text(*timeline.hyperperiod) + ".";
 }
 
 }  // namespace
@@ -85,19 +92,22 @@ std::string page_of(const Contents& contents, const std::string& folder) {
   Pieces pieces;
   pieces["title"] = svg::escaped(view.robot);
   pieces["board"] = svg::escaped(fmt::format("{}, tick {}", view.board, view.tick));
+  pieces["rests_on"] = svg::escaped(rests_on(documents));
   pieces["script_hash"] = base64_of_hex(sha256(script));
   pieces["style"] = style_of(folder);
   pieces["script"] = script;
   pieces["verdict"] = svg::escaped(verdict.text);
-  pieces["verdict_look"] = verdict.is_good ? "good" : "bad";
-  pieces["verdict_mark"] = verdict.is_good ? "✓" : "✗";
+  pieces["verdict_look"] = kLooks[static_cast<std::size_t>(verdict.look)].first;
+  pieces["verdict_mark"] = kLooks[static_cast<std::size_t>(verdict.look)].second;
   pieces["figures"] = headline_figures(documents);
   pieces["forest"] = inline_forest_svg(view);
   pieces["devices"] = device_table(documents, view);
   pieces["chains"] = chain_table(documents, model);
   pieces["earlier"] = earlier_bounds(documents);
   pieces["requirements"] = requirement_table(documents);
-  pieces["length"] = length_text(timeline);
+  pieces["length"] = time_text(timeline.length);
+  pieces["simulated"] = documents.of_simulation()["duration_ns"].figure(Unit::time);
+  pieces["repeats"] = repeats_text(timeline);
   pieces["processor"] = processor_table(documents);
   pieces["buses"] = bus_table(documents);
   pieces["assumptions"] = assumption_table(documents);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
@@ -35,6 +36,12 @@ Json rounded_down(const Json& value) {
   return ns - above;
 }
 
+/// What is left of a sum of floating-point numbers that is 0 is shown as 0.
+std::string number_text(double value) {
+  constexpr double kNothingLeft = 1e-9;
+  return fmt::format("{:.6g}", std::abs(value) < kNothingLeft ? 0.0 : value);
+}
+
 std::string count_text(const Json& value) {
   std::string text = value.dump();
   if (!value.is_number_integer()) return text;
@@ -58,7 +65,7 @@ std::string shown(const Json& value, Unit unit) {
     case Unit::count:
       return count_text(value);
     case Unit::number:
-      return fmt::format("{:.6g}", value.get<double>() + 0.0);
+      return number_text(value.get<double>());
   }
   return {};
 }

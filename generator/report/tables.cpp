@@ -54,7 +54,18 @@ std::string user_of(const Place& use) {
   if (kind == "bucket") return "devices every " + name;
   if (kind == "flush") return "output of " + name + (source.empty() ? "" : ", every " + source);
   if (kind == "interrupt") return "interrupts of " + name + (source.empty() ? "" : ", " + source);
-  return "release of buckets";
+  return "releases, which start jobs";
+}
+
+/// What the time of a use is: static, assumed and so on; empty where it is that of several devices.
+std::string label_of(const Documents& documents, const Place& use) {
+  const bool is_release = use["kind"].text() == "release";
+  const std::string what = is_release ? "release and jobs" : use["name"].text() + "." + use["source"].text();
+  const Place labels = documents.of_timing()["cost_labels"];
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i]["what"].text() == what) return labels[i]["label"].text();
+  }
+  return {};
 }
 
 /// The largest of a member, which bars are drawn beside; never 0.
@@ -99,10 +110,11 @@ std::string processor_table(const Documents& documents) {
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const Place use = uses[i];
     rows += "<tr>" + row_title(user_of(use)) + use["cost_ns"].cell(Unit::time) + use["every_ns"].cell(Unit::time) +
-            use["utilization"].cell(Unit::share) + share_bar(use["utilization"].number() / most) + "</tr>\n";
+            use["utilization"].cell(Unit::share) + share_bar(use["utilization"].number() / most) +
+            word(label_of(documents, use)) + "</tr>\n";
   }
-  return table_of("processor-table", "Who uses the processor; bars compare shares",
-                  {{"User"}, {"Each", true}, {"At most every", true}, {"Share", true}, {""}}, rows);
+  return table_of("processor-table", "Who uses the processor at most. Interrupts may come in bursts, closer together than on average",
+                  {{"User"}, {"Each", true}, {"Closest together", true}, {"Share", true}, {""}, {"Times are"}}, rows);
 }
 
 std::string image_table(const Documents& documents) {

@@ -1,6 +1,7 @@
 #include "generator/report/timeline.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "generator/report/frames.hpp"
@@ -8,26 +9,26 @@
 namespace finemote::gen::report {
 namespace {
 
-constexpr Duration kLongest = seconds(10);
+constexpr Duration kLongest = seconds(10);  // that is shown
 
-/// The least common multiple of the periods; at most kLongest.
-Duration hyperperiod_of(const std::vector<Duration>& periods) {
+/// The least common multiple of the periods; none where it does not fit.
+std::optional<Duration> hyperperiod_of(const std::vector<Duration>& periods) {
   std::int64_t all = 1;
   for (const Duration period : periods) {
     const std::int64_t factor = period.ns() / std::gcd(all, period.ns());
-    if (factor > kLongest.ns() / all) return kLongest;
+    if (factor > std::numeric_limits<std::int64_t>::max() / all) return std::nullopt;
     all *= factor;
   }
   return nanoseconds(all);
 }
 
-/// So long that about as many stages begin as can be shown.
-Duration shown_of(const timing::TaskSet& set, Duration hyperperiod) {
+/// So long that about as many stages begin as can be shown, and at most `longest`.
+Duration shown_of(const timing::TaskSet& set, Duration longest) {
   double per_ns = 0;
   for (const timing::TaskBucket& bucket : set.buckets)
     per_ns += 2 * static_cast<double>(bucket.devices.size()) / static_cast<double>(bucket.period.ns());
   const double most = TimelineRecorder::kMostStages / std::max(per_ns, 1e-12);
-  if (most >= static_cast<double>(hyperperiod.ns())) return hyperperiod;
+  if (most >= static_cast<double>(longest.ns())) return longest;
   return nanoseconds(std::max(static_cast<std::int64_t>(most), std::int64_t{1}));
 }
 
@@ -38,7 +39,9 @@ TimelineRecorder::TimelineRecorder(const timing::Model& model, timing::Profile p
   for (const timing::TaskBucket& bucket : set.buckets) kept_.periods.push_back(bucket.period);
   for (const timing::Stream& stream : set.streams) kept_.streams.push_back(stream.name);
   kept_.hyperperiod = hyperperiod_of(kept_.periods);
-  kept_.length = shown_of(set, kept_.hyperperiod);
+  // Only commands of the second hyperperiod are as old as any can become.
+  const bool is_short = kept_.hyperperiod && *kept_.hyperperiod <= floor_div(kLongest, 2);
+  kept_.length = shown_of(set, is_short ? 2 * *kept_.hyperperiod : kLongest);
 }
 
 Timeline TimelineRecorder::timeline() const {

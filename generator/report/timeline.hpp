@@ -33,8 +33,8 @@ struct Timeline {
     std::size_t flush = 0;       ///< its place in the model
     Duration begin, end;
   };
-  Duration hyperperiod;  ///< of the buckets
-  Duration length;       ///< shown: the first of them, or what of it is not too much to draw
+  std::optional<Duration> hyperperiod;  ///< of the buckets; none where it is longer than a Duration holds
+  Duration length;  ///< shown: the first two of them, or what of these is not too much to draw
   std::vector<Duration> periods;
   std::vector<std::string> streams;
   std::vector<Job> jobs;
@@ -43,7 +43,7 @@ struct Timeline {
   std::vector<Frame> frames;
 };
 
-/// Keeps what begins before the end of the first hyperperiod.
+/// Keeps what begins in the time that is shown.
 class TimelineRecorder : public SimulationObserver {
  public:
   static constexpr std::int64_t kMostStages = 10'000;  ///< shown, about

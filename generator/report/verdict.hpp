@@ -8,11 +8,18 @@
 namespace finemote::gen::report {
 
 struct Verdict {
-  bool is_good = false;
+  /// `open`: nothing is wrong, and not everything is proven.
+  enum class Look { good, open, bad };
+  Look look = Look::bad;
   std::string text;  ///< `FinsROV keeps every deadline and every requirement`
 };
 
+/// Bad where `analyze` or `run` would exit with 1 for what the documents hold, open where some command has no bound of
+/// its age; the text names the first reason.
 Verdict verdict_of(const Documents& documents, const std::string& robot);
+
+/// What the execution times are that the verdict rests on: `Execution times: static of 12 devices, assumed of 1.`
+std::string rests_on(const Documents& documents);
 
 /// Worst age of a command, load of the processor and the busiest bus; of a run also sizes and what it kept.
 std::string headline_figures(const Documents& documents);

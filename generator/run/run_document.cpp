@@ -137,9 +137,9 @@ Json claim_list(const RunResult& result) {
   return list;
 }
 
-Json fault_list(const RunResult& result) {
+Json fault_list(const RunResult& result, const std::vector<FaultCount>& faults) {
   Json list = Json::array();
-  for (const FaultCount& fault : result.record.faults) {
+  for (const FaultCount& fault : faults) {
     const FaultMeaning* meaning = meaning_of(result.fault_table, fault);
     list.push_back({{"module", meaning != nullptr ? Json(meaning->module_name) : Json(fault.module)},
                     {"code", fault.number},
@@ -235,7 +235,8 @@ Json run_document(const RunResult& result) {
                    {"flash", result.record.flash.empty() ? Json(nullptr) : Json(result.record.flash)},
                    {"silicon", result.record.flash.empty() ? Json(nullptr) : silicon_json(result.record.silicon)},
                    {"faults", !result.record.violated.empty()},
-                   {"fault_counts", fault_list(result)},
+                   {"fault_counts", fault_list(result, result.record.faults)},
+                   {"unexplained_faults", fault_list(result, result.unexplained_faults())},
                    {"expectations", expectation_list(result)},
                    {"values", value_list(result.record.series)},
                    {"silent", result.record.silent},

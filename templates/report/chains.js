@@ -37,10 +37,17 @@ function makePart(name, length, longest, title = '') {
   return part;
 }
 
+/** How long the bars of a chain are. */
+function lengthsOf(chain) {
+  const sum = (cells) => (cells ?? []).reduce((all, cell) => all + (valueOf(cell) ?? 0), 0);
+  const simulated = (valueOf(chain.bound[0]) ?? 0) + (valueOf(chain.simulated) ?? 0);
+  return [chain.bound, chain.measured, chain.earlier?.slice(0, 3)].map(sum).concat(simulated);
+}
+
 /** One bar: whose it is, its parts, and its length in words, with a letter where that is of one part alone. */
 function makeBar(who, parts, letter, total) {
   const track = make('span', {class: 'track', 'aria-hidden': 'true'}, ...parts);
-  const shown = make('span', {class: 'total'}, letter, valueOf(total) !== null ? copyOf(total) : 'no bound');
+  const shown = make('span', {class: 'total'}, ...(valueOf(total) !== null ? [letter, copyOf(total)] : ['no bound']));
   return make('div', {class: who === 'bound' ? 'bar' : 'bar seen'}, make('span', {class: 'who'}, who), track, shown);
 }
 
@@ -87,8 +94,7 @@ function makeAxis(longest) {
 function prepareChains() {
   const chains = readChains();
   const box = find('#chain-bars');
-  const lengths = chains.flatMap((chain) => [chain.total, chain.bound[1], chain.measuredTotal, chain.earlier?.[3]].map(valueOf));
-  const longest = Math.max(1, ...lengths.filter((value) => value !== null));
+  const longest = Math.max(1, ...chains.flatMap(lengthsOf));
   const add = (some) => box.append(...some.map((chain) => makeChain(chain, longest)));
   if (chains.length > 0) box.before(makeAxis(longest));
   add(chains.slice(0, kFewChains));

@@ -7,25 +7,35 @@ const kPaper = 720;       // width of the picture on paper
 const kGap = 8;
 const kThinnest = 0.6;    // slices thinner than that are drawn together
 const kLetter = 6.4;      // width of a letter in a slice, about
+const kFewLetters = 5;    // of a name that does not fit, where so many do
+const kManyPeriods = 10;  // what is longer than that is shown from near at first
 
 class Timeline {
   constructor(box) {
     this.lanes = readLanes();
     this.from = 0;
-    this.to = data.length;
+    this.to = this.first();
     this.picked = null;  // {lane, slice}
-    this.way = null;     // slices of the chosen chain, in order
+    this.way = null;     // slices that the oldest command of the chosen chain came through
     this.whenDrawn = null;
     this.paper = 0;      // width on paper; 0: on a screen
     this.output = make('output', {'aria-live': 'polite'});
     this.svg = draw('svg', {tabindex: '0', role: 'application', 'aria-label':
         'Timeline. Plus and minus zoom, left and right move, up and down choose a stage, 0 shows all.'});
     this.detail = make('div', {id: 'detail', 'aria-live': 'polite'});
-    box.append(this.makeTools(), this.svg, this.detail);
+    this.told = make('p', {id: 'way', class: 'note', 'aria-live': 'polite'});
+    box.append(this.makeTools(), this.told, this.svg, this.detail);
     this.explain();
     this.listen();
     selection.listeners.push((chain) => this.follow(chain));
     this.draw();
+  }
+
+  /** How much is shown at first: one hyperperiod, or what of it can be told apart. */
+  first() {
+    const longest = Math.max(...data.buckets.map((bucket) => bucket.period));
+    const whole = Math.min(data.hyperperiod ?? data.length, data.length);
+    return whole > kManyPeriods * longest ? 2 * longest : whole;
   }
 
   makeTools() {
@@ -79,7 +89,7 @@ class Timeline {
     }
     const ticks = this.ticks(y);
     for (const lane of this.lanes) {
-      const title = draw('text', {x: 8, y: lane.top - 6});
+      const title = draw('text', {class: 'lane-title', x: 8, y: lane.top - 6});
       title.append(draw('tspan', {class: 'lane-name'}, lane.title), draw('tspan', {dx: 8}, lane.about));
       ticks.push(...this.slices(lane), title);
     }
@@ -162,8 +172,10 @@ class Timeline {
     }
     const from = Math.max(widest[0], 0);
     const room = Math.min(widest[1], this.width) - from - 6;
-    if (room > kLetter * slice.name.length)
-      parts.push(draw('text', {class: slice.kind === 'frame' ? 'in-frame' : 'in', x: from + 4, y: y + 13}, slice.name));
+    const letters = Math.floor(room / kLetter);
+    const name = letters >= slice.name.length ? slice.name : letters >= kFewLetters ? `${slice.name.slice(0, letters - 1)}…` : '';
+    const isOnPale = slice.kind === 'frame' || look.endsWith(' off');
+    if (name !== '') parts.push(draw('text', {class: isOnPale ? 'in-frame' : 'in', x: from + 4, y: y + 13}, name));
     return parts;
   }
 
@@ -239,37 +251,16 @@ class Timeline {
     this.detail.replaceChildren(make('b', {}, `${slice.name} ${kStageWords[slice.kind]}`.trim()), list);
   }
 
-  /** Shows the stages that a chosen chain takes, for the first data that go all its way. */
+  /** Shows the stages that the oldest command of a chosen chain came through. */
   follow(chain) {
-    this.way = chain ? this.wayOf(chain) : null;
-    const stages = [...(this.way ?? [])];
-    if (stages.length > 0) {
-      const begin = stages[0].begin;
-      const end = stages[stages.length - 1].end;
-      const margin = 0.1 * (end - begin);
-      return this.show(begin - margin, end + margin);
-    }
-    this.draw();
-  }
-
-  /** Each stage is the first behind the one before it. */
-  wayOf(chain) {
-    const stages = this.lanes.filter((lane) => lane.kind === 'bucket').flatMap((lane) => lane.slices);
-    const wanted = [...chain.up.map((device) => ['update', device]), ...chain.down.map((device) => ['handle', device])];
-    const way = new Set();
-    let time = 0;
-    for (const [kind, device] of wanted) {
-      const later = stages.filter((s) => s.kind === kind && s.device === device && s.begin >= time);
-      if (later.length === 0) break;  // beyond what is shown
-      const next = later.reduce((best, one) => one.begin < best.begin ? one : best);
-      way.add(next);
-      time = next.end;
-    }
-    const end = chain.down[chain.down.length - 1];
-    const frames = this.lanes.filter((lane) => lane.kind === 'bus').flatMap((lane) => lane.slices)
-        .filter((s) => s.carried.includes(end) && s.begin >= time && way.size === wanted.length);
-    if (frames.length > 0) way.add(frames.reduce((best, one) => one.begin < best.begin ? one : best));
-    return way;
+    const way = chain ? wayOf(chain, this.lanes) : [];
+    this.way = chain ? new Set(way) : null;
+    this.told.textContent = chain ? aboutWay(chain, way) : '';
+    if (way.length === 0) return this.draw();
+    const begin = way[0].begin;
+    const end = way[way.length - 1].end;
+    const margin = 0.1 * (end - begin);
+    this.show(begin - margin, end + margin);
   }
 
   listen() {

@@ -34,6 +34,30 @@ def hostile_robot():
     return path
 
 
+def oldest(stages, up, down):
+    """How old a command at the end of `down` gets, by passing the times of samples on from stage to stage."""
+    edges, time = [], 0
+    for i, (device, is_handle, gap, length) in enumerate(zip(*[iter(stages)] * 4)):
+        time += gap
+        # What ends comes before what begins then, but a stage that takes no time begins first.
+        edges += [((time, 1, i, 0), True, device, is_handle), ((time + length, 0 if length else 1, i, 1), False, device, is_handle)]
+    seen, state, command, taken, worst = {}, {}, {}, {}, 0
+    for (at, *_), is_begin, device, is_handle in sorted(edges):
+        if is_begin and not is_handle and device in up:
+            place = up.index(device)
+            seen[device] = at if place == 0 else state.get(up[place - 1])
+        elif not is_begin and not is_handle and device in up:
+            state[device] = seen.get(device)
+        elif is_begin and is_handle and device in down:
+            place = down.index(device)
+            taken[device] = state.get(up[-1]) if place == 0 else command.get(down[place - 1])
+        elif not is_begin and is_handle and device in down:
+            command[device] = taken.get(device)
+            if device == down[-1] and command[device] is not None:
+                worst = max(worst, at - command[device])
+    return worst
+
+
 class Report(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -110,6 +134,55 @@ class Report(unittest.TestCase):
         self.assertEqual(page.run("document.querySelector('.chain button').getAttribute('aria-pressed')"), "true")
         page.run("document.querySelector('.chain button').click()")
         self.assertEqual(page.run("document.querySelectorAll('.path, .off').length"), 0)
+
+    def test_the_way_of_a_chain_is_that_of_its_oldest_command(self):
+        page = self.open("infantry")
+        data = page.run("data")
+        place = {name: i for i, name in enumerate(data["devices"])}
+        marked = page.run("""readChains().map(chain => [chain.name, chain.up, chain.down,
+            wayOf(chain, view.lanes).filter(s => s.kind !== 'frame').map(s => [s.kind, s.device, s.begin, s.end])])""")
+        self.assertGreater(len(marked), 8)
+        simulation = document(FINEMOTE, "simulate", self.robots["infantry"])
+        worst = {f"{c['from']} \u2192 {c['to']}": c["max_ns"] for c in simulation["chains"]}
+        for name, up, down, way in marked:
+            self.assertEqual([step[:2] for step in way], [["update", d] for d in up] + [["handle", d] for d in down])
+            for before, after in zip(way, way[1:]):
+                self.assertLessEqual(before[3], after[2])
+            age = way[-1][3] - way[0][2]
+            self.assertEqual(age, oldest(data["stages"], up, down), name)
+            self.assertLessEqual(age, worst[name])
+        slow = next(row for row in marked if row[0] == "remote \u2192 yaw")  # read every 10 ms, used every 1 ms
+        self.assertGreater(slow[3][-1][3] - slow[3][0][2], 10_000_000)
+        page.run("document.querySelector('.chain button').click()")
+        self.assertIn("oldest command", page.run("document.querySelector('#way').innerText"))
+        self.assertEqual(set(place[d] for d in ("remote", "gimbal", "yaw")), set(slow[1] + slow[2]))
+
+    def test_bars_compare_times_where_nothing_has_a_bound(self):
+        robot = pathlib.Path(FOLDER.name) / "late.urdf"
+        loads = "".join(f'<device name="load_{i}" type="sim_load"><wcet update="400us" handle="400us" source="budget"/></device>'
+                        for i in range(4))
+        robot.write_text('<robot name="late"><link name="base"/><finemote version="1"><board name="robomaster_type_c"/>'
+                         f'<device name="root" type="group" period="1ms">{loads}</device></finemote></robot>')
+        finemote(FINEMOTE, "report", robot, "-o", self.page("late"))
+        page = self.open("late")
+        self.assertIn("\u2717", page.run("document.querySelector('h1').innerText"))
+        bars = page.run("""[...document.querySelectorAll('.chain .bar.seen')].map(bar => [
+            bar.querySelector('.part.decide').getBoundingClientRect().width, Number(bar.querySelector('.total [data-value]').dataset.value)])""")
+        self.assertEqual(len(bars), 4)
+        per_pixel = [value / width for width, value in bars]
+        self.assertLess(max(per_pixel) / min(per_pixel), 1.02)
+        ticks = page.run("[...document.querySelectorAll('.axis i')].map(e => e.innerText)")
+        self.assertTrue(all(text == "0" or "ms" in text or "µs" in text for text in ticks), ticks)
+
+    def test_texts_of_pictures_keep_their_contrast(self):
+        for dark in (False, True):
+            page = self.open("infantry", dark=dark)
+            page.run("document.documentElement.style.scrollBehavior = 'auto'; view.show(0, 400_000)")
+            count, bad = page.run(PICTURE_CONTRASTS)
+            self.assertGreater(count, 100)
+            self.assertEqual(bad, [], "dark" if dark else "light")
+            page.run("document.querySelector('.chain button').click()")
+            self.assertEqual(page.run(PICTURE_CONTRASTS)[1], [], "of a chosen chain")
 
     def test_every_timeline_zooms_and_every_theme_changes(self):
         length = "(d => d.to - d.from)(document.querySelector('#timeline-view svg').dataset)"
@@ -314,6 +387,50 @@ CONTRASTS = """(() => {
     if (ratio < 4.5) bad.push([element.textContent.slice(0, 30), ratio]);
   }
   return bad;
+})()"""
+
+# The same of texts in pictures: how many there are, and those with too little contrast.
+PICTURE_CONTRASTS = """(() => {
+  const canvas = document.createElement('canvas').getContext('2d', {willReadFrequently: true});
+  const numbers = (colour) => {
+    canvas.clearRect(0, 0, 1, 1); canvas.fillStyle = colour; canvas.fillRect(0, 0, 1, 1);
+    return [...canvas.getImageData(0, 0, 1, 1).data];
+  };
+  const light = ([r, g, b]) => [r, g, b].map((v) => v / 255).map((v) => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
+      .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+  const page = getComputedStyle(document.body).backgroundColor;
+  const paint = (element) => {
+    const style = getComputedStyle(element);
+    const isShape = element instanceof SVGElement && element.tagName !== 'svg';
+    const colour = isShape ? (style.fill.startsWith('url') ? page : style.fill) : style.backgroundColor;
+    if (colour === 'none') return [0, 0, 0, 0];
+    const [r, g, b, a] = numbers(colour);
+    return [r, g, b, a / 255 * Number(style.opacity)];
+  };
+  const behind = (text, x, y) => {
+    let colour = [0, 0, 0], left = 1;
+    for (const element of document.elementsFromPoint(x, y)) {
+      if (element === text || text.contains(element) || ['path', 'line'].includes(element.tagName)) continue;
+      const [r, g, b, a] = paint(element);
+      colour = colour.map((v, i) => v + left * a * [r, g, b][i]);
+      left *= 1 - a;
+      if (left < 0.01) break;
+    }
+    return colour;
+  };
+  const texts = [...document.querySelectorAll('svg text')].filter((text) => text.getBoundingClientRect().width > 0);
+  const bad = [];
+  for (const text of texts) {
+    scrollTo(0, text.getBoundingClientRect().top + scrollY - 300);
+    const box = text.getBoundingClientRect();
+    const back = light(behind(text, box.left + Math.min(box.width / 2, 12), box.top + box.height / 2));
+    for (const own of text.children.length ? text.children : [text]) {
+      const ink = light(numbers(getComputedStyle(own).fill));
+      const ratio = (Math.max(ink, back) + 0.05) / (Math.min(ink, back) + 0.05);
+      if (ratio < 4.5) bad.push([own.textContent.slice(0, 20), text.getAttribute('class'), ratio]);
+    }
+  }
+  return [texts.length, bad];
 })()"""
 
 

@@ -122,17 +122,60 @@ TEST_CASE("the verdict is what the documents say") {
     documents.run = Json::parse(run);
     return verdict_of(documents, "r");
   };
+  using Look = Verdict::Look;
   CHECK(verdict(R"({"schedulable":true,"requirements":[]})").text == "r keeps every deadline");
-  CHECK(verdict(R"({"schedulable":true,"requirements":[{"ok":true}]})").is_good);
+  CHECK(verdict(R"({"schedulable":true,"requirements":[{"ok":true}]})").look == Look::good);
   CHECK(verdict(R"({"schedulable":true,"requirements":[{"ok":true},{"ok":false}]})").text ==
         "r keeps every deadline, but fails 1 of 2 requirements");
   CHECK(verdict(R"({"schedulable":false,"profile":"tight","tight":{"buckets":[{"period_ns":1000000,"ok":true},)"
                 R"({"period_ns":2000000,"ok":false}]}})")
             .text == "r can miss a deadline: devices every 2 ms");
   const char* good = R"({"schedulable":true,"requirements":[]})";
-  CHECK_FALSE(verdict(good, R"({"chains":[{"wire":{"judged":"broken"}}]})").is_good);
-  CHECK_FALSE(verdict(good, R"({"overruns":1})").is_good);
-  CHECK(verdict(good, R"({"overruns":0,"chains":5,"responses":[3]})").is_good);
+  const char* bad_runs[] = {
+      R"({"chains":[{"wire":{"judged":"broken"}}]})",
+      R"({"claims":[{"judged":"broken"}]})",
+      R"({"overruns":1})",
+      R"({"resets":1})",
+      R"({"order":{"mistake":"imu.update came first"}})",
+      R"({"stages":[{"device":"imu","stage":"update","own_max_ns":11,"wcet_ns":10}]})",
+      R"({"unexplained_faults":[{"module":"can","code":3,"count":1}]})",
+      R"({"monitor":[{"response_violations":0,"age_violations":1}]})",
+      R"({"expectations":[{"ok":true},{"ok":false}]})",
+      R"({"chains":[{"decide":{"judged":"no-sample"}}]})",
+  };
+  for (const char* run : bad_runs) {
+    INFO(run);
+    CHECK(verdict(good, run).look == Look::bad);
+  }
+  CHECK(verdict(good, bad_runs[5]).text == "r took longer in the run than its analysis was told: imu's update()");
+  CHECK(verdict(good, R"({"overruns":0,"chains":5,"responses":[3]})").look == Look::good);
+  CHECK(verdict(good, R"({"faults":true,"chains":[{"wire":{"judged":"broken","assumption":"bus-errors"}}]})").look ==
+        Look::good);
+  const Verdict open = verdict(R"({"schedulable":true,"chains":[{"unbounded":[{"part":"acquire"}]},{}]})");
+  CHECK(open.look == Look::open);
+  CHECK(open.text == "r keeps every deadline, but nothing bounds the age of commands in 1 of 2 chains");
+}
+
+TEST_CASE("a report says what kind of execution times it rests on") {
+  Documents documents;
+  documents.timing = Json::parse(R"({"wcet_labels":[{"label":"static"},{"label":"assumed"},{"label":"static"}]})");
+  CHECK(rests_on(documents) == "Execution times: static of 2 devices, assumed of 1.");
+  documents.timing = Json::parse("{}");
+  CHECK(rests_on(documents).empty());
+}
+
+TEST_CASE("a plot has no text that would not fit") {
+  Plot plot{"age", ""};
+  plot.is_time = true;
+  plot.points = {{2e8, 1e6}, {7e8, 3e6}};
+  const std::string picture = drawn(plot);
+  CHECK(picture.find("600 ms") != std::string::npos);
+  CHECK(picture.find("700 ms") == std::string::npos);
+}
+
+TEST_CASE("what is left of a sum that is 0 is shown as 0") {
+  CHECK(shown(Json(-3.58129e-19), Unit::number) == "0");
+  CHECK(shown(Json(-0.25), Unit::number) == "-0.25");
 }
 
 TEST_CASE("a plot lies within its axes, and marks where a value is wanted") {
