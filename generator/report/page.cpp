@@ -75,12 +75,11 @@ void add_optional(const std::string& name, const std::string& title, const std::
                           : "";
 }
 
-std::string time_text(Duration time) { return shown(time.ns(), Unit::time); }
-
 /// After what the order of releases begins anew.
-std::string repeats_text(const Timeline& timeline) {
-  if (!timeline.hyperperiod) return "Releases fall together anew only after more time than a page can tell.";
-  return "Releases fall together anew every " + time_text(*timeline.hyperperiod) + ".";
+std::string repeats_text(const Documents& documents) {
+  const Place hyperperiod = documents.of_simulation()["hyperperiod_ns"];
+  if (!hyperperiod.is_number()) return "Releases fall together anew only after centuries.";
+  return "Releases fall together anew every " + hyperperiod.figure(Unit::time) + ".";
 }
 
 }  // namespace
@@ -105,9 +104,9 @@ std::string page_of(const Contents& contents, const std::string& folder) {
   pieces["chains"] = chain_table(documents, model);
   pieces["earlier"] = earlier_bounds(documents);
   pieces["requirements"] = requirement_table(documents);
-  pieces["length"] = time_text(timeline.length);
+  pieces["length"] = shown(timeline.length.ns(), Unit::time);
   pieces["simulated"] = documents.of_simulation()["duration_ns"].figure(Unit::time);
-  pieces["repeats"] = repeats_text(timeline);
+  pieces["repeats"] = repeats_text(documents);
   pieces["processor"] = processor_table(documents);
   pieces["buses"] = bus_table(documents);
   pieces["assumptions"] = assumption_table(documents);

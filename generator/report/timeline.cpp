@@ -1,26 +1,14 @@
 #include "generator/report/timeline.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
 
 #include "generator/report/frames.hpp"
+#include "generator/simulate/hyperperiod.hpp"
 
 namespace finemote::gen::report {
 namespace {
 
 constexpr Duration kLongest = seconds(10);  // that is shown
-
-/// The least common multiple of the periods; none where it does not fit.
-std::optional<Duration> hyperperiod_of(const std::vector<Duration>& periods) {
-  std::int64_t all = 1;
-  for (const Duration period : periods) {
-    const std::int64_t factor = period.ns() / std::gcd(all, period.ns());
-    if (factor > std::numeric_limits<std::int64_t>::max() / all) return std::nullopt;
-    all *= factor;
-  }
-  return nanoseconds(all);
-}
 
 /// So long that about as many stages begin as can be shown, and at most `longest`.
 Duration shown_of(const timing::TaskSet& set, Duration longest) {
@@ -38,7 +26,7 @@ TimelineRecorder::TimelineRecorder(const timing::Model& model, timing::Profile p
   const timing::TaskSet set = timing::make_task_set(model, profile);
   for (const timing::TaskBucket& bucket : set.buckets) kept_.periods.push_back(bucket.period);
   for (const timing::Stream& stream : set.streams) kept_.streams.push_back(stream.name);
-  kept_.hyperperiod = hyperperiod_of(kept_.periods);
+  kept_.hyperperiod = hyperperiod_of(model);
   // Only commands of the second hyperperiod are as old as any can become.
   const bool is_short = kept_.hyperperiod && *kept_.hyperperiod <= floor_div(kLongest, 2);
   kept_.length = shown_of(set, is_short ? 2 * *kept_.hyperperiod : kLongest);

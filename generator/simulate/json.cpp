@@ -1,5 +1,7 @@
 #include "generator/simulate/json.hpp"
 
+#include "generator/simulate/hyperperiod.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -15,6 +17,7 @@ Json simulation_json(const timing::Timing& timing, const Simulation& run, const 
            {"profile", timing::profile_name(timing.asked)},
            {"seed", request.seed},
            {"duration_ns", run.duration.ns()},
+           {"hyperperiod_ns", number(hyperperiod_of(timing.model))},
            {"devices", Json::array()},
            {"chains", Json::array()},
            {"misses", run.misses}};

@@ -239,6 +239,7 @@ class Timeline {
     const add = (name, value) => list.append(make('div', {}, make('dt', {}, name), value));
     add('from', make('dd', {}, timeText(slice.begin)));
     add('for', make('dd', {}, timeText(slice.end - slice.begin)));
+    if (slice.pieces) add('of that waiting', make('dd', {}, timeText(waitOf(slice))));
     const row = slice.device >= 0 ? find(`#devices-table tr[data-device="${slice.device}"]`) : null;
     if (row) {
       const cells = [...row.cells];

@@ -35,6 +35,12 @@ function without(begin, end, taken) {
   return pieces;
 }
 
+/** How long a slice waits while something more urgent runs. */
+function waitOf(slice) {
+  const ran = (slice.pieces ?? [[slice.begin, slice.end]]).reduce((sum, [begin, end]) => sum + end - begin, 0);
+  return slice.end - slice.begin - ran;
+}
+
 /**
  * Lanes from top to bottom: buses, interrupts, buckets from the shortest period on. A slice has `begin`, `end`, `name`,
  * `kind` (update, handle, flush, entry, interrupt, frame), `row` (0 or 1 of its lane), `device` (-1: none), and of

@@ -10,16 +10,15 @@ function slicesInView(view) {
 }
 
 function rowOf({lane, slice}) {
-  const ran = slice.pieces ? slice.pieces.reduce((sum, [begin, end]) => sum + end - begin, 0) : slice.end - slice.begin;
   const cell = (text) => make('td', {}, text);
   return make('tr', {}, make('th', {scope: 'row'}, `${slice.name} ${kStageWords[slice.kind]}`.trim()),
       make('td', {class: 'word'}, lane.title), cell(timeText(slice.begin)), cell(timeText(slice.end)),
-      cell(timeText(slice.end - slice.begin - ran)));
+      cell(timeText(waitOf(slice))));
 }
 
 /** A table below the timeline that follows it while it is open. */
 function prepareTimelineTable(view) {
-  const head = make('tr', {}, ...['What', 'Where', 'Begin', 'End', 'Waits for more urgent']
+  const head = make('tr', {}, ...['What', 'Where', 'Begin', 'End', 'Waiting in between']
       .map((title, i) => make('th', {scope: 'col', ...(i > 1 ? {class: 'number'} : {})}, title)));
   const caption = make('caption');
   const body = make('tbody');
