@@ -36,8 +36,7 @@ std::string remarks(const Place& chain) {
   if (chain["assumed"].is_true()) add("rests on assumed execution times");
   if (chain["through_reads"].is_true()) add("through <reads>");
   if (chain["closed_form"].is_true()) add("by a simpler formula, never below the exact one");
-  for (std::size_t i = 0; i < chain["unbounded"].size(); ++i)
-    add(gap_text(chain["unbounded"][i]));
+  for (std::size_t i = 0; i < chain["unbounded"].size(); ++i) add(gap_text(chain["unbounded"][i]));
   return text;
 }
 

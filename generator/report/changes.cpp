@@ -22,19 +22,20 @@ struct Property {
 
 /// Rows of the table, and how many of them say what.
 struct Changes {
-  std::string rows = {};
+  std::map<std::string, std::string> rows = {};    ///< by word of it, as are the counts
   std::map<std::string, std::size_t> counts = {};  ///< by word: `better`, `worse`, `added`, `removed`, `changed`
 
   void add(const std::string& subject, const char* title, const Place& before, const Place& after, Unit unit,
            const std::string& word_of_it) {
-    rows += fmt::format("<tr class=\"{}\">", word_of_it) + row_title(subject) + word(title) + before.cell(unit) +
-            after.cell(unit) + fmt::format("<td class=\"state\">{}</td></tr>\n", word_of_it);
+    rows[word_of_it] += fmt::format("<tr class=\"{}\">", word_of_it) + row_title(subject) + word(title) +
+                        before.cell(unit) + after.cell(unit) +
+                        fmt::format("<td class=\"state\">{}</td></tr>\n", word_of_it);
     ++counts[word_of_it];
   }
 
   void add(const std::string& subject, const std::string& word_of_it) {
-    rows += fmt::format("<tr class=\"{}\">", word_of_it) + row_title(subject) + word("") + "<td>–</td><td>–</td>" +
-            fmt::format("<td class=\"state\">{}</td></tr>\n", word_of_it);
+    rows[word_of_it] += fmt::format("<tr class=\"{}\">", word_of_it) + row_title(subject) + word("") +
+                        "<td>–</td><td>–</td>" + fmt::format("<td class=\"state\">{}</td></tr>\n", word_of_it);
     ++counts[word_of_it];
   }
 };
@@ -132,12 +133,16 @@ std::string changes_of(const Documents& documents) {
                        is_good ? "Every deadline is kept now; before, some could be missed."
                                : "Some deadline can be missed now; before, all were kept.");
   if (changes.counts.empty()) return text + "<p>Nothing: every bound, load and requirement is what it was.</p>\n";
-  std::string sentence;
-  for (const auto& [name, count] : changes.counts)
-    sentence += fmt::format("{}{} {}", sentence.empty() ? "" : ", ", count, name);
+  std::string sentence, rows;
+  for (const char* name : {"worse", "removed", "added", "changed", "better"}) {
+    const auto count = changes.counts.find(name);
+    if (count == changes.counts.end()) continue;
+    sentence += fmt::format("{}{} {}", sentence.empty() ? "" : ", ", count->second, name);
+    rows += changes.rows.at(name);
+  }
   return text + fmt::format("<p>{}.</p>\n", sentence) + "<div class=\"changes\">" +
-         table_of("changes-table", "What is different now; the most telling first",
-                  {{"What"}, {"Property"}, {"Before", true}, {"Now", true}, {"Which is"}}, changes.rows) +
+         table_of("changes-table", "What is different now",
+                  {{"What"}, {"Property"}, {"Before", true}, {"Now", true}, {"Which is"}}, rows) +
          "</div>\n";
 }
 

@@ -180,7 +180,8 @@ std::string ages_text(const Documents& documents) {
       "closely, the oldest of them. The worst of each chain is in the table of chains.</p>\n" +
       figures_of(plots, kMostChains);
   if (plots.size() > kMostChains)
-    text += fmt::format("<p class=\"note\">Of {} chains, the {} with the oldest commands are drawn.</p>\n", plots.size(), kMostChains);
+    text += fmt::format("<p class=\"note\">Of {} chains, the {} with the oldest commands are drawn.</p>\n",
+                        plots.size(), kMostChains);
   return text;
 }
 

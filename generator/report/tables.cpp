@@ -113,7 +113,7 @@ std::string processor_table(const Documents& documents) {
             use["utilization"].cell(Unit::share) + share_bar(use["utilization"].number() / most) +
             word(label_of(documents, use)) + "</tr>\n";
   }
-  return table_of("processor-table", "Who uses the processor at most. Interrupts may come in bursts, closer together than on average",
+  return table_of("processor-table", "Who uses the processor, at most; bars compare shares",
                   {{"User"}, {"Each", true}, {"Closest together", true}, {"Share", true}, {""}, {"Times are"}}, rows);
 }
 

@@ -34,7 +34,7 @@ struct Timeline {
     Duration begin, end;
   };
   std::optional<Duration> hyperperiod;  ///< of the buckets; none where it is longer than a Duration holds
-  Duration length;  ///< shown: the first two of them, or what of these is not too much to draw
+  Duration length;                      ///< shown: the first two of them, or what of these is not too much to draw
   std::vector<Duration> periods;
   std::vector<std::string> streams;
   std::vector<Job> jobs;

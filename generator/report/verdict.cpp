@@ -32,7 +32,7 @@ std::size_t failed(const Place& list) {
 
 /// How the parts of a run that have a bound were judged.
 struct Judged {
-  std::size_t measured = 0;   ///< held or broken
+  std::size_t measured = 0;  ///< held or broken
   std::size_t broken = 0;
   std::size_t unmeasured = 0;  ///< there is a bound, and nothing to hold against it
 
@@ -160,8 +160,8 @@ std::string run_cards(const Documents& documents) {
                fmt::format("overruns: {}, order of stages {}", run["overruns"].figure(Unit::count), order));
   const Place wanted = run["expectations"];
   if (wanted.size() > 0)
-    text += card("Scenario", fmt::format("{} of {}", wanted.size() - failed(wanted), wanted.size()),
-                 "expectations met");
+    text +=
+        card("Scenario", fmt::format("{} of {}", wanted.size() - failed(wanted), wanted.size()), "expectations met");
   return text;
 }
 
@@ -180,7 +180,8 @@ Verdict verdict_of(const Documents& documents, const std::string& robot) {
     return {Look::bad, fmt::format("{}, but fails {} of {} requirements", so_far, count, all)};
   const Place wanted = documents.of_run()["expectations"];
   if (const std::size_t count = failed(wanted); count > 0)
-    return {Look::bad, fmt::format("{}, but fails {} of {} expectations of the scenario", so_far, count, wanted.size())};
+    return {Look::bad,
+            fmt::format("{}, but fails {} of {} expectations of the scenario", so_far, count, wanted.size())};
   if (const std::size_t count = unbounded(timing["chains"]); count > 0)
     return {Look::open, fmt::format("{}, but nothing bounds the age of commands in {} of {} chains", so_far, count,
                                     timing["chains"].size())};
@@ -194,7 +195,7 @@ std::string rests_on(const Documents& documents) {
   std::string text;
   for (const char* label : {"static", "measured", "declared", "assumed"}) {
     if (counts[label] > 0)
-      text += fmt::format("{}{} of {}", text.empty() ? "" : ", ", label, devices_text(counts[label], text.empty()));
+      text += fmt::format("{}{} for {}", text.empty() ? "" : ", ", label, devices_text(counts[label], text.empty()));
   }
   return text.empty() ? text : "Execution times: " + text + ".";
 }

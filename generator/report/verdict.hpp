@@ -18,7 +18,7 @@ struct Verdict {
 /// its age; the text names the first reason.
 Verdict verdict_of(const Documents& documents, const std::string& robot);
 
-/// What the execution times are that the verdict rests on: `Execution times: static of 12 devices, assumed of 1.`
+/// What the execution times are that the verdict rests on: `Execution times: static for 12 devices, assumed for 1.`
 std::string rests_on(const Documents& documents);
 
 /// Worst age of a command, load of the processor and the busiest bus; of a run also sizes and what it kept.

@@ -7,7 +7,7 @@ const kPaper = 720;       // width of the picture on paper
 const kGap = 8;
 const kThinnest = 0.6;    // slices thinner than that are drawn together
 const kLetter = 6.4;      // width of a letter in a slice, about
-const kFewLetters = 5;    // of a name that does not fit, where so many do
+const kFewLetters = 6;    // of a name that does not fit, where so many do
 const kManyPeriods = 10;  // what is longer than that is shown from near at first
 
 class Timeline {
@@ -163,7 +163,8 @@ class Timeline {
     let widest = [x, end];
     if (slice.pieces && slice.pieces.length > 0) {
       if (slice.pieces.length > 1 || slice.pieces[0][1] - slice.pieces[0][0] < slice.end - slice.begin)
-        parts.push(box(x, end, 'outline', 'fill:url(#hatch)'));
+        parts.push(...without(slice.begin, slice.end, slice.pieces).map(([begin, stop]) =>
+            box(this.x(begin), this.x(stop), 'outline', 'fill:url(#hatch)')), box(x, end, 'outline', 'fill:none'));
       const ran = slice.pieces.map(([begin, stop]) => [this.x(begin), this.x(stop)]);
       for (const [from, to] of ran) parts.push(box(from, to, 'ran', fill));
       widest = ran.reduce((best, one) => one[1] - one[0] > best[1] - best[0] ? one : best);

@@ -77,10 +77,12 @@ function addStages(buckets, busy) {
   each(data.jobs, 3, (bucket, begin, length) => jobs[bucket].push([begin, begin + length]));
   const stages = buckets.map(() => []);
   let begin = 0;
+  let order = 0;  // in which they ended
   each(data.stages, 4, (device, isHandle, gap, length) => {
     begin += gap;
     stages[data.bucketOf[device]].push(
-        {kind: isHandle ? 'handle' : 'update', row: isHandle, device, begin, end: begin + length, name: data.devices[device]});
+        {kind: isHandle ? 'handle' : 'update', row: isHandle, device, begin, end: begin + length, name: data.devices[device],
+         order: order++});
   });
   let taken = busy;
   buckets.forEach((lane, i) => {

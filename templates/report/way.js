@@ -1,20 +1,25 @@
 // A chain to the slices that its oldest command came through.
 
-/** The last slice of a list in the order of time that has ended at `time`; undefined where there is none. */
-function lastEnded(slices, time) {
+/** The last slice of a list of which the first ones fit; undefined where none does. */
+function lastThat(fits, slices) {
   let low = 0;
   let high = slices.length;
-  while (low < high) {  // the first that ends later
+  while (low < high) {  // the first that does not
     const middle = (low + high) >> 1;
-    if (slices[middle].end <= time) low = middle + 1;
+    if (fits(slices[middle])) low = middle + 1;
     else high = middle;
   }
   return slices[low - 1];
 }
 
+/** Of stages: those that had published when `stage` began. Some take no time: then their order counts. */
+function isBefore(stage) {
+  return (one) => one.end <= stage.begin && one.order < stage.order;
+}
+
 /** The slices of the lanes of one kind that `fits`, in the order of time. */
 function slicesOf(lanes, kind, fits) {
-  return lanes.filter((lane) => lane.kind === kind).flatMap((lane) => lane.slices.filter(fits)).sort((a, b) => a.end - b.end);
+  return lanes.filter((lane) => lane.kind === kind).flatMap((lane) => lane.slices.filter(fits)).sort((a, b) => a.end - b.end || a.order - b.order);
 }
 
 /**
@@ -29,7 +34,7 @@ function wayOf(chain, lanes) {
   let oldest = [];
   for (const last of steps[steps.length - 1]) {
     const way = [last];
-    for (let i = steps.length - 2; i >= 0 && way[0]; --i) way.unshift(lastEnded(steps[i], way[0].begin));
+    for (let i = steps.length - 2; i >= 0 && way[0]; --i) way.unshift(lastThat(isBefore(way[0]), steps[i]));
     if (way[0] && (oldest.length === 0 || age(way) > age(oldest))) oldest = way;
   }
   return oldest.length > 0 ? [...frameBefore(chain, lanes, oldest[0].begin), ...oldest, ...frameBehind(chain, lanes, oldest)] : [];
@@ -37,7 +42,7 @@ function wayOf(chain, lanes) {
 
 /** The frame that brought what an update at `time` reads. */
 function frameBefore(chain, lanes, time) {
-  const frame = lastEnded(slicesOf(lanes, 'bus', (s) => s.device === chain.up[0]), time);
+  const frame = lastThat((s) => s.end <= time, slicesOf(lanes, 'bus', (s) => s.device === chain.up[0]));
   return frame ? [frame] : [];
 }
 

@@ -159,7 +159,7 @@ TEST_CASE("the verdict is what the documents say") {
 TEST_CASE("a report says what kind of execution times it rests on") {
   Documents documents;
   documents.timing = Json::parse(R"({"wcet_labels":[{"label":"static"},{"label":"assumed"},{"label":"static"}]})");
-  CHECK(rests_on(documents) == "Execution times: static of 2 devices, assumed of 1.");
+  CHECK(rests_on(documents) == "Execution times: static for 2 devices, assumed for 1.");
   documents.timing = Json::parse("{}");
   CHECK(rests_on(documents).empty());
 }
