@@ -19,7 +19,12 @@ endfunction()
 
 # Stops where the compiler is not one for the chips of the board: it would fail in every assembler line.
 function(finemote_check_compiler board chips)
-  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -dumpmachine OUTPUT_VARIABLE machine OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(NOT FINEMOTE_MACHINE_OF STREQUAL CMAKE_CXX_COMPILER)
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} -dumpmachine OUTPUT_VARIABLE machine OUTPUT_STRIP_TRAILING_WHITESPACE)
+    set(FINEMOTE_MACHINE ${machine} CACHE INTERNAL "what the compiler compiles for")
+    set(FINEMOTE_MACHINE_OF ${CMAKE_CXX_COMPILER} CACHE INTERNAL "")
+  endif()
+  set(machine ${FINEMOTE_MACHINE})
   if(NOT chips AND machine MATCHES "^arm-none-eabi")
     message(FATAL_ERROR "finemote: board 'host' runs on this computer, and the compiler is one for '${machine}'; "
                         "configure without cmake/toolchain-arm-none-eabi.cmake")

@@ -16,9 +16,13 @@ endif()
 add_compile_options(${finemote_options})
 add_link_options(${finemote_options})
 # The headers of the C++ library are enough for what finemote ships and generates; its archive is linked where it is installed.
-execute_process(COMMAND ${FINEMOTE_ARM_COMPILER} -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard
-                        -print-file-name=libstdc++.a OUTPUT_VARIABLE finemote_cxx_archive OUTPUT_STRIP_TRAILING_WHITESPACE)
-if(NOT EXISTS "${finemote_cxx_archive}")
+if(NOT FINEMOTE_CXX_ARCHIVE_OF STREQUAL FINEMOTE_ARM_COMPILER OR NOT EXISTS "${FINEMOTE_CXX_ARCHIVE}")
+  execute_process(COMMAND ${FINEMOTE_ARM_COMPILER} -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard
+                          -print-file-name=libstdc++.a OUTPUT_VARIABLE finemote_cxx_archive OUTPUT_STRIP_TRAILING_WHITESPACE)
+  set(FINEMOTE_CXX_ARCHIVE ${finemote_cxx_archive} CACHE INTERNAL "")
+  set(FINEMOTE_CXX_ARCHIVE_OF ${FINEMOTE_ARM_COMPILER} CACHE INTERNAL "")
+endif()
+if(NOT EXISTS "${FINEMOTE_CXX_ARCHIVE}")
   add_link_options(-nodefaultlibs)
   set(CMAKE_CXX_STANDARD_LIBRARIES_INIT "-Wl,--start-group -lc_nano -lm -lgcc -Wl,--end-group")
 endif()

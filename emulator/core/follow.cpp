@@ -48,7 +48,7 @@ bool has_else(unsigned state) {
 
 }  // namespace
 
-void TagFlow::follow(const Operation& o, const Registers& registers, bool is_conditional, Time now) {
+void TagFlow::follow_tags(const Operation& o, const Registers& registers, bool is_conditional, Time now) {
   if (o.kind == Opcode::it) in_choice_ = has_else(o.imm);
   may_leave_ = is_conditional && !in_choice_;
   now_ = now;

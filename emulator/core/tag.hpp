@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 
 namespace finemote::emulator {
 
@@ -20,7 +21,19 @@ inline WordTags newer(const WordTags& a, const WordTags& b) {
   return {newest(a[0], b[0]), newest(a[1], b[1]), newest(a[2], b[2]), newest(a[3], b[3])};
 }
 inline WordTags all_of(Tag tag) { return {tag, tag, tag, tag}; }
-inline bool is_untagged(const WordTags& tags) { return newest(tags) == Tag::none; }
+/// Looked at together: this is asked at every instruction.
+template <class... Words>
+bool is_untagged(const Words&... words) {
+  std::uint64_t any = 0;
+  const auto look = [&any](const WordTags& tags) {
+    std::array<std::uint64_t, 2> halves;
+    static_assert(sizeof halves == sizeof tags);
+    std::memcpy(halves.data(), tags.data(), sizeof halves);
+    any |= halves[0] | halves[1];
+  };
+  (look(words), ...);
+  return any == 0;
+}
 
 /// Tags of a word whose bits are moved by `bits`, up where it is positive; where bits of two bytes meet, the newer
 /// one's. What comes in is `fill`.

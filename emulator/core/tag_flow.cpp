@@ -23,7 +23,12 @@ std::span<Tag> TagFlow::find(std::uint32_t address, unsigned bytes) {
 
 WordTags TagFlow::in_memory(std::uint32_t address, unsigned bytes) {
   WordTags tags{};
-  std::ranges::copy(find(address, bytes), tags.begin());
+  const std::span<Tag> from = find(address, bytes);
+  if (from.size() == tags.size()) {
+    std::copy_n(from.begin(), tags.size(), tags.begin());  // at once: words are what is loaded most
+  } else {
+    std::ranges::copy(from, tags.begin());
+  }
   return tags;
 }
 

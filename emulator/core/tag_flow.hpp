@@ -27,7 +27,12 @@ class TagFlow {
   [[nodiscard]] bool is_on() const { return !ram_.empty(); }
 
   /// `o` is about to execute. @param is_conditional  inside an IT block
-  void follow(const Operation& o, const Registers& registers, bool is_conditional, Time now);
+  void follow(const Operation& o, const Registers& registers, bool is_conditional, Time now) {
+    // Most of what runs moves nothing that has a tag.
+    if (is_among(o.kind, Opcode::and_imm, Opcode::adr) ? is_untagged(r_[o.d], r_[o.n], r_[o.m]) : is_plain_jump(o.kind))
+      return;
+    follow_tags(o, registers, is_conditional, now);
+  }
   /// A word of a peripheral has been loaded; its tags are in `crossing`.
   void take_answer(unsigned bytes, Time now);
   /// A word is about to be stored to a peripheral: puts its tags in `crossing`.
@@ -58,6 +63,8 @@ class TagFlow {
     bool is_signed;
   };
 
+  static bool is_plain_jump(Opcode kind) { return kind == Opcode::b || kind == Opcode::b_cond; }
+  void follow_tags(const Operation& o, const Registers& registers, bool is_conditional, Time now);
   std::span<Tag> find(std::uint32_t address, unsigned bytes);
   void set(WordTags& to, const WordTags& tags);
   void load(std::uint32_t address, Width width, WordTags& to);

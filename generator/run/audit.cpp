@@ -1,5 +1,7 @@
 #include "generator/run/audit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -51,7 +53,7 @@ class Audit {
     add_samples();
     add_uses();
     add_outputs();
-    add(record.ready.ns() * kPsPerNs, {{"what", "ready"}});
+    add(record.ready.ns() * kPsPerNs, "\"what\":\"ready\"");
     std::stable_sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) { return a.at < b.at; });
   }
 
@@ -73,32 +75,29 @@ class Audit {
     return static_cast<std::int64_t>(std::floor(static_cast<long double>(ps) / (1 + record_.clock_ppm * 1e-6L)));
   }
 
-  void add(std::int64_t ps, const Json& rest) {
-    Json line{{"t", true_ps(ps)}};
-    line.update(rest);
-    lines_.push_back({line.at("t").get<std::int64_t>(), line.dump()});
+  /// @param members  of the line's object behind its time, as JSON: there are tens of thousands of lines
+  void add(std::int64_t ps, const std::string& members) {
+    const std::int64_t at = true_ps(ps);
+    lines_.push_back({at, fmt::format("{{\"t\":{},{}}}", at, members)});
   }
 
   void add_log() {
     for (const LoggedEvent& event : record_.log) {
-      Json rest{{"what", event.what}};
       if (event.what == "begin" || event.what == "end") {
-        rest["stage"] = event.number;
+        add(event.ps, fmt::format("\"what\":\"{}\",\"stage\":{}", event.what, event.number));
       } else if (event.what != "mask" && event.what != "unmask" && event.what != "reset") {
-        rest["exception"] = event.number;
+        add(event.ps, fmt::format("\"what\":\"{}\",\"exception\":{}", event.what, event.number));
+      } else {
+        add(event.ps, fmt::format("\"what\":\"{}\"", event.what));
       }
-      add(event.ps, rest);
     }
   }
 
   void add_samples() {
     for (const PartRecord& event : record_.parts) {
       if (event.is_output) continue;
-      add(event.at_ps, {{"what", "sample"},
-                        {"part", event.part},
-                        {"channel", event.channel},
-                        {"n", event.n},
-                        {"from", true_ps(event.from_ps)}});
+      add(event.at_ps, fmt::format("\"what\":\"sample\",\"part\":{},\"channel\":{},\"n\":{},\"from\":{}",
+                                   quoted(event.part), event.channel, event.n, true_ps(event.from_ps)));
     }
   }
 
@@ -111,11 +110,9 @@ class Audit {
     for (const SampleUse& use : record_.uses) {
       const std::string& device = device_of(use.stage);
       if (use.part != device) continue;
-      add(use.at_ps, {{"what", "used"},
-                      {"device", device},
-                      {"channel", use.channel},
-                      {"n", use.n},
-                      {"claimed", use.claimed_ps ? Json(true_ps(*use.claimed_ps)) : Json()}});
+      const std::string claimed = use.claimed_ps ? std::to_string(true_ps(*use.claimed_ps)) : "null";
+      add(use.at_ps, fmt::format("\"what\":\"used\",\"device\":{},\"channel\":{},\"n\":{},\"claimed\":{}",
+                                 quoted(device), use.channel, use.n, claimed));
     }
   }
 
@@ -124,20 +121,21 @@ class Audit {
     std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> next;  // job of the output of a part
     for (const PartRecord& event : record_.parts) {
       if (!event.is_output) continue;
-      Json rest{
-          {"what", "output"}, {"part", event.part}, {"channel", event.channel}, {"device", nullptr}, {"job", nullptr}};
+      std::string carried = "\"device\":null,\"job\":null";
       if (event.stage) {
-        const std::string& device = device_of(*event.stage);
-        rest["device"] = device;
-        rest["job"] = event.n;
+        const std::string device = quoted(device_of(*event.stage));
+        carried = fmt::format("\"device\":{},\"job\":{}", device, event.n);
         std::uint32_t& expected = next[{event.part, event.channel}];
         for (; expected < event.n; ++expected)
-          add(event.at_ps, {{"what", "superseded"}, {"device", device}, {"job", expected}});
+          add(event.at_ps, fmt::format("\"what\":\"superseded\",\"device\":{},\"job\":{}", device, expected));
         expected = std::max(expected, event.n + 1);
       }
-      add(event.at_ps, rest);
+      add(event.at_ps,
+          fmt::format("\"what\":\"output\",\"part\":{},\"channel\":{},{}", quoted(event.part), event.channel, carried));
     }
   }
+
+  static std::string quoted(const std::string& name) { return Json(name).dump(); }
 
   const Robot& robot_;
   const Forest& forest_;

@@ -4,8 +4,11 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <sstream>
 
+#include "generator/file/replace_file.hpp"
+#include "generator/output/folder.hpp"
 #include "generator/run/process.hpp"
 
 namespace finemote::gen {
@@ -72,6 +75,53 @@ bool step(const std::vector<std::string>& command, const char* what, Diagnostics
   return false;
 }
 
+/// Names of all sources below a folder, in order.
+std::set<std::string> sources_below(const fs::path& folder) {
+  std::set<std::string> sources;
+  std::error_code failed;
+  for (fs::recursive_directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
+    if (it->path().extension() == ".cpp") sources.insert(it->path().generic_string());
+  }
+  return sources;
+}
+
+/// What the configuration of a work folder follows from: its project, and the names of the sources, which CMake looks
+/// for.
+std::string configuration_of(const FirmwareRequest& request) {
+  std::string text = fs::absolute(request.folder).generic_string() + "\n" + project_text(request);
+  for (const fs::path& folder : {fs::path(request.folder) / "generated", fs::path(request.data_dir) / "runtime"}) {
+    for (const std::string& source : sources_below(folder)) text += source + "\n";
+  }
+  return text;
+}
+
+/// Left in the build folder by a configuration that succeeded.
+fs::path configuration_file(const fs::path& build) { return build / "finemote.configuration"; }
+
+/// Whether CMake has nothing to do that the build would not ask it for.
+bool is_configured(const FirmwareRequest& request, const fs::path& build) {
+  return fs::exists(build / "build.ninja") &&
+         read_bytes(configuration_file(build).string()) == configuration_of(request);
+}
+
+bool configure(const FirmwareRequest& request, const fs::path& build, Diagnostics& diagnostics) {
+  std::error_code ignored;
+  fs::remove(configuration_file(build), ignored);
+  // Where it was configured before, the programs were there.
+  if (!fs::exists(build / "build.ninja") && !are_there(tools_for(request.for_host), diagnostics)) return false;
+  std::vector<std::string> command{"cmake", "-S", request.folder, "-B", build.string(), "-G", "Ninja"};
+  if (!fs::exists(build / "CMakeCache.txt") && run_process({"ccache", "--version"}, std::chrono::seconds(10)).started) {
+    command.emplace_back("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache");
+  }
+  if (!request.for_host) {
+    command.push_back("-DCMAKE_TOOLCHAIN_FILE=" +
+                      fs::absolute(request.data_dir + "/cmake/toolchain-arm-none-eabi.cmake").string());
+  }
+  if (!step(command, "configuring the firmware", diagnostics)) return false;
+  static_cast<void>(replace_file(configuration_file(build).string(), configuration_of(request)));
+  return true;
+}
+
 }  // namespace
 
 std::string cmake_words(const std::vector<std::string>& paths) {
@@ -106,18 +156,9 @@ bool can_build(const FirmwareRequest& request) {
 }
 
 std::optional<std::string> build_firmware(const FirmwareRequest& request, Diagnostics& diagnostics) {
-  if (!are_there(tools_for(request.for_host), diagnostics)) return std::nullopt;
   const fs::path build = fs::path(request.folder) / "build";
-  std::vector<std::string> configure{"cmake", "-S", request.folder, "-B", build.string(), "-G", "Ninja"};
-  if (run_process({"ccache", "--version"}, std::chrono::seconds(10)).started) {
-    configure.emplace_back("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache");
-  }
-  if (!request.for_host) {
-    configure.push_back("-DCMAKE_TOOLCHAIN_FILE=" +
-                        fs::absolute(request.data_dir + "/cmake/toolchain-arm-none-eabi.cmake").string());
-  }
-  if (!step(configure, "configuring the firmware", diagnostics)) return std::nullopt;
-  if (!step({"cmake", "--build", build.string()}, "compiling the firmware", diagnostics)) return std::nullopt;
+  if (!is_configured(request, build) && !configure(request, build, diagnostics)) return std::nullopt;
+  if (!step({"ninja", "-C", build.string()}, "compiling the firmware", diagnostics)) return std::nullopt;
   return image_path(request);
 }
 
