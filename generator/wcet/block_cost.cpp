@@ -1,15 +1,11 @@
 #include "generator/wcet/block_cost.hpp"
 
-#include "generator/wcet/cost_table.hpp"
 #include "generator/wcet/operands.hpp"
 
 namespace finemote::gen::wcet {
 namespace {
 
 constexpr std::uint32_t kLine = 16;          // bytes of flash that are read at once: RM0090 3.5
-constexpr Cycles kWaitStates = 5;            // of a line at 168 MHz and 2.7 V: RM0090 table 11
-constexpr Cycles kReadInFlight = 6;          // a whole line before it: reads cannot be taken back
-constexpr Cycles kStraddling = 1;            // a wide instruction at an odd halfword may starve the decoder
 constexpr std::uint32_t kFetchedAhead = 12;  // bytes behind a jump that the core asks for
 
 std::uint32_t line_of(std::uint32_t address) { return address / kLine; }
@@ -18,38 +14,39 @@ std::uint32_t line_of(std::uint32_t address) { return address / kLine; }
 
 Cycles CodeCost::fetch(const Instruction& i) const {
   const bool is_wide_at_odd = i.size == 4 && i.address % 4 != 0;
-  Cycles cycles = is_wide_at_odd ? kStraddling : 0;
-  if (placement_ == Placement::flash && line_of(i.address) != line_of(i.end() - 1)) cycles += kWaitStates;
+  Cycles cycles = is_wide_at_odd ? table_->straddling : 0;
+  if (placement_ == Placement::flash && line_of(i.address) != line_of(i.end() - 1)) cycles += table_->wait_states;
   return cycles;
 }
 
 std::optional<Cycles> CodeCost::run(const Instruction& i, const Machine& machine) const {
-  const auto alone = longest_time(i);
+  const auto alone = longest_time(i, *table_);
   if (!alone) return std::nullopt;
   Cycles cycles = *alone + fetch(i);
   for (const Transferred& word : memory_use(i, machine).words)
-    cycles += longest_wait(word.access.address.range(), placement_);
-  if (i.id == ARM_INS_TBB || i.id == ARM_INS_TBH) cycles += longest_wait(Interval::of(i.end()), placement_);
+    cycles += longest_wait(word.access.address.range(), placement_, table_->waits);
+  if (i.id == ARM_INS_TBB || i.id == ARM_INS_TBH)
+    cycles += longest_wait(Interval::of(i.end()), placement_, table_->waits);
   return cycles;
 }
 
-Cycles CodeCost::skip(const Instruction& i) const { return kSkipped + fetch(i); }
+Cycles CodeCost::skip(const Instruction& i) const { return table_->skipped + fetch(i); }
 
 Cycles CodeCost::fall(const Instruction& from) const {
   if (placement_ == Placement::sram) return 0;
   // Of an instruction that straddles, the second line has been paid for.
-  return line_of(from.end()) != line_of(from.end() - 1) ? kWaitStates : 0;
+  return line_of(from.end()) != line_of(from.end() - 1) ? table_->wait_states : 0;
 }
 
 Cycles CodeCost::jump(std::uint32_t target) const {
-  if (placement_ == Placement::sram) return kTaken;
+  if (placement_ == Placement::sram) return table_->taken;
   const bool asks_next_line = line_of(target) != line_of(target + kFetchedAhead);
-  return kTaken + kWaitStates + kReadInFlight + (asks_next_line ? kReadInFlight : 0);
+  return table_->taken + table_->wait_states + table_->read_in_flight + (asks_next_line ? table_->read_in_flight : 0);
 }
 
 Cycles CodeCost::not_taken(const Instruction& branch, std::uint32_t target) const {
   const bool is_elsewhere = line_of(branch.address) != line_of(target);
-  return placement_ == Placement::flash && is_elsewhere ? kReadInFlight : 0;
+  return placement_ == Placement::flash && is_elsewhere ? table_->read_in_flight : 0;
 }
 
 }  // namespace finemote::gen::wcet

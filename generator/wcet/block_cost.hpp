@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "generator/image/instruction.hpp"
+#include "generator/wcet/cost_table.hpp"
 #include "generator/wcet/machine.hpp"
 #include "generator/wcet/memory_map.hpp"
 
@@ -11,7 +12,9 @@ namespace finemote::gen::wcet {
 
 class CodeCost {
  public:
-  explicit CodeCost(Placement placement) : placement_(placement) {}
+  /// @param table  outlives it
+  explicit CodeCost(Placement placement, const CostTable& table = documented_costs())
+      : placement_(placement), table_(&table) {}
 
   /// Of an instruction that runs on a machine, without the way to the next; none: it has no known bound.
   [[nodiscard]] std::optional<Cycles> run(const Instruction& instruction, const Machine& machine) const;
@@ -27,6 +30,7 @@ class CodeCost {
  private:
   [[nodiscard]] Cycles fetch(const Instruction& instruction) const;
   Placement placement_;
+  const CostTable* table_;
 };
 
 }  // namespace finemote::gen::wcet

@@ -6,25 +6,18 @@
 namespace finemote::gen::wcet {
 namespace {
 
-constexpr Cycles kMultiple = 2;  // load and store multiple: and one per word
-constexpr Cycles kTableBranch = 4;
-constexpr Cycles kRefill = 3;
-constexpr Cycles kDrain = 14;  // a store of the slowest memory still in the write buffer
-
-Cycles multiple(const Instruction& i, std::size_t first) { return kMultiple + i.words_from(first); }
+using Kind = CostTable::Kind;
 
 bool has_double(const Instruction& i) {
   return !i.operands.empty() && i.operands[0].type == ARM_OP_REG && i.operands[0].reg >= ARM_REG_D0 &&
          i.operands[0].reg <= ARM_REG_D31;
 }
 
-struct Row {
-  unsigned id;
-  Cycles cycles;
-};
+constexpr Cycles kDrain = 14;  // a store of the slowest memory still in the write buffer
+constexpr Cycles kRefill = 3;
 
 /// What does not depend on operands.
-constexpr Row kRows[] = {
+constexpr CostTable::Row kRows[] = {
     {ARM_INS_ADC, 1},
     {ARM_INS_ADD, 1},
     {ARM_INS_ADDW, 1},
@@ -97,8 +90,8 @@ constexpr Row kRows[] = {
     {ARM_INS_DSB, 1 + kDrain},
     {ARM_INS_DMB, 1 + kDrain},
     {ARM_INS_ISB, 1 + kRefill},
-    {ARM_INS_TBB, kTableBranch},
-    {ARM_INS_TBH, kTableBranch},
+    {ARM_INS_TBB, 4},
+    {ARM_INS_TBH, 4},
     {ARM_INS_VADD, 2},
     {ARM_INS_VSUB, 2},
     {ARM_INS_VMUL, 2},
@@ -124,12 +117,14 @@ constexpr Row kRows[] = {
     {ARM_INS_VSQRT, 15},
 };
 
-std::optional<Cycles> of_table(unsigned id) {
-  const auto row = std::find_if(std::begin(kRows), std::end(kRows), [id](const Row& r) { return r.id == id; });
-  return row == std::end(kRows) ? std::nullopt : std::optional(row->cycles);
+CostTable documented() {
+  CostTable table;
+  table.fixed.assign(std::begin(kRows), std::end(kRows));
+  return table;
 }
 
-std::optional<Cycles> of_memory(const Instruction& i) {
+/// How an instruction touches memory; none: it does not.
+std::optional<Kind> kind_of(const Instruction& i) {
   switch (i.id) {
     case ARM_INS_LDR:
     case ARM_INS_LDRB:
@@ -139,21 +134,22 @@ std::optional<Cycles> of_memory(const Instruction& i) {
     case ARM_INS_STR:
     case ARM_INS_STRB:
     case ARM_INS_STRH:
+      return Kind::single;
     case ARM_INS_LDREX:
     case ARM_INS_LDREXB:
     case ARM_INS_LDREXH:
     case ARM_INS_STREX:
     case ARM_INS_STREXB:
     case ARM_INS_STREXH:
-      return 3;
+      return Kind::exclusive;
     case ARM_INS_LDRD:
     case ARM_INS_STRD:
-      return 4;
+      return Kind::two;
     case ARM_INS_PUSH:
     case ARM_INS_POP:
     case ARM_INS_VPUSH:
     case ARM_INS_VPOP:
-      return multiple(i, 0);
+      return Kind::stack;
     case ARM_INS_LDM:
     case ARM_INS_LDMDB:
     case ARM_INS_STM:
@@ -162,20 +158,48 @@ std::optional<Cycles> of_memory(const Instruction& i) {
     case ARM_INS_VLDMDB:
     case ARM_INS_VSTMIA:
     case ARM_INS_VSTMDB:
-      return multiple(i, 1);
+      return Kind::several;
     case ARM_INS_VLDR:
     case ARM_INS_VSTR:
-      return has_double(i) ? 4 : 3;
+      return has_double(i) ? Kind::float_two : Kind::float_single;
     default:
       return std::nullopt;
   }
 }
 
+Cycles of_memory(const Instruction& i, Kind kind, const CostTable& table) {
+  switch (kind) {
+    case Kind::single:
+      return table.single;
+    case Kind::exclusive:
+      return table.exclusive;
+    case Kind::two:
+      return table.two;
+    case Kind::float_single:
+      return table.float_single;
+    case Kind::float_two:
+      return table.float_two;
+    case Kind::stack:
+      return table.several + table.word * i.words_from(0);
+    case Kind::several:
+      break;
+  }
+  return table.several + table.word * i.words_from(1);
+}
+
 }  // namespace
 
-std::optional<Cycles> longest_time(const Instruction& i) {
-  if (const auto fixed = of_table(i.id)) return fixed;
-  return of_memory(i);
+const CostTable& documented_costs() {
+  static const CostTable table = documented();
+  return table;
+}
+
+std::optional<Cycles> longest_time(const Instruction& i, const CostTable& table) {
+  const auto row =
+      std::find_if(table.fixed.begin(), table.fixed.end(), [&](const CostTable::Row& r) { return r.id == i.id; });
+  if (row != table.fixed.end()) return row->cycles;
+  const auto kind = kind_of(i);
+  return kind ? std::optional(of_memory(i, *kind, table)) : std::nullopt;
 }
 
 }  // namespace finemote::gen::wcet

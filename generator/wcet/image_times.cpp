@@ -8,9 +8,9 @@
 #include "generator/image/exception.hpp"
 #include "generator/wcet/certificate.hpp"
 #include "generator/wcet/longest_path.hpp"
+#include "generator/wcet/prepared_image.hpp"
 #include "generator/wcet/proven_bound.hpp"
 #include "generator/wcet/vectors.hpp"
-#include "generator/wcet/walk.hpp"
 #include "generator/wcet/without.hpp"
 
 namespace finemote::gen::wcet {
@@ -19,12 +19,6 @@ namespace {
 /// runtime/include/finemote/mark.hpp: marks of stages are below it.
 constexpr std::uint32_t kFirstWorkMark = 0x40000;
 
-std::vector<AddressRange> ranges_of(const std::vector<ImageRange>& kept) {
-  std::vector<AddressRange> ranges;
-  for (const ImageRange& range : kept) ranges.emplace_back(range.begin, range.end);
-  return ranges;
-}
-
 std::string name_of(const ProgramFunction* function) {
   return function == nullptr ? std::string("?") : readable_name(function->symbol->name);
 }
@@ -32,12 +26,7 @@ std::string name_of(const ProgramFunction* function) {
 class Timing {
  public:
   Timing(const Image& image, const KeptMembers& kept, Placement placement)
-      : image_(image),
-        marks_(read_marks(image)),
-        program_(image, marks_.addresses()),
-        cost_(placement),
-        members_(ranges_of(kept.constant)),
-        constants_(image, members_, words_set_at_start(kept)) {}
+      : image_(image), prepared_(image, kept, CodeCost(placement), read_marks(image)) {}
 
   ImageTimes result() {
     for (const Vector& vector : interrupt_vectors(image_)) add(vector);
@@ -46,30 +35,8 @@ class Timing {
   }
 
  private:
-  [[nodiscard]] ImageFactsForWalk facts(const Constants& constants, WordStores* stores) const {
-    const ImageSymbol* top = image_.find("_stack_top");
-    return {program_, constants, marks_, cost_, stores, top == nullptr ? 0 : top->address};
-  }
-
-  /// What start-up writes into members that are set there and never again: it is walked as any routine.
-  std::map<std::uint32_t, std::uint32_t> words_set_at_start(const KeptMembers& kept) const {
-    std::map<std::uint32_t, std::uint32_t> words;
-    const auto start = start_of_buses(image_);
-    if (!start || kept.at_start.empty()) return words;
-    const Constants constants(image_, members_);
-    WordStores stores;
-    walk(facts(constants, &stores), *start);
-    for (const ImageRange& range : kept.at_start) {
-      for (std::uint32_t at = range.begin; at + 4 <= range.end; at += 4) {
-        const auto stored = stores.find(at);
-        if (stored != stores.end() && stored->second.is_constant()) words[at] = stored->second.low;
-      }
-    }
-    return words;
-  }
-
   void add(const Vector& vector) {
-    const Walked walked = walk(facts(constants_, nullptr), vector.entry);
+    const Walked walked = prepared_.walk_from(vector.entry);
     for (const auto& [address, problem] : walked.problems)
       gaps_.try_emplace(address, TimeGap{address, name_of(problem.function), problem.why});
     if (!walked.problems.empty()) return;
@@ -77,16 +44,17 @@ class Timing {
     const std::string doubt =
         path ? check_certificate(walked.graph, path->potentials, path->bound) : "no way leads out";
     if (!doubt.empty()) {
-      gaps_.try_emplace(vector.entry, TimeGap{vector.entry, name_of(program_.at(vector.entry)), doubt});
+      gaps_.try_emplace(vector.entry, TimeGap{vector.entry, name_of(prepared_.program().at(vector.entry)), doubt});
       return;
     }
-    RoutineTime routine{vector.exception, name_of(program_.at(vector.entry)), path->bound, {}, {}, {}, {}, {}};
+    RoutineTime routine{
+        vector.exception, name_of(prepared_.program().at(vector.entry)), path->bound, {}, {}, {}, {}, {}};
     routine.path = steps_of(walked.graph, *path, path->bound);
-    const UnrolledGraph undisturbed = without(walked.graph, marks_.faults);
+    const UnrolledGraph undisturbed = without(walked.graph, prepared_.marks().faults);
     routine.without_faults = proven_bound(undisturbed);
     add_brackets(walked, undisturbed, routine);
-    routine.by_cause = times_by_cause(undisturbed, marks_);
-    routine.gaps = gaps_between(undisturbed, marks_, kFirstWorkMark);
+    routine.by_cause = times_by_cause(undisturbed, prepared_.marks());
+    routine.gaps = gaps_between(undisturbed, prepared_.marks(), kFirstWorkMark);
     take_retries(walked, times_.retries);
     times_.routines.push_back(std::move(routine));
   }
@@ -110,7 +78,7 @@ class Timing {
   [[nodiscard]] std::set<std::uint32_t> begun_in(const UnrolledGraph& graph) const {
     std::set<std::uint32_t> begun;
     for (const UnrolledNode& node : graph.nodes) {
-      const auto [first, last] = marks_.brackets.equal_range(node.block);
+      const auto [first, last] = prepared_.marks().brackets.equal_range(node.block);
       for (auto mark = first; mark != last; ++mark) {
         if (mark->second % 2 == 0) begun.insert(mark->second);
       }
@@ -121,7 +89,7 @@ class Timing {
   [[nodiscard]] std::vector<bool> nodes_at(const UnrolledGraph& graph, std::uint32_t mark) const {
     std::vector<bool> are_there(graph.nodes.size());
     for (std::size_t node = 0; node < graph.nodes.size(); ++node) {
-      const auto [first, last] = marks_.brackets.equal_range(graph.nodes[node].block);
+      const auto [first, last] = prepared_.marks().brackets.equal_range(graph.nodes[node].block);
       for (auto at = first; at != last; ++at) {
         if (at->second == mark) are_there[node] = true;
       }
@@ -154,11 +122,7 @@ class Timing {
   }
 
   const Image& image_;
-  const Marks marks_;
-  const Program program_;
-  const CodeCost cost_;
-  const std::vector<AddressRange> members_;
-  const Constants constants_;
+  const PreparedImage prepared_;
   std::map<std::uint32_t, TimeGap> gaps_;
   ImageTimes times_;
 };

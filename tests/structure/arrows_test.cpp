@@ -110,3 +110,29 @@ TEST_CASE("arrows point up the page: a folder uses only folders listed before it
     before.insert(row.folder);
   }
 }
+
+namespace {
+
+/// Whether a file below `folder` includes something of `other`.
+void check_apart(const std::string& folder, const std::vector<std::string>& others) {
+  const fs::path top = fs::path(finemote::test::source_dir()) / folder;
+  std::size_t files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(top)) {
+    if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+    ++files;
+    const std::string text = read(entry.path());
+    for (const std::string& other : others) {
+      if (text.find("#include \"" + other) != std::string::npos)
+        FAIL_CHECK(entry.path().filename().generic_string() << " includes '" << other << "'");
+    }
+  }
+  CHECK(files > 10);
+}
+
+}  // namespace
+
+TEST_CASE("what bounds execution times and what emulates them share nothing") {
+  check_apart("generator/wcet", {"emulator/"});
+  check_apart("generator/image", {"emulator/"});
+  check_apart("emulator", {"generator/wcet", "generator/image"});
+}

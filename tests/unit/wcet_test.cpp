@@ -542,6 +542,13 @@ TEST_CASE("a mark bounds a loop, and each more pass costs more") {
   CHECK(*four.cycles - *three.cycles == 1 + 1 + 3);
 }
 
+TEST_CASE("a constant member of a constant hides nothing of what lies around it") {
+  const Image image = image_of_code({0x1111, 0x2222, 0x3333, 0x4444});
+  const Constants constants(image, {{kBase, kBase + 2}, {kBase + 2, kBase + 4}});
+  CHECK(constants.load({Value::of(kBase), 4}) == Interval::of(0x22221111));
+  CHECK(constants.load({Value::of(kBase + 4), 4}) == Interval::of(0x44443333));
+}
+
 TEST_CASE("a call through a variable, and a function that calls itself, have no bound") {
   CHECK(bound_of({0x4780, kReturn}).problem == "'blx r0' calls what a variable says");
   CHECK(bound_of({0xB500, 0xF7FF, 0xFFFD, 0xBD00}).problem == "recursion: it has no bound");  // push {lr}; bl f; pop
