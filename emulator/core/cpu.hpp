@@ -10,6 +10,7 @@
 #include "emulator/core/cost.hpp"
 #include "emulator/core/execution_log.hpp"
 #include "emulator/core/interpreter.hpp"
+#include "emulator/core/interrupted.hpp"
 #include "emulator/core/provenance.hpp"
 #include "emulator/core/system_space.hpp"
 #include "emulator/core/tag_flow.hpp"
@@ -187,7 +188,7 @@ class Cpu : private Outside {
   struct ItBlock {
     std::uint32_t begin, end;
   };
-  std::vector<ItBlock> left_it_blocks_;  ///< of what the active exceptions interrupted
+  Interrupted<ItBlock> left_it_blocks_;  ///< of what the active exceptions interrupted
   bool interrupt_it_blocks_ = false;
   bool exited_ = false, locked_up_ = false;
   bool ram_at_zero_ = false;

@@ -47,12 +47,12 @@ void Cpu::enter(int exception, bool tail_chained, std::uint32_t chained_return) 
       std::memcpy(bytes + 32, g.s.data(), 64);
       std::memcpy(bytes + 96, &g.fpscr, 4);
     }
-    left_it_blocks_.push_back({pace.it_begin, pace.it_end});
+    left_it_blocks_.leave({pace.it_begin, pace.it_end}, frame);
     g.r[13] = frame;
     exc_return = 0xFFFFFFE1U | (fp ? 0U : 0x10U) | (active_.empty() ? 8U : 0U) | (process ? 4U : 0U);
     if (fp) core_.lazy_frame = true;  // without, what an outer routine interrupted may still wait to be saved
-    provenance_.enter();
-    tags_.enter();
+    provenance_.enter(frame);
+    tags_.enter(frame);
     pace.charge(kEntryCycles);
   } else {
     provenance_.tail();
@@ -125,17 +125,17 @@ void Cpu::leave(std::uint32_t exc_return) {
     std::memcpy(g.s.data(), bytes + 32, 64);
     std::memcpy(&g.fpscr, bytes + 96, 4);
   }
-  pace.it_begin = left_it_blocks_.back().begin;
-  pace.it_end = left_it_blocks_.back().end;
-  left_it_blocks_.pop_back();
+  const ItBlock left = left_it_blocks_.come_back(frame);
+  pace.it_begin = left.begin;
+  pace.it_end = left.end;
   core_.fp_active = fp;
   const bool restores = fp && !core_.lazy_frame;  // where no routine used them the registers still hold
   if (fp) core_.lazy_frame = false;
   system_.set_active_exception(static_cast<int>(active));
   pace.expected = g.next;
   pace.charge(restores ? kFloatReturnCycles : kReturnCycles);
-  provenance_.resume();
-  tags_.resume();
+  provenance_.resume(frame);
+  tags_.resume(frame);
   note(ExecutionEvent::Kind::resume, exception);
   sleeping_ = active_.empty() && system_.sleeps_on_exit();
 }

@@ -23,18 +23,15 @@ const Origin* Provenance::job(Tag tag) const {
   return tag != Tag::none && origin(tag).kind == Origin::Kind::job ? &origin(tag) : nullptr;
 }
 
-void Provenance::tail() {
-  resume();
-  enter();
-}
-
-void Provenance::resume() {
-  if (levels_.size() > 1) levels_.pop_back();
+void Provenance::enter(std::uint32_t frame) {
+  interrupted_.leave(std::move(level_), frame);
+  level_ = {};
 }
 
 void Provenance::reset() {
   ++starts_;
-  levels_.assign(1, Level{});
+  level_ = {};
+  interrupted_.clear();
   made_of_.clear();
   early_.clear();
 }
@@ -42,7 +39,7 @@ void Provenance::reset() {
 /// Only the first begin and the first end count: a jump may come back to the instruction at a mark.
 void Provenance::pass_mark(std::uint32_t number, Time at, Claim claim) {
   if (number >= kFirstWorkMark) return;
-  Level& level = levels_.back();
+  Level& level = level_;
   const std::uint32_t stage = number / 2;
   if (number % 2 == 0 && level.stage != stage) begin(level, stage, at);
   if (number % 2 != 0 && level.stage == stage) end(level, at, claim);
@@ -89,9 +86,8 @@ void Provenance::end(Level& level, Time at, Claim claim) {
 /// Of a sample that is still arriving a parser may look at what there is: that takes nothing before it has arrived.
 void Provenance::loaded(Tag tag, Time now) {
   if (tag == Tag::none || origin(tag).kind != Origin::Kind::sample) return;
-  Level& level = levels_.back();
   const bool is_readable = origin(tag).readable <= now;
-  Tag& seen = (is_readable ? level.loaded : early_[level.stage])[origin(tag).source];
+  Tag& seen = (is_readable ? level_.loaded : early_[level_.stage])[origin(tag).source];
   seen = newest(seen, tag);
 }
 

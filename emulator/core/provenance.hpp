@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "emulator/core/interrupted.hpp"
 #include "emulator/core/tag.hpp"
 #include "emulator/time.hpp"
 
@@ -53,24 +54,24 @@ class Provenance {
   /// At the end of every update what its state is made of, in the order of time.
   [[nodiscard]] const std::vector<Use>& uses() const { return uses_; }
 
-  // What the processor does.
+  // What the processor does; `frame` is where the registers of what is interrupted lie.
   /// @param claim  of the device whose update ends here
   void pass_mark(std::uint32_t number, Time at, Claim claim);
-  void enter() { levels_.emplace_back(); }
-  void tail();
-  void resume();
+  void enter(std::uint32_t frame);
+  void tail() { level_ = {}; }
+  void resume(std::uint32_t frame) { level_ = interrupted_.come_back(frame); }
   /// Nothing of what was computed is left; what is counted goes on.
   void reset();
 
   /// What every byte that is stored now comes from, whatever it was made of; none outside of a handle.
-  [[nodiscard]] Tag writes_as() const { return levels_.back().job; }
+  [[nodiscard]] Tag writes_as() const { return level_.job; }
   /// An update is running: what is loaded counts.
-  [[nodiscard]] bool looks() const { return levels_.back().looks; }
+  [[nodiscard]] bool looks() const { return level_.looks; }
   void loaded(Tag tag, Time now);
 
  private:
   using Samples = std::map<std::uint32_t, Tag>;  ///< by source
-  /// What runs at one level of preemption.
+  /// What runs at one level of preemption, or in one thread.
   struct Level {
     std::uint32_t stage = kNoStage;
     Tag job = Tag::none;
@@ -91,7 +92,8 @@ class Provenance {
   std::map<std::uint32_t, std::uint32_t> runs_;  ///< of handles, by stage
   std::map<std::uint32_t, Samples> made_of_;     ///< by stage of an update
   std::map<std::uint32_t, Samples> early_;       ///< the same: loaded, but not readable yet
-  std::vector<Level> levels_{Level{}};
+  Level level_;                                  ///< what runs now
+  Interrupted<Level> interrupted_;
   std::vector<Use> uses_;
 };
 

@@ -37,13 +37,9 @@ void TagFlow::put_in_memory(std::uint32_t address, unsigned bytes, const WordTag
   std::copy_n(tags.begin(), to.size(), to.begin());
 }
 
-void TagFlow::enter() { interrupted_.push_back(file_); }
+void TagFlow::enter(std::uint32_t frame) { interrupted_.leave(file_, frame); }
 
-void TagFlow::resume() {
-  if (interrupted_.empty()) return;
-  file_ = interrupted_.back();
-  interrupted_.pop_back();
-}
+void TagFlow::resume(std::uint32_t frame) { file_ = interrupted_.come_back(frame); }
 
 void TagFlow::reset() {
   file_ = {};

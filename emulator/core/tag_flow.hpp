@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "emulator/core/interrupted.hpp"
 #include "emulator/core/operation.hpp"
 #include "emulator/core/provenance.hpp"
 #include "emulator/core/registers.hpp"
@@ -45,8 +46,8 @@ class TagFlow {
   void put_in_memory(std::uint32_t address, unsigned bytes, const WordTags& tags);
 
   // Exceptions: the registers of what they interrupt come back.
-  void enter();
-  void resume();
+  void enter(std::uint32_t frame);
+  void resume(std::uint32_t frame);
   void reset();
 
   [[nodiscard]] const WordTags& of_register(unsigned number) const { return r_[number]; }
@@ -98,7 +99,7 @@ class TagFlow {
   File file_;
   std::array<WordTags, 16>& r_ = file_.r;
   std::array<WordTags, 32>& s_ = file_.s;
-  std::vector<File> interrupted_;
+  Interrupted<File> interrupted_;
   std::array<Crossing, 32> crossings_{};
   unsigned planned_ = 0, crossed_ = 0;
   bool in_choice_ = false;  ///< the last IT block writes in either case

@@ -42,11 +42,17 @@ struct Line {
 
 }  // namespace
 
-Audit::Audit(Board& board, const Image& image, std::vector<std::uint32_t> buckets)
-    : board_(board), image_(image), buckets_(std::move(buckets)) {
+Audit::Audit(Board& board, const Image& image, std::vector<std::uint32_t> buckets, std::vector<std::uint32_t> works)
+    : board_(board), image_(image), buckets_(std::move(buckets)), works_(std::move(works)) {
   board_.cpu().on_return = [this](int exception) {
     if (exception == kSysTick) look_for_overruns();
   };
+}
+
+/// Null: a mark that nobody asked for.
+const char* Audit::name_of_work(std::uint32_t mark) const {
+  const bool is_asked = std::ranges::find(works_, mark / 2) != works_.end();
+  return !is_asked ? nullptr : mark % 2 == 0 ? "work" : "done";
 }
 
 Audit::~Audit() { board_.cpu().on_return = nullptr; }
@@ -65,7 +71,10 @@ Json Audit::events(std::int64_t zero_ns) const {
   std::vector<Line> lines;
   for (const ExecutionEvent& event : board_.log()) {
     if (event.kind == ExecutionEvent::Kind::reset && event.at == 0) continue;  // power-on
-    if (const char* what = name_of(event.kind)) lines.push_back({since(event.at), what, event.number});
+    const char* const what = event.kind == ExecutionEvent::Kind::mark ? name_of_work(event.number) : name_of(event.kind);
+    if (what == nullptr) continue;
+    const std::uint32_t number = event.kind == ExecutionEvent::Kind::mark ? event.number / 2 : event.number;
+    lines.push_back({since(event.at), what, number});
   }
   for (const BracketEvent& event : board_.own_times().events()) {
     if (event.bracket < kFirstWork) lines.push_back({since(event.at), event.is_end ? "end" : "begin", event.bracket});

@@ -14,13 +14,14 @@ class Audit {
  public:
   /// @param image    loaded on the board; both outlive this
   /// @param buckets  the exception of every bucket, in the order of their overrun counters
-  Audit(Board& board, const Image& image, std::vector<std::uint32_t> buckets);
+  /// @param works    marks that are no stages', by half their numbers: told as well, each time they are passed
+  Audit(Board& board, const Image& image, std::vector<std::uint32_t> buckets, std::vector<std::uint32_t> works);
   Audit(const Audit&) = delete;
   Audit& operator=(const Audit&) = delete;
   ~Audit();
 
   /// `[ps since zero, what, number]` in the order of time: `enter` `tail` `return` `resume` `due` and `overrun` with an
-  /// exception, `begin` and `end` with a stage, `mask` `unmask` `reset` with 0.
+  /// exception, `begin` and `end` with a stage, `work` and `done` with one of the works, `mask` `unmask` `reset` with 0.
   /// @param zero_ns  since power-on
   [[nodiscard]] nlohmann::ordered_json events(std::int64_t zero_ns) const;
 
@@ -30,10 +31,11 @@ class Audit {
     std::uint32_t exception;
   };
   void look_for_overruns();
+  [[nodiscard]] const char* name_of_work(std::uint32_t mark) const;
 
   Board& board_;
   const Image& image_;
-  std::vector<std::uint32_t> buckets_, counted_;
+  std::vector<std::uint32_t> buckets_, works_, counted_;
   std::vector<Overrun> overruns_;
 };
 

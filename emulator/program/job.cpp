@@ -226,7 +226,10 @@ std::int64_t first_release_ns(const Json& job) {
 Json run(Bench& bench, const Json& job) {
   auto& [board, outfit, image] = bench;
   std::optional<Audit> audit;
-  if (job.contains("audit")) audit.emplace(board, image, job.at("audit").get<std::vector<std::uint32_t>>());
+  if (job.contains("audit")) {
+    using Numbers = std::vector<std::uint32_t>;
+    audit.emplace(board, image, job.at("audit").get<Numbers>(), job.value("works", Numbers()));
+  }
   Json fault_ns;
   const auto zero = wait_for_first_release(board, image, fault_ns);
   const auto ready = zero ? bring_up(board, image, outfit, job, *zero) : std::nullopt;

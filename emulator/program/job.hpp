@@ -7,7 +7,8 @@
 // `output`, ends the bring-up), `bring_up_ns` (how long that may take from the first release on), `duration_ns` (how
 // long it runs from then on, and stages are recorded), `last_event_ns` (up to when it runs at least, from the first
 // release on), `parts` and, where there is one, `events` (documents finemote.scenario/1), `ports` (the buses to account
-// for), `audit` (exceptions of the buckets: asks for every event; emulator/program/audit.hpp). Record: `stop` (null
+// for), `audit` (exceptions of the buckets: asks for every event; emulator/program/audit.hpp) and `works` (further
+// marks to tell there). Record: `stop` (null
 // when the time was over), `error` (instead of everything else: `events` cannot be wired), `reports`, `resets`,
 // `violated` (assumptions of the bounds that `events` violate), `fault_counts`, `ready_ns` (when the bring-up ended,
 // since the first release), `faults_at_ready`

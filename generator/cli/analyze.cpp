@@ -11,6 +11,7 @@
 #include "generator/timing/cost_labels.hpp"
 #include "generator/timing/json.hpp"
 #include "generator/timing/operands.hpp"
+#include "generator/timing/phase_lag.hpp"
 #include "generator/timing/remodel.hpp"
 #include "generator/timing/reorder.hpp"
 #include "generator/timing/slack.hpp"
@@ -18,6 +19,7 @@
 #include "generator/timing/text_table.hpp"
 #include "generator/timing/words.hpp"
 #include "generator/timing_file/timing_file.hpp"
+#include "generator/units/units.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -67,14 +69,52 @@ std::string order_text(const timing::Timing& timing, const timing::Order& order)
          bounds_text({"chain", "end to end", "then"}, effect.chains);
 }
 
+/// Into the chains of the document, each its own; null where it has no bound.
+void add_phase_lags(const timing::Timing& timing, double crossover_hz, Json& document) {
+  for (std::size_t i = 0; i < timing.chains.size(); ++i) {
+    Json& member = document["chains"][i]["phase_lag"] = Json(nullptr);
+    const auto lag = timing::phase_lag(timing.model, timing.chains[i], crossover_hz);
+    if (lag)
+      member = {{"crossover_hz", crossover_hz}, {"age_deg", lag->age}, {"hold_deg", lag->hold}, {"total_deg", lag->total()}};
+  }
+}
+
+std::string phase_text(const timing::Timing& timing, double crossover_hz) {
+  timing::TextTable table({"chain", "age", "hold", "together"});
+  const auto degrees = [](double value) { return fmt::format("{:.1f}", value); };
+  for (const timing::ChainResult& chain : timing.chains) {
+    const std::string name = timing.model.devices[chain.from].name + " -> " + timing.model.devices[chain.to].name;
+    const auto lag = timing::phase_lag(timing.model, chain, crossover_hz);
+    if (lag)
+      table.row({name, degrees(lag->age), degrees(lag->hold), degrees(lag->total())});
+    else
+      table.row({name, "-", "-", "-"});
+  }
+  return fmt::format("\nphase lag at {} Hz [degrees], at most\n", crossover_hz) + table.text();
+}
+
+/// The value of --crossover [Hz]; none where it is not given, or wrong: then FM0001 is reported.
+std::optional<double> crossover_option(const std::string& text, Diagnostics& diagnostics) {
+  constexpr std::string_view kUnit = "Hz";
+  if (text.empty()) return std::nullopt;
+  const auto parsed = units::parse_real(text, kUnit);
+  if (parsed && *parsed > 0 && *parsed <= 1e6 && text.ends_with(kUnit)) return *parsed;
+  diagnostics
+      .error(code::usage, {}, fmt::format("--crossover must be a frequency greater than zero in Hz, got '{}'", text))
+      .hint("write for example --crossover 2Hz");
+  return std::nullopt;
+}
+
 /// What the options ask for beside the analysis.
 struct Extras {
+  std::optional<double> crossover_hz;
   std::optional<timing::Slack> slack;
   std::optional<timing::Order> order;
 };
 
 Json document(const timing::Timing& timing, const Extras& extras) {
   Json document = timing::timing_json(timing);
+  if (extras.crossover_hz) add_phase_lags(timing, *extras.crossover_hz, document);
   if (extras.slack) document["slack"] = slack_json(timing.model, *extras.slack);
   if (extras.order) {
     for (const Rank d : *extras.order) document["suggested_order"].push_back(timing.model.devices[d].name);
@@ -84,6 +124,7 @@ Json document(const timing::Timing& timing, const Extras& extras) {
 
 std::string text(const timing::Timing& timing, const Extras& extras) {
   std::string text = timing::timing_table(timing);
+  if (extras.crossover_hz) text += phase_text(timing, *extras.crossover_hz);
   if (extras.slack) text += slack_text(timing.model, *extras.slack);
   if (extras.order) text += order_text(timing, *extras.order);
   return text;
@@ -132,6 +173,8 @@ Answer run_analyze(const Options& options, Sources& sources, Diagnostics& diagno
   robot_options.trace = options.trace;
   robot_options.monitor = options.monitor;
   robot_options.assumed_wcet = time_option("--assume-wcet", options.assume_wcet, "50us", diagnostics);
+  Extras extras;
+  extras.crossover_hz = crossover_option(options.crossover, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   if (options.dump) return dump_subject(options, robot_options, sources, diagnostics);
   const auto subject = read_subject(options, robot_options, sources, diagnostics);
@@ -147,7 +190,6 @@ Answer run_analyze(const Options& options, Sources& sources, Diagnostics& diagno
   Answer answer;
   const auto timing = timing::analyse(model, request, answer.judged);
   if (!timing) return answer;
-  Extras extras;
   if (options.slack) extras.slack = timing::find_slack(model, timing->asked);
   if (options.suggest_order) extras.order = timing::suggest_order(model, timing->asked);
   if (options.format == Format::json) answer.document = document(*timing, extras);

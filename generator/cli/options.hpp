@@ -67,6 +67,7 @@ struct Options {
   std::vector<std::string> chains;  ///< --chain a->b
   std::string profile;              ///< --profile
   std::string assume_wcet;          ///< --assume-wcet
+  std::string crossover;            ///< --crossover
   bool slack = false;
   bool require_static = false;
   bool fix = false;                      ///< lint --fix

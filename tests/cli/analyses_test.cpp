@@ -30,6 +30,34 @@ std::optional<timing::Timing> analyse_counted(const timing::Model& model, const 
   return analyse_really(model, request, diagnostics);
 }
 
+TEST_CASE("analyze says by how many degrees a chain lags at a frequency, and refuses what is none") {
+  Options options;
+  options.command = "analyze";
+  options.input = source_path("examples/finsrov.urdf");
+  options.data_dir = source_path(".");
+  options.format = Format::json;
+  const auto ask = [&](const std::string& crossover, Diagnostics& diagnostics) {
+    Sources sources;
+    options.crossover = crossover;
+    return command_named("analyze").run(options, sources, diagnostics);
+  };
+  Diagnostics diagnostics;
+  const Answer answer = ask("0.8Hz", diagnostics);
+  REQUIRE_FALSE(answer.document.at("chains").empty());
+  for (const auto& chain : answer.document.at("chains")) {
+    const double age_s = static_cast<double>(chain.at("end_to_end_ns").get<std::int64_t>()) * 1e-9;
+    CHECK(chain.at("phase_lag").at("crossover_hz") == 0.8);
+    CHECK(chain.at("phase_lag").at("age_deg").get<double>() == Approx(360 * 0.8 * age_s));
+    CHECK(chain.at("phase_lag").at("hold_deg").get<double>() == Approx(360 * 0.8 * 0.005));  // half of 10 ms
+  }
+  CHECK_FALSE(ask("", diagnostics).document.at("chains").at(0).contains("phase_lag"));
+  for (const char* wrong : {"2", "0Hz", "-1Hz", "2 s", "nanHz", "2kHz"}) {
+    Diagnostics refused;
+    CHECK(ask(wrong, refused).status == kExitInvalid);
+    CHECK_THAT(render_text(refused, false), Catch::Contains("--crossover"));
+  }
+}
+
 TEST_CASE("a command analyses the given robot once") {
   // The files hold the bounds of the firmware with monitor and trace, too: the one variant that is analysed.
   const auto [command, models] = GENERATE(std::pair("generate", 2), std::pair("check", 2), std::pair("lint", 1),

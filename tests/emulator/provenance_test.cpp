@@ -147,11 +147,11 @@ TEST_CASE("stores of a routine that comes in between are not the handle's") {
   Provenance provenance;
   provenance.pass_mark(2, 0, std::nullopt);
   CHECK(provenance.writes_as() != Tag::none);
-  provenance.enter();
+  provenance.enter(0x20001000);
   CHECK(provenance.writes_as() == Tag::none);
   provenance.tail();
   CHECK(provenance.writes_as() == Tag::none);
-  provenance.resume();
+  provenance.resume(0x20001000);
   CHECK(provenance.job(provenance.writes_as())->n == 0);
   provenance.pass_mark(3, 0, std::nullopt);
   CHECK(provenance.writes_as() == Tag::none);
