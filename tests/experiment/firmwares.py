@@ -28,7 +28,7 @@ COMPILER = "12.2.1 20221205"
 def call(*words):
     answer = subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
     if answer.returncode != 0:
-        raise RuntimeError(f"{' '.join(map(str, words))}\n{answer.stdout}{answer.stderr}")
+        raise RuntimeError(f"{' '.join(map(str, words))}\n{(answer.stdout + answer.stderr)[-3000:]}")
     return answer.stdout
 
 
@@ -61,10 +61,12 @@ class Workbench:
         return self.folder / "images" / f"{name}.elf"
 
     def job(self):
-        """What `finemote run` asks of the emulated board for this robot: its wiring and parts."""
+        """What `finemote run` asks of the emulated board for this robot, its wiring and parts, and the hash of the bytes
+        it flashed."""
         kept = self.folder / "kept"
-        call(self.finemote, "run", ROBOT, "--duration", "20ms", "--keep", kept)
-        return json.loads(next(kept.glob("*.job.json")).read_text(encoding="utf-8")), next(kept.glob("*.bin"))
+        answer = json.loads(call(self.finemote, "run", ROBOT, "--duration", "20ms", "--keep", kept, "--format", "json"))
+        job = next(kept.glob("build/*.elf.job.json"))
+        return json.loads(job.read_text(encoding="utf-8")), answer["image"]["sha256"]
 
     def flashed(self, name):
         """Hash of the bytes that go into the flash."""

@@ -163,14 +163,14 @@ def image(name, words):
 
 def page(result, analysis, periods):
     sram, flash = (of_code(result["firmwares"], code) for code in firmwares.CODES)
-    loaded = {code: of_code(result["loaded"], code) for code in firmwares.CODES}
+    loaded = of_code(result["loaded"], "sram")
     faults = "\n".join(f"**{fault}**: {words}.\n\n{fault_table(result['faults'], fault)}" for fault, (words, _) in plans.FAULTS.items())
     return TEXT.format(
         seed=result["seed"], compiler=result["compiler"], periods=f"{periods:,}", goals=goals(sram), sram=timing_table(sram),
-        flash=timing_table(flash), cpu=cpu_table(sram), loaded=timing_table(loaded["sram"]), loaded_flash=timing_table(loaded["flash"]),
-        loaded_cpu=cpu_table(loaded["sram"]), losses=losses(sram), loaded_losses=losses(loaded["sram"]),
+        flash=timing_table(flash), cpu=cpu_table(sram), loaded=timing_table(loaded),
+        loaded_cpu=cpu_table(loaded), losses=losses(sram), loaded_losses=losses(loaded),
         bounds=bounds_table(sram[OWN], analysis), motion=motion_table(result["motion"]), faults=faults, paper=paper_table(sram),
-        fault_at=plans.FAULT_NS // 10**9, mended=(plans.MENDED_NS - plans.FAULT_NS) / 1e9,
+        fault_at=plans.FAULT_NS / 1e9, mended=(plans.MENDED_NS - plans.FAULT_NS) / 1e9,
         resolution=f"{max(one['resolution_s'] for one in result['faults']) * 1000:.0f}",
         box=image("decision", "Box plots of the decision"), histogram=image("decision-histogram", "Histograms of the decision"),
         wire=image("wire", "Box plots of the wire interval of depth"), attitude=image("attitude", "Box plots of the wire interval of attitude"),

@@ -65,7 +65,7 @@ def motion():
             {"t_ns": PUSH_NS + 500 * MS, "part": "base_link", "do": "disturb"}]
 
 
-FAULT_NS, MENDED_NS, FAULT_END_NS = 2000 * MS, 3500 * MS, 5000 * MS
+FAULT_NS, MENDED_NS, FAULT_END_NS = 1500 * MS, 3000 * MS, 4500 * MS
 
 
 def underway(end=FAULT_END_NS):

@@ -81,10 +81,11 @@ extern "C" {
   const Critical critical;
   kernel.running->stack_pointer = stack_pointer;
   kernel.running = &most_urgent();
-  if (kernel.running == &kernel.idle)
+  mark<kIdleMark + 1>();
+  if (kernel.running == &kernel.idle) {
     mark<kIdleMark>();
-  else
-    mark<kIdleMark + 1>();
+    asm volatile("nop");  // an instruction that is passed in this case alone
+  }
   return kernel.running->stack_pointer;
 }
 

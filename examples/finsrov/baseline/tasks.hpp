@@ -28,13 +28,12 @@ constexpr Tick kImuTicks = 5, kRobotTicks = 10, kPayloadTicks = kPayloadPeriod /
 /// Words of a task's stack.
 constexpr std::size_t kStackWords = 256;
 
-/// Calls `body` every `period` ticks, for ever.
+/// Calls `body` at the first tick and every `period` ticks from then on, for ever.
 template <class Body>
 [[noreturn]] void every(Tick period, Body body) {
-  for (Tick next = tick_now();;) {
-    body();
-    next += period;
+  for (Tick next = 1;; next += period) {
     sleep_until(next);
+    body();
   }
 }
 
