@@ -159,6 +159,38 @@ TEST_CASE("stores of a routine that comes in between are not the handle's") {
   CHECK(provenance.job(provenance.writes_as())->n == 1);
 }
 
+TEST_CASE("a kernel comes back to another thread than it left, and each goes on with what it was at") {
+  constexpr std::uint32_t kFirst = 0x20001000, kSecond = 0x20002000;
+  Provenance provenance;
+  provenance.pass_mark(2, 0, std::nullopt);  // the first thread is in a handle
+  provenance.enter(kFirst);
+  provenance.resume(kSecond);  // which never ran
+  CHECK(provenance.writes_as() == Tag::none);
+  provenance.pass_mark(6, 0, std::nullopt);
+  CHECK(provenance.job(provenance.writes_as())->source == 3);
+  provenance.enter(kSecond);
+  provenance.tail();
+  provenance.resume(kFirst);
+  CHECK(provenance.job(provenance.writes_as())->source == 1);
+  provenance.pass_mark(3, 0, std::nullopt);  // and ends it there
+  provenance.enter(kFirst + 8);
+  provenance.resume(kSecond);
+  CHECK(provenance.job(provenance.writes_as())->source == 3);
+}
+
+TEST_CASE("registers of another thread come back with its tags") {
+  Machine machine({kLoad4});
+  machine.run(20'000);
+  TagFlow& tags = machine.tags();
+  REQUIRE(Machine::text(tags.of_register(4)) == "abcd");
+  tags.enter(0x20001000);
+  tags.resume(0x20002000);
+  CHECK(Machine::text(tags.of_register(4)) == "....");
+  tags.enter(0x20002000);
+  tags.resume(0x20001000);
+  CHECK(Machine::text(tags.of_register(4)) == "abcd");
+}
+
 TEST_CASE("an update's state is made of the newest sample it has looked at so far, whatever it says of its age") {
   Provenance provenance;
   const std::uint32_t source = provenance.add_source(), other = provenance.add_source();

@@ -51,7 +51,7 @@ class Experiment:
         tasks = {}
         for firmware in firmwares.FIRMWARES:
             for code, load in self.variants:
-                jobs = [plans.timing_job(self.job, self.seed, number, bool(load), self.periods) for number in range(self.runs)]
+                jobs = [plans.timing_job(self.job, self.seed, number, code, bool(load), self.periods) for number in range(self.runs)]
                 tasks[firmware.name, code, load] = (measured, self.bench, firmware, f"{firmware.name}_{code}{load}", jobs)
         return self.over(tasks)
 

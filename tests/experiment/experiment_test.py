@@ -69,7 +69,7 @@ def main():
         bench = firmwares.Workbench(sys.argv[1], folder / "work")
         study = experiment.Experiment(bench, 5, 2, runs=1, periods=PERIODS, variants=(("sram", ""),))
         study.prepare()
-        job = plans.timing_job(study.job, 5, 0, False, PERIODS)
+        job = plans.timing_job(study.job, 5, 0, "sram", False, PERIODS)
         seen = {}
         for firmware in firmwares.FIRMWARES:
             record, seen[firmware.name] = document(bench, firmware, job)

@@ -13,7 +13,8 @@ SENSOR_PART, IMU_PART, OUTPUT_PART = "baro_1", "imu", "pwm"
 #: Halves of marks: runtime/include/finemote/mark.hpp, examples/finsrov/baseline/marks.hpp.
 FLUSH, SPIN, IDLE = 0x20005, 0x28000, 0x28001
 WORKS = [FLUSH, SPIN, IDLE]
-FIRST_BUCKET = 16 + 48
+#: Spare lines that the board file gives to buckets, as exceptions: of FSMC, SDIO and SPI3.
+BUCKETS = {16 + 48, 16 + 49, 16 + 51}
 
 
 def update(device):
@@ -123,7 +124,7 @@ def shares(events, begin, end, buckets):
     active, spins, idles, last = [], False, buckets, begin
 
     def kind():
-        if active and not (buckets and active[-1] >= FIRST_BUCKET and active[-1] < FIRST_BUCKET + 3):
+        if active and not (buckets and active[-1] in BUCKETS):
             return "interrupt"
         if active:
             return "control"

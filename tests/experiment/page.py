@@ -9,6 +9,8 @@ OWN, PUBLIC = "generated", "public_polled"
 #: The paper's figures [us], of its section "Results": mean and standard deviation of the interval, and jitter.
 PAPER = {OWN: (53.64, 4.29, 5.34), PUBLIC: (1610.00, 10.68, 18.87)}
 #: What was expected of the comparison: how many times shorter than of the public-style baseline.
+SMALLER = {"decision": "shorter", "wire": "shorter", "jitter": "smaller"}
+LARGER = {"decision": "longer", "wire": "longer", "jitter": "larger"}
 GOALS = (("decision", 30), ("wire", 2), ("jitter", 3.5))
 
 
@@ -64,7 +66,7 @@ def goals(entries):
     rows = []
     for what, least in GOALS:
         times = ratio(entries, what)
-        rows.append([what, f"{times:.1f} times shorter" if times >= 1 else f"{1 / times:.2f} times longer",
+        rows.append([what, f"{times:.2f} times {SMALLER[what]}" if times >= 1 else f"{1 / times:.2f} times {LARGER[what]}",
                      f"{least:g} times", "reached" if times >= least else "not reached"])
     return table(["against the public-style baseline, code in SRAM", "measured", "expected", ""], rows)
 
@@ -111,6 +113,9 @@ def motion_table(motion):
 
 
 def fault_words(one):
+    if one["fault"] == "tether":
+        ends = one["forward_ends_s"]
+        return "goes forward to the end of the run" if ends is None else f"goes forward for {ends:.2f} s more, then holds depth and heading"
     neutral, again = one["neutral_s"], one["driven_again_s"]
     if neutral is None:
         return f"driven on; pulses stood still for {one['longest_unchanged_s']:.2f} s at most"

@@ -61,6 +61,18 @@ def changes(looks, begin, end):
     return [now for (_, before), (now, present) in zip(looks, looks[1:]) if begin < now <= end and present != before]
 
 
+def forward(pulse):
+    """How far the horizontal thrusters, which push forward together, are off neutral in the mean [us]."""
+    return sum(abs(pulse[i] - NEUTRAL_US) for i in (0, 3, 4, 7)) / 4
+
+
+def ends_forward(looks, begin):
+    """Seconds from `begin` until the way forward is over for good; None: it is not."""
+    half = forward(next(present for at, present in looks if at >= begin)) / 2
+    on = [at for at, present in looks if at >= begin and forward(present) > half]
+    return None if on and on[-1] == looks[-1][0] else (on[-1] - begin if on else 0.0)
+
+
 def is_neutral(pulse):
     return all(abs(us - NEUTRAL_US) <= NEAR_US for us in pulse)
 
@@ -77,4 +89,4 @@ def fault(record):
     return {"neutral_s": neutral[0] - begin if neutral else None,
             "driven_again_s": after[0] - begin if after else None,
             "longest_unchanged_s": longest, "mended_s": mended - begin,
-            "still_driven": not is_neutral(looks[-1][1]), "resolution_s": looks[1][0] - looks[0][0]}
+            "forward_ends_s": ends_forward(looks, begin), "resolution_s": looks[1][0] - looks[0][0]}
