@@ -71,7 +71,8 @@ Json Audit::events(std::int64_t zero_ns) const {
   std::vector<Line> lines;
   for (const ExecutionEvent& event : board_.log()) {
     if (event.kind == ExecutionEvent::Kind::reset && event.at == 0) continue;  // power-on
-    const char* const what = event.kind == ExecutionEvent::Kind::mark ? name_of_work(event.number) : name_of(event.kind);
+    const char* const what =
+        event.kind == ExecutionEvent::Kind::mark ? name_of_work(event.number) : name_of(event.kind);
     if (what == nullptr) continue;
     const std::uint32_t number = event.kind == ExecutionEvent::Kind::mark ? event.number / 2 : event.number;
     lines.push_back({since(event.at), what, number});

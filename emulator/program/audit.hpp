@@ -21,7 +21,8 @@ class Audit {
   ~Audit();
 
   /// `[ps since zero, what, number]` in the order of time: `enter` `tail` `return` `resume` `due` and `overrun` with an
-  /// exception, `begin` and `end` with a stage, `work` and `done` with one of the works, `mask` `unmask` `reset` with 0.
+  /// exception, `begin` and `end` with a stage, `work` and `done` with one of the works, `mask` `unmask` `reset` with
+  /// 0.
   /// @param zero_ns  since power-on
   [[nodiscard]] nlohmann::ordered_json events(std::int64_t zero_ns) const;
 

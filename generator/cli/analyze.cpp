@@ -75,7 +75,8 @@ void add_phase_lags(const timing::Timing& timing, double crossover_hz, Json& doc
     Json& member = document["chains"][i]["phase_lag"] = Json(nullptr);
     const auto lag = timing::phase_lag(timing.model, timing.chains[i], crossover_hz);
     if (lag)
-      member = {{"crossover_hz", crossover_hz}, {"age_deg", lag->age}, {"hold_deg", lag->hold}, {"total_deg", lag->total()}};
+      member = {
+          {"crossover_hz", crossover_hz}, {"age_deg", lag->age}, {"hold_deg", lag->hold}, {"total_deg", lag->total()}};
   }
 }
 

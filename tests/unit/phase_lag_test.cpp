@@ -1,6 +1,6 @@
 // Degrees by which a chain lags at a frequency, against worked examples.
-#include "catch.hpp"
 #include "generator/timing/phase_lag.hpp"
+#include "catch.hpp"
 
 using namespace finemote::gen;
 using namespace finemote::gen::timing;
@@ -38,4 +38,6 @@ TEST_CASE("lag grows with the frequency, below a hertz too") {
   CHECK(phase_lag(model, chain, 50)->age == Approx(655.02));
 }
 
-TEST_CASE("a chain without a bound has no lag") { CHECK_FALSE(phase_lag(one_device(milliseconds(10)), chain_of({}), 2)); }
+TEST_CASE("a chain without a bound has no lag") {
+  CHECK_FALSE(phase_lag(one_device(milliseconds(10)), chain_of({}), 2));
+}

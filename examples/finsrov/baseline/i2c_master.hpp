@@ -1,7 +1,7 @@
 // The I2C master of the four baselines: a call returns when its transfer has ended.
 //
-// Two drivers implement it: polled_i2c.cpp looks at the flags until they are there, waiting_i2c.cpp lets other tasks run
-// meanwhile. A firmware is linked with one of them.
+// Two drivers implement it: polled_i2c.cpp looks at the flags until they are there, waiting_i2c.cpp lets other tasks
+// run meanwhile. A firmware is linked with one of them.
 #pragma once
 
 #include <cstddef>

@@ -9,7 +9,8 @@ namespace baseline {
 constexpr std::uint32_t kSpinMark = 0x50000;  ///< looks at a peripheral again and again
 constexpr std::uint32_t kIdleMark = 0x50002;  ///< has nothing to do before the next period
 
-/// Marks its scope, most of which is a loop. The instruction behind the mark keeps it out of the loop: it is passed once.
+/// Marks its scope, most of which is a loop. The instruction behind the mark keeps it out of the loop: it is passed
+/// once.
 template <std::uint32_t number>
 class MarkedLoop {
  public:

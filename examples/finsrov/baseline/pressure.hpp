@@ -1,7 +1,7 @@
 // The four MS5837 of the robot behind its multiplexer, by transfers that return when they have ended.
 //
-// The formula is the runtime's (Ms5837::compensate); what is on the wire are the same bytes as of its driver: a result is
-// read with 0x00, a conversion is asked for with 0x48 or 0x58.
+// The formula is the runtime's (Ms5837::compensate); what is on the wire are the same bytes as of its driver: a result
+// is read with 0x00, a conversion is asked for with 0x48 or 0x58.
 #pragma once
 
 #include "finemote/devices/ms5837.hpp"

@@ -1,4 +1,5 @@
-// The PCA9685 of the robot, whose pulses the speed controllers set: written by transfers that return when they have ended.
+// The PCA9685 of the robot, whose pulses the speed controllers set: written by transfers that return when they have
+// ended.
 #pragma once
 
 #include "finemote/pca9685.hpp"

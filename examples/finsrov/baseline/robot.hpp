@@ -53,14 +53,14 @@ void start_robot_parts();
 class Thrusters {
  public:
   constexpr explicit Thrusters(const Ages& ages)
-      : each{{config(ages, false), {pulses, 0}}, {config(ages, true), {pulses, 1}},  {config(ages, false), {pulses, 2}},
-             {config(ages, false), {pulses, 3}}, {config(ages, true), {pulses, 4}},  {config(ages, true), {pulses, 5}},
+      : each{{config(ages, false), {pulses, 0}}, {config(ages, true), {pulses, 1}}, {config(ages, false), {pulses, 2}},
+             {config(ages, false), {pulses, 3}}, {config(ages, true), {pulses, 4}}, {config(ages, true), {pulses, 5}},
              {config(ages, false), {pulses, 6}}, {config(ages, true), {pulses, 7}}} {}
 
   finemote::PwmEsc each[kThrusters];
-  finemote::ThrusterCommand* const commands[kThrusters] = {
-      &each[0].command, &each[1].command, &each[2].command, &each[3].command,
-      &each[4].command, &each[5].command, &each[6].command, &each[7].command};
+  finemote::ThrusterCommand* const commands[kThrusters] = {&each[0].command, &each[1].command, &each[2].command,
+                                                           &each[3].command, &each[4].command, &each[5].command,
+                                                           &each[6].command, &each[7].command};
 
  private:
   static constexpr finemote::PwmEsc::Config config(const Ages& ages, bool reverse) {

@@ -1,8 +1,9 @@
-// I2C by interrupts: the calling task waits for a semaphore, and others run. Before the kernel runs it waits by looking.
+// I2C by interrupts: the calling task waits for a semaphore, and others run. Before the kernel runs it waits by
+// looking.
 //
 // Procedures: RM0090 27.3.3, in the variant that holds the clock at the end of a byte.
-#include "i2c_port.hpp"
 #include "finemote/single_core.hpp"
+#include "i2c_port.hpp"
 #include "kernel.hpp"
 #include "marks.hpp"
 #include "runtime/chips/stm32f4/interrupt.hpp"

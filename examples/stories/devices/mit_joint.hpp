@@ -1,4 +1,5 @@
-// Turns torque into the command frame of a joint motor with the protocol of the MIT Mini Cheetah, and its reply into a state.
+// Turns torque into the command frame of a joint motor with the protocol of the MIT Mini Cheetah, and its reply into a
+// state.
 #pragma once
 
 #include <cmath>
@@ -11,8 +12,9 @@
 
 namespace stories {
 
-/// The motor answers every command, and says nothing by itself. Command: position (16 bits), speed, stiffness, damping and
-/// torque (12 bits each), of which only the torque is used. Reply, six bytes: id, position (16), speed and torque (12 each).
+/// The motor answers every command, and says nothing by itself. Command: position (16 bits), speed, stiffness, damping
+/// and torque (12 bits each), of which only the torque is used. Reply, six bytes: id, position (16), speed and torque
+/// (12 each).
 class MitJoint {
  public:
   struct Config {

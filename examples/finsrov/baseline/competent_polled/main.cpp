@@ -1,5 +1,5 @@
-// As a competent engineer would poll: one loop and a timer's flags, waits that end, one transfer for all pulses, sensors
-// read every period without a wait for their conversions, outputs that look at the age of what they obey.
+// As a competent engineer would poll: one loop and a timer's flags, waits that end, one transfer for all pulses,
+// sensors read every period without a wait for their conversions, outputs that look at the age of what they obey.
 #include "i2c_master.hpp"
 #include "marks.hpp"
 #include "robot.hpp"

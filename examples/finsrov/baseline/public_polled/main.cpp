@@ -1,5 +1,5 @@
-// As the robot's public firmware is: a timer interrupt sets a flag, the main loop looks at it and calls all devices in the
-// order of an array; the bus is waited for, and what it answers is not looked at.
+// As the robot's public firmware is: a timer interrupt sets a flag, the main loop looks at it and calls all devices in
+// the order of an array; the bus is waited for, and what it answers is not looked at.
 #include "i2c_master.hpp"
 #include "marks.hpp"
 #include "robot.hpp"

@@ -69,15 +69,19 @@ Stack<kStackWords> imu_stack, sensor_stacks[kSensors], rov_stack, thruster_stack
 }  // namespace
 
 void run() {
-  add_task(imu_task, [] { every(kImuTicks, take_attitude); }, kImuPriority, imu_stack);
+  add_task(
+      imu_task, [] { every(kImuTicks, take_attitude); }, kImuPriority, imu_stack);
   for_each_below<kSensors>([](auto number) {
     constexpr unsigned i = decltype(number)::value;
-    add_task(sensor_tasks[i], [] { every(kRobotTicks, take_depth<i>); }, kFirstSensorPriority - i, sensor_stacks[i]);
+    add_task(
+        sensor_tasks[i], [] { every(kRobotTicks, take_depth<i>); }, kFirstSensorPriority - i, sensor_stacks[i]);
   });
-  add_task(rov_task, [] { every(kRobotTicks, control); }, kRovPriority, rov_stack);
+  add_task(
+      rov_task, [] { every(kRobotTicks, control); }, kRovPriority, rov_stack);
   for_each_below<kThrusters>([](auto number) {
     constexpr unsigned i = decltype(number)::value;
-    add_task(thruster_tasks[i], [] { every(kRobotTicks, drive<i>); }, kFirstThrusterPriority - i, thruster_stacks[i]);
+    add_task(
+        thruster_tasks[i], [] { every(kRobotTicks, drive<i>); }, kFirstThrusterPriority - i, thruster_stacks[i]);
   });
   add_payload();
   start_kernel();

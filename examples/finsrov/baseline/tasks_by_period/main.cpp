@@ -44,8 +44,10 @@ Stack<kStackWords> imu_stack, robot_stack;
 }  // namespace
 
 void run() {
-  add_task(imu_task, [] { every(kImuTicks, take_attitude); }, 3, imu_stack);
-  add_task(robot_task, [] { every(kRobotTicks, control); }, 2, robot_stack);
+  add_task(
+      imu_task, [] { every(kImuTicks, take_attitude); }, 3, imu_stack);
+  add_task(
+      robot_task, [] { every(kRobotTicks, control); }, 2, robot_stack);
   add_payload();
   start_kernel();
 }
