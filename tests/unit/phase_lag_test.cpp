@@ -16,7 +16,7 @@ Model one_device(Duration period) {
 }
 
 ChainResult chain_of(std::optional<Duration> end_to_end) {
-  ChainResult chain{Rank{}, Rank{}};
+  ChainResult chain{};
   chain.end_to_end = end_to_end;
   return chain;
 }
