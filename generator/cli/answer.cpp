@@ -19,13 +19,11 @@ bool use_color(ColorMode color) {
   return (no_color == nullptr || *no_color == '\0') && isatty(STDERR_FILENO) == 1;
 }
 
-void print_json(const Answer& answer, nlohmann::ordered_json document, const Diagnostics& findings, std::ostream& out) {
-  if (document.is_null()) {
-    out << answer.text;
-    return;
-  }
-  document["diagnostics"] = render_json(findings);
-  out << document.dump(2) << "\n";
+/// What --format json prints.
+std::string json_text(Answer& answer, const Diagnostics& findings) {
+  if (answer.document.is_null()) return answer.text;
+  answer.document["diagnostics"] = render_json(findings);
+  return answer.document.dump(2) + "\n";
 }
 
 }  // namespace
@@ -67,15 +65,18 @@ bool is_refused(const Options& options, const Diagnostics& findings) {
 
 int finish(const Options& options, Answer answer, const Diagnostics& diagnostics, std::ostream& out,
            std::ostream& err) {
-  const int status = is_refused(options, diagnostics) ? kExitInvalid : answer.status;
+  int status = is_refused(options, diagnostics) ? kExitInvalid : answer.status;
   Diagnostics findings;
   add_findings(diagnostics, findings);
   add_findings(answer.judged, findings);
+  const bool answered = status == kExitYes || status == kExitNo;
+  const bool is_json_wanted = options.format == Format::json || !options.json.empty();
+  const std::string json = answered && is_json_wanted ? json_text(answer, findings) : "";
+  if (answered && !options.json.empty() && !write_result(options.json, json, findings)) status = kExitInvalid;
   if (options.format == Format::text || options.format == Format::markdown) out << answer.text;
   err << answer.summary << render_text(findings, use_color(options.color));
   if (options.format == Format::text) out << answer.file;
-  const bool answered = status == kExitYes || status == kExitNo;
-  if (options.format == Format::json && answered) print_json(answer, std::move(answer.document), findings, out);
+  if (options.format == Format::json && status != kExitInvalid) out << json;
   // The formats for editors and CI are the result, whatever the status.
   out << render_for_ci(options.format, findings, options.input);
   out.flush();

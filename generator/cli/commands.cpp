@@ -141,6 +141,7 @@ OptionList options_of_run() {
         {"--audit", &Options::audit, "write the raw record of the run to this file, as JSON Lines"},
         {"--phases", &Options::phases, "run so often, with random phases and clock errors of parts and board"},
         {"--seed", &Options::seed, "of the random phases and of the silicon"},
+        {"--json", &Options::json, "also write what --format json prints to this file"},
         {"--keep", &Options::keep, "keep generated sources and build in this folder"},
         {"--trace", &Options::trace, "build the trace in, and count its cost in the bounds"},
         {"--monitor", &Options::monitor, "build the monitor in: worst response and data age beside their bounds"},

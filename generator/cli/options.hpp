@@ -81,6 +81,7 @@ struct Options {
   bool require_judged = false;  ///< --require-judged: every bound has to be held against a sample
   bool sizes = false;           ///< diff --sizes: compile both robots
   bool build_only = false;      ///< --build-only: stop after the image
+  std::string json;             ///< run --json: file for the document, whatever is printed
 };
 
 }  // namespace finemote::gen

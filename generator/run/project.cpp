@@ -58,6 +58,7 @@ bool is_free_to_write(const Project& project, const ResultFiles& results, Source
   planned.push_back({image_path(request), project.option});
   if (!results.trace.empty()) planned.push_back({results.trace, "-o"});
   if (!results.audit.empty()) planned.push_back({results.audit, "--audit"});
+  if (!results.json.empty()) planned.push_back({results.json, "--json"});
   if (!check_outputs(planned, sources, diagnostics, files_of_the_compiler(request))) return false;
   WriteOptions options = options_for_work(project);
   options.dry_run = true;

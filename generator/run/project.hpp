@@ -28,6 +28,7 @@ Project make_project(const FirmwareRequest& request, Output generated, const Rob
 struct ResultFiles {
   std::string trace;  ///< `-o`
   std::string audit;  ///< `--audit`
+  std::string json;   ///< `--json`
 };
 
 /// Whether all of it, and the results, can be written: looked at before the first file is. Reports what check_outputs

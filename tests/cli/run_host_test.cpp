@@ -1,4 +1,6 @@
 // finemote run on the host board: the observed order is the schedule.
+#include <filesystem>
+
 #include "catch.hpp"
 #include "cli/order.hpp"
 #include "cli/program.hpp"
@@ -34,6 +36,22 @@ TEST_CASE("a run that overruns says so with exit status 1") {
   TemporaryFolder folder;
   write_file(folder.path("r.urdf"), R"(<robot name="r"><link name="l"/><finemote version="1"><board name="host"/>
     <device name="a" type="sim_load" period="1ms"><param name="update">1500us</param></device></finemote></robot>)");
-  const auto result = run_finemote({"run", folder.path("r.urdf")});
+  const auto result = run_finemote({"run", folder.path("r.urdf"), "--json", folder.path("run.json")});
   CHECK(result.exit_status == 1);
+  CHECK(result.output.find("overruns") != std::string::npos);
+  const auto document = nlohmann::json::parse(read_file(folder.path("run.json")));
+  CHECK(document["schema"] == "finemote.run/1");
+  CHECK(document["overruns"] > 0);
+  CHECK(document.contains("diagnostics"));
+}
+
+TEST_CASE("a place where the document of a run cannot be written is refused before anything is compiled") {
+  TemporaryFolder folder;
+  write_file(folder.path("r.urdf"), R"(<robot name="r"><link name="l"/><finemote version="1"><board name="host"/>
+    <device name="a" type="sim_load" period="1ms"/></finemote></robot>)");
+  const auto result =
+      run_finemote({"run", folder.path("r.urdf"), "--keep", folder.path("kept"), "--json", folder.path("no/run.json")});
+  CHECK(result.exit_status == 2);
+  CHECK(result.output.find("no/run.json") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(folder.path("kept/build")));
 }
