@@ -45,7 +45,7 @@ function(finemote_compile_options target board chips optimize)
     return()
   endif()
   target_compile_options(${target} PRIVATE -g ${optimize} -fno-exceptions -fno-rtti -fno-threadsafe-statics
-                         -fno-use-cxa-atexit -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections
+                         -fno-use-cxa-atexit -fno-math-errno -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections
                          -fdata-sections
                          # the same bytes wherever the sources lie; of several that fit the last one counts
                          -ffile-prefix-map=${CMAKE_SOURCE_DIR}=robot -ffile-prefix-map=${CMAKE_BINARY_DIR}=build

@@ -101,8 +101,12 @@ void FinsRovHost::append(const std::uint8_t* bytes, std::size_t count) {
   const std::size_t size = size_ < kMaxMessage ? size_ : kMaxMessage, room = kMaxMessage - size;
   too_long_ = too_long_ || count > room;
   const std::size_t kept = count < room ? count : room;
-  for (std::size_t i = 0; i < kept; ++i) text_[size + i] = static_cast<char>(bytes[i]);
   size_ = static_cast<std::uint8_t>(size + kept);
+  if (kept == 0) return;
+  std::size_t i = 0;
+  do {
+    text_[size + i] = static_cast<char>(bytes[i]);
+  } while (++i != kept);
 }
 
 void FinsRovHost::drop() {
@@ -126,19 +130,21 @@ bool FinsRovHost::next(FinsRovOrder& order) { return stage_ == Stage::kOrders &&
 /// The order that begins at at_ or behind spaces there, which is set behind it. Spaces without one are one, too.
 bool FinsRovHost::parse(FinsRovOrder& order) {
   unsigned spaces = 0;
-  for (; spaces < kMostSpaces && at_ < size_ && is_space(text_[at_]); ++spaces) ++at_;
-  if (at_ >= size_ || spaces == kMostSpaces) {
+  std::size_t at = at_;
+  for (; spaces < kMostSpaces && at < size_ && is_space(text_[at]); ++spaces) ++at;
+  at_ = static_cast<std::uint8_t>(at);
+  if (at >= size_ || spaces == kMostSpaces) {
     order = {};
     return true;
   }
-  const char letter = text_[at_];
+  const char letter = text_[at];
   if (letter < 'A' || letter > 'Z') return false;
   const std::size_t begin = kIndex.first[letter - 'A'], end = kIndex.first[letter - 'A' + 1];
   for (std::size_t i = 0; i < kIndex.most && begin + i < end; ++i) {
     const Word& word = kWords[begin + i];
-    const std::size_t length = matches(word, text_ + at_, std::size_t{size_} - at_);
+    const std::size_t length = matches(word, text_ + at, std::size_t{size_} - at);
     if (length == 0) continue;
-    at_ = static_cast<std::uint8_t>(at_ + length);
+    at_ = static_cast<std::uint8_t>(at + length);
     order.verb = word.verb;
     return parse_numbers(word.numbers, order);
   }
@@ -154,13 +160,14 @@ bool FinsRovHost::parse_numbers(unsigned count, FinsRovOrder& order) {
 }
 
 bool FinsRovHost::parse_number(std::int32_t& number) {
-  const bool negative = at_ < size_ && text_[at_] == '-';
-  if (negative) ++at_;
+  std::size_t at = at_;
+  const bool negative = at < size_ && text_[at] == '-';
+  if (negative) ++at;
   std::int32_t value = 0;
   unsigned digits = 0;
-  for (; digits < kMostDigits && at_ < size_ && is_digit(text_[at_]); ++digits)
-    value = 10 * value + (text_[at_++] - '0');
-  const bool is_whole = digits != 0 && (at_ == size_ || !is_digit(text_[at_]));
+  for (; digits < kMostDigits && at < size_ && is_digit(text_[at]); ++digits) value = 10 * value + (text_[at++] - '0');
+  at_ = static_cast<std::uint8_t>(at);
+  const bool is_whole = digits != 0 && (at == size_ || !is_digit(text_[at]));
   number = negative ? -value : value;
   return is_whole && value <= kLargest;
 }

@@ -72,9 +72,12 @@ void H30Imu::turn_state() {
 
 H30Imu::Heads::Heads(const std::uint8_t* bytes, std::size_t size) {
   for (std::size_t& place : at) place = kMostBytes;
-  for (std::size_t i = 0; i < size; ++i) {
-    if (bytes[i] == kHead0 && (i + 1 == size || bytes[i + 1] == kHead1)) at[count++ % kMostHeads] = i;
-  }
+  if (size == 0) return;
+  std::size_t i = 0, found = 0;
+  do {  // the longest of the loops: one branch in most rounds
+    if (bytes[i] == kHead0 && (i + 1 == size || bytes[i + 1] == kHead1)) at[found++ % kMostHeads] = i;
+  } while (++i != size);
+  count = found;
 }
 
 /// Looks for frames in what is kept and `size` bytes more. Returns the first byte that may still begin one.
@@ -133,10 +136,11 @@ void H30Imu::stamp(std::size_t since, std::size_t whole) {
 bool H30Imu::sums_agree(const std::uint8_t* frame, std::size_t payload) {
   std::uint32_t sum1 = 0, sum2 = 0;
   const std::size_t end = kHeader + payload;
-  for (std::size_t i = kNumberAt; i < end; ++i) {
+  std::size_t i = kNumberAt;
+  do {
     sum1 += frame[i];
     sum2 += sum1;
-  }
+  } while (++i < end);
   return (sum1 & 0xFFU) == frame[end] && (sum2 & 0xFFU) == frame[end + 1];
 }
 

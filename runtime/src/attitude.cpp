@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "finemote/control/arctangent.hpp"
 #include "finemote/control/pid.hpp"
 #include "finemote/control/sine.hpp"
 
@@ -32,8 +33,8 @@ void AttitudeFilter::step(const Gains& gains, const float (&rate)[3], const floa
 }
 
 void AttitudeFilter::align(const float (&a)[3]) {
-  const float half_roll = 0.5F * std::atan2(a[1], a[2]);
-  const float half_pitch = 0.5F * std::atan2(-a[0], std::sqrt(a[1] * a[1] + a[2] * a[2]));
+  const float half_roll = 0.5F * arctangent(a[1], a[2]);
+  const float half_pitch = 0.5F * arctangent(-a[0], std::sqrt(a[1] * a[1] + a[2] * a[2]));
   const float cr = cosine(half_roll), sr = sine(half_roll), cp = cosine(half_pitch), sp = sine(half_pitch);
   q_[0] = cr * cp;
   q_[1] = sr * cp;
@@ -67,11 +68,11 @@ void AttitudeFilter::integrate(const float (&rate)[3], float dt) {
 }
 
 float AttitudeFilter::roll() const {
-  return std::atan2(2 * (q_[0] * q_[1] + q_[2] * q_[3]), 1 - 2 * (q_[1] * q_[1] + q_[2] * q_[2]));
+  return arctangent(2 * (q_[0] * q_[1] + q_[2] * q_[3]), 1 - 2 * (q_[1] * q_[1] + q_[2] * q_[2]));
 }
-float AttitudeFilter::pitch() const { return std::asin(clamp(2 * (q_[0] * q_[2] - q_[3] * q_[1]), -1, 1)); }
+float AttitudeFilter::pitch() const { return arcsine(2 * (q_[0] * q_[2] - q_[3] * q_[1])); }
 float AttitudeFilter::yaw() const {
-  return std::atan2(2 * (q_[0] * q_[3] + q_[1] * q_[2]), 1 - 2 * (q_[2] * q_[2] + q_[3] * q_[3]));
+  return arctangent(2 * (q_[0] * q_[3] + q_[1] * q_[2]), 1 - 2 * (q_[2] * q_[2] + q_[3] * q_[3]));
 }
 
 }  // namespace finemote

@@ -1,8 +1,6 @@
 #include "finemote/control/rotation.hpp"
 
-#include <cmath>
-
-#include "finemote/control/pid.hpp"
+#include "finemote/control/arctangent.hpp"
 #include "finemote/control/sine.hpp"
 
 namespace finemote {
@@ -23,9 +21,9 @@ Rotation Rotation::of_angles(float roll, float pitch, float yaw) {
            {-sp, cp * sr, cp * cr}}};
 }
 
-float Rotation::roll() const { return std::atan2(row[2].y, row[2].z); }
-float Rotation::pitch() const { return std::asin(clamp(-row[2].x, -1, 1)); }
-float Rotation::yaw() const { return std::atan2(row[1].x, row[0].x); }
+float Rotation::roll() const { return arctangent(row[2].y, row[2].z); }
+float Rotation::pitch() const { return arcsine(-row[2].x); }
+float Rotation::yaw() const { return arctangent(row[1].x, row[0].x); }
 
 Rotation operator*(const Rotation& a, const Rotation& b) {
   Rotation product;

@@ -6,11 +6,11 @@ root=$(cd "$here/../.." && pwd)
 build=$(cd "${1:?usage: bench.sh BUILD_DIR}" && pwd)
 finemote=$build/finemote
 
-echo "== scheduling overhead of a ROV with 14 devices per 10 ms, in instructions (to reach: 250; stretch 150; dispatch of a stage: 4)"
+echo "== scheduling overhead of a ROV with 14 devices per 10 ms, in instructions (to reach: 150; dispatch of a stage: 4)"
 "$here/overhead.sh" "$build/bench-overhead" 2>/dev/null
 
 echo
-echo "== FinsROV image for the Type C board (to reach: 20480 B flash, 4096 B RAM and proven stack)"
+echo "== FinsROV image for the Type C board (to reach: 16384 B flash, 3584 B RAM without a copy of the code)"
 "$finemote" run "$root/examples/finsrov.urdf" --build-only
 
 echo

@@ -21,7 +21,7 @@ counts() {
   local ranges=() begin size kind name
   while read -r begin size kind name; do
     ranges+=(",range=$begin:$(printf %x $(( 0x$begin + 0x$size ))):$name")
-  done < <(arm-none-eabi-nm -S --defined-only "$build/$1.elf" | awk '$3 ~ /[tT]/ && NF == 4' | awk '!seen[$1]++')
+  done < <(arm-none-eabi-nm -S --defined-only "$build/$1.elf" | awk '$3 ~ /[tTwW]/ && NF == 4' | awk '!seen[$1]++')
   timeout 60 qemu-system-arm -M netduinoplus2 -nographic -monitor none -serial none \
     -chardev stdio,id=sh -semihosting-config enable=on,target=native,chardev=sh -icount shift=3,align=off,sleep=off \
     -plugin "$build/instruction_count.so,out=$build/$1.txt$(IFS=; echo "${ranges[*]}")" -kernel "$build/$1.elf" </dev/null >/dev/null

@@ -10,6 +10,7 @@
 #include "finemote/board.hpp"
 #include "finemote/fault.hpp"
 #include "finemote/loop_bound.hpp"
+#include "finemote/only_after_fault.hpp"
 #include "finemote/schedule.hpp"
 #include "finemote/single_core.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
@@ -136,8 +137,10 @@ std::uint32_t prepare(Releases& r, const Schedule& schedule) {
   return all;
 }
 
-// Some bucket is late, or was: counts, and lets the watchdog starve when it has to. Out of the interrupt's short way.
+// Some bucket is late, or was, which was counted: counts, and lets the watchdog starve when it has to. Out of the
+// interrupt's short way.
 __attribute__((noinline)) void take_late(Releases& r, std::uint32_t due, std::uint32_t late) {
+  only_after_fault();
   r.watch.note(finemote_schedule, r.bits, due, late);
   if (!r.watch.starving()) board::feed_watchdog();
   if (late != 0) detail::report_overruns(late, r.bits);

@@ -17,15 +17,16 @@ namespace detail {
 /// How a latch does its steps. Tests replace it to interrupt between any two of them.
 struct Straight {
   template <class T>
-  static void copy(T& to, const T& from) {
+  [[gnu::always_inline]] static void copy(T& to, const T& from) {
     to = from;
   }
-  static void point() { std::atomic_signal_fence(std::memory_order_seq_cst); }
+  [[gnu::always_inline]] static void point() { std::atomic_signal_fence(std::memory_order_seq_cst); }
 };
 
-using Index = std::atomic<std::uint8_t>;
-inline std::uint8_t get(const Index& index) { return index.load(std::memory_order_relaxed); }
-inline void set(Index& index, std::uint8_t value) { index.store(value, std::memory_order_relaxed); }
+/// A word: narrower ones would have to be extended before each use.
+using Index = std::atomic<std::uint32_t>;
+inline std::uint32_t get(const Index& index) { return index.load(std::memory_order_relaxed); }
+inline void set(Index& index, std::uint32_t value) { index.store(value, std::memory_order_relaxed); }
 
 }  // namespace detail
 
@@ -41,7 +42,7 @@ class LatchToSlow {
 
   /// Writer side.
   void publish(const T& value) {
-    const std::uint8_t slot = free_slot(detail::get(latest_), detail::get(reading_));
+    const std::uint32_t slot = free_slot(detail::get(latest_), detail::get(reading_));
     Steps::point();
     Steps::copy(slots_[slot], value);
     Steps::point();
@@ -51,7 +52,7 @@ class LatchToSlow {
 
   /// Reader side. The reference stays valid and unchanged until the next snapshot().
   const T& snapshot() {
-    const std::uint8_t slot = detail::get(latest_);
+    const std::uint32_t slot = detail::get(latest_);
     Steps::point();  // a writer here may refill `slot` with newer data, completely, before the reader goes on
     detail::set(reading_, slot);
     Steps::point();
@@ -59,8 +60,8 @@ class LatchToSlow {
   }
 
  private:
-  static constexpr std::uint8_t free_slot(std::uint8_t a, std::uint8_t b) {
-    return a != b ? static_cast<std::uint8_t>(3 - a - b) : static_cast<std::uint8_t>(a == 0);
+  static constexpr std::uint32_t free_slot(std::uint32_t a, std::uint32_t b) {
+    return a != b ? 3 - a - b : static_cast<std::uint32_t>(a == 0);
   }
 
   T slots_[3]{};
@@ -80,7 +81,7 @@ class LatchToFast {
 
   /// Writer side.
   void publish(const T& value) {
-    const auto slot = static_cast<std::uint8_t>(detail::get(active_) ^ 1U);
+    const std::uint32_t slot = detail::get(active_) ^ 1U;
     Steps::point();
     Steps::copy(slots_[slot], value);
     Steps::point();

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "finemote/fault.hpp"
+#include "finemote/only_after_fault.hpp"
 #include "finemote/raised_by.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
 #include "runtime/chips/stm32f4/interrupt.hpp"
@@ -63,9 +64,13 @@ void stop_stream(const stm32f4::DmaStream& stream) {
   if (!stm32f4::stop(stream)) count_fault(Module::spi, static_cast<std::uint8_t>(SpiFault::dma_stuck));
 }
 
+/// The end of the exchange before has stopped it.
 void start_stream(const stm32f4::DmaStream& stream, std::uint32_t peripheral, const void* memory, std::uint32_t count,
                   std::uint32_t control) {
-  stop_stream(stream);
+  if (stream.cr().any(dma::kEnable)) {
+    only_after_fault();  // dma_stuck
+    stop_stream(stream);
+  }
   stream.par().write(peripheral);
   stream.m0ar().write(address_of(memory));
   stream.ndtr().write(count);
