@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 807895, finemote::kNothingToBound, nullptr},  // imu
-    {1, 1609868, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 1607768, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 1605668, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 1603568, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 1601468, 32036716, &rov::thruster_1.command},  // thruster_1
-    {1, 1594856, 32032830, &rov::thruster_2.command},  // thruster_2
-    {1, 1590970, 32028944, &rov::thruster_3.command},  // thruster_3
-    {1, 1587084, 32025057, &rov::thruster_4.command},  // thruster_4
-    {1, 1583192, 32018440, &rov::thruster_5.command},  // thruster_5
-    {1, 1579311, 32014423, &rov::thruster_6.command},  // thruster_6
-    {1, 1572700, 32010536, &rov::thruster_7.command},  // thruster_7
-    {1, 1568814, 32006650, &rov::thruster_8.command},  // thruster_8
-    {1, 1564928, finemote::kNothingToBound, nullptr},  // rov
+    {0, 747211, finemote::kNothingToBound, nullptr},  // imu
+    {1, 1385681, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 1383581, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 1371500, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 1369400, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 1367300, 31802797, &rov::thruster_1.command},  // thruster_1
+    {1, 1363414, 31798905, &rov::thruster_2.command},  // thruster_2
+    {1, 1359527, 31795019, &rov::thruster_3.command},  // thruster_3
+    {1, 1355641, 31791132, &rov::thruster_4.command},  // thruster_4
+    {1, 1349024, 31787240, &rov::thruster_5.command},  // thruster_5
+    {1, 1345144, 31780641, &rov::thruster_6.command},  // thruster_6
+    {1, 1341258, 31776749, &rov::thruster_7.command},  // thruster_7
+    {1, 1337371, 31772863, &rov::thruster_8.command},  // thruster_8
+    {1, 1333485, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 803.695 us of its release.
+/// a job ends within 740.286 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 1.611 ms of its release.
+/// a job ends within 1.386 ms of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{803695, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{1563616, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{1563616, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{1563616, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{1563616, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{1563616, 31993596, 36553308};
-inline constexpr finemote::Bounds thruster_2{1561830, 31991804, 36553303};
-inline constexpr finemote::Bounds thruster_3{1560044, 31990018, 36574480};
-inline constexpr finemote::Bounds thruster_4{1558257, 31985650, 36571898};
-inline constexpr finemote::Bounds thruster_5{1546485, 31983858, 36571898};
-inline constexpr finemote::Bounds thruster_6{1544705, 31982078, 36571898};
-inline constexpr finemote::Bounds thruster_7{1542919, 31980292, 36574623};
-inline constexpr finemote::Bounds thruster_8{1541133, 31978505, 36574622};
-inline constexpr finemote::Bounds rov{1539346, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{740286, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{1332173, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{1332173, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{1332173, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{1332173, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{1332173, 31764346, 36310024};
+inline constexpr finemote::Bounds thruster_2{1330387, 31762560, 36310024};
+inline constexpr finemote::Bounds thruster_3{1325876, 31760773, 36310023};
+inline constexpr finemote::Bounds thruster_4{1324090, 31758987, 36331200};
+inline constexpr finemote::Bounds thruster_5{1322298, 31757195, 36331200};
+inline constexpr finemote::Bounds thruster_6{1320518, 31755409, 36331194};
+inline constexpr finemote::Bounds thruster_7{1318731, 31753623, 36331194};
+inline constexpr finemote::Bounds thruster_8{1316945, 31749112, 36331195};
+inline constexpr finemote::Bounds rov{1315159, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 336150, finemote::kNothingToBound, nullptr},  // imu
-    {0, 325843, 28958514, &gimbal::yaw.command},  // yaw
-    {0, 320045, 28952716, &gimbal::pitch.command},  // pitch
-    {1, 357703, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 421005, 27053576, &chassis::front_left.command},  // front_left
-    {2, 415415, 27047986, &chassis::front_right.command},  // front_right
-    {2, 409820, 27042391, &chassis::rear_left.command},  // rear_left
-    {2, 404231, 27036802, &chassis::rear_right.command},  // rear_right
-    {2, 398635, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 503842, finemote::kNothingToBound, nullptr},  // remote
+    {0, 280607, finemote::kNothingToBound, nullptr},  // imu
+    {0, 275333, 28834718, &gimbal::yaw.command},  // yaw
+    {0, 269560, 28828945, &gimbal::pitch.command},  // pitch
+    {1, 301909, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 369807, 26929092, &chassis::front_left.command},  // front_left
+    {2, 364290, 26923575, &chassis::front_right.command},  // front_right
+    {2, 358766, 26918051, &chassis::rear_left.command},  // rear_left
+    {2, 353249, 26912534, &chassis::rear_right.command},  // rear_right
+    {2, 347726, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 446966, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 397031, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 279715, 29148285, &arm::base.command},  // base
-    {0, 274126, 29142695, &arm::shoulder.command},  // shoulder
-    {0, 268531, 29137100, &arm::elbow.command},  // elbow
-    {0, 262942, 29131511, &arm::wrist_roll.command},  // wrist_roll
-    {0, 257346, 29125915, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 251757, 29120326, &arm::flange.command},  // flange
-    {0, 246162, finemote::kNothingToBound, nullptr},  // arm
+    {1, 367521, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 264485, 29105570, &arm::base.command},  // base
+    {0, 258967, 29100052, &arm::shoulder.command},  // shoulder
+    {0, 253444, 29094529, &arm::elbow.command},  // elbow
+    {0, 247927, 29089012, &arm::wrist_roll.command},  // wrist_roll
+    {0, 242404, 29083489, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 236886, 29077971, &arm::flange.command},  // flange
+    {0, 231363, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace six_joint_arm {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 7 devices;
-/// a job ends within 262.423 us of its release.
+/// a job ends within 247.073 us of its release.
 void run_2ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 364.937 us of its release.
+/// a job ends within 342.92 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,14 +22,14 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds sticks{364937, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{259314, 29127883, 29703773};
-inline constexpr finemote::Bounds shoulder{255825, 29124394, 29703773};
-inline constexpr finemote::Bounds elbow{252330, 29120899, 29703774};
-inline constexpr finemote::Bounds wrist_roll{248841, 29117410, 29703774};
-inline constexpr finemote::Bounds wrist_pitch{245346, 29113915, 29703774};
-inline constexpr finemote::Bounds flange{241857, 29110426, 29703774};
-inline constexpr finemote::Bounds arm{238361, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds sticks{342920, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds base{244084, 29085169, 29606017};
+inline constexpr finemote::Bounds shoulder{240667, 29081752, 29606017};
+inline constexpr finemote::Bounds elbow{237243, 29078328, 29606016};
+inline constexpr finemote::Bounds wrist_roll{233826, 29074911, 29613509};
+inline constexpr finemote::Bounds wrist_pitch{230403, 29071488, 29613510};
+inline constexpr finemote::Bounds flange{226986, 29068071, 29618544};
+inline constexpr finemote::Bounds arm{218528, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace six_joint_arm

@@ -19,37 +19,37 @@
 namespace six_joint_arm::arm {
 
 /// sticks: sbus on 'receiver', every 10 ms
-/// response <= 364.937 us
+/// response <= 342.92 us
 FINEMOTE_CONSTINIT inline finemote::Sbus sticks{receiver};
 
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
-/// response <= 259.314 us; data age <= 29.128 ms when handle() ends, <= 29.704 ms at the output (oldest: sticks)
+/// response <= 244.084 us; data age <= 29.086 ms when handle() ends, <= 29.607 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 base{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::base};
 
 /// shoulder: dji_m3508 on 'arm_can' id 2, every 2 ms
-/// response <= 255.825 us; data age <= 29.125 ms when handle() ends, <= 29.704 ms at the output (oldest: sticks)
+/// response <= 240.667 us; data age <= 29.082 ms when handle() ends, <= 29.607 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 shoulder{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::shoulder};
 
 /// elbow: dji_m3508 on 'arm_can' id 3, every 2 ms
-/// response <= 252.33 us; data age <= 29.121 ms when handle() ends, <= 29.704 ms at the output (oldest: sticks)
+/// response <= 237.243 us; data age <= 29.079 ms when handle() ends, <= 29.607 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 elbow{
     [] { finemote::DjiM3508::Config c{}; c.gear = 38.406f; return c; }(),
     slots::elbow};
 
 /// wrist_roll: dji_m3508 on 'wrist_can' id 1, every 2 ms
-/// response <= 248.841 us; data age <= 29.118 ms when handle() ends, <= 29.704 ms at the output (oldest: sticks)
+/// response <= 233.826 us; data age <= 29.075 ms when handle() ends, <= 29.614 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{finemote::DjiM3508::Config{}, slots::wrist_roll};
 
 /// wrist_pitch: dji_m2006 on 'wrist_can' id 2, every 2 ms
-/// response <= 245.346 us; data age <= 29.114 ms when handle() ends, <= 29.704 ms at the output (oldest: sticks)
+/// response <= 230.403 us; data age <= 29.072 ms when handle() ends, <= 29.614 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{finemote::DjiM2006::Config{}, slots::wrist_pitch};
 
 /// flange: dji_m2006 on 'wrist_can' id 3, every 2 ms
-/// response <= 241.857 us; data age <= 29.111 ms when handle() ends, <= 29.704 ms at the output (oldest: sticks)
+/// response <= 226.986 us; data age <= 29.069 ms when handle() ends, <= 29.619 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{finemote::DjiM2006::Config{}, slots::flange};
 
 namespace ports {  // what 'arm' sees of others
@@ -67,7 +67,7 @@ inline constexpr finemote::Port<finemote::Motor> arm_joints[] = {
 }  // namespace ports
 
 /// arm: serial_arm, every 2 ms
-/// response <= 238.361 us
+/// response <= 218.528 us
 FINEMOTE_CONSTINIT inline finemote::SerialArm arm{
     [] {
       finemote::SerialArm::Config c{};
