@@ -6,7 +6,7 @@
 namespace finemote::gen::wcet {
 namespace {
 
-using Kind = CostTable::Kind;
+using AccessKind = CostTable::Kind;
 
 bool has_double(const Instruction& i) {
   return !i.operands.empty() && i.operands[0].type == ARM_OP_REG && i.operands[0].reg >= ARM_REG_D0 &&
@@ -124,7 +124,7 @@ CostTable documented() {
 }
 
 /// How an instruction touches memory; none: it does not.
-std::optional<Kind> kind_of(const Instruction& i) {
+std::optional<AccessKind> kind_of(const Instruction& i) {
   switch (i.id) {
     case ARM_INS_LDR:
     case ARM_INS_LDRB:
@@ -134,22 +134,22 @@ std::optional<Kind> kind_of(const Instruction& i) {
     case ARM_INS_STR:
     case ARM_INS_STRB:
     case ARM_INS_STRH:
-      return Kind::single;
+      return AccessKind::single;
     case ARM_INS_LDREX:
     case ARM_INS_LDREXB:
     case ARM_INS_LDREXH:
     case ARM_INS_STREX:
     case ARM_INS_STREXB:
     case ARM_INS_STREXH:
-      return Kind::exclusive;
+      return AccessKind::exclusive;
     case ARM_INS_LDRD:
     case ARM_INS_STRD:
-      return Kind::two;
+      return AccessKind::two;
     case ARM_INS_PUSH:
     case ARM_INS_POP:
     case ARM_INS_VPUSH:
     case ARM_INS_VPOP:
-      return Kind::stack;
+      return AccessKind::stack;
     case ARM_INS_LDM:
     case ARM_INS_LDMDB:
     case ARM_INS_STM:
@@ -158,30 +158,30 @@ std::optional<Kind> kind_of(const Instruction& i) {
     case ARM_INS_VLDMDB:
     case ARM_INS_VSTMIA:
     case ARM_INS_VSTMDB:
-      return Kind::several;
+      return AccessKind::several;
     case ARM_INS_VLDR:
     case ARM_INS_VSTR:
-      return has_double(i) ? Kind::float_two : Kind::float_single;
+      return has_double(i) ? AccessKind::float_two : AccessKind::float_single;
     default:
       return std::nullopt;
   }
 }
 
-Cycles of_memory(const Instruction& i, Kind kind, const CostTable& table) {
+Cycles of_memory(const Instruction& i, AccessKind kind, const CostTable& table) {
   switch (kind) {
-    case Kind::single:
+    case AccessKind::single:
       return table.single;
-    case Kind::exclusive:
+    case AccessKind::exclusive:
       return table.exclusive;
-    case Kind::two:
+    case AccessKind::two:
       return table.two;
-    case Kind::float_single:
+    case AccessKind::float_single:
       return table.float_single;
-    case Kind::float_two:
+    case AccessKind::float_two:
       return table.float_two;
-    case Kind::stack:
+    case AccessKind::stack:
       return table.several + table.word * i.words_from(0);
-    case Kind::several:
+    case AccessKind::several:
       break;
   }
   return table.several + table.word * i.words_from(1);
