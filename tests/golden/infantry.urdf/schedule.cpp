@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 280607, finemote::kNothingToBound, nullptr},  // imu
-    {0, 275333, 28834718, &gimbal::yaw.command},  // yaw
-    {0, 269560, 28828945, &gimbal::pitch.command},  // pitch
-    {1, 301909, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 369807, 26929092, &chassis::front_left.command},  // front_left
-    {2, 364290, 26923575, &chassis::front_right.command},  // front_right
-    {2, 358766, 26918051, &chassis::rear_left.command},  // rear_left
-    {2, 353249, 26912534, &chassis::rear_right.command},  // rear_right
-    {2, 347726, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 446966, finemote::kNothingToBound, nullptr},  // remote
+    {0, 295222, finemote::kNothingToBound, nullptr},  // imu
+    {0, 289949, 28882098, &gimbal::yaw.command},  // yaw
+    {0, 284104, 28876253, &gimbal::pitch.command},  // pitch
+    {1, 316584, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 384771, 26976820, &chassis::front_left.command},  // front_left
+    {2, 379181, 26971230, &chassis::front_right.command},  // front_right
+    {2, 373586, 26965635, &chassis::rear_left.command},  // rear_left
+    {2, 367997, 26960046, &chassis::rear_right.command},  // rear_right
+    {2, 362402, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 461989, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 274.441 us of its release.
+/// a job ends within 289.117 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 288.108 us of its release.
+/// a job ends within 302.784 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 342.596 us of its release.
+/// a job ends within 357.618 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 411.447 us of its release.
+/// a job ends within 426.47 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{271006, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{267833, 28827218, 29621321};
-inline constexpr finemote::Bounds pitch{264160, 28823545, 29621321};
-inline constexpr finemote::Bounds gimbal{288108, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{341006, 26900291, 27684342};
-inline constexpr finemote::Bounds front_right{337588, 26896873, 27689375};
-inline constexpr finemote::Bounds rear_left{329131, 26888416, 27684341};
-inline constexpr finemote::Bounds rear_right{325714, 26884999, 27684341};
-inline constexpr finemote::Bounds chassis{322291, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{411447, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{285622, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{282449, 28874598, 29715997};
+inline constexpr finemote::Bounds pitch{278703, 28870852, 29715996};
+inline constexpr finemote::Bounds gimbal{302784, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{355969, 26948018, 27784397};
+inline constexpr finemote::Bounds front_right{352480, 26944529, 27784397};
+inline constexpr finemote::Bounds rear_left{348985, 26941034, 27784398};
+inline constexpr finemote::Bounds rear_right{345496, 26937545, 27784398};
+inline constexpr finemote::Bounds chassis{342001, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{426470, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

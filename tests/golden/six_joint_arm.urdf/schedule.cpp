@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 367521, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 264485, 29105570, &arm::base.command},  // base
-    {0, 258967, 29100052, &arm::shoulder.command},  // shoulder
-    {0, 253444, 29094529, &arm::elbow.command},  // elbow
-    {0, 247927, 29089012, &arm::wrist_roll.command},  // wrist_roll
-    {0, 242404, 29083489, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 236886, 29077971, &arm::flange.command},  // flange
-    {0, 231363, finemote::kNothingToBound, nullptr},  // arm
+    {1, 380645, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 277489, 29143719, &arm::base.command},  // base
+    {0, 271900, 29138130, &arm::shoulder.command},  // shoulder
+    {0, 266305, 29132535, &arm::elbow.command},  // elbow
+    {0, 260716, 29126946, &arm::wrist_roll.command},  // wrist_roll
+    {0, 255120, 29121350, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 249531, 29115761, &arm::flange.command},  // flange
+    {0, 243936, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace
