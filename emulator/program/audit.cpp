@@ -1,6 +1,8 @@
 #include "emulator/program/audit.hpp"
 
 #include <algorithm>
+#include <map>
+#include <string_view>
 
 #include "emulator/program/firmware.hpp"
 
@@ -82,9 +84,16 @@ Json Audit::events(std::int64_t zero_ns) const {
   }
   for (const Overrun& overrun : overruns_) lines.push_back({since(overrun.at), "overrun", overrun.exception});
   std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.at_ps < b.at_ps; });
-  Json all = Json::array();
-  for (const Line& line : lines) all.push_back(Json::array({line.at_ps, line.what, line.number}));
-  return all;
+  Json names = Json::array();
+  std::map<std::string_view, std::uint32_t> known;
+  std::vector<std::int64_t> numbers;
+  numbers.reserve(3 * lines.size());
+  for (const Line& line : lines) {
+    const auto [name, is_new] = known.try_emplace(line.what, static_cast<std::uint32_t>(known.size()));
+    if (is_new) names.push_back(line.what);
+    numbers.insert(numbers.end(), {line.at_ps, name->second, line.number});
+  }
+  return {{"names", std::move(names)}, {"events", std::move(numbers)}};
 }
 
 }  // namespace finemote::emulator

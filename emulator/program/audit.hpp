@@ -20,9 +20,9 @@ class Audit {
   Audit& operator=(const Audit&) = delete;
   ~Audit();
 
-  /// `[ps since zero, what, number]` in the order of time: `enter` `tail` `return` `resume` `due` and `overrun` with an
-  /// exception, `begin` and `end` with a stage, `work` and `done` with one of the works, `mask` `unmask` `reset` with
-  /// 0.
+  /// `events`: three numbers for each, in the order of time: ps since zero, what of `names`, number. What is `enter`
+  /// `tail` `return` `resume` `due` and `overrun` with an exception, `begin` and `end` with a stage, `work` and `done`
+  /// with one of the works, `mask` `unmask` `reset` with 0. In one list, as there are tens of thousands.
   /// @param zero_ns  since power-on
   [[nodiscard]] nlohmann::ordered_json events(std::int64_t zero_ns) const;
 

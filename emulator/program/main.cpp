@@ -3,6 +3,8 @@
 //
 // A program of its own, so that whatever an image makes of the board cannot take the tool along; `finemote run` starts
 // it.
+#include <malloc.h>
+
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -28,7 +30,16 @@ void run_job(const std::string& job_file, const std::string& record_file) {
   if (!file) throw std::runtime_error("cannot write the record");
 }
 
+/// Records are tens of megabytes of small pieces: taken from the system in large ones, and given back at the end alone.
+void take_memory_in_large_pieces() {
+  constexpr int kPiece = 32 << 20, kNever = 1 << 30;
+  mallopt(M_TOP_PAD, kPiece);
+  mallopt(M_TRIM_THRESHOLD, kNever);
+  mallopt(M_MMAP_THRESHOLD, kNever);
+}
+
 int run(const Words& words) {
+  take_memory_in_large_pieces();
   if (words.size() == 2 && words[0].compare(0, 2, "--") != 0) {
     run_job(words[0], words[1]);
     return 0;

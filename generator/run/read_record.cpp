@@ -82,6 +82,18 @@ std::vector<PartRecord> parts_of(const Json& record) {
   return parts;
 }
 
+/// Three numbers for each event: emulator/program/audit.hpp. None where no audit was asked for.
+std::vector<LoggedEvent> log_of(const Json& audit) {
+  std::vector<LoggedEvent> log;
+  if (audit.is_null()) return log;
+  const auto names = audit.at("names").get<std::vector<std::string>>();
+  const Json& numbers = audit.at("events");
+  log.reserve(numbers.size() / 3);
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
+    log.push_back({numbers[i], names.at(numbers[i + 1].get<std::size_t>()), numbers[i + 2]});
+  return log;
+}
+
 /// Of the buses with a port, in their order.
 std::vector<BusRecord> buses_of(const Json& record, const Robot& robot) {
   std::vector<BusRecord> buses;
@@ -121,7 +133,7 @@ RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest
   record.parts = parts_of(json);
   for (const Json& use : json.at("uses"))
     record.uses.push_back({use.at(0), use.at(1), use.at(2), use.at(3), use.at(4), maybe(use.at(5))});
-  for (const Json& event : json.at("audit")) record.log.push_back({event.at(0), event.at(1), event.at(2)});
+  record.log = log_of(json.at("audit"));
   record.expectations = expectations_of(json);
   record.series = series_of(json);
   record.buses = buses_of(json, robot);

@@ -9,6 +9,10 @@ import robots
 
 DURATION = "300ms"
 
+#: How programs take memory from the system: a record is some ten megabytes of small pieces.
+LARGE_PIECES = ":".join(f"glibc.malloc.{name}={size}" for name, size in
+                        (("top_pad", 1 << 25), ("trim_threshold", 1 << 30), ("mmap_threshold", 1 << 30)))
+
 
 class Tool:
     """Calls of one worker. Its folder is kept from robot to robot: the runtime is compiled once, a robot's own code anew."""
@@ -19,7 +23,7 @@ class Tool:
         # What is compiled once, the runtime, may be in the compiler's cache; a robot's own code never is, and a look there
         # costs as much as half of the compilation.
         has_runtime = (self.folder / "kept" / "build" / "build.ninja").exists()
-        self.environment = {**os.environ, "CCACHE_DISABLE": "1"} if has_runtime else None
+        self.environment = {**os.environ, "GLIBC_TUNABLES": LARGE_PIECES, **({"CCACHE_DISABLE": "1"} if has_runtime else {})}
 
     def call(self, command, robot, *arguments):
         file = self.folder / "robot.urdf"
