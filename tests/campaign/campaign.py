@@ -13,6 +13,7 @@ import tempfile
 import attack
 import census
 import inject
+import state
 
 MOST_SHOWN = 3  # robots that break a bound
 MOST_LINES = 5  # of what each of them breaks
@@ -43,9 +44,9 @@ def task_of(asked, folder, number):
     return attack.Task(asked.finemote, folder, asked.seed, number, asked.phases, asked.inject, asked.static)
 
 
-def results(pool, asked, folder):
-    """Results in the order of the robots; some robots ahead are under attack meanwhile."""
-    tasks = (task_of(asked, folder, number) for number in itertools.count())
+def results(pool, asked, folder, first):
+    """Results in the order of the robots, from the number `first` on; some robots ahead are under attack meanwhile."""
+    tasks = (task_of(asked, folder, number) for number in itertools.count(first))
     ahead = collections.deque(pool.submit(attack.attack, task) for task in itertools.islice(tasks, 2 * asked.jobs))
     try:
         while True:
@@ -61,13 +62,21 @@ def show_progress(tally, asked):
         print(f"\r{len(tally.counted)} of {asked.robots} robots, {tally.drawn} drawn ", end="", file=sys.stderr, flush=True)
 
 
-def draw_and_attack(pool, asked, folder):
-    """Until enough robots count, or one breaks a bound."""
-    tally = Tally()
-    for result in results(pool, asked, folder):
+def kept_results(pool, asked, folder, kept):
+    """Those of a campaign that was stopped, and then new ones, which are kept as well."""
+    yield from kept.results
+    for result in results(pool, asked, folder, len(kept.results)):
         if result.state == "failed":
             print(f"robot {result.number} cannot be run:\n{result.problem}\n{result.text}", file=sys.stderr)
             sys.exit(2)
+        kept.append(result)
+        yield result
+
+
+def draw_and_attack(pool, asked, folder, kept):
+    """Until enough robots count, or one breaks a bound."""
+    tally = Tally()
+    for result in kept_results(pool, asked, folder, kept):
         tally.add(result)
         show_progress(tally, asked)
         if len(tally.counted) == asked.robots or tally.violated and not asked.keep_going:
@@ -97,6 +106,7 @@ def options():
     parser.add_argument("--static", action="store_true", help="hold runs against bounds that are computed from each image")
     parser.add_argument("--sweep", action="store_true", help="write down what is reached: reached.json, for --inject")
     parser.add_argument("--keep-going", action="store_true", help="do not stop at the first violation")
+    parser.add_argument("--state", metavar="FILE", help="keep the results there, and go on from those that it has")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--finemote", default="finemote", help="the program under attack")
     return parser.parse_args()
@@ -104,8 +114,13 @@ def options():
 
 def main():
     asked = options()
+    try:
+        kept = state.State(asked.state, (asked.seed, asked.phases, asked.inject, asked.static, state.digest_of(asked.finemote)))
+    except state.Another as problem:
+        print(problem, file=sys.stderr)
+        return 2
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ProcessPoolExecutor(asked.jobs) as pool:
-        tally = draw_and_attack(pool, asked, folder)
+        tally = draw_and_attack(pool, asked, folder, kept)
         show_violations(pool, tally, asked, folder)
     if asked.sweep:
         inject.write(result.reached for result in tally.by_state["counted"])
