@@ -97,11 +97,13 @@ std::string phase_text(const timing::Timing& timing, double crossover_hz) {
 /// The value of --crossover [Hz]; none where it is not given, or wrong: then FM0001 is reported.
 std::optional<double> crossover_option(const std::string& text, Diagnostics& diagnostics) {
   constexpr std::string_view kUnit = "Hz";
+  constexpr double kMostHz = 1e6;
   if (text.empty()) return std::nullopt;
   const auto parsed = units::parse_real(text, kUnit);
-  if (parsed && *parsed > 0 && *parsed <= 1e6 && text.ends_with(kUnit)) return *parsed;
+  if (parsed && *parsed > 0 && *parsed <= kMostHz && text.ends_with(kUnit)) return *parsed;
   diagnostics
-      .error(code::usage, {}, fmt::format("--crossover must be a frequency greater than zero in Hz, got '{}'", text))
+      .error(code::usage, {},
+             fmt::format("--crossover must be a frequency in Hz, above 0 and up to {:.0f}, got '{}'", kMostHz, text))
       .hint("write for example --crossover 2Hz");
   return std::nullopt;
 }
