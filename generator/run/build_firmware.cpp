@@ -99,12 +99,12 @@ std::string configuration_of(const FirmwareRequest& request) {
 fs::path configuration_file(const fs::path& build) { return build / "finemote.configuration"; }
 
 /// Whether CMake has nothing to do that the build would not ask it for.
-bool is_configured(const FirmwareRequest& request, const fs::path& build) {
-  return fs::exists(build / "build.ninja") &&
-         read_bytes(configuration_file(build).string()) == configuration_of(request);
+bool is_configured(const fs::path& build, const std::string& configuration) {
+  return fs::exists(build / "build.ninja") && read_bytes(configuration_file(build).string()) == configuration;
 }
 
-bool configure(const FirmwareRequest& request, const fs::path& build, Diagnostics& diagnostics) {
+bool configure(const FirmwareRequest& request, const fs::path& build, const std::string& configuration,
+               Diagnostics& diagnostics) {
   std::error_code ignored;
   fs::remove(configuration_file(build), ignored);
   // Where it was configured before, the programs were there.
@@ -118,7 +118,7 @@ bool configure(const FirmwareRequest& request, const fs::path& build, Diagnostic
                       fs::absolute(request.data_dir + "/cmake/toolchain-arm-none-eabi.cmake").string());
   }
   if (!step(command, "configuring the firmware", diagnostics)) return false;
-  static_cast<void>(replace_file(configuration_file(build).string(), configuration_of(request)));
+  static_cast<void>(replace_file(configuration_file(build).string(), configuration));
   return true;
 }
 
@@ -157,7 +157,9 @@ bool can_build(const FirmwareRequest& request) {
 
 std::optional<std::string> build_firmware(const FirmwareRequest& request, Diagnostics& diagnostics) {
   const fs::path build = fs::path(request.folder) / "build";
-  if (!is_configured(request, build) && !configure(request, build, diagnostics)) return std::nullopt;
+  const std::string configuration = configuration_of(request);
+  if (!is_configured(build, configuration) && !configure(request, build, configuration, diagnostics))
+    return std::nullopt;
   if (!step({"ninja", "-C", build.string()}, "compiling the firmware", diagnostics)) return std::nullopt;
   return image_path(request);
 }
