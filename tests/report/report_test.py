@@ -362,8 +362,8 @@ class Report(unittest.TestCase):
         self.assertEqual(page.run("document.querySelector('.chain button').getAttribute('aria-pressed')"), "true")
 
 
-# Texts on the page with too little contrast to what is behind them, as [text, ratio].
-CONTRASTS = """(() => {
+# The bytes of a colour, how light it is, and the contrast of two such: WCAG 2.2, relative luminance and contrast ratio.
+COLOURS = """
   const canvas = document.createElement('canvas').getContext('2d', {willReadFrequently: true});
   const numbers = (colour) => {
     canvas.clearRect(0, 0, 1, 1); canvas.fillStyle = colour; canvas.fillRect(0, 0, 1, 1);
@@ -371,6 +371,11 @@ CONTRASTS = """(() => {
   };
   const light = ([r, g, b]) => [r, g, b].map((v) => v / 255).map((v) => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
       .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+  const contrast = (a, b) => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+"""
+
+# Texts on the page with too little contrast to what is behind them, as [text, ratio].
+CONTRASTS = "(() => {" + COLOURS + """
   const behind = (element) => {
     for (let e = element; e; e = e.parentElement) {
       const colour = numbers(getComputedStyle(e).backgroundColor);
@@ -383,21 +388,14 @@ CONTRASTS = """(() => {
     const own = [...element.childNodes].some((node) => node.nodeType === 3 && node.textContent.trim() !== '');
     if (!own || !element.checkVisibility() || element.closest('svg') || ['SCRIPT', 'STYLE'].includes(element.tagName)) continue;
     const [a, b] = [light(numbers(getComputedStyle(element).color)), light(behind(element))];
-    const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    const ratio = contrast(a, b);
     if (ratio < 4.5) bad.push([element.textContent.slice(0, 30), ratio]);
   }
   return bad;
 })()"""
 
 # The same of texts in pictures: how many there are, and those with too little contrast.
-PICTURE_CONTRASTS = """(() => {
-  const canvas = document.createElement('canvas').getContext('2d', {willReadFrequently: true});
-  const numbers = (colour) => {
-    canvas.clearRect(0, 0, 1, 1); canvas.fillStyle = colour; canvas.fillRect(0, 0, 1, 1);
-    return [...canvas.getImageData(0, 0, 1, 1).data];
-  };
-  const light = ([r, g, b]) => [r, g, b].map((v) => v / 255).map((v) => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
-      .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+PICTURE_CONTRASTS = "(() => {" + COLOURS + """
   const page = getComputedStyle(document.body).backgroundColor;
   const paint = (element) => {
     const style = getComputedStyle(element);
@@ -426,7 +424,7 @@ PICTURE_CONTRASTS = """(() => {
     const back = light(behind(text, box.left + Math.min(box.width / 2, 12), box.top + box.height / 2));
     for (const own of text.children.length ? text.children : [text]) {
       const ink = light(numbers(getComputedStyle(own).fill));
-      const ratio = (Math.max(ink, back) + 0.05) / (Math.min(ink, back) + 0.05);
+      const ratio = contrast(ink, back);
       if (ratio < 4.5) bad.push([own.textContent.slice(0, 20), text.getAttribute('class'), ratio]);
     }
   }
