@@ -41,9 +41,15 @@ class FakeFirmware:
     buckets = False
 
 
+def written(events):
+    """As the emulated board writes them."""
+    names = sorted({what for _, what, _ in events})
+    return {"names": names, "events": [number for at, what, n in events for number in (at, names.index(what), n)]}
+
+
 def figures(one):
     result = measure.Figures()
-    result.add(one, FakeFirmware, 0)
+    result.add({**one, "audit": written(one["audit"])}, FakeFirmware, 0)
     return result
 
 

@@ -37,6 +37,12 @@ class Runs:
         return at if at >= 0 else None
 
 
+def events_of(record):
+    """(ps since zero, what, number) for each: emulator/program/audit.hpp says how they are written."""
+    names, numbers = record["audit"]["names"], record["audit"]["events"]
+    return [(at, names[what], number) for at, what, number in zip(*[iter(numbers)] * 3)]
+
+
 def runs_of(events):
     runs = {}
     for at, what, number in events:
@@ -158,7 +164,7 @@ class Figures:
         self.spent = {}
 
     def add(self, record, firmware, from_ps):
-        events = record["audit"]
+        events = events_of(record)
         runs = runs_of(events)
         outputs = {}
         for part in record["parts"]:
