@@ -72,7 +72,7 @@ Answer run_report(const Options& options, Sources& sources, Diagnostics& diagnos
   if (!options.run_file.empty()) run = read_run(options.run_file, subject->model, sources, diagnostics);
   report::Json against = earlier_timing(options, robot_options, question, sources, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
-  if (!check_outputs({{options.out, "-o"}}, sources, diagnostics)) return no_answer();
+  if (!check_results({{options.out, "-o"}}, sources, diagnostics)) return no_answer();
 
   const auto& [library, robot, forest, schedule, timing_file] = *subject->planned;
   question.remodel = timing::robot_remodel(robot, forest, robot_options);

@@ -289,6 +289,8 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   const auto image_timing = analyse_image(options, *planned, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   const FaultTable faults = load_fault_table(input->data_dir);
+  const std::vector<PlannedFile> results{{options.out, "-o"}, {options.audit, "--audit"}, {options.json, "--json"}};
+  if (!check_results(results, sources, diagnostics, options.keep)) return no_answer();
 
   const WorkFolder work(options.keep, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
@@ -299,7 +301,7 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   const FirmwareRequest request = firmware_request(options, *setup, robot, work.path(), input->data_dir);
   const Project project =
       make_project(request, output_of(std::move(files), *planned, *input, sources), robot, !options.keep.empty());
-  if (!is_free_to_write(project, {options.out, options.audit, options.json}, sources, diagnostics)) return no_answer();
+  if (!is_free_to_write(project, results, sources, diagnostics)) return no_answer();
   const bool is_played = setup->is_emulated() && !options.build_only;
   if (is_played && !rehearse(setup->board, setup->asked_scenario(), robot, work.path() + "/scenario", diagnostics))
     return no_answer();

@@ -75,7 +75,7 @@ Answer run_simulate(const Options& options, Sources& sources, Diagnostics& diagn
   request.requirements = subject->requirements;
 
   const bool is_traced = !options.out.empty();
-  if (is_traced && !check_outputs({{options.out, "-o"}}, sources, diagnostics)) return no_answer();
+  if (!check_results({{options.out, "-o"}}, sources, diagnostics)) return no_answer();
   std::optional<ReplacedFile> trace;
   if (is_traced) trace.emplace(options.out);
   Answer answer;

@@ -70,6 +70,7 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   if (input) input->without_timing_file = true;
   const auto planned = input ? plan_robot(*input, sources, diagnostics) : std::nullopt;
   if (!planned || !has_model(planned->robot, diagnostics)) return no_answer();
+  if (!check_results({{options.out, "-o"}}, sources, diagnostics)) return no_answer();
   const WorkFolder work({}, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   // Without bounds: they do not change what is computed here, and are computed from it.

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -65,6 +66,25 @@ void report_twice(const PlannedFile& output, const std::string& other, Sources& 
       .hint(fmt::format("give {} another name", output.option));
 }
 
+/// Whether a file lies below a folder, neither of which need be there.
+bool is_below(const std::string& path, const std::string& folder) {
+  if (folder.empty()) return false;
+  std::error_code failed;
+  const fs::path whole = fs::weakly_canonical(fs::absolute(behind_links(path), failed), failed);
+  const fs::path above = fs::weakly_canonical(fs::absolute(folder, failed), failed);
+  return !failed && *whole.lexically_relative(above).begin() != "..";
+}
+
+void report_unwritable(const PlannedFile& file, const std::string& reason, Diagnostics& diagnostics) {
+  const fs::path folder = behind_links(file.path).parent_path();
+  std::error_code unknown;
+  const bool is_missing = !folder.empty() && fs::status(folder, unknown).type() == fs::file_type::not_found;
+  diagnostics.error(code::output_not_writable, {}, fmt::format("cannot write '{}': {}", file.path, reason))
+      .hint(is_missing ? fmt::format("make the folder '{}', or name another file with {}", folder.generic_string(),
+                                     file.option)
+                       : fmt::format("name another file with {}", file.option));
+}
+
 }  // namespace
 
 bool check_outputs(const std::vector<PlannedFile>& outputs, Sources& sources, Diagnostics& diagnostics,
@@ -84,6 +104,20 @@ bool check_outputs(const std::vector<PlannedFile>& outputs, Sources& sources, Di
       report_twice(output, other->second, sources, diagnostics);
     }
     is_fine &= input == inputs.end() && is_new;
+  }
+  return is_fine;
+}
+
+bool check_results(std::vector<PlannedFile> results, Sources& sources, Diagnostics& diagnostics,
+                   const std::string& made) {
+  results.erase(
+      std::remove_if(results.begin(), results.end(), [](const PlannedFile& file) { return file.path.empty(); }),
+      results.end());
+  bool is_fine = check_outputs(results, sources, diagnostics);
+  for (const PlannedFile& file : results) {
+    const auto reason = is_below(file.path, made) ? std::nullopt : why_not_replaced(file.path);
+    if (reason) report_unwritable(file, *reason, diagnostics);
+    is_fine &= !reason;
   }
   return is_fine;
 }

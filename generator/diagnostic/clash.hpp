@@ -1,4 +1,5 @@
-// Keeps a command from writing over what it reads, and from writing one file twice.
+// Keeps a command from writing over what it reads, from writing one file twice, and from working for a file that cannot
+// be written.
 #pragma once
 
 #include <string>
@@ -24,5 +25,13 @@ struct PlannedFile {
 /// @return  whether all may be written
 bool check_outputs(const std::vector<PlannedFile>& outputs, Sources& sources, Diagnostics& diagnostics,
                    const std::vector<std::string>& others = {});
+
+/// The same of files that a command ends with, and finds those that could not be written when the work for them is
+/// done: no folder is made for them. Reports FM5002 for each, with the system's reason.
+/// @param results  those with an empty path are not asked for
+/// @param made     a folder that the command makes, with others in it: files below it are not looked at; empty: none
+/// @return  whether all may be written, as far as that shows before
+bool check_results(std::vector<PlannedFile> results, Sources& sources, Diagnostics& diagnostics,
+                   const std::string& made = {});
 
 }  // namespace finemote::gen

@@ -105,6 +105,16 @@ std::optional<std::string> replace_file(const std::string& path, std::string_vie
   return file.commit();
 }
 
+std::optional<std::string> why_not_replaced(const std::string& path) {
+  const bool is_direct = is_special(path);
+  if (is_direct && fs::is_directory(path)) return system_reason(EISDIR);
+  const fs::path folder = behind_links(path).parent_path();
+  const fs::path written = is_direct ? fs::path(path) : folder.empty() ? fs::path(".") : folder / "";
+  const int needed = is_direct ? W_OK : W_OK | X_OK;
+  if (::faccessat(AT_FDCWD, written.c_str(), needed, AT_EACCESS) == 0) return std::nullopt;
+  return system_reason(errno);
+}
+
 int create_file(const fs::path& path, std::string_view text) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0) return errno;

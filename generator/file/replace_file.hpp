@@ -48,6 +48,10 @@ class ReplacedFile {
 /// Writes `text` as the whole of the file; returns the system's reason where it failed.
 std::optional<std::string> replace_file(const std::string& path, std::string_view text);
 
+/// Why replace_file() would fail, as far as that shows before anything is written: the path is a folder, or its own
+/// folder is missing or closed. The system's reason; nothing where the file can be begun.
+std::optional<std::string> why_not_replaced(const std::string& path);
+
 /// Writes `text` to a file that is not there yet; returns the error number of the system, or 0. A file that could not
 /// be completed is removed.
 int create_file(const std::filesystem::path& path, std::string_view text);

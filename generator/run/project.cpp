@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "generator/output/write.hpp"
 #include "generator/run/parts.hpp"
@@ -50,15 +51,15 @@ Project make_project(const FirmwareRequest& request, Output generated, const Rob
   return {request, std::move(generated), std::move(project), "--keep"};
 }
 
-bool is_free_to_write(const Project& project, const ResultFiles& results, Sources& sources, Diagnostics& diagnostics) {
+bool is_free_to_write(const Project& project, const std::vector<PlannedFile>& results, Sources& sources,
+                      Diagnostics& diagnostics) {
   const FirmwareRequest& request = project.request;
   std::vector<PlannedFile> planned = planned_files(generated_folder(project), project.generated, project.option);
   for (PlannedFile& file : planned_files(request.folder, project.project, project.option))
     planned.push_back(std::move(file));
   planned.push_back({image_path(request), project.option});
-  if (!results.trace.empty()) planned.push_back({results.trace, "-o"});
-  if (!results.audit.empty()) planned.push_back({results.audit, "--audit"});
-  if (!results.json.empty()) planned.push_back({results.json, "--json"});
+  std::copy_if(results.begin(), results.end(), std::back_inserter(planned),
+               [](const PlannedFile& result) { return !result.path.empty(); });
   if (!check_outputs(planned, sources, diagnostics, files_of_the_compiler(request))) return false;
   WriteOptions options = options_for_work(project);
   options.dry_run = true;

@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "generator/diagnostic/clash.hpp"
 #include "generator/diagnostic/diagnostics.hpp"
 #include "generator/output/folder.hpp"
 #include "generator/run/build_firmware.hpp"
@@ -24,16 +26,11 @@ std::vector<std::string> user_sources(const std::vector<std::string>& dirs);
 /// @param parts  also what hangs on the board, as parts.json
 Project make_project(const FirmwareRequest& request, Output generated, const Robot& robot, bool with_parts);
 
-/// Files beside the project that a run writes; empty: none.
-struct ResultFiles {
-  std::string trace;  ///< `-o`
-  std::string audit;  ///< `--audit`
-  std::string json;   ///< `--json`
-};
-
 /// Whether all of it, and the results, can be written: looked at before the first file is. Reports what check_outputs
 /// and write_output report.
-bool is_free_to_write(const Project& project, const ResultFiles& results, Sources& sources, Diagnostics& diagnostics);
+/// @param results  files beside the project; those with an empty path are not asked for
+bool is_free_to_write(const Project& project, const std::vector<PlannedFile>& results, Sources& sources,
+                      Diagnostics& diagnostics);
 
 /// Writes the files. Reports what write_output reports. @return  whether they are there
 bool write_project(const Project& project, Sources& sources, Diagnostics& diagnostics);
