@@ -81,6 +81,14 @@ class TestFigures(unittest.TestCase):
         one = figures(record())
         self.assertEqual(one.interval, [10_000 * US])
 
+    def test_jitter_over_whole_turns_is_free_of_phases(self):
+        one = measure.Figures()
+        ends = [n * 10_000 + 400 * (n % measure.TURN) for n in range(12)]
+        one.interval = [b - a for a, b in zip(ends, ends[1:])]
+        one.turn = measure.turns_of(ends)
+        self.assertEqual(set(one.turn), {30_000})
+        self.assertGreater(len(set(one.interval)), 1)
+
     def test_a_period_in_which_nothing_was_taken_has_no_decision(self):
         one = record()
         one["audit"] = [event for event in one["audit"] if event[2] != update(measure.SENSOR) or event[0] < 5000 * US]
@@ -109,6 +117,22 @@ class TestPage(unittest.TestCase):
         self.assertIn("wire of the depth, mean", page.losses({"generated": late, "public_polled": good}))
         self.assertNotIn("wire of the depth", page.losses({"generated": good, "public_polled": late}))
         self.assertIn("not reached", page.goals({"generated": late, "public_polled": good}))
+
+    def test_bounds_are_those_of_what_is_measured(self):
+        def chain(source, end, decide, whole):
+            return {"from": source, "to": end, "decide_ns": decide * 1000, "end_to_end_ns": whole * 1_000_000}
+
+        analysis = {"chains": [chain("imu", "thruster_1", 9000, 99), chain("baro_1", "thruster_1", 200, 30),
+                               chain("baro_1", "thruster_8", 300, 20)]}
+        rows = page.bounds_table(figures(record()).document(), analysis)
+        self.assertIn("| 30.00 |", rows)
+        self.assertIn("| 300.0 |", rows)
+
+    def test_words_of_a_mark_end_before_the_next(self):
+        across = pictures.Scale(0, 10, 0, 1000)
+        near, far = (" ".join(pictures.marks_of([(1, "depth"), (at, "heading")], across, 300)) for at in (1.2, 5))
+        self.assertIn('<text x="97" y="44" text-anchor="end">depth', near)
+        self.assertIn('<text x="103" y="44" text-anchor="start">depth', far)
 
     def test_pictures_of_equal_values(self):
         for draw in (pictures.boxes, pictures.histograms):

@@ -6,6 +6,8 @@ import json
 import pathlib
 import subprocess
 
+import measure
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BASELINES = ROOT / "examples/finsrov/baseline"
 ROBOT = ROOT / "examples/finsrov.urdf"
@@ -75,8 +77,9 @@ class Workbench:
         return hashlib.sha256(copy.read_bytes()).hexdigest()
 
     def analysis(self):
-        """Bounds of the generated firmware."""
-        return json.loads(call(self.finemote, "analyze", ROBOT, "--format", "json"))
+        """Bounds of the generated firmware, with those of what is measured."""
+        chains = [word for chain in measure.CHAINS for word in ("--chain", "->".join(chain))]
+        return json.loads(call(self.finemote, "analyze", ROBOT, "--format", "json", *chains))
 
     def run(self, name, job, stem):
         """The record of one run."""

@@ -10,6 +10,10 @@ import statistics
 #: Places of the devices in the order of `finemote tree`, and their stages.
 IMU, SENSOR, THRUSTERS, ROV = 0, 1, tuple(range(5, 13)), 13
 SENSOR_PART, IMU_PART, OUTPUT_PART = "baro_1", "imu", "pwm"
+#: What decision and wire are measured of, by the names of the devices.
+CHAINS = tuple((SENSOR_PART, f"thruster_{k + 1}") for k in range(len(THRUSTERS)))
+#: Periods after which the public manner has read its pressures once.
+TURN = 3
 #: Halves of marks: runtime/include/finemote/mark.hpp, examples/finsrov/baseline/marks.hpp.
 FLUSH, SPIN, IDLE = 0x20005, 0x28000, 0x28001
 WORKS = [FLUSH, SPIN, IDLE]
@@ -156,11 +160,16 @@ def shares(events, begin, end, buckets):
     return spent
 
 
+def turns_of(ends):
+    """Distances over whole turns of the public manner, which has done the same work at both ends of each."""
+    return [after - before for before, after in zip(ends, ends[TURN:])]
+
+
 class Figures:
     """Of all runs of one firmware."""
 
     def __init__(self):
-        self.decision, self.wire, self.wire_imu, self.to_wire, self.interval = [], [], [], [], []
+        self.decision, self.wire, self.wire_imu, self.to_wire, self.interval, self.turn = [], [], [], [], [], []
         self.spent = {}
 
     def add(self, record, firmware, from_ps):
@@ -179,6 +188,7 @@ class Figures:
         self.wire_imu += wires(record, runs, periods, IMU, IMU_PART)
         ends = [p.last_end for p in periods]
         self.interval += [after - before for before, after in zip(ends, ends[1:])]
+        self.turn += turns_of(ends)
         for kind, time in shares(events, periods[0].begin, periods[-1].begin, firmware.buckets).items():
             self.spent[kind] = self.spent.get(kind, 0) + time
 
@@ -187,6 +197,7 @@ class Figures:
         return {"decision": summary(self.decision), "wire": summary(self.wire), "wire_imu": summary(self.wire_imu),
                 "take_to_pulse": summary(self.to_wire), "jitter_sd_ns": nanoseconds(statistics.pstdev(self.interval)),
                 "jitter_pp_ns": nanoseconds(max(self.interval) - min(self.interval)),
+                "turn_sd_ns": nanoseconds(statistics.pstdev(self.turn)) if self.turn else None,
                 "cpu": {kind: round(time / whole, 5) for kind, time in self.spent.items()}}
 
 

@@ -1,6 +1,7 @@
 """docs/case-study.md and its pictures, from the figures alone: whatever they say."""
 
 import firmwares
+import measure
 import pictures as draw
 import plans
 
@@ -97,12 +98,17 @@ def losses(entries):
 
 
 def bounds_table(entry, analysis):
-    """Measured beside bound, for the same sensor and the thrusters."""
-    chains = [c for c in analysis["chains"] if c["to"].startswith("thruster")]
-    longest = {key: max((c[key] for c in chains if c[key] is not None), default=None) for key in ("decide_ns", "end_to_end_ns")}
-    return table(["generated, code in SRAM", "longest measured", "bound of every thruster's oldest input"],
+    """Measured beside bound, for the same sensor and all thrusters."""
+    chains = [c for c in analysis["chains"] if (c["from"], c["to"]) in measure.CHAINS]
+    longest = {key: max(c[key] for c in chains) for key in ("decide_ns", "end_to_end_ns")}
+    return table(["generated, code in SRAM", "longest measured", "bound"],
                  [["wire of the depth [ms]", ms(entry["wire"]["max_ns"]), ms(longest["end_to_end_ns"])],
                   ["decision [us]", us(entry["decision"]["max_ns"]), us(longest["decide_ns"])]])
+
+
+def turns(entries):
+    """Jitter over whole turns of the public manner's phases: its own, and the generated firmware's."""
+    return {"public_turn": us(entries[PUBLIC]["turn_sd_ns"]), "own_turn": us(entries[OWN]["turn_sd_ns"])}
 
 
 def motion_table(motion):
@@ -138,16 +144,16 @@ def pictures(figures, motion):
         mean = sum(one.interval) / len(one.interval)
         return [interval - mean for interval in one.interval]
 
-    steps = [(plans.STEP_DEPTH_NS / 1e9, "depth"), (plans.STEP_YAW_NS / 1e9, ""), (plans.PUSH_NS / 1e9, "pushed")]
+    steps = [(plans.STEP_DEPTH_NS / 1e9, "depth"), (plans.STEP_YAW_NS / 1e9, "heading"), (plans.PUSH_NS / 1e9, "pushed")]
     turns = [(plans.STEP_YAW_NS / 1e9, "heading"), (plans.PUSH_NS / 1e9, "pushed")]
     return {
         "case-study-decision.svg": draw.boxes("Decision: from the take of a depth to the last thruster", rows(lambda one: one.decision, 1e6),
                                               "us, logarithmic", True),
         "case-study-decision-histogram.svg": draw.histograms("Decision, each over its own range", rows(lambda one: one.decision, 1e6), "us"),
         "case-study-wire.svg": draw.boxes("Wire: from a sample of depth to the last pulse made of it", rows(lambda one: one.wire, 1e9), "ms"),
-        "case-study-attitude.svg": draw.boxes("The same from a sample of attitude", rows(lambda one: one.wire_imu, 1e9), "ms"),
+        "case-study-attitude.svg": draw.boxes("Wire: from a sample of attitude to the last pulse made of it", rows(lambda one: one.wire_imu, 1e9), "ms"),
         "case-study-jitter.svg": draw.boxes("Distance between two last ends, less its mean", rows(middles, 1e6), "us"),
-        "case-study-jitter-histogram.svg": draw.histograms("The same, each over its own range", rows(middles, 1e6), "us"),
+        "case-study-jitter-histogram.svg": draw.histograms("Distance between two last ends, less its mean, each over its own range", rows(middles, 1e6), "us"),
         "case-study-depth.svg": draw.curves("Depth", [(NAMES[name], one["depth"]) for name, one in motion.items()], "m", steps),
         "case-study-heading.svg": draw.curves("Heading", [(NAMES[name], one["yaw"]) for name, one in motion.items()], "deg", turns),
     }
@@ -174,7 +180,7 @@ def page(result, analysis, periods):
         seed=result["seed"], compiler=result["compiler"], periods=f"{periods:,}", goals=goals(sram), sram=timing_table(sram),
         flash=timing_table(flash), cpu=cpu_table(sram), loaded=timing_table(loaded),
         loaded_cpu=cpu_table(loaded), losses=losses(sram), loaded_losses=losses(loaded),
-        bounds=bounds_table(sram[OWN], analysis), motion=motion_table(result["motion"]), faults=faults, paper=paper_table(sram),
+        bounds=bounds_table(sram[OWN], analysis), motion=motion_table(result["motion"]), faults=faults, paper=paper_table(sram), **turns(sram),
         fault_at=plans.FAULT_NS / 1e9, mended=(plans.MENDED_NS - plans.FAULT_NS) / 1e9,
         resolution=f"{max(one['resolution_s'] for one in result['faults']) * 1000:.0f}",
         box=image("decision", "Box plots of the decision"), histogram=image("decision-histogram", "Histograms of the decision"),

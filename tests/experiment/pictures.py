@@ -19,6 +19,11 @@ def text(x, y, words, anchor="start", kind=""):
     return f'<text x="{number(x)}" y="{number(y)}" text-anchor="{anchor}"{kind and f" class={kind!r}"}>{words}</text>'
 
 
+def width_of(words):
+    """About what a text takes, in a wide font."""
+    return 6.7 * len(words)
+
+
 def line(x1, y1, x2, y2, look):
     return f'<line x1="{number(x1)}" y1="{number(y1)}" x2="{number(x2)}" y2="{number(y2)}" {look}/>'
 
@@ -119,6 +124,17 @@ def histograms(title, rows, unit, bins=60):
     return document(WIDTH, top + 10, parts, title)
 
 
+def marks_of(marks, across, bottom):
+    """A line for each, with its words to the right where they end before the next line, else to the left."""
+    places = [across(at) for at, _ in marks] + [WIDTH]
+    parts = []
+    for (_, words), x, following in zip(marks, places, places[1:]):
+        fits = x + 6 + width_of(words) < following
+        parts += [line(x, TOP, x, bottom, 'stroke="#999" stroke-dasharray="2 3"'),
+                  text(x + 3, TOP + 10, words) if fits else text(x - 3, TOP + 10, words, "end")]
+    return parts
+
+
 def curves(title, rows, unit, marks=()):
     """`rows`: names and points (seconds, value). `marks`: seconds and what happens then."""
     points = [point for _, all_of_it in rows for point in all_of_it]
@@ -130,14 +146,13 @@ def curves(title, rows, unit, marks=()):
     for tick in up.ticks():
         parts += [line(60, up(tick), WIDTH - RIGHT, up(tick), 'class="g"'), text(54, up(tick) + 4, number(tick), "end")]
     parts.append(text(54, TOP, unit, "end"))
-    for at, words in marks:
-        parts += [line(across(at), TOP, across(at), bottom, 'stroke="#999" stroke-dasharray="2 3"'),
-                  text(across(at) + 3, TOP + 10, words)]
+    parts += marks_of(marks, across, bottom)
+    legend = 16
     for i, (name, all_of_it) in enumerate(rows):
         path = " ".join(f"{number(across(x))},{number(up(y))}" for x, y in all_of_it)
         dash = f' stroke-dasharray="{DASHES[i]}"' if DASHES[i] else ""
         parts.append(f'<polyline points="{path}" fill="none" stroke="{COLOURS[i]}" stroke-width="1.6"{dash}/>')
-        x = 60 + i * 132
-        parts += [line(x, bottom + 44, x + 22, bottom + 44, f'stroke="{COLOURS[i]}" stroke-width="2"{dash}'),
-                  text(x + 26, bottom + 48, name)]
+        parts += [line(legend, bottom + 44, legend + 22, bottom + 44, f'stroke="{COLOURS[i]}" stroke-width="2"{dash}'),
+                  text(legend + 26, bottom + 48, name)]
+        legend += 26 + width_of(name) + 12
     return document(WIDTH, bottom + 60, parts, title)
