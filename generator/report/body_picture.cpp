@@ -86,14 +86,25 @@ std::string arrow(std::string_view look, const View& view, const Flat& from, con
                      tip.y(), left.x(), left.y(), right.x(), right.y());
 }
 
+/// From where to where an arrow is drawn.
+struct Shaft {
+  Flat from, to;
+
+  [[nodiscard]] double distance(const Flat& point) const {
+    const Flat along = to - from;
+    const double share = along.dot(point - from) / std::max(along.squaredNorm(), 1e-9);
+    return (point - from - std::clamp(share, 0.0, 1.0) * along).norm();
+  }
+};
+
 /// Puts numbers where none is yet, near what they stand for.
 class Labels {
  public:
   /// @param taken  where marks are
-  explicit Labels(std::vector<Flat> taken) : taken_(std::move(taken)) {}
+  Labels(std::vector<Flat> taken, std::vector<Shaft> shafts) : taken_(std::move(taken)), shafts_(std::move(shafts)) {}
 
   Flat place(const Flat& point) {
-    for (double distance = 18; distance < 60; distance += 8) {
+    for (double distance = 2 * kLabel + 2; distance < 60; distance += 8) {
       for (int step = 0; step < 12; ++step) {
         const double angle = 0.5236 * (step % 2 == 0 ? step / 2 : -(step + 1) / 2) - 0.9;
         const Flat at = point + distance * Flat(std::cos(angle), std::sin(angle));
@@ -109,12 +120,15 @@ class Labels {
     const bool is_inside =
         at.x() > kLabel && at.y() > 2 * kLabel + 12 && at.x() < kSize - kLabel && at.y() < kSize - kLabel;
     const bool is_at_axes = at.x() < 100 && at.y() > kSize - 56;
-    return is_inside && !is_at_axes && std::none_of(taken_.begin(), taken_.end(), [&](const Flat& other) {
-             return (at - other).norm() < 2 * kLabel;
-           });
+    return is_inside && !is_at_axes &&
+           std::none_of(taken_.begin(), taken_.end(),
+                        [&](const Flat& other) { return (at - other).norm() < 2 * kLabel + 1; }) &&
+           std::none_of(shafts_.begin(), shafts_.end(),
+                        [&](const Shaft& shaft) { return shaft.distance(at) < kLabel + 4; });
   }
 
   std::vector<Flat> taken_;
+  std::vector<Shaft> shafts_;
 };
 
 std::string axes_of(const View& view) {
@@ -142,20 +156,20 @@ std::string picture_of(const Body& body, const View& view, const Scale& scale) {
   std::string drawn = authority_of(body, view, scale);
   for (const Body::Bone& bone : body.bones)
     drawn += line("bone", scale.place(view, bone.from), scale.place(view, bone.to));
-  std::vector<Flat> points, tips;
+  std::vector<Flat> points;
+  std::vector<Shaft> shafts;
   const std::size_t count = std::min(body.parts.size(), kMostParts);
   for (std::size_t i = 0; i < count; ++i) {
     const Body::Part& part = body.parts[i];
     points.push_back(scale.place(view, part.point));
     if (part.axis) {
       drawn += arrow(part.pushes ? "push" : "spin", view, points.back(), *part.axis, kArrow);
-      tips.push_back(points.back() + kArrow * Flat(view.right.dot(*part.axis), -view.up.dot(*part.axis)));
+      const Flat flat(view.right.dot(*part.axis), -view.up.dot(*part.axis));
+      shafts.push_back({points.back(), points.back() + kArrow * flat});
     }
     drawn += circle("part-mark", points.back(), kMark);
   }
-  std::vector<Flat> taken = points;
-  taken.insert(taken.end(), tips.begin(), tips.end());
-  Labels labels(std::move(taken));
+  Labels labels(points, std::move(shafts));
   for (std::size_t i = 0; i < count; ++i) {
     const Flat at = labels.place(points[i]);
     drawn += line("leader", points[i], at) + circle("number", at, kLabel) +

@@ -345,9 +345,19 @@ class Report(unittest.TestCase):
         self.assertEqual(outside, [])
         overlapping = page.run("""[...document.querySelectorAll('#body svg')].flatMap(svg => {
           const all = [...svg.querySelectorAll('.number')].map(e => [Number(e.getAttribute('cx')), Number(e.getAttribute('cy'))]);
-          return all.filter(([x, y], i) => all.some(([u, v], j) => j < i && Math.hypot(x - u, y - v) < 17));
+          return all.filter(([x, y], i) => all.some(([u, v], j) => j < i && Math.hypot(x - u, y - v) < 19));
         })""")
         self.assertEqual(overlapping, [])
+        crossed = page.run("""[...document.querySelectorAll('#body svg')].flatMap(svg => {
+          const number = (e, name) => Number(e.getAttribute(name));
+          const shafts = [...svg.querySelectorAll('line.push, line.spin')];
+          const nearest = (e, x, y) => Math.min(...[...Array(21).keys()].map(i => i / 20).map(share => Math.hypot(
+              x - number(e, 'x1') - share * (number(e, 'x2') - number(e, 'x1')),
+              y - number(e, 'y1') - share * (number(e, 'y2') - number(e, 'y1')))));
+          return [...svg.querySelectorAll('.number')].filter(e =>
+              shafts.some(shaft => nearest(shaft, number(e, 'cx'), number(e, 'cy')) < number(e, 'r') + 2)).map(e => e.outerHTML);
+        })""")
+        self.assertEqual(crossed, [])
 
     def test_the_keyboard_reaches_everything(self):
         page = self.open("finsrov")
