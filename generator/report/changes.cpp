@@ -82,6 +82,34 @@ void compare_lists(const Place& before, const Place& after, Name name, const std
 
 std::string chain_name(const Place& chain) { return chain["from"].text() + " → " + chain["to"].text(); }
 
+/// By the device that is commanded: the chain of the oldest command among those that the other document lacks.
+std::map<std::string, Place> oldest_alone(const Place& chains, const std::map<std::string, Place>& others) {
+  const auto is_older = [](const Place& one, const Place& than) {
+    const Place age = one["end_to_end_ns"], other = than["end_to_end_ns"];
+    return other.is_number() && (!age.is_number() || age.number() > other.number());
+  };
+  std::map<std::string, Place> oldest;
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    if (others.count(chain_name(chains[i])) != 0) continue;
+    const auto [place, is_new] = oldest.emplace(chains[i]["to"].text(), chains[i]);
+    if (!is_new && is_older(chains[i], place->second)) place->second = chains[i];
+  }
+  return oldest;
+}
+
+/// A document has the chains of the oldest commands. Where those of a device come from elsewhere now, both are
+/// compared.
+void compare_chains(const Place& before, const Place& after, Changes& changes) {
+  const Property age{"end_to_end_ns", "age, end to end", Unit::time};
+  compare_lists(before, after, chain_name, {age, {"decide_ns", "decide", Unit::time}}, false, changes);
+  const auto old = oldest_alone(before, by_name(after, chain_name));
+  for (const auto& [device, now] : oldest_alone(after, by_name(before, chain_name))) {
+    const auto was = old.find(device);
+    if (was == old.end()) continue;
+    compare(chain_name(now) + ", before " + was->second["from"].text(), {age}, was->second, now, changes);
+  }
+}
+
 void compare_requirements(const Place& before, const Place& after, Changes& changes) {
   const auto name = [](const Place& r) { return "requirement " + r["text"].text() + " (" + r["kind"].text() + ")"; };
   const auto old = by_name(before, name);
@@ -105,9 +133,7 @@ Changes all_changes(const Documents& documents) {
   const auto response = [](const Place& one) { return "response of " + one["name"].text(); };
   const auto bus = [](const Place& one) { return "bus " + one["name"].text(); };
   compare_requirements(before["requirements"], after["requirements"], changes);
-  compare_lists(before["chains"], after["chains"], chain_name,
-                {{"end_to_end_ns", "age, end to end", Unit::time}, {"decide_ns", "decide", Unit::time}}, false,
-                changes);
+  compare_chains(before["chains"], after["chains"], changes);
   compare("processor", {{"processor_load", "load", Unit::share}}, before, after, changes);
   compare_lists(before["bus_load"], after["bus_load"], bus, {{"utilization", "load", Unit::share}}, true, changes);
   compare_lists(before["model"]["devices"], after["model"]["devices"], device,

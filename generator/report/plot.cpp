@@ -85,8 +85,8 @@ std::string axes_drawn(const Plot& plot, const Axis& x, const Axis& y) {
     const std::string words = fmt::format("{} {}", number(tick, in_time.high - in_time.low), time.name);
     const double half = static_cast<double>(words.size()) * kLetter / 2, rightmost = kWidth - kMargin - half;
     if (at > rightmost + half / 2) continue;  // what is moved as far seems to be of another place
-    text += fmt::format("<text class=\"x\" x=\"{:.1f}\" y=\"{:.0f}\">{}</text>\n", std::min(at, rightmost),
-                        kHeight - 7, words);
+    text += fmt::format("<text class=\"x\" x=\"{:.1f}\" y=\"{:.0f}\">{}</text>\n", std::min(at, rightmost), kHeight - 7,
+                        words);
   }
   return text;
 }

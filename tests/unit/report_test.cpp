@@ -1,6 +1,7 @@
 // What a report is made of: results with their keys, ways of data, frames behind stages.
 #include "catch.hpp"
 #include "generator/report/base64.hpp"
+#include "generator/report/changes.hpp"
 #include "generator/report/data_block.hpp"
 #include "generator/report/frames.hpp"
 #include "generator/report/over_time.hpp"
@@ -162,6 +163,26 @@ TEST_CASE("a report says what kind of execution times it rests on") {
   CHECK(rests_on(documents) == "Execution times: static for 2 devices, assumed for 1.");
   documents.timing = Json::parse("{}");
   CHECK(rests_on(documents).empty());
+}
+
+TEST_CASE("ages are compared where the oldest command comes from elsewhere now") {
+  const auto chains = [](const char* text) {
+    return Json::parse(std::string(R"({"schedulable":true,"chains":[)") + text + "]}");
+  };
+  Documents documents;
+  documents.against = chains(R"({"from":"a","to":"m","end_to_end_ns":1000,"decide_ns":1},)"
+                             R"({"from":"imu","to":"m","end_to_end_ns":500,"decide_ns":1},)"
+                             R"({"from":"a","to":"n","end_to_end_ns":3000,"decide_ns":1})");
+  documents.timing = chains(R"({"from":"b","to":"m","end_to_end_ns":2000,"decide_ns":1},)"
+                            R"({"from":"imu","to":"m","end_to_end_ns":500,"decide_ns":1},)"
+                            R"({"from":"c","to":"n","end_to_end_ns":null,"decide_ns":1})");
+  const std::string text = changes_of(documents);
+  CHECK(text.find("<p>2 worse.</p>") != std::string::npos);
+  CHECK(text.find("b → m, before a") != std::string::npos);
+  CHECK(text.find("c → n, before a") != std::string::npos);
+  CHECK(text.find("against#/chains/0/end_to_end_ns") != std::string::npos);
+  CHECK(text.find("timing#/chains/0/end_to_end_ns") != std::string::npos);
+  CHECK(text.find("imu") == std::string::npos);
 }
 
 TEST_CASE("a plot has no text that would not fit") {
