@@ -1,7 +1,7 @@
 # Compiler options shared by all host code: C++20, warnings as errors, optional sanitizers, ccache.
 option(FINEMOTE_TESTS "Build the tests, and treat warnings as errors" ON)
 option(FINEMOTE_PRECOMPILED "Compile all host code with one precompiled header" OFF)
-set(FINEMOTE_UNITY 0 CACHE STRING "Source files of a module that are compiled as one; 0: each by itself")
+set(FINEMOTE_UNITY 0 CACHE STRING "Source files of a module that are compiled as one at most; 0: each by itself")
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -55,12 +55,17 @@ function(finemote_precompiled target)
   target_precompile_headers(${target} REUSE_FROM finemote_common_headers)
 endfunction()
 
-# finemote_unity(TARGET): compiles its sources in batches, if asked for. So names in a module's files differ, those of unnamed
-# namespaces too.
+# finemote_unity(TARGET): compiles its sources in batches of one size, if asked for, so that no core waits for the largest. So names
+# in a module's files differ, those of unnamed namespaces too.
 function(finemote_unity target)
-  if(FINEMOTE_UNITY GREATER 0)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${FINEMOTE_UNITY})
+  if(NOT FINEMOTE_UNITY GREATER 0)
+    return()
   endif()
+  get_target_property(sources ${target} SOURCES)
+  list(LENGTH sources count)
+  math(EXPR batches "(${count} + ${FINEMOTE_UNITY} - 1) / ${FINEMOTE_UNITY}")
+  math(EXPR size "(${count} + ${batches} - 1) / ${batches}")
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${size})
 endfunction()
 
 # finemote_module(NAME SOURCES a.cpp ... [LINK lib ...])
