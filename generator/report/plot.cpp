@@ -12,7 +12,7 @@ namespace {
 
 // In pixels.
 constexpr double kWidth = 360, kHeight = 150, kLeft = 54, kRight = 14, kTop = 10, kBottom = 24;
-constexpr double kMargin = 4;  // of texts to the edge
+constexpr double kTextToEdge = 4;  // of texts to the edge
 constexpr double kLetter = 7;  // as wide as one of a text, at most
 
 /// From values to pixels along one axis.
@@ -83,7 +83,7 @@ std::string axes_drawn(const Plot& plot, const Axis& x, const Axis& y) {
   for (const double tick : ticks_of(in_time, 5)) {
     const double at = in_time.place(tick);
     const std::string words = fmt::format("{} {}", number(tick, in_time.high - in_time.low), time.name);
-    const double half = static_cast<double>(words.size()) * kLetter / 2, rightmost = kWidth - kMargin - half;
+    const double half = static_cast<double>(words.size()) * kLetter / 2, rightmost = kWidth - kTextToEdge - half;
     if (at > rightmost + half / 2) continue;  // what is moved as far seems to be of another place
     text += fmt::format("<text class=\"x\" x=\"{:.1f}\" y=\"{:.0f}\">{}</text>\n", std::min(at, rightmost), kHeight - 7,
                         words);
