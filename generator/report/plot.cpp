@@ -13,7 +13,7 @@ namespace {
 // In pixels.
 constexpr double kWidth = 360, kHeight = 150, kLeft = 54, kRight = 14, kTop = 10, kBottom = 24;
 constexpr double kTextToEdge = 4;  // of texts to the edge
-constexpr double kLetter = 7;  // as wide as one of a text, at most
+constexpr double kLetter = 7;      // as wide as one of a text, at most
 
 /// From values to pixels along one axis.
 struct Axis {
