@@ -170,7 +170,15 @@ class Walker {
     frame.arrivals[function->graph.entry] = std::move(arrival);
     go_through(frame, std::nullopt);
     open_.pop_back();
+    check_followed(frame);
     return std::move(frame.end);
+  }
+
+  /// Each way that led somewhere was gone on with.
+  void check_followed(const Frame& frame) {
+    for (const auto& [block, arrival] : frame.arrivals) {
+      if (arrival) fail(block, &frame.function, "ways that lead here are not in the bound: a defect of this tool");
+    }
   }
 
   /// The blocks of a loop in one round, or of the function.
@@ -192,14 +200,14 @@ class Walker {
     if (is_wait(frame, index, facts_.marks)) return wait(frame, index);
     if (const auto reg = counter_of(frame, index, facts_.marks)) return count_down(frame, index, *reg);
     const Loop& loop = frame.nest.loops()[index];
-    auto& header = frame.arrivals[loop.header];
     for (const std::uint32_t block : loop.blocks) frame.passes.erase(block);
     frame.is_cut_by_mark = false;
     std::uint64_t rounds = 0;
     for (;; ++rounds) {
-      const Machine before = header->machine;
+      const Machine before = frame.arrivals[loop.header]->machine;
       const std::uint64_t passed = marks_passed(frame, loop);
       go_through(frame, index);
+      auto& header = frame.arrivals[loop.header];
       if (!header) break;
       const bool is_same =
           before.covers(header->machine) && header->machine.covers(before) && marks_passed(frame, loop) == passed;
@@ -226,6 +234,7 @@ class Walker {
     if (back > kLongestCount / cost) return fail(loop.header, &frame.function, "a loop that counts for seconds");
     const std::size_t node = walked_.graph.nodes.size();
     walked_.graph.nodes.push_back({&frame.function, loop.header, back * cost, std::move(arrival.from)});
+    walked_.countdowns[node] = {static_cast<std::uint64_t>(back), cost};
     arrival.machine.set(reg, Value::of(1));
     frame.arrivals[loop.header] = Arrival{std::move(arrival.machine), {{node, 0}}};
     go_through(frame, index);
@@ -243,6 +252,7 @@ class Walker {
     if (limit > kLongestWait) return fail(loop.header, &frame.function, "a wait whose limit is not known");
     const std::size_t node = walked_.graph.nodes.size();
     walked_.graph.nodes.push_back({&frame.function, loop.header, limit, std::move(arrival.from)});
+    walked_.waits.insert(node);
     frame.arrivals[loop.header] = Arrival{std::move(arrival.machine), {{node, 0}}};
     for (int round = 0; round < 2 && frame.arrivals[loop.header]; ++round) go_through(frame, index);
     frame.arrivals[loop.header].reset();
@@ -263,6 +273,8 @@ class Walker {
     frame.passes = passes;
     walked_.graph.nodes.resize(nodes);
     walked_.retries.resize(retries);
+    walked_.waits.erase(walked_.waits.lower_bound(nodes), walked_.waits.end());
+    walked_.countdowns.erase(walked_.countdowns.lower_bound(nodes), walked_.countdowns.end());
     if (!back || machine.covers(back->machine)) return true;
     machine.widen(back->machine);
     return false;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,8 +39,16 @@ struct Retry {
   std::vector<UnrolledEdge> back;  ///< ways from there to the mark again
 };
 
+/// Rounds of a loop that counts a register down, which are alike.
+struct Countdown {
+  std::uint64_t rounds = 0;
+  Cycles cost = 0;  ///< of each, at most
+};
+
 struct Walked {
   UnrolledGraph graph;
+  std::set<std::size_t> waits;                 ///< nodes that stand for all rounds of a wait but the last two
+  std::map<std::size_t, Countdown> countdowns;  ///< by the node that stands for all rounds but the last
   std::vector<Retry> retries;
   std::map<std::uint32_t, CountedLoop> loops;     ///< by header
   std::map<std::uint32_t, WalkProblem> problems;  ///< by address; empty: the graph holds every way there is

@@ -492,6 +492,16 @@ TEST_CASE("a wait lasts as long as its mark says, and two rounds") {
   CHECK(bound.cycles == 1 + 100 + 2 * (3 + 2 + 1 + 1) + 3 + 1);
 }
 
+TEST_CASE("a loop that waits in each of its rounds is gone through as often as it turns") {
+  // movs r2, #100; movs r3, #3; nop; ldr r0, [r1]; cmp r0, #0; bne -3; subs r3, #1; bne -6; bx lr
+  Marks marks;
+  marks.waits.emplace(kBase + 6, ARM_REG_R2);
+  const Bound bound = bound_of({0x2264, 0x2303, 0xBF00, 0x6808, 0x2800, 0xD1FC, 0x3B01, 0xD1F9, kReturn}, marks);
+  CHECK(bound.problem.empty());
+  const Cycles wait = 100 + 2 * (3 + 2 + 1 + 1) + 3, round = 1 + wait + 1 + 1;
+  CHECK(bound.cycles == 2 + 3 * round + 2 * 3 + 1);
+}
+
 TEST_CASE("a wait whose limit nobody knows has no bound") {
   CHECK(bound_of_wait({}).problem == "a wait whose limit is not known");
 }
