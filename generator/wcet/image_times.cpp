@@ -7,6 +7,7 @@
 
 #include "generator/image/exception.hpp"
 #include "generator/wcet/certificate.hpp"
+#include "generator/wcet/events.hpp"
 #include "generator/wcet/longest_path.hpp"
 #include "generator/wcet/prepared_image.hpp"
 #include "generator/wcet/proven_bound.hpp"
@@ -53,7 +54,7 @@ class Timing {
     const UnrolledGraph undisturbed = without(walked.graph, prepared_.marks().faults);
     routine.without_faults = proven_bound(undisturbed);
     add_brackets(walked, undisturbed, routine);
-    routine.by_cause = times_by_cause(undisturbed, prepared_.marks());
+    routine.by_cause = times_by_event(prepared_, vector.entry);
     routine.gaps = gaps_between(undisturbed, prepared_.marks(), kFirstWorkMark);
     take_retries(walked, times_.retries);
     times_.routines.push_back(std::move(routine));

@@ -14,6 +14,8 @@ constexpr std::size_t kRecord = 8;  // address, number
 constexpr std::uint32_t kUnlessInterrupted = 0x8000'0000;
 constexpr unsigned kRetriedByShift = 24;
 constexpr std::uint32_t kPassesMask = (1U << kRetriedByShift) - 1;
+// runtime/include/finemote/raised_by.hpp
+constexpr std::uint32_t kOnceForEach = 0x8000'0000;
 
 std::uint32_t word_at(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -56,6 +58,7 @@ std::vector<std::uint32_t> Marks::addresses() const {
   for (const auto& [address, reg] : waits) all.insert(address);
   all.insert(faults.begin(), faults.end());
   for (const auto& [address, causes] : raised) all.insert(address);
+  for (const auto& [address, cause] : once_for_each) all.insert(address);
   return {all.begin(), all.end()};
 }
 
@@ -75,6 +78,10 @@ Marks read_marks(const Image& image) {
   read_section(image, ".debug_finemote_faults",
                [&](std::uint32_t address, std::uint32_t) { marks.faults.insert(address); });
   read_section(image, ".debug_finemote_raised", [&](std::uint32_t address, std::uint32_t causes) {
+    if ((causes & kOnceForEach) != 0) {
+      marks.once_for_each[address] = causes & ~kOnceForEach;
+      return;
+    }
     const auto [known, is_new] = marks.raised.try_emplace(address, causes);
     if (!is_new) known->second &= causes;  // both are true
   });

@@ -114,19 +114,45 @@ bool CanBus::send(const CanFrame& frame, Time at) {
   return true;
 }
 
-// Groups first: they carry the actuators. Whatever finds no mailbox is sent from the interrupt that frees one.
+// What finds no mailbox is sent from the interrupt that frees one. One routine fills all mailboxes at most once, which
+// bounds it; only a mailbox that was filled here can have fallen free since.
 void CanBus::on_interrupt() {
   const Time at = now();
+  for (unsigned left = CanPort::kMailboxes; left != 0; --left) {
+    if (!send_next(at)) return;
+  }
+  if (waits()) port_->tell_when_sent();
+}
+
+/// Groups first: they carry the actuators. False: nothing was sent.
+bool CanBus::send_next(Time at) {
   for (Group& group : groups_) {
-    if (!group.waiting.load() || group.setting.load()) continue;  // the flush behind what sets it comes back to it
-    if (!send_group(group, at)) return;
+    if (is_due(group)) return send_group(group, at);
   }
   for (std::uint8_t i = 0; i < count_; ++i) {
-    CanSlot& slot = *slots_[i];
-    if (!slot.waiting_.load()) continue;
-    if (!send(slot.out_, at)) return;
-    slot.waiting_.store(false);
+    if (slots_[i]->waiting_.load()) return send_own(*slots_[i], at);
   }
+  return false;
+}
+
+/// True while send_next() would find something.
+bool CanBus::waits() const {
+  for (const Group& group : groups_) {
+    if (is_due(group)) return true;
+  }
+  for (std::uint8_t i = 0; i < count_; ++i) {
+    if (slots_[i]->waiting_.load()) return true;
+  }
+  return false;
+}
+
+/// To one that is being set the flush behind what sets it comes back.
+bool CanBus::is_due(const Group& group) { return group.waiting.load() && !group.setting.load(); }
+
+bool CanBus::send_own(CanSlot& slot, Time at) {
+  if (!send(slot.out_, at)) return false;
+  slot.waiting_.store(false);
+  return true;
 }
 
 bool CanBus::send_group(Group& group, Time at) {

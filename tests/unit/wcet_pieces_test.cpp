@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "generator/wcet/causes.hpp"
+#include "generator/wcet/events.hpp"
 #include "generator/wcet/gaps.hpp"
 #include "generator/wcet/retries.hpp"
 
@@ -129,6 +130,29 @@ TEST_CASE("a cause that no way is left for is not there") {
   Marks marks;
   marks.raised[0] = kReceived;
   CHECK(times_by_cause(chain_of({3, 4}), marks) == CauseTimes{{kReceived, 7}});
+}
+
+TEST_CASE("runs that serve several interrupts take no longer than each of these alone is charged") {
+  for (int i = 0; i < 200; ++i) {
+    std::vector<Cycles> by_served{static_cast<Cycles>(roll(20))};
+    for (std::size_t served = 1 + roll(4); served > 0; --served)
+      by_served.push_back(by_served.back() + static_cast<Cycles>(roll(40)));
+    const Cycles each = time_of_each(by_served);
+    // Interrupts come, and each run serves as many as it likes; those that are left over find nothing.
+    for (int n = 0; n < 20; ++n) {
+      Cycles taken = 0;
+      std::size_t came = 0;
+      for (std::size_t run = 1 + roll(5); run > 0; --run) {
+        const std::size_t served = 1 + roll(static_cast<Word>(by_served.size() - 2));
+        taken += by_served[served] + static_cast<Cycles>(roll(static_cast<Word>(served - 1))) * by_served[0];
+        came += served;
+      }
+      CHECK(taken <= static_cast<Cycles>(came) * each);
+    }
+  }
+  CHECK(time_of_each({5, 12, 19}) == 12);       // a round of 7
+  CHECK(time_of_each({5, 12, 30}) == 18);       // two of them take longer than twice one
+  CHECK(time_of_each({10, 11, 12, 13}) == 11);  // runs that find nothing are paid for
 }
 
 TEST_CASE("what a job takes is told by the stage that it runs before, and what is left behind the last") {

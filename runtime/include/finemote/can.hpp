@@ -177,7 +177,11 @@ class CanBus {
   [[nodiscard]] Group* group_of(const CanSlot& slot);
   [[nodiscard]] Group* find_group(std::uint16_t id);
   static void write(Group& group, const CanShare& share, const std::uint8_t* bytes);
+  bool send_next(Time at);
+  [[nodiscard]] bool waits() const;
+  [[nodiscard]] static bool is_due(const Group& group);
   bool send_group(Group& group, Time at);
+  bool send_own(CanSlot& slot, Time at);
   bool send(const CanFrame& frame, Time at);
   Time busy_since(Moment arrival);
   void begin_recovery(Time at);

@@ -231,7 +231,7 @@ class SpiPort {
 struct CanFrame {
   std::uint16_t id = 0;    ///< 11 bit
   std::uint8_t size = 0;   ///< 0..8
-  std::uint8_t data[8]{};  ///< the first `size` count
+  alignas(std::uint32_t) std::uint8_t data[8]{};  ///< the first `size` count
 };
 
 /// Identifiers that are accepted: none, one, or a block of a power of two that begins at a multiple of its size.
@@ -255,12 +255,16 @@ class CanPort {
   /// Clocks, pins, bit timing for `bitrate` [bit/s], acceptance of exactly what `bus.each_ids()` lists (a superset
   /// where the hardware has too few filters), interrupts for reception, sending and errors. They hand each received
   /// frame to `bus.on_frame(frame, moment)`, and call `bus.on_interrupt()` after a pend() and when a mailbox falls free
-  /// after send() found none. Context: init.
+  /// after send() found none, or tell_when_sent(). Context: init.
   void configure(std::int64_t bitrate, CanBus& bus);
   /// As I2cPort::pend(). Context: any.
   void pend();
   /// Puts a frame into a free mailbox; the mailboxes are sent by identifier. False: none is free. Context: interrupt.
   [[nodiscard]] bool send(const CanFrame& frame);
+  static constexpr unsigned kMailboxes = 3;  ///< frames that wait in the controller at most
+  /// Asks for `bus.on_interrupt()` when the next frame has gone, or at once where one has since the routine began. To
+  /// be called where kMailboxes frames were sent in this routine. Context: interrupt.
+  void tell_when_sent();
   /// Frames in mailboxes that have not gone. Context: interrupt.
   [[nodiscard]] unsigned unsent() const;
   /// Empties the mailboxes. Context: interrupt.

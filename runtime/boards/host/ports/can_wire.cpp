@@ -9,8 +9,6 @@ namespace finemote {
 
 namespace {
 
-constexpr std::size_t kMailboxes = 3;
-
 /// Longest form of a standard data frame with stuff bits, and three bits between frames (ISO 11898-1).
 Duration wire_time(const CanHardware& wire, const CanFrame& frame) {
   const int bits = 47 + 8 * frame.size + (34 + 8 * frame.size - 1) / 4;
@@ -60,11 +58,13 @@ void CanPort::pend() {
 }
 
 bool CanPort::send(const CanFrame& frame) {
-  if (hardware_->mailboxes.size() >= kMailboxes) return false;
+  if (hardware_->mailboxes.size() >= CanPort::kMailboxes) return false;
   hardware_->mailboxes.push_back(frame);
   send_next(*hardware_);
   return true;
 }
+
+void CanPort::tell_when_sent() {}  // every frame's end tells
 
 unsigned CanPort::unsent() const { return static_cast<unsigned>(hardware_->mailboxes.size()); }
 

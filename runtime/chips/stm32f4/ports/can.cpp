@@ -157,7 +157,7 @@ bool CanPort::send(const CanFrame& frame) {
   const stm32f4::CanRegisters& registers = hardware_->setup.can;
   const std::uint32_t empty = registers.tsr().read() >> can::kEmptyShift & 7;
   if (empty == 0) {
-    registers.ier().set(can::kTransmitInterrupt);  // until a mailbox falls free
+    tell_when_sent();
     return false;
   }
   const std::uint32_t number = (empty & 1) != 0 ? 0 : (empty & 2) != 0 ? 1 : 2;
@@ -168,6 +168,8 @@ bool CanPort::send(const CanFrame& frame) {
                                      can::kSend);
   return true;
 }
+
+void CanPort::tell_when_sent() { hardware_->setup.can.ier().set(can::kTransmitInterrupt); }
 
 unsigned CanPort::unsent() const {
   const std::uint32_t empty = hardware_->setup.can.tsr().read() >> can::kEmptyShift;
@@ -193,7 +195,8 @@ std::uint16_t CanPort::error_counters() const {
 }
 
 // The request comes here, too. The end of a frame interrupts only while a frame waits for it: where send() found all
-// mailboxes full, none of the flags cleared here was set any more (RM0090 32.9.2, RQCP).
+// mailboxes full, none of the flags cleared here was set any more (RM0090 32.9.2, RQCP); where the routine itself has
+// filled all, a flag is that of one of its own frames.
 void CanHardware::on_transmit() {
   only_if_raised_by<Raised::request, Raised::end>();
   const cortex_m4::UrgentInterrupt interrupt;
@@ -214,6 +217,7 @@ void CanHardware::on_receive() {
     count_fault(Module::can, static_cast<std::uint8_t>(CanFault::overrun));
   }
   for (unsigned i = 0; i < 3 && registers.rf0r().any(can::kPendingMask); ++i) {  // the FIFO is three deep
+    once_for_each<Raised::received>();
     const std::uint32_t identifier = registers.received(0).read();
     CanFrame frame;
     frame.id = static_cast<std::uint16_t>(identifier >> can::kIdentifierShift);

@@ -29,8 +29,8 @@ struct SpiSetup : SpiPeripheral {
 
 /// What DMA works on beside the devices' own bytes.
 struct SpiBuffers {
-  std::uint8_t out[kSpiCopy];
-  std::uint8_t in[kSpiCopy];
+  alignas(std::uint32_t) std::uint8_t out[kSpiCopy];
+  alignas(std::uint32_t) std::uint8_t in[kSpiCopy];
   std::uint8_t ones, dropped;
 };
 

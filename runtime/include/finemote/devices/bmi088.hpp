@@ -92,8 +92,10 @@ class Bmi088 {
   Time sampled_ = 0;
   std::uint32_t chip_time_ = 0;
   AttitudeFilter attitude_;
-  std::uint8_t accel_out_[20]{}, accel_in_[20]{};
-  std::uint8_t gyro_out_[9]{}, gyro_in_[9]{};
+  alignas(std::uint32_t) std::uint8_t accel_out_[20]{};  // aligned: copied by words
+  alignas(std::uint32_t) std::uint8_t accel_in_[20]{};
+  alignas(std::uint32_t) std::uint8_t gyro_out_[9]{};
+  alignas(std::uint32_t) std::uint8_t gyro_in_[9]{};
 };
 
 }  // namespace finemote
