@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 295222, finemote::kNothingToBound, nullptr},  // imu
-    {0, 289949, 28882098, &gimbal::yaw.command},  // yaw
-    {0, 284104, 28876253, &gimbal::pitch.command},  // pitch
-    {1, 316584, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 384771, 26976820, &chassis::front_left.command},  // front_left
-    {2, 379181, 26971230, &chassis::front_right.command},  // front_right
-    {2, 373586, 26965635, &chassis::rear_left.command},  // rear_left
-    {2, 367997, 26960046, &chassis::rear_right.command},  // rear_right
-    {2, 362402, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 461989, finemote::kNothingToBound, nullptr},  // remote
+    {0, 318817, finemote::kNothingToBound, nullptr},  // imu
+    {0, 313544, 28936493, &gimbal::yaw.command},  // yaw
+    {0, 307771, 28930720, &gimbal::pitch.command},  // pitch
+    {1, 357916, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 420803, 27043652, &chassis::front_left.command},  // front_left
+    {2, 415285, 27038134, &chassis::front_right.command},  // front_right
+    {2, 409762, 27032611, &chassis::rear_left.command},  // rear_left
+    {2, 404245, 27027094, &chassis::rear_right.command},  // rear_right
+    {2, 398721, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 504593, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 289.117 us of its release.
+/// a job ends within 312.652 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 302.784 us of its release.
+/// a job ends within 326.319 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 357.618 us of its release.
+/// a job ends within 393.591 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 426.47 us of its release.
+/// a job ends within 471.591 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{285622, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{282449, 28874598, 29715997};
-inline constexpr finemote::Bounds pitch{278703, 28870852, 29715996};
-inline constexpr finemote::Bounds gimbal{302784, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{355969, 26948018, 27784397};
-inline constexpr finemote::Bounds front_right{352480, 26944529, 27784397};
-inline constexpr finemote::Bounds rear_left{348985, 26941034, 27784398};
-inline constexpr finemote::Bounds rear_right{345496, 26937545, 27784398};
-inline constexpr finemote::Bounds chassis{342001, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{426470, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{309217, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{306044, 28928993, 29824859};
+inline constexpr finemote::Bounds pitch{302371, 28925320, 29824859};
+inline constexpr finemote::Bounds gimbal{326319, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{392001, 27014850, 27905698};
+inline constexpr finemote::Bounds front_right{388584, 27011433, 27905698};
+inline constexpr finemote::Bounds rear_left{385161, 27008010, 27905698};
+inline constexpr finemote::Bounds rear_right{381744, 27004593, 27905699};
+inline constexpr finemote::Bounds chassis{378320, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{471591, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

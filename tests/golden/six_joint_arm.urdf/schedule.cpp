@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 380645, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 277489, 29143719, &arm::base.command},  // base
-    {0, 271900, 29138130, &arm::shoulder.command},  // shoulder
-    {0, 266305, 29132535, &arm::elbow.command},  // elbow
-    {0, 260716, 29126946, &arm::wrist_roll.command},  // wrist_roll
-    {0, 255120, 29121350, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 249531, 29115761, &arm::flange.command},  // flange
-    {0, 243936, finemote::kNothingToBound, nullptr},  // arm
+    {1, 425991, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 302699, 29169165, &arm::base.command},  // base
+    {0, 297181, 29163647, &arm::shoulder.command},  // shoulder
+    {0, 291658, 29158124, &arm::elbow.command},  // elbow
+    {0, 286141, 29152607, &arm::wrist_roll.command},  // wrist_roll
+    {0, 280618, 29147084, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 275100, 29141566, &arm::flange.command},  // flange
+    {0, 269577, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

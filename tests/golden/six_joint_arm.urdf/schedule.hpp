@@ -9,11 +9,11 @@
 namespace six_joint_arm {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 7 devices;
-/// a job ends within 260.197 us of its release.
+/// a job ends within 285.287 us of its release.
 void run_2ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 356.043 us of its release.
+/// a job ends within 401.39 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,14 +22,14 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds sticks{356043, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{257088, 29123318, 29689496};
-inline constexpr finemote::Bounds shoulder{253599, 29119829, 29694530};
-inline constexpr finemote::Bounds elbow{250104, 29116334, 29694530};
-inline constexpr finemote::Bounds wrist_roll{246615, 29112845, 29694531};
-inline constexpr finemote::Bounds wrist_pitch{243120, 29109350, 29694531};
-inline constexpr finemote::Bounds flange{239630, 29105861, 29694531};
-inline constexpr finemote::Bounds arm{236135, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds sticks{401390, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds base{282298, 29148764, 29715177};
+inline constexpr finemote::Bounds shoulder{278880, 29145346, 29732973};
+inline constexpr finemote::Bounds elbow{275457, 29141923, 29732973};
+inline constexpr finemote::Bounds wrist_roll{272040, 29138506, 29732973};
+inline constexpr finemote::Bounds wrist_pitch{268617, 29135083, 29732973};
+inline constexpr finemote::Bounds flange{265200, 29131666, 29732974};
+inline constexpr finemote::Bounds arm{261777, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace six_joint_arm

@@ -18,19 +18,19 @@
 namespace infantry::chassis {
 
 /// front_left: dji_m3508 on 'wheel_can' id 1, every 5 ms
-/// response <= 355.969 us; data age <= 26.949 ms when handle() ends, <= 27.785 ms at the output (oldest: remote)
+/// response <= 392.001 us; data age <= 27.015 ms when handle() ends, <= 27.906 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_left{finemote::DjiM3508::Config{}, slots::front_left};
 
 /// front_right: dji_m3508 on 'wheel_can' id 2, every 5 ms
-/// response <= 352.48 us; data age <= 26.945 ms when handle() ends, <= 27.785 ms at the output (oldest: remote)
+/// response <= 388.584 us; data age <= 27.012 ms when handle() ends, <= 27.906 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_right{finemote::DjiM3508::Config{}, slots::front_right};
 
 /// rear_left: dji_m3508 on 'wheel_can' id 3, every 5 ms
-/// response <= 348.985 us; data age <= 26.942 ms when handle() ends, <= 27.785 ms at the output (oldest: remote)
+/// response <= 385.161 us; data age <= 27.009 ms when handle() ends, <= 27.906 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_left{finemote::DjiM3508::Config{}, slots::rear_left};
 
 /// rear_right: dji_m3508 on 'wheel_can' id 4, every 5 ms
-/// response <= 345.496 us; data age <= 26.938 ms when handle() ends, <= 27.785 ms at the output (oldest: remote)
+/// response <= 381.744 us; data age <= 27.005 ms when handle() ends, <= 27.906 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_right{finemote::DjiM3508::Config{}, slots::rear_right};
 
 namespace ports {  // what 'chassis' sees of others
@@ -46,7 +46,7 @@ inline constexpr finemote::Port<finemote::Motor> chassis_wheels[] = {
 }  // namespace ports
 
 /// chassis: mecanum_chassis, every 5 ms
-/// response <= 342.001 us
+/// response <= 378.32 us
 FINEMOTE_CONSTINIT inline finemote::MecanumChassis chassis{
     [] { finemote::MecanumChassis::Config c{}; c.kp = 0.8f; c.ki = 1.0f; return c; }(),
     constants::chassis_rolling,

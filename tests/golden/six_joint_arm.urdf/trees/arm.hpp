@@ -19,37 +19,37 @@
 namespace six_joint_arm::arm {
 
 /// sticks: sbus on 'receiver', every 10 ms
-/// response <= 356.043 us
+/// response <= 401.39 us
 FINEMOTE_CONSTINIT inline finemote::Sbus sticks{receiver};
 
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
-/// response <= 257.088 us; data age <= 29.124 ms when handle() ends, <= 29.69 ms at the output (oldest: sticks)
+/// response <= 282.298 us; data age <= 29.149 ms when handle() ends, <= 29.716 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 base{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::base};
 
 /// shoulder: dji_m3508 on 'arm_can' id 2, every 2 ms
-/// response <= 253.599 us; data age <= 29.12 ms when handle() ends, <= 29.695 ms at the output (oldest: sticks)
+/// response <= 278.88 us; data age <= 29.146 ms when handle() ends, <= 29.733 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 shoulder{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::shoulder};
 
 /// elbow: dji_m3508 on 'arm_can' id 3, every 2 ms
-/// response <= 250.104 us; data age <= 29.117 ms when handle() ends, <= 29.695 ms at the output (oldest: sticks)
+/// response <= 275.457 us; data age <= 29.142 ms when handle() ends, <= 29.733 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 elbow{
     [] { finemote::DjiM3508::Config c{}; c.gear = 38.406f; return c; }(),
     slots::elbow};
 
 /// wrist_roll: dji_m3508 on 'wrist_can' id 1, every 2 ms
-/// response <= 246.615 us; data age <= 29.113 ms when handle() ends, <= 29.695 ms at the output (oldest: sticks)
+/// response <= 272.04 us; data age <= 29.139 ms when handle() ends, <= 29.733 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{finemote::DjiM3508::Config{}, slots::wrist_roll};
 
 /// wrist_pitch: dji_m2006 on 'wrist_can' id 2, every 2 ms
-/// response <= 243.12 us; data age <= 29.11 ms when handle() ends, <= 29.695 ms at the output (oldest: sticks)
+/// response <= 268.617 us; data age <= 29.136 ms when handle() ends, <= 29.733 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{finemote::DjiM2006::Config{}, slots::wrist_pitch};
 
 /// flange: dji_m2006 on 'wrist_can' id 3, every 2 ms
-/// response <= 239.63 us; data age <= 29.106 ms when handle() ends, <= 29.695 ms at the output (oldest: sticks)
+/// response <= 265.2 us; data age <= 29.132 ms when handle() ends, <= 29.733 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{finemote::DjiM2006::Config{}, slots::flange};
 
 namespace ports {  // what 'arm' sees of others
@@ -67,7 +67,7 @@ inline constexpr finemote::Port<finemote::Motor> arm_joints[] = {
 }  // namespace ports
 
 /// arm: serial_arm, every 2 ms
-/// response <= 236.135 us
+/// response <= 261.777 us
 FINEMOTE_CONSTINIT inline finemote::SerialArm arm{
     [] {
       finemote::SerialArm::Config c{};
