@@ -182,10 +182,10 @@ Json own_times_of(const std::map<unsigned, OwnTime>& times, unsigned first, unsi
   return all;
 }
 
-BoardOptions options_of(const Json& job) {
+BoardOptions options_of(const Json& job, bool keeps_log) {
   BoardOptions options;
   if (job.value("flash", "hit") == "miss") options.flash = FlashModel::miss_always;
-  options.keeps_log = job.contains("audit");
+  options.keeps_log = keeps_log || job.contains("audit");
   options.tags = job.value("tags", true);
   if (job.contains("silicon")) {
     const Json& silicon = job.at("silicon");
@@ -197,8 +197,8 @@ BoardOptions options_of(const Json& job) {
 
 /// A board with the job's image and parts, before power-on.
 struct Bench {
-  explicit Bench(const Json& job)
-      : board(read_wiring(job.at("board")), options_of(job)),
+  explicit Bench(const Json& job, bool keeps_log = false)
+      : board(read_wiring(job.at("board")), options_of(job, keeps_log)),
         outfit(board),
         image(job.contains("image") ? load_image(job.at("image").get<std::string>()) : Image()) {
     if (job.contains("image")) board.load(image);
@@ -255,6 +255,7 @@ Json run(Bench& bench, const Json& job) {
           {"overruns", overruns_of(board, image)},
           {"violated", outfit.violated()},
           {"fault_counts", faults_of(board, image)},
+          {"first_release_ns", *zero},
           {"ready_ns", ready->end_ns},
           {"faults_at_ready", ready->faults},
           {"absent", ready->absent},
@@ -273,8 +274,9 @@ Json run(Bench& bench, const Json& job) {
 
 }  // namespace
 
-Json run_job(const Json& job) {
-  Bench bench(job);
+Json run_job(const Json& job, const std::function<void(Board&)>& watch) {
+  Bench bench(job, static_cast<bool>(watch));
+  if (watch) watch(bench.board);
   try {
     if (job.contains("events")) bench.outfit.add(job.at("events"), first_release_ns(job));
   } catch (const std::invalid_argument& error) {
