@@ -15,8 +15,8 @@ CauseTimes times_by_event(const PreparedImage& image, std::uint32_t entry);
 
 /// What each of the interrupts of a cause takes, where a run that serves `k` of them takes `by_served[k]`.
 ///
-/// Besides, a run that serves k may leave k - 1 runs that find nothing left: their interrupts came while it served them.
-/// Each k that it serves has to pay for that: the largest of (by_served[k] + (k - 1) by_served[0]) / k.
+/// Besides, a run that serves k may leave k - 1 runs that find nothing left: their interrupts came while it served
+/// them. Each k that it serves has to pay for that: the largest of (by_served[k] + (k - 1) by_served[0]) / k.
 /// @param by_served  two at least
 Cycles time_of_each(const std::vector<Cycles>& by_served);
 

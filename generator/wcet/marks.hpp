@@ -32,7 +32,8 @@ struct Marks {
   /// By begin of a block that only some interrupts of a bus lead to: their Causes.
   std::map<std::uint32_t, std::uint32_t> raised;
 
-  /// By begin of a block in a loop that is passed once for each interrupt of a cause, whichever run passes it: that one.
+  /// By begin of a block in a loop that is passed once for each interrupt of a cause, whichever run passes it: that
+  /// one.
   std::map<std::uint32_t, std::uint32_t> once_for_each;
 
   /// All of them, in order.

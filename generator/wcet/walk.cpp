@@ -50,6 +50,42 @@ struct Frame {
   bool is_cut_by_mark = false;
 };
 
+/// What a try of a round changes, to be taken back behind it.
+class Snapshot {
+ public:
+  Snapshot(const Frame& frame, const Walked& walked)
+      : nodes_(walked.graph.nodes.size()),
+        retries_(walked.retries.size()),
+        arrivals_(frame.arrivals),
+        end_(frame.end),
+        passes_(frame.passes) {}
+
+  void restore(Frame& frame, Walked& walked) const {
+    frame.arrivals = arrivals_;
+    frame.end = end_;
+    frame.passes = passes_;
+    walked.graph.nodes.resize(nodes_);
+    walked.retries.resize(retries_);
+    walked.waits.erase(walked.waits.lower_bound(nodes_), walked.waits.end());
+    walked.countdowns.erase(walked.countdowns.lower_bound(nodes_), walked.countdowns.end());
+  }
+
+ private:
+  const std::size_t nodes_, retries_;
+  const Arrivals arrivals_;
+  const std::optional<Arrival> end_;
+  const std::map<std::uint32_t, std::uint32_t> passes_;
+};
+
+/// Blocks that ways lead to which nothing went on with.
+std::vector<std::uint32_t> left_over(const Frame& frame) {
+  std::vector<std::uint32_t> blocks;
+  for (const auto& [block, arrival] : frame.arrivals) {
+    if (arrival) blocks.push_back(block);
+  }
+  return blocks;
+}
+
 /// What the marks of waits say while a loop is gone through.
 class Waits {
  public:
@@ -170,15 +206,9 @@ class Walker {
     frame.arrivals[function->graph.entry] = std::move(arrival);
     go_through(frame, std::nullopt);
     open_.pop_back();
-    check_followed(frame);
+    for (const std::uint32_t block : left_over(frame))
+      fail(block, function, "ways that lead here are not in the bound: a defect of this tool");
     return std::move(frame.end);
-  }
-
-  /// Each way that led somewhere was gone on with.
-  void check_followed(const Frame& frame) {
-    for (const auto& [block, arrival] : frame.arrivals) {
-      if (arrival) fail(block, &frame.function, "ways that lead here are not in the bound: a defect of this tool");
-    }
   }
 
   /// The blocks of a loop in one round, or of the function.
@@ -261,20 +291,11 @@ class Walker {
   /// Tries a round and widens `machine` by what it comes back with, without a trace of it. True where nothing is new.
   bool settle(Frame& frame, std::size_t index, Machine& machine) {
     const std::uint32_t header = frame.nest.loops()[index].header;
-    const std::size_t nodes = walked_.graph.nodes.size(), retries = walked_.retries.size();
-    const Arrivals arrivals = frame.arrivals;
-    const std::optional<Arrival> end = frame.end;
-    const auto passes = frame.passes;
+    const Snapshot before(frame, walked_);
     frame.arrivals[header] = Arrival{machine, {}};
     go_through(frame, index);
     const std::optional<Arrival> back = std::move(frame.arrivals[header]);
-    frame.arrivals = arrivals;
-    frame.end = end;
-    frame.passes = passes;
-    walked_.graph.nodes.resize(nodes);
-    walked_.retries.resize(retries);
-    walked_.waits.erase(walked_.waits.lower_bound(nodes), walked_.waits.end());
-    walked_.countdowns.erase(walked_.countdowns.lower_bound(nodes), walked_.countdowns.end());
+    before.restore(frame, walked_);
     if (!back || machine.covers(back->machine)) return true;
     machine.widen(back->machine);
     return false;

@@ -47,7 +47,7 @@ struct Countdown {
 
 struct Walked {
   UnrolledGraph graph;
-  std::set<std::size_t> waits;                 ///< nodes that stand for all rounds of a wait but the last two
+  std::set<std::size_t> waits;                  ///< nodes that stand for all rounds of a wait but the last two
   std::map<std::size_t, Countdown> countdowns;  ///< by the node that stands for all rounds but the last
   std::vector<Retry> retries;
   std::map<std::uint32_t, CountedLoop> loops;     ///< by header

@@ -20,7 +20,8 @@ struct Case {
       : ran(words),
         loaded(ran.image()),
         routes(loaded, documented_costs(), loaded.marks),
-        recording(record_job(ran.job(), {routes.borders(), routes.prepared.words_at_start(), gen::kSysTickException})) {}
+        recording(record_job(ran.job(), {routes.borders(), routes.prepared.words_at_start(), gen::kSysTickException})) {
+  }
 
   [[nodiscard]] std::uint64_t mistakes_with(const Marks& marks) const {
     return follow(recording, Routes(loaded, documented_costs(), marks)).count;

@@ -229,8 +229,8 @@ class SpiPort {
 
 /// A classic CAN data frame with a standard identifier.
 struct CanFrame {
-  std::uint16_t id = 0;    ///< 11 bit
-  std::uint8_t size = 0;   ///< 0..8
+  std::uint16_t id = 0;                           ///< 11 bit
+  std::uint8_t size = 0;                          ///< 0..8
   alignas(std::uint32_t) std::uint8_t data[8]{};  ///< the first `size` count
 };
 
