@@ -43,7 +43,7 @@ bool is_balanced(const Json& joint) {
 void leave_out_balanced(Json& joints) {
   for (std::size_t i = joints.size(); i-- > 0;) {
     const bool carries = std::any_of(joints.begin(), joints.end(), [&](const Json& other) {
-      return other.value("before", std::string()) == joints[i]["part"];
+      return other.value("before", std::string()) == joints[i]["part"].get<std::string>();
     });
     if (!carries && is_balanced(joints[i])) joints.erase(i);
   }
