@@ -39,11 +39,10 @@ Cycles time_of_each(const std::vector<Cycles>& by_served) {
   return each;
 }
 
-CauseTimes times_by_event(const PreparedImage& image, std::uint32_t entry) {
+CauseTimes times_by_event(const PreparedImage& image, std::uint32_t entry, const UnrolledGraph& undisturbed) {
   const Marks& marks = image.marks();
-  const Walked walked = image.walk_from(entry);
-  CauseTimes times = times_of(walked, marks);
-  const auto* mark = served_in_turn(walked.graph, marks);
+  CauseTimes times = times_by_cause(undisturbed, marks);
+  const auto* mark = served_in_turn(undisturbed, marks);
   if (mark == nullptr || times.count(mark->second) == 0) return times;
   std::vector<Cycles> by_served;
   Marks limited = marks;

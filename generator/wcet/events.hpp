@@ -10,8 +10,9 @@
 namespace finemote::gen::wcet {
 
 /// By single cause, without faults. However many interrupts come, all runs together take no longer than their sum.
-/// @param entry  of a routine without a problem
-CauseTimes times_by_event(const PreparedImage& image, std::uint32_t entry);
+/// @param entry        of a routine without a problem
+/// @param undisturbed  its ways without faults
+CauseTimes times_by_event(const PreparedImage& image, std::uint32_t entry, const UnrolledGraph& undisturbed);
 
 /// What each of the interrupts of a cause takes, where a run that serves `k` of them takes `by_served[k]`.
 ///

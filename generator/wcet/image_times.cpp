@@ -54,7 +54,7 @@ class Timing {
     const UnrolledGraph undisturbed = without(walked.graph, prepared_.marks().faults);
     routine.without_faults = proven_bound(undisturbed);
     add_brackets(walked, undisturbed, routine);
-    routine.by_cause = times_by_event(prepared_, vector.entry);
+    routine.by_cause = times_by_event(prepared_, vector.entry, undisturbed);
     routine.gaps = gaps_between(undisturbed, prepared_.marks(), kFirstWorkMark);
     take_retries(walked, times_.retries);
     times_.routines.push_back(std::move(routine));
