@@ -1,4 +1,6 @@
-cp "$source/examples/two_devices.urdf" robot.urdf
+robot <<'Y'
+    <device name="load" type="sim_load" period="10ms"><wcet update="20us" handle="20us" source="budget"/></device>
+Y
 echo "== an output, and a robot"
 finemote report robot.urdf
 finemote report "$source/tests/analysis-cases/single-bus.json" -o page.html

@@ -44,7 +44,10 @@ void check_bound(const nlohmann::json& largest, const nlohmann::json& bound) {
 }  // namespace
 
 TEST_CASE("a run that is as it should be holds every figure to the bound that analyze gives") {
-  const std::string robot = source_path("examples/two_devices.urdf");
+  const TemporaryFolder folder;
+  const std::string robot = folder.path("r.urdf");
+  write_file(robot, two_devices(R"(<param name="update">40us</param> <param name="handle">5us</param>)",
+                                R"(<wcet update="45us" handle="10us"/>)"));
   const auto ran = run_json(robot, 0);
   const auto analysed = finemote_json({"analyze", robot});
   REQUIRE(ran["responses"].size() == 2);

@@ -99,19 +99,19 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {2, 526541, finemote::kNothingToBound, nullptr},  // remote
-    {0, 157546, 16158346, &walker::hip_left.command},  // hip-left
-    {0, 143238, 16144038, &walker::knee_left.command},  // knee-left
-    {1, 257253, 12257853, &walker::leg_left.command},  // leg-left
-    {0, 128929, 16129729, &walker::hip_right.command},  // hip-right
-    {0, 114620, 16115420, &walker::knee_right.command},  // knee-right
-    {1, 252467, 12253067, &walker::leg_right.command},  // leg-right
-    {1, 247681, 12248281, &walker::front.command},  // front
-    {0, 100312, 12100912, &walker::tilt.command},  // tilt
-    {2, 518150, 2418543, &walker::body.command},  // body
-    {2, 513364, finemote::kNothingToBound, nullptr},  // walker
-    {2, 449371, 10449871, &gripper::finger.command},  // finger
-    {1, 217771, finemote::kNothingToBound, nullptr},  // gripper
+    {2, 499874, finemote::kNothingToBound, nullptr},  // remote
+    {0, 149151, 16149951, &walker::hip_left.command},  // hip-left
+    {0, 136157, 16136957, &walker::knee_left.command},  // knee-left
+    {1, 237651, 12238251, &walker::leg_left.command},  // leg-left
+    {0, 123164, 16123964, &walker::hip_right.command},  // hip-right
+    {0, 110170, 16110970, &walker::knee_right.command},  // knee-right
+    {1, 234027, 12234627, &walker::leg_right.command},  // leg-right
+    {1, 231290, 12231890, &walker::front.command},  // front
+    {0, 97176, 12097776, &walker::tilt.command},  // tilt
+    {2, 491107, 2402707, &walker::body.command},  // body
+    {2, 488364, finemote::kNothingToBound, nullptr},  // walker
+    {2, 425123, 10425623, &gripper::finger.command},  // finger
+    {1, 202474, finemote::kNothingToBound, nullptr},  // gripper
 };
 
 }  // namespace

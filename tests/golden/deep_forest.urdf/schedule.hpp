@@ -9,15 +9,15 @@
 namespace deep_forest {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 5 devices;
-/// a job ends within 142.546 us of its release.
+/// a job ends within 134.15 us of its release.
 void run_2ms();
 
 /// Every 4 ms: priority 5, interrupt line 49 (SDIO), 4 devices;
-/// a job ends within 229.952 us of its release.
+/// a job ends within 210.35 us of its release.
 void run_4ms();
 
 /// Every 10 ms: priority 6, interrupt line 51 (SPI3), 4 devices;
-/// a job ends within 486.939 us of its release.
+/// a job ends within 460.273 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -25,21 +25,20 @@ void safe_outputs();
 
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
-/// Some of the execution times behind it are assumed.
 namespace bounds {
-inline constexpr finemote::Bounds remote{486939, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds hip_left{142546, 16143346, 16143346};
-inline constexpr finemote::Bounds knee_left{130337, 16131137, 16131137};
-inline constexpr finemote::Bounds leg_left{229952, 12230552, 12230552};
-inline constexpr finemote::Bounds hip_right{118128, 16118928, 16118928};
-inline constexpr finemote::Bounds knee_right{105920, 16106720, 16106720};
-inline constexpr finemote::Bounds leg_right{227266, 12227866, 12227866};
-inline constexpr finemote::Bounds front{224580, 12225180, 12225180};
-inline constexpr finemote::Bounds tilt{93711, 12094311, 12094311};
-inline constexpr finemote::Bounds body{480649, 2393342, 2393342};
-inline constexpr finemote::Bounds walker{477962, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds finger{416069, 10416569, 10416569};
-inline constexpr finemote::Bounds gripper{196770, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{460273, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds hip_left{134150, 16134950, 16134950};
+inline constexpr finemote::Bounds knee_left{123257, 16124057, 16124057};
+inline constexpr finemote::Bounds leg_left{210350, 12210950, 12210950};
+inline constexpr finemote::Bounds hip_right{112363, 16113163, 16113163};
+inline constexpr finemote::Bounds knee_right{101470, 16102270, 16102270};
+inline constexpr finemote::Bounds leg_right{208826, 12209426, 12209426};
+inline constexpr finemote::Bounds front{208189, 12208789, 12208789};
+inline constexpr finemote::Bounds tilt{90576, 12091176, 12091176};
+inline constexpr finemote::Bounds body{453605, 2377505, 2377505};
+inline constexpr finemote::Bounds walker{452962, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds finger{391821, 10392321, 10392321};
+inline constexpr finemote::Bounds gripper{181473, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace deep_forest

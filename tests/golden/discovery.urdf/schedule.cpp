@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 176797, finemote::kNothingToBound, nullptr},  // imu
-    {1, 339143, finemote::kNothingToBound, nullptr},  // depth
-    {1, 336853, finemote::kNothingToBound, nullptr},  // button
-    {1, 334563, 23975598, &station::servo.command},  // servo
-    {1, 330473, 23969418, &station::green_led.command},  // green_led
-    {1, 325283, 23964227, &station::blue_led.command},  // blue_led
-    {1, 320093, finemote::kNothingToBound, nullptr},  // station
+    {0, 382453, finemote::kNothingToBound, nullptr},  // imu
+    {1, 782629, finemote::kNothingToBound, nullptr},  // depth
+    {1, 780529, finemote::kNothingToBound, nullptr},  // button
+    {1, 778428, 24392255, &station::servo.command},  // servo
+    {1, 774381, 24388207, &station::green_led.command},  // green_led
+    {1, 769167, 24382993, &station::blue_led.command},  // blue_led
+    {1, 763947, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

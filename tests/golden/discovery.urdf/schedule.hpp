@@ -9,11 +9,11 @@
 namespace discovery {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 172.597 us of its release.
+/// a job ends within 378.252 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 321.503 us of its release.
+/// a job ends within 766.711 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -21,15 +21,14 @@ void safe_outputs();
 
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
-/// Some of the execution times behind it are assumed.
 namespace bounds {
-inline constexpr finemote::Bounds imu{172597, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{317242, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{317052, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{316862, 23964507, 24040391};
-inline constexpr finemote::Bounds green_led{314872, 23962517, 24040391};
-inline constexpr finemote::Bounds blue_led{311782, 23959427, 24040392};
-inline constexpr finemote::Bounds station{308692, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{378252, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{760728, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{760728, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{760728, 24383254, 24528499};
+inline constexpr finemote::Bounds green_led{758780, 24381307, 24528499};
+inline constexpr finemote::Bounds blue_led{755666, 24378193, 24528499};
+inline constexpr finemote::Bounds station{752546, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

@@ -48,9 +48,9 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 41163, finemote::kNothingToBound, nullptr},  // line
-    {0, 37972, 34482, &follower::drive.command},  // drive
-    {0, 24582, finemote::kNothingToBound, nullptr},  // follower
+    {0, 39162, finemote::kNothingToBound, nullptr},  // line
+    {0, 37062, 34617, &follower::drive.command},  // drive
+    {0, 24307, finemote::kNothingToBound, nullptr},  // follower
 };
 
 }  // namespace

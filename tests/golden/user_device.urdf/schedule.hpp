@@ -9,7 +9,7 @@
 namespace line_follower {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 31.562 us of its release.
+/// a job ends within 29.562 us of its release.
 void run_5ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -17,11 +17,10 @@ void safe_outputs();
 
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
-/// Some of the execution times behind it are assumed.
 namespace bounds {
-inline constexpr finemote::Bounds line{31562, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds drive{30472, 28482, 28482};
-inline constexpr finemote::Bounds follower{19181, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds line{29562, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds drive{29562, 28617, 28617};
+inline constexpr finemote::Bounds follower{18906, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace line_follower
