@@ -63,6 +63,9 @@ class Computed(unittest.TestCase):
     def test_six_joint_arm(self):
         self.hold("six_joint_arm", ())
 
+    def test_discovery(self):
+        self.hold("discovery", ())
+
 
 if __name__ == "__main__":
     unittest.main()
