@@ -86,7 +86,8 @@ std::uint64_t mistakes_without_way_to(Case& run, unsigned exception, std::size_t
 }  // namespace
 
 TEST_CASE("what runs on the examples is in the graphs, and takes no longer than they say") {
-  for (const char* example : {"examples/finsrov.urdf", "examples/six_joint_arm.urdf"}) {
+  for (const char* example : {"examples/finsrov.urdf", "examples/six_joint_arm.urdf", "examples/discovery.urdf",
+                              "examples/deep_forest.urdf"}) {
     CAPTURE(example);
     const Case run({source_path(example), "--duration", "50ms"});
     const Findings findings = follow(run.recording, run.routes);
