@@ -144,15 +144,23 @@ std::vector<std::string> generated_names(const PlannedRobot& planned) {
   return names;
 }
 
-/// The project around a robot of the user's.
+bool is_sample(const OutputFile& file) {
+  return file.name == kOwnRobot || file.name.rfind("src/devices/", 0) == 0 || file.name.rfind("src/tests/", 0) == 0;
+}
+
+/// The project around a robot of the user's. Beside device types of its own nothing is added, which would make its
+/// timing file stale: there is no sample, and no test of it.
 std::optional<NewProject> plan_around(const Input& input, Keys keys, Sources& sources, Diagnostics& diagnostics) {
   const auto planned = plan_robot(input, sources, diagnostics);
   if (!planned) return std::nullopt;
   NewProject project{input_name(input.path), files_of_robot(input, planned->robot, sources, diagnostics),
                      generated_names(*planned)};
   keys["robot_file"] = project.robot_file;
+  const bool has_types = !user_include_dirs(planned->robot).empty();
+  if (has_types) keys["no_tests"] = "ignore";
   std::vector<OutputFile> common = common_files(input.data_dir, keys, diagnostics);
-  common.erase(std::find_if(common.begin(), common.end(), [](const auto& file) { return file.name == kOwnRobot; }));
+  const auto is_left_out = [&](const OutputFile& file) { return has_types ? is_sample(file) : file.name == kOwnRobot; };
+  common.erase(std::remove_if(common.begin(), common.end(), is_left_out), common.end());
   add_new(project.files, std::move(common));
   return project;
 }
@@ -181,8 +189,8 @@ std::optional<NewProject> plan_own(const std::string& board_name, Input input, K
 std::optional<NewProject> plan_project(const Options& options, const std::string& data_dir, Sources& sources,
                                        Diagnostics& diagnostics) {
   const std::string name = project_name(options.input);
-  const Keys keys{{"project", name},  {"robot", name},    {"version", minor_version()},         {"board", ""},
-                  {"light_port", ""}, {"button_pin", ""}, {"robot_file", input_name(kOwnRobot)}};
+  const Keys keys{{"project", name},  {"robot", name},    {"version", minor_version()},          {"board", ""},
+                  {"light_port", ""}, {"button_pin", ""}, {"robot_file", input_name(kOwnRobot)}, {"no_tests", "error"}};
   Options of_robot;
   of_robot.input = given_robot(options, data_dir, diagnostics);
   of_robot.data_dir = data_dir;

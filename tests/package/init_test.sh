@@ -92,7 +92,9 @@ for robot in "$prefix"/share/finemote/examples/*.urdf; do
   name=$(basename "$robot" .urdf)
   holds "example $name" finemote init "example_$name" --example "$name"
   holds "example $name: check" finemote check "example_$name/src/$name.urdf" -o "example_$name/generated"
+  holds "example $name: times" finemote analyze "example_$name/src/$name.urdf" --require-static
 done
+holds "without tests" bash -c "cd example_user_device && cmake --preset host && cmake --build --preset host && ctest --preset host"
 holds "from a robot" finemote init from --from "$here/rover/rover.urdf.xacro"
 holds "its files" test -f from/src/wheels.xacro -a -f from/src/devices/meter.cpp
 holds "its firmware" bash -c "cd from && cmake --preset firmware && cmake --build --preset firmware"
