@@ -8,8 +8,9 @@ if(NOT FINEMOTE_ARM_COMPILER)
 endif()
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
-# Beside CMAKE_CXX_FLAGS, which are the user's; the compiler takes one --specs, and theirs counts.
-set(finemote_options -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -ffreestanding)
+# Not -ffreestanding: from GCC 13 on that takes <cmath> away. Of it, only that calls and loops stay what the source says is
+# wanted. Beside CMAKE_CXX_FLAGS, which are the user's; the compiler takes one --specs, and theirs counts.
+set(finemote_options -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -fno-builtin)
 if(NOT CMAKE_CXX_FLAGS MATCHES "--specs=")
   list(APPEND finemote_options --specs=nano.specs)
 endif()

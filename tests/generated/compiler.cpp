@@ -28,7 +28,7 @@ std::vector<Compiler> compilers() {
   }
   found.push_back(with_common_flags(
       "board", {"arm-none-eabi-g++", "-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard",
-                "-ffreestanding", "--specs=nano.specs", "-Os", "-fno-exceptions", "-fno-rtti",
+                "-fno-builtin", "--specs=nano.specs", "-Os", "-fno-exceptions", "-fno-rtti",
                 "-fno-threadsafe-statics", "-fno-use-cxa-atexit", "-ffunction-sections", "-fdata-sections"}));
   return found;
 }

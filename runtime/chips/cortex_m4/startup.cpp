@@ -12,8 +12,10 @@ extern std::uint32_t _dma_constants_load, _dma_constants_begin, _dma_constants_e
 using Constructor = void (*)();
 extern Constructor __init_array_start[], __init_array_end[];
 extern const std::uint32_t finemote_vectors[];
-int main();
 }
+
+// By another name, as C++ lets no program call its main.
+int enter_main() __asm__("main");
 
 namespace {
 
@@ -39,6 +41,6 @@ extern "C" [[noreturn]] void finemote_reset() {
   zero(&_bss_begin, &_bss_end);
   zero(&_core_bss_begin, &_core_bss_end);
   for (Constructor* constructor = __init_array_start; constructor < __init_array_end; ++constructor) (*constructor)();
-  main();
+  enter_main();
   for (;;) {}
 }
