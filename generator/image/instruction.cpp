@@ -26,12 +26,28 @@ class Capstone {
   bool ok_ = false;
 };
 
+/// Version 5 of the decoder has names of their own for some forms of VMOV and VMRS.
+unsigned id_of(const cs_insn& decoded) {
+#if CS_API_MAJOR >= 5
+  switch (decoded.id) {
+    case ARM_INS_FCONSTS:
+    case ARM_INS_FCONSTD:
+      return ARM_INS_VMOV;
+    case ARM_INS_FMSTAT:
+      return ARM_INS_VMRS;
+    default:
+      break;
+  }
+#endif
+  return decoded.id;
+}
+
 Instruction instruction_of(const cs_insn& decoded) {
   const cs_arm& arm = decoded.detail->arm;
   Instruction instruction;
   instruction.address = static_cast<std::uint32_t>(decoded.address);
   instruction.size = decoded.size;
-  instruction.id = decoded.id;
+  instruction.id = id_of(decoded);
   instruction.condition = arm.cc;
   instruction.sets_flags = arm.update_flags;
   instruction.writes_back = arm.writeback;
