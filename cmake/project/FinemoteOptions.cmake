@@ -7,7 +7,8 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 if(FINEMOTE_TESTS)
-  add_compile_options(-Wall -Wextra -Wpedantic -Werror)
+  # A library of a newer system calls functions deprecated that the one of Debian 12 has nothing else for.
+  add_compile_options(-Wall -Wextra -Wpedantic -Werror -Wno-error=deprecated-declarations)
 endif()
 # Floating point is computed as written, so that the same input gives the same bytes on every machine.
 add_compile_options(-ffp-contract=off)
