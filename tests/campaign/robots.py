@@ -115,8 +115,18 @@ class Outline:
         self.bus_of = {d.get("name"): d.get("bus") for d in root.iter("device")}
         self.buses = {b.get("name"): (b.get("type"), b.get("port")) for b in root.iter("bus")}
         self.models = {e.get("name"): e.get("model") for e in root.iter("expander")}
+        for expander in root.iter("expander"):
+            self.bus_of[expander.get("name")] = expander.get("bus")
+            self.bus_of.update((c.get("name"), expander.get("name")) for c in expander.iter("channel"))
 
     def place_of(self, name):
         """What a device hangs at: the kind of its bus, or an expander's model."""
         bus = self.bus_of[name]
         return self.models.get(bus) or self.buses.get(bus, ("none",))[0]
+
+    def line_of(self, name):
+        """The bus that a device or an expander hangs at, directly or behind expanders; None: at none."""
+        at = self.bus_of.get(name)
+        while at is not None and at not in self.buses:
+            at = self.bus_of.get(at)
+        return at

@@ -2,6 +2,7 @@
 
 import random
 
+SCHEMA = "finemote.scenario/1"
 LENGTH_NS = 300_000_000  # of a run
 EVERY_NS = 20_000_000  # about, from one event to the next
 SHARE_OF_NOISY = 0.25  # of the robots
@@ -45,22 +46,22 @@ def scenario_of(events, outline):
     ports = {port for _, port in outline.buses.values()}
     here = [event for event in events if event.get("part", "").split(".")[0] in {"", *outline.types}
             and event.get("port") in {None, *ports}]
-    return {"schema": "finemote.scenario/1", "events": sorted(here, key=lambda event: event["t_ns"])}
+    return {"schema": SCHEMA, "events": sorted(here, key=lambda event: event["t_ns"])}
 
 
-def typed(outline, draw):
+def typed(outline, draw, length_ns):
     """Orders of people at a terminal, the first of all ones at once."""
     for name, kind in outline.types.items():
-        for number, t in enumerate(range(0, LENGTH_NS if kind in ORDERS else 0, 2 * EVERY_NS)):
+        for number, t in enumerate(range(0, length_ns if kind in ORDERS else 0, 2 * EVERY_NS)):
             text = ORDERS[kind][0] if number == 0 else draw.choice(ORDERS[kind])
             yield {"t_ns": t, "part": f"{name}.host", "do": "send", "text": text + "\r\n"}
 
 
-def moves(outline, draw):
+def moves(outline, draw, length_ns=LENGTH_NS):
     """Events that leave every assumption as it is."""
     parts = [(name, MOVES[kind]) for name, kind in outline.types.items() if kind in MOVES]
-    events = list(typed(outline, draw))
-    for t in range(0, LENGTH_NS, EVERY_NS):
+    events = list(typed(outline, draw, length_ns))
+    for t in range(0, length_ns, EVERY_NS):
         at = t + draw.randrange(EVERY_NS)
         if "key" in outline.types.values() and draw.random() < 0.3:
             events.append({"t_ns": at, "pin": "PA0", "do": draw.choice(("low", "release"))})

@@ -17,8 +17,9 @@ LARGE_PIECES = ":".join(f"glibc.malloc.{name}={size}" for name, size in
 class Tool:
     """Calls of one worker. Its folder is kept from robot to robot: the runtime is compiled once, a robot's own code anew."""
 
-    def __init__(self, path, folder):
-        self.path, self.folder = path, pathlib.Path(folder)
+    def __init__(self, path, folder, devices=robots.DEVICES):
+        """devices: folder of the users' device types."""
+        self.path, self.folder, self.devices = path, pathlib.Path(folder), devices
         self.folder.mkdir(exist_ok=True)
         # What is compiled once, the runtime, may be in the compiler's cache; a robot's own code never is, and a look there
         # costs as much as half of the compilation.
@@ -29,7 +30,7 @@ class Tool:
         file = self.folder / "robot.urdf"
         file.write_text(robot.text(), encoding="utf-8")
         chains = [word for source, target in robot.pairs for word in ("--chain", f"{source}->{target}")]
-        words = [self.path, command, str(file), "--device-path", str(robots.DEVICES), "--format", "json"]
+        words = [self.path, command, str(file), "--device-path", str(self.devices), "--format", "json"]
         return subprocess.run([*words, *chains, *arguments], capture_output=True, text=True, check=False, env=self.environment)
 
     def bound(self, robot):
@@ -37,7 +38,7 @@ class Tool:
         the image has no bound."""
         file = self.folder / "robot.urdf"
         file.write_text(robot.text(), encoding="utf-8")
-        words = [self.path, "wcet", str(file), "--device-path", str(robots.DEVICES), "-o", str(file.with_suffix(".timing.json"))]
+        words = [self.path, "wcet", str(file), "--device-path", str(self.devices), "-o", str(file.with_suffix(".timing.json"))]
         answer = subprocess.run(words, capture_output=True, text=True, check=False)
         return None if answer.returncode == 0 else answer.stdout + answer.stderr
 
@@ -46,14 +47,14 @@ class Tool:
         answer = self.call("analyze", robot)
         return json.loads(answer.stdout) if answer.returncode in (0, 1) and answer.stdout else None
 
-    def run(self, robot, scenario, number, phases):
+    def run(self, robot, scenario, number, phases, duration=DURATION):
         """Path of the record, or None where there is none, and what the tool said. Every other robot runs on a chip that is
         meaner than its manual reads."""
         record, events = self.folder / "audit.jsonl", self.folder / "scenario.json"
         record.unlink(missing_ok=True)
         events.write_text(json.dumps(scenario), encoding="utf-8")
         silicon = ["--silicon", "strict"] if number % 2 == 1 else []
-        answer = self.call("run", robot, "--duration", DURATION, "--phases", str(phases), "--seed", str(number), *silicon,
+        answer = self.call("run", robot, "--duration", duration, "--phases", str(phases), "--seed", str(number), *silicon,
                            "--scenario", str(events), "--audit", str(record), "--keep", str(self.folder / "kept"))
         good = answer.returncode in (0, 1) and record.exists()
         return (record if good else None), answer.stderr
