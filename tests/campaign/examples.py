@@ -22,6 +22,8 @@ import tool
 
 EXAMPLES = robots.ROOT / "examples"
 
+BATCH = 20  # phases whose record is read at once
+
 
 class Example:
     """A robot as it is shipped, with its timing file; `pairs` are those that chains are asked for."""
@@ -56,6 +58,16 @@ def scenarios_of(outline, name):
         yield bus, stimuli.scenario_of(moves + events, outline), length_ns
 
 
+def batches(phases):
+    """Numbers of runs with how many phases each has; the odd ones are on a mean chip."""
+    first, size = 0, min(BATCH, (phases + 1) // 2)
+    for number in itertools.count():
+        if first >= phases:
+            return
+        yield number, min(size, phases - first)
+        first += size
+
+
 def attack(finemote, path, phases, seed):
     """Lines on an example, and those of what it breaks."""
     with tempfile.TemporaryDirectory() as folder:
@@ -63,12 +75,14 @@ def attack(finemote, path, phases, seed):
         example.lay(called.folder)
         analysis = analysis_of_all_pairs(called, example)
         outline, lines, broken = robots.Outline(example.text()), [], []
-        for number, (bus, scenario, length_ns) in enumerate(scenarios_of(outline, path.stem)):
+        for bus, scenario, length_ns in scenarios_of(outline, path.stem):
             held = judge.Judge(analysis)
-            record, said = called.run(example, scenario, seed + number, phases, f"{length_ns // 1000}us")
-            if record is None:
-                return lines, [f"{path.stem} cannot be run: {said}"]
-            held.take(record, bus, bus is not None and outline.buses[bus][0] == "i2c")
+            is_recovering = bus is not None and outline.buses[bus][0] == "i2c"
+            for number, count in batches(phases):
+                record, said = called.run(example, scenario, seed + number, count, f"{length_ns // 1000}us")
+                if record is None:
+                    return lines, [f"{path.stem} cannot be run: {said}"]
+                held.take(record, bus, is_recovering)
             verdict = held.verdict()
             what = f"{path.stem}, {'undisturbed' if bus is None else 'faults on ' + bus}"
             lines.append(f"{what}: {len(verdict.shares)} figures, {len(verdict.chains)} of {len(held.asked)} chains "
