@@ -138,6 +138,7 @@ OptionList options_of_run() {
          "emulated board: fetches hit the flash accelerator, or miss it always"},
         {"--silicon", &Options::silicon,
          "emulated board: strict, or strict:NAME,.. for a chip that is meaner than its manual reads"},
+        {"--slowest", &Options::slowest, "emulated board: its slowest mode, --flash miss and --silicon strict"},
         {"--audit", &Options::audit, "write the raw record of the run to this file, as JSON Lines"},
         {"--phases", &Options::phases, "run so often, with random phases and clock errors of parts and board"},
         {"--seed", &Options::seed, "of the random phases and of the silicon"},

@@ -91,6 +91,7 @@ bool can_watch(const Options& options, const Setup& setup, Diagnostics& diagnost
   const char* asked = !options.audit.empty()     ? "--audit"
                       : options.phases != 0      ? "--phases"
                       : !options.silicon.empty() ? "--silicon"
+                      : options.slowest          ? "--slowest"
                                                  : nullptr;
   if (setup.is_emulated() || asked == nullptr) return true;
   diagnostics
@@ -107,7 +108,8 @@ std::optional<Setup> setup_of(const Options& options, PlannedRobot& planned, Sou
   if (board == nullptr) return std::nullopt;
   const auto duration = duration_of(options.duration, planned.schedule, diagnostics);
   if (!duration) return std::nullopt;
-  auto silicon = emulator::parse_silicon(options.silicon, diagnostics);
+  const std::string strictness = options.slowest && options.silicon.empty() ? "strict" : options.silicon;
+  auto silicon = emulator::parse_silicon(strictness, diagnostics);
   if (!silicon) return std::nullopt;
   Setup setup{*board, *duration, {}, std::move(*silicon)};
   if (!can_watch(options, setup, diagnostics)) return std::nullopt;
@@ -188,7 +190,8 @@ std::optional<RunRecord> run_image(const std::string& image, const PlannedRobot&
   if (!setup.is_emulated()) return execute(image, setup.board, forest, setup.duration, faults, diagnostics);
   return emulate(image, robot, forest, setup.duration,
                  {setup.board, faults, setup.asked_scenario(), options.audit.empty() ? nullptr : &schedule, phase,
-                  options.flash_misses, SiliconChoice{setup.silicon, options.seed + (phase ? phase->number : 0)}},
+                  options.flash_misses || options.slowest,
+                  SiliconChoice{setup.silicon, options.seed + (phase ? phase->number : 0)}},
                  diagnostics);
 }
 

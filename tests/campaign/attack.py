@@ -27,7 +27,7 @@ class Task:
         return (draw.draw_bounded if self.is_static else draw.draw_robot)(self.seed, self.number)
 
     def tool(self):
-        return tool.Tool(self.finemote, pathlib.Path(self.folder) / str(os.getpid()))
+        return tool.Tool(self.finemote, pathlib.Path(self.folder) / str(os.getpid()), is_slowest=self.is_static)
 
 
 class Result:

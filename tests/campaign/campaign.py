@@ -124,7 +124,8 @@ def main():
         show_violations(pool, tally, asked, folder)
     if asked.sweep:
         inject.write(result.reached for result in tally.by_state["counted"])
-    for line in itertools.chain(census.tightness(tally.counted), census.contents(tally.counted)):
+    pessimism = census.pessimism(tally.counted) if asked.static else ()
+    for line in itertools.chain(census.tightness(tally.counted), pessimism, census.contents(tally.counted)):
         print(line)
     discarded, unjudged = len(tally.by_state["discarded"]), len(tally.by_state["unjudged"])
     print(f"{tally.drawn} drawn, {discarded} discarded as not schedulable or without a bound, {unjudged} unjudged")

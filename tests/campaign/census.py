@@ -24,6 +24,13 @@ def tightness(results):
                f"{shares[int(0.95 * (len(shares) - 1))]:6.3f}  {shares[-1]:6.3f}")
 
 
+def pessimism(results):
+    """Of bounds of the image: how far above the longest that was seen they are."""
+    ratios = [1 / share for share in shares_by_kind(results).get("own", ()) if share > 0]
+    if ratios:
+        yield f"static / longest seen, median of {len(ratios)} own times: {statistics.median(ratios):.2f}"
+
+
 def contents(results):
     """Types, chains, noise and loads of robots that counted."""
     total = max(len(results), 1)

@@ -17,9 +17,9 @@ LARGE_PIECES = ":".join(f"glibc.malloc.{name}={size}" for name, size in
 class Tool:
     """Calls of one worker. Its folder is kept from robot to robot: the runtime is compiled once, a robot's own code anew."""
 
-    def __init__(self, path, folder, devices=robots.DEVICES):
+    def __init__(self, path, folder, devices=robots.DEVICES, is_slowest=False):
         """devices: folder of the users' device types."""
-        self.path, self.folder, self.devices = path, pathlib.Path(folder), devices
+        self.path, self.folder, self.devices, self.is_slowest = path, pathlib.Path(folder), devices, is_slowest
         self.folder.mkdir(exist_ok=True)
         # What is compiled once, the runtime, may be in the compiler's cache; a robot's own code never is, and a look there
         # costs as much as half of the compilation.
@@ -49,11 +49,11 @@ class Tool:
 
     def run(self, robot, scenario, number, phases, duration=DURATION):
         """Path of the record, or None where there is none, and what the tool said. Every other robot runs on a chip that is
-        meaner than its manual reads."""
+        meaner than its manual reads, or all in the slowest mode of the emulated board."""
         record, events = self.folder / "audit.jsonl", self.folder / "scenario.json"
         record.unlink(missing_ok=True)
         events.write_text(json.dumps(scenario), encoding="utf-8")
-        silicon = ["--silicon", "strict"] if number % 2 == 1 else []
+        silicon = ["--slowest"] if self.is_slowest else ["--silicon", "strict"] if number % 2 == 1 else []
         answer = self.call("run", robot, "--duration", duration, "--phases", str(phases), "--seed", str(number), *silicon,
                            "--scenario", str(events), "--audit", str(record), "--keep", str(self.folder / "kept"))
         good = answer.returncode in (0, 1) and record.exists()

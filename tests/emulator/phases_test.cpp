@@ -46,7 +46,7 @@ TEST_CASE("a board without parts plays no phases and keeps no record") {
   const TemporaryFolder folder;
   const std::string robot = source_path("examples/two_devices.urdf");
   const std::vector<std::vector<std::string>> refused = {
-      {"--phases", "3"}, {"--audit", folder.path("audit.jsonl")}, {"--silicon", "strict"}};
+      {"--phases", "3"}, {"--audit", folder.path("audit.jsonl")}, {"--silicon", "strict"}, {"--slowest"}};
   for (const auto& options : refused) {
     std::vector<std::string> words = {"run", robot, "--board", "host"};
     words.insert(words.end(), options.begin(), options.end());

@@ -22,6 +22,19 @@ TEST_CASE("every example is as good on a chip that is mean in every way as on a 
   }
 }
 
+TEST_CASE("the slowest mode misses every line of flash on a chip that is mean in every way") {
+  const auto run = [](const std::vector<std::string>& mode) {
+    std::vector<std::string> words = {"run", source_path("examples/deep_forest.urdf"), "--duration", "60ms"};
+    words.insert(words.end(), mode.begin(), mode.end());
+    return finemote_json(words);
+  };
+  const auto slowest = run({"--slowest"});
+  CHECK(slowest["flash"] == "miss");
+  CHECK(slowest["silicon"]["names"].size() == 13);
+  CHECK(slowest["stages"] == run({"--flash", "miss", "--silicon", "strict"})["stages"]);
+  CHECK(run({"--slowest", "--silicon", "strict:spi_busy"})["silicon"]["names"].size() == 1);
+}
+
 TEST_CASE("names choose in what the chip is meaner, and seeds how much") {
   const auto run = [](const std::string& silicon, const std::string& seed) {
     return finemote_json(

@@ -28,8 +28,8 @@ std::vector<Compiler> compilers() {
   }
   found.push_back(with_common_flags(
       "board", {"arm-none-eabi-g++", "-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard",
-                "-fno-builtin", "--specs=nano.specs", "-Os", "-fno-exceptions", "-fno-rtti",
-                "-fno-threadsafe-statics", "-fno-use-cxa-atexit", "-ffunction-sections", "-fdata-sections"}));
+                "-fno-builtin", "--specs=nano.specs", "-Os", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
+                "-fno-use-cxa-atexit", "-ffunction-sections", "-fdata-sections"}));
   return found;
 }
 
