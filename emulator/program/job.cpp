@@ -119,7 +119,7 @@ Json stages_of(Board& board, std::int64_t zero, std::int64_t duration_ns) {
 /// Picoseconds since `zero`, which are nanoseconds.
 std::int64_t since_ps(Time at, std::int64_t zero) { return static_cast<std::int64_t>(to_ps(at)) - zero * 1'000; }
 
-/// Outputs have the stage of the handle whose run `n` they carry; null where none is known.
+/// Outputs have their value, and the stage of the handle whose run `n` they carry; null where none is known.
 Json parts_of(const Outfit& outfit, std::int64_t zero) {
   Json all = Json::array();
   for (const PartEvent& event : outfit.events()) {
@@ -129,7 +129,8 @@ Json parts_of(const Outfit& outfit, std::int64_t zero) {
                    {"from_ps", since_ps(event.from, zero)},
                    {"at_ps", since_ps(event.at, zero)},
                    {"stage", event.stage ? Json(*event.stage) : Json()},
-                   {"n", event.n}});
+                   {"n", event.n},
+                   {"value", event.value}});
   }
   return all;
 }

@@ -1,6 +1,7 @@
 #include "generator/run/read_record.hpp"
 
 #include "generator/forest/stage.hpp"
+#include "generator/run/repeated_outputs.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -77,7 +78,8 @@ std::vector<PartRecord> parts_of(const Json& record) {
   for (const Json& part : record.at("parts")) {
     const Json& stage = part.at("stage");
     parts.push_back({part.at("part"), part.at("output"), part.at("channel"), part.at("from_ps"), part.at("at_ps"),
-                     part.at("n"), stage.is_null() ? std::nullopt : std::optional(stage.get<std::uint32_t>())});
+                     part.at("n"), stage.is_null() ? std::nullopt : std::optional(stage.get<std::uint32_t>()),
+                     part.at("value")});
   }
   return parts;
 }
@@ -131,6 +133,7 @@ RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest
   record.faults = faults_of(json, "fault_counts");
   record.late_faults = late_faults_of(json);
   record.parts = parts_of(json);
+  leave_out_repeated(robot, record.parts);
   for (const Json& use : json.at("uses"))
     record.uses.push_back({use.at(0), use.at(1), use.at(2), use.at(3), use.at(4), maybe(use.at(5))});
   record.log = log_of(json.at("audit"));

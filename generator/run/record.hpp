@@ -47,6 +47,7 @@ struct PartRecord {
   std::int64_t at_ps = 0;              ///< when its last bit could be read, or the output took its value
   std::uint32_t n = 0;                 ///< which sample of the channel, or which run of the handle, from 0
   std::optional<std::uint32_t> stage;  ///< the handle whose command an output carries; none: nobody knows
+  double value = 0;                    ///< of an output, in its unit
 
   [[nodiscard]] Duration from() const { return picoseconds_down(from_ps); }
   [[nodiscard]] Duration at() const { return picoseconds_down(at_ps); }

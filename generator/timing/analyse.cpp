@@ -245,7 +245,7 @@ std::optional<Timing> analyse_all(const Model& model, const AnalysisRequest& req
   if (target) timing.target = std::move(target->result);
   timing.schedulable = timing.verdict().schedulable;
   Trials trials(timing, request);
-  report_buckets(timing, trials, diagnostics);
+  if (!report_release(timing, diagnostics)) report_buckets(timing, trials, diagnostics);
   report_requirements(timing, trials, diagnostics);
   report_declared(timing, diagnostics);
   timing.missing = missing_bounds(timing, trials);

@@ -5,6 +5,9 @@
 
 namespace finemote::gen::timing {
 
+/// FM4027 where releases of the asked profile can be lost; returns whether they can.
+bool report_release(const Timing& timing, Diagnostics& diagnostics);
+
 /// FM4015 for every bucket of the asked profile that may run over its period. The first one says who uses the
 /// processor, largest load first.
 void report_buckets(const Timing& timing, Trials& trials, Diagnostics& diagnostics);

@@ -260,6 +260,7 @@ Json costs_json(const Costs& costs) {
   add("job_ns", costs.job);
   add("stage_ns", costs.stage);
   add("masked_ns", costs.masked);
+  if (costs.keeps_one_release) out["keeps_one_release"] = true;
   return out;
 }
 
@@ -294,6 +295,10 @@ void add_utilization(const Model& model, const UtilizationTests& tests, Json& ou
 
 Json profile_json(const Model& model, const ProfileResult& result) {
   Json out{{"schedulable", result.schedulable}};
+  if (result.release) {
+    out["release"] =
+        Json{{"response_ns", number(result.release->response)}, {"deadline_ns", result.release->deadline.ns()}};
+  }
   Json& buckets = out["buckets"] = Json::array();
   for (const BucketResult& b : result.buckets) buckets.push_back(bucket_json(model, b));
   Json& devices = out["devices"] = Json::array();

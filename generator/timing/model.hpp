@@ -130,12 +130,13 @@ struct Device {
 
 /// What the processor and the scheduler cost (profile `target`); zero where not given.
 struct Costs {
-  Duration release;                         ///< one release interrupt, entry and exit included
-  Duration release_per_bucket;              ///< for every bucket due
-  Duration interrupt;                       ///< exception entry and exit, added to every bus interrupt
-  Duration job;                             ///< exception entry and exit and bookkeeping of one job of a bucket
-  Duration stage;                           ///< dispatch of one update or handle
-  Duration masked;                          ///< longest time with interrupts masked
+  Duration release;                ///< one release interrupt, entry and exit included
+  Duration release_per_bucket;     ///< for every bucket due
+  Duration interrupt;              ///< exception entry and exit, added to every bus interrupt
+  Duration job;                    ///< exception entry and exit and bookkeeping of one job of a bucket
+  Duration stage;                  ///< dispatch of one update or handle
+  Duration masked;                 ///< longest time with interrupts masked
+  bool keeps_one_release = false;  ///< the timer: of releases that wait for their interrupt, all but one are lost
   WcetSource source = WcetSource::unknown;  ///< of the release, of what jobs take beside their stages, and of masked
 };
 

@@ -2,6 +2,7 @@
 
 #include "generator/timing/job_streams.hpp"
 #include "generator/timing/latency.hpp"
+#include "generator/timing/release_interrupt.hpp"
 #include "generator/timing/repetition.hpp"
 #include "generator/timing/true_time.hpp"
 
@@ -9,6 +10,13 @@ namespace finemote::gen::timing {
 namespace {
 
 std::optional<Duration> known(Duration value) { return value == kNone ? std::nullopt : std::optional<Duration>(value); }
+
+/// Where a release can be lost, all later ones are late, and nothing has a bound.
+void forget(Responses& responses) {
+  for (Table<Rank, Duration>* bounds : {&responses.r_plus, &responses.r_minus})
+    std::fill(bounds->begin(), bounds->end(), kNone);
+  std::fill(responses.bucket.begin(), responses.bucket.end(), kNone);
+}
 
 void summarise(const TaskSet& set, const Responses& responses, const ReleaseTable& table, ProfileResult& result) {
   result.schedulable = true;
@@ -44,12 +52,20 @@ void stretch(const Model& model, ProfileResult& result) {
 constexpr std::int64_t kTransferSteps = std::int64_t{1} << 22;
 
 /// Response times; those of profile target after its streams know what jobs cause.
-Responses respond(const Model& model, Profile profile, TaskSet& set, Effort& effort) {
+Responses respond_in_time(const Model& model, Profile profile, TaskSet& set, Effort& effort) {
   Responses responses = bound_responses(set, effort);
   if (profile != Profile::target || set.bus_streams == 0) return responses;
   Effort transfers(kTransferSteps, effort.most_releases());
   separate_jobs(model, responses, set, transfers);
   return bound_responses(set, effort);
+}
+
+/// The same where no release is lost, else none; notes the release interrupt.
+Responses respond(const Model& model, TaskSet& set, Effort& effort, ProfileResult& result) {
+  if (result.profile == Profile::target) result.release = bound_release(model, set, effort);
+  Responses responses = respond_in_time(model, result.profile, set, effort);
+  if (result.release && !result.release->ok()) forget(responses);
+  return responses;
 }
 
 }  // namespace
@@ -70,11 +86,11 @@ ProfileAnalysis analyse_profile(const Model& model, const Topology& topology, Pr
   TaskSet set = make_task_set(model, profile);
   const std::int64_t releases = most_releases(set, limits);
   Effort searches(limits.steps / 2, releases), effort(limits.steps / 2, releases);
-  Responses responses = respond(model, profile, set, searches);
-  ReleaseTable table =
-      profile == Profile::paper ? ReleaseTable(set, responses) : ReleaseTable::refined(set, responses, effort);
   ProfileResult result;
   result.profile = profile;
+  Responses responses = respond(model, set, searches, result);
+  ReleaseTable table =
+      profile == Profile::paper ? ReleaseTable(set, responses) : ReleaseTable::refined(set, responses, effort);
   summarise(set, responses, table, result);
   auto hand_overs = std::make_shared<HandOverStore>();
   result.trees =
@@ -87,10 +103,10 @@ ProfileAnalysis analyse_deadlines(const Model& model, Profile profile, const Lim
   TaskSet set = make_task_set(model, profile);
   const std::int64_t releases = most_releases(set, limits);
   Effort searches(limits.steps / 2, releases);
-  Responses responses = respond(model, profile, set, searches);
-  ReleaseTable table(set, responses);
   ProfileResult result;
   result.profile = profile;
+  Responses responses = respond(model, set, searches, result);
+  ReleaseTable table(set, responses);
   summarise(set, responses, table, result);
   stretch(model, result);
   return {std::move(result), std::move(set), std::move(responses), std::move(table), std::make_shared<HandOverStore>(),

@@ -150,6 +150,7 @@ struct ModelReader::Tables {
       {"job_ns", Need::target, &Costs::job},
       {"stage_ns", Need::target, &Costs::stage},
       {"masked_ns", Need::target, &Costs::masked},
+      {"keeps_one_release", Need::target, &Costs::keeps_one_release},
   };
   static constexpr Field<Flush> kFlush[] = {
       {"period_ns", Need::required, &Flush::period, 1},

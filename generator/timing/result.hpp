@@ -64,10 +64,20 @@ struct TreeResult {
   bool closed_form = false;               ///< some latency is a safe bound instead of the maximum
 };
 
+/// The interrupt that releases jobs, where its timer keeps one release that waits for it: it has to be through with one
+/// before the next one comes.
+struct ReleaseResult {
+  std::optional<Duration> response;                  ///< from a release on, by the board's clock; none: no bound
+  Duration deadline;                                 ///< the shortest time between two releases
+  Duration period = nanoseconds(1), other = period;  ///< whose releases come so close
+  [[nodiscard]] bool ok() const { return response.has_value() && *response <= deadline; }
+};
+
 struct ProfileResult {
   Profile profile = Profile::paper;
   bool schedulable = false;
-  std::vector<BucketResult> buckets;  ///< ascending period
+  std::optional<ReleaseResult> release;  ///< none: no release can be lost
+  std::vector<BucketResult> buckets;     ///< ascending period
   Table<Rank, DeviceResult> devices;
   std::vector<TreeResult> trees;  ///< order of their roots
 };

@@ -69,6 +69,7 @@ Costs robot_costs(const Robot& robot, const Schedule& schedule, const RobotTimin
   result.job = costs.bucket + result.interrupt;
   result.stage = costs.stage;
   result.masked = costs.masked_section;
+  result.keeps_one_release = true;
   result.source = WcetSource::assumed;
   if (robot.computed) take_computed(*robot.computed, schedule, result);
   if (options.trace) result.stage += 2 * costs.trace_event;

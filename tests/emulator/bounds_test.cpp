@@ -33,6 +33,7 @@ const Case kCases[] = {
     {"idle_line", "600ms", "remote", "remote", "acquire", 1.25},
     {"bring_up", "300ms", nullptr, nullptr, nullptr, 0},
     {"slow_reader", "600ms", "remote", "remote", "acquire", 2},
+    {"refreshed_expander", "1200ms", nullptr, nullptr, nullptr, 0},
 };
 
 struct Ran {
@@ -92,6 +93,22 @@ TEST_CASE("every bound holds on robots that come close to it") {
     check_holds(ran);
     if (one.from != nullptr) check_is_near(ran.document, one);
   }
+}
+
+TEST_CASE("where an interrupt keeps the release from ending before the next one, nothing has a bound") {
+  const std::string robot = source_path("tests/emulator/bounds/lost_release.urdf");
+  const auto analysed = run_finemote({"analyze", robot});
+  CHECK(analysed.exit_status == 1);
+  CHECK(analysed.output.find("error[FM4027]: releases can be lost: their interrupt may take longer than 50us") !=
+        std::string::npos);
+  const Json document =
+      run(robot, "300ms").document;  // on the board they are lost: responses reach what nothing bounds
+  CHECK(document["schedulable"] == false);
+  for (const Json& response : document["responses"]) CHECK(response["judged"] == "no-bound");
+}
+
+TEST_CASE("bounds include the trace that is asked for") {
+  check_holds(run(source_path("tests/emulator/bounds/traced.urdf"), "200ms", {"--trace"}));
 }
 
 TEST_CASE("no latency over an overloaded bus has a bound, however urgent the frame") {

@@ -1,7 +1,8 @@
 // The release interrupt: pends every due bucket at once, and programs the timer for the interval after the next.
 //
 // SysTick's reload value takes effect when the count wraps, so the interval that begins with a release was written one
-// release earlier: there is no drift, and the interrupt's own latency does not matter.
+// release earlier: there is no drift, and the interrupt's own latency does not matter. It has to end before the next
+// release, which the analysis holds it to (generator/timing/release_interrupt.hpp).
 #include "release.hpp"
 
 #include <atomic>
