@@ -4,14 +4,22 @@
 
 namespace finemote {
 
+namespace {
+
+void work(Duration time) {
+  if (time > 0) busy(time);
+}
+
+}  // namespace
+
 void SimLoad::update() {
   const Stamp taken{now(), true};
-  busy(config_.update);
+  work(config_.update);
   state = children_.empty() ? taken : oldest_state(children_);
 }
 
 void SimLoad::handle() {
-  busy(config_.handle);
+  work(config_.handle);
   command_all(children_, command.valid ? command : state);
 }
 
