@@ -7,7 +7,7 @@ namespace finemote {
 namespace {
 
 void work(Duration time) {
-  if (time > 0) busy(time);
+  if (time != 0) busy(time);
 }
 
 }  // namespace
