@@ -1,6 +1,7 @@
 // What a command has found out, and how that is printed.
 #pragma once
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <string>
@@ -9,6 +10,7 @@
 #include "generator/cli/exit_status.hpp"
 #include "generator/cli/options.hpp"
 #include "generator/diagnostic/diagnostics.hpp"
+#include "generator/diagnostic/source.hpp"
 
 namespace finemote::gen {
 
@@ -19,7 +21,8 @@ struct Answer {
   nlohmann::ordered_json document = nullptr;  ///< the same with --format json; null: `text` is a document by itself
   Diagnostics judged = {};                    ///< findings that have settled `status` (of lint, of the timing analysis)
   std::string summary = {}, closing = {};     ///< standard error, before and after the findings
-  std::string file = {};                      ///< standard output with --format text, for programs: after the findings
+  std::shared_ptr<const Sources> sources = {};  ///< beside the command's own: what its findings point into
+  std::string file = {};  ///< standard output with --format text, for programs: after the findings
 };
 
 /// The command ends without one: what is wrong has been reported.

@@ -1,6 +1,8 @@
 // finemote init: a project around a robot, which builds at once.
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/data_dir.hpp"
@@ -21,14 +23,13 @@ bool is_usable(const Options& options, Diagnostics& diagnostics) {
 }
 
 /// Writes the generated sources of the project; `check` and `run` of the project say what they can say against them.
-bool generate_sources(const Options& options, const NewProject& project, const std::string& data_dir,
+bool generate_sources(const Options& options, const NewProject& project, const std::string& data_dir, Sources& sources,
                       Diagnostics& diagnostics) {
   Options generate;
   generate.input = options.input + "/src/" + project.robot_file;
   generate.out = options.input + "/generated";
   generate.data_dir = data_dir;
   generate.allow_unschedulable = true;
-  Sources sources;
   return run_generate(settings_of(generate, sources, diagnostics).options, sources, diagnostics).status == kExitYes;
 }
 
@@ -59,8 +60,11 @@ Answer run_init(const Options& options, Sources& sources, Diagnostics& diagnosti
   const auto project = plan_project(options, data_dir, sources, diagnostics);
   if (!project || !are_new(options.input, names_of(*project), diagnostics)) return no_answer();
   if (!write_new(options.input, project->files, diagnostics)) return no_answer();
-  if (!generate_sources(options, *project, data_dir, diagnostics)) return no_answer();
-  return answer_of(options, *project);
+  const auto generated = std::make_shared<Sources>();
+  const bool is_generated = generate_sources(options, *project, data_dir, *generated, diagnostics);
+  Answer answer = is_generated ? answer_of(options, *project) : no_answer();
+  answer.sources = generated;
+  return answer;
 }
 
 }  // namespace finemote::gen
