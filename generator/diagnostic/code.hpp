@@ -98,7 +98,7 @@ inline constexpr Code timing_unused{4023};          // note: the timing file is 
 inline constexpr Code timing_above_declared{4024};  // a computed execution time is above the declared one
 inline constexpr Code timing_not_static{4025};      // --require-static: an execution time that is not computed
 inline constexpr Code timing_file_schema{4026};     // a timing file of another schema
-inline constexpr Code timing_release{4027};         // the next release may come before the interrupt of the last one ends
+inline constexpr Code timing_release{4027};  // the next release may come before the interrupt of the last one ends
 // 20xx: links and joints of the URDF
 inline constexpr Code urdf_rejected{2001};  // urdfdom, which ROS tools use, refuses the links and joints
 inline constexpr Code unknown_link{2002};

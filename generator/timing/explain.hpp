@@ -5,7 +5,7 @@
 
 namespace finemote::gen::timing {
 
-/// FM4027 where releases of the asked profile can be lost; returns whether they can.
+/// FM4027 where releases of the asked profile can be lost and nothing else is wrong with it; returns whether it is so.
 bool report_release(const Timing& timing, Diagnostics& diagnostics);
 
 /// FM4015 for every bucket of the asked profile that may run over its period. The first one says who uses the

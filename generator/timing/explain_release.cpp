@@ -37,7 +37,7 @@ std::string longest_interrupts(const Timing& timing) {
 
 bool report_release(const Timing& timing, Diagnostics& diagnostics) {
   const ProfileResult& verdict = timing.verdict();
-  if (!verdict.release || verdict.release->ok()) return false;
+  if (!verdict.release || !verdict.release->is_guilty()) return false;
   const ReleaseResult& release = *verdict.release;
   const auto bucket = std::find_if(verdict.buckets.begin(), verdict.buckets.end(),
                                    [&](const BucketResult& b) { return b.period == release.other; });

@@ -1,5 +1,7 @@
 #include "generator/timing/profile.hpp"
 
+#include <algorithm>
+
 #include "generator/timing/job_streams.hpp"
 #include "generator/timing/latency.hpp"
 #include "generator/timing/release_interrupt.hpp"
@@ -64,7 +66,10 @@ Responses respond_in_time(const Model& model, Profile profile, TaskSet& set, Eff
 Responses respond(const Model& model, TaskSet& set, Effort& effort, ProfileResult& result) {
   if (result.profile == Profile::target) result.release = bound_release(model, set, effort);
   Responses responses = respond_in_time(model, result.profile, set, effort);
-  if (result.release && !result.release->ok()) forget(responses);
+  if (!result.release || result.release->ok()) return responses;
+  result.release->is_alone =
+      std::all_of(responses.bucket.begin(), responses.bucket.end(), [](Duration bucket) { return bucket != kNone; });
+  forget(responses);
   return responses;
 }
 

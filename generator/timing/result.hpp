@@ -70,7 +70,10 @@ struct ReleaseResult {
   std::optional<Duration> response;                  ///< from a release on, by the board's clock; none: no bound
   Duration deadline;                                 ///< the shortest time between two releases
   Duration period = nanoseconds(1), other = period;  ///< whose releases come so close
+  bool is_alone = false;                             ///< but for lost releases every job ends in time
   [[nodiscard]] bool ok() const { return response.has_value() && *response <= deadline; }
+  /// What keeps the robot from being schedulable is this alone.
+  [[nodiscard]] bool is_guilty() const { return !ok() && is_alone; }
 };
 
 struct ProfileResult {

@@ -49,7 +49,7 @@ std::vector<Cause> causes(const Timing& timing, const ChainResult& chain) {
 }
 
 std::string why(const Timing& timing, const Cause& cause) {
-  if (cause.period && timing.verdict().release && !timing.verdict().release->ok()) return "releases can be lost";
+  if (cause.period && timing.verdict().release && timing.verdict().release->is_guilty()) return "releases can be lost";
   if (cause.period) return bucket_text(*cause.period) + " may miss their deadline";
   if (!cause.bus) return "another device on the way may miss its deadline";
   const Bus& bus = timing.model.buses[*cause.bus];

@@ -64,7 +64,7 @@ class Computed(unittest.TestCase):
         self.hold("six_joint_arm")
 
     def test_discovery(self):
-        self.hold("discovery", ())
+        self.hold("discovery")
 
 
 if __name__ == "__main__":

@@ -99,19 +99,19 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {2, 499874, finemote::kNothingToBound, nullptr},  // remote
-    {0, 149151, 16149951, &walker::hip_left.command},  // hip-left
-    {0, 136157, 16136957, &walker::knee_left.command},  // knee-left
-    {1, 237651, 12238251, &walker::leg_left.command},  // leg-left
-    {0, 123164, 16123964, &walker::hip_right.command},  // hip-right
-    {0, 110170, 16110970, &walker::knee_right.command},  // knee-right
-    {1, 234027, 12234627, &walker::leg_right.command},  // leg-right
-    {1, 231290, 12231890, &walker::front.command},  // front
-    {0, 97176, 12097776, &walker::tilt.command},  // tilt
-    {2, 491107, 2402707, &walker::body.command},  // body
-    {2, 488364, finemote::kNothingToBound, nullptr},  // walker
-    {2, 425123, 10425623, &gripper::finger.command},  // finger
-    {1, 202474, finemote::kNothingToBound, nullptr},  // gripper
+    {2, 515470, finemote::kNothingToBound, nullptr},  // remote
+    {0, 154956, 16155756, &walker::hip_left.command},  // hip-left
+    {0, 141339, 16142139, &walker::knee_left.command},  // knee-left
+    {1, 248327, 12248927, &walker::leg_left.command},  // leg-left
+    {0, 127721, 16128521, &walker::hip_right.command},  // hip-right
+    {0, 114103, 16114903, &walker::knee_right.command},  // knee-right
+    {1, 244103, 12244703, &walker::leg_right.command},  // leg-right
+    {1, 240766, 12241366, &walker::front.command},  // front
+    {0, 100486, 12101086, &walker::tilt.command},  // tilt
+    {2, 506079, 2412808, &walker::body.command},  // body
+    {2, 502736, finemote::kNothingToBound, nullptr},  // walker
+    {2, 438870, 10439370, &gripper::finger.command},  // finger
+    {1, 211325, finemote::kNothingToBound, nullptr},  // gripper
 };
 
 }  // namespace

@@ -9,15 +9,15 @@
 namespace deep_forest {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 5 devices;
-/// a job ends within 134.15 us of its release.
+/// a job ends within 133.955 us of its release.
 void run_2ms();
 
 /// Every 4 ms: priority 5, interrupt line 49 (SDIO), 4 devices;
-/// a job ends within 210.35 us of its release.
+/// a job ends within 210.225 us of its release.
 void run_4ms();
 
 /// Every 10 ms: priority 6, interrupt line 51 (SPI3), 4 devices;
-/// a job ends within 460.273 us of its release.
+/// a job ends within 460.268 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -26,19 +26,19 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds remote{460273, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds hip_left{134150, 16134950, 16134950};
-inline constexpr finemote::Bounds knee_left{123257, 16124057, 16124057};
-inline constexpr finemote::Bounds leg_left{210350, 12210950, 12210950};
-inline constexpr finemote::Bounds hip_right{112363, 16113163, 16113163};
-inline constexpr finemote::Bounds knee_right{101470, 16102270, 16102270};
-inline constexpr finemote::Bounds leg_right{208826, 12209426, 12209426};
-inline constexpr finemote::Bounds front{208189, 12208789, 12208789};
-inline constexpr finemote::Bounds tilt{90576, 12091176, 12091176};
-inline constexpr finemote::Bounds body{453605, 2377505, 2377505};
-inline constexpr finemote::Bounds walker{452962, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds finger{391821, 10392321, 10392321};
-inline constexpr finemote::Bounds gripper{181473, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{460268, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds hip_left{133955, 16134755, 16134755};
+inline constexpr finemote::Bounds knee_left{123038, 16123838, 16123838};
+inline constexpr finemote::Bounds leg_left{210225, 12210825, 12210825};
+inline constexpr finemote::Bounds hip_right{112120, 16112920, 16112920};
+inline constexpr finemote::Bounds knee_right{101203, 16102003, 16102003};
+inline constexpr finemote::Bounds leg_right{208701, 12209301, 12209301};
+inline constexpr finemote::Bounds front{208064, 12208664, 12208664};
+inline constexpr finemote::Bounds tilt{90285, 12090885, 12090885};
+inline constexpr finemote::Bounds body{453576, 2377406, 2377406};
+inline constexpr finemote::Bounds walker{452933, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds finger{391768, 10392268, 10392268};
+inline constexpr finemote::Bounds gripper{181324, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace deep_forest

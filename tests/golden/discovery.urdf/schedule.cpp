@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 382453, finemote::kNothingToBound, nullptr},  // imu
-    {1, 782629, finemote::kNothingToBound, nullptr},  // depth
-    {1, 780529, finemote::kNothingToBound, nullptr},  // button
-    {1, 778428, 24392255, &station::servo.command},  // servo
-    {1, 774381, 24388207, &station::green_led.command},  // green_led
-    {1, 769167, 24382993, &station::blue_led.command},  // blue_led
-    {1, 763947, finemote::kNothingToBound, nullptr},  // station
+    {0, 383653, finemote::kNothingToBound, nullptr},  // imu
+    {1, 791029, finemote::kNothingToBound, nullptr},  // depth
+    {1, 788329, finemote::kNothingToBound, nullptr},  // button
+    {1, 785629, 24395255, &station::servo.command},  // servo
+    {1, 780982, 24390608, &station::green_led.command},  // green_led
+    {1, 775167, 24384793, &station::blue_led.command},  // blue_led
+    {1, 769347, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

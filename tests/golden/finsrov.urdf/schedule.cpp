@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 747211, finemote::kNothingToBound, nullptr},  // imu
-    {1, 1385681, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 1383581, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 1371500, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 1369400, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 1367300, 31802797, &rov::thruster_1.command},  // thruster_1
-    {1, 1363414, 31798905, &rov::thruster_2.command},  // thruster_2
-    {1, 1359527, 31795019, &rov::thruster_3.command},  // thruster_3
-    {1, 1355641, 31791132, &rov::thruster_4.command},  // thruster_4
-    {1, 1349024, 31787240, &rov::thruster_5.command},  // thruster_5
-    {1, 1345144, 31780641, &rov::thruster_6.command},  // thruster_6
-    {1, 1341258, 31776749, &rov::thruster_7.command},  // thruster_7
-    {1, 1337371, 31772863, &rov::thruster_8.command},  // thruster_8
-    {1, 1333485, finemote::kNothingToBound, nullptr},  // rov
+    {0, 748411, finemote::kNothingToBound, nullptr},  // imu
+    {1, 1405207, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 1402507, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 1399806, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 1394381, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 1391681, 31820660, &rov::thruster_1.command},  // thruster_1
+    {1, 1387195, 31816174, &rov::thruster_2.command},  // thruster_2
+    {1, 1382709, 31811688, &rov::thruster_3.command},  // thruster_3
+    {1, 1368242, 31804476, &rov::thruster_4.command},  // thruster_4
+    {1, 1363750, 31799984, &rov::thruster_5.command},  // thruster_5
+    {1, 1359269, 31795504, &rov::thruster_6.command},  // thruster_6
+    {1, 1354783, 31791018, &rov::thruster_7.command},  // thruster_7
+    {1, 1347572, 31783669, &rov::thruster_8.command},  // thruster_8
+    {1, 1343086, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 318817, finemote::kNothingToBound, nullptr},  // imu
-    {0, 313544, 28936493, &gimbal::yaw.command},  // yaw
-    {0, 307771, 28930720, &gimbal::pitch.command},  // pitch
-    {1, 357916, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 420803, 27043652, &chassis::front_left.command},  // front_left
-    {2, 415285, 27038134, &chassis::front_right.command},  // front_right
-    {2, 409762, 27032611, &chassis::rear_left.command},  // rear_left
-    {2, 404245, 27027094, &chassis::rear_right.command},  // rear_right
-    {2, 398721, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 504593, finemote::kNothingToBound, nullptr},  // remote
+    {0, 322418, finemote::kNothingToBound, nullptr},  // imu
+    {0, 316544, 28939493, &gimbal::yaw.command},  // yaw
+    {0, 310171, 28933120, &gimbal::pitch.command},  // pitch
+    {1, 362717, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 431603, 27054452, &chassis::front_left.command},  // front_left
+    {2, 425486, 27048335, &chassis::front_right.command},  // front_right
+    {2, 419362, 27042211, &chassis::rear_left.command},  // rear_left
+    {2, 413245, 27036094, &chassis::rear_right.command},  // rear_right
+    {2, 407122, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 516593, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 425991, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 302699, 29169165, &arm::base.command},  // base
-    {0, 297181, 29163647, &arm::shoulder.command},  // shoulder
-    {0, 291658, 29158124, &arm::elbow.command},  // elbow
-    {0, 286141, 29152607, &arm::wrist_roll.command},  // wrist_roll
-    {0, 280618, 29147084, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 275100, 29141566, &arm::flange.command},  // flange
-    {0, 269577, finemote::kNothingToBound, nullptr},  // arm
+    {1, 435591, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 311099, 29177565, &arm::base.command},  // base
+    {0, 304982, 29171448, &arm::shoulder.command},  // shoulder
+    {0, 298858, 29165324, &arm::elbow.command},  // elbow
+    {0, 292741, 29159207, &arm::wrist_roll.command},  // wrist_roll
+    {0, 286618, 29153084, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 280501, 29146967, &arm::flange.command},  // flange
+    {0, 274377, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

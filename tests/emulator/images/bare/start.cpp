@@ -3,7 +3,8 @@
 
 extern "C" {
 extern std::uint32_t stack_top, data_begin, data_end, data_image, bss_begin, bss_end;
-int main();
+// By another name, as C++ lets no program call its main.
+int enter_main() __asm__("main");
 
 void Default_Handler() {
   for (;;) {}
@@ -15,7 +16,7 @@ void Reset_Handler() {
   for (std::uint32_t* to = &bss_begin; to < &bss_end; ++to) *to = 0;
   *reinterpret_cast<volatile std::uint32_t*>(0xE000ED88) |= 0xFU << 20;  // CPACR: the FPU
   asm volatile("dsb\n isb");
-  main();
+  enter_main();
   Default_Handler();
 }
 
