@@ -87,7 +87,7 @@ def attack(finemote, path, phases, seed):
             what = f"{path.stem}, {'undisturbed' if bus is None else 'faults on ' + bus}"
             lines.append(f"{what}: {len(verdict.shares)} figures, {len(verdict.chains)} of {len(held.asked)} chains "
                          f"judged in every part, {len(verdict.broken)} broken")
-            broken += [f"{what}: {words}" for words in verdict.broken]
+            broken += [f"{what}: {words}" for words in verdict.broken or ([] if verdict.shares else ["nothing was judged"])]
         return lines, broken
 
 
@@ -103,7 +103,11 @@ def options():
 
 def main():
     asked = options()
-    paths = [path for path in sorted(EXAMPLES.glob("*.urdf")) if not asked.examples or path.stem in asked.examples]
+    known = sorted(EXAMPLES.glob("*.urdf"))
+    paths = [path for path in known if not asked.examples or path.stem in asked.examples]
+    if not paths or set(asked.examples) - {path.stem for path in known}:
+        print(f"the examples are {', '.join(path.stem for path in known)}", file=sys.stderr)
+        return 2
     violations = 0
     with concurrent.futures.ProcessPoolExecutor(asked.jobs) as pool:
         attacks = [pool.submit(attack, asked.finemote, path, asked.phases, asked.seed) for path in paths]
