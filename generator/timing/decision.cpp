@@ -111,7 +111,7 @@ Duration DecisionAnalysis::pair_window(Rank from, Rank to, Duration release) con
   const Duration extra = nanoseconds(set.handle[to] == Duration::zero() ? 1 : 0);
   const Duration work = extra + updates_from_[from] + handles_from_[to];
   Demand demand(effort_);
-  demand.add_streams(set.in_job(w));
+  demand.add_streams(set.inside_job(w));
   const Duration length = response - nanoseconds(1) + extra;
   const bool is_any_release = profile_.table.is_general(w);  // as many as fit, wherever the release is
   for (std::size_t v = 0; v < w; ++v) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "generator/timing/demand.hpp"
 #include "generator/timing/transfers.hpp"
 
 namespace finemote::gen::timing {
@@ -33,67 +34,88 @@ void join_alike(std::vector<Budget>& budgets) {
   budgets = std::move(joined);
 }
 
+/// Where in a job a window begins and ends.
+enum class Window {
+  updates,  ///< from before the release to an update() of the job
+  whole,    ///< from before the release to anywhere in it
+  inside,   ///< from the begin of one of its stages to anywhere in it
+  rest,     ///< from behind its updates to anywhere in it
+};
+
 /// The streams in windows of the jobs of one bucket.
 class JobWindows {
  public:
   /// Everything must outlive this.
-  JobWindows(const TaskSet& set, const Responses& responses, std::size_t bucket)
-      : set_(set), responses_(responses), bucket_(bucket) {}
+  /// @param early  how long before a release more urgent work can begin that lasts until then
+  JobWindows(const TaskSet& set, std::size_t bucket, std::optional<Duration> early)
+      : set_(set), bucket_(bucket), early_(early) {}
 
-  /// @param has_handles  of windows that end behind the updates of the job
-  [[nodiscard]] std::vector<Stream> streams(bool has_handles) const {
+  [[nodiscard]] JobStreams all() const {
+    return {streams(Window::updates), streams(Window::whole), streams(Window::inside), streams(Window::rest)};
+  }
+
+ private:
+  [[nodiscard]] std::vector<Stream> streams(Window window) const {
     std::vector<Stream> all = set_.streams;
     for (Stream& stream : all) {
-      for (Budget& budget : stream.budgets) narrow(stream, has_handles, budget);
-      keep_one_masked_request(stream.budgets);
+      for (Budget& budget : stream.budgets) narrow(stream, window, budget);
+      keep_one_masked_request(window, stream.budgets);
       join_alike(stream.budgets);
     }
     return all;
   }
 
- private:
-  void narrow(const Stream& stream, bool has_handles, Budget& budget) const {
+  static bool begins_in_job(Window window) { return window == Window::inside || window == Window::rest; }
+
+  /// Whether those of the own bucket that are asked for in the window's part of the job run in it.
+  static bool asks(Window window, const Budget& budget) {
+    return budget.in_update ? window != Window::rest : window != Window::updates;
+  }
+
+  void narrow(const Stream& stream, Window window, Budget& budget) const {
     switch (budget.cause) {
       case InterruptCause::clock:
         return;
       case InterruptCause::request:
         budget.carry_in = 0;
-        if (is_own(budget)) budget.most = has_handles || budget.in_update ? budget.count : 0;
+        if (is_own(budget)) budget.most = asks(window, budget) ? budget.count : 0;
         return;
       case InterruptCause::transfer:
         if (const auto ended = set_.ended[*stream.place][set_.bucket_of[budget.device]])
-          narrow_transfer(*ended, has_handles || budget.in_update, budget);
+          narrow_transfer(*ended, window, budget);
         return;
       case InterruptCause::look:
         budget.carry_in = 1;
-        if (is_own(budget)) budget.most = multiply(2, budget.count);
+        if (is_own(budget)) budget.most = multiply(window == Window::rest ? 1 : 2, budget.count);
         if (is_less_urgent(budget)) budget.most = budget.count;
         return;
     }
   }
 
   /// @param ended  all of them, so long after the release of the job that asked
-  void narrow_transfer(Duration ended, bool asks_in_window, Budget& budget) const {
+  void narrow_transfer(Duration ended, Window window, Budget& budget) const {
     if (is_less_urgent(budget)) {
       budget.most = budget.count;  // of the job before the window: it asks for no more while more urgent work waits
     } else if (!is_own(budget)) {
       budget.carry_in = 0;
       budget.jitter = ended;
-    } else if (responses_.ok(bucket_) && ended + responses_.bucket[bucket_] <= budget.period) {
-      // The window begins no longer before the release than more urgent work alone can last, which is less than the
-      // response time: by then the transfers of the job before have ended.
-      budget.most = asks_in_window ? budget.count : 0;
+    } else if (begins_in_job(window)) {
+      budget.most = budget.count;  // by the release those of the job before have ended
+    } else if (early_ && ended + *early_ <= budget.period) {
+      budget.most = window == Window::whole || budget.in_update ? budget.count : 0;
     }
   }
 
-  /// At the begin of a window at most one less urgent stage is in a masked section, and has asked for one transfer. Or
-  /// a less urgent job has put frames into their slots and not asked yet: the next request takes them along, for which
-  /// this one stands.
-  void keep_one_masked_request(std::vector<Budget>& budgets) const {
+  /// At the begin of a window at most one less urgent stage is in a masked section, and has asked for one transfer: none
+  /// where the job runs already. Or a less urgent job has put frames into their slots and not asked yet: the next
+  /// request takes them along, for which this one stands.
+  void keep_one_masked_request(Window window, std::vector<Budget>& budgets) const {
     const auto is_masked = [&](const Budget& b) { return b.cause == InterruptCause::request && is_less_urgent(b); };
     const auto first = std::find_if(budgets.begin(), budgets.end(), is_masked);
     if (first == budgets.end()) return;
-    first->most = 1;
+    const bool is_taken_along =
+        std::any_of(budgets.begin(), budgets.end(), [&](const Budget& b) { return !is_masked(b) && b.most > 0; });
+    first->most = is_taken_along || !begins_in_job(window) ? 1 : 0;
     budgets.erase(std::remove_if(first + 1, budgets.end(), is_masked), budgets.end());
   }
 
@@ -101,19 +123,26 @@ class JobWindows {
   [[nodiscard]] bool is_less_urgent(const Budget& budget) const { return set_.bucket_of[budget.device] > bucket_; }
 
   const TaskSet& set_;
-  const Responses& responses_;
   std::size_t bucket_;
+  std::optional<Duration> early_;
 };
+
+/// The longest time that interrupts and buckets more urgent than one can keep the processor busy; none: not known.
+std::optional<Duration> urgent_work(const TaskSet& set, std::size_t bucket, Effort& effort) {
+  Demand demand(effort);
+  demand.add_streams(set.streams);
+  for (std::size_t v = 0; v < bucket; ++v) demand.add({{}, set.buckets[v].period, set.buckets[v].cost});
+  const Duration busy = least_fit(demand, set.blocking, nanoseconds(1), set.buckets[bucket].period);
+  return busy == kNever ? std::nullopt : std::optional<Duration>(busy);
+}
 
 }  // namespace
 
 void separate_jobs(const Model& model, const Responses& responses, TaskSet& set, Effort& effort) {
   set.ended = TransferBounds(model, Profile::target, set, responses, effort).ended();
   std::vector<JobStreams> of_jobs;
-  for (std::size_t w = 0; w < set.buckets.size(); ++w) {
-    const JobWindows windows(set, responses, w);
-    of_jobs.push_back({windows.streams(false), windows.streams(true)});
-  }
+  for (std::size_t w = 0; w < set.buckets.size(); ++w)
+    of_jobs.push_back(JobWindows(set, w, urgent_work(set, w, effort)).all());
   set.of_jobs = std::move(of_jobs);
 }
 

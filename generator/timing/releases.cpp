@@ -59,7 +59,7 @@ class ReleaseTable::Builder {
         inside_(effort) {
     updates_.add_streams(set.in_updates(w));
     whole_.add_streams(set.in_job(w));
-    inside_.add_streams(set.in_job(w));
+    inside_.add_streams(set.inside_job(w));
     for (const Urgent& u : urgent_) {
       updates_.add({{}, u.period, u.cost});
       whole_.add({{}, u.period, u.cost});

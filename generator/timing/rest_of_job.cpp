@@ -69,7 +69,7 @@ std::int64_t RestOfJob::instants(std::size_t bucket, Duration repeat, Duration l
 
 Duration RestOfJob::at(std::size_t bucket, Duration work, Duration instant) const {
   Demand demand(effort_);
-  demand.add_streams(set_.in_job(bucket));
+  demand.add_streams(set_.behind_updates(bucket));
   for (std::size_t v = 0; v < bucket; ++v) {
     const Duration period = set_.buckets[v].period;
     demand.add({round_up(instant, period) - instant, period, set_.buckets[v].cost});

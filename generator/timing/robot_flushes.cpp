@@ -119,7 +119,7 @@ class FlushAdder {
     traffic_.add_budget(*bus, flush.devices.front(), use, false);
     if (!go_by_identifier(rate.kind, *bus, of_bus.size())) return;
     flush.identifiers.assign(identifiers.begin(), identifiers.end());
-    flush.interrupts = 1;  // each frame finds a mailbox at once
+    flush.interrupts = 0;  // each frame finds a mailbox at once: the request that fills it runs before the job goes on
   }
 
   /// The controller sends by identifier among its mailboxes. With more frames of ours than those, or with others than

@@ -41,8 +41,10 @@ struct Stream {
 /// The streams in windows in which one job of a bucket runs, from an instant on at which nothing more urgent waits:
 /// beside it only more urgent jobs run there, those that are released in the window (job_streams.hpp).
 struct JobStreams {
-  std::vector<Stream> updates;  ///< windows that end with an update() of the job
-  std::vector<Stream> whole;    ///< windows that end anywhere in it
+  std::vector<Stream> updates;  ///< from before the release to an update() of the job
+  std::vector<Stream> whole;    ///< from before the release to anywhere in it
+  std::vector<Stream> inside;   ///< from the begin of one of its stages to anywhere in it
+  std::vector<Stream> rest;     ///< from behind its updates to anywhere in it
 };
 
 struct TaskBucket {
@@ -80,6 +82,12 @@ struct TaskSet {
   }
   [[nodiscard]] const std::vector<Stream>& in_job(std::size_t bucket) const {
     return of_jobs.empty() ? streams : of_jobs[bucket].whole;
+  }
+  [[nodiscard]] const std::vector<Stream>& inside_job(std::size_t bucket) const {
+    return of_jobs.empty() ? streams : of_jobs[bucket].inside;
+  }
+  [[nodiscard]] const std::vector<Stream>& behind_updates(std::size_t bucket) const {
+    return of_jobs.empty() ? streams : of_jobs[bucket].rest;
   }
 
  private:

@@ -160,8 +160,8 @@ Duration TransferBounds::at_begin(const Item& own) const {
   return busy && *busy + own.jitter <= own.period ? other : std::max(other, own.on_wire());
 }
 
-std::optional<Duration> TransferBounds::bound(std::size_t index) const {
-  const Item& own = items_[index];
+/// Hand-over to the begin of the last of its frames, all less those before it.
+std::optional<Duration> TransferBounds::wait(const Item& own) const {
   // What an overloaded bus cannot carry fills mailboxes and queues: then no frame of it is sure of its place.
   if (!own.bounded || loads_[own.bus].utilization > 1) return std::nullopt;
   const bool alone = std::none_of(items_.begin(), items_.end(),
@@ -172,11 +172,32 @@ std::optional<Duration> TransferBounds::bound(std::size_t index) const {
   // The slot must be free again before it is filled the next time. That of a part that sends by itself, and the mailbox
   // of a controller that arbitrates, are free when the frame has left the wire, whenever it is served.
   if (!wait || *wait + own.frame() + own.jitter > own.period) return std::nullopt;
-  return *wait + own.wire - before_last;
+  return *wait - before_last;
+}
+
+/// Where identifiers decide between our frames, there are no more of them than mailboxes (robot_flushes.cpp). Then one is
+/// free, unless a frame is still in another when the next of the same slot comes.
+bool TransferBounds::finds_mailbox(const Item& own) const {
+  if (!own.arbitrated || own.autonomous || !own.identifiers) return true;
+  return std::all_of(items_.begin(), items_.end(), [&](const Item& item) {
+    return item.bus != own.bus || item.autonomous || wait(item).has_value();
+  });
+}
+
+std::optional<Duration> TransferBounds::bound(std::size_t index) const {
+  const Item& own = items_[index];
+  const auto before = wait(own);
+  return before && finds_mailbox(own) ? std::optional<Duration>(*before + own.wire) : std::nullopt;
 }
 
 std::optional<Duration> TransferBounds::of(Rank device, std::size_t transfer) const {
   return bound(item_of_[device][transfer]);
+}
+
+std::optional<Duration> TransferBounds::arrival(Rank device, std::size_t transfer) const {
+  const Item& own = items_[item_of_[device][transfer]];
+  const auto before = wait(own);
+  return before ? std::optional<Duration>(*before + own.pure) : std::nullopt;
 }
 
 std::optional<Duration> TransferBounds::of_flush(std::size_t flush) const {

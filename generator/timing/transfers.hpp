@@ -28,7 +28,9 @@ class TransferBounds {
 
   /// Hand-over to last bit of a transfer; none where one may still be queued when the next is handed over.
   [[nodiscard]] std::optional<Duration> of(Rank device, std::size_t transfer) const;
-  /// The same of what the flush of one bucket hands over, if its data are sent; 0 where it hands over nothing.
+  /// The same without service routines: when its last bit is there.
+  [[nodiscard]] std::optional<Duration> arrival(Rank device, std::size_t transfer) const;
+  /// Hand-over to last bit of what the flush of one bucket hands over, if its data are sent; 0 where it hands over nothing.
   [[nodiscard]] std::optional<Duration> of_flush(std::size_t flush) const;
 
   /// For every bus and bucket: how long after the release of a job all that it hands over has ended; none where that
@@ -68,6 +70,8 @@ class TransferBounds {
   void add_load();
   std::size_t add_item(Item item, std::int64_t interrupts, Duration service);
   [[nodiscard]] Duration with_service(const Item& item, std::int64_t interrupts, Duration service) const;
+  [[nodiscard]] std::optional<Duration> wait(const Item& own) const;
+  [[nodiscard]] bool finds_mailbox(const Item& own) const;
   [[nodiscard]] std::optional<Duration> bound(std::size_t item) const;
   [[nodiscard]] Duration at_begin(const Item& own) const;
   [[nodiscard]] Duration blocking(const Item& own) const;

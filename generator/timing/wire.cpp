@@ -66,7 +66,7 @@ std::optional<Duration> WireAnalysis::rest_of_job(Rank device) const {
 std::optional<Duration> WireAnalysis::end_of_job(std::size_t w, Duration handles, Duration latest,
                                                  const std::function<Duration(Duration release)>& of) const {
   if (!profile_.responses.ok(w)) return std::nullopt;
-  const Duration work = profile_.set.buckets[w].after + profile_.set.blocking + handles;
+  const Duration work = profile_.set.buckets[w].after + handles;
   return RestOfJob(profile_.set, profile_.responses, effort_).from(w, work, latest, of);
 }
 
@@ -103,11 +103,11 @@ std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
     Duration wire;
     for (std::size_t t = 0; t < device.transfers.size(); ++t) {
       if (device.transfers[t].after != Transfer::After::autonomous) continue;
-      const auto bound = transfers_.of(from, t);
+      const auto bound = transfers_.arrival(from, t);
       if (!bound) return std::nullopt;
       wire = std::max(wire, *bound);
     }
-    return a.fixed + a.interval + wire;
+    return a.fixed + a.interval + wire + profile_.set.blocking;
   }
   const std::size_t w = profile_.set.bucket_of[from];
   if (!profile_.responses.ok(w)) return std::nullopt;
