@@ -106,8 +106,8 @@ class JobWindows {
     }
   }
 
-  /// At the begin of a window at most one less urgent stage is in a masked section, and has asked for one transfer: none
-  /// where the job runs already. Or a less urgent job has put frames into their slots and not asked yet: the next
+  /// At the begin of a window at most one less urgent stage is in a masked section, and has asked for one transfer:
+  /// none where the job runs already. Or a less urgent job has put frames into their slots and not asked yet: the next
   /// request takes them along, for which this one stands.
   void keep_one_masked_request(Window window, std::vector<Budget>& budgets) const {
     const auto is_masked = [&](const Budget& b) { return b.cause == InterruptCause::request && is_less_urgent(b); };

@@ -65,7 +65,10 @@ Responses respond_in_time(const Model& model, Profile profile, TaskSet& set, Eff
     Effort transfers(kTransferSteps, effort.most_releases());
     separate_jobs(model, responses, set, transfers);
     Responses next = bound_responses(set, effort);
-    if (effort.is_spent()) break;  // closed forms are never smaller than what is known already
+    if (effort.is_spent()) {  // what is known already is not larger than the closed forms would be
+      std::fill(responses.closed_form.begin(), responses.closed_form.end(), true);
+      break;
+    }
     responses = std::move(next);
   }
   return responses;

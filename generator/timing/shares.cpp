@@ -94,10 +94,12 @@ std::optional<BusPlace> command_bus(const Model& model, Rank to) {
 }
 
 std::optional<BusPlace> sample_bus(const Model& model, Rank from) {
-  for (const Transfer& t : model.devices[from].transfers) {
+  const std::vector<Transfer>& transfers = model.devices[from].transfers;
+  for (const Transfer& t : transfers) {
     if (!t.command) return t.bus;
   }
-  return std::nullopt;
+  if (transfers.empty()) return std::nullopt;
+  return transfers.front().bus;  // it is asked together with its command
 }
 
 std::vector<Rank> devices_between(const Model& model, const ChainResult& chain) {

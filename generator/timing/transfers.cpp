@@ -175,8 +175,8 @@ std::optional<Duration> TransferBounds::wait(const Item& own) const {
   return *wait - before_last;
 }
 
-/// Where identifiers decide between our frames, there are no more of them than mailboxes (robot_flushes.cpp). Then one is
-/// free, unless a frame is still in another when the next of the same slot comes.
+/// Where identifiers decide between our frames, there are no more of them than mailboxes (robot_flushes.cpp). Then one
+/// is free, unless a frame is still in another when the next of the same slot comes.
 bool TransferBounds::finds_mailbox(const Item& own) const {
   if (!own.arbitrated || own.autonomous || !own.identifiers) return true;
   return std::all_of(items_.begin(), items_.end(), [&](const Item& item) {

@@ -30,7 +30,8 @@ class TransferBounds {
   [[nodiscard]] std::optional<Duration> of(Rank device, std::size_t transfer) const;
   /// The same without service routines: when its last bit is there.
   [[nodiscard]] std::optional<Duration> arrival(Rank device, std::size_t transfer) const;
-  /// Hand-over to last bit of what the flush of one bucket hands over, if its data are sent; 0 where it hands over nothing.
+  /// Hand-over to last bit of what the flush of one bucket hands over, if its data are sent; 0 where it hands over
+  /// nothing.
   [[nodiscard]] std::optional<Duration> of_flush(std::size_t flush) const;
 
   /// For every bus and bucket: how long after the release of a job all that it hands over has ended; none where that

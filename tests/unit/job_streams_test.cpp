@@ -1,4 +1,6 @@
 // Which interrupts windows of jobs hold, beside those of any window.
+#include <algorithm>
+
 #include "catch.hpp"
 #include "duration_literals.hpp"
 #include "generator/timing/profile.hpp"
@@ -40,12 +42,17 @@ class Robot {
     model.devices[Rank{1}].transfers.push_back(transfer);
   }
 
+  using Windows = const std::vector<Stream>& (TaskSet::*)(std::size_t bucket) const;
+
   /// The bus's budget in windows of one bucket.
-  [[nodiscard]] Stream::Budget budget(std::size_t bucket, bool has_handles) const {
+  [[nodiscard]] Stream::Budget budget(std::size_t bucket, Windows windows) const {
     const TaskSet set = analyse_deadlines(model, Profile::target).set;
-    const auto& streams = has_handles ? set.in_job(bucket) : set.in_updates(bucket);
+    const auto& streams = (set.*windows)(bucket);
     REQUIRE(streams.front().budgets.size() == 1);
     return streams.front().budgets.front();
+  }
+  [[nodiscard]] Stream::Budget budget(std::size_t bucket, bool has_handles) const {
+    return budget(bucket, has_handles ? &TaskSet::in_job : &TaskSet::in_updates);
   }
 
   Model model;
@@ -104,6 +111,42 @@ TEST_CASE("a look allows what it allows, beside what was left before it") {
   CHECK(robot.budget(2, true).carry_in == 1);
   CHECK(robot.budget(1, true).most == 6);
   CHECK(robot.budget(0, true).most == 3);
+}
+
+TEST_CASE("a window that begins in a job holds what is asked for in that part of it") {
+  const Robot later(InterruptCause::request), early(InterruptCause::request, true);
+  CHECK(early.budget(1, &TaskSet::inside_job).most == 3);
+  CHECK(early.budget(1, &TaskSet::behind_updates).most == 0);
+  CHECK(later.budget(1, &TaskSet::behind_updates).most == 3);
+  CHECK(later.budget(2, &TaskSet::inside_job).most == kUnlimited);  // a more urgent job asks
+  CHECK(later.budget(0, &TaskSet::inside_job).most == 0);           // a less urgent one is not in a masked section
+}
+
+TEST_CASE("frames of a less urgent job go along with the next request of a window that begins in a job") {
+  Robot robot(InterruptCause::request);
+  InterruptSource& source = robot.model.buses[BusPlace{0}].sources->front();
+  FrameBudget other = source.budgets.front();
+  other.device = Rank{0};
+  source.budgets.push_back(other);
+  const TaskSet set = analyse_deadlines(robot.model, Profile::target).set;
+  const auto& budgets = set.inside_job(0).front().budgets;
+  REQUIRE(budgets.size() == 2);
+  CHECK(std::any_of(budgets.begin(), budgets.end(), [](const Stream::Budget& b) { return b.most == 1; }));
+}
+
+TEST_CASE("in a window that begins in a job, transfers are those of the job: the ones before have ended") {
+  Robot slow(InterruptCause::transfer);
+  const Responses responses = analyse_deadlines(slow.model, Profile::target).responses;
+  slow.model.devices[Rank{1}].transfers.front().wire = 2000_ns - responses.r_minus[Rank{1}] - 20_ns;
+  CHECK(slow.budget(1, &TaskSet::in_job).most == kUnlimited);
+  CHECK(slow.budget(1, &TaskSet::inside_job).most == 3);
+  CHECK(slow.budget(1, &TaskSet::behind_updates).most == 3);
+}
+
+TEST_CASE("behind the updates of a job only what was left before its look can come") {
+  const Robot robot(InterruptCause::look);
+  CHECK(robot.budget(1, &TaskSet::inside_job).most == 6);
+  CHECK(robot.budget(1, &TaskSet::behind_updates).most == 3);
 }
 
 TEST_CASE("what no job causes counts as in any window") {

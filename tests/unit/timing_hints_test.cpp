@@ -166,6 +166,24 @@ TEST_CASE("a device below one whose period changes follows, unless it has a peri
   CHECK(model->devices[robot["own"]].period == 10_ms);
 }
 
+TEST_CASE("a sample that is asked for together with a command is missing for the sake of its bus") {
+  Model model = Robots::with(R"(<bus name="wire" type="i2c" port="i2c2" clock="100kHz"/>
+      <device name="both" type="sim_load" period="1ms"/>)")
+                    .model;
+  timing::Device& device = model.devices[Rank{0}];
+  device.acquisition = timing::Acquisition{};
+  device.acquisition->periods = 1;
+  Transfer transfer;
+  transfer.after = Transfer::After::handle;
+  transfer.command = true;
+  transfer.wire = 2_ms;
+  device.transfers = {transfer};
+  const auto timing = analysed(model);
+  REQUIRE(timing);
+  REQUIRE(timing->missing.size() == 2);
+  for (const MissingBound& one : timing->missing) CHECK(one.why.rfind("bus 'wire' is overloaded", 0) == 0);
+}
+
 TEST_CASE("a message that may wait too long has a reason and a way back") {
   std::string motors;
   for (int id = 1; id <= 8; ++id)

@@ -269,6 +269,47 @@ TEST_CASE("identifiers say which frames go first on a bus that arbitrates") {
   CHECK(on_can(unknown, Rank{0}).command == 4 * 135_ns);
 }
 
+TEST_CASE("a frame is there with its last bit: its routine has run before an update() begins") {
+  const auto acquire = [](int routine) {
+    const std::string text =
+        R"({"tick_ns":1000,"costs":{"masked_ns":7},"buses":[{"name":"can","baud_bps":1000000000,"min_frame_bits":47,"wcet_ns":)" +
+        std::to_string(routine) + R"(,"arbitrated":true}],"devices":[{"name":"m","period_ns":1000,"update_wcet_ns":10,
+        "handle_wcet_ns":10,"acquisition":{"interval_ns":1000},"transfers":[{"bus":"can","wire_ns":135,
+        "after":"autonomous"}]}]})";
+    Sources sources;
+    Diagnostics diagnostics;
+    AnalysisRequest request;
+    request.chains = {{Rank{0}, Rank{0}}};
+    const auto timing =
+        analyse(read_model(*sources.add({"m.json", "", text}), diagnostics).value(), request, diagnostics);
+    return timing.value().chains.front().acquire.value();
+  };
+  CHECK(acquire(1) == 1000_ns + 135_ns + 7_ns);  // 7: a masked section may hold the routine back
+  CHECK(acquire(9) == acquire(1));
+}
+
+TEST_CASE("where a frame may still be in its mailbox when the next one comes, no frame of the bus is sure of one") {
+  const auto wire = [](int slow_work) {
+    const std::string text =
+        R"({"tick_ns":1000,"buses":[{"name":"can","baud_bps":1000000000,"min_frame_bits":47,"wcet_ns":0,"arbitrated":true,
+        "sources":[]}],"flushes":[
+        {"period_ns":1000,"wcet_ns":0,"bus":"can","interrupts":0,"wire_ns":135,"identifiers":[1],"devices":["fast"]},
+        {"period_ns":4000,"wcet_ns":0,"bus":"can","interrupts":0,"wire_ns":135,"identifiers":[2],"devices":["slow"]}],
+        "devices":[{"name":"fast","period_ns":1000,"update_wcet_ns":0,"handle_wcet_ns":10},
+        {"name":"slow","period_ns":4000,"update_wcet_ns":0,"handle_wcet_ns":)" +
+        std::to_string(slow_work) + "}]}";
+    Sources sources;
+    Diagnostics diagnostics;
+    AnalysisRequest request;
+    request.chains = {{Rank{0}, Rank{0}}};
+    const auto timing =
+        analyse(read_model(*sources.add({"m.json", "", text}), diagnostics).value(), request, diagnostics);
+    return timing.value().chains.front().wire;
+  };
+  CHECK(wire(100) == 2 * 135_ns);
+  CHECK_FALSE(wire(3800).has_value());  // handed over up to 3840 after its release, it may last until the next one is
+}
+
 TEST_CASE("a suggested order keeps what is read before its readers") {
   Sources sources;
   Diagnostics diagnostics;
