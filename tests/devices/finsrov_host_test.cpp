@@ -136,3 +136,21 @@ TEST_CASE_METHOD(Fixture, "any bytes at all leave it working") {
   }
   CHECK(verbs("OFF") == std::vector<Verb>{Verb::kOff});
 }
+
+TEST_CASE_METHOD(Fixture, "what the operator's program sends every 10 ms is obeyed as it comes") {
+  const std::string some = "TES:1500,1500,1400,1600,1500,1500,1400,1600\r\n";
+  const std::string more = "MOT:1500,1500,1500,1500\r\nH:12345\r\nANG:-179\r\n";
+  FinsRovOrder order;
+  int obeyed = 0;
+  for (int message = 0; message < 100; ++message) {
+    host::usart6.feed(now(), message % 2 == 0 ? some + some : more + more);
+    host::advance(10 * kMillisecond);
+    if (!host.receive(uart)) continue;
+    for (unsigned left = FinsRovHost::kMostOrders; left != 0 && host.next(order); --left) {
+      if (order.verb != Verb::kNothing) ++obeyed;
+    }
+  }
+  CHECK(obeyed == 50 * (2 + 6));
+  CHECK(host.bad_messages() == 0);
+  CHECK(uart.counters().lost == 0);
+}

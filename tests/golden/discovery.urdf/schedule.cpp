@@ -75,9 +75,9 @@ constexpr finemote::Monitored kMonitored[] = {
     {0, 383653, finemote::kNothingToBound, nullptr},  // imu
     {1, 791029, finemote::kNothingToBound, nullptr},  // depth
     {1, 788329, finemote::kNothingToBound, nullptr},  // button
-    {1, 785629, 24395255, &station::servo.command},  // servo
-    {1, 780982, 24390608, &station::green_led.command},  // green_led
-    {1, 775167, 24384793, &station::blue_led.command},  // blue_led
+    {1, 785629, 24175130, &station::servo.command},  // servo
+    {1, 780982, 24170483, &station::green_led.command},  // green_led
+    {1, 775167, 24164668, &station::blue_led.command},  // blue_led
     {1, 769347, finemote::kNothingToBound, nullptr},  // station
 };
 

@@ -25,9 +25,9 @@ namespace bounds {
 inline constexpr finemote::Bounds imu{378252, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds depth{760728, finemote::kNothingToBound, finemote::kNothingToBound};
 inline constexpr finemote::Bounds button{760728, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{760728, 24383254, 24528499};
-inline constexpr finemote::Bounds green_led{758780, 24381307, 24528499};
-inline constexpr finemote::Bounds blue_led{755666, 24378193, 24528499};
+inline constexpr finemote::Bounds servo{760728, 24163129, 24284097};
+inline constexpr finemote::Bounds green_led{758780, 24161182, 24284097};
+inline constexpr finemote::Bounds blue_led{755666, 24158068, 24284097};
 inline constexpr finemote::Bounds station{752546, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 

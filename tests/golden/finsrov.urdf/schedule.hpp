@@ -13,7 +13,7 @@ namespace FinsROV {
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 1.386 ms of its release.
+/// a job ends within 1.581 ms of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -23,19 +23,19 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
 inline constexpr finemote::Bounds imu{740286, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{1332173, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{1332173, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{1332173, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{1332173, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{1332173, 31764346, 36310024};
-inline constexpr finemote::Bounds thruster_2{1330387, 31762560, 36310024};
-inline constexpr finemote::Bounds thruster_3{1325876, 31760773, 36310023};
-inline constexpr finemote::Bounds thruster_4{1324090, 31758987, 36331200};
-inline constexpr finemote::Bounds thruster_5{1322298, 31757195, 36331200};
-inline constexpr finemote::Bounds thruster_6{1320518, 31755409, 36331194};
-inline constexpr finemote::Bounds thruster_7{1318731, 31753623, 36331194};
-inline constexpr finemote::Bounds thruster_8{1316945, 31749112, 36331195};
-inline constexpr finemote::Bounds rov{1315159, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{1523773, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{1523773, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{1523773, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{1523773, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{1523773, 31956040, 36372711};
+inline constexpr finemote::Bounds thruster_2{1521987, 31954254, 36372711};
+inline constexpr finemote::Bounds thruster_3{1520201, 31952467, 36372711};
+inline constexpr finemote::Bounds thruster_4{1518414, 31950544, 36403731};
+inline constexpr finemote::Bounds thruster_5{1516622, 31946164, 36401143};
+inline constexpr finemote::Bounds thruster_6{1514842, 31944384, 36401143};
+inline constexpr finemote::Bounds thruster_7{1513056, 31942461, 36401006};
+inline constexpr finemote::Bounds thruster_8{1511270, 31940675, 36401007};
+inline constexpr finemote::Bounds rov{1506759, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -108,15 +108,15 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 322418, finemote::kNothingToBound, nullptr},  // imu
-    {0, 316544, 28939493, &gimbal::yaw.command},  // yaw
-    {0, 310171, 28933120, &gimbal::pitch.command},  // pitch
-    {1, 362717, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 431603, 27054452, &chassis::front_left.command},  // front_left
-    {2, 425486, 27048335, &chassis::front_right.command},  // front_right
-    {2, 419362, 27042211, &chassis::rear_left.command},  // rear_left
-    {2, 413245, 27036094, &chassis::rear_right.command},  // rear_right
-    {2, 407122, finemote::kNothingToBound, nullptr},  // chassis
+    {0, 306847, finemote::kNothingToBound, nullptr},  // imu
+    {0, 300974, 28565227, &gimbal::yaw.command},  // yaw
+    {0, 294600, 28558853, &gimbal::pitch.command},  // pitch
+    {1, 329349, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 431603, 26695756, &chassis::front_left.command},  // front_left
+    {2, 425486, 26689639, &chassis::front_right.command},  // front_right
+    {2, 419362, 26683515, &chassis::rear_left.command},  // rear_left
+    {2, 397674, 26661827, &chassis::rear_right.command},  // rear_right
+    {2, 391551, finemote::kNothingToBound, nullptr},  // chassis
     {3, 516593, finemote::kNothingToBound, nullptr},  // remote
 };
 

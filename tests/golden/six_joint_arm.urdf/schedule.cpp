@@ -74,12 +74,12 @@ namespace {
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
     {1, 435591, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 311099, 29177565, &arm::base.command},  // base
-    {0, 304982, 29171448, &arm::shoulder.command},  // shoulder
-    {0, 298858, 29165324, &arm::elbow.command},  // elbow
-    {0, 292741, 29159207, &arm::wrist_roll.command},  // wrist_roll
-    {0, 286618, 29153084, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 280501, 29146967, &arm::flange.command},  // flange
+    {0, 311099, 28990779, &arm::base.command},  // base
+    {0, 304982, 28984662, &arm::shoulder.command},  // shoulder
+    {0, 298858, 28978538, &arm::elbow.command},  // elbow
+    {0, 292741, 28972421, &arm::wrist_roll.command},  // wrist_roll
+    {0, 286618, 28966298, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 280501, 28960181, &arm::flange.command},  // flange
     {0, 274377, finemote::kNothingToBound, nullptr},  // arm
 };
 

@@ -23,12 +23,12 @@ void safe_outputs();
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
 inline constexpr finemote::Bounds sticks{401390, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{282298, 29148764, 29715177};
-inline constexpr finemote::Bounds shoulder{278880, 29145346, 29732973};
-inline constexpr finemote::Bounds elbow{275457, 29141923, 29732973};
-inline constexpr finemote::Bounds wrist_roll{272040, 29138506, 29732973};
-inline constexpr finemote::Bounds wrist_pitch{268617, 29135083, 29732973};
-inline constexpr finemote::Bounds flange{265200, 29131666, 29732974};
+inline constexpr finemote::Bounds base{282298, 28961978, 29340389};
+inline constexpr finemote::Bounds shoulder{278880, 28958560, 29358185};
+inline constexpr finemote::Bounds elbow{275457, 28955137, 29358186};
+inline constexpr finemote::Bounds wrist_roll{272040, 28951720, 29358186};
+inline constexpr finemote::Bounds wrist_pitch{268617, 28948297, 29358186};
+inline constexpr finemote::Bounds flange{265200, 28944880, 29358186};
 inline constexpr finemote::Bounds arm{261777, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 

@@ -47,7 +47,7 @@ class FinsRovHost {
  public:
   static constexpr std::size_t kMaxMessage = 100;
   /// Orders that one receive() checks, and that one update() should obey.
-  static constexpr unsigned kMostOrders = 4;
+  static constexpr unsigned kMostOrders = 8;
 
   /// Takes what has arrived. True while orders of a good message are left: next() then gives them.
   bool receive(Uart& uart);

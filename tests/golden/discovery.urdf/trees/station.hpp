@@ -34,14 +34,14 @@ FINEMOTE_CONSTINIT inline finemote::Key button{
     /*line*/ finemote::GpioPin{finemote::ports::gpio, finemote::pin_number('A', 0)}};
 
 /// servo: pwm_servo on 'servo_pulses' channel 0, every 10 ms
-/// response <= 760.728 us; data age <= 24.384 ms when handle() ends, <= 24.529 ms at the output (oldest: station)
+/// response <= 760.728 us; data age <= 24.164 ms when handle() ends, <= 24.285 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::PwmServo servo{
     finemote::PwmServo::Config{},
     /*range*/ nullptr,
     finemote::PwmChannel{servo_pulses, 0}};
 
 /// green_led: led on 'green' channel 0, every 10 ms
-/// response <= 758.78 us; data age <= 24.382 ms when handle() ends, <= 24.529 ms at the output (oldest: station)
+/// response <= 758.78 us; data age <= 24.162 ms when handle() ends, <= 24.285 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::Led green_led{
     finemote::Led::Config{},
     finemote::PwmChannel{green, 0},
@@ -49,7 +49,7 @@ FINEMOTE_CONSTINIT inline finemote::Led green_led{
     /*blue*/ nullptr};
 
 /// blue_led: led on 'blue' channel 0, every 10 ms
-/// response <= 755.666 us; data age <= 24.379 ms when handle() ends, <= 24.529 ms at the output (oldest: station)
+/// response <= 755.666 us; data age <= 24.159 ms when handle() ends, <= 24.285 ms at the output (oldest: station)
 FINEMOTE_CONSTINIT inline finemote::Led blue_led{
     finemote::Led::Config{},
     finemote::PwmChannel{blue, 0},

@@ -23,33 +23,33 @@ namespace six_joint_arm::arm {
 FINEMOTE_CONSTINIT inline finemote::Sbus sticks{receiver};
 
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
-/// response <= 282.298 us; data age <= 29.149 ms when handle() ends, <= 29.716 ms at the output (oldest: sticks)
+/// response <= 282.298 us; data age <= 28.962 ms when handle() ends, <= 29.341 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 base{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::base};
 
 /// shoulder: dji_m3508 on 'arm_can' id 2, every 2 ms
-/// response <= 278.88 us; data age <= 29.146 ms when handle() ends, <= 29.733 ms at the output (oldest: sticks)
+/// response <= 278.88 us; data age <= 28.959 ms when handle() ends, <= 29.359 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 shoulder{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::shoulder};
 
 /// elbow: dji_m3508 on 'arm_can' id 3, every 2 ms
-/// response <= 275.457 us; data age <= 29.142 ms when handle() ends, <= 29.733 ms at the output (oldest: sticks)
+/// response <= 275.457 us; data age <= 28.956 ms when handle() ends, <= 29.359 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 elbow{
     [] { finemote::DjiM3508::Config c{}; c.gear = 38.406f; return c; }(),
     slots::elbow};
 
 /// wrist_roll: dji_m3508 on 'wrist_can' id 1, every 2 ms
-/// response <= 272.04 us; data age <= 29.139 ms when handle() ends, <= 29.733 ms at the output (oldest: sticks)
+/// response <= 272.04 us; data age <= 28.952 ms when handle() ends, <= 29.359 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{finemote::DjiM3508::Config{}, slots::wrist_roll};
 
 /// wrist_pitch: dji_m2006 on 'wrist_can' id 2, every 2 ms
-/// response <= 268.617 us; data age <= 29.136 ms when handle() ends, <= 29.733 ms at the output (oldest: sticks)
+/// response <= 268.617 us; data age <= 28.949 ms when handle() ends, <= 29.359 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{finemote::DjiM2006::Config{}, slots::wrist_pitch};
 
 /// flange: dji_m2006 on 'wrist_can' id 3, every 2 ms
-/// response <= 265.2 us; data age <= 29.132 ms when handle() ends, <= 29.733 ms at the output (oldest: sticks)
+/// response <= 265.2 us; data age <= 28.945 ms when handle() ends, <= 29.359 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{finemote::DjiM2006::Config{}, slots::flange};
 
 namespace ports {  // what 'arm' sees of others
