@@ -3,11 +3,23 @@
 const kPartNames = ['acquire', 'decide', 'wire'];
 const kFewChains = 8;  // shown at first
 
+/**
+ * Cells of a chain before the change, by its name now: where the oldest command of a device comes from elsewhere now, those of
+ * the oldest one that it got before.
+ */
+function readEarlier(names) {
+  const earlier = new Map([...document.querySelectorAll('#earlier-table tbody tr')]
+      .map((row) => [row.cells[0].textContent, [...row.cells].slice(1)]));
+  const end = (name) => name.slice(name.lastIndexOf(' → '));
+  const age = (cells) => valueOf(cells[3]) ?? Infinity;
+  const gone = [...earlier].filter(([name]) => !names.includes(name)).sort(([, a], [, b]) => age(b) - age(a));
+  return (name) => earlier.get(name) ?? gone.find(([other]) => end(other) === end(name))?.[1] ?? null;
+}
+
 /** The chains of the table, those with the longest bound first. Cells are in the order of its columns. */
 function readChains() {
   const rows = [...document.querySelectorAll('#chains-table tbody tr')];
-  const earlier = new Map([...document.querySelectorAll('#earlier-table tbody tr')]
-      .map((row) => [row.cells[0].textContent, [...row.cells].slice(1)]));
+  const earlierOf = readEarlier(rows.map((row) => row.cells[0].textContent));
   const chains = rows.map((row) => {
     const cells = [...row.cells];
     const numbers = (text) => text.split(' ').filter((word) => word !== '').map(Number);
@@ -17,7 +29,7 @@ function readChains() {
       name: cells[0].textContent,
       bound: cells.slice(1, 4),
       total: cells[4],
-      earlier: earlier.get(cells[0].textContent) ?? null,
+      earlier: earlierOf(cells[0].textContent),
       simulated: cells[5],
       measured: measured ? cells.slice(6, 9) : null,
       measuredTotal: measured ? cells[9] : null,
