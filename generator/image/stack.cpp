@@ -15,7 +15,8 @@ namespace finemote::gen {
 namespace {
 
 // Layout of finemote::Schedule and finemote::Bucket on the target; runtime/include/finemote/schedule.hpp asserts it.
-constexpr std::uint32_t kBucketsAt = 16, kBucketCountAt = 20, kStartBusesAt = 28, kSafeOutputsAt = 32;
+constexpr std::uint32_t kBucketsAt = 16, kBucketCountAt = 20, kStartBusesAt = 28, kSafeOutputsAt = 32,
+                        kBusesQuietAt = 44;
 constexpr std::uint32_t kBucketSize = 24, kLineAt = 16;
 constexpr std::uint32_t kMaxLines = 240;
 
@@ -59,6 +60,7 @@ class Analysis {
     const auto word = [&](std::uint32_t at) { return image_.word(schedule->address + at).value_or(0); };
     start_buses_ = word(kStartBusesAt) & ~1U;
     safe_outputs_ = word(kSafeOutputsAt) & ~1U;
+    buses_quiet_ = schedule->size > kBusesQuietAt ? word(kBusesQuietAt) & ~1U : 0;
     const std::uint32_t count = std::min<std::uint32_t>(word(kBucketCountAt), 16);
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::uint32_t bucket = word(kBucketsAt) + i * kBucketSize;
@@ -138,11 +140,17 @@ class Analysis {
     return deepest;
   }
 
+  /// What main calls through the schedule.
+  [[nodiscard]] std::vector<std::uint32_t> start_of_robot() const {
+    std::vector<std::uint32_t> targets{start_buses_, safe_outputs_};
+    if (buses_quiet_ != 0) targets.push_back(buses_quiet_);  // of a robot that brings it
+    return targets;
+  }
+
   std::vector<std::uint32_t> targets_of(const FlowCall& call, const std::string& caller) {
     if (call.target) return {*call.target};
     if (caller == "finemote_reset") return constructors();
-    if (caller == "main" || caller.rfind("finemote::detail::start_robot(", 0) == 0)
-      return {start_buses_, safe_outputs_};
+    if (caller == "main" || caller.rfind("finemote::detail::start_robot(", 0) == 0) return start_of_robot();
     if (caller.rfind("finemote::stop_safely(", 0) == 0) return {safe_outputs_};
     fail(code::indirect_call, fmt::format("'{}' calls through a pointer at 0x{:08x}", caller, call.at))
         .hint("the stack of an unknown function has no bound: call it directly");
@@ -170,8 +178,8 @@ class Analysis {
   const Image& image_;
   Diagnostics& diagnostics_;
   Program program_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> buckets_;  // line, entry
-  std::uint32_t start_buses_ = 0, safe_outputs_ = 0;              // what the runtime calls through the schedule
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> buckets_;        // line, entry
+  std::uint32_t start_buses_ = 0, safe_outputs_ = 0, buses_quiet_ = 0;  // what the runtime calls through the schedule
   std::map<std::uint32_t, Deepest> done_;
   std::set<std::uint32_t> open_;
   std::vector<std::string> trail_;

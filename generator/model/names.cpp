@@ -59,8 +59,9 @@ std::string cpp_name(std::string_view text) {
 
 std::optional<std::string> reserved_name(std::string_view cpp, NameScope scope) {
   constexpr std::array kOutermost{"finemote", "std"};
-  constexpr std::array kInRobot{"slots",        "constants", "bounds",   "start_buses", "supervise_buses",
-                                "safe_outputs", "buckets",   "kBuckets", "kOrder",      "kMonitored"};
+  constexpr std::array kInRobot{"slots",           "constants",   "bounds",       "start_buses",
+                                "supervise_buses", "buses_quiet", "safe_outputs", "buckets",
+                                "kBuckets",        "kOrder",      "kMonitored"};
   constexpr std::array kInTree{"ports", "slots", "constants", "Stage", "stage"};
   if (scope == NameScope::tree_file && contains(std::array{"buses", "constants"}, fold_case(cpp)))
     return "names a generated file that its tree's file includes";

@@ -136,10 +136,23 @@ std::optional<Duration> urgent_work(const TaskSet& set, std::size_t bucket, Effo
   return busy == kNever ? std::nullopt : std::optional<Duration>(busy);
 }
 
+/// Transfers that end within their period: all that one job causes lies in one, and no window holds more than it has
+/// periods and one.
+void note_ended(TaskSet& set) {
+  for (Stream& stream : set.streams) {
+    for (Budget& budget : stream.budgets) {
+      if (!budget.may_last || !set.ended[*stream.place][set.bucket_of[budget.device]]) continue;
+      budget.may_last = false;
+      --budget.carry_in;
+    }
+  }
+}
+
 }  // namespace
 
 void separate_jobs(const Model& model, const Responses& responses, TaskSet& set, Effort& effort) {
   set.ended = TransferBounds(model, Profile::target, set, responses, effort).ended();
+  note_ended(set);
   std::vector<JobStreams> of_jobs;
   for (std::size_t w = 0; w < set.buckets.size(); ++w)
     of_jobs.push_back(JobWindows(set, w, urgent_work(set, w, effort)).all());

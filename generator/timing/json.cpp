@@ -261,6 +261,7 @@ Json costs_json(const Costs& costs) {
   add("stage_ns", costs.stage);
   add("masked_ns", costs.masked);
   if (costs.keeps_one_release) out["keeps_one_release"] = true;
+  if (costs.longest_release > Duration::zero()) out["longest_release_ns"] = costs.longest_release.ns();
   return out;
 }
 

@@ -137,6 +137,8 @@ struct Costs {
   Duration stage;                  ///< dispatch of one update or handle
   Duration masked;                 ///< longest time with interrupts masked
   bool keeps_one_release = false;  ///< the timer: of releases that wait for their interrupt, all but one are lost
+  /// Where all periods are longer than the timer can count: it interrupts in between, too, so far apart. 0: never.
+  Duration longest_release = {};
   WcetSource source = WcetSource::unknown;  ///< of the release, of what jobs take beside their stages, and of masked
 };
 

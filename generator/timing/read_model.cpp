@@ -151,6 +151,7 @@ struct ModelReader::Tables {
       {"stage_ns", Need::target, &Costs::stage},
       {"masked_ns", Need::target, &Costs::masked},
       {"keeps_one_release", Need::target, &Costs::keeps_one_release},
+      {"longest_release_ns", Need::target, &Costs::longest_release},
   };
   static constexpr Field<Flush> kFlush[] = {
       {"period_ns", Need::required, &Flush::period, 1},

@@ -10,11 +10,20 @@ namespace {
 /// A generous guess.
 constexpr Duration kMonitorGuess = microseconds(3);
 
+/// The longest time that the release timer counts at once; it is whole ticks. Where no release is due until then, it
+/// interrupts all the same.
+Duration longest_step(const Robot& robot) {
+  if (robot.board == nullptr) return Duration::max();
+  constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+  const std::int64_t cycles = std::max<std::int64_t>(robot.tick.ns() * robot.board->cpu_hz / kNsPerSecond, 1);
+  return runtime_limits::kTickCycles / cycles * robot.tick;
+}
+
 /// Whether the release timer plans instant by instant, for more instants in a hyperperiod than its ring holds.
-bool walks(const Schedule& schedule) {
+bool walks(const Schedule& schedule, Duration step) {
   Duration at;
   for (std::size_t instants = 0; instants <= runtime_limits::kReleaseInstants; ++instants) {
-    Duration next = Duration::max();
+    Duration next = step > Duration::max() - at ? Duration::max() : at + step;
     for (const gen::Bucket& bucket : schedule.buckets)
       next = std::min(next, (floor_div(at, bucket.period) + 1) * bucket.period);
     at = next;
@@ -25,8 +34,8 @@ bool walks(const Schedule& schedule) {
   return true;
 }
 
-Duration release_cost(const gen::Costs& costs, const Schedule& schedule) {
-  if (schedule.buckets.empty() || !walks(schedule)) return costs.release;
+Duration release_cost(const gen::Costs& costs, const Schedule& schedule, Duration step) {
+  if (schedule.buckets.empty() || !walks(schedule, step)) return costs.release;
   return costs.release + costs.release_walk +
          static_cast<std::int64_t>(schedule.buckets.size()) * costs.release_walk_per_bucket;
 }
@@ -64,7 +73,9 @@ Costs robot_costs(const Robot& robot, const Schedule& schedule, const RobotTimin
   const gen::Costs& costs = board_costs(robot);
   Costs result;
   result.interrupt = costs.exception();
-  result.release = release_cost(costs, schedule) + result.interrupt;
+  const Duration step = longest_step(robot);
+  result.release = release_cost(costs, schedule, step) + result.interrupt;
+  if (!schedule.buckets.empty() && schedule.buckets.front().period > step) result.longest_release = step;
   result.release_per_bucket = costs.release_per_bucket;
   result.job = costs.bucket + result.interrupt;
   result.stage = costs.stage;

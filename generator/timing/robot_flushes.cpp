@@ -123,13 +123,13 @@ class FlushAdder {
   }
 
   /// The controller sends by identifier among its mailboxes. With more frames of ours than those, or with others than
-  /// the shared ones, one that waits for a mailbox may be the more urgent.
+  /// the shared ones, declared or not, one that waits for a mailbox may be the more urgent.
   [[nodiscard]] bool go_by_identifier(BusKind kind, BusPlace bus, std::size_t frames) const {
     const auto is_alone = [&](const Device& device) {
       return std::all_of(device.transfers.begin(), device.transfers.end(),
                          [&](const Transfer& t) { return t.bus != bus || t.after == Transfer::After::autonomous; });
     };
-    if (robot_.board == nullptr) return false;
+    if (robot_.board == nullptr || !traffic_.is_counted(bus)) return false;
     const auto driver = robot_.board->drivers.find(kind);
     const std::size_t mailboxes = driver == robot_.board->drivers.end() ? 0 : driver->second.mailboxes;
     return frames <= mailboxes && std::all_of(model_.devices.begin(), model_.devices.end(), is_alone);

@@ -15,6 +15,9 @@ Stream::Budget budget_of(const Model& model, const FrameBudget& b) {
   budget.cause = b.cause;
   budget.in_update = b.in_update;
   budget.device = b.device;
+  // One may be under way when a window begins, and a job more than there are periods may ask in it.
+  budget.may_last = b.cause == InterruptCause::transfer;
+  if (budget.may_last) budget.carry_in = add(budget.carry_in, 1);
   return budget;
 }
 
@@ -38,8 +41,10 @@ void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
   }
 }
 
-/// The release interrupt runs at the releases of the buckets and nowhere else: in any window of length L at most
-/// ceil(L/gcd of the periods) times, and at most sum ceil(L/period) times. It costs more for every bucket due.
+/// The release interrupt runs at the releases of the buckets: in any window of length L at most
+/// ceil(L/gcd of the periods) times, and at most sum ceil(L/period) times. It costs more for every bucket due. Where
+/// the timer cannot count to the next release it runs in between, too: from one such instant to the next, and from a
+/// release to the next such instant, it counts as long as it can.
 void add_release_streams(const Model& model, TaskSet& set) {
   Duration distance;
   Stream release{nanoseconds(1), model.costs.release, {}, "release"};
@@ -50,6 +55,8 @@ void add_release_streams(const Model& model, TaskSet& set) {
     once.period = bucket.period;
     set.streams.push_back({bucket.period, model.costs.release_per_bucket, {}, "release"});
   }
+  if (model.costs.longest_release > Duration::zero())
+    set.streams.push_back({model.costs.longest_release, model.costs.release, {}, "release"});
   release.separation = distance;
   if (distance == set.buckets.front().period) release.budgets.clear();
   set.streams.push_back(std::move(release));

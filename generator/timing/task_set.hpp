@@ -26,7 +26,8 @@ struct Stream {
     std::int64_t most = kUnlimited;
     InterruptCause cause = InterruptCause::clock;
     bool in_update = false;
-    Rank device;  ///< that causes them, where jobs do
+    Rank device;            ///< that causes them, where jobs do
+    bool may_last = false;  ///< transfers: nobody knows yet that they end within a period; one more counts
   };
   Duration separation = nanoseconds(1);
   Duration cost;

@@ -175,7 +175,6 @@ void Traffic::allow(BusPlace bus, DriverSource::Counts what, const FrameBudget& 
   }
 }
 
-/// Every interrupt belongs to something declared.
 bool Traffic::is_counted(BusPlace bus) const {
   const BusId id = places_.buses()[bus];
   return bus_type(robot_.buses[id].kind).counts_traffic && uses_[id].is_declared;
@@ -183,11 +182,21 @@ bool Traffic::is_counted(BusPlace bus) const {
 
 void Traffic::settle() {
   for (const BusPlace bus : model_.buses.ids()) {
+    let_requests_meet(bus);
     if (is_counted(bus)) {
       drop_unraised(bus);
     } else {
       allow_requests_of_slots(bus);
     }
+  }
+}
+
+/// Software asks whenever it likes: no distance bounds requests, only how often they are.
+void Traffic::let_requests_meet(BusPlace bus) {
+  const std::vector<DriverSource::Counts>& counts = counts_[bus];
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    InterruptSource& source = (*model_.buses[bus].sources)[i];
+    if (counts[i] == DriverSource::Counts::requests && is_counted(bus)) source.min_interval = nanoseconds(1);
   }
 }
 

@@ -31,6 +31,9 @@ class Traffic {
   /// say what it sends, every slot may ask for a transfer as soon as its last one has ended.
   void settle();
 
+  /// Every device on the bus says what it sends, and how often.
+  [[nodiscard]] bool is_counted(BusPlace bus) const;
+
   /// How long the routines of one use run on their own, where a driver says what its interrupts count; else 0.
   [[nodiscard]] Duration service(BusPlace bus, const WireUse& use) const;
 
@@ -44,7 +47,7 @@ class Traffic {
   void add_own_lines(const gen::Device& device);
   void allow_events(BusPlace bus, Rank reader);
   void allow(BusPlace bus, DriverSource::Counts what, const FrameBudget& budget);
-  [[nodiscard]] bool is_counted(BusPlace bus) const;
+  void let_requests_meet(BusPlace bus);
   void drop_unraised(BusPlace bus);
   void allow_requests_of_slots(BusPlace bus);
 

@@ -42,6 +42,11 @@ void Rs485::carry_on() {
   busy_.store(false);
 }
 
+bool Rs485::quiet() {
+  carry_on();
+  return active_ == nullptr;
+}
+
 void Rs485::take_reply() {
   if (port_->transmitting()) {
     if (now() > deadline_) {

@@ -63,6 +63,11 @@ std::size_t Uart::read(std::uint8_t* out, std::size_t capacity) {
   return size;
 }
 
+void Uart::forget() {
+  read_ = port_->received();
+  port_->allow_events(limits_.events);
+}
+
 std::size_t Uart::take(std::uint8_t* out, std::size_t capacity) {
   const Time at = now();
   count_line_errors();

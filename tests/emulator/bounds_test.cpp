@@ -95,6 +95,10 @@ TEST_CASE("every bound holds on robots that come close to it") {
   }
 }
 
+TEST_CASE("what the start-up sends is over when the first job begins") {
+  check_holds(run(source_path("tests/emulator/bounds/short_start.urdf"), "60ms", {"--phases", "5", "--seed", "1"}));
+}
+
 TEST_CASE("where an interrupt keeps the release from ending before the next one, nothing has a bound") {
   const std::string robot = source_path("tests/emulator/bounds/lost_release.urdf");
   const auto analysed = run_finemote({"analyze", robot});

@@ -89,7 +89,7 @@ TEST_CASE("where transfers may last as long as the period, windows of jobs hold 
   Robot slow(InterruptCause::transfer);
   slow.model.devices[Rank{1}].transfers.front().wire = 1990_ns;
   for (const std::size_t bucket : {0U, 1U, 2U}) {
-    CHECK(slow.budget(bucket, true).carry_in == 1);
+    CHECK(slow.budget(bucket, true).carry_in == 2);  // one more may be under way
     CHECK(slow.budget(bucket, true).jitter == 0_ns);
     CHECK(slow.budget(bucket, true).most == kUnlimited);
   }

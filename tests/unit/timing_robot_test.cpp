@@ -4,6 +4,7 @@
 #include "catch.hpp"
 #include "generator/simulate/beside_bounds.hpp"
 #include "generator/timing/table.hpp"
+#include "generator/timing/task_set.hpp"
 #include "generator/units/clock_tolerance.hpp"
 #include "unit/duration_literals.hpp"
 #include "unit/timing_robots.hpp"
@@ -178,6 +179,35 @@ TEST_CASE("a flush on CAN sends the frames of its own bucket, and asks for them 
   };
   CHECK(counts(sources[1]) == std::vector<std::int64_t>{1, 2});
   CHECK(counts(sources[2]) == std::vector<std::int64_t>{1, 1});
+}
+
+TEST_CASE("identifiers decide nothing on CAN where a device does not say what it sends") {
+  const Robots robot = Robots::with(R"(<bus name="can" type="can" port="can1" bitrate="1Mbit/s"/>
+      <device name="a" type="dji_m3508" period="2ms" bus="can" id="1"/>
+      <device name="b" type="silent_on_can" period="2ms" bus="can" id="9"/>)");
+  REQUIRE(robot.model.flushes.size() == 1);
+  CHECK(robot.model.flushes[0].identifiers.empty());
+  CHECK(robot.model.flushes[0].interrupts > 0);
+}
+
+TEST_CASE("software asks for transfers at any distance") {
+  const Robots robot = Robots::with(R"(<bus name="can" type="can" port="can1" bitrate="1Mbit/s"/>
+      <device name="a" type="dji_m3508" period="2ms" bus="can" id="1"/>)");
+  const auto& sources = *robot.model.buses[BusPlace{0}].sources;
+  REQUIRE(sources[2].name == "request");
+  CHECK(sources[2].min_interval == 1_ns);
+}
+
+TEST_CASE("where the timer cannot count to the next release it interrupts in between") {
+  const auto with_period = [](const std::string& period) {
+    return Robots::with("<device name=\"a\" type=\"sim_load\" period=\"" + period + "\"/>").model;
+  };
+  CHECK(with_period("99ms").costs.longest_release == 0_ns);
+  const Model slow = with_period("200ms"), slower = with_period("800ms");
+  CHECK(slow.costs.longest_release == 99_ms);  // 2^24 cycles of 168 MHz are 99.86 ms, and the tick is 1 ms
+  CHECK(slower.costs.release > slow.costs.release);  // more instants than the ring holds: each is planned
+  const TaskSet set = make_task_set(slow, Profile::target);
+  CHECK(std::any_of(set.streams.begin(), set.streams.end(), [](const Stream& s) { return s.separation == 99_ms; }));
 }
 
 TEST_CASE("who asks on CAN sends a frame and receives another") {

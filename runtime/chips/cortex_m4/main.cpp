@@ -16,6 +16,22 @@ constexpr std::int64_t kLongestTick =
     std::int64_t{cortex_m4::systick::kMaxInterval} * cortex_m4::kNsPerUnit / cortex_m4::kCyclesPerUnit;
 constexpr detail::ReleaseTimer kTimer{kLongestTick, cortex_m4::kNsPerUnit, true};
 
+/// How long nothing of ours has been on a wire, so that what had to wait behind it is over, too: of eight parts on CAN
+/// at 125 kbit/s, each with a frame of 135 bits. In cycles, as the longest time that a bus may take for the start-up.
+constexpr std::uint32_t kSettled = cortex_m4::kCoreHz / 100, kLongestStart = cortex_m4::kCoreHz / 4;
+
+/// The first job finds idle buses: what the start-up sent, safe outputs among it, is over. A bus on which nobody
+/// acknowledges is not waited for any longer than others may take.
+void settle(const Schedule& schedule) {
+  if (schedule.buses_quiet == nullptr) return;
+  const std::uint32_t begin = cortex_m4::cycles();
+  std::uint32_t quiet_since = begin, at = begin;
+  do {
+    at = cortex_m4::cycles();
+    if (!schedule.buses_quiet()) quiet_since = at;
+  } while (at - quiet_since < kSettled && at - begin < kLongestStart);
+}
+
 }  // namespace
 
 // Raises the mask to the release level: no bucket and no release runs any more, bus interrupts do.
@@ -40,6 +56,7 @@ int main() {
   board::start_hardware();
   cortex_m4::start_cycles(0);  // bus start-up measures its bounded waits with it
   detail::start_robot(finemote_schedule, kTimer);
+  settle(finemote_schedule);
   cortex_m4::start_releases(finemote_schedule);
   CoreFault fault;
   if (cortex_m4::restarted_by_fault(fault)) {

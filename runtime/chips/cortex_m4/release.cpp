@@ -29,7 +29,8 @@ namespace {
 
 // The image check (generator/image/stack.cpp) reads the schedule out of the linked image.
 static_assert(offsetof(Schedule, buckets) == 16 && offsetof(Schedule, start_buses) == 28 &&
-              offsetof(Schedule, safe_outputs) == 32 && sizeof(Bucket) == 24 && offsetof(Bucket, line) == 16);
+              offsetof(Schedule, safe_outputs) == 32 && offsetof(Schedule, buses_quiet) == 44 && sizeof(Bucket) == 24 &&
+              offsetof(Bucket, line) == 16);
 
 static_assert(2 * systick::kMaxInterval <= 0xFFFFFFFFU / kNsPerUnit, "now() counts in 32 bits");
 

@@ -128,6 +128,8 @@ class CanBus {
   /// end. Context: end of the bucket.
   void flush(std::uint8_t priority);
 
+  /// Nothing of ours waits or is on the wire. Context: init, when no bucket runs.
+  [[nodiscard]] bool quiet() const { return port_->unsent() == 0; }
   /// True while the controller is off the bus. Context: any.
   [[nodiscard]] bool unreachable() const { return port_->bus_off(); }
   /// Error counters of the controller (ISO 11898-1): above 127 it is passive; 256 transmit errors put it off the bus.

@@ -129,6 +129,8 @@ class I2cBus {
   /// True while the bus works; false from a bus error or an overdue transfer to the end of its recovery. Context: any.
   [[nodiscard]] bool ready() const { return mode_.load() == Mode::kReady; }
 
+  /// No transfer is on the wire, and none begins by itself. Context: init, when no bucket runs.
+  [[nodiscard]] bool quiet() const { return unit_.load() % 2 == 0; }
   /// What the bus has done and suffered. Context: any.
   [[nodiscard]] const BusCounters& counters() const { return counters_; }
 

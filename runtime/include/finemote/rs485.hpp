@@ -76,6 +76,8 @@ class Rs485 {
     carry_on();
   }
 
+  /// Carries the line on; true when no slot waits or is served. Context: init, when no bucket runs.
+  [[nodiscard]] bool quiet();
   /// What the line has done and suffered. Context: any.
   [[nodiscard]] const BusCounters& counters() const { return counters_; }
 

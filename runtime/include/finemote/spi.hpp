@@ -72,6 +72,8 @@ class SpiBus {
   /// An interrupt of the port, or a pended one. Context: interrupt.
   void on_interrupt(SpiEvent event);
 
+  /// No transfer is on the wire, and none begins by itself. Context: init, when no bucket runs.
+  [[nodiscard]] bool quiet() const { return unit_.load() % 2 == 0; }
   /// What the bus has done and suffered. Context: any.
   [[nodiscard]] const BusCounters& counters() const { return counters_; }
 

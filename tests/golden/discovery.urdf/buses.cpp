@@ -36,8 +36,16 @@ void start_buses() {
   green.start();
   blue.start();
   finemote::ports::gpio.configure(finemote::pin_number('A', 0), finemote::PinSetting::kInputPullDown);  // button (line): key
-  computer.start();  // last: the first job finds what came since
-  imu_line.start();  // last: the first job finds what came since
+  computer.start();
+  imu_line.start();
+}
+
+bool buses_quiet() {
+  computer.forget();  // the first job finds what comes from here on
+  imu_line.forget();  // the first job finds what comes from here on
+  bool quiet = true;
+  quiet = i2c.quiet() && quiet;
+  return quiet;
 }
 
 void supervise_buses() {

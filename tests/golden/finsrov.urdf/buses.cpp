@@ -38,8 +38,16 @@ FINEMOTE_CONSTINIT finemote::Pca9685 pwm{slots::pwm, finemote::Pca9685::Config{}
 
 void start_buses() {
   i2c.start();
-  imu_uart.start();  // last: the first job finds what came since
-  tether.start();  // last: the first job finds what came since
+  imu_uart.start();
+  tether.start();
+}
+
+bool buses_quiet() {
+  imu_uart.forget();  // the first job finds what comes from here on
+  tether.forget();  // the first job finds what comes from here on
+  bool quiet = true;
+  quiet = i2c.quiet() && quiet;
+  return quiet;
 }
 
 void supervise_buses() {

@@ -61,7 +61,7 @@ constexpr finemote::Bucket kBuckets[] = {
 
 extern "C" constexpr finemote::Schedule finemote_schedule{
     "FinsROV", /*tick*/ 1 * finemote::kMillisecond, kBuckets, finemote::Overrun::skip,
-    start_buses, safe_outputs, nullptr};
+    start_buses, safe_outputs, nullptr, buses_quiet};
 
 #ifdef FINEMOTE_MONITOR
 

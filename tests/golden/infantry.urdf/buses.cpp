@@ -52,7 +52,16 @@ void start_buses() {
   imu_spi.start();
   imu_warmth.start();
   finemote::ports::exti5.start(/*falling*/ true);  // imu (ready): bmi088_int_gyro
-  dbus.start();  // last: the first job finds what came since
+  dbus.start();
+}
+
+bool buses_quiet() {
+  dbus.forget();  // the first job finds what comes from here on
+  bool quiet = true;
+  quiet = wheel_can.quiet() && quiet;
+  quiet = gimbal_can.quiet() && quiet;
+  quiet = imu_spi.quiet() && quiet;
+  return quiet;
 }
 
 void supervise_buses() {

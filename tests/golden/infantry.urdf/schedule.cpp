@@ -96,7 +96,7 @@ constexpr finemote::Bucket kBuckets[] = {
 
 extern "C" constexpr finemote::Schedule finemote_schedule{
     "infantry", /*tick*/ 1 * finemote::kMillisecond, kBuckets, finemote::Overrun::skip,
-    start_buses, safe_outputs, nullptr};
+    start_buses, safe_outputs, nullptr, buses_quiet};
 
 #ifdef FINEMOTE_MONITOR
 
@@ -108,15 +108,15 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 306847, finemote::kNothingToBound, nullptr},  // imu
-    {0, 300974, 28565227, &gimbal::yaw.command},  // yaw
-    {0, 294600, 28558853, &gimbal::pitch.command},  // pitch
+    {0, 322418, finemote::kNothingToBound, nullptr},  // imu
+    {0, 316544, 28580797, &gimbal::yaw.command},  // yaw
+    {0, 310171, 28574424, &gimbal::pitch.command},  // pitch
     {1, 329349, finemote::kNothingToBound, nullptr},  // gimbal
     {2, 431603, 26695756, &chassis::front_left.command},  // front_left
     {2, 425486, 26689639, &chassis::front_right.command},  // front_right
     {2, 419362, 26683515, &chassis::rear_left.command},  // rear_left
-    {2, 397674, 26661827, &chassis::rear_right.command},  // rear_right
-    {2, 391551, finemote::kNothingToBound, nullptr},  // chassis
+    {2, 413245, 26677398, &chassis::rear_right.command},  // rear_right
+    {2, 407122, finemote::kNothingToBound, nullptr},  // chassis
     {3, 516593, finemote::kNothingToBound, nullptr},  // remote
 };
 

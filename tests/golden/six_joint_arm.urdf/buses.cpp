@@ -41,7 +41,15 @@ FINEMOTE_CONSTINIT finemote::CanBus wrist_can{finemote::ports::can2, 1000000 /* 
 void start_buses() {
   arm_can.start();
   wrist_can.start();
-  receiver.start();  // last: the first job finds what came since
+  receiver.start();
+}
+
+bool buses_quiet() {
+  receiver.forget();  // the first job finds what comes from here on
+  bool quiet = true;
+  quiet = arm_can.quiet() && quiet;
+  quiet = wrist_can.quiet() && quiet;
+  return quiet;
 }
 
 void supervise_buses() {

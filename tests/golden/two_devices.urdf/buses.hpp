@@ -13,6 +13,9 @@ namespace two_devices {
 /// Configures every bus; called once, before the first release.
 void start_buses();
 
+/// Whether nothing that the start-up sent is under way any more; asked until then, before the first release.
+bool buses_quiet();
+
 /// Ends overdue transfers and recovers stuck buses; called at the begin of every job of the fastest bucket.
 void supervise_buses();
 

@@ -10,6 +10,11 @@ namespace line_follower {
 void start_buses() {
 }
 
+bool buses_quiet() {
+  bool quiet = true;
+  return quiet;
+}
+
 void supervise_buses() {
 }
 

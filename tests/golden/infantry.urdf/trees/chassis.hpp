@@ -18,19 +18,19 @@
 namespace infantry::chassis {
 
 /// front_left: dji_m3508 on 'wheel_can' id 1, every 5 ms
-/// response <= 376.43 us; data age <= 26.641 ms when handle() ends, <= 27.156 ms at the output (oldest: remote)
+/// response <= 392.001 us; data age <= 26.657 ms when handle() ends, <= 27.172 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_left{finemote::DjiM3508::Config{}, slots::front_left};
 
 /// front_right: dji_m3508 on 'wheel_can' id 2, every 5 ms
-/// response <= 373.013 us; data age <= 26.638 ms when handle() ends, <= 27.156 ms at the output (oldest: remote)
+/// response <= 388.584 us; data age <= 26.653 ms when handle() ends, <= 27.172 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 front_right{finemote::DjiM3508::Config{}, slots::front_right};
 
 /// rear_left: dji_m3508 on 'wheel_can' id 3, every 5 ms
-/// response <= 369.59 us; data age <= 26.634 ms when handle() ends, <= 27.156 ms at the output (oldest: remote)
+/// response <= 385.161 us; data age <= 26.65 ms when handle() ends, <= 27.172 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_left{finemote::DjiM3508::Config{}, slots::rear_left};
 
 /// rear_right: dji_m3508 on 'wheel_can' id 4, every 5 ms
-/// response <= 366.173 us; data age <= 26.631 ms when handle() ends, <= 27.156 ms at the output (oldest: remote)
+/// response <= 381.744 us; data age <= 26.646 ms when handle() ends, <= 27.172 ms at the output (oldest: remote)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 rear_right{finemote::DjiM3508::Config{}, slots::rear_right};
 
 namespace ports {  // what 'chassis' sees of others
@@ -46,7 +46,7 @@ inline constexpr finemote::Port<finemote::Motor> chassis_wheels[] = {
 }  // namespace ports
 
 /// chassis: mecanum_chassis, every 5 ms
-/// response <= 362.75 us
+/// response <= 378.32 us
 FINEMOTE_CONSTINIT inline finemote::MecanumChassis chassis{
     [] { finemote::MecanumChassis::Config c{}; c.kp = 0.8f; c.ki = 1.0f; return c; }(),
     constants::chassis_rolling,
