@@ -394,8 +394,7 @@ std::optional<Model> read_model(const SourceFile& file, Diagnostics& diagnostics
   if (object == nullptr) return std::nullopt;
   Model model = ModelReader(diagnostics).read(*object);
   if (!diagnostics.has_errors()) check_cycles(model, diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-  return model;
+  return diagnostics.has_errors() ? std::nullopt : std::optional<Model>(std::move(model));
 }
 
 }  // namespace finemote::gen::timing

@@ -100,7 +100,7 @@ TEST_CASE("where transfers may last as long as the period, windows of jobs hold 
 TEST_CASE("transfers that have not ended when more urgent work may hold the window open count twice") {
   Robot slow(InterruptCause::transfer);
   const Responses responses = analyse_deadlines(slow.model, Profile::target).responses;
-  slow.model.devices[Rank{1}].transfers.front().wire = 2000_ns - responses.r_minus[Rank{1}] - 20_ns;
+  slow.model.devices[Rank{1}].transfers.front().wire = 2000_ns - responses.r_minus[Rank{1}] - 35_ns;
   CHECK(slow.budget(2, true).jitter > 1900_ns);
   CHECK(slow.budget(1, true).carry_in == 1);
   CHECK(slow.budget(1, true).most == kUnlimited);
@@ -137,7 +137,7 @@ TEST_CASE("frames of a less urgent job go along with the next request of a windo
 TEST_CASE("in a window that begins in a job, transfers are those of the job: the ones before have ended") {
   Robot slow(InterruptCause::transfer);
   const Responses responses = analyse_deadlines(slow.model, Profile::target).responses;
-  slow.model.devices[Rank{1}].transfers.front().wire = 2000_ns - responses.r_minus[Rank{1}] - 20_ns;
+  slow.model.devices[Rank{1}].transfers.front().wire = 2000_ns - responses.r_minus[Rank{1}] - 35_ns;
   CHECK(slow.budget(1, &TaskSet::in_job).most == kUnlimited);
   CHECK(slow.budget(1, &TaskSet::inside_job).most == 3);
   CHECK(slow.budget(1, &TaskSet::behind_updates).most == 3);

@@ -204,7 +204,7 @@ TEST_CASE("where the timer cannot count to the next release it interrupts in bet
   };
   CHECK(with_period("99ms").costs.longest_release == 0_ns);
   const Model slow = with_period("200ms"), slower = with_period("800ms");
-  CHECK(slow.costs.longest_release == 99_ms);  // 2^24 cycles of 168 MHz are 99.86 ms, and the tick is 1 ms
+  CHECK(slow.costs.longest_release == 99_ms);        // 2^24 cycles of 168 MHz are 99.86 ms, and the tick is 1 ms
   CHECK(slower.costs.release > slow.costs.release);  // more instants than the ring holds: each is planned
   const TaskSet set = make_task_set(slow, Profile::target);
   CHECK(std::any_of(set.streams.begin(), set.streams.end(), [](const Stream& s) { return s.separation == 99_ms; }));

@@ -16,20 +16,23 @@ constexpr std::int64_t kLongestTick =
     std::int64_t{cortex_m4::systick::kMaxInterval} * cortex_m4::kNsPerUnit / cortex_m4::kCyclesPerUnit;
 constexpr detail::ReleaseTimer kTimer{kLongestTick, cortex_m4::kNsPerUnit, true};
 
-/// How long nothing of ours has been on a wire, so that what had to wait behind it is over, too: of eight parts on CAN
-/// at 125 kbit/s, each with a frame of 135 bits. In cycles, as the longest time that a bus may take for the start-up.
-constexpr std::uint32_t kSettled = cortex_m4::kCoreHz / 100, kLongestStart = cortex_m4::kCoreHz / 4;
+/// How long nothing of ours has been on a wire, in cycles, so that what had to wait behind it is over, too: a frame of
+/// each of eight parts on CAN at 250 kbit/s, 135 bits long.
+constexpr std::uint32_t kSettled = cortex_m4::kCoreHz / 1'000 * 45 / 10;
+/// One takes 30 cycles at least: 50 ms. More than the 5 ms that are waited for, and a burst to sixteen outputs of an
+/// expander at 100 kHz, which takes 7 ms.
+constexpr std::uint32_t kSettlePolls = 300'000;
 
 /// The first job finds idle buses: what the start-up sent, safe outputs among it, is over. A bus on which nobody
-/// acknowledges is not waited for any longer than others may take.
+/// acknowledges is not waited for, and neither is a counter that does not count yet.
 void settle(const Schedule& schedule) {
   if (schedule.buses_quiet == nullptr) return;
-  const std::uint32_t begin = cortex_m4::cycles();
-  std::uint32_t quiet_since = begin, at = begin;
-  do {
-    at = cortex_m4::cycles();
+  std::uint32_t quiet_since = cortex_m4::cycles();
+  for (std::uint32_t polls = kSettlePolls; polls != 0; --polls) {
+    const std::uint32_t at = cortex_m4::cycles();
     if (!schedule.buses_quiet()) quiet_since = at;
-  } while (at - quiet_since < kSettled && at - begin < kLongestStart);
+    if (at - quiet_since >= kSettled) return;
+  }
 }
 
 }  // namespace
