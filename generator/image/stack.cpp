@@ -150,7 +150,9 @@ class Analysis {
   std::vector<std::uint32_t> targets_of(const FlowCall& call, const std::string& caller) {
     if (call.target) return {*call.target};
     if (caller == "finemote_reset") return constructors();
-    if (caller == "main" || caller.rfind("finemote::detail::start_robot(", 0) == 0) return start_of_robot();
+    if (caller == "main" || caller.rfind("finemote::detail::start_robot(", 0) == 0 ||
+        caller.find("::settle(") != std::string::npos)
+      return start_of_robot();
     if (caller.rfind("finemote::stop_safely(", 0) == 0) return {safe_outputs_};
     fail(code::indirect_call, fmt::format("'{}' calls through a pointer at 0x{:08x}", caller, call.at))
         .hint("the stack of an unknown function has no bound: call it directly");

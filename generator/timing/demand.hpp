@@ -103,20 +103,18 @@ class Demand {
 
   static Step step(const Stream& s, Duration x) {
     const std::int64_t by_separation = ceil_div(x, s.separation);
-    Step step{flat_to({}, by_separation, s.separation), {}};
-    std::int64_t arrived = by_separation;
-    if (!s.budgets.empty()) {
-      std::int64_t by_budget = 0;
-      for (const Stream::Budget& b : s.budgets) {
-        const std::int64_t periods = ceil_div(x + b.jitter, b.period);
-        const std::int64_t count = multiply(b.count, ceil_div(gen::add(periods, b.carry_in), b.every));
-        if (count < b.most) step.end = std::min(step.end, flat_to(-b.jitter, periods, b.period));
-        by_budget = gen::add(by_budget, std::min(count, b.most));
-      }
-      arrived = std::min(arrived, by_budget);
+    const Step apart{flat_to({}, by_separation, s.separation), by_separation * s.cost};
+    if (s.budgets.empty()) return apart;
+    Step allowed{kNever, {}};
+    std::int64_t by_budget = 0;
+    for (const Stream::Budget& b : s.budgets) {
+      const std::int64_t periods = ceil_div(x + b.jitter, b.period);
+      const std::int64_t count = multiply(b.count, ceil_div(gen::add(periods, b.carry_in), b.every));
+      if (count < b.most) allowed.end = std::min(allowed.end, flat_to(-b.jitter, periods, b.period));
+      by_budget = gen::add(by_budget, std::min(count, b.most));
     }
-    step.value = arrived * s.cost;
-    return step;
+    allowed.value = by_budget * s.cost;
+    return by_budget <= by_separation ? allowed : apart;  // none of them gets smaller: the smaller one's step holds
   }
 
   /// The staircase is flat up to and including first + count * period.

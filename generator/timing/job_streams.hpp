@@ -5,17 +5,21 @@
 
 namespace finemote::gen::timing {
 
-/// The task set of profile `target`, whose streams know which job causes what: `of_jobs` and `ended` are filled.
+/// The task set of profile `target`, whose streams know which job causes what: `of_jobs` and `ended` are filled, and
+/// budgets whose transfers end within their period do without the one more that is counted else.
 ///
-/// A window of a job begins when nothing more urgent waits. From then on until the job has come to its place, only the
-/// job, more urgent jobs released meanwhile, and interrupts run. So the interrupts are of three kinds:
+/// A window of a job begins when nothing more urgent waits: before its release, or in the job itself. From then on
+/// until the job has come to its place, only the job, more urgent jobs released meanwhile, and interrupts run. So the
+/// interrupts are of three kinds:
 /// - requests run at once when a stage or a flush asks: those of the jobs that run in the window, and one that a less
-///   urgent job had asked for with interrupts masked;
+///   urgent job had asked for with interrupts masked, where the window does not begin in the job;
 /// - transfers go on after the job that asked for them: besides, those of jobs whose transfers may not have ended when
 ///   the window begins;
 /// - looks allow interrupts until the next look: those left when the window begins, and those that looks in it allow.
 ///
-/// @param responses  with the streams of any window: when transfers have ended follows from them
+/// @param responses  bounds that hold already, with the streams of any window or of an earlier call: when transfers
+/// have
+///                   ended follows from them
 /// @param effort     for the search of when they have; where it does not suffice, any window's streams stay
 void separate_jobs(const Model& model, const Responses& responses, TaskSet& set, Effort& effort);
 

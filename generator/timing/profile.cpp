@@ -65,7 +65,7 @@ Responses respond_in_time(const Model& model, Profile profile, TaskSet& set, Eff
     Effort transfers(kTransferSteps, effort.most_releases());
     separate_jobs(model, responses, set, transfers);
     Responses next = bound_responses(set, effort);
-    if (effort.is_spent()) {  // what is known already is not larger than the closed forms would be
+    if (effort.is_spent()) {  // the bounds of the round before hold as well, and nobody is to search on
       std::fill(responses.closed_form.begin(), responses.closed_form.end(), true);
       break;
     }

@@ -15,7 +15,7 @@ Stream::Budget budget_of(const Model& model, const FrameBudget& b) {
   budget.cause = b.cause;
   budget.in_update = b.in_update;
   budget.device = b.device;
-  // One may be under way when a window begins, and a job more than there are periods may ask in it.
+  // One transfer may be under way when a window begins, and one job more than the window has periods may ask in it.
   budget.may_last = b.cause == InterruptCause::transfer;
   if (budget.may_last) budget.carry_in = add(budget.carry_in, 1);
   return budget;

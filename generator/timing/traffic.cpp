@@ -11,6 +11,9 @@
 namespace finemote::gen::timing {
 namespace {
 
+/// Of what software asks for: nothing but how often it does bounds it.
+constexpr Duration kAnyDistance = nanoseconds(1);
+
 /// Frames that go over a bus together.
 struct Unit {
   FrameStage stage = FrameStage::update;
@@ -196,7 +199,7 @@ void Traffic::let_requests_meet(BusPlace bus) {
   const std::vector<DriverSource::Counts>& counts = counts_[bus];
   for (std::size_t i = 0; i < counts.size(); ++i) {
     InterruptSource& source = (*model_.buses[bus].sources)[i];
-    if (counts[i] == DriverSource::Counts::requests && is_counted(bus)) source.min_interval = nanoseconds(1);
+    if (counts[i] == DriverSource::Counts::requests && is_counted(bus)) source.min_interval = kAnyDistance;
   }
 }
 
@@ -210,7 +213,7 @@ void Traffic::drop_unraised(BusPlace bus) {
 }
 
 /// A slot asks again only when its transfer has ended: as often as transfers end, and once more for each slot. Where
-/// the driver does not say when they end, only the distance of requests bounds them.
+/// the driver does not say when they end, nothing but a distance of requests bounds them, which is assumed then.
 void Traffic::allow_requests_of_slots(BusPlace bus) {
   const std::vector<DriverSource::Counts>& counts = counts_[bus];
   const auto ends = std::find(counts.begin(), counts.end(), DriverSource::Counts::ends);
@@ -226,6 +229,7 @@ void Traffic::allow_requests_of_slots(BusPlace bus) {
     for (FrameBudget& budget : sources[i].budgets)
       budget.cause = InterruptCause::clock;  // some slots ask whenever they may
     sources[i].budgets.push_back({*user_[bus], slots, 1, slots * apart});
+    sources[i].min_interval = kAnyDistance;
   }
 }
 

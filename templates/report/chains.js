@@ -4,8 +4,8 @@ const kPartNames = ['acquire', 'decide', 'wire'];
 const kFewChains = 8;  // shown at first
 
 /**
- * Cells of a chain before the change, by its name now: where the oldest command of a device comes from elsewhere now, those of
- * the oldest one that it got before.
+ * The cells that a chain had before the change, by its name. A chain that is new takes those of the oldest chain to the same
+ * device that is gone now.
  */
 function readEarlier(names) {
   const earlier = new Map([...document.querySelectorAll('#earlier-table tbody tr')]

@@ -58,7 +58,7 @@ static_assert(sizeof(CostTable) ==
                   sizeof(std::vector<CostTable::Row>) + sizeof(Cycles) * (std::size(kMembers) + std::size(kWaits)),
               "a figure without a mutant");
 
-/// The first word of an instruction that a row of fixed times is of.
+/// The mnemonic of the instructions that a row of fixed times is for.
 std::string mnemonic(unsigned id) {
   for (const Decoded& decoded : documented_instructions()) {
     if (decoded.instruction.id == id) return decoded.instruction.text.substr(0, decoded.instruction.text.find(' '));
