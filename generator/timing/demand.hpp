@@ -103,18 +103,18 @@ class Demand {
 
   static Step step(const Stream& s, Duration x) {
     const std::int64_t by_separation = ceil_div(x, s.separation);
-    const Step apart{flat_to({}, by_separation, s.separation), by_separation * s.cost};
-    if (s.budgets.empty()) return apart;
-    Step allowed{kNever, {}};
+    const auto apart = [&] { return Step{flat_to({}, by_separation, s.separation), by_separation * s.cost}; };
+    if (s.budgets.empty()) return apart();
+    Duration end = kNever;
     std::int64_t by_budget = 0;
     for (const Stream::Budget& b : s.budgets) {
       const std::int64_t periods = ceil_div(x + b.jitter, b.period);
       const std::int64_t count = multiply(b.count, ceil_div(gen::add(periods, b.carry_in), b.every));
-      if (count < b.most) allowed.end = std::min(allowed.end, flat_to(-b.jitter, periods, b.period));
+      if (count < b.most) end = std::min(end, flat_to(-b.jitter, periods, b.period));
       by_budget = gen::add(by_budget, std::min(count, b.most));
     }
-    allowed.value = by_budget * s.cost;
-    return by_budget <= by_separation ? allowed : apart;  // none of them gets smaller: the smaller one's step holds
+    // None of the two gets smaller, so the step of the smaller one holds. The other may be too large to be a time.
+    return by_budget <= by_separation ? Step{end, by_budget * s.cost} : apart();
   }
 
   /// The staircase is flat up to and including first + count * period.

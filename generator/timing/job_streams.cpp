@@ -102,7 +102,7 @@ class JobWindows {
     } else if (begins_in_job(window)) {
       budget.most = budget.count;  // by the release those of the job before have ended
     } else if (early_ && ended + *early_ <= budget.period) {
-      budget.most = window == Window::whole || budget.in_update ? budget.count : 0;
+      budget.most = asks(window, budget) ? budget.count : 0;
     }
   }
 

@@ -185,8 +185,8 @@ bool Traffic::is_counted(BusPlace bus) const {
 
 void Traffic::settle() {
   for (const BusPlace bus : model_.buses.ids()) {
-    let_requests_meet(bus);
     if (is_counted(bus)) {
+      let_requests_meet(bus);
       drop_unraised(bus);
     } else {
       allow_requests_of_slots(bus);
@@ -198,8 +198,7 @@ void Traffic::settle() {
 void Traffic::let_requests_meet(BusPlace bus) {
   const std::vector<DriverSource::Counts>& counts = counts_[bus];
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    InterruptSource& source = (*model_.buses[bus].sources)[i];
-    if (counts[i] == DriverSource::Counts::requests && is_counted(bus)) source.min_interval = kAnyDistance;
+    if (counts[i] == DriverSource::Counts::requests) (*model_.buses[bus].sources)[i].min_interval = kAnyDistance;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "duration_literals.hpp"
+#include "generator/timing/demand.hpp"
 #include "generator/timing/profile.hpp"
 
 using namespace finemote::gen;
@@ -155,4 +156,19 @@ TEST_CASE("what no job causes counts as in any window") {
     CHECK(robot.budget(bucket, false).carry_in == 1);
     CHECK(robot.budget(bucket, false).most == kUnlimited);
   }
+}
+
+TEST_CASE("requests at any distance are as many as their budgets allow, in the longest window too") {
+  Stream requests{1_ns, 4000_ns, {}, "request"};
+  Stream::Budget budget;
+  budget.count = 2;
+  budget.period = 1_ms;
+  requests.budgets = {budget};
+  const std::vector<Stream> streams{requests};
+  Effort effort;
+  Demand demand(effort);
+  demand.add_streams(streams);
+  CHECK(demand.at(1_ns) == 4000_ns);
+  CHECK(demand.at(1_ms) == 8000_ns);
+  CHECK(demand.at(kLongest) == ceil_div(kLongest, 1_ms) * 8000_ns);
 }

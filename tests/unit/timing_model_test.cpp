@@ -231,20 +231,25 @@ struct OnCan {
   Duration report, command;
 };
 
-OnCan on_can(const std::string& text, Rank part) {
+/// The chain that begins and ends at a device of a model.
+ChainResult chain_of(const std::string& text, Rank device) {
   Sources sources;
   Diagnostics diagnostics;
   const auto model = read_model(*sources.add({"m.json", "", text}), diagnostics);
   INFO(render_text(diagnostics, false));
   REQUIRE(model);
   AnalysisRequest request;
-  request.chains = {{part, part}};
+  request.chains = {{device, device}};
   const auto timing = analyse(*model, request, diagnostics);
   REQUIRE(timing);
   const auto found = std::find_if(timing->chains.begin(), timing->chains.end(),
-                                  [&](const ChainResult& c) { return c.from == part && c.to == part; });
+                                  [&](const ChainResult& c) { return c.from == device && c.to == device; });
   REQUIRE(found != timing->chains.end());
-  const ChainResult& chain = *found;
+  return *found;
+}
+
+OnCan on_can(const std::string& text, Rank part) {
+  const ChainResult chain = chain_of(text, part);
   REQUIRE(chain.acquire);
   REQUIRE(chain.wire);
   return {*chain.acquire - 1000_ns, *chain.wire};
@@ -276,13 +281,7 @@ TEST_CASE("a frame is there with its last bit: its routine has run before an upd
         std::to_string(routine) + R"(,"arbitrated":true}],"devices":[{"name":"m","period_ns":1000,"update_wcet_ns":10,
         "handle_wcet_ns":10,"acquisition":{"interval_ns":1000},"transfers":[{"bus":"can","wire_ns":135,
         "after":"autonomous"}]}]})";
-    Sources sources;
-    Diagnostics diagnostics;
-    AnalysisRequest request;
-    request.chains = {{Rank{0}, Rank{0}}};
-    const auto timing =
-        analyse(read_model(*sources.add({"m.json", "", text}), diagnostics).value(), request, diagnostics);
-    return timing.value().chains.front().acquire.value();
+    return chain_of(text, Rank{0}).acquire.value();
   };
   CHECK(acquire(1) == 1000_ns + 135_ns + 7_ns);  // 7: a masked section may hold the routine back
   CHECK(acquire(9) == acquire(1));
@@ -298,13 +297,7 @@ TEST_CASE("where a frame may still be in its mailbox when the next one comes, no
         "devices":[{"name":"fast","period_ns":1000,"update_wcet_ns":0,"handle_wcet_ns":10},
         {"name":"slow","period_ns":4000,"update_wcet_ns":0,"handle_wcet_ns":)" +
         std::to_string(slow_work) + "}]}";
-    Sources sources;
-    Diagnostics diagnostics;
-    AnalysisRequest request;
-    request.chains = {{Rank{0}, Rank{0}}};
-    const auto timing =
-        analyse(read_model(*sources.add({"m.json", "", text}), diagnostics).value(), request, diagnostics);
-    return timing.value().chains.front().wire;
+    return chain_of(text, Rank{0}).wire;
   };
   CHECK(wire(100) == 2 * 135_ns);
   CHECK_FALSE(wire(3800).has_value());  // handed over up to 3840 after its release, it may last until the next one is
