@@ -9,8 +9,9 @@ constexpr std::uint32_t kTransmitInterrupt = 1, kReceiveInterrupt = 2, kFullInte
                         kCodeInterrupt = 1U << 11, kErrorInterrupt = 1U << 15;
 constexpr std::uint32_t kKnownInterrupts = 0x7F | kWarningInterrupt | kPassiveInterrupt | kBusOffInterrupt |
                                            kCodeInterrupt | kErrorInterrupt | 1U << 16 | 1U << 17;
-constexpr std::uint32_t kLoopBack = 1U << 30, kSilent = 1U << 31, kSelfTest = kLoopBack | kSilent;   // BTR: 32.4.4
-constexpr std::uint32_t kWarning = 1, kPassive = 2, kBusOff = 4;                                     // ESR: 32.9.2
+constexpr std::uint32_t kLoopBack = 1U << 30, kSilent = 1U << 31, kSelfTest = kLoopBack | kSilent;  // BTR: 32.4.4
+constexpr std::size_t kOwnNode = 0;                               // of either line: it is the first to be attached
+constexpr std::uint32_t kWarning = 1, kPassive = 2, kBusOff = 4;  // ESR: 32.9.2
 constexpr std::uint32_t kNotAcknowledged = 3U << 4, kRecessiveWrong = 4U << 4, kLastCode = 7U << 4;  // ESR.LEC
 
 }  // namespace
@@ -232,6 +233,16 @@ std::uint32_t Can::fifo_status(const Fifo& fifo) const {
   return static_cast<std::uint32_t>(fifo.frames.size()) | (fifo.full ? 8U : 0) | (fifo.overrun ? 16U : 0);
 }
 
+/// TXM and RXM: who sends the frame on the bus. RX and SAMP: recessive, as bits are not modelled.
+std::uint32_t Can::master_status() {
+  const auto sender = on_bus() ? wire().sender() : std::nullopt;
+  return (acknowledged_ ? 1U : 0) | ((mcr_ & (kInit | kSleep)) == kSleep ? 2U : 0) | (error_flag_ ? 4U : 0) |
+         (!sender               ? 0
+          : *sender == kOwnNode ? 1U << 8
+                                : 1U << 9) |
+         0xC00;
+}
+
 std::uint32_t Can::read(std::uint32_t offset) {
   if (offset >= 0x200) {
     const auto value = filters_.read(offset);
@@ -243,8 +254,7 @@ std::uint32_t Can::read(std::uint32_t offset) {
     case 0x00:
       return mcr_;
     case 0x04:
-      return (acknowledged_ ? 1U : 0) | ((mcr_ & (kInit | kSleep)) == kSleep ? 2U : 0) | (error_flag_ ? 4U : 0) |
-             0xC00;  // RX and SAMP: the bus is recessive
+      return master_status();
     case 0x08:
       return transmit_status();
     case 0x0C:

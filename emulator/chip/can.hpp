@@ -63,6 +63,7 @@ class Can : public Peripheral {
   void write_filter(std::uint32_t offset, std::uint32_t value);
   [[nodiscard]] std::uint32_t read_received(const Fifo& fifo, unsigned word);
   [[nodiscard]] std::uint32_t error_status() const;
+  [[nodiscard]] std::uint32_t master_status();
   void note_error();
   [[nodiscard]] std::uint32_t bitrate() const;
   [[nodiscard]] bool tests_itself() const;

@@ -45,7 +45,7 @@ unsigned can_frame_bits(const CanFrame& frame) {
 
 /// All nodes that ask at the same time take part in the same arbitration.
 void CanLine::request() {
-  if (busy_ || asked_) return;
+  if (sender_ || asked_) return;
   asked_ = true;
   world_.after(bit_time(), [this] {
     asked_ = false;
@@ -54,7 +54,7 @@ void CanLine::request() {
 }
 
 void CanLine::begin() {
-  if (busy_) return;
+  if (sender_) return;
   std::optional<CanFrame> best;
   std::size_t sender = 0;
   for (std::size_t i = 0; i < reachable(); ++i) {
@@ -65,7 +65,7 @@ void CanLine::begin() {
     }
   }
   if (!best) return;
-  busy_ = true;
+  sender_ = sender;
   const bool disturbed = disturbed_frames != 0;
   if (disturbed) --disturbed_frames;
   const CanOutcome outcome = disturbed          ? CanOutcome::destroyed
@@ -80,7 +80,7 @@ void CanLine::begin() {
 
 void CanLine::end(std::size_t sender, const CanFrame& frame, CanOutcome outcome) {
   const bool ok = outcome == CanOutcome::received;
-  busy_ = false;
+  sender_.reset();
   ok ? ++statistics_.transfers : ++statistics_.errors;
   if (ok) statistics_.bytes += frame.size;
   if (nodes_[sender].sent) nodes_[sender].sent(frame, outcome);

@@ -52,6 +52,8 @@ class CanLine {
 
   unsigned disturbed_frames = 0;  ///< the next frames are destroyed on the wire
   bool cut = false;               ///< the wire ends behind the controller, the first node: nobody hears it
+  /// Who is sending.
+  [[nodiscard]] std::optional<std::size_t> sender() const { return sender_; }
   [[nodiscard]] const BusStatistics& statistics() const { return statistics_; }
   [[nodiscard]] Time bit_time() const { return period_of(bitrate_); }
 
@@ -63,7 +65,8 @@ class CanLine {
   World& world_;
   std::vector<Node> nodes_;
   std::uint32_t bitrate_ = 1'000'000;
-  bool busy_ = false, asked_ = false;
+  std::optional<std::size_t> sender_;
+  bool asked_ = false;
   BusStatistics statistics_;
 };
 

@@ -134,6 +134,7 @@ Data bus_fields(const Plan& plan, BusId index) {
   data.set("bytes", std::to_string(received_bytes(plan.robot, index)));
   data.set("starts", type.bus_class.starts);
   data.set("is_supervised", type.bus_class.supervised);
+  data.set("is_sending", type.bus_class.supervised || has_ring(bus));
   return data;
 }
 

@@ -13,6 +13,12 @@ namespace {
 
 std::string closest_text(const ReleaseResult& release) {
   const std::string distance = units::format_duration(release.deadline);
+  if (release.is_in_between) {
+    return fmt::format(
+        "the shortest period, {}, is more than the timer can count, so that it interrupts in between: at most a tick, "
+        "{}, before a release",
+        units::format_duration(release.period), distance);
+  }
   if (release.period == release.other) return fmt::format("devices are released every {}", distance);
   return fmt::format("releases every {} and every {} come as close as {}", units::format_duration(release.period),
                      units::format_duration(release.other), distance);
@@ -50,7 +56,8 @@ bool report_release(const Timing& timing, Diagnostics& diagnostics) {
                             closest_text(release)));
   const std::string interrupts = longest_interrupts(timing);
   if (!interrupts.empty()) finding.note(fmt::format("these are more urgent: {}", interrupts));
-  finding.hint("choose periods with a longer common divisor, or give the bus a higher rate");
+  finding.hint(release.is_in_between ? "choose a longer tick, or give the bus a higher rate"
+                                     : "choose periods with a longer common divisor, or give the bus a higher rate");
   return true;
 }
 

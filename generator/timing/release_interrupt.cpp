@@ -34,8 +34,10 @@ ReleaseResult closest_releases(const TaskSet& set) {
 std::optional<ReleaseResult> bound_release(const Model& model, const TaskSet& set, Effort& effort) {
   if (!model.costs.keeps_one_release || set.buckets.empty()) return std::nullopt;
   ReleaseResult release = closest_releases(set);
-  if (model.costs.longest_release > Duration::zero())  // an instant in between may come a tick before a release
-    release.deadline = std::min(release.deadline, model.tick);
+  if (model.costs.longest_release > Duration::zero() && model.tick < release.deadline) {
+    release.deadline = model.tick;
+    release.is_in_between = true;
+  }
   const std::vector<Stream> buses(set.streams.begin(),
                                   set.streams.begin() + static_cast<std::ptrdiff_t>(set.bus_streams));
   Demand demand(effort);

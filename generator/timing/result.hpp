@@ -70,6 +70,7 @@ struct ReleaseResult {
   std::optional<Duration> response;                  ///< from a release on, by the board's clock; none: no bound
   Duration deadline;                                 ///< the shortest time between two releases
   Duration period = nanoseconds(1), other = period;  ///< whose releases come so close
+  bool is_in_between = false;                        ///< an interrupt that releases nothing comes as close as that
   bool is_alone = false;                             ///< but for lost releases every job ends in time
   [[nodiscard]] bool ok() const { return response.has_value() && *response <= deadline; }
   /// What keeps the robot from being schedulable is this alone.

@@ -77,6 +77,11 @@ void CanBus::start() {
   port_->configure(bitrate_, *this);
 }
 
+bool CanBus::quiet() {
+  was_idle_ = was_idle_ || (port_->unsent() == 0 && port_->idle(bitrate_));
+  return was_idle_;
+}
+
 void CanBus::on_frame(const CanFrame& frame, Moment arrival) {
   const Time at = busy_since(arrival);
   ++counters_.transfers;

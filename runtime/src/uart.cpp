@@ -63,9 +63,10 @@ std::size_t Uart::read(std::uint8_t* out, std::size_t capacity) {
   return size;
 }
 
-void Uart::forget() {
+bool Uart::quiet() {
   read_ = port_->received();
   port_->allow_events(limits_.events);
+  return !port_->transmitting();
 }
 
 std::size_t Uart::take(std::uint8_t* out, std::size_t capacity) {

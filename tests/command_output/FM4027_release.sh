@@ -17,3 +17,5 @@ finemote analyze robot.urdf 2>/dev/null | grep "has no bound"
 sed -i 's/150us/200us/' robot.urdf
 finemote -q analyze robot.urdf >/dev/null
 echo "of one period: $?"
+sed -i 's/"200us"/"150ms"/; s/"42ms"/"150ms"/' robot.urdf
+finemote analyze robot.urdf 2>&1 >/dev/null | grep "as close\|in between\|hint: .*tick"

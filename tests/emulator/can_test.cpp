@@ -1,4 +1,6 @@
 // CAN: the wire's arithmetic, the driver against nodes, a lost and regained bus.
+#include <algorithm>
+
 #include "catch.hpp"
 #include "emulator/board.hpp"
 #include "tests/emulator/tested_chip.hpp"
@@ -38,6 +40,36 @@ struct Bench {
   std::uint32_t seen(unsigned index) { return board.word("seen", 4 * index); }
   Board board{finemote::test::type_c(), finemote::test::tested_chip()};
   Motor left{board.chip().can("can1")->line}, right{board.chip().can("can2")->line};
+};
+
+/// Sends frames one after the other.
+struct Talker {
+  Talker(Board& from, CanLine& bus, unsigned frames) : board(from), left(frames) {
+    bus.attach(CanLine::Node{[this] {
+                               return left > 0 ? std::optional(CanFrame{0x701, 8, {}}) : std::nullopt;
+                             },
+                             [this](const CanFrame&, CanOutcome) {
+                               --left;
+                               ended_at = board.now_ns();
+                             },
+                             {}});
+    bus.request();
+  }
+  Board& board;
+  unsigned left;
+  std::uint64_t ended_at = 0;
+};
+
+/// When the first release came where others send so many frames on the buses from the beginning, one after the other.
+struct TalkedOver {
+  TalkedOver(unsigned left_frames, unsigned right_frames)
+      : left(board, board.chip().can("can1")->line, left_frames),
+        right(board, board.chip().can("can2")->line, right_frames) {
+    board.load(load_image(std::string(FINEMOTE_IMAGES) + "/can.elf"));
+    finemote::test::run_to_first_release(board);
+  }
+  Board board{finemote::test::type_c(), finemote::test::tested_chip()};
+  Talker left, right;
 };
 
 }  // namespace
@@ -159,4 +191,20 @@ TEST_CASE("an empty bus stops nothing") {
   finemote::test::run_to_first_release(board);
   REQUIRE(board.run_for(50 * kMs) == Stop::time);
   CHECK(board.word("seen", 16) >= 40);
+}
+
+TEST_CASE("the first release waits until no frame of others waits on any bus") {
+  TalkedOver start(400, 150);  // for longer than the slowest chip takes to start
+  CHECK(start.left.left == 0);
+  CHECK(start.right.left == 0);
+  const std::uint64_t last = std::max(start.left.ended_at, start.right.ended_at);
+  CHECK(start.board.now_ns() > last);
+  CHECK(start.board.now_ns() < last + 2 * kMs);
+}
+
+TEST_CASE("a bus that never falls silent holds the first release up for a tenth of a second") {
+  TalkedOver silent(0, 0), loud(10'000, 0);
+  CHECK(loud.left.left > 0);
+  CHECK(loud.board.now_ns() > silent.board.now_ns() + 95 * kMs);
+  CHECK(loud.board.now_ns() < silent.board.now_ns() + 110 * kMs);
 }

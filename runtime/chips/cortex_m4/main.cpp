@@ -16,22 +16,19 @@ constexpr std::int64_t kLongestTick =
     std::int64_t{cortex_m4::systick::kMaxInterval} * cortex_m4::kNsPerUnit / cortex_m4::kCyclesPerUnit;
 constexpr detail::ReleaseTimer kTimer{kLongestTick, cortex_m4::kNsPerUnit, true};
 
-/// How long nothing of ours has been on a wire, in cycles, so that what had to wait behind it is over, too: a frame of
-/// each of eight parts on CAN at 250 kbit/s, 135 bits long.
-constexpr std::uint32_t kSettled = cortex_m4::kCoreHz / 1'000 * 45 / 10;
-/// One takes 30 cycles at least: 50 ms. More than the 5 ms that are waited for, and a burst to sixteen outputs of an
-/// expander at 100 kHz, which takes 7 ms.
-constexpr std::uint32_t kSettlePolls = 300'000;
+/// How long the start-up waits at most, in cycles, for buses that do not become quiet: one on which nobody
+/// acknowledges, for example. A burst to sixteen outputs of an expander takes 7 ms at 100 kHz, 64 bytes at 9600 baud
+/// take 67 ms.
+constexpr std::uint32_t kLongestStart = cortex_m4::kCoreHz / 10;
+/// The same where cycles are not counted: a poll takes 30 cycles at least.
+constexpr std::uint32_t kStartPolls = kLongestStart / 30;
 
-/// The first job finds idle buses: what the start-up sent, safe outputs among it, is over. A bus on which nobody
-/// acknowledges is not waited for, and neither is a counter that does not count yet.
+/// The first job finds quiet buses: what the start-up sent, safe outputs among it, is over.
 void settle(const Schedule& schedule) {
   if (schedule.buses_quiet == nullptr) return;
-  std::uint32_t quiet_since = cortex_m4::cycles();
-  for (std::uint32_t polls = kSettlePolls; polls != 0; --polls) {
-    const std::uint32_t at = cortex_m4::cycles();
-    if (!schedule.buses_quiet()) quiet_since = at;
-    if (at - quiet_since >= kSettled) return;
+  const std::uint32_t start = cortex_m4::cycles();
+  for (std::uint32_t polls = kStartPolls; polls != 0; --polls) {
+    if (schedule.buses_quiet() || cortex_m4::cycles() - start >= kLongestStart) return;
   }
 }
 

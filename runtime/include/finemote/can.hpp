@@ -128,8 +128,9 @@ class CanBus {
   /// end. Context: end of the bucket.
   void flush(std::uint8_t priority);
 
-  /// Nothing of ours waits or is on the wire. Context: init, when no bucket runs.
-  [[nodiscard]] bool quiet() const { return port_->unsent() == 0; }
+  /// Since nothing of ours waits any more the bus was idle once: nobody's frame waits behind what the start-up sent.
+  /// Waits for eleven bits at most. Context: init, when no bucket runs.
+  [[nodiscard]] bool quiet();
   /// True while the controller is off the bus. Context: any.
   [[nodiscard]] bool unreachable() const { return port_->bus_off(); }
   /// Error counters of the controller (ISO 11898-1): above 127 it is passive; 256 transmit errors put it off the bus.
@@ -196,6 +197,7 @@ class CanBus {
   const std::int32_t longest_frame_;  ///< ns
   Busy received_;
   Busy sent_[kSentKept];  ///< the last one first
+  bool was_idle_ = false;
   bool recovering_ = false;
   bool returning_ = false;  ///< recovering, and the controller has begun to count the bits it waits for
   Time try_again_ = 0;      ///< a recovery that has not ended by then is begun anew

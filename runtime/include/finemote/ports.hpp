@@ -267,6 +267,9 @@ class CanPort {
   void tell_when_sent();
   /// Frames in mailboxes that have not gone. Context: interrupt.
   [[nodiscard]] unsigned unsent() const;
+  /// True where no other node has sent anything for eleven bits of `bitrate` [bit/s]: then none has anything to send.
+  /// Waits for as long at most. Context: init.
+  [[nodiscard]] bool idle(std::int64_t bitrate) const;
   /// Empties the mailboxes. Context: interrupt.
   void abort();
   /// True while the controller is off the bus. Context: any.

@@ -54,8 +54,9 @@ class Uart {
   /// Context: any.
   [[nodiscard]] std::size_t full_reads(std::size_t capacity) const { return limits_.bytes / capacity; }
 
-  /// Drops what came so far. Context: init, when no bucket runs.
-  void forget();
+  /// Drops what came so far: the first update() finds what comes from here on. True when nothing of ours is being sent.
+  /// Context: init, when no bucket runs.
+  [[nodiscard]] bool quiet();
 
   /// Sends a block; false, and nothing is sent, while the last one is still under way or `size` is above capacity(). A
   /// block that has not left within twice its wire time is aborted and counted. Context: the device's bucket.

@@ -41,9 +41,9 @@ void start_buses() {
 }
 
 bool buses_quiet() {
-  computer.forget();  // the first job finds what comes from here on
-  imu_line.forget();  // the first job finds what comes from here on
   bool quiet = true;
+  quiet = computer.quiet() && quiet;
+  quiet = imu_line.quiet() && quiet;
   quiet = i2c.quiet() && quiet;
   return quiet;
 }

@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 383653, finemote::kNothingToBound, nullptr},  // imu
-    {1, 791029, finemote::kNothingToBound, nullptr},  // depth
-    {1, 788329, finemote::kNothingToBound, nullptr},  // button
-    {1, 785629, 24175130, &station::servo.command},  // servo
-    {1, 780982, 24170483, &station::green_led.command},  // green_led
-    {1, 775167, 24164668, &station::blue_led.command},  // blue_led
-    {1, 769347, finemote::kNothingToBound, nullptr},  // station
+    {0, 383712, finemote::kNothingToBound, nullptr},  // imu
+    {1, 791207, finemote::kNothingToBound, nullptr},  // depth
+    {1, 788507, finemote::kNothingToBound, nullptr},  // button
+    {1, 785807, 24175249, &station::servo.command},  // servo
+    {1, 781160, 24170602, &station::green_led.command},  // green_led
+    {1, 775345, 24164787, &station::blue_led.command},  // blue_led
+    {1, 769525, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

@@ -43,9 +43,9 @@ void start_buses() {
 }
 
 bool buses_quiet() {
-  imu_uart.forget();  // the first job finds what comes from here on
-  tether.forget();  // the first job finds what comes from here on
   bool quiet = true;
+  quiet = imu_uart.quiet() && quiet;
+  quiet = tether.quiet() && quiet;
   quiet = i2c.quiet() && quiet;
   return quiet;
 }

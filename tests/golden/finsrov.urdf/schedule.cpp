@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 748411, finemote::kNothingToBound, nullptr},  // imu
-    {1, 1596806, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 1594106, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 1591406, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 1588706, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 1586006, 32019330, &rov::thruster_1.command},  // thruster_1
-    {1, 1581520, 32014844, &rov::thruster_2.command},  // thruster_2
-    {1, 1574308, 32007632, &rov::thruster_3.command},  // thruster_3
-    {1, 1569822, 31995891, &rov::thruster_4.command},  // thruster_4
-    {1, 1565330, 31991398, &rov::thruster_5.command},  // thruster_5
-    {1, 1560850, 31984337, &rov::thruster_6.command},  // thruster_6
-    {1, 1546383, 31979707, &rov::thruster_7.command},  // thruster_7
-    {1, 1541897, 31975221, &rov::thruster_8.command},  // thruster_8
-    {1, 1537410, finemote::kNothingToBound, nullptr},  // rov
+    {0, 748375, finemote::kNothingToBound, nullptr},  // imu
+    {1, 1596759, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 1594059, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 1591359, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 1588659, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 1585959, 32019283, &rov::thruster_1.command},  // thruster_1
+    {1, 1581473, 32014797, &rov::thruster_2.command},  // thruster_2
+    {1, 1574261, 32007585, &rov::thruster_3.command},  // thruster_3
+    {1, 1569775, 31995844, &rov::thruster_4.command},  // thruster_4
+    {1, 1565283, 31991351, &rov::thruster_5.command},  // thruster_5
+    {1, 1560803, 31984290, &rov::thruster_6.command},  // thruster_6
+    {1, 1546336, 31979660, &rov::thruster_7.command},  // thruster_7
+    {1, 1541850, 31975174, &rov::thruster_8.command},  // thruster_8
+    {1, 1537363, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 740.286 us of its release.
+/// a job ends within 740.25 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{740286, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{1523773, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{1523773, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{1523773, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{1523773, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{1523773, 31956040, 36372711};
-inline constexpr finemote::Bounds thruster_2{1521987, 31954254, 36372711};
-inline constexpr finemote::Bounds thruster_3{1520201, 31952467, 36372711};
-inline constexpr finemote::Bounds thruster_4{1518414, 31950544, 36403731};
-inline constexpr finemote::Bounds thruster_5{1516622, 31946164, 36401143};
-inline constexpr finemote::Bounds thruster_6{1514842, 31944384, 36401143};
-inline constexpr finemote::Bounds thruster_7{1513056, 31942461, 36401006};
-inline constexpr finemote::Bounds thruster_8{1511270, 31940675, 36401007};
-inline constexpr finemote::Bounds rov{1506759, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{740250, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{1523726, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{1523726, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{1523726, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{1523726, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{1523726, 31955993, 36372664};
+inline constexpr finemote::Bounds thruster_2{1521940, 31954207, 36372664};
+inline constexpr finemote::Bounds thruster_3{1520154, 31952420, 36372664};
+inline constexpr finemote::Bounds thruster_4{1518367, 31950497, 36403684};
+inline constexpr finemote::Bounds thruster_5{1516575, 31946117, 36401096};
+inline constexpr finemote::Bounds thruster_6{1514795, 31944337, 36401096};
+inline constexpr finemote::Bounds thruster_7{1513009, 31942414, 36400959};
+inline constexpr finemote::Bounds thruster_8{1511223, 31940628, 36400960};
+inline constexpr finemote::Bounds rov{1506712, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

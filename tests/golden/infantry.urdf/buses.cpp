@@ -56,8 +56,8 @@ void start_buses() {
 }
 
 bool buses_quiet() {
-  dbus.forget();  // the first job finds what comes from here on
   bool quiet = true;
+  quiet = dbus.quiet() && quiet;
   quiet = wheel_can.quiet() && quiet;
   quiet = gimbal_can.quiet() && quiet;
   quiet = imu_spi.quiet() && quiet;

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 322418, finemote::kNothingToBound, nullptr},  // imu
-    {0, 316544, 28580797, &gimbal::yaw.command},  // yaw
-    {0, 310171, 28574424, &gimbal::pitch.command},  // pitch
-    {1, 329349, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 431603, 26695756, &chassis::front_left.command},  // front_left
-    {2, 425486, 26689639, &chassis::front_right.command},  // front_right
-    {2, 419362, 26683515, &chassis::rear_left.command},  // rear_left
-    {2, 413245, 26677398, &chassis::rear_right.command},  // rear_right
-    {2, 407122, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 516593, finemote::kNothingToBound, nullptr},  // remote
+    {0, 323259, finemote::kNothingToBound, nullptr},  // imu
+    {0, 317385, 28581638, &gimbal::yaw.command},  // yaw
+    {0, 310940, 28575193, &gimbal::pitch.command},  // pitch
+    {1, 363714, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 432888, 26697041, &chassis::front_left.command},  // front_left
+    {2, 426699, 26690852, &chassis::front_right.command},  // front_right
+    {2, 420504, 26684657, &chassis::rear_left.command},  // rear_left
+    {2, 414314, 26678467, &chassis::rear_right.command},  // rear_right
+    {2, 408119, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 517950, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

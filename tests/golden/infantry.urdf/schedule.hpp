@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 312.652 us of its release.
+/// a job ends within 313.553 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 310.748 us of its release.
+/// a job ends within 311.548 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 393.591 us of its release.
+/// a job ends within 394.935 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 471.591 us of its release.
+/// a job ends within 472.948 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{309217, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{306044, 28570297, 28997826};
-inline constexpr finemote::Bounds pitch{302371, 28566624, 28997826};
-inline constexpr finemote::Bounds gimbal{310748, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{392001, 26656154, 27171519};
-inline constexpr finemote::Bounds front_right{388584, 26652737, 27171519};
-inline constexpr finemote::Bounds rear_left{385161, 26649314, 27171520};
-inline constexpr finemote::Bounds rear_right{381744, 26645897, 27171520};
-inline constexpr finemote::Bounds chassis{378320, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{471591, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{310058, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{306885, 28571138, 28999174};
+inline constexpr finemote::Bounds pitch{303140, 28567393, 28999174};
+inline constexpr finemote::Bounds gimbal{311548, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{393286, 26657439, 27173459};
+inline constexpr finemote::Bounds front_right{389797, 26653950, 27173459};
+inline constexpr finemote::Bounds rear_left{386302, 26650455, 27173460};
+inline constexpr finemote::Bounds rear_right{382813, 26646966, 27173460};
+inline constexpr finemote::Bounds chassis{379317, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{472948, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

@@ -45,8 +45,8 @@ void start_buses() {
 }
 
 bool buses_quiet() {
-  receiver.forget();  // the first job finds what comes from here on
   bool quiet = true;
+  quiet = receiver.quiet() && quiet;
   quiet = arm_can.quiet() && quiet;
   quiet = wrist_can.quiet() && quiet;
   return quiet;

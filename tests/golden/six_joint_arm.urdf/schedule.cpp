@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 435591, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 311099, 28990779, &arm::base.command},  // base
-    {0, 304982, 28984662, &arm::shoulder.command},  // shoulder
-    {0, 298858, 28978538, &arm::elbow.command},  // elbow
-    {0, 292741, 28972421, &arm::wrist_roll.command},  // wrist_roll
-    {0, 286618, 28966298, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 280501, 28960181, &arm::flange.command},  // flange
-    {0, 274377, finemote::kNothingToBound, nullptr},  // arm
+    {1, 436798, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 312127, 28991807, &arm::base.command},  // base
+    {0, 305938, 28985618, &arm::shoulder.command},  // shoulder
+    {0, 299742, 28979423, &arm::elbow.command},  // elbow
+    {0, 293553, 28973233, &arm::wrist_roll.command},  // wrist_roll
+    {0, 287358, 28967038, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 281169, 28960849, &arm::flange.command},  // flange
+    {0, 274973, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

@@ -68,6 +68,7 @@ void CanPort::tell_when_sent() {}  // every frame's end tells
 
 unsigned CanPort::unsent() const { return static_cast<unsigned>(hardware_->mailboxes.size()); }
 
+bool CanPort::idle(std::int64_t) const { return true; }
 void CanPort::abort() { hardware_->mailboxes.clear(); }
 bool CanPort::bus_off() const { return hardware_->off; }
 bool CanPort::recover() {

@@ -11,6 +11,7 @@ void CanPort::pend() { hardware_->pend(); }
 bool CanPort::send(const CanFrame&) { return true; }
 void CanPort::tell_when_sent() { pend(); }
 unsigned CanPort::unsent() const { return 0; }
+bool CanPort::idle(std::int64_t) const { return true; }
 void CanPort::abort() {}
 bool CanPort::bus_off() const { return false; }
 bool CanPort::recover() { return true; }

@@ -176,6 +176,13 @@ unsigned CanPort::unsent() const {
   return 3 - (empty & 1) - (empty >> 1 & 1) - (empty >> 2 & 1);
 }
 
+// Frames that wait follow one another after three recessive bits, between which nobody is receiver: ISO 11898-1.
+bool CanPort::idle(std::int64_t bitrate) const {
+  constexpr std::uint32_t kPoll = 4;  // cycles, at least
+  const std::uint32_t eleven_bits = 11 * (cortex_m4::kCoreHz / static_cast<std::uint32_t>(bitrate));
+  return !wait_for(hardware_->setup.can.msr(), can::kReceiving, can::kReceiving, eleven_bits / kPoll + 1);
+}
+
 void CanPort::abort() { hardware_->setup.can.tsr().write(can::kAbort | can::kAbort << 8 | can::kAbort << 16); }
 
 bool CanPort::bus_off() const { return hardware_->setup.can.esr().any(can::kBusOff); }

@@ -1,8 +1,8 @@
 // I2cPort on the chip's I2C, one interrupt per byte. Procedures: RM0090 27.3.3 (master mode).
 //
 // Writes and the closing of a read follow the variant of the manual that holds the clock (byte transfer finished)
-// rather than the one that must be in time: a routine that comes late only slows the bus down, and no two interrupts of
-// a transfer are closer than the nine bits of a byte.
+// rather than the one that must be in time: a routine that comes late only slows the bus down. Interrupts of bytes are
+// nine bits apart; that of a START is two behind what came before it.
 #include "finemote/i2c.hpp"
 #include "finemote/fault.hpp"
 #include "finemote/loop_bound.hpp"

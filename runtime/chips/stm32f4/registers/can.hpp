@@ -28,7 +28,7 @@ struct CanRegisters {
 namespace can {
 /// MCR and MSR.
 inline constexpr std::uint32_t kInitRequest = bit(0), kSleepRequest = bit(1), kInitAcknowledge = bit(0),
-                               kErrorFlag = bit(2);
+                               kErrorFlag = bit(2), kReceiving = bit(9);
 /// TSR: request completed and abort of mailbox 0; eight bits further for the next ones. Empty: bits 26 to 28.
 inline constexpr std::uint32_t kCompleted = bit(0), kAbort = bit(7), kEmptyShift = 26;
 /// RF0R.

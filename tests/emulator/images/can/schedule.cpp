@@ -60,6 +60,10 @@ void start_buses() {
   right_bus.start();
 }
 void safe_outputs() {}
+bool buses_quiet() {
+  const bool is_left_quiet = left_bus.quiet();
+  return right_bus.quiet() && is_left_quiet;
+}
 
 namespace {
 constexpr finemote::Bucket buckets[] = {{finemote_line_48, 1'000'000, 48, 4, 3}};
@@ -71,6 +75,11 @@ extern "C" void finemote_line_48() {
   can_image::run_1ms();
   finemote::complete(0);
 }
-extern "C" const finemote::Schedule finemote_schedule{
-    "can",  1'000'000, can_image::buckets, finemote::Overrun::skip, can_image::start_buses, can_image::safe_outputs,
-    nullptr};
+extern "C" const finemote::Schedule finemote_schedule{"can",
+                                                      1'000'000,
+                                                      can_image::buckets,
+                                                      finemote::Overrun::skip,
+                                                      can_image::start_buses,
+                                                      can_image::safe_outputs,
+                                                      nullptr,
+                                                      can_image::buses_quiet};

@@ -19,7 +19,7 @@
 namespace FinsROV::rov {
 
 /// imu: h30_imu on 'imu_uart', every 5 ms
-/// response <= 740.286 us
+/// response <= 740.25 us
 FINEMOTE_CONSTINIT inline finemote::H30Imu imu{/*mount*/ nullptr, imu_uart};
 
 /// baro_1: ms5837 on 'segment_0' at 0x76, every 10 ms
@@ -39,7 +39,7 @@ FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_3{finemote::Ms5837::Config{}, sl
 FINEMOTE_CONSTINIT inline finemote::Ms5837 baro_4{finemote::Ms5837::Config{}, slots::baro_4};
 
 /// thruster_1: pwm_esc on 'pwm' channel 0, every 10 ms
-/// response <= 1.524 ms; data age <= 31.957 ms when handle() ends, <= 36.373 ms at the output (oldest: baro_1)
+/// response <= 1.524 ms; data age <= 31.956 ms when handle() ends, <= 36.373 ms at the output (oldest: baro_1)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_1{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 0}};
 
 /// thruster_2: pwm_esc on 'pwm' channel 1, every 10 ms
@@ -69,11 +69,11 @@ FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_6{
     finemote::PwmChannel{pwm, 5}};
 
 /// thruster_7: pwm_esc on 'pwm' channel 6, every 10 ms
-/// response <= 1.514 ms; data age <= 31.943 ms when handle() ends, <= 36.402 ms at the output (oldest: baro_4)
+/// response <= 1.514 ms; data age <= 31.943 ms when handle() ends, <= 36.401 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_7{finemote::PwmEsc::Config{}, finemote::PwmChannel{pwm, 6}};
 
 /// thruster_8: pwm_esc on 'pwm' channel 7, every 10 ms
-/// response <= 1.512 ms; data age <= 31.941 ms when handle() ends, <= 36.402 ms at the output (oldest: baro_4)
+/// response <= 1.512 ms; data age <= 31.941 ms when handle() ends, <= 36.401 ms at the output (oldest: baro_4)
 FINEMOTE_CONSTINIT inline finemote::PwmEsc thruster_8{
     [] { finemote::PwmEsc::Config c{}; c.reverse = true; return c; }(),
     finemote::PwmChannel{pwm, 7}};

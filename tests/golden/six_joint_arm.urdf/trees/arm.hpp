@@ -19,37 +19,37 @@
 namespace six_joint_arm::arm {
 
 /// sticks: sbus on 'receiver', every 10 ms
-/// response <= 401.39 us
+/// response <= 402.597 us
 FINEMOTE_CONSTINIT inline finemote::Sbus sticks{receiver};
 
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
-/// response <= 282.298 us; data age <= 28.962 ms when handle() ends, <= 29.341 ms at the output (oldest: sticks)
+/// response <= 283.326 us; data age <= 28.964 ms when handle() ends, <= 29.342 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 base{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::base};
 
 /// shoulder: dji_m3508 on 'arm_can' id 2, every 2 ms
-/// response <= 278.88 us; data age <= 28.959 ms when handle() ends, <= 29.359 ms at the output (oldest: sticks)
+/// response <= 279.836 us; data age <= 28.96 ms when handle() ends, <= 29.36 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 shoulder{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::shoulder};
 
 /// elbow: dji_m3508 on 'arm_can' id 3, every 2 ms
-/// response <= 275.457 us; data age <= 28.956 ms when handle() ends, <= 29.359 ms at the output (oldest: sticks)
+/// response <= 276.341 us; data age <= 28.957 ms when handle() ends, <= 29.36 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 elbow{
     [] { finemote::DjiM3508::Config c{}; c.gear = 38.406f; return c; }(),
     slots::elbow};
 
 /// wrist_roll: dji_m3508 on 'wrist_can' id 1, every 2 ms
-/// response <= 272.04 us; data age <= 28.952 ms when handle() ends, <= 29.359 ms at the output (oldest: sticks)
+/// response <= 272.852 us; data age <= 28.953 ms when handle() ends, <= 29.36 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{finemote::DjiM3508::Config{}, slots::wrist_roll};
 
 /// wrist_pitch: dji_m2006 on 'wrist_can' id 2, every 2 ms
-/// response <= 268.617 us; data age <= 28.949 ms when handle() ends, <= 29.359 ms at the output (oldest: sticks)
+/// response <= 269.357 us; data age <= 28.95 ms when handle() ends, <= 29.36 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{finemote::DjiM2006::Config{}, slots::wrist_pitch};
 
 /// flange: dji_m2006 on 'wrist_can' id 3, every 2 ms
-/// response <= 265.2 us; data age <= 28.945 ms when handle() ends, <= 29.359 ms at the output (oldest: sticks)
+/// response <= 265.868 us; data age <= 28.946 ms when handle() ends, <= 29.36 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{finemote::DjiM2006::Config{}, slots::flange};
 
 namespace ports {  // what 'arm' sees of others
@@ -67,7 +67,7 @@ inline constexpr finemote::Port<finemote::Motor> arm_joints[] = {
 }  // namespace ports
 
 /// arm: serial_arm, every 2 ms
-/// response <= 261.777 us
+/// response <= 262.373 us
 FINEMOTE_CONSTINIT inline finemote::SerialArm arm{
     [] {
       finemote::SerialArm::Config c{};
