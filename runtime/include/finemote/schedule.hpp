@@ -36,8 +36,8 @@ struct Schedule {
   void (*start_buses)();   ///< once, before the first release
   void (*safe_outputs)();  ///< may interrupt every stage; called again and again once stopped
   View<OrderCheck> order;  ///< verified before start_buses()
-  /// Asked until it is true, or for 100 ms, before the first release: nothing of what the start-up sent is on a wire, and
-  /// nobody's frame waits behind it.
+  /// Asked until it is true, or for 100 ms, before the first release: nothing of what the start-up sent is on a wire,
+  /// and nobody's frame waits behind it.
   bool (*buses_quiet)() = nullptr;
 };
 
