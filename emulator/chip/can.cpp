@@ -9,10 +9,10 @@ constexpr std::uint32_t kTransmitInterrupt = 1, kReceiveInterrupt = 2, kFullInte
                         kCodeInterrupt = 1U << 11, kErrorInterrupt = 1U << 15;
 constexpr std::uint32_t kKnownInterrupts = 0x7F | kWarningInterrupt | kPassiveInterrupt | kBusOffInterrupt |
                                            kCodeInterrupt | kErrorInterrupt | 1U << 16 | 1U << 17;
-constexpr std::uint32_t kLoopBack = 1U << 30, kSilent = 1U << 31, kSelfTest = kLoopBack | kSilent;  // BTR: 32.4.4
-constexpr std::size_t kOwnNode = 0;                               // of either line: it is the first to be attached
-constexpr std::uint32_t kWarning = 1, kPassive = 2, kBusOff = 4;  // ESR: 32.9.2
+constexpr std::uint32_t kLoopBack = 1U << 30, kSilent = 1U << 31, kSelfTest = kLoopBack | kSilent;   // BTR: 32.4.4
+constexpr std::uint32_t kWarning = 1, kPassive = 2, kBusOff = 4;                                     // ESR: 32.9.2
 constexpr std::uint32_t kNotAcknowledged = 3U << 4, kRecessiveWrong = 4U << 4, kLastCode = 7U << 4;  // ESR.LEC
+constexpr std::size_t kOwnNode = 0;  // of either line: it is the first to be attached
 
 }  // namespace
 
@@ -236,10 +236,8 @@ std::uint32_t Can::fifo_status(const Fifo& fifo) const {
 /// TXM and RXM: who sends the frame on the bus. RX and SAMP: recessive, as bits are not modelled.
 std::uint32_t Can::master_status() {
   const auto sender = on_bus() ? wire().sender() : std::nullopt;
-  return (acknowledged_ ? 1U : 0) | ((mcr_ & (kInit | kSleep)) == kSleep ? 2U : 0) | (error_flag_ ? 4U : 0) |
-         (!sender               ? 0
-          : *sender == kOwnNode ? 1U << 8
-                                : 1U << 9) |
+  const std::uint32_t mode = !sender ? 0 : 1U << (*sender == kOwnNode ? 8 : 9);
+  return (acknowledged_ ? 1U : 0) | ((mcr_ & (kInit | kSleep)) == kSleep ? 2U : 0) | (error_flag_ ? 4U : 0) | mode |
          0xC00;
 }
 
