@@ -31,7 +31,7 @@ class Recorder {
     if (levels_.size() == 1) return;
     Level& level = levels_.back();
     const std::uint64_t done = board_.cpu().instructions();
-    const bool is_again = level.is_pending || (level.begun && level.pc == pc && level.done == done);
+    const bool is_again = level.begun && level.pc == pc && (level.is_pending || level.done == done);
     level.is_pending = false;
     level.done = done;
     if (is_again) return;
@@ -55,7 +55,7 @@ class Recorder {
  private:
   struct Level {
     bool begun = false;
-    bool is_pending = false;         ///< the instruction probed last has not run
+    bool is_pending = false;         ///< the instruction probed last may not have run
     std::uint32_t pc = 0, next = 0;  ///< of the instruction probed last, and behind it
     std::uint64_t done = 0;          ///< instructions of the board when it was probed
   };
@@ -93,7 +93,8 @@ class Recorder {
   void take(const ExecutionEvent& event) {
     switch (event.kind) {
       case ExecutionEvent::Kind::enter:
-        levels_.back().is_pending = levels_.back().begun && levels_.back().done == board_.cpu().instructions();
+        // One more may come before the instruction is probed again.
+        levels_.back().is_pending |= levels_.back().begun && levels_.back().done == board_.cpu().instructions();
         return begin(event, false);
       case ExecutionEvent::Kind::tail:
         levels_.pop_back();
