@@ -17,9 +17,8 @@ namespace finemote::gen::timing {
 ///   the window begins;
 /// - looks allow interrupts until the next look: those left when the window begins, and those that looks in it allow.
 ///
-/// @param responses  bounds that hold already, with the streams of any window or of an earlier call: when transfers
-/// have
-///                   ended follows from them
+/// @param responses  bounds that hold already, with the streams of any window or of an earlier call; from them follows
+///                   when transfers have ended
 /// @param effort     for the search of when they have; where it does not suffice, any window's streams stay
 void separate_jobs(const Model& model, const Responses& responses, TaskSet& set, Effort& effort);
 

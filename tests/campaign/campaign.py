@@ -6,7 +6,6 @@ import argparse
 import collections
 import concurrent.futures
 import itertools
-import os
 import sys
 import tempfile
 
@@ -14,6 +13,7 @@ import attack
 import census
 import inject
 import state
+import tool
 
 MOST_SHOWN = 3  # robots that break a bound
 MOST_LINES = 5  # of what each of them breaks
@@ -98,17 +98,14 @@ def show_violations(pool, tally, asked, folder):
 
 
 def options():
-    parser = argparse.ArgumentParser(prog="./dev campaign", description=__doc__)
+    parser = tool.options(argparse.ArgumentParser(prog="./dev campaign", description=__doc__))
     parser.add_argument("--robots", type=int, default=40, help="how many have to count")
-    parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--phases", type=int, default=2, help="runs of each robot")
     parser.add_argument("--inject", choices=list(inject.KINDS), help="make these bounds 2 %% too small")
     parser.add_argument("--static", action="store_true", help="hold runs against bounds that are computed from each image")
     parser.add_argument("--sweep", action="store_true", help="write down what is reached: reached.json, for --inject")
     parser.add_argument("--keep-going", action="store_true", help="do not stop at the first violation")
     parser.add_argument("--state", metavar="FILE", help="keep the results there, and go on from those that it has")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--finemote", default="finemote", help="the program under attack")
     return parser.parse_args()
 
 

@@ -6,7 +6,6 @@ beside this file.
 import argparse
 import concurrent.futures
 import itertools
-import os
 import pathlib
 import random
 import re
@@ -92,11 +91,8 @@ def attack(finemote, path, phases, seed):
 
 
 def options():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = tool.options(argparse.ArgumentParser(description=__doc__))
     parser.add_argument("--phases", type=int, default=200, help="runs of each scenario")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--finemote", default="finemote", help="the program under attack")
     parser.add_argument("examples", nargs="*", help="their names; all of them if absent")
     return parser.parse_args()
 

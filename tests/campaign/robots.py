@@ -113,6 +113,8 @@ class Outline:
         root = xml.etree.ElementTree.fromstring(text)
         self.types = {d.get("name"): d.get("type") for d in root.iter("device")}
         self.bus_of = {d.get("name"): d.get("bus") for d in root.iter("device")}
+        self.uses_of = {d.get("name"): [use.get("bus") for use in d.findall("use")] for d in root.iter("device")}
+        self.address_of = {p.get("name"): p.get("address") for kind in ("device", "expander") for p in root.iter(kind)}
         self.buses = {b.get("name"): (b.get("type"), b.get("port")) for b in root.iter("bus")}
         self.models = {e.get("name"): e.get("model") for e in root.iter("expander")}
         for expander in root.iter("expander"):

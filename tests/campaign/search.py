@@ -148,7 +148,7 @@ class Search:
         self.figures = {key: Figure(bound) for key, bound in bounds.items() if bound > 0}
         self.run_plain()
         layout = lines.LinkLayout.of_folder(called.folder / "kept" / "generated")
-        self.vocabulary = vocabulary.Vocabulary(subject.text(), self.outline, layout)
+        self.vocabulary = vocabulary.Vocabulary(self.outline, layout)
 
     def analysis(self):
         analysis = self.called.analyze(self.subject)
@@ -256,16 +256,21 @@ def kind_of(search, key):
     return search.outline.types.get(key[0], key[0])
 
 
+def nearest(rows):
+    """Of each type and stage the row that came nearest to its bound."""
+    best = {}
+    for row in rows:
+        other = best.get(row.name())
+        if other is None or other.longest / other.bound < row.longest / row.bound:
+            best[row.name()] = row
+    return list(best.values())
+
+
 def rows_of(search):
     """The nearest to its bound of each type and stage."""
     assumed = {(d["name"], stage): d[stage + "_wcet_ns"] for d in search.assumed for stage in ("update", "handle")}
-    rows = {}
-    for key, figure in search.figures.items():
-        row = Row(search.subject.name, key, figure, kind_of(search, key), assumed.get(key))
-        other = rows.get(row.name())
-        if other is None or other.longest / other.bound < row.longest / row.bound:
-            rows[row.name()] = row
-    return list(rows.values())
+    return nearest(Row(search.subject.name, key, figure, kind_of(search, key), assumed.get(key))
+                   for key, figure in search.figures.items())
 
 
 def attack(finemote, folder, name, generations, seed):
@@ -290,16 +295,6 @@ def table(rows):
     for line in cells:
         yield "  ".join(cell.ljust(width) if column < 2 else cell.rjust(width)
                         for column, (cell, width) in enumerate(zip(line, widths))).rstrip()
-
-
-def nearest(rows):
-    """Of each type and stage the row of the robot in which it came nearest to its bound."""
-    best = {}
-    for row in rows:
-        other = best.get(row.name())
-        if other is None or other.longest / other.bound < row.longest / row.bound:
-            best[row.name()] = row
-    return sorted(best.values(), key=Row.name)
 
 
 def summary(rows):
@@ -329,13 +324,10 @@ def keep(folder, row):
 
 
 def options():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = tool.options(argparse.ArgumentParser(description=__doc__))
     parser.add_argument("--generations", type=int, default=100, help="runs of each robot behind those of plain stimuli")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--inject", action="store_true", help="hold against bounds that only plain stimuli keep")
     parser.add_argument("--keep", metavar="FOLDER", help="write robots and scenarios there that break a bound")
-    parser.add_argument("--finemote", default="finemote", help="the program under attack")
     parser.add_argument("robots", nargs="*", help="their names; all of them if absent")
     return parser.parse_args()
 
@@ -359,18 +351,16 @@ def main():
         print(f"the robots are {', '.join(known)}", file=sys.stderr)
         return 2
     rows = list(search_all(asked, [name for name in known if not asked.robots or name in asked.robots]))
-    print("\n".join((*table(nearest(rows)), *summary(rows))))
+    print("\n".join((*table(sorted(nearest(rows), key=Row.name)), *summary(rows))))
     broken = [row for row in rows if row.longest > row.held_to(asked.inject)]
+    slower = above_assumed(rows)
     for row in broken:
         held_to = row.held_to(asked.inject)
         print(f"broken: {row.subject} {' '.join(row.key)}, {row.longest:.3f} ns seen, bound {held_to:.3f} ns")
-        if asked.keep:
-            keep(asked.keep, row)
-    slower = above_assumed(rows)
     for row in slower:
         print(f"above what is assumed: {row.subject} {' '.join(row.key)}, {row.longest:.0f} ns of {row.assumed} ns")
-        if asked.keep:
-            keep(asked.keep, row)
+    for row in (*broken, *slower) if asked.keep else ():
+        keep(asked.keep, row)
     print(f"{len(rows)} figures, {len(broken)} above their bounds, {len(slower)} above what is assumed")
     return 1 if broken or slower else 0
 

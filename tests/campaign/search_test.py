@@ -58,7 +58,7 @@ class Lines(unittest.TestCase):
 class Vocabulary(unittest.TestCase):
     def scenario(self, seed):
         text = subjects.small("gimbal").text()
-        draw, known = random.Random(seed), vocabulary.Vocabulary(text, robots.Outline(text), None)
+        draw, known = random.Random(seed), vocabulary.Vocabulary(robots.Outline(text), None)
         slots = [known.slot(draw) for _ in range(20)]
         return known.scenario([known.mutated(slot, draw) for slot in slots])
 
@@ -68,7 +68,7 @@ class Vocabulary(unittest.TestCase):
 
     def test_nothing_is_drawn_where_nothing_can_happen(self):
         text = subjects.all_subjects()["two_devices"].text()
-        known = vocabulary.Vocabulary(text, robots.Outline(text), None)
+        known = vocabulary.Vocabulary(robots.Outline(text), None)
         self.assertEqual(known.mutated(known.slot(random.Random(1)), random.Random(1)), ())
 
 

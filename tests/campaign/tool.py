@@ -14,6 +14,14 @@ LARGE_PIECES = ":".join(f"glibc.malloc.{name}={size}" for name, size in
                         (("top_pad", 1 << 25), ("trim_threshold", 1 << 30), ("mmap_threshold", 1 << 30)))
 
 
+def options(parser):
+    """Adds what every attack is asked for: a seed, how many workers, and the program."""
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--finemote", default="finemote", help="the program under attack")
+    return parser
+
+
 class Tool:
     """Calls of one worker. Its folder is kept from robot to robot: the runtime is compiled once, a robot's own code anew."""
 

@@ -1,7 +1,6 @@
 """What can happen to a robot, in pieces that are drawn, changed a little, and put together to scenarios."""
 
 import typing
-import xml.etree.ElementTree
 
 import faults
 import lines
@@ -119,13 +118,12 @@ def of_ports(outline):
             yield lambda draw, port=port: {"port": port, "do": "hold_sda", **draw.choice(({}, {"clocks": draw.randint(1, 9)}))}
 
 
-def refusals(text, outline):
+def refusals(outline):
     """Parts at an I2C bus itself that do not answer for a while."""
-    root = xml.etree.ElementTree.fromstring(text)
-    for part in (*root.iter("device"), *root.iter("expander")):
-        kind, port = outline.buses.get(part.get("bus"), (None, None))
+    for name, stated in outline.address_of.items():
+        kind, port = outline.buses.get(outline.bus_of[name], (None, None))
         if kind == "i2c":
-            address = int(part.get("address", "0x0e"), 0)  # one type has one if it names none
+            address = int(stated or "0x0e", 0)  # one type has one if it names none
             yield lambda draw, port=port, address=address: {"port": port, "do": "nack", "address": address,
                                                             "times": draw.randint(1, 4)}
 
@@ -140,24 +138,23 @@ def of_pins(outline):
                             "volts": draw.choice((0, draw.uniform(0, 3.3)))}
 
 
-def serial_lines(text):
+def serial_lines(outline):
     """Type of the device at each serial port."""
-    root = xml.etree.ElementTree.fromstring(text)
-    ports = {bus.get("name"): bus.get("port") for bus in root.iter("bus") if bus.get("type") == "uart"}
-    for device in root.iter("device"):
-        for holder in (device, *device.findall("use")):
-            if holder.get("bus") in ports:
-                yield ports[holder.get("bus")], device.get("type")
+    for name, device_type in outline.types.items():
+        for bus in (outline.bus_of[name], *outline.uses_of[name]):
+            kind, port = outline.buses.get(bus, (None, None))
+            if kind == "uart":
+                yield port, device_type
 
 
 class Vocabulary:
     """All that can happen to a robot."""
 
-    def __init__(self, text, outline, layout):
+    def __init__(self, outline, layout):
         """layout: of what comes over a host_link, else None."""
-        makes = (*of_parts(outline), *of_ports(outline), *of_pins(outline), *refusals(text, outline))
+        makes = (*of_parts(outline), *of_ports(outline), *of_pins(outline), *refusals(outline))
         self.makers = [Event(make) for make in makes]
-        speech = [Bytes(port, lines.Line(kind, layout)) for port, kind in serial_lines(text)]
+        speech = [Bytes(port, lines.Line(kind, layout)) for port, kind in serial_lines(outline)]
         self.weights = [1] * len(self.makers) + [len(self.makers) + 1] * len(speech)  # bytes are half of what happens, or more
         self.makers += speech
 
