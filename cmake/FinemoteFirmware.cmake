@@ -24,8 +24,8 @@
 # WITHOUT      files of the runtime's start-up that SOURCES stand in for: main.cpp, trace.cpp
 # OPTIMIZE     -Os without it
 # STACK        bytes that a board with a chip reserves for the stack, 4096 without it; `finemote run` proves how many it takes
-# CODE         where a board with a chip runs the code: `flash`, or `sram` where the board can; without it, with INPUT what the
-#              robot's <board> says (param `code`), else flash
+# CODE         where a board with a chip runs the code: `sram` where the board can, or `flash`; without it, with INPUT what the
+#              robot's <board> says (param `code`), else sram where the board can
 # FLASH_BUDGET, RAM_BUDGET   bytes that NAME-size holds the image to
 #
 # For a board configure with a toolchain file: cmake/toolchain-arm-none-eabi.cmake. Build types make no difference there.
@@ -83,7 +83,7 @@ function(finemote_code_place result target board asked robots)
     elseif(asked STREQUAL "sram" AND NOT can_sram)
       message(FATAL_ERROR "finemote_add_firmware(${target}): board '${board}' does not run code in SRAM")
     endif()
-  elseif(robots STREQUAL "sram" AND can_sram)
+  elseif(can_sram AND NOT robots STREQUAL "flash")
     set(place sram)
   endif()
   set(${result} ${place} PARENT_SCOPE)

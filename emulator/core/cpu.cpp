@@ -11,8 +11,8 @@ namespace {
 
 // PM0214 4.4.13: configurable fault status.
 constexpr std::uint32_t kInstructionBus = 1U << 8, kPreciseBus = 1U << 9, kBusAddress = 1U << 15,
-                        kUndefinedInstruction = 1U << 16, kBadState = 1U << 17, kNoFpu = 1U << 19, kInstructionMem = 1,
-                        kDataMem = 1U << 1, kMemAddress = 1U << 7;
+                        kUndefinedInstruction = 1U << 16, kBadState = 1U << 17, kNoFpu = 1U << 19,
+                        kUnaligned = 1U << 24, kInstructionMem = 1, kDataMem = 1U << 1, kMemAddress = 1U << 7;
 
 }  // namespace
 
@@ -113,7 +113,7 @@ void Cpu::reset() {
   core_.pace.expected = g.next;
   core_.pace.cycle = system_.clock().period();
   core_.pace.it_begin = core_.pace.it_end = 0;
-  core_.fp_active = core_.lazy_frame = core_.fpu_on = false;
+  core_.fp_active = core_.lazy_frame = core_.fpu_on = core_.traps_unaligned = false;
   sleeping_ = kick_ = false;
   guard_begin_ = guard_end_ = 0;
   core_.stack_alarm = lowest_stack_;
@@ -196,6 +196,9 @@ void Cpu::execute() {
       if (!may_execute(next)) return fault(kMemManage, kInstructionMem, 0, "execution is denied at " + hex(next));
       return fault(kBusFault, kInstructionBus, 0, "no instruction at " + hex(next));
     case Halt::bad_access:
+      if (core_.takes_unaligned())
+        return fault(kUsageFault, kUnaligned, 0,
+                     "access to " + hex(core_.bad_address()) + " at " + hex(next) + " is not aligned");
       if (std::exchange(denied_, false))
         return fault(kMemManage, kDataMem | kMemAddress, core_.bad_address(),
                      "write to protected " + hex(core_.bad_address()) + " at " + hex(next));

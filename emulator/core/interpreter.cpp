@@ -156,7 +156,14 @@ void Interpreter::begin_it(std::uint32_t address, std::uint32_t state) {
   }
 }
 
+bool Interpreter::refuse_unaligned(std::uint32_t address) {
+  bad_address_ = address;
+  is_unaligned_ = true;
+  return false;
+}
+
 bool Interpreter::load_elsewhere(std::uint32_t address, unsigned bytes, std::uint32_t& value) {
+  if (traps_unaligned && address % bytes != 0) return refuse_unaligned(address);
   bad_address_ = address;
   if (address >= Memories::kRamBase) return outside_.read(address, bytes, value);
   const std::uint8_t* from = nullptr;
@@ -169,6 +176,7 @@ bool Interpreter::load_elsewhere(std::uint32_t address, unsigned bytes, std::uin
 }
 
 bool Interpreter::store_elsewhere(std::uint32_t address, unsigned bytes, std::uint32_t value) {
+  if (traps_unaligned && address % bytes != 0) return refuse_unaligned(address);
   bad_address_ = address;
   return outside_.write(address, bytes, bytes == 4 ? value : value & ((1U << (8 * bytes)) - 1));
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "emulator/core/memories.hpp"
@@ -66,9 +67,10 @@ class Interpreter {
 
   Registers registers;
   Pace pace;
-  bool fpu_on = false;      ///< the image has turned it on in CPACR
-  bool fp_active = false;   ///< floating point was used since the last exception entry
-  bool lazy_frame = false;  ///< the space for its registers is reserved, not filled
+  bool fpu_on = false;           ///< the image has turned it on in CPACR
+  bool fp_active = false;        ///< floating point was used since the last exception entry
+  bool traps_unaligned = false;  ///< the image has asked for faults in CCR
+  bool lazy_frame = false;       ///< the space for its registers is reserved, not filled
   std::uint32_t stack_alarm = 0;
   Time drained_at = 0;  ///< of the last DSB: every store before it has left the core
 
@@ -93,6 +95,8 @@ class Interpreter {
   /// The instruction begun last.
   [[nodiscard]] std::uint32_t pc() const { return registers.r[15] - 4; }
   [[nodiscard]] std::uint32_t bad_address() const { return bad_address_; }
+  /// Whether it was refused because it is not aligned; asked once.
+  bool takes_unaligned() { return std::exchange(is_unaligned_, false); }
 
   /// An exception that costs time to save registers lazily: PM0214 2.3.7, Cortex-M4 TRM 7.2.3.
   static constexpr unsigned kLazyCycles = 17;
@@ -140,7 +144,7 @@ class Interpreter {
         return load_elsewhere(address, sizeof(T), value);
       }
     }
-    charge_alignment<T>(address);
+    if (!pays_for_alignment<T>(address)) return false;
     T item;
     std::memcpy(&item, from, sizeof(T));
     value = item;
@@ -150,17 +154,22 @@ class Interpreter {
   bool store(std::uint32_t address, std::uint32_t value) {
     std::uint8_t* to = in_ram(address, sizeof(T));
     if (to == nullptr || is_watched(address)) return store_elsewhere(address, sizeof(T), value);
-    charge_alignment<T>(address);
+    if (!pays_for_alignment<T>(address)) return false;
     const T item = static_cast<T>(value);
     std::memcpy(to, &item, sizeof(T));
     return true;
   }
-  /// An access that is not aligned becomes several: a word at a halfword two, at a byte three. Cortex-M4 TRM 3.3.2.
+  /// An access that is not aligned becomes several, a word at a halfword two, at a byte three (Cortex-M4 TRM 3.3.2), or
+  /// is a fault. @return false: it is
   template <class T>
-  void charge_alignment(std::uint32_t address) {
-    if ((address & (sizeof(T) - 1)) != 0) [[unlikely]]
-      pace.charge(sizeof(T) == 4 && (address & 1) != 0 ? 2 : 1);
+  bool pays_for_alignment(std::uint32_t address) {
+    if ((address & (sizeof(T) - 1)) == 0) [[likely]]
+      return true;
+    if (traps_unaligned) return refuse_unaligned(address);
+    pace.charge(sizeof(T) == 4 && (address & 1) != 0 ? 2 : 1);
+    return true;
   }
+  bool refuse_unaligned(std::uint32_t address);
   bool load_elsewhere(std::uint32_t address, unsigned bytes, std::uint32_t& value);
   bool store_elsewhere(std::uint32_t address, unsigned bytes, std::uint32_t value);
   // Addresses of loads and stores.
@@ -230,6 +239,7 @@ class Interpreter {
   Operation elsewhere_, conditional_;          ///< an instruction outside of it; one inside an IT block
   std::map<std::uint32_t, Operation> marked_;  ///< by physical address: what stands at a mark
   std::uint32_t bad_address_ = 0;
+  bool is_unaligned_ = false;
 };
 
 template <Interpreter::Access What>

@@ -6,7 +6,7 @@
 
 namespace finemote::emulator {
 namespace {
-constexpr std::uint32_t kTraps = 0x18;  // CCR: DIV_0_TRP and UNALIGN_TRP, PM0214 4.4.7
+constexpr std::uint32_t kTrapDivision = 0x10;  // CCR, DIV_0_TRP: PM0214 4.4.7
 
 bool in(std::uint32_t address, std::uint32_t from, std::uint32_t end) { return address >= from && address < end; }
 
@@ -225,8 +225,8 @@ void SystemSpace::write_word(std::uint32_t address, std::uint32_t value, Time no
       scr_ = value;
       return;
     case 0xE000ED14:
-      if ((value & kTraps) != 0)
-        reports_.add(Misuse::unmodelled, "core register CCR bits " + hex(value & kTraps), now, pc, address);
+      if ((value & kTrapDivision) != 0)
+        reports_.add(Misuse::unmodelled, "core register CCR bit " + hex(kTrapDivision), now, pc, address);
       ccr_ = value;
       return;
     case 0xE000ED24:

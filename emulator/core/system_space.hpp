@@ -31,6 +31,8 @@ class SystemSpace {
   [[nodiscard]] std::uint32_t vector_table() const { return vtor_; }
   /// Peripherals of APB1 that stop with the core in a debugger's hands, as DBGMCU_APB1_FZ has them: RM0090 38.16.4.
   [[nodiscard]] std::uint32_t frozen_in_debug() const { return debug_freeze_[0]; }
+  /// CCR, UNALIGN_TRP: PM0214 4.4.7.
+  [[nodiscard]] bool traps_unaligned() const { return (ccr_ & 8) != 0; }
   [[nodiscard]] bool fpu_enabled() const { return ((cpacr_ >> 20) & 0xF) == 0xF; }
   [[nodiscard]] bool sleeps_on_exit() const { return (scr_ & 2) != 0; }
   [[nodiscard]] const Mpu& mpu() const { return mpu_; }

@@ -23,6 +23,7 @@
 #include "generator/run/project.hpp"
 #include "generator/scaffold/fill_folder.hpp"
 #include "generator/timing/from_robot.hpp"
+#include "generator/timing/robot_costs.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -42,8 +43,16 @@ std::optional<Input> robot_of(const Options& options, Sources& sources, Diagnost
   return input;
 }
 
+/// The kit measures the flash, too, so that its code runs from there.
+void run_from_flash(Robot& robot) {
+  for (Param& param : robot.board_params) {
+    if (param.spec->name == "code") param.value = std::string("flash");
+  }
+}
+
 std::optional<PlannedRobot> plan_for_bench(const Input& input, Sources& sources, Diagnostics& diagnostics) {
   auto planned = plan_robot(input, sources, diagnostics);
+  if (planned) run_from_flash(planned->robot);
   if (!planned || planned->robot.board->name == kBoard) return planned;
   diagnostics
       .error(code::usage, {},
@@ -69,7 +78,7 @@ Ground ground_of(Wcet::Source source) {
 /// Of the release interrupt as the analysis has it, less what only those feel whom it interrupts.
 Duration release_limit(const PlannedRobot& planned, const timing::Model& model) {
   const auto buckets = static_cast<std::int64_t>(planned.schedule.buckets.size());
-  return model.costs.release - planned.robot.board->costs.preemption + buckets * model.costs.release_per_bucket;
+  return model.costs.release - timing::board_costs(planned.robot).preemption + buckets * model.costs.release_per_bucket;
 }
 
 std::vector<StageLimits> stage_limits(const PlannedRobot& planned, const timing::Model& model) {

@@ -147,7 +147,8 @@ struct Board {
   std::vector<SpareLine> lines;                                 ///< in order of use
   std::uint32_t first_bucket_level = 0, last_bucket_level = 0;  ///< NVIC priority levels for buckets, inclusive
   std::vector<ParamSpec> params;                                ///< of the `<board>` element
-  Costs costs;
+  Costs costs;                                                  ///< where it runs its code in flash
+  Costs costs_in_sram;                                          ///< where it runs it in SRAM
   Drivers drivers;
   bool has_watchdog = false;  ///< only hardware has one
 

@@ -5,16 +5,17 @@
 namespace finemote::gen {
 namespace {
 
-std::optional<Duration> cost(const Json& costs, const char* name) {
+std::optional<Duration> cost(const Json& costs, const char* name, CodePlace place) {
   const auto found = costs.find(name);
   if (found == costs.end() || found->is_null()) return {};
-  return duration_member(*found, "ns");
+  const bool has_own = place == CodePlace::sram && found->contains("sram_ns");
+  return duration_member(*found, has_own ? "sram_ns" : "ns");
 }
 
 }  // namespace
 
-Costs read_costs(const Json& value) {
-  const auto required = [&](const char* name) { return cost(value, name).value_or(Duration::zero()); };
+Costs read_costs(const Json& value, CodePlace place) {
+  const auto required = [&](const char* name) { return cost(value, name, place).value_or(Duration::zero()); };
   Costs costs;
   costs.release = required("release");
   costs.release_per_bucket = required("release_per_bucket");
@@ -22,6 +23,7 @@ Costs read_costs(const Json& value) {
   costs.release_walk_per_bucket = required("release_walk_per_bucket");
   costs.exception_entry = required("exception_entry");
   costs.exception_exit = required("exception_exit");
+  costs.fpu_context = required("fpu_context");
   costs.preemption = required("preemption");
   costs.bucket = required("bucket");
   costs.stage = required("stage");
@@ -33,8 +35,8 @@ Costs read_costs(const Json& value) {
   costs.latch = required("latch");
   costs.latch_per_word = required("latch_per_word");
   costs.trace_event = required("trace_event");
-  costs.monitor_handle = cost(value, "monitor_handle");
-  costs.monitor_job = cost(value, "monitor_job");
+  costs.monitor_handle = cost(value, "monitor_handle", place);
+  costs.monitor_job = cost(value, "monitor_job", place);
   return costs;
 }
 

@@ -80,7 +80,7 @@ struct WcetDefault {
   Duration update;
   Duration handle;
   std::vector<std::string> update_params, handle_params;  ///< names of params of unit time
-  Duration per_child;
+  Duration update_per_child, handle_per_child;
   Duration per_frame;  ///< of update(): for every frame that the part sent by itself since the one before
 };
 

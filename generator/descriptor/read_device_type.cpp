@@ -95,7 +95,9 @@ std::optional<WcetDefault> read_wcet(const Json& value) {
   if (const auto params = wcet->find("handle_params"); params != wcet->end())
     result.handle_params = params->get<std::vector<std::string>>();
   result.per_frame = duration_member(*wcet, "per_frame_ns").value_or(Duration::zero());
-  result.per_child = duration_member(*wcet, "per_child_ns").value_or(Duration::zero());
+  const Duration per_child = duration_member(*wcet, "per_child_ns").value_or(Duration::zero());
+  result.update_per_child = duration_member(*wcet, "update_per_child_ns").value_or(per_child);
+  result.handle_per_child = duration_member(*wcet, "handle_per_child_ns").value_or(per_child);
   return result;
 }
 

@@ -99,7 +99,11 @@ std::string wcet_text(const WcetDefault& wcet) {
   std::string update = "update " + time_text(wcet.update);
   if (wcet.per_frame > Duration::zero()) update += " and " + time_text(wcet.per_frame) + " for each frame received";
   std::string text = update + ", handle " + time_text(wcet.handle);
-  if (wcet.per_child > Duration::zero()) text += "; each " + time_text(wcet.per_child) + " more for every child";
+  const Duration in_update = wcet.update_per_child, in_handle = wcet.handle_per_child;
+  if (in_update == in_handle && in_update > Duration::zero())
+    text += "; each " + time_text(in_update) + " more for every child";
+  if (in_update != in_handle)
+    text += "; " + time_text(in_update) + " and " + time_text(in_handle) + " more for every child";
   return text;
 }
 

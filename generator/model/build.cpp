@@ -111,10 +111,11 @@ void check_there_is_a_device(const Tags& tags, const Robot& robot, Diagnostics& 
 
 /// What a stage is assumed to take: `alone`, more for every child, and what some params say. Saturates: such a time
 /// fails every analysis, which says so.
-Duration assumed_stage(const Device& device, Duration alone, const std::vector<std::string>& params) {
+Duration assumed_stage(const Device& device, Duration alone, Duration per_child,
+                       const std::vector<std::string>& params) {
   const auto children = static_cast<std::int64_t>(device.children.size() + device.reads.size());
   try {
-    Duration sum = alone + device.type->wcet->per_child * children;
+    Duration sum = alone + per_child * children;
     for (const std::string& param : params) sum += nanoseconds(param_value(device.params, param, std::int64_t{0}));
     return sum;
   } catch (const Overflow&) {
@@ -137,10 +138,10 @@ void assume_wcet(const Robot& robot, Device& device, Duration otherwise) {
   device.wcet.update = device.wcet.handle = otherwise;
   if (device.type == nullptr || !device.type->wcet) return;
   const WcetDefault& wcet = *device.type->wcet;
-  device.wcet.update = assumed_stage(device, wcet.update, wcet.update_params);
+  device.wcet.update = assumed_stage(device, wcet.update, wcet.update_per_child, wcet.update_params);
   device.wcet.per_frame = wcet.per_frame;
   if (wcet.per_frame > Duration::zero()) device.wcet.update = with_frames(robot, device);
-  device.wcet.handle = assumed_stage(device, wcet.handle, wcet.handle_params);
+  device.wcet.handle = assumed_stage(device, wcet.handle, wcet.handle_per_child, wcet.handle_params);
 }
 
 void list_inputs(Robot& robot, const Sources& sources) {

@@ -140,7 +140,7 @@ std::string project_text(const FirmwareRequest& request) {
           << "finemote_add_firmware(" << request.name << " GENERATED ${CMAKE_CURRENT_SOURCE_DIR}/generated BOARD "
           << request.board << (request.trace ? " TRACE" : "") << (request.monitor ? " WATCH_BOUNDS" : "")
           << (request.duration > Duration::zero() ? fmt::format(" DURATION {}ns", request.duration.ns()) : "")
-          << (request.code_in_sram ? " CODE sram" : "")
+          << " CODE " << (request.code_in_sram ? "sram" : "flash")
           << (request.stack > 0 ? fmt::format(" STACK {}", request.stack) : "")
           << cmake_list("INCLUDES", request.include_dirs) << cmake_list("SOURCES", request.sources) << ")\n";
   return project.str();

@@ -10,6 +10,7 @@
 #include "generator/image/exception.hpp"
 #include "generator/schedule/period.hpp"
 #include "generator/timing_file/cost_words.hpp"
+#include "generator/wcet/cost_table.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -43,13 +44,24 @@ std::string source_of(const TimedRobot& timed, unsigned exception) {
   return {};
 }
 
-Json causes_json(const TimedRobot& timed, const wcet::CauseTimes& times) {
+/// Of an interrupt that is no job's, for which the chip's file charges no more than entry and return.
+Cycles context_of(const wcet::RoutineTime& routine) {
+  return routine.uses_fpu ? wcet::documented_costs().fpu_context : 0;
+}
+
+Json causes_json(const TimedRobot& timed, const wcet::RoutineTime& routine) {
   Json causes = Json::object();
   for (const auto& [cause, word] : kCauses) {
-    const auto found = times.find(cause);
-    if (found != times.end()) causes[word] = ns_of(found->second, timed);
+    const auto found = routine.by_cause.find(cause);
+    if (found != routine.by_cause.end()) causes[word] = ns_of(found->second + context_of(routine), timed);
   }
   return causes;
+}
+
+/// @param context  what it takes besides
+void add_times(const TimedRobot& timed, const wcet::RoutineTime& routine, Cycles context, Json& entry) {
+  entry["wcet_ns"] = ns_of(routine.without_faults.value_or(routine.cycles) + context, timed);
+  entry["with_faults_ns"] = ns_of(routine.cycles + context, timed);
 }
 
 /// Updates in the order of the forest, then handles the other way.
@@ -119,10 +131,9 @@ Json interrupts_json(const TimedRobot& timed) {
   Json interrupts = Json::array();
   for (const wcet::RoutineTime& routine : timed.times.routines) {
     if (task_of(timed, routine.exception)) continue;
-    Json entry{{"source", interrupt_name(timed, routine)},
-               {"wcet_ns", ns_of(routine.without_faults.value_or(routine.cycles), timed)},
-               {"with_faults_ns", ns_of(routine.cycles, timed)}};
-    if (!source_of(timed, routine.exception).empty()) entry["raised_by"] = causes_json(timed, routine.by_cause);
+    Json entry{{"source", interrupt_name(timed, routine)}};
+    add_times(timed, routine, context_of(routine), entry);
+    if (!source_of(timed, routine.exception).empty()) entry["raised_by"] = causes_json(timed, routine);
     interrupts.push_back(std::move(entry));
   }
   return interrupts;
@@ -133,8 +144,8 @@ Json scheduler_json(const TimedRobot& timed) {
   for (const wcet::RoutineTime& routine : timed.times.routines) {
     const auto task = task_of(timed, routine.exception);
     if (!task) continue;
-    Json entry{{"what", task->name}, {"wcet_ns", ns_of(routine.without_faults.value_or(routine.cycles), timed)}};
-    entry["with_faults_ns"] = ns_of(routine.cycles, timed);
+    Json entry{{"what", task->name}};
+    add_times(timed, routine, task->period ? 0 : context_of(routine), entry);
     if (task->period) {
       entry["period_ns"] = task->period->ns();
       entry["behind_ns"] = ns_of(routine.gaps.rest, timed);

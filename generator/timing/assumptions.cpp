@@ -31,8 +31,8 @@ constexpr Assumption kAssumptions[] = {
      "finemote run uses",
      undetectable},
     {"flash",
-     "instructions and data in flash are found in the accelerator, as where the runtime's own costs were "
-     "measured",
+     "where the code runs in flash, instructions and data are found in the accelerator, as where the runtime's own "
+     "costs were measured",
      undetectable},
     {"supply", "the supply stays at 2.7 V or more, which the wait states of the flash are for", undetectable},
     {"flash-write", "nobody erases or programs the flash while the robot runs", undetectable},

@@ -22,17 +22,9 @@ DecisionAnalysis::DecisionAnalysis(const Model& model, const Topology& topology,
       reach_(reach),
       profile_(profile),
       effort_(effort),
-      updates_from_(model.devices.size()),
-      handles_from_(model.devices.size()),
+      windows_(profile, effort),
       is_general_(general_up_to_root(model, profile.set, profile.table)) {
   find_hand_overs();
-  for (const TaskBucket& bucket : profile.set.buckets) {
-    Duration updates, handles;
-    for (auto d = bucket.devices.rbegin(); d != bucket.devices.rend(); ++d) {
-      updates_from_[*d] = updates += profile.set.update[*d];
-      handles_from_[*d] = handles += profile.set.handle[*d];
-    }
-  }
 }
 
 /// Of every device of a tree that was walked, unless closed forms stand in, and unless other ways lead through reads.
@@ -102,25 +94,11 @@ Duration DecisionAnalysis::used(Duration use, Rank producer, Rank consumer) cons
   return ready > use ? release - period : release;
 }
 
-/// Begin of update(from) to end of handle(to) in one job: W of analysis-cases/README.md for two devices of a bucket.
-Duration DecisionAnalysis::pair_window(Rank from, Rank to, Duration release) const {
-  const TaskSet& set = profile_.set;
-  const std::size_t w = set.bucket_of[to];
-  const Duration response = profile_.table.r_minus(to, release);
-  if (profile_.responses.closed_form[w]) return response;
-  const Duration extra = nanoseconds(set.handle[to] == Duration::zero() ? 1 : 0);
-  const Duration work = extra + updates_from_[from] + handles_from_[to];
-  Demand demand(effort_);
-  demand.add_streams(set.inside_job(w));
-  const Duration length = response - nanoseconds(1) + extra;
-  const bool is_any_release = profile_.table.is_general(w);  // as many as fit, wherever the release is
-  for (std::size_t v = 0; v < w; ++v) {
-    const Duration period = set.buckets[v].period;
-    const std::int64_t inside =
-        is_any_release ? ceil_div(length, period) : floor_div(release + length, period) - floor_div(release, period);
-    demand.add({{}, period, set.buckets[v].cost, inside});
-  }
-  return std::min(least_fit(demand, work, std::max(work, nanoseconds(1)), kLongest) - extra, response);
+/// Begin of update(from) to end of handle(to), both in jobs released at `release`.
+Duration DecisionAnalysis::released_together(Rank from, Rank to, Duration release, Duration response) const {
+  const std::size_t first = profile_.set.bucket_of[from], last = profile_.set.bucket_of[to];
+  if (first == last) return windows_.in_one_job(from, to, release);
+  return windows_.spans(first, last) ? windows_.in_two_jobs(from, to, release) : response;
 }
 
 /// The same maximum from what the latency analysis walked; kNone where it is beyond the limits.
@@ -140,11 +118,12 @@ Duration DecisionAnalysis::join_hand_overs(Rank from, Rank to) const {
   Duration worst;
   const auto look_at = [&](Duration release, std::size_t row, Duration age) {
     const Duration response = table.r_minus_in_row(to, row);
-    if (age > Duration::zero() || !one_bucket) {
+    if (age + response <= worst) return;
+    if (age > Duration::zero()) {
       worst = std::max(worst, age + response);
-    } else if (!seen[row] && response > worst) {
+    } else if (!one_bucket || !seen[row]) {
       seen[row] = true;
-      worst = std::max(worst, pair_window(from, to, release));
+      worst = std::max(worst, released_together(from, to, release, response));
     }
   };
   const std::vector<TerminalUse> uses = join(down, up, length);
@@ -165,7 +144,6 @@ Duration DecisionAnalysis::join_hand_overs(Rank from, Rank to) const {
 Duration DecisionAnalysis::walk(const Route& r, std::int64_t entries) const {
   const Duration step = model_.devices[r.down.front()].period;
   const Duration period = model_.devices[r.to].period;
-  const bool one_bucket = profile_.set.bucket_of[r.from] == profile_.set.bucket_of[r.to];
   const Duration most = profile_.responses.r_minus[r.to];
   std::vector<Duration> use(r.up.size());
   Duration worst;
@@ -183,7 +161,7 @@ Duration DecisionAnalysis::walk(const Route& r, std::int64_t entries) const {
     if (age + most <= worst) continue;
     const Duration response = profile_.table.r_minus(r.to, t);
     if (age + response <= worst) continue;
-    worst = std::max(worst, age == Duration::zero() && one_bucket ? pair_window(r.from, r.to, t) : age + response);
+    worst = std::max(worst, age == Duration::zero() ? released_together(r.from, r.to, t, response) : age + response);
   }
   return worst;
 }

@@ -1,6 +1,7 @@
 // Decision latency of one chain: from the begin of update() at its source to the end of handle() at its terminal.
 #pragma once
 
+#include "generator/timing/pair_window.hpp"
 #include "generator/timing/profile.hpp"
 #include "generator/timing/reach.hpp"
 
@@ -35,14 +36,14 @@ class DecisionAnalysis {
   [[nodiscard]] Duration closed_form(const Route& route) const;
   [[nodiscard]] Duration hand_down(Duration release, Rank producer, Rank consumer) const;
   [[nodiscard]] Duration used(Duration use, Rank producer, Rank consumer) const;
-  [[nodiscard]] Duration pair_window(Rank from, Rank to, Duration release) const;
+  [[nodiscard]] Duration released_together(Rank from, Rank to, Duration release, Duration response) const;
 
   const Model& model_;
   const Topology& topology_;
   const Reach& reach_;
   const ProfileAnalysis& profile_;
   Effort& effort_;
-  Table<Rank, Duration> updates_from_, handles_from_;       ///< stages of it and of later devices of its bucket
+  const PairWindow windows_;
   Table<Rank, std::shared_ptr<const HandOver>> hand_over_;  ///< null: not known
   Table<Rank, bool> is_general_;                            ///< general_up_to_root
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "generator/descriptor/runtime_limits.hpp"
+#include "generator/model/firmware_inputs.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -50,11 +51,11 @@ Duration longest_behind(const ComputedCosts& computed, const Schedule& schedule)
 }
 
 /// Bounds of the image in place of what the board file says. What runs before a stage is charged with the stage.
-void take_computed(const ComputedCosts& computed, const Schedule& schedule, Costs& costs) {
+void take_computed(const ComputedCosts& computed, const Schedule& schedule, Duration job, Costs& costs) {
   const auto jobs = static_cast<std::int64_t>(schedule.buckets.size());  // each may be amid what a release disturbs
   costs.release = costs.interrupt + computed.release + jobs * computed.retries.release;
   costs.release_per_bucket = Duration::zero();
-  costs.job = costs.interrupt + longest_behind(computed, schedule);
+  costs.job = job + longest_behind(computed, schedule);
   costs.stage = Duration::zero();
   costs.masked = computed.masked;
   costs.source = WcetSource::computed;
@@ -64,7 +65,8 @@ void take_computed(const ComputedCosts& computed, const Schedule& schedule, Cost
 
 const gen::Costs& board_costs(const Robot& robot) {
   static constexpr gen::Costs kNone{};
-  return robot.board != nullptr ? robot.board->costs : kNone;
+  if (robot.board == nullptr) return kNone;
+  return runs_code_in_sram(robot) ? robot.board->costs_in_sram : robot.board->costs;
 }
 
 Duration monitor_cost(std::optional<Duration> of_board) { return of_board.value_or(kMonitorGuess); }
@@ -72,17 +74,17 @@ Duration monitor_cost(std::optional<Duration> of_board) { return of_board.value_
 Costs robot_costs(const Robot& robot, const Schedule& schedule, const RobotTimingOptions& options) {
   const gen::Costs& costs = board_costs(robot);
   Costs result;
-  result.interrupt = costs.exception();
+  result.interrupt = costs.interrupt();
   const Duration step = longest_step(robot);
   result.release = release_cost(costs, schedule, step) + result.interrupt;
   if (!schedule.buckets.empty() && schedule.buckets.front().period > step) result.longest_release = step;
   result.release_per_bucket = costs.release_per_bucket;
-  result.job = costs.bucket + result.interrupt;
+  result.job = costs.bucket + costs.job();
   result.stage = costs.stage;
   result.masked = costs.masked_section;
   result.keeps_one_release = true;
   result.source = WcetSource::assumed;
-  if (robot.computed) take_computed(*robot.computed, schedule, result);
+  if (robot.computed) take_computed(*robot.computed, schedule, costs.job(), result);
   if (options.trace) result.stage += 2 * costs.trace_event;
   if (options.monitor) result.job += monitor_cost(costs.monitor_job);
   return result;

@@ -10,6 +10,31 @@ constexpr std::uint32_t kFetchedAhead = 12;  // bytes behind a jump that the cor
 
 std::uint32_t line_of(std::uint32_t address) { return address / kLine; }
 
+/// Only these may be at any address: of all others the core makes a fault (ARMv7-M Architecture Reference Manual
+/// A3.2.1).
+bool may_be_unaligned(unsigned id) {
+  switch (id) {
+    case ARM_INS_LDR:
+    case ARM_INS_STR:
+    case ARM_INS_LDRH:
+    case ARM_INS_LDRSH:
+    case ARM_INS_STRH:
+    case ARM_INS_LDRT:
+    case ARM_INS_STRT:
+    case ARM_INS_LDRHT:
+    case ARM_INS_LDRSHT:
+    case ARM_INS_STRHT:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool is_aligned(const Access& access) {
+  const Interval address = access.address.range();
+  return access.size == 1 || (address.is_constant() && address.low % access.size == 0);
+}
+
 }  // namespace
 
 Cycles CodeCost::fetch(const Instruction& i) const {
@@ -23,11 +48,18 @@ std::optional<Cycles> CodeCost::run(const Instruction& i, const Machine& machine
   const auto alone = longest_time(i, *table_);
   if (!alone) return std::nullopt;
   Cycles cycles = *alone + fetch(i);
-  for (const Transferred& word : memory_use(i, machine).words)
-    cycles += longest_wait(word.access.address.range(), placement_, table_->waits);
+  for (const Transferred& word : memory_use(i, machine).words) {
+    const Cycles wait = longest_wait(word.access.address.range(), placement_, table_->waits);
+    cycles += wait;
+    if (may_be_unaligned(i.id) && !is_aligned(word.access)) cycles += further_accesses(word.access) * (1 + wait);
+  }
   if (i.id == ARM_INS_TBB || i.id == ARM_INS_TBH)
     cycles += longest_wait(Interval::of(i.end()), placement_, table_->waits);
   return cycles;
+}
+
+Cycles CodeCost::further_accesses(const Access& access) const {
+  return access.size == 4 ? table_->unaligned_word : table_->unaligned_half;
 }
 
 Cycles CodeCost::skip(const Instruction& i) const { return table_->skipped + fetch(i); }

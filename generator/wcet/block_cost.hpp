@@ -29,6 +29,8 @@ class CodeCost {
 
  private:
   [[nodiscard]] Cycles fetch(const Instruction& instruction) const;
+  /// That an access which is not aligned makes besides the first.
+  [[nodiscard]] Cycles further_accesses(const Access& access) const;
   Placement placement_;
   const CostTable* table_;
 };

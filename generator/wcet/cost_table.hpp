@@ -31,12 +31,20 @@ struct CostTable {
   Cycles float_two = 4;          ///< of a double
   Cycles several = 2, word = 1;  ///< load and store multiple: once, and for each word
 
+  /// Accesses that a word, or a halfword, takes besides where it is not aligned: TRM 3.3.2. Each costs a cycle, and
+  /// waits.
+  Cycles unaligned_word = 2, unaligned_half = 1;
+
   Cycles taken = 3;    ///< the refill: besides, behind a branch that is taken, a call and a return
   Cycles skipped = 1;  ///< an instruction in an IT block whose condition fails
 
   Cycles straddling = 1;      ///< a wide instruction at an odd halfword may starve the decoder: not documented
   Cycles wait_states = 5;     ///< of a line of flash at 168 MHz and 2.7 V: RM0090 table 11
   Cycles read_in_flight = 6;  ///< a whole line of flash before it: reads cannot be taken back
+
+  /// Of a routine that uses the FPU: the registers of what it interrupts are saved at the first such instruction, 17
+  /// words and a wait for the last, and restored by a return of 27 cycles in place of 10: TRM 3.9.1.
+  Cycles fpu_context = 35;
 
   MemoryWaits waits = {};
 };

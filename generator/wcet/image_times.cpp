@@ -8,6 +8,7 @@
 #include "generator/image/exception.hpp"
 #include "generator/wcet/certificate.hpp"
 #include "generator/wcet/events.hpp"
+#include "generator/wcet/fpu_use.hpp"
 #include "generator/wcet/longest_path.hpp"
 #include "generator/wcet/prepared_image.hpp"
 #include "generator/wcet/proven_bound.hpp"
@@ -56,6 +57,7 @@ class Timing {
     add_brackets(walked, undisturbed, routine);
     routine.by_cause = times_by_event(prepared_, vector.entry, undisturbed);
     routine.gaps = gaps_between(undisturbed, prepared_.marks(), kFirstWorkMark);
+    routine.uses_fpu = uses_fpu(walked.graph);
     take_retries(walked, times_.retries);
     times_.routines.push_back(std::move(routine));
   }

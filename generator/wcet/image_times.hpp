@@ -48,6 +48,7 @@ struct RoutineTime {
   std::vector<BracketTime> brackets;
   CauseTimes by_cause;  ///< without faults: of a routine of buses
   Gaps gaps;            ///< without faults: of a job
+  bool uses_fpu = false;
 };
 
 /// Why some routine has no bound.

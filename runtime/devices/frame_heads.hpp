@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "finemote/four_bytes.hpp"
 #include "finemote/loop_bound.hpp"
 
 namespace finemote {
@@ -17,15 +18,13 @@ class FrameHeads {
   static constexpr std::size_t kNone = most;  ///< there is no further place
 
   FrameHeads(const std::uint8_t* bytes, std::size_t size, std::uint8_t first, std::uint8_t second) {
-    const std::uint32_t head = std::uint32_t{first} << 8 | second;
-    std::uint32_t pair = 0;
+    Search search{bytes, first * kOnes, second * kOnes};
     for (std::size_t word = 0, left = size; word < kWords && left != 0; ++word) {
       const std::size_t count = left < kBits ? left : kBits;
       left -= count;
-      words_[word] = seconds(bytes, count, head, pair) << (kBits - count);
-      bytes += count;
+      words_[word] = search.next(count) << (kBits - count);
     }
-    if ((pair & 0xFFU) == first && size != 0) last_ = size - 1;
+    if (search.ends_with_first() && size != 0) last_ = size - 1;
   }
 
   /// The first place at `from` or behind it.
@@ -43,17 +42,41 @@ class FrameHeads {
  private:
   static constexpr std::size_t kBits = 32, kWords = (most + kBits - 1) / kBits;
 
-  /// Which of some bytes are the second of a head, the last one's bit lowest. `pair` are the two before them, and then
-  /// the last two.
-  static std::uint32_t seconds(const std::uint8_t* bytes, std::size_t count, std::uint32_t head, std::uint32_t& pair) {
-    std::uint32_t bits = 0;
-    for (; count != 0; --count) {
-      as_counted(count);
-      pair = (pair << 8 | *bytes++) & 0xFFFFU;
-      bits = bits << 1 | (pair == head ? 1U : 0U);
+  static constexpr std::uint32_t kOnes = 0x01010101, kLow = 0x7F7F7F7F;
+
+  /// Looks at four bytes at a time.
+  struct Search {
+    const std::uint8_t* bytes;
+    std::uint32_t firsts, seconds;          ///< four times
+    std::uint32_t before = ~firsts << 24U;  ///< the highest byte is the one before `bytes`
+
+    /// Which of the next bytes are the second of a head, the last one's bit lowest.
+    std::uint32_t next(std::size_t count) {
+      std::uint32_t bits = 0;
+      for (std::size_t fours = count / 4; fours != 0; --fours) {
+        as_counted(fours);
+        const std::uint32_t four = four_bytes(bytes);
+        bits = bits << 4 | zeros((four ^ seconds) | ((four << 8 | before >> 24) ^ firsts));
+        before = four;
+        bytes += 4;
+      }
+      for (std::size_t rest = count % 4; rest != 0; --rest) {
+        as_counted(rest);
+        const std::uint32_t byte = *bytes++;
+        bits = bits << 1 | (byte == (seconds & 0xFFU) && ends_with_first() ? 1U : 0U);
+        before = byte << 24;
+      }
+      return bits;
     }
-    return bits;
-  }
+    [[nodiscard]] bool ends_with_first() const { return before >> 24 == (firsts & 0xFFU); }
+
+    /// A bit for each byte that is 0, the lowest byte's highest of four.
+    static std::uint32_t zeros(std::uint32_t four) {
+      const std::uint32_t highest = ~(((four & kLow) + kLow) | four | kLow);  // the highest bit of each such byte
+      constexpr std::uint32_t kGather = 1U << 27 | 1U << 18 | 1U << 9 | 1U;   // to bits 27 to 24, without a carry
+      return (highest >> 7) * kGather >> 24 & 0xFU;
+    }
+  };
 
   std::uint32_t words_[kWords]{};  ///< a bit for every byte, the highest of a word first: it is the second of a head
   std::size_t last_ = kNone;       ///< the last byte, where it is the first of a head

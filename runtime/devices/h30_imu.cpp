@@ -1,5 +1,7 @@
 #include "finemote/devices/h30_imu.hpp"
 
+#include "frame_heads.hpp"
+
 namespace finemote {
 
 namespace {
@@ -70,59 +72,70 @@ void H30Imu::turn_state() {
   state.yaw = body.yaw();
 }
 
-H30Imu::Heads::Heads(const std::uint8_t* bytes, std::size_t size) {
-  for (std::size_t& place : at) place = kMostBytes;
-  if (size == 0) return;
-  std::size_t i = 0, found = 0;
-  do {  // the longest of the loops: one branch in most rounds
-    if (bytes[i] == kHead0 && (i + 1 == size || bytes[i + 1] == kHead1)) at[found++ % kMostHeads] = i;
-  } while (++i != size);
-  count = found;
-}
-
 /// Looks for frames in what is kept and `size` bytes more. Returns the first byte that may still begin one.
 const std::uint8_t* H30Imu::look(std::size_t size) {
   const std::uint8_t* const begin = recent_.begin();
   const std::uint8_t* const end = recent_.room() + size;
-  const auto count = static_cast<std::size_t>(end - begin);
-  const Heads heads(begin, count);
-  const std::uint8_t *last = nullptr, *undecided = end;
-  std::size_t decided = 0, judged = 0;
-  for (unsigned i = 0; i < kMostHeads; ++i) {
-    const std::size_t at = heads.at[(heads.count + i) % kMostHeads];  // the oldest first
-    if (at >= count || at < decided) continue;
+  const Found found = find(begin, static_cast<std::size_t>(end - begin));
+  if (found.last != nullptr && take(found.last)) {
+    frames_ += found.frames;
+    stamp(static_cast<std::size_t>(end - found.last), size_of(found.last, kMaxFrame));
+  }
+  return begin + found.decided;
+}
+
+/// Frames that fill what one read has brought, and places that are none.
+unsigned H30Imu::most_frames() const {
+  const std::size_t most = uart_->full_reads(1), bytes = (most < Uart::kChunk ? most : Uart::kChunk) + kMaxFrame;
+  return static_cast<unsigned>(bytes / kLeastFrame) + kMostRejected;
+}
+
+/// Goes from one place at which a frame may begin to the next: behind a good one, else to the next inside, for what
+/// looked like a beginning was none, or bytes were lost. Where too many look like it, inside no more: then every byte
+/// is summed once, whatever the line brings.
+H30Imu::Found H30Imu::find(const std::uint8_t* begin, std::size_t count) {
+  const FrameHeads<kMostBytes> heads(begin, count, kHead0, kHead1);
+  Found found;
+  std::size_t at = 0;
+  unsigned doubts = 0;
+  for (unsigned left = most_frames(); left != 0; --left) {
+    at = heads.next(at);
+    if (at >= count) break;
     const std::uint8_t* const frame = begin + at;
     const std::size_t whole = size_of(frame, count - at);
-    if (whole == 0) continue;
-    if (whole > count - at) {
-      undecided = frame;
-      break;
+    if (whole > count - at) break;
+    if (whole != 0 && sums_agree(frame)) {
+      found.last = frame;
+      ++found.frames;
+      at += whole;
+      continue;
     }
-    if (take(frame)) {
-      last = frame;
-      decided = at + whole;
-    } else if (at >= judged) {  // one of many that overlap is counted
-      ++bad_frames_;
-      judged = at + whole;
-    }
+    if (whole != 0) ++bad_frames_;
+    at += whole != 0 && ++doubts > kMostRejected ? whole : kHeads;
   }
-  if (last != nullptr) stamp(static_cast<std::size_t>(end - last), size_of(last, kMaxFrame));
-  return undecided;
+  found.decided = at < count ? at : count;
+  return found;
 }
 
 /// Bytes of the frame that begins there, more than `size` where that many do not tell; 0: it is none.
 std::size_t H30Imu::size_of(const std::uint8_t* frame, std::size_t size) {
   if (size < kHeader) return kHeader;
   const std::size_t payload = frame[kLengthAt];
-  return payload <= kMaxPayload ? kHeader + payload + kSums : 0;
+  return payload >= kLeastPayload && payload <= kMaxPayload ? kHeader + payload + kSums : 0;
 }
 
-/// A whole frame; false, and nothing is changed, when it does not count.
+/// Of a frame of which size_of() knows a size: never more, which only this line tells tools.
+std::size_t H30Imu::payload_of(const std::uint8_t* frame) {
+  return frame[kLengthAt] < kMaxPayload ? frame[kLengthAt] : kMaxPayload;
+}
+
+/// A whole frame whose sums agree; false, and nothing is changed, when it does not count.
 bool H30Imu::take(const std::uint8_t* frame) {
-  const std::size_t payload = frame[kLengthAt] < kMaxPayload ? frame[kLengthAt] : kMaxPayload;
   ImuState decoded;
-  if (!sums_agree(frame, payload) || !decode(frame, payload, decoded)) return false;
-  ++frames_;
+  if (!decode(frame, payload_of(frame), decoded)) {
+    ++bad_frames_;
+    return false;
+  }
   state = decoded;
   return true;
 }
@@ -133,9 +146,9 @@ void H30Imu::stamp(std::size_t since, std::size_t whole) {
   state.valid = true;
 }
 
-bool H30Imu::sums_agree(const std::uint8_t* frame, std::size_t payload) {
+bool H30Imu::sums_agree(const std::uint8_t* frame) {
   std::uint32_t sum1 = 0, sum2 = 0;
-  const std::size_t end = kHeader + payload;
+  const std::size_t end = kHeader + payload_of(frame);
   std::size_t i = kNumberAt;
   do {
     sum1 += frame[i];

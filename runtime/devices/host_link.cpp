@@ -7,8 +7,8 @@ namespace finemote {
 
 namespace {
 
-/// Places that look like the begin of a frame and are none, of which one read looks at so many.
-constexpr unsigned kMostRejected = 3;
+/// Places that look like the begin of a frame and are none: inside so many of them a read looks for a better one.
+constexpr unsigned kMostRejected = 1;
 
 /// Bytes that a frame begins with, always the same.
 constexpr std::size_t kHeads = 2;
@@ -32,6 +32,14 @@ std::uint32_t layout_of(const std::uint8_t* frame) {
 
 constexpr std::size_t least(std::size_t a, std::size_t b) { return a < b ? a : b; }
 
+/// A sum goes on with a byte. x is what the division by the polynomial leaves of the highest eight bits: x^12 + x^5 + 1
+/// times them and their upper half.
+[[gnu::always_inline]] inline std::uint32_t with_byte(std::uint32_t sum, std::uint8_t byte) {
+  std::uint32_t x = sum >> 8 ^ byte;
+  x ^= x >> 4;
+  return (sum << 8 ^ x << 12 ^ x << 5 ^ x) & 0xFFFFU;
+}
+
 /// Whether the sum behind `payload` bytes is right. It says so of the bytes from the kind on.
 bool is_intact(const std::uint8_t* frame, std::size_t payload) {
   const std::uint8_t* const end = frame + link::kHeader + payload;
@@ -41,16 +49,14 @@ bool is_intact(const std::uint8_t* frame, std::size_t payload) {
 
 }  // namespace
 
-// x is what the division by the polynomial leaves of the highest eight bits: x^12 + x^5 + 1 times them and their
-// upper half.
 std::uint16_t link::crc(const std::uint8_t* bytes, std::size_t size) {
   std::uint32_t value = 0xFFFF;
-  for (; size != 0; --size) {
-    as_counted(size);
-    std::uint32_t x = value >> 8 ^ *bytes++;
-    x ^= x >> 4;
-    value = (value << 8 ^ x << 12 ^ x << 5 ^ x) & 0xFFFFU;
+  for (std::size_t pairs = size / 2; pairs != 0; --pairs) {
+    as_counted(pairs);
+    value = with_byte(value, *bytes++);
+    value = with_byte(value, *bytes++);
   }
+  if (size % 2 != 0) value = with_byte(value, *bytes);
   return static_cast<std::uint16_t>(value);
 }
 
@@ -111,10 +117,12 @@ unsigned HostLink::most_frames() const {
 }
 
 /// Goes from one place at which a frame may begin to the next: behind a good one, else to the next inside, for what
-/// looked like a beginning was none, or bytes were lost. Returns how many bytes are decided.
+/// looked like a beginning was none, or bytes were lost. Where too many look like it, inside no more: then every byte
+/// is summed once, whatever the line brings. Returns how many bytes are decided.
 std::size_t HostLink::find(const std::uint8_t* begin, std::size_t count, Found& found) {
   const FrameHeads<kMostBytes> heads(begin, count, link::kFirst, link::kSecond);
   std::size_t at = 0;
+  unsigned doubts = 0;
   for (unsigned left = most_frames(); left != 0; --left) {
     at = heads.next(at);
     if (at >= count) return count;
@@ -132,6 +140,7 @@ std::size_t HostLink::find(const std::uint8_t* begin, std::size_t count, Found& 
       at += whole - kHeads;
     } else {
       ++state.rejected;
+      if (++doubts > kMostRejected) at += whole - kHeads;
     }
   }
   return at;

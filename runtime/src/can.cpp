@@ -4,6 +4,7 @@
 #include "finemote/loop_bound.hpp"
 #include "finemote/mark.hpp"
 #include "finemote/only_after_fault.hpp"
+#include "finemote/raised_by.hpp"
 
 namespace finemote {
 
@@ -17,6 +18,11 @@ constexpr std::uint8_t kErrorPassive = 127;
 
 /// Above what the routine takes that puts frames into mailboxes.
 constexpr Duration kLongestRoutine = 20 * kMicrosecond;
+
+constexpr std::uint32_t bit_of(unsigned number) { return std::uint32_t{1} << number % 32; }
+
+/// Of the lowest bit that is set; `bits` is not 0.
+unsigned lowest(std::uint32_t bits) { return static_cast<unsigned>(__builtin_ctz(bits)); }
 
 /// 128 sequences of eleven recessive bits: ISO 11898-1.
 constexpr std::int64_t kRecoveryBits = 128 * 11;
@@ -62,9 +68,10 @@ CanSlot::Received CanSlot::received(unsigned entry) const {
 bool CanSlot::set_shared(const std::uint8_t* bytes) { return bus_->set_shared(*this, bytes); }
 
 bool CanSlot::send(const CanFrame& frame) {
-  if (waiting_.load()) return false;
+  const std::uint32_t own = bit_of(place_);
+  if ((bus_->waiting_slots_.load() & own) != 0) return false;
   out_ = frame;
-  waiting_.store(true);
+  bus_->waiting_slots_.set_bits(own);
   bus_->request();
   return true;
 }
@@ -73,7 +80,7 @@ bool CanSlot::send(const CanFrame& frame) {
 
 void CanBus::start() {
   list_bus(counters_);
-  assign_groups();
+  assign_places();
   port_->configure(bitrate_, *this);
 }
 
@@ -108,64 +115,45 @@ Time CanBus::busy_since(Moment arrival) {
 }
 
 /// @param at  when the routine that sends began
-bool CanBus::send(const CanFrame& frame, Time at) {
-  if (!port_->send(frame)) return false;
+void CanBus::send(const Next& next, Time at) {
+  if (!port_->send(*next.frame)) return;
+  next.waiting->clear_bits(next.own);
   if (at > sent_[0].until) {
     for (unsigned i = kSentKept - 1; i > 0; --i) sent_[i] = sent_[i - 1];
     sent_[0] = {at, at + kLongestRoutine};
   }
   sent_[0].until += longest_frame_;
   ++counters_.transfers;
-  return true;
 }
 
 // What finds no mailbox is sent from the interrupt that frees one. One routine fills all mailboxes at most once, which
-// bounds it; only a mailbox that was filled here can have fallen free since.
+// bounds it; only a mailbox that was filled here can have fallen free since. Mailboxes are free whose frames' ends are
+// served here, or while nothing waited: then a request has come since.
 void CanBus::on_interrupt() {
   const Time at = now();
-  for (unsigned left = CanPort::kMailboxes; left != 0; --left) {
-    if (!send_next(at)) return;
+  for (unsigned left = CanPort::kMailboxes;; --left) {
+    const Next next = first_waiting();
+    if (next.frame == nullptr) return;
+    if (left == 0 || port_->unsent() == CanPort::kMailboxes) return port_->tell_when_sent();
+    once_for_each<Raised::end>();
+    send(next, at);
   }
-  if (waits()) port_->tell_when_sent();
 }
 
-/// Groups first: they carry the actuators. False: nothing was sent.
-bool CanBus::send_next(Time at) {
-  for (Group& group : groups_) {
-    if (is_due(group)) return send_group(group, at);
+/// Groups first: they carry the actuators. To one that is being set the flush behind what sets it comes back.
+CanBus::Next CanBus::first_waiting() {
+  const std::uint32_t groups = waiting_groups_.load() & ~setting_groups_.load();
+  if (groups != 0) {
+    const unsigned first = lowest(groups);
+    Group& group = groups_[first];
+    group.frame.id = group.id.load();
+    group.frame.size = 8;
+    return {&group.frame, &waiting_groups_, bit_of(first)};
   }
-  for (std::uint8_t i = 0; i < count_; ++i) {
-    if (slots_[i]->waiting_.load()) return send_own(*slots_[i], at);
-  }
-  return false;
-}
-
-/// True while send_next() would find something.
-bool CanBus::waits() const {
-  for (const Group& group : groups_) {
-    if (is_due(group)) return true;
-  }
-  for (std::uint8_t i = 0; i < count_; ++i) {
-    if (slots_[i]->waiting_.load()) return true;
-  }
-  return false;
-}
-
-/// To one that is being set the flush behind what sets it comes back.
-bool CanBus::is_due(const Group& group) { return group.waiting.load() && !group.setting.load(); }
-
-bool CanBus::send_own(CanSlot& slot, Time at) {
-  if (!send(slot.out_, at)) return false;
-  slot.waiting_.store(false);
-  return true;
-}
-
-bool CanBus::send_group(Group& group, Time at) {
-  group.frame.id = group.id.load();
-  group.frame.size = 8;
-  if (!send(group.frame, at)) return false;
-  group.waiting.store(false);
-  return true;
+  const std::uint32_t slots = waiting_slots_.load();
+  if (slots == 0) return {};
+  const unsigned first = lowest(slots);
+  return {&slots_[first]->out_, &waiting_slots_, bit_of(first)};
 }
 
 /// The first slot whose devices fill the same frame as this one.
@@ -178,15 +166,17 @@ std::uint8_t CanBus::first_sharing(std::uint8_t slot) const {
 }
 
 /// Slots that share a frame share a group.
-void CanBus::assign_groups() {
+void CanBus::assign_places() {
+  std::uint32_t groups = 0, group_of_place[kMaxSlots];
   for (std::uint8_t i = 0; i < count_; ++i) {
-    const CanShare& share = slots_[i]->share_;
-    if (share.width == 0) continue;
+    CanSlot& slot = *slots_[i];
+    slot.place_.set(i);
+    if (slot.share_.width == 0) continue;
     const std::uint8_t first = first_sharing(i);
-    std::uint32_t group = 0;  // frames before
-    for (std::uint8_t k = 0; k < first; ++k) group += slots_[k]->share_.width != 0 && first_sharing(k) == k ? 1 : 0;
-    slots_[i]->group_.set(group);
-    if (group < kGroups) groups_[group].id.store(share.frame);
+    const std::uint32_t group = first < i ? group_of_place[first] : groups++;
+    group_of_place[i] = group;
+    slot.group_.set(group);
+    if (group < kGroups) groups_[group].id.store(slot.share_.frame);
   }
 }
 
@@ -212,7 +202,8 @@ bool CanBus::set_shared(const CanSlot& slot, const std::uint8_t* bytes) {
     count_fault(Module::can, kNoGroup);
     return false;
   }
-  group->setting.store(true);
+  const std::uint32_t own = bit_of(static_cast<unsigned>(group - groups_));
+  setting_groups_.set_bits(own);
   // supervise() may clear the frame in between: what it left of the bytes is written once more.
   for (int attempt = 0; attempt < 2; ++attempt) {
     const std::uint8_t cleared = group->cleared.load();
@@ -222,7 +213,7 @@ bool CanBus::set_shared(const CanSlot& slot, const std::uint8_t* bytes) {
   }
   group->priority.store(slot.priority_);
   group->changed.store(true);
-  group->setting.store(false);
+  setting_groups_.clear_bits(own);
   return true;
 }
 
@@ -241,13 +232,13 @@ void CanBus::flush(std::uint8_t priority) {
 template <typename Belongs>
 void CanBus::flush_if(Belongs&& belongs) {
   const MarkedWork<Work::flush_can> marked;
-  bool any = false;
-  for (Group& group : groups_) {
-    if (!belongs(group) || !group.changed.exchange(false)) continue;
-    group.waiting.store(true);
-    any = true;
+  std::uint32_t filled = 0;
+  for (unsigned i = 0; i < kGroups; ++i) {
+    if (belongs(groups_[i]) && groups_[i].changed.exchange(false)) filled |= bit_of(i);
   }
-  if (any) port_->pend();
+  if (filled == 0) return;
+  waiting_groups_.set_bits(filled);
+  port_->pend();
 }
 
 // A bus that is found off when the recovery must long be over was lost once more in between: the recovery begins anew.
@@ -286,12 +277,15 @@ void CanBus::begin_recovery(Time at) {
 // What was queued before the controller began to return is old: all groups go to zero, and only new commands drive
 // again. Nothing leaves before: 1408 bits go by.
 void CanBus::silence() {
-  for (Group& group : groups_) {
+  std::uint32_t used = 0;
+  for (unsigned i = 0; i < kGroups; ++i) {
+    Group& group = groups_[i];
     for (std::uint8_t& byte : group.frame.data) byte = 0;
     group.cleared.store(static_cast<std::uint8_t>(group.cleared.load() + 1));
-    group.waiting.store(group.id.load() != 0);
+    if (group.id.load() != 0) used |= bit_of(i);
   }
-  for (std::uint8_t i = 0; i < count_; ++i) slots_[i]->waiting_.store(false);
+  waiting_groups_.store(used);
+  waiting_slots_.store(0);
   port_->abort();
 }
 

@@ -41,7 +41,7 @@ class Result:
 
 def demand_of(robot):
     """Share of the processor that the loads ask for at load 1."""
-    return sum(sum(part.shares) for root in robot.roots() for part in root.walk() if part.kind == "sim_load")
+    return sum(sum(part.shares) for root in robot.roots() for part in root.walk() if part.kind in robots.LOADS)
 
 
 def analysis_at(finemote, robot, load):

@@ -51,9 +51,11 @@ BOUNDED_LOAD = 0.25
 
 
 def draw_bounded(seed, number):
-    """The robot of this number with less work in its loads, code in SRAM."""
+    """The robot of this number with less work in its loads, of which an image tells how long it takes; code in SRAM."""
     robot = draw_robot(seed, number)
     robot.is_in_sram = True
+    for part in (part for root in robot.roots() for part in root.walk() if part.kind in robots.LOADS):
+        part.kind = "sim_load"
     robots.set_load(robot, BOUNDED_LOAD)
     return robot
 

@@ -4,7 +4,7 @@ import re
 import struct
 
 #: Bytes of one draw at most: more than a parser takes in a period.
-MOST_BYTES = 450
+MOST_BYTES = 1800
 
 _H30_HEADS, _LINK_HEADS = b"\x59\x53", b"\xa5\x5a"
 _H30_TYPES = (0x10, 0x20, 0x40)  # acceleration, rates, angles

@@ -85,14 +85,20 @@ class Shipped:
         return "\n".join([self.before] + lines + ["</finemote>" + self.after])
 
 
+#: Work that takes the same time in every job, and another in each: jobs that end early lets others meet.
+LOADS = ("sim_load", "restless")
+
+
 def set_load(robot, load):
     """Gives every load its work: its shares of its period, times `load`."""
     robot.load = load
     for root in robot.roots():
         for part in root.walk():
-            if part.kind == "sim_load":
+            if part.kind in LOADS:
                 update, handle = (int(share * load * part.period_us * 1000) for share in part.shares)
                 part.body = [f'<param name="update">{update}ns</param>', f'<param name="handle">{handle}ns</param>']
+                if part.kind == "restless":
+                    part.body.append(f'<param name="seed">{part.seed}</param>')
 
 
 def removable(robot):

@@ -66,6 +66,11 @@ SMALL = {
                   Part("host_link", "root", {"bus": "usart1"}, 10000, [], [
                       pulse("pwm_servo", "pwm1", 10000), pulse("pwm_esc", "pwm2", 10000), pulse("led", "led_red", 10000),
                       pulse("buzzer", "buzzer", 10000), motor("dji_m3508", "wheel", "can1", 1, 10000)])),
+    # With long periods: a line brings up to two of them at once.
+    "slow_lines": ([UART.format("usart1", 921600), UART.format("usart3", 100000)], [],
+                   Part("group", "root", {}, 50000, [], [line("h30_imu", "usart1", 50000), line("sbus", "usart3", 50000)])),
+    "slow_link": ([UART.format("usart1", 921600), PWM.format("buzzer")], [],
+                  Part("host_link", "root", {"bus": "usart1"}, 50000, [], [pulse("buzzer", "buzzer", 50000)])),
     "motors": ([CAN.format("can1"), CAN.format("can2")], [], Part("mixer", "root", {}, 1000, [], [
         motor("dji_m3508", "m3508", "can1", 1, 1000, role="motors"),
         motor("dji_m2006", "m2006", "can1", 2, 1000, role="motors"),

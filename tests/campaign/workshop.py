@@ -1,6 +1,6 @@
 """What a board has to offer, and the parts that are made of it."""
 
-from robots import Part
+from robots import LOADS, Part
 
 PERIODS_US = (500, 1000, 2000, 2500, 4000, 5000, 7000, 8000, 10000, 13000, 20000, 25000, 50000)
 #: Of trees whose devices all have the period of the root. Short ones make chains that decide within a millisecond.
@@ -192,7 +192,8 @@ class Workshop:
 
     def load(self, common):
         """Work of its own; how much is settled when the robot is loaded to its limit."""
-        part = Part("sim_load", self.name("load"), {}, self.period(common))
+        part = Part(self.draw.choice(LOADS), self.name("load"), {}, self.period(common))
+        part.seed = self.draw.randint(1, 1_000_000)
         part.shares = (self.draw.uniform(0.01, 0.2), self.draw.uniform(0.01, 0.2))
         return part
 

@@ -147,3 +147,19 @@ TEST_CASE("damaged frames and frames of another layout change nothing, and the g
   CHECK(robot.number == 3);
   CHECK(robot.host_link.state.frames == 1);
 }
+
+TEST_CASE("bytes full of false beginnings are summed about once") {
+  Commanded robot;
+  const Bytes frame = Commanded::frame(1);
+  constexpr std::size_t kHeader = 9, kTolerated = 2;
+  Bytes bytes;
+  for (int i = 0; i < 24; ++i) append(bytes, {frame.begin(), frame.begin() + kHeader});
+  robot.update_after(bytes);
+  const std::size_t rejected = robot.host_link.state.rejected;
+  CAPTURE(rejected);
+  CHECK(rejected > kTolerated);
+  CHECK(rejected * frame.size() <= bytes.size() + kTolerated * frame.size());
+  robot.update_after(Bytes(120, 0));
+  robot.update_after(frame);
+  CHECK(robot.number == 1);
+}

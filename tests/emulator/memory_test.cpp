@@ -149,3 +149,21 @@ TEST_CASE("where nothing may be executed a jump is a memory fault") {
   CHECK(it.faulted());
   CHECK((it.core(kFaultStatus) & 0xFF) == 0x01);
 }
+
+TEST_CASE("where the image has asked for it, an access that is not aligned is a usage fault") {
+  constexpr int kUsageFault = 6;
+  constexpr std::uint32_t kUnaligned = 1U << 24, kPeripheral = 0x40020000;
+  for (const std::uint32_t trap : {0U, 8U}) {
+    for (const std::uint32_t at : {kRam + 0x201, kRam + 0x202, kPeripheral + 2, kRam + 0x204}) {
+      for (const std::uint16_t access : {0x681C, 0x601C}) {  // ldr r4, [r3]; str r4, [r3]
+        CAPTURE(trap, at, access);
+        SramBoard it({0x600A, access, 0xE7FE}, {0xE000ED14, 0x200 | trap, at});  // str r2, [r1]
+        it.core(0xE000ED24, 1U << 18);
+        it.run();
+        const bool is_fault = trap != 0 && at % 4 != 0;
+        CHECK((it.board.world().system().nvic().times_entered(kUsageFault) != 0) == is_fault);
+        CHECK(it.core(kFaultStatus) == (is_fault ? kUnaligned : 0));
+      }
+    }
+  }
+}

@@ -158,8 +158,8 @@ TEST_CASE("registers and bits nobody models") {
           [](Bench& b, bool wrong) { b.write(wrong ? kRccCr + 0x88 : kAhb1, 1); }},
          {"core register", "core register 0xE000ED3C",
           [](Bench& b, bool wrong) { b.read_core(wrong ? 0xE000ED3C : 0xE000ED28); }},
-         {"traps of divisions by zero and of what is not aligned", "core register CCR bits 0x00000018",
-          [](Bench& b, bool wrong) { b.write_core(0xE000ED14, wrong ? 0x218 : 0x200); }},
+         {"traps of divisions by zero", "core register CCR bit 0x00000010",
+          [](Bench& b, bool wrong) { b.write_core(0xE000ED14, wrong ? 0x218 : 0x208); }},
          {"middle of a register", "middle",
           [](Bench& b, bool wrong) {
             clocks_on(b);

@@ -18,9 +18,11 @@ std::string described(const Json& entry) {
 }
 
 std::string costs_table(const Json& chip) {
-  std::string table = "| what | ns | |\n|---|---|---|\n";
-  for (const auto& [name, cost] : chip.at("costs").items())
-    table += row({"`" + name + "`", text(cost.at("ns")), described(cost)});
+  std::string table = "| what | ns | code in SRAM | |\n|---|---|---|---|\n";
+  for (const auto& [name, cost] : chip.at("costs").items()) {
+    const std::string in_sram = cost.contains("sram_ns") ? text(cost.at("sram_ns")) : "";
+    table += row({"`" + name + "`", text(cost.at("ns")), in_sram, described(cost)});
+  }
   return table;
 }
 

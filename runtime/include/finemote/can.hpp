@@ -84,10 +84,10 @@ class CanSlot {
   CanBus* const bus_;
   const std::uint16_t id_;
   const std::uint8_t priority_;
-  Shared<bool> waiting_{false};
   CanFrame out_;
   const CanShare share_;
   AtStart<std::uint32_t> group_{UINT32_MAX};  ///< of the bus; too large: it is looked for
+  AtStart<std::uint32_t> place_{0};           ///< in the table of the bus
   CanInbox inbox_;
 };
 
@@ -100,7 +100,7 @@ class CanBus {
   template <std::size_t N>
   constexpr CanBus(CanPort& port, std::int64_t bitrate, CanSlot* const (&slots)[N])
       : port_(&port), slots_(slots), count_(N), bitrate_(bitrate), longest_frame_(longest_frame(bitrate)) {
-    static_assert(N <= kMaxSlots, "too many devices on one CAN bus");
+    static_assert(N <= kMaxSlots && kMaxSlots <= 32 && kGroups <= 32, "too many devices on one CAN bus");
   }
   /// A bus without devices.
   constexpr CanBus(CanPort& port, std::int64_t bitrate)
@@ -166,9 +166,15 @@ class CanBus {
     Shared<std::uint16_t> id{0};  ///< 0: free
     CanFrame frame;
     Shared<std::uint8_t> cleared{0};  ///< times all bytes went to zero
-    Shared<bool> changed{false}, waiting{false};
-    Shared<bool> setting{false};       ///< a device's bytes are half written: it is not sent now
+    Shared<bool> changed{false};
     Shared<std::uint8_t> priority{0};  ///< of the devices that fill it, which share a bucket
+  };
+
+  /// A frame that waits for a mailbox, and what says so; null: none does.
+  struct Next {
+    const CanFrame* frame = nullptr;
+    Shared<std::uint32_t>* waiting = nullptr;
+    std::uint32_t own = 0;  ///< its bit there
   };
 
   void request() { port_->pend(); }
@@ -176,16 +182,12 @@ class CanBus {
   template <typename Belongs>
   void flush_if(Belongs&& belongs);
   [[nodiscard]] std::uint8_t first_sharing(std::uint8_t slot) const;
-  void assign_groups();
+  void assign_places();
   [[nodiscard]] Group* group_of(const CanSlot& slot);
   [[nodiscard]] Group* find_group(std::uint16_t id);
   static void write(Group& group, const CanShare& share, const std::uint8_t* bytes);
-  bool send_next(Time at);
-  [[nodiscard]] bool waits() const;
-  [[nodiscard]] static bool is_due(const Group& group);
-  bool send_group(Group& group, Time at);
-  bool send_own(CanSlot& slot, Time at);
-  bool send(const CanFrame& frame, Time at);
+  [[nodiscard]] Next first_waiting();
+  void send(const Next& next, Time at);
   Time busy_since(Moment arrival);
   void begin_recovery(Time at);
   void silence();
@@ -201,6 +203,9 @@ class CanBus {
   bool recovering_ = false;
   bool returning_ = false;  ///< recovering, and the controller has begun to count the bits it waits for
   Time try_again_ = 0;      ///< a recovery that has not ended by then is begun anew
+  // A bit for each group, and for each slot by its place. Interrupt routines look at them without a loop.
+  Shared<std::uint32_t> waiting_groups_{0}, waiting_slots_{0};
+  Shared<std::uint32_t> setting_groups_{0};  ///< a device's bytes are half written: they are not sent now
   Group groups_[kGroups];
   BusCounters counters_;
 };

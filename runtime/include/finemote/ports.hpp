@@ -255,7 +255,7 @@ class CanPort {
   /// Clocks, pins, bit timing for `bitrate` [bit/s], acceptance of exactly what `bus.each_ids()` lists (a superset
   /// where the hardware has too few filters), interrupts for reception, sending and errors. They hand each received
   /// frame to `bus.on_frame(frame, moment)`, and call `bus.on_interrupt()` after a pend() and when a mailbox falls free
-  /// after send() found none, or tell_when_sent(). Context: init.
+  /// after tell_when_sent(). Context: init.
   void configure(std::int64_t bitrate, CanBus& bus);
   /// As I2cPort::pend(). Context: any.
   void pend();
@@ -263,7 +263,7 @@ class CanPort {
   [[nodiscard]] bool send(const CanFrame& frame);
   static constexpr unsigned kMailboxes = 3;  ///< frames that wait in the controller at most
   /// Asks for `bus.on_interrupt()` when the next frame has gone, or at once where one has since the routine began. To
-  /// be called where kMailboxes frames were sent in this routine. Context: interrupt.
+  /// be called where no mailbox was free in this routine. Context: interrupt.
   void tell_when_sent();
   /// Frames in mailboxes that have not gone. Context: interrupt.
   [[nodiscard]] unsigned unsent() const;

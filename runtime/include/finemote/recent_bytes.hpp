@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "finemote/four_bytes.hpp"
 #include "finemote/uart.hpp"
 
 namespace finemote {
@@ -28,7 +29,7 @@ class RecentBytes {
   /// Of `read` bytes in room() and those before them, the ones from `first` on are kept: `longest` at most.
   void keep(const std::uint8_t* first, std::size_t read) {
     kept_ = static_cast<std::uint16_t>(bytes_ + longest + read - first);
-    for (std::size_t at = 0; at < longest; ++at) bytes_[at] = bytes_[at + read];
+    move_bytes(bytes_ + read, bytes_, longest);
   }
 
   /// Forgets what was kept.

@@ -99,19 +99,19 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {2, 515470, finemote::kNothingToBound, nullptr},  // remote
-    {0, 154956, 16155756, &walker::hip_left.command},  // hip-left
-    {0, 141339, 16142139, &walker::knee_left.command},  // knee-left
-    {1, 248327, 12248927, &walker::leg_left.command},  // leg-left
-    {0, 127721, 16128521, &walker::hip_right.command},  // hip-right
-    {0, 114103, 16114903, &walker::knee_right.command},  // knee-right
-    {1, 244103, 12244703, &walker::leg_right.command},  // leg-right
-    {1, 240766, 12241366, &walker::front.command},  // front
-    {0, 100486, 12101086, &walker::tilt.command},  // tilt
-    {2, 506079, 2412808, &walker::body.command},  // body
-    {2, 502736, finemote::kNothingToBound, nullptr},  // walker
-    {2, 438870, 10439370, &gripper::finger.command},  // finger
-    {1, 211325, finemote::kNothingToBound, nullptr},  // gripper
+    {2, 517812, finemote::kNothingToBound, nullptr},  // remote
+    {0, 155812, 16156612, &walker::hip_left.command},  // hip-left
+    {0, 142195, 16142995, &walker::knee_left.command},  // knee-left
+    {1, 250059, 12250659, &walker::leg_left.command},  // leg-left
+    {0, 128577, 16129377, &walker::hip_right.command},  // hip-right
+    {0, 114959, 16115759, &walker::knee_right.command},  // knee-right
+    {1, 245644, 12246244, &walker::leg_right.command},  // leg-right
+    {1, 242259, 12242859, &walker::front.command},  // front
+    {0, 101342, 12101942, &walker::tilt.command},  // tilt
+    {2, 508278, 2414131, &walker::body.command},  // body
+    {2, 504887, finemote::kNothingToBound, nullptr},  // walker
+    {2, 440974, 10441474, &gripper::finger.command},  // finger
+    {1, 212770, finemote::kNothingToBound, nullptr},  // gripper
 };
 
 }  // namespace

@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 748375, finemote::kNothingToBound, nullptr},  // imu
-    {1, 1596759, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 1594059, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 1591359, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 1588659, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 1585959, 32019283, &rov::thruster_1.command},  // thruster_1
-    {1, 1581473, 32014797, &rov::thruster_2.command},  // thruster_2
-    {1, 1574261, 32007585, &rov::thruster_3.command},  // thruster_3
-    {1, 1569775, 31995844, &rov::thruster_4.command},  // thruster_4
-    {1, 1565283, 31991351, &rov::thruster_5.command},  // thruster_5
-    {1, 1560803, 31984290, &rov::thruster_6.command},  // thruster_6
-    {1, 1546336, 31979660, &rov::thruster_7.command},  // thruster_7
-    {1, 1541850, 31975174, &rov::thruster_8.command},  // thruster_8
-    {1, 1537363, finemote::kNothingToBound, nullptr},  // rov
+    {0, 645918, finemote::kNothingToBound, nullptr},  // imu
+    {1, 1480129, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 1477428, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 1474728, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 1472028, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 1460092, 31886168, &rov::thruster_1.command},  // thruster_1
+    {1, 1455533, 31881610, &rov::thruster_2.command},  // thruster_2
+    {1, 1450975, 31874734, &rov::thruster_3.command},  // thruster_3
+    {1, 1446417, 31870176, &rov::thruster_4.command},  // thruster_4
+    {1, 1439535, 31865612, &rov::thruster_5.command},  // thruster_5
+    {1, 1434983, 31861059, &rov::thruster_6.command},  // thruster_6
+    {1, 1430425, 31854184, &rov::thruster_7.command},  // thruster_7
+    {1, 1425867, 31849488, &rov::thruster_8.command},  // thruster_8
+    {1, 1421309, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 740.25 us of its release.
+/// a job ends within 640.518 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 1.581 ms of its release.
+/// a job ends within 1.456 ms of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{740250, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{1523726, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{1523726, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{1523726, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{1523726, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{1523726, 31955993, 36372664};
-inline constexpr finemote::Bounds thruster_2{1521940, 31954207, 36372664};
-inline constexpr finemote::Bounds thruster_3{1520154, 31952420, 36372664};
-inline constexpr finemote::Bounds thruster_4{1518367, 31950497, 36403684};
-inline constexpr finemote::Bounds thruster_5{1516575, 31946117, 36401096};
-inline constexpr finemote::Bounds thruster_6{1514795, 31944337, 36401096};
-inline constexpr finemote::Bounds thruster_7{1513009, 31942414, 36400959};
-inline constexpr finemote::Bounds thruster_8{1511223, 31940628, 36400960};
-inline constexpr finemote::Bounds rov{1506712, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{640518, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{1408655, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{1408655, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{1408655, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{1408655, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{1408655, 31824157, 36160466};
+inline constexpr finemote::Bounds thruster_2{1406797, 31822299, 36160466};
+inline constexpr finemote::Bounds thruster_3{1404939, 31820441, 36160467};
+inline constexpr finemote::Bounds thruster_4{1403081, 31818583, 36160467};
+inline constexpr finemote::Bounds thruster_5{1401217, 31816719, 36160467};
+inline constexpr finemote::Bounds thruster_6{1399364, 31812687, 36158287};
+inline constexpr finemote::Bounds thruster_7{1397506, 31810828, 36188699};
+inline constexpr finemote::Bounds thruster_8{1393331, 31808970, 36188699};
+inline constexpr finemote::Bounds rov{1391473, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

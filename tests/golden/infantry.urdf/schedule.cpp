@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 323259, finemote::kNothingToBound, nullptr},  // imu
-    {0, 317385, 28581638, &gimbal::yaw.command},  // yaw
-    {0, 310940, 28575193, &gimbal::pitch.command},  // pitch
-    {1, 363714, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 432888, 26697041, &chassis::front_left.command},  // front_left
-    {2, 426699, 26690852, &chassis::front_right.command},  // front_right
-    {2, 420504, 26684657, &chassis::rear_left.command},  // rear_left
-    {2, 414314, 26678467, &chassis::rear_right.command},  // rear_right
-    {2, 408119, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 517950, finemote::kNothingToBound, nullptr},  // remote
+    {0, 305425, finemote::kNothingToBound, nullptr},  // imu
+    {0, 299372, 28563625, &gimbal::yaw.command},  // yaw
+    {0, 292677, 28556930, &gimbal::pitch.command},  // pitch
+    {1, 328301, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 424090, 26688243, &chassis::front_left.command},  // front_left
+    {2, 417650, 26681803, &chassis::front_right.command},  // front_right
+    {2, 411205, 26675358, &chassis::rear_left.command},  // rear_left
+    {2, 404766, 26668919, &chassis::rear_right.command},  // rear_right
+    {2, 398320, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 508362, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 313.553 us of its release.
+/// a job ends within 295.588 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 311.548 us of its release.
+/// a job ends within 309.7 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 394.935 us of its release.
+/// a job ends within 386.006 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 472.948 us of its release.
+/// a job ends within 463.36 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{310058, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{306885, 28571138, 28999174};
-inline constexpr finemote::Bounds pitch{303140, 28567393, 28999174};
-inline constexpr finemote::Bounds gimbal{311548, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{393286, 26657439, 27173459};
-inline constexpr finemote::Bounds front_right{389797, 26653950, 27173459};
-inline constexpr finemote::Bounds rear_left{386302, 26650455, 27173460};
-inline constexpr finemote::Bounds rear_right{382813, 26646966, 27173460};
-inline constexpr finemote::Bounds chassis{379317, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{472948, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{292224, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{288872, 28553125, 28969397};
+inline constexpr finemote::Bounds pitch{284877, 28549130, 28969398};
+inline constexpr finemote::Bounds gimbal{309700, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{384488, 26648641, 27160262};
+inline constexpr finemote::Bounds front_right{380749, 26644902, 27160262};
+inline constexpr finemote::Bounds rear_left{377003, 26641156, 27160261};
+inline constexpr finemote::Bounds rear_right{373264, 26637417, 27160262};
+inline constexpr finemote::Bounds chassis{361452, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{463360, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

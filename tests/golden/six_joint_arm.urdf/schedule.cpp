@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 436798, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 312127, 28991807, &arm::base.command},  // base
-    {0, 305938, 28985618, &arm::shoulder.command},  // shoulder
-    {0, 299742, 28979423, &arm::elbow.command},  // elbow
-    {0, 293553, 28973233, &arm::wrist_roll.command},  // wrist_roll
-    {0, 287358, 28967038, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 281169, 28960849, &arm::flange.command},  // flange
-    {0, 274973, finemote::kNothingToBound, nullptr},  // arm
+    {1, 417903, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 294133, 28973813, &arm::base.command},  // base
+    {0, 287694, 28967374, &arm::shoulder.command},  // shoulder
+    {0, 281249, 28960929, &arm::elbow.command},  // elbow
+    {0, 274809, 28954489, &arm::wrist_roll.command},  // wrist_roll
+    {0, 268364, 28948044, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 261925, 28941605, &arm::flange.command},  // flange
+    {0, 255479, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

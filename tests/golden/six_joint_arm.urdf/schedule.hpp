@@ -9,11 +9,11 @@
 namespace six_joint_arm {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 7 devices;
-/// a job ends within 286.434 us of its release.
+/// a job ends within 268.178 us of its release.
 void run_2ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 402.597 us of its release.
+/// a job ends within 376.544 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,14 +22,14 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds sticks{402597, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{283326, 28963006, 29341940};
-inline constexpr finemote::Bounds shoulder{279836, 28959517, 29359834};
-inline constexpr finemote::Bounds elbow{276341, 28956021, 29359833};
-inline constexpr finemote::Bounds wrist_roll{272852, 28952532, 29359833};
-inline constexpr finemote::Bounds wrist_pitch{269357, 28949037, 29359833};
-inline constexpr finemote::Bounds flange{265868, 28945548, 29359833};
-inline constexpr finemote::Bounds arm{262373, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds sticks{376544, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds base{265332, 28945012, 29298150};
+inline constexpr finemote::Bounds shoulder{261593, 28941273, 29298150};
+inline constexpr finemote::Bounds elbow{257847, 28937527, 29298150};
+inline constexpr finemote::Bounds wrist_roll{254108, 28933788, 29298150};
+inline constexpr finemote::Bounds wrist_pitch{250363, 28930043, 29298150};
+inline constexpr finemote::Bounds flange{246624, 28926304, 29305307};
+inline constexpr finemote::Bounds arm{242879, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace six_joint_arm

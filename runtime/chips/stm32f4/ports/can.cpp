@@ -156,10 +156,7 @@ void CanPort::pend() { stm32f4::pend_line(hardware_->setup.transmit_line); }
 bool CanPort::send(const CanFrame& frame) {
   const stm32f4::CanRegisters& registers = hardware_->setup.can;
   const std::uint32_t empty = registers.tsr().read() >> can::kEmptyShift & 7;
-  if (empty == 0) {
-    tell_when_sent();
-    return false;
-  }
+  if (empty == 0) return false;
   const std::uint32_t number = (empty & 1) != 0 ? 0 : (empty & 2) != 0 ? 1 : 2;
   registers.mailbox(number, 1).write(frame.size);
   registers.mailbox(number, 2).write(word_of(frame.data));
@@ -201,9 +198,8 @@ std::uint16_t CanPort::error_counters() const {
   return static_cast<std::uint16_t>(hardware_->setup.can.esr().read() >> 16);
 }
 
-// The request comes here, too. The end of a frame interrupts only while a frame waits for it: where send() found all
-// mailboxes full, none of the flags cleared here was set any more (RM0090 32.9.2, RQCP); where the routine itself has
-// filled all, a flag is that of one of its own frames.
+// The request comes here, too. The end of a frame interrupts only while a frame waits for it: where all mailboxes were
+// full, a flag that was not cleared here is that of a frame whose end came behind (RM0090 32.9.2, RQCP).
 void CanHardware::on_transmit() {
   only_if_raised_by<Raised::request, Raised::end>();
   const cortex_m4::UrgentInterrupt interrupt;

@@ -22,9 +22,9 @@ namespace finemote {
 /// 0x40 pitch, roll, yaw (3 x int32, 1e-6 deg); others are passed over.
 ///
 /// A frame counts when both sums agree, its records, at most twelve, fill it exactly, all three records above are
-/// there, and every value is in range. Attitude, rates and acceleration are in the axes of the robot's body, wherever
-/// the URDF says the part's own link points. The state is valid until kMaxAge after the last one; its origin is when
-/// the frame began to arrive.
+/// there, and every value is in range; of several in one update() only the last one whose sums agree. Attitude, rates
+/// and acceleration are in the axes of the robot's body, wherever the URDF says the part's own link points. The state
+/// is valid until kMaxAge after the last one; its origin is when the frame began to arrive.
 class H30Imu {
  public:
   static constexpr Duration kMaxAge = 50 * kMillisecond;
@@ -46,22 +46,27 @@ class H30Imu {
   static constexpr std::size_t kMaxFrame = kHeader + kMaxPayload + kSums;
 
   static constexpr std::size_t kMostBytes = RecentBytes<kMaxFrame>::kMost;
-  /// Places at which frames seem to begin that one read looks at: twice what comes of the part.
-  static constexpr std::size_t kMostHeads = 8;
+  static constexpr std::size_t kLeastPayload = 3 * 14;  ///< the three records that are used
+  static constexpr std::size_t kLeastFrame = kHeader + kLeastPayload + kSums;
+  /// Places that look like the begin of a frame and are none: inside so many of them a read looks for a better one.
+  static constexpr unsigned kMostRejected = 1;
   static constexpr unsigned kMostRecords = 12;  ///< of a frame
 
-  /// Where frames seem to begin: the last ones, in a ring.
-  struct Heads {
-    Heads(const std::uint8_t* bytes, std::size_t size);
-    std::size_t at[kMostHeads];  ///< kMostBytes: none
-    std::size_t count = 0;
+  /// What one read has brought.
+  struct Found {
+    const std::uint8_t* last = nullptr;  ///< the last frame whose sums agree; null: there is none
+    std::uint32_t frames = 0;            ///< those whose sums agree
+    std::size_t decided = 0;             ///< so many bytes begin no frame that is still to come
   };
 
   const std::uint8_t* look(std::size_t size);
+  Found find(const std::uint8_t* begin, std::size_t count);
+  [[nodiscard]] unsigned most_frames() const;
   bool take(const std::uint8_t* frame);
   void stamp(std::size_t since, std::size_t whole);
   static std::size_t size_of(const std::uint8_t* frame, std::size_t size);
-  static bool sums_agree(const std::uint8_t* frame, std::size_t payload);
+  static std::size_t payload_of(const std::uint8_t* frame);
+  static bool sums_agree(const std::uint8_t* frame);
   static bool decode(const std::uint8_t* frame, std::size_t payload, ImuState& out);
   void turn_state();
 

@@ -19,37 +19,37 @@
 namespace six_joint_arm::arm {
 
 /// sticks: sbus on 'receiver', every 10 ms
-/// response <= 402.597 us
+/// response <= 376.544 us
 FINEMOTE_CONSTINIT inline finemote::Sbus sticks{receiver};
 
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
-/// response <= 283.326 us; data age <= 28.964 ms when handle() ends, <= 29.342 ms at the output (oldest: sticks)
+/// response <= 265.332 us; data age <= 28.946 ms when handle() ends, <= 29.299 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 base{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::base};
 
 /// shoulder: dji_m3508 on 'arm_can' id 2, every 2 ms
-/// response <= 279.836 us; data age <= 28.96 ms when handle() ends, <= 29.36 ms at the output (oldest: sticks)
+/// response <= 261.593 us; data age <= 28.942 ms when handle() ends, <= 29.299 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 shoulder{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::shoulder};
 
 /// elbow: dji_m3508 on 'arm_can' id 3, every 2 ms
-/// response <= 276.341 us; data age <= 28.957 ms when handle() ends, <= 29.36 ms at the output (oldest: sticks)
+/// response <= 257.847 us; data age <= 28.938 ms when handle() ends, <= 29.299 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 elbow{
     [] { finemote::DjiM3508::Config c{}; c.gear = 38.406f; return c; }(),
     slots::elbow};
 
 /// wrist_roll: dji_m3508 on 'wrist_can' id 1, every 2 ms
-/// response <= 272.852 us; data age <= 28.953 ms when handle() ends, <= 29.36 ms at the output (oldest: sticks)
+/// response <= 254.108 us; data age <= 28.934 ms when handle() ends, <= 29.299 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{finemote::DjiM3508::Config{}, slots::wrist_roll};
 
 /// wrist_pitch: dji_m2006 on 'wrist_can' id 2, every 2 ms
-/// response <= 269.357 us; data age <= 28.95 ms when handle() ends, <= 29.36 ms at the output (oldest: sticks)
+/// response <= 250.363 us; data age <= 28.931 ms when handle() ends, <= 29.299 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{finemote::DjiM2006::Config{}, slots::wrist_pitch};
 
 /// flange: dji_m2006 on 'wrist_can' id 3, every 2 ms
-/// response <= 265.868 us; data age <= 28.946 ms when handle() ends, <= 29.36 ms at the output (oldest: sticks)
+/// response <= 246.624 us; data age <= 28.927 ms when handle() ends, <= 29.306 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{finemote::DjiM2006::Config{}, slots::flange};
 
 namespace ports {  // what 'arm' sees of others
@@ -67,7 +67,7 @@ inline constexpr finemote::Port<finemote::Motor> arm_joints[] = {
 }  // namespace ports
 
 /// arm: serial_arm, every 2 ms
-/// response <= 262.373 us
+/// response <= 242.879 us
 FINEMOTE_CONSTINIT inline finemote::SerialArm arm{
     [] {
       finemote::SerialArm::Config c{};
