@@ -8,8 +8,8 @@ namespace {
 std::optional<Duration> cost(const Json& costs, const char* name, CodePlace place) {
   const auto found = costs.find(name);
   if (found == costs.end() || found->is_null()) return {};
-  const bool has_own = place == CodePlace::sram && found->contains("sram_ns");
-  return duration_member(*found, has_own ? "sram_ns" : "ns");
+  const auto in_sram = duration_member(*found, "sram_ns");
+  return place == CodePlace::sram && in_sram ? in_sram : duration_member(*found, "ns");
 }
 
 }  // namespace

@@ -200,8 +200,9 @@ Board read_board(const Json& value, const Origin& origin, Diagnostics& diagnosti
   board.first_bucket_level = levels.at(0).get<std::uint32_t>();
   board.last_bucket_level = levels.at(1).get<std::uint32_t>();
   board.params = read_params(value, origin, diagnostics);
-  board.costs = read_costs(value.at("costs"), CodePlace::flash);
-  board.costs_in_sram = read_costs(value.at("costs"), CodePlace::sram);
+  const Json& costs = value.at("costs");
+  board.costs = read_costs(costs, CodePlace::flash);
+  board.costs_in_sram = read_costs(costs, CodePlace::sram);
   board.drivers = read_drivers(value.at("drivers"));
   board.has_watchdog = optional_member<Json>(value, "watchdog").has_value();
   check_board(board, origin, diagnostics);

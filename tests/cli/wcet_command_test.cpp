@@ -17,7 +17,7 @@ constexpr const char* kRobot = R"(<robot name="r"><link name="l"/><finemote vers
 
 /// Sensors on SPI and I2C, an analog input, a key.
 constexpr const char* kSensors = R"(<robot name="s"><link name="base_link"/><finemote version="1">
-  <board name="robomaster_type_c"/>
+  <board name="robomaster_type_c"><param name="code">flash</param></board>
   <bus name="imu_spi" type="spi" port="spi1" clock="5250kHz"/>
   <bus name="compass_i2c" type="i2c" port="i2c3" clock="400kHz"/>
   <device name="board" type="group" period="5ms">

@@ -85,7 +85,7 @@ TEST_CASE("registers that are old when they are read, conversions and receivers"
     for (const auto& [device, lead] : leads) {
       INFO(device);
       CHECK(lead <= kPsPerUs);
-      CHECK(lead > -4000 * kPsPerUs);  // nor much older
+      CHECK(lead > -7000 * kPsPerUs);  // nor much older: the slowest of these parts measures every 5 ms
     }
   }
 }

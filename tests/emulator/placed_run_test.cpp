@@ -18,7 +18,7 @@ std::string robot_in_flash(const TemporaryFolder& folder, const std::string& nam
   const std::string from = "<param name=\"code\">sram</param>";
   std::string text = read_file(source_path("examples/" + name + ".urdf"));
   REQUIRE(text.find(from) != std::string::npos);
-  text.erase(text.find(from), from.size());
+  text.replace(text.find(from), from.size(), "<param name=\"code\">flash</param>");
   std::string path = folder.path() + "/" + name + ".urdf";
   std::ofstream(path) << text;
   return path;

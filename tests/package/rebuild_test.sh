@@ -33,7 +33,7 @@ equal "a source of the robot's own" "$(steps)" \
   "Linking CXX executable committed.elf|Linking CXX executable rover.elf|committed: devices/meter.cpp.obj|rover: devices/meter.cpp.obj"
 touched "$work/rover/generated/trees/rover.cpp"
 equal "a committed source" "$(steps)" "Linking CXX executable committed.elf|committed: generated/trees/rover.cpp.obj"
-touched "$prefix/share/finemote/runtime/boards/robomaster_type_c/generated/board.ld"
+touched "$prefix/share/finemote/runtime/boards/robomaster_type_c/generated/board_sram.ld"
 equal "the linker script" "$(steps)" "Linking CXX executable committed.elf|Linking CXX executable rover.elf"
 
 # A comment in the URDF changes the manifest alone: nothing is compiled.

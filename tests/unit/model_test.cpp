@@ -76,7 +76,7 @@ TEST_CASE("finsrov is fourteen devices on three buses") {
   CHECK(robot.segments[*thruster.segment].kind == Segment::Kind::pwm_expander);
   CHECK(robot.buses[robot.segments[*thruster.segment].bus].name.text == "i2c");
   CHECK(thruster.channel == 7U);
-  CHECK(thruster.wcet.update == 900_ns);
+  CHECK(thruster.wcet.update == 1010_ns);
   CHECK(thruster.wcet.source == Wcet::Source::assumed);
 
   const Device& rov = finsrov.device("rov");

@@ -152,6 +152,41 @@ TEST_CASE("a window between two devices of a bucket holds at every release, also
   CHECK(*timing->tight.devices[Rank{1}].window == 2'040_ns);
 }
 
+TEST_CASE("between jobs that are released together only what is released behind them comes in between") {
+  const auto decide_with = [](const std::string& others, const std::string& costs) {
+    const std::string text = R"({"tick_ns":1000000,)" + costs + R"("buses":[],"devices":[)" + others + R"(
+        {"name":"fast","parent":"slow","period_ns":5000000,"update_wcet_ns":100000,"handle_wcet_ns":20000},
+        {"name":"slow","parent":null,"period_ns":10000000,"update_wcet_ns":50000,"handle_wcet_ns":50000}]})";
+    Sources sources;
+    Diagnostics diagnostics;
+    const auto model = read_model(*sources.add({"m.json", "", text}), diagnostics);
+    INFO(render_text(diagnostics, false));
+    REQUIRE(model);
+    const Rank slow(model->devices.size() - 1), fast(model->devices.size() - 2);
+    AnalysisRequest request;
+    request.chains = {{fast, slow}};
+    const Timing timing = analyse(*model, request, diagnostics).value();
+    const auto chain = std::find_if(timing.chains.begin(), timing.chains.end(),
+                                    [&](const ChainResult& c) { return c.from == fast && c.to == slow; });
+    REQUIRE(chain != timing.chains.end());
+    return chain->decide->ns();
+  };
+  const std::string target = R"("costs":{},)";
+  const std::string urgent =
+      R"({"name":"u","parent":null,"period_ns":4000000,"update_wcet_ns":1000000,"handle_wcet_ns":0},)";
+  const std::string between =
+      R"({"name":"b","parent":null,"period_ns":7000000,"update_wcet_ns":1000000,"handle_wcet_ns":0},)";
+  const std::string long_one =
+      R"({"name":"u","parent":null,"period_ns":4000000,"update_wcet_ns":3000000,"handle_wcet_ns":0},)";
+  const std::int64_t own = 220'000, ms = 1'000'000;
+  CHECK(decide_with("", target) == own);
+  CHECK(decide_with(urgent, target) == own);   // released with both it is over, and not again until they are
+  CHECK(decide_with(urgent, "") == own + ms);  // profile tight says nothing of such windows
+  CHECK(decide_with(between, target) == own + ms);
+  CHECK(decide_with(urgent + between, target) == own + ms);
+  CHECK(decide_with(long_one + between, target) == own + 4 * ms);  // released again before all is done
+}
+
 TEST_CASE("a budget may count interrupts that come in one of so many periods") {
   const std::string text = R"({"tick_ns":10,"costs":{"masked_ns":1},"buses":[{"name":"b","baud_bps":1000000000,
       "min_frame_bits":10,"wcet_ns":2,"sources":[{"name":"s","wcet_ns":2,"min_interval_ns":10,"budgets":[

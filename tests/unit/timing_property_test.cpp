@@ -279,3 +279,38 @@ TEST_CASE(
   CHECK(bound(Profile::target) == 41_ns);
   CHECK(simulated(Profile::target) == 41_ns);
 }
+
+TEST_CASE("no simulated chain between two devices takes longer than its bound, and some come near where jobs meet") {
+  int together = 0;
+  double nearest = 0;
+  for (const ForestClass kind : kForestClasses) {
+    for (int i = 0; i < forests(300); ++i) {
+      const std::uint64_t seed = seed_of(kind, i) + 3'000'000;
+      RandomForest source(seed);
+      Model model = source.make(kind);
+      source.extend(model);
+      AnalysisRequest request;
+      for (const ChainEnds& ends : leaf_pairs(make_topology(model))) request.chains.push_back({ends.from, ends.to});
+      Diagnostics diagnostics;
+      const auto timing = analyse(model, request, diagnostics);
+      REQUIRE(timing);
+      std::vector<ChainEnds> chains;
+      for (const ChainResult& chain : timing->chains) chains.push_back({chain.from, chain.to});
+      REQUIRE(chains.size() == request.chains.size());
+      const Simulation run = simulate(model, {seed, run_length(model), Profile::target, chains});
+      for (std::size_t c = 0; c < chains.size(); ++c) {
+        const auto& decide = timing->chains[c].decide;
+        if (!decide) continue;
+        const Device &from = model.devices[chains[c].from], &to = model.devices[chains[c].to];
+        INFO("seed " << seed << " " << from.name << " to " << to.name << " " << model_json(model).dump());
+        const std::int64_t seen = run.chains[c].latency.ns(), bound = decide->ns();
+        CHECK(seen <= bound);
+        if (from.period >= to.period || *decide >= to.period) continue;
+        ++together;
+        nearest = std::max(nearest, static_cast<double>(seen) / static_cast<double>(bound));
+      }
+    }
+  }
+  CHECK(together > forests(300) / 2);
+  CHECK(nearest > 0.9);
+}

@@ -256,8 +256,8 @@ TEST_CASE("costs that add up to more than 64 bits hold are reported at the first
   using BoardCosts = finemote::gen::Costs;
   Board board = *finsrov.robot->board;
   const auto diagnostics_with = [&](Duration BoardCosts::*cost) {
-    board.costs = finsrov.robot->board->costs;
-    board.costs.*cost = Duration::max();
+    board.costs_in_sram = finsrov.robot->board->costs_in_sram;
+    board.costs_in_sram.*cost = Duration::max();
     Robot robot = *finsrov.robot;
     robot.board = &board;
     Diagnostics diagnostics;

@@ -74,6 +74,12 @@ class Instruction:
     def memory(self, words):
         return 0 if self.to_stack() else CODE_MEMORY * words
 
+    def unaligned(self, name):
+        """What a word or halfword costs besides where nobody knows whether it is aligned: two or one further accesses."""
+        if self.to_stack() or "pc" in self.operands or name.endswith("b"):
+            return 0
+        return (1 if name.endswith("h") else 2) * (1 + self.memory(1))
+
     def cycles(self):
         name = self.bare()
         odd = 1 if self.size == 4 and self.address % 4 == 2 else 0
@@ -98,7 +104,7 @@ class Instruction:
             words = 2 if self.operands.startswith("d") else 1
             return odd + 1 + words + ADDRESS + self.memory(words)
         if re.fullmatch(r"(ldr|str)(s?[bh])?", name):
-            return odd + 2 + ADDRESS + self.memory(1)
+            return odd + 2 + ADDRESS + self.memory(1) + self.unaligned(name)
         raise ValueError(f"no cost of '{self.name} {self.operands}' at {self.address:#x}")
 
 
