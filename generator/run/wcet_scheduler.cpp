@@ -62,6 +62,7 @@ Json causes_json(const TimedRobot& timed, const wcet::RoutineTime& routine) {
 void add_times(const TimedRobot& timed, const wcet::RoutineTime& routine, Cycles context, Json& entry) {
   entry["wcet_ns"] = ns_of(routine.without_faults.value_or(routine.cycles) + context, timed);
   entry["with_faults_ns"] = ns_of(routine.cycles + context, timed);
+  if (context > 0) entry["uses_fpu"] = true;
 }
 
 /// Updates in the order of the forest, then handles the other way.

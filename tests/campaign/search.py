@@ -94,6 +94,11 @@ def bounds_of(timing, interrupt_ns):
     return bounds
 
 
+def fpu_users(timing):
+    """Interrupts that save and restore the registers of the FPU, which the chip's file does not charge them with."""
+    return [entry.get("source") or entry["what"] for entry in (*timing["interrupts"], *timing["scheduler"]) if entry.get("uses_fpu")]
+
+
 # ---- the search
 
 
@@ -144,7 +149,10 @@ class Search:
         if problem:
             raise RuntimeError(problem)
         interrupt_ns = self.analysis()["model"]["costs"]["interrupt_ns"]
-        bounds = bounds_of(json.loads(timing_file.read_text(encoding="utf-8")), interrupt_ns)
+        timing = json.loads(timing_file.read_text(encoding="utf-8"))
+        if users := fpu_users(timing):
+            raise RuntimeError(f"{subject.name}: interrupts that use the FPU are charged without: {', '.join(users)}")
+        bounds = bounds_of(timing, interrupt_ns)
         self.figures = {key: Figure(bound) for key, bound in bounds.items() if bound > 0}
         self.run_plain()
         layout = lines.LinkLayout.of_folder(called.folder / "kept" / "generated")

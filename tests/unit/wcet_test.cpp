@@ -8,6 +8,7 @@
 #include "generator/wcet/comparison.hpp"
 #include "generator/wcet/cost_table.hpp"
 #include "generator/wcet/execute.hpp"
+#include "generator/wcet/fpu_use.hpp"
 #include "generator/wcet/interval.hpp"
 #include "generator/wcet/longest_path.hpp"
 #include "generator/wcet/loop_nest.hpp"
@@ -415,7 +416,23 @@ Bound bound_of(const std::vector<std::uint16_t>& code, const Marks& marks = {}) 
 
 constexpr std::uint16_t kReturn = 0x4770;
 
+bool touches_fpu(const std::vector<std::uint16_t>& code) {
+  const Image image = image_of_code(code);
+  const Marks marks;
+  const Program program(image, marks.addresses());
+  const Constants constants(image, {});
+  return uses_fpu(walk({program, constants, marks, CodeCost(Placement::sram), nullptr, 0x10001000}, kBase).graph);
+}
+
 }  // namespace
+
+TEST_CASE("a routine uses the FPU where an instruction of it is on some way") {
+  CHECK_FALSE(touches_fpu({0x2005, 0x3801, 0xD1FD, kReturn}));
+  CHECK(touches_fpu({0xEE30, 0x0A81, kReturn}));                  // vadd.f32 s0, s1, s2
+  CHECK(touches_fpu({0x7808, 0xB108, 0xED90, 0x0A00, kReturn}));  // ldrb r0, [r1]; cbz r0, +1; vldr s0, [r0]
+  CHECK(touches_fpu({0xEEF1, 0xFA10, kReturn}));                  // vmrs apsr_nzcv, fpscr
+  CHECK_FALSE(touches_fpu({0xE001, 0xEE30, 0x0A81, kReturn}));    // jumped over
+}
 
 TEST_CASE("a loop that counts down is turned so often and no more") {
   // movs r0, #5; subs r0, #1; bne -2; bx lr
