@@ -56,6 +56,12 @@ std::vector<std::pair<std::string, std::string>> tools_for(bool for_host) {
   return tools;
 }
 
+/// What the linker says of the regions that code in SRAM leaves for code and for variables: sections_sram.ld.
+bool is_too_large_for_sram(const std::string& output) {
+  const auto says = [&](const char* words) { return output.find(words) != std::string::npos; };
+  return says("board_sram.ld") && (says("region `CODE' overflowed") || says("region `CORE_RAM' overflowed"));
+}
+
 /// Runs one step; false and a diagnostic when it fails.
 bool step(const std::vector<std::string>& command, const char* what, Diagnostics& diagnostics) {
   const ProcessResult result = run_process(command, kLongestBuild, {"CCACHE_NOHASHDIR=1"});
@@ -72,6 +78,8 @@ bool step(const std::vector<std::string>& command, const char* what, Diagnostics
   constexpr std::size_t kMostShown = 4000;
   const std::string output = messages_of(result.output);
   finding.note("\n" + output.substr(0, kMostShown));
+  if (is_too_large_for_sram(output))
+    finding.hint("with its code in flash, where it has more room: <param name=\"code\">flash</param> in <board>");
   return false;
 }
 
