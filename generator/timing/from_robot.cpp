@@ -13,8 +13,14 @@ namespace finemote::gen::timing {
 namespace {
 
 /// A state or command that crosses buckets is copied as so many words at most. Generated code knows the types, the
-/// generator does not: more does not compile (finemote::kCrossingBytes). The interfaces shipped have at most 24.
+/// generator does not: more does not compile (finemote::kCrossingBytes).
 constexpr std::int64_t kCrossingWords = 32;
+/// The largest of the interfaces that are shipped (latch_test).
+constexpr std::int64_t kShippedWords = 24;
+
+std::int64_t words_of(const Crossing& crossing) {
+  return crossing.type.rfind("finemote::", 0) == 0 ? kShippedWords : kCrossingWords;
+}
 
 /// As the board's clock counts it.
 std::optional<Acquisition> acquisition_of(const Robot& robot, const gen::Device& device) {
@@ -79,8 +85,8 @@ Device make_device(const Robot& robot, const Forest& forest, DeviceId id, const 
 /// What publishing and snapshots add to the stages around them.
 void add_crossings(const Robot& robot, const Forest& forest, const Schedule& schedule, Model& model) {
   const gen::Costs& costs = board_costs(robot);
-  const Duration copy = costs.latch + kCrossingWords * costs.latch_per_word;
   for (const Crossing& c : schedule.crossings) {
+    const Duration copy = costs.latch + words_of(c) * costs.latch_per_word;
     Device& producer = model.devices[forest.rank[c.producer]];
     Device& consumer = model.devices[forest.rank[c.consumer]];
     const bool state = c.direction == Crossing::Direction::state;

@@ -27,6 +27,7 @@ class Constants {
  private:
   [[nodiscard]] bool is_constant(std::uint32_t address, std::uint32_t size) const;
   [[nodiscard]] std::optional<std::uint32_t> word(std::uint32_t address, std::uint32_t size) const;
+  [[nodiscard]] bool is_zeroed(std::uint32_t address, std::uint32_t size) const;
 
   const Image& image_;
   std::vector<AddressRange> ranges_;  // by begin

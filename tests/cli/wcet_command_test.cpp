@@ -78,6 +78,16 @@ Stages longest_seen(const std::string& robot) {
 
 }  // namespace
 
+TEST_CASE("params that are all 0 are known as well as others, although nothing of them is in the file") {
+  const TemporaryFolder folder;
+  write_file(folder.path("idle.urdf"), R"(<robot name="idle"><link name="base_link"/><finemote version="1">
+  <board name="robomaster_type_c"/><device name="load" type="sim_load" period="10ms">
+  <param name="update">0ns</param><param name="handle">0ns</param></device></finemote></robot>)");
+  const Json bounds = finemote_json({"wcet", folder.path("idle.urdf")});
+  CHECK(bounds["unresolved"].empty());
+  CHECK(bounds["stages"].size() == 2);
+}
+
 TEST_CASE("no stage on the emulated board takes longer than its bound, every line of flash missed") {
   const TemporaryFolder folder;
   write_file(folder.path("sensors.urdf"), kSensors);

@@ -28,6 +28,7 @@ const Case kCases[] = {
     {"slow_bus", "300ms", nullptr, nullptr, nullptr, 0},
     {"preempted_wait", "600ms", nullptr, nullptr, nullptr, 0},
     {"wide_flush", "300ms", nullptr, nullptr, nullptr, 0},
+    {"wide_values", "100ms", nullptr, nullptr, nullptr, 0},
     {"many_releases", "300ms", "every_30ms", "every_30ms", "decide", 2},
     {"two_frames", "600ms", "imu", "head", "decide", 3.3, {"--phases", "8", "--seed", "1"}},
     {"two_sbus_frames", "600ms", nullptr, nullptr, nullptr, 0},

@@ -145,7 +145,7 @@ TEST_CASE("CAN: a frame received, and a request with its frames, by devices on t
 TEST_CASE("I2C: requests, steps and ends, by clock and devices on the bus") {
   Held held;
   for (const int clock : {100, 400}) {
-    for (const int expanders : {0, 1, 5}) {
+    for (const int expanders : clock == 400 ? std::vector<int>{0, 1, 5, 24} : std::vector<int>{0, 1, 5}) {
       const Swept swept = sweep(on_i2c(clock, expanders));
       const double bound = std::max({swept.source("request"), swept.source("step"), swept.source("end")});
       held.add(fmt::format("{} kHz, {} expanders", clock, expanders), swept.longest_own("bus", "i2c"), bound);

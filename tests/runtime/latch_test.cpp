@@ -6,8 +6,20 @@
 #include <functional>
 
 #include "catch.hpp"
+#include "finemote/interfaces.hpp"
 
 namespace {
+
+// What the analysis counts for the copy of a value of a shipped interface: generator/timing/from_robot.cpp.
+constexpr std::size_t kShippedBytes = 96;
+
+template <class... Values>
+constexpr bool fit = ((sizeof(Values) <= kShippedBytes) && ...);
+static_assert(fit<finemote::Stamp, finemote::BatteryState, finemote::ButtonState, finemote::ImuState,
+                  finemote::LightState, finemote::LightCommand, finemote::LinkState, finemote::MagnetometerState,
+                  finemote::MotorState, finemote::MotorCommand, finemote::PressureState, finemote::RemoteState,
+                  finemote::ServoState, finemote::ServoCommand, finemote::SounderState, finemote::SounderCommand,
+                  finemote::ThrusterState, finemote::ThrusterCommand>);
 
 struct Value {
   int first = 0;
