@@ -28,19 +28,27 @@ std::int64_t PairWindow::releases_inside(std::size_t bucket, std::size_t of, Dur
   return floor_div(release + length, period) - floor_div(release, period);
 }
 
-Duration PairWindow::in_one_job(Rank from, Rank to, Duration release) const {
+/// From an instant at which nothing is pending that is more urgent than what begins there until handle(to) has ended.
+/// @param work     of the jobs that are there, as far as it is done until then
+/// @param streams  interrupts of such a window
+Duration PairWindow::until(Rank to, Duration release, Duration work, const std::vector<Stream>& streams) const {
   const TaskSet& set = profile_.set;
   const std::size_t w = set.bucket_of[to];
   const Duration response = profile_.table.r_minus(to, release);
-  if (profile_.responses.closed_form[w]) return response;
   const Duration extra = nanoseconds(set.handle[to] == Duration::zero() ? 1 : 0);
-  const Duration work = extra + updates_from_[from] + handles_to_[to];
   Demand demand(effort_);
-  demand.add_streams(set.inside_job(w));
+  demand.add_streams(streams);
   const Duration length = response - nanoseconds(1) + extra;
   for (std::size_t v = 0; v < w; ++v)
     demand.add({{}, set.buckets[v].period, set.buckets[v].cost, releases_inside(v, w, release, length)});
-  return std::min(least_fit(demand, work, std::max(work, nanoseconds(1)), kLongest) - extra, response);
+  const Duration base = work + extra;
+  return std::min(least_fit(demand, base, std::max(base, nanoseconds(1)), kLongest) - extra, response);
+}
+
+Duration PairWindow::in_one_job(Rank from, Rank to, Duration release) const {
+  const std::size_t w = profile_.set.bucket_of[to];
+  if (profile_.responses.closed_form[w]) return profile_.table.r_minus(to, release);
+  return until(to, release, updates_from_[from] + handles_to_[to], profile_.set.inside_job(w));
 }
 
 bool PairWindow::spans(std::size_t from, std::size_t to) const {
@@ -66,17 +74,10 @@ Duration PairWindow::in_two_jobs(Rank from, Rank to, Duration release) const {
   const TaskSet& set = profile_.set;
   const std::size_t f = set.bucket_of[from], w = set.bucket_of[to];
   const TaskBucket& first = set.buckets[f];
-  const Duration response = profile_.table.r_minus(to, release);
-  const Duration extra = nanoseconds(set.handle[to] == Duration::zero() ? 1 : 0);
-  Duration work = extra + updates_from_[from] + handles_to_[first.devices.front()] + first.after;
+  Duration work = updates_from_[from] + handles_to_[first.devices.front()] + first.after;
   work += profile_.responses.b_minus[to];
   for (std::size_t v = f + 1; v < w; ++v) work += pending_at(v, w, release);
-  Demand demand(effort_);
-  demand.add_streams(set.streams);
-  const Duration length = response - nanoseconds(1) + extra;
-  for (std::size_t v = 0; v < w; ++v)
-    demand.add({{}, set.buckets[v].period, set.buckets[v].cost, releases_inside(v, w, release, length)});
-  return std::min(least_fit(demand, work, std::max(work, nanoseconds(1)), kLongest) - extra, response);
+  return until(to, release, work, set.streams);
 }
 
 }  // namespace finemote::gen::timing

@@ -32,6 +32,16 @@ std::string device(const std::string& members) {
          "}]}";
 }
 
+/// What `text` describes, which is a model.
+Model model_of(const std::string& text) {
+  Sources sources;
+  Diagnostics diagnostics;
+  auto model = read_model(*sources.add({"m.json", "", text}), diagnostics);
+  INFO(render_text(diagnostics, false));
+  REQUIRE(model);
+  return std::move(*model);
+}
+
 }  // namespace
 
 TEST_CASE("a model needs no buses and no parents") {
@@ -157,15 +167,12 @@ TEST_CASE("between jobs that are released together only what is released behind 
     const std::string text = R"({"tick_ns":1000000,)" + costs + R"("buses":[],"devices":[)" + others + R"(
         {"name":"fast","parent":"slow","period_ns":5000000,"update_wcet_ns":100000,"handle_wcet_ns":20000},
         {"name":"slow","parent":null,"period_ns":10000000,"update_wcet_ns":50000,"handle_wcet_ns":50000}]})";
-    Sources sources;
+    const Model model = model_of(text);
     Diagnostics diagnostics;
-    const auto model = read_model(*sources.add({"m.json", "", text}), diagnostics);
-    INFO(render_text(diagnostics, false));
-    REQUIRE(model);
-    const Rank slow(model->devices.size() - 1), fast(model->devices.size() - 2);
+    const Rank slow(model.devices.size() - 1), fast(model.devices.size() - 2);
     AnalysisRequest request;
     request.chains = {{fast, slow}};
-    const Timing timing = analyse(*model, request, diagnostics).value();
+    const Timing timing = analyse(model, request, diagnostics).value();
     const auto chain = std::find_if(timing.chains.begin(), timing.chains.end(),
                                     [&](const ChainResult& c) { return c.from == fast && c.to == slow; });
     REQUIRE(chain != timing.chains.end());
@@ -213,14 +220,11 @@ TEST_CASE("bounds of profile target are true time, of a board as slow as it may 
         {"name":"leaf","parent":"root","period_ns":1000000,"update_wcet_ns":300000,"handle_wcet_ns":200000,
          "acquisition":{"interval_ns":2000000}},
         {"name":"root","parent":null,"period_ns":1000000,"update_wcet_ns":300000,"handle_wcet_ns":200000}]})";
-    Sources sources;
+    const Model model = model_of(text);
     Diagnostics diagnostics;
-    const auto model = read_model(*sources.add({"m.json", "", text}), diagnostics);
-    INFO(render_text(diagnostics, false));
-    REQUIRE(model);
     AnalysisRequest request;
     request.chains = {{Rank{0}, Rank{0}}};
-    return analyse(*model, request, diagnostics).value();
+    return analyse(model, request, diagnostics).value();
   };
   const Timing exact = timing_with(R"("costs":{},)"), slow = timing_with(R"("clock_ppm":50,)");
   REQUIRE(slow.target);

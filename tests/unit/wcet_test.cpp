@@ -401,11 +401,16 @@ struct Bound {
   std::string problem;
 };
 
-Bound bound_of(const std::vector<std::uint16_t>& code, const Marks& marks = {}) {
+/// Gives `use` what a walk through the code says, while the program is there that it points into.
+template <class Use>
+auto with_walk(const std::vector<std::uint16_t>& code, const Marks& marks, Use&& use) {
   const Image image = image_of_code(code);
   const Program program(image, marks.addresses());
   const Constants constants(image, {});
-  const Walked walked = walk({program, constants, marks, CodeCost(Placement::sram), nullptr, 0x10001000}, kBase);
+  return use(walk({program, constants, marks, CodeCost(Placement::sram), nullptr, 0x10001000}, kBase));
+}
+
+Bound bound_of(const Walked& walked) {
   Bound bound;
   for (const auto& [header, loop] : walked.loops) bound.rounds = std::max(bound.rounds, loop.rounds);
   for (const auto& [address, problem] : walked.problems) bound.problem = problem.why;
@@ -414,14 +419,14 @@ Bound bound_of(const std::vector<std::uint16_t>& code, const Marks& marks = {}) 
   return bound;
 }
 
+Bound bound_of(const std::vector<std::uint16_t>& code, const Marks& marks = {}) {
+  return with_walk(code, marks, [](const Walked& walked) { return bound_of(walked); });
+}
+
 constexpr std::uint16_t kReturn = 0x4770;
 
 bool touches_fpu(const std::vector<std::uint16_t>& code) {
-  const Image image = image_of_code(code);
-  const Marks marks;
-  const Program program(image, marks.addresses());
-  const Constants constants(image, {});
-  return uses_fpu(walk({program, constants, marks, CodeCost(Placement::sram), nullptr, 0x10001000}, kBase).graph);
+  return with_walk(code, {}, [](const Walked& walked) { return uses_fpu(walked.graph); });
 }
 
 }  // namespace
