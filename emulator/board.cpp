@@ -74,20 +74,37 @@ Stop Board::run_for(std::uint64_t ns) {
   Stop stop = Stop::time;
   while (cpu_->now() < end && stop == Stop::time) {  // in steps, so that the log stays short
     stop = cpu_->run_until(std::min(end, cpu_->now() + kLogStep));
-    static_cast<void>(own_times());
+    look_at_log();
   }
   return stop;
 }
 
-const OwnTimes& Board::own_times() {
+void Board::look_at_log() {
   own_times_.add(log_);
+  loop_counts_.add(log_);
   if (options_.keeps_log) kept_.insert(kept_.end(), log_.begin(), log_.end());
   log_.clear();
+}
+
+const OwnTimes& Board::own_times() {
+  look_at_log();
   return own_times_;
 }
 
+void Board::watch_loops(const std::vector<WatchedLoop>& loops) {
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    cpu_->watch_loop(loops[i].place, LoopCounts::number_of(i, false));
+    for (const std::uint32_t border : loops[i].borders) cpu_->watch_loop(border, LoopCounts::number_of(i, true));
+  }
+}
+
+const LoopCounts& Board::loop_counts() {
+  look_at_log();
+  return loop_counts_;
+}
+
 const ExecutionLog& Board::log() {
-  static_cast<void>(own_times());
+  look_at_log();
   return kept_;
 }
 

@@ -7,6 +7,7 @@
 
 #include "emulator/chip/chip.hpp"
 #include "emulator/image.hpp"
+#include "emulator/loop_counts.hpp"
 #include "emulator/own_times.hpp"
 #include "emulator/trace_reader.hpp"
 
@@ -49,6 +50,10 @@ class Board {
 
   /// Since power-on.
   [[nodiscard]] const OwnTimes& own_times();
+  /// Counts how often the places of these loops are passed, which the image has; before power-on.
+  void watch_loops(const std::vector<WatchedLoop>& loops);
+  [[nodiscard]] const LoopCounts& loop_counts();
+
   /// The execution log since power-on; empty without `BoardOptions::keeps_log`.
   [[nodiscard]] const ExecutionLog& log();
 
@@ -62,6 +67,7 @@ class Board {
  private:
   void restart(std::uint32_t cause);
   void fill_ram();
+  void look_at_log();
 
   World world_;
   Chip chip_;
@@ -69,9 +75,10 @@ class Board {
   std::unique_ptr<Cpu> cpu_;
   Image image_;
   std::unique_ptr<TraceReader> trace_;
-  ExecutionLog log_;   ///< what own_times_ has not seen
-  ExecutionLog kept_;  ///< what it has, where that is kept
+  ExecutionLog log_;   ///< what has not been looked at
+  ExecutionLog kept_;  ///< what has, where that is kept
   OwnTimes own_times_;
+  LoopCounts loop_counts_;
   unsigned resets_ = 0;
 };
 

@@ -39,6 +39,7 @@ void OwnTimes::add(const ExecutionEvent& event) {
     case ExecutionEvent::Kind::mask:
     case ExecutionEvent::Kind::unmask:
     case ExecutionEvent::Kind::due:
+    case ExecutionEvent::Kind::loop:
       break;
   }
 }

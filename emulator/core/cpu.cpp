@@ -67,9 +67,9 @@ void Cpu::set_log(ExecutionLog* log) {
   };
 }
 
-void Cpu::mark(std::uint32_t address, std::uint32_t number) {
+void Cpu::watch(std::uint32_t address, MarkedPlace what) {
   const std::uint32_t place = address < Memories::kMainRamBytes ? Memories::kRamBase + address : address;
-  marks_.emplace(place, number);
+  marks_.emplace(place, what);
   core_.mark(place);
 }
 
@@ -87,8 +87,9 @@ Claim Cpu::claim_at_end(std::uint32_t mark) {
 void Cpu::passed(std::uint32_t address, Time at) {
   const auto [first, end] = marks_.equal_range(core_.physical(address));
   for (auto it = first; it != end; ++it) {
-    if (tags_.is_on()) provenance_.pass_mark(it->second, at, claim_at_end(it->second));
-    if (log_ != nullptr) log_->push_back({at, it->second, ExecutionEvent::Kind::mark});
+    const auto& [number, kind] = it->second;
+    if (tags_.is_on() && kind == ExecutionEvent::Kind::mark) provenance_.pass_mark(number, at, claim_at_end(number));
+    if (log_ != nullptr) log_->push_back({at, number, kind});
   }
 }
 

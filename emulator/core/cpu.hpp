@@ -94,7 +94,9 @@ class Cpu : private Outside {
   void set_log(ExecutionLog* log);
   /// Passing the instruction at `address` of the loaded image is an event of the log with `number`; several marks of
   /// one address come in the order they were set. An image that is linked at 0 runs in RAM.
-  void mark(std::uint32_t address, std::uint32_t number);
+  void mark(std::uint32_t address, std::uint32_t number) { watch(address, {number, ExecutionEvent::Kind::mark}); }
+  /// The same of a place of a loop.
+  void watch_loop(std::uint32_t address, std::uint32_t number) { watch(address, {number, ExecutionEvent::Kind::loop}); }
   /// The device of this update keeps its stamp at `address`: what it claims when the update ends is kept with what it
   /// used.
   void find_stamp(std::uint32_t stage, std::uint32_t address) { stamps_[stage] = address; }
@@ -131,6 +133,11 @@ class Cpu : private Outside {
   }
 
  private:
+  struct MarkedPlace {
+    std::uint32_t number = 0;
+    ExecutionEvent::Kind kind = ExecutionEvent::Kind::mark;
+  };
+
   bool read(std::uint32_t address, unsigned bytes, std::uint32_t& value) override;
   bool write(std::uint32_t address, unsigned bytes, std::uint32_t value) override;
   bool stops(std::uint32_t address) override;
@@ -144,6 +151,7 @@ class Cpu : private Outside {
   void after_core_access();
   void look_at_memory();
   [[nodiscard]] Claim claim_at_end(std::uint32_t mark);
+  void watch(std::uint32_t address, MarkedPlace what);
   void set_stop() { core_.pace.stop_at = kick_ || probe_ ? 0 : next_stop_; }
   void execute();
   void wake();
@@ -179,8 +187,8 @@ class Cpu : private Outside {
   std::uint32_t lowest_stack_ = 0xFFFFFFFFU, guard_begin_ = 0, guard_end_ = 0;
   Probe probe_;
   ExecutionLog* log_ = nullptr;
-  std::map<std::uint32_t, std::uint32_t> stamps_;      ///< addresses by stage
-  std::multimap<std::uint32_t, std::uint32_t> marks_;  ///< what a mark stands for, by address
+  std::map<std::uint32_t, std::uint32_t> stamps_;    ///< addresses by stage
+  std::multimap<std::uint32_t, MarkedPlace> marks_;  ///< by address
   bool masked_ = false;
   std::string console_;
   int exit_code_ = 0;

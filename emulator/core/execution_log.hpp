@@ -18,6 +18,7 @@ struct ExecutionEvent {
     unmask,  ///< none of them does
     due,     ///< `number`: the exception, pending from now on
     mark,    ///< the instruction at a mark begins; `number`: what the mark stands for
+    loop,    ///< the instruction at a watched place of a loop begins; `number`: which
     reset,   ///< the processor starts anew
   };
 

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Null: marks, which are told as begins and ends.
+/// Null: marks, which are told as begins and ends, and loops.
 const char* name_of(ExecutionEvent::Kind kind) {
   switch (kind) {
     case ExecutionEvent::Kind::enter:
@@ -31,6 +31,7 @@ const char* name_of(ExecutionEvent::Kind kind) {
     case ExecutionEvent::Kind::reset:
       return "reset";
     case ExecutionEvent::Kind::mark:
+    case ExecutionEvent::Kind::loop:
       return nullptr;
   }
   return nullptr;

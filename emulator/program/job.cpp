@@ -183,6 +183,25 @@ Json own_times_of(const std::map<unsigned, OwnTime>& times, unsigned first, unsi
   return all;
 }
 
+/// `[place, borders]` of each loop of a job.
+std::vector<WatchedLoop> loops_of(const Json& job) {
+  std::vector<WatchedLoop> loops;
+  for (const Json& loop : job.value("loops", Json::array()))
+    loops.push_back({loop.at(0), loop.at(1).get<std::vector<std::uint32_t>>()});
+  return loops;
+}
+
+/// How often the place of each loop of a job was passed at most; 0: the loop was never entered.
+Json loop_counts_of(Board& board, const Json& job) {
+  const auto& most = board.loop_counts().most();
+  Json all = Json::array();
+  for (std::size_t i = 0; i < loops_of(job).size(); ++i) {
+    const auto found = most.find(i);
+    all.push_back(found == most.end() ? 0 : found->second);
+  }
+  return all;
+}
+
 BoardOptions options_of(const Json& job, bool keeps_log) {
   BoardOptions options;
   if (job.value("flash", "hit") == "miss") options.flash = FlashModel::miss_always;
@@ -203,6 +222,7 @@ struct Bench {
         outfit(board),
         image(job.contains("image") ? load_image(job.at("image").get<std::string>()) : Image()) {
     if (job.contains("image")) board.load(image);
+    board.watch_loops(loops_of(job));
     outfit.add(job.at("parts"));
   }
 
@@ -269,6 +289,7 @@ Json run(Bench& bench, const Json& job) {
           {"own_stages", own_times_of(board.own_times().brackets(), 0, kFirstWork)},
           {"own_works", own_times_of(board.own_times().brackets(), kFirstWork, kNoBracket)},
           {"own_exceptions", own_times_of(board.own_times().exceptions(), 0, kNoBracket)},
+          {"loop_passes", loop_counts_of(board, job)},
           {"monitor", monitor_of(board, image)},
           {"audit", audit ? audit->events(*zero) : Json()}};
 }

@@ -27,6 +27,7 @@
 #include "generator/run/run_document.hpp"
 #include "generator/run/run_text.hpp"
 #include "generator/run/run_trace.hpp"
+#include "generator/run/told_loops.hpp"
 #include "generator/run/work_folder.hpp"
 #include "generator/timing/from_robot.hpp"
 #include "generator/timing/operands.hpp"
@@ -183,14 +184,21 @@ std::optional<bool> repeat_verdict(const Analysis& analysis, Diagnostics& diagno
   return verdict ? std::optional(verdict->schedulable) : std::nullopt;
 }
 
-std::optional<RunRecord> run_image(const std::string& image, const PlannedRobot& planned, const Setup& setup,
+/// What is run, and the loops whose passes are counted.
+struct WatchedImage {
+  const ProvenImage& image;
+  std::vector<ToldLoop> loops;
+};
+
+std::optional<RunRecord> run_image(const WatchedImage& watched, const PlannedRobot& planned, const Setup& setup,
                                    const FaultTable& faults, const Options& options, std::optional<Phase> phase,
                                    Diagnostics& diagnostics) {
   const auto& [library, robot, forest, schedule, timing_file] = planned;
+  const std::string& image = watched.image.path;
   if (!setup.is_emulated()) return execute(image, setup.board, forest, setup.duration, faults, diagnostics);
   return emulate(image, robot, forest, setup.duration,
-                 {setup.board, faults, setup.asked_scenario(), options.audit.empty() ? nullptr : &schedule, phase,
-                  options.flash_misses || options.slowest,
+                 {setup.board, faults, watched.loops, setup.asked_scenario(),
+                  options.audit.empty() ? nullptr : &schedule, phase, options.flash_misses || options.slowest,
                   SiliconChoice{setup.silicon, options.seed + (phase ? phase->number : 0)}},
                  diagnostics);
 }
@@ -203,8 +211,8 @@ struct Runs {
 };
 
 /// One run without phases, or as many as were asked for.
-std::optional<Runs> run_phases(const std::string& image, const PlannedRobot& planned, const Setup& setup,
-                               const FaultTable& faults, const Options& options, const std::string& image_sha256,
+std::optional<Runs> run_phases(const WatchedImage& watched, const PlannedRobot& planned, const Setup& setup,
+                               const FaultTable& faults, const Options& options,
                                const std::optional<timing::Timing>& timing, Progress& progress,
                                Diagnostics& diagnostics) {
   std::optional<Runs> all;
@@ -213,10 +221,10 @@ std::optional<Runs> run_phases(const std::string& image, const PlannedRobot& pla
   for (std::uint64_t i = 0; i < count; ++i) {
     progress.say(fmt::format("running on {}: {} of {}", setup.board.name, i + 1, count));
     const auto phase = options.phases == 0 ? std::nullopt : std::optional(Phase{options.seed, i});
-    auto record = run_image(image, planned, setup, faults, options, phase, diagnostics);
+    auto record = run_image(watched, planned, setup, faults, options, phase, diagnostics);
     if (!record) return std::nullopt;
     if (!options.audit.empty()) {
-      const AuditedRun run{image_sha256, options.phases == 0 ? 0 : options.seed, i};
+      const AuditedRun run{watched.image.facts.sha256, options.phases == 0 ? 0 : options.seed, i};
       audit += audit_lines(planned.robot, planned.forest, planned.schedule, run, *record);
       record->log.clear();
     }
@@ -315,8 +323,10 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   if (options.build_only) return answer_of_build(image->facts, setup->board.name);
 
   const auto schedulable = repeat_verdict(analysis, diagnostics);
-  auto runs = run_phases(image->path, *planned, *setup, faults, options, image->facts.sha256, image_timing, progress,
-                         diagnostics);
+  WatchedImage watched{*image, {}};
+  if (is_played)
+    watched.loops = told_loops(image->path, SourceNames(input->data_dir, input_folder(input->path)), diagnostics);
+  auto runs = run_phases(watched, *planned, *setup, faults, options, image_timing, progress, diagnostics);
   if (!runs) return no_answer();
   if (!options.audit.empty() && !write_result(options.audit, runs->audit, diagnostics)) return no_answer();
   RunResult result = result_of(*planned, *setup, image->facts, std::move(*runs), faults);
@@ -329,6 +339,8 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   if (image_timing) result.wcets_given = analysed_wcets(robot, forest, image_timing->model);
   const bool declared_hold = !image_timing || image_timing->above_declared.empty();
   result.wcets_hold = check_wcet(robot, result.wcets_given, result.record, judged) && declared_hold;
+  result.loops = std::move(watched.loops);
+  result.loops_hold = check_loops(result.loops, result.record.loop_passes, judged);
   result.must_judge = setup->is_emulated();
   result.wcets = measured_wcets(robot, result.record);
   result.order = judge_order(robot, planned->schedule, result.record);

@@ -12,5 +12,6 @@ inline constexpr Code scenario_time{6010};      // times that are rarely meant
 inline constexpr Code scenario_unjudged{6011};  // nothing of it would be judged
 inline constexpr Code undriven_plant{6012};     // wheels that drive nothing on the emulated board
 inline constexpr Code bench_record{6013};       // a file without a whole record of a bench kit
+inline constexpr Code told_loop{6014};          // a loop turns more often than the sources say
 
 }  // namespace finemote::gen::code

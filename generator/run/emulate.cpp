@@ -178,6 +178,7 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
               {"ports", bus_ports(robot)},
               {"parts", parts.scenario}};
   if (!options.silicon.names.empty()) job["silicon"] = silicon_json(options.silicon);
+  if (!options.loops.empty()) job["loops"] = watched_loops(options.loops);
   if (options.audit != nullptr) job["audit"] = exceptions_of(*options.audit);
   if (options.scenario != nullptr) job["events"] = options.scenario->document;
   const Json json = run_job(job, image, longest_bring_up(robot) + std::max(duration, last_event), diagnostics);

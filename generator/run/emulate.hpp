@@ -9,6 +9,7 @@
 #include "generator/run/record.hpp"
 #include "generator/run/scenario.hpp"
 #include "generator/run/silicon.hpp"
+#include "generator/run/told_loops.hpp"
 #include "generator/schedule/schedule.hpp"
 
 namespace finemote::gen {
@@ -16,6 +17,7 @@ namespace finemote::gen {
 struct EmulationOptions {
   const Board& board;                  ///< what is emulated
   const FaultTable& faults;            ///< what the firmware's faults mean
+  const std::vector<ToldLoop>& loops;  ///< of the image, whose passes are counted
   const Scenario* scenario = nullptr;  ///< null: none
   const Schedule* audit = nullptr;     ///< not null: every event of a run of this schedule is kept
   std::optional<Phase> phase = {};     ///< none: every clock is exact, and parts begin as their models do

@@ -129,6 +129,7 @@ RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest
   record.absent = json.at("absent").get<std::vector<std::string>>();
   record.events = events_of(json, forest);
   record.own_times = own_times_of(json, forest);
+  record.loop_passes = json.at("loop_passes").get<std::vector<std::uint64_t>>();
   record.overruns = json.at("overruns").get<std::vector<std::uint64_t>>();
   record.faults = faults_of(json, "fault_counts");
   record.late_faults = late_faults_of(json);

@@ -109,6 +109,8 @@ void add(MonitorEntry& all, const MonitorEntry& more) {
 
 void merge(RunRecord& all, const RunRecord& more) {
   for (const OwnTime& own : more.own_times) add(all.own_times, own);
+  for (std::size_t i = 0; i < all.loop_passes.size() && i < more.loop_passes.size(); ++i)
+    all.loop_passes[i] = std::max(all.loop_passes[i], more.loop_passes[i]);
   for (const FaultCount& fault : more.faults) add(all.faults, fault);
   for (const FaultCount& fault : more.late_faults) add(all.late_faults, fault);
   for (std::size_t i = 0; i < all.overruns.size() && i < more.overruns.size(); ++i) all.overruns[i] += more.overruns[i];

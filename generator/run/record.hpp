@@ -96,12 +96,13 @@ struct ValueSeries {
 };
 
 struct RunRecord {
-  Duration ready;                       ///< end of bring-up, since the first release: bounds hold from then on
-  std::vector<std::string> absent;      ///< parts that never came up
-  double clock_ppm = 0;                 ///< how much too fast the board's clock ran, which counts all times here
-  std::vector<Event> events;            ///< in time order
-  std::vector<OwnTime> own_times;       ///< of stages that ran; emulated board only
-  std::vector<std::uint64_t> overruns;  ///< per bucket
+  Duration ready;                          ///< end of bring-up, since the first release: bounds hold from then on
+  std::vector<std::string> absent;         ///< parts that never came up
+  double clock_ppm = 0;                    ///< how much too fast the board's clock ran, which counts all times here
+  std::vector<Event> events;               ///< in time order
+  std::vector<OwnTime> own_times;          ///< of stages that ran; emulated board only
+  std::vector<std::uint64_t> loop_passes;  ///< most of each loop that is watched; emulated board only
+  std::vector<std::uint64_t> overruns;     ///< per bucket
   std::vector<BusRecord> buses;
   std::vector<PartRecord> parts;                ///< in time order per part; emulated board only
   std::vector<SampleUse> uses;                  ///< in time order; emulated board only

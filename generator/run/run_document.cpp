@@ -229,6 +229,7 @@ Json run_document(const RunResult& result) {
                    {"order",
                     {{"judged", result.order.is_judged},
                      {"mistake", result.order.mistake ? Json(*result.order.mistake) : Json(nullptr)}}},
+                   {"loops", loop_list(result.loops, result.record.loop_passes)},
                    {"overruns", result.overruns()},
                    {"resets", result.record.resets},
                    {"buses", bus_list(result)},

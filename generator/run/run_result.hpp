@@ -7,6 +7,7 @@
 #include "generator/run/figures.hpp"
 #include "generator/run/image_facts.hpp"
 #include "generator/run/order.hpp"
+#include "generator/run/told_loops.hpp"
 #include "generator/schedule/schedule.hpp"
 #include "generator/timing/bounds.hpp"
 
@@ -27,6 +28,8 @@ struct RunResult {
   std::optional<bool> schedulable = std::nullopt;  ///< as analyze says; none where it gives no answer
   Table<DeviceId, Wcet> wcets_given = {};          ///< what the analysis uses
   bool wcets_hold = true;                          ///< no stage took longer by itself than its WCET
+  std::vector<ToldLoop> loops = {};                ///< of the image
+  bool loops_hold = true;                          ///< none turned more often than its mark says
   std::vector<MeasuredWcet> wcets = {};            ///< of devices whose execution times are assumed
   OrderVerdict order = {};
   bool must_judge = false;             ///< on a board where bounds are measured
@@ -44,8 +47,8 @@ struct RunResult {
   /// Faults counted after the bring-up that nothing explains: no scenario, and no part that is not there.
   [[nodiscard]] std::vector<FaultCount> unexplained_faults() const;
   /// Of the run itself, whatever the analysis says: no overrun, no reset, no stage out of order or longer than its
-  /// WCET, no fault that nothing explains, all as the scenario expects, something judged, and no figure above its bound
-  /// unless it injects faults.
+  /// WCET, no loop longer than its mark says, no fault that nothing explains, all as the scenario expects, something
+  /// judged, and no figure above its bound unless it injects faults.
   [[nodiscard]] bool good() const;
 };
 

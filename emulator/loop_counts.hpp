@@ -1,0 +1,42 @@
+// From when marked places of loops were passed to how often each was, at most, from when its loop was entered on.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "emulator/core/execution_log.hpp"
+
+namespace finemote::emulator {
+
+/// A place in the body of a loop, and the places around it: whoever passes one of those is not in the loop.
+struct WatchedLoop {
+  std::uint32_t place = 0;
+  std::vector<std::uint32_t> borders = {};
+};
+
+/// Loops that are watched, by their index. Each level of preemption counts by itself: a loop that is interrupted by a
+/// routine with the same loop goes on with its own count.
+class LoopCounts {
+ public:
+  /// Of an event `ExecutionEvent::Kind::loop`.
+  static constexpr std::uint32_t number_of(std::size_t loop, bool is_border) {
+    return 2 * static_cast<std::uint32_t>(loop) + (is_border ? 1 : 0);
+  }
+
+  /// Events in the order of time; call it as often as there are some.
+  void add(const ExecutionLog& log);
+
+  /// How often the place was passed, at most. A loop that was never entered has none.
+  [[nodiscard]] const std::map<std::size_t, std::uint64_t>& most() const { return most_; }
+
+ private:
+  using Level = std::map<std::size_t, std::uint64_t>;  ///< passes so far, by loop
+
+  void pass(std::uint32_t number);
+
+  std::vector<Level> levels_{Level{}};
+  std::map<std::size_t, std::uint64_t> most_;
+};
+
+}  // namespace finemote::emulator

@@ -1,0 +1,102 @@
+#include "generator/run/told_loops.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+
+#include "generator/diagnostic/code_scenario.hpp"
+#include "generator/image/image.hpp"
+#include "generator/image/source_lines.hpp"
+
+namespace finemote::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::uint64_t passes_of(std::size_t loop, const std::vector<std::uint64_t>& passes) {
+  return loop < passes.size() ? passes[loop] : 0;
+}
+
+const char* judge(const ToldLoop& told, std::uint64_t passes) {
+  return passes == 0 ? "no-sample" : passes > told.loop.bound ? "broken" : "held";
+}
+
+std::string where(const ToldLoop& told) {
+  return told.file.empty() ? fmt::format("{:#010x}", told.loop.place) : fmt::format("{}:{}", told.file, told.line);
+}
+
+/// The first line of the loop that is not the mark's own.
+std::optional<SourceLine> line_of(const wcet::MarkedLoop& loop, const SourceLines& lines) {
+  constexpr std::string_view kMarks = "finemote/loop_bound.hpp";
+  constexpr std::uint32_t kFarEnough = 16;  // bytes
+  const auto outside = [&](std::uint32_t address) {
+    auto line = lines.at(address);
+    return line && !line->file.ends_with(kMarks) ? line : std::nullopt;
+  };
+  auto line = outside(loop.header);
+  for (std::uint32_t at = loop.place; !line && at < loop.place + kFarEnough; at += 2) line = outside(at);
+  return line;
+}
+
+}  // namespace
+
+std::vector<ToldLoop> told_loops(const std::string& image_path, const SourceNames& names, Diagnostics& diagnostics) {
+  std::vector<ToldLoop> all;
+  const auto image = read_image(image_path, diagnostics);
+  if (!image) return all;
+  std::vector<wcet::MarkedLoop> loops = wcet::marked_loops(*image);
+  const SourceLines lines(image_path);
+  for (wcet::MarkedLoop& loop : loops) {
+    ToldLoop& told = all.emplace_back();
+    told.function = readable_name(loop.function);
+    if (const auto line = line_of(loop, lines)) {
+      told.file = names.of(line->file);
+      told.line = line->line;
+    }
+    told.loop = std::move(loop);
+  }
+  return all;
+}
+
+Json watched_loops(const std::vector<ToldLoop>& loops) {
+  Json list = Json::array();
+  for (const ToldLoop& told : loops) list.push_back({told.loop.place, told.loop.borders});
+  return list;
+}
+
+bool check_loops(const std::vector<ToldLoop>& loops, const std::vector<std::uint64_t>& passes,
+                 Diagnostics& diagnostics) {
+  bool holds = true;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const ToldLoop& told = loops[i];
+    const std::uint64_t most = passes_of(i, passes);
+    if (most <= told.loop.bound) continue;
+    holds = false;
+    diagnostics
+        .error(code::told_loop, {},
+               fmt::format("{}: in '{}': the loop passed its mark {} times, and loop_bound<{}>() says at most {}",
+                           where(told), told.function, most, told.loop.bound, told.loop.bound))
+        .note("execution times that were computed from this mark are no bounds")
+        .hint("write a bound that holds for every input, or make the loop end there");
+  }
+  return holds;
+}
+
+Json loop_list(const std::vector<ToldLoop>& loops, const std::vector<std::uint64_t>& passes) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const ToldLoop& told = loops[i];
+    const std::uint64_t most = passes_of(i, passes);
+    list.push_back({{"function", told.function},
+                    {"file", told.file.empty() ? Json() : Json(told.file)},
+                    {"line", told.file.empty() ? Json() : Json(told.line)},
+                    {"bound", told.loop.bound},
+                    {"passes_max", most > 0 ? Json(most) : Json()},
+                    {"judged", judge(told, most)}});
+  }
+  return list;
+}
+
+}  // namespace finemote::gen

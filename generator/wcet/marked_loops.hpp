@@ -1,0 +1,26 @@
+// An image to the loops whose bounds its sources only tell, and to where a run can count their rounds.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "generator/image/image.hpp"
+
+namespace finemote::gen::wcet {
+
+/// A loop with `loop_bound<n>()` in its body: runtime/include/finemote/loop_bound.hpp.
+struct MarkedLoop {
+  std::uint32_t place = 0;   ///< address of the mark
+  std::uint32_t header = 0;  ///< address that every turn passes first
+  std::uint32_t bound = 0;   ///< how often it is passed at most, from when the loop is entered to when it is left
+  std::string function;
+  std::vector<std::uint32_t> borders = {};  ///< addresses of which one is passed before each entry of the loop, or
+                                            ///< behind each way out, and none in between
+};
+
+/// Those of which a run can tell when they are entered, by address. Rounds that interrupts add to a loop
+/// (`retried_if_interrupted()`) are not in its bound: there are none of these loops.
+std::vector<MarkedLoop> marked_loops(const Image& image);
+
+}  // namespace finemote::gen::wcet
