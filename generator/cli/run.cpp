@@ -190,6 +190,12 @@ struct WatchedImage {
   std::vector<ToldLoop> loops;
 };
 
+/// @param is_counted  something counts the passes
+WatchedImage watch_loops(const ProvenImage& image, const Input& input, bool is_counted, Diagnostics& diagnostics) {
+  if (!is_counted) return {image, {}};
+  return {image, told_loops(image.path, SourceNames(input.data_dir, input_folder(input.path)), diagnostics)};
+}
+
 std::optional<RunRecord> run_image(const WatchedImage& watched, const PlannedRobot& planned, const Setup& setup,
                                    const FaultTable& faults, const Options& options, std::optional<Phase> phase,
                                    Diagnostics& diagnostics) {
@@ -323,9 +329,7 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   if (options.build_only) return answer_of_build(image->facts, setup->board.name);
 
   const auto schedulable = repeat_verdict(analysis, diagnostics);
-  WatchedImage watched{*image, {}};
-  if (is_played)
-    watched.loops = told_loops(image->path, SourceNames(input->data_dir, input_folder(input->path)), diagnostics);
+  WatchedImage watched = watch_loops(*image, *input, is_played, diagnostics);
   auto runs = run_phases(watched, *planned, *setup, faults, options, image_timing, progress, diagnostics);
   if (!runs) return no_answer();
   if (!options.audit.empty() && !write_result(options.audit, runs->audit, diagnostics)) return no_answer();

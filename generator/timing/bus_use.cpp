@@ -6,7 +6,6 @@
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/model/shared_frame.hpp"
-#include "generator/timing/connection.hpp"
 
 namespace finemote::gen::timing {
 namespace {
@@ -60,6 +59,10 @@ std::size_t shared_frames(const Robot& robot, BusId bus) {
 
 }  // namespace
 
+bool is_declared(const Robot& robot, const gen::Device& device, const Connection& connection) {
+  return says_what_it_sends(robot, device, connection) && says_how_often(device, connection);
+}
+
 Table<BusId, BusUse> bus_uses(const Robot& robot) {
   Table<BusId, BusUse> uses(robot.buses.size());
   for (const gen::Device& device : robot.devices) {
@@ -70,8 +73,7 @@ Table<BusId, BusUse> bus_uses(const Robot& robot) {
       use.slots += static_cast<std::int64_t>(std::max<std::size_t>(received, 1));
       if (connection.use != nullptr) use.transmits = true;
       if (device.type == nullptr) continue;
-      if (!says_what_it_sends(robot, device, connection) || !says_how_often(device, connection))
-        use.is_declared = false;
+      if (!is_declared(robot, device, connection)) use.is_declared = false;
       if (writes(device, connection)) use.transmits = true;
       note_lengths(device, connection, bus_type(robot.buses[robot.segments[connection.segment].bus].kind), use);
     }

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "generator/model/robot.hpp"
+#include "generator/timing/connection.hpp"
 
 namespace finemote::gen::timing {
 
@@ -17,6 +18,9 @@ struct BusUse {
   std::int64_t least_received = 0, least_sent = 0;
   std::int64_t slots = 0;  ///< places where its driver looks: devices, expanders, further frames they receive
 };
+
+/// Whether the device's type says what goes over this connection, and how often.
+bool is_declared(const Robot& robot, const gen::Device& device, const Connection& connection);
 
 /// Of every bus.
 Table<BusId, BusUse> bus_uses(const Robot& robot);

@@ -41,6 +41,8 @@ class ChainExplainer {
 
   void explain_unbounded(const char* part, std::optional<BusPlace> bus) {
     if (!bus) return;
+    const std::string undeclared = undeclared_text(model_, *bus);
+    if (!undeclared.empty()) return void(finding_.note(fmt::format("{}: {}", part, undeclared)));
     finding_.note(
         fmt::format("{}: on bus '{}' a message may still wait when the next one is due; the bus needs {} "
                     "of its capacity",

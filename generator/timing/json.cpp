@@ -94,6 +94,7 @@ Json device_json(const Model& model, const Device& d) {
     if (d.acquisition->assumed) a["assumed"] = true;
   }
   for (const Transfer& t : d.transfers) out["transfers"].push_back(transfer_json(model, t));
+  for (const BusPlace bus : d.undeclared) out["undeclared"].push_back(model.buses[bus].name);
   return out;
 }
 

@@ -122,6 +122,8 @@ struct Device {
   std::string role;  ///< in the parent; empty: not known
   std::optional<Acquisition> acquisition;
   std::vector<Transfer> transfers;
+  /// Buses over which it may send what is not among its transfers: nothing that goes over them has a bound.
+  std::vector<BusPlace> undeclared;
   WcetSource source = WcetSource::unknown;
   std::optional<Duration> update_static, handle_static;  ///< computed from the image
   bool is_above_declared = false;                        ///< what was computed is above what the user declares

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <map>
 
 #include "generator/diagnostic/suggest.hpp"
@@ -39,6 +38,7 @@ class ModelReader {
   void read_observed(Device& device, const Value& v);
   void read_acquisition(Device& device, const Value& v);
   void read_transfer(Device& device, const Value& v);
+  void read_undeclared(Device& device, const Value& v);
   void read_transfer_bus(Transfer& transfer, const Value& v);
   void read_after(Transfer& transfer, const Value& v);
   void read_cause(FrameBudget& budget, const Value& v);
@@ -126,6 +126,7 @@ struct ModelReader::Tables {
       {"reads", Need::target, Each<Device>{&ModelReader::read_observed}},
       {"acquisition", Need::target, Whole<Device>{&ModelReader::read_acquisition}},
       {"transfers", Need::target, Each<Device>{&ModelReader::read_transfer}},
+      {"undeclared", Need::target, Each<Device>{&ModelReader::read_undeclared}},
   };
   static constexpr Field<Acquisition> kAcquisition[] = {
       {"fixed_ns", Need::target, &Acquisition::fixed},           {"interval_ns", Need::target, &Acquisition::interval},
@@ -198,8 +199,7 @@ void ModelReader::set_frame_time(Bus& bus, const Value& v) {
   try {
     bus.frame = floor_div(bus.min_frame_bits * seconds(1), bus.baud_bps);
   } catch (const Overflow&) {
-    values_.error(code::timing_overflow, bits, "the frame time does not fit signed 64 bits");
-    return;
+    return void(values_.error(code::timing_overflow, bits, "the frame time does not fit signed 64 bits"));
   }
   if (bus.frame >= nanoseconds(1)) return;
   bus.frame = nanoseconds(1);
@@ -267,16 +267,15 @@ void ModelReader::check_period(const Device& device, const Value& v) {
 }
 
 void ModelReader::check_best_case(Duration bcet, Duration wcet, std::string_view key, const Value& v) {
-  if (bcet <= wcet) return;
-  values_.error(code::json_number_range, *v.find(key), fmt::format("'{}' is above the worst case", key));
+  if (bcet > wcet)
+    values_.error(code::json_number_range, *v.find(key), fmt::format("'{}' is above the worst case", key));
 }
 
 void ModelReader::read_parent(Device&, const Value& v) {
   if (v.is(Value::Kind::null)) return;
-  if (!v.is(Value::Kind::string)) {
-    values_.error(code::json_type, v, fmt::format("'parent' is {}, not a string or null", describe(v.kind)));
-    return;
-  }
+  if (!v.is(Value::Kind::string))
+    return void(
+        values_.error(code::json_type, v, fmt::format("'parent' is {}, not a string or null", describe(v.kind))));
   later_.emplace_back([this, rank = last_device(), &v] {
     const auto found = find_device(v.text, v);
     if (!found) return;
@@ -313,23 +312,24 @@ std::optional<BusPlace> ModelReader::find_bus(const std::string& bus, const Valu
 }
 
 void ModelReader::read_observed(Device&, const Value& v) {
-  if (!v.is(Value::Kind::string)) {
-    values_.error(code::json_type, v, fmt::format("an element of 'reads' is {}, not a string", describe(v.kind)));
-    return;
-  }
+  if (values_.text(v, "a device", "reads").empty()) return;
   later_.emplace_back([this, rank = last_device(), &v] {
     if (const auto found = find_device(v.text, v)) model_.devices[rank].reads.push_back(*found);
   });
 }
 
 void ModelReader::read_acquisition(Device& device, const Value& v) {
-  if (!values_.is_object(v, "'acquisition'")) return;
-  values_.read_fields(v, "an acquisition", Tables::kAcquisition, device.acquisition.emplace(), *this);
+  if (values_.is_object(v, "'acquisition'"))
+    values_.read_fields(v, "an acquisition", Tables::kAcquisition, device.acquisition.emplace(), *this);
+}
+
+void ModelReader::read_undeclared(Device& device, const Value& v) {
+  if (const auto bus = find_bus(values_.text(v, "a device", "undeclared"), v)) device.undeclared.push_back(*bus);
 }
 
 void ModelReader::read_transfer(Device& device, const Value& v) {
-  if (!values_.is_object(v, "a transfer")) return;
-  values_.read_fields(v, "a transfer", Tables::kTransfer, device.transfers.emplace_back(), *this);
+  if (values_.is_object(v, "a transfer"))
+    values_.read_fields(v, "a transfer", Tables::kTransfer, device.transfers.emplace_back(), *this);
 }
 
 void ModelReader::read_transfer_bus(Transfer& transfer, const Value& v) {

@@ -71,6 +71,10 @@ std::vector<Rank> users(const Model& model, BusPlace bus, const Wanted& is_wante
   return list;
 }
 
+std::optional<BusPlace> first_undeclared(const Device& device) {
+  return device.undeclared.empty() ? std::nullopt : std::optional(device.undeclared.front());
+}
+
 }  // namespace
 
 std::vector<Rank> periodic_users(const Model& model, BusPlace bus) {
@@ -90,7 +94,7 @@ std::optional<BusPlace> command_bus(const Model& model, Rank to) {
   for (const Flush& flush : model.flushes) {
     if (flush.bus && std::find(flush.devices.begin(), flush.devices.end(), to) != flush.devices.end()) return flush.bus;
   }
-  return std::nullopt;
+  return first_undeclared(model.devices[to]);
 }
 
 std::optional<BusPlace> sample_bus(const Model& model, Rank from) {
@@ -98,8 +102,22 @@ std::optional<BusPlace> sample_bus(const Model& model, Rank from) {
   for (const Transfer& t : transfers) {
     if (!t.command) return t.bus;
   }
-  if (transfers.empty()) return std::nullopt;
+  if (transfers.empty()) return first_undeclared(model.devices[from]);
   return transfers.front().bus;  // it is asked together with its command
+}
+
+std::string undeclared_text(const Model& model, BusPlace bus) {
+  constexpr std::size_t kMost = 3;
+  std::string who;
+  std::size_t count = 0;
+  for (const Device& device : model.devices) {
+    if (std::find(device.undeclared.begin(), device.undeclared.end(), bus) == device.undeclared.end()) continue;
+    if (++count <= kMost) who += (who.empty() ? "" : ", ") + quoted(device.name);
+  }
+  if (count == 0) return {};
+  if (count > kMost) who += fmt::format(" and {} more", count - kMost);
+  return fmt::format("anything may go over bus '{}': {} not declare {} there ('frames')", model.buses[bus].name,
+                     who + (count > 1 ? " do" : " does"), count > 1 ? "what they send" : "what it sends");
 }
 
 std::vector<Rank> devices_between(const Model& model, const ChainResult& chain) {

@@ -34,6 +34,9 @@ std::optional<BusPlace> command_bus(const Model& model, Rank to);
 /// The bus the samples of a device come over; none where there is none.
 std::optional<BusPlace> sample_bus(const Model& model, Rank from);
 
+/// That devices do not say what they send over the bus, for people; empty: all do.
+std::string undeclared_text(const Model& model, BusPlace bus);
+
 /// The devices from both ends of a chain to their roots, ends included.
 std::vector<Rank> devices_between(const Model& model, const ChainResult& chain);
 

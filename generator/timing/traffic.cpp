@@ -87,6 +87,8 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
   }
   const std::vector<Frame> frames = frames_over(device, connection);
   const BusId id = places_.buses()[*bus];
+  if (bus_type(robot_.buses[id].kind).counts_traffic && !is_declared(robot_, device, connection))
+    model_.devices[place].undeclared.push_back(*bus);
   const WireRate rate{robot_.buses[id].kind, model_.buses[*bus].baud_bps, mover_of(robot_, id),
                       line_format(format_over(device, connection)).bits_per_byte()};
   for (Unit& unit : units_of(robot_, device, frames, rate)) {

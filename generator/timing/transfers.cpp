@@ -50,6 +50,10 @@ Duration TransferBounds::with_service(const Item& item, std::int64_t interrupts,
 
 void TransferBounds::collect() {
   const Responses& r = responses_;
+  is_declared_ = Table<BusPlace, bool>(model_.buses.size(), true);
+  for (const Device& device : model_.devices) {
+    for (const BusPlace bus : device.undeclared) is_declared_[bus] = false;
+  }
   item_of_.resize(model_.devices.size());
   for (const Rank d : model_.devices.ids()) {
     const std::size_t w = set_.bucket_of[d];
@@ -163,7 +167,7 @@ Duration TransferBounds::at_begin(const Item& own) const {
 /// Hand-over to the begin of the last of its frames, all less those before it.
 std::optional<Duration> TransferBounds::wait(const Item& own) const {
   // What an overloaded bus cannot carry fills mailboxes and queues: then no frame of it is sure of its place.
-  if (!own.bounded || loads_[own.bus].utilization > 1) return std::nullopt;
+  if (!own.bounded || loads_[own.bus].utilization > 1 || !is_declared_[own.bus]) return std::nullopt;
   const bool alone = std::none_of(items_.begin(), items_.end(),
                                   [&](const Item& item) { return &item != &own && competes(item, own); });
   const Duration before_last = own.on_wire() - own.frame();  // of its own; more urgent ones may come between

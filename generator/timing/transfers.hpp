@@ -90,6 +90,7 @@ class TransferBounds {
   Table<Rank, std::vector<std::size_t>> item_of_;  ///< per transfer
   std::vector<std::optional<std::size_t>> flush_item_;
   Table<BusPlace, BusLoad> loads_;
+  Table<BusPlace, bool> is_declared_;  ///< all that goes over the bus is among the items
 };
 
 /// Place of the bucket that a flush belongs to.

@@ -52,6 +52,8 @@ std::string why(const Timing& timing, const Cause& cause) {
   if (cause.period && timing.verdict().release && timing.verdict().release->is_guilty()) return "releases can be lost";
   if (cause.period) return bucket_text(*cause.period) + " may miss their deadline";
   if (!cause.bus) return "another device on the way may miss its deadline";
+  const std::string undeclared = undeclared_text(timing.model, *cause.bus);
+  if (!undeclared.empty()) return undeclared;
   const Bus& bus = timing.model.buses[*cause.bus];
   const double load = timing.bus_loads[*cause.bus].utilization;
   const std::string users = shares_text(bus_shares(timing.model, *cause.bus));
@@ -80,7 +82,7 @@ std::size_t still_missing(const Timing& after, const Timing& before, const std::
 
 std::vector<std::string> restored_by(const Timing& timing, const Cause& cause, const std::vector<std::size_t>& chains,
                                      Trials& trials) {
-  if (!cause.bus) return {};  // the hints of FM4015
+  if (!cause.bus || !undeclared_text(timing.model, *cause.bus).empty()) return {};  // the hints of FM4015
   const Goal goal{[&](const Timing& t) { return static_cast<double>(still_missing(t, timing, cause.part, chains)); }, 0,
                   true};
   std::vector<std::string> texts;

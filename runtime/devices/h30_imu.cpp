@@ -86,8 +86,7 @@ const std::uint8_t* H30Imu::look(std::size_t size) {
 
 /// Frames that fill what one read has brought, and places that are none.
 unsigned H30Imu::most_frames() const {
-  const std::size_t most = uart_->full_reads(1), bytes = (most < Uart::kChunk ? most : Uart::kChunk) + kMaxFrame;
-  return static_cast<unsigned>(bytes / kLeastFrame) + kMostRejected;
+  return static_cast<unsigned>((uart_->most_in_chunk() + kMaxFrame) / kLeastFrame) + kMostRejected;
 }
 
 /// Goes from one place at which a frame may begin to the next: behind a good one, else to the next inside, for what

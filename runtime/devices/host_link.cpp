@@ -112,7 +112,7 @@ const std::uint8_t* HostLink::look(std::size_t size) {
 
 /// Frames that fill what one read has brought, and places that are none.
 unsigned HostLink::most_frames() const {
-  const std::size_t bytes = least(uart_.full_reads(1), Uart::kChunk) + link::kMaxFrame;
+  const std::size_t bytes = uart_.most_in_chunk() + link::kMaxFrame;
   return static_cast<unsigned>(bytes / (link::kHeader + sizes_.smallest + link::kCrc)) + kMostRejected;
 }
 

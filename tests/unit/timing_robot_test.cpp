@@ -190,6 +190,35 @@ TEST_CASE("identifiers decide nothing on CAN where a device does not say what it
   CHECK(robot.model.flushes[0].interrupts > 0);
 }
 
+TEST_CASE("nothing has a bound over a bus where a device does not say what it sends") {
+  const auto with = [](const std::string& more) {
+    Robots robot = Robots::with(R"(<bus name="can" type="can" port="can1" bitrate="1Mbit/s"/>
+        <bus name="other" type="can" port="can2" bitrate="1Mbit/s"/>
+        <device name="motor" type="dji_m3508" period="2ms" bus="can" id="1"/>
+        <device name="far" type="dji_m3508" period="2ms" bus="other" id="1"/>)" +
+                                more);
+    Diagnostics findings;
+    auto timing = analyse(robot.model, {}, findings);
+    REQUIRE(timing);
+    return std::move(*timing);
+  };
+  const Timing declared = with(R"(<device name="asker" type="asker" period="2ms" bus="can" id="9"/>)");
+  CHECK(chain(declared, "motor", "motor").end_to_end);
+  CHECK(chain(declared, "asker", "asker").acquire);
+  const Timing timing = with(R"(<device name="quiet" type="silent_on_can" period="2ms" bus="can" id="9"/>)");
+  CHECK(timing.schedulable);
+  CHECK(!chain(timing, "motor", "motor").acquire);
+  CHECK(chain(timing, "motor", "motor").decide);
+  CHECK(!chain(timing, "motor", "motor").wire);
+  CHECK(!chain(timing, "quiet", "quiet").acquire);
+  CHECK(chain(timing, "far", "far").end_to_end);
+  REQUIRE(timing.missing.size() == 2);
+  for (const MissingBound& missing : timing.missing) {
+    CHECK(missing.why == "anything may go over bus 'can': 'quiet' does not declare what it sends there ('frames')");
+    CHECK(missing.restored_by.empty());
+  }
+}
+
 TEST_CASE("software asks for transfers at any distance") {
   const Robots robot = Robots::with(R"(<bus name="can" type="can" port="can1" bitrate="1Mbit/s"/>
       <device name="a" type="dji_m3508" period="2ms" bus="can" id="1"/>)");

@@ -22,7 +22,8 @@ template <std::uint32_t word>
 }  // namespace detail
 
 /// This place, in the body of a loop, is passed at most `passes` times from when the loop is entered to when it is
-/// left. It costs no instruction. What is told must be true: bounds are computed from it, and nothing checks it.
+/// left. It costs no instruction. What is told must be true: bounds are computed from it. `finemote run` counts the
+/// passes on the emulated board, of the inputs that it has; nothing else checks it.
 /// Every round of the loop passes this place.
 /// @code for (Inbox* i = first; i != nullptr; i = i->next) { loop_bound<kMostInboxes>(); ... } @endcode
 template <std::uint32_t passes>

@@ -53,6 +53,8 @@ class Uart {
   /// Most calls of read() in one update() that return all they may, where each may return at least `capacity` bytes.
   /// Context: any.
   [[nodiscard]] std::size_t full_reads(std::size_t capacity) const { return limits_.bytes / capacity; }
+  /// Most bytes that a read() with room for kChunk returns. Context: any.
+  [[nodiscard]] std::size_t most_in_chunk() const { return limits_.bytes < kChunk ? limits_.bytes : kChunk; }
 
   /// Drops what came so far: the first update() finds what comes from here on. True when nothing of ours is being sent.
   /// Context: init, when no bucket runs.

@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 304644, finemote::kNothingToBound, nullptr},  // imu
-    {1, 655705, finemote::kNothingToBound, nullptr},  // depth
-    {1, 653005, finemote::kNothingToBound, nullptr},  // button
-    {1, 650305, 24109500, &station::servo.command},  // servo
-    {1, 645587, 24104781, &station::green_led.command},  // green_led
-    {1, 639588, 24098783, &station::blue_led.command},  // blue_led
-    {1, 633584, finemote::kNothingToBound, nullptr},  // station
+    {0, 304680, finemote::kNothingToBound, nullptr},  // imu
+    {1, 655639, finemote::kNothingToBound, nullptr},  // depth
+    {1, 652939, finemote::kNothingToBound, nullptr},  // button
+    {1, 650239, 24109398, &station::servo.command},  // servo
+    {1, 645521, 24104679, &station::green_led.command},  // green_led
+    {1, 639522, 24098681, &station::blue_led.command},  // blue_led
+    {1, 633518, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

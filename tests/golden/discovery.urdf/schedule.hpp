@@ -9,11 +9,11 @@
 namespace discovery {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 299.243 us of its release.
+/// a job ends within 299.279 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 631.387 us of its release.
+/// a job ends within 631.321 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,13 +22,13 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{299243, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{625404, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{625404, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{625404, 24097499, 24202491};
-inline constexpr finemote::Bounds green_led{623386, 24095481, 24211977};
-inline constexpr finemote::Bounds blue_led{620088, 24092183, 24211977};
-inline constexpr finemote::Bounds station{616783, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{299279, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{625338, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{625338, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{625338, 24097397, 24202389};
+inline constexpr finemote::Bounds green_led{623320, 24095379, 24211875};
+inline constexpr finemote::Bounds blue_led{620022, 24092081, 24211875};
+inline constexpr finemote::Bounds station{616717, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

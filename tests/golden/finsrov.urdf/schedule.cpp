@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 645918, finemote::kNothingToBound, nullptr},  // imu
-    {1, 1480129, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 1477428, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 1474728, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 1472028, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 1460092, 31886168, &rov::thruster_1.command},  // thruster_1
-    {1, 1455533, 31881610, &rov::thruster_2.command},  // thruster_2
-    {1, 1450975, 31874734, &rov::thruster_3.command},  // thruster_3
-    {1, 1446417, 31870176, &rov::thruster_4.command},  // thruster_4
-    {1, 1439535, 31865612, &rov::thruster_5.command},  // thruster_5
-    {1, 1434983, 31861059, &rov::thruster_6.command},  // thruster_6
-    {1, 1430425, 31854184, &rov::thruster_7.command},  // thruster_7
-    {1, 1425867, 31849488, &rov::thruster_8.command},  // thruster_8
-    {1, 1421309, finemote::kNothingToBound, nullptr},  // rov
+    {0, 645894, finemote::kNothingToBound, nullptr},  // imu
+    {1, 1480105, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 1477404, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 1474704, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 1472004, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 1460068, 31886144, &rov::thruster_1.command},  // thruster_1
+    {1, 1455509, 31881586, &rov::thruster_2.command},  // thruster_2
+    {1, 1450951, 31874710, &rov::thruster_3.command},  // thruster_3
+    {1, 1446393, 31870152, &rov::thruster_4.command},  // thruster_4
+    {1, 1439511, 31865588, &rov::thruster_5.command},  // thruster_5
+    {1, 1434959, 31861035, &rov::thruster_6.command},  // thruster_6
+    {1, 1430401, 31854160, &rov::thruster_7.command},  // thruster_7
+    {1, 1425843, 31849464, &rov::thruster_8.command},  // thruster_8
+    {1, 1421285, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

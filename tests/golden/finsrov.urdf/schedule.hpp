@@ -9,7 +9,7 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 640.518 us of its release.
+/// a job ends within 640.494 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{640518, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{1408655, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{1408655, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{1408655, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{1408655, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{1408655, 31824157, 36160466};
-inline constexpr finemote::Bounds thruster_2{1406797, 31822299, 36160466};
-inline constexpr finemote::Bounds thruster_3{1404939, 31820441, 36160467};
-inline constexpr finemote::Bounds thruster_4{1403081, 31818583, 36160467};
-inline constexpr finemote::Bounds thruster_5{1401217, 31816719, 36160467};
-inline constexpr finemote::Bounds thruster_6{1399364, 31812687, 36158287};
-inline constexpr finemote::Bounds thruster_7{1397506, 31810828, 36188699};
-inline constexpr finemote::Bounds thruster_8{1393331, 31808970, 36188699};
-inline constexpr finemote::Bounds rov{1391473, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{640494, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{1408631, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{1408631, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{1408631, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{1408631, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{1408631, 31824133, 36160442};
+inline constexpr finemote::Bounds thruster_2{1406773, 31822275, 36160442};
+inline constexpr finemote::Bounds thruster_3{1404915, 31820417, 36160443};
+inline constexpr finemote::Bounds thruster_4{1403057, 31818559, 36160443};
+inline constexpr finemote::Bounds thruster_5{1401193, 31816695, 36160443};
+inline constexpr finemote::Bounds thruster_6{1399340, 31812663, 36158263};
+inline constexpr finemote::Bounds thruster_7{1397482, 31810804, 36188675};
+inline constexpr finemote::Bounds thruster_8{1393307, 31808946, 36188675};
+inline constexpr finemote::Bounds rov{1391449, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

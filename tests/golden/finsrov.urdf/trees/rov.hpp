@@ -19,7 +19,7 @@
 namespace FinsROV::rov {
 
 /// imu: h30_imu on 'imu_uart', every 5 ms
-/// response <= 640.518 us
+/// response <= 640.494 us
 FINEMOTE_CONSTINIT inline finemote::H30Imu imu{/*mount*/ nullptr, imu_uart};
 
 /// baro_1: ms5837 on 'segment_0' at 0x76, every 10 ms
