@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include "generator/descriptor/drivers.hpp"
 #include "generator/index/ids.hpp"
@@ -29,7 +30,8 @@ struct ComputedCosts {
   Table<DeviceId, Before> before;
   std::map<Duration, Duration> behind;  ///< by period: from the last stage to the end of the job, flushes included
   std::map<std::pair<BusId, DriverSource::Counts>, Duration> routines;  ///< a run that such an event raises
-  Duration pins;  ///< a run of the routine of any line that belongs to no bus
+  std::map<BusId, std::vector<Duration>> requests;  ///< a request that hands over one frame, two, ...
+  Duration pins;                                    ///< a run of the routine of any line that belongs to no bus
   Retries retries;
 };
 

@@ -135,6 +135,8 @@ Json interrupts_json(const TimedRobot& timed) {
     Json entry{{"source", interrupt_name(timed, routine)}};
     add_times(timed, routine, context_of(routine), entry);
     if (!source_of(timed, routine.exception).empty()) entry["raised_by"] = causes_json(timed, routine);
+    for (const Cycles cycles : routine.requests)
+      entry["requests"].push_back(ns_of(cycles + context_of(routine), timed));
     interrupts.push_back(std::move(entry));
   }
   return interrupts;

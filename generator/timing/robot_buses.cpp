@@ -82,12 +82,16 @@ bool is_of_transfer(DriverSource::Counts counts) {
   return counts == DriverSource::Counts::steps || counts == DriverSource::Counts::ends;
 }
 
+/// Frames that one request hands over at most: no more than the controller has room for.
+std::size_t requested_frames(const Driver& driver, const BusUse& use) {
+  return std::min(use.shared_frames, std::max<std::size_t>(driver.mailboxes, 1));
+}
+
 /// One run of a source's service routine. A request hands over no more frames than the controller has room for. A
 /// routine that waits for the wire does most of its work meanwhile.
 Duration routine(const Driver& driver, const DriverSource& source, const BusUse& use, std::int64_t rate) {
-  const std::size_t frames = std::min(use.shared_frames, std::max<std::size_t>(driver.mailboxes, 1));
-  const Duration work =
-      source.isr_wcet + use.slots * source.isr_per_slot + static_cast<std::int64_t>(frames) * source.isr_per_frame;
+  const auto frames = static_cast<std::int64_t>(requested_frames(driver, use));
+  const Duration work = source.isr_wcet + use.slots * source.isr_per_slot + frames * source.isr_per_frame;
   if (source.isr_waits_bits == 0) return work;
   const Duration wait = ceil_div(source.isr_waits_bits * seconds(1), std::max<std::int64_t>(rate, 1));
   return std::max(work, wait + source.isr_beside_wait.value_or(work));
@@ -100,9 +104,19 @@ DriverSource::Counts event_of(const DriverSource& source) {
   return source.raised_by == DriverSource::RaisedBy::transmit ? Counts::ends : Counts::received;
 }
 
+/// The bound of the image of a request; none: it does not tell them apart by their frames.
+std::optional<Duration> computed_request(const Robot& robot, BusId bus, std::size_t frames) {
+  const auto found = robot.computed->requests.find(bus);
+  if (found == robot.computed->requests.end() || found->second.size() < frames) return std::nullopt;
+  return found->second[frames - 1];
+}
+
 /// The bound of the image of one run, with what it makes others do again; none: it has none.
-std::optional<Duration> computed_routine(const Robot& robot, BusId bus, const DriverSource& source) {
+std::optional<Duration> computed_routine(const Robot& robot, BusId bus, const DriverSource& source,
+                                         std::size_t frames) {
   if (!robot.computed) return std::nullopt;
+  const auto request = computed_request(robot, bus, frames);
+  if (source.counts == DriverSource::Counts::requests && request) return request;
   const auto found = robot.computed->routines.find({bus, event_of(source)});
   if (found == robot.computed->routines.end()) return std::nullopt;
   const ComputedCosts::Retries& retries = robot.computed->retries;
@@ -127,9 +141,8 @@ std::int64_t bits_apart(const DriverSource& source, const BusUse& use) {
 }
 
 /// A bound counts in place of what is assumed, and of what is declared where it is above that.
-void set_time(const Robot& robot, BusId id, const DriverSource& of_driver, Duration assumed, InterruptSource& source) {
-  const std::optional<Duration> declared = robot.buses[id].isr_wcet;
-  const std::optional<Duration> computed = computed_routine(robot, id, of_driver);
+void set_time(std::optional<Duration> declared, std::optional<Duration> computed, Duration assumed,
+              InterruptSource& source) {
   source.wcet = std::max(declared.value_or(Duration::zero()), computed.value_or(Duration::zero()));
   if (!declared && !computed) source.wcet = assumed;
   source.source = computed ? WcetSource::computed : declared ? WcetSource::declared : WcetSource::assumed;
@@ -164,7 +177,8 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
                               is_foreign ? received_apart(robot, id, apart) : apart,
                               {},
                               type.is_mastered && is_of_transfer(source.counts)});
-      set_time(robot, id, source, routine(*driver, source, use, out.baud_bps), out.sources->back());
+      const auto computed = computed_routine(robot, id, source, requested_frames(*driver, use));
+      set_time(bus.isr_wcet, computed, routine(*driver, source, use, out.baud_bps), out.sources->back());
     }
   }
   if (robot.computed && out.sources) out.wcet = longest_of(*out.sources).value_or(out.wcet);

@@ -42,6 +42,7 @@ void take_line(const LineBounds& line, const Robot& robot, ComputedCosts& costs)
     Duration& longest = costs.routines[{*bus, counts}];
     longest = std::max(longest, line.raised_by.at(word));
   }
+  if (!line.requests.empty()) costs.requests[*bus] = line.requests;
 }
 
 }  // namespace

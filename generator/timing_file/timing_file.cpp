@@ -96,6 +96,8 @@ class Reader {
       for (const json::Member& cause : causes->members)
         line.raised_by[cause.key] = nanoseconds(values_.integer(cause.value, cause.key, 0));
     }
+    for (const Value& request : items_or_none(value, "requests"))
+      line.requests.push_back(nanoseconds(values_.integer(request, "requests", 0)));
     file.lines.push_back(std::move(line));
   }
 

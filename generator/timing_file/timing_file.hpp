@@ -35,6 +35,7 @@ struct LineBounds {
   std::string source;                         ///< `i2c.I2C2_EV` of a bus, else a name
   Duration longest;                           ///< whatever raises it
   std::map<std::string, Duration> raised_by;  ///< cost_words
+  std::vector<Duration> requests = {};        ///< that hand over one frame, two, ...; empty: not told apart
 };
 
 /// Of what runs around the stages; none: it is not in the file.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "generator/wcet/proven_bound.hpp"
 #include "generator/wcet/without.hpp"
 
 namespace finemote::gen::wcet {
@@ -10,10 +11,6 @@ namespace {
 
 /// More than any peripheral holds back.
 constexpr std::uint32_t kMostServed = 32;
-
-CauseTimes times_of(const Walked& walked, const Marks& marks) {
-  return times_by_cause(without(walked.graph, marks.faults), marks);
-}
 
 /// The only mark of the graph that says so; none: there is none, or there are several.
 const std::pair<const std::uint32_t, std::uint32_t>* served_in_turn(const UnrolledGraph& graph, const Marks& marks) {
@@ -27,37 +24,72 @@ const std::pair<const std::uint32_t, std::uint32_t>* served_in_turn(const Unroll
   return found;
 }
 
-}  // namespace
+/// A routine whose runs serve so many interrupts at most.
+struct Limited {
+  CauseTimes by_cause;
+  Cycles longest = 0;  ///< whatever raised it
+};
 
-Cycles time_of_each(const std::vector<Cycles>& by_served) {
-  Cycles each = 0;
-  for (std::size_t served = 1; served < by_served.size(); ++served) {
-    const auto count = static_cast<Cycles>(served);
-    const Cycles all = by_served[served] + (count - 1) * by_served[0];
-    each = std::max(each, (all + count - 1) / count);
+/// By how many it serves, from none to as many as there can be, which take `times`; empty: not known.
+std::vector<Limited> limited_runs(const PreparedImage& image, std::uint32_t entry, std::uint32_t mark,
+                                  const CauseTimes& times) {
+  std::vector<Limited> runs;
+  Marks limited = image.marks();
+  for (std::uint32_t served = 0; served <= kMostServed; ++served) {
+    limited.loop_bounds[mark] = served;
+    const Walked some = image.walk_from(entry, limited);
+    if (!some.problems.empty()) return {};
+    const UnrolledGraph graph = without(some.graph, limited.faults);
+    const auto longest = proven_bound(graph);
+    if (!longest) return {};
+    runs.push_back({times_by_cause(graph, limited), *longest});
+    if (served > 0 && runs.back().by_cause == times) return runs;  // more it cannot serve
   }
-  return each;
+  return {};
 }
 
-CauseTimes times_by_event(const PreparedImage& image, std::uint32_t entry, const UnrolledGraph& undisturbed) {
-  const Marks& marks = image.marks();
-  CauseTimes times = times_by_cause(undisturbed, marks);
-  const auto* mark = served_in_turn(undisturbed, marks);
-  if (mark == nullptr || times.count(mark->second) == 0) return times;
-  std::vector<Cycles> by_served;
-  Marks limited = marks;
-  for (std::uint32_t served = 0; served <= kMostServed; ++served) {
-    limited.loop_bounds[mark->first] = served;
-    const Walked some = image.walk_from(entry, limited);
-    const CauseTimes of_some = times_of(some, marks);
-    const auto found = of_some.find(mark->second);
-    if (!some.problems.empty() || found == of_some.end()) return times;
-    by_served.push_back(found->second);
-    if (served > 0 && of_some == times) {  // more it cannot serve
-      times[mark->second] = time_of_each(by_served);
-      return times;
-    }
+}  // namespace
+
+Cycles most_added(const std::vector<Cycles>& by_served) {
+  Cycles most = 0;
+  for (std::size_t served = 1; served < by_served.size(); ++served) {
+    const auto count = static_cast<Cycles>(served);
+    most = std::max(most, (by_served[served] - by_served[0] + count - 1) / count);
   }
+  return most;
+}
+
+Cycles time_of_each(const std::vector<Cycles>& by_served) { return by_served[0] + most_added(by_served); }
+
+namespace {
+
+/// Ends that find frames waiting, and requests. Every interrupt pays for a run that sends nothing, and for each frame
+/// that it hands over, or makes room for, the most that a frame adds. There are no more runs than interrupts, and no
+/// run takes longer than that for the frames that it sends, whoever handed them over.
+/// @param of_end, of_any  a run that ends alone raise, and any run, by the frames that it sends
+void tell_requests(const std::vector<Cycles>& of_end, const std::vector<Cycles>& of_any, EventTimes& times) {
+  const Cycles added = std::max(most_added(of_end), most_added(of_any));
+  times.by_cause[kEnd] = of_end[0] + added;
+  for (std::size_t frames = 1; frames < of_any.size(); ++frames)
+    times.requests.push_back(of_any[0] + static_cast<Cycles>(frames) * added);
+}
+
+}  // namespace
+
+EventTimes times_by_event(const PreparedImage& image, std::uint32_t entry, const UnrolledGraph& undisturbed) {
+  EventTimes times{times_by_cause(undisturbed, image.marks()), {}};
+  const auto* mark = served_in_turn(undisturbed, image.marks());
+  if (mark == nullptr || times.by_cause.count(mark->second) == 0) return times;
+  std::vector<Cycles> of_cause, of_any;
+  for (const Limited& run : limited_runs(image, entry, mark->first, times.by_cause)) {
+    const auto found = run.by_cause.find(mark->second);
+    if (found == run.by_cause.end()) return times;
+    of_cause.push_back(found->second);
+    of_any.push_back(run.longest);
+  }
+  if (of_cause.size() < 2) return times;
+  times.by_cause[mark->second] = time_of_each(of_cause);
+  if (mark->second == kEnd && times.by_cause.count(kRequest) != 0) tell_requests(of_cause, of_any, times);
   return times;
 }
 

@@ -50,12 +50,14 @@ class Timing {
       return;
     }
     RoutineTime routine{
-        vector.exception, name_of(prepared_.program().at(vector.entry)), path->bound, {}, {}, {}, {}, {}};
+        vector.exception, name_of(prepared_.program().at(vector.entry)), path->bound, {}, {}, {}, {}, {}, {}};
     routine.path = steps_of(walked.graph, *path, path->bound);
     const UnrolledGraph undisturbed = without(walked.graph, prepared_.marks().faults);
     routine.without_faults = proven_bound(undisturbed);
     add_brackets(walked, undisturbed, routine);
-    routine.by_cause = times_by_event(prepared_, vector.entry, undisturbed);
+    EventTimes events = times_by_event(prepared_, vector.entry, undisturbed);
+    routine.by_cause = std::move(events.by_cause);
+    routine.requests = std::move(events.requests);
     routine.gaps = gaps_between(undisturbed, prepared_.marks(), kFirstWorkMark);
     routine.uses_fpu = uses_fpu(walked.graph);
     take_retries(walked, times_.retries);

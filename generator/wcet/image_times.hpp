@@ -46,8 +46,9 @@ struct RoutineTime {
   std::optional<Cycles> without_faults;  ///< as of a bracket
   std::vector<PathStep> path;
   std::vector<BracketTime> brackets;
-  CauseTimes by_cause;  ///< without faults: of a routine of buses
-  Gaps gaps;            ///< without faults: of a job
+  CauseTimes by_cause;           ///< without faults: of a routine of buses
+  std::vector<Cycles> requests;  ///< of them: those that hand over one frame, two, ...; empty: not told apart
+  Gaps gaps;                     ///< without faults: of a job
   bool uses_fpu = false;
 };
 
