@@ -56,15 +56,22 @@ class Search {
  public:
   KeptMembers found;
 
-  /// Looks at a value of this type at this place.
+  /// Looks at a variable of this type at this place.
+  void look_at_variable(Dwarf_Die type, std::uint32_t at, bool is_in_function) {
+    constant_ = is_in_function ? &found.constant_in_functions : &found.constant;
+    is_member_ = false;
+    look(type, at, 0);
+  }
+
+ private:
   void look(Dwarf_Die type, std::uint32_t at, int depth) {
     if (depth > kDeepest) return;
     switch (dwarf_tag(&type)) {
       case DW_TAG_const_type:
       case DW_TAG_reference_type:
-        return keep(found.constant, at, size_of(&type));
+        if (is_member_ && !has_mutable(type, 0)) keep(*constant_, at, size_of(&type));
+        return;
       case DW_TAG_typedef:
-      case DW_TAG_volatile_type:
         if (const auto inner = type_of(&type)) look(*inner, at, depth + 1);
         return;
       case DW_TAG_array_type:
@@ -78,7 +85,26 @@ class Search {
     }
   }
 
- private:
+  /// A part of it may change although it is const.
+  static bool has_mutable(Dwarf_Die type, int depth) {
+    if (depth > kDeepest) return true;
+    const int tag = dwarf_tag(&type);
+    const bool is_class = tag == DW_TAG_structure_type || tag == DW_TAG_class_type || tag == DW_TAG_union_type;
+    if (!is_class) {
+      const bool is_pointer = tag == DW_TAG_pointer_type || tag == DW_TAG_reference_type;
+      const auto inner = is_pointer ? std::nullopt : type_of(&type);
+      return tag == DW_TAG_volatile_type || (inner && has_mutable(*inner, depth + 1));
+    }
+    Dwarf_Die member;
+    if (dwarf_child(&type, &member) != 0) return false;
+    do {
+      if (dwarf_tag(&member) != DW_TAG_member && dwarf_tag(&member) != DW_TAG_inheritance) continue;
+      const auto inner = type_of(&member);
+      if (dwarf_hasattr(&member, DW_AT_mutable) != 0 || (inner && has_mutable(*inner, depth + 1))) return true;
+    } while (dwarf_siblingof(&member, &member) == 0);
+    return false;
+  }
+
   static void keep(std::vector<ImageRange>& ranges, std::uint32_t at, std::uint32_t size) {
     if (size != 0) ranges.push_back({at, at + size});
   }
@@ -100,22 +126,26 @@ class Search {
       const auto offset = number(&member, DW_AT_data_member_location);
       if ((tag != DW_TAG_member && tag != DW_TAG_inheritance) || !offset) continue;
       if (dwarf_hasattr(&member, DW_AT_bit_size) != 0 || dwarf_hasattr(&member, DW_AT_data_bit_offset) != 0) continue;
+      is_member_ = true;
       if (const auto inner = type_of(&member)) look(*inner, at + *offset, depth + 1);
     } while (dwarf_siblingof(&member, &member) == 0);
   }
+
+  std::vector<ImageRange>* constant_ = nullptr;  ///< of `found`
+  bool is_member_ = false;
 };
 
 /// The variables of a unit, namespaces and functions included.
-void search_in(Dwarf_Die parent, Search& search, int depth) {
+void search_in(Dwarf_Die parent, Search& search, int depth, bool is_in_function = false) {
   Dwarf_Die child;
   if (depth > kDeepest || dwarf_child(&parent, &child) != 0) return;
   do {
     if (dwarf_tag(&child) == DW_TAG_variable) {
       const auto at = address_of(&child);
       const auto type = at ? type_of(&child) : std::nullopt;
-      if (type) search.look(*type, *at, 0);
+      if (type) search.look_at_variable(*type, *at, is_in_function);
     } else {
-      search_in(child, search, depth + 1);
+      search_in(child, search, depth + 1, is_in_function || dwarf_tag(&child) == DW_TAG_subprogram);
     }
   } while (dwarf_siblingof(&child, &child) == 0);
 }

@@ -15,7 +15,10 @@ struct ImageRange {
 };
 
 struct KeptMembers {
-  std::vector<ImageRange> constant;  ///< `const` members and references: what the image holds there
+  /// `const` members of variables, and references: what the image holds there, where that is not written before main.
+  /// Variables that are `const` themselves are not in it: they lie in read-only sections, or something writes to them.
+  std::vector<ImageRange> constant;
+  std::vector<ImageRange> constant_in_functions;  ///< the same of `static` variables there, which may be set late
   std::vector<ImageRange> at_start;  ///< members of type finemote::AtStart: what start-up writes there
 };
 

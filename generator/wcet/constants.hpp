@@ -23,6 +23,8 @@ class Constants {
 
   /// What a load reads: one value at a constant address, a range over a table; none: it may change, or is unknown.
   [[nodiscard]] std::optional<Interval> load(const Access& access) const;
+  /// A store to this address, where it is known, writes to what was taken for constant.
+  [[nodiscard]] bool is_broken_by(const Access& store) const;
 
  private:
   [[nodiscard]] bool is_constant(std::uint32_t address, std::uint32_t size) const;

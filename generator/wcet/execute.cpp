@@ -35,11 +35,41 @@ void set_result(const Instruction& i, Value value, Machine& machine) {
   if (i.sets_flags) machine.set_flags(result_flags(register_at(i, 0), value.range()));
 }
 
+/// The stack is aligned to eight bytes where a routine begins (AAPCS 6.2.1.2, ARMv7-M B1.5.7 with STKALIGN).
+constexpr unsigned kKnownBits = 3;
+constexpr std::uint32_t kKnownOfStack = (1U << kKnownBits) - 1U;
+/// No part of it lies below the core-coupled RAM.
+constexpr std::uint32_t kLeastOfStack = 0x1000'0000;
+
+/// What an operation sees that is none of addresses: where the stack lies is only known up to what has been preempted.
+Interval seen(Value value) {
+  const Interval range = value.range();
+  return value.is_of_stack && range.high >= kLeastOfStack ? Interval::any() : range;
+}
+
+/// The same where nothing but the lowest bits of the other operand are looked at, or changed.
+Interval seen_beside(Value value, Interval other) {
+  const bool is_of_low_bits = other.is_constant() && other.low <= kKnownOfStack;
+  return is_of_low_bits ? value.range() : seen(value);
+}
+
+/// The result of such an operation.
+Value made_of(bool is_of_stack, Interval range) { return Value::in(range, is_of_stack && range.high >= kLeastOfStack); }
+
+/// @param may_keep_stack  the result of an address in the stack may be one
 void compute(const Instruction& i, Operation operation, bool may_keep_stack, Machine& machine) {
   const std::size_t left = left_side(i);
   const Value a = operand(i, left, machine), b = operand(i, left + 1, machine);
-  set_result(i, Value::in(operation(a.range(), b.range()), may_keep_stack && (a.is_of_stack || b.is_of_stack)),
-             machine);
+  const bool is_of_stack = may_keep_stack && (a.is_of_stack || b.is_of_stack);
+  set_result(i, made_of(is_of_stack, operation(seen(a), seen(b))), machine);
+}
+
+/// `and`, `bic`.
+void mask(const Instruction& i, Operation operation, Machine& machine) {
+  const std::size_t left = left_side(i);
+  const Value a = operand(i, left, machine), b = operand(i, left + 1, machine);
+  const bool is_of_stack = a.is_of_stack || b.is_of_stack;
+  set_result(i, made_of(is_of_stack, operation(seen_beside(a, seen(b)), seen_beside(b, seen(a)))), machine);
 }
 
 /// Of distances from the same word only equality and the sign of the difference tell something: order may wrap.
@@ -97,7 +127,7 @@ void move(const Instruction& i, Machine& machine) {
 }
 
 void move_top(const Instruction& i, Machine& machine) {
-  const Interval low = machine.get(i.operands[0].reg).range();
+  const Interval low = seen(machine.get(i.operands[0].reg));
   const std::uint32_t high = immediate(i, 1) << 16U;
   const bool is_known = low.is_constant();
   machine.set(i.operands[0].reg,
@@ -117,22 +147,27 @@ void addition(const Instruction& i, Machine& machine) {
 template <class Shift>
 void shift(const Instruction& i, Shift by, Machine& machine) {
   const std::size_t left = left_side(i);
-  const Interval value = operand(i, left, machine).range(), count = operand(i, left + 1, machine).range();
+  const Value value = operand(i, left, machine);
+  const Interval count = seen(operand(i, left + 1, machine));
   const bool is_known = count.is_constant() && count.low < 32;
-  set_result(i, Value::in(is_known ? by(value, count.low) : Interval::any()), machine);
+  const bool is_of_low_bits = i.id == ARM_INS_LSL && is_known && count.low >= 32 - kKnownBits;
+  const Interval range = is_of_low_bits ? value.range() : seen(value);
+  set_result(i, made_of(value.is_of_stack, is_known ? by(range, count.low) : Interval::any()), machine);
 }
 
 /// A right shift never makes a value larger.
 void shift_right_logical(const Instruction& i, Machine& machine) {
   const std::size_t left = left_side(i);
-  const Interval value = operand(i, left, machine).range(), count = operand(i, left + 1, machine).range();
+  const bool is_of_stack = operand(i, left, machine).is_of_stack;
+  const Interval value = seen(operand(i, left, machine)), count = seen(operand(i, left + 1, machine));
   const std::uint32_t least = std::min(count.low, 31U);
   const std::uint32_t low = count.is_constant() && count.low < 32 ? value.low >> count.low : 0;
-  set_result(i, Value::in({low, value.high >> least}), machine);
+  set_result(i, made_of(is_of_stack, {low, value.high >> least}), machine);
 }
 
 void extract(const Instruction& i, std::uint32_t from, std::uint32_t width, bool is_signed, Machine& machine) {
-  const Interval value = shift_right(operand(i, 1, machine).range(), from);
+  const Value all = operand(i, 1, machine);
+  const Interval value = shift_right(from + width <= kKnownBits ? all.range() : seen(all), from);
   const std::uint32_t mask = width >= 32 ? UINT32_MAX : (1U << width) - 1U;
   Interval cut = value.high <= mask ? value : Interval{0, mask};
   if (is_signed && cut.high > mask / 2) cut = Interval::any();
@@ -140,17 +175,19 @@ void extract(const Instruction& i, std::uint32_t from, std::uint32_t width, bool
 }
 
 void insert(const Instruction& i, Machine& machine) {
-  const Interval into = machine.get(i.operands[0].reg).range(), from = operand(i, 1, machine).range();
+  const Value old = machine.get(i.operands[0].reg), field = operand(i, 1, machine);
+  const Interval into = seen(old), from = seen(field);
   const std::uint32_t at = immediate(i, 2), width = immediate(i, 3);
   if (!into.is_constant() || !from.is_constant() || width >= 32)
-    return machine.set(i.operands[0].reg, Value::in(Interval::any()));
+    return machine.set(i.operands[0].reg, Value::in(Interval::any(), old.is_of_stack || field.is_of_stack));
   const std::uint32_t mask = ((1U << width) - 1U) << at;
   machine.set(i.operands[0].reg, Value::of((into.low & ~mask) | ((from.low << at) & mask)));
 }
 
-void multiply_and(const Instruction& i, Operation combine, Machine& machine) {
-  const Interval product = multiply(operand(i, 1, machine).range(), operand(i, 2, machine).range());
-  machine.set(i.operands[0].reg, Value::in(combine(operand(i, 3, machine).range(), product)));
+/// An element of an array, from the address of its first.
+void multiply_and(const Instruction& i, Value (*combine)(Value, Value), Machine& machine) {
+  const Interval product = multiply(seen(operand(i, 1, machine)), seen(operand(i, 2, machine)));
+  machine.set(i.operands[0].reg, combine(operand(i, 3, machine), Value::in(product)));
 }
 
 Interval and_not(Interval a, Interval b) {
@@ -170,21 +207,21 @@ bool arithmetic(const Instruction& i, Machine& machine) {
     case ARM_INS_RSB:
       return reverse_subtraction(i, machine), true;
     case ARM_INS_AND:
-      return compute(i, bitwise_and, true, machine), true;
+      return mask(i, bitwise_and, machine), true;
     case ARM_INS_ORR:
       return compute(i, bitwise_or, true, machine), true;
     case ARM_INS_EOR:
-      return compute(i, exclusive_or, false, machine), true;
+      return compute(i, exclusive_or, true, machine), true;
     case ARM_INS_BIC:
-      return compute(i, and_not, true, machine), true;
+      return mask(i, and_not, machine), true;
     case ARM_INS_MUL:
       return compute(i, multiply, false, machine), true;
     case ARM_INS_UDIV:
       return compute(i, divide_unsigned, false, machine), true;
     case ARM_INS_MLA:
-      return multiply_and(i, add, machine), true;
+      return multiply_and(i, sum, machine), true;
     case ARM_INS_MLS:
-      return multiply_and(i, subtract, machine), true;
+      return multiply_and(i, difference, machine), true;
     case ARM_INS_LSL:
       return shift(i, shift_left, machine), true;
     case ARM_INS_LSR:
@@ -204,7 +241,9 @@ bool moves_and_fields(const Instruction& i, Machine& machine) {
     case ARM_INS_MOVT:
       return move_top(i, machine), true;
     case ARM_INS_MVN:
-      return set_result(i, Value::in(complement(operand(i, 1, machine).range())), machine), true;
+      return set_result(i, made_of(operand(i, 1, machine).is_of_stack, complement(seen(operand(i, 1, machine)))),
+                        machine),
+             true;
     case ARM_INS_ADR:
       return machine.set(i.operands[0].reg, Value::of(((i.address + 4) & ~3U) + immediate(i, 1))), true;
     case ARM_INS_UXTB:
@@ -229,14 +268,16 @@ bool moves_and_fields(const Instruction& i, Machine& machine) {
 }
 
 bool flag_setting(const Instruction& i, Machine& machine) {
-  const Interval a = operand(i, 0, machine).range(), b = operand(i, 1, machine).range();
+  const Value left = operand(i, 0, machine), right = operand(i, 1, machine);
+  const Interval a = seen(left), b = seen(right);
   switch (i.id) {
     case ARM_INS_CMP:
       return compare(i, machine), true;
     case ARM_INS_CMN:
       return machine.set_flags(result_flags(ARM_REG_INVALID, add(a, b))), true;
     case ARM_INS_TST:
-      return machine.set_flags(result_flags(ARM_REG_INVALID, bitwise_and(a, b))), true;
+      return machine.set_flags(result_flags(ARM_REG_INVALID, bitwise_and(seen_beside(left, b), seen_beside(right, a)))),
+             true;
     case ARM_INS_TEQ:
       return machine.set_flags(result_flags(ARM_REG_INVALID, exclusive_or(a, b))), true;
     default:

@@ -48,7 +48,7 @@ Value sum(Value a, Value b) {
 
 Value difference(Value a, Value b) {
   const bool is_of_stack = a.is_of_stack || b.is_of_stack;
-  if (a.base == b.base) return Value::in(subtract(a.distance, b.distance), is_of_stack && a.base == 0);
+  if (a.base == b.base) return Value::in(subtract(a.distance, b.distance), is_of_stack);
   return unless_wrapped({subtract(a.distance, b.range()), a.base, a.base_range, is_of_stack},
                         subtract(a.range(), b.range()));
 }
@@ -70,6 +70,19 @@ const StackWords::Word* StackWords::find(std::uint32_t address, std::uint32_t si
   return found != words_.end() && found->address == address && found->size == size ? &*found : nullptr;
 }
 
+namespace {
+
+/// What is left of a register in so many bytes.
+Value cut_to(std::uint32_t size, Value value) {
+  if (size >= 4) return value;
+  const std::uint32_t mask = (1U << (8 * size)) - 1U;
+  const Interval range = value.range();
+  if (range.high <= mask) return value;
+  return Value::in(range.is_constant() ? Interval::of(range.low & mask) : Interval{0, mask});
+}
+
+}  // namespace
+
 void StackWords::store(const Access& access, Value value) {
   const Interval at = access.address.range();
   const std::uint32_t last = at.high > UINT32_MAX - access.size ? UINT32_MAX : at.high + access.size - 1;
@@ -78,7 +91,7 @@ void StackWords::store(const Access& access, Value value) {
   if (!at.is_constant()) return;
   const auto place = std::lower_bound(words_.begin(), words_.end(), at.low,
                                       [](const Word& w, std::uint32_t a) { return w.address < a; });
-  words_.insert(place, {at.low, access.size, value});
+  words_.insert(place, {at.low, access.size, cut_to(access.size, value)});
 }
 
 Value StackWords::load(const Access& access) const {

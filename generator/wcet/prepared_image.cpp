@@ -1,5 +1,6 @@
 #include "generator/wcet/prepared_image.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "generator/wcet/vectors.hpp"
@@ -7,9 +8,33 @@
 namespace finemote::gen::wcet {
 namespace {
 
-std::vector<AddressRange> ranges_of(const std::vector<ImageRange>& kept) {
+/// Lies in what the start fills with zeros.
+bool is_zeroed(const Image& image, const ImageRange& range) {
+  return std::any_of(image.sections.begin(), image.sections.end(), [&](const ImageSection& section) {
+    const bool is_there = range.begin >= section.address && range.begin - section.address < section.size;
+    return is_there && section.allocated && !section.has_bytes;
+  });
+}
+
+/// Something is constructed when the program runs.
+bool has_constructors(const Image& image) {
+  return std::any_of(image.sections.begin(), image.sections.end(), [](const ImageSection& section) {
+    return section.name.rfind(".init_array", 0) == 0 && section.size > 0;
+  });
+}
+
+/// What is constructed when the program runs is zero in the image: of that, and of variables in functions, which may be
+/// constructed when they are first reached, only those with another initial value are constants.
+std::vector<AddressRange> constants_of(const Image& image, const KeptMembers& kept) {
   std::vector<AddressRange> ranges;
-  for (const ImageRange& range : kept) ranges.emplace_back(range.begin, range.end);
+  const bool is_constructed = has_constructors(image);
+  const auto add = [&](const std::vector<ImageRange>& all, bool may_be_set_later) {
+    for (const ImageRange& range : all) {
+      if (!may_be_set_later || !is_zeroed(image, range)) ranges.emplace_back(range.begin, range.end);
+    }
+  };
+  add(kept.constant, is_constructed);
+  add(kept.constant_in_functions, true);
   return ranges;
 }
 
@@ -20,7 +45,7 @@ PreparedImage::PreparedImage(const Image& image, const KeptMembers& kept, CodeCo
       marks_(std::move(marks)),
       program_(image, marks_.addresses()),
       cost_(cost),
-      members_(ranges_of(kept.constant)),
+      members_(constants_of(image, kept)),
       words_at_start_(words_set_at_start(kept)),
       constants_(image, members_, words_at_start_) {}
 

@@ -48,7 +48,17 @@ class Stepping {
   Cycles time(const Instruction& i, const Machine& machine) {
     const auto cycles = cost_.run(i, machine);
     if (!cycles) step_.problem = {i.address, fmt::format("'{}' has no documented longest time", i.text)};
+    if (writes_constant(i, machine))
+      step_.problem = {i.address, "a store to what is const (a mutable member, or an object that is made anew)"};
     return cycles.value_or(0);
+  }
+
+  [[nodiscard]] bool writes_constant(const Instruction& i, const Machine& machine) const {
+    const MemoryUse use = memory_use(i, machine);
+    return use.kind == MemoryUse::Kind::store &&
+           std::any_of(use.words.begin(), use.words.end(), [&](const Transferred& word) {
+             return !word.access.address.is_of_stack && surroundings_.constants.is_broken_by(word.access);
+           });
   }
 
   /// An instruction behind which the next follows, or all of an IT block; the last one.
@@ -170,14 +180,20 @@ class Stepping {
     step_.cost += time(last, machine_);
     const bool is_on_register = last.id == ARM_INS_CBZ || last.id == ARM_INS_CBNZ;
     arm_cc condition = last.condition;
+    const auto flags = machine_.flags();
     if (is_on_register) {
       const int reg = last.operands[0].reg;
       machine_.set_flags(comparison_of(machine_.get(reg), Value::of(0), reg, ARM_REG_INVALID));
       condition = last.id == ARM_INS_CBZ ? ARM_CC_EQ : ARM_CC_NE;
     }
     Machine taken = machine_, falls = machine_;
-    if (taken.assume(condition)) take(last, taken);
-    if (!falls.assume(opposite(condition))) return;
+    const bool is_taken = taken.assume(condition), falls_through = falls.assume(opposite(condition));
+    if (is_on_register) {  // which leaves the flags alone
+      taken.set_flags(flags);
+      falls.set_flags(flags);
+    }
+    if (is_taken) take(last, taken);
+    if (!falls_through) return;
     const Cycles cost = cost_.fall(last) + cost_.not_taken(last, transfer_of(last).target);
     for (const FlowEdge& edge : block_.edges) {
       if (!edge.is_taken) step_.ways.push_back({Way::Kind::edge, edge.to, falls, cost});
