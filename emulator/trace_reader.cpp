@@ -7,6 +7,7 @@ namespace {
 
 // RTT control block: identifier, two counts, then name, buffer, size, write, read and flags of the first buffer.
 constexpr std::uint32_t kBuffer = 28, kSize = 32, kWrite = 36, kRead = 40, kLost = 48, kBlockBytes = 52;
+constexpr std::uint32_t kEntry = 8;  // bytes of the ring: stamp, code
 constexpr char kIdentifier[16] = "SEGGER RTT";
 constexpr std::uint32_t kCycleCounter = 0xE0001004;  // DWT_CYCCNT, PM0214 4.10
 constexpr Time kPollEvery = from_ns(100'000);
@@ -55,13 +56,16 @@ void TraceReader::drain() {
                       end = word(*control_ + kWrite);
   std::uint32_t at = word(*control_ + kRead);
   if (size == 0 || at >= size || end >= size) return;
+  // While the start fills the block its identifier may be there already, and the rest be what power-on has left.
+  if (size % kEntry != 0 || at % kEntry != 0 || end % kEntry != 0) return;
+  if (world_.cpu().memory(buffer, size) == nullptr) return;
   if (at != end && begins_) {
     begins_ = false;
     cycles_ = 0;
     if (!zero_) zero_ = clock_began();
     offset_ = clock_began() - *zero_;
   }
-  for (; at != end; at = at + 8 == size ? 0 : at + 8) {
+  for (; at != end; at = at + kEntry == size ? 0 : at + kEntry) {
     const std::uint32_t stamp = word(buffer + at), code = word(buffer + at + 4);
     // The first stamps may lie before the first release; later ones are less than 2^31 cycles apart.
     cycles_ += static_cast<std::int32_t>(stamp - static_cast<std::uint32_t>(cycles_));

@@ -19,7 +19,7 @@ struct KeptMembers {
   /// Variables that are `const` themselves are not in it: they lie in read-only sections, or something writes to them.
   std::vector<ImageRange> constant;
   std::vector<ImageRange> constant_in_functions;  ///< the same of `static` variables there, which may be set late
-  std::vector<ImageRange> at_start;  ///< members of type finemote::AtStart: what start-up writes there
+  std::vector<ImageRange> at_start;               ///< members of type finemote::AtStart: what start-up writes there
 };
 
 /// Of all variables with static storage of the image at `path`. Reports FM6101 when the debug information cannot be

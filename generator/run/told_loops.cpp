@@ -20,7 +20,7 @@ std::uint64_t passes_of(std::size_t loop, const std::vector<std::uint64_t>& pass
 }
 
 const char* judge(const ToldLoop& told, std::uint64_t passes) {
-  return passes == 0 ? "no-sample" : passes > told.loop.bound ? "broken" : "held";
+  return passes == 0 ? "no-sample" : passes > told.loop.allowed ? "broken" : "held";
 }
 
 std::string where(const ToldLoop& told) {
@@ -72,7 +72,7 @@ bool check_loops(const std::vector<ToldLoop>& loops, const std::vector<std::uint
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const ToldLoop& told = loops[i];
     const std::uint64_t most = passes_of(i, passes);
-    if (most <= told.loop.bound) continue;
+    if (most <= told.loop.allowed) continue;
     holds = false;
     diagnostics
         .error(code::told_loop, {},

@@ -17,6 +17,9 @@ struct Loop {
   std::uint32_t header = 0;
   std::set<std::uint32_t> blocks;     ///< by begin, the header too
   std::optional<std::size_t> parent;  ///< the smallest other loop around it; none: the function
+
+  /// It begins with a test behind its body: what stands there is passed once more than the body.
+  [[nodiscard]] bool begins_behind() const { return *blocks.begin() != header; }
 };
 
 class LoopNest {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "generator/image/program.hpp"
+#include "generator/wcet/loop_marks.hpp"
 #include "generator/wcet/loop_nest.hpp"
 #include "generator/wcet/marks.hpp"
 
@@ -34,13 +35,16 @@ bool has_hidden_ends(const FlowGraph& graph, const Loop& loop) {
 
 void add_loops(const ProgramFunction& function, const Marks& marks, std::vector<MarkedLoop>& loops) {
   const LoopNest nest(function.graph);
+  if (!nest.irreducible().empty()) return;  // a loop that is entered in its middle is none of the nest's
   for (const auto& [place, bound] : marks.loop_bounds) {
     if (function.graph.blocks.count(place) == 0 || marks.retries.count(place) != 0) continue;
     const auto around = nest.around(place);
-    if (!around || has_hidden_ends(function.graph, nest.loops()[*around])) continue;
+    if (!around || !marks_of(function.graph, nest, *around, marks).are_its_own) continue;
+    if (has_hidden_ends(function.graph, nest.loops()[*around])) continue;
     const Loop& loop = nest.loops()[*around];
     const std::set<std::uint32_t> borders = borders_of(function.graph, loop);
-    loops.push_back({place, loop.header, bound, function.symbol->name, {borders.begin(), borders.end()}});
+    const std::uint32_t allowed = bound + (place == loop.header && loop.begins_behind() ? 1 : 0);
+    loops.push_back({place, loop.header, bound, allowed, function.symbol->name, {borders.begin(), borders.end()}});
   }
 }
 

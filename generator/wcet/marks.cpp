@@ -70,8 +70,9 @@ Marks read_marks(const Image& image) {
     const std::uint32_t bound = word & kPassesMask;
     const std::uint32_t by = (word & ~kUnlessInterrupted) >> kRetriedByShift;
     if ((word & kUnlessInterrupted) != 0 && by < kKindsOfRetry) marks.retries[address] = static_cast<RetriedBy>(by);
-    const auto [known, is_new] = marks.loop_bounds.try_emplace(address, bound);
-    if (!is_new) known->second = std::min(known->second, bound);  // both are true
+    // The same of a function that several sources have: the linker keeps one of it.
+    const auto known = marks.loop_bounds.emplace(address, bound).first;
+    if (known->second != bound) marks.shared_bounds.insert(address);
   });
   read_section(image, ".debug_finemote_waits",
                [&](std::uint32_t address, std::uint32_t name) { marks.waits.emplace(address, register_named(name)); });

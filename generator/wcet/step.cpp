@@ -18,6 +18,14 @@ bool goes_elsewhere(const Instruction& i) {
   return kind != TransferKind::next && kind != TransferKind::call && kind != TransferKind::indirect;
 }
 
+bool writes_constant(const Instruction& i, const Machine& machine, const Constants& constants) {
+  const MemoryUse use = memory_use(i, machine);
+  return use.kind == MemoryUse::Kind::store &&
+         std::any_of(use.words.begin(), use.words.end(), [&](const Transferred& word) {
+           return !word.access.address.is_of_stack && constants.is_broken_by(word.access);
+         });
+}
+
 class Stepping {
  public:
   Stepping(const ProgramFunction& function, const BasicBlock& block, const Surroundings& surroundings,
@@ -48,17 +56,9 @@ class Stepping {
   Cycles time(const Instruction& i, const Machine& machine) {
     const auto cycles = cost_.run(i, machine);
     if (!cycles) step_.problem = {i.address, fmt::format("'{}' has no documented longest time", i.text)};
-    if (writes_constant(i, machine))
+    if (writes_constant(i, machine, surroundings_.constants))
       step_.problem = {i.address, "a store to what is const (a mutable member, or an object that is made anew)"};
     return cycles.value_or(0);
-  }
-
-  [[nodiscard]] bool writes_constant(const Instruction& i, const Machine& machine) const {
-    const MemoryUse use = memory_use(i, machine);
-    return use.kind == MemoryUse::Kind::store &&
-           std::any_of(use.words.begin(), use.words.end(), [&](const Transferred& word) {
-             return !word.access.address.is_of_stack && surroundings_.constants.is_broken_by(word.access);
-           });
   }
 
   /// An instruction behind which the next follows, or all of an IT block; the last one.

@@ -1,13 +1,16 @@
 #include "generator/wcet/walk.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "generator/wcet/countdown.hpp"
+#include "generator/wcet/frame.hpp"
+#include "generator/wcet/loop_marks.hpp"
 #include "generator/wcet/loop_nest.hpp"
+#include "generator/wcet/loop_nests.hpp"
+#include "generator/wcet/mark_passes.hpp"
 #include "generator/wcet/step.hpp"
 
 namespace finemote::gen::wcet {
@@ -16,75 +19,14 @@ namespace {
 /// Where a walk gives up: no routine that must end in a period is longer.
 constexpr std::size_t kMostNodes = 1'000'000;
 constexpr std::uint64_t kMostRounds = 10'000;
+/// How long it looks for the end of a loop that has a mark.
+constexpr std::uint64_t kMostUnmarked = 1'000;
+constexpr std::size_t kMostUnmarkedNodes = 20'000;
 constexpr std::size_t kDeepestCalls = 64;
 /// A tenth of a second: longer ones are none of a routine that has a period.
 constexpr Cycles kLongestWait = 16'800'000;
 /// Ten seconds, of which an experiment may ask for one.
 constexpr Cycles kLongestCount = 1'680'000'000;
-
-/// What comes to a place, by all ways that lead there.
-struct Arrival {
-  Machine machine;
-  std::vector<UnrolledEdge> from;
-};
-
-void arrive(std::optional<Arrival>& there, Machine machine, const std::vector<UnrolledEdge>& from) {
-  if (!there) {
-    there = Arrival{std::move(machine), from};
-    return;
-  }
-  there->machine.join(machine);
-  there->from.insert(there->from.end(), from.begin(), from.end());
-}
-
-using Arrivals = std::map<std::uint32_t, std::optional<Arrival>>;  // by block
-
-/// One call of a function.
-struct Frame {
-  const ProgramFunction& function;
-  const LoopNest& nest;
-  Arrivals arrivals;
-  std::optional<Arrival> end;
-  std::map<std::uint32_t, std::uint32_t> passes;  // of marks, in the loop around each
-  std::map<std::uint32_t, std::size_t> passed;    // nodes of the last of them
-  bool is_cut_by_mark = false;
-};
-
-/// What a try of a round changes, to be taken back behind it.
-class Snapshot {
- public:
-  Snapshot(const Frame& frame, const Walked& walked)
-      : nodes_(walked.graph.nodes.size()),
-        retries_(walked.retries.size()),
-        arrivals_(frame.arrivals),
-        end_(frame.end),
-        passes_(frame.passes) {}
-
-  void restore(Frame& frame, Walked& walked) const {
-    frame.arrivals = arrivals_;
-    frame.end = end_;
-    frame.passes = passes_;
-    walked.graph.nodes.resize(nodes_);
-    walked.retries.resize(retries_);
-    walked.waits.erase(walked.waits.lower_bound(nodes_), walked.waits.end());
-    walked.countdowns.erase(walked.countdowns.lower_bound(nodes_), walked.countdowns.end());
-  }
-
- private:
-  const std::size_t nodes_, retries_;
-  const Arrivals arrivals_;
-  const std::optional<Arrival> end_;
-  const std::map<std::uint32_t, std::uint32_t> passes_;
-};
-
-/// Blocks that ways lead to which nothing went on with.
-std::vector<std::uint32_t> left_over(const Frame& frame) {
-  std::vector<std::uint32_t> blocks;
-  for (const auto& [block, arrival] : frame.arrivals) {
-    if (arrival) blocks.push_back(block);
-  }
-  return blocks;
-}
 
 /// What the marks of waits say while a loop is gone through.
 class Waits {
@@ -161,6 +103,12 @@ void note(const Frame& frame, const Loop& loop, std::uint64_t rounds, std::map<s
   counted.rounds = std::max(counted.rounds, rounds);
 }
 
+/// How long the end of a loop is looked for.
+struct Effort {
+  std::uint64_t rounds;
+  std::size_t nodes;
+};
+
 class Walker {
  public:
   explicit Walker(const ImageFactsForWalk& facts) : facts_(facts), waits_(facts.marks) {}
@@ -183,12 +131,6 @@ class Walker {
     walked_.problems.try_emplace(address, WalkProblem{address, function, std::move(why)});
   }
 
-  const LoopNest& nest_of(const ProgramFunction& function) {
-    auto& nest = nests_[function.graph.entry];
-    if (!nest) nest = std::make_unique<LoopNest>(function.graph);
-    return *nest;
-  }
-
   /// Goes through a function; what leaves it, if something does.
   std::optional<Arrival> enter(std::uint32_t address, Arrival arrival, std::uint32_t from,
                                const ProgramFunction* caller) {
@@ -197,12 +139,12 @@ class Walker {
     const bool is_open = std::find(open_.begin(), open_.end(), function) != open_.end();
     if (is_open || open_.size() == kDeepestCalls) return fail(from, caller, "recursion: it has no bound"), std::nullopt;
     for (const FlowProblem& problem : function->graph.problems) fail(problem.address, function, problem.text);
-    const LoopNest& nest = nest_of(*function);
+    const LoopNest& nest = nests_.of(*function);
     for (const std::uint32_t block : nest.irreducible())
       fail(block, function, "a loop with more than one entry: write it as one loop");
     if (!nest.irreducible().empty()) return std::nullopt;
     open_.push_back(function);
-    Frame frame{*function, nest, {}, {}, {}, {}};
+    Frame frame{*function, nest, {}, {}, {}, {}, false, {}};
     frame.arrivals[function->graph.entry] = std::move(arrival);
     go_through(frame, std::nullopt);
     open_.pop_back();
@@ -230,26 +172,46 @@ class Walker {
     if (is_wait(frame, index, facts_.marks)) return wait(frame, index);
     if (const auto reg = counter_of(frame, index, facts_.marks)) return count_down(frame, index, *reg);
     const Loop& loop = frame.nest.loops()[index];
+    const LoopMarks marks = marks_of(frame.function.graph, frame.nest, index, facts_.marks);
+    if (marks.count > 0 && turn_unmarked(frame, index)) return;
+    if (marks.count > 0 && !marks.are_its_own)
+      fail(loop.header, &frame.function, "marks that may be of several loops, of which the compiler has made one");
+    const auto rounds = go_round(frame, index, {kMostRounds, kMostNodes});
+    if (!rounds) {
+      frame.arrivals[loop.header].reset();
+      if (walked_.graph.nodes.size() <= kMostNodes)
+        fail(loop.header, &frame.function, "a loop whose rounds are not known: bound it with loop_bound<n>()");
+    }
+    note(frame, loop, rounds.value_or(0), walked_.loops);
+  }
+
+  /// Where the code says how often a loop turns, its mark does not count: it may be that of a loop inside, of which the
+  /// compiler has left one round, and nothing else. False, and nothing is changed, where the code does not say.
+  bool turn_unmarked(Frame& frame, std::size_t index) {
+    const Snapshot before(frame, walked_);
+    const auto around = std::exchange(frame.unmarked, index);
+    const auto rounds = go_round(frame, index, {kMostUnmarked, walked_.graph.nodes.size() + kMostUnmarkedNodes});
+    frame.unmarked = around;
+    if (!rounds) return before.restore(frame, walked_), false;
+    note(frame, frame.nest.loops()[index], *rounds, walked_.loops);
+    return true;
+  }
+
+  /// Turns back to its begin, until nothing comes back; none where there is no end to them, or not with this effort.
+  std::optional<std::uint64_t> go_round(Frame& frame, std::size_t index, Effort most) {
+    const Loop& loop = frame.nest.loops()[index];
     for (const std::uint32_t block : loop.blocks) frame.passes.erase(block);
     frame.is_cut_by_mark = false;
-    std::uint64_t rounds = 0;
-    for (;; ++rounds) {
+    for (std::uint64_t rounds = 0;; ++rounds) {
       const Machine before = frame.arrivals[loop.header]->machine;
       const std::uint64_t passed = marks_passed(frame, loop);
       go_through(frame, index);
-      auto& header = frame.arrivals[loop.header];
-      if (!header) break;
+      const auto& header = frame.arrivals[loop.header];
+      if (!header) return rounds;
       const bool is_same =
           before.covers(header->machine) && header->machine.covers(before) && marks_passed(frame, loop) == passed;
-      const bool is_endless = is_same || rounds == kMostRounds;
-      if (is_endless)
-        fail(loop.header, &frame.function, "a loop whose rounds are not known: bound it with loop_bound<n>()");
-      if (is_endless || walked_.graph.nodes.size() > kMostNodes) {
-        header.reset();
-        break;
-      }
+      if (is_same || rounds == most.rounds || walked_.graph.nodes.size() > most.nodes) return std::nullopt;
     }
-    note(frame, loop, rounds, walked_.loops);
   }
 
   /// All of its rounds but the last together, which are alike; then the last one, behind which it is left.
@@ -301,24 +263,12 @@ class Walker {
     return false;
   }
 
-  /// False where a mark says that the place is not passed again. A mark that rounds can pass by says nothing of how
-  /// many rounds there are, and which of them pass it.
-  bool pass_mark(Frame& frame, std::uint32_t block) {
-    const auto bound = facts_.marks.loop_bounds.find(block);
-    if (bound == facts_.marks.loop_bounds.end()) return true;
-    if (frame.nest.around(block) && !frame.nest.is_on_every_turn(block)) {
-      fail(block, &frame.function, "a mark that not every round of its loop passes");
-      return false;
-    }
-    if (frame.passes[block] < bound->second) return ++frame.passes[block], true;
-    frame.is_cut_by_mark = true;
-    return false;
-  }
-
   void visit(Frame& frame, std::uint32_t block) {
     Arrival arrival = std::move(*frame.arrivals[block]);
     frame.arrivals[block].reset();
-    if (!pass_mark(frame, block))
+    if (is_passed_by_some(frame, block, facts_.marks))
+      return fail(block, &frame.function, "a mark that not every round of its loop passes");
+    if (!pass_mark(frame, block, facts_.marks))
       return note_retry(frame, block, facts_.marks, std::move(arrival.from), walked_.retries);
     frame.passed[block] = walked_.graph.nodes.size();
     arrival.machine.name_unknowns(unknowns_);
@@ -354,7 +304,7 @@ class Walker {
   const ImageFactsForWalk& facts_;
   Unknowns unknowns_;
   Walked walked_;
-  std::map<std::uint32_t, std::unique_ptr<LoopNest>> nests_;  // by function
+  LoopNests nests_;
   Waits waits_;
   std::vector<const ProgramFunction*> open_;  // the chain of calls
 };

@@ -166,10 +166,12 @@ TEST_CASE("a mark bounds it, and more passes cost more") {
 
 TEST_CASE("a mark that rounds can pass by is refused: it does not say which rounds are the dear ones") {
   const Told told = wcet_of(
-      "for (std::uint32_t i = 0; i < 9; ++i) { if (sum_ == i) { finemote::loop_bound<2>(); sum_ = sum_ + i; } }");
+      "for (std::uint32_t i = 0; i < limit_; ++i) { if (sum_ == i) { finemote::loop_bound<2>(); sum_ = sum_ + i; } }");
   CHECK(told.status == 1);
-  REQUIRE(told.document["unresolved"].size() == 1);
-  CHECK(told.document["unresolved"][0]["why"] == "a mark that not every round of its loop passes");
+  bool is_refused = false;
+  for (const Json& gap : told.document["unresolved"])
+    is_refused |= gap["why"] == "a mark that not every round of its loop passes";
+  CHECK(is_refused);
 }
 
 TEST_CASE("a stage is explained to the last cycle, and a name that is none is refused") {
