@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 640.494 us of its release.
+/// a job ends within 666.812 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 1.456 ms of its release.
+/// a job ends within 1.499 ms of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{640494, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{1408631, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{1408631, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{1408631, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{1408631, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{1408631, 31824133, 36160442};
-inline constexpr finemote::Bounds thruster_2{1406773, 31822275, 36160442};
-inline constexpr finemote::Bounds thruster_3{1404915, 31820417, 36160443};
-inline constexpr finemote::Bounds thruster_4{1403057, 31818559, 36160443};
-inline constexpr finemote::Bounds thruster_5{1401193, 31816695, 36160443};
-inline constexpr finemote::Bounds thruster_6{1399340, 31812663, 36158263};
-inline constexpr finemote::Bounds thruster_7{1397482, 31810804, 36188675};
-inline constexpr finemote::Bounds thruster_8{1393307, 31808946, 36188675};
-inline constexpr finemote::Bounds rov{1391449, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{666812, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{1444767, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{1444767, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{1444767, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{1444767, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{1444767, 31893643, 36388791};
+inline constexpr finemote::Bounds thruster_2{1442909, 31891785, 36388791};
+inline constexpr finemote::Bounds thruster_3{1438733, 31889927, 36388791};
+inline constexpr finemote::Bounds thruster_4{1436875, 31888069, 36388792};
+inline constexpr finemote::Bounds thruster_5{1435011, 31886205, 36388792};
+inline constexpr finemote::Bounds thruster_6{1433159, 31884353, 36413786};
+inline constexpr finemote::Bounds thruster_7{1431301, 31882495, 36413786};
+inline constexpr finemote::Bounds thruster_8{1429443, 31880637, 36413786};
+inline constexpr finemote::Bounds rov{1427585, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

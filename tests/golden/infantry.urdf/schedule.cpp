@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 305425, finemote::kNothingToBound, nullptr},  // imu
-    {0, 299372, 28563625, &gimbal::yaw.command},  // yaw
-    {0, 292677, 28556930, &gimbal::pitch.command},  // pitch
-    {1, 328301, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 424090, 26688243, &chassis::front_left.command},  // front_left
-    {2, 417650, 26681803, &chassis::front_right.command},  // front_right
-    {2, 411205, 26675358, &chassis::rear_left.command},  // rear_left
-    {2, 404766, 26668919, &chassis::rear_right.command},  // rear_right
-    {2, 398320, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 508362, finemote::kNothingToBound, nullptr},  // remote
+    {0, 243360, finemote::kNothingToBound, nullptr},  // imu
+    {0, 237307, 28501560, &gimbal::yaw.command},  // yaw
+    {0, 213297, 28477550, &gimbal::pitch.command},  // pitch
+    {1, 266236, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 399807, 26663961, &chassis::front_left.command},  // front_left
+    {2, 393368, 26657521, &chassis::front_right.command},  // front_right
+    {2, 386923, 26651076, &chassis::rear_left.command},  // rear_left
+    {2, 380484, 26644637, &chassis::rear_right.command},  // rear_right
+    {2, 374038, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 492147, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

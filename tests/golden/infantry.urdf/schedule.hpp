@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 295.588 us of its release.
+/// a job ends within 216.208 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 309.7 us of its release.
+/// a job ends within 247.635 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 386.006 us of its release.
+/// a job ends within 298.558 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 463.36 us of its release.
+/// a job ends within 430.17 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{292224, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{288872, 28553125, 28969397};
-inline constexpr finemote::Bounds pitch{284877, 28549130, 28969398};
-inline constexpr finemote::Bounds gimbal{309700, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{384488, 26648641, 27160262};
-inline constexpr finemote::Bounds front_right{380749, 26644902, 27160262};
-inline constexpr finemote::Bounds rear_left{377003, 26641156, 27160261};
-inline constexpr finemote::Bounds rear_right{373264, 26637417, 27160262};
-inline constexpr finemote::Bounds chassis{361452, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{463360, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{212844, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{209492, 28473745, 28881910};
+inline constexpr finemote::Bounds pitch{205497, 28469750, 28881910};
+inline constexpr finemote::Bounds gimbal{247635, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{297040, 26561193, 26993434};
+inline constexpr finemote::Bounds front_right{293301, 26557454, 26993434};
+inline constexpr finemote::Bounds rear_left{289556, 26553709, 26993434};
+inline constexpr finemote::Bounds rear_right{285817, 26549970, 26993435};
+inline constexpr finemote::Bounds chassis{282072, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{430170, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 417903, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 294133, 28973813, &arm::base.command},  // base
-    {0, 287694, 28967374, &arm::shoulder.command},  // shoulder
-    {0, 281249, 28960929, &arm::elbow.command},  // elbow
-    {0, 274809, 28954489, &arm::wrist_roll.command},  // wrist_roll
-    {0, 268364, 28948044, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 261925, 28941605, &arm::flange.command},  // flange
-    {0, 255479, finemote::kNothingToBound, nullptr},  // arm
+    {1, 401689, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 277918, 28957598, &arm::base.command},  // base
+    {0, 271479, 28951159, &arm::shoulder.command},  // shoulder
+    {0, 265034, 28944714, &arm::elbow.command},  // elbow
+    {0, 258594, 28938274, &arm::wrist_roll.command},  // wrist_roll
+    {0, 252149, 28931829, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 245710, 28925390, &arm::flange.command},  // flange
+    {0, 239264, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace
