@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "generator/diagnostic/code_scenario.hpp"
@@ -68,20 +69,20 @@ Json watched_loops(const std::vector<ToldLoop>& loops) {
 
 bool check_loops(const std::vector<ToldLoop>& loops, const std::vector<std::uint64_t>& passes,
                  Diagnostics& diagnostics) {
-  bool holds = true;
+  std::set<std::string> said;  // a loop of the source may be several in the image
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const ToldLoop& told = loops[i];
     const std::uint64_t most = passes_of(i, passes);
     if (most <= told.loop.allowed) continue;
-    holds = false;
-    diagnostics
-        .error(code::told_loop, {},
-               fmt::format("{}: in '{}': the loop passed its mark {} times, and loop_bound<{}>() says at most {}",
-                           where(told), told.function, most, told.loop.bound, told.loop.bound))
+    const std::string message =
+        fmt::format("{}: in '{}': the loop passed its mark {} times, and loop_bound<{}>() says at most {}", where(told),
+                    told.function, most, told.loop.bound, told.loop.bound);
+    if (!said.insert(message).second) continue;
+    diagnostics.error(code::told_loop, {}, message)
         .note("execution times that were computed from this mark are no bounds")
         .hint("write a bound that holds for every input, or make the loop end there");
   }
-  return holds;
+  return said.empty();
 }
 
 Json loop_list(const std::vector<ToldLoop>& loops, const std::vector<std::uint64_t>& passes) {
