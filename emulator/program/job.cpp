@@ -194,8 +194,9 @@ std::vector<WatchedLoop> loops_of(const Json& job) {
 /// How often the place of each loop of a job was passed at most; 0: the loop was never entered.
 Json loop_counts_of(Board& board, const Json& job) {
   const auto& most = board.loop_counts().most();
+  const std::size_t count = job.value("loops", Json::array()).size();
   Json all = Json::array();
-  for (std::size_t i = 0; i < loops_of(job).size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const auto found = most.find(i);
     all.push_back(found == most.end() ? 0 : found->second);
   }

@@ -10,6 +10,7 @@
 #include "generator/diagnostic/code_scenario.hpp"
 #include "generator/image/image.hpp"
 #include "generator/image/source_lines.hpp"
+#include "generator/run/measured.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -20,8 +21,9 @@ std::uint64_t passes_of(std::size_t loop, const std::vector<std::uint64_t>& pass
   return loop < passes.size() ? passes[loop] : 0;
 }
 
-const char* judge(const ToldLoop& told, std::uint64_t passes) {
-  return passes == 0 ? "no-sample" : passes > told.loop.allowed ? "broken" : "held";
+Judgement judge(const ToldLoop& told, std::uint64_t passes) {
+  if (passes == 0) return Judgement::no_sample;
+  return passes > told.loop.allowed ? Judgement::broken : Judgement::held;
 }
 
 std::string where(const ToldLoop& told) {
@@ -73,7 +75,7 @@ bool check_loops(const std::vector<ToldLoop>& loops, const std::vector<std::uint
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const ToldLoop& told = loops[i];
     const std::uint64_t most = passes_of(i, passes);
-    if (most <= told.loop.allowed) continue;
+    if (judge(told, most) != Judgement::broken) continue;
     const std::string message =
         fmt::format("{}: in '{}': the loop passed its mark {} times, and loop_bound<{}>() says at most {}", where(told),
                     told.function, most, told.loop.bound, told.loop.bound);
@@ -95,7 +97,7 @@ Json loop_list(const std::vector<ToldLoop>& loops, const std::vector<std::uint64
                     {"line", told.file.empty() ? Json() : Json(told.line)},
                     {"bound", told.loop.bound},
                     {"passes_max", most > 0 ? Json(most) : Json()},
-                    {"judged", judge(told, most)}});
+                    {"judged", judgement_name(judge(told, most))}});
   }
   return list;
 }

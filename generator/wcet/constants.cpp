@@ -23,6 +23,13 @@ std::vector<AddressRange> merged(std::vector<AddressRange> ranges) {
 
 }  // namespace
 
+bool is_zeroed(const Image& image, std::uint32_t address, std::uint32_t size) {
+  return std::any_of(image.sections.begin(), image.sections.end(), [&](const ImageSection& section) {
+    const bool is_filled = section.name == ".bss" || section.name == ".core_bss";  // sections.ld
+    return is_filled && address >= section.address && address - section.address + size <= section.size;
+  });
+}
+
 Constants::Constants(const Image& image, std::vector<AddressRange> members,
                      std::map<std::uint32_t, std::uint32_t> words)
     : image_(image), ranges_(std::move(members)), words_(std::move(words)) {
@@ -38,19 +45,11 @@ bool Constants::is_constant(std::uint32_t address, std::uint32_t size) const {
   return range != ranges_.begin() && address + size <= std::prev(range)->second;
 }
 
-/// Lies in what the start fills with zeros: there is nothing of it in the file.
-bool Constants::is_zeroed(std::uint32_t address, std::uint32_t size) const {
-  return std::any_of(image_.sections.begin(), image_.sections.end(), [&](const ImageSection& section) {
-    const bool is_filled = section.name == ".bss" || section.name == ".core_bss";  // sections.ld
-    return is_filled && address >= section.address && address - section.address + size <= section.size;
-  });
-}
-
 std::optional<std::uint32_t> Constants::word(std::uint32_t address, std::uint32_t size) const {
   const auto set = words_.find(address);
   if (set != words_.end() && size == 4) return set->second;
   if (!is_constant(address, size)) return std::nullopt;
-  if (is_zeroed(address, size)) return 0;
+  if (is_zeroed(image_, address, size)) return 0;
   const std::string_view bytes = image_.bytes(address, size);
   if (bytes.size() < size) return std::nullopt;
   std::uint32_t value = 0;

@@ -15,6 +15,9 @@ namespace finemote::gen::wcet {
 /// A range of addresses: [begin, end).
 using AddressRange = std::pair<std::uint32_t, std::uint32_t>;
 
+/// Lies in what the start fills with zeros: there is nothing of it in the file.
+bool is_zeroed(const Image& image, std::uint32_t address, std::uint32_t size);
+
 class Constants {
  public:
   /// @param members  constant parts of variables that may change elsewhere: generator/image/constants.hpp
@@ -29,7 +32,6 @@ class Constants {
  private:
   [[nodiscard]] bool is_constant(std::uint32_t address, std::uint32_t size) const;
   [[nodiscard]] std::optional<std::uint32_t> word(std::uint32_t address, std::uint32_t size) const;
-  [[nodiscard]] bool is_zeroed(std::uint32_t address, std::uint32_t size) const;
 
   const Image& image_;
   std::vector<AddressRange> ranges_;  // by begin

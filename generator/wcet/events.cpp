@@ -48,21 +48,6 @@ std::vector<Limited> limited_runs(const PreparedImage& image, std::uint32_t entr
   return {};
 }
 
-}  // namespace
-
-Cycles most_added(const std::vector<Cycles>& by_served) {
-  Cycles most = 0;
-  for (std::size_t served = 1; served < by_served.size(); ++served) {
-    const auto count = static_cast<Cycles>(served);
-    most = std::max(most, (by_served[served] - by_served[0] + count - 1) / count);
-  }
-  return most;
-}
-
-Cycles time_of_each(const std::vector<Cycles>& by_served) { return by_served[0] + most_added(by_served); }
-
-namespace {
-
 /// Ends that find frames waiting, and requests. Every interrupt pays for a run that sends nothing, and for each frame
 /// that it hands over, or makes room for, the most that a frame adds. There are no more runs than interrupts, and no
 /// run takes longer than that for the frames that it sends, whoever handed them over.
@@ -75,6 +60,17 @@ void tell_requests(const std::vector<Cycles>& of_end, const std::vector<Cycles>&
 }
 
 }  // namespace
+
+Cycles most_added(const std::vector<Cycles>& by_served) {
+  Cycles most = 0;
+  for (std::size_t served = 1; served < by_served.size(); ++served) {
+    const auto count = static_cast<Cycles>(served);
+    most = std::max(most, (by_served[served] - by_served[0] + count - 1) / count);
+  }
+  return most;
+}
+
+Cycles time_of_each(const std::vector<Cycles>& by_served) { return by_served[0] + most_added(by_served); }
 
 EventTimes times_by_event(const PreparedImage& image, std::uint32_t entry, const UnrolledGraph& undisturbed) {
   EventTimes times{times_by_cause(undisturbed, image.marks()), {}};

@@ -18,8 +18,11 @@ struct Loop {
   std::set<std::uint32_t> blocks;     ///< by begin, the header too
   std::optional<std::size_t> parent;  ///< the smallest other loop around it; none: the function
 
-  /// It begins with a test behind its body: what stands there is passed once more than the body.
-  [[nodiscard]] bool begins_behind() const { return *blocks.begin() != header; }
+  /// How often a mark in it may be passed beyond what its source says: before a test that the loop begins with, behind
+  /// its body, it is passed when the loop is left, too.
+  [[nodiscard]] std::uint32_t passes_besides(std::uint32_t mark) const {
+    return mark == header && *blocks.begin() != header ? 1 : 0;
+  }
 };
 
 class LoopNest {

@@ -22,6 +22,15 @@ bool holds(Value all, Value one) {
   return is_in_range && (all.is_of_stack || !one.is_of_stack);
 }
 
+/// What is left of a register in so many bytes.
+Value cut_to(std::uint32_t size, Value value) {
+  if (size >= 4) return value;
+  const std::uint32_t mask = (1U << (8 * size)) - 1U;
+  const Interval range = value.range();
+  if (range.high <= mask) return value;
+  return Value::in(range.is_constant() ? Interval::of(range.low & mask) : Interval{0, mask});
+}
+
 void narrow_to(Value& value, std::uint32_t base, Interval range) {
   const auto both = value.base == base ? meet(value.base_range, range) : std::nullopt;
   if (both) value.base_range = *both;
@@ -69,19 +78,6 @@ const StackWords::Word* StackWords::find(std::uint32_t address, std::uint32_t si
                                       [](const Word& w, std::uint32_t a) { return w.address < a; });
   return found != words_.end() && found->address == address && found->size == size ? &*found : nullptr;
 }
-
-namespace {
-
-/// What is left of a register in so many bytes.
-Value cut_to(std::uint32_t size, Value value) {
-  if (size >= 4) return value;
-  const std::uint32_t mask = (1U << (8 * size)) - 1U;
-  const Interval range = value.range();
-  if (range.high <= mask) return value;
-  return Value::in(range.is_constant() ? Interval::of(range.low & mask) : Interval{0, mask});
-}
-
-}  // namespace
 
 void StackWords::store(const Access& access, Value value) {
   const Interval at = access.address.range();

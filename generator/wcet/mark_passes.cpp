@@ -11,14 +11,6 @@ bool is_bounded(const Frame& frame, std::uint32_t block, const Marks& marks) {
   return marks.loop_bounds.count(block) != 0 && !(loop && loop == frame.unmarked);
 }
 
-/// A mark before the test of a loop is passed when the loop is left, too, which its source does not count.
-std::uint32_t once_more(const Frame& frame, std::uint32_t mark) {
-  const auto index = frame.nest.around(mark);
-  if (!index) return 0;
-  const Loop& loop = frame.nest.loops()[*index];
-  return mark == loop.header && loop.begins_behind() ? 1 : 0;
-}
-
 }  // namespace
 
 bool is_passed_by_some(const Frame& frame, std::uint32_t block, const Marks& marks) {
@@ -27,8 +19,10 @@ bool is_passed_by_some(const Frame& frame, std::uint32_t block, const Marks& mar
 
 bool pass_mark(Frame& frame, std::uint32_t block, const Marks& marks) {
   if (!is_bounded(frame, block, marks)) return true;
+  const auto loop = frame.nest.around(block);
+  const std::uint32_t besides = loop ? frame.nest.loops()[*loop].passes_besides(block) : 0;
   std::uint32_t& passes = frame.passes[block];
-  if (passes < marks.loop_bounds.at(block) + once_more(frame, block)) return ++passes, true;
+  if (passes < marks.loop_bounds.at(block) + besides) return ++passes, true;
   frame.is_cut_by_mark = true;
   return false;
 }

@@ -40,11 +40,15 @@ void add_loops(const ProgramFunction& function, const Marks& marks, std::vector<
     if (function.graph.blocks.count(place) == 0 || marks.retries.count(place) != 0) continue;
     const auto around = nest.around(place);
     if (!around || !marks_of(function.graph, nest, *around, marks).are_its_own) continue;
-    if (has_hidden_ends(function.graph, nest.loops()[*around])) continue;
     const Loop& loop = nest.loops()[*around];
+    if (has_hidden_ends(function.graph, loop)) continue;
     const std::set<std::uint32_t> borders = borders_of(function.graph, loop);
-    const std::uint32_t allowed = bound + (place == loop.header && loop.begins_behind() ? 1 : 0);
-    loops.push_back({place, loop.header, bound, allowed, function.symbol->name, {borders.begin(), borders.end()}});
+    loops.push_back({place,
+                     loop.header,
+                     bound,
+                     bound + loop.passes_besides(place),
+                     function.symbol->name,
+                     {borders.begin(), borders.end()}});
   }
 }
 

@@ -8,14 +8,6 @@
 namespace finemote::gen::wcet {
 namespace {
 
-/// Lies in what the start fills with zeros.
-bool is_zeroed(const Image& image, const ImageRange& range) {
-  return std::any_of(image.sections.begin(), image.sections.end(), [&](const ImageSection& section) {
-    const bool is_there = range.begin >= section.address && range.begin - section.address < section.size;
-    return is_there && section.allocated && !section.has_bytes;
-  });
-}
-
 /// Something is constructed when the program runs.
 bool has_constructors(const Image& image) {
   return std::any_of(image.sections.begin(), image.sections.end(), [](const ImageSection& section) {
@@ -30,7 +22,8 @@ std::vector<AddressRange> constants_of(const Image& image, const KeptMembers& ke
   const bool is_constructed = has_constructors(image);
   const auto add = [&](const std::vector<ImageRange>& all, bool may_be_set_later) {
     for (const ImageRange& range : all) {
-      if (!may_be_set_later || !is_zeroed(image, range)) ranges.emplace_back(range.begin, range.end);
+      if (!may_be_set_later || !is_zeroed(image, range.begin, range.end - range.begin))
+        ranges.emplace_back(range.begin, range.end);
     }
   };
   add(kept.constant, is_constructed);

@@ -1,7 +1,6 @@
 // Devices of users that once had a bound below what they took, or whose true marks a run called broken.
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
@@ -21,11 +20,6 @@ constexpr const char* kRobot = R"(<robot name="r"><link name="base"/><finemote v
   <board name="robomaster_type_c"/>
   <device name="w" type="walker" period="1ms"/>
   <device name="load" type="sim_load" period="7ms"><param name="update">900us</param></device></finemote></robot>)";
-
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::vector<fs::path> all_cases() {
   std::vector<fs::path> all;
@@ -51,7 +45,7 @@ TEST_CASE("nobody gets a bound from what only looks constant, and no true mark i
   const std::vector<fs::path> cases = all_cases();
   REQUIRE(cases.size() >= 19);
   for (const fs::path& path : cases) {
-    const std::string header = text_of(path);
+    const std::string header = read_file(path.string());
     const bool is_bounded = header.rfind("// bounded: ", 0) == 0;
     CAPTURE(path.filename().string());
     REQUIRE((is_bounded || header.rfind("// refused: ", 0) == 0));
