@@ -15,8 +15,8 @@ namespace finemote::gen {
 namespace {
 
 // Layout of finemote::Schedule and finemote::Bucket on the target; runtime/include/finemote/schedule.hpp asserts it.
-constexpr std::uint32_t kBucketsAt = 16, kBucketCountAt = 20, kStartBusesAt = 28, kSafeOutputsAt = 32,
-                        kBusesQuietAt = 44;
+constexpr std::uint32_t kBucketsAt = 16, kBucketCountAt = 20, kStartBusesAt = 32, kSafeOutputsAt = 36,
+                        kBusesQuietAt = 48;
 constexpr std::uint32_t kBucketSize = 24, kLineAt = 16;
 constexpr std::uint32_t kMaxLines = 240;
 

@@ -6,7 +6,7 @@ namespace finemote::gen::wcet {
 namespace {
 
 /// In finemote::Schedule; runtime/chips/cortex_m4/release.cpp asserts it.
-constexpr std::uint32_t kStartBusesAt = 28;
+constexpr std::uint32_t kStartBusesAt = 32;
 
 }  // namespace
 

@@ -8,10 +8,6 @@ extern "C" __attribute__((weak)) void finemote_overrun_hook(unsigned) {}
 namespace finemote {
 namespace detail {
 
-namespace {
-std::uint32_t overrun_counts[kMaxBuckets];
-}  // namespace
-
 Ticks ticks_in(Duration period, std::uint32_t tick_ns) {
   std::uint64_t quotient = 0;
   std::uint64_t rest = 0;
@@ -25,50 +21,52 @@ Ticks ticks_in(Duration period, std::uint32_t tick_ns) {
   return {quotient > UINT32_MAX ? UINT32_MAX : static_cast<std::uint32_t>(quotient), rest == 0};
 }
 
-void ReleasePlan::start(const Schedule& schedule, const std::uint32_t* bits, std::uint32_t longest_step) {
-  std::size_t count = 0;
-  for (const Bucket& bucket : schedule.buckets) {
-    entries_[count] = {0, ticks_in(bucket.period, static_cast<std::uint32_t>(schedule.tick)).count, bits[count]};
-    overrun_counts[count++] = 0;
+void ReleasePlan::start(const Schedule& schedule, std::uint32_t longest_step) {
+  const Buckets& buckets = schedule.buckets;
+  for (std::size_t i = 0; i < buckets.size(); ++i) {
+    const Ticks period = ticks_in(buckets[i].period, static_cast<std::uint32_t>(schedule.tick));
+    buckets.state(i) = {0, period.count, buckets.state(i).bit};
   }
   step_ = 0;
   longest_step_ = longest_step;
 }
 
-Release ReleasePlan::next(std::size_t buckets) {
+Release ReleasePlan::next(const Schedule& schedule) {
   Release release{0, longest_step_};
-  for (std::size_t i = 0; i < buckets; ++i) {
-    Entry& entry = entries_[i];
-    entry.left -= step_;
-    if (entry.left == 0) {
-      entry.left = entry.period;
-      release.due |= entry.bit;
+  for (std::size_t i = 0; i < schedule.buckets.size(); ++i) {
+    BucketState& bucket = schedule.buckets.state(i);
+    bucket.left -= step_;
+    if (bucket.left == 0) {
+      bucket.left = bucket.period;
+      release.due |= bucket.bit;
     }
-    if (entry.left < release.ticks) release.ticks = entry.left;
+    if (bucket.left < release.ticks) release.ticks = bucket.left;
   }
   step_ = release.ticks;
   return release;
 }
 
-void StarvationWatch::note(const Schedule& schedule, const std::uint32_t* bits, std::uint32_t due, std::uint32_t late) {
-  for (unsigned i = 0; i < schedule.buckets.size(); ++i) {
-    if ((due & bits[i]) == 0) continue;
-    if ((late & bits[i]) == 0) {
-      missed_[i] = 0;
-      late_ &= ~bits[i];
-      starving_ &= ~bits[i];
+void StarvationWatch::note(const Schedule& schedule, std::uint32_t due, std::uint32_t late) {
+  for (std::size_t i = 0; i < schedule.buckets.size(); ++i) {
+    BucketState& bucket = schedule.buckets.state(i);
+    if ((due & bucket.bit) == 0) continue;
+    if ((late & bucket.bit) == 0) {
+      bucket.missed = 0;
+      late_ &= ~bucket.bit;
+      starving_ &= ~bucket.bit;
       continue;
     }
-    late_ |= bits[i];
-    if (missed_[i] < schedule.buckets[i].watchdog) ++missed_[i];
-    if (missed_[i] >= schedule.buckets[i].watchdog) starving_ |= bits[i];
+    late_ |= bucket.bit;
+    if (bucket.missed < schedule.buckets[i].watchdog) ++bucket.missed;
+    if (bucket.missed >= schedule.buckets[i].watchdog) starving_ |= bucket.bit;
   }
 }
 
-void report_overruns(std::uint32_t late, const std::uint32_t* bits) {
+void report_overruns(std::uint32_t late) {
   for (unsigned i = 0; i < finemote_schedule.buckets.size(); ++i) {
-    if ((late & bits[i]) == 0) continue;
-    ++overrun_counts[i];
+    BucketState& bucket = finemote_schedule.buckets.state(i);
+    if ((late & bucket.bit) == 0) continue;
+    ++bucket.overruns;
     count_fault(Module::schedule, static_cast<std::uint8_t>(ScheduleFault::overrun));
     finemote_overrun_hook(i);
   }
@@ -80,6 +78,6 @@ void report_overruns(std::uint32_t late, const std::uint32_t* bits) {
 
 }  // namespace detail
 
-std::uint32_t overruns(unsigned bucket) { return detail::overrun_counts[bucket]; }
+std::uint32_t overruns(unsigned bucket) { return finemote_schedule.buckets.state(bucket).overruns; }
 
 }  // namespace finemote

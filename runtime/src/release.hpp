@@ -1,7 +1,6 @@
 // Turns periods into releases: which buckets are due at the next instant, and how long until the one after it.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "finemote/schedule.hpp"
@@ -10,7 +9,7 @@ namespace finemote::detail {
 
 /// One instant at which something is released.
 struct Release {
-  std::uint32_t due = 0;    ///< bits of the buckets due at this instant; 0 for a stop on a long way
+  std::uint32_t due = 0;    ///< the set of buckets due at this instant; 0 for a stop on a long way
   std::uint32_t ticks = 0;  ///< from this instant to the next, >= 1
 };
 
@@ -22,25 +21,18 @@ struct Ticks {
 /// Long division, bit by bit: the library's 64-bit division would cost an image 800 bytes for a use at start.
 Ticks ticks_in(Duration period, std::uint32_t tick_ns);
 
-/// Counts every bucket down in ticks. The first instant releases all buckets.
+/// Counts every bucket down in ticks, in its BucketState. The first instant releases all buckets.
 class ReleasePlan {
  public:
   constexpr ReleasePlan() = default;
 
-  /// `bits[i]` stands for bucket i in Release::due. Instants are at most `longest_step` ticks apart.
-  void start(const Schedule& schedule, const std::uint32_t* bits, std::uint32_t longest_step);
+  /// The bits of the states are set already. Instants are at most `longest_step` ticks apart.
+  void start(const Schedule& schedule, std::uint32_t longest_step);
 
-  /// The next instant: one short pass over the buckets, of which there are as many as at the start.
-  Release next(std::size_t buckets);
+  /// The next instant: one short pass over the buckets. `schedule` is that of the start.
+  Release next(const Schedule& schedule);
 
  private:
-  struct Entry {
-    std::uint32_t left;
-    std::uint32_t period;
-    std::uint32_t bit;
-  };
-
-  Entry entries_[kMaxBuckets]{};
   std::uint32_t step_ = 0;
   std::uint32_t longest_step_ = 0;
 };
@@ -54,8 +46,9 @@ class StarvationWatch {
  public:
   constexpr StarvationWatch() = default;
 
-  /// Takes note of one instant; `bits` as in ReleasePlan::start. May be left out while nothing is late and quiet().
-  void note(const Schedule& schedule, const std::uint32_t* bits, std::uint32_t due, std::uint32_t late);
+  /// Takes note of one instant; `due` and `late` are sets of buckets. May be left out while nothing is late and
+  /// quiet().
+  void note(const Schedule& schedule, std::uint32_t due, std::uint32_t late);
 
   /// True while every bucket was on time when last released.
   [[nodiscard]] bool quiet() const { return late_ == 0; }
@@ -63,13 +56,11 @@ class StarvationWatch {
   [[nodiscard]] bool starving() const { return starving_ != 0; }
 
  private:
-  std::uint8_t missed_[kMaxBuckets]{};
   std::uint32_t late_ = 0;
   std::uint32_t starving_ = 0;
 };
 
-/// Counts an overrun of every bucket in `late` (bits as given to ReleasePlan::start) and calls the hook.
-/// Does not return when the schedule says safe_stop.
-void report_overruns(std::uint32_t late, const std::uint32_t* bits);
+/// Counts an overrun of every bucket of this set and calls the hook. Does not return when the schedule says safe_stop.
+void report_overruns(std::uint32_t late);
 
 }  // namespace finemote::detail

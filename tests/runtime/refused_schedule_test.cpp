@@ -17,7 +17,7 @@ constexpr Bucket swapped[] = {{nothing, 10'000'000, 48, 4, 3}, {nothing, 5'000'0
 constexpr Bucket inverted[] = {{nothing, 5'000'000, 48, 5, 3}, {nothing, 10'000'000, 49, 4, 3}};
 constexpr Bucket two_words[] = {{nothing, 5'000'000, 48, 4, 3}, {nothing, 10'000'000, 64, 5, 3}};
 
-Schedule with(View<Bucket> buckets, Duration tick = kMillisecond) {
+Schedule with(Buckets buckets, Duration tick = kMillisecond) {
   return {"Refused", tick, buckets, Overrun::skip, start_buses, nothing, nullptr};
 }
 

@@ -20,19 +20,20 @@ std::vector<Bucket> buckets_of(const std::vector<int>& periods_ms) {
 
 void check_against_arithmetic(const std::vector<int>& periods_ms, std::uint32_t longest_step, unsigned instants) {
   const auto buckets = buckets_of(periods_ms);
-  const Schedule schedule{"x", kMillisecond, {buckets.data(), buckets.size()}, Overrun::skip, nothing, nothing, {}};
-  std::uint32_t bits[kMaxBuckets];
-  for (unsigned i = 0; i < kMaxBuckets; ++i) bits[i] = 1U << (31 - i);
+  std::vector<BucketState> states(buckets.size());
+  for (unsigned i = 0; i < states.size(); ++i) states[i].bit = 1U << (31 - i);
+  const Buckets all{buckets.data(), buckets.size(), states.data()};
+  const Schedule schedule{"x", kMillisecond, all, Overrun::skip, nothing, nothing, {}};
   detail::ReleasePlan plan;
-  plan.start(schedule, bits, longest_step);
+  plan.start(schedule, longest_step);
   std::uint64_t tick = 0;
   for (unsigned n = 0; n < instants; ++n) {
-    const detail::Release release = plan.next(buckets.size());
+    const detail::Release release = plan.next(schedule);
     std::uint32_t due = 0;
     std::uint64_t nearest = tick + longest_step;
     for (unsigned i = 0; i < buckets.size(); ++i) {
       const auto period = static_cast<std::uint64_t>(periods_ms[i]);
-      if (tick % period == 0) due |= bits[i];
+      if (tick % period == 0) due |= states[i].bit;
       nearest = std::min(nearest, (tick / period + 1) * period);
     }
     REQUIRE(release.due == due);

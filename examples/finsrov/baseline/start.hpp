@@ -12,7 +12,7 @@ namespace baseline {
 
 /// A schedule that is nothing but a tick.
 /// @param buckets  one
-constexpr finemote::Schedule tick_alone(const char* name, finemote::View<finemote::Bucket> buckets,
+constexpr finemote::Schedule tick_alone(const char* name, finemote::Buckets buckets,
                                         void (*start_parts)()) {
   return {name, finemote::kMillisecond, buckets, finemote::Overrun::skip, start_parts, [] {}, nullptr};
 }

@@ -59,8 +59,6 @@ Machine& machine() {
   return the_machine;
 }
 
-std::uint32_t bits[kMaxBuckets];
-
 Time next_happening(const Machine& m) {
   return std::min(m.next_release, m.interrupts.empty() ? kNever : m.interrupts.top().at);
 }
@@ -68,12 +66,12 @@ Time next_happening(const Machine& m) {
 void release(Machine& m) {
   const std::uint32_t late = m.next.due & (m.pending | m.active);
   m.pending |= m.next.due & ~late;
-  m.watch.note(finemote_schedule, bits, m.next.due, late);
+  m.watch.note(finemote_schedule, m.next.due, late);
   m.next_release += m.next.ticks * finemote_schedule.tick;
-  m.next = m.plan.next(finemote_schedule.buckets.size());
+  m.next = m.plan.next(finemote_schedule);
   if (m.next_release >= m.end) m.next_release = kNever;
   m.fed = !m.watch.starving();
-  if (late != 0) detail::report_overruns(late, bits);
+  if (late != 0) detail::report_overruns(late);
 }
 
 // The release comes after the bus interrupts of the same instant, as their priorities say.
@@ -181,12 +179,12 @@ void interrupt_at(Time when, std::function<void()> routine) {
 
 bool run(Duration duration) {
   Machine& m = machine();
-  for (unsigned i = 0; i < kMaxBuckets; ++i) bits[i] = 1U << i;
+  for (unsigned i = 0; i < finemote_schedule.buckets.size(); ++i) finemote_schedule.buckets.state(i).bit = 1U << i;
   m.end = duration;
   try {
     detail::start_robot(finemote_schedule, kTimer);
-    m.plan.start(finemote_schedule, bits, UINT32_MAX);
-    m.next = m.plan.next(finemote_schedule.buckets.size());
+    m.plan.start(finemote_schedule, UINT32_MAX);
+    m.next = m.plan.next(finemote_schedule);
     m.next_release = 0;
     idle_until(m, duration);
   } catch (const Stopped&) {

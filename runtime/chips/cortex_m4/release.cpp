@@ -28,8 +28,8 @@ namespace cortex_m4 {
 namespace {
 
 // The image check (generator/image/stack.cpp) reads the schedule out of the linked image.
-static_assert(offsetof(Schedule, buckets) == 16 && offsetof(Schedule, start_buses) == 28 &&
-              offsetof(Schedule, safe_outputs) == 32 && offsetof(Schedule, buses_quiet) == 44 && sizeof(Bucket) == 24 &&
+static_assert(offsetof(Schedule, buckets) == 16 && offsetof(Schedule, start_buses) == 32 &&
+              offsetof(Schedule, safe_outputs) == 36 && offsetof(Schedule, buses_quiet) == 48 && sizeof(Bucket) == 24 &&
               offsetof(Bucket, line) == 16);
 
 static_assert(2 * systick::kMaxInterval <= 0xFFFFFFFFU / kNsPerUnit, "now() counts in 32 bits");
@@ -54,7 +54,6 @@ struct Releases {
   std::uint32_t turn_cycles = 0;
   detail::StarvationWatch watch;
   Instant ring[kSlots]{};
-  std::uint32_t bits[kMaxBuckets]{};
   // What planning needs.
   detail::ReleasePlan plan;
   detail::Release ahead;  ///< the instant to be planned next
@@ -75,7 +74,7 @@ __attribute__((noinline)) void plan(Releases& r, Instant& slot) {
   const std::uint32_t ticks = r.ahead.ticks;
   r.ahead_at += static_cast<Time>(std::uint64_t{ticks} * r.tick_ns);
   r.ahead_stamp += ticks * r.cycles_per_tick;
-  r.ahead = r.plan.next(finemote_schedule.buckets.size());
+  r.ahead = r.plan.next(finemote_schedule);
   slot.reload = r.ahead.ticks * r.cycles_per_tick - 1;
 }
 
@@ -108,7 +107,7 @@ Duration longest_gap(const Schedule& schedule, std::uint32_t longest_step) {
 // come.
 Instant& fill(Releases& r, std::uint32_t all) {
   unsigned whole = 0;  // slots that whole hyperperiods take
-  r.ahead = r.plan.next(finemote_schedule.buckets.size());
+  r.ahead = r.plan.next(finemote_schedule);
   for (unsigned i = 0; i < kSlots - 1; ++i) {
     plan(r, r.ring[i]);
     r.ring[i].next = &r.ring[i + 1];
@@ -132,10 +131,12 @@ Instant& fill(Releases& r, std::uint32_t all) {
 std::uint32_t prepare(Releases& r, const Schedule& schedule) {
   r.pending = &nvic::set_pending(schedule.buckets[0].line / 32U);
   std::uint32_t all = 0;
-  for (unsigned i = 0; i < schedule.buckets.size(); ++i) all |= r.bits[i] = bit(schedule.buckets[i].line % 32U);
+  for (unsigned i = 0; i < schedule.buckets.size(); ++i) {
+    all |= schedule.buckets.state(i).bit = bit(schedule.buckets[i].line % 32U);
+  }
   r.tick_ns = static_cast<std::uint32_t>(schedule.tick);
   r.cycles_per_tick = r.tick_ns / kNsPerUnit * kCyclesPerUnit;
-  r.plan.start(schedule, r.bits, systick::kMaxInterval / r.cycles_per_tick);
+  r.plan.start(schedule, systick::kMaxInterval / r.cycles_per_tick);
   return all;
 }
 
@@ -143,9 +144,9 @@ std::uint32_t prepare(Releases& r, const Schedule& schedule) {
 // interrupt's short way.
 __attribute__((noinline)) void take_late(Releases& r, std::uint32_t due, std::uint32_t late) {
   only_after_fault();
-  r.watch.note(finemote_schedule, r.bits, due, late);
+  r.watch.note(finemote_schedule, due, late);
   if (!r.watch.starving()) board::feed_watchdog();
-  if (late != 0) detail::report_overruns(late, r.bits);
+  if (late != 0) detail::report_overruns(late);
 }
 
 // The count takes its first reload value at the next clock (PM0214 4.5); until then the next one must not be written.

@@ -1,6 +1,7 @@
 // What the generated schedule tells the runtime: the buckets, and how to start and stop the robot.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "finemote/contract.hpp"
@@ -22,6 +23,45 @@ struct Bucket {
   std::uint8_t watchdog;  ///< starving: this many own periods in a row without a completed job
 };
 
+/// What the runtime keeps of a bucket. Written by what releases the buckets alone.
+struct BucketState {
+  std::uint32_t left = 0;      ///< ticks from the last planned instant to its next release
+  std::uint32_t period = 0;    ///< [ticks]
+  std::uint32_t bit = 0;       ///< what it is in a set of buckets; a bit of its own
+  std::uint32_t overruns = 0;  ///< since the start
+  std::uint8_t missed = 0;     ///< periods in a row without a completed job
+};
+
+/// Room for the states of a schedule of N buckets: an image has as much as its robot needs.
+template <std::size_t N>
+inline BucketState bucket_states[N]{};
+
+/// The buckets of a schedule, and the room for their states. Made from an array of constants, which outlives it.
+class Buckets {
+ public:
+  constexpr Buckets() = default;  ///< none
+  /// All of an array; at most one schedule of a program is made so.
+  template <std::size_t N>
+  constexpr Buckets(const Bucket (&buckets)[N]) : first_(buckets), count_(N), states_(bucket_states<N>) {}
+  /// `count` buckets side by side, and as many states.
+  constexpr Buckets(const Bucket* first, std::size_t count, BucketState* states)
+      : first_(first), count_(count), states_(states) {}
+
+  [[nodiscard]] constexpr std::size_t size() const { return count_; }  ///< number of buckets
+  [[nodiscard]] constexpr bool empty() const { return count_ == 0; }   ///< whether there is none
+  /// `i` < size(); not checked.
+  constexpr const Bucket& operator[](std::size_t i) const { return first_[i]; }
+  [[nodiscard]] constexpr const Bucket* begin() const { return first_; }         ///< for range-based loops
+  [[nodiscard]] constexpr const Bucket* end() const { return first_ + count_; }  ///< for range-based loops
+  /// Of bucket `i` < size(); not checked. Context: init, release.
+  [[nodiscard]] constexpr BucketState& state(std::size_t i) const { return states_[i]; }
+
+ private:
+  const Bucket* first_ = nullptr;
+  std::size_t count_ = 0;
+  BucketState* states_ = nullptr;
+};
+
 /// What to do when a bucket is released while its last job is still pending or running.
 enum class Overrun : std::uint8_t {
   skip,       ///< count it, call the hook, leave the running job alone
@@ -30,8 +70,8 @@ enum class Overrun : std::uint8_t {
 
 struct Schedule {
   const char* robot;
-  Duration tick;         ///< all periods are multiples of it
-  View<Bucket> buckets;  ///< shortest period first; at most kMaxBuckets
+  Duration tick;    ///< all periods are multiples of it
+  Buckets buckets;  ///< shortest period first; at most kMaxBuckets
   Overrun overrun;
   void (*start_buses)();   ///< once, before the first release
   void (*safe_outputs)();  ///< may interrupt every stage; called again and again once stopped
