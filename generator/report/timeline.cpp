@@ -25,7 +25,8 @@ Duration shown_of(const timing::TaskSet& set, Duration longest) {
 TimelineRecorder::TimelineRecorder(const timing::Model& model, timing::Profile profile) : model_(model) {
   const timing::TaskSet set = timing::make_task_set(model, profile);
   for (const timing::TaskBucket& bucket : set.buckets) kept_.periods.push_back(bucket.period);
-  for (const timing::Stream& stream : set.streams) kept_.streams.push_back(stream.name);
+  for (const timing::Stream& source : set.sources) kept_.streams.push_back(source.name);
+  kept_.streams.emplace_back("release");
   kept_.hyperperiod = hyperperiod_of(model);
   // Only commands of the second hyperperiod are as old as any can become.
   const bool is_short = kept_.hyperperiod && *kept_.hyperperiod <= floor_div(kLongest, 2);

@@ -7,6 +7,7 @@
 #include "generator/simulate/data_flow.hpp"
 #include "generator/simulate/jobs.hpp"
 #include "generator/simulate/lengths.hpp"
+#include "generator/simulate/wires.hpp"
 #include "generator/timing/profile.hpp"
 
 namespace finemote::gen {
@@ -70,12 +71,13 @@ class Simulator {
         clock_(set_.buckets),
         flow_(model, topology_, options.chains),
         reporter_(model, topology_, flow_, observer),
+        wires_(set_.sources, model.buses.size()),
         jobs_(set_.buckets.size()),
         update_begin_(model.devices.size()) {
     for (const timing::TaskBucket& bucket : set_.buckets) pieces_.emplace_back(set_, bucket);
     result_.devices.resize(model.devices.size());
     for (const ChainEnds& ends : options.chains) result_.chains.push_back({ends, kNothing});
-    for (std::size_t s = 0; s < set_.bus_streams; ++s) arrivals_.emplace_back(set_.streams[s], set_, random_);
+    for (const timing::Stream& source : set_.sources) arrivals_.emplace_back(source, set_, random_);
   }
 
   Simulation run() {
@@ -115,7 +117,8 @@ class Simulator {
     masked_until_ = {};
     for (std::size_t s = 0; s < arrivals_.size(); ++s) {
       while (arrivals_[s].next() <= now_ && interrupts_.size() < options_.most_waiting) {
-        interrupts_.push_back({s, lengths_.draw({}, set_.streams[s].cost), kNothing, {}, {}});
+        if (wires_.carries(set_.sources[s], arrivals_[s].next()))
+          interrupts_.push_back({s, lengths_.draw({}, set_.sources[s].cost), kNothing, {}, {}});
         const auto w = static_cast<std::size_t>(random_.between(0, static_cast<std::int64_t>(jobs_.size()) - 1));
         arrivals_[s].advance(clock_.next_of(w));
       }
@@ -137,7 +140,7 @@ class Simulator {
     if (options_.profile != timing::Profile::target) return make_ready(due.buckets, due.released);
     const auto count = static_cast<std::int64_t>(due.buckets.size());
     const Duration most = model_.costs.release + count * model_.costs.release_per_bucket;
-    Interrupt interrupt{set_.bus_streams, lengths_.draw({}, most), kNothing, std::move(due.buckets), due.released};
+    Interrupt interrupt{set_.sources.size(), lengths_.draw({}, most), kNothing, std::move(due.buckets), due.released};
     if (random_.one_in(2)) {
       interrupts_.push_back(std::move(interrupt));
     } else {
@@ -243,7 +246,8 @@ class Simulator {
   ReleaseClock clock_;
   DataFlow flow_;
   InputReporter reporter_;
-  std::vector<Arrivals> arrivals_;  ///< per stream of a bus
+  std::vector<Arrivals> arrivals_;  ///< per interrupt source of a bus
+  Wires wires_;
   std::deque<Interrupt> interrupts_;
   std::vector<Pieces> pieces_;  ///< of every bucket
   std::vector<JobState> jobs_;

@@ -34,10 +34,10 @@ void TraceWriter::close() {
   out_ << "\n]}\n";
 }
 
-/// Streams are called like their bus, or `bus.source` where it has several: the longest name that fits is the bus.
+/// Interrupts are called like their bus, or `bus.source` where it has several: the longest name that fits is the bus.
 void TraceWriter::find_buses() {
-  for (std::size_t s = 0; s < set_.bus_streams; ++s) {
-    const std::string& name = set_.streams[s].name;
+  for (const timing::Stream& source : set_.sources) {
+    const std::string& name = source.name;
     std::optional<timing::BusPlace> best;
     for (const timing::BusPlace b : model_.buses.ids()) {
       const std::string& bus = model_.buses[b].name;
@@ -99,8 +99,8 @@ void TraceWriter::stage(Rank device, Stage stage, Duration begin, Duration end) 
 }
 
 void TraceWriter::interrupt(std::size_t stream, Duration begin, Duration end) {
-  const bool is_bus = stream < set_.bus_streams;
-  slice(is_bus ? bus_track(bus_of_[stream]) : model_.buses.size() + 1, is_bus ? set_.streams[stream].name : "release",
+  const bool is_bus = stream < set_.sources.size();
+  slice(is_bus ? bus_track(bus_of_[stream]) : model_.buses.size() + 1, is_bus ? set_.sources[stream].name : "release",
         begin, end, true);
 }
 

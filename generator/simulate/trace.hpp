@@ -59,7 +59,7 @@ class TraceWriter : public SimulationObserver {
   std::ostream& out_;
   std::vector<Line> lines_;
   std::uint64_t flow_ = 0;
-  std::vector<timing::BusPlace> bus_of_;  ///< per stream of a bus
+  std::vector<timing::BusPlace> bus_of_;  ///< per interrupt source of a bus
   Table<Rank, LastEmpty> last_empty_;
 };
 

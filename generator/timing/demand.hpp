@@ -110,8 +110,13 @@ class Demand {
     for (const Stream::Budget& b : s.budgets) {
       const std::int64_t periods = ceil_div(x + b.jitter, b.period);
       const std::int64_t count = multiply(b.count, ceil_div(gen::add(periods, b.carry_in), b.every));
-      if (count < b.most) end = std::min(end, flat_to(-b.jitter, periods, b.period));
-      by_budget = gen::add(by_budget, std::min(count, b.most));
+      const std::int64_t apart = b.separation > Duration::zero() ? ceil_div(x, b.separation) : kUnlimited;
+      if (apart < std::min(count, b.most)) {
+        end = std::min(end, flat_to({}, apart, b.separation));
+      } else if (count < b.most) {
+        end = std::min(end, flat_to(-b.jitter, periods, b.period));
+      }
+      by_budget = gen::add(by_budget, std::min({count, b.most, apart}));
     }
     // None of the two gets smaller, so the step of the smaller one holds. The other may be too large to be a time.
     return by_budget <= by_separation ? Step{end, by_budget * s.cost} : apart();

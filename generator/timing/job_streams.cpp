@@ -13,14 +13,13 @@ using Budget = Stream::Budget;
 
 bool are_alike(const Budget& a, const Budget& b) {
   return a.period == b.period && a.carry_in == b.carry_in && a.every == 1 && b.every == 1 && a.jitter == b.jitter &&
-         a.most == kUnlimited && b.most == kUnlimited;
+         a.separation == b.separation && a.most == kUnlimited && b.most == kUnlimited;
 }
 
 /// Budgets that grow at the same instants are one: large robots have thousands.
 void join_alike(std::vector<Budget>& budgets) {
   const auto key = [](const Budget& b) {
-    return std::tuple<std::int64_t, std::int64_t, Duration, Duration, std::int64_t>(b.most, b.every, b.period, b.jitter,
-                                                                                    b.carry_in);
+    return std::tuple(b.most, b.every, b.period, b.jitter, b.carry_in, b.separation);
   };
   std::stable_sort(budgets.begin(), budgets.end(), [&](const Budget& a, const Budget& b) { return key(a) < key(b); });
   std::vector<Budget> joined;

@@ -45,6 +45,7 @@ Json source_json(const Model& model, const InterruptSource& source) {
     out["budgets"].push_back(std::move(budget));
   }
   if (source.of_transfers) out["of_transfers"] = true;
+  if (source.ends_frame) out["ends_frame"] = true;
   return out;
 }
 

@@ -53,13 +53,12 @@ void add_buckets(const Model& model, const TaskSet& set, std::vector<ProcessorUs
 
 void add_interrupts(const TaskSet& set, std::vector<ProcessorUse>& list) {
   ProcessorUse release{ProcessorUse::Kind::release, "release", "", {}, nanoseconds(1), 0};
-  for (std::size_t s = 0; s < set.streams.size(); ++s) {
+  for (const Stream& stream : set.sources) {
+    list.push_back(
+        {ProcessorUse::Kind::interrupt, stream.bus, stream.source, stream.cost, stream.separation, share(stream)});
+  }
+  for (std::size_t s = set.bus_streams; s < set.streams.size(); ++s) {
     const Stream& stream = set.streams[s];
-    if (s < set.bus_streams) {
-      list.push_back(
-          {ProcessorUse::Kind::interrupt, stream.bus, stream.source, stream.cost, stream.separation, share(stream)});
-      continue;
-    }
     release.cost += stream.cost;
     release.every = stream.separation;  // the release itself comes last
     release.utilization += share(stream);
@@ -110,7 +109,9 @@ std::vector<ProcessorUse> processor_use(const Model& model, const TaskSet& set) 
 
 double processor_share(const TaskSet& set) {
   long double sum = 0;
-  for (const Stream& stream : set.streams) sum += rate(stream) * static_cast<long double>(stream.cost.ns());
+  const auto add = [&](const Stream& stream) { sum += rate(stream) * static_cast<long double>(stream.cost.ns()); };
+  for (const Stream& stream : set.sources) add(stream);
+  for (std::size_t s = set.bus_streams; s < set.streams.size(); ++s) add(set.streams[s]);
   for (const TaskBucket& bucket : set.buckets) sum += exact_ratio(bucket.cost, bucket.period);
   return static_cast<double>(sum);
 }

@@ -101,6 +101,7 @@ struct ModelReader::Tables {
       {"min_interval_ns", Need::required, &InterruptSource::min_interval, 1},
       {"budgets", Need::target, Each<InterruptSource>{&ModelReader::read_budget}},
       {"of_transfers", Need::target, &InterruptSource::of_transfers},
+      {"ends_frame", Need::target, &InterruptSource::ends_frame},
   };
   static constexpr Field<FrameBudget> kBudget[] = {
       {"device"},
@@ -273,9 +274,8 @@ void ModelReader::check_best_case(Duration bcet, Duration wcet, std::string_view
 
 void ModelReader::read_parent(Device&, const Value& v) {
   if (v.is(Value::Kind::null)) return;
-  if (!v.is(Value::Kind::string))
-    return void(
-        values_.error(code::json_type, v, fmt::format("'parent' is {}, not a string or null", describe(v.kind))));
+  const std::string wrong = fmt::format("'parent' is {}, not a string or null", describe(v.kind));
+  if (!v.is(Value::Kind::string)) return void(values_.error(code::json_type, v, wrong));
   later_.emplace_back([this, rank = last_device(), &v] {
     const auto found = find_device(v.text, v);
     if (!found) return;

@@ -82,6 +82,10 @@ bool is_of_transfer(DriverSource::Counts counts) {
   return counts == DriverSource::Counts::steps || counts == DriverSource::Counts::ends;
 }
 
+bool ends_frame(DriverSource::Counts counts) {
+  return counts == DriverSource::Counts::received || counts == DriverSource::Counts::ends;
+}
+
 /// Frames that one request hands over at most: no more than the controller has room for.
 std::size_t requested_frames(const Driver& driver, const BusUse& use) {
   return std::min(use.shared_frames, std::max<std::size_t>(driver.mailboxes, 1));
@@ -176,7 +180,8 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
                               {},
                               is_foreign ? received_apart(robot, id, apart) : apart,
                               {},
-                              type.is_mastered && is_of_transfer(source.counts)});
+                              type.is_mastered && is_of_transfer(source.counts),
+                              type.is_arbitrated && ends_frame(source.counts)});
       const auto computed = computed_routine(robot, id, source, requested_frames(*driver, use));
       set_time(bus.isr_wcet, computed, routine(*driver, source, use, out.baud_bps), out.sources->back());
     }

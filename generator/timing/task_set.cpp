@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <map>
 
+#include "generator/timing/one_wire.hpp"
+
 namespace finemote::gen::timing {
 namespace {
+
+bool is_free(const Stream& stream) { return stream.cost == Duration::zero(); }
 
 Stream::Budget budget_of(const Model& model, const FrameBudget& b) {
   Stream::Budget budget;
@@ -21,13 +25,13 @@ Stream::Budget budget_of(const Model& model, const FrameBudget& b) {
   return budget;
 }
 
-void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
+void add_sources(const Model& model, Profile profile, TaskSet& set) {
   const Duration entry = profile == Profile::target ? model.costs.interrupt : Duration::zero();
   for (const BusPlace place : model.buses.ids()) {
     const Bus& bus = model.buses[place];
     if (profile != Profile::target || !bus.sources) {
       const Duration separation = profile == Profile::paper ? std::min(bus.frame, model.tick) : bus.frame;
-      set.streams.push_back(
+      set.sources.push_back(
           {separation, bus.wcet > Duration::zero() ? bus.wcet + entry : Duration::zero(), {}, bus.name, bus.name, ""});
       continue;
     }
@@ -35,9 +39,21 @@ void add_bus_streams(const Model& model, Profile profile, TaskSet& set) {
       Stream stream{
           source.min_interval, source.wcet + entry, {}, bus.name + "." + source.name, bus.name, source.name, place};
       stream.of_transfers = source.of_transfers;
+      stream.ends_frame = source.ends_frame;
       for (const FrameBudget& b : source.budgets) stream.budgets.push_back(budget_of(model, b));
-      set.streams.push_back(std::move(stream));
+      set.sources.push_back(std::move(stream));
     }
+  }
+  std::erase_if(set.sources, is_free);
+}
+
+void add_bus_streams(const Model& model, TaskSet& set) {
+  for (auto begin = set.sources.begin(); begin != set.sources.end();) {
+    const auto is_of_other = [&](const Stream& stream) { return !stream.place || stream.place != begin->place; };
+    const auto end = std::find_if(begin + 1, set.sources.end(), is_of_other);
+    const std::int64_t rate = begin->place ? model.buses[*begin->place].baud_bps : 1;
+    for (Stream& stream : one_wire({begin, end}, ceil_div(seconds(1), rate))) set.streams.push_back(std::move(stream));
+    begin = end;
   }
 }
 
@@ -100,9 +116,8 @@ TaskSet make_task_set(const Model& model, Profile profile) {
     set.handle.push_back(target ? d.handle_wcet + d.handle_extra + model.costs.stage : d.handle_wcet);
   }
   add_buckets(model, profile, set);
-  add_bus_streams(model, profile, set);
-  const auto is_free = [](const Stream& s) { return s.cost == Duration::zero(); };
-  std::erase_if(set.streams, is_free);
+  add_sources(model, profile, set);
+  add_bus_streams(model, set);
   set.bus_streams = set.streams.size();
   if (target) {
     add_release_streams(model, set);

@@ -28,6 +28,7 @@ struct Stream {
     bool in_update = false;
     Rank device;            ///< that causes them, where jobs do
     bool may_last = false;  ///< transfers: nobody knows yet that they end within a period; one more counts
+    Duration separation;    ///< of two that any budget of the same kind allows; 0: that of the stream
   };
   Duration separation = nanoseconds(1);
   Duration cost;
@@ -37,6 +38,7 @@ struct Stream {
   std::string source = {};             ///< and its source where it has several
   std::optional<BusPlace> place = {};  ///< the bus
   bool of_transfers = false;           ///< only the transfer on the wire of its bus causes them
+  bool ends_frame = false;             ///< the end of a frame on the wire of its bus causes them
 };
 
 /// The streams in windows in which one job of a bucket runs, from an instant on at which nothing more urgent waits:
@@ -58,7 +60,8 @@ struct TaskBucket {
 
 /// Streams run above all buckets, shorter periods above longer ones.
 struct TaskSet {
-  std::vector<Stream> streams;  ///< of nonzero cost: those of buses first, then of the release interrupt
+  std::vector<Stream> sources;  ///< of buses, one for each of their interrupt sources; of nonzero cost
+  std::vector<Stream> streams;  ///< the same, told apart by what one wire can bring; then of the release interrupt
   std::size_t bus_streams = 0;  ///< how many are of buses
   /// Of every bucket; empty: windows of jobs hold as much as any.
   std::vector<JobStreams> of_jobs;

@@ -253,6 +253,7 @@ void Traffic::add_own_lines(const gen::Device& device) {
                                            std::max(interval, nanoseconds(1)),
                                            {},
                                            false,
+                                           false,
                                            is_computed ? WcetSource::computed : WcetSource::assumed});
   }
 }
