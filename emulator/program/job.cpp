@@ -255,12 +255,12 @@ Json run(Bench& bench, const Json& job) {
   Json fault_ns;
   const auto zero = wait_for_first_release(board, image, fault_ns);
   const auto ready = zero ? bring_up(board, image, outfit, job, *zero) : std::nullopt;
-  const std::int64_t judged_to = (ready ? ready->end_ns : 0) + job.at("duration_ns").get<std::int64_t>();
+  const std::int64_t judged_to = std::max((ready ? ready->end_ns : 0) + job.at("duration_ns").get<std::int64_t>(),
+                                          job.at("last_event_ns").get<std::int64_t>());
   Stop stop = Stop::time;
   std::optional<ValueSeries> series;
   if (ready) {
-    const std::int64_t end = *zero + std::max(judged_to, job.at("last_event_ns").get<std::int64_t>()) +
-                             1;  // what is due at the last moment happens
+    const std::int64_t end = *zero + judged_to + 1;  // what is due at the last moment happens
     series.emplace(board, outfit, static_cast<std::int64_t>(board.now_ns()), end);
     const std::int64_t rest = end - static_cast<std::int64_t>(board.now_ns());
     if (rest > 0) stop = board.run_for(static_cast<std::uint64_t>(rest));

@@ -4,8 +4,8 @@
 // Job: `board` (what of its board file the emulator wires: emulator/chip/wiring.hpp), `image` (path of an ELF; without
 // it the parts are wired and nothing runs), `flash` (hit or miss), `silicon`
 // (`names` of what the chip is meaner in, and `seed`; without it: nothing), `await` (parts whose first sample, or first
-// `output`, ends the bring-up), `bring_up_ns` (how long that may take from the first release on), `duration_ns` (how
-// long it runs from then on, and stages are recorded), `last_event_ns` (up to when it runs at least, from the first
+// `output`, ends the bring-up), `bring_up_ns` (how long that may take from the first release on),  `duration_ns` (how
+// long it runs from then on), `last_event_ns` (up to when it runs at least, from the first
 // release on), `parts` and, where there is one, `events` (documents finemote.scenario/1), `ports` (the buses to account
 // for), `audit` (exceptions of the buckets: asks for every event; emulator/program/audit.hpp) and `works` (further
 // marks to tell there). Record: `stop` (null
