@@ -102,6 +102,19 @@ void add_supervision(const Robot& robot, Model& model) {
   if (first != model.devices.end()) first->update_extra += supervision(robot);
 }
 
+/// What was computed is of the image without trace and monitor.
+void assume_computed(Model& model) {
+  const auto assume = [](WcetSource& source) {
+    if (source == WcetSource::computed) source = WcetSource::assumed;
+  };
+  assume(model.costs.source);
+  for (Device& device : model.devices) assume(device.source);
+  for (Bus& bus : model.buses) {
+    if (!bus.sources) continue;
+    for (InterruptSource& source : *bus.sources) assume(source.source);
+  }
+}
+
 Requirement::Kind kind_of(gen::Requirement::Kind kind) {
   switch (kind) {
     case gen::Requirement::Kind::latency_end_to_end:
@@ -166,6 +179,7 @@ std::optional<Model> make_timing_model(const Robot& robot, const Forest& forest,
   try {
     Model model = model_of(robot, forest, schedule, options);
     shorten_streamed_work(robot, forest, model);
+    if (options.trace || options.monitor) assume_computed(model);
     return model;
   } catch (const Overflow& overflow) {
     report_overflow(start(robot, forest), overflow, diagnostics);
