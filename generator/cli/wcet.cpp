@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "generator/cli/answer.hpp"
 #include "generator/cli/commands.hpp"
@@ -11,8 +12,10 @@
 #include "generator/input/read_document.hpp"
 #include "generator/model/firmware_inputs.hpp"
 #include "generator/run/compiler.hpp"
+#include "generator/run/image_owner.hpp"
 #include "generator/run/project.hpp"
 #include "generator/run/wcet_report.hpp"
+#include "generator/run/wcet_scheduler.hpp"
 #include "generator/run/work_folder.hpp"
 #include "generator/timing/bounds.hpp"
 
@@ -92,17 +95,19 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   if (options.elf.empty()) progress.say("compiling the firmware");
   const auto path = image_of(options, project, sources, diagnostics);
   const auto image = path ? read_image(*path, diagnostics) : std::nullopt;
-  if (!image) return no_answer();
+  if (!image || (!options.elf.empty() && !is_image_of(planned->robot, planned->forest, *image, *path, diagnostics)))
+    return no_answer();
   const KeptMembers kept = kept_members(*path, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   progress.say("bounding execution times");
   inputs.placement = wcet::placement_of(*image);
-  const wcet::ImageTimes times = wcet::time_image(*image, kept, inputs.placement);
+  wcet::ImageTimes times = wcet::time_image(*image, kept, inputs.placement);
   const SourceLines lines(*path);
   const SourceNames names(input->data_dir, input_folder(input->path));
-  return answer_of(options,
-                   {planned->robot, planned->forest, planned->schedule, times, lines, names, std::move(inputs)},
-                   diagnostics);
+  const TimedRobot timed{planned->robot, planned->forest, planned->schedule, times, lines, names, std::move(inputs)};
+  std::vector<wcet::TimeGap> foreign = foreign_routines(timed);
+  std::move(foreign.begin(), foreign.end(), std::back_inserter(times.gaps));
+  return answer_of(options, timed, diagnostics);
 }
 
 }  // namespace finemote::gen

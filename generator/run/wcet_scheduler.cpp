@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 #include <utility>
 
+#include "generator/board_sources/port_objects.hpp"
 #include "generator/forest/stage.hpp"
 #include "generator/image/exception.hpp"
 #include "generator/schedule/period.hpp"
@@ -42,6 +44,17 @@ std::string source_of(const TimedRobot& timed, unsigned exception) {
     }
   }
   return {};
+}
+
+/// Whether a pin that the robot uses raises the exception.
+bool is_of_pin(const TimedRobot& timed, unsigned exception) {
+  const auto raises = [&](const Use& use) {
+    if (use.spec->function != "interrupt" || use.pin.empty()) return false;
+    const EdgeSource edge{use.pin.at(1), static_cast<std::uint32_t>(std::stoul(use.pin.substr(2)))};
+    return exception_of(interrupt_of(edge)) == exception;
+  };
+  return std::any_of(timed.robot.devices.begin(), timed.robot.devices.end(),
+                     [&](const Device& device) { return std::any_of(device.uses.begin(), device.uses.end(), raises); });
 }
 
 /// Of an interrupt that is no job's, for which the chip's file charges no more than entry and return.
@@ -126,6 +139,19 @@ std::optional<SchedulerTask> task_of(const TimedRobot& timed, unsigned exception
 std::string interrupt_name(const TimedRobot& timed, const wcet::RoutineTime& routine) {
   const std::string source = source_of(timed, routine.exception);
   return source.empty() ? routine.name : source;
+}
+
+std::vector<wcet::TimeGap> foreign_routines(const TimedRobot& timed) {
+  std::vector<wcet::TimeGap> foreign;
+  for (const wcet::RoutineTime& routine : timed.times.routines) {
+    const bool is_known = task_of(timed, routine.exception) || !source_of(timed, routine.exception).empty() ||
+                          is_of_pin(timed, routine.exception);
+    if (is_known || routine.path.empty()) continue;
+    foreign.push_back({routine.path.front().address, routine.path.front().function,
+                       "no bus, pin or job of the robot has this interrupt: nobody knows how often it runs, and "
+                       "response times leave it out"});
+  }
+  return foreign;
 }
 
 Json interrupts_json(const TimedRobot& timed) {

@@ -15,11 +15,15 @@ struct SchedulerTask {
   std::optional<Duration> period = std::nullopt;  ///< none: the release
 };
 
-/// Of an exception; none: it belongs to a bus or a pin.
+/// Of an exception; none: it is none of the scheduler's.
 std::optional<SchedulerTask> task_of(const TimedRobot& timed, unsigned exception);
 
 /// Rounded up.
 std::int64_t ns_of(wcet::Cycles cycles, const TimedRobot& timed);
+
+/// Routines of interrupts that are none of the robot's: nobody knows how often they run, so nothing that they interrupt
+/// has a bound.
+std::vector<wcet::TimeGap> foreign_routines(const TimedRobot& timed);
 
 /// The members `interrupts` and `scheduler`.
 nlohmann::ordered_json interrupts_json(const TimedRobot& timed);

@@ -28,3 +28,19 @@ holds "builds again" ninja -C "$work/rover/build" rover.elf
 
 sed -i 's/i < 9/i < static_cast<int>(jobs_)/' "$work/rover/devices/meter.cpp"
 refuses "a loop without a bound" "rover.update has no bound any more" ninja -C "$work/rover/build" rover.elf
+sed -i 's/i < static_cast<int>(jobs_)/i < 9/' "$work/rover/devices/meter.cpp"
+holds "bounds of the loop again" finemote wcet "$robot" -o "$times"
+holds "builds with the loop" ninja -C "$work/rover/build" rover.elf
+
+# What runs around the stages counts as they do.
+cp "$times" "$work/times"
+sed -i '/"what": "release"/{n;s/: [0-9]*/: 5/}' "$times"
+cmp -s "$times" "$work/times" && fail "no release in $times"
+refuses "a longer release" "release can take [0-9]* ns, 5 ns are granted" ninja -C "$work/rover/build" rover.elf
+cp "$work/times" "$times"
+
+# Nobody knows how often it runs.
+echo 'extern "C" void finemote_line_28() {}' > "$work/rover/devices/mine.cpp"
+refuses "bounds with an interrupt of nobody" "finemote_line_28.*nobody knows how often it runs" finemote wcet "$robot"
+holds "configures anew" configure_board rover
+refuses "an interrupt of nobody" "finemote_line_28: no bus, pin or job" ninja -C "$work/rover/build" rover.elf
