@@ -152,8 +152,9 @@ const scenario::Verb& Outfit::verb_of(const Json& event) const {
 void Outfit::add_event(const Json& event, std::int64_t zero_ns) {
   const scenario::Verb& verb = verb_of(event);
   const bool ends_one = !is_on(event);
-  const bool is_known = std::find(violated_.begin(), violated_.end(), verb.violates) != violated_.end();
-  if (!verb.violates.empty() && !ends_one && !is_known) violated_.push_back(verb.violates);
+  const Violation violation{verb.violates, event.value("part", ""), event.value("port", "")};
+  const bool is_known = std::find(violated_.begin(), violated_.end(), violation) != violated_.end();
+  if (!verb.violates.empty() && !ends_one && !is_known) violated_.push_back(violation);
   const auto t_ns = zero_ns + need<std::int64_t>(event, "t_ns");
   board_.world().at(from_ns(static_cast<std::uint64_t>(t_ns)), [this, &verb, event] { verb.act(*this, event); });
 }

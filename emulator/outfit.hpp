@@ -68,6 +68,12 @@ struct Expectation {
   [[nodiscard]] bool holds() const { return looks == needed && broken_ns == 0; }
 };
 
+/// An assumption of the bounds that an event violates, and the part or port that the event names; empty: none.
+struct Violation {
+  std::string assumption, part, port;
+  friend bool operator==(const Violation&, const Violation&) = default;
+};
+
 class Outfit {
  public:
   explicit Outfit(Board& board) : board_(board) {}
@@ -86,7 +92,7 @@ class Outfit {
   [[nodiscard]] const std::vector<Expectation>& expectations() const { return expectations_; }
   /// Assumptions of the bounds that events violate, in the order of the events: those of faults, not of stimuli or of
   /// ends of faults.
-  [[nodiscard]] const std::vector<std::string>& violated() const { return violated_; }
+  [[nodiscard]] const std::vector<Violation>& violated() const { return violated_; }
   /// Resets the scenario has asked for so far.
   [[nodiscard]] unsigned scripted_resets() const { return scripted_resets_; }
 
@@ -156,7 +162,7 @@ class Outfit {
   std::vector<PartEvent> events_;
   std::vector<Expectation> expectations_;
   unsigned scripted_resets_ = 0;
-  std::vector<std::string> violated_;
+  std::vector<Violation> violated_;
 };
 
 }  // namespace finemote::emulator

@@ -245,6 +245,13 @@ std::int64_t first_release_ns(const Json& job) {
   return wait_for_first_release(start.board, start.image, fault_ns).value_or(0);
 }
 
+Json violated_in(const Outfit& outfit) {
+  Json list = Json::array();
+  for (const Violation& violation : outfit.violated())
+    list.push_back({{"assumption", violation.assumption}, {"part", violation.part}, {"port", violation.port}});
+  return list;
+}
+
 Json run(Bench& bench, const Json& job) {
   auto& [board, outfit, image] = bench;
   std::optional<Audit> audit;
@@ -275,7 +282,7 @@ Json run(Bench& bench, const Json& job) {
           {"reports", reports_of(board)},
           {"resets", board.resets() - outfit.scripted_resets()},
           {"overruns", overruns_of(board, image)},
-          {"violated", outfit.violated()},
+          {"violated", violated_in(outfit)},
           {"fault_counts", faults_of(board, image)},
           {"first_release_ns", *zero},
           {"ready_ns", ready->end_ns},

@@ -10,8 +10,9 @@
 // for), `audit` (exceptions of the buckets: asks for every event; emulator/program/audit.hpp) and `works` (further
 // marks to tell there). Record: `stop` (null
 // when the time was over), `error` (instead of everything else: `events` cannot be wired), `reports`, `resets`,
-// `violated` (assumptions of the bounds that `events` violate), `fault_counts`, `first_release_ns` (since power-on),
-// `ready_ns` (when the bring-up ended, since the first release), `faults_at_ready`
+// `violated` (each `assumption` of the bounds that `events` violate, by `part` or `port`, empty where none is named),
+// `fault_counts`, `first_release_ns` (since power-on), `ready_ns` (when the bring-up ended, since the first release),
+// `faults_at_ready`
 // (`fault_counts` then), `absent` (awaited parts that were not seen), `stages`, `parts`, `uses` (which samples each
 // update took), `own_stages`, `own_works` and `own_exceptions`, `expectations`, `buses`, `monitor`, `audit` (null where
 // it was not asked for); with a `stop` only `reports`, `fault_counts` and `fault_ns`, when the first fault was seen.

@@ -2,6 +2,7 @@
 
 #include "generator/forest/stage.hpp"
 #include "generator/run/repeated_outputs.hpp"
+#include "generator/run/violation.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -143,7 +144,9 @@ RunRecord read_record(const Json& json, const Robot& robot, const Forest& forest
   record.buses = buses_of(json, robot);
   record.monitor = monitor_of(json, forest);
   record.resets = json.at("resets");
-  record.violated = json.at("violated").get<std::vector<std::string>>();
+  for (const Json& violation : json.at("violated"))
+    record.violated.push_back(
+        violation_of(violation.at("assumption"), violation.at("part"), violation.at("port"), robot));
   return record;
 }
 

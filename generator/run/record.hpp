@@ -95,6 +95,12 @@ struct ValueSeries {
   std::vector<std::optional<double>> values = {};  ///< none: no finite number
 };
 
+/// An assumption of the bounds that a scenario violates: docs/timing.md, "Assumptions".
+struct Violation {
+  std::string assumption;    ///< its id
+  std::optional<BusId> bus;  ///< where it does not hold; none: anywhere
+};
+
 struct RunRecord {
   Duration ready;                          ///< end of bring-up, since the first release: bounds hold from then on
   std::vector<std::string> absent;         ///< parts that never came up
@@ -113,7 +119,7 @@ struct RunRecord {
   std::vector<ValueSeries> series;              ///< emulated board only
   std::string flash;                            ///< hit or miss: how the emulated board counted fetches
   SiliconChoice silicon;                        ///< in what the emulated chip was meaner
-  std::vector<std::string> violated;            ///< assumptions that the scenario violates: bounds need not hold
+  std::vector<Violation> violated;              ///< by the scenario: bounds that rest on them need not hold
   std::vector<std::string> silent;              ///< devices without a model on the emulated board
   std::vector<FaultCount> faults;               ///< in the order of their first times
   std::vector<FaultCount> late_faults;          ///< of these, counted after the bring-up

@@ -1,6 +1,7 @@
 #include "generator/run/run_document.hpp"
 
 #include "generator/run/run_series.hpp"
+#include "generator/run/violation.hpp"
 #include "generator/timing/from_robot.hpp"
 #include "generator/timing/words.hpp"
 
@@ -24,14 +25,17 @@ Json statistics(const Measured& figure) {
           {"bound_ns", bound(figure.bound)}, {"judged", judgement_name(figure.judged())}};
 }
 
-/// Says of what is broken under faults which assumption they violate: the first of the scenario.
-Json excused(Json document, const RunResult& result, const Measured& figure) {
-  const std::vector<std::string>& violated = result.record.violated;
-  if (!violated.empty() && figure.judged() == Judgement::broken) document["assumption"] = violated.front();
+/// Says of what is broken which violated assumption it rests on.
+Json excused(Json document, const RunResult& result, const Journey& journey, Judgement judged) {
+  const auto assumption = violated_assumption(result.robot, result.record.violated, journey);
+  if (assumption && judged == Judgement::broken) document["assumption"] = *assumption;
   return document;
 }
 
-Json statistics(const RunResult& result, const Measured& figure) { return excused(statistics(figure), result, figure); }
+Json statistics(const RunResult& result, const MeasuredChain& chain, Measured MeasuredChain::*figure) {
+  const Measured& measured = chain.*figure;
+  return excused(statistics(measured), result, journey_of(chain, figure), measured.judged());
+}
 
 Json own_time(const RunResult& result, DeviceId device, bool is_handle) {
   for (const OwnTime& own : result.record.own_times) {
@@ -82,10 +86,10 @@ Json chain_list(const RunResult& result) {
     list.push_back({{"from", name_of(result, chain.from)},
                     {"to", name_of(result, chain.to)},
                     {"samples", chain.decide.observed.count},
-                    {"decide", statistics(result, chain.decide)},
-                    {"acquire", statistics(result, chain.acquire)},
-                    {"wire", statistics(result, chain.wire)},
-                    {"end_to_end", statistics(result, chain.end_to_end)},
+                    {"decide", statistics(result, chain, &MeasuredChain::decide)},
+                    {"acquire", statistics(result, chain, &MeasuredChain::acquire)},
+                    {"wire", statistics(result, chain, &MeasuredChain::wire)},
+                    {"end_to_end", statistics(result, chain, &MeasuredChain::end_to_end)},
                     {"ages", ages_of(chain, most)}});
   }
   return list;
@@ -104,12 +108,14 @@ Judgement both(Judgement a, Judgement b) {
 Json response_list(const RunResult& result) {
   Json list = Json::array();
   for (const MeasuredResponse& response : result.figures.responses) {
-    list.push_back({{"device", name_of(result, response.device)},
-                    {"update_max_ns", largest(response.update)},
-                    {"update_bound_ns", bound(response.update.bound)},
-                    {"handle_max_ns", largest(response.handle)},
-                    {"handle_bound_ns", bound(response.handle.bound)},
-                    {"judged", judgement_name(both(response.update.judged(), response.handle.judged()))}});
+    const Judgement judged = both(response.update.judged(), response.handle.judged());
+    list.push_back(excused({{"device", name_of(result, response.device)},
+                            {"update_max_ns", largest(response.update)},
+                            {"update_bound_ns", bound(response.update.bound)},
+                            {"handle_max_ns", largest(response.handle)},
+                            {"handle_bound_ns", bound(response.handle.bound)},
+                            {"judged", judgement_name(judged)}},
+                           result, {}, judged));
   }
   return list;
 }
@@ -117,10 +123,12 @@ Json response_list(const RunResult& result) {
 Json jitter_list(const RunResult& result) {
   Json list = Json::array();
   for (const MeasuredResponse& response : result.figures.responses) {
-    list.push_back({{"device", name_of(result, response.device)},
-                    {"max_ns", largest(response.jitter)},
-                    {"bound_ns", bound(response.jitter.bound)},
-                    {"judged", judgement_name(response.jitter.judged())}});
+    const Judgement judged = response.jitter.judged();
+    list.push_back(excused({{"device", name_of(result, response.device)},
+                            {"max_ns", largest(response.jitter)},
+                            {"bound_ns", bound(response.jitter.bound)},
+                            {"judged", judgement_name(judged)}},
+                           result, {}, judged));
   }
   return list;
 }
@@ -132,7 +140,7 @@ Json claim_list(const RunResult& result) {
                         {"lead_max_ns", largest(claim.lead)},
                         {"allowed_ns", bound(claim.lead.bound)},
                         {"judged", judgement_name(claim.lead.judged())}};
-    list.push_back(excused(entry, result, claim.lead));
+    list.push_back(excused(entry, result, {claim.device, {}}, claim.lead.judged()));
   }
   return list;
 }

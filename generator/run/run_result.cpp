@@ -5,6 +5,7 @@
 #include <set>
 
 #include "generator/bus/bus_type.hpp"
+#include "generator/run/violation.hpp"
 
 namespace finemote::gen {
 
@@ -20,39 +21,55 @@ std::uint64_t RunResult::overruns() const {
 
 namespace {
 
-/// Every figure of a run that has a bound.
-std::vector<Judgement> judgements(const RunResult& result) {
-  std::vector<Judgement> all;
-  const auto add = [&](const auto& list, const auto& figures) {
-    for (const auto& one : list) {
-      for (const auto& figure : figures) all.push_back((one.*figure.measured).judged());
-    }
-  };
-  add(result.figures.chains, kChainFigures);
-  add(result.figures.responses, kResponseFigures);
+/// Of a figure that has a bound.
+struct Judged {
+  Judgement judgement;
+  Journey journey;
+};
+
+std::vector<Judged> judgements(const RunResult& result) {
+  std::vector<Judged> all;
+  for (const MeasuredChain& chain : result.figures.chains) {
+    for (const auto& [name, figure] : kChainFigures)
+      all.push_back({(chain.*figure).judged(), journey_of(chain, figure)});
+  }
+  for (const MeasuredResponse& response : result.figures.responses) {
+    for (const auto& [name, figure] : kResponseFigures) all.push_back({(response.*figure).judged(), {}});
+  }
   return all;
 }
 
-bool has(const std::vector<Judgement>& all, Judgement one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
+bool has(const std::vector<Judged>& all, Judgement one) {
+  return std::any_of(all.begin(), all.end(), [&](const Judged& judged) { return judged.judgement == one; });
+}
+
+/// Broken although nothing that the scenario does takes the ground from its bound.
+bool is_wrong(const RunResult& result, const Judged& judged) {
+  return judged.judgement == Judgement::broken &&
+         !violated_assumption(result.robot, result.record.violated, judged.journey);
 }
 
 }  // namespace
 
-bool RunResult::bounds_hold() const { return !has(judgements(*this), Judgement::broken) && violations() == 0; }
+bool RunResult::bounds_hold() const {
+  const std::vector<Judged> all = judgements(*this);
+  const bool is_monitored_well = violations() == 0 || !record.violated.empty();
+  return is_monitored_well && std::none_of(all.begin(), all.end(), [&](const Judged& j) { return is_wrong(*this, j); });
+}
 
 bool RunResult::claims_hold() const {
-  return std::none_of(figures.claims.begin(), figures.claims.end(),
-                      [](const MeasuredClaim& claim) { return claim.lead.judged() == Judgement::broken; });
+  return std::none_of(figures.claims.begin(), figures.claims.end(), [&](const MeasuredClaim& claim) {
+    return is_wrong(*this, {claim.lead.judged(), {claim.device, {}}});
+  });
 }
 
 bool RunResult::is_judged() const {
-  const std::vector<Judgement> all = judgements(*this);
+  const std::vector<Judged> all = judgements(*this);
   return has(all, Judgement::held) || has(all, Judgement::broken);
 }
 
 bool RunResult::is_all_judged() const {
-  const std::vector<Judgement> all = judgements(*this);
+  const std::vector<Judged> all = judgements(*this);
   return is_judged() && !has(all, Judgement::no_sample) && !has(all, Judgement::no_bound);
 }
 
@@ -77,8 +94,8 @@ bool RunResult::good() const {
       std::all_of(expected.begin(), expected.end(), [](const ExpectationRecord& e) { return e.ok; });
   if (must_judge && !is_judged()) return false;
   if (order.mistake || !unexplained_faults().empty()) return false;
-  return overruns() == 0 && record.resets == 0 && wcets_hold && loops_hold && as_expected &&
-         ((bounds_hold() && claims_hold()) || !record.violated.empty());
+  return overruns() == 0 && record.resets == 0 && wcets_hold && loops_hold && as_expected && bounds_hold() &&
+         claims_hold();
 }
 
 const std::string& name_of(const RunResult& result, DeviceId device) { return result.robot.devices[device].name.text; }

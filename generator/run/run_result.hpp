@@ -37,8 +37,9 @@ struct RunResult {
 
   [[nodiscard]] std::uint64_t overruns() const;
   [[nodiscard]] std::uint64_t violations() const;  ///< counted by the monitor
+  /// No figure is above its bound, but for those that rest on an assumption that the scenario violates.
   [[nodiscard]] bool bounds_hold() const;
-  /// No device claims its data fresher than they are.
+  /// No device claims its data fresher than they are, but for the same.
   [[nodiscard]] bool claims_hold() const;
   /// Some bound was held or broken.
   [[nodiscard]] bool is_judged() const;
@@ -48,7 +49,7 @@ struct RunResult {
   [[nodiscard]] std::vector<FaultCount> unexplained_faults() const;
   /// Of the run itself, whatever the analysis says: no overrun, no reset, no stage out of order or longer than its
   /// WCET, no loop longer than its mark says, no fault that nothing explains, all as the scenario expects, something
-  /// judged, and no figure above its bound unless it injects faults.
+  /// judged, and bounds and claims hold.
   [[nodiscard]] bool good() const;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generator/run/run_summary.hpp"
+#include "generator/run/violation.hpp"
 #include "generator/schedule/period.hpp"
 #include "generator/timing/words.hpp"
 
@@ -253,8 +254,8 @@ void print_run(const RunResult& result, bool is_verbose, std::ostream& out) {
                        bus.transfers, bus.errors, 100 * bus.busy);
   }
   if (!result.record.violated.empty())
-    out << fmt::format("\nthe scenario violates assumptions of the bounds ({}), which are shown and do not count\n",
-                       fmt::join(result.record.violated, ", "));
+    out << fmt::format("\nthe scenario violates assumptions of the bounds ({}): those that rest on them do not count\n",
+                       fmt::join(assumptions_of(result.record.violated), ", "));
   print_expectations(result, out);
   print_wcets(result, out);
   for (const std::string& device : result.record.silent)

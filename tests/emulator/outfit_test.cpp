@@ -84,7 +84,9 @@ TEST_CASE("a fault violates an assumption, what ends one does not") {
     auto document = nlohmann::ordered_json::parse(kParts);
     document["events"] = nlohmann::ordered_json::parse("[{\"t_ns\": 1, " + event + "}]");
     outfit.add(document);
-    return outfit.violated();
+    Assumptions assumptions;
+    for (const Violation& violation : outfit.violated()) assumptions.push_back(violation.assumption);
+    return assumptions;
   };
   CHECK(violated(R"("part": "imu", "do": "silent")") == Assumptions{"bus-errors"});
   CHECK(violated(R"("part": "imu", "do": "silent", "on": true)") == Assumptions{"bus-errors"});
