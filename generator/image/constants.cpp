@@ -69,17 +69,21 @@ class Search {
     switch (dwarf_tag(&type)) {
       case DW_TAG_const_type:
       case DW_TAG_reference_type:
-        if (is_member_ && !has_mutable(type, 0)) keep(*constant_, at, size_of(&type));
+        if (is_member_ && !has_mutable(type, 0)) keep_parts(type, at, 0);
         return;
       case DW_TAG_typedef:
         if (const auto inner = type_of(&type)) look(*inner, at, depth + 1);
         return;
       case DW_TAG_array_type:
-        return look_at_elements(type, at, depth);
+        return each_element(type, at,
+                            [&](const Dwarf_Die& element, std::uint32_t place) { look(element, place, depth + 1); });
       case DW_TAG_structure_type:
       case DW_TAG_class_type:
         if (name_of(&type).rfind("AtStart<", 0) == 0) return keep(found.at_start, at, size_of(&type));
-        return look_at_members(type, at, depth);
+        return each_member(type, at, [&](const Dwarf_Die& member, std::uint32_t place) {
+          is_member_ = true;
+          look(member, place, depth + 1);
+        });
       default:
         return;
     }
@@ -105,20 +109,44 @@ class Search {
     return false;
   }
 
+  /// The numbers and pointers of a constant: between and behind them other members may lie, which are none.
+  void keep_parts(Dwarf_Die type, std::uint32_t at, int depth) {
+    if (depth > kDeepest) return;
+    switch (dwarf_tag(&type)) {
+      case DW_TAG_const_type:
+      case DW_TAG_typedef:
+        if (const auto inner = type_of(&type)) keep_parts(*inner, at, depth + 1);
+        return;
+      case DW_TAG_array_type:
+        return each_element(
+            type, at, [&](const Dwarf_Die& element, std::uint32_t place) { keep_parts(element, place, depth + 1); });
+      case DW_TAG_structure_type:
+      case DW_TAG_class_type:
+        return each_member(type, at,
+                           [&](const Dwarf_Die& member, std::uint32_t place) { keep_parts(member, place, depth + 1); });
+      default:
+        return keep(*constant_, at, size_of(&type));
+    }
+  }
+
   static void keep(std::vector<ImageRange>& ranges, std::uint32_t at, std::uint32_t size) {
     if (size != 0) ranges.push_back({at, at + size});
   }
 
-  void look_at_elements(Dwarf_Die& array, std::uint32_t at, int depth) {
+  /// Calls act(type, place) for each.
+  template <typename Act>
+  static void each_element(Dwarf_Die& array, std::uint32_t at, const Act& act) {
     const auto element = type_of(&array);
     if (!element) return;
     Dwarf_Die copy = *element;
     const std::uint32_t size = size_of(&copy), whole = size_of(&array);
     if (size == 0 || whole / size > kMostElements) return;
-    for (std::uint32_t offset = 0; offset + size <= whole; offset += size) look(*element, at + offset, depth + 1);
+    for (std::uint32_t offset = 0; offset + size <= whole; offset += size) act(*element, at + offset);
   }
 
-  void look_at_members(Dwarf_Die& type, std::uint32_t at, int depth) {
+  /// The same of members and bases, but for bit fields.
+  template <typename Act>
+  static void each_member(Dwarf_Die& type, std::uint32_t at, const Act& act) {
     Dwarf_Die member;
     if (dwarf_child(&type, &member) != 0) return;
     do {
@@ -126,8 +154,7 @@ class Search {
       const auto offset = number(&member, DW_AT_data_member_location);
       if ((tag != DW_TAG_member && tag != DW_TAG_inheritance) || !offset) continue;
       if (dwarf_hasattr(&member, DW_AT_bit_size) != 0 || dwarf_hasattr(&member, DW_AT_data_bit_offset) != 0) continue;
-      is_member_ = true;
-      if (const auto inner = type_of(&member)) look(*inner, at + *offset, depth + 1);
+      if (const auto inner = type_of(&member)) act(*inner, at + *offset);
     } while (dwarf_siblingof(&member, &member) == 0);
   }
 

@@ -49,12 +49,13 @@ std::optional<Cycles> CodeCost::run(const Instruction& i, const Machine& machine
   if (!alone) return std::nullopt;
   Cycles cycles = *alone + fetch(i);
   for (const Transferred& word : memory_use(i, machine).words) {
-    const Cycles wait = longest_wait(word.access.address.range(), placement_, table_->waits);
-    cycles += wait;
-    if (may_be_unaligned(i.id) && !is_aligned(word.access)) cycles += further_accesses(word.access) * (1 + wait);
+    const auto wait = longest_wait(word.access.address.range(), placement_, table_->waits);
+    if (!wait) return std::nullopt;
+    cycles += *wait;
+    if (may_be_unaligned(i.id) && !is_aligned(word.access)) cycles += further_accesses(word.access) * (1 + *wait);
   }
   if (i.id == ARM_INS_TBB || i.id == ARM_INS_TBH)
-    cycles += longest_wait(Interval::of(i.end()), placement_, table_->waits);
+    cycles += longest_wait(Interval::of(i.end()), placement_, table_->waits).value_or(0);
   return cycles;
 }
 

@@ -9,7 +9,7 @@ namespace {
 struct Region {
   std::uint32_t first, last;
   Cycles MemoryWaits::*wait;
-  bool is_alias = false;  ///< of single bits: no pointer of C++ leads there, only a constant address
+  bool is_alias = false;  ///< of single bits: no variable lies there, only addresses near a constant lead there
 };
 
 constexpr Region kElsewhere[] = {
@@ -29,18 +29,22 @@ constexpr Interval kFlashMemory{0x08000000, 0x081FFFFF}, kSramMemory{0x20000000,
 
 bool meets(Interval a, std::uint32_t first, std::uint32_t last) { return a.low <= last && first <= a.high; }
 
+/// An alias counts where the address lies in it whatever else is not known.
+bool leads_to(Interval a, const Region& region) {
+  return region.is_alias ? region.first <= a.low && a.high <= region.last : meets(a, region.first, region.last);
+}
+
 }  // namespace
 
-Cycles longest_wait(Interval address, Placement placement, const MemoryWaits& waits) {
+std::optional<Cycles> longest_wait(Interval address, Placement placement, const MemoryWaits& waits) {
   if (kCoreRam.contains(address)) return 0;
   if (address == Interval::any())
     return std::max(longest_wait(kSramMemory, placement, waits),
                     longest_wait(placement == Placement::sram ? kLow : kFlashMemory, placement, waits));
-  Cycles longest = 0;
+  std::optional<Cycles> longest;
   if (meets(address, kLow.low, kLow.high)) longest = placement == Placement::sram ? waits.fetched_sram : waits.flash;
   for (const Region& region : kElsewhere) {
-    if (region.is_alias && !address.is_constant()) continue;
-    if (meets(address, region.first, region.last)) longest = std::max(longest, waits.*region.wait);
+    if (leads_to(address, region)) longest = std::max(longest.value_or(0), waits.*region.wait);
   }
   return longest;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "generator/wcet/interval.hpp"
 
@@ -33,6 +34,7 @@ struct MemoryWaits {
 /// write here, not where the next access meets it. DMA is not in it: it is a stream of its own.
 /// An address of which nothing is known is one of a variable or a constant: no variable holds the address of a
 /// peripheral, and where the code runs in SRAM the constants lie there, too.
-Cycles longest_wait(Interval address, Placement placement, const MemoryWaits& waits);
+/// None of what is outside of the chip: how long it takes depends on its memory controller.
+std::optional<Cycles> longest_wait(Interval address, Placement placement, const MemoryWaits& waits);
 
 }  // namespace finemote::gen::wcet
