@@ -14,18 +14,15 @@ struct Limits {
 };
 struct Walker {
   void update() {
-    rounds_ = static_cast<std::uint8_t>(seen_ + 200);
-    for (unsigned i = 0; i < rounds_; ++i) seen_ = i;
+    rounds_[seen_ & 1] = static_cast<std::uint8_t>(limits_.most);
+    for (unsigned i = 0; i < rounds_[1]; ++i) seen_ = seen_ + 1;
   }
   void handle() {}
   finemote::Stamp state;
 
  private:
-  [[no_unique_address]] const Limits limits_{4, 1};
-  std::uint8_t rounds_ = 2;
-  volatile std::uint32_t seen_ = 0;
-
- public:
-  [[nodiscard]] const Limits& limits() const { return limits_; }
+  [[no_unique_address]] const Limits limits_{40, 1};
+  std::uint8_t rounds_[2] = {1, 1};
+  volatile std::uint32_t seen_ = 3;
 };
 }  // namespace my
