@@ -46,6 +46,7 @@ Json source_json(const Model& model, const InterruptSource& source) {
   }
   if (source.of_transfers) out["of_transfers"] = true;
   if (source.ends_frame) out["ends_frame"] = true;
+  if (source.steals) out["steals"] = true;
   return out;
 }
 

@@ -46,7 +46,8 @@ struct InterruptSource {
   Duration min_interval;             ///< >= 1 ns; two interrupts are never closer
   std::vector<FrameBudget> budgets;  ///< empty: only the interval bounds it
   bool of_transfers = false;  ///< only the transfer that is on the wire causes it, of which there is one at a time
-  bool ends_frame = false;    ///< the end of a frame on the wire causes it, as it does the others of the bus that say so
+  bool ends_frame = false;  ///< the end of a frame on the wire causes it, as it does the others of the bus that say so
+  bool steals = false;      ///< no routine: the DMA delays accesses of the core, this long for one byte
   WcetSource source = WcetSource::unknown;
 };
 

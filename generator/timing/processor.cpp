@@ -53,10 +53,11 @@ void add_buckets(const Model& model, const TaskSet& set, std::vector<ProcessorUs
 
 void add_interrupts(const TaskSet& set, std::vector<ProcessorUse>& list) {
   ProcessorUse release{ProcessorUse::Kind::release, "release", "", {}, nanoseconds(1), 0};
-  for (const Stream& stream : set.sources) {
-    list.push_back(
-        {ProcessorUse::Kind::interrupt, stream.bus, stream.source, stream.cost, stream.separation, share(stream)});
-  }
+  const auto add = [&](ProcessorUse::Kind kind, const Stream& stream, const std::string& source) {
+    list.push_back({kind, stream.bus, source, stream.cost, stream.separation, share(stream)});
+  };
+  for (const Stream& stream : set.sources) add(ProcessorUse::Kind::interrupt, stream, stream.source);
+  for (const Stream& stream : set.dma) add(ProcessorUse::Kind::dma, stream, "");
   for (std::size_t s = set.bus_streams; s < set.streams.size(); ++s) {
     const Stream& stream = set.streams[s];
     release.cost += stream.cost;
@@ -76,6 +77,8 @@ std::string_view kind_name(ProcessorUse::Kind kind) {
       return "flush";
     case ProcessorUse::Kind::interrupt:
       return "interrupt";
+    case ProcessorUse::Kind::dma:
+      return "dma";
     case ProcessorUse::Kind::release:
       return "release";
   }
@@ -91,6 +94,8 @@ std::string user_text(const ProcessorUse& use) {
     case ProcessorUse::Kind::interrupt:
       return use.source.empty() ? fmt::format("interrupts of bus '{}'", use.name)
                                 : fmt::format("'{}' interrupts of bus '{}'", use.source, use.name);
+    case ProcessorUse::Kind::dma:
+      return fmt::format("DMA of bus '{}'", use.name);
     case ProcessorUse::Kind::release:
       return "release interrupts";
   }
@@ -111,6 +116,7 @@ double processor_share(const TaskSet& set) {
   long double sum = 0;
   const auto add = [&](const Stream& stream) { sum += rate(stream) * static_cast<long double>(stream.cost.ns()); };
   for (const Stream& stream : set.sources) add(stream);
+  for (const Stream& stream : set.dma) add(stream);
   for (std::size_t s = set.bus_streams; s < set.streams.size(); ++s) add(set.streams[s]);
   for (const TaskBucket& bucket : set.buckets) sum += exact_ratio(bucket.cost, bucket.period);
   return static_cast<double>(sum);

@@ -11,16 +11,16 @@ namespace finemote::gen::timing {
 
 /// One part of the processor's load.
 struct ProcessorUse {
-  enum class Kind { bucket, flush, interrupt, release };
+  enum class Kind { bucket, flush, interrupt, dma, release };
   Kind kind = Kind::bucket;
-  std::string name;    ///< bucket: its period; flush: its output, bus or first device; interrupt: the bus; `release`
+  std::string name;  ///< bucket: its period; flush: its output, bus or first device; interrupt, dma: the bus; `release`
   std::string source;  ///< interrupt: which of the bus, empty where it has one; flush: the period of its bucket
   Duration cost;       ///< of one, exception entry and exit included
   Duration every = nanoseconds(1);  ///< period, or least distance of two interrupts
   double utilization = 0;  ///< long-run share of the processor, 0 and more; budgets counted where they are slower
 };
 
-/// `bucket`, `flush`, `interrupt`, `release`.
+/// `bucket`, `flush`, `interrupt`, `dma`, `release`.
 std::string_view kind_name(ProcessorUse::Kind kind);
 
 /// `devices every 10ms`, `'rx' interrupts of bus 'link'`: one user of the processor, for people.

@@ -102,6 +102,7 @@ struct ModelReader::Tables {
       {"budgets", Need::target, Each<InterruptSource>{&ModelReader::read_budget}},
       {"of_transfers", Need::target, &InterruptSource::of_transfers},
       {"ends_frame", Need::target, &InterruptSource::ends_frame},
+      {"steals", Need::target, &InterruptSource::steals},
   };
   static constexpr Field<FrameBudget> kBudget[] = {
       {"device"},

@@ -152,6 +152,22 @@ void set_time(std::optional<Duration> declared, std::optional<Duration> computed
   source.source = computed ? WcetSource::computed : declared ? WcetSource::declared : WcetSource::assumed;
 }
 
+/// What the DMA of a bus takes from the core for each byte: at most a transfer over the bridge to APB1 and two accesses
+/// to SRAM, where both want the same at once (AN4031 2.1 and tables 4 and 5), in each direction.
+InterruptSource dma_of(const Robot& robot, BusId id, const BusUse& use) {
+  constexpr std::int64_t kBeat = 11;  // cycles
+  const BusType& type = bus_type(robot.buses[id].kind);
+  const bool is_both_ways = type.is_mastered || use.transmits;
+  const Duration apart = frame_time(type.has_two_lines ? 10 : 8, robot.buses[id].rate);
+  InterruptSource source;
+  source.name = "dma";
+  source.wcet = (is_both_ways ? 2 : 1) * ceil_div(kBeat * seconds(1), robot.board->cpu_hz);
+  source.min_interval = type.is_mastered ? apart : received_apart(robot, id, apart);
+  source.steals = true;
+  source.source = robot.computed ? WcetSource::computed : WcetSource::assumed;
+  return source;
+}
+
 std::optional<Duration> longest_of(const std::vector<InterruptSource>& sources) {
   std::optional<Duration> longest;
   for (const InterruptSource& source : sources) longest = std::max(longest.value_or(source.wcet), source.wcet);
@@ -186,6 +202,8 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
       set_time(bus.isr_wcet, computed, routine(*driver, source, use, out.baud_bps), out.sources->back());
     }
   }
+  const bool has_dma = mover_of(robot, id) == Mover::dma && robot.board->cpu_hz > 0;
+  if (out.sources && has_dma) out.sources->push_back(dma_of(robot, id, use));
   if (robot.computed && out.sources) out.wcet = longest_of(*out.sources).value_or(out.wcet);
   out.advice = advice_for(robot, id);
   return out;

@@ -52,7 +52,8 @@ std::string processor(const Timing& timing) {
     std::string who(kind_name(use.kind));
     if (use.kind != ProcessorUse::Kind::release) who += " " + use.name;
     if (!use.source.empty()) who += (use.kind == ProcessorUse::Kind::flush ? " every " : ", ") + use.source;
-    const bool is_least = use.kind == ProcessorUse::Kind::interrupt || use.kind == ProcessorUse::Kind::release;
+    const bool is_least = use.kind == ProcessorUse::Kind::interrupt || use.kind == ProcessorUse::Kind::dma ||
+                          use.kind == ProcessorUse::Kind::release;
     table.row({who, is_least ? "at least" : "", duration_text(use.every), duration_text(use.cost),
                percent(use.utilization), percent(use.utilization / timing.processor_load)});
   }

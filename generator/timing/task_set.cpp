@@ -36,15 +36,20 @@ void add_sources(const Model& model, Profile profile, TaskSet& set) {
       continue;
     }
     for (const InterruptSource& source : *bus.sources) {
-      Stream stream{
-          source.min_interval, source.wcet + entry, {}, bus.name + "." + source.name, bus.name, source.name, place};
+      const Duration cost = source.steals ? source.wcet : source.wcet + entry;
+      Stream stream{source.min_interval, cost, {}, bus.name + "." + source.name, bus.name, source.name, place};
       stream.of_transfers = source.of_transfers;
       stream.ends_frame = source.ends_frame;
+      stream.steals = source.steals;
       for (const FrameBudget& b : source.budgets) stream.budgets.push_back(budget_of(model, b));
       set.sources.push_back(std::move(stream));
     }
   }
   std::erase_if(set.sources, is_free);
+  const auto dma =
+      std::stable_partition(set.sources.begin(), set.sources.end(), [](const Stream& s) { return !s.steals; });
+  set.dma.assign(dma, set.sources.end());
+  set.sources.erase(dma, set.sources.end());
 }
 
 void add_bus_streams(const Model& model, TaskSet& set) {
@@ -55,6 +60,7 @@ void add_bus_streams(const Model& model, TaskSet& set) {
     for (Stream& stream : one_wire({begin, end}, ceil_div(seconds(1), rate))) set.streams.push_back(std::move(stream));
     begin = end;
   }
+  set.streams.insert(set.streams.end(), set.dma.begin(), set.dma.end());
 }
 
 /// The release interrupt runs at the releases of the buckets: in any window of length L at most

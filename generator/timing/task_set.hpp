@@ -39,6 +39,7 @@ struct Stream {
   std::optional<BusPlace> place = {};  ///< the bus
   bool of_transfers = false;           ///< only the transfer on the wire of its bus causes them
   bool ends_frame = false;             ///< the end of a frame on the wire of its bus causes them
+  bool steals = false;                 ///< no routine: cycles that DMA takes
 };
 
 /// The streams in windows in which one job of a bucket runs, from an instant on at which nothing more urgent waits:
@@ -61,6 +62,7 @@ struct TaskBucket {
 /// Streams run above all buckets, shorter periods above longer ones.
 struct TaskSet {
   std::vector<Stream> sources;  ///< of buses, one for each of their interrupt sources; of nonzero cost
+  std::vector<Stream> dma;      ///< of buses: what theirs takes from the core
   std::vector<Stream> streams;  ///< the same, told apart by what one wire can bring; then of the release interrupt
   std::size_t bus_streams = 0;  ///< how many are of buses
   /// Of every bucket; empty: windows of jobs hold as much as any.

@@ -147,6 +147,7 @@ void Traffic::add_budget(BusPlace bus, Rank place, const WireUse& use, bool in_u
   allow(bus, DriverSource::Counts::steps, budget);
   budget.count = use.ends;
   allow(bus, DriverSource::Counts::ends, budget);
+  allow_bytes(bus, use, budget);
   if (use.answers > 0) allow(bus, DriverSource::Counts::received, {place, use.answers, every, {}});
 }
 
@@ -158,6 +159,16 @@ void Traffic::allow_events(BusPlace bus, Rank reader) {
   budget.carry_in = 2;
   budget.cause = InterruptCause::look;
   allow(bus, DriverSource::Counts::events, budget);
+}
+
+/// What is asked for goes over the wire byte by byte. Nothing but the rate bounds what comes by itself.
+void Traffic::allow_bytes(BusPlace bus, const WireUse& use, FrameBudget budget) {
+  if (!bus_type(robot_.buses[places_.buses()[bus]].kind).is_mastered || !model_.buses[bus].sources) return;
+  for (InterruptSource& source : *model_.buses[bus].sources) {
+    if (!source.steals) continue;
+    budget.count = ceil_div(use.wire, source.min_interval);
+    source.budgets.push_back(budget);
+  }
 }
 
 Duration Traffic::service(BusPlace bus, const WireUse& use) const {
@@ -252,6 +263,7 @@ void Traffic::add_own_lines(const gen::Device& device) {
                                                        : entry.wcet.value_or(model_.buses[*bus].wcet),
                                            std::max(interval, nanoseconds(1)),
                                            {},
+                                           false,
                                            false,
                                            false,
                                            is_computed ? WcetSource::computed : WcetSource::assumed});

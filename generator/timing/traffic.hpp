@@ -47,6 +47,7 @@ class Traffic {
   void add_own_lines(const gen::Device& device);
   void allow_events(BusPlace bus, Rank reader);
   void allow(BusPlace bus, DriverSource::Counts what, const FrameBudget& budget);
+  void allow_bytes(BusPlace bus, const WireUse& use, FrameBudget budget);
   void let_requests_meet(BusPlace bus);
   void drop_unraised(BusPlace bus);
   void allow_requests_of_slots(BusPlace bus);
