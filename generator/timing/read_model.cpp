@@ -50,7 +50,6 @@ class ModelReader {
   void read_flush_device(Flush& flush, const Value& v);
   void read_flush_identifier(Flush& flush, const Value& v);
   void read_flush_output(Flush& flush, const Value& v);
-
   void set_frame_time(Bus& bus, const Value& v);
   void check_period(const Device& device, const Value& v);
   void check_best_case(Duration bcet, Duration wcet, std::string_view key, const Value& v);
@@ -269,8 +268,8 @@ void ModelReader::check_period(const Device& device, const Value& v) {
 }
 
 void ModelReader::check_best_case(Duration bcet, Duration wcet, std::string_view key, const Value& v) {
-  if (bcet > wcet)
-    values_.error(code::json_number_range, *v.find(key), fmt::format("'{}' is above the worst case", key));
+  const std::string wrong = fmt::format("'{}' is above the worst case", key);
+  if (bcet > wcet) values_.error(code::json_number_range, *v.find(key), wrong);
 }
 
 void ModelReader::read_parent(Device&, const Value& v) {

@@ -12,8 +12,7 @@ namespace baseline {
 
 /// A schedule that is nothing but a tick.
 /// @param buckets  one
-constexpr finemote::Schedule tick_alone(const char* name, finemote::Buckets buckets,
-                                        void (*start_parts)()) {
+constexpr finemote::Schedule tick_alone(const char* name, finemote::Buckets buckets, void (*start_parts)()) {
   return {name, finemote::kMillisecond, buckets, finemote::Overrun::skip, start_parts, [] {}, nullptr};
 }
 
