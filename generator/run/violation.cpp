@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "generator/bus/bus_type.hpp"
+
 namespace finemote::gen {
 namespace {
 
@@ -40,9 +42,10 @@ bool uses_bus(const Robot& robot, const std::optional<DeviceId>& device, BusId b
          });
 }
 
-/// Nothing but the data that go over the bus is touched.
+/// Nothing but the data that go over the bus is touched: no job recovers it.
 bool is_local(const Robot& robot, const Violation& violation) {
-  return violation.assumption == kBusErrors && violation.bus && robot.buses[*violation.bus].kind != BusKind::i2c;
+  return violation.assumption == kBusErrors && violation.bus &&
+         !bus_type(robot.buses[*violation.bus].kind).bus_class.supervised;
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ struct Journey {
 /// @param figure  one of kChainFigures
 Journey journey_of(const MeasuredChain& chain, Measured MeasuredChain::*figure);
 
-/// The violated assumption that the bound of a figure rests on; none: it has to hold. Errors on a bus touch what goes
-/// over it, and nothing that the processor does; but I2C may have to be recovered, and jobs drive its lines then.
+/// The violated assumption that the bound of a figure rests on; none: it has to hold. Errors on a serial line touch
+/// what goes over it, and nothing that the processor does; other buses may have to be recovered, which jobs do.
 std::optional<std::string> violated_assumption(const Robot& robot, const std::vector<Violation>& violations,
                                                const Journey& journey);
 

@@ -202,7 +202,8 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
       set_time(bus.isr_wcet, computed, routine(*driver, source, use, out.baud_bps), out.sources->back());
     }
   }
-  const bool has_dma = mover_of(robot, id) == Mover::dma && robot.board->cpu_hz > 0;
+  const bool is_idle = type.is_mastered && !use.is_used;
+  const bool has_dma = mover_of(robot, id) == Mover::dma && robot.board->cpu_hz > 0 && !is_idle;
   if (out.sources && has_dma) out.sources->push_back(dma_of(robot, id, use));
   if (robot.computed && out.sources) out.wcet = longest_of(*out.sources).value_or(out.wcet);
   out.advice = advice_for(robot, id);

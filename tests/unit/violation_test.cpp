@@ -51,7 +51,7 @@ TEST_CASE("errors on a serial line excuse what comes over it, and nothing else")
   CHECK(other.excuse_of(&MeasuredChain::end_to_end).empty());
 }
 
-TEST_CASE("I2C may be recovered behind an error, which takes the processor's time") {
+TEST_CASE("a bus may have to be recovered behind an error, which takes the time of jobs") {
   const Faulty silent("bus-errors", "baro_1");
   CHECK(silent.excuse_of(&MeasuredChain::acquire) == "bus-errors");
   CHECK(silent.excuse_of_response() == "bus-errors");
