@@ -1,19 +1,26 @@
 #include "emulator/program/firmware.hpp"
 
+#include <stdexcept>
+
 namespace finemote::emulator {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kOverruns = "_ZN8finemote6detail12_GLOBAL__N_114overrun_countsE";
+/// finemote::bucket_states<N>, as many as the robot has buckets, and what one is made of:
+/// runtime/chips/cortex_m4/release.cpp asserts it.
+constexpr const char* kBucketStates = "_ZN8finemote13bucket_statesILj";
+constexpr std::uint32_t kStateBytes = 20, kOverrunsAt = 12;
 
 }  // namespace
 
 std::vector<std::uint32_t> overruns_of(Board& board, const Image& image) {
   std::vector<std::uint32_t> all;
-  const auto counts = image.symbol(kOverruns);
-  for (std::uint32_t offset = 0; counts && offset + 4 <= counts->size; offset += 4)
-    all.push_back(board.word(kOverruns, offset));
+  const auto states = image.symbols.lower_bound(kBucketStates);
+  const bool has_states = states != image.symbols.end() && states->first.rfind(kBucketStates, 0) == 0;
+  if (!has_states && image.symbol("finemote_schedule")) throw std::runtime_error("the firmware keeps no overruns");
+  for (std::uint32_t at = 0; has_states && at + kStateBytes <= states->second.size; at += kStateBytes)
+    all.push_back(board.word(states->first, at + kOverrunsAt));
   return all;
 }
 

@@ -12,7 +12,8 @@ namespace finemote::emulator {
 /// Brackets from here on are the runtime's own work, those below it stages: runtime/include/finemote/mark.hpp.
 inline constexpr unsigned kFirstWork = 0x20000;
 
-/// Overruns the firmware counted since its last start, by bucket, as runtime/src/release.cpp keeps them.
+/// Overruns the firmware counted since its last start, by bucket, as its BucketStates keep them.
+/// @throws std::runtime_error  a firmware with a schedule whose states are not found
 std::vector<std::uint32_t> overruns_of(Board& board, const Image& image);
 
 /// The faults the firmware counted since its last start, as runtime/src/faults.cpp keeps them: `[module, number,

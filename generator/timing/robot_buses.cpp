@@ -157,7 +157,7 @@ void set_time(std::optional<Duration> declared, std::optional<Duration> computed
 InterruptSource dma_of(const Robot& robot, BusId id, const BusUse& use) {
   constexpr std::int64_t kBeat = 11;  // cycles
   const BusType& type = bus_type(robot.buses[id].kind);
-  const bool is_both_ways = type.is_mastered || use.transmits;
+  const bool is_both_ways = type.is_mastered || use.transmits || !use.is_declared;
   const Duration apart = frame_time(type.has_two_lines ? 10 : 8, robot.buses[id].rate);
   InterruptSource source;
   source.name = "dma";

@@ -32,6 +32,9 @@ static_assert(offsetof(Schedule, buckets) == 16 && offsetof(Schedule, start_buse
               offsetof(Schedule, safe_outputs) == 36 && offsetof(Schedule, buses_quiet) == 48 && sizeof(Bucket) == 24 &&
               offsetof(Bucket, line) == 16);
 
+// The emulator reads overruns from memory (emulator/program/firmware.cpp).
+static_assert(offsetof(BucketState, overruns) == 12 && sizeof(BucketState) == 20);
+
 static_assert(2 * systick::kMaxInterval <= 0xFFFFFFFFU / kNsPerUnit, "now() counts in 32 bits");
 
 constexpr unsigned kSlots = 7;
