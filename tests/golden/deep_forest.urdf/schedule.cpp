@@ -99,19 +99,19 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {2, 517812, finemote::kNothingToBound, nullptr},  // remote
-    {0, 155812, 16156612, &walker::hip_left.command},  // hip-left
-    {0, 142195, 16142995, &walker::knee_left.command},  // knee-left
-    {1, 250059, 12250659, &walker::leg_left.command},  // leg-left
-    {0, 128577, 16129377, &walker::hip_right.command},  // hip-right
-    {0, 114959, 16115759, &walker::knee_right.command},  // knee-right
-    {1, 245644, 12246244, &walker::leg_right.command},  // leg-right
-    {1, 242259, 12242859, &walker::front.command},  // front
-    {0, 101342, 12101942, &walker::tilt.command},  // tilt
-    {2, 508278, 2414131, &walker::body.command},  // body
-    {2, 504887, finemote::kNothingToBound, nullptr},  // walker
-    {2, 440974, 10441474, &gripper::finger.command},  // finger
-    {1, 212770, finemote::kNothingToBound, nullptr},  // gripper
+    {2, 517943, finemote::kNothingToBound, nullptr},  // remote
+    {0, 155943, 16156743, &walker::hip_left.command},  // hip-left
+    {0, 142326, 16143126, &walker::knee_left.command},  // knee-left
+    {1, 250190, 12250790, &walker::leg_left.command},  // leg-left
+    {0, 128708, 16129508, &walker::hip_right.command},  // hip-right
+    {0, 115090, 16115890, &walker::knee_right.command},  // knee-right
+    {1, 245775, 12246375, &walker::leg_right.command},  // leg-right
+    {1, 242390, 12242990, &walker::front.command},  // front
+    {0, 101473, 12102073, &walker::tilt.command},  // tilt
+    {2, 508409, 2414262, &walker::body.command},  // body
+    {2, 505018, finemote::kNothingToBound, nullptr},  // walker
+    {2, 441105, 10441605, &gripper::finger.command},  // finger
+    {1, 212901, finemote::kNothingToBound, nullptr},  // gripper
 };
 
 }  // namespace

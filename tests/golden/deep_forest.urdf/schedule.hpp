@@ -9,15 +9,15 @@
 namespace deep_forest {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 5 devices;
-/// a job ends within 134.811 us of its release.
+/// a job ends within 134.942 us of its release.
 void run_2ms();
 
 /// Every 4 ms: priority 5, interrupt line 49 (SDIO), 4 devices;
-/// a job ends within 211.957 us of its release.
+/// a job ends within 212.088 us of its release.
 void run_4ms();
 
 /// Every 10 ms: priority 6, interrupt line 51 (SPI3), 4 devices;
-/// a job ends within 462.61 us of its release.
+/// a job ends within 462.741 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -26,19 +26,19 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds remote{462610, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds hip_left{134811, 16135611, 16135611};
-inline constexpr finemote::Bounds knee_left{123894, 16124694, 16124694};
-inline constexpr finemote::Bounds leg_left{211957, 12212557, 12212557};
-inline constexpr finemote::Bounds hip_right{112976, 16113776, 16113776};
-inline constexpr finemote::Bounds knee_right{102059, 16102859, 16102859};
-inline constexpr finemote::Bounds leg_right{210242, 12210842, 12210842};
-inline constexpr finemote::Bounds front{209557, 12210157, 12210157};
-inline constexpr finemote::Bounds tilt{91141, 12091741, 12091741};
-inline constexpr finemote::Bounds body{455775, 2378729, 2378729};
-inline constexpr finemote::Bounds walker{455084, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds finger{393871, 10394371, 10394371};
-inline constexpr finemote::Bounds gripper{182769, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{462741, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds hip_left{134942, 16135742, 16135742};
+inline constexpr finemote::Bounds knee_left{124025, 16124825, 16124825};
+inline constexpr finemote::Bounds leg_left{212088, 12212688, 12212688};
+inline constexpr finemote::Bounds hip_right{113107, 16113907, 16113907};
+inline constexpr finemote::Bounds knee_right{102190, 16102990, 16102990};
+inline constexpr finemote::Bounds leg_right{210373, 12210973, 12210973};
+inline constexpr finemote::Bounds front{209688, 12210288, 12210288};
+inline constexpr finemote::Bounds tilt{91272, 12091872, 12091872};
+inline constexpr finemote::Bounds body{455906, 2378860, 2378860};
+inline constexpr finemote::Bounds walker{455215, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds finger{394002, 10394502, 10394502};
+inline constexpr finemote::Bounds gripper{182900, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace deep_forest

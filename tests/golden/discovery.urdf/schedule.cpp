@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 304680, finemote::kNothingToBound, nullptr},  // imu
-    {1, 655639, finemote::kNothingToBound, nullptr},  // depth
-    {1, 652939, finemote::kNothingToBound, nullptr},  // button
-    {1, 650239, 24109398, &station::servo.command},  // servo
-    {1, 645521, 24104679, &station::green_led.command},  // green_led
-    {1, 639522, 24098681, &station::blue_led.command},  // blue_led
-    {1, 633518, finemote::kNothingToBound, nullptr},  // station
+    {0, 309755, finemote::kNothingToBound, nullptr},  // imu
+    {1, 666325, finemote::kNothingToBound, nullptr},  // depth
+    {1, 663625, finemote::kNothingToBound, nullptr},  // button
+    {1, 660925, 24116651, &station::servo.command},  // servo
+    {1, 656008, 24111867, &station::green_led.command},  // green_led
+    {1, 650010, 24105736, &station::blue_led.command},  // blue_led
+    {1, 643874, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 666.812 us of its release.
+/// a job ends within 672.181 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 1.499 ms of its release.
+/// a job ends within 1.513 ms of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{666812, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{1444767, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{1444767, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{1444767, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{1444767, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{1444767, 31893643, 36388791};
-inline constexpr finemote::Bounds thruster_2{1442909, 31891785, 36388791};
-inline constexpr finemote::Bounds thruster_3{1438733, 31889927, 36388791};
-inline constexpr finemote::Bounds thruster_4{1436875, 31888069, 36388792};
-inline constexpr finemote::Bounds thruster_5{1435011, 31886205, 36388792};
-inline constexpr finemote::Bounds thruster_6{1433159, 31884353, 36413786};
-inline constexpr finemote::Bounds thruster_7{1431301, 31882495, 36413786};
-inline constexpr finemote::Bounds thruster_8{1429443, 31880637, 36413786};
-inline constexpr finemote::Bounds rov{1427585, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{672181, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{1456142, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{1456142, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{1456142, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{1456142, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{1456142, 31911122, 36442446};
+inline constexpr finemote::Bounds thruster_2{1454284, 31909264, 36442446};
+inline constexpr finemote::Bounds thruster_3{1452426, 31907340, 36442380};
+inline constexpr finemote::Bounds thruster_4{1450568, 31905482, 36467573};
+inline constexpr finemote::Bounds thruster_5{1448704, 31903480, 36467435};
+inline constexpr finemote::Bounds thruster_6{1446852, 31899448, 36465255};
+inline constexpr finemote::Bounds thruster_7{1444928, 31897524, 36465189};
+inline constexpr finemote::Bounds thruster_8{1443070, 31895666, 36465255};
+inline constexpr finemote::Bounds rov{1438894, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 216.208 us of its release.
+/// a job ends within 204.584 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 247.635 us of its release.
+/// a job ends within 236.01 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 298.558 us of its release.
+/// a job ends within 286.934 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 430.17 us of its release.
+/// a job ends within 372.761 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{212844, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{209492, 28473745, 28881910};
-inline constexpr finemote::Bounds pitch{205497, 28469750, 28881910};
-inline constexpr finemote::Bounds gimbal{247635, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{297040, 26561193, 26993434};
-inline constexpr finemote::Bounds front_right{293301, 26557454, 26993434};
-inline constexpr finemote::Bounds rear_left{289556, 26553709, 26993434};
-inline constexpr finemote::Bounds rear_right{285817, 26549970, 26993435};
-inline constexpr finemote::Bounds chassis{282072, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{430170, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{201220, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{197801, 28462054, 28841213};
+inline constexpr finemote::Bounds pitch{193806, 28458059, 28858529};
+inline constexpr finemote::Bounds gimbal{236010, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{285416, 26549569, 26970120};
+inline constexpr finemote::Bounds front_right{281677, 26545830, 26970120};
+inline constexpr finemote::Bounds rear_left{277931, 26542084, 26970119};
+inline constexpr finemote::Bounds rear_right{274192, 26538345, 26970119};
+inline constexpr finemote::Bounds chassis{270447, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{372761, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

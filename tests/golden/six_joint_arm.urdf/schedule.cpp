@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 401689, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 277918, 28957598, &arm::base.command},  // base
-    {0, 271479, 28951159, &arm::shoulder.command},  // shoulder
-    {0, 265034, 28944714, &arm::elbow.command},  // elbow
-    {0, 258594, 28938274, &arm::wrist_roll.command},  // wrist_roll
-    {0, 252149, 28931829, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 245710, 28925390, &arm::flange.command},  // flange
-    {0, 239264, finemote::kNothingToBound, nullptr},  // arm
+    {1, 378749, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 262071, 28941751, &arm::base.command},  // base
+    {0, 255631, 28935311, &arm::shoulder.command},  // shoulder
+    {0, 249186, 28928866, &arm::elbow.command},  // elbow
+    {0, 242747, 28922427, &arm::wrist_roll.command},  // wrist_roll
+    {0, 236301, 28915981, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 212547, 28892227, &arm::flange.command},  // flange
+    {0, 206102, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

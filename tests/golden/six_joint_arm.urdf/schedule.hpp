@@ -9,11 +9,11 @@
 namespace six_joint_arm {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 7 devices;
-/// a job ends within 251.963 us of its release.
+/// a job ends within 236.115 us of its release.
 void run_2ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 360.33 us of its release.
+/// a job ends within 344.548 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,14 +22,14 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds sticks{360330, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{249117, 28928797, 29265720};
-inline constexpr finemote::Bounds shoulder{245378, 28925058, 29265721};
-inline constexpr finemote::Bounds elbow{241633, 28921313, 29265721};
-inline constexpr finemote::Bounds wrist_roll{237893, 28917573, 29265720};
-inline constexpr finemote::Bounds wrist_pitch{216833, 28896513, 29248405};
-inline constexpr finemote::Bounds flange{213094, 28892774, 29248405};
-inline constexpr finemote::Bounds arm{209349, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds sticks{344548, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds base{233269, 28912949, 29233893};
+inline constexpr finemote::Bounds shoulder{212215, 28891895, 29216578};
+inline constexpr finemote::Bounds elbow{208470, 28888150, 29216578};
+inline constexpr finemote::Bounds wrist_roll{204731, 28884411, 29216578};
+inline constexpr finemote::Bounds wrist_pitch{193762, 28873442, 29209354};
+inline constexpr finemote::Bounds flange{190023, 28869703, 29209354};
+inline constexpr finemote::Bounds arm{186278, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace six_joint_arm

@@ -17,11 +17,11 @@
 namespace deep_forest::walker {
 
 /// hip-left: sim_load, every 2 ms
-/// response <= 134.811 us; data age <= 16.136 ms when handle() ends, <= 16.136 ms at the output (oldest: hip-left)
+/// response <= 134.942 us; data age <= 16.136 ms when handle() ends, <= 16.136 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad hip_left{finemote::SimLoad::Config{}, finemote::Ports<finemote::Any>{}};
 
 /// knee-left: sim_load, every 2 ms
-/// response <= 123.894 us; data age <= 16.125 ms when handle() ends, <= 16.125 ms at the output (oldest: hip-left)
+/// response <= 124.025 us; data age <= 16.125 ms when handle() ends, <= 16.125 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad knee_left{finemote::SimLoad::Config{}, finemote::Ports<finemote::Any>{}};
 
 namespace ports {  // what 'leg-left' sees of others
@@ -44,15 +44,15 @@ inline constexpr finemote::Port<finemote::Any> leg_left_children[] = {
 }  // namespace ports
 
 /// leg-left: group, every 4 ms
-/// response <= 211.957 us; data age <= 12.213 ms when handle() ends, <= 12.213 ms at the output (oldest: hip-left)
+/// response <= 212.088 us; data age <= 12.213 ms when handle() ends, <= 12.213 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::Group leg_left{ports::leg_left_children};
 
 /// hip-right: sim_load, every 2 ms
-/// response <= 112.976 us; data age <= 16.114 ms when handle() ends, <= 16.114 ms at the output (oldest: hip-left)
+/// response <= 113.107 us; data age <= 16.114 ms when handle() ends, <= 16.114 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad hip_right{finemote::SimLoad::Config{}, finemote::Ports<finemote::Any>{}};
 
 /// knee-right: sim_load, every 2 ms
-/// response <= 102.059 us; data age <= 16.103 ms when handle() ends, <= 16.103 ms at the output (oldest: hip-left)
+/// response <= 102.19 us; data age <= 16.103 ms when handle() ends, <= 16.103 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad knee_right{finemote::SimLoad::Config{}, finemote::Ports<finemote::Any>{}};
 
 namespace ports {  // what 'leg-right' sees of others
@@ -75,7 +75,7 @@ inline constexpr finemote::Port<finemote::Any> leg_right_children[] = {
 }  // namespace ports
 
 /// leg-right: group, every 4 ms
-/// response <= 210.242 us; data age <= 12.211 ms when handle() ends, <= 12.211 ms at the output (oldest: hip-left)
+/// response <= 210.373 us; data age <= 12.211 ms when handle() ends, <= 12.211 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::Group leg_right{ports::leg_right_children};
 
 namespace ports {  // what 'front' sees of others
@@ -86,7 +86,7 @@ inline constexpr finemote::Port<finemote::Any> front_children[] = {
 }  // namespace ports
 
 /// front: sim_load, every 4 ms
-/// response <= 209.557 us; data age <= 12.211 ms when handle() ends, <= 12.211 ms at the output (oldest: hip-left)
+/// response <= 209.688 us; data age <= 12.211 ms when handle() ends, <= 12.211 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad front{
     [] {
       finemote::SimLoad::Config c{};
@@ -97,7 +97,7 @@ FINEMOTE_CONSTINIT inline finemote::SimLoad front{
     ports::front_children};
 
 /// tilt: sim_load, every 2 ms
-/// response <= 91.141 us; data age <= 12.092 ms when handle() ends, <= 12.092 ms at the output (oldest: hip-left)
+/// response <= 91.272 us; data age <= 12.092 ms when handle() ends, <= 12.092 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::SimLoad tilt{
     [] {
       finemote::SimLoad::Config c{};
@@ -127,7 +127,7 @@ inline constexpr finemote::Port<finemote::Any> body_children[] = {
 }  // namespace ports
 
 /// body: group, every 10 ms
-/// response <= 455.775 us; data age <= 2.379 ms when handle() ends, <= 2.379 ms at the output (oldest: hip-left)
+/// response <= 455.906 us; data age <= 2.379 ms when handle() ends, <= 2.379 ms at the output (oldest: hip-left)
 FINEMOTE_CONSTINIT inline finemote::Group body{ports::body_children};
 
 namespace ports {  // what 'walker' sees of others
@@ -142,7 +142,7 @@ inline constexpr finemote::Port<finemote::Any> walker_children[] = {
 }  // namespace ports
 
 /// walker: sim_load, every 10 ms
-/// response <= 455.084 us
+/// response <= 455.215 us
 FINEMOTE_CONSTINIT inline finemote::SimLoad walker{
     [] {
       finemote::SimLoad::Config c{};
