@@ -105,6 +105,7 @@ class Follower {
       case Kind::first:
         return begin_way(passage.value);
       case Kind::block:
+        levels_.back().is_high |= passage.is_high;  // it may rise after software did, while the routine runs
         return arrive(passage.value);
       case Kind::mark:
         return pass_mark(passage.value);

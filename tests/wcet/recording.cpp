@@ -40,7 +40,7 @@ class Recorder {
       into_.cycle = board_.world().system().clock().period();
       add({board_.cpu().now(), pc, Kind::first});
     } else if (pc != level.next || borders_.count(pc) != 0) {
-      add({board_.cpu().now(), pc, Kind::block});
+      add({board_.cpu().now(), pc, Kind::block, false, is_high(level.exception)});
     }
     level.begun = true;
     level.pc = pc;
@@ -54,6 +54,7 @@ class Recorder {
 
  private:
   struct Level {
+    std::uint32_t exception = 0;
     bool begun = false;
     bool is_pending = false;         ///< the instruction probed last may not have run
     std::uint32_t pc = 0, next = 0;  ///< of the instruction probed last, and behind it
@@ -81,13 +82,16 @@ class Recorder {
 
   void begin(const ExecutionEvent& event, bool is_tail) {
     has_started_ |= event.number == watched_.words_from;
-    const bool is_line = event.number >= kFirstLine;
-    const bool is_high = is_line && board_.world().system().nvic().is_high(static_cast<int>(event.number - kFirstLine));
     Passage passage{event.at, event.number, Kind::begin};
     passage.is_tail = is_tail;
-    passage.is_high = is_high;
+    passage.is_high = is_high(event.number);
     add(passage);
-    levels_.push_back({});
+    levels_.push_back({event.number});
+  }
+
+  /// The peripheral holds the line of this exception up.
+  [[nodiscard]] bool is_high(std::uint32_t exception) {
+    return exception >= kFirstLine && board_.world().system().nvic().is_high(static_cast<int>(exception - kFirstLine));
   }
 
   void take(const ExecutionEvent& event) {

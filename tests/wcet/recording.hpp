@@ -22,7 +22,7 @@ struct Passage {
   std::uint32_t value = 0;
   Kind kind = Kind::block;
   bool is_tail = false;  ///< begin: directly behind another routine; nothing is resumed in between
-  bool is_high = false;  ///< begin: the peripheral holds the line up
+  bool is_high = false;  ///< begin, block: the peripheral holds the line up
 };
 
 struct Recording {
