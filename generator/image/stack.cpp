@@ -9,15 +9,14 @@
 
 #include "generator/image/exception.hpp"
 #include "generator/image/program.hpp"
+#include "generator/image/schedule_layout.hpp"
 #include "generator/image/stack_use.hpp"
 
 namespace finemote::gen {
 namespace {
 
-// Layout of finemote::Schedule and finemote::Bucket on the target; runtime/include/finemote/schedule.hpp asserts it.
-constexpr std::uint32_t kBucketsAt = 16, kBucketCountAt = 20, kStartBusesAt = 32, kSafeOutputsAt = 36,
-                        kBusesQuietAt = 48;
-constexpr std::uint32_t kBucketSize = 24, kLineAt = 16;
+using namespace schedule_layout;
+
 constexpr std::uint32_t kMaxLines = 240;
 
 struct Deepest {

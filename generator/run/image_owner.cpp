@@ -6,16 +6,17 @@
 #include <set>
 
 #include "generator/diagnostic/printable.hpp"
+#include "generator/image/schedule_layout.hpp"
 #include "generator/wcet/marks.hpp"
 
 namespace finemote::gen {
 namespace {
 
-/// The first member of finemote_schedule; none: there is no schedule.
+/// As its schedule says; none: there is no schedule.
 std::optional<std::string> robot_of(const Image& image) {
   constexpr std::uint32_t kLongest = 4096;
   const ImageSymbol* schedule = image.find("finemote_schedule");
-  const auto text = schedule == nullptr ? std::nullopt : image.word(schedule->address);
+  const auto text = schedule == nullptr ? std::nullopt : image.word(schedule->address + schedule_layout::kRobotAt);
   if (!text) return std::nullopt;
   const std::string_view bytes = image.bytes(*text, kLongest);
   return std::string(bytes.substr(0, bytes.find('\0')));
@@ -23,10 +24,9 @@ std::optional<std::string> robot_of(const Image& image) {
 
 /// How many stages the image runs, by the marks at their begins.
 std::size_t stages_in(const Image& image) {
-  constexpr std::uint32_t kFirstWork = 0x40000;  // runtime/include/finemote/mark.hpp
   std::set<std::uint32_t> begins;
   for (const auto& [address, mark] : wcet::read_marks(image).brackets) {
-    if (mark < kFirstWork && mark % 2 == 0) begins.insert(mark);
+    if (mark < wcet::kFirstWorkMark && mark % 2 == 0) begins.insert(mark);
   }
   return begins.size();
 }

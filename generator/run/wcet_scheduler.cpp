@@ -32,7 +32,7 @@ constexpr std::pair<wcet::RetriedBy, const char*> kRetries[] = {{wcet::RetriedBy
                                                                 {wcet::RetriedBy::event, cost_words::kEvent}};
 
 /// runtime/include/finemote/mark.hpp: the begin of Work::masked.
-constexpr std::uint32_t kMaskedMark = 0x40000 + 2 * 7;
+constexpr std::uint32_t kMaskedMark = wcet::kFirstWorkMark + 2 * 7;
 
 /// The bus that an exception belongs to, and its line there; empty: it is no bus's.
 std::string source_of(const TimedRobot& timed, unsigned exception) {

@@ -27,7 +27,6 @@ class ModelReader {
 
  private:
   struct Tables;
-
   void read_bus(Model& model, const Value& v);
   void read_sources(Bus& bus, const Value& v);
   void read_source_name(InterruptSource& source, const Value& v);
@@ -268,14 +267,15 @@ void ModelReader::check_period(const Device& device, const Value& v) {
 }
 
 void ModelReader::check_best_case(Duration bcet, Duration wcet, std::string_view key, const Value& v) {
-  const std::string wrong = fmt::format("'{}' is above the worst case", key);
-  if (bcet > wcet) values_.error(code::json_number_range, *v.find(key), wrong);
+  if (bcet > wcet)
+    values_.error(code::json_number_range, *v.find(key), fmt::format("'{}' is above the worst case", key));
 }
 
 void ModelReader::read_parent(Device&, const Value& v) {
   if (v.is(Value::Kind::null)) return;
-  const std::string wrong = fmt::format("'parent' is {}, not a string or null", describe(v.kind));
-  if (!v.is(Value::Kind::string)) return void(values_.error(code::json_type, v, wrong));
+  if (!v.is(Value::Kind::string))
+    return void(
+        values_.error(code::json_type, v, fmt::format("'parent' is {}, not a string or null", describe(v.kind))));
   later_.emplace_back([this, rank = last_device(), &v] {
     const auto found = find_device(v.text, v);
     if (!found) return;

@@ -49,10 +49,12 @@ BusAdvice advice_for(const Robot& robot, BusId id) {
   return advice;
 }
 
-/// Nobody begins a transfer on a bus that only we begin transfers on and nothing sits on; a DMA makes the steps itself;
-/// a line that nobody writes to has no transmit interrupt.
+/// Nobody begins a transfer on a bus that only we begin transfers on and nothing sits on.
+bool is_idle(const BusType& type, const BusUse& use) { return type.is_mastered && !use.is_used; }
+
+/// Not on an idle bus; a DMA makes the steps itself; a line that nobody writes to has no transmit interrupt.
 bool can_interrupt(const DriverSource& source, const BusType& type, const BusUse& use, Mover mover) {
-  if (type.is_mastered && !use.is_used) return false;
+  if (is_idle(type, use)) return false;
   if (source.counts == DriverSource::Counts::steps && mover == Mover::dma) return false;
   const bool is_silent = type.has_two_lines && use.is_declared && !use.transmits;
   return !(is_silent && source.raised_by == DriverSource::RaisedBy::transmit);
@@ -202,8 +204,7 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
       set_time(bus.isr_wcet, computed, routine(*driver, source, use, out.baud_bps), out.sources->back());
     }
   }
-  const bool is_idle = type.is_mastered && !use.is_used;
-  const bool has_dma = mover_of(robot, id) == Mover::dma && robot.board->cpu_hz > 0 && !is_idle;
+  const bool has_dma = mover_of(robot, id) == Mover::dma && robot.board->cpu_hz > 0 && !is_idle(type, use);
   if (out.sources && has_dma) out.sources->push_back(dma_of(robot, id, use));
   if (robot.computed && out.sources) out.wcet = longest_of(*out.sources).value_or(out.wcet);
   out.advice = advice_for(robot, id);

@@ -40,16 +40,12 @@ void add_sources(const Model& model, Profile profile, TaskSet& set) {
       Stream stream{source.min_interval, cost, {}, bus.name + "." + source.name, bus.name, source.name, place};
       stream.of_transfers = source.of_transfers;
       stream.ends_frame = source.ends_frame;
-      stream.steals = source.steals;
       for (const FrameBudget& b : source.budgets) stream.budgets.push_back(budget_of(model, b));
-      set.sources.push_back(std::move(stream));
+      (source.steals ? set.dma : set.sources).push_back(std::move(stream));
     }
   }
   std::erase_if(set.sources, is_free);
-  const auto dma =
-      std::stable_partition(set.sources.begin(), set.sources.end(), [](const Stream& s) { return !s.steals; });
-  set.dma.assign(dma, set.sources.end());
-  set.sources.erase(dma, set.sources.end());
+  std::erase_if(set.dma, is_free);
 }
 
 void add_bus_streams(const Model& model, TaskSet& set) {

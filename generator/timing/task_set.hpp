@@ -39,7 +39,6 @@ struct Stream {
   std::optional<BusPlace> place = {};  ///< the bus
   bool of_transfers = false;           ///< only the transfer on the wire of its bus causes them
   bool ends_frame = false;             ///< the end of a frame on the wire of its bus causes them
-  bool steals = false;                 ///< no routine: cycles that DMA takes
 };
 
 /// The streams in windows in which one job of a bucket runs, from an instant on at which nothing more urgent waits:

@@ -258,15 +258,13 @@ void Traffic::add_own_lines(const gen::Device& device) {
                                   ? shortest_of_part(robot_, device, entry.min_interval.value_or(nanoseconds(1)))
                                   : floor_div(device.period, std::max<std::int64_t>(entry.count, 1));
     const bool is_computed = robot_.computed && robot_.computed->pins > Duration::zero();
-    model_.buses[*bus].sources->push_back({device.name.text + ": " + entry.source,
-                                           is_computed ? robot_.computed->pins + robot_.computed->retries.event
-                                                       : entry.wcet.value_or(model_.buses[*bus].wcet),
-                                           std::max(interval, nanoseconds(1)),
-                                           {},
-                                           false,
-                                           false,
-                                           false,
-                                           is_computed ? WcetSource::computed : WcetSource::assumed});
+    InterruptSource source;
+    source.name = device.name.text + ": " + entry.source;
+    source.wcet = is_computed ? robot_.computed->pins + robot_.computed->retries.event
+                              : entry.wcet.value_or(model_.buses[*bus].wcet);
+    source.min_interval = std::max(interval, nanoseconds(1));
+    source.source = is_computed ? WcetSource::computed : WcetSource::assumed;
+    model_.buses[*bus].sources->push_back(std::move(source));
   }
 }
 

@@ -18,9 +18,6 @@
 namespace finemote::gen::wcet {
 namespace {
 
-/// runtime/include/finemote/mark.hpp: marks of stages are below it.
-constexpr std::uint32_t kFirstWorkMark = 0x40000;
-
 std::string name_of(const ProgramFunction* function) {
   return function == nullptr ? std::string("?") : readable_name(function->symbol->name);
 }

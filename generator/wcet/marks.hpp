@@ -14,6 +14,9 @@ namespace finemote::gen::wcet {
 enum class RetriedBy : std::uint32_t { release, received, event, fault };
 inline constexpr std::size_t kKindsOfRetry = 4;
 
+/// Brackets from here on are the runtime's own work, those below it stages: runtime/include/finemote/mark.hpp.
+inline constexpr std::uint32_t kFirstWorkMark = 0x40000;
+
 struct Marks {
   /// By address: numbers of runtime/include/finemote/mark.hpp.
   std::multimap<std::uint32_t, std::uint32_t> brackets;

@@ -1,14 +1,9 @@
 #include "generator/wcet/vectors.hpp"
 
 #include "generator/image/exception.hpp"
+#include "generator/image/schedule_layout.hpp"
 
 namespace finemote::gen::wcet {
-namespace {
-
-/// In finemote::Schedule; runtime/chips/cortex_m4/release.cpp asserts it.
-constexpr std::uint32_t kStartBusesAt = 32;
-
-}  // namespace
 
 std::vector<Vector> interrupt_vectors(const Image& image) {
   std::vector<Vector> vectors;
@@ -25,7 +20,8 @@ std::vector<Vector> interrupt_vectors(const Image& image) {
 
 std::optional<std::uint32_t> start_of_buses(const Image& image) {
   const ImageSymbol* schedule = image.find("finemote_schedule");
-  const auto entry = schedule == nullptr ? std::nullopt : image.word(schedule->address + kStartBusesAt);
+  const auto entry =
+      schedule == nullptr ? std::nullopt : image.word(schedule->address + schedule_layout::kStartBusesAt);
   return entry ? std::optional(*entry & ~1U) : std::nullopt;
 }
 

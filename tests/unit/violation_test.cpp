@@ -8,20 +8,12 @@ using namespace finemote::gen;
 
 namespace {
 
-DeviceId device(const Robot& robot, const std::string& name) {
-  for (const DeviceId id : robot.devices.ids()) {
-    if (robot.devices[id].name.text == name) return id;
-  }
-  FAIL("no device " << name);
-  return {};
-}
-
 /// A chain of FinsROV, held against faults of one scenario.
 struct Faulty {
   explicit Faulty(const std::string& assumption, const std::string& part, const std::string& port = {})
       : violations{violation_of(assumption, part, port, *plan.robot)} {
-    chain.from = device(*plan.robot, "imu");
-    chain.to = device(*plan.robot, "thruster_1");
+    chain.from = plan.device("imu");
+    chain.to = plan.device("thruster_1");
   }
 
   [[nodiscard]] std::string excuse_of(Measured MeasuredChain::*figure) const {
