@@ -20,7 +20,7 @@ namespace {
 
 using Plain = nlohmann::json;
 
-struct Violation {
+struct SchemaViolation {
   JsonPath path;
   std::string words;
   bool is_unknown = false;  ///< the path ends in a member that should not be there
@@ -99,7 +99,7 @@ std::string only_near(const std::string& word, const std::vector<std::string>& c
 }
 
 /// Adds what the schema says of the place: the values or the type it wants, and its description.
-void add_advice(Violation& violation, const SchemaView& schema, const Plain& document) {
+void add_advice(SchemaViolation& violation, const SchemaView& schema, const Plain& document) {
   if (violation.is_unknown) {
     const JsonPath parent(violation.path.begin(), violation.path.end() - 1);
     violation.hint = did_you_mean(violation.path.back(), schema.members(parent));
@@ -147,8 +147,8 @@ std::string last_quoted(const std::string& words) {
 }
 
 /// valijson's words to ours; a violation that only says that something below is wrong has none.
-std::optional<Violation> reword(const valijson::ValidationResults::Error& error) {
-  Violation violation{to_path(error.context), error.description, false, false, {}, {}, {}};
+std::optional<SchemaViolation> reword(const valijson::ValidationResults::Error& error) {
+  SchemaViolation violation{to_path(error.context), error.description, false, false, {}, {}, {}};
   const std::string& words = error.description;
   if (starts_with(words, "Failed to validate")) return {};
   if (starts_with(words, "Missing required property")) {
@@ -173,12 +173,12 @@ std::optional<Violation> reword(const valijson::ValidationResults::Error& error)
   return violation;
 }
 
-std::vector<Violation> collect(valijson::ValidationResults& results) {
-  std::vector<Violation> all;
+std::vector<SchemaViolation> collect(valijson::ValidationResults& results) {
+  std::vector<SchemaViolation> all;
   valijson::ValidationResults::Error error;
   while (results.popError(error)) {
     auto violation = reword(error);
-    const bool is_known = violation && std::any_of(all.begin(), all.end(), [&](const Violation& other) {
+    const bool is_known = violation && std::any_of(all.begin(), all.end(), [&](const SchemaViolation& other) {
                             return other.path == violation->path && other.words == violation->words;
                           });
     if (violation && !is_known) all.push_back(std::move(*violation));
@@ -213,7 +213,7 @@ std::vector<SchemaMistake> check_schema(const Json& value, const std::string& sc
   if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(plain), &results)) return {};
   const Origin own_text(*origin.layers().front());
   std::vector<SchemaMistake> mistakes;
-  for (Violation& violation : collect(results)) {
+  for (SchemaViolation& violation : collect(results)) {
     add_advice(violation, SchemaView(schema_json), plain);
     const Origin& shown_in = violation.is_missing ? own_text : origin;  // the file itself could have what is missing
     const Extent extent = find_value(shown_in, violation.path);
