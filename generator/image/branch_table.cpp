@@ -63,12 +63,23 @@ std::optional<std::uint64_t> number_of_entries(OnlyWay way, int index) {
   return std::nullopt;
 }
 
-/// Where `adr` put the table: ARMv7-M A7.7.7, the program counter is 4 ahead and aligned.
+/// What `adr` gives, which the decoder also calls `addw` or `subw` of the program counter: ARMv7-M A7.7.7, that is 4
+/// ahead and aligned.
+std::optional<std::uint32_t> formed_address(const Instruction& i) {
+  const std::uint32_t pc = (i.address + 4) & ~3U;
+  if (i.id == ARM_INS_ADR && i.has_immediate(1)) return pc + i.immediate(1);
+  if (!i.has_register(1, ARM_REG_PC) || !i.has_immediate(2)) return std::nullopt;
+  if (i.id == ARM_INS_ADD || i.id == ARM_INS_ADDW) return pc + i.immediate(2);
+  if (i.id == ARM_INS_SUB || i.id == ARM_INS_SUBW) return pc - i.immediate(2);
+  return std::nullopt;
+}
+
+/// Where the table was put.
 std::optional<std::uint32_t> constant_base(OnlyWay way, int base) {
   while (const auto step = way.next()) {
     const Instruction& i = *step->instruction;
-    if (i.id == ARM_INS_ADR && i.has_register(0, base) && i.has_immediate(1) && !i.is_conditional())
-      return ((i.address + 4) & ~3U) + i.immediate(1);
+    const auto formed = formed_address(i);
+    if (formed && i.has_register(0, base) && !i.is_conditional()) return formed;
     if (may_write(i, base)) return std::nullopt;
   }
   return std::nullopt;

@@ -4,6 +4,14 @@
 #include <utility>
 
 namespace finemote::gen {
+namespace {
+
+/// Ways lead from a call of the second back to behind a call of the first, which no graph of a function has.
+bool is_long_jump(const std::string& name) {
+  return name == "setjmp" || name == "_setjmp" || name == "longjmp" || name == "_longjmp";
+}
+
+}  // namespace
 
 Program::Program(const Image& image, std::vector<std::uint32_t> boundaries)
     : image_(image), boundaries_(std::move(boundaries)) {
@@ -13,6 +21,11 @@ Program::Program(const Image& image, std::vector<std::uint32_t> boundaries)
     functions_.try_emplace(symbol.address, ProgramFunction{&symbol, FunctionBody(image, symbol), {}, false, true});
   }
   trace_all();
+  for (auto& [address, function] : functions_) {
+    const std::string& name = function.symbol->name;
+    if (is_long_jump(name))
+      function.graph.problems.push_back({address, "a jump back to a function that waits in 'setjmp'"});
+  }
 }
 
 /// A least fixed point: at first no function returns, then those do that reach a return without a call of one that

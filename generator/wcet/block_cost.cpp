@@ -49,7 +49,7 @@ std::optional<Cycles> CodeCost::run(const Instruction& i, const Machine& machine
   if (!alone) return std::nullopt;
   Cycles cycles = *alone + fetch(i);
   for (const Transferred& word : memory_use(i, machine).words) {
-    const auto wait = longest_wait(word.access.address.range(), placement_, table_->waits);
+    const auto wait = longest_wait(word.access.address.anywhere(), placement_, table_->waits);
     if (!wait) return std::nullopt;
     cycles += *wait;
     if (may_be_unaligned(i.id) && !is_aligned(word.access)) cycles += further_accesses(word.access) * (1 + *wait);
