@@ -133,7 +133,7 @@ bool has_schema(const Value& root) {
 
 }  // namespace
 
-CostModel cost_model() { return {"cortex-m4-maxima", 3}; }
+CostModel cost_model() { return {"cortex-m4-maxima", 4}; }
 
 std::string timing_file_path(const std::string& robot) {
   for (const std::string_view ending : {".urdf.xacro", ".xacro", ".urdf"}) {

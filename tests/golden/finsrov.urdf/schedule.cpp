@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 679898, finemote::kNothingToBound, nullptr},  // imu
-    {1, 1528210, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 1525510, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 1522810, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 1520044, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 1517343, 31973320, &rov::thruster_1.command},  // thruster_1
-    {1, 1512785, 31968762, &rov::thruster_2.command},  // thruster_2
-    {1, 1505844, 31961820, &rov::thruster_3.command},  // thruster_3
-    {1, 1501286, 31957196, &rov::thruster_4.command},  // thruster_4
-    {1, 1496655, 31952632, &rov::thruster_5.command},  // thruster_5
-    {1, 1492103, 31948080, &rov::thruster_6.command},  // thruster_6
-    {1, 1487479, 31943456, &rov::thruster_7.command},  // thruster_7
-    {1, 1480604, 31936580, &rov::thruster_8.command},  // thruster_8
-    {1, 1475979, finemote::kNothingToBound, nullptr},  // rov
+    {0, 680285, finemote::kNothingToBound, nullptr},  // imu
+    {1, 1528734, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 1526034, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 1523334, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 1520634, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 1517867, 31974210, &rov::thruster_1.command},  // thruster_1
+    {1, 1513309, 31969652, &rov::thruster_2.command},  // thruster_2
+    {1, 1506368, 31964956, &rov::thruster_3.command},  // thruster_3
+    {1, 1501810, 31958152, &rov::thruster_4.command},  // thruster_4
+    {1, 1497179, 31953522, &rov::thruster_5.command},  // thruster_5
+    {1, 1492627, 31948970, &rov::thruster_6.command},  // thruster_6
+    {1, 1488003, 31944346, &rov::thruster_7.command},  // thruster_7
+    {1, 1481128, 31937470, &rov::thruster_8.command},  // thruster_8
+    {1, 1476503, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 672.181 us of its release.
+/// a job ends within 672.567 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 1.513 ms of its release.
+/// a job ends within 1.514 ms of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{672181, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{1456142, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{1456142, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{1456142, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{1456142, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{1456142, 31911122, 36442446};
-inline constexpr finemote::Bounds thruster_2{1454284, 31909264, 36442446};
-inline constexpr finemote::Bounds thruster_3{1452426, 31907340, 36442380};
-inline constexpr finemote::Bounds thruster_4{1450568, 31905482, 36467573};
-inline constexpr finemote::Bounds thruster_5{1448704, 31903480, 36467435};
-inline constexpr finemote::Bounds thruster_6{1446852, 31899448, 36465255};
-inline constexpr finemote::Bounds thruster_7{1444928, 31897524, 36465189};
-inline constexpr finemote::Bounds thruster_8{1443070, 31895666, 36465255};
-inline constexpr finemote::Bounds rov{1438894, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{672567, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{1456732, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{1456732, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{1456732, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{1456732, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{1456732, 31911946, 36444140};
+inline constexpr finemote::Bounds thruster_2{1454808, 31910088, 36444140};
+inline constexpr finemote::Bounds thruster_3{1452950, 31908164, 36444074};
+inline constexpr finemote::Bounds thruster_4{1451092, 31906306, 36469290};
+inline constexpr finemote::Bounds thruster_5{1449228, 31904304, 36469152};
+inline constexpr finemote::Bounds thruster_6{1447376, 31902452, 36469152};
+inline constexpr finemote::Bounds thruster_7{1445452, 31898348, 36466906};
+inline constexpr finemote::Bounds thruster_8{1443594, 31896490, 36466972};
+inline constexpr finemote::Bounds rov{1439418, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 214420, finemote::kNothingToBound, nullptr},  // imu
-    {0, 208368, 28472621, &gimbal::yaw.command},  // yaw
-    {0, 201673, 28465926, &gimbal::pitch.command},  // pitch
-    {1, 254611, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 342399, 26606552, &chassis::front_left.command},  // front_left
-    {2, 318644, 26582797, &chassis::front_right.command},  // front_right
-    {2, 312199, 26576352, &chassis::rear_left.command},  // rear_left
-    {2, 305760, 26569913, &chassis::rear_right.command},  // rear_right
-    {2, 299314, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 484747, finemote::kNothingToBound, nullptr},  // remote
+    {0, 214384, finemote::kNothingToBound, nullptr},  // imu
+    {0, 208332, 28472585, &gimbal::yaw.command},  // yaw
+    {0, 201637, 28465890, &gimbal::pitch.command},  // pitch
+    {1, 254635, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 342483, 26606636, &chassis::front_left.command},  // front_left
+    {2, 318668, 26582821, &chassis::front_right.command},  // front_right
+    {2, 312223, 26576376, &chassis::rear_left.command},  // rear_left
+    {2, 305784, 26569937, &chassis::rear_right.command},  // rear_right
+    {2, 299338, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 484765, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 204.584 us of its release.
+/// a job ends within 204.548 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 236.01 us of its release.
+/// a job ends within 236.034 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 286.934 us of its release.
+/// a job ends within 286.958 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 372.761 us of its release.
+/// a job ends within 372.809 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{201220, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{197801, 28462054, 28841213};
-inline constexpr finemote::Bounds pitch{193806, 28458059, 28858529};
-inline constexpr finemote::Bounds gimbal{236010, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{285416, 26549569, 26970120};
-inline constexpr finemote::Bounds front_right{281677, 26545830, 26970120};
-inline constexpr finemote::Bounds rear_left{277931, 26542084, 26970119};
-inline constexpr finemote::Bounds rear_right{274192, 26538345, 26970119};
-inline constexpr finemote::Bounds chassis{270447, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{372761, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{201184, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{197765, 28462018, 28841177};
+inline constexpr finemote::Bounds pitch{193770, 28458023, 28858553};
+inline constexpr finemote::Bounds gimbal{236034, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{285440, 26549593, 26970108};
+inline constexpr finemote::Bounds front_right{281701, 26545854, 26970108};
+inline constexpr finemote::Bounds rear_left{277955, 26542108, 26970107};
+inline constexpr finemote::Bounds rear_right{274216, 26538369, 26970107};
+inline constexpr finemote::Bounds chassis{270471, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{372809, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 378749, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 262071, 28941751, &arm::base.command},  // base
-    {0, 255631, 28935311, &arm::shoulder.command},  // shoulder
-    {0, 249186, 28928866, &arm::elbow.command},  // elbow
-    {0, 242747, 28922427, &arm::wrist_roll.command},  // wrist_roll
-    {0, 236301, 28915981, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 212547, 28892227, &arm::flange.command},  // flange
-    {0, 206102, finemote::kNothingToBound, nullptr},  // arm
+    {1, 379001, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 262251, 28941931, &arm::base.command},  // base
+    {0, 255811, 28935491, &arm::shoulder.command},  // shoulder
+    {0, 249366, 28929046, &arm::elbow.command},  // elbow
+    {0, 242927, 28922607, &arm::wrist_roll.command},  // wrist_roll
+    {0, 236481, 28916161, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 212667, 28892347, &arm::flange.command},  // flange
+    {0, 206222, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

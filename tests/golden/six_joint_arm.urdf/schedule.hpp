@@ -9,11 +9,11 @@
 namespace six_joint_arm {
 
 /// Every 2 ms: priority 4, interrupt line 48 (FSMC), 7 devices;
-/// a job ends within 236.115 us of its release.
+/// a job ends within 236.295 us of its release.
 void run_2ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 344.548 us of its release.
+/// a job ends within 344.8 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,14 +22,14 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds sticks{344548, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds base{233269, 28912949, 29233893};
-inline constexpr finemote::Bounds shoulder{212215, 28891895, 29216578};
-inline constexpr finemote::Bounds elbow{208470, 28888150, 29216578};
-inline constexpr finemote::Bounds wrist_roll{204731, 28884411, 29216578};
-inline constexpr finemote::Bounds wrist_pitch{193762, 28873442, 29209354};
-inline constexpr finemote::Bounds flange{190023, 28869703, 29209354};
-inline constexpr finemote::Bounds arm{186278, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds sticks{344800, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds base{233449, 28913129, 29234133};
+inline constexpr finemote::Bounds shoulder{212335, 28892015, 29216758};
+inline constexpr finemote::Bounds elbow{208590, 28888270, 29216758};
+inline constexpr finemote::Bounds wrist_roll{204851, 28884531, 29216758};
+inline constexpr finemote::Bounds wrist_pitch{193882, 28873562, 29209534};
+inline constexpr finemote::Bounds flange{190143, 28869823, 29209534};
+inline constexpr finemote::Bounds arm{186398, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace six_joint_arm
