@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <set>
-#include <string_view>
 
 #include "generator/diagnostic/code_scenario.hpp"
 #include "generator/image/image.hpp"
 #include "generator/image/source_lines.hpp"
+#include "generator/run/code_line.hpp"
 #include "generator/run/measured.hpp"
 
 namespace finemote::gen {
@@ -23,24 +22,11 @@ std::uint64_t passes_of(std::size_t loop, const std::vector<std::uint64_t>& pass
 
 Judgement judge(const ToldLoop& told, std::uint64_t passes) {
   if (passes == 0) return Judgement::no_sample;
-  return passes > told.loop.allowed ? Judgement::broken : Judgement::held;
+  return passes > told.loop.bound ? Judgement::broken : Judgement::held;
 }
 
 std::string where(const ToldLoop& told) {
   return told.file.empty() ? fmt::format("{:#010x}", told.loop.place) : fmt::format("{}:{}", told.file, told.line);
-}
-
-/// The first line of the loop that is not the mark's own.
-std::optional<SourceLine> line_of(const wcet::MarkedLoop& loop, const SourceLines& lines) {
-  constexpr std::string_view kMarks = "finemote/loop_bound.hpp";
-  constexpr std::uint32_t kFarEnough = 16;  // bytes
-  const auto outside = [&](std::uint32_t address) {
-    auto line = lines.at(address);
-    return line && !line->file.ends_with(kMarks) ? line : std::nullopt;
-  };
-  auto line = outside(loop.header);
-  for (std::uint32_t at = loop.place; !line && at < loop.place + kFarEnough; at += 2) line = outside(at);
-  return line;
 }
 
 }  // namespace
@@ -54,7 +40,7 @@ std::vector<ToldLoop> told_loops(const std::string& image_path, const SourceName
   for (wcet::MarkedLoop& loop : loops) {
     ToldLoop& told = all.emplace_back();
     told.function = readable_name(loop.function);
-    if (const auto line = line_of(loop, lines)) {
+    if (const auto line = code_line(lines, loop.header)) {
       told.file = names.of(line->file);
       told.line = line->line;
     }
@@ -77,7 +63,7 @@ bool check_loops(const std::vector<ToldLoop>& loops, const std::vector<std::uint
     const std::uint64_t most = passes_of(i, passes);
     if (judge(told, most) != Judgement::broken) continue;
     const std::string message =
-        fmt::format("{}: in '{}': the loop passed its mark {} times, and loop_bound<{}>() says at most {}", where(told),
+        fmt::format("{}: in '{}': the loop passed its mark {} times, and LoopBound<{}> says at most {}", where(told),
                     told.function, most, told.loop.bound, told.loop.bound);
     if (!said.insert(message).second) continue;
     diagnostics.error(code::told_loop, {}, message)

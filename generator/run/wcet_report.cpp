@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generator/forest/stage.hpp"
+#include "generator/run/code_line.hpp"
 #include "generator/run/wcet_scheduler.hpp"
 #include "generator/timing_file/timing_file.hpp"
 
@@ -21,7 +22,7 @@ std::string name_of(const TimedRobot& timed, Stage stage) {
 }
 
 Json place_of(std::uint32_t address, const std::string& function, const TimedRobot& timed) {
-  const auto line = timed.lines.at(address);
+  const auto line = code_line(timed.lines, address);
   return {{"function", function},
           {"file", line ? Json(timed.names.of(line->file)) : Json()},
           {"line", line ? Json(line->line) : Json()}};
@@ -54,7 +55,7 @@ Json stage_json(const TimedRobot& timed, Stage stage, const wcet::BracketTime& b
 }
 
 std::string where(std::uint32_t address, const TimedRobot& timed) {
-  const auto line = timed.lines.at(address);
+  const auto line = code_line(timed.lines, address);
   return line ? fmt::format("{}:{}", timed.names.of(line->file), line->line) : fmt::format("0x{:08x}", address);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generator/wcet/memory_access.hpp"
 #include "generator/wcet/operands.hpp"
 
 namespace finemote::gen::wcet {
@@ -30,57 +31,59 @@ Comparison result_flags(int reg, Interval range) {
   return flags;
 }
 
+/// The value of an operation; of a place nothing but what it is made of.
 void set_result(const Instruction& i, Value value, Machine& machine) {
   machine.set(i.operands[0].reg, value);
-  if (i.sets_flags) machine.set_flags(result_flags(register_at(i, 0), value.range()));
+  const int reg = value.is_place ? static_cast<int>(ARM_REG_INVALID) : register_at(i, 0);
+  if (i.sets_flags) machine.set_flags(result_flags(reg, value.anywhere()));
 }
 
-/// The stack is aligned to eight bytes where a routine begins (AAPCS 6.2.1.2, ARMv7-M B1.5.7 with STKALIGN).
+/// Wherever the stack is, it is aligned to eight bytes.
 constexpr unsigned kKnownBits = 3;
 constexpr std::uint32_t kKnownOfStack = (1U << kKnownBits) - 1U;
-/// No part of it lies below the core-coupled RAM.
-constexpr std::uint32_t kLeastOfStack = 0x1000'0000;
 
-/// What an operation sees that is none of addresses: where the stack lies is only known up to what has been preempted.
-Interval seen(Value value) {
-  const Interval range = value.range();
-  return value.is_of_stack && range.high >= kLeastOfStack ? Interval::any() : range;
+/// Of a place nothing but its lowest bits are looked at, or changed.
+bool is_of_low_bits(Value place, Value other) {
+  return place.is_place && place.range().is_constant() && !other.is_place && other.range().is_constant() &&
+         other.range().low <= kKnownOfStack;
 }
 
-/// The same where nothing but the lowest bits of the other operand are looked at, or changed.
-Interval seen_beside(Value value, Interval other) {
-  const bool is_of_low_bits = other.is_constant() && other.low <= kKnownOfStack;
-  return is_of_low_bits ? value.range() : seen(value);
-}
-
-/// The result of such an operation.
-Value made_of(bool is_of_stack, Interval range) { return Value::in(range, is_of_stack && range.high >= kLeastOfStack); }
-
-/// @param may_keep_stack  the result of an address in the stack may be one
-void compute(const Instruction& i, Operation operation, bool may_keep_stack, Machine& machine) {
+void compute(const Instruction& i, Operation operation, Machine& machine) {
   const std::size_t left = left_side(i);
   const Value a = operand(i, left, machine), b = operand(i, left + 1, machine);
-  const bool is_of_stack = may_keep_stack && (a.is_of_stack || b.is_of_stack);
-  set_result(i, made_of(is_of_stack, operation(seen(a), seen(b))), machine);
+  set_result(i, Value::in(operation(a.anywhere(), b.anywhere()), a.is_of_stack || b.is_of_stack), machine);
 }
 
 /// `and`, `bic`.
 void mask(const Instruction& i, Operation operation, Machine& machine) {
   const std::size_t left = left_side(i);
   const Value a = operand(i, left, machine), b = operand(i, left + 1, machine);
-  const bool is_of_stack = a.is_of_stack || b.is_of_stack;
-  set_result(i, made_of(is_of_stack, operation(seen_beside(a, seen(b)), seen_beside(b, seen(a)))), machine);
+  if (is_of_low_bits(a, b)) {
+    const Interval range = operation(a.range(), b.range());
+    return set_result(i, i.id == ARM_INS_BIC ? Value::place(range.low) : Value::in(range), machine);
+  }
+  set_result(i, Value::in(operation(a.anywhere(), b.anywhere()), a.is_of_stack || b.is_of_stack), machine);
+}
+
+bool are_distances(Value a, Value b) { return a.base == b.base && a.base != 0 && a.is_place == b.is_place; }
+
+/// Both stay where they are, or both move with the stack.
+bool are_alike(Value a, Value b) {
+  if (a.is_place != b.is_place) return false;
+  return !a.is_place || are_distances(a, b) || (a.is_on_stack() && b.is_on_stack());
 }
 
 /// Of distances from the same word only equality and the sign of the difference tell something: order may wrap.
 Comparison compared(Value a, Value b) {
   Comparison flags;
-  const bool is_of_distances = a.base == b.base && a.base != 0;
-  flags.left_range = is_of_distances ? a.distance : a.range();
-  flags.right_range = is_of_distances ? b.distance : b.range();
+  const bool is_of_distances = are_distances(a, b), is_alike = are_alike(a, b);
+  const auto range = [&](Value v) { return is_of_distances ? v.distance : is_alike ? v.range() : v.anywhere(); };
+  flags.left_range = range(a);
+  flags.right_range = range(b);
   if (!is_of_distances) {
-    const auto offset = [](Value v) {
-      return v.distance.is_constant() ? Comparison::Offset{v.base, v.distance.low} : Comparison::Offset{};
+    const auto offset = [&](Value v) {
+      const bool is_known = v.distance.is_constant() && (is_alike || !v.is_place);
+      return is_known ? Comparison::Offset{v.base, v.distance.low} : Comparison::Offset{};
     };
     flags.left_offset = offset(a);
     flags.right_offset = offset(b);
@@ -89,6 +92,22 @@ Comparison compared(Value a, Value b) {
   flags.only_result = is_of_distances;
   return flags;
 }
+
+/// A register whose range the flags tell something of: not a place beside what does not move with it.
+int narrowed(int reg, Value value, bool is_alike) {
+  return is_alike || !value.is_place ? reg : static_cast<int>(ARM_REG_INVALID);
+}
+
+}  // namespace
+
+Comparison comparison_of(Value a, Value b, int left, int right) {
+  Comparison flags = compared(a, b);
+  flags.left = narrowed(left, a, are_alike(a, b));
+  flags.right = narrowed(right, b, are_alike(a, b));
+  return flags;
+}
+
+namespace {
 
 void compare(const Instruction& i, Machine& machine) {
   machine.set_flags(
@@ -100,11 +119,10 @@ void subtract_flags(const Instruction& i, Value a, Value b, Machine& machine) {
   const std::size_t left = left_side(i);
   const int target = register_at(i, 0);
   const auto kept = [target](int reg) { return reg == target ? static_cast<int>(ARM_REG_INVALID) : reg; };
-  Comparison flags = compared(a, b);
-  flags.left = kept(register_at(i, left));
-  flags.right =
-      i.id == ARM_INS_SUB || i.id == ARM_INS_SUBW ? kept(register_at(i, left + 1)) : static_cast<int>(ARM_REG_INVALID);
-  flags.result = target;
+  const bool is_subtraction = i.id == ARM_INS_SUB || i.id == ARM_INS_SUBW;
+  Comparison flags = comparison_of(a, b, kept(register_at(i, left)),
+                                   is_subtraction ? kept(register_at(i, left + 1)) : static_cast<int>(ARM_REG_INVALID));
+  flags.result = narrowed(target, a, a.is_place == b.is_place);
   machine.set_flags(flags);
 }
 
@@ -126,12 +144,18 @@ void move(const Instruction& i, Machine& machine) {
   set_result(i, value, machine);
 }
 
+void complement(const Instruction& i, Machine& machine) {
+  const Value value = operand(i, 1, machine);
+  set_result(i, Value::in(complement(value.anywhere()), value.is_of_stack), machine);
+}
+
 void move_top(const Instruction& i, Machine& machine) {
-  const Interval low = seen(machine.get(i.operands[0].reg));
+  const Value low = machine.get(i.operands[0].reg);
+  const Interval bits = low.anywhere();
   const std::uint32_t high = immediate(i, 1) << 16U;
-  const bool is_known = low.is_constant();
   machine.set(i.operands[0].reg,
-              Value::in(is_known ? Interval::of(high | (low.low & 0xFFFFU)) : Interval{high, high | 0xFFFFU}));
+              Value::in(bits.is_constant() ? Interval::of(high | (bits.low & 0xFFFFU)) : Interval{high, high | 0xFFFFU},
+                        low.is_of_stack));
 }
 
 /// The flags of `adds` with a constant are those of a comparison with its negative: the carry says that it wrapped.
@@ -148,46 +172,48 @@ template <class Shift>
 void shift(const Instruction& i, Shift by, Machine& machine) {
   const std::size_t left = left_side(i);
   const Value value = operand(i, left, machine);
-  const Interval count = seen(operand(i, left + 1, machine));
+  const Interval count = operand(i, left + 1, machine).anywhere();
   const bool is_known = count.is_constant() && count.low < 32;
-  const bool is_of_low_bits = i.id == ARM_INS_LSL && is_known && count.low >= 32 - kKnownBits;
-  const Interval range = is_of_low_bits ? value.range() : seen(value);
-  set_result(i, made_of(value.is_of_stack, is_known ? by(range, count.low) : Interval::any()), machine);
+  const bool is_lowest = i.id == ARM_INS_LSL && is_known && count.low >= 32 - kKnownBits;
+  const Interval range = is_lowest ? value.range() : value.anywhere();
+  set_result(i, Value::in(is_known ? by(range, count.low) : Interval::any(), value.is_of_stack && !is_lowest), machine);
 }
 
 /// A right shift never makes a value larger.
 void shift_right_logical(const Instruction& i, Machine& machine) {
   const std::size_t left = left_side(i);
   const bool is_of_stack = operand(i, left, machine).is_of_stack;
-  const Interval value = seen(operand(i, left, machine)), count = seen(operand(i, left + 1, machine));
+  const Interval value = operand(i, left, machine).anywhere(), count = operand(i, left + 1, machine).anywhere();
   const std::uint32_t least = std::min(count.low, 31U);
   const std::uint32_t low = count.is_constant() && count.low < 32 ? value.low >> count.low : 0;
-  set_result(i, made_of(is_of_stack, {low, value.high >> least}), machine);
+  set_result(i, Value::in({low, value.high >> least}, is_of_stack), machine);
 }
 
 void extract(const Instruction& i, std::uint32_t from, std::uint32_t width, bool is_signed, Machine& machine) {
   const Value all = operand(i, 1, machine);
-  const Interval value = shift_right(from + width <= kKnownBits ? all.range() : seen(all), from);
+  const Interval value = shift_right(all.anywhere(), from);
   const std::uint32_t mask = width >= 32 ? UINT32_MAX : (1U << width) - 1U;
   Interval cut = value.high <= mask ? value : Interval{0, mask};
   if (is_signed && cut.high > mask / 2) cut = Interval::any();
-  machine.set(i.operands[0].reg, Value::in(cut));
+  machine.set(i.operands[0].reg, Value::in(cut, all.is_of_stack));
 }
 
 void insert(const Instruction& i, Machine& machine) {
   const Value old = machine.get(i.operands[0].reg), field = operand(i, 1, machine);
-  const Interval into = seen(old), from = seen(field);
+  const Interval into = old.anywhere(), from = field.anywhere();
+  const bool is_of_stack = old.is_of_stack || field.is_of_stack;
   const std::uint32_t at = immediate(i, 2), width = immediate(i, 3);
   if (!into.is_constant() || !from.is_constant() || width >= 32)
-    return machine.set(i.operands[0].reg, Value::in(Interval::any(), old.is_of_stack || field.is_of_stack));
+    return machine.set(i.operands[0].reg, Value::in(Interval::any(), is_of_stack));
   const std::uint32_t mask = ((1U << width) - 1U) << at;
-  machine.set(i.operands[0].reg, Value::of((into.low & ~mask) | ((from.low << at) & mask)));
+  machine.set(i.operands[0].reg, Value::in(Interval::of((into.low & ~mask) | ((from.low << at) & mask)), is_of_stack));
 }
 
 /// An element of an array, from the address of its first.
 void multiply_and(const Instruction& i, Value (*combine)(Value, Value), Machine& machine) {
-  const Interval product = multiply(seen(operand(i, 1, machine)), seen(operand(i, 2, machine)));
-  machine.set(i.operands[0].reg, combine(operand(i, 3, machine), Value::in(product)));
+  const Value a = operand(i, 1, machine), b = operand(i, 2, machine);
+  const Value product = Value::in(multiply(a.anywhere(), b.anywhere()), a.is_of_stack || b.is_of_stack);
+  machine.set(i.operands[0].reg, combine(operand(i, 3, machine), product));
 }
 
 Interval and_not(Interval a, Interval b) {
@@ -209,15 +235,15 @@ bool arithmetic(const Instruction& i, Machine& machine) {
     case ARM_INS_AND:
       return mask(i, bitwise_and, machine), true;
     case ARM_INS_ORR:
-      return compute(i, bitwise_or, true, machine), true;
+      return compute(i, bitwise_or, machine), true;
     case ARM_INS_EOR:
-      return compute(i, exclusive_or, true, machine), true;
+      return compute(i, exclusive_or, machine), true;
     case ARM_INS_BIC:
       return mask(i, and_not, machine), true;
     case ARM_INS_MUL:
-      return compute(i, multiply, false, machine), true;
+      return compute(i, multiply, machine), true;
     case ARM_INS_UDIV:
-      return compute(i, divide_unsigned, false, machine), true;
+      return compute(i, divide_unsigned, machine), true;
     case ARM_INS_MLA:
       return multiply_and(i, sum, machine), true;
     case ARM_INS_MLS:
@@ -241,9 +267,7 @@ bool moves_and_fields(const Instruction& i, Machine& machine) {
     case ARM_INS_MOVT:
       return move_top(i, machine), true;
     case ARM_INS_MVN:
-      return set_result(i, made_of(operand(i, 1, machine).is_of_stack, complement(seen(operand(i, 1, machine)))),
-                        machine),
-             true;
+      return complement(i, machine), true;
     case ARM_INS_ADR:
       return machine.set(i.operands[0].reg, Value::of(((i.address + 4) & ~3U) + immediate(i, 1))), true;
     case ARM_INS_UXTB:
@@ -269,15 +293,15 @@ bool moves_and_fields(const Instruction& i, Machine& machine) {
 
 bool flag_setting(const Instruction& i, Machine& machine) {
   const Value left = operand(i, 0, machine), right = operand(i, 1, machine);
-  const Interval a = seen(left), b = seen(right);
+  const bool is_low = is_of_low_bits(left, right);
+  const Interval a = is_low ? left.range() : left.anywhere(), b = right.anywhere();
   switch (i.id) {
     case ARM_INS_CMP:
       return compare(i, machine), true;
     case ARM_INS_CMN:
       return machine.set_flags(result_flags(ARM_REG_INVALID, add(a, b))), true;
     case ARM_INS_TST:
-      return machine.set_flags(result_flags(ARM_REG_INVALID, bitwise_and(seen_beside(left, b), seen_beside(right, a)))),
-             true;
+      return machine.set_flags(result_flags(ARM_REG_INVALID, bitwise_and(a, b))), true;
     case ARM_INS_TEQ:
       return machine.set_flags(result_flags(ARM_REG_INVALID, exclusive_or(a, b))), true;
     default:
@@ -305,70 +329,51 @@ bool leaves_machine(unsigned id) {
   }
 }
 
-Value loaded(const Access& access, bool is_signed, const Surroundings& surroundings, const Machine& machine) {
-  const std::uint32_t highest = access.size == 4 ? UINT32_MAX : (1U << (8 * access.size)) - 1U;
-  Value value = Value::in({0, highest}, access.size == 4 && machine.has_escaped());
-  if (access.address.is_of_stack)
-    value = machine.stack().load(access);
-  else if (const auto constant = surroundings.constants.load(access))
-    value = Value::in(*constant);
-  return is_signed && value.range().high > highest / 2 ? Value::in(Interval::any()) : value;
-}
-
-void note(const Access& access, Value value, WordStores& stores) {
-  if (access.size != 4 || !access.address.range().is_constant()) return;
-  const auto [known, is_new] = stores.try_emplace(access.address.range().low, value.range());
-  if (!is_new) known->second = join(known->second, value.range());
-}
-
-void store(const Transferred& word, const Surroundings& surroundings, Machine& machine) {
-  const Value value = Machine::follows(word.reg) ? machine.get(word.reg) : Value::in(Interval::any(), true);
-  if (word.access.address.is_of_stack)
-    machine.stack().store(word.access, value);
-  else if (value.is_of_stack && word.access.size == 4 && Machine::follows(word.reg))
-    machine.escape();
-  if (surroundings.stores != nullptr && !word.access.address.is_of_stack)
-    note(word.access, value, *surroundings.stores);
-}
-
-void access_memory(const Instruction& i, const MemoryUse& use, const Surroundings& surroundings, Machine& machine) {
-  const bool is_signed = use.kind == MemoryUse::Kind::load_signed;
-  std::vector<std::pair<int, Value>> loads;
-  for (const Transferred& word : use.words) {
-    if (use.kind == MemoryUse::Kind::store)
-      store(word, surroundings, machine);
-    else if (Machine::follows(word.reg))
-      loads.emplace_back(word.reg, loaded(word.access, is_signed, surroundings, machine));
+/// How many registers it only writes: those of a result that is not made of them.
+std::size_t written_only(const Instruction& i) {
+  switch (i.id) {
+    case ARM_INS_ADC:
+    case ARM_INS_SBC:
+    case ARM_INS_ORN:
+    case ARM_INS_ROR:
+    case ARM_INS_SDIV:
+      return i.operands.size() > 2 ? 1 : 0;
+    case ARM_INS_RBIT:
+    case ARM_INS_REV:
+    case ARM_INS_REV16:
+    case ARM_INS_REVSH:
+    case ARM_INS_MRS:
+    case ARM_INS_VMOV:
+      return 1;
+    case ARM_INS_UMULL:
+    case ARM_INS_SMULL:
+      return 2;
+    default:
+      return 0;
   }
-  if (use.base) machine.set(use.base->first, use.base->second);
-  for (const auto& [reg, value] : loads) machine.set(reg, value);
-  // It succeeds where no exception comes between it and the load before (ARMv7-M A3.4.1): a repetition is part of what
-  // a preemption costs.
-  if (is_exclusive_store(i.id)) machine.set(i.operands[0].reg, Value::of(0));
 }
 
-/// Whatever it may write is unknown, and of the stack where something it reads is. Registers of the FPU hold no
-/// address.
+bool is_of_fpu(int reg) {
+  return (reg >= ARM_REG_S0 && reg <= ARM_REG_S31) || (reg >= ARM_REG_D0 && reg <= ARM_REG_D31);
+}
+
+bool is_of_stack(const cs_arm_op& op, const Machine& machine) {
+  if (op.type != ARM_OP_REG) return false;
+  return Machine::follows(op.reg) ? machine.get(op.reg).is_of_stack : machine.is_stack_in_fpu() && is_of_fpu(op.reg);
+}
+
+/// Whatever it may write is unknown, and of the stack where something it reads is.
 void forget(const Instruction& i, Machine& machine) {
-  const bool is_of_stack = std::any_of(i.operands.begin(), i.operands.end(), [&](const cs_arm_op& op) {
-    return op.type == ARM_OP_REG && Machine::follows(op.reg) && machine.get(op.reg).is_of_stack;
-  });
+  const auto read = i.operands.begin() + static_cast<std::ptrdiff_t>(std::min(written_only(i), i.operands.size()));
+  const bool is_made_of_stack =
+      std::any_of(read, i.operands.end(), [&](const cs_arm_op& op) { return is_of_stack(op, machine); });
   for (const cs_arm_op& op : i.operands) {
-    if (op.type == ARM_OP_REG && may_write(i, op.reg)) machine.set(op.reg, Value::in(Interval::any(), is_of_stack));
+    if (op.type != ARM_OP_REG) continue;
+    if (may_write(i, op.reg)) machine.set(op.reg, Value::in(Interval::any(), is_made_of_stack));
+    if (is_made_of_stack && is_of_fpu(op.reg)) machine.put_stack_in_fpu();
   }
   if (i.sets_flags || i.id == ARM_INS_VMRS || i.id == ARM_INS_MSR) machine.set_flags(std::nullopt);
 }
-
-}  // namespace
-
-Comparison comparison_of(Value a, Value b, int left, int right) {
-  Comparison flags = compared(a, b);
-  flags.left = left;
-  flags.right = right;
-  return flags;
-}
-
-namespace {
 
 void run(const Instruction& i, const Surroundings& surroundings, Machine& machine) {
   if (i.id == ARM_INS_BL || i.id == ARM_INS_BLX) return machine.set(ARM_REG_LR, Value::of(i.end() | 1U));

@@ -39,7 +39,7 @@ struct Frame {
   std::map<std::uint32_t, std::uint32_t> passes;  // of marks, in the loop around each
   std::map<std::uint32_t, std::size_t> passed;    // nodes of the last of them
   bool is_cut_by_mark = false;
-  std::optional<std::size_t> unmarked;  // the loop whose own marks do not count
+  std::optional<std::size_t> unmarked;  // the wait whose own marks of loops do not count
 };
 
 /// What a try of a round changes, to be taken back behind it.

@@ -27,7 +27,7 @@ struct LoopTime {
   std::uint32_t address = 0;
   std::string function;
   std::uint64_t rounds = 0;  ///< at most, from when it is entered to when it is left
-  bool is_by_mark = false;   ///< the source says so: `loop_bound<n>()`; else it follows from the code
+  bool is_by_mark = false;   ///< the source says so: `LoopBound<n>`; else it follows from the code
 };
 
 /// From one mark to the next: runtime/include/finemote/mark.hpp.

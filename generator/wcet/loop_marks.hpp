@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "generator/image/flow_graph.hpp"
 #include "generator/wcet/loop_nest.hpp"
@@ -9,14 +12,23 @@
 
 namespace finemote::gen::wcet {
 
-/// `loop_bound<n>()` in a loop itself, not in those in it. A compiler leaves out loops of one round and makes one loop
-/// of two, and their marks come to lie in a loop whose marks they are not.
-struct LoopMarks {
-  std::size_t count = 0;
-  bool are_its_own = true;  ///< there is one, and one way back to the begin: nothing says that it is of another loop
-};
+/// So many rounds of a loop are followed, one by one.
+inline constexpr std::uint64_t kMostRounds = 10'000;
 
-/// @param index  of a loop of `nest`, which is that of `graph`
-LoopMarks marks_of(const FlowGraph& graph, const LoopNest& nest, std::size_t index, const Marks& marks);
+/// A mark says how often, or for how long, it is passed from its begin on. So it says that of a loop in which it lies
+/// and its begin does not. Compilers leave out loops and make one of two; where its mark has come to lie in another
+/// loop, its begin lies there, too. Each of them has an instruction of its own, so that it is known on which side of
+/// the begin of a loop it lies.
+bool is_of_loop_around(const LoopNest& nest, std::uint32_t mark, const Marks& marks);
+
+/// It is, and every round passes it: else nothing says which rounds are the long ones.
+bool ends_loop_around(const LoopNest& nest, std::uint32_t mark, const Marks& marks);
+
+/// Of a loop that no mark ends and the code does not: why none does.
+/// @param index  of a loop of `nest`
+std::string why_endless(const LoopNest& nest, std::size_t index, const Marks& marks);
+
+/// The marks that say how long a loop waits: in it itself, not in those in it. None: it is no wait.
+std::vector<std::uint32_t> waits_of(const LoopNest& nest, std::size_t index, const Marks& marks);
 
 }  // namespace finemote::gen::wcet

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -17,13 +18,23 @@ struct Value {
   Interval distance;       ///< from the base; without one the word itself
   std::uint32_t base = 0;  ///< tells words apart of which only a range is known; 0: none
   Interval base_range;     ///< of the base, where there is one
-  /// May be an address in the stack. A pointer that was never made of the stack pointer leads to no variable there.
+  /// Made of an address in the stack: something made of it may be one again. A pointer that was never made of the stack
+  /// pointer leads to no variable there.
   bool is_of_stack = false;
+  /// An address in the stack, so far from where the stack would be if nothing had been preempted; it lies a multiple of
+  /// eight bytes below (AAPCS 6.2.1.2, ARMv7-M B1.5.7 with STKALIGN), nobody knows how many.
+  bool is_place = false;
 
   static constexpr Value of(std::uint32_t value) { return in(Interval::of(value)); }
-  static constexpr Value in(Interval range, bool is_of_stack = false) { return {range, 0, {}, is_of_stack}; }
-  /// What the word may be.
+  static constexpr Value place(std::uint32_t address) { return {Interval::of(address), 0, {}, true, true}; }
+  static constexpr Value in(Interval range, bool is_of_stack = false) { return {range, 0, {}, is_of_stack, false}; }
+  /// What the word may be; of a place where it is if nothing was preempted.
   [[nodiscard]] Interval range() const { return base == 0 ? distance : add(base_range, distance); }
+  /// What the word may be, wherever the stack is.
+  [[nodiscard]] Interval anywhere() const;
+  /// As an address it leads to the stack and to nothing else.
+  [[nodiscard]] bool is_on_stack() const;
+  [[nodiscard]] bool may_be_on_stack() const;
 };
 
 Value sum(Value a, Value b);
@@ -32,7 +43,7 @@ Value difference(Value a, Value b);
 /// Makes words of which only a range is known, each another.
 class Unknowns {
  public:
-  Value next(Interval range, bool is_of_stack) { return {Interval::of(0), ++last_, range, is_of_stack}; }
+  Value next(Interval range, bool is_of_stack) { return {Interval::of(0), ++last_, range, is_of_stack, false}; }
 
  private:
   std::uint32_t last_ = 0;
@@ -44,18 +55,34 @@ struct Access {
   std::uint32_t size = 4;  ///< bytes: 1, 2 or 4
 };
 
+class Machine;
+
+/// Which bases several words of a machine rest on, counted when it is asked for.
+class BaseUses {
+ public:
+  explicit BaseUses(const Machine& machine) : machine_(machine) {}
+  /// One word rests on it, or it is none.
+  [[nodiscard]] bool is_alone(std::uint32_t base);
+
+ private:
+  const Machine& machine_;
+  std::vector<std::uint32_t> bases_;  // of every word that has one, in order
+};
+
 /// The bytes of the stack whose contents are known.
 class StackWords {
  public:
-  /// A store of `value`; an address that is not constant makes all it may reach unknown.
+  /// A store of `value`; an address that is not constant makes all it may reach unknown, one that may lead elsewhere
+  /// everything.
   void store(const Access& access, Value value);
   /// What a load reads.
   [[nodiscard]] Value load(const Access& access) const;
   /// Keeps what both know.
   void join(const StackWords& other);
-  /// Makes unknown what `other` has otherwise.
-  void widen(const StackWords& other);
-  [[nodiscard]] bool covers(const StackWords& other) const;
+  /// Makes unknown what `other` has otherwise. `uses` are those of all that is known here, registers too.
+  void widen(const StackWords& other, BaseUses& uses);
+  [[nodiscard]] bool covers(const StackWords& other, BaseUses& uses) const;
+  void add_bases(std::vector<std::uint32_t>& bases) const;
   /// The base of words lies in `range`.
   void narrow_base(std::uint32_t base, Interval range);
   /// Forgets what lies below the stack pointer.
@@ -69,6 +96,8 @@ class StackWords {
   [[nodiscard]] const Word* find(std::uint32_t address, std::uint32_t size) const;
   [[nodiscard]] bool is_of_stack(std::uint32_t low, std::uint32_t high) const;
   void forget(std::uint32_t low, std::uint32_t high);
+  /// An address in the stack that `other` knows nothing of.
+  void join_address(const Word& word, const StackWords& other, std::vector<Word>& both);
 
   std::vector<Word> words_;             // by address; none overlaps another
   bool has_forgotten_address_ = false;  // of the stack: it may still be read somewhere
@@ -89,9 +118,13 @@ class Machine {
 
   StackWords& stack() { return stack_; }
   [[nodiscard]] const StackWords& stack() const { return stack_; }
-  /// An address in the stack was written to other memory: what is read from there may be one.
+  /// An address in the stack was written to other memory: what is read from there may be one, and who preempts this
+  /// may write to the stack by it at any time.
   [[nodiscard]] bool has_escaped() const { return has_escaped_; }
   void escape() { has_escaped_ = true; }
+  /// A register of the FPU may hold an address in the stack, or a part of one.
+  [[nodiscard]] bool is_stack_in_fpu() const { return is_stack_in_fpu_; }
+  void put_stack_in_fpu() { is_stack_in_fpu_ = true; }
 
   /// Makes a base of every register of which only a range is known: what is made of it can be compared with it.
   void name_unknowns(Unknowns& unknowns);
@@ -102,6 +135,8 @@ class Machine {
   void widen(const Machine& other);
   /// Whatever holds here holds there: nothing new would come of going on from `other`.
   [[nodiscard]] bool covers(const Machine& other) const;
+  /// The bases of all words, each as often as a word rests on it.
+  [[nodiscard]] std::vector<std::uint32_t> bases() const;
 
  private:
   static constexpr std::size_t kRegisters = 15;
@@ -114,6 +149,7 @@ class Machine {
   std::optional<Comparison> flags_;
   StackWords stack_;
   bool has_escaped_ = false;
+  bool is_stack_in_fpu_ = false;
 };
 
 }  // namespace finemote::gen::wcet

@@ -2,14 +2,26 @@
 
 #include <optional>
 
+#include "generator/wcet/loop_marks.hpp"
+
 namespace finemote::gen::wcet {
 namespace {
 
-/// Its mark counts in this try.
-bool is_bounded(const Frame& frame, std::uint32_t block, const Marks& marks) {
-  const auto loop = frame.nest.around(block);
-  return marks.loop_bounds.count(block) != 0 && !(loop && loop == frame.unmarked);
+/// A round that an interrupt adds, or one for each interrupt: not told of a loop by its own begin.
+bool is_for_interrupts(std::uint32_t block, const Marks& marks) {
+  return marks.retries.count(block) != 0 || marks.once_for_each.count(block) != 0;
 }
+
+/// Its mark counts for the loop around it.
+bool is_bounded(const Frame& frame, std::uint32_t block, const Marks& marks) {
+  if (marks.loop_bounds.count(block) == 0) return false;
+  const auto loop = frame.nest.around(block);
+  if (!loop || is_for_interrupts(block, marks)) return true;
+  return loop != frame.unmarked && ends_loop_around(frame.nest, block, marks);
+}
+
+/// Without an instruction of its own it may be passed before a test that leads out.
+bool has_place(std::uint32_t block, const Marks& marks) { return marks.ids.count(block) != 0; }
 
 }  // namespace
 
@@ -20,7 +32,7 @@ bool is_passed_by_some(const Frame& frame, std::uint32_t block, const Marks& mar
 bool pass_mark(Frame& frame, std::uint32_t block, const Marks& marks) {
   if (!is_bounded(frame, block, marks)) return true;
   const auto loop = frame.nest.around(block);
-  const std::uint32_t besides = loop ? frame.nest.loops()[*loop].passes_besides(block) : 0;
+  const std::uint32_t besides = loop && !has_place(block, marks) ? frame.nest.loops()[*loop].passes_besides(block) : 0;
   std::uint32_t& passes = frame.passes[block];
   if (passes < marks.loop_bounds.at(block) + besides) return ++passes, true;
   frame.is_cut_by_mark = true;

@@ -39,16 +39,11 @@ void add_loops(const ProgramFunction& function, const Marks& marks, std::vector<
   for (const auto& [place, bound] : marks.loop_bounds) {
     if (function.graph.blocks.count(place) == 0 || marks.retries.count(place) != 0) continue;
     const auto around = nest.around(place);
-    if (!around || !marks_of(function.graph, nest, *around, marks).are_its_own) continue;
+    if (!around || !is_of_loop_around(nest, place, marks)) continue;
     const Loop& loop = nest.loops()[*around];
     if (has_hidden_ends(function.graph, loop)) continue;
     const std::set<std::uint32_t> borders = borders_of(function.graph, loop);
-    loops.push_back({place,
-                     loop.header,
-                     bound,
-                     bound + loop.passes_besides(place),
-                     function.symbol->name,
-                     {borders.begin(), borders.end()}});
+    loops.push_back({place, loop.header, bound, function.symbol->name, {borders.begin(), borders.end()}});
   }
 }
 

@@ -14,6 +14,7 @@ constexpr std::size_t kRecord = 8;  // address, number
 constexpr std::uint32_t kUnlessInterrupted = 0x8000'0000;
 constexpr unsigned kRetriedByShift = 24;
 constexpr std::uint32_t kPassesMask = (1U << kRetriedByShift) - 1;
+constexpr std::uint32_t kBegins = 0x8000'0000;
 // runtime/include/finemote/raised_by.hpp
 constexpr std::uint32_t kOnceForEach = 0x8000'0000;
 
@@ -56,6 +57,7 @@ std::vector<std::uint32_t> Marks::addresses() const {
   for (const auto& [address, number] : brackets) all.insert(address);
   for (const auto& [address, bound] : loop_bounds) all.insert(address);
   for (const auto& [address, reg] : waits) all.insert(address);
+  for (const auto& [address, id] : begins) all.insert(address);
   all.insert(faults.begin(), faults.end());
   for (const auto& [address, causes] : raised) all.insert(address);
   for (const auto& [address, cause] : once_for_each) all.insert(address);
@@ -70,9 +72,13 @@ Marks read_marks(const Image& image) {
     const std::uint32_t bound = word & kPassesMask;
     const std::uint32_t by = (word & ~kUnlessInterrupted) >> kRetriedByShift;
     if ((word & kUnlessInterrupted) != 0 && by < kKindsOfRetry) marks.retries[address] = static_cast<RetriedBy>(by);
-    // The same of a function that several sources have: the linker keeps one of it.
-    const auto known = marks.loop_bounds.emplace(address, bound).first;
-    if (known->second != bound) marks.shared_bounds.insert(address);
+    marks.loop_bounds.emplace(address, bound);
+  });
+  read_section(image, ".debug_finemote_mark_ids", [&](std::uint32_t address, std::uint32_t word) {
+    if ((word & kBegins) != 0)
+      marks.begins.emplace(address, word & ~kBegins);
+    else
+      marks.ids[address].insert(word);
   });
   read_section(image, ".debug_finemote_waits",
                [&](std::uint32_t address, std::uint32_t name) { marks.waits.emplace(address, register_named(name)); });

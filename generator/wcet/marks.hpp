@@ -22,8 +22,11 @@ struct Marks {
   std::multimap<std::uint32_t, std::uint32_t> brackets;
   /// By address: how often the place is passed at most in the innermost loop around it, per entry of the loop.
   std::map<std::uint32_t, std::uint32_t> loop_bounds;
-  /// Addresses that several marks of loops have, with several bounds: which loop each of them is of is not known.
-  std::set<std::uint32_t> shared_bounds;
+  /// By address of a mark of a loop or of a wait: what its begins have, too. One without, or with several, is of a loop
+  /// that nobody knows.
+  std::map<std::uint32_t, std::set<std::uint32_t>> ids;
+  /// By address: whose loop has not begun yet, and does so behind it.
+  std::multimap<std::uint32_t, std::uint32_t> begins;
 
   /// By begin of a block in a loop that is gone through once more after some interrupts: which.
   std::map<std::uint32_t, RetriedBy> retries;

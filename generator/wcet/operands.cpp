@@ -24,7 +24,7 @@ Value base_of(const Instruction& i, int reg, const Machine& machine) {
 }
 
 Value shifted(Value value, const cs_arm_op& op) {
-  return op.shift.type == ARM_SFT_INVALID ? value : Value::in(shifted(value.range(), op), value.is_of_stack);
+  return op.shift.type == ARM_SFT_INVALID ? value : Value::in(shifted(value.anywhere(), op), value.is_of_stack);
 }
 
 struct Form {
@@ -131,7 +131,9 @@ Value operand(const Instruction& instruction, std::size_t i, const Machine& mach
   const cs_arm_op& op = instruction.operands[i];
   if (op.type == ARM_OP_IMM) return Value::of(static_cast<std::uint32_t>(op.imm));
   if (op.type != ARM_OP_REG) return Value::in(Interval::any(), true);
-  return shifted(op.reg == ARM_REG_PC ? Value::of(instruction.address + 4) : machine.get(op.reg), op);
+  if (op.reg != ARM_REG_PC) return shifted(machine.get(op.reg), op);
+  const bool is_address = i == 1 && instruction.has_immediate(2);  // ADR as ADDW, SUBW: ARMv7-M A7.7.7
+  return is_address ? base_of(instruction, ARM_REG_PC, machine) : Value::of(instruction.address + 4);
 }
 
 MemoryUse memory_use(const Instruction& i, const Machine& machine) {

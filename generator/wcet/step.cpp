@@ -22,7 +22,7 @@ bool writes_constant(const Instruction& i, const Machine& machine, const Constan
   const MemoryUse use = memory_use(i, machine);
   return use.kind == MemoryUse::Kind::store &&
          std::any_of(use.words.begin(), use.words.end(), [&](const Transferred& word) {
-           return !word.access.address.is_of_stack && constants.is_broken_by(word.access);
+           return !word.access.address.is_on_stack() && constants.is_broken_by(word.access);
          });
 }
 

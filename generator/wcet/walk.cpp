@@ -18,10 +18,6 @@ namespace {
 
 /// Where a walk gives up: no routine that must end in a period is longer.
 constexpr std::size_t kMostNodes = 1'000'000;
-constexpr std::uint64_t kMostRounds = 10'000;
-/// How long it looks for the end of a loop that has a mark.
-constexpr std::uint64_t kMostUnmarked = 1'000;
-constexpr std::size_t kMostUnmarkedNodes = 20'000;
 constexpr std::size_t kDeepestCalls = 64;
 /// A tenth of a second: longer ones are none of a routine that has a period.
 constexpr Cycles kLongestWait = 16'800'000;
@@ -44,13 +40,14 @@ class Waits {
     for (const std::uint32_t block : loop.blocks) limits_.erase(block);
   }
 
-  /// The shortest of its marks: each is true.
-  [[nodiscard]] Cycles limit_of(const Loop& loop) const {
-    Cycles limit = kLongestWait + 1;
-    for (const auto& [block, cycles] : limits_) {
-      if (loop.blocks.count(block) != 0) limit = std::min(limit, cycles);
+  /// The longest of these: copies of one mark may have been given others.
+  [[nodiscard]] Cycles limit_of(const std::vector<std::uint32_t>& waits) const {
+    std::optional<Cycles> limit;
+    for (const std::uint32_t block : waits) {
+      const auto found = limits_.find(block);
+      if (found != limits_.end()) limit = std::max(limit.value_or(0), found->second);
     }
-    return limit;
+    return limit.value_or(kLongestWait + 1);
   }
 
  private:
@@ -69,14 +66,6 @@ void note_retry(const Frame& frame, std::uint32_t block, const Marks& marks, std
                 std::vector<Retry>& retries) {
   const auto retry = marks.retries.find(block);
   if (retry != marks.retries.end()) retries.push_back({retry->second, frame.passed.at(block), std::move(back)});
-}
-
-/// A mark in its own blocks, not in those of a loop in it, says how long it waits.
-bool is_wait(const Frame& frame, std::size_t index, const Marks& marks) {
-  const auto& blocks = frame.nest.loops()[index].blocks;
-  return std::any_of(blocks.begin(), blocks.end(), [&](std::uint32_t block) {
-    return marks.waits.count(block) != 0 && frame.nest.around(block) == index;
-  });
 }
 
 /// The register that all of a loop counts down, where it holds more than zero and nothing is marked.
@@ -103,12 +92,6 @@ void note(const Frame& frame, const Loop& loop, std::uint64_t rounds, std::map<s
   counted.rounds = std::max(counted.rounds, rounds);
 }
 
-/// How long the end of a loop is looked for.
-struct Effort {
-  std::uint64_t rounds;
-  std::size_t nodes;
-};
-
 class Walker {
  public:
   explicit Walker(const ImageFactsForWalk& facts) : facts_(facts), waits_(facts.marks) {}
@@ -116,7 +99,7 @@ class Walker {
   Walked result(std::uint32_t entry) {
     Machine machine;
     for (int reg = ARM_REG_R0; reg <= ARM_REG_R12; ++reg) machine.set(reg, Value::in(Interval::any()));
-    machine.set(ARM_REG_SP, Value::in(Interval::of(facts_.stack_top), true));
+    machine.set(ARM_REG_SP, Value::place(facts_.stack_top));
     const auto end = enter(entry, Arrival{std::move(machine), {}}, entry, nullptr);
     if (walked_.graph.nodes.size() > kMostNodes)
       fail(entry, facts_.program.at(entry), "too many ways through it: bound its loops more tightly");
@@ -148,8 +131,10 @@ class Walker {
     frame.arrivals[function->graph.entry] = std::move(arrival);
     go_through(frame, std::nullopt);
     open_.pop_back();
-    for (const std::uint32_t block : left_over(frame))
+    for (const std::uint32_t block : left_over(frame)) {
+      if (walked_.graph.nodes.size() > kMostNodes) break;  // given up on purpose
       fail(block, function, "ways that lead here are not in the bound: a defect of this tool");
+    }
     return std::move(frame.end);
   }
 
@@ -169,36 +154,21 @@ class Walker {
 
   /// A loop, round by round, until nothing comes back to its header.
   void turn(Frame& frame, std::size_t index) {
-    if (is_wait(frame, index, facts_.marks)) return wait(frame, index);
+    const std::vector<std::uint32_t> waits = waits_of(frame.nest, index, facts_.marks);
+    if (!waits.empty()) return wait(frame, index, waits);
     if (const auto reg = counter_of(frame, index, facts_.marks)) return count_down(frame, index, *reg);
     const Loop& loop = frame.nest.loops()[index];
-    const LoopMarks marks = marks_of(frame.function.graph, frame.nest, index, facts_.marks);
-    if (marks.count > 0 && turn_unmarked(frame, index)) return;
-    if (marks.count > 0 && !marks.are_its_own)
-      fail(loop.header, &frame.function, "marks that may be of several loops, of which the compiler has made one");
-    const auto rounds = go_round(frame, index, {kMostRounds, kMostNodes});
+    const auto rounds = go_round(frame, index);
     if (!rounds) {
       frame.arrivals[loop.header].reset();
       if (walked_.graph.nodes.size() <= kMostNodes)
-        fail(loop.header, &frame.function, "a loop whose rounds are not known: bound it with loop_bound<n>()");
+        fail(loop.header, &frame.function, why_endless(frame.nest, index, facts_.marks));
     }
     note(frame, loop, rounds.value_or(0), walked_.loops);
   }
 
-  /// Where the code says how often a loop turns, its mark does not count: it may be that of a loop inside, of which the
-  /// compiler has left one round, and nothing else. False, and nothing is changed, where the code does not say.
-  bool turn_unmarked(Frame& frame, std::size_t index) {
-    const Snapshot before(frame, walked_);
-    const auto around = std::exchange(frame.unmarked, index);
-    const auto rounds = go_round(frame, index, {kMostUnmarked, walked_.graph.nodes.size() + kMostUnmarkedNodes});
-    frame.unmarked = around;
-    if (!rounds) return before.restore(frame, walked_), false;
-    note(frame, frame.nest.loops()[index], *rounds, walked_.loops);
-    return true;
-  }
-
-  /// Turns back to its begin, until nothing comes back; none where there is no end to them, or not with this effort.
-  std::optional<std::uint64_t> go_round(Frame& frame, std::size_t index, Effort most) {
+  /// Turns back to its begin, until nothing comes back; none where there is no end to them.
+  std::optional<std::uint64_t> go_round(Frame& frame, std::size_t index) {
     const Loop& loop = frame.nest.loops()[index];
     for (const std::uint32_t block : loop.blocks) frame.passes.erase(block);
     frame.is_cut_by_mark = false;
@@ -210,7 +180,7 @@ class Walker {
       if (!header) return rounds;
       const bool is_same =
           before.covers(header->machine) && header->machine.covers(before) && marks_passed(frame, loop) == passed;
-      if (is_same || rounds == most.rounds || walked_.graph.nodes.size() > most.nodes) return std::nullopt;
+      if (is_same || rounds == kMostRounds || walked_.graph.nodes.size() > kMostNodes) return std::nullopt;
     }
   }
 
@@ -235,13 +205,23 @@ class Walker {
 
   /// A loop that ends when the time is over: that long; then the rest of the round that was under way, and the one that
   /// sees it, both from whatever state it has come to.
-  void wait(Frame& frame, std::size_t index) {
+  void wait(Frame& frame, std::size_t index, const std::vector<std::uint32_t>& waits) {
+    const auto around = std::exchange(frame.unmarked, index);  // its rounds are those of any time
     const Loop& loop = frame.nest.loops()[index];
     Arrival arrival = std::move(*frame.arrivals[loop.header]);
+    frame.arrivals[loop.header].reset();
     waits_.forget(loop);
     while (!settle(frame, index, arrival.machine)) {}
-    const Cycles limit = waits_.limit_of(loop);
-    if (limit > kLongestWait) return fail(loop.header, &frame.function, "a wait whose limit is not known");
+    const Cycles limit = waits_.limit_of(waits);
+    if (limit > kLongestWait)
+      fail(loop.header, &frame.function, "a wait whose limit is not known");
+    else
+      pass_time(frame, index, limit, std::move(arrival));
+    frame.unmarked = around;
+  }
+
+  void pass_time(Frame& frame, std::size_t index, Cycles limit, Arrival arrival) {
+    const Loop& loop = frame.nest.loops()[index];
     const std::size_t node = walked_.graph.nodes.size();
     walked_.graph.nodes.push_back({&frame.function, loop.header, limit, std::move(arrival.from)});
     walked_.waits.insert(node);

@@ -13,9 +13,10 @@ constexpr unsigned kMostBuses = 32;
 }  // namespace
 
 void list_bus(BusCounters& counters) {
+  const LoopBound<kMostBuses> buses;
   BusCounters** end = &first;
   while (*end != nullptr && *end != &counters) {
-    loop_bound<kMostBuses>();
+    buses.pass();
     end = &(*end)->next;
   }
   *end = &counters;

@@ -143,15 +143,15 @@ TEST_CASE("a loop without a bound is named, with its line, and its routine has n
   CHECK(update_cycles(told) == -1);
   REQUIRE(told.document["unresolved"].size() == 1);
   const Json& gap = told.document["unresolved"][0];
-  CHECK(gap["why"] == "a loop whose rounds are not known: bound it with loop_bound<n>()");
+  CHECK(gap["why"] == "a loop whose rounds are not known: bound it with LoopBound<n>");
   CHECK(gap["file"].get<std::string>().find("counter.hpp") != std::string::npos);
   CHECK(gap["line"] == 8);
 }
 
 TEST_CASE("a mark bounds it, and more passes cost more") {
   const auto marked = [](int passes) {
-    return wcet_of("for (std::uint32_t i = 0; i < limit_; ++i) { finemote::loop_bound<" + std::to_string(passes) +
-                   ">(); sum_ = sum_ + i; }");
+    return wcet_of("const finemote::LoopBound<" + std::to_string(passes) +
+                   "> all; for (std::uint32_t i = 0; i < limit_; ++i) { all.pass(); sum_ = sum_ + i; }");
   };
   const Told three = marked(3), four = marked(4);
   CHECK(three.status == 0);
@@ -166,7 +166,9 @@ TEST_CASE("a mark bounds it, and more passes cost more") {
 
 TEST_CASE("a mark that rounds can pass by is refused: it does not say which rounds are the dear ones") {
   const Told told = wcet_of(
-      "for (std::uint32_t i = 0; i < limit_; ++i) { if (sum_ == i) { finemote::loop_bound<2>(); sum_ = sum_ + i; } }");
+      "const finemote::LoopBound<2> some; for (std::uint32_t i = 0; i < limit_; ++i) { if (sum_ == i) { some.pass(); "
+      "sum_ "
+      "= sum_ + i; } }");
   CHECK(told.status == 1);
   bool is_refused = false;
   for (const Json& gap : told.document["unresolved"])

@@ -3,8 +3,9 @@ probe_robot <<'X'
 struct Probe {
   finemote::Stamp state;
   void update() {
+    const finemote::LoopBound<4> all;
     for (unsigned i = 0; i < entries; i = i + 1) {
-      finemote::loop_bound<4>();
+      all.pass();
       sum = sum + i;
     }
     state.valid = true;

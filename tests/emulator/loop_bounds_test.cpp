@@ -30,9 +30,10 @@ std::string header_of(const Walk& walk) {
 namespace my {
 struct Walker {
   void update() {
+    const finemote::LoopBound<)" +
+         number(walk.lists_told) + R"(> lists;
     for (std::uint32_t list = 0; list < lists_; list = list + 1) {
-      finemote::loop_bound<)" +
-         number(walk.lists_told) + R"(>();
+      lists.pass();
       walk();
     }
   }
@@ -41,9 +42,10 @@ struct Walker {
 
  private:
   [[gnu::noinline]] void walk() {
+    const finemote::LoopBound<)" +
+         number(walk.entries_told) + R"(> entries;
     for (std::uint32_t entry = 0; entry < entries_; entry = entry + 1) {
-      finemote::loop_bound<)" +
-         number(walk.entries_told) + R"(>();
+      entries.pass();
       for (unsigned wait = 0; wait < 800; ++wait) spent_ = spent_ + 1;
     }
   }
@@ -110,8 +112,8 @@ TEST_CASE("a mark that is one too small fails the run, and says where and by how
   const Json ran = run_of({3, 4, 3, 3}, 1);
   const std::vector<std::string> said = findings_of(ran);
   REQUIRE(said.size() == 1);
-  CHECK(said[0].find("devices/walker.hpp:18: in 'my::Walker::walk()': the loop passed its mark 4 times, and "
-                     "loop_bound<3>() says at most 3") != std::string::npos);
+  CHECK(said[0].find("devices/walker.hpp:20: in 'my::Walker::walk()': the loop passed its mark 4 times, and "
+                     "LoopBound<3> says at most 3") != std::string::npos);
   for (const Json& loop : loops_of(ran))
     CHECK(loop["judged"] == (loop["bound"] == 3 && loop["passes_max"] == 4 ? "broken" : "held"));
 }

@@ -293,7 +293,7 @@ Machine run_code(const std::vector<std::uint16_t>& halfwords, Machine machine) {
 
 Machine machine_with_stack() {
   Machine machine;
-  machine.set(ARM_REG_SP, Value::in(Interval::of(0x10001000), true));
+  machine.set(ARM_REG_SP, Value::place(0x10001000));
   return machine;
 }
 
@@ -484,7 +484,7 @@ TEST_CASE("constants are found behind others that lie in the same section") {
 TEST_CASE("a loop over what a caller gives has no bound") {
   const Bound bound = bound_of({0x3801, 0xD1FD, kReturn});  // subs r0, #1; bne -2; bx lr
   CHECK_FALSE(bound.cycles);
-  CHECK(bound.problem == "a loop whose rounds are not known: bound it with loop_bound<n>()");
+  CHECK(bound.problem == "a loop whose rounds are not known: bound it with LoopBound<n>");
 }
 
 TEST_CASE("a byte bounds a loop, and a smaller limit bounds it tighter") {
@@ -499,10 +499,15 @@ namespace {
 /// A word: 3 and a wait of 2, and where it is not aligned two more accesses that wait as long.
 constexpr Cycles kFromAnywhere = 3 + 2 + 2 * (1 + 2);
 
+void add_wait(Word place, Marks& marks) {
+  marks.waits.emplace(place, ARM_REG_R2);
+  marks.ids[place] = {1};
+}
+
 /// A wait for a word to become 0, whose limit is in r2: ldr r0, [r1]; cmp r0, #0; bne -3; bx lr.
 Bound bound_of_wait(std::vector<std::uint16_t> before, const std::vector<std::uint16_t>& behind = {kReturn}) {
   Marks marks;
-  marks.waits.emplace(kBase + static_cast<Word>(2 * before.size()), ARM_REG_R2);
+  add_wait(kBase + static_cast<Word>(2 * before.size()), marks);
   before.insert(before.end(), {0x6808, 0x2800, 0xD1FC});
   before.insert(before.end(), behind.begin(), behind.end());
   return bound_of(before, marks);
@@ -520,7 +525,7 @@ TEST_CASE("a wait lasts as long as its mark says, and two rounds") {
 TEST_CASE("a loop that waits in each of its rounds is gone through as often as it turns") {
   // movs r2, #100; movs r3, #3; nop; ldr r0, [r1]; cmp r0, #0; bne -3; subs r3, #1; bne -6; bx lr
   Marks marks;
-  marks.waits.emplace(kBase + 6, ARM_REG_R2);
+  add_wait(kBase + 6, marks);
   const Bound bound = bound_of({0x2264, 0x2303, 0xBF00, 0x6808, 0x2800, 0xD1FC, 0x3B01, 0xD1F9, kReturn}, marks);
   CHECK(bound.problem.empty());
   const Cycles wait = 100 + 2 * (kFromAnywhere + 1 + 1) + 3, round = 1 + wait + 1 + 1;
@@ -545,10 +550,10 @@ TEST_CASE("what a wait changes from round to round is not known behind it") {
   const std::vector<std::uint16_t> count_down{0x3B01, 0xD1FD, kReturn};  // subs r3, #1; bne -2; bx lr
   CHECK(bound_of_wait(before, count_down).rounds == 4);
   Marks marks;
-  marks.waits.emplace(kBase + 4, ARM_REG_R2);
+  add_wait(kBase + 4, marks);
   // ldr r0, [r1]; adds r3, #1; cmp r0, #0; bne -4; then count down
   const Bound bound = bound_of({0x2264, 0x2305, 0x6808, 0x3301, 0x2800, 0xD1FB, 0x3B01, 0xD1FD, kReturn}, marks);
-  CHECK(bound.problem == "a loop whose rounds are not known: bound it with loop_bound<n>()");
+  CHECK(bound.problem == "a loop whose rounds are not known: bound it with LoopBound<n>");
 }
 
 TEST_CASE("the two sides of an IT block are told apart to its end") {
@@ -569,12 +574,50 @@ TEST_CASE("a mark bounds a loop, and each more pass costs more") {
   const std::vector<std::uint16_t> code{0x3801, 0xD1FD, kReturn};
   Marks marks;
   marks.loop_bounds[kBase] = 3;
+  marks.ids[kBase] = {1};
   const Bound three = bound_of(code, marks);
   REQUIRE(three.cycles);
   marks.loop_bounds[kBase] = 4;
   const Bound four = bound_of(code, marks);
   REQUIRE(four.cycles);
   CHECK(*four.cycles - *three.cycles == 1 + 1 + 3);
+  marks.begins.emplace(kBase, 2);  // of another loop
+  CHECK(bound_of(code, marks).cycles == four.cycles);
+}
+
+TEST_CASE("a mark whose loop begins in this one, or that does not say where it begins, is of another loop") {
+  const std::vector<std::uint16_t> code{0xBF00, 0x3801, 0xD1FC, kReturn};  // nop; subs r0, #1; bne -3; bx lr
+  Marks marks;
+  marks.loop_bounds[kBase + 2] = 3;
+  CHECK(bound_of(code, marks).problem.find("the marks in it are of others") != std::string::npos);
+  marks.ids[kBase + 2] = {1};
+  CHECK(bound_of(code, marks).cycles);
+  marks.begins.emplace(kBase, 1);
+  CHECK(bound_of(code, marks).problem.find("the marks in it are of others") != std::string::npos);
+}
+
+TEST_CASE("a loop that its mark lets turn more often than is followed is called that") {
+  Marks marks;
+  marks.loop_bounds[kBase] = 20'000;
+  marks.ids[kBase] = {1};
+  // nop; subs r0, #1; bne -3; bx lr
+  CHECK(bound_of({0xBF00, 0x3801, 0xD1FC, kReturn}, marks).problem ==
+        "a loop that may turn more often than is followed: 10000 times");
+}
+
+TEST_CASE("two words that are equal are not held by two that are only in their ranges") {
+  Unknowns unknowns;
+  Machine equal = machine_with_stack(), apart = machine_with_stack();
+  const Value one = unknowns.next(Interval::any(), false);
+  equal.set(ARM_REG_R0, one);
+  equal.set(ARM_REG_R1, one);
+  apart.set(ARM_REG_R0, unknowns.next(Interval::any(), false));
+  apart.set(ARM_REG_R1, unknowns.next(Interval::any(), false));
+  CHECK_FALSE(equal.covers(apart));
+  CHECK(equal.covers(equal));
+  equal.widen(apart);
+  CHECK(equal.covers(apart));
+  CHECK(difference(equal.get(ARM_REG_R0), equal.get(ARM_REG_R1)).range() == Interval::any());
 }
 
 TEST_CASE("a constant member of a constant hides nothing of what lies around it") {

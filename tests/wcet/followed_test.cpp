@@ -146,8 +146,9 @@ class List {
  public:
   constexpr List() = default;
   void update() {
+    const finemote::LoopBound<3> all;
     for (std::uint32_t i = 0; i < size_; ++i) {
-      finemote::loop_bound<3>();
+      all.pass();
       sum_ = sum_ + i;
     }
   }

@@ -29,8 +29,9 @@ namespace finemote::stm32f4 {
                                                           std::uint32_t limit) {
   constexpr std::uint32_t kTurn = 8;   // cycles, at least: two loads, of which one over a peripheral bus, and a branch
   constexpr std::uint32_t kLook = 20;  // cycles, of a look over APB1 and its way
+  const WaitBound wait(limit);
   for (std::uint32_t turns = limit / kTurn; turns != 0 && cortex_m4::cycles() - begin + kLook < limit; --turns) {
-    leaves_after(limit);
+    wait.pass();
     if ((status.read() & mask) == value) return true;
   }
   return (status.read() & mask) == value;

@@ -9,11 +9,13 @@ namespace detail {
 
 constexpr std::uint32_t kUnlessInterrupted = 0x8000'0000;
 constexpr unsigned kRetriedByShift = 24;
+/// Of a record of `.debug_finemote_mark_ids`: here the loop of these marks has not begun. Else: a mark of it.
+constexpr std::uint32_t kBegins = 0x8000'0000;
 
 /// Records the address of this place and `word` in section `.debug_finemote_loops`, two words each.
 template <std::uint32_t word>
 [[gnu::always_inline]] inline void tell_loop() {
-#ifdef __arm__
+#if defined(__arm__) && defined(__OPTIMIZE__)
   asm volatile inline(
       "0: .pushsection .debug_finemote_loops,\"\",%%progbits\n\t.word 0b, %c0\n\t.popsection" ::"i"(word));
 #endif
@@ -21,22 +23,45 @@ template <std::uint32_t word>
 
 }  // namespace detail
 
-/// This place, in the body of a loop, is passed at most `passes` times from when the loop is entered to when it is
-/// left. It costs no instruction. What is told must be true: bounds are computed from it. `finemote run` counts the
-/// passes on the emulated board, of the inputs that it has; nothing else checks it.
-/// Every round of the loop passes this place.
-/// @code for (Inbox* i = first; i != nullptr; i = i->next) { loop_bound<kMostInboxes>(); ... } @endcode
+/// From when it is made on, which is right before a loop, `pass()` in the body of that loop is passed at most `passes`
+/// times. Every round of the loop passes it. Both cost a `nop`: a place of their own. What is told must be true: bounds
+/// are computed from it. `finemote run` counts the passes on the emulated board, of the inputs that it has; nothing
+/// else checks it.
+/// @code const LoopBound<kMostInboxes> inboxes;
+///       for (Inbox* i = first; i != nullptr; i = i->next) { inboxes.pass(); ... } @endcode
 template <std::uint32_t passes>
-[[gnu::always_inline]] inline void loop_bound() {
+class LoopBound {
   static_assert(passes < 1U << detail::kRetriedByShift, "a loop that turns so often has no useful bound");
-  detail::tell_loop<passes>();
-}
+
+ public:
+  [[gnu::always_inline]] explicit LoopBound(std::uint32_t line = __builtin_LINE()) : line_(line) {
+#if defined(__arm__) && defined(__OPTIMIZE__)
+    asm volatile inline(
+        "0: nop\n\t.pushsection .debug_finemote_mark_ids,\"\",%%progbits\n\t.word 0b, %c0\n\t.popsection" ::"i"(
+            detail::kBegins | line));
+#endif
+  }
+  LoopBound(const LoopBound&) = delete;
+  LoopBound& operator=(const LoopBound&) = delete;
+
+  [[gnu::always_inline]] void pass() const {
+#if defined(__arm__) && defined(__OPTIMIZE__)
+    asm volatile inline(
+        "0: nop\n\t.pushsection .debug_finemote_loops,\"\",%%progbits\n\t.word 0b, %c0\n\t.popsection\n\t"
+        ".pushsection .debug_finemote_mark_ids,\"\",%%progbits\n\t.word 0b, %c1\n\t.popsection" ::"i"(passes),
+        "i"(line_));
+#endif
+  }
+
+ private:
+  [[maybe_unused]] std::uint32_t line_;  // tells it apart from those of other loops
+};
 
 /// Keeps `left`, which a loop counts down, a number: compilers make a comparison of pointers of it, from which tools
 /// read less. It costs no instruction.
 /// @code for (; left != 0; --left) { as_counted(left); ... } @endcode
 [[gnu::always_inline]] inline void as_counted([[maybe_unused]] std::size_t& left) {
-#ifdef __arm__
+#if defined(__arm__) && defined(__OPTIMIZE__)
   asm volatile inline("" : "+r"(left));
 #endif
 }
@@ -57,14 +82,41 @@ template <RetriedBy by>
   detail::tell_loop<detail::kUnlessInterrupted | static_cast<std::uint32_t>(by) << detail::kRetriedByShift | 1U>();
 }
 
-/// This place is in the body of a loop that is left in the round after the cycle count has gone on by `cycles` from
-/// when the loop was entered, or before. It puts the number into a register.
-[[gnu::always_inline]] inline void leaves_after([[maybe_unused]] std::uint32_t cycles) {
-#ifdef __arm__
-  asm volatile inline(
-      "0: .pushsection .debug_finemote_waits,\"\",%%progbits\n\t.word 0b\n\t.asciz \"%0\"\n\t.balign 8\n\t"
-      ".popsection" ::"r"(cycles));
+/// From when it is made on, which is before a loop, `pass()` in the body of that loop is passed in every round, but in
+/// none that begins more than `cycles()` cycles later. Making it puts the number into a register; a pass costs a `nop`.
+/// @code const WaitBound wait(limit);
+///       while (!is_ready() && cycles() - begin < limit) wait.pass(); @endcode
+class WaitBound {
+ public:
+  [[gnu::always_inline]] explicit WaitBound(std::uint32_t cycles, std::uint32_t line = __builtin_LINE())
+      : cycles_(cycles), line_(line) {
+#if defined(__arm__) && defined(__OPTIMIZE__)
+    std::uint32_t kept;  // for a member would have to lie in memory
+    asm volatile inline(
+        "0: mov %0, %1\n\t.pushsection .debug_finemote_mark_ids,\"\",%%progbits\n\t.word 0b, %c2\n\t.popsection"
+        : "=r"(kept)
+        : "rj"(cycles), "i"(detail::kBegins | line));
+    cycles_ = kept;
 #endif
-}
+  }
+  WaitBound(const WaitBound&) = delete;
+  WaitBound& operator=(const WaitBound&) = delete;
+
+  [[nodiscard, gnu::always_inline]] std::uint32_t cycles() const { return cycles_; }
+
+  [[gnu::always_inline]] void pass() const {
+#if defined(__arm__) && defined(__OPTIMIZE__)
+    asm volatile inline(
+        "0: nop\n\t.pushsection .debug_finemote_waits,\"\",%%progbits\n\t.word 0b\n\t.asciz \"%0\"\n\t.balign 8\n\t"
+        ".popsection\n\t.pushsection .debug_finemote_mark_ids,\"\",%%progbits\n\t.word 0b, %c1\n\t"
+        ".popsection" ::"r"(cycles_),
+        "i"(line_));
+#endif
+  }
+
+ private:
+  std::uint32_t cycles_;
+  [[maybe_unused]] std::uint32_t line_;
+};
 
 }  // namespace finemote

@@ -1,4 +1,4 @@
-// refused: marks of two loops at one place
+// bounded: marks of two loops side by side
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,12 @@ namespace my {
 struct Walker {
   void update() {
     n_ = 0;
+    const finemote::LoopBound<2> eights;
     do {
-      finemote::loop_bound<2>();
+      eights.pass();
+      const finemote::LoopBound<8> ones;
       do {
-        finemote::loop_bound<8>();
+        ones.pass();
         n_ = n_ + 1;
       } while ((n_ & 7) != 0);
     } while ((n_ & 15) != 0);

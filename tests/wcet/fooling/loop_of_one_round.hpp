@@ -1,4 +1,4 @@
-// refused: a loop of one round, which the compiler leaves out: its mark lies in the loop around it
+// bounded: a loop of one round, which the compiler leaves out: its mark lies in the loop around it, and says nothing
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,12 @@ namespace my {
 
 struct Walker {
   void update() {
+    const finemote::LoopBound<10> rows;
     for (std::uint32_t k = 0; k < o_; ++k) {
-      finemote::loop_bound<10>();
+      rows.pass();
+      const finemote::LoopBound<1> entries;
       for (volatile std::uint32_t& e : array_) {
-        finemote::loop_bound<1>();
+        entries.pass();
         e = e * 3 + k;
       }
     }

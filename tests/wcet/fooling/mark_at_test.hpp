@@ -1,4 +1,4 @@
-// bounded: a mark that lies before the test of its loop, which is passed when it is left, too
+// bounded: a mark that lies before the test of its loop
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,11 @@ struct Walker {
   [[gnu::noinline]] bool ended(std::uint32_t n) { return n >= m_; }
   [[gnu::noinline, gnu::optimize("O2")]] void go() {
     n_ = 0;
+    const finemote::LoopBound<2> rounds;
     while (!ended(n_)) {
       spin();
       n_ = n_ + 1;
-      finemote::loop_bound<2>();
+      rounds.pass();
     }
   }
   [[gnu::noipa]] void spin() {

@@ -19,6 +19,7 @@ struct Walker {
   [[gnu::noinline]] void duff() {
     for (std::uint32_t k = 0; k < o_; ++k) {
       std::uint32_t left = m_ / 8;
+      const finemote::LoopBound<2> eights;
       switch (which_ & 3) {
         case 0:
           do {
@@ -32,7 +33,7 @@ struct Walker {
               [[fallthrough]];
             case 1:
               x_ = x_ * 7;
-              finemote::loop_bound<2>();
+              eights.pass();
           } while (--left > 0);
       }
     }

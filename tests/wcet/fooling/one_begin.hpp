@@ -1,4 +1,4 @@
-// refused: two loops that begin at one place
+// bounded: a loop that begins with another one: their marks begin apart
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,13 @@ namespace my {
 struct Walker {
   void update() {
     at_ = 0;
+    const finemote::LoopBound<4> lines;
     while (true) {
-      finemote::loop_bound<4>();  // three lines, and the end
+      lines.pass();  // three lines, and the end
       std::uint32_t letter;
+      const finemote::LoopBound<40> letters;
       do {
-        finemote::loop_bound<40>();  // letters of a line, its end included
+        letters.pass();  // letters of a line, its end included
         letter = next();
       } while (letter > 10);
       if (letter == 0) break;

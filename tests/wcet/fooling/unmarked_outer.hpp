@@ -12,8 +12,9 @@ struct Walker {
   void update() {
     n_ = 0;
     do {
+      const finemote::LoopBound<4> rounds;
       do {
-        finemote::loop_bound<4>();
+        rounds.pass();
         n_ = n_ + 1;
       } while ((n_ & 3) != 0);
     } while (n_ != m_ * 4);

@@ -70,8 +70,8 @@ constexpr unsigned kMostClocks = 9;
 void wait_cycles(std::uint32_t count) {
   constexpr std::uint32_t kTurn = 4;
   const std::uint32_t from = cortex_m4::cycles();
-  for (std::uint32_t turns = count / kTurn; turns != 0 && cortex_m4::cycles() - from < count; --turns)
-    leaves_after(count);
+  const WaitBound wait(count);
+  for (std::uint32_t turns = count / kTurn; turns != 0 && cortex_m4::cycles() - from < count; --turns) wait.pass();
 }
 
 void set_clock(const stm32f4::I2cRegisters& registers, const BitTiming& timing) {
