@@ -158,7 +158,8 @@ OptionList options_of_wcet() {
                no_sandbox(),
                {{"-o,--output", &Options::out, "write the bounds to this file, as finemote.wcet/1"},
                 {"--elf", &Options::elf, "an image of this robot that was linked elsewhere"},
-                {"--explain", &Options::explained_stage, "the longest way through a stage, for example imu.update"}}});
+                {"--explain", &Options::explained,
+                 "the longest way through a stage or a routine of the table, for example imu.update"}}});
 }
 
 OptionList options_of_bench_kit() {

@@ -54,7 +54,7 @@ struct Options {
   std::string robot;                ///< bench-kit --robot
   std::string read;                 ///< bench-kit --read
   std::string elf;                  ///< wcet --elf
-  std::string explained_stage;      ///< wcet --explain
+  std::string explained;            ///< wcet --explain
   std::string example;              ///< init --example
   std::string duration;             ///< --duration
   bool flash_misses = false;        ///< --flash miss: fetches from the emulated flash are never there already

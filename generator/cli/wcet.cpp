@@ -14,7 +14,7 @@
 #include "generator/run/compiler.hpp"
 #include "generator/run/image_owner.hpp"
 #include "generator/run/project.hpp"
-#include "generator/run/wcet_report.hpp"
+#include "generator/run/wcet_explain.hpp"
 #include "generator/run/wcet_scheduler.hpp"
 #include "generator/run/work_folder.hpp"
 #include "generator/timing/bounds.hpp"
@@ -49,16 +49,16 @@ std::optional<std::string> image_of(const Options& options, const Project& proje
   return options.elf.empty() ? make_image(project, sources, diagnostics) : std::optional(options.elf);
 }
 
-void report_unknown_stage(const std::string& asked, Diagnostics& diagnostics) {
-  diagnostics.error(code::usage, {}, fmt::format("no stage '{}' with a bound", asked))
-      .hint("name it as the table does, for example 'imu.update'");
+void report_unknown_row(const std::string& asked, Diagnostics& diagnostics) {
+  diagnostics.error(code::usage, {}, fmt::format("no stage or routine '{}' with a bound", asked))
+      .hint("name it as the table does: 'imu.update', 'release', 'bucket 1 ms'");
 }
 
 Answer answer_of(const Options& options, const TimedRobot& timed, Diagnostics& diagnostics) {
   const int status = timed.times.gaps.empty() ? kExitYes : kExitNo;
-  if (!options.explained_stage.empty()) {
-    const auto text = explain_stage(timed, options.explained_stage);
-    if (!text) report_unknown_stage(options.explained_stage, diagnostics);
+  if (!options.explained.empty()) {
+    const auto text = explain_longest_way(timed, options.explained);
+    if (!text) report_unknown_row(options.explained, diagnostics);
     return text ? Answer{status, *text, wcet_document(timed)} : no_answer();
   }
   nlohmann::ordered_json document = wcet_document(timed);

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "generator/forest/stage.hpp"
 #include "generator/run/code_line.hpp"
 #include "generator/run/wcet_scheduler.hpp"
@@ -17,24 +15,11 @@ using wcet::Cycles;
 
 const char* name_of(wcet::Placement placement) { return placement == wcet::Placement::sram ? "sram" : "flash"; }
 
-std::string name_of(const TimedRobot& timed, Stage stage) {
-  return timed.robot.devices[timed.forest.order[stage.rank]].name.text + (stage.is_handle ? ".handle" : ".update");
-}
-
 Json place_of(std::uint32_t address, const std::string& function, const TimedRobot& timed) {
   const auto line = code_line(timed.lines, address);
   return {{"function", function},
           {"file", line ? Json(timed.names.of(line->file)) : Json()},
           {"line", line ? Json(line->line) : Json()}};
-}
-
-std::vector<Stage> stages_of(const TimedRobot& timed) {
-  std::vector<Stage> stages;
-  for (const Rank rank : timed.forest.order.ids()) {
-    stages.push_back({rank, false});
-    stages.push_back({rank, true});
-  }
-  return stages;
 }
 
 Json stage_json(const TimedRobot& timed, Stage stage, const wcet::BracketTime& bracket) {
@@ -54,11 +39,6 @@ Json stage_json(const TimedRobot& timed, Stage stage, const wcet::BracketTime& b
           {"loops", std::move(loops)}};
 }
 
-std::string where(std::uint32_t address, const TimedRobot& timed) {
-  const auto line = code_line(timed.lines, address);
-  return line ? fmt::format("{}:{}", timed.names.of(line->file), line->line) : fmt::format("0x{:08x}", address);
-}
-
 /// Times of a stage or a routine: with faults, and without them where that is less.
 std::string row(const std::string& name, Cycles cycles, std::optional<Cycles> without_faults, const TimedRobot& timed) {
   const auto us = [&](Cycles c) { return static_cast<double>(ns_of(c, timed)) / 1e3; };
@@ -70,7 +50,26 @@ std::string head(const char* what) {
   return fmt::format("  {:<32} {:>9} {:>12} {:>12}\n", what, "cycles", "us", "no fault, us");
 }
 
-/// The bracket of a stage; null: its routine has no bound.
+}  // namespace
+
+std::vector<Stage> stages_of(const TimedRobot& timed) {
+  std::vector<Stage> stages;
+  for (const Rank rank : timed.forest.order.ids()) {
+    stages.push_back({rank, false});
+    stages.push_back({rank, true});
+  }
+  return stages;
+}
+
+std::string name_of(const TimedRobot& timed, Stage stage) {
+  return timed.robot.devices[timed.forest.order[stage.rank]].name.text + (stage.is_handle ? ".handle" : ".update");
+}
+
+std::string name_of(const TimedRobot& timed, const wcet::RoutineTime& routine) {
+  const auto task = task_of(timed, routine.exception);
+  return task ? task->name : interrupt_name(timed, routine);
+}
+
 const wcet::BracketTime* bracket_of(const TimedRobot& timed, Stage stage) {
   const std::uint32_t mark = 2 * stage.number();
   for (const wcet::RoutineTime& routine : timed.times.routines) {
@@ -81,7 +80,10 @@ const wcet::BracketTime* bracket_of(const TimedRobot& timed, Stage stage) {
   return nullptr;
 }
 
-}  // namespace
+std::string code_place(std::uint32_t address, const TimedRobot& timed) {
+  const auto line = code_line(timed.lines, address);
+  return line ? fmt::format("{}:{}", timed.names.of(line->file), line->line) : fmt::format("0x{:08x}", address);
+}
 
 Json wcet_document(const TimedRobot& timed) {
   Json document{{"schema", kTimingSchema}, {"robot", timed.robot.name.text}};
@@ -117,30 +119,12 @@ std::string wcet_text(const TimedRobot& timed) {
     if (bracket != nullptr) text += row(name_of(timed, stage), bracket->cycles, bracket->without_faults, timed);
   }
   text += "\n" + head("interrupt");
-  for (const wcet::RoutineTime& routine : timed.times.routines) {
-    const auto task = task_of(timed, routine.exception);
-    text += row(task ? task->name : interrupt_name(timed, routine), routine.cycles, routine.without_faults, timed);
-  }
+  for (const wcet::RoutineTime& routine : timed.times.routines)
+    text += row(name_of(timed, routine), routine.cycles, routine.without_faults, timed);
   if (timed.times.gaps.empty()) return text;
   text += "\nwithout a bound\n";
   for (const wcet::TimeGap& gap : timed.times.gaps)
-    text += fmt::format("  {}: in '{}': {}\n", where(gap.address, timed), gap.function, gap.why);
-  return text;
-}
-
-std::optional<std::string> explain_stage(const TimedRobot& timed, const std::string& asked) {
-  const auto stages = stages_of(timed);
-  const auto stage = std::find_if(stages.begin(), stages.end(), [&](Stage s) { return name_of(timed, s) == asked; });
-  const auto* bracket = stage == stages.end() ? nullptr : bracket_of(timed, *stage);
-  if (bracket == nullptr) return std::nullopt;
-  std::string text = fmt::format("{}: {} cycles on the longest way\n\n  {:>8} {:>8}  {:<10}  {}\n", asked,
-                                 bracket->cycles, "from", "cycles", "address", "line, function");
-  Cycles begin = 0;
-  for (const wcet::PathStep& step : bracket->path) {
-    text += fmt::format("  {:>8} {:>8}  0x{:08x}  {}, {}\n", begin, step.cycles, step.address,
-                        where(step.address, timed), step.function);
-    begin += step.cycles;
-  }
+    text += fmt::format("  {}: in '{}': {}\n", code_place(gap.address, timed), gap.function, gap.why);
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/forest/forest.hpp"
+#include "generator/forest/stage.hpp"
 #include "generator/image/source_lines.hpp"
 #include "generator/model/robot.hpp"
 #include "generator/run/source_names.hpp"
@@ -41,7 +42,17 @@ nlohmann::ordered_json wcet_document(const TimedRobot& timed);
 /// The same as a table, with what has no bound below it.
 std::string wcet_text(const TimedRobot& timed);
 
-/// The longest way through a stage line by line, as `imu.update` names it; none: there is no such stage, or no bound.
-std::optional<std::string> explain_stage(const TimedRobot& timed, const std::string& stage);
+/// In the order of the table.
+std::vector<Stage> stages_of(const TimedRobot& timed);
+
+/// As the table names them: `imu.update`, `gimbal_can.CAN2_RX0`, `bucket 1 ms`, `release`.
+std::string name_of(const TimedRobot& timed, Stage stage);
+std::string name_of(const TimedRobot& timed, const wcet::RoutineTime& routine);
+
+/// The bracket of a stage; null: its routine has no bound.
+const wcet::BracketTime* bracket_of(const TimedRobot& timed, Stage stage);
+
+/// A file and a line; the address where the image does not tell.
+std::string code_place(std::uint32_t address, const TimedRobot& timed);
 
 }  // namespace finemote::gen

@@ -1,7 +1,9 @@
 // finemote wcet: its bounds against what the emulated board takes, and what it says where it has none.
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
 #include <map>
+#include <sstream>
 
 #include "catch.hpp"
 #include "cli/program.hpp"
@@ -176,16 +178,42 @@ TEST_CASE("a mark that rounds can pass by is refused: it does not say which roun
   CHECK(is_refused);
 }
 
-TEST_CASE("a stage is explained to the last cycle, and a name that is none is refused") {
-  const std::string robot = source_path("examples/infantry.urdf");
+namespace {
+
+/// The sum of a column of the rows between two lines.
+long sum_of(const std::string& text, const std::string& from, const std::string& to, int column) {
+  std::istringstream rows(text.substr(text.find(from), text.find(to, text.find(from)) - text.find(from)));
+  std::string row, word;
+  std::getline(rows, row);
+  long sum = 0;
+  while (std::getline(rows, row)) {
+    std::istringstream words(row);
+    for (int i = 0; i <= column; ++i) words >> word;
+    sum += std::atol(word.c_str());
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("every row of the table is explained to the last cycle, and a name that is none is refused") {
+  const std::string robot = source_path("examples/two_devices.urdf");
   const Json bounds = finemote_json({"wcet", robot});
   const Json& stage = bounds["stages"][0];
   const std::string name = stage["device"].get<std::string>() + "." + stage["stage"].get<std::string>();
   const auto explained = run_finemote({"wcet", robot, "--explain", name});
   CHECK(explained.output.rfind(name + ": " + stage["wcet_cycles"].dump() + " cycles on the longest way\n", 0) == 0);
+  for (const std::string routine : {"release", "bucket 5 ms"}) {
+    const auto way = run_finemote({"wcet", robot, "--explain", routine});
+    CAPTURE(way.output);
+    const long cycles = std::atol(way.output.c_str() + routine.size() + 2);
+    CHECK(cycles > 0);
+    CHECK(sum_of(way.output, "  from", "\nby line", 1) == cycles);
+    CHECK(sum_of(way.output, "    cycles   share", "\f", 0) <= cycles);
+  }
   const auto refused = run_finemote({"wcet", robot, "--explain", "nobody.update"});
   CHECK(refused.exit_status == 2);
-  CHECK(refused.output.find("no stage 'nobody.update' with a bound") != std::string::npos);
+  CHECK(refused.output.find("no stage or routine 'nobody.update' with a bound") != std::string::npos);
 }
 
 TEST_CASE("an image that is none is refused") {
