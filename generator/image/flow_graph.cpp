@@ -16,16 +16,16 @@ using Returns = std::function<bool(const FlowCall&)>;
 
 class Trace {
  public:
-  Trace(const Image& image, const FunctionBody& body, const Returns& returns)
-      : image_(image), body_(body), returns_(returns) {}
+  Trace(const Image& image, const FunctionBody& body, const Returns& returns, std::uint32_t entry)
+      : image_(image), body_(body), returns_(returns), entry_(entry) {}
 
   /// Follows all instructions; tables once what leads to them is known.
   void follow() {
-    if (body_.at(body_.begin()) == nullptr) {
-      problems_[body_.begin()] = "begins with data";
+    if (body_.at(entry_) == nullptr) {
+      problems_[entry_] = "begins with data";
       return;
     }
-    reach(body_.begin());
+    reach(entry_);
     do follow_open();
     while (resolve_tables());
     confirm_tables();
@@ -33,7 +33,7 @@ class Trace {
 
   FlowGraph blocks(const std::vector<std::uint32_t>& boundaries) {
     FlowGraph graph;
-    graph.entry = body_.begin();
+    graph.entry = entry_;
     std::set<std::uint32_t> begins = begins_of_blocks(boundaries);
     for (const std::uint32_t begin : begins) {
       BasicBlock block = block_from(begin, begins);
@@ -75,6 +75,7 @@ class Trace {
           calls_[i.address] = {i.address, transfer.target, true};
         break;
       case Transfer::Kind::call:
+        if (is_part(transfer.target)) return call_part(i, transfer.target);
         calls_[i.address] = {i.address, transfer.target, false};
         break;
       case Transfer::Kind::indirect:
@@ -88,12 +89,31 @@ class Trace {
         problems_[i.address] = i.is_known() ? fmt::format("'{}' jumps to an unknown place", i.text)
                                             : "an instruction that the decoder does not know";
         break;
-      case Transfer::Kind::next:
       case Transfer::Kind::leave:
+        if (i.id == ARM_INS_BX) return_to_parts(i);
+        break;
+      case Transfer::Kind::next:
       case Transfer::Kind::stop:
         break;
     }
     if (transfer.may_fall_through && comes_back(i)) fall_from(i);
+  }
+
+  /// In the middle of the body, where no other function begins.
+  [[nodiscard]] bool is_part(std::uint32_t address) const {
+    return body_.contains(address) && address != body_.begin() && !image_.is_function(address);
+  }
+
+  void call_part(const Instruction& call, std::uint32_t part) {
+    go(call.address, {part, true});
+    behind_parts_.insert(call.end());
+    for (const std::uint32_t from : returns_to_parts_) go(from, {call.end(), true});
+    if (call.is_conditional()) fall_from(call);
+  }
+
+  void return_to_parts(const Instruction& i) {
+    returns_to_parts_.insert(i.address);
+    for (const std::uint32_t behind : behind_parts_) go(i.address, {behind, true});
   }
 
   /// What is behind is reached: no call ends here for good.
@@ -131,7 +151,7 @@ class Trace {
 
   std::set<std::uint32_t> begins_of_blocks(const std::vector<std::uint32_t>& boundaries) const {
     std::set<std::uint32_t> begins;
-    if (!reached_.empty()) begins.insert(body_.begin());
+    if (!reached_.empty()) begins.insert(entry_);
     for (const std::uint32_t address : reached_) {
       if (!ends_block(address)) continue;
       for (const Successor& successor : successors_.of(address)) begins.insert(successor.to);
@@ -165,6 +185,8 @@ class Trace {
   const Image& image_;
   const FunctionBody& body_;
   const Returns& returns_;
+  const std::uint32_t entry_;
+  std::set<std::uint32_t> behind_parts_, returns_to_parts_;
   Successors successors_;
   std::set<std::uint32_t> reached_;
   std::vector<std::uint32_t> open_;
@@ -182,11 +204,10 @@ bool FlowGraph::has_return(const Returns& returns) const {
   });
 }
 
-FlowGraph trace(const Image& image, const FunctionBody& body, const Returns& returns,
-                const std::vector<std::uint32_t>& boundaries) {
-  Trace tracing(image, body, returns);
+FlowGraph trace(const Image& image, const FunctionBody& body, const Returns& returns, const TraceLimits& limits) {
+  Trace tracing(image, body, returns, limits.entry);
   tracing.follow();
-  return tracing.blocks(boundaries);
+  return tracing.blocks(limits.boundaries);
 }
 
 }  // namespace finemote::gen

@@ -47,9 +47,16 @@ struct FlowGraph {
   [[nodiscard]] bool has_return(const std::function<bool(const FlowCall&)>& returns) const;
 };
 
-/// @param returns     whether a call comes back; behind one that does not nothing is followed
-/// @param boundaries  addresses at which blocks end, too, in order; may lie anywhere
+/// Where a trace begins and what cuts its blocks.
+struct TraceLimits {
+  std::uint32_t entry = 0;                ///< an instruction of the body, mostly its first
+  std::vector<std::uint32_t> boundaries;  ///< addresses at which blocks end, too, in order; may lie anywhere
+};
+
+/// A call of a place in the same body is a jump there, from which `bx lr` leads to behind the call: so do routines of
+/// libgcc, parts of which also return for the whole.
+/// @param returns  whether a call comes back; behind one that does not nothing is followed
 FlowGraph trace(const Image& image, const FunctionBody& body, const std::function<bool(const FlowCall&)>& returns,
-                const std::vector<std::uint32_t>& boundaries = {});
+                const TraceLimits& limits);
 
 }  // namespace finemote::gen

@@ -111,6 +111,14 @@ const ImageSymbol* Image::find(std::string_view name) const {
   return found == symbols.end() ? nullptr : &*found;
 }
 
+bool Image::is_function(std::uint32_t address) const {
+  const auto first = std::lower_bound(symbols.begin(), symbols.end(), address,
+                                      [](const ImageSymbol& s, std::uint32_t a) { return s.address < a; });
+  return std::any_of(first, symbols.end(), [&](const ImageSymbol& s) {
+    return s.address == address && s.kind == ImageSymbol::Kind::function;
+  });
+}
+
 std::string_view Image::bytes(std::uint32_t address, std::uint32_t size) const {
   for (const ImageSection& section : sections) {
     if (!section.allocated || section.bytes.empty() || address < section.address) continue;

@@ -44,6 +44,8 @@ struct Image {
 
   /// The first symbol of this name, or null.
   [[nodiscard]] const ImageSymbol* find(std::string_view name) const;
+  /// A function begins there.
+  [[nodiscard]] bool is_function(std::uint32_t address) const;
   /// The little-endian word at an address the file has bytes for.
   [[nodiscard]] std::optional<std::uint32_t> word(std::uint32_t address) const;
   /// The bytes from `address` on, at most `size`; empty when the file has none there.

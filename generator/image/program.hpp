@@ -13,7 +13,7 @@
 namespace finemote::gen {
 
 struct ProgramFunction {
-  const ImageSymbol* symbol = nullptr;
+  const ImageSymbol* symbol = nullptr;  ///< of which it is all, or what a jump from elsewhere into its middle leads to
   FunctionBody body;
   FlowGraph graph;
   bool returns = false;  ///< some path leads back to the caller
@@ -25,7 +25,7 @@ class Program {
   /// `image` outlives it. Blocks end at the `boundaries`, too, which are in order and may lie anywhere.
   explicit Program(const Image& image, std::vector<std::uint32_t> boundaries = {});
 
-  /// The function that begins there, or null.
+  /// The function that begins there, or what is left of one into which others jump there; or null.
   [[nodiscard]] const ProgramFunction* at(std::uint32_t address) const;
   /// False where the callee is known and never returns.
   [[nodiscard]] bool returns(const FlowCall& call) const;
@@ -35,6 +35,9 @@ class Program {
  private:
   void trace_all();
   bool trace_again();
+  bool add_entries();
+  [[nodiscard]] std::vector<std::uint32_t> boundaries_of(std::uint32_t entry, const ProgramFunction& function) const;
+  [[nodiscard]] const ImageSymbol* around(std::uint32_t address) const;
   [[nodiscard]] bool is_cut(const FlowGraph& graph) const;
 
   const Image& image_;

@@ -94,6 +94,9 @@ Json wcet_document(const TimedRobot& timed) {
   for (const wcet::TimeGap& gap : timed.times.gaps) {
     Json place = place_of(gap.address, gap.function, timed);
     place["why"] = gap.why;
+    place["called_from"] = Json::array();
+    for (const wcet::CodePlace& call : gap.calls)
+      place["called_from"].push_back(place_of(call.address, call.function, timed));
     unresolved.push_back(std::move(place));
   }
   document["stages"] = std::move(stages);
@@ -123,8 +126,11 @@ std::string wcet_text(const TimedRobot& timed) {
     text += row(name_of(timed, routine), routine.cycles, routine.without_faults, timed);
   if (timed.times.gaps.empty()) return text;
   text += "\nwithout a bound\n";
-  for (const wcet::TimeGap& gap : timed.times.gaps)
+  for (const wcet::TimeGap& gap : timed.times.gaps) {
     text += fmt::format("  {}: in '{}': {}\n", code_place(gap.address, timed), gap.function, gap.why);
+    for (const wcet::CodePlace& call : gap.calls)
+      text += fmt::format("    called at {}, in '{}'\n", code_place(call.address, timed), call.function);
+  }
   return text;
 }
 

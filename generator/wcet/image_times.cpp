@@ -22,6 +22,17 @@ std::string name_of(const ProgramFunction* function) {
   return function == nullptr ? std::string("?") : readable_name(function->symbol->name);
 }
 
+/// Run-time ABI for the Arm architecture (IHI 0043), 4.1.2.
+bool is_double_arithmetic(const std::string& function) { return function.rfind("__aeabi_d", 0) == 0; }
+
+TimeGap gap_of(const WalkProblem& problem) {
+  TimeGap gap{problem.address, name_of(problem.function), problem.why};
+  if (is_double_arithmetic(gap.function))
+    gap.why = "arithmetic on 'double' has no bound on this core: use 'float', and write constants as 0.5F";
+  for (const CallSite& call : problem.calls) gap.calls.push_back({call.address, name_of(call.function)});
+  return gap;
+}
+
 class Timing {
  public:
   Timing(const Image& image, const KeptMembers& kept, Placement placement)
@@ -36,8 +47,7 @@ class Timing {
  private:
   void add(const Vector& vector) {
     const Walked walked = prepared_.walk_from(vector.entry);
-    for (const auto& [address, problem] : walked.problems)
-      gaps_.try_emplace(address, TimeGap{address, name_of(problem.function), problem.why});
+    for (const auto& [address, problem] : walked.problems) gaps_.try_emplace(address, gap_of(problem));
     if (!walked.problems.empty()) return;
     const auto path = longest_path(walked.graph);
     const std::string doubt =

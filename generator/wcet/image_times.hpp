@@ -52,11 +52,18 @@ struct RoutineTime {
   bool uses_fpu = false;
 };
 
+/// A place in the code.
+struct CodePlace {
+  std::uint32_t address = 0;
+  std::string function;
+};
+
 /// Why some routine has no bound.
 struct TimeGap {
   std::uint32_t address = 0;
   std::string function;
   std::string why;
+  std::vector<CodePlace> calls = {};  ///< that lead there, innermost first; others may, too
 };
 
 /// Routines with a gap have no entry.

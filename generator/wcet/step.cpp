@@ -15,7 +15,8 @@ using TransferKind = Transfer::Kind;
 
 bool goes_elsewhere(const Instruction& i) {
   const TransferKind kind = transfer_of(i).kind;
-  return kind != TransferKind::next && kind != TransferKind::call && kind != TransferKind::indirect;
+  const bool is_call = kind == TransferKind::call || kind == TransferKind::indirect;
+  return kind != TransferKind::next && (!is_call || i.is_conditional());
 }
 
 bool writes_constant(const Instruction& i, const Machine& machine, const Constants& constants) {
@@ -142,10 +143,45 @@ class Stepping {
     for (const FlowEdge& edge : block_.edges) step_.ways.push_back({Way::Kind::edge, edge.to, machine_, cost});
   }
 
-  /// `bl` was passed as an ordinary instruction: the link register is set.
+  /// `bl` was passed as an ordinary instruction, so that the link register is set, unless it is in an IT block.
   void call_by(const Instruction& last) {
-    if (!last.is_conditional()) return call(machine_, 0);
-    step_.problem = {last.address, "a call in an IT block"};
+    if (!last.is_conditional()) return call_or_jump(machine_);
+    step_.cost += time(last, machine_);
+    Machine taken = machine_, falls = machine_;
+    if (taken.assume(last.condition)) {
+      execute(last, surroundings_, taken);
+      call_or_jump(taken);
+    }
+    if (falls.assume(opposite(last.condition))) fall(last, falls);
+  }
+
+  /// A jump where a part of this function is called.
+  void call_or_jump(const Machine& machine) {
+    if (block_.call) return call(machine, 0);
+    for (const FlowEdge& edge : block_.edges) {
+      if (edge.is_taken) step_.ways.push_back({Way::Kind::edge, edge.to, machine, cost_.jump(edge.to)});
+    }
+  }
+
+  /// On where the last instruction does not lead elsewhere.
+  void fall(const Instruction& last, const Machine& machine) {
+    const Cycles cost = cost_.fall(last) + cost_.not_taken(last, transfer_of(last).target);
+    for (const FlowEdge& edge : block_.edges) {
+      if (!edge.is_taken) step_.ways.push_back({Way::Kind::edge, edge.to, machine, cost});
+    }
+  }
+
+  /// Behind calls of parts of this function, as far as the link register does not say otherwise. True where it says
+  /// that.
+  bool return_to_part(const Machine& machine) {
+    const Interval link = machine.get(ARM_REG_LR).range();
+    bool is_one = false;
+    for (const FlowEdge& edge : block_.edges) {
+      if (!edge.is_taken || !link.contains(Interval::of(edge.to | 1U))) continue;
+      step_.ways.push_back({Way::Kind::edge, edge.to, machine, cost_.jump(edge.to)});
+      is_one = true;
+    }
+    return is_one && link.is_constant();
   }
 
   void call(const Machine& machine, Cycles cost) {
@@ -193,11 +229,7 @@ class Stepping {
       falls.set_flags(flags);
     }
     if (is_taken) take(last, taken);
-    if (!falls_through) return;
-    const Cycles cost = cost_.fall(last) + cost_.not_taken(last, transfer_of(last).target);
-    for (const FlowEdge& edge : block_.edges) {
-      if (!edge.is_taken) step_.ways.push_back({Way::Kind::edge, edge.to, falls, cost});
-    }
+    if (falls_through) fall(last, falls);
   }
 
   /// Where the last instruction leads when its condition holds.
@@ -205,6 +237,7 @@ class Stepping {
     const TransferKind kind = transfer_of(last).kind;
     if (kind == TransferKind::stop) return;
     if (kind == TransferKind::leave) {
+      if (return_to_part(machine)) return;
       execute(last, surroundings_, machine);
       step_.ways.push_back({Way::Kind::leave, 0, std::move(machine)});
       return;

@@ -92,6 +92,21 @@ void note(const Frame& frame, const Loop& loop, std::uint64_t rounds, std::map<s
   counted.rounds = std::max(counted.rounds, rounds);
 }
 
+/// One more call, for as long as it lives; none at the entry of a routine.
+class CallHere {
+ public:
+  CallHere(std::vector<CallSite>& calls, CallSite site) : calls_(calls), size_(calls.size()) {
+    if (site.function != nullptr) calls_.push_back(site);
+  }
+  ~CallHere() { calls_.resize(size_); }
+  CallHere(const CallHere&) = delete;
+  CallHere& operator=(const CallHere&) = delete;
+
+ private:
+  std::vector<CallSite>& calls_;
+  std::size_t size_;
+};
+
 class Walker {
  public:
   explicit Walker(const ImageFactsForWalk& facts) : facts_(facts), waits_(facts.marks) {}
@@ -111,7 +126,8 @@ class Walker {
 
  private:
   void fail(std::uint32_t address, const ProgramFunction* function, std::string why) {
-    walked_.problems.try_emplace(address, WalkProblem{address, function, std::move(why)});
+    const std::vector<CallSite> calls(calls_.rbegin(), calls_.rend());
+    walked_.problems.try_emplace(address, WalkProblem{address, function, std::move(why), calls});
   }
 
   /// Goes through a function; what leaves it, if something does.
@@ -121,6 +137,7 @@ class Walker {
     if (function == nullptr) return fail(from, caller, "a call of what is no function"), std::nullopt;
     const bool is_open = std::find(open_.begin(), open_.end(), function) != open_.end();
     if (is_open || open_.size() == kDeepestCalls) return fail(from, caller, "recursion: it has no bound"), std::nullopt;
+    const CallHere call(calls_, {from, caller});
     for (const FlowProblem& problem : function->graph.problems) fail(problem.address, function, problem.text);
     const LoopNest& nest = nests_.of(*function);
     for (const std::uint32_t block : nest.irreducible())
@@ -287,6 +304,7 @@ class Walker {
   LoopNests nests_;
   Waits waits_;
   std::vector<const ProgramFunction*> open_;  // the chain of calls
+  std::vector<CallSite> calls_;               // that made it
 };
 
 }  // namespace

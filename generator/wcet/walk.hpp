@@ -17,11 +17,18 @@
 
 namespace finemote::gen::wcet {
 
+/// An instruction that calls, or jumps to, another function.
+struct CallSite {
+  std::uint32_t address = 0;
+  const ProgramFunction* function = nullptr;  ///< the caller
+};
+
 /// Why a routine has no bound.
 struct WalkProblem {
   std::uint32_t address = 0;
   const ProgramFunction* function = nullptr;
   std::string why;
+  std::vector<CallSite> calls = {};  ///< that led there the first time, innermost first
 };
 
 /// A loop that ended, in whatever context it ran longest.

@@ -148,6 +148,8 @@ TEST_CASE("a loop without a bound is named, with its line, and its routine has n
   CHECK(gap["why"] == "a loop whose rounds are not known: bound it with LoopBound<n>");
   CHECK(gap["file"].get<std::string>().find("counter.hpp") != std::string::npos);
   CHECK(gap["line"] == 8);
+  REQUIRE(gap["called_from"].size() >= 2);
+  CHECK(gap["called_from"][0]["file"].get<std::string>().find("generated/") == 0);
 }
 
 TEST_CASE("a mark bounds it, and more passes cost more") {

@@ -124,10 +124,36 @@ TEST_CASE("a return under a condition leaves and goes on") {
   CHECK(graph.blocks.at(kBase + 6).leaves);
 }
 
+TEST_CASE("a call of a part of the function is a jump there, from which a return leads to behind it") {
+  // push {lr}; bl +2; pop {pc}; part: bx lr
+  const Image image = image_of({0xb500, 0xf000, 0xf801, 0xbd00, kReturn}, {{0, 10, "f"}, {0, 0, "$t"}});
+  const FlowGraph graph = Program(image).at(kBase)->graph;
+  REQUIRE(graph.blocks.size() == 3);
+  CHECK_FALSE(graph.blocks.at(kBase).call);
+  REQUIRE(graph.blocks.at(kBase).edges.size() == 1);
+  CHECK(graph.blocks.at(kBase).edges[0].to == kBase + 8);
+  REQUIRE(graph.blocks.at(kBase + 8).edges.size() == 1);
+  CHECK(graph.blocks.at(kBase + 8).edges[0].to == kBase + 6);
+}
+
+TEST_CASE("what is left of a function into which another one jumps returns for both") {
+  // f: b g+2; g: nop; bx lr
+  const Image image = image_of({0xe000, 0xbf00, kReturn}, {{0, 2, "f"}, {0, 0, "$t"}, {2, 4, "g"}});
+  const Program program(image);
+  const ProgramFunction* rest = program.at(kBase + 4);
+  REQUIRE(rest != nullptr);
+  CHECK(rest->symbol->name == "g");
+  CHECK(rest->graph.entry == kBase + 4);
+  CHECK(rest->returns);
+  CHECK(program.at(kBase)->returns);
+  CHECK(program.at(kBase + 2)->graph.entry == kBase + 2);
+  CHECK(program.at(kBase + 2)->graph.blocks.count(kBase + 4) == 1);  // the same blocks
+}
+
 TEST_CASE("blocks end where they are told to") {
   const Image image = image_of({0xbf00, 0xbf00, kReturn}, {{0, 6, "f"}, {0, 0, "$t"}});
   const FunctionBody body(image, image.symbols.front());
-  const FlowGraph graph = trace(image, body, [](const FlowCall&) { return true; }, {kBase + 2, kBase + 100});
+  const FlowGraph graph = trace(image, body, [](const FlowCall&) { return true; }, {kBase, {kBase + 2, kBase + 100}});
   REQUIRE(graph.blocks.size() == 2);
   CHECK(graph.blocks.at(kBase).end == kBase + 2);
   CHECK(graph.blocks.at(kBase).edges[0].to == kBase + 2);

@@ -439,6 +439,16 @@ TEST_CASE("a routine uses the FPU where an instruction of it is on some way") {
   CHECK_FALSE(touches_fpu({0xE001, 0xEE30, 0x0A81, kReturn}));    // jumped over
 }
 
+TEST_CASE("a part of a routine that is called returns to where the link register says, or for the whole") {
+  // movs r0, #1; push {lr}; bl part; bl part; pop {pc}; part: subs r0, #1; bmi out; bx lr; out: pop {pc}
+  const Bound bound =
+      bound_of({0x2001, 0xB500, 0xF000, 0xF803, 0xF000, 0xF801, 0xBD00, 0x3801, 0xD400, kReturn, 0xBD00});
+  CHECK(bound.problem.empty());
+  REQUIRE(bound.cycles);
+  constexpr Cycles kSet = 1, kPush = 3, kCall = 4, kCount = 1, kFall = 1, kJump = 4, kBack = 4, kPop = 3;
+  CHECK(*bound.cycles == kSet + kPush + (kCall + kCount + kFall + kBack) + (kCall + kCount + kJump) + kPop);
+}
+
 TEST_CASE("a loop that counts down is turned so often and no more") {
   // movs r0, #5; subs r0, #1; bne -2; bx lr
   const Bound bound = bound_of({0x2005, 0x3801, 0xD1FD, kReturn});
