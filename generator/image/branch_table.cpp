@@ -54,7 +54,7 @@ std::optional<std::uint64_t> number_of_entries(OnlyWay way, int index) {
   std::optional<OnlyWay::Step> branch;
   while (const auto step = way.next()) {
     const Instruction& i = *step->instruction;
-    if (branch && i.id == ARM_INS_CMP && i.has_register(0, index) && i.has_immediate(1))
+    if (branch && i.id == ARM_INS_CMP && !i.is_conditional() && i.has_register(0, index) && i.has_immediate(1))
       return values_behind(*branch, i.immediate(1));
     if (may_write(i, index)) return std::nullopt;
     if (is_comparison(i) || i.sets_flags) branch.reset();

@@ -82,7 +82,8 @@ void read_symbols(const Reader& reader, const Elf32_Shdr& header, std::string_vi
     symbol.address = code ? entry->st_value & ~1U : entry->st_value;
     symbol.size = entry->st_size;
     symbol.section = entry->st_shndx < image.sections.size() ? entry->st_shndx : std::uint16_t{0};
-    if (!symbol.name.empty()) image.symbols.push_back(std::move(symbol));
+    const bool is_of_notes = symbol.kind == ImageSymbol::Kind::mapping && !image.sections[symbol.section].allocated;
+    if (!symbol.name.empty() && !is_of_notes) image.symbols.push_back(std::move(symbol));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "generator/wcet/block_cost.hpp"
 
+#include <algorithm>
+
 #include "generator/wcet/operands.hpp"
 
 namespace finemote::gen::wcet {
@@ -51,16 +53,18 @@ std::optional<Cycles> CodeCost::run(const Instruction& i, const Machine& machine
   for (const Transferred& word : memory_use(i, machine).words) {
     const auto wait = longest_wait(word.access.address.anywhere(), placement_, table_->waits);
     if (!wait) return std::nullopt;
-    cycles += *wait;
-    if (may_be_unaligned(i.id) && !is_aligned(word.access)) cycles += further_accesses(word.access) * (1 + *wait);
+    cycles += std::max(*wait, may_be_unaligned(i.id) ? unaligned_wait(word.access) : Cycles{0});
   }
   if (i.id == ARM_INS_TBB || i.id == ARM_INS_TBH)
     cycles += longest_wait(Interval::of(i.end()), placement_, table_->waits).value_or(0);
   return cycles;
 }
 
-Cycles CodeCost::further_accesses(const Access& access) const {
-  return access.size == 4 ? table_->unaligned_word : table_->unaligned_half;
+Cycles CodeCost::unaligned_wait(const Access& access) const {
+  const auto where = is_aligned(access) ? std::nullopt : where_unaligned(access.address.anywhere());
+  const auto wait = where ? longest_wait(*where, placement_, table_->waits) : std::nullopt;
+  if (!wait) return 0;
+  return *wait + (access.size == 4 ? table_->unaligned_word : table_->unaligned_half) * (1 + *wait);
 }
 
 Cycles CodeCost::skip(const Instruction& i) const { return table_->skipped + fetch(i); }

@@ -29,8 +29,8 @@ class CodeCost {
 
  private:
   [[nodiscard]] Cycles fetch(const Instruction& instruction) const;
-  /// That an access which is not aligned makes besides the first.
-  [[nodiscard]] Cycles further_accesses(const Access& access) const;
+  /// Of an access that need not be aligned: its parts wait each for itself.
+  [[nodiscard]] Cycles unaligned_wait(const Access& access) const;
   Placement placement_;
   const CostTable* table_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generator/wcet/forget.hpp"
 #include "generator/wcet/memory_access.hpp"
 #include "generator/wcet/operands.hpp"
 
@@ -163,7 +164,9 @@ void addition(const Instruction& i, Machine& machine) {
   const std::size_t left = left_side(i);
   const Value a = operand(i, left, machine), b = operand(i, left + 1, machine);
   set_result(i, sum(a, b), machine);
-  const bool is_comparison = i.sets_flags && b.range().is_constant() && b.range().low != 0;
+  constexpr std::uint32_t kOwnNegative = 0x8000'0000;  // of which the overflow is the other way round
+  const bool has_negative = b.range().is_constant() && b.range().low != 0 && b.range().low != kOwnNegative;
+  const bool is_comparison = i.sets_flags && has_negative;
   if (is_comparison) subtract_flags(i, a, Value::of(0U - b.range().low), machine);
 }
 
@@ -179,11 +182,16 @@ void shift(const Instruction& i, Shift by, Machine& machine) {
   set_result(i, Value::in(is_known ? by(range, count.low) : Interval::any(), value.is_of_stack && !is_lowest), machine);
 }
 
+/// Of a register the lowest byte counts: ARMv7-M A2.2.1, `Shift_C()`.
+constexpr std::uint32_t kLongestShift = 0xFF;
+
 /// A right shift never makes a value larger.
 void shift_right_logical(const Instruction& i, Machine& machine) {
   const std::size_t left = left_side(i);
   const bool is_of_stack = operand(i, left, machine).is_of_stack;
-  const Interval value = operand(i, left, machine).anywhere(), count = operand(i, left + 1, machine).anywhere();
+  const Interval value = operand(i, left, machine).anywhere();
+  Interval count = operand(i, left + 1, machine).anywhere();
+  if (count.high > kLongestShift) count = {0, kLongestShift};
   const std::uint32_t least = std::min(count.low, 31U);
   const std::uint32_t low = count.is_constant() && count.low < 32 ? value.low >> count.low : 0;
   set_result(i, Value::in({low, value.high >> least}, is_of_stack), machine);
@@ -327,52 +335,6 @@ bool leaves_machine(unsigned id) {
     default:
       return false;
   }
-}
-
-/// How many registers it only writes: those of a result that is not made of them.
-std::size_t written_only(const Instruction& i) {
-  switch (i.id) {
-    case ARM_INS_ADC:
-    case ARM_INS_SBC:
-    case ARM_INS_ORN:
-    case ARM_INS_ROR:
-    case ARM_INS_SDIV:
-      return i.operands.size() > 2 ? 1 : 0;
-    case ARM_INS_RBIT:
-    case ARM_INS_REV:
-    case ARM_INS_REV16:
-    case ARM_INS_REVSH:
-    case ARM_INS_MRS:
-    case ARM_INS_VMOV:
-      return 1;
-    case ARM_INS_UMULL:
-    case ARM_INS_SMULL:
-      return 2;
-    default:
-      return 0;
-  }
-}
-
-bool is_of_fpu(int reg) {
-  return (reg >= ARM_REG_S0 && reg <= ARM_REG_S31) || (reg >= ARM_REG_D0 && reg <= ARM_REG_D31);
-}
-
-bool is_of_stack(const cs_arm_op& op, const Machine& machine) {
-  if (op.type != ARM_OP_REG) return false;
-  return Machine::follows(op.reg) ? machine.get(op.reg).is_of_stack : machine.is_stack_in_fpu() && is_of_fpu(op.reg);
-}
-
-/// Whatever it may write is unknown, and of the stack where something it reads is.
-void forget(const Instruction& i, Machine& machine) {
-  const auto read = i.operands.begin() + static_cast<std::ptrdiff_t>(std::min(written_only(i), i.operands.size()));
-  const bool is_made_of_stack =
-      std::any_of(read, i.operands.end(), [&](const cs_arm_op& op) { return is_of_stack(op, machine); });
-  for (const cs_arm_op& op : i.operands) {
-    if (op.type != ARM_OP_REG) continue;
-    if (may_write(i, op.reg)) machine.set(op.reg, Value::in(Interval::any(), is_made_of_stack));
-    if (is_made_of_stack && is_of_fpu(op.reg)) machine.put_stack_in_fpu();
-  }
-  if (i.sets_flags || i.id == ARM_INS_VMRS || i.id == ARM_INS_MSR) machine.set_flags(std::nullopt);
 }
 
 void run(const Instruction& i, const Surroundings& surroundings, Machine& machine) {

@@ -173,6 +173,7 @@ void StackWords::join(const StackWords& other) {
 }
 
 void StackWords::widen(const StackWords& other, BaseUses& uses) {
+  has_forgotten_address_ |= lacks_address_of(other);
   std::vector<Word> before = std::move(words_);
   words_.clear();
   for (Word& word : before) {
@@ -184,8 +185,15 @@ void StackWords::widen(const StackWords& other, BaseUses& uses) {
   has_forgotten_address_ |= other.has_forgotten_address_;
 }
 
+/// An address in the stack at a place that this knows nothing of.
+bool StackWords::lacks_address_of(const StackWords& other) const {
+  return std::any_of(other.words_.begin(), other.words_.end(), [&](const Word& word) {
+    return word.value.is_of_stack && find(word.address, word.size) == nullptr;
+  });
+}
+
 bool StackWords::covers(const StackWords& other, BaseUses& uses) const {
-  if (other.has_forgotten_address_ && !has_forgotten_address_) return false;
+  if (!has_forgotten_address_ && (other.has_forgotten_address_ || lacks_address_of(other))) return false;
   return std::all_of(words_.begin(), words_.end(), [&](const Word& word) {
     const Word* its = other.find(word.address, word.size);
     return its != nullptr && holds(word.value, its->value, uses);

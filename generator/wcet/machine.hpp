@@ -95,6 +95,7 @@ class StackWords {
   };
   [[nodiscard]] const Word* find(std::uint32_t address, std::uint32_t size) const;
   [[nodiscard]] bool is_of_stack(std::uint32_t low, std::uint32_t high) const;
+  [[nodiscard]] bool lacks_address_of(const StackWords& other) const;
   void forget(std::uint32_t low, std::uint32_t high);
   /// An address in the stack that `other` knows nothing of.
   void join_address(const Word& word, const StackWords& other, std::vector<Word>& both);

@@ -37,4 +37,8 @@ struct MemoryWaits {
 /// of the chip: how long it takes depends on its memory controller.
 std::optional<Cycles> longest_wait(Interval address, Placement placement, const MemoryWaits& waits);
 
+/// Where in `address` an access need not be aligned: not in a peripheral, which is Device memory, of which that would
+/// be unpredictable (ARMv7-M Architecture Reference Manual A3.2.1, B3.1).
+std::optional<Interval> where_unaligned(Interval address);
+
 }  // namespace finemote::gen::wcet

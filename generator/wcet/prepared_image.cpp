@@ -1,6 +1,7 @@
 #include "generator/wcet/prepared_image.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "generator/wcet/vectors.hpp"
@@ -15,15 +16,22 @@ bool has_constructors(const Image& image) {
   });
 }
 
-/// What is constructed when the program runs is zero in the image: of that, and of variables in functions, which may be
-/// constructed when they are first reached, only those with another initial value are constants.
+/// In whatever section.
+bool is_zero(const Image& image, const ImageRange& range) {
+  const std::uint32_t size = range.end - range.begin;
+  const std::string_view bytes = image.bytes(range.begin, size);
+  return is_zeroed(image, range.begin, size) || bytes.find_first_not_of('\0') == std::string_view::npos;
+}
+
+/// What is constructed when the program runs is zero in the image, beside parts of the same variable that are not: of
+/// that, and of variables in functions, which may be constructed when they are first reached, only those with another
+/// initial value are constants.
 std::vector<AddressRange> constants_of(const Image& image, const KeptMembers& kept) {
   std::vector<AddressRange> ranges;
   const bool is_constructed = has_constructors(image);
   const auto add = [&](const std::vector<ImageRange>& all, bool may_be_set_later) {
     for (const ImageRange& range : all) {
-      if (!may_be_set_later || !is_zeroed(image, range.begin, range.end - range.begin))
-        ranges.emplace_back(range.begin, range.end);
+      if (!may_be_set_later || !is_zero(image, range)) ranges.emplace_back(range.begin, range.end);
     }
   };
   add(kept.constant, is_constructed);
