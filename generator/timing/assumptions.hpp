@@ -11,7 +11,7 @@ struct Assumption {
   enum class Detected {
     counted,       ///< a fault, an overrun, or a bound that the monitor saw exceeded
     stopped,       ///< the firmware goes to its safe stop, or the watchdog restarts the board
-    undetectable,  ///< nothing on the board can tell
+    undetectable,  ///< nothing on the board can tell, or not always
   };
   std::string_view id;  ///< stable: names it in documents
   std::string_view text;

@@ -264,24 +264,26 @@ TEST_CASE("bounds hold with every fetch from flash missed when execution times a
              "<param name=\"update\">20us</param> <param name=\"handle\">20us</param>" + children + "</device>";
     };
     write_file(folder.path("r.urdf"),
-               R"(<robot name="r"><link name="base"/><finemote version="1"><board name="robomaster_type_c"/>)" +
+               R"(<robot name="r"><link name="base"/><finemote version="1">
+                   <board name="robomaster_type_c"><param name="code">flash</param></board>)" +
                    load("slow", "5ms", slow, load("fast", "1ms", fast, "") + load("other", "2ms", fast, "")) +
                    "</finemote></robot>");
     return folder.path("r.urdf");
   };
-  const auto run_missing = [](const std::string& robot) {
-    return run_finemote({"run", robot, "--flash", "miss", "--duration", "200ms"});
+  const auto run = [](const std::string& robot, const std::string& flash) {
+    return run_finemote({"run", robot, "--flash", flash, "--duration", "200ms"});
   };
   // A loop that lies across two lines of the flash takes three times as long as one within a line.
   const std::string roomy = R"(<wcet update="100us" handle="100us" source="measured"/>)";
-  const auto holds = run_missing(robot_with(roomy, roomy));
+  const auto holds = run(robot_with(roomy, roomy), "miss");
   INFO(holds.output);
   CHECK(holds.exit_status == 0);
   CHECK(holds.output.find("FM6006") == std::string::npos);
   CHECK(holds.output.find("bounds are those of the execution times that are declared") != std::string::npos);
 
-  const std::string tight = R"(<wcet update="20us" handle="20us" source="measured"/>)";
-  const auto late = run_missing(robot_with(tight, tight));
+  const std::string tight = R"(<wcet update="22us" handle="22us" source="measured"/>)";
+  CHECK(run(robot_with(tight, tight), "hit").output.find("FM6006") == std::string::npos);
+  const auto late = run(robot_with(tight, tight), "miss");
   INFO(late.output);
   CHECK(late.output.find("FM6006") != std::string::npos);
 }

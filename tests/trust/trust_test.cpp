@@ -1,4 +1,5 @@
-// docs/trust.md against the README: every word of a claim has a row, and what a row names exists.
+// docs/trust.md against the README: every word of a claim has a row, and what a row names exists. So do the tests that
+// docs/timing.md names for the assumptions of the bounds.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -113,6 +114,30 @@ const std::set<std::string>& tests() {
 
 std::vector<Row> rows() { return rows_of(read(kRoot / "docs/trust.md")); }
 
+/// The numbered items of a section.
+std::vector<std::string> items_of(const std::string& page, const std::string& heading) {
+  const std::size_t begin = page.find("\n## " + heading + "\n");
+  REQUIRE(begin != std::string::npos);
+  std::istringstream lines(page.substr(begin, page.find("\n## ", begin + 1) - begin));
+  std::vector<std::string> items;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t digits = line.find_first_not_of("0123456789");
+    if (digits != 0 && digits != std::string::npos && line.compare(digits, 2, ". ") == 0) items.emplace_back();
+    if (!items.empty()) items.back() += line + " ";
+  }
+  return items;
+}
+
+/// At its end, in brackets: names of tests, or why there are none. @return whether that is so, and they exist
+bool says_its_tests(const std::string& item) {
+  const std::size_t begin = item.rfind('('), end = item.find_last_not_of(' ');
+  if (begin == std::string::npos || item[end] != ')') return false;
+  const std::string inside = item.substr(begin + 1, end - begin - 1);
+  if (inside.rfind("no test: ", 0) == 0) return inside.size() > 10;
+  const std::vector<std::string> names = names_in(inside);
+  return !names.empty() && std::all_of(names.begin(), names.end(), [](const auto& it) { return tests().count(it); });
+}
+
 }  // namespace
 
 TEST_CASE("every claim of the README has a row, and every row a claim") {
@@ -161,4 +186,25 @@ TEST_CASE("a claim without a row, and a test that is gone, are found") {
   CHECK(links_in(parsed[0].which) == std::vector<std::string>{"b.md#c"});
   CHECK(tests().count("trust_test") == 1);
   CHECK(tests().count("a_test") == 0);
+}
+
+TEST_CASE("every assumption of the bounds names tests that exist, or says why it has none") {
+  const std::vector<std::string> items = items_of(read(kRoot / "docs/timing.md"), "Assumptions");
+  CHECK(items.size() >= 20);
+  for (const std::string& item : items) {
+    INFO(item);
+    CHECK(says_its_tests(item));
+  }
+}
+
+TEST_CASE("an assumption without a test, or with one that is gone, is found") {
+  const auto items = items_of("# T\n\n## A\n\n1. **b** (c): d.\n   (`trust_test`)\n12. e (f)\n\n## G\n\n1. h\n", "A");
+  REQUIRE(items.size() == 2);
+  CHECK(says_its_tests(items[0]));
+  CHECK_FALSE(says_its_tests(items[1]));
+  CHECK_FALSE(says_its_tests("1. d. (`trust_test`, `a_test`)"));
+  CHECK_FALSE(says_its_tests("1. d. (`trust_test`) e."));
+  CHECK_FALSE(says_its_tests("1. d."));
+  CHECK_FALSE(says_its_tests("1. d. (no test: )"));
+  CHECK(says_its_tests("1. d. (no test: nothing stands for it)"));
 }

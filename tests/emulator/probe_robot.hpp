@@ -1,0 +1,118 @@
+// A robot with a device of a user's type whose code does what no device should.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "catch.hpp"
+#include "tests/cli/program.hpp"
+
+namespace finemote::test {
+
+/// Ended runs, as `run --format json` tells of them.
+struct ProbeRun {
+  int exit_status;
+  nlohmann::json document;
+
+  [[nodiscard]] bool reports(const std::string& code, const std::string& words = {}) const {
+    for (const auto& finding : document["diagnostics"]) {
+      if (finding["code"] == code && finding["message"].get<std::string>().find(words) != std::string::npos)
+        return true;
+    }
+    return false;
+  }
+  /// The entry of a device in one of the document's lists.
+  [[nodiscard]] nlohmann::json of(const std::string& list, const std::string& device) const {
+    for (const auto& entry : document[list]) {
+      if (entry["device"] == device) return entry;
+    }
+    FAIL("no '" << device << "' in " << list);
+    return {};
+  }
+  /// The firmware has noticed nothing.
+  [[nodiscard]] bool counts_nothing() const {
+    if (!document["fault_counts"].empty() || document["overruns"] != 0 || document["resets"] != 0) return false;
+    for (const auto& device : document["monitor"]) {
+      if (device["response_violations"] != 0 || device["age_violations"] != 0) return false;
+    }
+    return true;
+  }
+};
+
+/// The robot, in a folder of its own: the device `p` every 20 ms, and others.
+class ProbeRobot {
+ public:
+  /// @param update  statements of the class `Probe`, which counts its updates in `count` from 1 and reaches a register
+  ///                as `at(address)`
+  /// @param update_ns  declared for it
+  /// @param others  further tags of <finemote>
+  ProbeRobot(const std::string& update, int update_ns, const std::string& others, const std::string& code = "sram") {
+    const nlohmann::json descriptor = {{"schema", "finemote.device/1"},
+                                       {"type", "probe"},
+                                       {"summary", "does what it should not"},
+                                       {"class", "my::Probe"},
+                                       {"header", "probe.hpp"},
+                                       {"provides", {{{"interface", "Any"}}}},
+                                       {"constant_init", true},
+                                       {"wcet", {{"update_ns", update_ns}, {"handle_ns", 1000}}}};
+    std::filesystem::create_directories(folder_.path("devices"));
+    for (const char* sway : {"sway.json", "sway.hpp"})
+      write_file(folder_.path(std::string("devices/") + sway),
+                 read_file(source_path(std::string("tests/emulator/bounds/devices/") + sway)));
+    write_file(folder_.path("devices/probe.json"), descriptor.dump());
+    write_file(folder_.path("devices/probe.hpp"), kBegin + update + kEnd);
+    write_file(path(), R"(<robot name="r"><link name="base"/><finemote version="1"><board name="robomaster_type_c">
+      <param name="code">)" +
+                           code + R"(</param></board>)" + others +
+                           R"(<device name="p" type="probe" period="20ms"/></finemote></robot>)");
+  }
+
+  [[nodiscard]] std::string path() const { return folder_.path("r.urdf"); }
+
+  /// With the monitor, 200 ms long.
+  [[nodiscard]] ProbeRun run(const std::vector<std::string>& options = {}) const {
+    std::vector<std::string> words = {"run", path(), "--monitor", "--duration", "200ms", "--format", "json"};
+    words.insert(words.end(), options.begin(), options.end());
+    const auto ran = run_finemote(words);
+    CAPTURE(ran.output);
+    const auto begin = ran.output.find('{');
+    REQUIRE(begin != std::string::npos);
+    return {ran.exit_status, nlohmann::json::parse(ran.output.substr(begin))};
+  }
+
+ private:
+  static constexpr const char* kBegin = R"(#pragma once
+#include <cstdint>
+#include "finemote/contract.hpp"
+#include "finemote/fault.hpp"
+#include "finemote/sections.hpp"
+namespace my {
+FINEMOTE_DMA inline std::uint32_t source[8], target[8];
+struct Probe {
+  static volatile std::uint32_t& at(std::uint32_t address) {
+    return *reinterpret_cast<volatile std::uint32_t*>(address);
+  }
+  static void spin(int turns) {
+    for (int i = 0; i < turns; ++i) asm volatile("" ::: "memory");
+  }
+  void update() {
+    ++count;
+    )";
+  static constexpr const char* kEnd = R"(
+  }
+  void handle() {}
+  finemote::Stamp state;
+  unsigned count = 0;
+};
+}  // namespace my
+)";
+  TemporaryFolder folder_;
+};
+
+/// A device every millisecond, more urgent than the probe.
+inline const std::string kUrgentDevice = R"(<device name="urgent" type="sim_load" period="1ms">
+  <param name="update">20us</param> <param name="handle">5us</param> <wcet update="25us" handle="10us"/></device>)";
+
+}  // namespace finemote::test
