@@ -31,9 +31,6 @@ constexpr std::pair<wcet::RetriedBy, const char*> kRetries[] = {{wcet::RetriedBy
                                                                 {wcet::RetriedBy::received, cost_words::kReceived},
                                                                 {wcet::RetriedBy::event, cost_words::kEvent}};
 
-/// runtime/include/finemote/mark.hpp: the begin of Work::masked.
-constexpr std::uint32_t kMaskedMark = wcet::kFirstWorkMark + 2 * 7;
-
 /// The bus that an exception belongs to, and its line there; empty: it is no bus's.
 std::string source_of(const TimedRobot& timed, unsigned exception) {
   for (const Bus& bus : timed.robot.buses) {
@@ -113,7 +110,7 @@ Cycles longest_masked(const wcet::ImageTimes& times) {
   Cycles longest = 0;
   for (const wcet::RoutineTime& routine : times.routines) {
     for (const wcet::BracketTime& bracket : routine.brackets) {
-      if (bracket.mark == kMaskedMark) longest = std::max(longest, bracket.cycles);
+      if (bracket.mark == wcet::kMaskedMark) longest = std::max(longest, bracket.cycles);
     }
   }
   return longest;

@@ -16,6 +16,8 @@ inline constexpr std::size_t kKindsOfRetry = 4;
 
 /// Brackets from here on are the runtime's own work, those below it stages: runtime/include/finemote/mark.hpp.
 inline constexpr std::uint32_t kFirstWorkMark = 0x40000;
+/// The begin of Work::masked there.
+inline constexpr std::uint32_t kMaskedMark = kFirstWorkMark + 2 * 7;
 
 struct Marks {
   /// By address: numbers of runtime/include/finemote/mark.hpp.

@@ -11,6 +11,7 @@
 #include "generator/wcet/loop_nest.hpp"
 #include "generator/wcet/loop_nests.hpp"
 #include "generator/wcet/mark_passes.hpp"
+#include "generator/wcet/masking.hpp"
 #include "generator/wcet/step.hpp"
 
 namespace finemote::gen::wcet {
@@ -271,6 +272,8 @@ class Walker {
     arrival.machine.name_unknowns(unknowns_);
     waits_.note(block, arrival.machine);
     const BasicBlock& code = frame.function.graph.blocks.at(block);
+    if (const auto place = masks_by_itself(frame.function, code, facts_.marks))
+      return fail(*place, &frame.function, "interrupts are kept out, and what that delays has no bound");
     Step step = wcet::step(frame.function, code, {facts_.constants, unknowns_, facts_.stores}, facts_.cost,
                            std::move(arrival.machine));
     if (step.problem) return fail(step.problem->first, &frame.function, step.problem->second);

@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 309845, finemote::kNothingToBound, nullptr},  // imu
-    {1, 666487, finemote::kNothingToBound, nullptr},  // depth
-    {1, 663787, finemote::kNothingToBound, nullptr},  // button
-    {1, 661087, 24116777, &station::servo.command},  // servo
-    {1, 656170, 24111993, &station::green_led.command},  // green_led
-    {1, 650172, 24105862, &station::blue_led.command},  // blue_led
-    {1, 644036, finemote::kNothingToBound, nullptr},  // station
+    {0, 309523, finemote::kNothingToBound, nullptr},  // imu
+    {1, 665808, finemote::kNothingToBound, nullptr},  // depth
+    {1, 663108, finemote::kNothingToBound, nullptr},  // button
+    {1, 660408, 24116241, &station::servo.command},  // servo
+    {1, 655491, 24111457, &station::green_led.command},  // green_led
+    {1, 649493, 24105326, &station::blue_led.command},  // blue_led
+    {1, 643357, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

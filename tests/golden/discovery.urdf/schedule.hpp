@@ -9,11 +9,11 @@
 namespace discovery {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 304.445 us of its release.
+/// a job ends within 304.123 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 641.839 us of its release.
+/// a job ends within 641.16 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,13 +22,13 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{304445, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{635657, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{635657, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{635657, 24104578, 24221209};
-inline constexpr finemote::Bounds green_led{633639, 24102560, 24221209};
-inline constexpr finemote::Bounds blue_led{630341, 24099262, 24221210};
-inline constexpr finemote::Bounds station{627037, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{304123, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{634978, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{634978, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{634978, 24104042, 24220494};
+inline constexpr finemote::Bounds green_led{632960, 24102024, 24220494};
+inline constexpr finemote::Bounds blue_led{629662, 24098726, 24220495};
+inline constexpr finemote::Bounds station{626226, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

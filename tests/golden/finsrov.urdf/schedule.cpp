@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 680285, finemote::kNothingToBound, nullptr},  // imu
-    {1, 1528734, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 1526034, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 1523334, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 1520634, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 1517867, 31974210, &rov::thruster_1.command},  // thruster_1
-    {1, 1513309, 31969652, &rov::thruster_2.command},  // thruster_2
-    {1, 1506368, 31964956, &rov::thruster_3.command},  // thruster_3
-    {1, 1501810, 31958152, &rov::thruster_4.command},  // thruster_4
-    {1, 1497179, 31953522, &rov::thruster_5.command},  // thruster_5
-    {1, 1492627, 31948970, &rov::thruster_6.command},  // thruster_6
-    {1, 1488003, 31944346, &rov::thruster_7.command},  // thruster_7
-    {1, 1481128, 31937470, &rov::thruster_8.command},  // thruster_8
-    {1, 1476503, finemote::kNothingToBound, nullptr},  // rov
+    {0, 661773, finemote::kNothingToBound, nullptr},  // imu
+    {1, 1504501, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 1501801, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 1499034, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 1496334, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 1493634, 31931535, &rov::thruster_1.command},  // thruster_1
+    {1, 1489076, 31926911, &rov::thruster_2.command},  // thruster_2
+    {1, 1482135, 31920035, &rov::thruster_3.command},  // thruster_3
+    {1, 1477510, 31908436, &rov::thruster_4.command},  // thruster_4
+    {1, 1472946, 31903872, &rov::thruster_5.command},  // thruster_5
+    {1, 1458959, 31899254, &rov::thruster_6.command},  // thruster_6
+    {1, 1454335, 31892378, &rov::thruster_7.command},  // thruster_7
+    {1, 1449777, 31887754, &rov::thruster_8.command},  // thruster_8
+    {1, 1445153, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

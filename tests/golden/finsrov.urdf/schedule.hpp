@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 672.567 us of its release.
+/// a job ends within 656.306 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 1.514 ms of its release.
+/// a job ends within 1.49 ms of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{672567, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{1456732, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{1456732, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{1456732, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{1456732, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{1456732, 31911946, 36444140};
-inline constexpr finemote::Bounds thruster_2{1454808, 31910088, 36444140};
-inline constexpr finemote::Bounds thruster_3{1452950, 31908164, 36444074};
-inline constexpr finemote::Bounds thruster_4{1451092, 31906306, 36469290};
-inline constexpr finemote::Bounds thruster_5{1449228, 31904304, 36469152};
-inline constexpr finemote::Bounds thruster_6{1447376, 31902452, 36469152};
-inline constexpr finemote::Bounds thruster_7{1445452, 31898348, 36466906};
-inline constexpr finemote::Bounds thruster_8{1443594, 31896490, 36466972};
-inline constexpr finemote::Bounds rov{1439418, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{656306, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{1432433, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{1432433, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{1432433, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{1432433, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{1432433, 31869211, 36287740};
+inline constexpr finemote::Bounds thruster_2{1430575, 31867353, 36287741};
+inline constexpr finemote::Bounds thruster_3{1428717, 31865494, 36319018};
+inline constexpr finemote::Bounds thruster_4{1426859, 31863499, 36318947};
+inline constexpr finemote::Bounds thruster_5{1424995, 31859455, 36316767};
+inline constexpr finemote::Bounds thruster_6{1423077, 31857537, 36316701};
+inline constexpr finemote::Bounds thruster_7{1421219, 31855542, 36316565};
+inline constexpr finemote::Bounds thruster_8{1417043, 31853684, 36316565};
+inline constexpr finemote::Bounds rov{1415185, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 214384, finemote::kNothingToBound, nullptr},  // imu
-    {0, 208332, 28472585, &gimbal::yaw.command},  // yaw
-    {0, 201637, 28465890, &gimbal::pitch.command},  // pitch
-    {1, 254635, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 342483, 26606636, &chassis::front_left.command},  // front_left
-    {2, 318668, 26582821, &chassis::front_right.command},  // front_right
-    {2, 312223, 26576376, &chassis::rear_left.command},  // rear_left
-    {2, 305784, 26569937, &chassis::rear_right.command},  // rear_right
-    {2, 299338, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 484765, finemote::kNothingToBound, nullptr},  // remote
+    {0, 209958, finemote::kNothingToBound, nullptr},  // imu
+    {0, 203906, 28468159, &gimbal::yaw.command},  // yaw
+    {0, 197144, 28461397, &gimbal::pitch.command},  // pitch
+    {1, 250209, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 320682, 26584835, &chassis::front_left.command},  // front_left
+    {2, 314242, 26578395, &chassis::front_right.command},  // front_right
+    {2, 307797, 26571950, &chassis::rear_left.command},  // rear_left
+    {2, 301358, 26565511, &chassis::rear_right.command},  // rear_right
+    {2, 294846, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 413451, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

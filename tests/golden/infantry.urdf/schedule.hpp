@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 204.548 us of its release.
+/// a job ends within 200.122 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 236.034 us of its release.
+/// a job ends within 214.233 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 286.958 us of its release.
+/// a job ends within 282.532 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 372.809 us of its release.
+/// a job ends within 368.383 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{201184, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{197765, 28462018, 28841177};
-inline constexpr finemote::Bounds pitch{193770, 28458023, 28858553};
-inline constexpr finemote::Bounds gimbal{236034, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{285440, 26549593, 26970108};
-inline constexpr finemote::Bounds front_right{281701, 26545854, 26970108};
-inline constexpr finemote::Bounds rear_left{277955, 26542108, 26970107};
-inline constexpr finemote::Bounds rear_right{274216, 26538369, 26970107};
-inline constexpr finemote::Bounds chassis{270471, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{372809, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{196691, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{193339, 28457592, 28827225};
+inline constexpr finemote::Bounds pitch{189344, 28453597, 28852127};
+inline constexpr finemote::Bounds gimbal{214233, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{281014, 26545167, 26961683};
+inline constexpr finemote::Bounds front_right{277274, 26541427, 26961683};
+inline constexpr finemote::Bounds rear_left{273529, 26537682, 26961683};
+inline constexpr finemote::Bounds rear_right{269790, 26533943, 26961683};
+inline constexpr finemote::Bounds chassis{266045, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{368383, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 379001, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 262251, 28941931, &arm::base.command},  // base
-    {0, 255811, 28935491, &arm::shoulder.command},  // shoulder
-    {0, 249366, 28929046, &arm::elbow.command},  // elbow
-    {0, 242927, 28922607, &arm::wrist_roll.command},  // wrist_roll
-    {0, 236481, 28916161, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 212667, 28892347, &arm::flange.command},  // flange
-    {0, 206222, finemote::kNothingToBound, nullptr},  // arm
+    {1, 376215, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 259464, 28939144, &arm::base.command},  // base
+    {0, 253025, 28932705, &arm::shoulder.command},  // shoulder
+    {0, 246580, 28926260, &arm::elbow.command},  // elbow
+    {0, 240141, 28919821, &arm::wrist_roll.command},  // wrist_roll
+    {0, 233695, 28913375, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 209881, 28889561, &arm::flange.command},  // flange
+    {0, 203436, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

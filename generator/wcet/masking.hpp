@@ -1,0 +1,17 @@
+// Code that keeps interrupts out.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "generator/image/program.hpp"
+#include "generator/wcet/marks.hpp"
+
+namespace finemote::gen::wcet {
+
+/// An instruction of the block that keeps interrupts out, where the block is not the begin or the end of a section that
+/// is marked as masked: how long such sections are is known. None: there is no such instruction.
+std::optional<std::uint32_t> masks_by_itself(const ProgramFunction& function, const BasicBlock& block,
+                                             const Marks& marks);
+
+}  // namespace finemote::gen::wcet
