@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generator/image/transfer.hpp"
+#include "generator/wcet/block_end.hpp"
 #include "generator/wcet/execute.hpp"
 #include "generator/wcet/operands.hpp"
 
@@ -38,12 +39,15 @@ class Stepping {
     for (std::uint32_t address = block_.begin; address < block_.end; address = last->end()) {
       last = function_.body.at(address);
       if (last == nullptr) return fail(address, "no instruction");
-      if (last->end() == block_.end && goes_elsewhere(*last)) break;
+      if (last->end() == block_.end && goes_elsewhere(*last)) {
+        step_.cost += time(*last, machine_);
+        break;
+      }
       last = pass(*last);
       if (step_.problem) return std::move(step_);
       if (last->end() < block_.end) step_.cost += cost_.fall(*last);
     }
-    finish(*last);
+    add_ways({function_, block_, surroundings_, cost_, *last}, std::move(machine_), step_);
     return std::move(step_);
   }
 
@@ -121,130 +125,6 @@ class Stepping {
     if (!flags) return;
     for (int* reg : {&flags->left, &flags->right, &flags->result}) {
       if (may_write(i, *reg)) *reg = ARM_REG_INVALID;
-    }
-  }
-
-  /// The end of the block: the ways from here.
-  void finish(const Instruction& last) {
-    const Transfer transfer = transfer_of(last);
-    switch (transfer.kind) {
-      case TransferKind::next:
-        return block_.call ? call(machine_, cost_.fall(last)) : edges(cost_.fall(last));
-      case TransferKind::call:
-      case TransferKind::indirect:
-        return call_by(last);
-      default:
-        return transfer.may_fall_through ? branch(last) : jump(last);
-    }
-  }
-
-  /// All edges alike: there is one, which the next instruction follows.
-  void edges(Cycles cost) {
-    for (const FlowEdge& edge : block_.edges) step_.ways.push_back({Way::Kind::edge, edge.to, machine_, cost});
-  }
-
-  /// `bl` was passed as an ordinary instruction, so that the link register is set, unless it is in an IT block.
-  void call_by(const Instruction& last) {
-    if (!last.is_conditional()) return call_or_jump(machine_);
-    step_.cost += time(last, machine_);
-    Machine taken = machine_, falls = machine_;
-    if (taken.assume(last.condition)) {
-      execute(last, surroundings_, taken);
-      call_or_jump(taken);
-    }
-    if (falls.assume(opposite(last.condition))) fall(last, falls);
-  }
-
-  /// A jump where a part of this function is called.
-  void call_or_jump(const Machine& machine) {
-    if (block_.call) return call(machine, 0);
-    for (const FlowEdge& edge : block_.edges) {
-      if (edge.is_taken) step_.ways.push_back({Way::Kind::edge, edge.to, machine, cost_.jump(edge.to)});
-    }
-  }
-
-  /// On where the last instruction does not lead elsewhere.
-  void fall(const Instruction& last, const Machine& machine) {
-    const Cycles cost = cost_.fall(last) + cost_.not_taken(last, transfer_of(last).target);
-    for (const FlowEdge& edge : block_.edges) {
-      if (!edge.is_taken) step_.ways.push_back({Way::Kind::edge, edge.to, machine, cost});
-    }
-  }
-
-  /// Behind calls of parts of this function, as far as the link register does not say otherwise. True where it says
-  /// that.
-  bool return_to_part(const Machine& machine) {
-    const Interval link = machine.get(ARM_REG_LR).range();
-    bool is_one = false;
-    for (const FlowEdge& edge : block_.edges) {
-      if (!edge.is_taken || !link.contains(Interval::of(edge.to | 1U))) continue;
-      step_.ways.push_back({Way::Kind::edge, edge.to, machine, cost_.jump(edge.to)});
-      is_one = true;
-    }
-    return is_one && link.is_constant();
-  }
-
-  void call(const Machine& machine, Cycles cost) {
-    if (!block_.call) {
-      step_.problem = {block_.begin, "a call without a target"};
-      return;
-    }
-    const FlowCall& call = *block_.call;
-    const auto target = call.target ? call.target : target_of(*function_.body.at(call.at), machine);
-    if (!target) {
-      step_.problem = {call.at, fmt::format("'{}' calls what a variable says", function_.body.at(call.at)->text)};
-      return;
-    }
-    const bool is_jump = cost == 0;
-    Way way{Way::Kind::call, *target & ~1U, machine, is_jump ? cost_.jump(*target & ~1U) : cost, call.is_tail};
-    if (!call.is_tail) way.behind = block_.edges.empty() ? 0 : block_.edges.front().to;
-    step_.ways.push_back(std::move(way));
-  }
-
-  std::optional<std::uint32_t> target_of(const Instruction& i, const Machine& machine) const {
-    const Interval range = operand(i, 0, machine).range();
-    return range.is_constant() ? std::optional(range.low) : std::nullopt;
-  }
-
-  void jump(const Instruction& last) {
-    step_.cost += time(last, machine_);
-    take(last, machine_);
-  }
-
-  /// Taken or not, as the machine allows.
-  void branch(const Instruction& last) {
-    step_.cost += time(last, machine_);
-    const bool is_on_register = last.id == ARM_INS_CBZ || last.id == ARM_INS_CBNZ;
-    arm_cc condition = last.condition;
-    const auto flags = machine_.flags();
-    if (is_on_register) {
-      const int reg = last.operands[0].reg;
-      machine_.set_flags(comparison_of(machine_.get(reg), Value::of(0), reg, ARM_REG_INVALID));
-      condition = last.id == ARM_INS_CBZ ? ARM_CC_EQ : ARM_CC_NE;
-    }
-    Machine taken = machine_, falls = machine_;
-    const bool is_taken = taken.assume(condition), falls_through = falls.assume(opposite(condition));
-    if (is_on_register) {  // which leaves the flags alone
-      taken.set_flags(flags);
-      falls.set_flags(flags);
-    }
-    if (is_taken) take(last, taken);
-    if (falls_through) fall(last, falls);
-  }
-
-  /// Where the last instruction leads when its condition holds.
-  void take(const Instruction& last, Machine machine) {
-    const TransferKind kind = transfer_of(last).kind;
-    if (kind == TransferKind::stop) return;
-    if (kind == TransferKind::leave) {
-      if (return_to_part(machine)) return;
-      execute(last, surroundings_, machine);
-      step_.ways.push_back({Way::Kind::leave, 0, std::move(machine)});
-      return;
-    }
-    if (block_.call && block_.call->is_tail) return call(machine, 0);
-    for (const FlowEdge& edge : block_.edges) {
-      if (edge.is_taken) step_.ways.push_back({Way::Kind::edge, edge.to, machine, cost_.jump(edge.to)});
     }
   }
 

@@ -93,6 +93,15 @@ void note(const Frame& frame, const Loop& loop, std::uint64_t rounds, std::map<s
   counted.rounds = std::max(counted.rounds, rounds);
 }
 
+/// Place and reason why a block cannot be followed; none: it can.
+std::optional<std::pair<std::uint32_t, std::string>> refusal_of(const Frame& frame, std::uint32_t block,
+                                                                const Marks& marks) {
+  if (is_passed_by_some(frame, block, marks)) return {{block, "a mark that not every round of its loop passes"}};
+  const auto place = masks_by_itself(frame.function, frame.function.graph.blocks.at(block), marks);
+  if (!place) return std::nullopt;
+  return {{*place, "interrupts are kept out, and what that delays has no bound"}};
+}
+
 /// One more call, for as long as it lives; none at the entry of a routine.
 class CallHere {
  public:
@@ -264,16 +273,14 @@ class Walker {
   void visit(Frame& frame, std::uint32_t block) {
     Arrival arrival = std::move(*frame.arrivals[block]);
     frame.arrivals[block].reset();
-    if (is_passed_by_some(frame, block, facts_.marks))
-      return fail(block, &frame.function, "a mark that not every round of its loop passes");
+    if (const auto refused = refusal_of(frame, block, facts_.marks))
+      return fail(refused->first, &frame.function, refused->second);
     if (!pass_mark(frame, block, facts_.marks))
       return note_retry(frame, block, facts_.marks, std::move(arrival.from), walked_.retries);
     frame.passed[block] = walked_.graph.nodes.size();
     arrival.machine.name_unknowns(unknowns_);
     waits_.note(block, arrival.machine);
     const BasicBlock& code = frame.function.graph.blocks.at(block);
-    if (const auto place = masks_by_itself(frame.function, code, facts_.marks))
-      return fail(*place, &frame.function, "interrupts are kept out, and what that delays has no bound");
     Step step = wcet::step(frame.function, code, {facts_.constants, unknowns_, facts_.stores}, facts_.cost,
                            std::move(arrival.machine));
     if (step.problem) return fail(step.problem->first, &frame.function, step.problem->second);
