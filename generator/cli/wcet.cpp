@@ -105,8 +105,10 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   const SourceLines lines(*path);
   const SourceNames names(input->data_dir, input_folder(input->path));
   const TimedRobot timed{planned->robot, planned->forest, planned->schedule, times, lines, names, std::move(inputs)};
+  std::vector<wcet::TimeGap> found = times.gaps.empty() ? vanished_stages(timed) : std::vector<wcet::TimeGap>();
   std::vector<wcet::TimeGap> foreign = foreign_routines(timed);
-  std::move(foreign.begin(), foreign.end(), std::back_inserter(times.gaps));
+  std::move(foreign.begin(), foreign.end(), std::back_inserter(found));
+  std::move(found.begin(), found.end(), std::back_inserter(times.gaps));
   return answer_of(options, timed, diagnostics);
 }
 

@@ -10,14 +10,15 @@ constexpr std::uint32_t kMostEntries = 1024;
 /// The instructions before a place that every way to it passes, the nearest first.
 class OnlyWay {
  public:
-  OnlyWay(const FunctionBody& body, const Successors& known, std::uint32_t to) : body_(body), known_(known), at_(to) {}
+  OnlyWay(const FunctionBody& body, const Successors& known, std::uint32_t entry, std::uint32_t to)
+      : body_(body), known_(known), entry_(entry), at_(to) {}
 
   struct Step {
     const Instruction* instruction = nullptr;
     bool is_taken = false;  ///< the way leads through its branch
   };
   std::optional<Step> next() {
-    if (at_ == body_.begin() || !seen_.insert(at_).second) return std::nullopt;
+    if (at_ == entry_ || !seen_.insert(at_).second) return std::nullopt;
     const Successors::Origin* origin = known_.only_origin(at_);
     const Instruction* before = origin == nullptr ? nullptr : body_.at(origin->from);
     if (before == nullptr) return std::nullopt;
@@ -28,7 +29,7 @@ class OnlyWay {
  private:
   const FunctionBody& body_;
   const Successors& known_;
-  std::uint32_t at_;
+  std::uint32_t entry_, at_;
   std::set<std::uint32_t> seen_;
 };
 
@@ -112,9 +113,10 @@ std::optional<Layout> layout_of(const Instruction& table, const OnlyWay& way) {
 }  // namespace
 
 std::optional<std::vector<std::uint32_t>> table_targets(const Image& image, const FunctionBody& body,
-                                                        const Instruction& table, const Successors& known) {
+                                                        const Instruction& table, const Successors& known,
+                                                        std::uint32_t entry) {
   if (table.memory() == nullptr) return std::nullopt;
-  const OnlyWay way(body, known, table.address);
+  const OnlyWay way(body, known, entry, table.address);
   const auto layout = layout_of(table, way);
   const auto count = number_of_entries(way, table.memory()->mem.index);
   if (!layout || !count || *count > kMostEntries) return std::nullopt;

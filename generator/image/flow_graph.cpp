@@ -32,6 +32,7 @@ class Trace {
   }
 
   FlowGraph blocks(const std::vector<std::uint32_t>& boundaries) {
+    refuse_tails_of_parts();
     FlowGraph graph;
     graph.entry = entry_;
     std::set<std::uint32_t> begins = begins_of_blocks(boundaries);
@@ -90,7 +91,7 @@ class Trace {
                                             : "an instruction that the decoder does not know";
         break;
       case Transfer::Kind::leave:
-        if (i.id == ARM_INS_BX) return_to_parts(i);
+        return_to_parts(i);
         break;
       case Transfer::Kind::next:
       case Transfer::Kind::stop:
@@ -109,6 +110,14 @@ class Trace {
     behind_parts_.insert(call.end());
     for (const std::uint32_t from : returns_to_parts_) go(from, {call.end(), true});
     if (call.is_conditional()) fall_from(call);
+  }
+
+  /// Where the callee of a jump returns to is not looked for.
+  void refuse_tails_of_parts() {
+    if (behind_parts_.empty()) return;
+    for (const auto& [address, call] : calls_) {
+      if (call.is_tail) problems_[address] = "a jump to another function, in one of which a part is called";
+    }
   }
 
   void return_to_parts(const Instruction& i) {
@@ -134,7 +143,7 @@ class Trace {
     bool is_one_new = false;
     for (auto& [address, targets] : tables_) {
       if (targets) continue;
-      targets = table_targets(image_, body_, *body_.at(address), successors_);
+      targets = table_targets(image_, body_, *body_.at(address), successors_, entry_);
       is_one_new |= targets.has_value();
       for (const std::uint32_t target : targets.value_or(std::vector<std::uint32_t>{})) go(address, {target, true});
     }
@@ -144,7 +153,7 @@ class Trace {
   /// What was found later may lead around the comparison before a table.
   void confirm_tables() {
     for (const auto& [address, targets] : tables_) {
-      if (!targets || table_targets(image_, body_, *body_.at(address), successors_) != targets)
+      if (!targets || table_targets(image_, body_, *body_.at(address), successors_, entry_) != targets)
         problems_[address] = "a branch table of unknown size";
     }
   }

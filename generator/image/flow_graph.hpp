@@ -53,8 +53,8 @@ struct TraceLimits {
   std::vector<std::uint32_t> boundaries;  ///< addresses at which blocks end, too, in order; may lie anywhere
 };
 
-/// A call of a place in the same body is a jump there, from which `bx lr` leads to behind the call: so do routines of
-/// libgcc, parts of which also return for the whole.
+/// A call of a place in the same body is a jump there, from which a return may lead to behind the call: so do routines
+/// of libgcc, parts of which also return for the whole.
 /// @param returns  whether a call comes back; behind one that does not nothing is followed
 FlowGraph trace(const Image& image, const FunctionBody& body, const std::function<bool(const FlowCall&)>& returns,
                 const TraceLimits& limits);

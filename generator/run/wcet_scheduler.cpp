@@ -151,6 +151,15 @@ std::vector<wcet::TimeGap> foreign_routines(const TimedRobot& timed) {
   return foreign;
 }
 
+std::vector<wcet::TimeGap> vanished_stages(const TimedRobot& timed) {
+  std::vector<wcet::TimeGap> vanished;
+  for (const Stage stage : stages_of(timed)) {
+    if (bracket_of(timed, stage) == nullptr)
+      vanished.push_back({0, name_of(timed, stage), "no way through this stage comes to its end"});
+  }
+  return vanished;
+}
+
 Json interrupts_json(const TimedRobot& timed) {
   Json interrupts = Json::array();
   for (const wcet::RoutineTime& routine : timed.times.routines) {

@@ -25,6 +25,9 @@ std::int64_t ns_of(wcet::Cycles cycles, const TimedRobot& timed);
 /// has a bound.
 std::vector<wcet::TimeGap> foreign_routines(const TimedRobot& timed);
 
+/// Stages without a bound although everything that was walked has one: their routine never comes to their end.
+std::vector<wcet::TimeGap> vanished_stages(const TimedRobot& timed);
+
 /// The members `interrupts` and `scheduler`.
 nlohmann::ordered_json interrupts_json(const TimedRobot& timed);
 nlohmann::ordered_json scheduler_json(const TimedRobot& timed);

@@ -61,17 +61,25 @@ class Leaving {
     }
   }
 
-  /// Behind calls of parts of this function, as far as the link register does not say otherwise. True where it says
-  /// that.
-  bool return_to_part(const Machine& machine) {
-    const Interval link = machine.get(ARM_REG_LR).range();
+  /// What the last instruction, which returns, puts into the program counter.
+  Interval returned_to(const Machine& machine) const {
+    for (const Transferred& word : memory_use(end_.last, machine).words) {
+      if (word.reg == ARM_REG_PC) return machine.stack().load(word.access).anywhere();
+    }
+    return machine.get(ARM_REG_LR).anywhere();
+  }
+
+  /// To the caller, or to behind a call of a part of this function, as far as is known.
+  void leave(Machine machine) {
+    const Interval to = returned_to(machine);
+    execute(end_.last, end_.surroundings, machine);
     bool is_one = false;
     for (const FlowEdge& edge : end_.block.edges) {
-      if (!edge.is_taken || !link.contains(Interval::of(edge.to | 1U))) continue;
+      if (!edge.is_taken || !to.contains(Interval::of(edge.to | 1U))) continue;
       step_.ways.push_back({Way::Kind::edge, edge.to, machine, end_.cost.jump(edge.to)});
       is_one = true;
     }
-    return is_one && link.is_constant();
+    if (!is_one || !to.is_constant()) step_.ways.push_back({Way::Kind::leave, 0, std::move(machine)});
   }
 
   void call(const Machine& machine, Cycles cost) {
@@ -120,12 +128,7 @@ class Leaving {
   void take(const Instruction& last, Machine machine) {
     const TransferKind kind = transfer_of(last).kind;
     if (kind == TransferKind::stop) return;
-    if (kind == TransferKind::leave) {
-      if (return_to_part(machine)) return;
-      execute(last, end_.surroundings, machine);
-      step_.ways.push_back({Way::Kind::leave, 0, std::move(machine)});
-      return;
-    }
+    if (kind == TransferKind::leave) return leave(std::move(machine));
     if (end_.block.call && end_.block.call->is_tail) return call(machine, 0);
     for (const FlowEdge& edge : end_.block.edges) {
       if (edge.is_taken) step_.ways.push_back({Way::Kind::edge, edge.to, machine, end_.cost.jump(edge.to)});

@@ -14,9 +14,7 @@ std::string in_lower_case(std::string text) {
 }
 
 /// `cpsid i`, `msr primask, r0`, `msr basepri, r0` and the like; `cpsie` lets interrupts in.
-bool may_mask(const Instruction& i) {
-  if (i.id != ARM_INS_CPS && i.id != ARM_INS_MSR) return false;
-  const std::string text = in_lower_case(i.text);
+bool may_mask(const std::string& text) {
   return text.find("cpsid") != std::string::npos || text.find("primask") != std::string::npos ||
          text.find("faultmask") != std::string::npos || text.find("basepri") != std::string::npos;
 }
@@ -30,10 +28,13 @@ bool has_mark(std::uint32_t place, std::uint32_t mark, const Marks& marks) {
 
 std::optional<std::uint32_t> masks_by_itself(const ProgramFunction& function, const BasicBlock& block,
                                              const Marks& marks) {
-  if (has_mark(block.begin, kMaskedMark, marks) || has_mark(block.end, kMaskedMark + 1, marks)) return std::nullopt;
+  const bool begins = has_mark(block.begin, kMaskedMark, marks), ends = has_mark(block.end, kMaskedMark + 1, marks);
   const Instruction* i = function.body.at(block.begin);
   for (; i != nullptr && i->address < block.end; i = function.body.at(i->end())) {
-    if (may_mask(*i)) return i->address;
+    if (i->id != ARM_INS_CPS && i->id != ARM_INS_MSR) continue;
+    const std::string text = in_lower_case(i->text);
+    const bool is_of_section = (begins && text == "cpsid i") || (ends && text.rfind("msr primask,", 0) == 0);
+    if (may_mask(text) && !is_of_section) return i->address;
   }
   return std::nullopt;
 }

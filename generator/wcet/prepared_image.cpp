@@ -1,6 +1,7 @@
 #include "generator/wcet/prepared_image.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -13,6 +14,15 @@ namespace {
 bool has_constructors(const Image& image) {
   return std::any_of(image.sections.begin(), image.sections.end(), [](const ImageSection& section) {
     return section.name.rfind(".init_array", 0) == 0 && section.size > 0;
+  });
+}
+
+/// The start fills it: sections.ld. What lies in a section of its own is none of that.
+bool is_filled(const Image& image, const ImageRange& range) {
+  constexpr std::string_view kFilled[] = {".data", ".bss", ".core_bss", ".dma_constants", ".rodata"};
+  return std::any_of(image.sections.begin(), image.sections.end(), [&](const ImageSection& section) {
+    return std::find(std::begin(kFilled), std::end(kFilled), section.name) != std::end(kFilled) &&
+           range.begin >= section.address && range.end - section.address <= section.size;
   });
 }
 
@@ -31,7 +41,8 @@ std::vector<AddressRange> constants_of(const Image& image, const KeptMembers& ke
   const bool is_constructed = has_constructors(image);
   const auto add = [&](const std::vector<ImageRange>& all, bool may_be_set_later) {
     for (const ImageRange& range : all) {
-      if (!may_be_set_later || !is_zero(image, range)) ranges.emplace_back(range.begin, range.end);
+      if (is_filled(image, range) && (!may_be_set_later || !is_zero(image, range)))
+        ranges.emplace_back(range.begin, range.end);
     }
   };
   add(kept.constant, is_constructed);

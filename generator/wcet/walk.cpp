@@ -22,6 +22,8 @@ constexpr std::size_t kMostNodes = 1'000'000;
 constexpr std::size_t kDeepestCalls = 64;
 /// A tenth of a second: longer ones are none of a routine that has a period.
 constexpr Cycles kLongestWait = 16'800'000;
+/// What is in the link register where a routine begins: ARMv7-M B1.5.8.
+constexpr Interval kExceptionReturn{0xFFFF'FFE1, 0xFFFF'FFFD};
 /// Ten seconds, of which an experiment may ask for one.
 constexpr Cycles kLongestCount = 1'680'000'000;
 
@@ -125,6 +127,7 @@ class Walker {
     Machine machine;
     for (int reg = ARM_REG_R0; reg <= ARM_REG_R12; ++reg) machine.set(reg, Value::in(Interval::any()));
     machine.set(ARM_REG_SP, Value::place(facts_.stack_top));
+    machine.set(ARM_REG_LR, Value::in(kExceptionReturn));
     const auto end = enter(entry, Arrival{std::move(machine), {}}, entry, nullptr);
     if (walked_.graph.nodes.size() > kMostNodes)
       fail(entry, facts_.program.at(entry), "too many ways through it: bound its loops more tightly");
