@@ -45,7 +45,7 @@ class Leaving {
     if (falls.assume(opposite(last.condition))) fall(last, falls);
   }
 
-  /// A jump where a part of this function is called.
+  /// A jump within this function, as calls of its parts are, or to another one.
   void call_or_jump(const Machine& machine) {
     if (end_.block.call) return call(machine, 0);
     for (const FlowEdge& edge : end_.block.edges) {
@@ -129,10 +129,7 @@ class Leaving {
     const TransferKind kind = transfer_of(last).kind;
     if (kind == TransferKind::stop) return;
     if (kind == TransferKind::leave) return leave(std::move(machine));
-    if (end_.block.call && end_.block.call->is_tail) return call(machine, 0);
-    for (const FlowEdge& edge : end_.block.edges) {
-      if (edge.is_taken) step_.ways.push_back({Way::Kind::edge, edge.to, machine, end_.cost.jump(edge.to)});
-    }
+    call_or_jump(machine);
   }
 
   const BlockEnd& end_;

@@ -100,21 +100,19 @@ Value difference(Value a, Value b) {
 }
 
 bool StackWords::is_of_stack(std::uint32_t low, std::uint32_t high) const {
-  return std::any_of(words_.begin(), words_.end(), [&](const Word& w) {
-    return w.value.is_of_stack && w.address <= high && w.address + (w.size - 1) >= low;
-  });
+  return std::any_of(words_.begin(), words_.end(),
+                     [&](const Word& w) { return w.value.is_of_stack && w.meets(low, high); });
 }
 
 /// What is left of an address of which a part goes is still a part of it.
 void StackWords::forget(std::uint32_t low, std::uint32_t high) {
   std::vector<Word> left;
   for (const Word& word : words_) {
-    const std::uint32_t last = word.address + (word.size - 1);
-    if (word.address > high || last < low) {
+    if (!word.meets(low, high)) {
       left.push_back(word);
       continue;
     }
-    for (std::uint32_t at = word.address; word.value.is_of_stack && at <= last; ++at) {
+    for (std::uint32_t at = word.address; word.value.is_of_stack && at <= word.last(); ++at) {
       if (at < low || at > high) left.push_back({at, 1, Value::in({0, 0xFF}, true)});
     }
   }
@@ -123,10 +121,8 @@ void StackWords::forget(std::uint32_t low, std::uint32_t high) {
 
 void StackWords::join_address(const Word& word, const StackWords& other, std::vector<Word>& both) {
   if (!word.value.is_of_stack) return;
-  const std::uint32_t last = word.address + (word.size - 1);
-  const bool is_alone = std::none_of(other.words_.begin(), other.words_.end(), [&](const Word& w) {
-    return w.address <= last && w.address + (w.size - 1) >= word.address;
-  });
+  const bool is_alone = std::none_of(other.words_.begin(), other.words_.end(),
+                                     [&](const Word& w) { return w.meets(word.address, word.last()); });
   if (is_alone && word.size == 4) both.push_back({word.address, 4, kBlurred});
   has_forgotten_address_ |= !is_alone || word.size != 4;
 }

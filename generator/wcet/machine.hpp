@@ -92,6 +92,8 @@ class StackWords {
   struct Word {
     std::uint32_t address, size;
     Value value;
+    [[nodiscard]] std::uint32_t last() const { return address + (size - 1); }
+    [[nodiscard]] bool meets(std::uint32_t from, std::uint32_t to) const { return address <= to && last() >= from; }
   };
   [[nodiscard]] const Word* find(std::uint32_t address, std::uint32_t size) const;
   [[nodiscard]] bool is_of_stack(std::uint32_t low, std::uint32_t high) const;

@@ -104,19 +104,35 @@ std::optional<std::pair<std::uint32_t, std::string>> refusal_of(const Frame& fra
   return {{*place, "interrupts are kept out, and what that delays has no bound"}};
 }
 
-/// One more call, for as long as it lives; none at the entry of a routine.
-class CallHere {
+/// Its number.
+std::size_t add_node(UnrolledNode node, Walked& walked) {
+  walked.graph.nodes.push_back(std::move(node));
+  return walked.graph.nodes.size() - 1;
+}
+
+/// The functions that are gone through, outermost first, each with the call that led to it.
+class CallChain {
  public:
-  CallHere(std::vector<CallSite>& calls, CallSite site) : calls_(calls), size_(calls.size()) {
-    if (site.function != nullptr) calls_.push_back(site);
+  [[nodiscard]] std::size_t depth() const { return open_.size(); }
+  [[nodiscard]] bool has(const ProgramFunction* function) const {
+    return std::any_of(open_.begin(), open_.end(), [&](const Open& open) { return open.function == function; });
   }
-  ~CallHere() { calls_.resize(size_); }
-  CallHere(const CallHere&) = delete;
-  CallHere& operator=(const CallHere&) = delete;
+  void enter(const ProgramFunction* function, std::uint32_t from) { open_.push_back({function, from}); }
+  void leave() { open_.pop_back(); }
+
+  /// Innermost first.
+  [[nodiscard]] std::vector<CallSite> sites() const {
+    std::vector<CallSite> sites;
+    for (std::size_t i = open_.size(); i-- > 1;) sites.push_back({open_[i].from, open_[i - 1].function});
+    return sites;
+  }
 
  private:
-  std::vector<CallSite>& calls_;
-  std::size_t size_;
+  struct Open {
+    const ProgramFunction* function;
+    std::uint32_t from;
+  };
+  std::vector<Open> open_;
 };
 
 class Walker {
@@ -139,8 +155,7 @@ class Walker {
 
  private:
   void fail(std::uint32_t address, const ProgramFunction* function, std::string why) {
-    const std::vector<CallSite> calls(calls_.rbegin(), calls_.rend());
-    walked_.problems.try_emplace(address, WalkProblem{address, function, std::move(why), calls});
+    walked_.problems.try_emplace(address, WalkProblem{address, function, std::move(why), chain_.sites()});
   }
 
   /// Goes through a function; what leaves it, if something does.
@@ -148,22 +163,26 @@ class Walker {
                                const ProgramFunction* caller) {
     const ProgramFunction* function = facts_.program.at(address);
     if (function == nullptr) return fail(from, caller, "a call of what is no function"), std::nullopt;
-    const bool is_open = std::find(open_.begin(), open_.end(), function) != open_.end();
-    if (is_open || open_.size() == kDeepestCalls) return fail(from, caller, "recursion: it has no bound"), std::nullopt;
-    const CallHere call(calls_, {from, caller});
-    for (const FlowProblem& problem : function->graph.problems) fail(problem.address, function, problem.text);
-    const LoopNest& nest = nests_.of(*function);
+    if (chain_.has(function) || chain_.depth() == kDeepestCalls)
+      return fail(from, caller, "recursion: it has no bound"), std::nullopt;
+    chain_.enter(function, from);
+    auto end = go_through(*function, std::move(arrival));
+    chain_.leave();
+    return end;
+  }
+
+  std::optional<Arrival> go_through(const ProgramFunction& function, Arrival arrival) {
+    for (const FlowProblem& problem : function.graph.problems) fail(problem.address, &function, problem.text);
+    const LoopNest& nest = nests_.of(function);
     for (const std::uint32_t block : nest.irreducible())
-      fail(block, function, "a loop with more than one entry: write it as one loop");
+      fail(block, &function, "a loop with more than one entry: write it as one loop");
     if (!nest.irreducible().empty()) return std::nullopt;
-    open_.push_back(function);
-    Frame frame{*function, nest, {}, {}, {}, {}, false, {}};
-    frame.arrivals[function->graph.entry] = std::move(arrival);
+    Frame frame{function, nest, {}, {}, {}, {}, false, {}};
+    frame.arrivals[function.graph.entry] = std::move(arrival);
     go_through(frame, std::nullopt);
-    open_.pop_back();
     for (const std::uint32_t block : left_over(frame)) {
       if (walked_.graph.nodes.size() > kMostNodes) break;  // given up on purpose
-      fail(block, function, "ways that lead here are not in the bound: a defect of this tool");
+      fail(block, &function, "ways that lead here are not in the bound: a defect of this tool");
     }
     return std::move(frame.end);
   }
@@ -224,8 +243,7 @@ class Walker {
         wcet::step(frame.function, block, {facts_.constants, unknowns_, facts_.stores}, facts_.cost, arrival.machine));
     frame.arrivals[loop.header].reset();
     if (back > kLongestCount / cost) return fail(loop.header, &frame.function, "a loop that counts for seconds");
-    const std::size_t node = walked_.graph.nodes.size();
-    walked_.graph.nodes.push_back({&frame.function, loop.header, back * cost, std::move(arrival.from)});
+    const std::size_t node = add_node({&frame.function, loop.header, back * cost, std::move(arrival.from)}, walked_);
     walked_.countdowns[node] = {static_cast<std::uint64_t>(back), cost};
     arrival.machine.set(reg, Value::of(1));
     frame.arrivals[loop.header] = Arrival{std::move(arrival.machine), {{node, 0}}};
@@ -252,8 +270,7 @@ class Walker {
 
   void pass_time(Frame& frame, std::size_t index, Cycles limit, Arrival arrival) {
     const Loop& loop = frame.nest.loops()[index];
-    const std::size_t node = walked_.graph.nodes.size();
-    walked_.graph.nodes.push_back({&frame.function, loop.header, limit, std::move(arrival.from)});
+    const std::size_t node = add_node({&frame.function, loop.header, limit, std::move(arrival.from)}, walked_);
     walked_.waits.insert(node);
     frame.arrivals[loop.header] = Arrival{std::move(arrival.machine), {{node, 0}}};
     for (int round = 0; round < 2 && frame.arrivals[loop.header]; ++round) go_through(frame, index);
@@ -287,8 +304,7 @@ class Walker {
     Step step = wcet::step(frame.function, code, {facts_.constants, unknowns_, facts_.stores}, facts_.cost,
                            std::move(arrival.machine));
     if (step.problem) return fail(step.problem->first, &frame.function, step.problem->second);
-    const std::size_t node = walked_.graph.nodes.size();
-    walked_.graph.nodes.push_back({&frame.function, block, step.cost, std::move(arrival.from)});
+    const std::size_t node = add_node({&frame.function, block, step.cost, std::move(arrival.from)}, walked_);
     for (Way& way : step.ways) follow(frame, code, node, std::move(way));
   }
 
@@ -316,8 +332,7 @@ class Walker {
   Walked walked_;
   LoopNests nests_;
   Waits waits_;
-  std::vector<const ProgramFunction*> open_;  // the chain of calls
-  std::vector<CallSite> calls_;               // that made it
+  CallChain chain_;
 };
 
 }  // namespace
