@@ -19,15 +19,37 @@ constexpr float kRateFilter = 0.3F;      ///< share of a new sample in the verti
 constexpr Duration kReportEvery = 100 * kMillisecond;
 
 // TES pulses, as the host program means them: 1500 us neutral, 400 us to full effort.
-constexpr float kTestNeutral = 1500, kTestFull = 400;
+constexpr float kTestNeutral = 1500, kTestEffort = 1.0F / 400;
+
+using Line = Text<64>;
+
+Line line_of(const ImuState& attitude, float depth) {
+  Line line;
+  line.add("RPY:").add_hundredths(attitude.roll / kDegree);
+  line.add(",").add_hundredths(attitude.pitch / kDegree);
+  line.add(",").add_hundredths(attitude.yaw / kDegree);
+  line.add(",").add_hundredths(100 * depth).add("\r\n");
+  return line;
+}
+
+Line line_of(Ports<Pressure> sensors) {
+  Line line;
+  line.add("VA:");
+  for (unsigned i = 0; i < sensors.size(); ++i) {
+    if (i != 0) line.add(",");
+    line.add_number(static_cast<std::int32_t>(sensors[i].state.pressure));
+  }
+  line.add("\r\n");
+  return line;
+}
 
 }  // namespace
 
 void FinsRov::update() {
   const Time at = now();
-  if (host_ != nullptr) take_orders(at);
+  const bool is_asked = host_ != nullptr && take_orders(at);
   take_inputs(at);
-  if (reporting_ && at - reported_ >= kReportEvery) report(at);
+  if (is_asked || (reporting_ && at - reported_ >= kReportEvery)) report(is_asked, at);
 }
 
 void FinsRov::handle() {
@@ -86,15 +108,16 @@ void FinsRov::take_depth(float depth, Time origin) {
 // ---------------------------------------------------------------------------------------------------------------
 // orders
 
-void FinsRov::take_orders(Time at) {
-  if (!orders_.receive(*host_)) return;
+/// Whether one of them asks for the pressures.
+bool FinsRov::take_orders(Time at) {
+  if (!orders_.receive(*host_)) return false;
   FinsRovOrder order;
   bool is_asked = false;
   for (unsigned left = FinsRovHost::kMostOrders; left != 0 && orders_.next(order); --left) {
     obey(order, at);
     is_asked = is_asked || order.verb == FinsRovOrder::Verb::kValues;
   }
-  if (is_asked) report_pressures();  // once: the line takes one block at a time
+  return is_asked;
 }
 
 void FinsRov::obey(const FinsRovOrder& order, Time at) {
@@ -179,7 +202,7 @@ void FinsRov::move(float surge, float sway, float turn, Time at) {
 void FinsRov::test(const FinsRovOrder& order, Time at) {
   if (mode_ == Mode::kHold) return;
   for (unsigned i = 0; i < kThrusters; ++i) {
-    test_[i] = clamp((static_cast<float>(order.value[i]) - kTestNeutral) / kTestFull, -1, 1);
+    test_[i] = clamp((static_cast<float>(order.value[i]) - kTestNeutral) * kTestEffort, -1, 1);
   }
   ordered_ = at;
   mode_ = Mode::kTest;
@@ -252,24 +275,11 @@ void FinsRov::command_nothing() {
 // ---------------------------------------------------------------------------------------------------------------
 // report
 
-void FinsRov::report(Time at) {
-  Text<64> line;
-  line.add("RPY:").add_hundredths(attitude_.roll / kDegree);
-  line.add(",").add_hundredths(attitude_.pitch / kDegree);
-  line.add(",").add_hundredths(attitude_.yaw / kDegree);
-  line.add(",").add_hundredths(100 * depth_now_).add("\r\n");
-  if (host_->write(line.bytes(), line.size())) reported_ = at;
-}
-
-void FinsRov::report_pressures() {
-  Text<64> line;
-  line.add("VA:");
-  for (unsigned i = 0; i < depth_.size(); ++i) {
-    if (i != 0) line.add(",");
-    line.add_number(static_cast<std::int32_t>(depth_[i].state.pressure));
-  }
-  line.add("\r\n");
-  host_->write(line.bytes(), line.size());
+/// One line at most: the host's takes one block at a time. Attitude and depth come with the next update where it asks
+/// for the pressures.
+void FinsRov::report(bool is_asked, Time at) {
+  const Line line = is_asked ? line_of(depth_) : line_of(attitude_, depth_now_);
+  if (host_->write(line.bytes(), line.size()) && !is_asked) reported_ = at;
 }
 
 }  // namespace finemote

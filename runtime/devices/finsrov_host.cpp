@@ -1,16 +1,44 @@
 #include "finemote/devices/finsrov_host.hpp"
 
+#include "finemote/four_bytes.hpp"
+
 namespace finemote {
 
 namespace {
 
 using Verb = FinsRovOrder::Verb;
 
-/// A command word and how many comma-separated numbers follow it.
+/// The first four characters, the first one lowest; those behind the end are 0.
+constexpr std::uint32_t packed(const char* text, std::size_t size) {
+  std::uint32_t four = 0;
+  for (std::size_t i = 0; i < size && i < sizeof four; ++i)
+    four |= std::uint32_t{static_cast<std::uint8_t>(text[i])} << 8 * i;
+  return four;
+}
+
+/// A command word of one to eight letters, and how many comma-separated numbers follow it.
 struct Word {
-  char text[8];
+  std::uint32_t first, second;  ///< four letters each
+  std::uint8_t letter, size;
   Verb verb;
   std::uint8_t numbers;
+
+  template <std::size_t length>
+  constexpr Word(const char (&word)[length], Verb means, std::uint8_t follow)
+      : first(packed(word, length - 1)),
+        second(length > 5 ? packed(word + 4, length - 5) : 0),
+        letter(static_cast<std::uint8_t>(word[0])),
+        size(length - 1),
+        verb(means),
+        numbers(follow) {
+    static_assert(length > 1 && length <= 9, "words have one to eight letters");
+  }
+
+  /// Whether eight characters, packed by fours, begin with it.
+  [[nodiscard]] bool begins(std::uint32_t four, std::uint32_t more) const {
+    if (size < 4) return (four ^ first) << (32 - 8 * size) == 0;
+    return four == first && (size == 4 || (more ^ second) << (64 - 8 * size) == 0);
+  }
 };
 
 /// By first letter; longer words before their own beginnings.
@@ -39,7 +67,7 @@ constexpr Index index_of_words() {
   for (std::size_t letter = 0; letter < kLetters; ++letter) {
     index.first[letter] = static_cast<std::uint8_t>(word);
     const std::size_t begin = word;
-    while (word < kWordCount && kWords[word].text[0] == static_cast<char>('A' + letter)) ++word;
+    while (word < kWordCount && kWords[word].letter == 'A' + letter) ++word;
     if (word - begin > index.most) index.most = word - begin;
   }
   index.first[kLetters] = static_cast<std::uint8_t>(word);
@@ -49,37 +77,36 @@ constexpr Index index_of_words() {
 constexpr Index kIndex = index_of_words();
 static_assert(kIndex.first[kLetters] == kWordCount, "the words are in the order of their first letters");
 
-/// Spaces that are passed over at once.
-constexpr unsigned kMostSpaces = 8;
+/// What an order keeps takes no more bytes than its text, where each number has one digit and all but the last a comma.
+constexpr bool is_compact(const Word& word) { return word.numbers == 0 || word.size >= 2; }
+constexpr bool are_compact() {
+  for (const Word& word : kWords) {
+    if (!is_compact(word)) return false;
+  }
+  return true;
+}
+static_assert(are_compact(), "a message is taken apart where it stands");
+
 /// Digits of a number at most, leading zeros among them.
 constexpr unsigned kMostDigits = 7;
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-constexpr bool is_space(char c) { return c == ' ' || c == '\r' || c == '\n' || c == '\0'; }
+constexpr bool is_digit(std::uint8_t c) { return c >= '0' && c <= '9'; }
+constexpr bool is_space(std::uint8_t c) { return c == ' ' || c == '\r' || c == '\n' || c == '\0'; }
 constexpr std::int32_t kLargest = 32767;
-
-/// Length of the word if `text` begins with it, else 0.
-std::size_t matches(const Word& word, const char* text, std::size_t size) {
-  for (std::size_t length = 0; length < sizeof word.text; ++length) {
-    if (word.text[length] == '\0') return length;
-    if (length == size || text[length] != word.text[length]) return 0;
-  }
-  return 0;
-}
 
 }  // namespace
 
 bool FinsRovHost::receive(Uart& uart) {
-  if (stage_ == Stage::kOrders && at_ < size_) return true;
-  if (stage_ == Stage::kOrders) begin_message();
+  if (stage_ == Stage::kObeying && at_ < size_) return true;
+  if (stage_ == Stage::kObeying) begin_message();
   if (stage_ == Stage::kCollecting) collect(uart);
-  if (stage_ == Stage::kChecking) check();
-  return stage_ == Stage::kOrders;
+  if (stage_ == Stage::kTakingApart) take_apart();
+  return stage_ == Stage::kObeying;
 }
 
 void FinsRovHost::begin_message() {
   stage_ = Stage::kCollecting;
-  size_ = at_ = 0;
+  size_ = at_ = kept_ = numbers_ = 0;
   too_long_ = false;
 }
 
@@ -93,7 +120,7 @@ void FinsRovHost::collect(Uart& uart) {
   if (size_ == 0 || !uart.idle()) return;
   const bool is_disturbed = uart.counters().errors != line_errors_;
   line_errors_ = uart.counters().errors;
-  stage_ = Stage::kChecking;
+  stage_ = Stage::kTakingApart;
   if (too_long_ || is_disturbed) drop();
 }
 
@@ -102,11 +129,7 @@ void FinsRovHost::append(const std::uint8_t* bytes, std::size_t count) {
   too_long_ = too_long_ || count > room;
   const std::size_t kept = count < room ? count : room;
   size_ = static_cast<std::uint8_t>(size + kept);
-  if (kept == 0) return;
-  std::size_t i = 0;
-  do {
-    text_[size + i] = static_cast<char>(bytes[i]);
-  } while (++i != kept);
+  move_bytes(bytes, text_ + size, kept);
 }
 
 void FinsRovHost::drop() {
@@ -115,61 +138,72 @@ void FinsRovHost::drop() {
 }
 
 /// Nothing is done before all of the message is known to be good.
-void FinsRovHost::check() {
-  FinsRovOrder ignored;
-  for (unsigned left = kMostOrders; at_ < size_ && left != 0; --left) {
-    if (!parse(ignored)) return drop();
+void FinsRovHost::take_apart() {
+  for (unsigned left = kMostPieces; at_ < size_ && left != 0; --left) {
+    if (!take_piece()) return drop();
   }
   if (at_ < size_) return;
-  stage_ = Stage::kOrders;
+  if (numbers_ != 0) return drop();
+  stage_ = Stage::kObeying;
+  size_ = kept_;
   at_ = 0;
 }
 
-bool FinsRovHost::next(FinsRovOrder& order) { return stage_ == Stage::kOrders && at_ < size_ && parse(order); }
+bool FinsRovHost::take_piece() {
+  if (numbers_ != 0) return take_number();
+  if (!is_space(text_[at_])) return take_word();
+  ++at_;
+  return true;
+}
 
-/// The order that begins at at_ or behind spaces there, which is set behind it. Spaces without one are one, too.
-bool FinsRovHost::parse(FinsRovOrder& order) {
-  unsigned spaces = 0;
-  std::size_t at = at_;
-  for (; spaces < kMostSpaces && at < size_ && is_space(text_[at]); ++spaces) ++at;
-  at_ = static_cast<std::uint8_t>(at);
-  if (at >= size_ || spaces == kMostSpaces) {
-    order = {};
-    return true;
-  }
-  const char letter = text_[at];
+bool FinsRovHost::take_word() {
+  const std::uint8_t letter = text_[at_];
   if (letter < 'A' || letter > 'Z') return false;
+  const std::uint32_t four = four_bytes(text_ + at_), more = four_bytes(text_ + at_ + 4);
   const std::size_t begin = kIndex.first[letter - 'A'], end = kIndex.first[letter - 'A' + 1];
   for (std::size_t i = 0; i < kIndex.most && begin + i < end; ++i) {
     const Word& word = kWords[begin + i];
-    const std::size_t length = matches(word, text_ + at, std::size_t{size_} - at);
-    if (length == 0) continue;
-    at_ = static_cast<std::uint8_t>(at + length);
-    order.verb = word.verb;
-    return parse_numbers(word.numbers, order);
+    if (!word.begins(four, more) || at_ + word.size > size_) continue;
+    at_ = static_cast<std::uint8_t>(at_ + word.size);
+    text_[kept_++] = static_cast<std::uint8_t>(begin + i);
+    numbers_ = word.numbers;
+    return true;
   }
   return false;
 }
 
-bool FinsRovHost::parse_numbers(unsigned count, FinsRovOrder& order) {
-  for (unsigned i = 0; i < kMostNumbers && i < count; ++i) {
-    if (i != 0 && (at_ == size_ || text_[at_++] != ',')) return false;
-    if (!parse_number(order.value[i])) return false;
-  }
-  return true;
-}
-
-bool FinsRovHost::parse_number(std::int32_t& number) {
+/// With the comma behind it, where another one has to follow.
+bool FinsRovHost::take_number() {
   std::size_t at = at_;
-  const bool negative = at < size_ && text_[at] == '-';
+  const bool negative = text_[at] == '-';
   if (negative) ++at;
   std::int32_t value = 0;
   unsigned digits = 0;
   for (; digits < kMostDigits && at < size_ && is_digit(text_[at]); ++digits) value = 10 * value + (text_[at++] - '0');
+  if (digits == 0 || value > kLargest) return false;
+  const bool is_last = --numbers_ == 0;
+  if (is_last ? at < size_ && is_digit(text_[at]) : at == size_ || text_[at++] != ',') return false;
   at_ = static_cast<std::uint8_t>(at);
-  const bool is_whole = digits != 0 && (at == size_ || !is_digit(text_[at]));
-  number = negative ? -value : value;
-  return is_whole && value <= kLargest;
+  keep(negative ? -value : value);
+  return true;
+}
+
+void FinsRovHost::keep(std::int32_t number) {
+  text_[kept_++] = static_cast<std::uint8_t>(number);
+  text_[kept_++] = static_cast<std::uint8_t>(number >> 8);
+}
+
+bool FinsRovHost::next(FinsRovOrder& order) {
+  if (stage_ != Stage::kObeying || at_ >= size_) return false;
+  const std::uint8_t* kept = text_ + at_;
+  const Word& word = kWords[*kept++];
+  order.verb = word.verb;
+  const std::size_t numbers = word.numbers < kMostNumbers ? word.numbers : kMostNumbers;
+  for (std::size_t i = 0; i < numbers; ++i, kept += 2) {
+    order.value[i] = static_cast<std::int16_t>(kept[0] | kept[1] << 8);
+  }
+  at_ = static_cast<std::uint8_t>(kept - text_);
+  return true;
 }
 
 }  // namespace finemote

@@ -70,40 +70,54 @@ void I2cBus::start() {
 
 void I2cBus::on_interrupt(I2cEvent event) {
   if (mode_.load() != Mode::kReady) return;
-  if (active_ != nullptr) {
-    switch (event) {
-      case I2cEvent::kNone:
-        if (overdue_.load() != unit_.load()) return;
-        ++counters_.overdue;
-        count_fault(Module::i2c, kOverdue);
-        enter_recovery();
-        return;
-      case I2cEvent::kError:
-        count_fault(Module::i2c, kBusError);
-        enter_recovery();
-        return;
-      case I2cEvent::kNack:
-        only_after_fault();
-        if (phase_ != Phase::kDeselect) {
-          finish_unit(SlotState::kNack);
-          break;
-        }
-        [[fallthrough]];  // a mux that does not answer connects nothing
-      case I2cEvent::kDone:
-        phase_done();
-        break;
-    }
+  if (active_ == nullptr) return pick();
+  switch (event) {
+    case I2cEvent::kNone:
+      if (overdue_.load() != unit_.load()) return;
+      ++counters_.overdue;
+      count_fault(Module::i2c, kOverdue);
+      return enter_recovery();
+    case I2cEvent::kError:
+      count_fault(Module::i2c, kBusError);
+      return enter_recovery();
+    case I2cEvent::kNack:
+      only_after_fault();
+      if (phase_ == Phase::kDeselect) return go_on();  // a mux that does not answer connects nothing
+      finish_unit(SlotState::kNack);
+      return pick();
+    case I2cEvent::kDone:
+      return go_on();
   }
-  if (active_ == nullptr) pick();
+}
+
+/// The next phase of the unit or, behind its last one, the next unit.
+void I2cBus::go_on() {
+  only_if_raised_by<Raised::end>();
+  switch (phase_) {
+    case Phase::kDeselect:
+      return begin_phase(Phase::kDeselect);
+    case Phase::kSelect:
+      selected_ = active_->route_;
+      mux_known_ = true;
+      return begin_phase(Phase::kTransfer);
+    case Phase::kTransfer:
+      if (!safe_unit_ && active_->then_size_ != 0) return begin_phase(Phase::kThen);
+      break;
+    case Phase::kThen:
+      break;
+  }
+  finish_unit(SlotState::kDone);
+  pick();
 }
 
 void I2cBus::pick() {
   only_if_raised_by<Raised::request, Raised::end>();  // steps come while a unit is under way
   for (std::uint8_t i = safe_cursor_; i < count_; ++i) {
-    I2cSlot& slot = *slots_[i];
+    if (slots_[i]->safe_size_.load() == 0) continue;
     safe_cursor_ = static_cast<std::uint8_t>(i + 1);
-    if (slot.safe_size_.load() != 0) return begin_unit(slot, true);
+    return begin_unit(*slots_[i], true);
   }
+  safe_cursor_ = count_;
   for (std::uint8_t i = 0; i < count_; ++i) {
     if (slots_[i]->state() == SlotState::kQueued) return begin_unit(*slots_[i], false);
   }
@@ -129,73 +143,51 @@ Duration I2cBus::unit_time(const I2cSlot& slot) const {
 }
 
 void I2cBus::begin_phase(Phase phase) {
-  I2cSlot& slot = *active_;
-  if (phase == Phase::kDeselect && !begin_deselect()) phase = Phase::kSelect;
-  phase_ = phase;
-  switch (phase) {
+  const std::uint8_t mux = phase == Phase::kDeselect ? next_to_switch_off() : 0;
+  phase_ = phase == Phase::kDeselect && mux == 0 ? Phase::kSelect : phase;
+  port_->begin(message(mux));
+}
+
+/// What the phase sends and reads.
+/// @param mux  the one that is switched off
+I2cMessage I2cBus::message(std::uint8_t mux) {
+  const I2cSlot& slot = *active_;
+  switch (phase_) {
     case Phase::kDeselect:
-      break;
+      return {mux, &kNoChannels, 1, nullptr, 0};
     case Phase::kSelect:
       mux_known_ = false;
       mux_byte_ = slot.route_.channels;
-      begin_write(slot.route_.address, &mux_byte_, 1);
-      break;
+      return {slot.route_.address, &mux_byte_, 1, nullptr, 0};
     case Phase::kTransfer:
-      if (safe_unit_) {
-        begin_write(slot.address_, slot.safe_, slot.safe_size_.load());
-      } else {
-        port_->begin({slot.address_, slot.write_, slot.write_size_, slot.read_, slot.read_size_});
-      }
-      break;
+      if (safe_unit_) return {slot.address_, slot.safe_, slot.safe_size_.load(), nullptr, 0};
+      return {slot.address_, slot.write_, slot.write_size_, slot.read_, slot.read_size_};
     case Phase::kThen:
-      begin_write(slot.address_, slot.then_, slot.then_size_);
       break;
   }
+  return {slot.address_, slot.then_, slot.then_size_, nullptr, 0};
 }
 
-/// Switches the next other mux off that may connect something; false when there is none left.
-bool I2cBus::begin_deselect() {
+/// Address of the next other mux that may connect something; 0 when there is none left.
+std::uint8_t I2cBus::next_to_switch_off() {
   const std::uint8_t target = active_->route_.address;
   if (mux_known_) {
-    const bool is_off = deselect_cursor_ != 0 || selected_.address == 0 || selected_.address == target;
-    if (!is_off) begin_write(selected_.address, &kNoChannels, 1);
+    const bool is_off = deselect_cursor_ != 0 || selected_.address == target;
     deselect_cursor_ = 1;
-    return !is_off;
+    return is_off ? std::uint8_t{0} : selected_.address;
   }
   for (std::uint8_t i = deselect_cursor_; i < count_; ++i) {
     const std::uint8_t mux = slots_[i]->route_.address;
-    deselect_cursor_ = static_cast<std::uint8_t>(i + 1);
     if (mux == 0 || mux == target) continue;
     std::uint32_t& addresses = switched_off_[mux / 32 % 4];
     const std::uint32_t own = std::uint32_t{1} << mux % 32;
     if ((addresses & own) != 0) continue;
     addresses |= own;
-    begin_write(mux, &kNoChannels, 1);
-    return true;
+    deselect_cursor_ = static_cast<std::uint8_t>(i + 1);
+    return mux;
   }
-  return false;
-}
-
-void I2cBus::begin_write(std::uint8_t address, const std::uint8_t* bytes, std::uint16_t size) {
-  port_->begin({address, bytes, size, nullptr, 0});
-}
-
-void I2cBus::phase_done() {
-  only_if_raised_by<Raised::end>();
-  switch (phase_) {
-    case Phase::kDeselect:
-      return begin_phase(Phase::kDeselect);
-    case Phase::kSelect:
-      selected_ = active_->route_;
-      mux_known_ = true;
-      return begin_phase(Phase::kTransfer);
-    case Phase::kTransfer:
-      if (!safe_unit_ && active_->then_size_ != 0) return begin_phase(Phase::kThen);
-      break;
-    case Phase::kThen:
-      break;
-  }
-  finish_unit(SlotState::kDone);
+  deselect_cursor_ = count_;
+  return 0;
 }
 
 void I2cBus::finish_unit(SlotState result) {

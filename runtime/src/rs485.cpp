@@ -1,6 +1,8 @@
 #include "finemote/rs485.hpp"
 
 #include "finemote/fault.hpp"
+#include "finemote/four_bytes.hpp"
+#include "finemote/only_after_fault.hpp"
 
 namespace finemote {
 
@@ -11,6 +13,8 @@ enum Rs485Fault : std::uint8_t { kNoReply = 1, kReceiveHalted };
 
 /// Beyond the wire time of question and answer: how long a part may think.
 constexpr Duration kReplySlack = 2 * kMillisecond;
+
+constexpr std::size_t least(std::size_t a, std::size_t b) { return a < b ? a : b; }
 
 }  // namespace
 
@@ -50,6 +54,7 @@ bool Rs485::quiet() {
 void Rs485::take_reply() {
   if (port_->transmitting()) {
     if (now() > deadline_) {
+      only_after_fault();
       port_->abort_transmit();
       finish(SlotState::kFailed);
     }
@@ -57,12 +62,12 @@ void Rs485::take_reply() {
   }
   Rs485Slot& slot = *active_;
   if (port_->received() - reply_from_ >= slot.reply_size_) {
-    for (std::uint32_t i = 0; i < slot.reply_size_; ++i) {
-      slot.reply_[i] = ring_.bytes[(reply_from_ + i) & (ring_.size - 1)];
-    }
+    const std::size_t size = least(slot.reply_size_, Rs485Slot::kMaxReply);  // which start() has seen to
+    for (std::uint32_t i = 0; i < size; ++i) slot.reply_[i] = ring_.bytes[(reply_from_ + i) & (ring_.size - 1)];
     return finish(SlotState::kDone);
   }
   if (now() <= deadline_) return;
+  only_after_fault();
   ++counters_.overdue;
   count_fault(Module::rs485, kNoReply);
   finish(SlotState::kNack);
@@ -70,6 +75,7 @@ void Rs485::take_reply() {
 
 void Rs485::pick() {
   if (port_->receive_halted()) {
+    only_after_fault();
     count_fault(Module::rs485, kReceiveHalted);
     ++counters_.recoveries;
     port_->restart_receive();
@@ -79,11 +85,11 @@ void Rs485::pick() {
     if (slot.state_.load() != SlotState::kQueued) continue;
     active_ = &slot;
     slot.state_.store(SlotState::kActive);
-    std::uint8_t* buffer = port_->transmit_buffer();
-    for (std::uint16_t k = 0; k < slot.size_; ++k) buffer[k] = slot.bytes_[k];
+    const std::size_t size = least(slot.size_, port_->transmit_capacity());  // the same
+    move_bytes(slot.bytes_, port_->transmit_buffer(), size);
     reply_from_ = port_->received();
     deadline_ = now() + 2 * (slot.size_ + slot.reply_size_) * byte_time_ + kReplySlack;
-    port_->transmit(slot.size_);
+    port_->transmit(size);
     return;
   }
 }

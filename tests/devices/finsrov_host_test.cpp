@@ -23,7 +23,7 @@ struct Fixture {
   std::vector<Verb> take() {
     std::vector<Verb> all;
     FinsRovOrder order;
-    for (unsigned update = 0; update <= FinsRovHost::kMaxMessage / FinsRovHost::kMostOrders; ++update) {
+    for (unsigned update = 0; update <= FinsRovHost::kMaxMessage / FinsRovHost::kMostPieces; ++update) {
       if (!host.receive(uart)) continue;
       while (host.next(order)) {
         all.push_back(order.verb);
@@ -84,7 +84,9 @@ TEST_CASE_METHOD(Fixture, "numbers") {
 
 TEST_CASE_METHOD(Fixture, "messages the reader saw as one are all taken") {
   CHECK(verbs("WUPDNE") == std::vector<Verb>{Verb::kForward, Verb::kUp, Verb::kDown, Verb::kTurnRight});
-  CHECK(verbs(" W\r\nUP\r\n") == std::vector<Verb>{Verb::kForward, Verb::kUp, Verb::kNothing});
+  CHECK(verbs(" W\r\nUP\r\n") == std::vector<Verb>{Verb::kForward, Verb::kUp});
+  CHECK(verbs("ACA") == std::vector<Verb>{Verb::kLeft, Verb::kCalibrate});
+  CHECK(verbs("DDN") == std::vector<Verb>{Verb::kRight, Verb::kDown});
   CHECK(verbs("H:100ON") == std::vector<Verb>{Verb::kDepth, Verb::kOn});
 }
 

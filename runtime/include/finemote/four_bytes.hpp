@@ -15,12 +15,16 @@ namespace finemote {
   return four;
 }
 
+[[gnu::always_inline]] inline void move_four(const std::uint8_t* from, std::uint8_t* to) {
+  const std::uint32_t four = four_bytes(from);
+  __builtin_memcpy(to, &four, sizeof four);
+}
+
 /// To lower addresses where they overlap.
 inline void move_bytes(const std::uint8_t* from, std::uint8_t* to, std::size_t size) {
   for (std::size_t fours = size / 4; fours != 0; --fours) {
     as_counted(fours);
-    const std::uint32_t four = four_bytes(from);
-    __builtin_memcpy(to, &four, sizeof four);
+    move_four(from, to);
     from += 4;
     to += 4;
   }

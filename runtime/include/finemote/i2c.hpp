@@ -152,9 +152,9 @@ class I2cBus {
   void begin_unit(I2cSlot& slot, bool safe);
   [[nodiscard]] Duration unit_time(const I2cSlot& slot) const;
   void begin_phase(Phase phase);
-  [[nodiscard]] bool begin_deselect();
-  void begin_write(std::uint8_t address, const std::uint8_t* bytes, std::uint16_t size);
-  void phase_done();
+  I2cMessage message(std::uint8_t mux);
+  std::uint8_t next_to_switch_off();
+  void go_on();
   void finish_unit(SlotState result);
   void enter_recovery();
   void carry_recovery_on();

@@ -2,9 +2,8 @@
 // RM0090 28.3.5, 28.3.8, 28.3.9.
 #include "finemote/spi.hpp"
 
-#include <cstring>
-
 #include "finemote/fault.hpp"
+#include "finemote/four_bytes.hpp"
 #include "finemote/only_after_fault.hpp"
 #include "finemote/raised_by.hpp"
 #include "runtime/chips/cortex_m4/core.hpp"
@@ -128,20 +127,21 @@ void SpiPort::abort() {
 }
 
 void SpiHardware::release_bus() const {
-  if (setup.dma) {
-    stop_stream(setup.transmit);
-    stop_stream(setup.receive);
-  }
   for (unsigned i = 0; i < setup.select_count; ++i) setup.selects[i].set(true);
   setup.spi.cr2().write(0);
 }
 
-/// The end of an exchange, RM0090 28.3.8: the last byte is in; what is left is the last edge of the clock.
+/// The end of an exchange, RM0090 28.3.8: the last byte is in, with which the streams have turned themselves off; what
+/// is left is the last edge of the clock.
 void SpiHardware::stop() const {
   constexpr std::uint32_t kIdle = spi::kTransmitEmpty;
   if (!stm32f4::wait_within(setup.spi.sr(), spi::kTransmitEmpty | spi::kBusy, kIdle, cortex_m4::cycles(), busy_limit)) {
     count_fault(Module::spi, static_cast<std::uint8_t>(SpiFault::busy));
     return reset();
+  }
+  if (setup.dma) {
+    setup.transmit.clear_flags(dma::kFlagsAll);
+    setup.receive.clear_flags(dma::kFlagsAll);
   }
   release_bus();
   setup.spi.cr1().clear(spi::kOn);
@@ -150,6 +150,11 @@ void SpiHardware::stop() const {
 /// An end at any moment: turned off, the peripheral may keep a byte that the next exchange would send first. Only its
 /// reset makes sure that it does not.
 void SpiHardware::reset() const {
+  only_after_fault();
+  if (setup.dma) {
+    stop_stream(setup.transmit);
+    stop_stream(setup.receive);
+  }
   release_bus();
   const cortex_m4::Masked masked;  // other ports share the register
   rcc::restart(setup.clock_enable, setup.clock_bit);
@@ -161,7 +166,7 @@ void SpiHardware::start_dma() {
   const std::uint8_t* out = message.write;
   std::uint8_t* in = message.read;
   if (out != nullptr && !dma_reaches(out) && size <= kSpiCopy) {
-    std::memcpy(buffers.out, out, size);
+    move_bytes(out, buffers.out, size);
     out = buffers.out;
   }
   if (in != nullptr && !dma_reaches(in) && size <= kSpiCopy) in = buffers.in;
@@ -192,7 +197,7 @@ SpiEvent SpiHardware::step_dma() {
   const SpiEvent event = finish(SpiEvent::kDone);
   const std::size_t size = message.size;
   if (copied && size > kSpiCopy) return SpiEvent::kError;
-  if (copied) std::memcpy(message.read, buffers.in, size);
+  if (copied) move_bytes(buffers.in, message.read, size);
   return event;
 }
 

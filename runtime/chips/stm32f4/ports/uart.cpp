@@ -116,20 +116,28 @@ std::uint32_t UartPort::received() const {
 }
 
 std::uint32_t UartHardware::count() {
-  const stm32f4::DmaStream& stream = setup.receive;
   const std::uint32_t before = counted.load();  // what is read from now on is no less
-  // A lap may end at any instruction; its interrupt may come before, between or after these reads. Laps and flag that
-  // are the same before and after the position belong to it. A second lap needs a whole ring of more bytes: two tries
-  // are enough.
-  for (unsigned tries = 0;; ++tries) {
-    const std::uint32_t full = laps.load();
-    const std::uint32_t flag = stream.flags() & dma::kFlagComplete;
-    const std::uint32_t position = ring.size - stream.ndtr().read();
-    const bool same = (stream.flags() & dma::kFlagComplete) == flag && laps.load() == full;
-    if (same || tries == 2) {
-      return forward(before, (full + (flag != 0 ? 1 : 0)) * ring.size + (position & (ring.size - 1)));
-    }
+  const RingPlace place = ring_place();
+  return forward(before, place.laps * ring.size + place.position);
+}
+
+/// The routine that counts a lap is kept out. Where the flag comes up between its two reads, the lap ended within them:
+/// the position is one of the last before or of the first behind. A second lap needs a whole ring of more bytes.
+UartHardware::RingPlace UartHardware::ring_place() const {
+  const stm32f4::DmaStream& stream = setup.receive;
+  const stm32f4::Register status = stream.status(), ndtr = stream.ndtr();
+  std::uint32_t before = 0, left = 0, after = 0, full = 0;
+  {
+    const cortex_m4::Masked masked;
+    before = status.read();
+    left = ndtr.read();
+    after = status.read();
+    full = laps.load();
   }
+  const std::uint32_t position = (ring.size - left) & (ring.size - 1);
+  const bool was_full = (stream.flags_in(before) & dma::kFlagComplete) != 0;
+  const bool is_full = (stream.flags_in(after) & dma::kFlagComplete) != 0;
+  return {full + (was_full || (is_full && position < ring.size / 2) ? 1 : 0), position};
 }
 
 // The flag of a lap comes after its last byte was counted: a count that seems to step back lacks that lap. What was

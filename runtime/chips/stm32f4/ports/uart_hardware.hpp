@@ -55,6 +55,10 @@ struct UartHardware {
   void on_receive_dma();
 
  private:
+  struct RingPlace {
+    std::uint32_t laps, position;
+  };
+  [[nodiscard]] RingPlace ring_place() const;
   [[nodiscard]] std::uint32_t forward(std::uint32_t before, std::uint32_t count);
   void take_events(std::uint32_t status, Time at);
 };

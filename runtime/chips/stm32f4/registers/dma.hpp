@@ -16,10 +16,11 @@ struct DmaStream {
   [[nodiscard]] constexpr Register m0ar() const { return Register{base() + 0x0C}; }  // 10.5.8
   [[nodiscard]] constexpr Register fcr() const { return Register{base() + 0x14}; }   // 10.5.10
 
-  /// Flags of this stream as the low six bits: LISR or HISR, 10.5.1 and 10.5.2.
-  [[nodiscard]] std::uint32_t flags() const {
-    return (Register{controller + (number / 4) * 4}.read() >> shift()) & 0x3D;
-  }
+  /// LISR or HISR, 10.5.1 and 10.5.2: flags of this stream and of three others.
+  [[nodiscard]] constexpr Register status() const { return Register{controller + (number / 4) * 4}; }
+  /// Flags of this stream as the low six bits.
+  [[nodiscard]] std::uint32_t flags() const { return flags_in(status().read()); }
+  [[nodiscard]] constexpr std::uint32_t flags_in(std::uint32_t status) const { return (status >> shift()) & 0x3D; }
   /// Clears flags of this stream: LIFCR or HIFCR, 10.5.3 and 10.5.4.
   void clear_flags(std::uint32_t flags) const {
     Register{controller + 0x08 + (number / 4) * 4}.write(flags << shift());

@@ -72,7 +72,7 @@ class FinsRov {
   };
 
   void take_inputs(Time at);
-  void take_orders(Time at);
+  bool take_orders(Time at);
   void obey(const FinsRovOrder& order, Time at);
   void take_depth(float depth, Time origin);
   void hold();
@@ -80,8 +80,7 @@ class FinsRov {
   void move(float surge, float sway, float turn, Time at);
   void test(const FinsRovOrder& order, Time at);
   void set_surface(Time at);
-  void report(Time at);
-  void report_pressures();
+  void report(bool is_asked, Time at);
   [[nodiscard]] Wrench control(Time at);
   void command_thrusters(const Wrench& wrench);
   void command_test(Time at);

@@ -36,18 +36,20 @@ struct FinsRovOrder {
     kNothing,     ///< `BEG`, `END`, `IVA`: marks of the host program without effect
   };
   Verb verb = Verb::kNothing;
-  std::int32_t value[8] = {};
+  std::int16_t value[8] = {};
 };
 
 /// Collects a message and takes it apart. A message counts whole or not at all: text that is no command, a number that
 /// is out of int16 or has more than seven digits, more than kMaxMessage bytes or a line error (parity, framing, noise)
-/// drop all of it. A long message is checked over several calls; while one is checked or obeyed, the next one waits in
-/// the ring of the line.
+/// drop all of it. A long message is taken apart over several calls; while that lasts or its orders are obeyed, the
+/// next one waits in the ring of the line.
 class FinsRovHost {
  public:
   static constexpr std::size_t kMaxMessage = 100;
-  /// Orders that one receive() checks, and that one update() should obey.
+  /// Orders that one update() should obey.
   static constexpr unsigned kMostOrders = 8;
+  /// Words, numbers and spaces that one receive() takes.
+  static constexpr unsigned kMostPieces = 32;
 
   /// Takes what has arrived. True while orders of a good message are left: next() then gives them.
   bool receive(Uart& uart);
@@ -57,21 +59,26 @@ class FinsRovHost {
   [[nodiscard]] std::uint32_t bad_messages() const { return bad_messages_; }
 
  private:
-  enum class Stage : std::uint8_t { kCollecting, kChecking, kOrders };
-  static constexpr unsigned kMostNumbers = sizeof FinsRovOrder::value / sizeof FinsRovOrder::value[0];
+  enum class Stage : std::uint8_t { kCollecting, kTakingApart, kObeying };
+  static constexpr std::size_t kMostNumbers = sizeof FinsRovOrder::value / sizeof FinsRovOrder::value[0];
 
   void begin_message();
   void collect(Uart& uart);
   void append(const std::uint8_t* bytes, std::size_t count);
   void drop();
-  void check();
-  bool parse(FinsRovOrder& order);
-  bool parse_numbers(unsigned count, FinsRovOrder& order);
-  bool parse_number(std::int32_t& number);
+  void take_apart();
+  bool take_piece();
+  bool take_word();
+  bool take_number();
+  void keep(std::int32_t number);
 
-  char text_[kMaxMessage]{};
+  /// The text, and from the begin on what it says: the number of each word and the word's numbers, two bytes each,
+  /// which never takes more bytes than the text did. Whole words are read behind the end, so there is room for one.
+  std::uint8_t text_[kMaxMessage + 8]{};
   std::uint8_t size_ = 0;
-  std::uint8_t at_ = 0;  ///< of what is checked or obeyed
+  std::uint8_t at_ = 0;       ///< of what is taken apart or obeyed
+  std::uint8_t kept_ = 0;     ///< bytes of what is taken apart
+  std::uint8_t numbers_ = 0;  ///< that have to follow
   Stage stage_ = Stage::kCollecting;
   bool too_long_ = false;
   std::uint32_t line_errors_ = 0;
