@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "catch.hpp"
 #include "tests/cli/program.hpp"
@@ -21,10 +22,25 @@ double preemption() {
   return chip["costs"]["preemption"]["ns"].get<double>();
 }
 
+/// Of the sections of a record that keep all interrupts out [ns].
+double longest_masked_in(const std::string& audit) {
+  double most = 0, begin = 0;
+  std::istringstream lines(read_file(audit));
+  for (std::string text; std::getline(lines, text);) {
+    if (text.find("mask\"") == std::string::npos) continue;
+    const Json event = Json::parse(text);
+    const double at = event["t"].get<double>() / 1000;
+    if (event["what"] == "mask") begin = at;
+    if (event["what"] == "unmask") most = std::max(most, at - begin);
+  }
+  return most;
+}
+
 /// What ran, beside what analyze says of it.
 struct Swept {
   Json model;
   std::map<int, Routine> routines;
+  double longest_masked = 0;  ///< ns
 
   /// One run of a routine, and the way into it and back as the emulated core makes it, 22 cycles.
   [[nodiscard]] double source(const std::string& name) const {
@@ -49,6 +65,14 @@ struct Swept {
     }
     return sum;
   }
+  /// The exception whose meaning has this member with this value.
+  [[nodiscard]] const Routine& routine(const std::string& member, const std::string& value) const {
+    const auto found = std::find_if(routines.begin(), routines.end(), [&](const auto& one) {
+      return one.second.meaning.is_object() && one.second.meaning.value(member, "") == value;
+    });
+    REQUIRE(found != routines.end());
+    return found->second;
+  }
   /// Of the exceptions whose meaning has this member with this value.
   [[nodiscard]] double longest_own(const std::string& member, const std::string& value) const {
     double most = 0;
@@ -61,16 +85,33 @@ struct Swept {
   }
 };
 
+/// What else the commands of a sweep are given.
+struct Setting {
+  std::string devices = source_path("tests/emulator/sweeps/devices");
+  std::string code = "sram";
+  std::string scenario;
+  std::vector<std::string> options;  ///< of run and analyze
+};
+
 /// Runs a robot with this body of its `<finemote>` for a few hundred milliseconds.
-Swept sweep(const std::string& body) {
+Swept sweep(const std::string& body, const Setting& setting = {}) {
   const TemporaryFolder folder;
   const std::string robot = folder.path("robot.urdf"), audit = folder.path("audit.jsonl");
   write_file(robot,
              "<robot name=\"sweep\">\n<link name=\"base_link\"/>\n<finemote version=\"1\">\n"
-             "<board name=\"robomaster_type_c\"/>\n" +
-                 body + "</finemote>\n</robot>\n");
-  finemote_json({"run", robot, "--duration", "150ms", "--audit", audit, "--allow-unschedulable"});
-  return {finemote_json({"analyze", robot})["model"], routines_of(audit)};
+             "<board name=\"robomaster_type_c\"><param name=\"code\">" +
+                 setting.code + "</param></board>\n" + body + "</finemote>\n</robot>\n");
+  std::vector<std::string> analyze{"analyze", robot, "--device-path", setting.devices};
+  analyze.insert(analyze.end(), setting.options.begin(), setting.options.end());
+  std::vector<std::string> run = analyze;
+  run.front() = "run";
+  run.insert(run.end(), {"--duration", "150ms", "--audit", audit, "--allow-unschedulable"});
+  if (!setting.scenario.empty()) {
+    write_file(folder.path("scenario.json"), setting.scenario);
+    run.insert(run.end(), {"--scenario", folder.path("scenario.json")});
+  }
+  finemote_json(run);
+  return {finemote_json(analyze)["model"], routines_of(audit), longest_masked_in(audit)};
 }
 
 /// Holds the longest run against its bound.
@@ -129,7 +170,92 @@ std::string on_i2c(int clock_khz, int expanders) {
   return parts + "<device name=\"all\" type=\"group\" period=\"5ms\">\n" + devices + "</device>\n";
 }
 
+/// Exchanges of 64 bytes, by DMA or with an interrupt for every byte.
+std::string exchanges(const std::string& port, int clock_khz, int devices, int period_ms) {
+  std::string list = fmt::format("<bus name=\"spi\" type=\"spi\" port=\"{}\" clock=\"{}kHz\"/>\n", port, clock_khz);
+  for (int i = 0; i < devices; ++i)
+    list += fmt::format("<device name=\"e{0}\" type=\"exchange\" bus=\"spi\" channel=\"{0}\" period=\"{1}ms\"/>\n", i,
+                        period_ms);
+  return list;
+}
+
+/// Two devices that ask on an RS-485 line, which a third looks at more often.
+const std::string kQuestions = R"(
+<bus name="line" type="rs485" port="usart1" baud="921600baud"><param name="direction">PI0</param></bus>
+<device name="one" type="questioner" bus="line" id="7" period="10ms"/>
+<device name="other" type="questioner" bus="line" id="8" period="10ms"/>
+<device name="often" type="sim_load" period="1ms"><param name="update">1us</param><param name="handle">1us</param></device>
+)";
+
+/// Bytes that answer every question, and fill a ring several times.
+const std::string kFlood = R"({"schema": "finemote.scenario/1", "events": [
+  {"t_ns": 30000000, "port": "usart1", "do": "flood", "bytes": 10000, "byte": 85}]})";
+
+Setting flooded() {
+  Setting setting;
+  setting.scenario = kFlood;
+  return setting;
+}
+
+/// An inertial sensor and a remote control, each on a line of its own.
+const std::string kLines = R"(
+<bus name="fast" type="uart" port="usart1" baud="921600baud"/>
+<bus name="slow" type="uart" port="usart3" baud="100000baud"/>
+<device name="imu" type="h30_imu" bus="fast" period="5ms"/>
+<device name="remote" type="dr16" bus="slow" period="5ms"/>
+)";
+
 }  // namespace
+
+TEST_CASE("serial lines: events and ends of laps and of what is sent") {
+  Held events, laps, ends;
+  const Swept lines = sweep(kLines, flooded()), asked = sweep(kQuestions, flooded());
+  for (const char* line : {"USART1", "USART3"})
+    events.add(line, lines.longest_own("source", line), lines.source("rx_idle"));
+  laps.add("laps of a UART", lines.longest_own("source", "DMA2_Stream5"), lines.source("rx_dma"));
+  laps.add("laps of an RS-485 line", asked.longest_own("source", "DMA2_Stream5"), asked.source("rx_dma"));
+  ends.add("ends of a question", asked.longest_own("source", "USART1"), asked.source("tx_complete"));
+  events.check_near(0.8);
+  laps.check_near(0.8);
+  ends.check_near(0.8);
+}
+
+TEST_CASE("sections that keep all interrupts out") {
+  Held held;
+  Setting in_sram, in_flash;
+  in_flash.code = "flash";
+  for (const Setting& setting : {in_sram, in_flash}) {
+    for (const std::string& body : {kLines, on_i2c(400, 2)}) {
+      const Swept swept = sweep(body, setting);
+      held.add("code in " + setting.code, swept.longest_masked, swept.model["costs"]["masked_ns"].get<double>());
+    }
+  }
+  held.check_near(0.8);
+}
+
+TEST_CASE("SPI with DMA: requests and ends, 64 bytes copied both ways") {
+  Held requests, ends;
+  for (const int clock : {656, 5250, 10500}) {
+    const Swept one = sweep(exchanges("spi1", clock, 1, 4)), two = sweep(exchanges("spi1", clock, 2, 4));
+    const std::string what = fmt::format("{} kHz", clock);
+    // No other waits behind the one, so that its end begins none: the longer of its two routines is the request.
+    requests.add(what, one.longest_own("bus", "spi"), one.source("request"));
+    ends.add(what, two.longest_own("bus", "spi"), two.source("end"));
+  }
+  requests.check_near(0.8);
+  ends.check_near(0.8);
+}
+
+TEST_CASE("SPI without DMA: steps, ends and requests") {
+  Held steps;
+  const Swept swept = sweep(exchanges("spi2", 5250, 1, 4));
+  std::vector<double> own = swept.routine("bus", "spi").own;
+  std::sort(own.begin(), own.end());
+  REQUIRE(own.size() > 1000);
+  steps.add("most", own[own.size() / 2], swept.source("step"));
+  steps.check_near(0.8);
+  CHECK(own.back() <= swept.source("request"));
+}
 
 TEST_CASE("CAN: a frame received, and a request with its frames, by devices on the bus") {
   Held received, sent;
@@ -179,5 +305,11 @@ TEST_CASE("jobs: by stages, and what a flush adds") {
     hold(fmt::format("{} devices", devices), sweep(loads(std::vector<int>(devices, 4))));
   for (const int count : {1, 8}) hold(fmt::format("{} motors", count), sweep(kCan + motors(count, 2)));
   for (const int expanders : {1, 4}) hold(fmt::format("{} expanders", expanders), sweep(on_i2c(400, expanders)));
+  hold("exchanges", sweep(exchanges("spi1", 5250, 2, 4)));
+  hold("questions", sweep(kQuestions, flooded()));
+  Setting watched;
+  watched.options = {"--monitor"};
+  for (const std::size_t devices : {1, 10})
+    hold(fmt::format("{} devices and the monitor", devices), sweep(loads(std::vector<int>(devices, 4)), watched));
   held.check_near(0.75);
 }

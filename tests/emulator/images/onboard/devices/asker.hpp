@@ -45,7 +45,7 @@ class Asker {
   finemote::Stamp state;
 
  private:
-  finemote::Rs485Slot* slot_;
+  finemote::Rs485Slot* const slot_;
   std::uint8_t question_[4] = {0x3E, 0, 0x55, 0x01};
 };
 
