@@ -100,6 +100,7 @@ struct BusType {
   bool has_direction = false;    ///< several parts send on one line, each through a line driver that is switched on
   bool has_two_lines = false;    ///< what a part sends by itself meets nothing that is sent to it
   bool is_arbitrated = false;    ///< identifiers decide what goes first
+  bool is_polled = false;        ///< nothing but a look of a job carries it on: the next transfer begins with one
   bool is_mastered = false;      ///< nothing happens that no device begins
   bool counts_traffic = false;   ///< its interrupts are known to belong to what devices ask for, and parts declare
 

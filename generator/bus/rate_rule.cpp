@@ -10,6 +10,11 @@ double nearest_usart_rate(double clock_hz, double wanted) {
   return clock_hz / std::max(16.0, std::round(clock_hz / wanted));
 }
 
+/// As runtime/chips/stm32f4/ports/uart.cpp sets BRR: the nearest divider.
+std::int64_t slowest_usart_rate(std::int64_t clock_hz, std::int64_t wanted) {
+  return std::min(wanted, clock_hz / std::max<std::int64_t>(16, (clock_hz + wanted / 2) / wanted));
+}
+
 double nearest_i2c_rate(double clock_hz, double wanted) {
   const double step = wanted > 100'000 ? 3 : 2;
   return clock_hz / (step * std::max(1.0, std::round(clock_hz / (step * wanted))));
@@ -54,7 +59,8 @@ constexpr const RateRule* kRules[] = {&kStm32Usart, &kStm32I2c, &kStm32Spi, &kSt
 
 }  // namespace
 
-constinit const RateRule kStm32Usart{.name = "stm32_usart", .kinds = kSerial, .nearest = nearest_usart_rate};
+constinit const RateRule kStm32Usart{
+    .name = "stm32_usart", .kinds = kSerial, .nearest = nearest_usart_rate, .slowest = slowest_usart_rate};
 constinit const RateRule kStm32I2c{
     .name = "stm32_i2c", .kinds = kI2c, .nearest = nearest_i2c_rate, .slowest = slowest_i2c_rate};
 constinit const RateRule kStm32Spi{

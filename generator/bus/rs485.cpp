@@ -17,6 +17,7 @@ constinit const BusType kRs485Bus{
     .port_class = PortClass::uart,
     .rate = {.form = &kBaud, .rule = &kStm32Usart, .example = 115'200},
     .has_direction = true,
+    .is_polled = true,
     .unit = rs485_unit,
     .reach = BusType::Reach::slot,
     .bus_class = {.name = "Rs485", .header = "<finemote/rs485.hpp>", .supervised = true},

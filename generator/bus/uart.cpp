@@ -1,14 +1,13 @@
 // UART: a serial line that connects two ends, each direction on a wire of its own.
-#include <algorithm>
-
 #include "generator/bus/records.hpp"
 #include "generator/units/checked.hpp"
 
 namespace finemote::gen {
 namespace {
 
+/// What is read in one frame with what is written answers it.
 WireUnit uart_unit(std::int64_t write, std::int64_t read, std::int64_t bits_per_byte, Mover) {
-  return {multiply(bits_per_byte, std::max(write, read)), 0, 1};
+  return {multiply(bits_per_byte, add(write, read)), 0, 1};
 }
 
 }  // namespace

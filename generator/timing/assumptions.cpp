@@ -9,7 +9,7 @@ constexpr Assumption kAssumptions[] = {
     {"declared-nodes", "only parts of the robot's devices and expanders send on a bus", undetectable},
     {"declared-traffic",
      "a device and its part send no more frames than the descriptor declares, no longer ones, and on CAN no shorter "
-     "ones",
+     "ones; a part that is asked on a serial line answers at once",
      undetectable},
     {"part-clocks",
      "the clock of a part is off by tolerance_ppm of its descriptor at most, and a measurement takes no "

@@ -56,6 +56,7 @@ Json bus_json(const Model& model, const Bus& bus) {
            {"min_frame_bits", bus.min_frame_bits},
            {"wcet_ns", bus.wcet.ns()}};
   if (bus.arbitrated) out["arbitrated"] = true;
+  if (bus.polled) out["polled"] = true;
   if (bus.sources) {
     Json& list = out["sources"] = Json::array();
     for (const InterruptSource& s : *bus.sources) list.push_back(source_json(model, s));

@@ -70,6 +70,7 @@ struct Bus {
   Duration frame = nanoseconds(1);                      ///< min_frame_bits at baud_bps, rounded down, >= 1 ns
   std::optional<std::vector<InterruptSource>> sources;  ///< target; none: one source of frame and wcet
   bool arbitrated = false;  ///< identifiers, which are not known here, decide what goes first (CAN)
+  bool polled = false;      ///< jobs of the fastest bucket, and of those that use it, carry it on; nothing else does
   Position at;
   BusAdvice advice;
 };

@@ -91,6 +91,7 @@ struct ModelReader::Tables {
       {"min_frame_bits", Need::required, &Bus::min_frame_bits, 1},
       {"wcet_ns", Need::required, &Bus::wcet},
       {"arbitrated", Need::target, &Bus::arbitrated},
+      {"polled", Need::target, &Bus::polled},
       {"sources", Need::target, Whole<Bus>{&ModelReader::read_sources}},
   };
   static constexpr Field<InterruptSource> kSource[] = {

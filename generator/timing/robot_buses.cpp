@@ -1,6 +1,7 @@
 #include "generator/timing/robot_buses.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "generator/bus/bus_type.hpp"
 #include "generator/bus/rate_form.hpp"
@@ -137,6 +138,14 @@ std::int64_t line_rate(const Robot& robot, const gen::Bus& bus) {
   return port == nullptr ? bus.rate : slowest_rate(*port, bus.kind, bus.rate);
 }
 
+/// The rate that is asked for, or what the port makes of it where that is faster.
+std::int64_t fastest_line_rate(const Robot& robot, const gen::Bus& bus) {
+  const Port* port = robot.board != nullptr ? robot.board->port(bus.port) : nullptr;
+  if (port == nullptr || bus_type(bus.kind).port_class != PortClass::uart) return bus.rate;
+  const double made = std::ceil(nearest_rate(*port, bus.kind, static_cast<double>(bus.rate)));
+  return std::max(bus.rate, static_cast<std::int64_t>(made));
+}
+
 /// The least bits between two interrupts of a source. Where all that goes over the bus is declared, those of the
 /// shortest frame that raises one.
 std::int64_t bits_apart(const DriverSource& source, const BusUse& use) {
@@ -160,7 +169,7 @@ InterruptSource dma_of(const Robot& robot, BusId id, const BusUse& use) {
   constexpr std::int64_t kBeat = 11;  // cycles
   const BusType& type = bus_type(robot.buses[id].kind);
   const bool is_both_ways = type.is_mastered || use.transmits || !use.is_declared;
-  const Duration apart = frame_time(type.has_two_lines ? 10 : 8, robot.buses[id].rate);
+  const Duration apart = frame_time(type.has_two_lines ? 10 : 8, fastest_line_rate(robot, robot.buses[id]));
   InterruptSource source;
   source.name = "dma";
   source.wcet = (is_both_ways ? 2 : 1) * ceil_div(kBeat * seconds(1), robot.board->cpu_hz);
@@ -184,6 +193,7 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
   out.at = bus.at;
   out.baud_bps = line_rate(robot, bus);
   out.arbitrated = type.is_arbitrated;
+  out.polled = type.is_polled;
   const Driver usual = driver != nullptr ? *driver : Driver{};
   out.min_frame_bits = std::max<std::int64_t>(bus.min_frame_bits.value_or(usual.min_frame_bits), 1);
   out.wcet = bus.isr_wcet.value_or(usual.isr_wcet);
@@ -192,7 +202,8 @@ Bus make_bus(const Robot& robot, BusId id, const BusUse& use, const Driver* driv
     out.sources.emplace();
     for (const DriverSource& source : driver->sources) {
       if (!can_interrupt(source, type, use, mover_of(robot, id))) continue;
-      const Duration apart = frame_time(bus.min_frame_bits.value_or(bits_apart(source, use)), bus.rate);
+      const Duration apart =
+          frame_time(bus.min_frame_bits.value_or(bits_apart(source, use)), fastest_line_rate(robot, bus));
       const bool is_foreign = !type.is_mastered && source.raised_by != DriverSource::RaisedBy::transmit;
       out.sources->push_back({source.name,
                               {},

@@ -30,8 +30,9 @@ std::vector<Unit> units_of(const Robot& robot, const gen::Device& device, const 
     unit.stage = frame.stage;
     unit.use.add(rate, frame.write_bytes, frame.read_bytes);
     if (frame.stage != FrameStage::autonomous) continue;
-    const Duration apart = shortest_interval(robot, device, frame).value_or(Duration::zero());
-    unit.use.min_interval = std::max(unit.use.min_interval, apart);
+    const Duration apart = shortest_interval(robot, device, frame).value_or(device.period);
+    const bool is_first = unit.use.min_interval == Duration::zero();
+    unit.use.min_interval = is_first ? apart : std::min(unit.use.min_interval, apart);
   }
   std::vector<Unit> list;
   for (const auto& [key, unit] : units) list.push_back(unit);
@@ -71,11 +72,14 @@ Traffic::Traffic(const Robot& robot, const BusPlaces& places, const Table<BusId,
       uses_(uses),
       model_(model),
       counts_(counts_of(robot, places, uses)),
-      user_(model.buses.size()) {}
+      user_(model.buses.size()) {
+  pins_.name = "pins";
+  pins_.sources.emplace();
+}
 
 void Traffic::add_device(const gen::Device& device, Rank place) {
   for (const Connection& connection : connections_of(device)) add_frames(device, connection, place);
-  if (device.segment) add_own_lines(device);
+  if (device.type != nullptr) add_own_lines(device, place);
 }
 
 void Traffic::add_frames(const gen::Device& device, const Connection& connection, Rank place) {
@@ -205,6 +209,7 @@ void Traffic::settle() {
       allow_requests_of_slots(bus);
     }
   }
+  if (!pins_.sources->empty()) model_.buses.push_back(std::move(pins_));
 }
 
 /// Software asks whenever it likes: no distance bounds requests, only how often they are.
@@ -245,27 +250,45 @@ void Traffic::allow_requests_of_slots(BusPlace bus) {
   }
 }
 
-/// Each named by a use, as further sources of the bus the device sits on. What the driver raises for frames is in the
-/// board file.
-void Traffic::add_own_lines(const gen::Device& device) {
-  const auto bus = places_.of(*device.segment);
-  if (!bus || !model_.buses[*bus].sources) return;
+/// Each named by a use, as further sources of the bus the device sits on, or of pins where there is none that
+/// interrupts. What the driver raises for frames is in the board file.
+void Traffic::add_own_lines(const gen::Device& device, Rank place) {
   for (const Interrupt& entry : device.type->interrupts) {
-    const bool given = !entry.use.empty() && std::any_of(device.uses.begin(), device.uses.end(),
-                                                         [&](const Use& use) { return use.spec->role == entry.use; });
-    if (!given) continue;
-    const Duration interval = entry.is_autonomous
-                                  ? shortest_of_part(robot_, device, entry.min_interval.value_or(nanoseconds(1)))
-                                  : floor_div(device.period, std::max<std::int64_t>(entry.count, 1));
-    const bool is_computed = robot_.computed && robot_.computed->pins > Duration::zero();
-    InterruptSource source;
-    source.name = device.name.text + ": " + entry.source;
-    source.wcet = is_computed ? robot_.computed->pins + robot_.computed->retries.event
-                              : entry.wcet.value_or(model_.buses[*bus].wcet);
-    source.min_interval = std::max(interval, nanoseconds(1));
-    source.source = is_computed ? WcetSource::computed : WcetSource::assumed;
-    model_.buses[*bus].sources->push_back(std::move(source));
+    const bool is_given =
+        !entry.use.empty() && std::any_of(device.uses.begin(), device.uses.end(),
+                                          [&](const Use& use) { return use.spec->role == entry.use; });
+    if (is_given) own_lines(device).push_back(own_line(device, entry, place));
   }
+}
+
+std::vector<InterruptSource>& Traffic::own_lines(const gen::Device& device) {
+  const auto bus = device.segment ? places_.of(*device.segment) : std::nullopt;
+  return bus && model_.buses[*bus].sources ? *model_.buses[*bus].sources : *pins_.sources;
+}
+
+/// What comes so many times in a period may come all at once, and of two periods together.
+InterruptSource Traffic::own_line(const gen::Device& device, const Interrupt& entry, Rank place) const {
+  const bool is_computed = robot_.computed && robot_.computed->pins > Duration::zero();
+  InterruptSource source;
+  source.name = device.name.text + ": " + entry.source;
+  source.wcet =
+      is_computed ? robot_.computed->pins + robot_.computed->retries.event : entry.wcet.value_or(pin_wcet(device));
+  source.source = is_computed ? WcetSource::computed : WcetSource::assumed;
+  source.min_interval = kAnyDistance;
+  if (entry.is_autonomous) {
+    source.min_interval =
+        std::max(shortest_of_part(robot_, device, entry.min_interval.value_or(kAnyDistance)), kAnyDistance);
+  } else {
+    source.budgets.push_back({place, std::max<std::int64_t>(entry.count, 1), 1, {}});
+  }
+  return source;
+}
+
+/// Where the type does not say how long the routine of a line takes.
+Duration Traffic::pin_wcet(const gen::Device& device) const {
+  constexpr Duration kUsual = microseconds(5);
+  const auto bus = device.segment ? places_.of(*device.segment) : std::nullopt;
+  return bus ? model_.buses[*bus].wcet : kUsual;
 }
 
 }  // namespace finemote::gen::timing

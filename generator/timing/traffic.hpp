@@ -27,8 +27,8 @@ class Traffic {
   /// @param in_update  the device's update() asks; else its handle() or the flush of its job
   void add_budget(BusPlace bus, Rank place, const WireUse& use, bool in_update, std::int64_t every = 1);
 
-  /// After all traffic was added: a source that no declared traffic raises does not interrupt. Where a device does not
-  /// say what it sends, every slot may ask for a transfer as soon as its last one has ended.
+  /// Once, after all traffic was added: a source that no declared traffic raises does not interrupt. Where a device
+  /// does not say what it sends, every slot may ask for a transfer as soon as its last one has ended.
   void settle();
 
   /// Every device on the bus says what it sends, and how often.
@@ -44,7 +44,10 @@ class Traffic {
  private:
   void add_frames(const gen::Device& device, const Connection& connection, Rank place);
   void add_transfer(Rank place, BusPlace bus, FrameStage stage, const WireUse& use);
-  void add_own_lines(const gen::Device& device);
+  void add_own_lines(const gen::Device& device, Rank place);
+  [[nodiscard]] std::vector<InterruptSource>& own_lines(const gen::Device& device);
+  [[nodiscard]] InterruptSource own_line(const gen::Device& device, const Interrupt& entry, Rank place) const;
+  [[nodiscard]] Duration pin_wcet(const gen::Device& device) const;
   void allow_events(BusPlace bus, Rank reader);
   void allow(BusPlace bus, DriverSource::Counts what, const FrameBudget& budget);
   void allow_bytes(BusPlace bus, const WireUse& use, FrameBudget budget);
@@ -58,6 +61,7 @@ class Traffic {
   Model& model_;
   const Table<BusPlace, std::vector<DriverSource::Counts>> counts_;  ///< of driver sources; lines of devices come after
   Table<BusPlace, std::optional<Rank>> user_;                        ///< the first device on each bus
+  Bus pins_;                                                         ///< lines of devices that no bus carries
 };
 
 }  // namespace finemote::gen::timing

@@ -91,6 +91,27 @@ void TransferBounds::collect() {
     }
     flush_item_.back() = add_item(item, f.interrupts, f.service);
   }
+  add_looks();
+}
+
+/// A look comes with every job of the fastest bucket. While it is under way it keeps others from looking, and ends when
+/// the job that looks does, at the latest: one of any bucket that uses the bus.
+void TransferBounds::add_looks() {
+  for (const BusPlace bus : model_.buses.ids()) {
+    if (!model_.buses[bus].polled || set_.buckets.empty()) continue;
+    Duration longest = responses_.bucket.front();
+    bool is_bounded = responses_.ok(0);
+    for (const Item& item : items_) {
+      if (item.bus != bus) continue;
+      longest = std::max(longest, responses_.bucket[item.bucket]);
+      is_bounded = is_bounded && responses_.ok(item.bucket);
+    }
+    for (Item& item : items_) {
+      if (item.bus != bus) continue;
+      item.look = is_bounded ? set_.buckets.front().period + longest : Duration::zero();
+      item.bounded = item.bounded && is_bounded;
+    }
+  }
 }
 
 std::size_t TransferBounds::add_item(Item item, std::int64_t interrupts, Duration service) {
@@ -171,7 +192,7 @@ std::optional<Duration> TransferBounds::wait(const Item& own) const {
   const bool alone = std::none_of(items_.begin(), items_.end(),
                                   [&](const Item& item) { return &item != &own && competes(item, own); });
   const Duration before_last = own.on_wire() - own.frame();  // of its own; more urgent ones may come between
-  const Duration begin = alone ? Duration::zero() : at_begin(own);
+  const Duration begin = alone ? Duration::zero() : at_begin(own) + own.look;
   const auto wait = least_wait(own, begin + before_last, own.period, true);
   // The slot must be free again before it is filled the next time. That of a part that sends by itself, and the mailbox
   // of a controller that arbitrates, are free when the frame has left the wire, whenever it is served.
@@ -201,7 +222,7 @@ std::optional<Duration> TransferBounds::of(Rank device, std::size_t transfer) co
 std::optional<Duration> TransferBounds::arrival(Rank device, std::size_t transfer) const {
   const Item& own = items_[item_of_[device][transfer]];
   const auto before = wait(own);
-  return before ? std::optional<Duration>(*before + own.pure) : std::nullopt;
+  return before ? std::optional<Duration>(*before + own.pure + own.look) : std::nullopt;
 }
 
 std::optional<Duration> TransferBounds::of_flush(std::size_t flush) const {

@@ -28,7 +28,7 @@ class TransferBounds {
 
   /// Hand-over to last bit of a transfer; none where one may still be queued when the next is handed over.
   [[nodiscard]] std::optional<Duration> of(Rank device, std::size_t transfer) const;
-  /// The same without service routines: when its last bit is there.
+  /// The same without service routines, and with the look that sees it: when its last bit is there.
   [[nodiscard]] std::optional<Duration> arrival(Rank device, std::size_t transfer) const;
   /// Hand-over to last bit of what the flush of one bucket hands over, if its data are sent; 0 where it hands over
   /// nothing.
@@ -56,6 +56,8 @@ class TransferBounds {
     std::optional<std::pair<std::int64_t, std::int64_t>> identifiers = std::nullopt;
     std::int64_t frames = 1;  ///< that it is sent in, all equally long
     std::size_t bucket = 0;   ///< whose jobs hand it over
+    Duration look =
+        {};  ///< on a polled bus: from the end of a transfer to the look that sees it, and begins the next one
     [[nodiscard]] Duration frame() const { return ceil_div(on_wire(), frames); }
     /// Whether `other` goes first where both wait.
     [[nodiscard]] bool yields_to(const Item& other) const {
@@ -64,10 +66,11 @@ class TransferBounds {
     }
     /// How long it keeps others off the wire. Neither a part that sends by itself nor a frame in a mailbox of the
     /// controller waits for our service routines on the wire; between frames the wire is free for others.
-    [[nodiscard]] Duration on_wire() const { return autonomous || arbitrated ? pure : wire; }
+    [[nodiscard]] Duration on_wire() const { return autonomous || arbitrated ? pure : wire + look; }
   };
 
   void collect();
+  void add_looks();
   void add_load();
   std::size_t add_item(Item item, std::int64_t interrupts, Duration service);
   [[nodiscard]] Duration with_service(const Item& item, std::int64_t interrupts, Duration service) const;

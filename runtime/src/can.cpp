@@ -114,13 +114,14 @@ Time CanBus::busy_since(Moment arrival) {
   return since;
 }
 
+/// A frame of another node that waits for the same bit to begin was there up to a bit earlier than ours.
 /// @param at  when the routine that sends began
 void CanBus::send(const Next& next, Time at) {
   if (!port_->send(*next.frame)) return;
   next.waiting->clear_bits(next.own);
   if (at > sent_[0].until) {
     for (unsigned i = kSentKept - 1; i > 0; --i) sent_[i] = sent_[i - 1];
-    sent_[0] = {at, at + kLongestRoutine};
+    sent_[0] = {at - longest_frame_ / static_cast<std::int32_t>(kLongestFrameBits), at + kLongestRoutine};
   }
   sent_[0].until += longest_frame_;
   ++counters_.transfers;

@@ -11,6 +11,8 @@ namespace {
 enum UartFault : std::uint8_t { kReceiveHalted = 1, kBytesLost, kSendOverdue };
 
 constexpr Duration kSendSlack = 1 * kMillisecond;
+/// From the event of a silent line to what its routine leaves, where nothing more urgent runs.
+constexpr Duration kEventSlack = 2 * kMicrosecond;
 
 /// The clock of a sender that is understood is off by at most one part in 22, 4.5 %, RM0090 30.3.5: that part of 2^28,
 /// rounded up, so that no time it is taken from stays too long. (Dividing 64 bits would cost an image 860 bytes.)
@@ -72,6 +74,7 @@ bool Uart::quiet() {
 
 std::size_t Uart::take(std::uint8_t* out, std::size_t capacity) {
   const Time at = now();
+  idle_ = port_->idle();
   count_line_errors();
   if (port_->receive_halted()) {
     count_fault(Module::uart, kReceiveHalted);
@@ -102,11 +105,22 @@ std::size_t Uart::take(std::uint8_t* out, std::size_t capacity) {
 }
 
 // Every byte takes its time on the wire, so the last of some came that much later than the line was seen without them.
+// The line may have fallen silent again since take() looked, behind bytes that are not read yet.
 Time Uart::arrival(std::size_t behind) const {
   const std::uint32_t position = read_ - static_cast<std::uint32_t>(behind);
+  const bool tells_silence = port_->tells_silence_after(position);
   const UartIdle idle = port_->idle();
   if (idle.received == position) return idle.at - wire_time(1);
-  return later(earliest(idle, position), later(earliest(seen_, position), earliest(before_, position)));
+  if (idle_.received == position) return idle_.at - wire_time(1);
+  const Time known = later(earliest(idle_, position), later(earliest(seen_, position), earliest(before_, position)));
+  const bool is_silence_to_come = tells_silence && static_cast<std::int32_t>(idle.received - position) < 0;
+  return is_silence_to_come && seen_.received == position ? later(known, seen_.at - longest_silence()) : known;
+}
+
+/// That a line has kept at most where no event has told of it: a byte's time, of the clock that is off the most.
+Duration Uart::longest_silence() const {
+  const Duration nominal = wire_time(1);
+  return nominal + (nominal * kClockDeviation >> kDeviationScale) + kEventSlack;
 }
 
 /// When the byte that ends at `position` can have arrived at the earliest, if the line had not brought it at `point`.

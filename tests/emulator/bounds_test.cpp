@@ -36,6 +36,8 @@ const Case kCases[] = {
     {"bring_up", "300ms", nullptr, nullptr, nullptr, 0},
     {"slow_reader", "600ms", "remote", "remote", "acquire", 2},
     {"refreshed_expander", "1200ms", nullptr, nullptr, nullptr, 0},
+    {"diagnosis", "300ms", nullptr, nullptr, nullptr, 0, {"--phases", "3", "--seed", "1"}},
+    {"slow_can", "600ms", nullptr, nullptr, nullptr, 0, {"--phases", "12", "--seed", "1"}},
 };
 
 struct Ran {
@@ -86,7 +88,40 @@ void check_is_near(const Json& document, const Case& one) {
   FAIL("no such chain");
 }
 
+/// Falling edges of the key's line, so many from each of these times on.
+std::string edges(const std::vector<std::int64_t>& begins_ns, int count, std::int64_t apart_ns) {
+  Json events = Json::array();
+  for (const std::int64_t begin : begins_ns) {
+    for (int i = 0; i < count; ++i) {
+      events.push_back({{"t_ns", begin + i * apart_ns}, {"pin", "PA0"}, {"do", "low"}});
+      events.push_back({{"t_ns", begin + i * apart_ns + apart_ns / 2}, {"pin", "PA0"}, {"do", "high"}});
+    }
+  }
+  return Json{{"schema", "finemote.scenario/1"}, {"events", events}}.dump();
+}
+
+/// Around the releases of a period of 10 ms, some time later each.
+std::vector<std::int64_t> times_about_releases() {
+  std::vector<std::int64_t> times;
+  for (int i = 0; i < 5; ++i) times.push_back(19'900'000 + i * 10'050'000);
+  return times;
+}
+
 }  // namespace
+
+TEST_CASE("edges of a line delay every job as often as their device declares, whether a bus carries it or not") {
+  const TemporaryFolder folder;
+  const std::string file = folder.path("edges.json");
+  write_file(file, edges(times_about_releases(), 400, 20'400));
+  check_holds(run(source_path("tests/emulator/bounds/edges.urdf"), "80ms", {"--scenario", file}));
+  write_file(file, edges(times_about_releases(), 20, 5'500));
+  check_holds(run(source_path("tests/emulator/bounds/burst.urdf"), "80ms", {"--scenario", file}));
+}
+
+TEST_CASE("no age that the firmware claims is above the bound it is built with") {
+  check_holds(
+      run(source_path("tests/emulator/bounds/late_silence.urdf"), "2s", {"--monitor", "--phases", "8", "--seed", "3"}));
+}
 
 TEST_CASE("every bound holds on robots that come close to it") {
   for (const Case& one : kCases) {

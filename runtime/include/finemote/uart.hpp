@@ -82,6 +82,7 @@ class Uart {
   [[nodiscard]] const BusCounters& counters() const { return counters_; }
 
  private:
+  [[nodiscard]] Duration longest_silence() const;
   [[nodiscard]] Time earliest(const UartIdle& point, std::uint32_t position) const;
   std::size_t take(std::uint8_t* out, std::size_t capacity);
   void count_line_errors();
@@ -96,6 +97,7 @@ class Uart {
   std::uint32_t read_ = 0;         ///< bytes taken since start, modulo 2^32
   std::uint32_t line_errors_ = 0;  ///< seen so far
   UartIdle seen_, before_;         ///< when the line had brought what is read, and less than that
+  UartIdle idle_;                  ///< the last silence before what is read was counted
   Time send_deadline_ = 0;
   BusCounters counters_;
 };

@@ -157,6 +157,10 @@ UartIdle UartPort::idle() const {
   }
 }
 
+bool UartPort::tells_silence_after(std::uint32_t received) const {
+  return !hardware_->quiet.load() && static_cast<std::int32_t>(received - hardware_->resumed_from) > 0;
+}
+
 UartErrors UartPort::errors() const { return hardware_->errors; }
 
 bool UartPort::receive_halted() const { return hardware_->halted.load(); }
