@@ -72,13 +72,13 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 309523, finemote::kNothingToBound, nullptr},  // imu
-    {1, 665808, finemote::kNothingToBound, nullptr},  // depth
-    {1, 663108, finemote::kNothingToBound, nullptr},  // button
-    {1, 660408, 24116241, &station::servo.command},  // servo
-    {1, 655491, 24111457, &station::green_led.command},  // green_led
-    {1, 649493, 24105326, &station::blue_led.command},  // blue_led
-    {1, 643357, finemote::kNothingToBound, nullptr},  // station
+    {0, 285650, finemote::kNothingToBound, nullptr},  // imu
+    {1, 620550, finemote::kNothingToBound, nullptr},  // depth
+    {1, 617849, finemote::kNothingToBound, nullptr},  // button
+    {1, 614951, 24095717, &station::servo.command},  // servo
+    {1, 610215, 24090981, &station::green_led.command},  // green_led
+    {1, 604067, 24084767, &station::blue_led.command},  // blue_led
+    {1, 598044, finemote::kNothingToBound, nullptr},  // station
 };
 
 }  // namespace

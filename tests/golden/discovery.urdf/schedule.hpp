@@ -9,11 +9,11 @@
 namespace discovery {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 304.123 us of its release.
+/// a job ends within 280.118 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 6 devices;
-/// a job ends within 641.16 us of its release.
+/// a job ends within 595.901 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,13 +22,13 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{304123, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds depth{634978, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds button{634978, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds servo{634978, 24104042, 24220494};
-inline constexpr finemote::Bounds green_led{632960, 24102024, 24220494};
-inline constexpr finemote::Bounds blue_led{629662, 24098726, 24220495};
-inline constexpr finemote::Bounds station{626226, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{280118, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds depth{589720, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds button{589720, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds servo{589720, 24083519, 24178885};
+inline constexpr finemote::Bounds green_led{587684, 24081482, 24178884};
+inline constexpr finemote::Bounds blue_led{584236, 24078034, 24178753};
+inline constexpr finemote::Bounds station{580914, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace discovery

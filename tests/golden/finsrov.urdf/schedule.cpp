@@ -73,20 +73,20 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 661773, finemote::kNothingToBound, nullptr},  // imu
-    {1, 1504501, finemote::kNothingToBound, nullptr},  // baro_1
-    {1, 1501801, finemote::kNothingToBound, nullptr},  // baro_2
-    {1, 1499034, finemote::kNothingToBound, nullptr},  // baro_3
-    {1, 1496334, finemote::kNothingToBound, nullptr},  // baro_4
-    {1, 1493634, 31931535, &rov::thruster_1.command},  // thruster_1
-    {1, 1489076, 31926911, &rov::thruster_2.command},  // thruster_2
-    {1, 1482135, 31920035, &rov::thruster_3.command},  // thruster_3
-    {1, 1477510, 31908436, &rov::thruster_4.command},  // thruster_4
-    {1, 1472946, 31903872, &rov::thruster_5.command},  // thruster_5
-    {1, 1458959, 31899254, &rov::thruster_6.command},  // thruster_6
-    {1, 1454335, 31892378, &rov::thruster_7.command},  // thruster_7
-    {1, 1449777, 31887754, &rov::thruster_8.command},  // thruster_8
-    {1, 1445153, finemote::kNothingToBound, nullptr},  // rov
+    {0, 579248, finemote::kNothingToBound, nullptr},  // imu
+    {1, 1109685, finemote::kNothingToBound, nullptr},  // baro_1
+    {1, 1106985, finemote::kNothingToBound, nullptr},  // baro_2
+    {1, 1101884, finemote::kNothingToBound, nullptr},  // baro_3
+    {1, 1099183, finemote::kNothingToBound, nullptr},  // baro_4
+    {1, 1096483, 31500282, &rov::thruster_1.command},  // thruster_1
+    {1, 1091859, 31495658, &rov::thruster_2.command},  // thruster_2
+    {1, 1087301, 31485603, &rov::thruster_3.command},  // thruster_3
+    {1, 1082677, 31478643, &rov::thruster_4.command},  // thruster_4
+    {1, 1075777, 31474079, &rov::thruster_5.command},  // thruster_5
+    {1, 1071159, 31469461, &rov::thruster_6.command},  // thruster_6
+    {1, 1066601, 31464699, &rov::thruster_7.command},  // thruster_7
+    {1, 1062043, 31460141, &rov::thruster_8.command},  // thruster_8
+    {1, 1055083, finemote::kNothingToBound, nullptr},  // rov
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 namespace FinsROV {
 
 /// Every 5 ms: priority 4, interrupt line 48 (FSMC), 1 device;
-/// a job ends within 656.306 us of its release.
+/// a job ends within 573.848 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 5, interrupt line 49 (SDIO), 13 devices;
-/// a job ends within 1.49 ms of its release.
+/// a job ends within 1.091 ms of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -22,20 +22,20 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{656306, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_1{1432433, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_2{1432433, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_3{1432433, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds baro_4{1432433, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds thruster_1{1432433, 31869211, 36287740};
-inline constexpr finemote::Bounds thruster_2{1430575, 31867353, 36287741};
-inline constexpr finemote::Bounds thruster_3{1428717, 31865494, 36319018};
-inline constexpr finemote::Bounds thruster_4{1426859, 31863499, 36318947};
-inline constexpr finemote::Bounds thruster_5{1424995, 31859455, 36316767};
-inline constexpr finemote::Bounds thruster_6{1423077, 31857537, 36316701};
-inline constexpr finemote::Bounds thruster_7{1421219, 31855542, 36316565};
-inline constexpr finemote::Bounds thruster_8{1417043, 31853684, 36316565};
-inline constexpr finemote::Bounds rov{1415185, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{573848, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_1{1044681, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_2{1044681, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_3{1044681, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds baro_4{1044681, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds thruster_1{1044681, 31441645, 35695757};
+inline constexpr finemote::Bounds thruster_2{1042823, 31439787, 35695757};
+inline constexpr finemote::Bounds thruster_3{1040965, 31437928, 35695756};
+inline constexpr finemote::Bounds thruster_4{1039040, 31436070, 35698092};
+inline constexpr finemote::Bounds thruster_5{1029141, 31434140, 35718579};
+inline constexpr finemote::Bounds thruster_6{1027289, 31432288, 35718645};
+inline constexpr finemote::Bounds thruster_7{1025431, 31430358, 35718573};
+inline constexpr finemote::Bounds thruster_8{1023573, 31428500, 35718573};
+inline constexpr finemote::Bounds rov{1021715, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace FinsROV

@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 209958, finemote::kNothingToBound, nullptr},  // imu
-    {0, 203906, 28468159, &gimbal::yaw.command},  // yaw
-    {0, 197144, 28461397, &gimbal::pitch.command},  // pitch
-    {1, 250209, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 320682, 26584835, &chassis::front_left.command},  // front_left
-    {2, 314242, 26578395, &chassis::front_right.command},  // front_right
-    {2, 307797, 26571950, &chassis::rear_left.command},  // rear_left
-    {2, 301358, 26565511, &chassis::rear_right.command},  // rear_right
-    {2, 294846, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 413451, finemote::kNothingToBound, nullptr},  // remote
+    {0, 194823, finemote::kNothingToBound, nullptr},  // imu
+    {0, 188771, 28453024, &gimbal::yaw.command},  // yaw
+    {0, 182076, 28446329, &gimbal::pitch.command},  // pitch
+    {1, 235140, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 305613, 26569766, &chassis::front_left.command},  // front_left
+    {2, 299173, 26563326, &chassis::front_right.command},  // front_right
+    {2, 292662, 26556815, &chassis::rear_left.command},  // rear_left
+    {2, 286223, 26550376, &chassis::rear_right.command},  // rear_right
+    {2, 279777, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 389345, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace

@@ -9,19 +9,19 @@
 namespace infantry {
 
 /// Every 1 ms: priority 4, interrupt line 48 (FSMC), 3 devices;
-/// a job ends within 200.122 us of its release.
+/// a job ends within 184.987 us of its release.
 void run_1ms();
 
 /// Every 2 ms: priority 5, interrupt line 49 (SDIO), 1 device;
-/// a job ends within 214.233 us of its release.
+/// a job ends within 199.164 us of its release.
 void run_2ms();
 
 /// Every 5 ms: priority 6, interrupt line 51 (SPI3), 5 devices;
-/// a job ends within 282.532 us of its release.
+/// a job ends within 267.463 us of its release.
 void run_5ms();
 
 /// Every 10 ms: priority 7, interrupt line 52 (UART4), 1 device;
-/// a job ends within 368.383 us of its release.
+/// a job ends within 344.343 us of its release.
 void run_10ms();
 
 /// Brings every actuator to its safe output. May interrupt any stage.
@@ -30,16 +30,16 @@ void safe_outputs();
 /// What the timing analysis proves (profile target; `finemote analyze` shows the parts), in ns: response, age of the
 /// data behind the command when handle() ends, and the same at the output.
 namespace bounds {
-inline constexpr finemote::Bounds imu{196691, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds yaw{193339, 28457592, 28827225};
-inline constexpr finemote::Bounds pitch{189344, 28453597, 28852127};
-inline constexpr finemote::Bounds gimbal{214233, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds front_left{281014, 26545167, 26961683};
-inline constexpr finemote::Bounds front_right{277274, 26541427, 26961683};
-inline constexpr finemote::Bounds rear_left{273529, 26537682, 26961683};
-inline constexpr finemote::Bounds rear_right{269790, 26533943, 26961683};
-inline constexpr finemote::Bounds chassis{266045, finemote::kNothingToBound, finemote::kNothingToBound};
-inline constexpr finemote::Bounds remote{368383, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds imu{181623, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds yaw{178270, 28442523, 28799809};
+inline constexpr finemote::Bounds pitch{174275, 28438528, 28799810};
+inline constexpr finemote::Bounds gimbal{199164, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds front_left{265945, 26530098, 26931784};
+inline constexpr finemote::Bounds front_right{262206, 26526359, 26931784};
+inline constexpr finemote::Bounds rear_left{258460, 26522613, 26931783};
+inline constexpr finemote::Bounds rear_right{254721, 26518874, 26931783};
+inline constexpr finemote::Bounds chassis{250976, finemote::kNothingToBound, finemote::kNothingToBound};
+inline constexpr finemote::Bounds remote{344343, finemote::kNothingToBound, finemote::kNothingToBound};
 }  // namespace bounds
 
 }  // namespace infantry

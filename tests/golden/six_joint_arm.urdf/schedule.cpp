@@ -73,14 +73,14 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {1, 376215, finemote::kNothingToBound, nullptr},  // sticks
-    {0, 259464, 28939144, &arm::base.command},  // base
-    {0, 253025, 28932705, &arm::shoulder.command},  // shoulder
-    {0, 246580, 28926260, &arm::elbow.command},  // elbow
-    {0, 240141, 28919821, &arm::wrist_roll.command},  // wrist_roll
-    {0, 233695, 28913375, &arm::wrist_pitch.command},  // wrist_pitch
-    {0, 209881, 28889561, &arm::flange.command},  // flange
-    {0, 203436, finemote::kNothingToBound, nullptr},  // arm
+    {1, 362804, finemote::kNothingToBound, nullptr},  // sticks
+    {0, 255565, 28935245, &arm::base.command},  // base
+    {0, 249126, 28928806, &arm::shoulder.command},  // shoulder
+    {0, 242681, 28922361, &arm::elbow.command},  // elbow
+    {0, 236241, 28915921, &arm::wrist_roll.command},  // wrist_roll
+    {0, 212421, 28892101, &arm::wrist_pitch.command},  // wrist_pitch
+    {0, 205982, 28885662, &arm::flange.command},  // flange
+    {0, 193688, finemote::kNothingToBound, nullptr},  // arm
 };
 
 }  // namespace

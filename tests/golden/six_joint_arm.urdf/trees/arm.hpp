@@ -19,37 +19,37 @@
 namespace six_joint_arm::arm {
 
 /// sticks: sbus on 'receiver', every 10 ms
-/// response <= 342.014 us
+/// response <= 311.227 us
 FINEMOTE_CONSTINIT inline finemote::Sbus sticks{receiver};
 
 /// base: dji_m3508 on 'arm_can' id 1, every 2 ms
-/// response <= 213.288 us; data age <= 28.893 ms when handle() ends, <= 29.212 ms at the output (oldest: sticks)
+/// response <= 209.389 us; data age <= 28.89 ms when handle() ends, <= 29.207 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 base{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::base};
 
 /// shoulder: dji_m3508 on 'arm_can' id 2, every 2 ms
-/// response <= 209.549 us; data age <= 28.89 ms when handle() ends, <= 29.212 ms at the output (oldest: sticks)
+/// response <= 205.65 us; data age <= 28.886 ms when handle() ends, <= 29.207 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 shoulder{
     [] { finemote::DjiM3508::Config c{}; c.gear = 57.61f; return c; }(),
     slots::shoulder};
 
 /// elbow: dji_m3508 on 'arm_can' id 3, every 2 ms
-/// response <= 205.804 us; data age <= 28.886 ms when handle() ends, <= 29.212 ms at the output (oldest: sticks)
+/// response <= 201.905 us; data age <= 28.882 ms when handle() ends, <= 29.207 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 elbow{
     [] { finemote::DjiM3508::Config c{}; c.gear = 38.406f; return c; }(),
     slots::elbow};
 
 /// wrist_roll: dji_m3508 on 'wrist_can' id 1, every 2 ms
-/// response <= 202.065 us; data age <= 28.882 ms when handle() ends, <= 29.212 ms at the output (oldest: sticks)
+/// response <= 192.317 us; data age <= 28.872 ms when handle() ends, <= 29.201 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM3508 wrist_roll{finemote::DjiM3508::Config{}, slots::wrist_roll};
 
 /// wrist_pitch: dji_m2006 on 'wrist_can' id 2, every 2 ms
-/// response <= 191.096 us; data age <= 28.871 ms when handle() ends, <= 29.205 ms at the output (oldest: sticks)
+/// response <= 188.572 us; data age <= 28.869 ms when handle() ends, <= 29.201 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 wrist_pitch{finemote::DjiM2006::Config{}, slots::wrist_pitch};
 
 /// flange: dji_m2006 on 'wrist_can' id 3, every 2 ms
-/// response <= 187.357 us; data age <= 28.868 ms when handle() ends, <= 29.205 ms at the output (oldest: sticks)
+/// response <= 184.833 us; data age <= 28.865 ms when handle() ends, <= 29.201 ms at the output (oldest: sticks)
 FINEMOTE_CONSTINIT inline finemote::DjiM2006 flange{finemote::DjiM2006::Config{}, slots::flange};
 
 namespace ports {  // what 'arm' sees of others
@@ -67,7 +67,7 @@ inline constexpr finemote::Port<finemote::Motor> arm_joints[] = {
 }  // namespace ports
 
 /// arm: serial_arm, every 2 ms
-/// response <= 183.612 us
+/// response <= 181.088 us
 FINEMOTE_CONSTINIT inline finemote::SerialArm arm{
     [] {
       finemote::SerialArm::Config c{};
