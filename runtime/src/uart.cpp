@@ -38,11 +38,13 @@ constexpr int bits_per_byte(UartFormat format) {
   return 12;
 }
 
-/// Bytes of a ring from number `from` on. Four at a time where they lie at a multiple of four: the end is not among them.
+/// Bytes of a ring from number `from` on. Four at a time where they lie at a multiple of four: the end is not among
+/// them.
 void copy(const UartRing ring, std::uint32_t from, std::uint8_t* out, std::uint32_t count) {
   const std::uint32_t mask = ring.size - 1;
   std::uint32_t i = 0;
-  for (unsigned left = 3; left != 0 && i < count && (from + i) % 4 != 0; --left, ++i) out[i] = ring.bytes[(from + i) & mask];
+  for (unsigned left = 3; left != 0 && i < count && (from + i) % 4 != 0; --left, ++i)
+    out[i] = ring.bytes[(from + i) & mask];
   for (; i + 4 <= count; i += 4) move_four(ring.bytes + ((from + i) & mask), out + i);
   for (unsigned left = 3; left != 0 && i < count; --left, ++i) out[i] = ring.bytes[(from + i) & mask];
 }

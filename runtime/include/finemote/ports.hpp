@@ -100,8 +100,8 @@ class UartPort {
   /// bucket.
   [[nodiscard]] UartIdle idle() const;
 
-  /// Whether the line's silence behind the first `received` bytes would be an idle-line event: events interrupt, and did
-  /// before the last of them came. Context: bucket.
+  /// Whether the line's silence behind the first `received` bytes would be an idle-line event: events interrupt, and
+  /// did before the last of them came. Context: bucket.
   [[nodiscard]] bool tells_silence_after(std::uint32_t received) const;
 
   /// What the line has suffered since start. Context: bucket.
