@@ -58,7 +58,6 @@ class ModelReader {
   std::optional<Rank> find_device(const std::string& device, const Value& where);
   std::optional<BusPlace> find_bus(const std::string& bus, const Value& where);
 
-  /// The one that is being read.
   [[nodiscard]] Rank last_device() const { return Rank{model_.devices.size() - 1}; }
 
   ObjectReader values_;
