@@ -34,28 +34,37 @@ void Dr16::update() {
   std::size_t size = Uart::kChunk;
   for (std::size_t left = uart_->full_reads(Uart::kChunk) + 1; size == Uart::kChunk && left != 0; --left) {
     size = uart_->read(recent_.room(), Uart::kChunk);
-    const std::size_t all = size_ + size;
-    size_ = static_cast<std::uint16_t>(all < kFrame ? all : kFrame + all % kFrame);
-    const std::size_t kept = size_ < kFrame ? size_ : kFrame;
-    recent_.keep(recent_.room() + size - kept, size);
+    take(size);
   }
-  if (size_ != 0 && uart_->idle()) end_message();
   if (!is_fresh(state, now(), kMaxAge)) state.valid = false;
 }
 
-void Dr16::end_message() {
+/// The silence that ends a message may have the begin of the next one behind it.
+void Dr16::take(std::size_t size) {
+  const std::size_t all = size_ + size, since = uart_->since_silence();
+  const std::size_t behind = since < size ? since : size;
+  if (since < all)
+    end_message(size - behind < size ? size - behind : size, behind, since <= size && (all - since) % kFrame == 0);
+  const std::size_t left = since < all ? since : all;
+  size_ = static_cast<std::uint16_t>(left < kFrame ? left : kFrame + left % kFrame);
+  const std::size_t kept = size_ < kFrame ? size_ : kFrame;
+  recent_.keep(recent_.room() + size - kept, size);
+}
+
+/// @param end     of those that were read last, its bytes
+/// @param behind  bytes that were read behind it
+void Dr16::end_message(std::size_t end, std::size_t behind, bool has_size) {
   const std::uint32_t errors = uart_->counters().errors;
   RemoteState decoded;
-  const bool whole = size_ % kFrame == 0 && errors == line_errors_;
-  if (whole && decode(recent_.room() - kFrame, decoded)) {
-    decoded.origin = uart_->arrival() - uart_->wire_time(kFrame);
+  const bool whole = has_size && errors == line_errors_;
+  if (whole && decode(recent_.room() + end - kFrame, decoded)) {
+    decoded.origin = uart_->arrival(behind) - uart_->wire_time(kFrame);
     decoded.valid = true;
     state = decoded;
   } else {
     ++bad_frames_;
   }
   line_errors_ = errors;
-  size_ = 0;
 }
 
 bool Dr16::decode(const std::uint8_t* frame, RemoteState& out) const {

@@ -158,6 +158,12 @@ bool Uart::write(const std::uint8_t* bytes, std::size_t size) {
 
 bool Uart::idle() const { return port_->idle().received == read_ && port_->received() == read_; }
 
+std::size_t Uart::since_silence() const {
+  const std::uint32_t now_silent = read_ - port_->idle().received;
+  const bool is_read = static_cast<std::int32_t>(now_silent) >= 0;  // else it lies behind bytes that are not read yet
+  return is_read ? now_silent : read_ - idle_.received;
+}
+
 Duration Uart::wire_time(std::size_t bytes) const {
   return static_cast<Duration>(bytes) * bits_per_byte(format_) * bit_time_;
 }

@@ -238,13 +238,13 @@ class Measures:
         self.check_claims()
 
     def sample_of(self, device, update):
-        """When the sample behind a run of update() was taken; None where nobody knows."""
+        """When the sample behind a run of update() was taken, and when the firmware says so; None where nobody knows."""
         if device not in self.used:
-            return None
+            return None, None
         runs = self.stages[self.number[device, False]]
         times, what = self.used[device]
         index = bisect.bisect_right(times, runs.ends[update]) - 1
-        return what[index][0] if index >= 0 and times[index] >= runs.begins[update] else None
+        return what[index] if index >= 0 and times[index] >= runs.begins[update] else (None, None)
 
     def measure_chain(self, source, target):
         ways = self.robot.ways(source, target)
@@ -259,10 +259,12 @@ class Measures:
             start = updates.begins[run]
             if start < ready:
                 continue
-            taken, reached = self.sample_of(source, run), self.reached.get((target, job))
+            (taken, claimed), reached = self.sample_of(source, run), self.reached.get((target, job))
             self.longest.add((source, target, "decide"), end - start)
             if taken is not None:
                 self.longest.add((source, target, "acquire"), start - taken)
+            if taken is not None and claimed is not None:
+                self.longest.add((source, target, "claim"), start - claimed)
             if reached is not None:
                 self.longest.add((source, target, "wire"), reached - end)
             if taken is not None and reached is not None:

@@ -19,6 +19,7 @@ def bounds_of(analysis):
     for chain in analysis["chains"]:
         for kind in KINDS:
             bounds[chain["from"], chain["to"], kind] = chain[kind + "_ns"]
+        bounds[chain["from"], chain["to"], "claim"] = chain["acquire_ns"]  # what commands are dropped by
     for device in analysis["target"]["devices"]:
         bounds[device["name"], "update", "response"] = device["r_plus_ns"]
         bounds[device["name"], "handle", "response"] = device["r_minus_ns"]
@@ -121,4 +122,4 @@ def is_left_out(key, touched):
     """Whether noise on the bus of these devices takes the ground from a bound."""
     source, target, kind = key
     begins, ends = source in touched, target in touched
-    return {"acquire": begins, "wire": ends, "end_to_end": begins or ends}.get(kind, False)
+    return {"acquire": begins, "claim": begins, "wire": ends, "end_to_end": begins or ends}.get(kind, False)

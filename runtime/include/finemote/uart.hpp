@@ -69,6 +69,8 @@ class Uart {
   /// True when the line has been silent since the last byte read() returned: a message without terminator is complete.
   /// Context: the device's bucket.
   [[nodiscard]] bool idle() const;
+  /// Bytes read behind the last silence of the line that is known of. Context: the device's bucket.
+  [[nodiscard]] std::size_t since_silence() const;
 
   /// A time not later than when a byte arrived: the one `behind` bytes before the last that read() returned. From the
   /// idle event right behind it; where there is none, from the read() or idle event before it and the wire time of the

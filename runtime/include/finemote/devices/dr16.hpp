@@ -29,8 +29,8 @@ class Dr16 {
   [[nodiscard]] std::uint32_t bad_frames() const { return bad_frames_; }
 
  private:
-  /// The line fell silent.
-  void end_message();
+  void take(std::size_t size);
+  void end_message(std::size_t end, std::size_t behind, bool has_size);
   bool decode(const std::uint8_t* frame, RemoteState& out) const;
 
   Uart* const uart_;
