@@ -105,6 +105,24 @@ TEST_CASE_METHOD(Dr16Fixture,
   CHECK(device.state.valid);
 }
 
+TEST_CASE_METHOD(Dr16Fixture, "DR16: a frame counts when it has ended, though the next one has begun") {
+  const Bytes first = dr16_frame({1684, 1024, 1024, 1024}, 1, 3), second = dr16_frame({364, 1024, 1024, 1024}, 1, 3);
+  const Duration frame = uart.wire_time(first.size());
+  host::usart3.feed(now(), first);
+  host::advance(5 * kMillisecond);
+  const Time ended = frame;
+  host::usart3.feed(now(), second);
+  host::advance(frame / 2);
+  device.update();
+  REQUIRE(device.state.valid);
+  CHECK(device.state.right_x > 0.99F);
+  CHECK(device.state.origin <= ended - frame);
+  CHECK(device.state.origin > ended - frame - uart.wire_time(1));
+  host::advance(frame);
+  device.update();
+  CHECK(device.state.right_x < -0.99F);
+}
+
 TEST_CASE_METHOD(Dr16Fixture, "DR16: silence is invalid after 100 ms and stays old") {
   receive(dr16_frame({1024, 1024, 1024, 1024}, 1, 1));
   const Time origin = device.state.origin;

@@ -60,7 +60,7 @@ TEST_CASE("a unit takes what its bytes and the frames around them take") {
     const WireUnit use = bus_type(kind).unit(write, read, 10, mover);
     return {use.bits, use.steps, use.ends};
   };
-  CHECK(unit(BusKind::uart, 3, 5) == Figures{50, 0, 1});
+  CHECK(unit(BusKind::uart, 3, 5) == Figures{80, 0, 1});
   CHECK(unit(BusKind::rs485, 3, 5) == Figures{80, 1, 1});
   CHECK(unit(BusKind::i2c, 1, 3) == Figures{2 + 19 + 37, 3 + 5, 1});
   CHECK(unit(BusKind::spi, 2, 9) == Figures{72, 9, 1});

@@ -117,7 +117,7 @@ constexpr finemote::Monitored kMonitored[] = {
     {2, 292662, 26556815, &chassis::rear_left.command},  // rear_left
     {2, 286223, 26550376, &chassis::rear_right.command},  // rear_right
     {2, 279777, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 389345, finemote::kNothingToBound, nullptr},  // remote
+    {3, 387631, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace
