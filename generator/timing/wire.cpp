@@ -8,6 +8,18 @@
 namespace finemote::gen::timing {
 namespace {
 
+/// Where frames arbitrate, one of a part may wait for one of ours. Both wait for the same bit to begin; and the
+/// firmware, which cannot know, dates it by when the routine began that sent ours.
+Duration dated_early(const Model& model, BusPlace place) {
+  const Bus& bus = model.buses[place];
+  if (!bus.arbitrated) return {};
+  Duration routine = bus.wcet;
+  if (bus.sources) {
+    for (const InterruptSource& source : *bus.sources) routine = std::max(routine, source.wcet);
+  }
+  return ceil_div(seconds(1), bus.baud_bps) + routine + model.costs.interrupt;
+}
+
 /// Whether this transfer can bring a sample: a device that asks for nothing in update() may do so together with its
 /// command.
 bool measures(const Device& device, const Transfer& transfer) {
@@ -107,7 +119,7 @@ std::optional<Duration> WireAnalysis::acquisition(Rank from) const {
       if (device.transfers[t].after != Transfer::After::autonomous) continue;
       const auto bound = transfers_.arrival(from, t);
       if (!bound) return std::nullopt;
-      wire = std::max(wire, *bound);
+      wire = std::max(wire, *bound + dated_early(model_, device.transfers[t].bus));
     }
     return a.fixed + a.interval + wire + profile_.set.blocking;
   }
