@@ -8,11 +8,19 @@
 namespace finemote::gen::timing {
 namespace {
 
+/// Whether any frame of ours goes over the bus.
+bool is_sent_on(const Model& model, BusPlace place) {
+  const auto is_ours = [&](const Transfer& t) { return t.bus == place && t.after != Transfer::After::autonomous; };
+  return std::any_of(model.flushes.begin(), model.flushes.end(), [&](const Flush& f) { return f.bus == place; }) ||
+         std::any_of(model.devices.begin(), model.devices.end(),
+                     [&](const Device& d) { return std::any_of(d.transfers.begin(), d.transfers.end(), is_ours); });
+}
+
 /// Where frames arbitrate, one of a part may wait for one of ours. Both wait for the same bit to begin; and the
 /// firmware, which cannot know, dates it by when the routine began that sent ours.
 Duration dated_early(const Model& model, BusPlace place) {
   const Bus& bus = model.buses[place];
-  if (!bus.arbitrated) return {};
+  if (!bus.arbitrated || !is_sent_on(model, place)) return {};
   Duration routine = bus.wcet;
   if (bus.sources) {
     for (const InterruptSource& source : *bus.sources) routine = std::max(routine, source.wcet);

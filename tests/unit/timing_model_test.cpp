@@ -298,19 +298,20 @@ OnCan on_can(const std::string& text, Rank part) {
 }  // namespace
 
 TEST_CASE("identifiers say which frames go first on a bus that arbitrates") {
+  constexpr Duration kBit = 1_ns;  // both frames wait for the same one to begin
   // One frame that has begun, then those with smaller identifiers, then its own.
   const std::string one = can_model(true, "[512]", 135);
-  CHECK(on_can(one, Rank{0}).report == 3 * 135_ns);
-  CHECK(on_can(one, Rank{2}).report == 4 * 135_ns);  // nothing yields to it
+  CHECK(on_can(one, Rank{0}).report == 3 * 135_ns + kBit);
+  CHECK(on_can(one, Rank{2}).report == 4 * 135_ns + kBit);  // nothing yields to it
   CHECK(on_can(one, Rank{0}).command == 2 * 135_ns);
   // Of two frames of commands the second may wait for the first; both go before every report.
   const std::string two = can_model(true, "[511,512]", 270);
-  CHECK(on_can(two, Rank{0}).report == 4 * 135_ns);
-  CHECK(on_can(two, Rank{2}).report == 5 * 135_ns);
+  CHECK(on_can(two, Rank{0}).report == 4 * 135_ns + kBit);
+  CHECK(on_can(two, Rank{2}).report == 5 * 135_ns + kBit);
   CHECK(on_can(two, Rank{0}).command == 3 * 135_ns);
   // Unknown ones may all be more urgent.
   const std::string unknown = can_model(false, "", 135);
-  CHECK(on_can(unknown, Rank{0}).report == 4 * 135_ns);
+  CHECK(on_can(unknown, Rank{0}).report == 4 * 135_ns + kBit);
   CHECK(on_can(unknown, Rank{0}).command == 4 * 135_ns);
 }
 
