@@ -6,13 +6,14 @@
 namespace finemote::gen {
 namespace {
 
+/// As runtime/chips/stm32f4/ports/uart.cpp sets BRR: the nearest divider.
 double nearest_usart_rate(double clock_hz, double wanted) {
   return clock_hz / std::max(16.0, std::round(clock_hz / wanted));
 }
 
-/// As runtime/chips/stm32f4/ports/uart.cpp sets BRR: the nearest divider.
 std::int64_t slowest_usart_rate(std::int64_t clock_hz, std::int64_t wanted) {
-  return std::min(wanted, clock_hz / std::max<std::int64_t>(16, (clock_hz + wanted / 2) / wanted));
+  const double nearest = nearest_usart_rate(static_cast<double>(clock_hz), static_cast<double>(wanted));
+  return std::min(wanted, static_cast<std::int64_t>(nearest));
 }
 
 double nearest_i2c_rate(double clock_hz, double wanted) {

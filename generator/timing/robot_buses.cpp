@@ -18,6 +18,11 @@ Duration frame_time(std::int64_t bits, std::int64_t rate) {
   return std::max(floor_div(bits * seconds(1), rate), nanoseconds(1));
 }
 
+/// Null where there is no board.
+const Port* port_of(const Robot& robot, const gen::Bus& bus) {
+  return robot.board != nullptr ? robot.board->port(bus.port) : nullptr;
+}
+
 /// What limits the rate of a bus beside its port: the parts on it.
 RateLimits limits_of(const Robot& robot, BusId bus) {
   RateLimits limits;
@@ -38,7 +43,7 @@ RateLimits limits_of(const Robot& robot, BusId bus) {
 /// Other rates that the port and all that sits on the bus can do, and another bus of the kind.
 BusAdvice advice_for(const Robot& robot, BusId id) {
   const gen::Bus& bus = robot.buses[id];
-  const Port* port = robot.board != nullptr ? robot.board->port(bus.port) : nullptr;
+  const Port* port = port_of(robot, bus);
   if (port == nullptr) return {};
   BusAdvice advice;
   advice.other_port = another_bus(robot.board, used_ports(robot), bus.kind, bus.rate);
@@ -134,13 +139,13 @@ std::optional<Duration> computed_routine(const Robot& robot, BusId bus, const Dr
 
 /// What the port makes of the rate that is asked for, at its slowest.
 std::int64_t line_rate(const Robot& robot, const gen::Bus& bus) {
-  const Port* port = robot.board != nullptr ? robot.board->port(bus.port) : nullptr;
+  const Port* port = port_of(robot, bus);
   return port == nullptr ? bus.rate : slowest_rate(*port, bus.kind, bus.rate);
 }
 
 /// The rate that is asked for, or what the port makes of it where that is faster.
 std::int64_t fastest_line_rate(const Robot& robot, const gen::Bus& bus) {
-  const Port* port = robot.board != nullptr ? robot.board->port(bus.port) : nullptr;
+  const Port* port = port_of(robot, bus);
   if (port == nullptr || bus_type(bus.kind).port_class != PortClass::uart) return bus.rate;
   const double made = std::ceil(nearest_rate(*port, bus.kind, static_cast<double>(bus.rate)));
   return std::max(bus.rate, static_cast<std::int64_t>(made));
@@ -232,7 +237,7 @@ BusPlaces::BusPlaces(const Robot& robot) : robot_(robot), places_(robot.buses.si
 }
 
 Mover mover_of(const Robot& robot, BusId bus) {
-  const Port* port = robot.board != nullptr ? robot.board->port(robot.buses[bus].port) : nullptr;
+  const Port* port = port_of(robot, robot.buses[bus]);
   return port != nullptr && !port->dma.empty() ? Mover::dma : Mover::routine;
 }
 

@@ -261,8 +261,13 @@ void Traffic::add_own_lines(const gen::Device& device, Rank place) {
   }
 }
 
+/// The one it sits on; none: it sits on none, or on one without a rate.
+std::optional<BusPlace> Traffic::bus_of(const gen::Device& device) const {
+  return device.segment ? places_.of(*device.segment) : std::nullopt;
+}
+
 std::vector<InterruptSource>& Traffic::own_lines(const gen::Device& device) {
-  const auto bus = device.segment ? places_.of(*device.segment) : std::nullopt;
+  const auto bus = bus_of(device);
   return bus && model_.buses[*bus].sources ? *model_.buses[*bus].sources : *pins_.sources;
 }
 
@@ -287,7 +292,7 @@ InterruptSource Traffic::own_line(const gen::Device& device, const Interrupt& en
 /// Where the type does not say how long the routine of a line takes.
 Duration Traffic::pin_wcet(const gen::Device& device) const {
   constexpr Duration kUsual = microseconds(5);
-  const auto bus = device.segment ? places_.of(*device.segment) : std::nullopt;
+  const auto bus = bus_of(device);
   return bus ? model_.buses[*bus].wcet : kUsual;
 }
 

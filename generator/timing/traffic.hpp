@@ -45,6 +45,7 @@ class Traffic {
   void add_frames(const gen::Device& device, const Connection& connection, Rank place);
   void add_transfer(Rank place, BusPlace bus, FrameStage stage, const WireUse& use);
   void add_own_lines(const gen::Device& device, Rank place);
+  [[nodiscard]] std::optional<BusPlace> bus_of(const gen::Device& device) const;
   [[nodiscard]] std::vector<InterruptSource>& own_lines(const gen::Device& device);
   [[nodiscard]] InterruptSource own_line(const gen::Device& device, const Interrupt& entry, Rank place) const;
   [[nodiscard]] Duration pin_wcet(const gen::Device& device) const;

@@ -56,8 +56,8 @@ class TransferBounds {
     std::optional<std::pair<std::int64_t, std::int64_t>> identifiers = std::nullopt;
     std::int64_t frames = 1;  ///< that it is sent in, all equally long
     std::size_t bucket = 0;   ///< whose jobs hand it over
-    Duration look =
-        {};  ///< on a polled bus: from the end of a transfer to the look that sees it, and begins the next one
+    /// On a polled bus: from the end of a transfer to the look that sees it, and begins the next one.
+    Duration look = {};
     [[nodiscard]] Duration frame() const { return ceil_div(on_wire(), frames); }
     /// Whether `other` goes first where both wait.
     [[nodiscard]] bool yields_to(const Item& other) const {
