@@ -5,9 +5,12 @@
 #include <filesystem>
 #include <sstream>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "generator/output/manifest.hpp"
 #include "generator/output/sha256.hpp"
+#include "generator/timing_file/included_files.hpp"
 #include "generator/timing_file/timing_file.hpp"
 #include "generator/xml/read_source.hpp"
 
@@ -37,59 +40,82 @@ std::string without_sources(const std::string& text) {
   return kept;
 }
 
+/// A file; empty: it cannot be read.
+SourceText source_at(const std::string& name, const fs::path& path, const files::Access& access) {
+  return {name, path.string(), access.read(path.string(), xml::kMaxFileSize).value_or(std::string())};
+}
+
+bool is_source(const fs::path& path) {
+  const std::string ending = path.extension().string();
+  return std::find(kSourceEndings.begin(), kSourceEndings.end(), ending) != kSourceEndings.end();
+}
+
+/// Every source below a folder, in the order of names. Generated folders and hidden ones are left out: they hold what
+/// is made of the robot.
+void collect(const std::string& name, const fs::path& folder, const files::Access& access,
+             std::vector<SourceText>& sources, int depth = 0) {
+  files::Denial denial;
+  std::vector<std::string> entries = access.list(folder.string(), denial);
+  const bool is_generated = std::find(entries.begin(), entries.end(), kManifestName) != entries.end();
+  if (is_generated || depth == kDeepest) return;
+  for (const std::string& entry : entries) {
+    if (entry.empty() || entry.front() == '.') continue;
+    const fs::path path = folder / entry;
+    if (access.holds_folder(path.string())) {
+      collect(name + "/" + entry, path, access, sources, depth + 1);
+    } else if (is_source(path)) {
+      sources.push_back(source_at(name + "/" + entry, path, access));
+    }
+  }
+}
+
 /// Names and digests of files, one after the other.
 class List {
  public:
   void add(const std::string& name, const std::string& text) { text_ += name + " " + sha256(text) + "\n"; }
 
-  void add_file(const std::string& name, const fs::path& path, const files::Access& access) {
-    add(name, access.read(path.string(), xml::kMaxFileSize).value_or(std::string()));
-  }
-
-  /// Every source below a folder, in the order of names. Generated folders and hidden ones are left out: they hold what
-  /// is made of the robot.
-  void add_folder(const std::string& name, const fs::path& folder, const files::Access& access, int depth = 0) {
-    files::Denial denial;
-    std::vector<std::string> entries = access.list(folder.string(), denial);
-    const bool is_generated = std::find(entries.begin(), entries.end(), kManifestName) != entries.end();
-    if (is_generated || depth == kDeepest) return;
-    for (const std::string& entry : entries) {
-      if (entry.empty() || entry.front() == '.') continue;
-      const fs::path path = folder / entry;
-      if (access.holds_folder(path.string())) {
-        add_folder(name + "/" + entry, path, access, depth + 1);
-      } else if (is_source(path)) {
-        add_file(name + "/" + entry, path, access);
-      }
-    }
+  void add(const std::vector<SourceText>& sources) {
+    for (const SourceText& source : sources) add(source.name, source.text);
   }
 
   [[nodiscard]] std::string digest() const { return sha256(text_); }
 
  private:
-  static bool is_source(const fs::path& path) {
-    const std::string ending = path.extension().string();
-    return std::find(kSourceEndings.begin(), kSourceEndings.end(), ending) != kSourceEndings.end();
-  }
-
   std::string text_;
 };
+
+std::vector<SourceText> shipped_sources(const TimingInputs& inputs) {
+  const files::Access own;  // what is shipped lies outside of every sandbox
+  const fs::path data = inputs.data_dir;
+  std::vector<SourceText> sources;
+  for (const char* folder : {"chips", "devices", "include", "src"})
+    collect(std::string("runtime/") + folder, data / "runtime" / folder, own, sources);
+  collect("runtime/board", data / "runtime" / "boards" / inputs.board, own, sources);
+  for (const char* file : kBuildFiles) sources.push_back(source_at(file, data / "cmake" / file, own));
+  return sources;
+}
+
+/// What lies in the user's folders, and what that and the generated files include from elsewhere.
+std::vector<SourceText> user_sources(const TimingInputs& inputs, const files::Access& access) {
+  std::vector<SourceText> sources;
+  for (const std::string& folder : inputs.user_folders) collect("user", folder, access, sources);
+  if (inputs.user_folders.empty()) return sources;
+  std::vector<SourceText> including = sources;
+  for (const OutputFile& file : inputs.generated) including.push_back({file.name, "", file.text});
+  for (SourceText& file : included_files(including, inputs.user_folders, access)) sources.push_back(std::move(file));
+  return sources;
+}
 
 }  // namespace
 
 std::string timing_hash(const TimingInputs& inputs, const files::Access& access) {
-  const files::Access own;  // what is shipped lies outside of every sandbox
   List list;
   const CostModel model = cost_model();
   list.add("model", model.name + " " + std::to_string(model.version));
   list.add("board", inputs.board + " " + inputs.placement);
   for (const OutputFile& file : inputs.generated) list.add(file.name, without_sources(file.text));
-  const fs::path data = inputs.data_dir;
-  for (const char* folder : {"chips", "devices", "include", "src"})
-    list.add_folder(std::string("runtime/") + folder, data / "runtime" / folder, own);
-  list.add_folder("runtime/board", data / "runtime" / "boards" / inputs.board, own);
-  for (const char* file : kBuildFiles) list.add_file(file, data / "cmake" / file, own);
-  for (const std::string& folder : inputs.user_folders) list.add_folder("user", folder, access);
+  list.add(shipped_sources(inputs));
+  list.add(user_sources(inputs, access));
   return list.digest();
 }
 

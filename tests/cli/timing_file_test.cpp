@@ -146,6 +146,21 @@ TEST_CASE("a loop made longer makes the file stale: check says so, and its figur
   CHECK(told_by({"analyze", one.robot(), "--require-static"}).status == 1);
 }
 
+TEST_CASE("a file that a source includes from elsewhere, through another one, makes it stale") {
+  const OneRobot one;
+  const std::string source = read_file(one.path("devices/counter.hpp"));
+  write_file(one.path("devices/counter.hpp"), "#include \"../common/rates.hpp\"\n" + source);
+  write_file(one.path("common/rates.hpp"), "  #  include <../common/rates.inc> // what they are\n");
+  write_file(one.path("common/rates.inc"), "// one\n");
+  REQUIRE(run_finemote({"wcet", one.robot(), "-o", one.timing_file()}).exit_status == 0);
+  CHECK(told_by({"analyze", one.robot(), "--require-static"}).status == 0);
+
+  write_file(one.path("common/rates.inc"), "// two\n");
+  CHECK(told_by({"analyze", one.robot()}).says("FM4022"));
+  write_file(one.path("common/rates.inc"), "#include \"rates.hpp\"\n");  // a ring of files
+  CHECK(told_by({"analyze", one.robot()}).says("FM4022"));
+}
+
 TEST_CASE("another period or another device makes it stale, another comment does not") {
   const OneRobot one;
   one.describe("<!-- nothing -->");

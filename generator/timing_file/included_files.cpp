@@ -1,0 +1,104 @@
+#include "generator/timing_file/included_files.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "generator/xml/read_source.hpp"
+
+namespace finemote::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files at most: somebody may include a file of another name in every file.
+constexpr std::size_t kMostFiles = 10'000;
+
+void skip_spaces(std::string_view& line) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  line.remove_prefix(first == std::string_view::npos ? line.size() : first);
+}
+
+bool skip(std::string_view& line, std::string_view word) {
+  skip_spaces(line);
+  if (line.substr(0, word.size()) != word) return false;
+  line.remove_prefix(word.size());
+  return true;
+}
+
+/// The name between quotes or brackets of a line `#include`; nothing: it is another line.
+std::optional<std::string> name_in(std::string_view line) {
+  if (!skip(line, "#") || !skip(line, "include")) return std::nullopt;
+  skip_spaces(line);
+  if (line.empty() || (line.front() != '"' && line.front() != '<')) return std::nullopt;
+  const std::size_t end = line.find(line.front() == '"' ? '"' : '>', 1);
+  if (end == std::string_view::npos || end == 1) return std::nullopt;
+  return std::string(line.substr(1, end - 1));
+}
+
+std::vector<std::string> names_in(const std::string& text) {
+  std::vector<std::string> names;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (auto name = name_in(line)) names.push_back(std::move(*name));
+  }
+  return names;
+}
+
+class Search {
+ public:
+  Search(const std::vector<SourceText>& sources, const std::vector<std::string>& folders, const files::Access& access)
+      : folders_(folders), access_(access) {
+    for (const SourceText& source : sources) seen_.insert(real(source.path));
+  }
+
+  void look_through(const SourceText& source) {
+    for (const std::string& name : names_in(source.text)) find(name, source.path);
+  }
+  [[nodiscard]] const std::vector<SourceText>& found() const { return found_; }
+
+ private:
+  static std::string real(const fs::path& path) {
+    std::error_code ignored;
+    return fs::weakly_canonical(path, ignored).generic_string();
+  }
+
+  void find(const std::string& name, const fs::path& by) {
+    if (!by.empty() && take(name, by.parent_path() / name)) return;
+    for (const std::string& folder : folders_) {
+      if (take(name, fs::path(folder) / name)) return;
+    }
+  }
+
+  /// False: there is no such file.
+  bool take(const std::string& name, const fs::path& path) {
+    if (access_.why_not(path.string())) return false;
+    if (found_.size() == kMostFiles || !seen_.insert(real(path)).second) return true;
+    if (auto text = access_.read(path.string(), xml::kMaxFileSize))
+      found_.push_back({name, path.string(), std::move(*text)});
+    return true;
+  }
+
+  const std::vector<std::string>& folders_;
+  const files::Access& access_;
+  std::set<std::string> seen_;
+  std::vector<SourceText> found_;
+};
+
+}  // namespace
+
+std::vector<SourceText> included_files(const std::vector<SourceText>& sources, const std::vector<std::string>& folders,
+                                       const files::Access& access) {
+  Search search(sources, folders, access);
+  for (const SourceText& source : sources) search.look_through(source);
+  for (std::size_t i = 0; i < search.found().size(); ++i) {
+    const SourceText file = search.found()[i];  // a copy: more may be found
+    search.look_through(file);
+  }
+  return search.found();
+}
+
+}  // namespace finemote::gen

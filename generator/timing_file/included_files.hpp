@@ -1,0 +1,24 @@
+// Which files the sources of a robot's own device types include from outside of their folders.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/file/access.hpp"
+
+namespace finemote::gen {
+
+struct SourceText {
+  std::string name;  ///< as the including line writes it
+  std::string path;  ///< empty: of a generated file, beside which nothing is looked for
+  std::string text;
+};
+
+/// What `sources` include, what that includes, and so on, each file once; `sources` themselves are not in it. A line
+/// that a compiler leaves out counts as well, for no `#if` is evaluated. What is found neither beside the file that
+/// includes it nor in `folders` belongs to the runtime or to the compiler; a name that a macro stands for is not seen.
+/// @param folders  what the compiler looks through, in this order
+std::vector<SourceText> included_files(const std::vector<SourceText>& sources, const std::vector<std::string>& folders,
+                                       const files::Access& access);
+
+}  // namespace finemote::gen
