@@ -25,6 +25,7 @@ class TimingCheck {
       const Interrupt& interrupt = type_.interrupts[i];
       check_interval(interrupt.is_autonomous, interrupt.min_interval, {"interrupts", std::to_string(i)});
     }
+    for (std::size_t i = 0; i < type_.uses.size(); ++i) check_line(type_.uses[i], {"uses", std::to_string(i)});
   }
 
  private:
@@ -111,6 +112,18 @@ class TimingCheck {
     if (!is_autonomous || least) return;
     found_.add(path, "what comes by itself needs \"min_interval_ns\", the shortest time between two")
         .hint("for at most one in 10 ms: \"min_interval_ns\": 10000000");
+  }
+
+  /// Interrupts that nobody counts would be in no bound.
+  void check_line(const UseSpec& use, const JsonPath& path) const {
+    if (use.function != "interrupt") return;
+    const bool is_counted = std::any_of(type_.interrupts.begin(), type_.interrupts.end(),
+                                        [&](const Interrupt& interrupt) { return interrupt.use == use.role; });
+    if (is_counted) return;
+    found_.add(path, fmt::format("no entry of \"interrupts\" says how often the line '{}' interrupts", use.role))
+        .hint(fmt::format("for at most one edge in 10 ms: \"interrupts\": [{{ \"source\": \"edge\", \"use\": \"{}\", "
+                          "\"arrival\": \"autonomous\", \"min_interval_ns\": 10000000 }}]",
+                          use.role));
   }
 
   const DeviceType& type_;

@@ -73,6 +73,9 @@ struct Bus {
   bool polled = false;      ///< jobs of the fastest bucket, and of those that use it, carry it on; nothing else does
   Position at;
   BusAdvice advice;
+
+  /// Not so where it stands for the lines that interrupt of devices on no bus.
+  [[nodiscard]] bool carries_bits() const { return baud_bps > 1; }
 };
 
 /// Use of a bus once per period of the device (or, sent by the part itself, once per interval). Everything that waits

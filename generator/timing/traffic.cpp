@@ -293,7 +293,8 @@ InterruptSource Traffic::own_line(const gen::Device& device, const Interrupt& en
 Duration Traffic::pin_wcet(const gen::Device& device) const {
   constexpr Duration kUsual = microseconds(5);
   const auto bus = bus_of(device);
-  return bus ? model_.buses[*bus].wcet : kUsual;
+  const Duration driver = bus ? model_.buses[*bus].wcet : Duration::zero();
+  return driver > Duration::zero() ? driver : kUsual;
 }
 
 }  // namespace finemote::gen::timing
