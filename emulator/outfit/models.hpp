@@ -11,6 +11,7 @@ scenario::Model h30_imu();
 scenario::Model dbus_receiver();
 scenario::Model sbus_receiver();
 scenario::Model host_terminal();
+scenario::Model host_computer();
 // On I2C buses.
 scenario::Model tca9548a();
 scenario::Model pca9685();

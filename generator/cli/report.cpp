@@ -5,10 +5,12 @@
 #include "generator/cli/saved_document.hpp"
 #include "generator/cli/subject.hpp"
 #include "generator/diagnostic/clash.hpp"
+#include "generator/model/firmware_inputs.hpp"
 #include "generator/report/page.hpp"
 #include "generator/simulate/json.hpp"
 #include "generator/timing/operands.hpp"
 #include "generator/timing/remodel.hpp"
+#include "generator/timing_file/user_code.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -72,7 +74,9 @@ Answer run_report(const Options& options, Sources& sources, Diagnostics& diagnos
   if (!options.run_file.empty()) run = read_run(options.run_file, subject->model, sources, diagnostics);
   report::Json against = earlier_timing(options, robot_options, question, sources, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
-  if (!check_results({{options.out, "-o"}}, sources, diagnostics)) return no_answer();
+  if (!check_results({{options.out, "-o"}}, sources, diagnostics,
+                     user_files(user_include_dirs(subject->planned->robot), sources.access())))
+    return no_answer();
 
   const auto& [library, robot, forest, schedule, timing_file] = *subject->planned;
   question.remodel = timing::robot_remodel(robot, forest, robot_options);

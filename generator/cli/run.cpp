@@ -31,6 +31,7 @@
 #include "generator/run/work_folder.hpp"
 #include "generator/timing/from_robot.hpp"
 #include "generator/timing/operands.hpp"
+#include "generator/timing_file/user_code.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -307,7 +308,9 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   if (diagnostics.has_errors()) return no_answer();
   const FaultTable faults = load_fault_table(input->data_dir);
   const std::vector<PlannedFile> results{{options.out, "-o"}, {options.audit, "--audit"}, {options.json, "--json"}};
-  if (!check_results(results, sources, diagnostics, options.keep)) return no_answer();
+  if (!check_results(results, sources, diagnostics, user_files(user_include_dirs(robot), sources.access()),
+                     options.keep))
+    return no_answer();
 
   const WorkFolder work(options.keep, diagnostics);
   if (diagnostics.has_errors()) return no_answer();

@@ -18,6 +18,7 @@
 #include "generator/run/wcet_scheduler.hpp"
 #include "generator/run/work_folder.hpp"
 #include "generator/timing/bounds.hpp"
+#include "generator/timing_file/user_code.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -66,6 +67,13 @@ Answer answer_of(const Options& options, const TimedRobot& timed, Diagnostics& d
   return {status, wcet_text(timed), std::move(document)};
 }
 
+/// Beside the robot's description.
+std::vector<std::string> files_read(const Robot& robot, const Options& options, const Sources& sources) {
+  std::vector<std::string> files = user_files(user_include_dirs(robot), sources.access());
+  if (!options.elf.empty()) files.push_back(options.elf);
+  return files;
+}
+
 }  // namespace
 
 Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnostics) {
@@ -73,7 +81,8 @@ Answer run_wcet(const Options& options, Sources& sources, Diagnostics& diagnosti
   if (input) input->without_timing_file = true;
   const auto planned = input ? plan_robot(*input, sources, diagnostics) : std::nullopt;
   if (!planned || !has_model(planned->robot, diagnostics)) return no_answer();
-  if (!check_results({{options.out, "-o"}}, sources, diagnostics)) return no_answer();
+  if (!check_results({{options.out, "-o"}}, sources, diagnostics, files_read(planned->robot, options, sources)))
+    return no_answer();
   const WorkFolder work({}, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   // Without bounds: they do not change what is computed here, and are computed from it.

@@ -31,6 +31,7 @@ Acquisition read_acquisition(const Json& value) {
   acquisition.model = model == "streamed" ? Acquisition::Model::streamed : Acquisition::Model::polled;
   acquisition.latency = duration_member(value, "latency_ns").value_or(Duration::zero());
   acquisition.interval = duration_member(value, "interval_ns");
+  acquisition.interval_param = value.value("interval_param", std::string());
   acquisition.tolerance_ppm = value.value("tolerance_ppm", acquisition.tolerance_ppm);
   acquisition.periods = optional_member<std::int64_t>(value, "periods");
   acquisition.published_every = value.value("published_every", std::int64_t{1});

@@ -33,6 +33,7 @@ struct Acquisition {
   Model model = Model::polled;
   Duration latency;                                 ///< inside the part: filters, averaging
   std::optional<Duration> interval;                 ///< streamed: from one frame to the next, by the part's own clock
+  std::string interval_param;                       ///< the param whose value it is; empty: `interval` counts
   std::int64_t tolerance_ppm = kUsualTolerancePpm;  ///< how far that clock may be off, both ways
   std::optional<std::int64_t> periods;   ///< polled: own periods from the begin of a measurement to its update()
   std::int64_t published_every = 1;      ///< polled: a fresh value at least every so many measurements

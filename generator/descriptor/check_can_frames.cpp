@@ -123,14 +123,17 @@ void check_streams(const DeviceType& type, const Contradictions& found) {
   std::uint64_t left = 0;
   for (const Identifiers& entry : type.receives) left += entry.count;
   for (std::size_t i = 0; i < type.frames->size(); ++i) {
-    if ((*type.frames)[i].stage != FrameStage::autonomous) continue;
+    const Frame& frame = (*type.frames)[i];
+    const bool is_answer = frame.stage != FrameStage::autonomous;
+    if (is_answer && (!frame.use.empty() || frame.read_bytes == 0)) continue;
     if (left > 0) {
       --left;
       continue;
     }
     found.add({"frames", std::to_string(i), "stage"},
-              "the part sends this frame by itself, and \"receives\" has no identifier for it: the driver of a CAN bus "
-              "stamps frames by all that keep it busy");
+              fmt::format("the part sends this frame{}, and \"receives\" has no identifier for it: the driver of a CAN "
+                          "bus stamps frames by all that keep it busy",
+                          is_answer ? " when it is asked" : " by itself"));
     return;
   }
 }

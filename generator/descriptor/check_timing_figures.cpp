@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "generator/bus/bus_type.hpp"
 #include "generator/descriptor/read_param.hpp"
 
 namespace finemote::gen {
@@ -18,12 +19,15 @@ class TimingCheck {
     if (type_.acquisition && type_.acquisition->conversion) check_conversion(*type_.acquisition->conversion);
     for (std::size_t i = 0; type_.frames && i < type_.frames->size(); ++i) {
       const Frame& frame = (*type_.frames)[i];
-      check_interval(frame.stage == FrameStage::autonomous, type_.interval_of(frame), {"frames", std::to_string(i)});
+      check_interval(frame.stage == FrameStage::autonomous, type_.says_interval_of(frame),
+                     {"frames", std::to_string(i)});
     }
+    for (std::size_t i = 0; type_.frames && i < type_.frames->size(); ++i)
+      check_stage((*type_.frames)[i], {"frames", std::to_string(i), "stage"});
     if (type_.acquisition && type_.acquisition->interval) check_samples_come(*type_.acquisition->interval);
     for (std::size_t i = 0; i < type_.interrupts.size(); ++i) {
       const Interrupt& interrupt = type_.interrupts[i];
-      check_interval(interrupt.is_autonomous, interrupt.min_interval, {"interrupts", std::to_string(i)});
+      check_interval(interrupt.is_autonomous, interrupt.min_interval.has_value(), {"interrupts", std::to_string(i)});
     }
     for (std::size_t i = 0; i < type_.uses.size(); ++i) check_line(type_.uses[i], {"uses", std::to_string(i)});
   }
@@ -31,10 +35,7 @@ class TimingCheck {
  private:
   void check_model(const Acquisition& acquisition) const {
     if (acquisition.model == Acquisition::Model::streamed) {
-      if (!acquisition.interval) {
-        found_.add({"acquisition"}, "model 'streamed' needs \"interval_ns\", the nominal time between two frames")
-            .hint("for a frame every 10 ms: \"interval_ns\": 10000000");
-      }
+      check_rate(acquisition);
       for (const char* member : {"periods", "published_every", "conversion"}) check_absent(member, "polled");
       return;
     }
@@ -44,7 +45,25 @@ class TimingCheck {
                "model 'polled' needs \"periods\", from the begin of a measurement to the update() that publishes it")
           .hint("where update() begins a measurement and the next update() publishes it: \"periods\": 1");
     }
-    check_absent("interval_ns", "streamed");
+    for (const char* member : {"interval_ns", "interval_param"}) check_absent(member, "streamed");
+  }
+  void check_rate(const Acquisition& acquisition) const {
+    const JsonPath path{"acquisition", "interval_param"};
+    const std::string& param = acquisition.interval_param;
+    if (param.empty() && !acquisition.interval) {
+      found_.add({"acquisition"}, "model 'streamed' needs \"interval_ns\", the nominal time between two frames")
+          .hint("for a frame every 10 ms: \"interval_ns\": 10000000");
+    }
+    if (param.empty()) return;
+    const ParamSpec* spec = find_spec(type_.params, param);
+    if (acquisition.interval) {
+      found_.add(path, "the interval is fixed or the value of a param, not both").hint("leave one of the two out");
+    } else if (spec == nullptr) {
+      found_.add(path, fmt::format("there is no param '{}'", param));
+    } else if (spec->unit != Unit::time_ns || spec->min.value_or(0) < 1) {
+      found_.add(path, fmt::format("param '{}' can be no interval", param))
+          .hint("it needs \"unit\": \"ns\" and a \"range\" that begins above 0");
+    }
   }
   void check_absent(const std::string& member, const char* model) const {
     const JsonPath path{"acquisition", member};
@@ -98,8 +117,9 @@ class TimingCheck {
   void check_samples_come(Duration interval) const {
     std::optional<Duration> soonest;
     for (const Frame& frame : type_.frames.value_or(std::vector<Frame>{})) {
-      const auto apart = frame.stage == FrameStage::autonomous ? type_.interval_of(frame) : std::nullopt;
-      if (apart) soonest = std::min(*apart, soonest.value_or(*apart));
+      if (frame.stage != FrameStage::autonomous) continue;
+      const Duration apart = frame.min_interval.value_or(interval);
+      soonest = std::min(apart, soonest.value_or(apart));
     }
     if (!soonest || *soonest <= interval) return;
     found_
@@ -108,10 +128,33 @@ class TimingCheck {
         .hint("a frame without \"min_interval_ns\" comes once for each sample");
   }
 
-  void check_interval(bool is_autonomous, std::optional<Duration> least, const JsonPath& path) const {
-    if (!is_autonomous || least) return;
+  void check_interval(bool is_autonomous, bool is_known, const JsonPath& path) const {
+    if (!is_autonomous || is_known) return;
     found_.add(path, "what comes by itself needs \"min_interval_ns\", the shortest time between two")
         .hint("for at most one in 10 ms: \"min_interval_ns\": 10000000");
+  }
+
+  /// That a frame can be sent so.
+  void check_stage(const Frame& frame, const JsonPath& path) const {
+    const auto is_output = [](BusKind kind) { return bus_type(kind).channels == BusType::Channels::outputs; };
+    const bool is_pulse = frame.use.empty() && std::any_of(type_.buses.begin(), type_.buses.end(), is_output);
+    if (frame.stage == FrameStage::flush && frame.shared.empty() && !is_pulse) {
+      found_
+          .add(path, "a frame of stage 'flush' is one that several devices fill: it needs \"identifier\", on a CAN bus")
+          .hint("what a device sends behind its own handle() is of stage 'handle'");
+    }
+    if (frame.stage != FrameStage::autonomous) return;
+    const auto use =
+        std::find_if(type_.uses.begin(), type_.uses.end(), [&](const UseSpec& each) { return each.role == frame.use; });
+    const std::vector<BusKind>& kinds = use != type_.uses.end() ? use->buses : type_.buses;
+    const bool asks = !kinds.empty() &&
+                      std::all_of(kinds.begin(), kinds.end(), [](BusKind kind) { return bus_type(kind).is_mastered; });
+    if (asks) {
+      found_.add(path, fmt::format("nothing comes by itself over a bus of kind '{}'", bus_type(kinds.front()).name));
+    } else if (!type_.acquisition) {
+      found_.add(path, "a part that sends by itself needs \"acquisition\": how old a sample is when it is read")
+          .hint("for a frame every 10 ms: \"acquisition\": { \"model\": \"streamed\", \"interval_ns\": 10000000 }");
+    }
   }
 
   /// Interrupts that nobody counts would be in no bound.

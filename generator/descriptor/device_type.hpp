@@ -126,9 +126,8 @@ struct DeviceType {
   [[nodiscard]] std::vector<IdentifierRange> received(std::uint32_t id) const;
   /// How far the clock of the part may be off, both ways: all intervals of what it does by itself are by that clock.
   [[nodiscard]] std::int64_t clock_ppm() const { return acquisition ? acquisition->tolerance_ppm : kUsualTolerancePpm; }
-  /// From one such frame that the part sends by itself to the next, by its own clock: as the frame says, else one frame
-  /// for each sample; none where neither is known.
-  [[nodiscard]] std::optional<Duration> interval_of(const Frame& frame) const;
+  /// Whether it is known how often the part sends such a frame by itself: as the frame says, else one for each sample.
+  [[nodiscard]] bool says_interval_of(const Frame& frame) const;
   [[nodiscard]] bool has_command() const { return !provides.empty() && provides.front().has_command; }
 };
 

@@ -11,6 +11,7 @@
 #include "generator/descriptor/frames.hpp"
 #include "generator/descriptor/mux_select.hpp"
 #include "generator/descriptor/param.hpp"
+#include "generator/units/duration.hpp"
 
 namespace finemote::gen {
 
@@ -22,6 +23,11 @@ struct RepeatSpec {
 };
 
 /// A part that provides buses and is no device.
+/// How long a driver's flush() takes at most.
+struct FlushTime {
+  Duration once, per_channel;  ///< `per_channel`: from the first to the last that is used
+};
+
 struct ExpanderType {
   enum class Kind {
     mux,     ///< each `<channel>` is a segment of the bus it sits on; no object, but the way of what is behind it
@@ -45,6 +51,7 @@ struct ExpanderType {
   bool is_suggested = false;          ///< what hints and examples name
   std::vector<ParamSpec> params;
   ExpanderFrames frames;
+  std::optional<FlushTime> flush;  ///< of a driver; none: as the costs of the board say of the shipped one
   Emulation emulation;
 
   [[nodiscard]] bool is_mux() const { return kind == Kind::mux; }

@@ -139,8 +139,8 @@ std::optional<SharedFrame> DeviceType::shared_frame(std::uint32_t id) const {
   return {};
 }
 
-std::optional<Duration> DeviceType::interval_of(const Frame& frame) const {
-  return frame.min_interval || !acquisition ? frame.min_interval : acquisition->interval;
+bool DeviceType::says_interval_of(const Frame& frame) const {
+  return frame.min_interval || (acquisition && (acquisition->interval || !acquisition->interval_param.empty()));
 }
 
 std::vector<IdentifierRange> DeviceType::received(std::uint32_t id) const {

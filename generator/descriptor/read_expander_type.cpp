@@ -35,7 +35,7 @@ class ExpanderCheck {
 
  private:
   void check_mux(const ExpanderType& type) {
-    for (const char* member : {"class", "header", "params", "frames"}) {
+    for (const char* member : {"class", "header", "params", "frames", "wcet"}) {
       if (value_.contains(member)) contradiction({member}, fmt::format("a mux is no object: it has no \"{}\"", member));
     }
     if (type.repeats) contradiction({"provides", "repeats"}, "a mux makes no pulses: it has no \"repeats\"");
@@ -60,6 +60,9 @@ class ExpanderCheck {
       check_param(type, type.repeats->frequency, Unit::frequency_hz, {"provides", "repeats", "frequency"});
       check_param(type, type.repeats->clock, Unit::frequency_hz, {"provides", "repeats", "clock"});
     }
+    if (!value_.contains("frames")) contradiction({"kind"}, "a driver needs \"frames\": what a flush sends");
+    const bool is_shipped = type.cpp_class.rfind("finemote::", 0) == 0;
+    if (!type.flush && !is_shipped) contradiction({"kind"}, "a driver needs \"wcet\": how long its flush() takes");
     check_param(type, type.frames.checked_every, Unit::none, {"frames", "check", "every"});
   }
   void check_param(const ExpanderType& type, const std::string& name, Unit unit, const JsonPath& path) {
@@ -96,6 +99,10 @@ ExpanderType read_expander_type(const Json& value, const Origin& origin, Diagnos
   type.is_suggested = value.value("suggested", false);
   type.params = read_params(value, origin, diagnostics);
   if (const auto it = value.find("frames"); it != value.end()) type.frames = read_expander_frames(*it);
+  if (const auto it = value.find("wcet"); it != value.end()) {
+    type.flush = FlushTime{duration_member(*it, "flush_ns").value_or(Duration::zero()),
+                           duration_member(*it, "per_channel_ns").value_or(Duration::zero())};
+  }
   if (const auto it = value.find("emulation"); it != value.end()) type.emulation = read_emulation(*it);
   const Contradictions found(origin, diagnostics);
   check_class(type.cpp_class, found);

@@ -109,11 +109,11 @@ bool check_outputs(const std::vector<PlannedFile>& outputs, Sources& sources, Di
 }
 
 bool check_results(std::vector<PlannedFile> results, Sources& sources, Diagnostics& diagnostics,
-                   const std::string& made) {
+                   const std::vector<std::string>& others, const std::string& made) {
   results.erase(
       std::remove_if(results.begin(), results.end(), [](const PlannedFile& file) { return file.path.empty(); }),
       results.end());
-  bool is_fine = check_outputs(results, sources, diagnostics);
+  bool is_fine = check_outputs(results, sources, diagnostics, others);
   for (const PlannedFile& file : results) {
     const auto reason = is_below(file.path, made) ? std::nullopt : why_not_replaced(file.path);
     if (reason) report_unwritable(file, *reason, diagnostics);

@@ -29,9 +29,10 @@ bool check_outputs(const std::vector<PlannedFile>& outputs, Sources& sources, Di
 /// The same of files that a command ends with, and finds those that could not be written when the work for them is
 /// done: no folder is made for them. Reports FM5002 for each, with the system's reason.
 /// @param results  those with an empty path are not asked for
+/// @param others   as for check_outputs
 /// @param made     a folder that the command makes, with others in it: files below it are not looked at; empty: none
 /// @return  whether all may be written, as far as that shows before
 bool check_results(std::vector<PlannedFile> results, Sources& sources, Diagnostics& diagnostics,
-                   const std::string& made = {});
+                   const std::vector<std::string>& others = {}, const std::string& made = {});
 
 }  // namespace finemote::gen

@@ -111,8 +111,11 @@ std::string sample_text(const Acquisition& acquisition) {
   const bool is_streamed = acquisition.model == Acquisition::Model::streamed;
   std::string text = is_streamed ? "sent by the part" : "requested by update()";
   const std::string off = fmt::format("up to {:g} % off", static_cast<double>(acquisition.tolerance_ppm) / 1e4);
+  const std::string& param = acquisition.interval_param;
   if (acquisition.interval) text += fmt::format(", every {} ({})", time_text(*acquisition.interval), off);
-  if (!acquisition.interval && acquisition.tolerance_ppm != kUsualTolerancePpm) text += ", by a clock " + off;
+  if (!param.empty()) text += fmt::format(", every `{}` ({})", param, off);
+  if (!acquisition.interval && param.empty() && acquisition.tolerance_ppm != kUsualTolerancePpm)
+    text += ", by a clock " + off;
   if (acquisition.periods) text += fmt::format(", published {} period(s) later", *acquisition.periods);
   if (acquisition.latency > Duration::zero()) text += ", with a delay of up to " + time_text(acquisition.latency);
   return text;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
@@ -15,6 +17,7 @@ constexpr unsigned kFormat = 1;                         // of the frames: link.h
 constexpr unsigned kMaxPayload = 117;                   // a frame of 128 bytes
 constexpr unsigned kTimeSize = 8;                       // every block of states begins with the robot's time
 constexpr unsigned kMaxBlocks = 16;                     // a nibble
+constexpr unsigned kMaxCommandBlocks = 1;               // bounds count on a frame for every sample
 constexpr unsigned kStateStamp = 9, kCommandStamp = 1;  // origin and validity; validity
 
 struct Scalar {
@@ -22,14 +25,15 @@ struct Scalar {
   const char* kind;  ///< enumerator of the runtime
   const char* cpp;   ///< on the computer
   unsigned size;
+  char letter;  ///< of CommandFrame::values
 };
 
 const Scalar& scalar(const std::string& type) {
   static constexpr Scalar kScalars[] = {
-      {"bool", "kBool", "bool", 1},         {"uint8", "kU8", "std::uint8_t", 1},
-      {"int16", "kI16", "std::int16_t", 2}, {"uint16", "kU16", "std::uint16_t", 2},
-      {"int32", "kI32", "std::int32_t", 4}, {"uint32", "kU32", "std::uint32_t", 4},
-      {"float", "kF32", "float", 4},        {"int64", "kI64", "std::int64_t", 8},
+      {"bool", "kBool", "bool", 1, '?'},         {"uint8", "kU8", "std::uint8_t", 1, 'B'},
+      {"int16", "kI16", "std::int16_t", 2, 'h'}, {"uint16", "kU16", "std::uint16_t", 2, 'H'},
+      {"int32", "kI32", "std::int32_t", 4, 'i'}, {"uint32", "kU32", "std::uint32_t", 4, 'I'},
+      {"float", "kF32", "float", 4, 'f'},        {"int64", "kI64", "std::int64_t", 8, 'q'},
   };
   const auto found =
       std::find_if(std::begin(kScalars), std::end(kScalars), [&](const Scalar& s) { return type == s.type; });
@@ -69,7 +73,9 @@ class Planner {
       for (const Binding& binding : plan_.schedule.roles[device][role].bindings) add(link, scope, binding);
     }
     link.up_blocks = cut(link, link.up, kTimeSize, kStateStamp);
+    if (link.up_blocks > kMaxBlocks) report(link, fmt::format("states fill {} frames", link.up_blocks));
     link.down_blocks = cut(link, link.down, 0, kCommandStamp);
+    if (link.down_blocks > kMaxCommandBlocks) report(link, fmt::format("commands fill {} frames", link.down_blocks));
     link.number = number(link);
     return link;
   }
@@ -110,7 +116,6 @@ class Planner {
       item.block = block;
       used += size;
     }
-    if (block >= kMaxBlocks) report(link, fmt::format("there are {} frames' worth of data", block + 1));
     return block + 1;
   }
   void report(const DeviceLink& link, const std::string& what) {
@@ -118,7 +123,8 @@ class Planner {
     diagnostics_
         .error(code::link_too_large, device.at,
                fmt::format("device '{}' cannot carry all this: {}", device.name.text, what))
-        .note(fmt::format("a frame holds {} bytes, and there are at most {} frames each way", kMaxPayload, kMaxBlocks))
+        .note(
+            fmt::format("a frame holds {} bytes; states have at most {} frames, commands one", kMaxPayload, kMaxBlocks))
         .hint("put fewer devices under one link, or add a second link");
   }
 
@@ -234,6 +240,24 @@ void set_layout(const DeviceLink& link, Data& data) {
 }
 
 }  // namespace
+
+InterfaceTable shipped_interfaces(const std::string& data_dir) {
+  const std::string path = data_dir + "/schemas/interfaces.json";
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot read " + path);
+  return read_interfaces(nlohmann::ordered_json::parse(file));
+}
+
+std::optional<CommandFrame> command_frame(const DeviceLink& link) {
+  if (link.down.empty()) return std::nullopt;
+  CommandFrame frame{link.number, {}};
+  for (const LinkItem& item : link.down) {
+    frame.values += 'v';
+    for (const LinkField& field : item.fields)
+      frame.values.append(std::max(1U, field.count), scalar(field.type).letter);
+  }
+  return frame;
+}
 
 std::vector<DeviceLink> plan_links(const Plan& plan, const InterfaceTable& interfaces, Diagnostics& diagnostics) {
   std::vector<DeviceLink> links;

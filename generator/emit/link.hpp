@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,16 @@ struct DeviceLink {
   std::uint32_t number = 0;  ///< a layout that differs in anything has another one
 };
 
+/// What schemas/interfaces.json of the shipped files says.
+InterfaceTable shipped_interfaces(const std::string& data_dir);
+
 /// Every link of the robot, in schedule order. `interfaces` is that of schemas/interfaces.json.
-/// Reports FM3205 when a state or command does not fit a frame, or there are more than sixteen blocks.
+/// Reports FM3205 when a state or command does not fit a frame, the commands do not fit one together, or states fill
+/// more than sixteen.
 std::vector<DeviceLink> plan_links(const Plan& plan, const InterfaceTable& interfaces, Diagnostics& diagnostics);
+
+/// What a computer sends down the link; none where no device takes commands from it.
+std::optional<CommandFrame> command_frame(const DeviceLink& link);
 
 /// `host_layout` and the tables behind it, for the tree of the device: templates/link_layout.mustache.
 Constant link_constant(const Plan& plan, const DeviceLink& link);

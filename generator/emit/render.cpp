@@ -42,13 +42,6 @@ void check_names(const Plan& plan, const std::vector<Constant>& constants, Diagn
   }
 }
 
-InterfaceTable shipped_interfaces(const std::string& data_dir) {
-  const std::string path = data_dir + "/schemas/interfaces.json";
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error("cannot read " + path);
-  return read_interfaces(nlohmann::ordered_json::parse(file));
-}
-
 }  // namespace
 
 std::vector<TemplateData> plan_files(const Plan& plan, const ProvenBounds& bounds, const std::string& data_dir,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generator/model/sample_interval.hpp"
 #include "generator/units/clock_tolerance.hpp"
 
 namespace finemote::gen {
@@ -29,7 +30,7 @@ Duration shortest_of_bits(const Robot& robot, const Device& device, Duration spa
 }
 
 std::optional<Duration> shortest_interval(const Robot& robot, const Device& device, const Frame& frame) {
-  const std::optional<Duration> own = device.type->interval_of(frame);
+  const std::optional<Duration> own = frame.min_interval ? frame.min_interval : sample_interval(device);
   if (!own || *own <= Duration::zero()) return std::nullopt;
   return std::max(shortest_of_part(robot, device, *own), nanoseconds(1));
 }

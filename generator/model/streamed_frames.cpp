@@ -25,6 +25,22 @@ std::int64_t sum_over_streams(const Device& device, const Count& count) {
   return sum;
 }
 
+/// Of what the device itself asks for over a serial line, at most once in a job: two periods hold three jobs.
+template <typename Count>
+std::int64_t sum_over_answers(const Robot& robot, const Device& device, BusId line, const Count& count) {
+  constexpr std::int64_t kJobs = 3;
+  std::int64_t sum = 0;
+  if (device.type == nullptr || !device.type->frames) return sum;
+  for (const Frame& frame : *device.type->frames) {
+    if (frame.stage == FrameStage::autonomous || frame.read_bytes == 0) continue;
+    const auto use = std::find_if(device.uses.begin(), device.uses.end(),
+                                  [&](const Use& each) { return each.spec->role == frame.use; });
+    const auto segment = use != device.uses.end() ? use->segment : device.segment;
+    if (segment && robot.segments[*segment].bus == line) sum += kJobs * count(frame);
+  }
+  return sum;
+}
+
 /// From one look of update() to the next while every job ends in its period.
 Duration longest_look(const Device& device) {
   return device.period > floor_div(Duration::max(), 2) ? Duration::max() : 2 * device.period;
@@ -55,15 +71,18 @@ std::int64_t frames_in(const Robot& robot, const Device& device, Duration window
 
 std::int64_t line_events(const Robot& robot, BusId line) {
   constexpr std::int64_t kUsual = 16;  // of a part of which nobody says what it sends
-  return most_on_line(robot, line, kUsual, [&](const Device& device) { return most_frames(robot, device); });
+  return most_on_line(robot, line, kUsual, [&](const Device& device) {
+    return most_frames(robot, device) + sum_over_answers(robot, device, line, [](const Frame&) { return 1; });
+  });
 }
 
 std::int64_t received_bytes(const Robot& robot, BusId line) {
   constexpr std::int64_t kUsual = 256;
   return most_on_line(robot, line, kUsual, [&](const Device& device) {
-    return sum_over_streams(device, [&](const Frame& frame) {
+    const std::int64_t streamed = sum_over_streams(device, [&](const Frame& frame) {
       return frames_in(robot, device, frame, longest_look(device)) * frame.read_bytes;
     });
+    return streamed + sum_over_answers(robot, device, line, [](const Frame& frame) { return frame.read_bytes; });
   });
 }
 

@@ -62,9 +62,17 @@ bool is_too_large_for_sram(const std::string& output) {
   return says("board_sram.ld") && (says("region `CODE' overflowed") || says("region `CORE_RAM' overflowed"));
 }
 
+/// What a shell has set for other programs is none of the firmware's options.
+std::vector<std::string> build_environment() {
+  return {"CCACHE_NOHASHDIR=1", "CXXFLAGS",     "CFLAGS",        "CPPFLAGS",
+          "ASMFLAGS",           "LDFLAGS",      "CPATH",         "C_INCLUDE_PATH",
+          "CPLUS_INCLUDE_PATH", "LIBRARY_PATH", "COMPILER_PATH", "GCC_EXEC_PREFIX",
+          "CMAKE_BUILD_TYPE"};
+}
+
 /// Runs one step; false and a diagnostic when it fails.
 bool step(const std::vector<std::string>& command, const char* what, Diagnostics& diagnostics) {
-  const ProcessResult result = run_process(command, kLongestBuild, {"CCACHE_NOHASHDIR=1"});
+  const ProcessResult result = run_process(command, kLongestBuild, build_environment());
   if (result.started && !result.timed_out && result.exit_status == 0) return true;
   if (!result.started) {
     diagnostics.error(code::missing_tool, {}, fmt::format("cannot start '{}'", command.front()))

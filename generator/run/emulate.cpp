@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -104,6 +105,15 @@ void report_stop(const Json& record, const FaultTable& table, Diagnostics& diagn
   }
 }
 
+/// How far the clocks of parts may be off, as the types of their devices say, by their names.
+std::map<std::string, double> declared_ppm(const Robot& robot) {
+  std::map<std::string, double> declared;
+  for (const Device& device : robot.devices) {
+    if (device.type->acquisition) declared[device.name.text] = static_cast<double>(device.type->clock_ppm());
+  }
+  return declared;
+}
+
 void warn_of_misuse(const Json& record, Diagnostics& diagnostics) {
   for (const Json& report : record.at("reports")) {
     diagnostics.warning(
@@ -165,7 +175,7 @@ std::optional<RunRecord> emulate(const std::string& image, const Robot& robot, c
   EmulatedParts parts = emulated_parts(robot);
   const auto most_ppm = static_cast<double>(options.board.clock_ppm);
   const std::optional<Phase> phase = options.phase ? options.phase : clocks_of(options.silicon);
-  const double clock_ppm = phase ? shift_clocks(*phase, most_ppm, parts.scenario.at("parts")) : 0;
+  const double clock_ppm = phase ? shift_clocks(*phase, most_ppm, declared_ppm(robot), parts.scenario.at("parts")) : 0;
   const char* flash = options.flash_misses ? "miss" : "hit";
   const Duration last_event = options.scenario == nullptr ? Duration::zero() : options.scenario->last_event;
   Json job = {{"board", board_wiring(options.board)},

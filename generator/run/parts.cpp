@@ -9,6 +9,7 @@
 #include "generator/bus/bus_type.hpp"
 #include "generator/bus/line_format.hpp"
 #include "generator/geometry/mechanism.hpp"
+#include "generator/model/sample_interval.hpp"
 #include "generator/run/emulation.hpp"
 #include "generator/run/mechanics.hpp"
 
@@ -97,6 +98,15 @@ void add_bus(const Robot& robot, const Device& device, Json& part) {
   if (device.channel) part["channel"] = *device.channel;
   add_identifiers(device, part);
   add_uses(robot, device, part);
+}
+
+/// How often it sends, where the robot says so, and what.
+void add_stream(const Device& device, Json& part) {
+  const bool is_set = device.type->acquisition && !device.type->acquisition->interval_param.empty();
+  if (is_set) part["period_ns"] = sample_interval(device).value_or(Duration::zero()).ns();
+  if (!device.commands) return;
+  part["layout"] = device.commands->layout;
+  part["values"] = device.commands->values;
 }
 
 /// What the part feels of the body, or does to it.
@@ -224,6 +234,7 @@ EmulatedParts emulated_parts(const Robot& robot) {
       Json part{{"type", emulation.part}, {"name", device.name.text}};
       add_bus(robot, device, part);
       add_mechanics(robot, device, body.is_null() ? "" : body["name"], part);
+      add_stream(device, part);
       leave_known(part["type"], part);
       if (emulation.values) part.update(*emulation.values);
       add_params(emulation, device.params, part);

@@ -1,5 +1,6 @@
 #include "generator/run/phase.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
@@ -48,7 +49,7 @@ double usual_period(const scenario::Model& model, const Json& part) {
 
 }  // namespace
 
-double shift_clocks(const Phase& phase, double clock_ppm, Json& parts) {
+double shift_clocks(const Phase& phase, double clock_ppm, const std::map<std::string, double>& declared, Json& parts) {
   Draw draw(phase);
   const double board = draw.both_ways(clock_ppm);
   const bool are_together = draw.part_of_one() < 0.5;
@@ -57,7 +58,9 @@ double shift_clocks(const Phase& phase, double clock_ppm, Json& parts) {
     const scenario::Model* model = scenario::find_model(part.at("type").get<std::string>());
     if (model == nullptr || model->clock_tolerance_ppm == 0) continue;
     const Clock own = are_together ? common : draw.clock();
-    const double ppm = own.error * model->clock_tolerance_ppm;
+    const auto known = declared.find(part.at("name").get<std::string>());
+    const double most = known == declared.end() ? model->clock_tolerance_ppm : known->second;
+    const double ppm = own.error * std::min(model->clock_tolerance_ppm, most);
     part["clock_ppm"] = ((1 + ppm * 1e-6) / (1 + board * 1e-6) - 1) * 1e6;
     part["phase_ns"] = static_cast<std::uint64_t>(own.begin * usual_period(*model, part));
   }

@@ -25,6 +25,10 @@ constexpr int kNoSuchProgram = 127;
   dup2(out, STDERR_FILENO);
   for (const std::string& entry : environment) {
     const auto equals = entry.find('=');
+    if (equals == std::string::npos) {
+      unsetenv(entry.c_str());
+      continue;
+    }
     setenv(entry.substr(0, equals).c_str(), entry.substr(equals + 1).c_str(), 1);
   }
   std::vector<char*> words;

@@ -22,7 +22,7 @@ bool says_what_it_sends(const Robot& robot, const gen::Device& device, const Con
 bool says_how_often(const gen::Device& device, const Connection& connection) {
   const std::vector<Frame> frames = frames_over(device, connection);
   return std::all_of(frames.begin(), frames.end(), [&](const Frame& frame) {
-    return frame.stage != FrameStage::autonomous || device.type->interval_of(frame).has_value();
+    return frame.stage != FrameStage::autonomous || device.type->says_interval_of(frame);
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include "generator/model/conversion.hpp"
 #include "generator/model/part_clock.hpp"
+#include "generator/model/sample_interval.hpp"
 #include "generator/timing/robot_costs.hpp"
 #include "generator/timing/robot_flushes.hpp"
 #include "generator/timing/streamed_work.hpp"
@@ -29,7 +30,7 @@ std::optional<Acquisition> acquisition_of(const Robot& robot, const gen::Device&
   Acquisition result;
   result.fixed = longest_counted(robot, given.latency);
   if (given.model == gen::Acquisition::Model::streamed) {
-    result.interval = longest_of_part(robot, device, given.interval.value_or(Duration::zero()));
+    result.interval = longest_of_part(robot, device, sample_interval(device).value_or(Duration::zero()));
   } else {
     result.periods = given.periods.value_or(1);
     result.every = given.published_every;

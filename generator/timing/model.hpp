@@ -89,6 +89,8 @@ struct Transfer {
   std::int64_t interrupts = 1;  ///< service routines on its way that the wire waits for
   Duration service;             ///< how long those routines run, of_transfers: no others do on its bus; 0: not known
   bool command = false;         ///< carries the device's command: its last bit is the end of a chain
+  bool reads = false;           ///< something comes back
+  bool writes = false;          ///< something is sent; known of robots alone
   bool receive = false;         ///< on the receive line of a bus with two lines: meets nothing that is sent
   std::optional<std::int64_t>
       identifier;  ///< of its one frame on a bus that arbitrates; none: more urgent than any other

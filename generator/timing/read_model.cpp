@@ -141,6 +141,7 @@ struct ModelReader::Tables {
       {"interrupts", Need::target, &Transfer::interrupts},
       {"service_ns", Need::target, &Transfer::service},
       {"command", Need::target, &Transfer::command},
+      {"reads", Need::target, &Transfer::reads},
       {"receive", Need::target, &Transfer::receive},
       {"identifier", Need::target, Whole<Transfer>{&ModelReader::read_identifier}},
   };

@@ -33,7 +33,9 @@ class FlushAdder {
     const Segment& output = robot_.segments[segment];
     if (output.kind == Segment::Kind::pwm_expander) {
       const auto [first, last] = channels_of(segment);
-      flush.wcet = costs.flush_expander + (last - first + 1) * costs.flush_expander_per_channel;
+      const FlushTime usual{costs.flush_expander, costs.flush_expander_per_channel};
+      const FlushTime time = robot_.expanders[*output.expander].type->flush.value_or(usual);
+      flush.wcet = time.once + (last - first + 1) * time.per_channel;
     } else {
       flush.wcet = costs.flush + channels * costs.flush_per_channel;
     }

@@ -6,6 +6,7 @@
 #include "generator/bus/bus_type.hpp"
 #include "generator/bus/line_format.hpp"
 #include "generator/model/part_clock.hpp"
+#include "generator/model/shared_frame.hpp"
 #include "generator/model/streamed_frames.hpp"
 
 namespace finemote::gen::timing {
@@ -79,6 +80,7 @@ Traffic::Traffic(const Robot& robot, const BusPlaces& places, const Table<BusId,
 
 void Traffic::add_device(const gen::Device& device, Rank place) {
   for (const Connection& connection : connections_of(device)) add_frames(device, connection, place);
+  if (device.type != nullptr) mark_late_commands(device, place);
   if (device.type != nullptr) add_own_lines(device, place);
 }
 
@@ -101,12 +103,28 @@ void Traffic::add_frames(const gen::Device& device, const Connection& connection
     add_transfer(place, *bus, unit.stage, unit.use);
     Transfer& transfer = model_.devices[place].transfers.back();
     if (unit.stage == FrameStage::autonomous) transfer.wire = longest_of_bits(robot_, device, transfer.wire);
-    if (connection.use != nullptr) {
-      transfer.command = false;
-    } else {
-      transfer.identifier = own_identifier(device, frames, unit.stage);
-    }
+    const auto any = [&](std::int64_t Frame::*bytes) {
+      return std::any_of(frames.begin(), frames.end(),
+                         [&](const Frame& frame) { return frame.stage == unit.stage && frame.*bytes > 0; });
+    };
+    transfer.reads = unit.stage != FrameStage::autonomous && any(&Frame::read_bytes);
+    transfer.writes = unit.stage != FrameStage::autonomous && any(&Frame::write_bytes);
+    if (connection.use == nullptr) transfer.identifier = own_identifier(device, frames, unit.stage);
   }
+}
+
+/// Where nothing of an actuator leaves after handle(), its command may leave with what the next update() sends.
+void Traffic::mark_late_commands(const gen::Device& device, Rank place) {
+  Device& own = model_.devices[place];
+  const auto is_command = [](const Transfer& transfer) { return transfer.command; };
+  const bool has_output = std::any_of(device.type->buses.begin(), device.type->buses.end(), [](BusKind kind) {
+    return bus_type(kind).channels == BusType::Channels::outputs;
+  });
+  const bool is_shared = shared_frame_of(device).has_value();
+  if (!device.type->actuator || has_output || is_shared) return;
+  if (std::any_of(own.transfers.begin(), own.transfers.end(), is_command)) return;
+  for (Transfer& transfer : own.transfers)
+    transfer.command = transfer.after == Transfer::After::update && transfer.writes;
 }
 
 void Traffic::add_selection(SegmentId segment, const WireRate& rate, WireUse& use) const {

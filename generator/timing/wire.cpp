@@ -28,9 +28,11 @@ Duration dated_early(const Model& model, BusPlace place) {
   return ceil_div(seconds(1), bus.baud_bps) + routine + model.costs.interrupt;
 }
 
-/// Whether this transfer can bring a sample: a device that asks for nothing in update() may do so together with its
-/// command.
+/// Whether this transfer can bring a sample: one that reads, where some do. Of a device that does not say, one with a
+/// command does so only if it asks for nothing in update().
 bool measures(const Device& device, const Transfer& transfer) {
+  const auto reads = [](const Transfer& other) { return other.reads; };
+  if (std::any_of(device.transfers.begin(), device.transfers.end(), reads)) return transfer.reads || !transfer.command;
   const auto is_of_update = [](const Transfer& other) { return other.after == Transfer::After::update; };
   return !transfer.command || std::none_of(device.transfers.begin(), device.transfers.end(), is_of_update);
 }
@@ -105,6 +107,9 @@ std::optional<Duration> WireAnalysis::command(Rank to) const {
     if (!transfer.command) continue;
     if (transfer.after == Transfer::After::bucket) {
       after_job(transfers_.of(to, t));
+    } else if (transfer.after == Transfer::After::update) {  // of the next job
+      const auto bound = transfers_.of(to, t);
+      raise(bound ? std::optional(model_.devices[to].period + profile_.responses.r_plus[to] + *bound) : std::nullopt);
     } else {
       raise(transfers_.of(to, t));
     }

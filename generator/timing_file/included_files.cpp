@@ -1,5 +1,6 @@
 #include "generator/timing_file/included_files.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -29,9 +30,16 @@ bool skip(std::string_view& line, std::string_view word) {
   return true;
 }
 
-/// The name between quotes or brackets of a line `#include`; nothing: it is another line.
+/// The name between quotes or brackets that a line `#include`s, or that it gives to a macro, which another line may
+/// include; nothing: it does neither.
 std::optional<std::string> name_in(std::string_view line) {
-  if (!skip(line, "#") || !skip(line, "include")) return std::nullopt;
+  if (!skip(line, "#")) return std::nullopt;
+  if (skip(line, "define")) {
+    skip_spaces(line);
+    line.remove_prefix(std::min(line.find_first_of(" \t"), line.size()));
+  } else if (!skip(line, "include")) {
+    return std::nullopt;
+  }
   skip_spaces(line);
   if (line.empty() || (line.front() != '"' && line.front() != '<')) return std::nullopt;
   const std::size_t end = line.find(line.front() == '"' ? '"' : '>', 1);

@@ -10,8 +10,8 @@
 
 #include "generator/output/manifest.hpp"
 #include "generator/output/sha256.hpp"
-#include "generator/timing_file/included_files.hpp"
 #include "generator/timing_file/timing_file.hpp"
+#include "generator/timing_file/user_code.hpp"
 #include "generator/xml/read_source.hpp"
 
 namespace finemote::gen {
@@ -95,14 +95,12 @@ std::vector<SourceText> shipped_sources(const TimingInputs& inputs) {
   return sources;
 }
 
-/// What lies in the user's folders, and what that and the generated files include from elsewhere.
-std::vector<SourceText> user_sources(const TimingInputs& inputs, const files::Access& access) {
-  std::vector<SourceText> sources;
-  for (const std::string& folder : inputs.user_folders) collect("user", folder, access, sources);
-  if (inputs.user_folders.empty()) return sources;
-  std::vector<SourceText> including = sources;
-  for (const OutputFile& file : inputs.generated) including.push_back({file.name, "", file.text});
-  for (SourceText& file : included_files(including, inputs.user_folders, access)) sources.push_back(std::move(file));
+/// As a checkout with other ends of lines has it.
+std::vector<SourceText> without_returns(std::vector<SourceText> sources) {
+  for (SourceText& source : sources) {
+    std::string& text = source.text;
+    text.erase(std::remove(text.begin(), text.end(), '\r'), text.end());
+  }
   return sources;
 }
 
@@ -115,7 +113,7 @@ std::string timing_hash(const TimingInputs& inputs, const files::Access& access)
   list.add("board", inputs.board + " " + inputs.placement);
   for (const OutputFile& file : inputs.generated) list.add(file.name, without_sources(file.text));
   list.add(shipped_sources(inputs));
-  list.add(user_sources(inputs, access));
+  list.add(without_returns(user_code(inputs.generated, inputs.user_folders, access)));
   return list.digest();
 }
 

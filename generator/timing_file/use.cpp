@@ -34,12 +34,11 @@ void take_bounds(const StageBounds& bounds, Wcet& wcet) {
   if (bounds.update && bounds.handle) wcet.source = Wcet::Source::computed;
 }
 
-/// Figures of a stale file are the best guess there is, and no more.
+/// Figures of a stale file are a guess, as those of the type are: whichever is longer.
 void take_guess(const StageBounds& bounds, Wcet& wcet) {
   if (wcet.source != Wcet::Source::assumed) return;
-  wcet.update = bounds.update.value_or(wcet.update);
-  wcet.handle = bounds.handle.value_or(wcet.handle);
-  if (bounds.update) wcet.per_frame = Duration::zero();
+  wcet.update = std::max(bounds.update.value_or(wcet.update), wcet.update);
+  wcet.handle = std::max(bounds.handle.value_or(wcet.handle), wcet.handle);
 }
 
 std::string words_of(const std::vector<std::string>& arguments, const std::string& board) {

@@ -66,7 +66,7 @@ void HostLink::update() {
 }
 
 void HostLink::handle() {
-  if (is_fresh(state, now(), config_.max_age)) return;
+  if (is_fresh(state, now(), max_age_)) return;
   state.valid = false;
   for (const LinkTarget& target : layout_.down) target.stamp.valid = false;
 }
@@ -213,8 +213,8 @@ void HostLink::send() {
   ++state.sent;
   block_ = static_cast<std::uint8_t>(block_ + 1 < layout_.up_blocks ? block_ + 1 : 0);
   // Frames are due on a fixed grid: a job that starts a little sooner after its release than the last one misses none.
-  next_send_ += config_.interval;
-  if (next_send_ <= at) next_send_ = at - (at - next_send_) % config_.interval + config_.interval;
+  next_send_ += interval_;
+  if (next_send_ <= at) next_send_ = at - (at - next_send_) % interval_ + interval_;
 }
 
 }  // namespace finemote

@@ -14,3 +14,17 @@ robot <<'X'
 X
 finemote generate robot.urdf -o out
 ls out
+{
+  echo '<robot name="r"><link name="l"/><finemote version="1"><board name="robomaster_type_c"/>'
+  echo '<bus name="tether" type="uart" port="usart6" baud="460800baud"/><device name="pilot" type="host_link" bus="tether" period="10ms">'
+  for n in $(seq 30); do echo "<device name=\"load_$n\" type=\"mover\"/>"; done
+  echo '</device></finemote></robot>'
+} >many.urdf
+echo >devices/mover.hpp
+cat >devices/mover.json <<'X'
+{
+  "schema": "finemote.device/1", "type": "mover", "summary": "takes a number", "class": "own::Mover", "header": "mover.hpp",
+  "provides": [{ "interface": "own::Mover", "command": true, "command_fields": [{ "name": "effort", "type": "float" }] }]
+}
+X
+finemote generate many.urdf -o out

@@ -176,8 +176,24 @@ TEST_CASE("the clock of a part is as good as is usual, or as its descriptor says
   CHECK(other.type.clock_ppm() == 400);
   CHECK(ReadType().type.clock_ppm() == 10'000);
   REQUIRE(usual.type.frames);
-  CHECK(usual.type.interval_of(usual.type.frames->at(0)) == milliseconds(5));
-  CHECK(usual.type.interval_of(usual.type.frames->at(1)) == milliseconds(9));
+  CHECK(usual.type.says_interval_of(usual.type.frames->at(0)));
+  CHECK(usual.type.says_interval_of(usual.type.frames->at(1)));
+}
+
+TEST_CASE("the interval of samples is fixed or the value of a param that is a time") {
+  const std::string sent = R"("frames": [{ "stage": "autonomous", "read": 8 }],
+      "params": [{ "name": "rate", "type": "int", "unit": "ns", "range": ["1ms", "1s"], "default": "5ms" },
+                 { "name": "none", "type": "int", "unit": "ns", "range": ["0ns", "1s"], "default": "5ms" },
+                 { "name": "size", "type": "int", "range": [1, 9], "default": 5 }],
+      "acquisition": { "model": "streamed", "interval_param": )";
+  const ReadType good(sent + R"("rate" })");
+  CHECK(good.said().empty());
+  REQUIRE(good.type.frames);
+  CHECK(good.type.says_interval_of(good.type.frames->front()));
+  CHECK(ReadType(sent + R"("pace" })").says("there is no param 'pace'"));
+  CHECK(ReadType(sent + R"("none" })").says("param 'none' can be no interval"));
+  CHECK(ReadType(sent + R"("size" })").says("param 'size' can be no interval"));
+  CHECK(ReadType(sent + R"("rate", "interval_ns": 5000000 })").says("not both"));
 }
 
 TEST_CASE("samples that come more often than any frame are a contradiction") {

@@ -159,6 +159,20 @@ TEST_CASE("parts are as slow and as fast as their clocks and the board's allow")
   CHECK(sources.front().budgets.front().carry_in == 2);
 }
 
+TEST_CASE("samples come as often as a param says where the type leaves it to one") {
+  const auto link = [](const std::string& param) {
+    const Robots robot = Robots::with(R"(<bus name="line" type="uart" port="usart1" baud="921600baud"/>
+        <device name="pilot" type="host_link" bus="line" period="10ms">)" +
+                                      param + "</device>");
+    return robot.model.devices[robot["pilot"]];
+  };
+  const timing::Device usual = link(""), rare = link(R"(<param name="command_interval">50ms</param>)");
+  CHECK(usual.acquisition->interval == longest_time(longest_time(20_ms, 100'000), 50));
+  CHECK(rare.acquisition->interval == longest_time(longest_time(50_ms, 100'000), 50));
+  REQUIRE(rare.transfers.size() == 2);
+  CHECK(rare.transfers.back().min_interval == shortest_time(shortest_time(50_ms, 100'000), 50));
+}
+
 TEST_CASE("a flush on CAN sends the frames of its own bucket, and asks for them once") {
   const Robots robot = Robots::with(R"(<bus name="can" type="can" port="can1" bitrate="1Mbit/s"/>
       <device name="a" type="dji_m3508" period="2ms" bus="can" id="1"/>

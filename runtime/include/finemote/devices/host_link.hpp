@@ -20,12 +20,13 @@ namespace finemote {
 class HostLink {
  public:
   struct Config {
-    Duration max_age = 200 * kMillisecond;  ///< of the last command frame
-    Duration interval = 10 * kMillisecond;  ///< between two frames sent
+    Duration max_age = 200 * kMillisecond;          ///< of the last command frame
+    Duration interval = 10 * kMillisecond;          ///< between two frames sent
+    Duration command_interval = 20 * kMillisecond;  ///< between two frames of commands: for the analysis alone
   };
 
   constexpr HostLink(const Config& config, const LinkLayout& layout, Uart& uart, Ports<Any> = {})
-      : config_(config), sizes_(layout), layout_(layout), uart_(uart) {}
+      : max_age_(config.max_age), interval_(config.interval), sizes_(layout), layout_(layout), uart_(uart) {}
 
   void update();
   void handle();
@@ -61,7 +62,7 @@ class HostLink {
   void send();
   std::size_t fill(std::uint8_t* payload, Time at) const;
 
-  const Config config_;
+  const Duration max_age_, interval_;
   const BlockSizes sizes_;
   const LinkLayout& layout_;
   Uart& uart_;

@@ -1,0 +1,56 @@
+#include "generator/timing_file/user_code.hpp"
+
+#include <filesystem>
+#include <utility>
+
+#include "generator/xml/read_source.hpp"
+
+namespace finemote::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files in a folder, in the order of names; not those below.
+std::vector<SourceText> files_in(const std::string& folder, const files::Access& access) {
+  files::Denial denial;
+  std::vector<SourceText> files;
+  for (const std::string& entry : access.list(folder, denial)) {
+    const std::string path = (fs::path(folder) / entry).string();
+    if (access.why_not(path)) continue;
+    if (auto text = access.read(path, xml::kMaxFileSize)) files.push_back({entry, path, std::move(*text)});
+  }
+  return files;
+}
+
+void append(std::vector<SourceText>& all, std::vector<SourceText> more) {
+  for (SourceText& file : more) all.push_back(std::move(file));
+}
+
+}  // namespace
+
+std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, const std::vector<std::string>& folders,
+                                  const files::Access& access) {
+  if (folders.empty()) return {};
+  std::vector<SourceText> compiled;
+  for (const std::string& folder : folders) {
+    for (SourceText& file : files_in(folder, access)) {
+      if (fs::path(file.name).extension() == ".cpp") compiled.push_back(std::move(file));
+    }
+  }
+  std::vector<SourceText> including = compiled;
+  for (const OutputFile& file : generated) including.push_back({file.name, "", file.text});
+  append(compiled, included_files(including, folders, access));
+  return compiled;
+}
+
+std::vector<std::string> user_files(const std::vector<std::string>& folders, const files::Access& access) {
+  std::vector<SourceText> all;
+  for (const std::string& folder : folders) append(all, files_in(folder, access));
+  append(all, included_files(all, folders, access));
+  std::vector<std::string> paths;
+  paths.reserve(all.size());
+  for (const SourceText& file : all) paths.push_back(file.path);
+  return paths;
+}
+
+}  // namespace finemote::gen

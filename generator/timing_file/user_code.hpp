@@ -1,0 +1,21 @@
+// What the compiler reads of a robot's own device types.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/emit/render.hpp"
+#include "generator/timing_file/included_files.hpp"
+
+namespace finemote::gen {
+
+/// The sources that are compiled with the robot's files, every `.cpp` that lies in one of `folders`, and what these and
+/// the generated files include: each once, in an order that does not depend on where the folders lie. What cannot be
+/// read is left out.
+std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, const std::vector<std::string>& folders,
+                                  const files::Access& access);
+
+/// Paths of all that the compiler may read of `folders`: whatever lies in them, and what that includes.
+std::vector<std::string> user_files(const std::vector<std::string>& folders, const files::Access& access);
+
+}  // namespace finemote::gen
