@@ -62,6 +62,9 @@ std::string order_text(const PlannedRobot& planned, DeviceId index) {
   return fmt::format("after '{}'", planned.robot.devices[planned.forest.order[Rank(rank - 1)]].name.text);
 }
 
+/// What labels call it.
+const char* source_word(Wcet::Source source) { return source == Wcet::Source::computed ? "static" : to_string(source); }
+
 Properties device_facts(const PlannedRobot& planned, DeviceId index) {
   const Robot& robot = planned.robot;
   const Device& device = robot.devices[index];
@@ -72,7 +75,7 @@ Properties device_facts(const PlannedRobot& planned, DeviceId index) {
       {"place", device_comment(planned.plan(), index)},
       {"order", order_text(planned, index)},
       {"wcet", fmt::format("update {} ns, handle {} ns", device.wcet.update.ns(), device.wcet.handle.ns())},
-      {"source of the wcet", to_string(device.wcet.source)}};
+      {"source of the wcet", source_word(device.wcet.source)}};
   if (device.parent && device.role) facts["role"] = robot.devices[*device.parent].type->roles[*device.role].name;
   if (!device.link.empty()) facts["link"] = device.link;
   if (!device.joint.empty()) facts["joint"] = device.joint;

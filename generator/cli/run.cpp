@@ -308,10 +308,8 @@ Answer run_run(const Options& options, Sources& sources, Diagnostics& diagnostic
   if (diagnostics.has_errors()) return no_answer();
   const FaultTable faults = load_fault_table(input->data_dir);
   const std::vector<PlannedFile> results{{options.out, "-o"}, {options.audit, "--audit"}, {options.json, "--json"}};
-  if (!check_results(results, sources, diagnostics, user_files(user_include_dirs(robot), sources.access()),
-                     options.keep))
-    return no_answer();
-
+  const auto read = user_files(user_include_dirs(robot), sources.access());
+  if (!check_results(results, sources, diagnostics, read, options.keep)) return no_answer();
   const WorkFolder work(options.keep, diagnostics);
   if (diagnostics.has_errors()) return no_answer();
   const Analysis analysis = analyse_robot(*planned, options.build_only ? Hints::left_out : Hints::wanted);

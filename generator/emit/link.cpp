@@ -123,8 +123,8 @@ class Planner {
     diagnostics_
         .error(code::link_too_large, device.at,
                fmt::format("device '{}' cannot carry all this: {}", device.name.text, what))
-        .note(
-            fmt::format("a frame holds {} bytes; states have at most {} frames, commands one", kMaxPayload, kMaxBlocks))
+        .note(fmt::format("a frame holds {} bytes, states have at most {} frames, and commands have one", kMaxPayload,
+                          kMaxBlocks))
         .hint("put fewer devices under one link, or add a second link");
   }
 

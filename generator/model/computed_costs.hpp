@@ -33,6 +33,7 @@ struct ComputedCosts {
   std::map<BusId, std::vector<Duration>> requests;  ///< a request that hands over one frame, two, ...
   Duration pins;                                    ///< a run of the routine of any line that belongs to no bus
   Retries retries;
+  bool is_guess = false;  ///< of an image that may be another one now
 };
 
 }  // namespace finemote::gen

@@ -239,7 +239,7 @@ void print_run(const RunResult& result, bool is_verbose, std::ostream& out) {
     out << fmt::format("the chip is meaner than its manual in {}, as seed {} draws it\n",
                        fmt::join(silicon.names, ", "), silicon.seed);
   if (result.record.flash == "miss")
-    out << "bounds are those of the execution times that are declared or assumed, whatever the fetches cost\n";
+    out << "bounds are those of the execution times that the robot has, whatever the fetches cost\n";
   print_summary(result, out);
   if (is_verbose) print_order(result, out);
   print_chains(result, is_verbose, out);

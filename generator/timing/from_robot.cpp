@@ -103,7 +103,7 @@ void add_supervision(const Robot& robot, Model& model) {
   if (first != model.devices.end()) first->update_extra += supervision(robot);
 }
 
-/// What was computed is of the image without trace and monitor.
+/// What was computed is of the image without trace and monitor, or of another one.
 void assume_computed(Model& model) {
   const auto assume = [](WcetSource& source) {
     if (source == WcetSource::computed) source = WcetSource::assumed;
@@ -180,7 +180,8 @@ std::optional<Model> make_timing_model(const Robot& robot, const Forest& forest,
   try {
     Model model = model_of(robot, forest, schedule, options);
     shorten_streamed_work(robot, forest, model);
-    if (options.trace || options.monitor) assume_computed(model);
+    const bool is_guess = robot.computed && robot.computed->is_guess;
+    if (options.trace || options.monitor || is_guess) assume_computed(model);
     return model;
   } catch (const Overflow& overflow) {
     report_overflow(start(robot, forest), overflow, diagnostics);

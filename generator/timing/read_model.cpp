@@ -238,9 +238,8 @@ void ModelReader::read_budget(InterruptSource&, const Value& v) {
 }
 
 void ModelReader::read_devices(Model& model, const Value& v) {
-  if (values_.is_array(v, "devices") && v.items.empty()) {
-    values_.error(code::timing_no_device, v, "the model has no device");
-  }
+  const bool is_list = values_.is_array(v, "devices");
+  if (is_list && v.items.empty()) values_.error(code::timing_no_device, v, "the model has no device");
   for (const Value& item : v.items) read_device(model, item);
 }
 

@@ -34,11 +34,22 @@ void take_bounds(const StageBounds& bounds, Wcet& wcet) {
   if (bounds.update && bounds.handle) wcet.source = Wcet::Source::computed;
 }
 
-/// Figures of a stale file are a guess, as those of the type are: whichever is longer.
+/// Figures of a stale file are the best guess there is, and no more.
 void take_guess(const StageBounds& bounds, Wcet& wcet) {
   if (wcet.source != Wcet::Source::assumed) return;
-  wcet.update = std::max(bounds.update.value_or(wcet.update), wcet.update);
-  wcet.handle = std::max(bounds.handle.value_or(wcet.handle), wcet.handle);
+  wcet.update = bounds.update.value_or(wcet.update);
+  wcet.handle = bounds.handle.value_or(wcet.handle);
+  if (bounds.update) wcet.per_frame = Duration::zero();
+}
+
+/// The same of what runs beside stages, where the file knows every device that there is now.
+std::optional<ComputedCosts> guessed_costs(const TimingFile& file, const Robot& robot) {
+  for (const Device& device : robot.devices) {
+    if (file.devices.count(device.name.text) == 0) return std::nullopt;
+  }
+  auto costs = computed_costs(file, robot);
+  if (costs) costs->is_guess = true;
+  return costs;
 }
 
 std::string words_of(const std::vector<std::string>& arguments, const std::string& board) {
@@ -80,7 +91,7 @@ State use_timing_file(const TimingFile& file, const TimingQuestion& question, Ro
         .note(why_stale(file))
         .hint(fmt::format("compute them anew: finemote wcet {} -o {}", question.robot, name));
   }
-  if (state == State::fits) robot.computed = computed_costs(file, robot);
+  robot.computed = state == State::fits ? computed_costs(file, robot) : guessed_costs(file, robot);
   for (const DeviceId id : robot.devices.ids()) {
     const auto bounds = file.devices.find(robot.devices[id].name.text);
     if (bounds == file.devices.end()) continue;

@@ -21,11 +21,16 @@ def push(draw):
     return {"do": "disturb", "torque": draw.uniform(-0.1, 0.1)}
 
 
+def command(draw):
+    return {"do": "command", "value": draw.uniform(-0.3, 0.3)}
+
+
 #: What moves a part, by the type of its device.
 MOVES = {
     **dict.fromkeys(("h30_imu", "bmi088", "ist8310"), pose),
     **dict.fromkeys(("dr16", "sbus"), sticks),
     **dict.fromkeys(("dji_m3508", "dji_m2006", "dji_gm6020"), push),
+    "host_link": command,
     "ms5837": lambda draw: {"do": "move", "pressure": draw.uniform(105_000, 125_000)},
     "gauge": lambda draw: {"do": "set", "r0": draw.randrange(256), "r1": draw.randrange(256)},
 }

@@ -7,8 +7,8 @@
 //   Receiver receiver;                      for each byte of the serial line:
 //   if (receiver.take(byte)) use(receiver.states());
 //
-//   Commands commands;  ...  Frame frame;   at least every max_age of the link, for all blocks:
-//   for (unsigned block = 0; block < kCommandBlocks; ++block) send(frame, make_frame(commands, block, sequence++, frame));
+//   Commands commands;  ...  Frame frame;   every `command_interval` of the link:
+//   send(frame, make_frame(commands, 0, sequence++, frame));
 #pragma once
 
 #include <cstddef>
