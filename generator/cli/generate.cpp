@@ -9,6 +9,7 @@
 #include "generator/model/firmware_inputs.hpp"
 #include "generator/output/write.hpp"
 #include "generator/run/project.hpp"
+#include "generator/timing_file/user_code.hpp"
 
 namespace finemote::gen {
 namespace {
@@ -96,10 +97,14 @@ Answer refuse_unschedulable(const std::string& out, const Verdict& verdict) {
 }
 
 /// Whether nothing that was read is overwritten, and nothing is written twice.
-bool are_apart(const Options& options, const Output& output, Sources& sources, Diagnostics& diagnostics) {
+bool are_apart(const Options& options, const Output& output, const Robot& robot, Sources& sources,
+               Diagnostics& diagnostics) {
   auto planned = planned_files(options.out, output, "-o");
   if (!options.depfile.empty()) planned.push_back({options.depfile, "--depfile"});
-  return check_outputs(planned, sources, diagnostics);
+  const bool is_fine = check_outputs(planned, sources, diagnostics);
+  if (options.depfile.empty() || !is_fine) return is_fine;
+  const std::vector<std::string> compiled = user_files(user_include_dirs(robot), sources.access());
+  return check_outputs({{options.depfile, "--depfile"}}, sources, diagnostics, compiled);
 }
 
 /// A requirement that fails refuses nothing here, but nobody should believe that it holds.
@@ -115,8 +120,9 @@ void warn_of_requirements(const Verdict& verdict, bool warnings_are_errors, Diag
 }
 
 /// Writes the files of a robot that may be written.
-Answer write_files(const Options& options, const Output& output, Sources& sources, Diagnostics& diagnostics) {
-  if (!are_apart(options, output, sources, diagnostics)) return no_answer();
+Answer write_files(const Options& options, const Output& output, const Robot& robot, Sources& sources,
+                   Diagnostics& diagnostics) {
+  if (!are_apart(options, output, robot, sources, diagnostics)) return no_answer();
   const WriteResult result = write_output(
       options.out, output, {options.dry_run, options.force, options.warnings_are_errors}, sources, diagnostics);
   if (is_refused(options, diagnostics)) return no_answer();
@@ -149,7 +155,8 @@ Answer run_generate(const Options& options, Sources& sources, Diagnostics& diagn
   }
   auto files = emit_files(*planned, prove_bounds(*planned, analysis), input->data_dir, diagnostics);
   if (is_refused(options, diagnostics)) return no_answer();
-  return write_files(options, output_of(std::move(files), *planned, *input, sources), sources, diagnostics);
+  return write_files(options, output_of(std::move(files), *planned, *input, sources), planned->robot, sources,
+                     diagnostics);
 }
 
 }  // namespace finemote::gen

@@ -18,6 +18,7 @@
 #include "generator/run/project.hpp"
 #include "generator/scaffold/fill_folder.hpp"
 #include "generator/scaffold/names.hpp"
+#include "generator/timing_file/user_code.hpp"
 #include "generator/version.hpp"
 
 namespace finemote::gen {
@@ -77,7 +78,7 @@ std::string place_below(const std::string& path, const std::string& folder) {
   return inside.empty() || *inside.begin() == ".." ? std::string() : inside.generic_string();
 }
 
-/// Files that were read and are not shipped, and what stands beside the robot's own descriptors.
+/// Files that were read and are not shipped, what stands beside the robot's own descriptors, and what that includes.
 std::vector<std::string> paths_of_robot(const std::string& data_dir, const Robot& robot, const Sources& sources) {
   std::vector<std::string> paths;
   for (const SourceFile& file : sources.files()) {
@@ -88,6 +89,7 @@ std::vector<std::string> paths_of_robot(const std::string& data_dir, const Robot
       if (entry.is_regular_file()) paths.push_back(entry.path().generic_string());
     }
   }
+  for (std::string& path : user_files(user_include_dirs(robot), sources.access())) paths.push_back(std::move(path));
   return paths;
 }
 

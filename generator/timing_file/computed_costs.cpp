@@ -50,6 +50,9 @@ void take_line(const LineBounds& line, const Robot& robot, ComputedCosts& costs)
 std::optional<ComputedCosts> computed_costs(const TimingFile& file, const Robot& robot) {
   const SchedulerBounds& bounds = file.scheduler;
   if (!file.is_complete || !bounds.release || !bounds.masked) return std::nullopt;
+  for (const char* word : {cost_words::kRelease, cost_words::kReceived, cost_words::kEvent}) {
+    if (bounds.retries.count(word) == 0) return std::nullopt;
+  }
   ComputedCosts costs;
   costs.release = *bounds.release;
   costs.masked = *bounds.masked;

@@ -1,6 +1,7 @@
 #include "generator/timing_file/included_files.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -97,6 +98,14 @@ class Search {
 };
 
 }  // namespace
+
+bool has_source_name(const std::string& name) {
+  static constexpr std::array<std::string_view, 18> kEndings = {".h",   ".hh",  ".hpp", ".hxx", ".H", ".ipp",
+                                                                ".inl", ".tpp", ".inc", ".def", ".c", ".cc",
+                                                                ".cpp", ".cxx", ".C",   ".s",   ".S", ".ld"};
+  const std::string ending = fs::path(name).extension().string();
+  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
 
 std::vector<SourceText> included_files(const std::vector<SourceText>& sources, const std::vector<std::string>& folders,
                                        const files::Access& access) {

@@ -14,6 +14,9 @@ struct SourceText {
   std::string text;
 };
 
+/// Whether a file is called as those that a compiler reads usually are.
+bool has_source_name(const std::string& name);
+
 /// What `sources` include, what that includes, and so on, each file once; `sources` themselves are not in it. A line
 /// that a compiler leaves out counts as well, for no `#if` is evaluated. What is found neither beside the file that
 /// includes it nor in `folders` belongs to the runtime or to the compiler. A macro that stands for a name counts as

@@ -1,10 +1,8 @@
 #include "generator/timing_file/inputs_hash.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <sstream>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,11 +21,6 @@ namespace fs = std::filesystem;
 constexpr const char* kBuildFiles[] = {"FinemoteCompile.cmake", "FinemoteFirmware.cmake",
                                        "toolchain-arm-none-eabi.cmake"};
 
-/// Endings of files that a compiler reads.
-constexpr std::array<std::string_view, 16> kSourceEndings = {".h",   ".hh",  ".hpp", ".hxx", ".ipp", ".inl",
-                                                             ".tpp", ".inc", ".def", ".c",   ".cc",  ".cpp",
-                                                             ".cxx", ".s",   ".S",   ".ld"};
-
 constexpr int kDeepest = 32;
 
 /// Without the lines that name what the file was made from.
@@ -45,11 +38,6 @@ SourceText source_at(const std::string& name, const fs::path& path, const files:
   return {name, path.string(), access.read(path.string(), xml::kMaxFileSize).value_or(std::string())};
 }
 
-bool is_source(const fs::path& path) {
-  const std::string ending = path.extension().string();
-  return std::find(kSourceEndings.begin(), kSourceEndings.end(), ending) != kSourceEndings.end();
-}
-
 /// Every source below a folder, in the order of names. Generated folders and hidden ones are left out: they hold what
 /// is made of the robot.
 void collect(const std::string& name, const fs::path& folder, const files::Access& access,
@@ -63,7 +51,7 @@ void collect(const std::string& name, const fs::path& folder, const files::Acces
     const fs::path path = folder / entry;
     if (access.holds_folder(path.string())) {
       collect(name + "/" + entry, path, access, sources, depth + 1);
-    } else if (is_source(path)) {
+    } else if (has_source_name(entry)) {
       sources.push_back(source_at(name + "/" + entry, path, access));
     }
   }

@@ -105,12 +105,16 @@ class Reader {
     if (!values_.is_object(task, "a part of the scheduler")) return;
     const std::string what = values_.member_text(task, "a part of the scheduler", "what");
     const Duration time = this->time(task, "wcet_ns");
-    if (what == cost_words::kRelease) bounds.release = time;
-    if (what == cost_words::kMasked) bounds.masked = time;
+    if (what == cost_words::kRelease) bounds.release = std::max(bounds.release.value_or(time), time);
+    if (what == cost_words::kMasked) bounds.masked = std::max(bounds.masked.value_or(time), time);
     if (what == cost_words::kBefore) read_stage(task, bounds.before);
-    if (what == cost_words::kRetry) bounds.retries[values_.member_text(task, "'retry'", "after")] = time;
-    if (task.find("behind_ns") != nullptr) bounds.behind[this->time(task, "period_ns")] = this->time(task, "behind_ns");
+    if (what == cost_words::kRetry) take_longer(bounds.retries[values_.member_text(task, "'retry'", "after")], time);
+    if (task.find("behind_ns") != nullptr)
+      take_longer(bounds.behind[this->time(task, "period_ns")], this->time(task, "behind_ns"));
   }
+
+  /// Of rows that say the same twice.
+  static void take_longer(Duration& longest, Duration time) { longest = std::max(longest, time); }
 
   void read_inputs(const Value& inputs, TimingFile& file) {
     file.compiler = text_or_none(inputs, "compiler");

@@ -10,11 +10,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files in a folder, in the order of names; not those below.
-std::vector<SourceText> files_in(const std::string& folder, const files::Access& access) {
+/// Sources in a folder, in the order of names; not those below.
+std::vector<SourceText> sources_in(const std::string& folder, const files::Access& access) {
   files::Denial denial;
   std::vector<SourceText> files;
   for (const std::string& entry : access.list(folder, denial)) {
+    if (!has_source_name(entry)) continue;
     const std::string path = (fs::path(folder) / entry).string();
     if (access.why_not(path)) continue;
     if (auto text = access.read(path, xml::kMaxFileSize)) files.push_back({entry, path, std::move(*text)});
@@ -33,7 +34,7 @@ std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, cons
   if (folders.empty()) return {};
   std::vector<SourceText> compiled;
   for (const std::string& folder : folders) {
-    for (SourceText& file : files_in(folder, access)) {
+    for (SourceText& file : sources_in(folder, access)) {
       if (fs::path(file.name).extension() == ".cpp") compiled.push_back(std::move(file));
     }
   }
@@ -45,7 +46,7 @@ std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, cons
 
 std::vector<std::string> user_files(const std::vector<std::string>& folders, const files::Access& access) {
   std::vector<SourceText> all;
-  for (const std::string& folder : folders) append(all, files_in(folder, access));
+  for (const std::string& folder : folders) append(all, sources_in(folder, access));
   append(all, included_files(all, folders, access));
   std::vector<std::string> paths;
   paths.reserve(all.size());

@@ -15,7 +15,8 @@ namespace finemote::gen {
 std::vector<SourceText> user_code(const std::vector<OutputFile>& generated, const std::vector<std::string>& folders,
                                   const files::Access& access);
 
-/// Paths of all that the compiler may read of `folders`: whatever lies in them, and what that includes.
+/// Paths of all that the compiler may read of `folders`: every source and header that lies in them, and what these
+/// include, whatever it is called.
 std::vector<std::string> user_files(const std::vector<std::string>& folders, const files::Access& access);
 
 }  // namespace finemote::gen

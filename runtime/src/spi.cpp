@@ -12,6 +12,8 @@ namespace {
 enum SpiFault : std::uint8_t { kTransferError = 1, kOverdue };
 
 constexpr Duration kDeadlineSlack = 300 * kMicrosecond;
+/// Without a DMA every byte waits for an interrupt, and those of other buses come in between.
+constexpr Duration kByteSlack = 3 * kMicrosecond;
 
 }  // namespace
 
@@ -51,7 +53,7 @@ void SpiBus::pick() {
     if (slot.state() != SlotState::kQueued) continue;
     active_ = &slot;
     slot.state_.store(SlotState::kActive);
-    deadline_ = now() + 2 * slot.size_ * byte_time_ + kDeadlineSlack;
+    deadline_ = now() + 2 * slot.size_ * (byte_time_ + kByteSlack) + kDeadlineSlack;
     unit_.store(unit_.load() + 1);
     port_->begin({slot.select_, slot.mode_, slot.write_, slot.read_, slot.size_});
     return;

@@ -1,4 +1,5 @@
 // <base>.timing.json: written by wcet, taken by every command that analyses, and told from one that is out of date.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
@@ -159,6 +160,47 @@ TEST_CASE("a file that a source includes from elsewhere, through another one, ma
   CHECK(told_by({"analyze", one.robot()}).says("FM4022"));
   write_file(one.path("common/rates.inc"), "#include \"rates.hpp\"\n");  // a ring of files
   CHECK(told_by({"analyze", one.robot()}).says("FM4022"));
+}
+
+TEST_CASE("files are inputs of a timing file by what includes them, not by their names and places") {
+  const OneRobot one;
+  const std::string source = read_file(one.path("devices/counter.hpp"));
+  write_file(one.path("devices/counter.hpp"),
+             "#include \"Rounds\"\n#define TABLE \"sub/.hidden/table.txt\"\n#include TABLE\n" + source);
+  write_file(one.path("devices/Rounds"), "// one\n");
+  write_file(one.path("devices/sub/.hidden/table.txt"), "// one\n");
+  write_file(one.path("devices/unused.hpp"), "// one\n");
+  REQUIRE(run_finemote({"wcet", one.robot(), "-o", one.timing_file()}).exit_status == 0);
+  const auto is_stale = [&] { return told_by({"analyze", one.robot()}).says("FM4022"); };
+
+  write_file(one.path("devices/unused.hpp"), "// two\n");
+  write_file(one.path("devices/Rounds"), "// one\r\n");
+  CHECK_FALSE(is_stale());
+  write_file(one.path("devices/Rounds"), "// two\n");
+  CHECK(is_stale());
+  write_file(one.path("devices/Rounds"), "// one\n");
+  CHECK_FALSE(is_stale());
+  write_file(one.path("devices/sub/.hidden/table.txt"), "// two\n");
+  CHECK(is_stale());
+}
+
+TEST_CASE("a file that lacks rows of the scheduler leaves its costs assumed, and of two rows the longer one counts") {
+  const OneRobot one;
+  Json document = Json::parse(read_file(one.timing_file()));
+  const Json whole = document;
+  Json& rows = document["scheduler"];
+  const auto is_retry = [](const Json& row) { return row["what"] == "retry"; };
+  rows.erase(std::remove_if(rows.begin(), rows.end(), is_retry), rows.end());
+  write_file(one.timing_file(), document.dump());
+  CHECK(told_by({"analyze", one.robot(), "--require-static"}).status == 1);
+
+  document = whole;
+  document["scheduler"].push_back({{"what", "release"}, {"wcet_ns", 1}});
+  write_file(one.timing_file(), document.dump());
+  const Told twice = told_by({"analyze", one.robot(), "--require-static"});
+  write_file(one.timing_file(), whole.dump());
+  CHECK(twice.status == 0);
+  CHECK(twice.document["target"] == told_by({"analyze", one.robot()}).document["target"]);
 }
 
 TEST_CASE("another period or another device makes it stale, another comment does not") {

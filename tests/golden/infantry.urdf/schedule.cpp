@@ -108,16 +108,16 @@ namespace {
 
 constexpr finemote::Monitored kMonitored[] = {
     // bucket, response [ns], age [ns] (both with the cost of monitor and trace), command
-    {0, 194823, finemote::kNothingToBound, nullptr},  // imu
-    {0, 188771, 28453024, &gimbal::yaw.command},  // yaw
-    {0, 182076, 28446329, &gimbal::pitch.command},  // pitch
-    {1, 235140, finemote::kNothingToBound, nullptr},  // gimbal
-    {2, 305613, 26569766, &chassis::front_left.command},  // front_left
-    {2, 299173, 26563326, &chassis::front_right.command},  // front_right
-    {2, 292662, 26556815, &chassis::rear_left.command},  // rear_left
-    {2, 286223, 26550376, &chassis::rear_right.command},  // rear_right
-    {2, 279777, finemote::kNothingToBound, nullptr},  // chassis
-    {3, 387631, finemote::kNothingToBound, nullptr},  // remote
+    {0, 194895, finemote::kNothingToBound, nullptr},  // imu
+    {0, 188843, 28453096, &gimbal::yaw.command},  // yaw
+    {0, 182148, 28446401, &gimbal::pitch.command},  // pitch
+    {1, 235212, finemote::kNothingToBound, nullptr},  // gimbal
+    {2, 305685, 26569838, &chassis::front_left.command},  // front_left
+    {2, 299245, 26563398, &chassis::front_right.command},  // front_right
+    {2, 292734, 26556887, &chassis::rear_left.command},  // rear_left
+    {2, 286295, 26550448, &chassis::rear_right.command},  // rear_right
+    {2, 279849, finemote::kNothingToBound, nullptr},  // chassis
+    {3, 387703, finemote::kNothingToBound, nullptr},  // remote
 };
 
 }  // namespace
